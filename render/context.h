@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+namespace render {
+
+// An OpenGL 4.5 core context without a window, through EGL, current on the thread that made it.
+class HeadlessContext {
+  public:
+    // `which`: "auto" (a hardware device if there is one, else surfaceless), "surfaceless", "device" or "device:N".
+    // Errors: one sentence that says what was tried and what is missing.
+    static tl::expected<HeadlessContext, std::string> create(std::string_view which);
+    ~HeadlessContext();
+    HeadlessContext(HeadlessContext&&) noexcept;
+    HeadlessContext& operator=(HeadlessContext&&) noexcept;
+
+    std::string renderer_name() const;  // "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa 22.3.6"
+
+  private:
+    struct Handles;
+    explicit HeadlessContext(std::unique_ptr<Handles> handles);
+    std::unique_ptr<Handles> handles_;
+};
+
+}  // namespace render

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "render/camera.h"
+#include "render/context.h"
+#include "render/look.h"
+#include "render/picture.h"
+#include "sim/state.h"
+
+namespace render {
+
+// Draws a world. Needs a current GL 4.5 context, from headless EGL or a window, for as long as it lives. Views are
+// read, never kept; nothing flows back into the simulation.
+class Renderer {
+  public:
+    // `assets` is the folder that holds shaders/. Errors name the shader file and line.
+    static tl::expected<Renderer, std::string> create(const std::filesystem::path& assets);
+    ~Renderer();
+    Renderer(Renderer&&) noexcept;
+    Renderer& operator=(Renderer&&) noexcept;
+
+    // All passes, in order, into an offscreen target of the given size in pixels.
+    void draw(const sim::View& world, const Camera& camera, const Light& light, const Look& look, int width, int height);
+
+    // The last drawn frame, top row first, sRGB 8 bit, 3 channels.
+    Picture read_back() const;
+
+  private:
+    struct Parts;
+    explicit Renderer(std::unique_ptr<Parts> parts);
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace render

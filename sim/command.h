@@ -1,0 +1,2 @@
+#pragma once
+namespace sim { struct Command { bool operator==(const Command&) const = default; }; }

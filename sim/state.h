@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/command.h"
+#include "sim/grid.h"
+#include "sim/ledger.h"
+
+namespace sim {
+
+// What a vertex is to the flow. Border vertices of the grid are kGround; the halo around them is kDrain or kWall.
+enum class Site : std::uint8_t {
+    kGround,  // material lies and rolls here
+    kDrain,   // what arrives has left the world: no-data and the halo of open and sink borders
+    kWall,    // nothing passes: the halo of wall borders
+};
+
+// A pour or a dig that goes on for more than the tick it began in.
+struct Source {
+    Command command;
+    std::int64_t first_tick = 0;
+    bool operator==(const Source&) const = default;
+};
+
+// All that a step changes, and the ground it changes it on. A plain value: copy it to keep it.
+// bedrock, depth and rolling are vertical metres; depth and rolling are whole multiples of kQuantum (ledger.h), so that
+// sums and differences of them are exact.
+struct State {
+    Grid grid;
+
+    Field<float> bedrock;      // b, m above datum
+    Field<float> depth;        // d ≥ 0, m, erodible depth; the standing layer's height is h = b + d
+    Field<float> rolling;      // R ≥ 0, m, rolling layer
+    Field<float> velocity_x;   // m/s, of the rolling layer; 0 where R = 0
+    Field<float> velocity_y;   // m/s
+    Field<float> start_slope;  // tangent above which the vertex starts from rest; set by make_state from the first surface
+    Field<Site> site;
+
+    double datum = 0;  // m, height of b = 0 above the terrain's zero; bedrock is kept small so that slopes keep their digits
+
+    std::int64_t tick = 0;        // ticks done
+    std::vector<Source> sources;  // running, in the order in which they were given
+    std::uint64_t seed = 0;       // of randomness, kept and hashed; nothing draws from it yet
+    Ledger ledger;                // where the mass is
+};
+
+// Read-only view that everything outside sim gets. Valid as long as the state is.
+struct View {
+    const Grid& grid;
+    const Field<float>& bedrock;     // m above datum
+    const Field<float>& depth;       // m
+    const Field<float>& rolling;     // m
+    const Field<float>& velocity_x;  // m/s
+    const Field<float>& velocity_y;  // m/s
+    const Field<Site>& site;
+    double datum;       // m; height above the terrain's zero is datum + bedrock + depth + rolling
+    std::int64_t tick;  // ticks done
+};
+
+inline View view(const State& s) {
+    return {s.grid, s.bedrock, s.depth, s.rolling, s.velocity_x, s.velocity_y, s.site, s.datum, s.tick};
+}
+
+}  // namespace sim

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <tl/expected.hpp>
+
+namespace terrains {
+
+struct LatLon {
+    double latitude = 0, longitude = 0;  // WGS 84, degrees; north and east positive
+};
+
+struct LocalPoint {
+    double x = 0, y = 0;  // m from the grid's south-west vertex, along the grid's own axes
+};
+
+// Where a grid stands on Earth, and the way there and back. Three kinds:
+//   not placed   a generated terrain or a DEM that states no coordinate system: local metres only
+//   projected    the DEM's own metric coordinate system; the grid keeps its axes, x = easting − easting of vertex (0, 0)
+//   local        a DEM in degrees, laid on a transverse Mercator plane through its own centre (GeographicLib, scale 1
+//                there), so that lengths and angles are true and y is north
+// A value: cheap to copy, holds no library handle.
+class Georeference {
+  public:
+    Georeference() = default;  // not placed
+
+    // `wkt` is a coordinate system with metres as its unit; easting and northing are those of vertex (0, 0).
+    static Georeference projected(std::string wkt, double easting, double northing);
+
+    // Plane through `centre`; (false_x, false_y) is what vertex (0, 0) measures from it, m.
+    static Georeference local(LatLon centre, double false_x, double false_y);
+
+    bool placed() const { return kind_ != Kind::kNone; }
+
+    // Errors: not placed, or a point that the coordinate system cannot express.
+    tl::expected<LatLon, std::string> to_lat_lon(LocalPoint p) const;
+    tl::expected<LocalPoint, std::string> to_local(LatLon p) const;
+
+    // WKT of the plane the grid lies on, for exports; empty where not placed.
+    const std::string& wkt() const { return wkt_; }
+    // Coordinates of vertex (0, 0) in that plane, m.
+    double origin_x() const { return origin_x_; }
+    double origin_y() const { return origin_y_; }
+
+    // "47.30012° N 11.43210° E, UTM 32T 683912 5240010"; empty where not placed or not expressible.
+    std::string describe(LocalPoint p) const;
+
+  private:
+    enum class Kind { kNone, kProjected, kLocal };
+    Kind kind_ = Kind::kNone;
+    std::string wkt_;
+    LatLon centre_;
+    double origin_x_ = 0, origin_y_ = 0;
+};
+
+}  // namespace terrains
