@@ -1,2 +1,95 @@
 #pragma once
-namespace sim { struct Command { bool operator==(const Command&) const = default; }; }
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace sim {
+
+struct Params;
+struct State;
+
+enum class CommandKind : std::uint8_t { kPour, kDig, kBlast };
+enum class Layer : std::uint8_t { kRolling, kStanding };
+enum class Profile : std::uint8_t { kDisc, kCone };  // equal depth within the radius; highest in the middle
+
+// One thing a person does to the world, in world units. Which members a kind uses is in kCommands; the others keep
+// their defaults. Nothing else changes a world.
+struct Command {
+    CommandKind kind = CommandKind::kPour;
+    double x = 0, y = 0;
+    double radius = 10;
+    double rate = 0;
+    double duration = 0;
+    double depth = 0;
+    Layer layer = Layer::kRolling;
+    Profile profile = Profile::kDisc;
+
+    bool operator==(const Command&) const = default;
+};
+
+struct CommandNumber {
+    std::string_view name, unit;
+    double Command::*value;
+    double least, most;
+    std::string_view meaning;
+};
+
+inline constexpr double kFarthest = 1e7;  // m, any coordinate
+
+inline constexpr CommandNumber kPourNumbers[] = {
+    {"x", "m", &Command::x, -kFarthest, kFarthest, "centre, east of the south-west vertex"},
+    {"y", "m", &Command::y, -kFarthest, kFarthest, "centre, north of the south-west vertex"},
+    {"radius", "m", &Command::radius, 0, 1e5, "of the disc; below a cell, the nearest vertex takes all"},
+    {"rate", "m3/s", &Command::rate, 0, 1e8, "volume added per second"},
+    {"duration", "s", &Command::duration, 0, 1e5, "rounded to whole ticks, at least one"},
+};
+inline constexpr CommandNumber kDigNumbers[] = {
+    {"x", "m", &Command::x, -kFarthest, kFarthest, "centre, east of the south-west vertex"},
+    {"y", "m", &Command::y, -kFarthest, kFarthest, "centre, north of the south-west vertex"},
+    {"radius", "m", &Command::radius, 0, 1e5, "of the disc; below a cell, the nearest vertex gives"},
+    {"rate", "m/s", &Command::rate, 0, 100, "depth taken per second, rolling layer first, never bedrock"},
+    {"duration", "s", &Command::duration, 0, 1e5, "rounded to whole ticks, at least one"},
+};
+inline constexpr CommandNumber kBlastNumbers[] = {
+    {"x", "m", &Command::x, -kFarthest, kFarthest, "centre, east of the south-west vertex"},
+    {"y", "m", &Command::y, -kFarthest, kFarthest, "centre, north of the south-west vertex"},
+    {"radius", "m", &Command::radius, 0, 1e5, "of the disc; below a cell, the nearest vertex goes"},
+    {"depth", "m", &Command::depth, 0, 100, "erodible depth that becomes rolling layer, at most"},
+};
+
+// The manifest: from it come the recording's writer and reader, the scene's, --help, and the tests of all.
+struct CommandInfo {
+    CommandKind kind;
+    std::string_view name;
+    std::span<const CommandNumber> numbers;
+    bool has_layer;    // "as": "rolling" or "standing"
+    bool has_profile;  // "profile": "disc" or "cone"
+    std::string_view meaning;
+};
+
+inline constexpr CommandInfo kCommands[] = {
+    {CommandKind::kPour, "pour", kPourNumbers, true, true, "adds material, at rest, for a while"},
+    {CommandKind::kDig, "dig", kDigNumbers, false, false, "takes material away, for a while"},
+    {CommandKind::kBlast, "blast", kBlastNumbers, false, false, "makes the erodible layer roll, at once"},
+};
+
+const CommandInfo& info_of(CommandKind kind);
+std::optional<CommandInfo> command_from(std::string_view name);
+std::string_view to_string(Layer layer);
+std::string_view to_string(Profile profile);
+std::optional<Layer> layer_from(std::string_view name);
+std::optional<Profile> profile_from(std::string_view name);
+
+// What is wrong with a command, as a sentence; nothing if all its numbers are in range.
+std::optional<std::string> fault_of(const Command& command);
+
+// Begins these commands at the state's tick and does this tick's share of all that run. Reads grid, site, tick; writes
+// depth, rolling, velocity (material is added and eroded at rest), sources, ledger. A vertex whose layer has reached
+// half of kDeepest takes no more, and what falls beside the grid or on no-data never enters the world: the ledger counts
+// what did.
+void apply_commands(State& state, const Params& params, std::span<const Command> commands);
+
+}  // namespace sim

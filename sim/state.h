@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sim/command.h"
@@ -44,6 +45,21 @@ struct State {
     std::uint64_t seed = 0;       // of randomness, kept and hashed; nothing draws from it yet
     Ledger ledger;                // where the mass is
 };
+
+// What a world begins with: grid.size() values each, row-major, without a halo.
+struct World {
+    Grid grid;
+    double datum = 0;                         // m, see State
+    std::span<const float> bedrock;           // m above datum
+    std::span<const float> depth;             // m, 0 ≤ depth ≤ kDeepest / 2; rounded to whole quanta
+    std::span<const float> rolling;           // m, the same; begins at rest
+    std::span<const std::uint8_t> has_data;   // 0 where material leaves the world
+    std::uint64_t seed = 0;
+};
+State make_state(const World& world, const Params& params);
+
+// Nothing rolls and nothing is being poured or dug: with no further command every later tick leaves the same fields.
+bool at_rest(const State& state);
 
 // Read-only view that everything outside sim gets. Valid as long as the state is.
 struct View {

@@ -1,0 +1,182 @@
+#include "sim/command.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/params.h"
+#include "sim/state.h"
+
+namespace sim {
+namespace {
+
+// Vertices within a disc, and for each its share of the whole. A disc smaller than a cell holds its nearest vertex, so
+// that nothing a person does is lost between the vertices.
+struct Disc {
+    double x, y, radius;  // m
+    int x0, x1, y0, y1;   // vertices, inclusive; may lie outside the grid
+
+    Disc(const Command& c, double dx) : x(c.x), y(c.y), radius(c.radius) {
+        if (radius < dx) {
+            x = dx * std::rint(x / dx);
+            y = dx * std::rint(y / dx);
+            radius = 0.5 * dx;
+        }
+        x0 = static_cast<int>(std::ceil((x - radius) / dx));
+        x1 = static_cast<int>(std::floor((x + radius) / dx));
+        y0 = static_cast<int>(std::ceil((y - radius) / dx));
+        y1 = static_cast<int>(std::floor((y + radius) / dx));
+    }
+
+    double weight(int i, int j, double dx, Profile profile) const {
+        const double ex = i * dx - x, ey = j * dx - y;
+        const double distance = std::sqrt(ex * ex + ey * ey);
+        if (distance > radius) return 0;
+        return profile == Profile::kCone ? 1 - distance / radius : 1;
+    }
+
+    // Calls visit(x, y, weight) for each ground vertex of the grid under the disc.
+    template <class Visit>
+    void each_ground(const State& s, Profile profile, Visit&& visit) const {
+        for (int j = std::max(y0, 0); j <= std::min(y1, s.grid.ny - 1); ++j)
+            for (int i = std::max(x0, 0); i <= std::min(x1, s.grid.nx - 1); ++i) {
+                const double w = weight(i, j, s.grid.dx, profile);
+                if (w > 0 && s.site(i, j) == Site::kGround) visit(i, j, w);
+            }
+    }
+
+    // Sum of all weights, of the vertices outside the grid too: what falls there is no longer the world's. The sum
+    // runs over whole rows of a disc that may be far larger than the grid, so it is closed-form in the disc's area
+    // where the disc has more than 2²⁰ vertices.
+    double total_weight(double dx, Profile profile) const {
+        const double across = radius / dx;
+        const double area = 3.14159265358979323846 * across * across;
+        if (area > 1 << 20) return profile == Profile::kCone ? area / 3 : area;
+        double sum = 0;
+        for (int j = y0; j <= y1; ++j)
+            for (int i = x0; i <= x1; ++i) sum += weight(i, j, dx, profile);
+        return sum;
+    }
+};
+
+// This tick's share of an amount that is spread over `ticks`, in whole quanta, so that the shares add up exactly.
+std::int64_t quanta_due(double metres, std::int64_t tick, std::int64_t ticks) {
+    const double quanta = metres / kQuantum;
+    const auto until = [&](std::int64_t k) {
+        return std::llrint(quanta * (static_cast<double>(k) / static_cast<double>(ticks)));
+    };
+    return until(tick + 1) - until(tick);
+}
+
+void set_rolling(State& s, int x, int y, float rolling) {
+    // Momentum stays: what is added is at rest, what is taken carries its share away.
+    const float before = s.rolling(x, y);
+    if (rolling > before) {
+        s.velocity_x(x, y) *= before / rolling;
+        s.velocity_y(x, y) *= before / rolling;
+    } else if (rolling == 0) {
+        s.velocity_x(x, y) = s.velocity_y(x, y) = 0;
+    }
+    s.rolling(x, y) = rolling;
+}
+
+void pour(State& s, const Command& c, std::int64_t tick, std::int64_t ticks, double tick_s) {
+    const Disc disc(c, s.grid.dx);
+    const double total = disc.total_weight(s.grid.dx, c.profile);
+    const double volume = c.rate * tick_s * static_cast<double>(ticks);
+    disc.each_ground(s, c.profile, [&](int x, int y, double w) {
+        const auto due = quanta_due(volume * w / (total * s.grid.cell_area()), tick, ticks);
+        float& layer = c.layer == Layer::kStanding ? s.depth(x, y) : s.rolling(x, y);
+        const auto room = static_cast<std::int64_t>((kDeepest / 2 - layer) / kQuantum);
+        const auto quanta = std::clamp<std::int64_t>(due, 0, std::max<std::int64_t>(room, 0));
+        const float filled = layer + static_cast<float>(quanta) * kQuantum;
+        if (c.layer == Layer::kStanding)
+            layer = filled;
+        else
+            set_rolling(s, x, y, filled);
+        s.ledger.poured += quanta;
+    });
+}
+
+void dig(State& s, const Command& c, std::int64_t tick, std::int64_t ticks, double tick_s) {
+    const double depth = c.rate * tick_s * static_cast<double>(ticks);
+    const auto due = static_cast<float>(std::min<std::int64_t>(
+        quanta_due(depth, tick, ticks), static_cast<std::int64_t>(kDeepest / kQuantum)));
+    Disc(c, s.grid.dx).each_ground(s, Profile::kDisc, [&](int x, int y, double) {
+        const float wanted = due * kQuantum;
+        const float from_rolling = std::min(wanted, s.rolling(x, y));
+        const float from_depth = std::min(wanted - from_rolling, s.depth(x, y));
+        set_rolling(s, x, y, s.rolling(x, y) - from_rolling);
+        s.depth(x, y) -= from_depth;
+        s.ledger.dug += static_cast<std::int64_t>(from_rolling / kQuantum) +
+                        static_cast<std::int64_t>(from_depth / kQuantum);
+    });
+}
+
+void blast(State& s, const Command& c) {
+    const auto most = static_cast<float>(std::rint(c.depth / kQuantum)) * kQuantum;
+    Disc(c, s.grid.dx).each_ground(s, Profile::kDisc, [&](int x, int y, double) {
+        const float moved = std::min(most, s.depth(x, y));
+        s.depth(x, y) -= moved;
+        set_rolling(s, x, y, s.rolling(x, y) + moved);
+    });
+}
+
+template <class Value, class Infos>
+std::optional<Value> found(const Infos& names, std::string_view name) {
+    for (const auto& [value, known] : names)
+        if (known == name) return value;
+    return std::nullopt;
+}
+
+constexpr std::pair<Layer, std::string_view> kLayers[] = {{Layer::kRolling, "rolling"}, {Layer::kStanding, "standing"}};
+constexpr std::pair<Profile, std::string_view> kProfiles[] = {{Profile::kDisc, "disc"}, {Profile::kCone, "cone"}};
+
+}  // namespace
+
+const CommandInfo& info_of(CommandKind kind) { return kCommands[static_cast<std::size_t>(kind)]; }
+
+std::optional<CommandInfo> command_from(std::string_view name) {
+    for (const CommandInfo& info : kCommands)
+        if (info.name == name) return info;
+    return std::nullopt;
+}
+
+std::string_view to_string(Layer layer) { return kLayers[static_cast<std::size_t>(layer)].second; }
+std::string_view to_string(Profile profile) { return kProfiles[static_cast<std::size_t>(profile)].second; }
+std::optional<Layer> layer_from(std::string_view name) { return found<Layer>(kLayers, name); }
+std::optional<Profile> profile_from(std::string_view name) { return found<Profile>(kProfiles, name); }
+
+std::optional<std::string> fault_of(const Command& command) {
+    const CommandInfo& info = info_of(command.kind);
+    for (const CommandNumber& number : info.numbers) {
+        const double value = command.*number.value;
+        if (!(value >= number.least && value <= number.most))  // NaN too
+            return std::string(info.name) + "'s " + std::string(number.name) + " is " + std::to_string(value) + " " +
+                   std::string(number.unit) + ", outside " + std::to_string(number.least) + " to " +
+                   std::to_string(number.most);
+    }
+    return std::nullopt;
+}
+
+void apply_commands(State& state, const Params& params, std::span<const Command> commands) {
+    for (const Command& command : commands) state.sources.push_back({command, state.tick});
+
+    const double tick_s = params.tick_s;
+    const auto ticks_of = [&](const Command& c) {
+        return c.kind == CommandKind::kBlast ? 1 : std::max<std::int64_t>(1, std::llrint(c.duration / tick_s));
+    };
+    for (const Source& source : state.sources) {
+        const Command& c = source.command;
+        const std::int64_t tick = state.tick - source.first_tick;
+        switch (c.kind) {
+            case CommandKind::kPour: pour(state, c, tick, ticks_of(c), tick_s); break;
+            case CommandKind::kDig: dig(state, c, tick, ticks_of(c), tick_s); break;
+            case CommandKind::kBlast: blast(state, c); break;
+        }
+    }
+    std::erase_if(state.sources, [&](const Source& source) {
+        return state.tick + 1 - source.first_tick >= ticks_of(source.command);
+    });
+}
+
+}  // namespace sim

@@ -1,0 +1,21 @@
+#include "sim/snapshot.h"
+
+namespace sim {
+
+Snapshot take_snapshot(const State& s) {
+    return {s.depth, s.rolling, s.velocity_x, s.velocity_y, s.tick, s.sources, s.seed, s.ledger};
+}
+
+void restore(const Snapshot& snapshot, State& s) {
+    CHECK(snapshot.depth.nx() == s.grid.nx && snapshot.depth.ny() == s.grid.ny);
+    s.depth = snapshot.depth;
+    s.rolling = snapshot.rolling;
+    s.velocity_x = snapshot.velocity_x;
+    s.velocity_y = snapshot.velocity_y;
+    s.tick = snapshot.tick;
+    s.sources = snapshot.sources;
+    s.seed = snapshot.seed;
+    s.ledger = snapshot.ledger;
+}
+
+}  // namespace sim

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+namespace sim {
+
+// A fixed crew of threads that divides rows among itself. Each stage writes only the rows it is given and reads what an
+// earlier stage finished, so the number of threads never shows in the result.
+class Workers {
+  public:
+    explicit Workers(int threads);  // ≥ 1; 1 starts none
+    ~Workers();
+    Workers(const Workers&) = delete;
+    Workers& operator=(const Workers&) = delete;
+
+    int threads() const { return static_cast<int>(crew_.size()) + 1; }
+
+    // Calls stage(first, last) for bands of the rows 0 … rows-1, and returns when all are done. `stage` must not throw.
+    template <class Stage>
+    void each_band(int rows, Stage&& stage) {
+        using Callable = std::remove_reference_t<Stage>;
+        run(rows, [](void* callable, int first, int last) { (*static_cast<Callable*>(callable))(first, last); },
+            const_cast<void*>(static_cast<const void*>(&stage)));
+    }
+
+  private:
+    using Call = void (*)(void*, int, int);
+    void run(int rows, Call call, void* callable);
+    void serve(int member);
+    void do_band(int member) const;
+
+    std::vector<std::thread> crew_;
+    Call call_ = nullptr;
+    void* callable_ = nullptr;
+    int rows_ = 0;
+    bool leaving_ = false;
+    std::atomic<std::uint32_t> round_{0};
+    std::atomic<int> busy_{0};
+};
+
+}  // namespace sim
