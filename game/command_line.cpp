@@ -1,0 +1,155 @@
+#include "game/command_line.h"
+
+#include <functional>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "game/commands/commands.h"
+#include "game/version.h"
+#include "sim/command.h"
+#include "sim/params.h"
+
+namespace game {
+namespace {
+
+// CLI11 costs seconds per translation unit: this is the only one.
+
+constexpr int kMostThreads = 64;
+
+void add_pictures(CLI::App& app, PictureOptions& options, const char* where) {
+    app.add_option("--frames", options.folder, where)->type_name("DIR");
+    app.add_option("--every", options.every, "ticks between two pictures (60 ticks are a second)")
+        ->check(CLI::Range(1, 1 << 20))
+        ->type_name("TICKS")
+        ->capture_default_str();
+    app.add_option_function<std::string>(
+           "--size",
+           [&options](const std::string& text) {
+               char rest = 0;
+               if (std::sscanf(text.c_str(), "%dx%d%c", &options.size.width, &options.size.height, &rest) != 2 ||
+                   options.size.width < 16 || options.size.height < 16 || options.size.width > 8192 || options.size.height > 8192)
+                   throw CLI::ValidationError("--size", "'" + text + "' is not WIDTHxHEIGHT, each 16 to 8192 pixels");
+           },
+           "of the pictures, in pixels [1280x720]")
+        ->type_name("WxH");
+    app.add_option("--gl", options.gl,
+                   "where to draw: auto (a hardware device if there is one), surfaceless (software), device or device:N")
+        ->capture_default_str();
+}
+
+void add_threads(CLI::App& app, int& threads) {
+    app.add_option("--threads", threads, "for the simulation; any number gives the same bits")
+        ->check(CLI::Range(1, kMostThreads))
+        ->capture_default_str();
+}
+
+void add_results(CLI::App& app, std::optional<std::filesystem::path>& perf, std::optional<std::filesystem::path>& summary, bool& json) {
+    app.add_option("--perf", perf, "write the performance log, a line per tick")->type_name("FILE.csv");
+    app.add_option("--summary", summary, "write what is printed in the end, and more, as JSON")->type_name("FILE.json");
+    app.add_flag("--json", json, "print the summary as JSON");
+}
+
+template <class Enum>
+void add_named(CLI::App& app, const char* option, std::optional<Enum>& value,
+               std::optional<Enum> (*from)(std::string_view), const char* names, const char* help) {
+    app.add_option_function<std::string>(
+           option,
+           [=, &value](const std::string& text) {
+               value = from(text);
+               if (!value) throw CLI::ValidationError(option, "'" + text + "' is none of " + names);
+           },
+           std::string(help) + ": " + names)
+        ->type_name("NAME");
+}
+
+void add_run(CLI::App& app, RunOptions& options) {
+    auto* scene = app.add_option("scene", options.scene, "a name from `couloir list`, or a scene file")->type_name("SCENE");
+    auto* terrain = app.add_option("--terrain", options.terrain, "a DEM instead of a scene: GeoTIFF, ESRI ASCII, …")
+                        ->type_name("DEM")
+                        ->excludes(scene);
+    app.add_option("--release", options.release,
+                   "what starts on it: a depth raster, or GeoJSON polygons with `thickness` in vertical metres")
+        ->type_name("FILE")
+        ->needs(terrain);
+    app.add_option("--reference", options.reference, "GeoJSON extent to compare with; the summary tells the overlap")
+        ->type_name("FILE");
+    app.add_option("--material", options.wishes.material, "a name from `couloir list`, or a material file")->type_name("NAME");
+    add_named(app, "--model", options.wishes.model, sim::model_from, "bcre, bcre-inertial", "physics");
+    add_named(app, "--scheme", options.wishes.scheme, sim::scheme_from, "lax-friedrichs, local-lax-friedrichs", "of bcre");
+    app.add_option("--grid", options.wishes.squares, "squares along the longer side")->check(CLI::Range(8, 4096))->type_name("N");
+    app.add_flag("--until-rest", options.until_rest, "stop when nothing moves; with --seconds, by then at the latest [3600]");
+    app.add_option("--seconds", options.seconds, "simulated time")->check(CLI::Range(0.0, 86400.0))->type_name("S");
+    app.add_option("--record", options.record, "write the recording here")->type_name("FILE.couloir");
+    app.add_option("--export", options.export_folder,
+                   "write deposit, peak depth and speed, extent, summary, and pictures into DIR/frames")
+        ->type_name("DIR");
+    add_pictures(app, options.pictures, "write pictures here, and maps of extent and end");
+    add_results(app, options.perf, options.summary, options.json);
+    add_threads(app, options.threads);
+}
+
+void add_replay(CLI::App& app, ReplayOptions& options) {
+    app.add_option("recording", options.recording, "a name from `couloir list`, or a file")->type_name("RECORDING")->required();
+    app.add_flag_callback("--headless", [] {}, "without a window (the only way yet)");
+    app.add_option("--until", options.until, "stop after this many ticks")->check(CLI::Range(0, 1 << 30))->type_name("TICK");
+    app.add_flag("--verify", options.verify, "compare every recorded state hash and mass ledger; status 1 if one differs");
+    add_pictures(app, options.pictures, "write pictures here");
+    app.add_flag_callback("--no-render", [&options] { options.pictures.folder.reset(); }, "draw nothing, whatever else is said");
+    add_results(app, options.perf, options.summary, options.json);
+    add_threads(app, options.threads);
+}
+
+// What the options of a run must add up to.
+Outcome<void> check(RunOptions& options) {
+    if (options.scene.empty() && !options.terrain)
+        return unusable("run needs a scene, or --terrain DEM with --release FILE; `couloir list` tells the scenes");
+    if (options.terrain && !options.release)
+        return unusable("--terrain needs --release FILE: without it nothing would start");
+    if (!options.until_rest && !options.seconds) return unusable("run needs --until-rest or --seconds S");
+    if (options.wishes.scheme && options.wishes.model == sim::Model::kBcreInertial)
+        return unusable("--scheme is of the model bcre; bcre-inertial has its own");
+    if (options.export_folder && !options.pictures.folder) {
+        options.pictures.folder = *options.export_folder / "frames";
+        options.pictures.every = std::max<std::int64_t>(options.pictures.every, 600);
+    }
+    return {};
+}
+
+}  // namespace
+
+Outcome<int> run_command_line(int argc, char** argv) {
+    CLI::App app{"Couloir: a sandbox for avalanches and landslides.\n"
+                 "Exit status: 0 done; 1 ran, but the answer is bad; 2 unusable arguments or input; 3 the machine fails.",
+                 "couloir"};
+    app.set_version_flag("--version", fmt::format("{}, commit {}", kProgram, kCommit));
+    app.require_subcommand(1);
+    app.get_formatter()->column_width(34);
+
+    RunOptions run_options;
+    ReplayOptions replay_options;
+    ListOptions list_options;
+    CLI::App* run_app = app.add_subcommand("run", "run a scene or a real hill without a window");
+    CLI::App* replay_app = app.add_subcommand("replay", "run a recording again, bit for bit");
+    CLI::App* list_app = app.add_subcommand("list", "what ships: scenes, materials, recordings, terrains");
+    add_run(*run_app, run_options);
+    add_replay(*replay_app, replay_options);
+    list_app->add_flag("--json", list_options.json, "as JSON");
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& asked) {  // --help, --version
+        return app.exit(asked);
+    } catch (const CLI::ParseError& wrong) {
+        return unusable(fmt::format("{} (couloir {}--help tells more)", wrong.what(),
+                                    app.get_subcommands().empty() ? "" : app.get_subcommands()[0]->get_name() + " "));
+    }
+    if (run_app->parsed()) {
+        if (auto sound = check(run_options); !sound) return tl::unexpected(sound.error());
+        return run(run_options);
+    }
+    return replay_app->parsed() ? replay(replay_options) : list(list_options);
+}
+
+}  // namespace game

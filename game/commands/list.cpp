@@ -1,0 +1,49 @@
+#include <fmt/format.h>
+
+#include "game/assets.h"
+#include "game/commands/commands.h"
+#include "game/recording/format.h"
+#include "game/toml_table.h"
+
+namespace game {
+namespace {
+
+// The title a shipped TOML file gives itself; its name where it has none.
+std::string title_of(AssetKind kind, const std::string& name) {
+    const auto path = find_asset(kind, name);
+    if (!path) return name;
+    const auto document = parse_toml(*path);
+    return document ? (*document)["title"].value_or(name) : name;
+}
+
+}  // namespace
+
+Outcome<int> list(const ListOptions& options) {
+    struct Shelf {
+        AssetKind kind;
+        const char *key, *heading;
+    };
+    constexpr Shelf kShelves[] = {{AssetKind::kScene, "scenes", "scenes (couloir run NAME)"},
+                                  {AssetKind::kMaterial, "materials", "materials (--material NAME)"},
+                                  {AssetKind::kRecording, "recordings", "recordings (couloir replay NAME)"}};
+    Json json;
+    std::string text;
+    for (const Shelf& shelf : kShelves) {
+        const auto names = asset_names(shelf.kind);
+        if (!names) return tl::unexpected(names.error());
+        text += fmt::format("{}\n", shelf.heading);
+        json[shelf.key] = Json::array();
+        for (const std::string& name : *names) {
+            const bool titled = shelf.kind != AssetKind::kRecording;
+            const std::string title = titled ? title_of(shelf.kind, name) : "";
+            json[shelf.key].push_back(titled ? Json{{"name", name}, {"title", title}} : Json{{"name", name}});
+            text += titled ? fmt::format("  {:<16}{}\n", name, title) : fmt::format("  {}\n", name);
+        }
+    }
+    text += "terrains (generator = \"NAME\" in a scene)\n  slope-of-soil\n  alpine-valley\n";
+    json["terrains"] = {{{"name", "slope-of-soil"}}, {{"name", "alpine-valley"}}};
+    fmt::print("{}", options.json ? json.dump(2) + "\n" : text);
+    return 0;
+}
+
+}  // namespace game

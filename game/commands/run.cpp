@@ -1,0 +1,103 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "game/commands/commands.h"
+#include "game/export_results.h"
+#include "game/headless.h"
+#include "game/measures.h"
+#include "game/summary.h"
+#include "game/text_file.h"
+#include "terrains/release.h"
+
+namespace game {
+namespace {
+
+Outcome<Scene> scene_of(const RunOptions& options) {
+    if (!options.terrain) return load_scene(options.scene, options.wishes);
+    return scene_of_terrain(*options.terrain, *options.release, options.wishes);
+}
+
+// Whatever the run is to leave behind is opened before it begins: a folder that cannot be written should not cost a
+// person the run.
+struct Leavings {
+    std::optional<Recorder> recorder;
+    std::optional<Gallery> gallery;
+    std::vector<std::uint8_t> reference;
+};
+
+Outcome<Leavings> open_leavings(const RunOptions& options, const Start& start, const terrains::Terrain& ground) {
+    Leavings leavings;
+    if (options.reference) {
+        auto reference = terrains::read_extent(*options.reference, ground);
+        if (!reference) return unusable(reference.error());
+        leavings.reference = std::move(*reference);
+    }
+    if (options.export_folder)
+        if (auto made = make_folder(*options.export_folder); !made) return tl::unexpected(made.error());
+    if (options.record) {
+        auto recorder = Recorder::create(*options.record, start);
+        if (!recorder) return tl::unexpected(recorder.error());
+        leavings.recorder = std::move(*recorder);
+    }
+    if (options.pictures.folder) {
+        auto gallery = Gallery::open(*options.pictures.folder, options.pictures.size, options.pictures.gl, start);
+        if (!gallery) return tl::unexpected(gallery.error());
+        leavings.gallery = std::move(*gallery);
+    }
+    return leavings;
+}
+
+Until until_of(const RunOptions& options, const sim::Params& params) {
+    Until until;
+    const auto ticks = [&](double seconds) { return std::llrint(seconds / static_cast<double>(params.tick_s)); };
+    until.rest = options.until_rest;
+    if (options.until_rest)
+        until.most_ticks = ticks(options.seconds.value_or(3600));
+    else
+        until.tick = ticks(*options.seconds);
+    return until;
+}
+
+}  // namespace
+
+Outcome<int> run(const RunOptions& options) {
+    const auto scene = scene_of(options);
+    if (!scene) return tl::unexpected(scene.error());
+    const Start& start = scene->start;
+    const terrains::Terrain ground = ground_of(start);
+    auto leavings = open_leavings(options, start, ground);
+    if (!leavings) return tl::unexpected(leavings.error());
+    auto session = Session::begin(start, options.threads, std::move(leavings->recorder));
+    if (!session) return tl::unexpected(session.error());
+
+    std::optional<Gallery>& gallery = leavings->gallery;
+    PerfLog perf({start.scene, "", options.threads, gallery ? gallery->renderer_name() : ""});
+    Watchers watchers;
+    watchers.gallery = gallery ? &*gallery : nullptr;
+    watchers.ticks_per_picture = options.pictures.every;
+    watchers.perf = &perf;
+    const auto finished = play_headless(*session, scene->commands, until_of(options, start.params), watchers, "running");
+    if (!finished) return tl::unexpected(finished.error());
+    if (auto closed = session->finish(); !closed) return tl::unexpected(closed.error());
+
+    const Measures measures = measure(start, *session, release_area(start, scene->commands), leavings->reference);
+    Summary summary{start, *session, measures, &perf, std::nullopt, std::nullopt};
+    if (options.until_rest) summary.at_rest = *finished;
+    if (gallery) {
+        draw_results(*gallery, *session);
+        if (auto closed = gallery->close(); !closed) return tl::unexpected(closed.error());
+    }
+    if (options.export_folder)
+        if (auto exported = export_results(*options.export_folder, start, *session, summary); !exported)
+            return tl::unexpected(exported.error());
+    if (options.perf)
+        if (auto written = perf.write_csv(*options.perf); !written) return tl::unexpected(written.error());
+    if (options.summary)
+        if (auto written = write_text(*options.summary, to_json(summary).dump(2) + "\n"); !written)
+            return tl::unexpected(written.error());
+    fmt::print("{}", options.json ? to_json(summary).dump(2) + "\n" : to_text(summary));
+    return *finished ? 0 : Failure::kBadAnswer;
+}
+
+}  // namespace game

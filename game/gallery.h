@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "game/outcome.h"
+#include "game/start.h"
+#include "sim/state.h"
+
+namespace game {
+
+struct PictureSize {
+    int width = 1280, height = 720;  // pixels, 16 to 8192
+};
+
+// Draws a world into numbered pictures without a window, and writes them while the world goes on.
+class Gallery {
+  public:
+    // `gl` as in render::HeadlessContext::create. Makes `folder`. Errors: no GL, or the folder cannot be written (status 3).
+    static Outcome<Gallery> open(const std::filesystem::path& folder, PictureSize size, const std::string& gl,
+                                 const Start& start);
+    ~Gallery();
+    Gallery(Gallery&&) noexcept;
+    Gallery& operator=(Gallery&&) noexcept;
+
+    // Draws the world as it is and hands the picture on to be written as NAME.png. Returns the milliseconds drawing took.
+    double draw(const sim::View& world, const std::string& name);
+    // Seen straight from above, with north up.
+    double draw_map(const sim::View& world, const std::string& name);
+    // Waits for the last picture. Errors: one could not be written (status 3).
+    Outcome<void> close();
+
+    std::string renderer_name() const;
+    int pictures() const;
+
+  private:
+    struct Parts;
+    explicit Gallery(std::unique_ptr<Parts> parts);
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace game

@@ -1,0 +1,333 @@
+#include "game/recording/format.h"
+
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include "game/recording/ground_data.h"
+#include "game/version.h"
+
+namespace game {
+namespace {
+
+constexpr std::string_view kFormatName = "couloir recording";
+constexpr std::array<std::string_view, 4> kSides{"west", "east", "south", "north"};
+
+// The shortest decimal that reads back as the same float.
+double shortest(float value) { return std::stod(fmt::format("{}", value)); }
+
+// The readers below throw the fact; the public ones turn it into a value.
+[[noreturn]] void refuse(const std::string& fact) { throw std::runtime_error(fact); }
+
+const Json& member(const Json& json, const char* key) {
+    if (!json.is_object() || !json.contains(key)) refuse(fmt::format("has no {}", key));
+    return json.at(key);
+}
+
+double number(const Json& json, const char* key, double least, double most) {
+    const Json& value = member(json, key);
+    if (!value.is_number()) refuse(fmt::format("{} is not a number", key));
+    const double number = value.get<double>();
+    if (!(number >= least && number <= most)) refuse(fmt::format("{} is {}, outside {} to {}", key, number, least, most));
+    return number;
+}
+
+std::int64_t whole(const Json& json, const char* key, std::int64_t least, std::int64_t most) {
+    const Json& value = member(json, key);
+    if (!value.is_number_integer()) refuse(fmt::format("{} is not a whole number", key));
+    const auto number = value.is_number_unsigned() && value.get<std::uint64_t>() > INT64_MAX ? INT64_MAX
+                                                                                             : value.get<std::int64_t>();
+    if (number < least || number > most) refuse(fmt::format("{} is {}, outside {} to {}", key, number, least, most));
+    return number;
+}
+
+std::string text(const Json& json, const char* key) {
+    const Json& value = member(json, key);
+    if (!value.is_string()) refuse(fmt::format("{} is not a text", key));
+    return value.get<std::string>();
+}
+
+std::uint64_t hash_of(const Json& json, const char* key) {
+    const auto value = from_hex(text(json, key));
+    if (!value) refuse(fmt::format("{} is not 16 hexadecimal digits", key));
+    return *value;
+}
+
+// One of the names that `find` knows.
+template <class Find>
+auto named(const Json& json, const char* key, Find&& find) {
+    const std::string name = text(json, key);
+    const auto value = find(name);
+    if (!value) refuse(fmt::format("{} is '{}', which this version does not know", key, name));
+    return *value;
+}
+
+Json numbers(std::initializer_list<double> values) {
+    Json list = Json::array();
+    for (const double value : values) list.push_back(value);
+    return list;
+}
+
+glm::dvec3 triple(const Json& json, const char* key) {
+    const Json& list = member(json, key);
+    if (!list.is_array() || list.size() != 3) refuse(fmt::format("{} is not three numbers", key));
+    glm::dvec3 values;
+    for (int i = 0; i < 3; ++i) {
+        values[i] = list.at(static_cast<std::size_t>(i)).get<double>();
+        if (!(std::fabs(values[i]) < 1e9)) refuse(fmt::format("{} is out of range", key));
+    }
+    return values;
+}
+
+Json physics_json(const sim::Params& params) {
+    Json json{{"model", sim::to_string(params.model)}, {"scheme", sim::to_string(params.scheme)}};
+    for (std::size_t side = 0; side < kSides.size(); ++side)
+        json["borders"][std::string(kSides[side])] = sim::to_string(params.borders[side]);
+    for (const sim::ParamInfo& info : sim::kParams) json[std::string(info.name)] = shortest(params.*info.value);
+    return json;
+}
+
+sim::Params physics_from(const Json& json) {
+    sim::Params params;
+    params.model = named(json, "model", sim::model_from);
+    params.scheme = named(json, "scheme", sim::scheme_from);
+    for (std::size_t side = 0; side < kSides.size(); ++side)
+        params.borders[side] = named(member(json, "borders"), kSides[side].data(), sim::border_from);
+    for (const sim::ParamInfo& info : sim::kParams)
+        params.*info.value = static_cast<float>(number(json, info.name.data(), info.least - 1e-6, info.most + 1e-6));
+    if (const auto wrong = sim::fault_of(params)) refuse(*wrong);
+    return params;
+}
+
+Json ground_json(const Start& start) {
+    Json json{{"name", start.terrain},   {"licence", start.licence}, {"nx", start.grid.nx},
+              {"ny", start.grid.ny},     {"dx", shortest(start.grid.dx)},     {"datum", start.datum},
+              {"hash", hex(ground_hash(start))}};
+    if (start.georeference.has_coordinates())
+        json["georeference"] = {{"wkt", start.georeference.wkt()},
+                                {"x", start.georeference.origin_x()},
+                                {"y", start.georeference.origin_y()}};
+    json["data"] = pack_ground(start);
+    return json;
+}
+
+void ground_from(const Json& json, Start& start) {
+    constexpr std::int64_t kMostVertices = 4097;
+    start.terrain = text(json, "name");
+    start.licence = text(json, "licence");
+    start.grid.nx = static_cast<int>(whole(json, "nx", 3, kMostVertices));
+    start.grid.ny = static_cast<int>(whole(json, "ny", 3, kMostVertices));
+    start.grid.dx = static_cast<float>(number(json, "dx", 1e-3, 1e5));
+    start.datum = number(json, "datum", -2e4, 2e4);
+    if (json.contains("georeference")) {
+        const Json& place = member(json, "georeference");
+        start.georeference = terrains::Georeference::projected(text(place, "wkt"), number(place, "x", -1e9, 1e9),
+                                                               number(place, "y", -1e9, 1e9));
+    }
+    if (!member(json, "data").is_string()) refuse("data is not a text");
+    if (const auto unpacked = unpack_ground(member(json, "data").get_ref<const std::string&>(), start); !unpacked)
+        refuse(unpacked.error());
+    if (ground_hash(start) != hash_of(json, "hash"))
+        refuse(fmt::format("its terrain is not the '{}' it was recorded on: the hash is {}, not {}", start.terrain,
+                           hex(ground_hash(start)), text(json, "hash")));
+}
+
+Json view_json(const Start& start) {
+    const render::Look& look = start.look;
+    const auto colour = [](const glm::vec3& c) { return numbers({shortest(c.x), shortest(c.y), shortest(c.z)}); };
+    Json json;
+    json["look"] = {{"rock", colour(look.rock)},
+                    {"meadow", colour(look.meadow)},
+                    {"standing", colour(look.standing)},
+                    {"rolling", colour(look.rolling)},
+                    {"roughness", shortest(look.roughness)},
+                    {"cover_visible_m", shortest(look.cover_visible_m)},
+                    {"rolling_visible_m", shortest(look.rolling_visible_m)}};
+    json["light"] = {{"azimuth_deg", start.light.azimuth_deg}, {"elevation_deg", start.light.elevation_deg}};
+    if (const auto& camera = start.camera)
+        json["camera"] = {{"target", numbers({camera->target.x, camera->target.y, camera->target.z})},
+                          {"azimuth_deg", camera->azimuth_deg},
+                          {"elevation_deg", camera->elevation_deg},
+                          {"distance_m", camera->distance_m},
+                          {"field_of_view_deg", camera->field_of_view_deg}};
+    return json;
+}
+
+void view_from(const Json& json, Start& start) {
+    const Json& look = member(json, "look");
+    start.look.rock = triple(look, "rock");
+    start.look.meadow = triple(look, "meadow");
+    start.look.standing = triple(look, "standing");
+    start.look.rolling = triple(look, "rolling");
+    start.look.roughness = static_cast<float>(number(look, "roughness", 0, 1));
+    start.look.cover_visible_m = static_cast<float>(number(look, "cover_visible_m", 0, 10));
+    start.look.rolling_visible_m = static_cast<float>(number(look, "rolling_visible_m", 0, 10));
+    const Json& light = member(json, "light");
+    start.light = {number(light, "azimuth_deg", -360, 360), number(light, "elevation_deg", 1, 90)};
+    if (!json.contains("camera")) return;
+    const Json& camera = member(json, "camera");
+    start.camera = render::Camera{triple(camera, "target"), number(camera, "azimuth_deg", -360, 360),
+                                  number(camera, "elevation_deg", -90, 90), number(camera, "distance_m", 0.1, 1e6),
+                                  number(camera, "field_of_view_deg", 5, 120)};
+}
+
+void read_version(const Json& json) {
+    if (!json.is_object() || !json.contains("format") || json.at("format") != kFormatName)
+        refuse("not a couloir recording");
+    const Json& version = member(json, "version");
+    if (!version.is_array() || version.size() != 2 || !version[0].is_number_integer() || !version[1].is_number_integer())
+        refuse("version is not two whole numbers");
+    const auto major = version[0].get<std::int64_t>(), minor = version[1].get<std::int64_t>();
+    if (major > kFormatMajor)
+        refuse(fmt::format("recorded in format {}.{}, and this program reads up to {}.x: use a newer couloir", major, minor,
+                           kFormatMajor));
+    if (major < 1) refuse(fmt::format("format {}.{} never was", major, minor));
+}
+
+Header read_header(const Json& json) {
+    Header header;
+    header.program = text(json, "program");
+    header.physics_version = static_cast<int>(whole(json, "physics_version", 1, 1 << 20));
+    header.ticks_per_state = static_cast<int>(whole(json, "ticks_per_state", 1, 1 << 20));
+    Start& start = header.start;
+    start.scene = text(json, "scene");
+    start.title = text(json, "title");
+    start.material = text(json, "material");
+    start.seed = hash_of(json, "seed");
+    start.params = physics_from(member(json, "physics"));
+    view_from(member(json, "view"), start);
+    ground_from(member(json, "terrain"), start);
+    return header;
+}
+
+constexpr std::int64_t kMostTicks = std::int64_t{1} << 40;
+
+TimedCommand read_command(const Json& json, const sim::CommandInfo& info) {
+    const Json& numbers = member(json, info.name.data());
+    TimedCommand timed{whole(json, "tick", 0, kMostTicks), {}};
+    timed.command.kind = info.kind;
+    for (const sim::CommandNumber& each : info.numbers)
+        timed.command.*each.value = number(numbers, each.name.data(), each.least, each.most);
+    if (info.has_layer) timed.command.layer = named(numbers, "as", sim::layer_from);
+    if (info.has_profile) timed.command.profile = named(numbers, "profile", sim::profile_from);
+    return timed;
+}
+
+Line read_line(const Json& json) {
+    if (!json.is_object()) refuse("not an object");
+    if (json.contains("end")) return EndLine{whole(json, "end", 0, kMostTicks)};
+    if (json.contains("hash")) {
+        const Json& mass = member(json, "mass");
+        const auto quanta = [&](const char* key) { return whole(mass, key, INT64_MIN / 8, INT64_MAX / 8); };
+        StateLine line{whole(json, "tick", 0, kMostTicks), hash_of(json, "hash"), {}};
+        line.ledger = {0, quanta("standing"), quanta("rolling"), quanta("out"), quanta("poured"), quanta("dug")};
+        return line;
+    }
+    for (const sim::CommandInfo& info : sim::kCommands)
+        if (json.contains(std::string(info.name))) return read_command(json, info);
+    refuse("a line of a kind that this version does not know");
+}
+
+}  // namespace
+
+Json to_json(const Header& header) {
+    const Start& start = header.start;
+    Json json{{"format", kFormatName},
+              {"version", {kFormatMajor, kFormatMinor}},
+              {"physics_version", header.physics_version},
+              {"program", kProgram},
+              {"scene", start.scene},
+              {"title", start.title},
+              {"material", start.material},
+              {"seed", hex(start.seed)},
+              {"ticks_per_state", header.ticks_per_state},
+              {"physics", physics_json(start.params)},
+              {"view", view_json(start)}};
+    json["terrain"] = ground_json(start);
+    return json;
+}
+
+tl::expected<void, std::string> check_format(const Json& json) try {
+    read_version(json);
+    return {};
+} catch (const std::exception& wrong) {
+    return tl::unexpected(std::string(wrong.what()));
+}
+
+tl::expected<Header, std::string> header_from(const Json& json) try {
+    return read_header(json);
+} catch (const std::exception& wrong) {
+    return tl::unexpected(std::string(wrong.what()));
+}
+
+Json to_json(const TimedCommand& timed) {
+    const sim::CommandInfo& info = sim::info_of(timed.command.kind);
+    Json numbers;
+    for (const sim::CommandNumber& each : info.numbers) numbers[std::string(each.name)] = timed.command.*each.value;
+    if (info.has_layer) numbers["as"] = sim::to_string(timed.command.layer);
+    if (info.has_profile) numbers["profile"] = sim::to_string(timed.command.profile);
+    return {{"tick", timed.tick}, {std::string(info.name), numbers}};
+}
+
+Json to_json(const StateLine& line) {
+    const sim::Ledger& mass = line.ledger;
+    return {{"tick", line.tick},
+            {"hash", hex(line.hash)},
+            {"mass",
+             {{"standing", mass.standing},
+              {"rolling", mass.rolling},
+              {"out", mass.out},
+              {"poured", mass.poured},
+              {"dug", mass.dug}}}};
+}
+
+Json to_json(const EndLine& line) { return {{"end", line.tick}}; }
+
+tl::expected<Line, std::string> line_from(const Json& json) try {
+    return read_line(json);
+} catch (const std::exception& wrong) {
+    return tl::unexpected(std::string(wrong.what()));
+}
+
+namespace {
+
+constexpr std::string_view kChainKey = ",\"chain\":\"";
+constexpr std::size_t kChainLength = kChainKey.size() + 16 + 2;  // key, digits, quote and brace
+
+}  // namespace
+
+std::uint64_t Chain::link(std::string_view body) const {
+    return XXH3_64bits_withSeed(body.data(), body.size(), last_);
+}
+
+std::string Chain::write(const Json& json) {
+    std::string line = json.dump();
+    line.pop_back();
+    last_ = link(line);
+    return fmt::format("{}{}{}\"}}", line, kChainKey, hex(last_));
+}
+
+tl::expected<void, std::string> Chain::read(std::string_view line) {
+    const auto damaged = [] { return tl::unexpected(std::string("damaged: its chained hash is not that of what it says")); };
+    if (line.size() <= kChainLength || line.substr(line.size() - kChainLength, kChainKey.size()) != kChainKey)
+        return damaged();
+    const std::uint64_t expected = link(line.substr(0, line.size() - kChainLength));
+    if (line.substr(line.size() - kChainLength + kChainKey.size()) != hex(expected) + "\"}") return damaged();
+    last_ = expected;
+    return {};
+}
+
+std::string hex(std::uint64_t value) { return fmt::format("{:016x}", value); }
+
+std::optional<std::uint64_t> from_hex(std::string_view text) {
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+    if (text.size() != 16 || error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+}  // namespace game

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include <nlohmann/json.hpp>
+
+#include "game/start.h"
+#include "sim/ledger.h"
+
+namespace game {
+
+// A recording is JSON Lines: a header that holds the whole start, then one line per command and one every few ticks with the
+// state's hash and the mass ledger, last an end line. Every line closes with "chain": the hash of the line before
+// and of itself, so that damage shows where it is. README.md has an example.
+
+using Json = nlohmann::ordered_json;
+
+inline constexpr int kFormatMajor = 1;      // a reader refuses a greater one
+inline constexpr int kFormatMinor = 0;      // a greater one may hold fields that this reader leaves alone
+inline constexpr int kPhysicsVersion = 1;   // recordings of another one play, but their hashes are not comparable
+inline constexpr int kTicksPerState = 6;    // between two state lines
+
+// The state after `tick` ticks.
+struct StateLine {
+    std::int64_t tick = 0;
+    std::uint64_t hash = 0;
+    sim::Ledger ledger;  // initial is not written: it follows from the others
+    bool operator==(const StateLine&) const = default;
+};
+
+struct EndLine {
+    std::int64_t tick = 0;  // ticks that were done
+};
+
+struct Header {
+    Start start;
+    int physics_version = kPhysicsVersion;
+    int ticks_per_state = kTicksPerState;
+    std::string program;  // that wrote it, with its version
+};
+
+// Readers' errors are a fact without file and line, which the caller knows.
+Json to_json(const Header& header);
+tl::expected<Header, std::string> header_from(const Json& json);
+// Whether this is a header of a format that this program reads. To be asked first, of the chain too: nothing else need be
+// the same in another format.
+tl::expected<void, std::string> check_format(const Json& json);
+
+Json to_json(const TimedCommand& command);
+Json to_json(const StateLine& line);
+Json to_json(const EndLine& line);
+using Line = std::variant<TimedCommand, StateLine, EndLine>;
+tl::expected<Line, std::string> line_from(const Json& json);
+
+// The hashes that tie lines together.
+class Chain {
+  public:
+    // `json` as the next line's text, chained, without a line break.
+    std::string write(const Json& json);
+    // Takes the next line. Errors: it is not what stood there when the lines before it were written.
+    tl::expected<void, std::string> read(std::string_view line);
+
+  private:
+    std::uint64_t link(std::string_view body) const;
+    std::uint64_t last_ = 0;
+};
+
+std::string hex(std::uint64_t value);  // 16 digits
+std::optional<std::uint64_t> from_hex(std::string_view text);
+
+}  // namespace game

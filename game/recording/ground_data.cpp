@@ -1,0 +1,66 @@
+#include "game/recording/ground_data.h"
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+#include <cpl_conv.h>
+#include <cpl_string.h>
+#include <zstd.h>
+
+namespace game {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "a recording's ground is little-endian");
+
+std::size_t packed_size(std::size_t vertices) { return vertices * (3 * sizeof(float) + 1); }
+
+bool all_within(const std::vector<float>& values, float least, float most) {
+    for (const float value : values)
+        if (!(value >= least && value <= most)) return false;  // NaN too
+    return true;
+}
+
+}  // namespace
+
+std::string pack_ground(const Start& start) {
+    std::string bytes;
+    bytes.reserve(packed_size(start.grid.size()));
+    for (const std::vector<float>* field : {&start.bedrock, &start.depth, &start.rolling})
+        bytes.append(reinterpret_cast<const char*>(field->data()), field->size() * sizeof(float));
+    bytes.append(reinterpret_cast<const char*>(start.has_data.data()), start.has_data.size());
+
+    constexpr int kThorough = 19;
+    std::string packed(ZSTD_compressBound(bytes.size()), '\0');
+    packed.resize(ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), kThorough));
+    const std::unique_ptr<char, decltype(&VSIFree)> text(
+        CPLBase64Encode(static_cast<int>(packed.size()), reinterpret_cast<const GByte*>(packed.data())), &VSIFree);
+    return text.get();
+}
+
+tl::expected<void, std::string> unpack_ground(std::string_view text, Start& start) {
+    std::string packed(text);
+    const int decoded = CPLBase64DecodeInPlace(reinterpret_cast<GByte*>(packed.data()));
+    const std::size_t vertices = start.grid.size();
+    std::string bytes(packed_size(vertices), '\0');
+    const std::size_t size = ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), static_cast<std::size_t>(decoded));
+    if (ZSTD_isError(size) || size != bytes.size()) return tl::unexpected(std::string("terrain data that does not unpack"));
+
+    const char* at = bytes.data();
+    for (std::vector<float>* field : {&start.bedrock, &start.depth, &start.rolling}) {
+        field->resize(vertices);
+        std::memcpy(field->data(), at, vertices * sizeof(float));
+        at += vertices * sizeof(float);
+    }
+    start.has_data.assign(at, at + vertices);
+
+    constexpr float kHighest = 20000;
+    const float deepest = sim::kDeepest / 2;
+    if (!all_within(start.bedrock, -kHighest, kHighest) || !all_within(start.depth, 0, deepest) ||
+        !all_within(start.rolling, 0, deepest))
+        return tl::unexpected(std::string("a terrain with impossible heights or depths"));
+    return {};
+}
+
+}  // namespace game

@@ -1,0 +1,141 @@
+#include "game/recording/reader.h"
+
+#include <algorithm>
+#include <fstream>
+
+#include <fmt/format.h>
+
+namespace game {
+namespace {
+
+constexpr std::size_t kLongestHeader = std::size_t{256} << 20;
+constexpr std::size_t kLongestLine = std::size_t{64} << 10;
+constexpr int kDeepestNesting = 8;
+
+enum class Read { kLine, kTorn, kEnd, kTooLong };
+
+// The next line without its break. kTorn: the file ends before the break.
+Read next_line(std::istream& stream, std::string& line, std::size_t longest) {
+    line.clear();
+    std::streambuf& bytes = *stream.rdbuf();
+    for (int c = bytes.sbumpc(); c != std::char_traits<char>::eof(); c = bytes.sbumpc()) {
+        if (c == '\n') return Read::kLine;
+        if (line.size() == longest) return Read::kTooLong;
+        line.push_back(static_cast<char>(c));
+    }
+    return line.empty() ? Read::kEnd : Read::kTorn;
+}
+
+// JSON no deeper than a recording ever is. Errors: the parser's, shortened to the fact.
+tl::expected<Json, std::string> parse(const std::string& line) {
+    bool too_deep = false;
+    const auto watch = [&](int depth, Json::parse_event_t, Json&) {
+        too_deep |= depth > kDeepestNesting;
+        return !too_deep;
+    };
+    Json json = Json::parse(line, watch, false);
+    if (too_deep) return tl::unexpected(std::string("nested deeper than any recording"));
+    if (json.is_discarded()) return tl::unexpected(std::string("not JSON"));
+    return json;
+}
+
+class Reader {
+  public:
+    explicit Reader(const std::filesystem::path& path) : path_(path), stream_(path, std::ios::binary) {}
+
+    Outcome<Recording> read() {
+        std::error_code error;
+        if (!stream_ || std::filesystem::is_directory(path_, error))
+            return unusable(fmt::format("{}: no such file, or not readable", path_.string()));
+        if (const auto header = read_header(); !header) return tl::unexpected(header.error());
+        for (;;) {
+            ++line_number_;
+            const Read got = next_line(stream_, line_, kLongestLine);
+            if (got == Read::kEnd) break;
+            if (got == Read::kTooLong) return wrong(fmt::format("longer than {} bytes", kLongestLine));
+            if (got == Read::kTorn) {
+                recording_.warning = fmt::format("{}:{}: torn off after {} bytes; the lines before it are whole",
+                                                 path_.string(), line_number_, line_.size());
+                break;
+            }
+            if (const auto taken = take_line(); !taken) return tl::unexpected(taken.error());
+        }
+        if (!recording_.end && !recording_.warning)
+            recording_.warning = fmt::format("{}: has no end line; it was cut off after line {}", path_.string(),
+                                             line_number_ - 1);
+        return std::move(recording_);
+    }
+
+  private:
+    tl::unexpected<Failure> wrong(const std::string& fact) const {
+        return unusable(fmt::format("{}:{}: {}", path_.string(), line_number_, fact));
+    }
+
+    Outcome<void> read_header() {
+        line_number_ = 1;
+        const Read got = next_line(stream_, line_, kLongestHeader);
+        if (got == Read::kEnd) return unusable(fmt::format("{}: empty", path_.string()));
+        if (got == Read::kTooLong) return wrong("longer than any header");
+        const auto json = parse(line_);
+        if (!json) return wrong(got == Read::kTorn ? "torn off within the header" : json.error());
+        if (const auto known = check_format(*json); !known) return wrong(known.error());
+        if (const auto linked = chain_.read(line_); !linked) return wrong(linked.error());
+        auto header = header_from(*json);
+        if (!header) return wrong(header.error());
+        if (got == Read::kTorn) return wrong("torn off within the header");
+        recording_.header = std::move(*header);
+        return {};
+    }
+
+    Outcome<void> take_line() {
+        if (recording_.end) return wrong("stands after the end line");
+        if (const auto linked = chain_.read(line_); !linked) return wrong(linked.error());
+        const auto json = parse(line_);
+        if (!json) return wrong(json.error());
+        const auto line = line_from(*json);
+        if (!line) return wrong(line.error());
+        return std::visit([&](const auto& each) { return keep(each); }, *line);
+    }
+
+    Outcome<void> keep(const TimedCommand& command) {
+        // Given at the start of its tick, so after the state of that tick was written.
+        if (command.tick < latest_) return wrong(fmt::format("goes back to tick {} from {}", command.tick, latest_));
+        latest_ = command.tick;
+        recording_.commands.push_back(command);
+        return {};
+    }
+
+    Outcome<void> keep(const StateLine& state) {
+        if (state.tick < latest_ || (!recording_.states.empty() && state.tick <= recording_.states.back().tick))
+            return wrong(fmt::format("goes back to tick {} from {}", state.tick, latest_));
+        latest_ = state.tick;
+        recording_.states.push_back(state);
+        return {};
+    }
+
+    Outcome<void> keep(const EndLine& end) {
+        if (end.tick < latest_) return wrong(fmt::format("ends at tick {}, before {}", end.tick, latest_));
+        recording_.end = end.tick;
+        return {};
+    }
+
+    std::filesystem::path path_;
+    std::ifstream stream_;
+    std::string line_;
+    std::size_t line_number_ = 0;
+    std::int64_t latest_ = 0;
+    Chain chain_;
+    Recording recording_;
+};
+
+}  // namespace
+
+std::int64_t Recording::last_tick() const {
+    if (end) return *end;
+    const std::int64_t commanded = commands.empty() ? 0 : commands.back().tick;
+    return std::max(commanded, states.empty() ? 0 : states.back().tick);
+}
+
+Outcome<Recording> read_recording(const std::filesystem::path& path) { return Reader(path).read(); }
+
+}  // namespace game

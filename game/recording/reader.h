@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "game/outcome.h"
+#include "game/recording/format.h"
+
+namespace game {
+
+struct Recording {
+    Header header;
+    std::vector<TimedCommand> commands;  // in order of their ticks
+    std::vector<StateLine> states;       // in order of their ticks
+    std::optional<std::int64_t> end;     // ticks done; none if the recorder was cut off
+    std::optional<std::string> warning;  // a torn last line, a missing end
+
+    // Up to where the file says anything: its end, or the last tick that it names.
+    std::int64_t last_tick() const;
+};
+
+// Reads and checks a whole recording. A torn last line and a missing end are a warning; any other damage is an error
+// that names the line. Memory is bounded by the file: no line but the header may be longer than 64 KiB, the header no longer
+// than 256 MiB.
+Outcome<Recording> read_recording(const std::filesystem::path& path);
+
+}  // namespace game

@@ -1,0 +1,288 @@
+#include "game/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "game/assets.h"
+#include "game/material.h"
+#include "game/toml_table.h"
+#include "terrains/dem_gdal.h"
+#include "terrains/generate.h"
+#include "terrains/heightmap_image.h"
+#include "terrains/release.h"
+
+namespace game {
+namespace {
+
+namespace fs = std::filesystem;
+using terrains::Terrain;
+using MaybeTerrain = tl::expected<Terrain, std::string>;
+
+constexpr int kFewestSquares = 8, kMostSquares = 4096;
+
+template <class Recipe, class Numbers>
+Recipe read_recipe(TomlTable& table, const Numbers& numbers) {
+    Recipe recipe;
+    for (const auto& number : numbers)
+        if (const auto value = table.number(number.name, number.lowest, number.highest)) recipe.*number.value = *value;
+    return recipe;
+}
+
+MaybeTerrain generate(TomlTable& table, const std::string& generator, int squares) {
+    if (generator == "slope-of-soil") {
+        const auto recipe = read_recipe<terrains::SoilSlope>(table, terrains::kSoilSlopeNumbers);
+        table.finish();
+        return terrains::generate_soil_slope(recipe, squares);
+    }
+    if (generator == "alpine-valley") {
+        const auto recipe = read_recipe<terrains::AlpineValley>(table, terrains::kAlpineValleyNumbers);
+        table.finish();
+        return terrains::generate_alpine_valley(recipe, squares);
+    }
+    table.blame("generator", "is neither \"slope-of-soil\" nor \"alpine-valley\"");
+    return tl::unexpected(std::string());
+}
+
+MaybeTerrain read_file(TomlTable& table, const fs::path& file, int squares) {
+    const auto pixel = table.number("pixel", 1e-3, 1e5);
+    const auto lowest = table.number("lowest", -12000, 9000), highest = table.number("highest", -12000, 9000);
+    table.finish();
+    if (!pixel) return terrains::read_dem(file, squares);
+    if (!lowest || !highest) {
+        table.blame("pixel", "makes the file a picture, which also needs lowest and highest");
+        return tl::unexpected(std::string());
+    }
+    return terrains::read_heightmap(file, {*pixel, *lowest, *highest}, squares);
+}
+
+// [terrain]; a file's path is relative to the scene's folder.
+MaybeTerrain read_terrain(TomlTable& table, const fs::path& folder, const Wishes& wishes) {
+    const auto grid = table.whole("grid", kFewestSquares, kMostSquares);
+    const auto generator = table.text("generator"), file = table.text("file");
+    if (!grid) table.blame("grid", "is missing: the number of squares along the longer side");
+    if (generator.has_value() == file.has_value()) table.blame("", "needs either a generator or a file");
+    if (!grid || generator.has_value() == file.has_value()) return tl::unexpected(std::string());
+    const int squares = wishes.squares.value_or(static_cast<int>(*grid));
+    return generator ? generate(table, *generator, squares) : read_file(table, folder / *file, squares);
+}
+
+// [cover]: the material, and for a ground that has none of its own, how deep it lies: `depth` where the ground is above
+// `above` + `fade` and gentler than `bare` − 10°, none below `above` or where steeper than `bare`.
+struct CoverRule {
+    double depth = 0;             // m
+    double above = -1e6;          // m
+    double fade = 1;              // m
+    double bare = 90;             // deg
+};
+
+std::optional<CoverRule> read_cover_rule(TomlTable& table) {
+    const auto depth = table.number("depth", 0, 50);
+    CoverRule rule;
+    rule.above = table.number("above", -12000, 9000).value_or(rule.above);
+    rule.fade = table.number("fade", 0.1, 5000).value_or(rule.fade);
+    rule.bare = table.number("bare", 11, 90).value_or(rule.bare);
+    if (!depth) return std::nullopt;
+    rule.depth = *depth;
+    return rule;
+}
+
+void lay_cover(Terrain& terrain, const CoverRule& rule) {
+    const int nx = terrain.grid.nx, ny = terrain.grid.ny;
+    const auto surface = [&](int x, int y) {
+        const auto i = static_cast<std::size_t>(std::clamp(y, 0, ny - 1)) * static_cast<std::size_t>(nx) +
+                       static_cast<std::size_t>(std::clamp(x, 0, nx - 1));
+        return static_cast<double>(terrain.surface[i]);
+    };
+    for (int y = 0; y < ny; ++y)
+        for (int x = 0; x < nx; ++x) {
+            const double run = 2.0 * terrain.grid.dx;
+            const double gx = (surface(x + 1, y) - surface(x - 1, y)) / run;
+            const double gy = (surface(x, y + 1) - surface(x, y - 1)) / run;
+            const double slope_deg = std::atan(std::hypot(gx, gy)) * 180 / 3.14159265358979323846;
+            const double high = std::clamp((surface(x, y) - rule.above) / rule.fade, 0.0, 1.0);
+            const double gentle = std::clamp((rule.bare - slope_deg) / 10, 0.0, 1.0);
+            // Millimetres, so that the last bits of another maths library never show.
+            const double depth = std::rint(rule.depth * high * gentle * 1024) / 1024;
+            terrain.cover[static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x)] =
+                static_cast<float>(depth);
+        }
+}
+
+void read_borders(TomlTable& physics, sim::Params& params) {
+    const auto name = physics.text("borders");
+    if (!name) return;
+    if (const auto border = sim::border_from(*name))
+        params.borders.fill(*border);
+    else
+        physics.blame("borders", "is none of wall, open, sink");
+}
+
+sim::Model read_model(TomlTable& physics, const Wishes& wishes) {
+    const auto name = physics.text("model");
+    const auto model = name ? sim::model_from(*name) : sim::Model::kBcreInertial;
+    if (!model) physics.blame("model", "is neither bcre nor bcre-inertial");
+    return wishes.model.value_or(model.value_or(sim::Model::kBcreInertial));
+}
+
+void read_scheme(TomlTable& physics, const Wishes& wishes, sim::Params& params) {
+    const auto name = physics.text("scheme");
+    const auto scheme = name ? sim::scheme_from(*name) : sim::Scheme::kLocalLaxFriedrichs;
+    if (!scheme) physics.blame("scheme", "is neither lax-friedrichs nor local-lax-friedrichs");
+    params.scheme = wishes.scheme.value_or(scheme.value_or(sim::Scheme::kLocalLaxFriedrichs));
+}
+
+sim::Command read_command(TomlTable& table, const sim::CommandInfo& info) {
+    sim::Command command;
+    command.kind = info.kind;
+    for (const sim::CommandNumber& number : info.numbers) {
+        const auto value = table.number(number.name, number.least, number.most);
+        if (!value) table.blame("", fmt::format("needs {} in {}", number.name, number.unit));
+        command.*number.value = value.value_or(0);
+    }
+    if (info.has_layer)
+        if (const auto name = table.text("as")) {
+            const auto layer = sim::layer_from(*name);
+            if (!layer) table.blame("as", "is neither rolling nor standing");
+            command.layer = layer.value_or(command.layer);
+        }
+    if (info.has_profile)
+        if (const auto name = table.text("profile")) {
+            const auto profile = sim::profile_from(*name);
+            if (!profile) table.blame("profile", "is neither disc nor cone");
+            command.profile = profile.value_or(command.profile);
+        }
+    table.finish();
+    return command;
+}
+
+std::vector<TimedCommand> read_commands(TomlTable& root, double tick_s) {
+    std::vector<TimedCommand> commands;
+    for (TomlTable& table : root.tables("command")) {
+        const auto at = table.number("at", 0, 1e5);
+        if (!at) table.blame("", "needs `at`, in seconds");
+        int given = 0;
+        for (const sim::CommandInfo& info : sim::kCommands)
+            if (auto numbers = table.table(info.name)) {
+                commands.push_back({std::llrint(at.value_or(0) / tick_s), read_command(*numbers, info)});
+                ++given;
+            }
+        table.finish();
+        if (given != 1) table.blame("", "needs exactly one of pour, dig, blast");
+    }
+    std::stable_sort(commands.begin(), commands.end(),
+                     [](const TimedCommand& a, const TimedCommand& b) { return a.tick < b.tick; });
+    return commands;
+}
+
+void read_view(TomlTable& root, Start& start) {
+    if (auto table = root.table("camera")) {
+        render::Camera camera;
+        const auto target = table->numbers("target", 3);
+        if (target) camera.target = {(*target)[0], (*target)[1], (*target)[2]};
+        if (!target) table->blame("", "needs a target: metres east, north, and of height");
+        camera.azimuth_deg = table->number("azimuth", -360, 360).value_or(camera.azimuth_deg);
+        camera.elevation_deg = table->number("elevation", -89, 89).value_or(camera.elevation_deg);
+        camera.distance_m = table->number("distance", 0.1, 1e6).value_or(camera.distance_m);
+        camera.field_of_view_deg = table->number("field_of_view", 5, 120).value_or(camera.field_of_view_deg);
+        table->finish();
+        start.camera = camera;
+    }
+    if (auto table = root.table("light")) {
+        start.light.azimuth_deg = table->number("azimuth", -360, 360).value_or(start.light.azimuth_deg);
+        start.light.elevation_deg = table->number("elevation", 1, 90).value_or(start.light.elevation_deg);
+        table->finish();
+    }
+}
+
+void take_material(Start& start, Material material, const sim::Params& over) {
+    start.material = material.name;
+    start.look = material.look;
+    start.params = over;
+}
+
+// The whole file in the order in which one part needs another. Faults gather in `fault`; what is returned then is moot.
+Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& wishes, TomlFault& fault) {
+    Scene scene;
+    Start& start = scene.start;
+    start.scene = path.stem().string();
+    start.title = root.text("title").value_or(start.scene);
+
+    auto cover = root.table("cover");
+    auto physics = root.table("physics");
+    auto ground = root.table("terrain");
+    if (!cover) root.blame("", "has no [cover]");
+    if (!physics) root.blame("", "has no [physics]");
+    if (!ground) root.blame("", "has no [terrain]");
+    if (fault) return unusable(*fault);
+
+    const auto named = cover->text("material");
+    if (!named) cover->blame("", "needs a material");
+    const auto rule = read_cover_rule(*cover);
+    cover->finish();
+    const sim::Model model = read_model(*physics, wishes);
+    if (fault) return unusable(*fault);
+
+    const auto material = load_material(wishes.material.value_or(*named), model);
+    if (!material) return tl::unexpected(material.error());
+    sim::Params params = material->params;
+    read_scheme(*physics, wishes, params);
+    read_borders(*physics, params);
+    // A scene's own numbers are for its own model: under another one the material's stand.
+    sim::Params unused;
+    const auto own_name = physics->text("model");
+    const sim::Model own = own_name ? *sim::model_from(*own_name) : sim::Model::kBcreInertial;
+    read_physics_numbers(*physics, own, own == model ? params : unused);
+    physics->finish();
+    take_material(start, *material, params);
+    scene.commands = read_commands(root, params.tick_s);
+    read_view(root, start);
+    root.finish();
+    if (fault) return unusable(*fault);
+    if (const auto wrong = sim::fault_of(params)) return unusable(fmt::format("{}: {}", path.string(), *wrong));
+
+    auto terrain = read_terrain(*ground, path.parent_path(), wishes);
+    if (fault) return unusable(*fault);
+    if (!terrain) return unusable(terrain.error());
+    if (rule) lay_cover(*terrain, *rule);
+    set_ground(start, *terrain);
+    return scene;
+}
+
+}  // namespace
+
+Outcome<Scene> load_scene(std::string_view name_or_path, const Wishes& wishes) {
+    const auto path = find_asset(AssetKind::kScene, name_or_path);
+    if (!path) return tl::unexpected(path.error());
+    const auto document = parse_toml(*path);
+    if (!document) return tl::unexpected(document.error());
+    TomlFault fault;
+    TomlTable root(*document, "", path->string(), fault);
+    return read_scene(root, *path, wishes, fault);
+}
+
+Outcome<Scene> scene_of_terrain(const fs::path& dem, const fs::path& release, const Wishes& wishes) {
+    constexpr int kUsualSquares = 256;
+    const auto material = load_material(wishes.material.value_or("snow-dry"), wishes.model.value_or(sim::Model::kBcreInertial));
+    if (!material) return tl::unexpected(material.error());
+    const auto terrain = terrains::read_dem(dem, wishes.squares.value_or(kUsualSquares));
+    if (!terrain) return unusable(terrain.error());
+    auto rolling = terrains::read_release(release, *terrain);
+    if (!rolling) return unusable(rolling.error());
+    constexpr float kDeepestRelease = sim::kDeepest / 2;
+    if (const float most = *std::max_element(rolling->begin(), rolling->end()); most > kDeepestRelease)
+        return unusable(fmt::format("{}: {} m thick, and the most is {} m", release.string(), most, kDeepestRelease));
+
+    Scene scene;
+    scene.start.scene = scene.start.title = terrain->name;
+    sim::Params params = material->params;
+    params.scheme = wishes.scheme.value_or(params.scheme);
+    params.borders.fill(sim::Border::kSink);
+    take_material(scene.start, *material, params);
+    set_ground(scene.start, *terrain);
+    scene.start.rolling = std::move(*rolling);
+    return scene;
+}
+
+}  // namespace game

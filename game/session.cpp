@@ -1,0 +1,83 @@
+#include "game/session.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/state_hash.h"
+#include "sim/step.h"
+
+namespace game {
+
+Session::Session(const Start& start, int threads, std::optional<Recorder> recorder)
+    : params_(start.params),
+      state_(sim::make_state(world_of(start), params_)),
+      scratch_(state_),
+      workers_(std::make_unique<sim::Workers>(threads)),
+      recorder_(std::move(recorder)) {
+    peaks_.depth.assign(state_.grid.size(), 0.f);
+    peaks_.speed.assign(state_.grid.size(), 0.f);
+    watch();
+}
+
+Outcome<Session> Session::begin(const Start& start, int threads, std::optional<Recorder> recorder) {
+    Session session(start, threads, std::move(recorder));
+    if (session.recorder_)
+        if (const auto written = session.recorder_->state(session.state_line()); !written)
+            return tl::unexpected(written.error());
+    return session;
+}
+
+Outcome<void> Session::advance(std::span<const sim::Command> commands) {
+    if (recorder_)
+        for (const sim::Command& command : commands)
+            if (auto written = recorder_->command({state_.tick, command}); !written) return written;
+
+    const auto before = std::chrono::steady_clock::now();
+    sim::step(state_, params_, commands, scratch_, *workers_);
+    times_.solve_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
+
+    if (const auto error = state_.ledger.mass_error(); error != 0)
+        return tl::unexpected(Failure{
+            Failure::kBadAnswer, fmt::format("tick {}: {} m3 of mass appeared from nowhere; a layer deeper than {} m cannot be "
+                                             "counted exactly",
+                                             state_.tick, cubic_metres(error), sim::kDeepest)});
+    watch();
+    if (recorder_ && state_.tick % kTicksPerState == 0) return recorder_->state(state_line());
+    return {};
+}
+
+Outcome<void> Session::finish() {
+    if (!recorder_) return {};
+    // The last state too, so that the whole of a recording is proven.
+    if (state_.tick % kTicksPerState != 0)
+        if (auto written = recorder_->state(state_line()); !written) return written;
+    return recorder_->end(state_.tick);
+}
+
+StateLine Session::state_line() const { return {state_.tick, sim::state_hash(state_), state_.ledger}; }
+
+double Session::cubic_metres(std::int64_t quanta) const {
+    return static_cast<double>(quanta) * static_cast<double>(sim::kQuantum) * state_.grid.cell_area();
+}
+
+void Session::watch() {
+    active_cells_ = 0;
+    const auto nx = static_cast<std::size_t>(state_.grid.nx);
+    for (int y = 0; y < state_.grid.ny; ++y) {
+        const float* rolling = state_.rolling.row(y);
+        const float *u = state_.velocity_x.row(y), *v = state_.velocity_y.row(y);
+        float* depth = peaks_.depth.data() + static_cast<std::size_t>(y) * nx;
+        float* speed = peaks_.speed.data() + static_cast<std::size_t>(y) * nx;
+        for (std::size_t x = 0; x < nx; ++x) {
+            if (rolling[x] == 0) continue;
+            ++active_cells_;
+            depth[x] = std::max(depth[x], rolling[x]);
+            if (rolling[x] >= Peaks::kVisible) speed[x] = std::max(speed[x], std::hypot(u[x], v[x]));
+        }
+    }
+}
+
+}  // namespace game

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "game/outcome.h"
+#include "game/recording/recorder.h"
+#include "game/start.h"
+#include "sim/scratch.h"
+#include "sim/state.h"
+#include "sim/workers.h"
+
+namespace game {
+
+// Milliseconds that the stages of the last tick took. Grows with the stages.
+struct TickTimes {
+    double solve_ms = 0;
+};
+
+// The greatest values that each vertex has seen, grid.size() each: what an avalanche did, when it is over. A view.
+struct Peaks {
+    std::vector<float> depth;  // m, of the rolling layer
+    std::vector<float> speed;  // m/s, where that layer was at least kVisible deep
+    static constexpr float kVisible = 0.01f;  // m
+};
+
+// A world being played, with or without a window: commands in, views out. Whatever it is told it records first, if it has
+// a recorder, and then does.
+class Session {
+  public:
+    // `threads` ≥ 1. With a recorder, writes the state of tick 0.
+    static Outcome<Session> begin(const Start& start, int threads, std::optional<Recorder> recorder);
+
+    // One tick, with the commands given at its start. Errors: the recording cannot be written, or mass was lost, which is
+    // checked every tick.
+    Outcome<void> advance(std::span<const sim::Command> commands);
+    // Closes the recording.
+    Outcome<void> finish();
+
+    sim::View view() const { return sim::view(state_); }
+    const sim::State& state() const { return state_; }
+    const sim::Params& params() const { return params_; }
+    const Peaks& peaks() const { return peaks_; }
+    const TickTimes& times() const { return times_; }
+    StateLine state_line() const;  // of this tick; computes the hash
+    std::size_t active_cells() const { return active_cells_; }  // vertices whose rolling layer is not empty
+    double seconds() const { return static_cast<double>(state_.tick) * static_cast<double>(params_.tick_s); }
+    double cubic_metres(std::int64_t quanta) const;
+
+  private:
+    Session(const Start& start, int threads, std::optional<Recorder> recorder);
+    void watch();
+
+    sim::Params params_;
+    sim::State state_;
+    sim::Scratch scratch_;
+    std::unique_ptr<sim::Workers> workers_;
+    std::optional<Recorder> recorder_;
+    Peaks peaks_;
+    TickTimes times_;
+    std::size_t active_cells_ = 0;
+};
+
+}  // namespace game

@@ -1,0 +1,44 @@
+#include "game/start.h"
+
+#include <algorithm>
+#include <cmath>
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+namespace game {
+
+void set_ground(Start& start, const terrains::Terrain& terrain) {
+    start.terrain = terrain.name;
+    start.licence = terrain.licence;
+    start.grid = terrain.grid;
+    start.georeference = terrain.georeference;
+    start.has_data = terrain.has_data;
+    start.depth = terrain.cover;
+    start.rolling.assign(terrain.grid.size(), 0.f);
+    start.datum = std::floor(*std::min_element(terrain.surface.begin(), terrain.surface.end()));
+    start.bedrock.resize(terrain.grid.size());
+    for (std::size_t i = 0; i < start.bedrock.size(); ++i)
+        start.bedrock[i] = static_cast<float>(static_cast<double>(terrain.surface[i]) - start.datum -
+                                              static_cast<double>(terrain.cover[i]));
+}
+
+sim::World world_of(const Start& start) {
+    return {start.grid, start.datum, start.bedrock, start.depth, start.rolling, start.has_data, start.seed};
+}
+
+std::uint64_t ground_hash(const Start& start) {
+    XXH3_state_t digest;
+    XXH3_64bits_reset(&digest);
+    const auto add = [&](const void* bytes, std::size_t count) { XXH3_64bits_update(&digest, bytes, count); };
+    add(&start.grid.nx, sizeof start.grid.nx);
+    add(&start.grid.ny, sizeof start.grid.ny);
+    add(&start.grid.dx, sizeof start.grid.dx);
+    add(&start.datum, sizeof start.datum);
+    for (const std::vector<float>* field : {&start.bedrock, &start.depth, &start.rolling})
+        add(field->data(), field->size() * sizeof(float));
+    add(start.has_data.data(), start.has_data.size());
+    return XXH3_64bits_digest(&digest);
+}
+
+}  // namespace game

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "game/outcome.h"
+#include "render/camera.h"
+#include "render/look.h"
+#include "sim/params.h"
+#include "sim/state.h"
+#include "terrains/georeference.h"
+#include "terrains/terrain.h"
+
+namespace game {
+
+// All that a world begins with, whether a scene, a terrain file or a recording said so.
+struct Start {
+    std::string scene;     // name of the scene or of the terrain file
+    std::string title;     // for people
+    std::string material;  // name of its preset
+    sim::Params params;
+
+    std::string terrain;  // name of the ground
+    std::string licence;  // of the ground's source; may be empty
+    sim::Grid grid;
+    double datum = 0;                      // m, height of bedrock = 0
+    std::vector<float> bedrock;            // m above datum, grid.size() values, row-major, row 0 the south
+    std::vector<float> depth;              // m, erodible
+    std::vector<float> rolling;            // m, a release that begins at rest
+    std::vector<std::uint8_t> has_data;    // 0 where material leaves the world
+    terrains::Georeference georeference;   // where the grid stands on Earth, if anywhere
+    std::uint64_t seed = 0;
+
+    render::Look look;
+    render::Light light;
+    std::optional<render::Camera> camera;  // none: the overview
+};
+
+// A command and the tick at whose start it is given.
+struct TimedCommand {
+    std::int64_t tick = 0;
+    sim::Command command;
+};
+
+// The ground of `terrain` as a start's: bedrock under its cover, above a whole-metre datum near its lowest point.
+void set_ground(Start& start, const terrains::Terrain& terrain);
+
+// For sim; valid as long as the start is.
+sim::World world_of(const Start& start);
+
+// XXH3 of grid, datum, bedrock, depth, rolling and has_data: which ground a recording is of.
+std::uint64_t ground_hash(const Start& start);
+
+}  // namespace game

@@ -1,0 +1,116 @@
+#include "game/summary.h"
+
+#include <fmt/format.h>
+
+#include "game/version.h"
+
+namespace game {
+namespace {
+
+Json mass_json(const Session& session) {
+    const sim::Ledger& mass = session.state().ledger;
+    const auto m3 = [&](std::int64_t quanta) { return session.cubic_metres(quanta); };
+    return {{"initial_m3", m3(mass.initial)},   {"standing_m3", m3(mass.standing)}, {"rolling_m3", m3(mass.rolling)},
+            {"out_m3", m3(mass.out)},           {"poured_m3", m3(mass.poured)},     {"dug_m3", m3(mass.dug)},
+            {"error_quanta", mass.mass_error()}};
+}
+
+Json place_json(const Start& start, terrains::LocalPoint point) {
+    Json json{{"x_m", point.x}, {"y_m", point.y}};
+    if (const auto place = start.georeference.to_lat_lon(point)) {
+        json["latitude"] = place->latitude;
+        json["longitude"] = place->longitude;
+    }
+    return json;
+}
+
+Json measures_json(const Summary& summary) {
+    const Measures& m = summary.measures;
+    Json json{{"run_out_m", m.run_out},         {"fall_m", m.fall},
+              {"reach_deg", m.reach_deg},       {"extent_ha", m.extent_area / 1e4},
+              {"peak_depth_m", m.peak_depth},   {"peak_speed_m_s", m.peak_speed},
+              {"eroded_m3", m.eroded},          {"deposited_m3", m.deposited},
+              {"top", place_json(summary.start, m.top)}, {"toe", place_json(summary.start, m.toe)}};
+    if (m.overlap) json["overlap"] = *m.overlap;
+    return json;
+}
+
+Json verdict_json(const Verdict& verdict) {
+    Json json{{"comparable", verdict.comparable}, {"states_compared", verdict.compared}, {"proven_tick", verdict.proven_tick}};
+    json["exact"] = verdict.comparable && !verdict.parted;
+    if (verdict.parted) json["parted"] = *verdict.parted;
+    return json;
+}
+
+std::string placed(const Start& start, terrains::LocalPoint point) {
+    const std::string where = start.georeference.describe(point);
+    return where.empty() ? fmt::format("{:.0f} m east, {:.0f} m north", point.x, point.y) : where;
+}
+
+std::string verdict_text(const Verdict& verdict) {
+    if (!verdict.comparable) return "not comparable: recorded with another version of the physics\n";
+    if (verdict.parted) return fmt::format("NOT the same: {}\n", *verdict.parted);
+    return fmt::format("exact: all {} recorded states met, bit for bit; proven up to tick {}\n", verdict.compared,
+                       verdict.proven_tick);
+}
+
+}  // namespace
+
+Json to_json(const Summary& summary) {
+    const Start& start = summary.start;
+    const sim::State& state = summary.session.state();
+    Json json{{"program", kProgram},
+              {"scene", start.scene},
+              {"terrain", start.terrain},
+              {"licence", start.licence},
+              {"material", start.material},
+              {"model", sim::to_string(start.params.model)},
+              {"squares", {start.grid.nx - 1, start.grid.ny - 1}},
+              {"cell_m", static_cast<double>(start.grid.dx)},
+              {"ticks", state.tick},
+              {"seconds", summary.session.seconds()},
+              {"state_hash", hex(summary.session.state_line().hash)},
+              {"mass", mass_json(summary.session)},
+              {"measures", measures_json(summary)}};
+    if (start.params.model == sim::Model::kBcre) json["scheme"] = sim::to_string(start.params.scheme);
+    if (summary.at_rest) json["at_rest"] = *summary.at_rest;
+    if (summary.verdict) json["verified"] = verdict_json(*summary.verdict);
+    if (summary.perf) json["performance"] = summary.perf->to_json();
+    return json;
+}
+
+std::string to_text(const Summary& summary) {
+    const Start& start = summary.start;
+    const Measures& m = summary.measures;
+    const Session& session = summary.session;
+    const sim::Ledger& mass = session.state().ledger;
+    const auto m3 = [&](std::int64_t quanta) { return session.cubic_metres(quanta); };
+    std::string text = fmt::format("{}: {} on {}, {}x{} squares of {:.4g} m, {}\n", start.title, start.material, start.terrain,
+                                   start.grid.nx - 1, start.grid.ny - 1, start.grid.dx,
+                                   sim::to_string(start.params.model));
+    if (!start.licence.empty()) text += fmt::format("terrain: {}\n", start.licence);
+    text += fmt::format("{} ticks, {:.1f} s{}\n", session.state().tick, session.seconds(),
+                        !summary.at_rest    ? ""
+                        : *summary.at_rest ? ", at rest"
+                                            : ", NOT yet at rest");
+    if (m.run_out > 0) {
+        text += fmt::format("run-out {:.0f} m, fall {:.0f} m, reach {:.1f} deg; extent {:.2f} ha, up to {:.1f} m deep and {:.1f} m/s\n",
+                            m.run_out, m.fall, m.reach_deg, m.extent_area / 1e4, m.peak_depth, m.peak_speed);
+        text += fmt::format("from {}\n  to {}\n", placed(start, m.top), placed(start, m.toe));
+    }
+    if (m.overlap) text += fmt::format("overlap with the reference extent {:.2f} (intersection over union)\n", *m.overlap);
+    text += fmt::format("mass: standing {:.1f} + rolling {:.1f} + out {:.1f} - poured {:.1f} + dug {:.1f} = initial {:.1f} m3, error {} quanta\n",
+                        m3(mass.standing), m3(mass.rolling), m3(mass.out), m3(mass.poured), m3(mass.dug), m3(mass.initial),
+                        mass.mass_error());
+    text += fmt::format("eroded {:.0f} m3, deposited {:.0f} m3 (entrainment has no reference and changes with the grid)\n", m.eroded, m.deposited);
+    text += fmt::format("state hash {}\n", hex(session.state_line().hash));
+    if (summary.verdict) text += verdict_text(*summary.verdict);
+    if (summary.perf)
+        for (const StageFigures& stage : summary.perf->figures())
+            if (stage.count > 0)
+                text += fmt::format("{:>6}: median {:.3f} ms, p95 {:.3f}, p99 {:.3f}, max {:.3f} over {} ticks\n", stage.stage,
+                                    stage.median, stage.p95, stage.p99, stage.most, stage.count);
+    return text;
+}
+
+}  // namespace game

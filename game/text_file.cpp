@@ -1,0 +1,41 @@
+#include "game/text_file.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include <fmt/format.h>
+
+namespace game {
+
+namespace fs = std::filesystem;
+
+Outcome<void> write_text(const fs::path& path, std::string_view text) {
+    if (path.has_parent_path())
+        if (auto made = make_folder(path.parent_path()); !made) return made;
+    fs::path beside = path;
+    beside += ".part";
+    std::ofstream stream(beside, std::ios::binary);
+    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+    stream.close();
+    std::error_code error;
+    if (stream) fs::rename(beside, path, error);
+    if (stream && !error) return {};
+    const std::string reason = stream ? error.message() : std::strerror(errno);
+    fs::remove(beside, error);
+    return machine_fails(fmt::format("{}: cannot be written: {}", path.string(), reason));
+}
+
+Outcome<void> make_folder(const fs::path& path) {
+    std::error_code error;
+    fs::create_directories(path, error);
+    if (error) return machine_fails(fmt::format("{}: cannot be made: {}", path.string(), error.message()));
+    if (!fs::is_directory(path)) return machine_fails(fmt::format("{}: is not a folder", path.string()));
+    if (access(path.c_str(), W_OK | X_OK) != 0)
+        return machine_fails(fmt::format("{}: cannot be written into: {}", path.string(), std::strerror(errno)));
+    return {};
+}
+
+}  // namespace game

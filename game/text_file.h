@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "game/outcome.h"
+
+namespace game {
+
+// Writes a whole file beside `path` and renames it, so that nobody sees half of one; makes its folder. Errors: status 3.
+Outcome<void> write_text(const std::filesystem::path& path, std::string_view text);
+
+// Makes a folder that can be written into. Errors: status 3.
+Outcome<void> make_folder(const std::filesystem::path& path);
+
+}  // namespace game
