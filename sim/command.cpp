@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/params.h"
+#include "sim/quanta.h"
 #include "sim/state.h"
 
 namespace sim {
@@ -113,7 +114,7 @@ void dig(State& s, const Command& c, std::int64_t tick, std::int64_t ticks, doub
 }
 
 void blast(State& s, const Command& c) {
-    const auto most = static_cast<float>(std::rint(c.depth / kQuantum)) * kQuantum;
+    const auto most = nearest_quanta(static_cast<float>(c.depth));
     Disc(c, s.grid.dx).each_ground(s, Profile::kDisc, [&](int x, int y, double) {
         const float moved = std::min(most, s.depth(x, y));
         s.depth(x, y) -= moved;

@@ -57,7 +57,7 @@ std::optional<std::string> fault_of(const Params& params) {
     return std::nullopt;
 }
 
-Substeps substeps(const Params& params, float dx) {
+Substeps substeps_of(const Params& params, float dx) {
     const float speed = params.model == Model::kBcre ? params.rolling_speed : params.max_speed;
     const int count = static_cast<int>(std::ceil(speed * params.tick_s / (params.courant * dx)));
     const int at_least_one = count > 1 ? count : 1;

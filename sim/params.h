@@ -110,6 +110,6 @@ struct Substeps {
     int count = 1;
     float dt = 0;  // s
 };
-Substeps substeps(const Params& params, float dx);
+Substeps substeps_of(const Params& params, float dx);
 
 }  // namespace sim

@@ -1,17 +1,15 @@
 #include "sim/state.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "sim/borders.h"
 #include "sim/params.h"
+#include "sim/quanta.h"
 #include "sim/scratch.h"
 #include "sim/bcre/stages.h"
 
 namespace sim {
 namespace {
-
-float whole_quanta(float metres) { return std::rint(metres / kQuantum) * kQuantum; }
 
 void set_sites(State& s, const Params& params, std::span<const std::uint8_t> has_data) {
     const int nx = s.grid.nx, ny = s.grid.ny;
@@ -78,8 +76,8 @@ State make_state(const World& world, const Params& params) {
                                   static_cast<std::size_t>(x);
             s.bedrock(x, y) = world.bedrock[i];
             if (s.site(x, y) != Site::kGround) continue;
-            s.depth(x, y) = whole_quanta(world.depth[i]);
-            s.rolling(x, y) = whole_quanta(world.rolling[i]);
+            s.depth(x, y) = nearest_quanta(world.depth[i]);
+            s.rolling(x, y) = nearest_quanta(world.rolling[i]);
         }
     continue_bedrock(s, params);
     anchor(s, params);

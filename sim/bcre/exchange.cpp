@@ -4,6 +4,7 @@
 #include "sim/bcre/stages.h"
 #include "sim/exponential.h"
 #include "sim/params.h"
+#include "sim/quanta.h"
 #include "sim/scratch.h"
 #include "sim/state.h"
 
@@ -32,13 +33,11 @@ float after_exchange(float rolling, float excess, float rate, float spread, floa
     return end / (1.f + (end / rolling - 1.f) * exponential(-pace * end));
 }
 
-float whole_quanta(float metres) { return std::rint(metres / kQuantum) * kQuantum; }
-
 // Moves `amount` from the standing to the rolling layer, or back if negative: whole quanta, no more than there is. What
 // is eroded starts at rest; what is deposited takes its momentum along.
-void transfer(State& s, int x, int y, float amount) {
+void transfer(State& s, int x, int y, float amount, float dither) {
     float &d = s.depth(x, y), &r = s.rolling(x, y);
-    const float moved = std::clamp(whole_quanta(amount), -r, d);
+    const float moved = std::clamp(to_quanta(amount, dither), -r, d);
     const float before = r;
     d -= moved;
     r += moved;
@@ -66,20 +65,21 @@ void lower_slope(const State& s, Scratch& scratch, int first, int last) {
     }
 }
 
-void exchange(State& s, const Params& params, const Scratch& scratch, float dt, int first, int last) {
+void exchange(State& s, const Params& params, const Scratch& scratch, Substep sub, int first, int last) {
     for (int y = first; y < last; ++y)
         for (int x = 0; x < s.grid.nx; ++x) {
             const float r = s.rolling(x, y);
             if (r == 0) continue;
             const float excess = scratch.slope(x, y) - params.stop_slope;
             transfer(s, x, y,
-                     after_exchange(r, excess, params.exchange_rate, scratch.slope_spread(x, y), s.grid.dx, dt) - r);
+                     after_exchange(r, excess, params.exchange_rate, scratch.slope_spread(x, y), s.grid.dx, sub.dt) - r,
+                     sub.dither);
         }
 }
 
 // The same with a speed gate on deposition, a threshold that falls with depth, and a band between the stop and the
 // erosion slope in which nothing is exchanged.
-void exchange_inertial(State& s, const Params& params, const Scratch& scratch, float dt, int first, int last) {
+void exchange_inertial(State& s, const Params& params, const Scratch& scratch, Substep sub, int first, int last) {
     for (int y = first; y < last; ++y)
         for (int x = 0; x < s.grid.nx; ++x) {
             const float r = s.rolling(x, y);
@@ -95,7 +95,7 @@ void exchange_inertial(State& s, const Params& params, const Scratch& scratch, f
             } else if (slope > params.erosion_slope && r > params.erosion_depth) {
                 excess = slope - params.erosion_slope;
             }
-            if (excess != 0) transfer(s, x, y, after_exchange(r, excess, rate, spread, s.grid.dx, dt) - r);
+            if (excess != 0) transfer(s, x, y, after_exchange(r, excess, rate, spread, s.grid.dx, sub.dt) - r, sub.dither);
         }
 }
 

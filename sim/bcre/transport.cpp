@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <cmath>
 
 #include "sim/bcre/stages.h"
+#include "sim/quanta.h"
 #include "sim/scratch.h"
 #include "sim/state.h"
 
@@ -19,15 +19,13 @@
 namespace sim::bcre {
 namespace {
 
-float whole_quanta(float metres) { return std::rint(metres / kQuantum) * kQuantum; }
-
 float out_of(float toward, float away) { return std::max(toward, 0.f) + std::max(-away, 0.f); }
 
 }  // namespace
 
 void limit_outflow(const State& s, Scratch& scratch, int first, int last) {
-    // Rounding a face's flux may add half a quantum; with four faces a vertex keeps two in hand.
-    constexpr float kInHand = 2 * kQuantum;
+    // Rounding a face's flux may add a quantum; with four faces a vertex keeps four in hand.
+    constexpr float kInHand = 4 * kQuantum;
     for (int y = first; y < last; ++y) {
         const float* r = s.rolling.row(y);
         const float *fx = scratch.flux_x.row(y), *fn = scratch.flux_y.row(y), *fs = scratch.flux_y.row(y - 1);
@@ -41,9 +39,9 @@ void limit_outflow(const State& s, Scratch& scratch, int first, int last) {
     }
 }
 
-void round_fluxes(const State& s, Scratch& scratch, int first, int last) {
-    const auto rounded = [](float flux, float left_scale, float right_scale) {
-        return whole_quanta(flux * (flux > 0 ? left_scale : right_scale));
+void round_fluxes(const State& s, Scratch& scratch, Substep sub, int first, int last) {
+    const auto rounded = [=](float flux, float left_scale, float right_scale) {
+        return to_quanta(flux * (flux > 0 ? left_scale : right_scale), sub.dither);
     };
     for (int y = first; y < last; ++y) {
         const float* scale = scratch.outflow_scale.row(y);

@@ -1,5 +1,6 @@
 #include "sim/bcre/face.h"
 #include "sim/bcre/stages.h"
+#include "sim/quanta.h"
 
 // The paper's scheme (Strikwerda 2004), in two dimensions and as fluxes:
 //
@@ -10,8 +11,8 @@
 
 namespace sim::bcre {
 
-void fluxes_lax_friedrichs(const State& s, Scratch& scratch, float dt, int first, int last) {
-    const float half_courant = 0.5f * (dt / s.grid.dx);
+void fluxes_lax_friedrichs(const State& s, Scratch& scratch, Substep sub, int first, int last) {
+    const float half_courant = 0.5f * (sub.dt / s.grid.dx);
     each_face(s, scratch, first, last, [=](float, float left, float right, float, float v_left, float v_right) {
         return half_courant * (left * v_left + right * v_right) - 0.25f * (right - left);
     });

@@ -1,5 +1,6 @@
 #include "sim/bcre/face.h"
 #include "sim/bcre/stages.h"
+#include "sim/quanta.h"
 
 // Local Lax–Friedrichs (Rusanov 1961) with one velocity w per face, which makes it the donor cell:
 //
@@ -9,8 +10,8 @@
 
 namespace sim::bcre {
 
-void fluxes_local_lax_friedrichs(const State& s, Scratch& scratch, float dt, int first, int last) {
-    const float courant = dt / s.grid.dx;
+void fluxes_local_lax_friedrichs(const State& s, Scratch& scratch, Substep sub, int first, int last) {
+    const float courant = sub.dt / s.grid.dx;
     each_face(s, scratch, first, last, [=](float, float left, float right, float, float v_left, float v_right) {
         const float w = face_velocity(left, v_left, right, v_right);
         return courant * w * (w > 0 ? left : right);

@@ -1,5 +1,6 @@
 #include "sim/bcre/face.h"
 #include "sim/bcre/stages.h"
+#include "sim/quanta.h"
 
 // Donor cell with the layer's depth carried to the face along its minmod-limited slope (van Leer 1979), second order in
 // space where R is smooth; the transport of bcre-inertial:
@@ -19,8 +20,8 @@ float minmod(float a, float b) {
 
 }  // namespace
 
-void fluxes_minmod(const State& s, Scratch& scratch, float dt, int first, int last) {
-    const float courant = dt / s.grid.dx;
+void fluxes_minmod(const State& s, Scratch& scratch, Substep sub, int first, int last) {
+    const float courant = sub.dt / s.grid.dx;
     each_face(s, scratch, first, last,
               [=](float back, float left, float right, float beyond, float v_left, float v_right) {
                   const float w = face_velocity(left, v_left, right, v_right);

@@ -4,6 +4,7 @@
 #include "sim/bcre/stages.h"
 #include "sim/exponential.h"
 #include "sim/params.h"
+#include "sim/quanta.h"
 #include "sim/state.h"
 
 // Central differences over the vertex's four neighbours:
@@ -37,9 +38,9 @@ void slope_velocity(State& s, const Params& params, int first, int last) {
     }
 }
 
-void accelerate(State& s, const Params& params, float dt, int first, int last) {
+void accelerate(State& s, const Params& params, Substep sub, int first, int last) {
     const float per_step = 1.f / (2.f * s.grid.dx);
-    const float gained = 1.f - exponential(-dt / params.relaxation_time);
+    const float gained = 1.f - exponential(-sub.dt / params.relaxation_time);
     for (int y = first; y < last; ++y) {
         const float *b = s.bedrock.row(y), *b_n = s.bedrock.row(y + 1), *b_s = s.bedrock.row(y - 1);
         const float *d = s.depth.row(y), *d_n = s.depth.row(y + 1), *d_s = s.depth.row(y - 1);

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "sim/ledger.h"
+
+namespace sim {
+
+// A sub-step's length, and the dither with which it rounds to quanta: one number for all of it, equally spread over
+// [0, 1) from sub-step to sub-step (golden-ratio sequence). So rounding is right on average over time, and a film whose
+// flux is less than a quantum per sub-step still flows; always rounding to nearest would nail it to its place.
+struct Substep {
+    float dt = 0;      // s
+    float dither = 0;  // 0 ≤ dither < 1
+};
+
+inline float dither_of(std::int64_t substep) {
+    const auto turned = static_cast<std::uint32_t>(substep) * 2654435769u;  // 2³² / golden ratio
+    return static_cast<float>(turned >> 8) * (1.f / 16777216.f);
+}
+
+// `metres` as a whole number of quanta, less than one away; the same for both signs.
+inline float to_quanta(float metres, float dither) {
+    const float quanta = std::floor(std::fabs(metres) / kQuantum + dither);
+    return std::copysign(quanta * kQuantum, metres);
+}
+
+// The nearest whole number of quanta, for what is rounded once.
+inline float nearest_quanta(float metres) { return std::rint(metres / kQuantum) * kQuantum; }
+
+}  // namespace sim
