@@ -5,14 +5,17 @@
 
 namespace render {
 
-// A camera that looks at a point of the terrain. World metres: x east, y north, z up, height above the terrain's zero.
+// A camera that looks at a point of the terrain. World metres: x east, y north, z up, height above the
+// terrain's zero.
 struct Camera {
-    glm::dvec3 target{0, 0, 0};      // m
-    double azimuth_deg = 200;        // where the camera stands, seen from the target: 0 north, 90 east
-    double elevation_deg = 35;       // above the horizon, −89 to 89
-    double distance_m = 1000;        // > 0
-    double field_of_view_deg = 35;   // vertical, 5 to 120
+    glm::dvec3 target{0, 0, 0};     // m
+    double azimuth_deg = 200;       // where the camera stands, seen from the target: 0 north, 90 east
+    double elevation_deg = 35;      // above the horizon, −89 to 89
+    double distance_m = 1000;       // > 0
+    double field_of_view_deg = 35;  // vertical, 5 to 120
 };
+
+inline constexpr double kNear = 0.1;  // m, near plane
 
 glm::dvec3 eye(const Camera& camera);
 glm::dmat4 view_matrix(const Camera& camera);

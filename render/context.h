@@ -11,8 +11,8 @@ namespace render {
 // An OpenGL 4.5 core context without a window, through EGL, current on the thread that made it.
 class HeadlessContext {
   public:
-    // `which`: "auto" (a hardware device if there is one, else surfaceless), "surfaceless", "device" or "device:N".
-    // Errors: one sentence that says what was tried and what is missing.
+    // `which`: "auto" (a hardware device if there is one, else surfaceless), "surfaceless", "device" or
+    // "device:N". Errors: one sentence that says what was tried and what is missing.
     static tl::expected<HeadlessContext, std::string> create(std::string_view which);
     ~HeadlessContext();
     HeadlessContext(HeadlessContext&&) noexcept;

@@ -14,21 +14,34 @@
 
 namespace render {
 
-// Draws a world. Needs a current GL 4.5 context, from headless EGL or a window, for as long as it lives. Views are
-// read, never kept; nothing flows back into the simulation.
+enum class Quality {
+    kFast,  // one sample per pixel
+    kFine,  // two by two, for exported pictures: three to four times the time without a GPU
+};
+
+// Draws a world. Needs a current GL 4.5 context, from headless EGL or a window, for as long as it lives.
+// Views are read, never kept; nothing flows back into the simulation. A frame depends on the arguments of
+// draw() alone.
 class Renderer {
   public:
     // `assets` is the folder that holds shaders/. Errors name the shader file and line.
-    static tl::expected<Renderer, std::string> create(const std::filesystem::path& assets);
+    static tl::expected<Renderer, std::string> create(const std::filesystem::path& assets,
+                                                      Quality quality = Quality::kFine);
     ~Renderer();
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
-    // All passes, in order, into an offscreen target of the given size in pixels.
-    void draw(const sim::View& world, const Camera& camera, const Light& light, const Look& look, int width, int height);
+    // All passes, in order, into an offscreen target of the given size in pixels, > 0. GL's state is left as
+    // it was found, but for bindings of texture units, which are emptied, and of uniform block and image
+    // units.
+    void draw(const sim::View& world, const Camera& camera, const Light& light, const Look& look, int width,
+              int height);
 
-    // The last drawn frame, top row first, sRGB 8 bit, 3 channels.
+    // The last drawn frame, top row first, sRGB 8 bit, 3 channels. Waits for the frame.
     Picture read_back() const;
+
+    // The last drawn frame, stretched over a framebuffer (0 is the window's) of the given size in pixels.
+    void copy_to(unsigned framebuffer, int width, int height) const;
 
   private:
     struct Parts;

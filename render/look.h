@@ -6,8 +6,8 @@ namespace render {
 
 // Colours are linear-light sRGB primaries, 0 to 1.
 struct Light {
-    double azimuth_deg = 135;    // where the sun stands: 0 north, 90 east
-    double elevation_deg = 40;   // above the horizon, 1 to 90
+    double azimuth_deg = 135;   // where the sun stands: 0 north, 90 east
+    double elevation_deg = 40;  // above the horizon, 1 to 90
 };
 
 // How ground and material look: data of a scene and its material, never of the simulation.
@@ -15,10 +15,12 @@ struct Look {
     glm::vec3 rock{0.23f, 0.21f, 0.20f};      // steep bare ground
     glm::vec3 meadow{0.16f, 0.20f, 0.08f};    // gentle bare ground
     glm::vec3 standing{0.86f, 0.89f, 0.93f};  // erodible layer
-    glm::vec3 rolling{0.60f, 0.72f, 0.90f};   // rolling layer
+    glm::vec3 rolling{0.42f, 0.58f, 0.84f};   // rolling layer
     float roughness = 0.5f;                   // 0 to 1, strength of the rolling layer's small-scale relief
-    float cover_visible_m = 0.05f;            // depth at which the standing layer hides the ground, m
-    float rolling_visible_m = 0.05f;          // depth at which the rolling layer is drawn, m
+    float cover_visible_m = 0.05f;            // depth at which the standing layer hides the ground, m, > 0
+    float rolling_visible_m = 0.05f;          // depth at which the rolling layer is drawn, m, > 0
+    float detail =
+        1;  // 0 to 1, strength of all small-scale relief and variation of colour; 0 draws plain colours
 };
 
 }  // namespace render

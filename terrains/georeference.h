@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include <tl/expected.hpp>
@@ -15,15 +14,23 @@ struct LocalPoint {
     double x = 0, y = 0;  // m from the grid's south-west vertex, along the grid's own axes
 };
 
-// Where a grid stands on Earth, and the way there and back. Three kinds:
-//   not placed   a generated terrain or a DEM that states no coordinate system: local metres only
-//   projected    the DEM's own metric coordinate system; the grid keeps its axes, x = easting − easting of vertex (0, 0)
-//   local        a DEM in degrees, laid on a transverse Mercator plane through its own centre (GeographicLib, scale 1
-//                there), so that lengths and angles are true and y is north
-// A value: cheap to copy, holds no library handle.
+// Where a grid stands on Earth, and the way there and back. Four kinds:
+//   not placed   a generated terrain: local metres only
+//   unnamed      a DEM that states no coordinate system: its coordinates are kept, so that rasters of one set
+//   find each
+//                other, but nobody knows where on Earth they are; not placed either
+//   projected    the DEM's own metric coordinate system; the grid keeps its axes, x = easting − easting of
+//   vertex (0, 0) local        a DEM in degrees, or in a system whose metres are not true there, laid on a
+//   transverse Mercator plane
+//                through its own centre (GeographicLib, scale 1 there), so that lengths and angles are true
+//                and y is north
+// A value: cheap to copy, holds no library handle. For many points at once use PlaneTransform with wkt().
 class Georeference {
   public:
     Georeference() = default;  // not placed
+
+    // Coordinates in metres of a system that nobody named; those of vertex (0, 0).
+    static Georeference unnamed(double origin_x, double origin_y);
 
     // `wkt` is a coordinate system with metres as its unit; easting and northing are those of vertex (0, 0).
     static Georeference projected(std::string wkt, double easting, double northing);
@@ -31,7 +38,10 @@ class Georeference {
     // Plane through `centre`; (false_x, false_y) is what vertex (0, 0) measures from it, m.
     static Georeference local(LatLon centre, double false_x, double false_y);
 
-    bool placed() const { return kind_ != Kind::kNone; }
+    bool is_local() const { return kind_ == Kind::kLocal; }
+    bool placed() const { return kind_ == Kind::kProjected || kind_ == Kind::kLocal; }
+    // Whether origin_x and origin_y mean something to other files: every kind but "not placed".
+    bool has_coordinates() const { return kind_ != Kind::kNone; }
 
     // Errors: not placed, or a point that the coordinate system cannot express.
     tl::expected<LatLon, std::string> to_lat_lon(LocalPoint p) const;
@@ -43,11 +53,12 @@ class Georeference {
     double origin_x() const { return origin_x_; }
     double origin_y() const { return origin_y_; }
 
-    // "47.30012° N 11.43210° E, UTM 32T 683912 5240010"; empty where not placed or not expressible.
+    // "47.30012° N 11.43210° E, UTM 32T 683912 5240010"; empty where not placed or not expressible. Beyond
+    // 84° N and 80° S the second half is the polar grid, "UPS Z 2000000 2000000".
     std::string describe(LocalPoint p) const;
 
   private:
-    enum class Kind { kNone, kProjected, kLocal };
+    enum class Kind { kNone, kUnnamed, kProjected, kLocal };
     Kind kind_ = Kind::kNone;
     std::string wkt_;
     LatLon centre_;

@@ -16,9 +16,12 @@ struct Terrain {
     std::string licence;  // what the source says of its licence; empty where it says nothing
     sim::Grid grid;
 
-    std::vector<float> surface;  // m, height of the ground with its cover; where has_data is 0, the neighbours' slope carried on
-    std::vector<float> cover;    // m, erodible depth that a generator lays, 0 ≤ cover; bedrock = surface − cover
-    std::vector<std::uint8_t> has_data;  // 1 where the source knows the ground, 0 where material leaves the world
+    std::vector<float> surface;  // m, height of the ground with its cover; where has_data is 0, the
+                                 // neighbours' slope carried on
+    std::vector<float>
+        cover;  // m, erodible depth that a generator lays, 0 ≤ cover; bedrock = surface − cover
+    std::vector<std::uint8_t>
+        has_data;  // 1 where the source knows the ground, 0 where material leaves the world
 
     Georeference georeference;  // where the grid's (0, 0) stands on Earth; not placed for generated terrain
 };

@@ -1,0 +1,171 @@
+# Set-up for ./play, ./check and .ci/run, which source this file from the top of the checkout: what Couloir needs on a
+# machine, and the steps from a bare Debian 12 to a configured build folder. Nothing is done twice.
+# Progress goes to standard error, one line per step; a step that fails ends the script with status 3.
+
+# Needed by whom | Debian 12's package | what for | how to see on another system that it is there
+packages='
+program|g++|a C++20 compiler|program g++
+program|cmake|CMake 3.24 or later|program cmake
+program|ninja-build|Ninja|program ninja
+program|pkg-config|pkg-config|program pkg-config
+program|libgdal-dev|GDAL 3 headers|header gdal.h
+program|libopenimageio-dev|OpenImageIO 2.4 headers|header OpenImageIO/imageio.h
+program|libgeographiclib-dev|GeographicLib headers|header GeographicLib/Geodesic.hpp
+program|libepoxy-dev|epoxy headers|header epoxy/gl.h
+program|libegl-dev|EGL headers|header EGL/egl.h
+program|libglm-dev|GLM|header glm/glm.hpp
+program|libfmt-dev|fmt headers|header fmt/core.h
+program|libexpected-dev|tl::expected|header tl/expected.hpp
+program|libtomlplusplus-dev|toml++ headers|header toml++/toml.h
+program|nlohmann-json3-dev|JSON for Modern C++|header nlohmann/json.hpp
+program|libcli11-dev|CLI11|header CLI/CLI.hpp
+program|libxxhash-dev|xxHash headers|header xxhash.h
+program|libzstd-dev|Zstandard headers|header zstd.h
+program|libegl1|EGL at run time|library libEGL.so.1
+program|libegl-mesa0|Mesa as the EGL driver|library libEGL_mesa.so.0
+program|libgl1-mesa-dri|the OpenGL driver of Mesa that needs no GPU|library dri/swrast_dri.so
+program|proj-data|the coordinate systems of PROJ|data proj/proj.db
+tests|libgtest-dev|GoogleTest|header gtest/gtest.h
+maintainer|clang|clang++|program clang++
+maintainer|libclang-rt-14-dev|run time of the clang sanitizers|
+maintainer|clang-format|clang-format 14|program clang-format
+maintainer|clang-tidy|clang-tidy 14|program clang-tidy
+'
+
+say() { printf 'couloir: %s\n' "$*" >&2; }
+
+# step LOG SENTENCE COMMAND...: runs the command into build/LOG.log.
+step() {
+    local log=build/$1.log sentence=$2 start=$SECONDS
+    shift 2
+    mkdir -p build
+    printf 'couloir: %s ... ' "$sentence" >&2
+    if "$@" >"$log" 2>&1 </dev/null; then
+        printf '%d s\n' $((SECONDS - start)) >&2
+        return
+    fi
+    printf 'failed\n' >&2
+    tail -n 30 "$log" >&2
+    say "$sentence failed; the lines above are the end of $log"
+    exit 3
+}
+
+# Debian 12, or a derivative that says it is built on it.
+on_debian_12() {
+    [ -r /etc/os-release ] && [ -n "$(command -v apt-get)" ] && [ -n "$(command -v dpkg-query)" ] || return 1
+    (
+        . /etc/os-release
+        case " ${ID:-} ${ID_LIKE:-} " in *' debian '*) ;; *) exit 1 ;; esac
+        [ "${ID:-} ${VERSION_ID:-}" = 'debian 12' ] ||
+            [ "${DEBIAN_CODENAME:-${VERSION_CODENAME:-}}" = bookworm ]
+    )
+}
+
+# found 'KIND NAME': is it there, on a system whose packages we cannot ask for? Looks where compilers and loaders look.
+found() {
+    local kind=${1%% *} name=${1#* } folder
+    case $kind in
+    program)
+        command -v "$name" >/dev/null
+        return
+        ;;
+    header) set -- {/usr,/usr/local,/opt/homebrew}/include{,/gdal,/*-linux-gnu} ;;
+    library) set -- {/usr,/usr/local,/opt/homebrew}/lib{,64,/*-linux-gnu} ;;
+    data) set -- {/usr,/usr/local,/opt/homebrew}/share ;;
+    *) return 0 ;;
+    esac
+    for folder; do
+        [ ! -e "$folder/$name" ] || return 0
+    done
+    return 1
+}
+
+# Ends with status 3 and a list where something is missing.
+require_found() {
+    local for_whom=$1 who package purpose probe list=''
+    while IFS='|' read -r who package purpose probe; do
+        [[ " $for_whom " == *" $who "* ]] && ! found "$probe" &&
+            list+="  $purpose (Debian 12 calls it $package)"$'\n'
+    done <<<"$packages"
+    [ -z "$list" ] && return
+    say 'only on Debian 12 does this script install what it needs by itself. Missing here:'
+    printf '%s' "$list" >&2
+    say 'install these and start again'
+    exit 3
+}
+
+# Names of the packages that dpkg does not have as installed, one per line.
+missing_packages() {
+    local for_whom=$1 who package rest installed wanted=()
+    while IFS='|' read -r who package rest; do
+        [[ -n $package && " $for_whom " == *" $who "* ]] && wanted+=("$package")
+    done <<<"$packages"
+    installed=$(dpkg-query -W -f '${Package} ${db:Status-Status}\n' "${wanted[@]}" 2>/dev/null || true)
+    for package in "${wanted[@]}"; do
+        [[ $'\n'$installed$'\n' == *$'\n'"$package installed"$'\n'* ]] || printf '%s\n' "$package"
+    done
+}
+
+# apt_get ARGS...: as root, waiting for another package manager to finish rather than failing.
+apt_get() {
+    local as_root=()
+    [ "$(id -u)" = 0 ] || as_root=(sudo)
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=600 \
+        -o Acquire::Retries=3 "$@"
+}
+
+# A list that cannot be fetched (somebody's third-party source) is no reason to stop: the installation will tell.
+update_and_install() {
+    apt_get update || true
+    apt_get install --no-install-recommends "$@"
+}
+
+# install_packages 'program tests': needed by whom. dpkg answers in a few hundredths of a second, so it is asked every time:
+# a stamp would be wrong after a package is removed.
+install_packages() {
+    if ! on_debian_12; then
+        require_found "$1"
+        return
+    fi
+    local missing
+    mapfile -t missing < <(missing_packages "$1")
+    [ ${#missing[@]} -gt 0 ] || return 0
+    if [ "$(id -u)" != 0 ] && [ -z "$(command -v sudo)" ]; then
+        say "these packages are missing, and without root or sudo they cannot be installed: ${missing[*]}"
+        exit 3
+    fi
+    step packages "installing packages (${#missing[@]} and what they need)" update_and_install "${missing[@]}"
+}
+
+# Is build/PRESET configured by these presets, for this place, and with tests where they are wanted?
+configured() {
+    local folder=build/$1 tests=$2
+    [ "$folder/build.ninja" -nt CMakePresets.json ] || return 1
+    grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$(pwd -P)" "$folder/CMakeCache.txt" || return 1
+    [ "$tests" = OFF ] || grep -qxF 'COULOIR_TESTS:BOOL=ON' "$folder/CMakeCache.txt"
+}
+
+# configure PRESET ON|OFF: with or without tests; a folder that is configured with them serves both. Ninja itself sees
+# to changes of CMakeLists.txt files later.
+configure() {
+    local preset=$1 tests=$2 fresh=()
+    configured "$preset" "$tests" && return
+    # A cache that came along with a copied or moved checkout is refused by CMake.
+    [ ! -e "build/$preset/CMakeCache.txt" ] || fresh=(--fresh)
+    step "configure-$preset" "configuring $preset" \
+        cmake --preset "$preset" "${fresh[@]}" -DCOULOIR_TESTS="$tests"
+}
+
+# build PRESET [TARGET]: everything without a target.
+build() {
+    local parallel
+    parallel=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
+    step "build-$1" "building $1" cmake --build --preset "$1" --parallel "$parallel" ${2:+--target "$2"}
+}
+
+# run_tests PRESET [CTEST ARGS]: to standard output, closing with ctest's summary.
+run_tests() {
+    local preset=$1
+    shift
+    ctest --test-dir "build/$preset" --parallel "$(nproc)" --output-on-failure --no-tests=error --no-label-summary "$@"
+}

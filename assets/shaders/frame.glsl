@@ -1,0 +1,19 @@
+// What every pass may ask about the frame; render/frame_block.h is its other half. Space: metres, x east and y north
+// from vertex (0, 0), z above datum.
+layout(std140, binding = SLOT_FRAME) uniform Frame {
+    mat4 clip_from_world;   // reversed depth: 1 at the near plane, 0 at infinity
+    vec4 eye;               // xyz; w: 1 / width of the detail texture, 1/m
+    vec4 ray_forward;       // view rays: forward + x · right + y · up, x and y in −1 to 1; w: near plane, m
+    vec4 ray_right;
+    vec4 ray_up;
+    vec4 sun;               // xyz: unit vector to the sun; w: tangent of its elevation
+    vec4 ground;            // cell m, base of the block m, lowest and highest bedrock m
+    ivec4 size;             // vertices along x and y; rays and rows of the sun's sweep
+    vec4 sweep;             // shear (cells per row), first ray (cells), fall of the light per row (m), 1: rows are columns
+    vec4 haze;              // distance at which it begins m, 1 / its length 1/m; 1: sweep starts at the last row; detail 0 to 1
+    vec4 rock;
+    vec4 meadow;
+    vec4 standing;          // w: depth that hides the ground, m
+    vec4 rolling;           // w: depth that is drawn, m
+    vec4 material;          // roughness 0 to 1; height of a pixel at a distance of 1
+} frame;

@@ -1,0 +1,31 @@
+// Openness: the share of the sky that a vertex of the bedrock sees, from its horizon in twelve directions. Once per terrain.
+layout(local_size_x = GROUP_SQUARE, local_size_y = GROUP_SQUARE) in;
+
+layout(binding = SLOT_BEDROCK) uniform sampler2D bedrock;
+layout(binding = SLOT_SITE) uniform usampler2D site;
+layout(binding = IMAGE_OPENNESS, r16f) uniform writeonly image2D openness;
+
+const int kDirections = 12;
+const float kReach = 0.25;  // of the longer side: beyond it a horizon hardly rises
+
+void main() {
+    ivec2 v = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(v, frame.size.xy))) return;
+    float here = texelFetch(bedrock, v, 0).r;
+    float reach = kReach * float(max(frame.size.x, frame.size.y));
+    float open = 0.0;
+    for (int i = 0; i < kDirections; ++i) {
+        float angle = 6.2831853 * (float(i) + 0.5) / float(kDirections);
+        vec2 direction = vec2(cos(angle), sin(angle));
+        float horizon = 0.0;  // tangent
+        for (float cells = 1.5; cells < reach; cells *= 1.45) {
+            ivec2 there = v + ivec2(round(direction * cells));
+            if (any(lessThan(there, ivec2(0))) || any(greaterThanEqual(there, frame.size.xy))) break;
+            if (texelFetch(site, there, 0).r == SITE_DRAIN) continue;
+            float rise = texelFetch(bedrock, there, 0).r - here;
+            horizon = max(horizon, rise / (frame.ground.x * length(vec2(there - v))));
+        }
+        open += 1.0 / (1.0 + horizon * horizon);  // cos² of the horizon's elevation
+    }
+    imageStore(openness, v, vec4(open / float(kDirections)));
+}

@@ -1,0 +1,44 @@
+// Where everything sits, for GLSL and C++ alike: this file is the front part of every shader and is included by C++.
+
+// Uniform blocks
+#define SLOT_FRAME 0
+
+// Texture units
+#define SLOT_BEDROCK 0    // R32F: b, m above datum; one texel per vertex, as all fields
+#define SLOT_DEPTH 1      // R32F: d, m
+#define SLOT_ROLLING 2    // R32F: R, m
+#define SLOT_VELOCITY_X 3 // R32F, m/s
+#define SLOT_VELOCITY_Y 4 // R32F, m/s
+#define SLOT_SITE 5       // R8UI: sim::Site
+#define SLOT_RELIEF 6     // RGBA32F: height m above datum, slope along x, slope along y, openness
+#define SLOT_LAYERS 7     // RGBA8: how much cover, how much rolling layer (half at the visible depth), speed, ground; 0 to 1
+#define SLOT_OPENNESS 8   // R16F: share of the sky that a vertex sees
+#define SLOT_SUN_CEILING 9 // R32F: height below which the sun is hidden, in the sheared grid of shadow.comp
+#define SLOT_DETAIL 10    // RGBA8 array: small-scale relief, one layer per kind
+#define SLOT_SCENE_DEPTH 11 // D32F: reversed depth of the surface
+#define SLOT_COLOUR 12    // RGBA16F: the frame in linear light
+#define SLOT_UNITS 13     // how many texture units there are
+
+// Image units
+#define IMAGE_RELIEF 0
+#define IMAGE_LAYERS 1
+#define IMAGE_OPENNESS 2
+#define IMAGE_SUN_CEILING 3
+
+// Values of sim::Site
+#define SITE_DRAIN 1
+
+// Layers of the detail texture
+#define DETAIL_SOFT 0
+#define DETAIL_ROCK 1
+#define DETAIL_CLUMPS 2
+#define DETAIL_LAYERS 3
+
+// Bits of a vertex index: x, y, and a flag for the base of the block
+#define INDEX_X_MASK 0x7fff
+#define INDEX_Y_SHIFT 15
+#define INDEX_BASE 0x40000000
+
+// Edge of a compute work group: square for one thread per vertex, a row for one thread per ray
+#define GROUP_SQUARE 8
+#define GROUP_ROW 32

@@ -1,0 +1,46 @@
+// Surface: from the fields to what the drawing passes ask for. One thread per vertex.
+layout(local_size_x = GROUP_SQUARE, local_size_y = GROUP_SQUARE) in;
+
+layout(binding = SLOT_BEDROCK) uniform sampler2D bedrock;
+layout(binding = SLOT_DEPTH) uniform sampler2D depth;
+layout(binding = SLOT_ROLLING) uniform sampler2D rolling;
+layout(binding = SLOT_VELOCITY_X) uniform sampler2D velocity_x;
+layout(binding = SLOT_VELOCITY_Y) uniform sampler2D velocity_y;
+layout(binding = SLOT_SITE) uniform usampler2D site;
+layout(binding = SLOT_OPENNESS) uniform sampler2D openness;
+layout(binding = IMAGE_RELIEF, rgba32f) uniform writeonly image2D relief;
+layout(binding = IMAGE_LAYERS, rgba8) uniform writeonly image2D layers;
+
+const float kHalfSpeed = 10.0;  // m/s, drawn as half of the fastest
+
+float height(ivec2 v) {
+    return texelFetch(bedrock, v, 0).r + texelFetch(depth, v, 0).r + texelFetch(rolling, v, 0).r;
+}
+
+bool is_ground(ivec2 v) {
+    return all(greaterThanEqual(v, ivec2(0))) && all(lessThan(v, frame.size.xy)) &&
+           texelFetch(site, v, 0).r != SITE_DRAIN;
+}
+
+// Central difference where both neighbours are ground, one-sided beside an edge of the world.
+float slope(ivec2 v, ivec2 along, float here) {
+    bool ahead = is_ground(v + along), behind = is_ground(v - along);
+    float rise = (ahead ? height(v + along) : here) - (behind ? height(v - along) : here);
+    return rise / (frame.ground.x * (ahead && behind ? 2.0 : 1.0));
+}
+
+void main() {
+    ivec2 v = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(v, frame.size.xy))) return;
+    float here = height(v);
+    bool ground = is_ground(v);
+    vec2 rise = ground ? vec2(slope(v, ivec2(1, 0), here), slope(v, ivec2(0, 1), here)) : vec2(0);
+    imageStore(relief, v, vec4(here, rise, texelFetch(openness, v, 0).r));
+
+    // Clamped shares, not depths, are interpolated later: a front is then as sharp where it is high as where it is thin,
+    // and lies midway between the last vertex inside and the first outside.
+    float d = texelFetch(depth, v, 0).r, r = texelFetch(rolling, v, 0).r;
+    float speed = length(vec2(texelFetch(velocity_x, v, 0).r, texelFetch(velocity_y, v, 0).r));
+    imageStore(layers, v, vec4(clamp(vec2(0.5 * d / frame.standing.w, 0.5 * r / frame.rolling.w), 0.0, 1.0),
+                               speed / (speed + kHalfSpeed), ground ? 1.0 : 0.0));
+}

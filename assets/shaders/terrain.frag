@@ -1,0 +1,133 @@
+// Terrain: once per pixel that shows the surface, from its depth. Ground by slope and altitude, the standing layer over it, the
+// rolling layer over that, all lit once.
+layout(binding = SLOT_SCENE_DEPTH) uniform sampler2D scene_depth;
+layout(binding = SLOT_RELIEF) uniform sampler2D relief;
+layout(binding = SLOT_LAYERS) uniform sampler2D layers;
+layout(binding = SLOT_DETAIL) uniform sampler2DArray detail_texture;
+
+in vec2 ndc;
+out vec4 colour;
+
+// A place on the surface, and how much of it a pixel covers.
+struct Place {
+    vec3 at;          // m
+    vec2 slope;
+    float open;       // share of the sky that is seen
+    float footprint;  // m
+};
+
+// What is lit in the end.
+struct Skin {
+    vec3 albedo;
+    vec2 rise;   // slope that small relief adds
+    float open;  // share of the sky that small hollows leave
+};
+
+// Small relief at a place: slopes along x and y (about −1 to 1), height and a second height (0 to 1). Mip-mapped, so it fades
+// with distance instead of shimmering. Each use is turned by its own angle, which hides the repeats.
+vec4 detail(Place p, float kind, float scale, float c, float s) {
+    mat2 rotation = mat2(c, s, -s, c);
+    float repeats = frame.eye.w * scale;
+    float level = log2(p.footprint * repeats * float(textureSize(detail_texture, 0).x)) - 0.4;
+    vec4 t = textureLod(detail_texture, vec3(rotation * p.at.xy * repeats + c, kind), level);
+    t.xy = (t.xy * 2.0 - 1.0) * rotation;
+    return mix(vec4(0.0, 0.0, 0.5, 0.5), t, frame.haze.w);
+}
+
+// Cubic B-spline through the layers: four bilinear fetches. The spline rounds the corners that a front along grid edges would
+// have. `along` becomes the change of the rolling share per cell.
+vec4 smooth_layers(vec2 cell, out vec2 along) {
+    vec2 size = vec2(frame.size.xy);
+    vec2 i = floor(cell), f = cell - i, e = 1.0 - f;
+    vec2 w0 = e * e * e / 6.0, w1 = 2.0 / 3.0 - 0.5 * f * f * (2.0 - f), w3 = f * f * f / 6.0;
+    vec2 g0 = w0 + w1, g1 = 1.0 - g0;
+    vec2 a = i - 0.5 + w1 / g0, b = i + 1.5 + w3 / g1;
+    vec2 apart = b - a;
+    a /= size;
+    b /= size;
+    vec4 t00 = texture(layers, a), t10 = texture(layers, vec2(b.x, a.y));
+    vec4 t01 = texture(layers, vec2(a.x, b.y)), t11 = texture(layers, b);
+    along = vec2(mix(t10.y - t00.y, t11.y - t01.y, g1.y), mix(t01.y - t00.y, t11.y - t10.y, g1.x)) / apart;
+    return mix(mix(t00, t10, g1.x), mix(t01, t11, g1.x), g1.y);
+}
+
+Skin ground(Place p, vec4 broad, vec4 soft, vec4 rock, vec4 fine) {
+    float altitude = (p.at.z - frame.ground.z) / (frame.ground.w - frame.ground.z);
+    float bare = smoothstep(0.50, 0.95, length(p.slope) + 0.5 * (broad.z - 0.5) + 0.35 * (rock.z - 0.5) +
+                                            0.35 * smoothstep(0.45, 1.0, altitude) * frame.haze.w);
+    float warm = broad.w;
+    vec3 grass = frame.meadow.rgb * mix(vec3(0.55, 0.68, 0.62), vec3(1.55, 1.32, 1.2), warm) * (0.55 + 0.9 * soft.z);
+    vec3 stone = frame.rock.rgb * (0.40 + 0.75 * rock.z + 0.45 * fine.z) * mix(vec3(1.08, 1.0, 0.90), vec3(0.93, 1.0, 1.08), warm);
+    return Skin(mix(grass, stone, bare), mix(0.25 * soft.xy + 0.15 * fine.xy, 0.8 * rock.xy + 0.5 * fine.xy, bare),
+                mix(0.80 + 0.4 * soft.z, 0.60 + 0.8 * rock.z, bare));
+}
+
+Skin cover(vec4 broad, vec4 soft, vec4 rock, vec4 fine) {
+    // Dark material shows its patches, snow hardly does.
+    float patchy = 0.08 + 0.9 * max(0.0, 0.7 - frame.standing.g);
+    float tint = 1.0 + patchy * (0.8 * (broad.w - 0.5) + 0.5 * (soft.z - 0.5) + 0.4 * (rock.z - 0.5));
+    return Skin(frame.standing.rgb * tint, 0.15 * soft.xy + 0.14 * broad.xy + 0.04 * rock.xy + 0.04 * fine.xy, 0.9 + 0.1 * soft.z);
+}
+
+// The rolling layer: clumps at two scales; lighter where it moves fast.
+Skin moving(vec4 broad, vec4 soft, vec4 clumps, vec4 crumbs, float speed) {
+    float rough = frame.material.x;
+    float lump = 0.45 * clumps.z + 0.25 * crumbs.z + 0.30 * soft.z;
+    return Skin(frame.rolling.rgb * (0.62 + 0.60 * lump + 0.25 * broad.w) * (1.0 + 0.12 * speed),
+                rough * (1.2 * clumps.xy + 0.6 * crumbs.xy + 0.7 * soft.xy + 0.4 * broad.xy),
+                mix(1.0, 0.40 + 1.1 * lump, rough));
+}
+
+Skin blend(Skin a, Skin b, float share) {
+    return Skin(mix(a.albedo, b.albedo, share), mix(a.rise, b.rise, share), mix(a.open, b.open, share));
+}
+
+Place find_place(float depth) {
+    vec3 ray = frame.ray_forward.xyz + ndc.x * frame.ray_right.xyz + ndc.y * frame.ray_up.xyz;
+    float forward = frame.ray_forward.w / depth;
+    Place p;
+    p.at = frame.eye.xyz + ray * forward;
+    vec4 r = texture(relief, (p.at.xy / frame.ground.x + 0.5) / vec2(frame.size.xy));
+    p.slope = r.yz;
+    p.open = r.w;
+    // Seen at a low angle a pixel covers a long strip: the mean of its length and its width.
+    float facing = dot(vec3(-r.yz, 1.0), ray) / sqrt((1.0 + dot(r.yz, r.yz)) * dot(ray, ray));
+    p.footprint = forward * frame.material.y * inversesqrt(clamp(-facing, 0.06, 1.0));
+    return p;
+}
+
+void main() {
+    Place p = find_place(texelFetch(scene_depth, ivec2(gl_FragCoord.xy), 0).r);
+
+    vec4 broad = detail(p, DETAIL_SOFT, 0.31, 0.921, 0.389), soft = detail(p, DETAIL_SOFT, 1.9, 0.267, 0.964);
+    vec4 rock = detail(p, DETAIL_ROCK, 0.8, -0.588, 0.809), fine = detail(p, DETAIL_ROCK, 3.1, 0.622, 0.783);
+    vec4 clumps = detail(p, DETAIL_CLUMPS, 0.8, 0.980, 0.199), crumbs = detail(p, DETAIL_CLUMPS, 2.6, -0.129, 0.992);
+
+    vec2 along;
+    vec4 layer = smooth_layers(p.at.xy / frame.ground.x, along);
+    float steepness = length(along);
+    float pixel = p.footprint / frame.ground.x;  // cells
+
+    float thin = layer.x - 0.30 * (rock.z + 0.5 * fine.z - 0.75) * length(p.slope);
+    float covered = clamp((thin - 0.5) / (pixel + 0.03) + 0.5, 0.0, 1.0);
+    float share = layer.y + 0.5 * (0.5 * (clumps.z - 0.5) + 0.3 * (crumbs.z - 0.5) + (soft.z - 0.5)) * frame.material.x;
+    float rolls = clamp((share - 0.5) / (0.7 * pixel + 0.02) + 0.5, 0.0, 1.0);
+
+    Skin skin = blend(ground(p, broad, soft, rock, fine), cover(broad, soft, rock, fine), covered);
+
+    // From the front, in cells, outside negative: a dark foot before it, a lit lip on it.
+    float from_front = (share - 0.5) / max(steepness, 0.15);
+    float foot = smoothstep(-0.7, 0.0, from_front) * smoothstep(0.0, 0.2, layer.y) * (1.0 - rolls);
+    float lip = smoothstep(0.9, 0.0, from_front) * smoothstep(0.1, 0.3, steepness);
+    Skin debris = moving(broad, soft, clumps, crumbs, layer.z);
+    debris.rise += lip * 0.9 * along / max(steepness, 1e-4);
+    skin = blend(skin, debris, rolls);
+    skin.open *= 1.0 - 0.45 * foot;
+    skin.albedo *= 1.0 - 0.35 * foot;
+
+    vec3 normal = normalize(vec3(-p.slope - skin.rise, 1.0));
+    // Small relief must not catch sun on a slope that lies in its own shadow.
+    float facing_sun = smoothstep(-0.05, 0.12, dot(vec3(-p.slope, 1.0), frame.sun.xyz));
+    vec3 light = lit(skin.albedo, normal, sunlit(p.at) * facing_sun, p.open * clamp(skin.open, 0.0, 1.2));
+    colour = vec4(through_air(light, p.at), 1.0);
+}

@@ -1,0 +1,34 @@
+// Walls: the sides of the block that the world is cut from. Earth in layers, darker downward, turf on top.
+layout(binding = SLOT_LAYERS) uniform sampler2D layers;
+layout(binding = SLOT_DETAIL) uniform sampler2DArray detail_texture;
+
+in vec3 at;
+in float below_m;
+out vec4 colour;
+
+const float kOpen = 1.6;  // walls stand free: light comes back to them from all around
+
+// How much of a place is ground, 0 to 1. Its fall is the direction of a wall: along the edge of no-data the faces themselves
+// turn to and fro with the grid.
+float ground(vec2 cell) {
+    vec2 inside = clamp(min(cell, vec2(frame.size.xy - 1) - cell) + 0.5, 0.0, 1.0);
+    return inside.x * inside.y * texture(layers, (cell + 0.5) / vec2(frame.size.xy)).w;
+}
+
+void main() {
+    float tall = frame.ground.w - frame.ground.y;
+    vec2 along_wall = vec2(at.x + at.y, 2.0 * at.z) * (0.8 * frame.eye.w);
+    vec4 rock = texture(detail_texture, vec3(along_wall, DETAIL_ROCK));
+    // Layers of earth, wavy and uneven; a smoothed saw is as good as a sine and much cheaper.
+    float layers = abs(2.0 * fract(9.0 * at.z / tall + 1.2 * rock.w) - 1.0);
+    vec3 earth = mix(frame.rock.rgb, vec3(0.30, 0.21, 0.14), 0.75);
+    earth *= 0.70 + 0.25 * layers * layers * (3.0 - 2.0 * layers) + 0.5 * (rock.z - 0.5);
+    earth *= mix(0.55, 1.0, clamp((at.z - frame.ground.y) / tall * 2.5, 0.0, 1.0));
+    earth *= 1.0 - 0.45 * (1.0 - smoothstep(0.0, 0.014 * tall, below_m));  // turf
+    vec2 cell = at.xy / frame.ground.x;
+    vec2 outward = vec2(ground(cell - vec2(1.5, 0.0)) - ground(cell + vec2(1.5, 0.0)),
+                        ground(cell - vec2(0.0, 1.5)) - ground(cell + vec2(0.0, 1.5)));
+    vec3 normal = vec3(outward / max(length(outward), 1e-4), 0.0);
+    float sun = sunlit(at + normal * (1.5 * frame.ground.x));  // before the wall: the surface above is no obstacle to it
+    colour = vec4(through_air(lit(earth, normal, sun, kOpen), at), 1.0);
+}

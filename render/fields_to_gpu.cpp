@@ -1,0 +1,88 @@
+#include "render/fields_to_gpu.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+#include "assets/shaders/slots.glsl"
+
+namespace render {
+namespace {
+
+static_assert(SITE_DRAIN == static_cast<int>(sim::Site::kDrain));
+
+// Bits, not values: a NaN is equal to itself.
+template <class T>
+bool same_inside(const sim::Field<T>& a, const sim::Field<T>& b) {
+    for (int y = 0; y < a.ny(); ++y) {
+        if (std::memcmp(a.row(y), b.row(y), sizeof(T) * static_cast<std::size_t>(a.nx())) != 0) return false;
+    }
+    return true;
+}
+
+template <class T>
+void send(const Texture& texture, const sim::Field<T>& field, GLenum format, GLenum type) {
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, field.nx() + 2);  // rows of a field carry the halo
+    glTextureSubImage2D(texture.name(), 0, 0, 0, field.nx(), field.ny(), format, type, field.row(0));
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+}
+
+HeightRange height_range(const sim::View& world) {
+    HeightRange range{std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest()};
+    for (int y = 0; y < world.grid.ny; ++y) {
+        for (int x = 0; x < world.grid.nx; ++x) {
+            if (world.site(x, y) == sim::Site::kDrain) continue;
+            range.lowest = std::min(range.lowest, world.bedrock(x, y));
+            range.highest = std::max(range.highest, world.bedrock(x, y));
+        }
+    }
+    return range.lowest > range.highest ? HeightRange{} : range;
+}
+
+}  // namespace
+
+bool FieldsToGpu::upload(const sim::View& world) {
+    const bool changed = !is_known(world);
+    if (changed) {
+        if (!(grid_ == world.grid)) allocate(world.grid);
+        remember(world);
+        send(bedrock_texture_, world.bedrock, GL_RED, GL_FLOAT);
+        send(site_texture_, world.site, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
+    }
+    send(depth_texture_, world.depth, GL_RED, GL_FLOAT);
+    send(rolling_texture_, world.rolling, GL_RED, GL_FLOAT);
+    send(velocity_x_texture_, world.velocity_x, GL_RED, GL_FLOAT);
+    send(velocity_y_texture_, world.velocity_y, GL_RED, GL_FLOAT);
+    return changed;
+}
+
+void FieldsToGpu::bind() const {
+    glBindTextureUnit(SLOT_BEDROCK, bedrock_texture_.name());
+    glBindTextureUnit(SLOT_DEPTH, depth_texture_.name());
+    glBindTextureUnit(SLOT_ROLLING, rolling_texture_.name());
+    glBindTextureUnit(SLOT_VELOCITY_X, velocity_x_texture_.name());
+    glBindTextureUnit(SLOT_VELOCITY_Y, velocity_y_texture_.name());
+    glBindTextureUnit(SLOT_SITE, site_texture_.name());
+}
+
+bool FieldsToGpu::is_known(const sim::View& world) const {
+    return grid_ == world.grid && same_inside(bedrock_, world.bedrock) && same_inside(site_, world.site);
+}
+
+void FieldsToGpu::allocate(const sim::Grid& grid) {
+    for (Texture* texture :
+         {&bedrock_texture_, &depth_texture_, &rolling_texture_, &velocity_x_texture_, &velocity_y_texture_})
+        *texture = make_texture(GL_R32F, grid.nx, grid.ny, GL_NEAREST);
+    site_texture_ = make_texture(GL_R8UI, grid.nx, grid.ny, GL_NEAREST);
+}
+
+void FieldsToGpu::remember(const sim::View& world) {
+    grid_ = world.grid;
+    bedrock_ = world.bedrock;
+    site_ = world.site;
+    heights_ = height_range(world);
+}
+
+}  // namespace render

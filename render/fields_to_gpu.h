@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+
+#include "render/frame_block.h"
+#include "render/gl_handle.h"
+#include "sim/state.h"
+
+namespace render {
+
+// The world's fields as textures, one texel per vertex without the halo, at the units of slots.glsl. Layers
+// and velocities are sent every time, bedrock and sites only when they are not those sent last.
+class FieldsToGpu {
+  public:
+    // Sends what changed. True if the terrain did, and with it perhaps the size of every texture.
+    bool upload(const sim::View& world);
+    void bind() const;
+
+    HeightRange heights() const { return heights_; }
+
+  private:
+    bool is_known(const sim::View& world) const;
+    void allocate(const sim::Grid& grid);
+    void remember(const sim::View& world);
+
+    sim::Grid grid_;
+    sim::Field<float> bedrock_;  // as sent last
+    sim::Field<sim::Site> site_;
+    HeightRange heights_;
+    Texture bedrock_texture_, depth_texture_, rolling_texture_, velocity_x_texture_, velocity_y_texture_,
+        site_texture_;
+};
+
+}  // namespace render

@@ -1,0 +1,110 @@
+#include "render/frame.h"
+
+#include <utility>
+
+#include "assets/shaders/slots.glsl"
+#include "render/fields_to_gpu.h"
+#include "render/frame_block.h"
+#include "render/ground_mesh.h"
+#include "render/passes/fullscreen_pass.h"
+#include "render/passes/scoped_state.h"
+#include "render/passes/shadow_pass.h"
+#include "render/passes/surface_pass.h"
+#include "render/passes/terrain_pass.h"
+#include "render/target.h"
+#include "sim/check.h"
+
+namespace render {
+
+struct Renderer::Parts {
+    FieldsToGpu fields;
+    Buffer frame_block;
+    SurfacePass surface;
+    ShadowPass shadow;
+    TerrainPass terrain;
+    FullscreenPass sky;
+    FullscreenPass tone;
+    Target target;
+};
+
+tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path& assets, Quality quality) {
+    const std::filesystem::path shaders = assets / "shaders";
+    auto surface = SurfacePass::create(shaders);
+    if (!surface) return tl::unexpected(surface.error());
+    auto shadow = ShadowPass::create(shaders);
+    if (!shadow) return tl::unexpected(shadow.error());
+    auto terrain = TerrainPass::create(shaders);
+    if (!terrain) return tl::unexpected(terrain.error());
+    auto sky = FullscreenPass::create(shaders, {"slots.glsl", "frame.glsl", "light.glsl", "sky.frag"});
+    if (!sky) return tl::unexpected(sky.error());
+    auto tone = FullscreenPass::create(shaders, {"slots.glsl", "tone.frag"});
+    if (!tone) return tl::unexpected(tone.error());
+
+    Buffer frame_block = make_buffer();
+    glNamedBufferStorage(frame_block.name(), sizeof(FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    return Renderer(std::make_unique<Parts>(Parts{
+        FieldsToGpu(), std::move(frame_block), std::move(*surface), std::move(*shadow), std::move(*terrain),
+        std::move(*sky), std::move(*tone), Target(quality == Quality::kFine ? 2 : 1)}));
+}
+
+Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+void Renderer::draw(const sim::View& world, const Camera& camera, const Light& light, const Look& look,
+                    int width, int height) {
+    Parts& p = *parts_;
+    const ScopedState state;  // whoever shares the context finds it as it was
+
+    // The world first: everything below reads these textures, and only they change with the state.
+    const bool new_terrain = p.fields.upload(world);
+    const FrameBlock frame =
+        make_frame_block(world, p.fields.heights(), camera, light, look, {width, height, p.target.samples()});
+    glNamedBufferSubData(p.frame_block.name(), 0, sizeof frame, &frame);
+    glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_FRAME, p.frame_block.name());
+    p.fields.bind();
+
+    // What hangs on the bedrock alone is worked out once, here, because it needs the fields and the frame
+    // block.
+    if (new_terrain) {
+        p.terrain.send_mesh(ground_mesh(world.grid, world.site));
+        p.surface.resize(world.grid);
+        p.shadow.resize(world.grid);
+        p.surface.survey_terrain();
+    }
+
+    // Heights, slopes and shares of the layers: once per vertex, before the two that read them.
+    p.surface.run();
+    p.surface.bind();
+
+    // The sun's sweep needs the surface of this very frame, since a heap throws a shadow too.
+    p.shadow.run(frame);
+    p.shadow.bind();
+
+    // Depth before shading, so that the dear shader runs once per pixel however many triangles lie under it.
+    p.target.resize(width, height);
+    p.target.begin_scene();
+    p.terrain.draw_depth();
+    p.target.begin_shading();
+    p.terrain.shade();
+
+    // Walls hide surface behind them, and the sky shows only where neither is.
+    p.terrain.draw_walls();
+    p.sky.draw_behind();
+
+    // Last, because light adds up only while it is linear.
+    p.target.begin_picture();
+    p.tone.draw_encoded();
+    CHECK(glGetError() == GL_NO_ERROR);
+}
+
+Picture Renderer::read_back() const {
+    return parts_->target.read_back();
+}
+
+void Renderer::copy_to(unsigned framebuffer, int width, int height) const {
+    parts_->target.copy_to(framebuffer, width, height);
+}
+
+}  // namespace render

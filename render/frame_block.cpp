@@ -1,0 +1,84 @@
+#include "render/frame_block.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "render/ground_mesh.h"
+
+namespace render {
+namespace {
+
+constexpr double kDetailTilesPerSide = 9;  // the detail texture repeats so often along the longer side
+constexpr double kHazeBegins = 0.85;       // of the camera's distance
+constexpr double kHazeLength = 6.0;        // in longer sides
+constexpr double kHighestSun = 89;         // degrees; straight down the light has no direction to sweep along
+constexpr double kLowestSun = 1;           // degrees
+
+// The sun's way over the grid: see shadow.comp. Its rows lie across the larger horizontal part of its
+// direction.
+void set_sweep(FrameBlock& block, const sim::Grid& grid) {
+    const glm::dvec2 toward = glm::normalize(glm::dvec2(block.sun));
+    const bool rows_are_columns = std::abs(toward.x) > std::abs(toward.y);
+    const double main = rows_are_columns ? toward.x : toward.y;
+    const double aside = rows_are_columns ? toward.y : toward.x;
+    const int rows = rows_are_columns ? grid.nx : grid.ny, columns = rows_are_columns ? grid.ny : grid.nx;
+    const double shear = -aside / std::abs(main);
+    const double first_ray = shear > 0 ? -shear * (rows - 1) : 0;
+    const double fall = block.sun.w * grid.dx / std::abs(main);
+    block.size = {grid.nx, grid.ny,
+                  static_cast<int>(std::ceil(2 * (columns - 1 + std::abs(shear) * (rows - 1)))) + 1, rows};
+    block.sweep = glm::dvec4(shear, first_ray, fall, rows_are_columns ? 1 : 0);
+    block.haze.z = main > 0 ? 1.f : 0.f;
+}
+
+void set_sun(FrameBlock& block, const Light& light) {
+    const double azimuth = glm::radians(light.azimuth_deg);
+    const double elevation = glm::radians(std::clamp(light.elevation_deg, kLowestSun, kHighestSun));
+    block.sun = glm::dvec4(std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation),
+                           std::sin(elevation), std::tan(elevation));
+}
+
+void set_view(FrameBlock& block, const Camera& camera, double datum, double aspect) {
+    const glm::dmat4 view = view_matrix(camera);
+    const glm::dvec3 up_by_datum(0, 0, datum);
+    block.clip_from_world = projection_matrix(camera, aspect) * glm::translate(view, up_by_datum);
+    block.eye = glm::dvec4(eye(camera) - up_by_datum, block.eye.w);
+    const double reach = std::tan(glm::radians(camera.field_of_view_deg) / 2);
+    const glm::dmat4 axes = glm::transpose(view);  // its columns: right, up and backward in the world
+    block.ray_right = glm::dvec4(glm::dvec3(axes[0]) * reach * aspect, 0);
+    block.ray_up = glm::dvec4(glm::dvec3(axes[1]) * reach, 0);
+    block.ray_forward = glm::dvec4(-glm::dvec3(axes[2]), kNear);
+}
+
+}  // namespace
+
+int most_rays(const sim::Grid& grid) {
+    return 2 * (grid.nx + grid.ny) + 1;
+}
+int most_rows(const sim::Grid& grid) {
+    return std::max(grid.nx, grid.ny);
+}
+
+FrameBlock make_frame_block(const sim::View& world, HeightRange heights, const Camera& camera,
+                            const Light& light, const Look& look, FrameSize size) {
+    const double side = static_cast<double>(std::max(world.grid.nx, world.grid.ny) - 1) * world.grid.dx;
+    FrameBlock block{};
+    block.eye.w = static_cast<float>(kDetailTilesPerSide / side);
+    set_view(block, camera, world.datum, static_cast<double>(size.width) / size.height);
+    set_sun(block, light);
+    block.ground = glm::dvec4(world.grid.dx, heights.lowest - block_depth(world.grid), heights.lowest,
+                              std::max(heights.highest, heights.lowest + 1));
+    block.haze = glm::dvec4(kHazeBegins * camera.distance_m, 1 / (kHazeLength * side), 0, look.detail);
+    set_sweep(block, world.grid);
+    block.rock = glm::vec4(look.rock, 0);
+    block.meadow = glm::vec4(look.meadow, 0);
+    block.standing = glm::vec4(look.standing, look.cover_visible_m);
+    block.rolling = glm::vec4(look.rolling, look.rolling_visible_m);
+    const double pixel = 2 * glm::length(glm::dvec3(block.ray_up)) / (size.height * size.samples);
+    block.material = glm::dvec4(look.roughness * look.detail, pixel, 0, 0);
+    return block;
+}
+
+}  // namespace render

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+#include "render/camera.h"
+#include "render/look.h"
+#include "sim/state.h"
+
+namespace render {
+
+// What every shader may ask about a frame: the other half of assets/shaders/frame.glsl, member for member
+// (std140), which says what each holds.
+struct FrameBlock {
+    glm::mat4 clip_from_world;
+    glm::vec4 eye;
+    glm::vec4 ray_forward, ray_right, ray_up;
+    glm::vec4 sun;
+    glm::vec4 ground;
+    glm::ivec4 size;
+    glm::vec4 sweep;
+    glm::vec4 haze;
+    glm::vec4 rock, meadow, standing, rolling, material;
+};
+static_assert(sizeof(FrameBlock) == 64 + 14 * 16);
+
+// Lowest and highest bedrock where there is ground, m above datum.
+struct HeightRange {
+    float lowest = 0, highest = 0;
+};
+
+// The largest `size.z` that any light needs on a grid: rays of the sun's sweep.
+int most_rays(const sim::Grid& grid);
+// The largest `size.w`: rows of the sun's sweep.
+int most_rows(const sim::Grid& grid);
+
+// What a frame is drawn into: pixels, and samples along the edge of one.
+struct FrameSize {
+    int width = 0, height = 0, samples = 1;
+};
+
+FrameBlock make_frame_block(const sim::View& world, HeightRange heights, const Camera& camera,
+                            const Light& light, const Look& look, FrameSize size);
+
+}  // namespace render

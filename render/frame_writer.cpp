@@ -1,0 +1,53 @@
+#include "render/frame_writer.h"
+
+#include <utility>
+
+#include "sim/check.h"
+
+namespace render {
+
+FrameWriter::FrameWriter(std::size_t capacity) : capacity_(capacity), worker_([this] { write_all(); }) {
+    CHECK(capacity >= 1);
+}
+
+FrameWriter::~FrameWriter() {
+    static_cast<void>(finish());
+}
+
+void FrameWriter::submit(Picture picture, std::filesystem::path path) {
+    std::unique_lock lock(mutex_);
+    CHECK(!closing_);
+    changed_.wait(lock, [this] { return waiting_.size() < capacity_; });
+    if (error_) return;
+    waiting_.push_back({std::move(picture), std::move(path)});
+    changed_.notify_all();
+}
+
+tl::expected<void, std::string> FrameWriter::finish() {
+    {
+        const std::scoped_lock lock(mutex_);
+        closing_ = true;
+        changed_.notify_all();
+    }
+    if (worker_.joinable()) worker_.join();
+    if (error_) return tl::unexpected(*error_);
+    return {};
+}
+
+void FrameWriter::write_all() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+        changed_.wait(lock, [this] { return closing_ || !waiting_.empty(); });
+        if (waiting_.empty()) return;
+        const Job job = std::move(waiting_.front());
+        waiting_.pop_front();
+        changed_.notify_all();
+        if (error_) continue;
+        lock.unlock();
+        auto written = write_png(job.picture, job.path);
+        lock.lock();
+        if (!written) error_ = written.error();
+    }
+}
+
+}  // namespace render

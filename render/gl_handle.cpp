@@ -1,0 +1,34 @@
+#include "render/gl_handle.h"
+
+namespace render {
+
+Texture make_texture(GLenum format, int width, int height, GLint filter) {
+    GLuint name = 0;
+    glCreateTextures(GL_TEXTURE_2D, 1, &name);
+    glTextureStorage2D(name, 1, format, width, height);
+    glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, filter);
+    glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, filter);
+    glTextureParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return Texture(name);
+}
+
+Buffer make_buffer() {
+    GLuint name = 0;
+    glCreateBuffers(1, &name);
+    return Buffer(name);
+}
+
+VertexArray make_vertex_array() {
+    GLuint name = 0;
+    glCreateVertexArrays(1, &name);
+    return VertexArray(name);
+}
+
+Framebuffer make_framebuffer() {
+    GLuint name = 0;
+    glCreateFramebuffers(1, &name);
+    return Framebuffer(name);
+}
+
+}  // namespace render

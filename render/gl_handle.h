@@ -1,0 +1,73 @@
+#pragma once
+
+#include <utility>
+
+#include <epoxy/gl.h>
+
+namespace render {
+
+// The one owner of a GL name; deletes it. Move-only; empty after a move. The context that made the name must
+// be current when the handle dies.
+template <class Delete>
+class GlHandle {
+  public:
+    GlHandle() = default;
+    explicit GlHandle(GLuint name) : name_(name) {}
+    ~GlHandle() { reset(); }
+    GlHandle(GlHandle&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
+    GlHandle& operator=(GlHandle&& other) noexcept {
+        if (this != &other) {
+            reset();
+            name_ = std::exchange(other.name_, 0);
+        }
+        return *this;
+    }
+
+    GLuint name() const { return name_; }  // 0 when empty
+
+  private:
+    void reset() {
+        if (name_ != 0) Delete{}(name_);
+        name_ = 0;
+    }
+
+    GLuint name_ = 0;
+};
+
+struct DeleteTexture {
+    void operator()(GLuint name) const { glDeleteTextures(1, &name); }
+};
+struct DeleteBuffer {
+    void operator()(GLuint name) const { glDeleteBuffers(1, &name); }
+};
+struct DeleteVertexArray {
+    void operator()(GLuint name) const { glDeleteVertexArrays(1, &name); }
+};
+struct DeleteFramebuffer {
+    void operator()(GLuint name) const { glDeleteFramebuffers(1, &name); }
+};
+struct DeleteRenderbuffer {
+    void operator()(GLuint name) const { glDeleteRenderbuffers(1, &name); }
+};
+struct DeleteShader {
+    void operator()(GLuint name) const { glDeleteShader(name); }
+};
+struct DeleteProgram {
+    void operator()(GLuint name) const { glDeleteProgram(name); }
+};
+
+using Texture = GlHandle<DeleteTexture>;
+using Buffer = GlHandle<DeleteBuffer>;
+using VertexArray = GlHandle<DeleteVertexArray>;
+using Framebuffer = GlHandle<DeleteFramebuffer>;
+using Renderbuffer = GlHandle<DeleteRenderbuffer>;
+using ShaderName = GlHandle<DeleteShader>;
+using ProgramName = GlHandle<DeleteProgram>;
+
+// A 2D texture of one level, clamped to its edge. `filter` is GL_NEAREST or GL_LINEAR.
+Texture make_texture(GLenum format, int width, int height, GLint filter);
+Buffer make_buffer();
+VertexArray make_vertex_array();
+Framebuffer make_framebuffer();
+
+}  // namespace render

@@ -1,0 +1,44 @@
+#include "render/passes/fullscreen_pass.h"
+
+#include "render/passes/scoped_state.h"
+#include "render/program.h"
+
+namespace render {
+
+tl::expected<FullscreenPass, std::string> FullscreenPass::create(
+    const std::filesystem::path& shaders, const std::vector<std::string_view>& fragment_files) {
+    auto program = link_program(
+        shaders, {{GL_VERTEX_SHADER, {"fullscreen.vert"}}, {GL_FRAGMENT_SHADER, fragment_files}});
+    if (!program) return tl::unexpected(program.error());
+    FullscreenPass pass;
+    pass.program_ = std::move(*program);
+    pass.no_vertices_ = make_vertex_array();
+    return pass;
+}
+
+void FullscreenPass::draw_behind() const {
+    const Enabled depth_test(GL_DEPTH_TEST);
+    draw();
+}
+
+void FullscreenPass::draw_on() const {
+    const Enabled depth_test(GL_DEPTH_TEST);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_LESS);
+    draw();
+    glDepthFunc(GL_GEQUAL);
+    glDepthMask(GL_TRUE);
+}
+
+void FullscreenPass::draw_encoded() const {
+    const Enabled encoding(GL_FRAMEBUFFER_SRGB);
+    draw();
+}
+
+void FullscreenPass::draw() const {
+    glUseProgram(program_.name());
+    glBindVertexArray(no_vertices_.name());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace render

@@ -1,0 +1,56 @@
+#include "render/passes/surface_pass.h"
+
+#include "assets/shaders/slots.glsl"
+#include "render/program.h"
+
+namespace render {
+namespace {
+
+GLuint groups(int vertices) {
+    return static_cast<GLuint>((vertices + GROUP_SQUARE - 1) / GROUP_SQUARE);
+}
+
+}  // namespace
+
+tl::expected<SurfacePass, std::string> SurfacePass::create(const std::filesystem::path& shaders) {
+    auto surface = link_program(shaders, {{GL_COMPUTE_SHADER, {"slots.glsl", "frame.glsl", "surface.comp"}}});
+    if (!surface) return tl::unexpected(surface.error());
+    auto openness =
+        link_program(shaders, {{GL_COMPUTE_SHADER, {"slots.glsl", "frame.glsl", "openness.comp"}}});
+    if (!openness) return tl::unexpected(openness.error());
+    SurfacePass pass;
+    pass.surface_ = std::move(*surface);
+    pass.openness_ = std::move(*openness);
+    return pass;
+}
+
+void SurfacePass::resize(const sim::Grid& grid) {
+    if (grid == grid_) return;
+    grid_ = grid;
+    relief_texture_ = make_texture(GL_RGBA32F, grid.nx, grid.ny, GL_LINEAR);
+    layers_texture_ = make_texture(GL_RGBA8, grid.nx, grid.ny, GL_LINEAR);
+    openness_texture_ = make_texture(GL_R16F, grid.nx, grid.ny, GL_NEAREST);
+}
+
+void SurfacePass::survey_terrain() const {
+    glUseProgram(openness_.name());
+    glBindImageTexture(IMAGE_OPENNESS, openness_texture_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R16F);
+    glDispatchCompute(groups(grid_.nx), groups(grid_.ny), 1);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+void SurfacePass::run() const {
+    glUseProgram(surface_.name());
+    glBindTextureUnit(SLOT_OPENNESS, openness_texture_.name());
+    glBindImageTexture(IMAGE_RELIEF, relief_texture_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+    glBindImageTexture(IMAGE_LAYERS, layers_texture_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
+    glDispatchCompute(groups(grid_.nx), groups(grid_.ny), 1);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+void SurfacePass::bind() const {
+    glBindTextureUnit(SLOT_RELIEF, relief_texture_.name());
+    glBindTextureUnit(SLOT_LAYERS, layers_texture_.name());
+}
+
+}  // namespace render

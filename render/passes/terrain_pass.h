@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "render/gl_handle.h"
+#include "render/ground_mesh.h"
+#include "render/passes/fullscreen_pass.h"
+
+namespace render {
+
+// The block that the world is cut from. Its surface is drawn as depth first and shaded once per pixel from
+// that: triangles of a few pixels would have most of their shading thrown away. Its few walls are drawn and
+// shaded at once.
+class TerrainPass {
+  public:
+    static tl::expected<TerrainPass, std::string> create(const std::filesystem::path& shaders);
+
+    void send_mesh(const GroundMesh& mesh);
+    void draw_depth() const;  // reads SLOT_RELIEF
+    void shade() const;  // reads SLOT_SCENE_DEPTH, SLOT_RELIEF, SLOT_LAYERS, SLOT_SUN_CEILING, SLOT_DETAIL
+    void draw_walls() const;  // reads SLOT_RELIEF, SLOT_SUN_CEILING, SLOT_DETAIL
+
+  private:
+    // Triangles without attributes: heights come from textures, places from the index.
+    struct Indexed {
+        VertexArray vertices;
+        Buffer indices;
+        GLsizei count = 0;
+
+        void send(const std::vector<std::uint32_t>& values);
+        void draw() const;
+    };
+
+    ProgramName depth_program_, wall_program_;
+    FullscreenPass shading_;
+    Indexed surface_, walls_;
+    Texture detail_texture_;
+};
+
+}  // namespace render

@@ -1,0 +1,71 @@
+#include "render/target.h"
+
+#include <algorithm>
+
+#include "assets/shaders/slots.glsl"
+#include "sim/check.h"
+
+namespace render {
+void Target::resize(int width, int height) {
+    CHECK(width > 0 && height > 0);
+    if (width == width_ && height == height_) return;
+    width_ = width;
+    height_ = height;
+    depth_ = make_texture(GL_DEPTH_COMPONENT32F, width * samples_, height * samples_, GL_NEAREST);
+    colour_ = make_texture(GL_RGBA16F, width, height, GL_NEAREST);
+    if (samples_ > 1)
+        samples_colour_ = make_texture(GL_RGBA16F, width * samples_, height * samples_, GL_LINEAR);
+    picture_ = make_texture(GL_SRGB8_ALPHA8, width, height, GL_LINEAR);
+    scene_ = make_framebuffer();
+    averaged_ = make_framebuffer();
+    output_ = make_framebuffer();
+    glNamedFramebufferTexture(scene_.name(), GL_DEPTH_ATTACHMENT, depth_.name(), 0);
+    glNamedFramebufferTexture(scene_.name(), GL_COLOR_ATTACHMENT0,
+                              (samples_ > 1 ? samples_colour_ : colour_).name(), 0);
+    glNamedFramebufferTexture(averaged_.name(), GL_COLOR_ATTACHMENT0, colour_.name(), 0);
+    glNamedFramebufferTexture(output_.name(), GL_COLOR_ATTACHMENT0, picture_.name(), 0);
+}
+
+void Target::begin_scene() const {
+    constexpr GLfloat kFarthest = 0;  // depth is reversed
+    glBindFramebuffer(GL_FRAMEBUFFER, scene_.name());
+    glViewport(0, 0, width_ * samples_, height_ * samples_);
+    glClearNamedFramebufferfv(scene_.name(), GL_DEPTH, 0, &kFarthest);
+}
+
+void Target::begin_shading() const {
+    glTextureBarrier();
+    glBindTextureUnit(SLOT_SCENE_DEPTH, depth_.name());
+}
+
+void Target::begin_picture() const {
+    if (samples_ > 1)  // halfway between samples a linear filter is their mean
+        glBlitNamedFramebuffer(scene_.name(), averaged_.name(), 0, 0, width_ * samples_, height_ * samples_,
+                               0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glBindFramebuffer(GL_FRAMEBUFFER, output_.name());
+    glViewport(0, 0, width_, height_);
+    glBindTextureUnit(SLOT_COLOUR, colour_.name());
+}
+
+Picture Target::read_back() const {
+    CHECK(width_ > 0);
+    const auto row = 3 * static_cast<std::ptrdiff_t>(width_);
+    Picture picture{width_, height_, std::vector<std::uint8_t>(static_cast<std::size_t>(row * height_))};
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(picture_.name(), 0, GL_RGB, GL_UNSIGNED_BYTE,
+                      static_cast<GLsizei>(picture.pixels.size()), picture.pixels.data());
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    for (int y = 0; y < height_ / 2; ++y) {  // GL counts rows from below
+        const auto top = picture.pixels.begin() + y * row;
+        std::swap_ranges(top, top + row, picture.pixels.begin() + (height_ - 1 - y) * row);
+    }
+    return picture;
+}
+
+void Target::copy_to(GLuint framebuffer, int width, int height) const {
+    glBlitNamedFramebuffer(output_.name(), framebuffer, 0, 0, width_, height_, 0, 0, width, height,
+                           GL_COLOR_BUFFER_BIT,
+                           width == width_ && height == height_ ? GL_NEAREST : GL_LINEAR);
+}
+
+}  // namespace render

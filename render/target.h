@@ -1,0 +1,32 @@
+#pragma once
+
+#include "render/gl_handle.h"
+#include "render/picture.h"
+
+namespace render {
+
+// Where a frame is drawn: depth and linear light, `samples` × `samples` to a pixel, then 8-bit sRGB. Made
+// anew when the size changes.
+class Target {
+  public:
+    explicit Target(int samples) : samples_(samples) {}  // 1 or 2
+
+    int samples() const { return samples_; }  // along the edge of a pixel
+    void resize(int width, int height);       // pixels, > 0
+
+    void begin_scene() const;    // depth is cleared; draw depth and linear colour
+    void begin_shading() const;  // depth can be read at SLOT_SCENE_DEPTH while it is not drawn to
+    void begin_picture() const;  // samples are averaged and bound at SLOT_COLOUR; draw the 8-bit picture
+
+    Picture read_back() const;
+    // Stretches the picture over a framebuffer (0 is the window) of the given size in pixels.
+    void copy_to(GLuint framebuffer, int width, int height) const;
+
+  private:
+    int samples_;
+    int width_ = 0, height_ = 0;
+    Texture depth_, samples_colour_, colour_, picture_;
+    Framebuffer scene_, averaged_, output_;
+};
+
+}  // namespace render

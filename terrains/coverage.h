@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "sim/grid.h"
+#include "terrains/geojson.h"
+
+namespace terrains {
+
+// Mean thickness over each vertex's cell (dx² around it), m, from 8 × 8 samples; the thickest area counts
+// where several overlap. Errors: outlines so intricate that they cross the sample lines over 20 million
+// times.
+tl::expected<std::vector<float>, std::string> mean_thickness(const sim::Grid& grid,
+                                                             const std::vector<Area>& areas);
+
+}  // namespace terrains

@@ -1,0 +1,151 @@
+#include "terrains/export.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <iterator>
+#include <system_error>
+#include <vector>
+
+#include <cpl_conv.h>
+#include <fmt/format.h>
+#include <ogr_srs_api.h>
+
+#include "sim/check.h"
+#include "terrains/gdal_support.h"
+#include "terrains/outlines.h"
+
+namespace terrains {
+namespace {
+
+constexpr float kNoData = -9999;
+
+// Lets `write` fill a file beside `path`, then puts it in its place; leaves nothing behind on failure.
+template <class Write>
+Written replace(const std::filesystem::path& path, Write write) {
+    const std::filesystem::path beside = path.string() + ".part";
+    std::error_code failed;
+    Written written = write(beside);
+    if (written) {
+        std::filesystem::rename(beside, path, failed);
+        if (!failed) return {};
+        written = tl::unexpected(failed.message());
+    }
+    std::filesystem::remove(beside, failed);
+    return tl::unexpected(fmt::format("{}: cannot be written ({})", path.string(), written.error()));
+}
+
+Written write_text(const std::filesystem::path& path, const std::string& text) {
+    return replace(path, [&text](const std::filesystem::path& beside) -> Written {
+        std::FILE* file = std::fopen(beside.c_str(), "wb");
+        if (file == nullptr) return tl::unexpected<std::string>(std::strerror(errno));
+        const bool whole = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+        const int after_write = errno;
+        const bool closed = std::fclose(file) == 0;
+        if (!whole || !closed) return tl::unexpected<std::string>(std::strerror(whole ? errno : after_write));
+        return {};
+    });
+}
+
+// The raster's rows as files have them: the north first, NaN as no data.
+std::vector<float> north_first(const sim::Grid& grid, std::span<const float> field) {
+    std::vector<float> rows;
+    rows.reserve(field.size());
+    for (int y = grid.ny - 1; y >= 0; --y)
+        for (int x = 0; x < grid.nx; ++x) {
+            const float value = field[static_cast<std::size_t>(y) * grid.nx + x];
+            rows.push_back(std::isnan(value) ? kNoData : value);
+        }
+    return rows;
+}
+
+double west_edge(const sim::Grid& grid, const Georeference& place) {
+    return place.origin_x() - 0.5 * grid.dx;
+}
+double south_edge(const sim::Grid& grid, const Georeference& place) {
+    return place.origin_y() - 0.5 * grid.dx;
+}
+
+Written fill_geotiff(GDALDatasetH dataset, const sim::Grid& grid, const Georeference& place,
+                     std::vector<float> rows) {
+    const double dx = grid.dx;
+    std::array<double, 6> pixels{
+        west_edge(grid, place), dx, 0, south_edge(grid, place) + grid.ny * dx, 0, -dx};
+    GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
+    const GdalErrors errors;
+    GDALSetGeoTransform(dataset, pixels.data());
+    if (place.placed()) GDALSetProjection(dataset, place.wkt().c_str());
+    GDALSetRasterNoDataValue(band, kNoData);
+    if (GDALRasterIO(band, GF_Write, 0, 0, grid.nx, grid.ny, rows.data(), grid.nx, grid.ny, GDT_Float32, 0,
+                     0) != CE_None ||
+        errors.any())
+        return tl::unexpected(errors.first());
+    return {};
+}
+
+// The dialect of WKT that readers of .prj files know.
+std::string to_prj(const std::string& wkt) {
+    const GdalErrors errors;
+    const SpatialReference system = SpatialReference::from_wkt(wkt);
+    std::array<const char*, 2> options{"FORMAT=WKT1_ESRI", nullptr};
+    char* text = nullptr;
+    std::string prj;
+    if (system && OSRExportToWktEx(system.get(), &text, options.data()) == OGRERR_NONE && text != nullptr)
+        prj = text;
+    CPLFree(text);
+    return prj;
+}
+
+}  // namespace
+
+Written write_geotiff(const std::filesystem::path& path, const sim::Grid& grid,
+                      const Georeference& georeference, std::span<const float> field) {
+    CHECK(field.size() == grid.size());
+    return replace(path, [&](const std::filesystem::path& beside) -> Written {
+        const GdalErrors errors;
+        std::array<const char*, 3> options{"COMPRESS=DEFLATE", "PREDICTOR=3", nullptr};
+        std::array<char*, 3> writable{};
+        std::transform(options.begin(), options.end(), writable.begin(),
+                       [](auto o) { return const_cast<char*>(o); });
+        Dataset dataset(GDALCreate(GDALGetDriverByName("GTiff"), beside.c_str(), grid.nx, grid.ny, 1,
+                                   GDT_Float32, writable.data()));
+        if (dataset == nullptr) return tl::unexpected(errors.first());
+        if (auto filled = fill_geotiff(dataset.get(), grid, georeference, north_first(grid, field)); !filled)
+            return filled;
+        dataset.reset();  // much is written only now
+        if (errors.any()) return tl::unexpected(errors.first());
+        return {};
+    });
+}
+
+Written write_ascii(const std::filesystem::path& path, const sim::Grid& grid,
+                    const Georeference& georeference, std::span<const float> field) {
+    CHECK(field.size() == grid.size());
+    std::string text = fmt::format(
+        "ncols {}\nnrows {}\nxllcorner {}\nyllcorner {}\ncellsize {}\nNODATA_value {}\n", grid.nx, grid.ny,
+        west_edge(grid, georeference), south_edge(grid, georeference), static_cast<double>(grid.dx), kNoData);
+    const std::vector<float> rows = north_first(grid, field);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        fmt::format_to(std::back_inserter(text), "{}{}", rows[i], (i + 1) % grid.nx == 0 ? '\n' : ' ');
+    const std::filesystem::path prj = std::filesystem::path(path).replace_extension(".prj");
+    if (georeference.placed()) {
+        if (auto written = write_text(prj, to_prj(georeference.wkt())); !written) return written;
+    } else {
+        std::error_code absent;
+        std::filesystem::remove(prj, absent);
+    }
+    return write_text(path, text);
+}
+
+Written write_outlines(const std::filesystem::path& path, const sim::Grid& grid,
+                       const Georeference& georeference, std::span<const std::uint8_t> mask) {
+    CHECK(mask.size() == grid.size());
+    const auto text = outlines_of(grid, georeference, mask);
+    if (!text) return tl::unexpected(fmt::format("{}: {}", path.string(), text.error()));
+    return write_text(path, *text);
+}
+
+}  // namespace terrains

@@ -1,0 +1,199 @@
+#include "terrains/geojson.h"
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "terrains/plane_transform.h"
+
+namespace terrains {
+namespace {
+
+using Json = nlohmann::json;
+using Done = tl::expected<void, std::string>;
+
+constexpr std::size_t kLargestFile = 64u << 20;  // bytes
+constexpr std::size_t kMostPoints = 1'000'000;
+constexpr int kDeepest = 12;            // levels of nesting; a multipolygon in a collection needs 8
+constexpr double kMostThickness = 100;  // m
+
+tl::expected<Json, std::string> parse(const std::filesystem::path& path) {
+    std::error_code status;
+    const auto size = std::filesystem::file_size(path, status);
+    if (status) return tl::unexpected(fmt::format("cannot be opened ({})", status.message()));
+    if (size > kLargestFile) return tl::unexpected<std::string>("over 64 MiB, which no outline needs");
+    std::ifstream file(path, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    if (!file) return tl::unexpected<std::string>("cannot be read");
+    bool too_deep = false;
+    const auto shallow = [&too_deep](int depth, Json::parse_event_t, const Json&) {
+        too_deep = too_deep || depth > kDeepest;
+        return depth <= kDeepest;  // what is deeper is dropped while it is read
+    };
+    try {
+        Json root = Json::parse(text, shallow);
+        if (too_deep) return tl::unexpected(fmt::format("nested deeper than {} levels", kDeepest));
+        return root;
+    } catch (const Json::parse_error& error) {
+        return tl::unexpected(fmt::format("byte {}: not JSON", error.byte));
+    } catch (const Json::exception& error) {
+        return tl::unexpected(fmt::format("not JSON ({})", error.what()));
+    }
+}
+
+// A member of an object, or null where there is none.
+const Json& member(const Json& object, const char* name) {
+    static const Json none;
+    if (!object.is_object()) return none;
+    const auto found = object.find(name);
+    return found == object.end() ? none : *found;
+}
+
+std::string text_of(const Json& value) {
+    return value.is_string() ? value.get<std::string>() : std::string();
+}
+
+// Files from before RFC 7946 may name a coordinate system.
+Done check_system(const Json& root) {
+    const std::string name = text_of(member(member(member(root, "crs"), "properties"), "name"));
+    for (const char* wgs84 : {"", "urn:ogc:def:crs:OGC:1.3:CRS84", "urn:ogc:def:crs:OGC::CRS84", "EPSG:4326",
+                              "urn:ogc:def:crs:EPSG::4326"})
+        if (name == wgs84) return {};
+    return tl::unexpected(fmt::format("its coordinate system is {}; GeoJSON is in WGS 84 degrees", name));
+}
+
+// Rings as a file has them, x longitude and y latitude, until all are brought on to the plane at once.
+struct Outlines {
+    std::vector<double> x, y;
+    std::vector<std::vector<std::size_t>> ring_sizes;  // per polygon
+    std::vector<double> thickness;                     // per polygon, m
+};
+
+Done add_ring(const Json& ring, Outlines& outlines) {
+    if (!ring.is_array() || ring.size() < 4)
+        return tl::unexpected<std::string>("a ring has fewer than 4 points");
+    if (outlines.x.size() + ring.size() > kMostPoints)
+        return tl::unexpected(fmt::format("over {} points, which no outline needs", kMostPoints));
+    for (const Json& point : ring) {
+        if (!point.is_array() || point.size() < 2 || !point[0].is_number() || !point[1].is_number())
+            return tl::unexpected<std::string>("a point is not two numbers");
+        const double longitude = point[0].get<double>(), latitude = point[1].get<double>();
+        if (!(std::abs(longitude) <= 180 && std::abs(latitude) <= 90))
+            return tl::unexpected(
+                fmt::format("{}, {} is not a longitude and latitude in degrees", longitude, latitude));
+        outlines.x.push_back(longitude);
+        outlines.y.push_back(latitude);
+    }
+    outlines.ring_sizes.back().push_back(ring.size());
+    return {};
+}
+
+Done add_polygon(const Json& rings, double thickness, Outlines& outlines) {
+    if (!rings.is_array() || rings.empty()) return tl::unexpected<std::string>("a polygon has no rings");
+    outlines.ring_sizes.emplace_back();
+    outlines.thickness.push_back(thickness);
+    for (const Json& ring : rings)
+        if (auto added = add_ring(ring, outlines); !added) return added;
+    return {};
+}
+
+Done add_geometry(const Json& geometry, double thickness, Outlines& outlines) {
+    const std::string type = text_of(member(geometry, "type"));
+    const Json& coordinates = member(geometry, "coordinates");
+    if (type == "Polygon") return add_polygon(coordinates, thickness, outlines);
+    if (type != "MultiPolygon")
+        return tl::unexpected(
+            fmt::format("its geometry is '{}', and only Polygon and MultiPolygon enclose an area", type));
+    if (!coordinates.is_array() || coordinates.empty())
+        return tl::unexpected<std::string>("it has no polygons");
+    for (const Json& polygon : coordinates)
+        if (auto added = add_polygon(polygon, thickness, outlines); !added) return added;
+    return {};
+}
+
+tl::expected<double, std::string> thickness_of(const Json& feature, const ThicknessRule& rule) {
+    if (rule.property.empty()) return 0.0;
+    const Json& stated = member(member(feature, "properties"), rule.property.c_str());
+    if (stated.is_null() && rule.default_value) return *rule.default_value;
+    if (stated.is_null())
+        return tl::unexpected(fmt::format("it has no '{}' (vertical metres)", rule.property));
+    if (!stated.is_number()) return tl::unexpected(fmt::format("its '{}' is not a number", rule.property));
+    const double thickness = stated.get<double>();
+    if (!(thickness > 0 && thickness <= kMostThickness))
+        return tl::unexpected(fmt::format("its '{}' is {} m, and must be above 0 and at most {} m",
+                                          rule.property, thickness, kMostThickness));
+    return thickness;
+}
+
+Done add_feature(const Json& feature, const ThicknessRule& rule, Outlines& outlines) {
+    const bool bare = text_of(member(feature, "type")) != "Feature";
+    const auto thickness = thickness_of(feature, rule);
+    if (!thickness) return tl::unexpected(thickness.error());
+    return add_geometry(bare ? feature : member(feature, "geometry"), *thickness, outlines);
+}
+
+tl::expected<Outlines, std::string> collect(const Json& root, const ThicknessRule& rule) {
+    if (auto right = check_system(root); !right) return tl::unexpected(right.error());
+    Outlines outlines;
+    if (text_of(member(root, "type")) != "FeatureCollection") {
+        if (auto added = add_feature(root, rule, outlines); !added) return tl::unexpected(added.error());
+        return outlines;
+    }
+    const Json& features = member(root, "features");
+    if (!features.is_array() || features.empty()) return tl::unexpected<std::string>("it has no features");
+    for (std::size_t i = 0; i < features.size(); ++i)
+        if (auto added = add_feature(features[i], rule, outlines); !added)
+            return tl::unexpected(fmt::format("feature {}: {}", i + 1, added.error()));
+    return outlines;
+}
+
+tl::expected<std::vector<Area>, std::string> on_plane(Outlines outlines, const Georeference& georeference) {
+    if (!georeference.placed())
+        return tl::unexpected<std::string>(
+            "it is in degrees, and the terrain states no coordinate system, so it has no place on Earth");
+    const auto transform = PlaneTransform::between(wgs84_wkt(), georeference.wkt());
+    if (!transform) return tl::unexpected(transform.error());
+    if (!transform->apply(outlines.x, outlines.y))
+        return tl::unexpected<std::string>(
+            "it has points that the terrain's coordinate system cannot express");
+    std::vector<Area> areas;
+    std::size_t next = 0;
+    for (std::size_t polygon = 0; polygon < outlines.ring_sizes.size(); ++polygon) {
+        areas.push_back({{}, outlines.thickness[polygon]});
+        for (const std::size_t size : outlines.ring_sizes[polygon]) {
+            auto& ring = areas.back().rings.emplace_back();
+            for (const std::size_t end = next + size; next < end; ++next)
+                ring.push_back(
+                    {outlines.x[next] - georeference.origin_x(), outlines.y[next] - georeference.origin_y()});
+        }
+    }
+    return areas;
+}
+
+}  // namespace
+
+bool looks_like_json(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (file.peek() == 0xEF) file.ignore(3);  // a byte order mark
+    char first = 0;
+    file >> std::ws >> first;
+    return first == '{';
+}
+
+tl::expected<std::vector<Area>, std::string> read_areas(const std::filesystem::path& path,
+                                                        const Georeference& georeference,
+                                                        const ThicknessRule& rule) {
+    auto areas =
+        parse(path)
+            .and_then([&](const Json& root) { return collect(root, rule); })
+            .and_then([&](Outlines outlines) { return on_plane(std::move(outlines), georeference); });
+    if (!areas) return tl::unexpected(fmt::format("{}: {}", path.string(), areas.error()));
+    return areas;
+}
+
+}  // namespace terrains

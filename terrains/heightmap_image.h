@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "terrains/terrain.h"
+
+namespace terrains {
+
+// What a picture does not say about the mountain it shows.
+struct HeightmapScale {
+    double cell = 0;     // m from one pixel to the next, 0.001 to 10,000
+    double lowest = 0;   // m, height of black, −12,000 to 9,000
+    double highest = 0;  // m, height of white, above lowest, up to 9,000
+};
+
+// Reads a grey picture whose brightness is height: 8, 16 or 32 bits, or float from 0 to 1, in its native
+// type, so that no step of a 16-bit picture is lost. Its first row is the north. Brought on to `squares` (8
+// to 4096) along the longer side as read_dem() does; not placed on Earth, has_data 1 and cover 0 everywhere.
+// 8 bits make steps of 1/255 of the whole height: terraces, where the hill is high. Errors, in one sentence
+// that names the file: missing, not a picture, damaged, over 100 million pixels, in colour, half floats (they
+// would be metres off), a float outside 0 to 1, a scale or squares out of range.
+tl::expected<Terrain, std::string> read_heightmap(const std::filesystem::path& path,
+                                                  const HeightmapScale& scale, int squares);
+
+}  // namespace terrains

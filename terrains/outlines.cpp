@@ -1,0 +1,151 @@
+#include "terrains/outlines.h"
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "terrains/plane_transform.h"
+
+namespace terrains {
+namespace {
+
+// Corners of cells: corner (x, y) is the south-west corner of the cell of vertex (x, y).
+struct Corner {
+    int x = 0, y = 0;
+    bool operator==(const Corner&) const = default;
+};
+using Ring = std::vector<Corner>;  // closed: the first corner again at the end
+
+class Patches {
+  public:
+    Patches(const sim::Grid& grid, std::span<const std::uint8_t> mask) : grid_(grid), mask_(mask) { label(); }
+
+    // Rings of every patch, the outer one first, its inside on the left hand (counter-clockwise), holes the
+    // other way.
+    std::vector<std::vector<Ring>> rings() const;
+
+  private:
+    std::size_t at(int x, int y) const { return static_cast<std::size_t>(y) * grid_.nx + x; }
+    int patch(int x, int y) const { return grid_.contains(x, y) ? patch_[at(x, y)] : 0; }
+    void label();
+    Ring trace(int patch_number, Corner start, std::vector<bool>& done) const;
+
+    const sim::Grid& grid_;
+    std::span<const std::uint8_t> mask_;
+    std::vector<int> patch_;  // 0 outside, else the number of the patch of cells joined by their sides
+    int count_ = 0;
+};
+
+void Patches::label() {
+    patch_.assign(grid_.size(), 0);
+    std::vector<std::size_t> open;
+    for (std::size_t first = 0; first < patch_.size(); ++first) {
+        if (mask_[first] == 0 || patch_[first] != 0) continue;
+        patch_[first] = ++count_;
+        for (open.push_back(first); !open.empty();) {
+            const int x = static_cast<int>(open.back() % grid_.nx),
+                      y = static_cast<int>(open.back() / grid_.nx);
+            open.pop_back();
+            for (const auto& [i, j] : {std::pair{x + 1, y}, {x - 1, y}, {x, y + 1}, {x, y - 1}}) {
+                if (!grid_.contains(i, j) || mask_[at(i, j)] == 0 || patch_[at(i, j)] != 0) continue;
+                patch_[at(i, j)] = count_;
+                open.push_back(at(i, j));
+            }
+        }
+    }
+}
+
+// Walks along a patch's border with the patch on the left, from a corner whence the border runs east. Where
+// two cells of the patch touch in a corner only, one side of them is a hole; turning right there keeps the
+// hole's ring apart from the outer one, so that no ring touches itself.
+Ring Patches::trace(int patch_number, Corner start, std::vector<bool>& done) const {
+    constexpr int kStepX[] = {1, 0, -1, 0}, kStepY[] = {0, 1, 0, -1};  // east, north, west, south
+    // Cells to the left and right of the side that leaves a corner in a direction.
+    constexpr int kLeftX[] = {0, -1, -1, 0}, kLeftY[] = {0, 0, -1, -1};
+    constexpr int kRightX[] = {0, 0, -1, -1}, kRightY[] = {-1, 0, 0, -1};
+    const auto is_border = [&](Corner c, int d) {
+        return patch(c.x + kLeftX[d], c.y + kLeftY[d]) == patch_number &&
+               patch(c.x + kRightX[d], c.y + kRightY[d]) != patch_number;
+    };
+    Ring ring{start};
+    Corner corner = start;
+    int direction = 0;
+    do {
+        if (direction == 0) done[at(corner.x, corner.y)] = true;
+        corner = {corner.x + kStepX[direction], corner.y + kStepY[direction]};
+        int next = (direction + 3) % 4;                                    // right
+        if (!is_border(corner, next)) next = direction;                    // straight on
+        if (!is_border(corner, next)) next = (direction + 1) % 4;          // left
+        if (next != direction || corner == start) ring.push_back(corner);  // corners of the ring only
+        direction = next;
+    } while (!(corner == start && direction == 0));
+    return ring;
+}
+
+std::vector<std::vector<Ring>> Patches::rings() const {
+    std::vector<std::vector<Ring>> all(static_cast<std::size_t>(count_));
+    std::vector<bool> done(grid_.size());
+    // From the south upwards a patch's first border running east is on its outer ring.
+    for (int y = 0; y < grid_.ny; ++y)
+        for (int x = 0; x < grid_.nx; ++x)
+            if (patch(x, y) != 0 && patch(x, y - 1) != patch(x, y) && !done[at(x, y)])
+                all[static_cast<std::size_t>(patch(x, y) - 1)].push_back(trace(patch(x, y), {x, y}, done));
+    return all;
+}
+
+struct Points {
+    std::vector<double> x, y;
+};
+
+Points on_plane(const Ring& ring, const sim::Grid& grid, const Georeference& place) {
+    Points points;
+    for (const Corner& corner : ring) {
+        points.x.push_back(place.origin_x() + (corner.x - 0.5) * grid.dx);
+        points.y.push_back(place.origin_y() + (corner.y - 0.5) * grid.dx);
+    }
+    return points;
+}
+
+std::string ring_text(const Points& points, int decimals) {
+    std::string text;
+    for (std::size_t i = 0; i < points.x.size(); ++i)
+        text += fmt::format("{}[{:.{}f}, {:.{}f}]", i == 0 ? "" : ", ", points.x[i], decimals, points.y[i],
+                            decimals);
+    return "[" + text + "]";
+}
+
+}  // namespace
+
+tl::expected<std::string, std::string> outlines_of(const sim::Grid& grid, const Georeference& georeference,
+                                                   std::span<const std::uint8_t> mask) {
+    const int decimals = georeference.placed() ? 8 : 3;  // a millimetre either way
+    const auto to_degrees =
+        PlaneTransform::between(georeference.placed() ? georeference.wkt() : wgs84_wkt(), wgs84_wkt());
+    if (!to_degrees) return tl::unexpected(to_degrees.error());
+    const Patches patches(grid, mask);
+    std::string features;
+    for (const auto& rings : patches.rings()) {
+        std::string coordinates;
+        double area = 0;
+        for (const Ring& ring : rings) {
+            for (std::size_t i = 0; i + 1 < ring.size(); ++i)
+                area += 0.5 * (static_cast<double>(ring[i].x) * ring[i + 1].y -
+                               static_cast<double>(ring[i + 1].x) * ring[i].y);
+            Points points = on_plane(ring, grid, georeference);
+            if (georeference.placed() && !to_degrees->apply(points.x, points.y))
+                return tl::unexpected<std::string>("the outline has points that lie nowhere on Earth");
+            coordinates += (coordinates.empty() ? "" : ", ") + ring_text(points, decimals);
+        }
+        features += fmt::format(
+            "{}\n{{ \"type\": \"Feature\", \"properties\": {{ \"area_m2\": {:.1f} }}, \"geometry\": {{ "
+            "\"type\": "
+            "\"Polygon\", \"coordinates\": [{}] }} }}",
+            features.empty() ? "" : ",", area * grid.cell_area(), coordinates);
+    }
+    return fmt::format("{{\n\"type\": \"FeatureCollection\",{}\n\"features\": [{}\n]\n}}\n",
+                       georeference.placed() ? "" : "\n\"coordinates\": \"local metres\",", features);
+}
+
+}  // namespace terrains

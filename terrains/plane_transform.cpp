@@ -1,0 +1,67 @@
+#include "terrains/plane_transform.h"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <ogr_srs_api.h>
+
+#include "sim/check.h"
+#include "terrains/gdal_support.h"
+
+namespace terrains {
+
+const std::string& wgs84_wkt() {
+    static const std::string wkt =
+        R"(GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563,AUTHORITY["EPSG","7030"]],)"
+        R"(AUTHORITY["EPSG","6326"]],PRIMEM["Greenwich",0,AUTHORITY["EPSG","8901"]],UNIT["degree",)"
+        R"(0.0174532925199433,AUTHORITY["EPSG","9122"]],AUTHORITY["EPSG","4326"]])";
+    return wkt;
+}
+
+std::string local_plane_wkt(double latitude, double longitude) {
+    return fmt::format(
+        R"(PROJCS["Local transverse Mercator",{},PROJECTION["Transverse_Mercator"],)"
+        R"(PARAMETER["latitude_of_origin",{}],PARAMETER["central_meridian",{}],PARAMETER["scale_factor",1],)"
+        R"(PARAMETER["false_easting",0],PARAMETER["false_northing",0],UNIT["metre",1,AUTHORITY["EPSG","9001"]],)"
+        R"(AXIS["Easting",EAST],AXIS["Northing",NORTH]])",
+        wgs84_wkt(), latitude, longitude);
+}
+
+void PlaneTransform::Destroy::operator()(void* transform) const {
+    OCTDestroyCoordinateTransformation(transform);
+}
+
+tl::expected<PlaneTransform, std::string> PlaneTransform::between(const std::string& from_wkt,
+                                                                  const std::string& to_wkt) {
+    const GdalErrors errors;
+    const SpatialReference from = SpatialReference::from_wkt(from_wkt),
+                           to = SpatialReference::from_wkt(to_wkt);
+    if (!from || !to)
+        return tl::unexpected(fmt::format("the coordinate system cannot be read ({})", errors.first()));
+    void* transform = OCTNewCoordinateTransformation(from.get(), to.get());
+    if (transform == nullptr)
+        return tl::unexpected(
+            fmt::format("no way is known from its coordinate system to another ({})", errors.first()));
+    return PlaneTransform(transform);
+}
+
+bool PlaneTransform::apply(std::span<double> x, std::span<double> y) const {
+    CHECK(x.size() == y.size());
+    const GdalErrors errors;  // PROJ complains once per point; the return value says it all
+    const int count = static_cast<int>(x.size());
+    std::vector<int> done(x.size());
+    OCTTransformEx(transform_.get(), count, x.data(), y.data(), nullptr, done.data());
+    bool all = true;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        if (done[i] != 0 && std::isfinite(x[i]) && std::isfinite(y[i])) continue;
+        x[i] = y[i] = std::numeric_limits<double>::quiet_NaN();
+        all = false;
+    }
+    return all;
+}
+
+}  // namespace terrains

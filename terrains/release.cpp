@@ -1,0 +1,58 @@
+#include "terrains/release.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "terrains/coverage.h"
+#include "terrains/depth_raster.h"
+#include "terrains/geojson.h"
+
+namespace terrains {
+namespace {
+
+tl::expected<std::vector<float>, std::string> of_areas(const std::filesystem::path& path,
+                                                       const Terrain& terrain,
+                                                       std::optional<double> default_thickness) {
+    const auto areas = read_areas(path, terrain.georeference, {"thickness", default_thickness});
+    if (!areas) return tl::unexpected(areas.error());
+    auto thickness = mean_thickness(terrain.grid, *areas);
+    if (!thickness) return tl::unexpected(fmt::format("{}: {}", path.string(), thickness.error()));
+    return thickness;
+}
+
+bool empty(const std::vector<float>& thickness) {
+    return std::none_of(thickness.begin(), thickness.end(), [](float t) { return t > 0; });
+}
+
+}  // namespace
+
+tl::expected<std::vector<float>, std::string> read_release(const std::filesystem::path& path,
+                                                           const Terrain& terrain,
+                                                           std::optional<double> default_thickness) {
+    auto thickness =
+        looks_like_json(path) ? of_areas(path, terrain, default_thickness) : read_depth_raster(path, terrain);
+    if (!thickness) return thickness;
+    for (std::size_t i = 0; i < thickness->size(); ++i)
+        if (terrain.has_data[i] == 0) (*thickness)[i] = 0;
+    if (empty(*thickness))
+        return tl::unexpected(
+            fmt::format("{}: nothing of it lies on ground of {}", path.string(), terrain.name));
+    return thickness;
+}
+
+tl::expected<std::vector<std::uint8_t>, std::string> read_extent(const std::filesystem::path& path,
+                                                                 const Terrain& terrain) {
+    auto areas = read_areas(path, terrain.georeference, {});
+    if (!areas) return tl::unexpected(areas.error());
+    for (Area& area : *areas) area.thickness = 1;  // so that the mean thickness is the share covered
+    const auto share = mean_thickness(terrain.grid, *areas);
+    if (!share) return tl::unexpected(fmt::format("{}: {}", path.string(), share.error()));
+    if (empty(*share))
+        return tl::unexpected(fmt::format("{}: no polygon of it touches {}", path.string(), terrain.name));
+    std::vector<std::uint8_t> mask(share->size());
+    std::transform(share->begin(), share->end(), mask.begin(), [](float s) { return s >= 0.5f ? 1 : 0; });
+    return mask;
+}
+
+}  // namespace terrains

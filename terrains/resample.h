@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "sim/grid.h"
+
+namespace terrains {
+
+inline constexpr int kFewestSquares = 8, kMostSquares = 4096;  // along a terrain's longer side
+
+// Square cells over a rectangle of width × height metres: `squares` along the longer side, as many whole ones
+// as fit along the shorter. dx is rounded down to float32, so that no vertex lies outside the rectangle.
+// Errors: squares outside 8 to 4096, or a rectangle so narrow that fewer than 2 squares fit across.
+tl::expected<sim::Grid, std::string> grid_over(double width, double height, int squares);
+
+// Heights of scattered points brought on to a grid, by a plane fitted around every vertex with tent weights.
+// Where the points form a regular raster finer than the grid this is the tent filter (antialiased), where
+// they are coarser it is bilinear interpolation; unlike either it reproduces every plane exactly, at borders,
+// around voids and on warped rasters too. Points are added in any order; sums are in double, so the order
+// only moves the last bits.
+class PlaneFit {
+  public:
+    // reach_x, reach_y: half the tent's base, m; at least dx and at least the distance between points on that
+    // axis. point_area: m² of ground per point, to tell a vertex in the raster from one beyond its edge.
+    PlaneFit(const sim::Grid& grid, double reach_x, double reach_y, double point_area);
+
+    void add(double x, double y, double height);  // m from vertex (0, 0); z in m
+    void add_void(double x, double y);            // a point whose height nobody knows
+
+    // 1 where the vertex lies among the points, at least half of its weight is known, and a plane is
+    // determined. Elsewhere surface is 0: fill_voids() carries it on.
+    struct Fitted {
+        std::vector<float> surface;
+        std::vector<std::uint8_t> has_data;
+    };
+    Fitted finish() const;
+
+  private:
+    // Moments about the vertex, in units of the reach.
+    struct Sums {
+        double all = 0;                                      // weight of known and unknown points
+        double w = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;  // of the known ones
+        double z = 0, xz = 0, yz = 0;                        // and of their heights
+    };
+    template <class Visit>
+    void for_vertices_near(double x, double y, Visit visit);
+    static bool solve(const Sums& s, double& height);
+
+    sim::Grid grid_;
+    double reach_x_, reach_y_, full_weight_;
+    std::vector<Sums> sums_;
+};
+
+// Gives every vertex without data a height: next to known ground the neighbours' slope carried straight on
+// (averaged over the directions in which two known vertices follow each other), farther out the mean of what
+// is already filled. Leaves has_data as it is. At least one vertex must be known.
+void fill_voids(const sim::Grid& grid, const std::vector<std::uint8_t>& has_data,
+                std::vector<float>& surface);
+
+}  // namespace terrains

@@ -1,0 +1,96 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "tests/support/include_rules.h"
+#include "tests/support/places.h"
+
+namespace {
+
+using support::Breach;
+using support::breaches_in;
+
+TEST(Layering, every_include_follows_the_arrows) {
+    for (const auto& source : support::sources_of(support::source_dir())) {
+        std::ifstream file(support::source_dir() / source);
+        const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+        ASSERT_FALSE(text.empty()) << source << " cannot be read";
+        for (const Breach& breach : breaches_in(source.generic_string(), text))
+            ADD_FAILURE() << breach.file << ":" << breach.line << ": " << breach.fact;
+    }
+}
+
+// A search that finds nothing would pass the test above.
+TEST(Layering, sees_the_sources_of_every_room) {
+    const auto sources = support::sources_of(support::source_dir());
+    for (const std::string room : {"sim", "terrains", "render", "game", "tests"})
+        EXPECT_TRUE(std::any_of(sources.begin(), sources.end(),
+                                [&](const auto& source) { return source.begin()->string() == room; }))
+            << "no source seen in " << room;
+}
+
+TEST(Layering, names_the_line_of_a_planted_breach) {
+    const auto breaches = breaches_in("sim/step.cpp", "#include <vector>\n\n#include \"render/frame.h\"\n");
+    ASSERT_EQ(breaches.size(), 1u);
+    EXPECT_EQ(breaches[0].file, "sim/step.cpp");
+    EXPECT_EQ(breaches[0].line, 3);
+    EXPECT_EQ(breaches[0].fact, "sim may not include render/frame.h");
+}
+
+struct Planted {
+    const char* file;
+    const char* line;
+};
+
+TEST(Layering, finds_every_kind_of_planted_breach) {
+    for (const Planted& planted : {
+             Planted{"sim/step.cpp", "#include \"terrains/terrain.h\""},
+             Planted{"sim/step.cpp", "#include \"game/session.h\""},
+             Planted{"sim/step.cpp", "#include <render/frame.h>"},
+             Planted{"sim/bcre/yield.cpp", "#include \"../../render/frame.h\""},
+             Planted{"sim/bcre/yield.cpp", "  #  include <fstream>  // for a while"},
+             Planted{"sim/step.cpp", "#include <filesystem>"},
+             Planted{"sim/step.cpp", "#include <chrono>"},
+             Planted{"sim/step.cpp", "#include <ctime>"},
+             Planted{"sim/step.cpp", "#include <time.h>"},
+             Planted{"sim/step.cpp", "#include <epoxy/gl.h>"},
+             Planted{"sim/step.cpp", "#include <EGL/egl.h>"},
+             Planted{"sim/step.cpp", "#include <gdal_priv.h>"},
+             Planted{"sim/step.cpp", "#include <OpenImageIO/imageio.h>"},
+             Planted{"sim/step.cpp", "#include HEADER"},
+             Planted{"terrains/resample.cpp", "#include \"sim/state.h\""},
+             Planted{"terrains/resample.cpp", "#include \"render/picture.h\""},
+             Planted{"terrains/resample.cpp", "#include <epoxy/gl.h>"},
+             Planted{"render/frame.cpp", "#include \"terrains/terrain.h\""},
+             Planted{"render/frame.cpp", "#include \"game/scene.h\""},
+             Planted{"render/frame.cpp", "#include <GLFW/glfw3.h>"},
+             Planted{"render/frame.cpp", "#include \"tests/support/places.h\""},
+             Planted{"game/main.cpp", "#include \"tests/support/places.h\""},
+         })
+        EXPECT_EQ(breaches_in(planted.file, planted.line).size(), 1u) << planted.file << ": " << planted.line;
+}
+
+TEST(Layering, lets_the_arrows_through) {
+    for (const Planted& planted : {
+             Planted{"sim/step.cpp", "#include \"sim/grid.h\""},
+             Planted{"sim/bcre/yield.cpp", "#include \"stages.h\""},
+             Planted{"sim/step.cpp", "#include <cmath>"},
+             Planted{"sim/step.cpp", "#include <glm/vec2.hpp>"},
+             Planted{"sim/state_hash.cpp", "#include <xxhash.h>"},
+             Planted{"sim/step.cpp", "// #include <fstream> would be against the rules"},
+             Planted{"terrains/dem_gdal.cpp", "#include <gdal_priv.h>"},
+             Planted{"terrains/dem_gdal.cpp", "#include \"sim/grid.h\""},
+             Planted{"render/frame.cpp", "#include \"sim/state.h\""},
+             Planted{"render/frame.cpp", "#include <epoxy/gl.h>"},
+             Planted{"render/passes/ground.cpp", "#include \"assets/shaders/slots.h\""},
+             Planted{"game/window.cpp", "#include <GLFW/glfw3.h>"},
+             Planted{"game/main.cpp", "#include \"render/frame.h\""},
+             Planted{"tests/layering.cpp", "#include \"game/scene.h\""},
+         })
+        EXPECT_TRUE(breaches_in(planted.file, planted.line).empty()) << planted.file << ": " << planted.line;
+}
+
+}  // namespace

@@ -1,0 +1,91 @@
+#include <cmath>
+
+#include "tests/render/gl_scene.h"
+
+namespace render::test {
+namespace {
+
+class Colours : public Gl {
+  protected:
+    // A gentle slope, its west half covered by the standing layer, its east half by a rolling layer on top of
+    // that.
+    static World half_rolling() {
+        World world = make_world(40, 4, [](double, double y) { return 0.4 * y; });
+        world.depth.fill(0.6f);
+        for (int y = 0; y <= 40; ++y) {
+            for (int x = 21; x <= 40; ++x) world.rolling(x, y) = 0.8f;
+        }
+        return world;
+    }
+
+    // The least distance between the two halves to any eye.
+    double apart(const Look& look, double sun_azimuth_deg) {
+        const Picture p = draw(half_rolling(), from_above({80, 80, 32}, 120), {sun_azimuth_deg, 35}, look);
+        const Colour standing = mean_colour(p, 20, 48, 14), rolling = mean_colour(p, 76, 48, 14);
+        double least = colour_distance(standing, rolling);
+        for (const Cone cone : {Cone::kLong, Cone::kMiddle})
+            least = std::min(least, colour_distance(without(cone, standing), without(cone, rolling)));
+        return least;
+    }
+};
+
+Look soil_look() {
+    Look look;
+    look.standing = {0.22f, 0.135f, 0.07f};
+    look.rolling = {0.46f, 0.29f, 0.14f};
+    return look;
+}
+
+TEST_F(Colours, a_level_plane_has_the_colour_that_sun_and_sky_give_it_by_hand) {
+    World plane = make_world(40, 4, [](double, double) { return 0; });
+    plane.depth.fill(1);
+    for (const double elevation_deg : {15.0, 40.0}) {
+        const Picture p = draw(plane, from_above({80, 80, 1}, 8), {135, elevation_deg}, plain_look());
+        // light.glsl: albedo · (sun · n·l + sky), n·l the sine of the sun's elevation on level ground.
+        const double n_l = std::sin(elevation_deg * 3.14159265358979 / 180);
+        const Colour sun{1.42, 1.27, 1.05}, sky{0.15, 0.215, 0.34};
+        const Colour seen = mean_colour(p, 48, 48, 10);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double linear = 0.5 * (sun[c] * n_l + sky[c]);
+            ASSERT_LT(linear, 0.6);  // below the knee of the tone curve
+            EXPECT_NEAR(seen[c], 255 * (1.055 * std::pow(linear, 1 / 2.4) - 0.055), 1.5)
+                << elevation_deg << ", " << c;
+        }
+    }
+}
+
+TEST_F(Colours, a_slope_that_faces_the_sun_is_lit_by_the_cosine_between_them) {
+    World slope = make_world(40, 4, [](double x, double) { return 0.5 * x; });  // faces west
+    slope.depth.fill(1);
+    const Picture p = draw(slope, from_above({80, 80, 41}, 8), {270, 30}, plain_look());
+    const double n_z = 1 / std::sqrt(1.25), n_l = n_z * (0.5 * std::cos(0.5235988) + std::sin(0.5235988));
+    const double up = 0.5 + 0.5 * n_z;
+    const double red = 0.5 * (1.42 * n_l + (0.12 + (0.15 - 0.12) * up));
+    const double knee = red < 0.6 ? red : 0.6 + 0.4 * (1 - std::pow(1 + (red - 0.6) / 1.6, -4));
+    // The plane's own horizon takes a little of the sky from it.
+    EXPECT_NEAR(mean_colour(p, 48, 48, 10)[0], 255 * (1.055 * std::pow(knee, 1 / 2.4) - 0.055), 3);
+}
+
+TEST_F(Colours, moving_snow_differs_from_lying_snow_by_10_to_every_eye) {
+    for (const double sun : {90.0, 180.0, 270.0}) EXPECT_GT(apart(Look(), sun), 10) << sun;
+}
+
+TEST_F(Colours, moving_soil_differs_from_lying_soil_by_10_to_every_eye) {
+    for (const double sun : {90.0, 180.0, 270.0}) EXPECT_GT(apart(soil_look(), sun), 10) << sun;
+}
+
+TEST_F(Colours, a_cover_hides_the_ground_from_its_visible_depth_and_not_below_half_of_it) {
+    Look look = plain_look();
+    look.cover_visible_m = 0.2f;
+    World world = make_world(40, 4, [](double, double) { return 0; });
+    const auto shown = [&](float depth) {
+        world.depth.fill(depth);
+        return mean_colour(draw(world, from_above({80, 80, 0}, 8), {135, 40}, look), 48, 48, 10);
+    };
+    EXPECT_LT(colour_distance(shown(0.09f), shown(0)), 0.5);
+    EXPECT_LT(colour_distance(shown(0.21f), shown(1)), 0.5);
+    EXPECT_GT(colour_distance(shown(0.09f), shown(0.21f)), 20);
+}
+
+}  // namespace
+}  // namespace render::test

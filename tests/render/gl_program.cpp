@@ -1,0 +1,77 @@
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "tests/render/gl_scene.h"
+#include "tests/support/places.h"
+
+namespace render::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The shipped assets with one shader changed: after line `line` stands `text`.
+class Shaders : public Gl {
+  protected:
+    void SetUp() override {
+        Gl::SetUp();
+        fs::copy(support::source_dir() / "assets" / "shaders", folder_.path() / "shaders");
+    }
+
+    void insert_after(const std::string& shader, int line, const std::string& text) const {
+        const fs::path path = folder_.path() / "shaders" / shader;
+        std::ifstream in(path);
+        std::ostringstream changed;
+        std::string row;
+        for (int i = 1; std::getline(in, row); ++i) changed << row << '\n' << (i == line ? text + '\n' : "");
+        std::ofstream(path) << changed.str();
+    }
+
+    std::string error() const {
+        const auto renderer = Renderer::create(folder_.path());
+        return renderer ? "" : renderer.error();
+    }
+
+    support::TemporaryFolder folder_;
+};
+
+TEST_F(Shaders, are_whole_when_copied) {
+    EXPECT_EQ(error(), "");
+}
+
+TEST_F(Shaders, that_do_not_compile_are_reported_with_file_and_line) {
+    insert_after("terrain.frag", 9, "float broken = undeclared_thing;");
+    EXPECT_NE(error().find("shaders/terrain.frag:10: "), std::string::npos) << error();
+    EXPECT_NE(error().find("undeclared_thing"), std::string::npos) << error();
+}
+
+TEST_F(Shaders, are_reported_by_the_file_that_is_wrong_where_several_make_one_program) {
+    insert_after("light.glsl", 2, "const vec3 kWrong = 1.0 + ;");
+    EXPECT_NE(error().find("shaders/light.glsl:3: "), std::string::npos) << error();
+}
+
+TEST_F(Shaders, that_are_missing_are_named) {
+    fs::remove(folder_.path() / "shaders" / "shadow.comp");
+    EXPECT_NE(error().find("shaders/shadow.comp: cannot be read"), std::string::npos) << error();
+}
+
+TEST(HeadlessContext, says_which_way_it_does_not_know) {
+    const auto context = HeadlessContext::create("vulkan");
+    ASSERT_FALSE(context);
+    EXPECT_NE(context.error().find("'vulkan' is no way to OpenGL"), std::string::npos) << context.error();
+}
+
+TEST(HeadlessContext, says_how_many_devices_there_are_when_one_is_asked_for_that_is_not) {
+    const auto context = HeadlessContext::create("device:4711");
+    ASSERT_FALSE(context);
+    EXPECT_NE(context.error().find("device:4711: EGL has "), std::string::npos) << context.error();
+}
+
+TEST_F(Gl, names_its_renderer_and_version) {
+    const std::string name = context().renderer_name();
+    EXPECT_NE(name.find(", 4."), std::string::npos) << name;
+    EXPECT_NE(name.find(", 4."), 0u) << name;
+}
+
+}  // namespace
+}  // namespace render::test

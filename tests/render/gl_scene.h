@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "render/frame.h"
+#include "tests/render/world.h"
+
+// What the tests that draw share.
+namespace render::test {
+
+using Colour = std::array<double, 3>;  // sRGB, 0 to 255
+
+// Mean over a square of pixels; x from the left, y from the top.
+Colour mean_colour(const Picture& picture, int x, int y, int half);
+
+// CIE L*a*b* distance; 2.3 is just noticed by most people, 10 seen at a glance.
+double colour_distance(const Colour& a, const Colour& b);
+
+// As somebody without one of the cones sees it (Machado, Oliveira and Fernandes 2009, severity 1).
+enum class Cone { kLong, kMiddle };
+Colour without(Cone cone, const Colour& colour);
+
+Look plain_look();  // grey standing layer, no small-scale relief, so that a colour can be worked out by hand
+
+// A GL context for all tests of a program, and a renderer for each.
+class Gl : public testing::Test {
+  protected:
+    void SetUp() override;
+
+    static const HeadlessContext& context();
+
+    Picture draw(const World& world, const Camera& camera, const Light& light, const Look& look,
+                 int width = 96, int height = 96);
+
+    std::optional<Renderer> renderer_;
+};
+
+}  // namespace render::test

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+
+#include "render/camera.h"
+#include "sim/state.h"
+
+// Small worlds for the tests of render/, which need a view and no physics.
+namespace render::test {
+
+struct World {
+    sim::Grid grid;
+    sim::Field<float> bedrock, depth, rolling, velocity_x, velocity_y;
+    sim::Field<sim::Site> site;
+    double datum = 0;
+
+    sim::View view() const { return {grid, bedrock, depth, rolling, velocity_x, velocity_y, site, datum, 0}; }
+    double side() const { return (grid.nx - 1) * static_cast<double>(grid.dx); }  // m
+};
+
+// Square ground of `squares` along a side, m, with heights of a place in metres. No layers.
+World make_world(int squares, float cell, const std::function<double(double x, double y)>& bedrock);
+
+// Straight down on a place, north up, the picture `height` metres tall.
+Camera from_above(glm::dvec3 target, double height);
+
+}  // namespace render::test

@@ -1,0 +1,131 @@
+#include "tests/support/include_rules.h"
+
+#include <algorithm>
+#include <array>
+#include <regex>
+#include <sstream>
+
+namespace support {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// What one room may include. An entry that ends in '/' stands for a folder and all below it; another one for
+// the headers whose path begins so.
+struct Room {
+    std::string_view name;
+    bool anything = false;                       // all libraries; rooms are still checked
+    std::vector<std::string_view> rooms;         // our own headers
+    std::vector<std::string_view> libraries;     // beside standard headers
+    std::vector<std::string_view> not_standard;  // standard headers it does without
+};
+
+const std::array<Room, 5>& rooms() {
+    static const std::array<Room, 5> kRooms{{
+        {.name = "sim",
+         .rooms = {"sim/"},
+         .libraries = {"glm/", "xxhash.h"},
+         .not_standard = {"filesystem", "fstream", "chrono", "ctime"}},
+        {.name = "terrains",
+         .rooms = {"terrains/", "sim/grid.h", "sim/check.h"},
+         .libraries = {"gdal", "ogr_", "cpl_", "OpenImageIO/", "GeographicLib/", "nlohmann/", "fmt/", "tl/"},
+         .not_standard = {}},
+        {.name = "render",
+         .rooms = {"render/", "sim/", "assets/"},
+         .libraries = {"glm/", "epoxy/", "EGL/", "OpenImageIO/", "fmt/", "tl/"},
+         .not_standard = {}},
+        {.name = "game",
+         .anything = true,
+         .rooms = {"game/", "render/", "terrains/", "sim/", "assets/"},
+         .libraries = {},
+         .not_standard = {}},
+        {.name = "tests",
+         .anything = true,
+         .rooms = {"tests/", "game/", "render/", "terrains/", "sim/", "assets/"},
+         .libraries = {},
+         .not_standard = {}},
+    }};
+    return kRooms;
+}
+
+bool begins_with_one_of(std::string_view path, const std::vector<std::string_view>& beginnings) {
+    return std::any_of(beginnings.begin(), beginnings.end(),
+                       [&](std::string_view beginning) { return path.starts_with(beginning); });
+}
+
+bool is_one_of(std::string_view name, const std::vector<std::string_view>& names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string_view first_folder(std::string_view path) {
+    return path.substr(0, path.find('/'));
+}
+
+bool is_in_the_house(std::string_view path) {
+    const std::string_view folder = first_folder(path);
+    return folder == "assets" ||
+           std::any_of(rooms().begin(), rooms().end(), [&](const Room& room) { return room.name == folder; });
+}
+
+// <vector>, but not <unistd.h> or <glm/vec3.hpp>.
+bool is_standard(std::string_view header) {
+    return header.find_first_of("./") == std::string_view::npos;
+}
+
+bool may_include(const Room& room, std::string_view header) {
+    if (is_in_the_house(header)) return begins_with_one_of(header, room.rooms);
+    if (room.anything) return true;
+    if (is_standard(header)) return !is_one_of(header, room.not_standard);
+    return begins_with_one_of(header, room.libraries);
+}
+
+// The path from the top of the checkout for one of our own headers, the name as it stands for a library's. A
+// quoted name that begins with no room is a neighbour of the file, which "../" may lead out of the room.
+std::string resolve(std::string_view file, char quote, const std::string& name) {
+    std::string normal = fs::path(name).lexically_normal().generic_string();
+    if (quote == '<' || is_in_the_house(normal)) return normal;
+    return (fs::path(file).parent_path() / name).lexically_normal().generic_string();
+}
+
+}  // namespace
+
+std::vector<Breach> breaches_in(std::string_view file, std::string_view text) {
+    static const std::regex kInclude(
+        R"(^\s*#\s*(?:include|include_next|import)\b\s*(?:([<"])([^>"]+)[>"])?.*)");
+    const auto room = std::find_if(rooms().begin(), rooms().end(),
+                                   [&](const Room& r) { return r.name == first_folder(file); });
+    if (room == rooms().end()) return {{std::string(file), 0, "is in no room that the include rules know"}};
+
+    std::vector<Breach> breaches;
+    std::istringstream lines{std::string(text)};
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        std::smatch match;
+        if (!std::regex_match(line, match, kInclude)) continue;
+        if (!match[1].matched) {
+            breaches.push_back(
+                {std::string(file), number, "includes a name that cannot be read off the line"});
+            continue;
+        }
+        const std::string header = resolve(file, *match[1].first, match[2]);
+        if (may_include(*room, header)) continue;
+        const std::string shown = is_in_the_house(header) ? header : "<" + header + ">";
+        breaches.push_back(
+            {std::string(file), number, std::string(room->name) + " may not include " + shown});
+    }
+    return breaches;
+}
+
+std::vector<fs::path> sources_of(const fs::path& top) {
+    static const std::vector<std::string_view> kEndings{".h", ".hpp", ".cpp", ".cc", ".inc", ".inl"};
+    std::vector<fs::path> sources;
+    for (const Room& room : rooms())
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(top / room.name))
+            if (entry.is_regular_file() && is_one_of(entry.path().extension().string(), kEndings))
+                sources.push_back(entry.path().lexically_relative(top));
+    std::sort(sources.begin(), sources.end());
+    return sources;
+}
+
+}  // namespace support

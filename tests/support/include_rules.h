@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// The arrows between the rooms of the house, read off #include lines:
+//
+//   sim/       ──► standard headers without files and clock; GLM, xxHash
+//   terrains/  ──► sim's grid; GDAL, OpenImageIO, GeographicLib, JSON (for GeoJSON)
+//   render/    ──► sim; GLM, epoxy, EGL, OpenImageIO; the headers that C++ shares with shaders
+//   game/      ──► all three and any library
+//   tests/     ──► anything
+//
+// Everything not listed for a room is against the rules there, so that a new library is a line here.
+namespace support {
+
+// An include that breaks the rules.
+struct Breach {
+    std::string file;  // "sim/step.cpp"
+    int line = 0;      // from 1
+    std::string fact;  // "sim may not include <fstream>"
+};
+
+// Breaches of one source text. `file` is its path from the top of the checkout and begins with its room. Sees
+// includes as the preprocessor would but for two things: it takes those that are switched off by #if for
+// real, and calls a name that a macro would give a breach.
+std::vector<Breach> breaches_in(std::string_view file, std::string_view text);
+
+// The C++ files of the rooms under `top`, as paths from there, sorted.
+std::vector<std::filesystem::path> sources_of(const std::filesystem::path& top);
+
+}  // namespace support

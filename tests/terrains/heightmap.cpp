@@ -1,0 +1,90 @@
+#include "terrains/heightmap_image.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/support/places.h"
+#include "tests/terrains/files.h"
+
+namespace terrains {
+namespace {
+
+// A grey PGM of 16 or 8 bits; value(column, row), row 0 the north.
+template <class Value>
+std::string pgm(int columns, int rows, int white, Value value) {
+    std::string text =
+        "P5\n" + std::to_string(columns) + " " + std::to_string(rows) + "\n" + std::to_string(white) + "\n";
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column) {
+            const int v = value(column, row);
+            if (white > 255) text += static_cast<char>(v >> 8);
+            text += static_cast<char>(v & 0xff);
+        }
+    return text;
+}
+
+constexpr HeightmapScale kScale{.cell = 5, .lowest = 1000, .highest = 1000 + 65535 / 32.0};
+
+TEST(Heightmap, reproduces_a_plane_of_sixteen_bits_exactly) {
+    const support::TemporaryFolder folder;
+    const auto path = folder.path() / "hill.pgm";
+    test::write_text(path,
+                     pgm(41, 33, 65535, [](int column, int row) { return 100 + 33 * column + 7 * row; }));
+    for (const int squares : {16, 40, 80}) {
+        const auto terrain = read_heightmap(path, kScale, squares);
+        ASSERT_TRUE(terrain) << terrain.error();
+        EXPECT_EQ(terrain->name, "hill.pgm");
+        EXPECT_FALSE(terrain->georeference.placed());
+        for (int y = 0; y < terrain->grid.ny; ++y)
+            for (int x = 0; x < terrain->grid.nx; ++x) {
+                const double column = x * static_cast<double>(terrain->grid.dx) / 5;
+                const double row = 32 - y * static_cast<double>(terrain->grid.dx) / 5;
+                ASSERT_NEAR(terrain->surface[static_cast<std::size_t>(y) * terrain->grid.nx + x],
+                            1000 + (100 + 33 * column + 7 * row) / 32, 1e-3);
+            }
+    }
+}
+
+TEST(Heightmap, keeps_the_single_steps_of_sixteen_bits) {
+    const support::TemporaryFolder folder;
+    const auto path = folder.path() / "hill.pgm";
+    test::write_text(path, pgm(41, 33, 65535, [](int column, int) { return 30'000 + column; }));
+    const auto terrain = read_heightmap(path, kScale, 40).value();
+    for (int x = 0; x < 40; ++x) EXPECT_NEAR(terrain.surface[x + 1] - terrain.surface[x], 1 / 32.0, 2e-4);
+}
+
+TEST(Heightmap, takes_black_and_white_of_eight_bits_as_lowest_and_highest) {
+    const support::TemporaryFolder folder;
+    const auto path = folder.path() / "hill.pgm";
+    test::write_text(path, pgm(9, 9, 255, [](int, int row) { return row == 0 ? 255 : 0; }));
+    const auto terrain = read_heightmap(path, {.cell = 10, .lowest = 200, .highest = 700}, 8).value();
+    EXPECT_FLOAT_EQ(terrain.surface.front(), 200);  // south
+    EXPECT_FLOAT_EQ(terrain.surface.back(), 700);   // north
+}
+
+TEST(Heightmap, names_file_and_fact_of_what_it_refuses) {
+    const support::TemporaryFolder folder;
+    const auto path = folder.path() / "bad.pgm";
+    const std::string whole = pgm(20, 20, 65535, [](int column, int row) { return 50 * column + row; });
+    const auto refusal = [&](const std::string& content, HeightmapScale scale = kScale, int squares = 10) {
+        test::write_text(path, content);
+        const auto terrain = read_heightmap(path, scale, squares);
+        const std::string said = terrain ? "it was read" : terrain.error();
+        EXPECT_NE(said.find("bad.pgm: "), std::string::npos) << said;
+        return said;
+    };
+    ASSERT_TRUE((test::write_text(path, whole), read_heightmap(path, kScale, 10)));
+    EXPECT_NE(refusal("a letter").find("not a picture"), std::string::npos);
+    for (const std::size_t length : {whole.size() - 1, whole.size() / 2, std::size_t{30}})
+        EXPECT_NE(refusal(whole.substr(0, length)).find("cut short"), std::string::npos) << length;
+    EXPECT_NE(refusal(whole, {.cell = 0, .lowest = 0, .highest = 1}).find("pixel of 0 m"), std::string::npos);
+    EXPECT_NE(refusal(whole, {.cell = 1, .lowest = 1, .highest = 1}).find("heights from 1 to 1"),
+              std::string::npos);
+    EXPECT_NE(refusal(whole, kScale, 7).find("8 to 4096"), std::string::npos);
+    EXPECT_NE(refusal("P6\n2 2\n255\n" + std::string(12, 'a')).find("3 channels"), std::string::npos);
+    EXPECT_FALSE(read_heightmap(folder.path() / "none.png", kScale, 10));
+}
+
+}  // namespace
+}  // namespace terrains

@@ -1,0 +1,259 @@
+#include "terrains/release.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "terrains/export.h"
+#include "tests/support/places.h"
+#include "tests/terrains/files.h"
+
+namespace terrains {
+namespace {
+
+constexpr double kEast = 683'000, kNorth = 5'240'000;
+
+// Level ground of 40 × 30 squares of 10 m in UTM 32N.
+Terrain ground(Georeference georeference) {
+    Terrain terrain;
+    terrain.name = "ground";
+    terrain.grid = {41, 31, 10.f};
+    terrain.surface.assign(terrain.grid.size(), 1000.f);
+    terrain.cover.assign(terrain.grid.size(), 0.f);
+    terrain.has_data.assign(terrain.grid.size(), 1);
+    terrain.georeference = std::move(georeference);
+    return terrain;
+}
+Terrain utm_ground() {
+    return ground(Georeference::projected(test::utm_32n(), kEast, kNorth));
+}
+
+double volume(const Terrain& terrain, const std::vector<float>& thickness) {
+    return std::accumulate(thickness.begin(), thickness.end(), 0.0) * terrain.grid.cell_area();
+}
+
+// A ring in degrees around a box given in the terrain's metres.
+std::string ring(const Terrain& terrain, double west, double south, double east, double north) {
+    std::string text;
+    for (const LocalPoint p :
+         {LocalPoint{west, south}, {east, south}, {east, north}, {west, north}, {west, south}}) {
+        const auto there = terrain.georeference.to_lat_lon(p).value();
+        text +=
+            fmt::format("{}[{:.10f}, {:.10f}]", text.empty() ? "" : ", ", there.longitude, there.latitude);
+    }
+    return "[" + text + "]";
+}
+
+std::string feature(const std::string& properties, const std::string& type, const std::string& coordinates) {
+    return R"({ "type": "Feature", "properties": {)" + properties + R"(}, "geometry": { "type": ")" + type +
+           R"(", "coordinates": )" + coordinates + " } }";
+}
+
+std::string collection(const std::string& features, const std::string& more = "") {
+    return R"({ "type": "FeatureCollection", )" + more + R"("features": [)" + features + "] }";
+}
+
+class Release : public testing::Test {
+  protected:
+    tl::expected<std::vector<float>, std::string> read(const std::string& text, const Terrain& terrain,
+                                                       std::optional<double> default_thickness = {}) {
+        test::write_text(path_, text);
+        return read_release(path_, terrain, default_thickness);
+    }
+    std::string refusal(const std::string& text, const Terrain& terrain) {
+        const auto thickness = read(text, terrain);
+        const std::string said = thickness ? "it was read" : thickness.error();
+        EXPECT_NE(said.find("area.geojson: "), std::string::npos) << said;
+        return said;
+    }
+
+    support::TemporaryFolder folder_;
+    std::filesystem::path path_ = folder_.path() / "area.geojson";
+};
+
+TEST_F(Release, puts_the_thickness_of_a_polygon_on_its_cells) {
+    const Terrain terrain = utm_ground();
+    const auto thickness = read(
+        collection(feature(R"("thickness": 1.5)", "Polygon", "[" + ring(terrain, 95, 45, 145, 75) + "]")),
+        terrain);
+    ASSERT_TRUE(thickness) << thickness.error();
+    for (int y = 0; y < 31; ++y)
+        for (int x = 0; x < 41; ++x)
+            ASSERT_EQ((*thickness)[y * 41 + x], x >= 10 && x <= 14 && y >= 5 && y <= 7 ? 1.5f : 0.f)
+                << x << ", " << y;
+}
+
+TEST_F(Release, keeps_the_volume_whatever_the_polygon_or_plane) {
+    for (const Terrain& terrain : {utm_ground(), ground(Georeference::local({47.3, 11.43}, -200, -150))}) {
+        const std::string parts = "[[" + ring(terrain, 33, 41, 171, 98) + ", " +
+                                  ring(terrain, 71, 57, 111, 83) + "], [" +
+                                  ring(terrain, 207, 141, 333, 260) + "]]";
+        const auto thickness = read(collection(feature(R"("thickness": 2)", "MultiPolygon", parts)), terrain);
+        ASSERT_TRUE(thickness) << thickness.error();
+        const double truth = 2 * (138 * 57 - 40 * 26 + 126 * 119.0);
+        EXPECT_NEAR(volume(terrain, *thickness), truth, 0.01 * truth);
+    }
+}
+
+TEST_F(Release, takes_one_feature_and_a_bare_geometry_too) {
+    const Terrain terrain = utm_ground();
+    const std::string coordinates = "[" + ring(terrain, 95, 45, 145, 75) + "]";
+    EXPECT_TRUE(read(feature(R"("thickness": 1)", "Polygon", coordinates), terrain));
+    EXPECT_TRUE(read(R"({ "type": "Polygon", "coordinates": )" + coordinates + " }", terrain, 2.0));
+}
+
+TEST_F(Release, asks_for_a_thickness_unless_a_default_is_given) {
+    const Terrain terrain = utm_ground();
+    const std::string text = collection(feature("", "Polygon", "[" + ring(terrain, 95, 45, 145, 75) + "]"));
+    EXPECT_NE(refusal(text, terrain).find("feature 1: it has no 'thickness'"), std::string::npos);
+    const auto given = read(text, terrain, 0.75);
+    ASSERT_TRUE(given) << given.error();
+    EXPECT_NEAR(volume(terrain, *given), 0.75 * 50 * 30, 0.1);
+}
+
+TEST_F(Release, names_byte_or_feature_of_damage) {
+    const Terrain terrain = utm_ground();
+    const std::string good =
+        feature(R"("thickness": 1)", "Polygon", "[" + ring(terrain, 95, 45, 145, 75) + "]");
+    const auto says = [&](const std::string& text, const std::string& fact) {
+        const std::string said = refusal(text, terrain);
+        EXPECT_NE(said.find(fact), std::string::npos) << said;
+    };
+    const std::string whole = collection(good);
+    for (std::size_t length = 1; length < whole.size(); length += 5)
+        EXPECT_NE(refusal(whole.substr(0, length), terrain).find("byte "), std::string::npos) << length;
+    says(R"({ "type": tru })", "byte ");
+    says("{}", "thickness");
+    says(collection(""), "no features");
+    says(collection(good + "," + feature(R"("thickness": 1)", "Point", "[11, 47]")),
+         "feature 2: its geometry is 'Point'");
+    says(collection(feature(R"("thickness": "1 m")", "Polygon", "[]")),
+         "feature 1: its 'thickness' is not a number");
+    says(collection(feature(R"("thickness": -1)", "Polygon", "[]")), "'thickness' is -1 m");
+    says(collection(feature(R"("thickness": 1)", "Polygon", "[]")), "feature 1: a polygon has no rings");
+    says(collection(feature(R"("thickness": 1)", "Polygon", "[[[11, 47], [11, 48]]]")),
+         "fewer than 4 points");
+    says(collection(feature(R"("thickness": 1)", "Polygon", "[[[11, 47], [11], [12, 47], [11, 47]]]")),
+         "not two numbers");
+    says(collection(feature(R"("thickness": 1)", "Polygon", "[[[683000, 5240000], [0, 0], [0, 1], [1, 1]]]")),
+         "683000, 5240000 is not a longitude and latitude");
+    says(collection(good, R"("crs": { "type": "name", "properties": { "name": "EPSG:32632" } }, )"),
+         "coordinate system is EPSG:32632");
+    says(R"({ "a": )" + std::string(100'000, '[') + std::string(100'000, ']') + "}", "nested deeper");
+}
+
+TEST_F(Release, refuses_polygons_that_touch_no_ground) {
+    Terrain terrain = utm_ground();
+    const std::string away =
+        collection(feature(R"("thickness": 1)", "Polygon", "[" + ring(terrain, 900, 900, 950, 950) + "]"));
+    EXPECT_NE(refusal(away, terrain).find("nothing of it lies on ground of ground"), std::string::npos);
+    const std::string here =
+        collection(feature(R"("thickness": 1)", "Polygon", "[" + ring(terrain, 95, 45, 145, 75) + "]"));
+    terrain.has_data.assign(terrain.has_data.size(), 0);
+    EXPECT_NE(refusal(here, terrain).find("nothing of it lies on ground"), std::string::npos);
+}
+
+TEST_F(Release, refuses_degrees_for_a_terrain_that_has_no_place) {
+    const std::string text =
+        collection(feature(R"("thickness": 1)", "Polygon", "[" + ring(utm_ground(), 0, 0, 9, 9) + "]"));
+    EXPECT_NE(refusal(text, ground({})).find("no place on Earth"), std::string::npos);
+    EXPECT_FALSE(read_release(folder_.path() / "none.geojson", utm_ground()));
+}
+
+TEST_F(Release, brings_a_depth_raster_over_by_coordinates_and_keeps_its_volume) {
+    // 3 m in pixels of 7 m from (113, 92) to (113 + 84, 92 + 63): nothing falls on the terrain's own cells.
+    for (const double cell : {7.0, 21.0, 3.5}) {
+        test::AsciiGrid grid{.columns = static_cast<int>(84 / cell),
+                             .rows = static_cast<int>(63 / cell),
+                             .west = kEast + 113 + cell / 2,
+                             .south = kNorth + 92 + cell / 2,
+                             .cell = cell,
+                             .prj = test::utm_32n()};
+        const auto path =
+            test::write_ascii_grid(folder_.path(), "depth", grid, [](double, double) { return 3.0; });
+        const Terrain terrain = utm_ground();
+        const auto thickness = read_release(path, terrain);
+        ASSERT_TRUE(thickness) << thickness.error();
+        EXPECT_NEAR(volume(terrain, *thickness), 3 * 84 * 63, 0.01 * 3 * 84 * 63);
+        EXPECT_FLOAT_EQ((*thickness)[12 * 41 + 15], 3);
+        EXPECT_EQ((*thickness)[12 * 41 + 8], 0);
+    }
+}
+
+TEST_F(Release, brings_a_depth_raster_over_between_systems) {
+    test::AsciiGrid grid{.columns = 40,
+                         .rows = 40,
+                         .west = 11.4205,
+                         .south = 47.2885,
+                         .cell = 0.00005,
+                         .prj = test::degrees()};
+    const auto path =
+        test::write_ascii_grid(folder_.path(), "depth", grid, [](double, double) { return 2.0; });
+    const Terrain terrain = ground(Georeference::projected(test::utm_32n(), 682'950, 5'240'050));
+    const auto thickness = read_release(path, terrain);
+    ASSERT_TRUE(thickness) << thickness.error();
+    const double area = 0.002 * 0.002 * 111'176 * 75'595;  // m per degree at 47.29° N
+    EXPECT_NEAR(volume(terrain, *thickness), 2 * area, 0.01 * 2 * area);
+}
+
+TEST_F(Release, takes_depths_stored_negative_as_amounts_and_refuses_both_signs) {
+    const Terrain terrain = ground(Georeference::unnamed(1000, 2000));
+    const auto write = [&](const test::Height& depth) {
+        return test::write_ascii_grid(folder_.path(), "depth",
+                                      {.columns = 10, .rows = 10, .west = 1100, .south = 2100}, depth);
+    };
+    const auto positive = read_release(write([](double x, double) { return x > 1150 ? 1.25 : 0; }), terrain);
+    ASSERT_TRUE(positive) << positive.error();
+    EXPECT_EQ(read_release(write([](double x, double) { return x > 1150 ? -1.25 : 0; }), terrain), positive);
+    const auto both = read_release(write([](double x, double) { return x > 1150 ? -1.25 : 1; }), terrain);
+    ASSERT_FALSE(both);
+    EXPECT_NE(both.error().find("both signs"), std::string::npos) << both.error();
+    const auto deep = read_release(write([](double, double) { return 201.0; }), terrain);
+    ASSERT_FALSE(deep);
+    EXPECT_NE(deep.error().find("row 1, column 1 is 201 m deep"), std::string::npos) << deep.error();
+}
+
+TEST_F(Release, refuses_depth_rasters_that_cannot_be_joined_to_the_terrain) {
+    const auto flat = [](double, double) { return 1.0; };
+    const auto bare = test::write_ascii_grid(folder_.path(), "bare", {.west = 10, .south = 10}, flat);
+    const auto named = test::write_ascii_grid(folder_.path(), "named",
+                                              {.west = kEast, .south = kNorth, .prj = test::utm_32n()}, flat);
+    EXPECT_FALSE(read_release(bare, ground({})));
+    EXPECT_FALSE(read_release(bare, ground(Georeference::local({47.3, 11.4}, 0, 0))));
+    EXPECT_FALSE(read_release(named, ground(Georeference::unnamed(kEast, kNorth))));
+    EXPECT_FALSE(read_release(bare, utm_ground()));  // far away
+    EXPECT_TRUE(read_release(named, utm_ground()));
+    EXPECT_FALSE(read_release(folder_.path() / "none.tif", utm_ground()));
+}
+
+TEST_F(Release, leaves_ground_that_nobody_knows_bare) {
+    Terrain terrain = utm_ground();
+    terrain.has_data[6 * 41 + 12] = 0;
+    const auto thickness =
+        read(collection(feature(R"("thickness": 1)", "Polygon", "[" + ring(terrain, 95, 45, 145, 75) + "]")),
+             terrain);
+    ASSERT_TRUE(thickness) << thickness.error();
+    EXPECT_EQ((*thickness)[6 * 41 + 12], 0);
+    EXPECT_EQ((*thickness)[6 * 41 + 13], 1);
+}
+
+TEST_F(Release, reads_an_extent_whether_or_not_it_has_a_thickness) {
+    const Terrain terrain = utm_ground();
+    for (const char* properties : {"", R"("thickness": 0.001)", R"("thickness": "thick")"}) {
+        test::write_text(path_, collection(feature(properties, "Polygon",
+                                                   fmt::format("[{}]", ring(terrain, 95, 45, 149, 75)))));
+        const auto extent = read_extent(path_, terrain);
+        ASSERT_TRUE(extent) << extent.error();
+        EXPECT_EQ(std::accumulate(extent->begin(), extent->end(), 0), 15)
+            << properties;  // 0.4 of a cell is out
+    }
+    test::write_text(path_, collection(feature("", "Polygon", "[" + ring(terrain, 950, 45, 990, 75) + "]")));
+    EXPECT_FALSE(read_extent(path_, terrain));
+}
+
+}  // namespace
+}  // namespace terrains
