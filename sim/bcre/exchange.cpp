@@ -15,20 +15,22 @@
 //            |              g_y = max(0, h_C − h_S, h_C − h_N) / Δx
 //        W — C — E          S = |g|,  κ = (g_x + g_y) / |g| ∈ [1, √2]
 //            |
-//            S              lowering C by Δ lowers S by κ Δ/Δx
+//            S              lowering C by Δ lowers S by at most κ Δ/Δx
 //
 // With the lower neighbours held for the sub-step, p falls with what is eroded: a logistic equation in R. Its solution
-// never takes S past the threshold. Where the threshold moves little in a sub-step it is the exponential.
+// never takes S past the threshold. A vertex that is raised may come above a neighbour that was not lower before, so
+// deposition reckons with the greatest κ, √2. Where p changes little in a sub-step the solution is the exponential.
 
 namespace sim::bcre {
 namespace {
 
 // R after a sub-step that began with R₀ > 0.
 float after_exchange(float rolling, float excess, float rate, float spread, float dx, float dt) {
-    const float move = rate * rolling * (dt / dx);
-    if (move < 0.2f) return rolling * exponential(rate * excess * dt);
-    const float end = rolling + excess * dx / spread;  // K: R when S has reached the threshold
-    const float pace = rate * spread * (dt / dx);
+    const float growth = rate * excess * dt;
+    if (rate * rolling * (dt / dx) < 0.2f && std::fabs(growth) < 0.5f) return rolling * exponential(growth);
+    const float kappa = excess < 0 ? 1.41421356f : spread;
+    const float end = rolling + excess * dx / kappa;  // K: R when S has reached the threshold
+    const float pace = rate * kappa * (dt / dx);
     if (std::fabs(end) * pace < 1e-4f) return rolling / (1.f + pace * rolling);  // the limit K → 0
     return end / (1.f + (end / rolling - 1.f) * exponential(-pace * end));
 }

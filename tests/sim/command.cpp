@@ -1,0 +1,143 @@
+#include "sim/command.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/worlds.h"
+
+namespace {
+
+using sim::Command;
+using sim::CommandKind;
+using support::Play;
+
+// A flat world in which nothing moves by itself.
+Play flat(double depth = 0, int squares = 40, float dx = 1) {
+    sim::Params params = support::lively(sim::Model::kBcreInertial);
+    params.start_slope = 9;
+    return Play(support::plane(squares, dx, 0, depth), params);
+}
+
+double cubic_metres(const Play& play, std::int64_t quanta) {
+    return static_cast<double>(quanta) * static_cast<double>(sim::kQuantum) * play.state.grid.cell_area();
+}
+
+TEST(Pour, adds_the_volume_it_says_at_any_grid_and_in_both_profiles) {
+    for (const float dx : {0.5f, 1.f, 2.f})
+        for (const auto profile : {sim::Profile::kDisc, sim::Profile::kCone}) {
+            Play play = flat(0, static_cast<int>(40 / dx), dx);
+            Command pour = support::pour_at(20.3, 19.1, 6, 50, 1.5);
+            pour.profile = profile;
+            pour.layer = sim::Layer::kStanding;
+            play.ticks(120, {&pour, 1});
+            EXPECT_NEAR(cubic_metres(play, play.state.ledger.poured), 75, 0.01) << dx;
+            EXPECT_TRUE(play.state.sources.empty());
+        }
+}
+
+TEST(Pour, adds_the_same_each_tick_and_then_stops) {
+    Play play = flat();
+    Command pour = support::pour_at(20, 20, 5, 60, 1);
+    pour.layer = sim::Layer::kStanding;
+    play.ticks(30, {&pour, 1});
+    EXPECT_NEAR(cubic_metres(play, play.state.ledger.poured), 30, 0.01);
+    EXPECT_EQ(play.state.sources.size(), 1u);
+    play.ticks(90);
+    EXPECT_NEAR(cubic_metres(play, play.state.ledger.poured), 60, 0.01);
+}
+
+TEST(Pour, into_the_rolling_layer_begins_at_rest) {
+    Play play = flat();
+    play.state.rolling(20, 20) = 0.5f;
+    play.state.velocity_x(20, 20) = 2;
+    const Command pour = support::pour_at(20, 20, 0, 30, 0);  // less than a cell: the nearest vertex
+    sim::apply_commands(play.state, play.params, {&pour, 1});
+    EXPECT_EQ(play.state.rolling(20, 20), 1.f);
+    EXPECT_EQ(play.state.velocity_x(20, 20), 1.f);
+}
+
+TEST(Pour, beside_the_world_or_on_no_data_never_enters_it) {
+    support::Ground ground = support::plane(20, 1, 0);
+    ground.has_data[ground.at(10, 10)] = 0;
+    Play play(ground, support::lively(sim::Model::kBcreInertial));
+    const Command commands[] = {support::pour_at(-50, 5, 10, 100, 0), support::pour_at(10, 10, 0, 100, 0)};
+    sim::apply_commands(play.state, play.params, commands);
+    EXPECT_EQ(play.state.ledger.poured, 0);
+    EXPECT_EQ(play.state.rolling(10, 10), 0);
+}
+
+TEST(Pour, half_over_the_border_keeps_the_half_inside) {
+    Play play = flat();
+    Command pour = support::pour_at(-0.5, 20, 8, 60, 1);
+    pour.layer = sim::Layer::kStanding;
+    play.ticks(60, {&pour, 1});
+    EXPECT_NEAR(cubic_metres(play, play.state.ledger.poured), 30, 0.5);
+}
+
+TEST(Pour, fills_a_vertex_up_to_half_the_deepest_and_no_further) {
+    Play play = flat();
+    Command pour = support::pour_at(20, 20, 0, 1e8, 0);
+    pour.layer = sim::Layer::kStanding;
+    sim::apply_commands(play.state, play.params, {&pour, 1});
+    EXPECT_EQ(play.state.depth(20, 20), sim::kDeepest / 2);
+    sim::count_mass(play.state);
+    EXPECT_EQ(play.state.ledger.mass_error(), 0);
+}
+
+TEST(Dig, takes_the_rolling_layer_first_and_never_bedrock) {
+    Play play = flat(0.25);
+    play.state.rolling(20, 20) = 0.5f;
+    sim::count_mass(play.state);
+    play.state.ledger.initial = play.state.ledger.standing + play.state.ledger.rolling;
+    Command dig;
+    dig.kind = CommandKind::kDig;
+    dig.x = dig.y = 20;
+    dig.radius = 3;
+    dig.rate = 36;  // 0.6 m in a tick
+    sim::apply_commands(play.state, play.params, {&dig, 1});
+    EXPECT_EQ(play.state.rolling(20, 20), 0);
+    EXPECT_NEAR(play.state.depth(20, 20), 0.15, 1e-5);
+    EXPECT_EQ(play.state.depth(21, 20), 0);
+    sim::count_mass(play.state);
+    EXPECT_EQ(play.state.ledger.mass_error(), 0);
+}
+
+TEST(Blast, makes_the_erodible_layer_roll_up_to_its_depth) {
+    Play play = flat(1);
+    Command blast;
+    blast.kind = CommandKind::kBlast;
+    blast.x = blast.y = 20;
+    blast.radius = 3;
+    blast.depth = 0.75;
+    sim::apply_commands(play.state, play.params, {&blast, 1});
+    EXPECT_EQ(play.state.rolling(20, 20), 0.75f);
+    EXPECT_EQ(play.state.depth(20, 20), 0.25f);
+    EXPECT_EQ(play.state.rolling(24, 20), 0);
+    EXPECT_TRUE(play.state.sources.empty());
+}
+
+TEST(Commands, manifest_stands_in_the_order_of_its_kinds) {
+    for (const sim::CommandInfo& info : sim::kCommands) {
+        EXPECT_EQ(&sim::info_of(info.kind), &info);
+        EXPECT_EQ(sim::command_from(info.name)->kind, info.kind);
+    }
+    EXPECT_FALSE(sim::command_from("melt"));
+}
+
+TEST(Commands, refuse_every_number_out_of_its_range_and_name_it) {
+    for (const sim::CommandInfo& info : sim::kCommands)
+        for (const sim::CommandNumber& number : info.numbers)
+            for (const double bad : {std::nextafter(number.least, -1e300) - 1, number.most * 1.001 + 1, std::nan("")}) {
+                Command command;
+                command.kind = info.kind;
+                command.depth = command.radius = 1;
+                ASSERT_FALSE(sim::fault_of(command));
+                command.*number.value = bad;
+                const auto fault = sim::fault_of(command);
+                ASSERT_TRUE(fault) << info.name << " " << number.name;
+                EXPECT_NE(fault->find(number.name), std::string::npos);
+            }
+}
+
+}  // namespace

@@ -1,0 +1,81 @@
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "sim/exponential.h"
+#include "sim/params.h"
+#include "sim/quanta.h"
+
+namespace {
+
+TEST(Exponential, is_right_to_three_in_ten_million) {
+    for (double x = -80; x <= 80; x += 0.00737) {
+        const auto argument = static_cast<float>(x);
+        const double exact = std::exp(static_cast<double>(argument));
+        ASSERT_NEAR(static_cast<double>(sim::exponential(argument)) / exact, 1, 3e-7) << x;
+    }
+    EXPECT_EQ(sim::exponential(0), 1);
+    EXPECT_EQ(sim::exponential(-1e30f), sim::exponential(-80));
+}
+
+TEST(Quanta, round_right_on_average_and_alike_for_both_signs) {
+    const float amount = 3.3f * sim::kQuantum;
+    double sum = 0;
+    constexpr int kSubsteps = 10000;
+    for (int k = 0; k < kSubsteps; ++k) {
+        const float dither = sim::dither_of(k);
+        ASSERT_GE(dither, 0);
+        ASSERT_LT(dither, 1);
+        ASSERT_EQ(sim::to_quanta(-amount, dither), -sim::to_quanta(amount, dither));
+        sum += static_cast<double>(sim::to_quanta(amount, dither));
+    }
+    EXPECT_NEAR(sum / kSubsteps / static_cast<double>(sim::kQuantum), 3.3, 1e-3);
+    EXPECT_EQ(sim::to_quanta(5 * sim::kQuantum, 0.999f), 5 * sim::kQuantum);  // a whole number stays itself
+}
+
+TEST(Params, defaults_are_sound_and_every_number_out_of_range_is_named) {
+    ASSERT_FALSE(sim::fault_of(sim::Params{}));
+    for (const sim::ParamInfo& info : sim::kParams)
+        for (const float bad : {info.least - 1, info.most * 1.01f + 1, std::numeric_limits<float>::quiet_NaN()}) {
+            sim::Params params;
+            params.*info.value = bad;
+            const auto fault = sim::fault_of(params);
+            ASSERT_TRUE(fault) << info.name;
+            EXPECT_NE(fault->find(info.name), std::string::npos) << *fault;
+        }
+}
+
+TEST(Params, thresholds_must_keep_their_order) {
+    sim::Params params;
+    params.start_slope = params.stop_slope - 0.1f;
+    EXPECT_TRUE(sim::fault_of(params));
+    params = {};
+    params.start_depth = 2 * params.erosion_depth;
+    EXPECT_TRUE(sim::fault_of(params));
+    params = {};
+    params.erosion_slope = params.stop_slope - 0.01f;
+    EXPECT_TRUE(sim::fault_of(params));
+}
+
+TEST(Params, substeps_keep_the_fastest_grain_within_its_courant_number) {
+    for (const float dx : {0.5f, 2.f, 12.5f, 100.f}) {
+        sim::Params params;
+        params.max_speed = 45;
+        const sim::Substeps substeps = sim::substeps_of(params, dx);
+        EXPECT_LE(45 * substeps.dt, params.courant * dx * 1.0001f);
+        EXPECT_NEAR(substeps.dt * static_cast<float>(substeps.count), params.tick_s, 1e-7f);
+    }
+}
+
+TEST(Params, names_go_there_and_back) {
+    for (const auto model : {sim::Model::kBcre, sim::Model::kBcreInertial})
+        EXPECT_EQ(sim::model_from(sim::to_string(model)), model);
+    for (const auto scheme : {sim::Scheme::kLaxFriedrichs, sim::Scheme::kLocalLaxFriedrichs})
+        EXPECT_EQ(sim::scheme_from(sim::to_string(scheme)), scheme);
+    for (const auto border : {sim::Border::kWall, sim::Border::kOpen, sim::Border::kSink})
+        EXPECT_EQ(sim::border_from(sim::to_string(border)), border);
+    EXPECT_FALSE(sim::model_from("voellmy"));
+}
+
+}  // namespace

@@ -1,0 +1,216 @@
+#include "sim/step.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "sim/snapshot.h"
+#include "sim/state_hash.h"
+#include "tests/support/worlds.h"
+
+namespace {
+
+using sim::Model;
+using sim::Scheme;
+using support::lively;
+using support::Play;
+
+struct Physics {
+    Model model;
+    Scheme scheme;
+};
+constexpr Physics kAll[] = {{Model::kBcre, Scheme::kLaxFriedrichs},
+                            {Model::kBcre, Scheme::kLocalLaxFriedrichs},
+                            {Model::kBcreInertial, Scheme::kLocalLaxFriedrichs}};
+
+std::string name_of(const Physics& p) {
+    return std::string(sim::to_string(p.model)) + " " + std::string(sim::to_string(p.scheme));
+}
+
+// Commands of all kinds, anywhere in and around the world.
+std::vector<sim::Command> any_commands(std::mt19937& random, double extent) {
+    const auto within = [&](double least, double most) { return least + (most - least) * static_cast<double>(random()) / 4294967296.0; };
+    std::vector<sim::Command> commands;
+    for (const sim::CommandInfo& info : sim::kCommands) {
+        sim::Command c;
+        c.kind = info.kind;
+        c.x = within(-0.2, 1.2) * extent;
+        c.y = within(-0.2, 1.2) * extent;
+        c.radius = within(0, 0.3) * extent;
+        c.rate = c.kind == sim::CommandKind::kPour ? within(0, 200) : within(0, 2);
+        c.duration = within(0, 0.5);
+        c.depth = within(0, 2);
+        c.layer = random() % 2 ? sim::Layer::kRolling : sim::Layer::kStanding;
+        c.profile = random() % 2 ? sim::Profile::kDisc : sim::Profile::kCone;
+        commands.push_back(c);
+    }
+    return commands;
+}
+
+TEST(Step, keeps_a_pile_between_its_thresholds_bit_identical) {
+    for (const Physics& p : kAll) {
+        Play play(support::pile(40, 1, 0.55, 6), lively(p.model, p.scheme));  // stop .5, start .7
+        const sim::Field<float> before = play.state.depth;
+        play.ticks(300);
+        EXPECT_TRUE(support::same_bits(before, play.state.depth)) << name_of(p);
+        EXPECT_EQ(play.state.ledger.rolling, 0) << name_of(p);
+    }
+}
+
+TEST(Step, lets_a_pile_above_its_start_slope_slide_and_comes_to_rest_near_the_stop_slope) {
+    for (const Physics& p : {kAll[1], kAll[2]}) {
+        sim::Params params = lively(p.model, p.scheme);
+        params.anchor_gain = params.anchor_margin = 0;  // a heap, not natural ground
+        Play play(support::pile(60, 1, 0.9, 9), params);
+        const float top = play.state.depth(30, 30);
+        play.ticks(60 * 120);
+        EXPECT_TRUE(sim::at_rest(play.state)) << name_of(p);
+        EXPECT_LT(play.state.depth(30, 30), top - 1) << name_of(p);
+        // From 10 m to 4 m beside the middle no side is steeper than what starts, nor all of it gentler than what stops.
+        const float fall = play.state.depth(34, 30) - play.state.depth(40, 30);
+        EXPECT_GT(fall / 6, 0.2f) << name_of(p);
+        EXPECT_LT(fall / 6, params.start_slope) << name_of(p);
+    }
+}
+
+TEST(Step, conserves_mass_to_the_quantum_whatever_is_done) {
+    for (const Physics& p : kAll)
+        for (const auto border : {sim::Border::kWall, sim::Border::kOpen, sim::Border::kSink}) {
+            sim::Params params = lively(p.model, p.scheme);
+            params.borders = {border, sim::Border::kOpen, border, sim::Border::kSink};
+            support::Ground ground = support::rough(24, 2, 7);
+            for (int x = 5; x < 9; ++x) ground.has_data[ground.at(x, 12)] = 0;
+            Play play(ground, params);
+            std::mt19937 random(1);
+            for (int tick = 0; tick < 1200; ++tick) {
+                play.ticks(1, tick % 20 == 0 ? any_commands(random, 48) : std::vector<sim::Command>{});
+                ASSERT_EQ(play.state.ledger.mass_error(), 0) << name_of(p) << ", tick " << tick;
+            }
+            EXPECT_GT(play.state.ledger.poured, 0);
+            EXPECT_GT(play.state.ledger.dug, 0);
+            EXPECT_GT(play.state.ledger.out, 0);
+        }
+}
+
+TEST(Step, never_makes_a_negative_depth_or_a_value_that_is_not_finite) {
+    for (const Physics& p : kAll) {
+        Play play(support::rough(24, 2, 3), lively(p.model, p.scheme));
+        std::mt19937 random(5);
+        for (int tick = 0; tick < 600; ++tick) {
+            play.ticks(1, tick % 10 == 0 ? any_commands(random, 48) : std::vector<sim::Command>{});
+            for (int y = 0; y < play.state.grid.ny; ++y)
+                for (int x = 0; x < play.state.grid.nx; ++x) {
+                    ASSERT_GE(play.state.depth(x, y), 0) << name_of(p) << ", tick " << tick;
+                    ASSERT_GE(play.state.rolling(x, y), 0) << name_of(p) << ", tick " << tick;
+                    const float speed = std::hypot(play.state.velocity_x(x, y), play.state.velocity_y(x, y));
+                    ASSERT_LE(speed, play.params.max_speed * 1.001f) << name_of(p) << ", tick " << tick;
+                    ASSERT_TRUE(play.state.rolling(x, y) > 0 || speed == 0) << name_of(p) << ", tick " << tick;
+                }
+        }
+    }
+}
+
+TEST(Step, gives_the_same_bits_with_any_number_of_threads) {
+    for (const Physics& p : kAll) {
+        Play one(support::rough(40, 2, 11), lively(p.model, p.scheme), 1);
+        one.ticks(200);
+        for (const int threads : {2, 3, 5, 8}) {
+            Play many(support::rough(40, 2, 11), lively(p.model, p.scheme), threads);
+            many.ticks(200);
+            EXPECT_EQ(sim::state_hash(one.state), sim::state_hash(many.state)) << name_of(p) << ", " << threads;
+        }
+    }
+}
+
+TEST(Step, goes_on_from_a_snapshot_to_the_same_bits) {
+    Play play(support::rough(30, 2, 2), lively(Model::kBcreInertial));
+    const sim::Command pour = support::pour_at(30, 10, 6, 40, 2);
+    play.ticks(30, {&pour, 1});  // taken while a source runs
+    const sim::Snapshot snapshot = sim::take_snapshot(play.state);
+    play.ticks(200);
+    const std::uint64_t straight = sim::state_hash(play.state);
+    sim::restore(snapshot, play.state);
+    ASSERT_NE(sim::state_hash(play.state), straight);
+    play.ticks(200);
+    EXPECT_EQ(sim::state_hash(play.state), straight);
+}
+
+TEST(Step, brings_a_deep_layer_to_its_terminal_speed_on_a_plane) {
+    sim::Params params = lively(Model::kBcreInertial);
+    params.half_speed_depth = 1e-4f;
+    params.erosion_slope = 5;  // nothing to erode, nothing to deposit: transport alone
+    support::Ground ground = support::plane(60, 2, 0.6);
+    ground.set(ground.rolling, [](double, double) { return 0.5; });
+    Play play(ground, params);
+    play.ticks(60 * 3);
+    const double t = 3, tau = static_cast<double>(params.relaxation_time);
+    const double expected = static_cast<double>(params.speed_per_slope) * 0.6 * (1 - std::exp(-t / tau));
+    EXPECT_NEAR(play.state.velocity_y(30, 40), expected, 0.01 * expected);  // falls to the north
+    EXPECT_NEAR(play.state.velocity_x(30, 40), 0, 1e-3);
+}
+
+TEST(Step, spreads_a_resting_layer_with_lax_friedrichs_and_not_with_the_local_scheme) {
+    for (const Scheme scheme : {Scheme::kLaxFriedrichs, Scheme::kLocalLaxFriedrichs}) {
+        sim::Params params = lively(Model::kBcre, scheme);
+        params.exchange_rate = 0;
+        params.freeze_depth = 1e-5f;
+        support::Ground ground = support::plane(20, 1, 0);
+        ground.rolling[ground.at(10, 10)] = 1;
+        Play play(ground, params);
+        play.ticks(1);
+        if (scheme == Scheme::kLaxFriedrichs)
+            EXPECT_NEAR(play.state.rolling(11, 10) + play.state.depth(11, 10), 0.25f, 1e-4f);  // one of four
+        else
+            EXPECT_EQ(play.state.rolling(11, 10) + play.state.depth(11, 10), 0);
+    }
+}
+
+TEST(Step, carries_a_film_whose_flux_is_less_than_a_quantum_per_step) {
+    sim::Params params = lively(Model::kBcre);
+    params.rolling_speed = 0.5f;
+    params.exchange_rate = 0;
+    params.freeze_depth = 1e-5f;
+    support::Ground ground = support::plane(20, 30, 0.6);
+    ground.set(ground.rolling, [](double, double y) { return y == 30 * 5 ? 0.005 : 0.0; });
+    Play play(ground, params);
+    const double flux = 0.005 * 0.5 / 30 / 60;  // m per tick
+    ASSERT_LT(flux, static_cast<double>(sim::kQuantum) / 2);
+    play.ticks(6000);
+    // Thinner than the freeze depth as it arrives, it joins the standing layer. The donor empties meanwhile.
+    const double arrived = static_cast<double>(play.state.rolling(10, 6) + play.state.depth(10, 6));
+    EXPECT_NEAR(arrived, 0.005 * (1 - std::exp(-0.5 * 100 / 30)), 1e-4);
+}
+
+TEST(Borders, wall_keeps_everything_in_and_open_and_sink_let_it_out) {
+    for (const Physics& p : kAll)
+        for (const auto border : {sim::Border::kWall, sim::Border::kOpen, sim::Border::kSink}) {
+            sim::Params params = lively(p.model, p.scheme);
+            params.borders.fill(border);
+            support::Ground ground = support::plane(20, 2, 0.8);
+            ground.set(ground.rolling, [](double, double) { return 0.3; });
+            Play play(ground, params);
+            play.ticks(600);
+            if (border == sim::Border::kWall)
+                EXPECT_EQ(play.state.ledger.out, 0) << name_of(p);
+            else
+                EXPECT_GT(play.state.ledger.out, play.state.ledger.initial / 2) << name_of(p);
+        }
+}
+
+TEST(Borders, no_data_swallows_what_reaches_it) {
+    sim::Params params = lively(Model::kBcreInertial);
+    params.borders.fill(sim::Border::kWall);
+    support::Ground ground = support::plane(20, 2, 0.8);
+    ground.set(ground.rolling, [](double, double y) { return y < 10 ? 0.3 : 0.0; });
+    for (int x = 0; x <= 20; ++x) ground.has_data[ground.at(x, 12)] = 0;
+    Play play(ground, params);
+    play.ticks(60 * 30);
+    EXPECT_GT(play.state.ledger.out, 0);
+    for (int x = 0; x <= 20; ++x) {
+        EXPECT_EQ(play.state.rolling(x, 12), 0);
+        EXPECT_EQ(play.state.depth(x, 14) + play.state.rolling(x, 14), 0);  // nothing passes
+    }
+}
+
+}  // namespace

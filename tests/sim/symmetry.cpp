@@ -1,0 +1,65 @@
+#include <gtest/gtest.h>
+
+#include "tests/support/worlds.h"
+
+// A turned or mirrored world does the turned or mirrored thing, to the bit: no direction of the grid is favoured by the
+// order of operations.
+
+namespace {
+
+using support::Ground;
+using support::Play;
+
+// Where vertex (x, y) of a square world comes from.
+using Turn = std::pair<int, int> (*)(int x, int y, int last);
+
+Ground turned(const Ground& ground, Turn turn) {
+    Ground other(ground.grid);
+    const int last = ground.grid.nx - 1;
+    for (int y = 0; y <= last; ++y)
+        for (int x = 0; x <= last; ++x) {
+            const auto [fx, fy] = turn(x, y, last);
+            other.bedrock[other.at(x, y)] = ground.bedrock[ground.at(fx, fy)];
+            other.depth[other.at(x, y)] = ground.depth[ground.at(fx, fy)];
+            other.rolling[other.at(x, y)] = ground.rolling[ground.at(fx, fy)];
+        }
+    return other;
+}
+
+Ground square_rough(unsigned seed) {
+    const Ground rough = support::rough(30, 2, seed);
+    Ground square({31, 31, 2});
+    for (int y = 0; y < 31; ++y)
+        for (int x = 0; x < 31; ++x) {
+            square.bedrock[square.at(x, y)] = rough.bedrock[rough.at(x, y)];
+            square.depth[square.at(x, y)] = rough.depth[rough.at(x, y)];
+            square.rolling[square.at(x, y)] = rough.rolling[rough.at(x, y)];
+        }
+    return square;
+}
+
+TEST(Symmetry, mirrored_transposed_and_turned_worlds_stay_so_to_the_bit) {
+    const std::pair<const char*, Turn> turns[] = {
+        {"mirrored", [](int x, int y, int last) { return std::pair(last - x, y); }},
+        {"transposed", [](int x, int y, int) { return std::pair(y, x); }},
+        {"quarter turn", [](int x, int y, int last) { return std::pair(y, last - x); }},
+    };
+    for (const auto model : {sim::Model::kBcre, sim::Model::kBcreInertial})
+        for (const auto scheme : {sim::Scheme::kLaxFriedrichs, sim::Scheme::kLocalLaxFriedrichs})
+            for (const auto& [name, turn] : turns) {
+                const Ground ground = square_rough(4);
+                Play straight(ground, support::lively(model, scheme));
+                Play other(turned(ground, turn), support::lively(model, scheme));
+                straight.ticks(150);
+                other.ticks(150);
+                ASSERT_GT(straight.state.ledger.rolling, 0);
+                for (int y = 0; y < 31; ++y)
+                    for (int x = 0; x < 31; ++x) {
+                        const auto [fx, fy] = turn(x, y, 30);
+                        ASSERT_EQ(other.state.depth(x, y), straight.state.depth(fx, fy)) << name << " " << x << " " << y;
+                        ASSERT_EQ(other.state.rolling(x, y), straight.state.rolling(fx, fy)) << name << " " << x << " " << y;
+                    }
+            }
+}
+
+}  // namespace

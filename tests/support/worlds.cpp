@@ -1,0 +1,88 @@
+#include "tests/support/worlds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <random>
+
+namespace support {
+
+Ground::Ground(const sim::Grid& on)
+    : grid(on), bedrock(on.size()), depth(on.size()), rolling(on.size()), has_data(on.size(), 1) {}
+
+std::size_t Ground::at(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(x);
+}
+
+void Ground::set(std::vector<float>& field, const std::function<double(double, double)>& of) {
+    for (int y = 0; y < grid.ny; ++y)
+        for (int x = 0; x < grid.nx; ++x)
+            field[at(x, y)] = static_cast<float>(of(x * static_cast<double>(grid.dx), y * static_cast<double>(grid.dx)));
+}
+
+Ground plane(int squares, float dx, double tangent, double depth) {
+    Ground ground({squares + 1, squares + 1, dx});
+    ground.set(ground.bedrock, [&](double, double y) { return -tangent * y; });
+    ground.set(ground.depth, [&](double, double) { return depth; });
+    return ground;
+}
+
+Ground pile(int squares, float dx, double tangent, double height) {
+    Ground ground({squares + 1, squares + 1, dx});
+    const double middle = squares * static_cast<double>(dx) / 2;
+    const double blunt = 5 * static_cast<double>(dx);
+    ground.set(ground.depth, [&](double x, double y) {
+        const double away = std::hypot(std::hypot(x - middle, y - middle), blunt) - blunt;
+        return std::max(0.0, height - tangent * away);
+    });
+    return ground;
+}
+
+Ground rough(int squares, float dx, unsigned seed) {
+    Ground ground({squares + 1, squares + 3, dx});  // not square, so that swapped axes show
+    std::mt19937 random(seed);
+    const auto noise = [&] { return static_cast<double>(random()) / 4294967296.0; };
+    ground.set(ground.bedrock, [&](double, double y) { return -0.6 * y + 0.8 * noise() * static_cast<double>(dx); });
+    ground.set(ground.depth, [&](double, double) { return noise(); });
+    ground.set(ground.rolling, [&](double, double) { return noise() < 0.1 ? 0.5 * noise() : 0.0; });
+    return ground;
+}
+
+Play::Play(const Ground& ground, const sim::Params& with, int threads)
+    : params(with), state(sim::make_state(ground.world(), with)), scratch(state), workers(threads) {}
+
+void Play::ticks(int count, std::span<const sim::Command> first) {
+    for (int i = 0; i < count; ++i) sim::step(state, params, i == 0 ? first : std::span<const sim::Command>{}, scratch, workers);
+}
+
+sim::Params lively(sim::Model model, sim::Scheme scheme) {
+    sim::Params params;
+    params.model = model;
+    params.scheme = scheme;
+    params.exchange_rate = 2;
+    params.rolling_speed = 5;
+    params.stop_slope = 0.5f;
+    params.stop_slope_thick = 0.36f;
+    params.start_slope = 0.7f;
+    params.erosion_slope = 0.55f;
+    return params;
+}
+
+bool same_bits(const sim::Field<float>& a, const sim::Field<float>& b) {
+    if (a.nx() != b.nx() || a.ny() != b.ny()) return false;
+    for (int y = 0; y < a.ny(); ++y)
+        if (std::memcmp(a.row(y), b.row(y), sizeof(float) * static_cast<std::size_t>(a.nx())) != 0) return false;
+    return true;
+}
+
+sim::Command pour_at(double x, double y, double radius, double rate, double duration) {
+    sim::Command command;
+    command.x = x;
+    command.y = y;
+    command.radius = radius;
+    command.rate = rate;
+    command.duration = duration;
+    return command;
+}
+
+}  // namespace support

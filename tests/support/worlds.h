@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "sim/params.h"
+#include "sim/scratch.h"
+#include "sim/state.h"
+#include "sim/step.h"
+#include "sim/workers.h"
+
+namespace support {
+
+// A ground to play tests on; all fields start at zero, all of it has data.
+struct Ground {
+    sim::Grid grid;
+    std::vector<float> bedrock, depth, rolling;  // m
+    std::vector<std::uint8_t> has_data;
+
+    explicit Ground(const sim::Grid& on);
+    // Sets a field from a function of x and y in metres.
+    void set(std::vector<float>& field, const std::function<double(double, double)>& of);
+    std::size_t at(int x, int y) const;
+    sim::World world() const { return {grid, 0, bedrock, depth, rolling, has_data, 0}; }
+};
+
+// bedrock = −tangent · y: falls to the north.
+Ground plane(int squares, float dx, double tangent, double depth = 0);
+// A blunt cone of erodible material on flat bedrock, nowhere steeper than `tangent`.
+Ground pile(int squares, float dx, double tangent, double height);
+// A rough valley with cover and a heap, for whatever must hold on any ground; `seed` varies it.
+Ground rough(int squares, float dx, unsigned seed);
+
+// A world that steps.
+struct Play {
+    sim::Params params;
+    sim::State state;
+    sim::Scratch scratch;
+    sim::Workers workers;
+
+    Play(const Ground& ground, const sim::Params& with, int threads = 1);
+    void ticks(int count, std::span<const sim::Command> first = {});
+};
+
+// Numbers that make both models lively on grounds of a few metres per cell.
+sim::Params lively(sim::Model model, sim::Scheme scheme = sim::Scheme::kLocalLaxFriedrichs);
+
+// Whether two fields are equal to the bit, halo left out.
+bool same_bits(const sim::Field<float>& a, const sim::Field<float>& b);
+
+sim::Command pour_at(double x, double y, double radius, double rate, double duration);
+
+}  // namespace support
