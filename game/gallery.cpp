@@ -49,7 +49,7 @@ render::Camera map_camera(const sim::View& world, double aspect) {
             highest = std::max(highest, static_cast<double>(world.bedrock(x, y)));
         }
     render::Camera camera;
-    camera.field_of_view_deg = 12;  // narrow: nearly the plan
+    camera.field_of_view_deg = 28;  // narrow enough to be nearly the plan, near enough to be clear of haze
     const double half = std::max(height, width / aspect) * 0.53;
     camera.target = {width / 2, height / 2, world.datum + (lowest + highest) / 2};
     camera.azimuth_deg = 180;  // stands in the south, so north is up

@@ -59,7 +59,7 @@ std::string ascii_text(const AsciiGrid& grid, const Height& height) {
 
 std::filesystem::path write_ascii_grid(const std::filesystem::path& folder, const std::string& name,
                                        const AsciiGrid& grid, const Height& height) {
-    const auto path = folder / (name + ".asc");
+    auto path = folder / (name + ".asc");
     write_text(path, ascii_text(grid, height));
     if (!grid.prj.empty()) write_text(folder / (name + ".prj"), grid.prj);
     return path;

@@ -66,7 +66,7 @@ class Release : public testing::Test {
     }
     std::string refusal(const std::string& text, const Terrain& terrain) {
         const auto thickness = read(text, terrain);
-        const std::string said = thickness ? "it was read" : thickness.error();
+        std::string said = thickness ? "it was read" : thickness.error();
         EXPECT_NE(said.find("area.geojson: "), std::string::npos) << said;
         return said;
     }

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace game::test {
+
+// What a child process left.
+struct Finished {
+    int status = -1;  // its exit status; 128 + n after signal n
+    std::string out, err;
+};
+
+// Runs `couloir ARGUMENT...` to its end, with nothing on its standard input.
+Finished couloir(const std::vector<std::string>& arguments);
+
+// Starts it and returns at once; what it prints is lost. The caller waits for it.
+pid_t start_couloir(const std::vector<std::string>& arguments);
+
+// Whole files, as bytes. Reading a file that is not there gives nothing.
+std::string read_bytes(const std::filesystem::path& path);
+void write_bytes(const std::filesystem::path& path, const std::string& bytes);
+
+}  // namespace game::test

@@ -1,0 +1,219 @@
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <random>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "game/recording/reader.h"
+#include "tests/game/program.h"
+#include "tests/game/recording_files.h"
+#include "tests/support/places.h"
+
+namespace game::test {
+namespace {
+
+// A short recording, and the same file with something done to it.
+class DamagedRecording : public testing::Test {
+  protected:
+    DamagedRecording() : path_(folder_.path() / "small.couloir") {
+        record(path_, small_start(), 40, some_commands());
+        whole_ = read_bytes(path_);
+        header_end_ = whole_.find('\n');
+    }
+
+    Outcome<Recording> read(const std::string& bytes) {
+        write_bytes(path_, bytes);
+        return read_recording(path_);
+    }
+
+    // An error that names the file and this line, in words; returns them.
+    std::string refused_at(std::size_t line, const Outcome<Recording>& outcome) {
+        if (outcome) {
+            ADD_FAILURE() << "accepted, warning: " << outcome->warning.value_or("none");
+            return {};
+        }
+        const std::string& sentence = outcome.error().sentence;
+        EXPECT_EQ(outcome.error().status, Failure::kUnusable) << sentence;
+        EXPECT_EQ(sentence.rfind(path_.string() + ":" + std::to_string(line) + ": ", 0), 0u) << sentence;
+        EXPECT_EQ(sentence.find("exception"), std::string::npos) << sentence;
+        EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
+        return sentence;
+    }
+
+    static std::size_t lines_in(std::string_view text) {
+        return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+    }
+
+    // Cut to its first `length` bytes: an error within the header, else a warning and all lines that are whole.
+    void expect_cut(std::size_t length) {
+        SCOPED_TRACE("cut to " + std::to_string(length) + " of " + std::to_string(whole_.size()) + " bytes");
+        const std::string prefix = whole_.substr(0, length);
+        const auto outcome = read(prefix);
+        if (length == 0) {
+            ASSERT_FALSE(outcome);
+            EXPECT_EQ(outcome.error().sentence, path_.string() + ": empty");
+        } else if (length <= header_end_) {
+            refused_at(1, outcome);
+        } else {
+            ASSERT_TRUE(outcome) << outcome.error().sentence;
+            EXPECT_EQ(1 + outcome->commands.size() + outcome->states.size() + (outcome->end ? 1 : 0), lines_in(prefix));
+            EXPECT_EQ(outcome->warning.has_value(), length < whole_.size());
+        }
+    }
+
+    support::TemporaryFolder folder_;
+    std::filesystem::path path_;
+    std::string whole_;
+    std::size_t header_end_ = 0;
+};
+
+TEST_F(DamagedRecording, is_none_as_it_was_written) {
+    const auto recording = read(whole_);
+    ASSERT_TRUE(recording) << recording.error().sentence;
+    EXPECT_FALSE(recording->warning);
+    EXPECT_EQ(recording->end, 40);
+    EXPECT_EQ(recording->last_tick(), 40);
+    EXPECT_EQ(recording->states.size(), 8u);  // 0, 6, ..., 36, 40
+    const auto commands = some_commands();
+    ASSERT_EQ(recording->commands.size(), commands.size());
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+        EXPECT_EQ(recording->commands[i].tick, commands[i].tick);
+    }
+}
+
+TEST_F(DamagedRecording, cut_anywhere_near_its_end_keeps_its_whole_lines) {
+    for (std::size_t length = whole_.size() - 1024; length <= whole_.size(); ++length) expect_cut(length);
+}
+
+TEST_F(DamagedRecording, cut_anywhere_else_keeps_its_whole_lines_or_names_the_header) {
+    std::mt19937 random(1);
+    for (std::size_t length = 0; length < 20; ++length) expect_cut(length);
+    for (std::size_t around = header_end_ - 20; around < header_end_ + 20; ++around) expect_cut(around);
+    for (int i = 0; i < 300; ++i) expect_cut(random() % whole_.size());
+}
+
+TEST_F(DamagedRecording, with_any_one_byte_changed_names_the_line) {
+    std::mt19937 random(2);
+    for (int i = 0; i < 600; ++i) {
+        // The header is most of the file: every other flip is behind it.
+        const std::size_t from = i % 2 == 0 ? 0 : header_end_;
+        const std::size_t at = from + random() % (whole_.size() - from);
+        std::string flipped = whole_;
+        flipped[at] = static_cast<char>(static_cast<unsigned char>(flipped[at]) ^ (1 + random() % 255));
+        SCOPED_TRACE("byte " + std::to_string(at) + " of " + std::to_string(whole_.size()));
+        if (at + 1 < whole_.size())
+            refused_at(1 + lines_in(std::string_view(whole_).substr(0, at)), read(flipped));
+    }
+}
+
+TEST_F(DamagedRecording, with_its_last_line_break_changed_is_torn) {
+    std::string flipped = whole_;
+    flipped.back() = ' ';
+    const auto recording = read(flipped);
+    ASSERT_TRUE(recording) << recording.error().sentence;
+    ASSERT_TRUE(recording->warning);
+    EXPECT_NE(recording->warning->find("torn off"), std::string::npos) << *recording->warning;
+    EXPECT_FALSE(recording->end);
+}
+
+TEST_F(DamagedRecording, with_lines_dropped_doubled_or_swapped_names_the_line) {
+    std::vector<std::string> lines;
+    for (std::size_t at = 0; at < whole_.size();) {
+        const std::size_t next = whole_.find('\n', at) + 1;
+        lines.push_back(whole_.substr(at, next - at));
+        at = next;
+    }
+    const auto joined = [](const std::vector<std::string>& parts) {
+        std::string text;
+        for (const std::string& part : parts) text += part;
+        return text;
+    };
+    for (std::size_t i = 1; i + 1 < lines.size(); ++i) {
+        auto dropped = lines, doubled = lines, swapped = lines;
+        dropped.erase(dropped.begin() + static_cast<std::ptrdiff_t>(i));
+        doubled.insert(doubled.begin() + static_cast<std::ptrdiff_t>(i), lines[i]);
+        std::swap(swapped[i], swapped[i + 1]);
+        refused_at(i + 1, read(joined(dropped)));
+        refused_at(i + 2, read(joined(doubled)));
+        refused_at(i + 1, read(joined(swapped)));
+    }
+    lines.push_back(lines.back());
+    EXPECT_NE(refused_at(lines.size(), read(joined(lines))).find("after the end line"), std::string::npos);
+}
+
+// From here on a forger chains the lines anew: the hashes are right and the story is not.
+
+TEST_F(DamagedRecording, that_goes_back_in_time_is_refused) {
+    auto bodies = bodies_of(whole_);
+    std::swap(bodies[bodies.size() - 3], bodies[bodies.size() - 2]);
+    EXPECT_NE(refused_at(bodies.size() - 1, read(chained(bodies))).find("goes back to tick 36 from 40"), std::string::npos);
+    bodies = bodies_of(whole_);
+    bodies.back() = "{\"end\":39";
+    EXPECT_NE(refused_at(bodies.size(), read(chained(bodies))).find("ends at tick 39"), std::string::npos);
+    bodies = bodies_of(whole_);
+    bodies.push_back(bodies[bodies.size() - 2]);
+    EXPECT_NE(refused_at(bodies.size(), read(chained(bodies))).find("after the end line"), std::string::npos);
+}
+
+TEST_F(DamagedRecording, with_lines_of_nonsense_is_refused) {
+    for (const char* nonsense :
+         {"{\"snow\":1", "[1", "{\"tick\":1,\"pour\":{}", "{\"tick\":1e999,\"end\":1e999", "{\"end\":-1", "{\"end\":1.5",
+          "{\"end\":99999999999999999999", "{\"end\":null", "{\"tick\":40,\"hash\":\"0\",\"mass\":{}",
+          "{\"tick\":40,\"hash\":\"0123456789abcdef\",\"mass\":[]", "{\"tick\":40,\"pour\":null", "", "\"\xff"}) {
+        SCOPED_TRACE(nonsense);
+        auto bodies = bodies_of(whole_);
+        bodies.back() = nonsense;
+        refused_at(bodies.size(), read(chained(bodies)));
+    }
+}
+
+TEST_F(DamagedRecording, nested_deeper_than_any_recording_is_refused) {
+    std::string nested = "{\"a\":";
+    for (int depth = 0; depth < 10000; ++depth) nested += "{\"a\":";
+    nested += "1" + std::string(10000, '}');
+    auto bodies = bodies_of(whole_);
+    bodies.back() = nested;
+    EXPECT_NE(refused_at(bodies.size(), read(chained(bodies))).find("nested"), std::string::npos);
+    EXPECT_NE(refused_at(1, read(chained({nested}))).find("nested"), std::string::npos);
+}
+
+// The greatest resident size so far, bytes.
+std::size_t most_memory() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+TEST_F(DamagedRecording, with_an_endless_line_is_refused_before_it_is_read) {
+    write_bytes(path_, whole_);
+    std::filesystem::resize_file(path_, whole_.size() + (100u << 20));  // zeros, and none of them a line break
+    const std::size_t before = most_memory();
+    EXPECT_NE(refused_at(lines_in(whole_) + 1, read_recording(path_)).find("longer than"), std::string::npos);
+    EXPECT_LT(most_memory() - before, 16u << 20);
+}
+
+TEST_F(DamagedRecording, of_a_hundred_megabytes_of_opening_brackets_stays_within_its_size) {
+    const std::string brackets(100u << 20, '[');
+    write_bytes(path_, brackets);
+    const std::size_t before = most_memory();
+    refused_at(1, read_recording(path_));
+    EXPECT_LT(most_memory() - before, 4 * brackets.size());
+}
+
+TEST_F(DamagedRecording, that_is_empty_missing_or_a_folder_is_said_so) {
+    const auto empty = read("");
+    ASSERT_FALSE(empty);
+    EXPECT_EQ(empty.error().sentence, path_.string() + ": empty");
+    for (const auto& place : {folder_.path(), folder_.path() / "nothing.couloir"}) {
+        const auto outcome = read_recording(place);
+        ASSERT_FALSE(outcome);
+        EXPECT_EQ(outcome.error().status, Failure::kUnusable);
+        EXPECT_EQ(outcome.error().sentence.rfind(place.string() + ": ", 0), 0u) << outcome.error().sentence;
+    }
+}
+
+}  // namespace
+}  // namespace game::test

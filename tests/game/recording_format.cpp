@@ -1,0 +1,179 @@
+#include "game/recording/format.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+#include "tests/game/recording_files.h"
+
+namespace game::test {
+namespace {
+
+// Through text, as a file would.
+Json through_text(const Json& json) {
+    return Json::parse(json.dump());
+}
+
+Start through_header(const Start& start) {
+    Header header;
+    header.start = start;
+    return header_from(through_text(to_json(header))).value().start;
+}
+
+TEST(RecordingHeader, keeps_physics_ground_and_names_to_the_bit) {
+    const Start before = small_start(), after = through_header(before);
+    EXPECT_EQ(after.params, before.params);
+    EXPECT_EQ(ground_hash(after), ground_hash(before));
+    EXPECT_EQ(after.bedrock, before.bedrock);
+    EXPECT_EQ(after.depth, before.depth);
+    EXPECT_EQ(after.rolling, before.rolling);
+    EXPECT_EQ(after.has_data, before.has_data);
+    EXPECT_EQ(after.grid, before.grid);
+    EXPECT_EQ(after.datum, before.datum);
+    EXPECT_EQ(after.seed, before.seed);
+    EXPECT_EQ(after.scene, before.scene);
+    EXPECT_EQ(after.title, before.title);
+    EXPECT_EQ(after.material, before.material);
+    EXPECT_EQ(after.terrain, before.terrain);
+    EXPECT_EQ(after.licence, before.licence);
+}
+
+TEST(RecordingHeader, keeps_the_view_to_the_bit) {
+    const Start before = small_start(), after = through_header(before);
+    EXPECT_EQ(after.look.rock, before.look.rock);
+    EXPECT_EQ(after.look.meadow, before.look.meadow);
+    EXPECT_EQ(after.look.standing, before.look.standing);
+    EXPECT_EQ(after.look.rolling, before.look.rolling);
+    EXPECT_EQ(after.look.roughness, before.look.roughness);
+    EXPECT_EQ(after.look.cover_visible_m, before.look.cover_visible_m);
+    EXPECT_EQ(after.look.rolling_visible_m, before.look.rolling_visible_m);
+    EXPECT_EQ(after.light.azimuth_deg, before.light.azimuth_deg);
+    EXPECT_EQ(after.light.elevation_deg, before.light.elevation_deg);
+    ASSERT_TRUE(after.camera);
+    EXPECT_EQ(after.camera->target, before.camera->target);
+    EXPECT_EQ(after.camera->azimuth_deg, before.camera->azimuth_deg);
+    EXPECT_EQ(after.camera->elevation_deg, before.camera->elevation_deg);
+    EXPECT_EQ(after.camera->distance_m, before.camera->distance_m);
+    EXPECT_EQ(after.camera->field_of_view_deg, before.camera->field_of_view_deg);
+    Start without = before;
+    without.camera.reset();
+    EXPECT_FALSE(through_header(without).camera);
+}
+
+TEST(RecordingHeader, keeps_the_place_on_earth) {
+    Start start = small_start();
+    const auto here = start.georeference.to_lat_lon({7, 9}).value();
+    const auto there = through_header(start).georeference.to_lat_lon({7, 9}).value();
+    EXPECT_NEAR(there.latitude, here.latitude, 1e-9);
+    EXPECT_NEAR(there.longitude, here.longitude, 1e-9);
+    start.georeference = terrains::Georeference::unnamed(1000.5, -2000.25);
+    const auto unnamed = through_header(start).georeference;
+    EXPECT_EQ(unnamed.placed(), start.georeference.placed());
+    EXPECT_EQ(unnamed.origin_x(), 1000.5);
+    EXPECT_EQ(unnamed.origin_y(), -2000.25);
+    start.georeference = {};
+    EXPECT_FALSE(through_header(start).georeference.has_coordinates());
+}
+
+TEST(RecordingHeader, keeps_every_physics_number_to_the_bit) {
+    for (const sim::ParamInfo& info : sim::kParams) {
+        Start start = small_start();
+        const float usual = start.params.*info.value;
+        // Its neighbours among the floats: what only the shortest exact decimal tells apart.
+        for (const float value : {std::nextafter(usual, 1e9f), std::nextafter(usual, -1e9f)}) {
+            start.params.*info.value = value;
+            if (sim::fault_of(start.params)) continue;
+            const float after = through_header(start).params.*info.value;
+            EXPECT_EQ(std::bit_cast<std::uint32_t>(after), std::bit_cast<std::uint32_t>(value)) << info.name;
+        }
+    }
+}
+
+TEST(RecordingHeader, keeps_both_models_every_scheme_and_border) {
+    Start start = small_start();
+    for (const auto model : {sim::Model::kBcre, sim::Model::kBcreInertial})
+        for (const auto scheme : {sim::Scheme::kLaxFriedrichs, sim::Scheme::kLocalLaxFriedrichs})
+            for (const auto border : {sim::Border::kWall, sim::Border::kOpen, sim::Border::kSink}) {
+                start.params.model = model;
+                start.params.scheme = scheme;
+                start.params.borders[sim::kNorth] = border;
+                EXPECT_EQ(through_header(start).params, start.params);
+            }
+}
+
+TEST(RecordingLine, keeps_every_number_of_every_command_to_the_bit) {
+    constexpr std::array kAwkward{0.1,     1.0 / 3, 1e7,  -1e7, 5e-324, 2.2250738585072014e-308, -0.0, 99999.99999999999,
+                                  1 + 2.3e-16, 100.0,   0.3,  7e-7};
+    for (const sim::CommandInfo& info : sim::kCommands)
+        for (const sim::CommandNumber& number : info.numbers)
+            for (const double value : kAwkward) {
+                if (value < number.least || value > number.most) continue;
+                TimedCommand before{123456789012, {}};
+                before.command.kind = info.kind;
+                before.command.*number.value = value;
+                const auto line = line_from(through_text(to_json(before)));
+                ASSERT_TRUE(line) << line.error();
+                const auto& after = std::get<TimedCommand>(*line);
+                EXPECT_EQ(after.tick, before.tick);
+                EXPECT_EQ(after.command, before.command);
+                EXPECT_EQ(std::bit_cast<std::uint64_t>(after.command.*number.value), std::bit_cast<std::uint64_t>(value))
+                    << info.name << " " << number.name;
+            }
+}
+
+TEST(RecordingLine, keeps_layer_and_profile) {
+    TimedCommand pour;
+    for (const auto layer : {sim::Layer::kRolling, sim::Layer::kStanding})
+        for (const auto profile : {sim::Profile::kDisc, sim::Profile::kCone}) {
+            pour.command.layer = layer;
+            pour.command.profile = profile;
+            EXPECT_EQ(std::get<TimedCommand>(line_from(through_text(to_json(pour))).value()).command, pour.command);
+        }
+}
+
+TEST(RecordingLine, refuses_each_command_number_just_outside_its_range) {
+    for (const sim::CommandInfo& info : sim::kCommands)
+        for (const sim::CommandNumber& number : info.numbers)
+            for (const double value : {std::nextafter(number.least, -1e300), std::nextafter(number.most, 1e300)}) {
+                TimedCommand command;
+                command.command.kind = info.kind;
+                command.command.*number.value = value;
+                const auto line = line_from(through_text(to_json(command)));
+                ASSERT_FALSE(line) << info.name << " " << number.name << " " << value;
+                EXPECT_NE(line.error().find(number.name), std::string::npos) << line.error();
+            }
+}
+
+TEST(RecordingLine, keeps_hash_and_mass_of_a_state) {
+    const StateLine before{77, 0x00fedcba98765432u, {0, 9007199254740993, 1, 1152921504606846975, 5, -6}};
+    EXPECT_EQ(std::get<StateLine>(line_from(through_text(to_json(before))).value()), before);
+    EXPECT_EQ(std::get<EndLine>(line_from(through_text(to_json(EndLine{42}))).value()).tick, 42);
+}
+
+TEST(Chain, is_xxh3_of_each_line_seeded_with_the_one_before) {
+    Chain ours;
+    const std::string first = ours.write({{"a", 1}}), second = ours.write({{"b", 2}});
+    EXPECT_EQ(chained({"{\"a\":1", "{\"b\":2"}), first + "\n" + second + "\n");
+}
+
+TEST(Chain, refuses_lines_that_changed_places) {
+    Chain writer, reader;
+    const std::string first = writer.write({{"a", 1}}), second = writer.write({{"b", 2}});
+    EXPECT_FALSE(reader.read(second));
+    EXPECT_TRUE(reader.read(first));
+    EXPECT_FALSE(reader.read(first));
+    EXPECT_TRUE(reader.read(second));
+}
+
+TEST(Hex, reads_back_only_what_it_writes) {
+    EXPECT_EQ(hex(0x0123456789abcdefu), "0123456789abcdef");
+    EXPECT_EQ(from_hex("0123456789abcdef"), 0x0123456789abcdefu);
+    for (const char* wrong : {"", "123", "0123456789abcdeg", "0123456789abcdef0", "-123456789abcdef", "0x23456789abcdef"})
+        EXPECT_FALSE(from_hex(wrong)) << wrong;
+}
+
+}  // namespace
+}  // namespace game::test

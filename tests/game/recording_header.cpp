@@ -1,0 +1,185 @@
+#include <array>
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "game/headless.h"
+#include "game/recording/reader.h"
+#include "game/session.h"
+#include "tests/game/program.h"
+#include "tests/game/recording_files.h"
+#include "tests/support/places.h"
+
+namespace game::test {
+namespace {
+
+// A recording whose header somebody edited, chained anew: only the header's own checks are left to notice.
+class ForgedHeader : public testing::Test {
+  protected:
+    ForgedHeader() : path_(folder_.path() / "forged.couloir") {
+        record(path_, small_start(), 20, some_commands());
+        bodies_ = bodies_of(read_bytes(path_));
+        header_ = json_of(bodies_[0]);
+    }
+
+    Outcome<Recording> read(const Json& header) {
+        bodies_[0] = body_of(header);
+        write_bytes(path_, chained(bodies_));
+        return read_recording(path_);
+    }
+
+    std::string refused(const Json& header) {
+        const auto outcome = read(header);
+        if (outcome) {
+            ADD_FAILURE() << "accepted";
+            return {};
+        }
+        const std::string& sentence = outcome.error().sentence;
+        EXPECT_EQ(outcome.error().status, Failure::kUnusable) << sentence;
+        EXPECT_EQ(sentence.rfind(path_.string() + ":1: ", 0), 0u) << sentence;
+        EXPECT_EQ(sentence.find("exception"), std::string::npos) << sentence;
+        return sentence;
+    }
+
+    support::TemporaryFolder folder_;
+    std::filesystem::path path_;
+    std::vector<std::string> bodies_;
+    Json header_;
+};
+
+TEST_F(ForgedHeader, is_whole_as_it_was_written) {
+    const auto recording = read(header_);
+    ASSERT_TRUE(recording) << recording.error().sentence;
+    EXPECT_FALSE(recording->warning);
+}
+
+TEST_F(ForgedHeader, of_a_newer_major_version_is_refused_with_the_version) {
+    header_["version"] = {2, 0};
+    // Nothing else need be the same in another format, the chain neither.
+    write_bytes(path_, header_.dump() + "\n");
+    const auto outcome = read_recording(path_);
+    ASSERT_FALSE(outcome);
+    EXPECT_NE(outcome.error().sentence.find("format 2.0"), std::string::npos) << outcome.error().sentence;
+    EXPECT_NE(refused(header_).find("format 2.0"), std::string::npos);
+    for (const Json& never : {Json{0, 1}, Json{-1, 0}, Json{1, -1}}) {
+        header_["version"] = never;
+        EXPECT_NE(refused(header_).find("never was"), std::string::npos);
+    }
+}
+
+TEST_F(ForgedHeader, of_a_newer_minor_version_may_hold_fields_that_nobody_knows) {
+    header_["version"] = {1, 7};
+    header_["snow_crystals"] = {{"kind", "dendrite"}};
+    header_["physics"]["cohesion"] = 3;
+    Json state = json_of(bodies_[1]);
+    state["fronts"] = {1, 2, 3};
+    bodies_[1] = body_of(state);
+    const auto recording = read(header_);
+    ASSERT_TRUE(recording) << recording.error().sentence;
+    EXPECT_EQ(recording->header.start.params, small_start().params);
+}
+
+TEST_F(ForgedHeader, with_the_ground_of_another_recording_is_not_the_terrain_recorded_on) {
+    Start other = small_start();
+    other.bedrock[40] += 0.5f;
+    Header of_other;
+    of_other.start = other;
+    const Json spliced = to_json(of_other)["terrain"]["data"];
+    ASSERT_NE(header_["terrain"]["data"], spliced);
+    header_["terrain"]["data"] = spliced;
+    const std::string sentence = refused(header_);
+    EXPECT_NE(sentence.find("its terrain is not the 'made up' it was recorded on"), std::string::npos) << sentence;
+}
+
+TEST_F(ForgedHeader, with_ground_data_that_is_cut_or_no_ground_is_refused) {
+    const std::string data = header_["terrain"]["data"];
+    for (const std::string& wrong : {std::string(), std::string("AAAA"), data.substr(0, data.size() / 2), data + data,
+                                     std::string("%%%"), std::string(100000, 'A')}) {
+        header_["terrain"]["data"] = wrong;
+        EXPECT_NE(refused(header_).find("does not unpack"), std::string::npos);
+    }
+}
+
+TEST_F(ForgedHeader, with_another_grid_than_its_ground_is_refused) {
+    for (const char* key : {"nx", "ny"})
+        for (const int wrong : {0, 2, 3, 14, 4097, 4098, 2000000000}) {
+            Json header = header_;
+            header["terrain"][key] = wrong;
+            refused(header);
+        }
+}
+
+TEST_F(ForgedHeader, of_another_physics_version_plays_but_is_not_comparable) {
+    header_["physics_version"] = 2;
+    const auto recording = read(header_);
+    ASSERT_TRUE(recording) << recording.error().sentence;
+    EXPECT_EQ(recording->header.physics_version, 2);
+    const Finished replayed = couloir({"replay", path_.string(), "--verify", "--json"});
+    EXPECT_EQ(replayed.status, 0) << replayed.err;
+    const Json summary = Json::parse(replayed.out);
+    EXPECT_EQ(summary["ticks"], 20);
+    EXPECT_EQ(summary["verified"]["comparable"], false);
+    EXPECT_EQ(summary["verified"]["exact"], false);
+    EXPECT_NE(couloir({"replay", path_.string(), "--verify"}).out.find("not comparable"), std::string::npos);
+}
+
+TEST_F(ForgedHeader, with_a_number_beyond_all_numbers_is_refused) {
+    std::string body = body_of(header_);
+    const std::string key = "\"courant\":";
+    const auto at = body.find(key) + key.size();
+    body.replace(at, body.find(',', at) - at, "1e999");
+    bodies_[0] = body;
+    write_bytes(path_, chained(bodies_));
+    EXPECT_FALSE(read_recording(path_));
+}
+
+// Where these stand in a header they are as good as what stood there.
+bool may_stand(const std::string& place, const Json& value) {
+    static const std::set<std::string> kNames{"/program",  "/scene",        "/title",
+                                              "/material", "/terrain/name", "/terrain/licence"};
+    static const std::set<std::string> kSigned{
+        "/terrain/georeference/x",    "/terrain/georeference/y",       "/view/light/azimuth_deg",
+        "/view/camera/azimuth_deg",   "/view/camera/elevation_deg",    "/view/camera/target/0",
+        "/view/camera/target/1",      "/view/camera/target/2"};
+    return value.is_string() ? kNames.contains(place) : value.is_number() && kSigned.contains(place);
+}
+
+TEST_F(ForgedHeader, with_a_wrong_kind_of_value_anywhere_is_refused) {
+    std::set<std::string> places;
+    for (const auto& [leaf, value] : header_.flatten().items()) {
+        const std::string path = leaf;
+        for (auto end = path.size(); end != 0 && end != std::string::npos; end = path.rfind('/', end - 1))
+            places.insert(path.substr(0, end));  // the leaf and all that hold it
+    }
+    ASSERT_GT(places.size(), 50u);
+    const std::array<Json, 5> wrongs{Json(nullptr), Json("snow"), Json(-1), Json::array(), Json(true)};
+    for (const std::string& place : places)
+        for (const Json& wrong : wrongs) {
+            SCOPED_TRACE(place + " = " + wrong.dump());
+            if (may_stand(place, wrong)) continue;
+            Json header = header_;
+            header[Json::json_pointer(place)] = wrong;
+            refused(header);
+        }
+}
+
+TEST_F(ForgedHeader, without_any_one_member_is_refused) {
+    const auto without = [&](const char* parent) {
+        const Json::json_pointer at(parent);
+        for (const auto& [key, value] : header_.at(at).items()) {
+            Json header = header_;
+            header.at(at).erase(key);
+            SCOPED_TRACE(std::string(parent) + "/" + key);
+            const bool optional = key == "camera" || key == "georeference";
+            if (!optional) refused(header);
+        }
+    };
+    for (const char* parent : {"", "/physics", "/physics/borders", "/view", "/view/look", "/view/light", "/view/camera",
+                               "/terrain", "/terrain/georeference"})
+        without(parent);
+}
+
+}  // namespace
+}  // namespace game::test
