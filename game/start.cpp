@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#define XXH_INLINE_ALL
+#define XXH_STATIC_LINKING_ONLY  // for a digest on the stack
 #include <xxhash.h>
 
 namespace game {

@@ -1,6 +1,6 @@
 #include "sim/state_hash.h"
 
-#define XXH_INLINE_ALL
+#define XXH_STATIC_LINKING_ONLY  // for a digest on the stack
 #include <xxhash.h>
 
 #include <bit>

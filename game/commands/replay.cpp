@@ -2,7 +2,7 @@
 #include <fstream>
 
 #include <fmt/format.h>
-#define XXH_INLINE_ALL
+#define XXH_STATIC_LINKING_ONLY  // for a digest on the stack
 #include <xxhash.h>
 
 #include "game/assets.h"

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#define XXH_INLINE_ALL
+#define XXH_STATIC_LINKING_ONLY  // for a digest on the stack
 #include <xxhash.h>
 
 #include "game/recording/ground_data.h"

@@ -42,7 +42,8 @@ Finished couloir(const std::vector<std::string>& arguments) {
     const support::TemporaryFolder folder;
     const auto out = folder.path() / "out", err = folder.path() / "err";
     int how = 0;
-    if (waitpid(start(arguments, out, err), &how, 0) < 0) throw std::runtime_error("a child process was lost");
+    if (waitpid(start(arguments, out, err), &how, 0) < 0)
+        throw std::runtime_error("a child process was lost");
     const int status = WIFEXITED(how) ? WEXITSTATUS(how) : 128 + WTERMSIG(how);
     return {status, read_bytes(out), read_bytes(err)};
 }

@@ -47,7 +47,8 @@ class DamagedRecording : public testing::Test {
         return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
     }
 
-    // Cut to its first `length` bytes: an error within the header, else a warning and all lines that are whole.
+    // Cut to its first `length` bytes: an error within the header, else a warning and all lines that are
+    // whole.
     void expect_cut(std::size_t length) {
         SCOPED_TRACE("cut to " + std::to_string(length) + " of " + std::to_string(whole_.size()) + " bytes");
         const std::string prefix = whole_.substr(0, length);
@@ -59,7 +60,8 @@ class DamagedRecording : public testing::Test {
             refused_at(1, outcome);
         } else {
             ASSERT_TRUE(outcome) << outcome.error().sentence;
-            EXPECT_EQ(1 + outcome->commands.size() + outcome->states.size() + (outcome->end ? 1 : 0), lines_in(prefix));
+            EXPECT_EQ(1 + outcome->commands.size() + outcome->states.size() + (outcome->end ? 1 : 0),
+                      lines_in(prefix));
             EXPECT_EQ(outcome->warning.has_value(), length < whole_.size());
         }
     }
@@ -149,7 +151,8 @@ TEST_F(DamagedRecording, with_lines_dropped_doubled_or_swapped_names_the_line) {
 TEST_F(DamagedRecording, that_goes_back_in_time_is_refused) {
     auto bodies = bodies_of(whole_);
     std::swap(bodies[bodies.size() - 3], bodies[bodies.size() - 2]);
-    EXPECT_NE(refused_at(bodies.size() - 1, read(chained(bodies))).find("goes back to tick 36 from 40"), std::string::npos);
+    EXPECT_NE(refused_at(bodies.size() - 1, read(chained(bodies))).find("goes back to tick 36 from 40"),
+              std::string::npos);
     bodies = bodies_of(whole_);
     bodies.back() = "{\"end\":39";
     EXPECT_NE(refused_at(bodies.size(), read(chained(bodies))).find("ends at tick 39"), std::string::npos);
@@ -160,9 +163,10 @@ TEST_F(DamagedRecording, that_goes_back_in_time_is_refused) {
 
 TEST_F(DamagedRecording, with_lines_of_nonsense_is_refused) {
     for (const char* nonsense :
-         {"{\"snow\":1", "[1", "{\"tick\":1,\"pour\":{}", "{\"tick\":1e999,\"end\":1e999", "{\"end\":-1", "{\"end\":1.5",
-          "{\"end\":99999999999999999999", "{\"end\":null", "{\"tick\":40,\"hash\":\"0\",\"mass\":{}",
-          "{\"tick\":40,\"hash\":\"0123456789abcdef\",\"mass\":[]", "{\"tick\":40,\"pour\":null", "", "\"\xff"}) {
+         {"{\"snow\":1", "[1", "{\"tick\":1,\"pour\":{}", "{\"tick\":1e999,\"end\":1e999", "{\"end\":-1",
+          "{\"end\":1.5", "{\"end\":99999999999999999999", "{\"end\":null",
+          "{\"tick\":40,\"hash\":\"0\",\"mass\":{}", "{\"tick\":40,\"hash\":\"0123456789abcdef\",\"mass\":[]",
+          "{\"tick\":40,\"pour\":null", "", "\"\xff"}) {
         SCOPED_TRACE(nonsense);
         auto bodies = bodies_of(whole_);
         bodies.back() = nonsense;
@@ -189,7 +193,8 @@ std::size_t most_memory() {
 
 TEST_F(DamagedRecording, with_an_endless_line_is_refused_before_it_is_read) {
     write_bytes(path_, whole_);
-    std::filesystem::resize_file(path_, whole_.size() + (100u << 20));  // zeros, and none of them a line break
+    std::filesystem::resize_file(path_,
+                                 whole_.size() + (100u << 20));  // zeros, and none of them a line break
     const std::size_t before = most_memory();
     EXPECT_NE(refused_at(lines_in(whole_) + 1, read_recording(path_)).find("longer than"), std::string::npos);
     EXPECT_LT(most_memory() - before, 16u << 20);

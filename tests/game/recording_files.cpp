@@ -79,7 +79,8 @@ constexpr std::string_view kChainKey = ",\"chain\":\"";
 std::vector<std::string> bodies_of(const std::string& recording) {
     std::vector<std::string> bodies;
     std::istringstream stream(recording);
-    for (std::string line; std::getline(stream, line);) bodies.push_back(line.substr(0, line.rfind(kChainKey)));
+    for (std::string line; std::getline(stream, line);)
+        bodies.push_back(line.substr(0, line.rfind(kChainKey)));
     return bodies;
 }
 

@@ -9,8 +9,8 @@
 
 namespace game::test {
 
-// A slope of 13×11 vertices that has everything a header can hold: cover, a release, no-data, place, camera, and numbers
-// that no short decimal equals.
+// A slope of 13×11 vertices that has everything a header can hold: cover, a release, no-data, place, camera,
+// and numbers that no short decimal equals.
 Start small_start();
 
 // One of every kind of command, with numbers that are awkward to write.
@@ -22,7 +22,8 @@ StateLine record(const std::filesystem::path& path, const Start& start, int tick
 
 // A recording's lines as text, without their chain and closing brace, to be changed at will ...
 std::vector<std::string> bodies_of(const std::string& recording);
-// ... and the same chained anew, as a forger would: with the hash that README.md describes, not with our own Chain.
+// ... and the same chained anew, as a forger would: with the hash that README.md describes, not with our own
+// Chain.
 std::string chained(const std::vector<std::string>& bodies);
 // One line without its chain, from and to JSON.
 Json json_of(const std::string& body);

@@ -105,8 +105,9 @@ TEST(RecordingHeader, keeps_both_models_every_scheme_and_border) {
 }
 
 TEST(RecordingLine, keeps_every_number_of_every_command_to_the_bit) {
-    constexpr std::array kAwkward{0.1,     1.0 / 3, 1e7,  -1e7, 5e-324, 2.2250738585072014e-308, -0.0, 99999.99999999999,
-                                  1 + 2.3e-16, 100.0,   0.3,  7e-7};
+    constexpr std::array kAwkward{
+        0.1,  1.0 / 3,           1e7,         -1e7,  5e-324, 2.2250738585072014e-308,
+        -0.0, 99999.99999999999, 1 + 2.3e-16, 100.0, 0.3,    7e-7};
     for (const sim::CommandInfo& info : sim::kCommands)
         for (const sim::CommandNumber& number : info.numbers)
             for (const double value : kAwkward) {
@@ -119,7 +120,8 @@ TEST(RecordingLine, keeps_every_number_of_every_command_to_the_bit) {
                 const auto& after = std::get<TimedCommand>(*line);
                 EXPECT_EQ(after.tick, before.tick);
                 EXPECT_EQ(after.command, before.command);
-                EXPECT_EQ(std::bit_cast<std::uint64_t>(after.command.*number.value), std::bit_cast<std::uint64_t>(value))
+                EXPECT_EQ(std::bit_cast<std::uint64_t>(after.command.*number.value),
+                          std::bit_cast<std::uint64_t>(value))
                     << info.name << " " << number.name;
             }
 }
@@ -130,14 +132,16 @@ TEST(RecordingLine, keeps_layer_and_profile) {
         for (const auto profile : {sim::Profile::kDisc, sim::Profile::kCone}) {
             pour.command.layer = layer;
             pour.command.profile = profile;
-            EXPECT_EQ(std::get<TimedCommand>(line_from(through_text(to_json(pour))).value()).command, pour.command);
+            EXPECT_EQ(std::get<TimedCommand>(line_from(through_text(to_json(pour))).value()).command,
+                      pour.command);
         }
 }
 
 TEST(RecordingLine, refuses_each_command_number_just_outside_its_range) {
     for (const sim::CommandInfo& info : sim::kCommands)
         for (const sim::CommandNumber& number : info.numbers)
-            for (const double value : {std::nextafter(number.least, -1e300), std::nextafter(number.most, 1e300)}) {
+            for (const double value :
+                 {std::nextafter(number.least, -1e300), std::nextafter(number.most, 1e300)}) {
                 TimedCommand command;
                 command.command.kind = info.kind;
                 command.command.*number.value = value;
@@ -171,7 +175,8 @@ TEST(Chain, refuses_lines_that_changed_places) {
 TEST(Hex, reads_back_only_what_it_writes) {
     EXPECT_EQ(hex(0x0123456789abcdefu), "0123456789abcdef");
     EXPECT_EQ(from_hex("0123456789abcdef"), 0x0123456789abcdefu);
-    for (const char* wrong : {"", "123", "0123456789abcdeg", "0123456789abcdef0", "-123456789abcdef", "0x23456789abcdef"})
+    for (const char* wrong :
+         {"", "123", "0123456789abcdeg", "0123456789abcdef0", "-123456789abcdef", "0x23456789abcdef"})
         EXPECT_FALSE(from_hex(wrong)) << wrong;
 }
 

@@ -90,13 +90,14 @@ TEST_F(ForgedHeader, with_the_ground_of_another_recording_is_not_the_terrain_rec
     ASSERT_NE(header_["terrain"]["data"], spliced);
     header_["terrain"]["data"] = spliced;
     const std::string sentence = refused(header_);
-    EXPECT_NE(sentence.find("its terrain is not the 'made up' it was recorded on"), std::string::npos) << sentence;
+    EXPECT_NE(sentence.find("its terrain is not the 'made up' it was recorded on"), std::string::npos)
+        << sentence;
 }
 
 TEST_F(ForgedHeader, with_ground_data_that_is_cut_or_no_ground_is_refused) {
     const std::string data = header_["terrain"]["data"];
-    for (const std::string& wrong : {std::string(), std::string("AAAA"), data.substr(0, data.size() / 2), data + data,
-                                     std::string("%%%"), std::string(100000, 'A')}) {
+    for (const std::string& wrong : {std::string(), std::string("AAAA"), data.substr(0, data.size() / 2),
+                                     data + data, std::string("%%%"), std::string(100000, 'A')}) {
         header_["terrain"]["data"] = wrong;
         EXPECT_NE(refused(header_).find("does not unpack"), std::string::npos);
     }
@@ -139,10 +140,10 @@ TEST_F(ForgedHeader, with_a_number_beyond_all_numbers_is_refused) {
 bool may_stand(const std::string& place, const Json& value) {
     static const std::set<std::string> kNames{"/program",  "/scene",        "/title",
                                               "/material", "/terrain/name", "/terrain/licence"};
-    static const std::set<std::string> kSigned{
-        "/terrain/georeference/x",    "/terrain/georeference/y",       "/view/light/azimuth_deg",
-        "/view/camera/azimuth_deg",   "/view/camera/elevation_deg",    "/view/camera/target/0",
-        "/view/camera/target/1",      "/view/camera/target/2"};
+    static const std::set<std::string> kSigned{"/terrain/georeference/x",    "/terrain/georeference/y",
+                                               "/view/light/azimuth_deg",    "/view/camera/azimuth_deg",
+                                               "/view/camera/elevation_deg", "/view/camera/target/0",
+                                               "/view/camera/target/1",      "/view/camera/target/2"};
     return value.is_string() ? kNames.contains(place) : value.is_number() && kSigned.contains(place);
 }
 
@@ -176,8 +177,8 @@ TEST_F(ForgedHeader, without_any_one_member_is_refused) {
             if (!optional) refused(header);
         }
     };
-    for (const char* parent : {"", "/physics", "/physics/borders", "/view", "/view/look", "/view/light", "/view/camera",
-                               "/terrain", "/terrain/georeference"})
+    for (const char* parent : {"", "/physics", "/physics/borders", "/view", "/view/look", "/view/light",
+                               "/view/camera", "/terrain", "/terrain/georeference"})
         without(parent);
 }
 

@@ -49,7 +49,8 @@ TEST(KilledRecording, opens_and_says_up_to_where_it_is_proven) {
 
         const Finished replayed = couloir({"replay", path.string(), "--verify"});
         EXPECT_EQ(replayed.status, 0) << replayed.err;
-        EXPECT_NE(replayed.out.find("proven up to tick " + std::to_string(proven) + "\n"), std::string::npos) << replayed.out;
+        EXPECT_NE(replayed.out.find("proven up to tick " + std::to_string(proven) + "\n"), std::string::npos)
+            << replayed.out;
         EXPECT_NE(replayed.err.find("warning: " + path.string()), std::string::npos) << replayed.err;
     }
 }

@@ -70,7 +70,7 @@ TEST(Heightmap, names_file_and_fact_of_what_it_refuses) {
     const auto refusal = [&](const std::string& content, HeightmapScale scale = kScale, int squares = 10) {
         test::write_text(path, content);
         const auto terrain = read_heightmap(path, scale, squares);
-        const std::string said = terrain ? "it was read" : terrain.error();
+        std::string said = terrain ? "it was read" : terrain.error();
         EXPECT_NE(said.find("bad.pgm: "), std::string::npos) << said;
         return said;
     };

@@ -1,0 +1,238 @@
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "game/recording/format.h"
+#include "tests/game/program.h"
+#include "tests/game/recording_files.h"
+#include "tests/support/places.h"
+
+namespace game::test {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+// Ends with this status and one line for the person, which holds `told`.
+void expect_failure(const Arguments& arguments, int status, const std::string& told) {
+    std::string said = "couloir";
+    for (const std::string& argument : arguments) said += " " + argument;
+    SCOPED_TRACE(said);
+    const Finished finished = couloir(arguments);
+    EXPECT_EQ(finished.status, status);
+    EXPECT_EQ(finished.out, "");
+    EXPECT_EQ(std::count(finished.err.begin(), finished.err.end(), '\n'), 1) << finished.err;
+    EXPECT_EQ(finished.err.rfind("couloir: ", 0), 0u) << finished.err;
+    EXPECT_NE(finished.err.find(told), std::string::npos) << finished.err;
+}
+
+// A run that is over in a moment.
+Arguments short_run(const Arguments& more = {}) {
+    Arguments arguments{"run", "landslide", "--grid", "16", "--seconds", "0.5"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+TEST(CommandLine, that_is_wrong_ends_with_2_and_one_line) {
+    const std::pair<Arguments, const char*> wrong[] = {
+        {{}, "--help"},
+        {{"ski"}, "ski"},
+        {{"--frobnicate"}, "--frobnicate"},
+        {short_run({"--frobnicate"}), "--frobnicate"},
+        {short_run({"--grid"}), "--grid"},
+        {{"run", "landslide", "--grid", "7", "--seconds", "1"}, "--grid"},
+        {{"run", "landslide", "--grid", "4097", "--seconds", "1"}, "--grid"},
+        {{"run", "landslide", "--grid", "many", "--seconds", "1"}, "--grid"},
+        {{"run", "landslide", "--grid", "16.5", "--seconds", "1"}, "--grid"},
+        {{"run", "landslide", "--seconds", "-1"}, "--seconds"},
+        {{"run", "landslide", "--seconds", "nan"}, "--seconds"},
+        {{"run", "landslide", "--seconds", "soon"}, "--seconds"},
+        {short_run({"--threads", "0"}), "--threads"},
+        {short_run({"--threads", "65"}), "--threads"},
+        {short_run({"--every", "0"}), "--every"},
+        {short_run({"--size", "1280"}), "--size"},
+        {short_run({"--size", "8x8"}), "--size"},
+        {short_run({"--size", "1280x720x3"}), "--size"},
+        {short_run({"--model", "newton"}), "--model"},
+        {short_run({"--scheme", "upwind"}), "--scheme"},
+        {short_run({"--scheme", "lax-friedrichs", "--model", "bcre-inertial"}), "--scheme"},
+        {short_run({"--material", "cheese"}), "cheese"},
+        {short_run({"--material", "sand"}), "bcre-inertial"},
+        {short_run({"--release", "x.geojson"}), "--release"},
+        {short_run({"--terrain", "x.asc"}), "--terrain"},
+        {short_run({"--reference", "nothing.geojson"}), "nothing.geojson"},
+        {short_run({"another"}), "another"},
+        {{"run", "--until-rest"}, "scene"},
+        {{"run", "landslide"}, "--until-rest"},
+        {{"run", "--terrain", "x.asc", "--until-rest"}, "--release"},
+        {{"run", "--terrain", "x.asc", "--release", "y.geojson", "--until-rest"}, "x.asc"},
+        {{"run", "nothing", "--until-rest"}, "nothing"},
+        {{"run", "nothing.toml", "--until-rest"}, "nothing.toml"},
+        {{"replay"}, "RECORDING"},
+        {{"replay", "nothing"}, "nothing"},
+        {{"replay", "nothing.couloir"}, "nothing.couloir"},
+        {{"replay", "nothing", "--until", "-1"}, "--until"},
+        {{"list", "everything"}, "everything"},
+    };
+    for (const auto& [arguments, told] : wrong) expect_failure(arguments, 2, told);
+}
+
+TEST(CommandLine, that_asks_for_files_where_none_can_be_ends_with_3_and_one_line) {
+    const support::TemporaryFolder folder;
+    write_bytes(folder.path() / "file", "kept");
+    const std::string below = (folder.path() / "file" / "x").string();
+    for (const char* option : {"--record", "--export", "--frames", "--perf", "--summary"})
+        expect_failure(short_run({option, below}), 3, (folder.path() / "file").string());
+    EXPECT_EQ(read_bytes(folder.path() / "file"), "kept");
+}
+
+TEST(CommandLine, finds_out_that_a_file_cannot_be_written_before_it_runs) {
+    const support::TemporaryFolder folder;
+    write_bytes(folder.path() / "file", "kept");
+    const std::string below = (folder.path() / "file" / "x").string();
+    const auto recording = folder.path() / "part.couloir";
+    for (const char* option : {"--perf", "--summary"}) {
+        expect_failure(short_run({"--record", recording.string(), option, below}), 3,
+                       below.substr(0, below.size() - 2));
+        EXPECT_EQ(read_bytes(recording).find("\"end\""), std::string::npos)
+            << option << ": ran to the end first";
+    }
+}
+
+TEST(CommandLine, refuses_a_recording_with_a_changed_byte) {
+    const support::TemporaryFolder folder;
+    const auto path = folder.path() / "small.couloir";
+    record(path, small_start(), 20, {});
+    std::string bytes = read_bytes(path);
+    bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+    write_bytes(path, bytes);
+    expect_failure({"replay", path.string(), "--verify"}, 2, path.string() + ":1: ");
+}
+
+TEST(CommandLine, verifying_tells_a_state_that_was_never_reached) {
+    const support::TemporaryFolder folder;
+    const auto path = folder.path() / "small.couloir";
+    record(path, small_start(), 20, {});
+    auto bodies = bodies_of(read_bytes(path));
+    Json state = json_of(bodies[3]);  // tick 12
+    state["hash"] = "0123456789abcdef";
+    bodies[3] = body_of(state);
+    write_bytes(path, chained(bodies));
+    EXPECT_EQ(couloir({"replay", path.string()}).status, 0);
+    const Finished verified = couloir({"replay", path.string(), "--verify"});
+    EXPECT_EQ(verified.status, 1);
+    EXPECT_NE(verified.out.find("at tick 12 the state's hash is"), std::string::npos) << verified.out;
+
+    state = json_of(bodies_of(read_bytes(path))[2]);
+    state["mass"]["rolling"] = state["mass"]["rolling"].get<std::int64_t>() + 1;
+    bodies[2] = body_of(state);
+    write_bytes(path, chained(bodies));
+    const Json summary = Json::parse(couloir({"replay", path.string(), "--verify", "--json"}).out);
+    EXPECT_EQ(summary["verified"]["parted"], "at tick 6 the mass ledger is not the recorded one");
+    EXPECT_EQ(summary["verified"]["proven_tick"], 0);
+}
+
+TEST(CommandLine, help_of_every_subcommand_names_every_option) {
+    const std::pair<const char*, Arguments> options[] = {
+        {"run", {"SCENE",         "--terrain",
+                 "--release",     "--reference",
+                 "--material",    "--model",
+                 "--scheme",      "--grid",
+                 "--until-rest",  "--seconds",
+                 "--record",      "--export",
+                 "--frames",      "--every",
+                 "--size",        "--gl",
+                 "--perf",        "--summary",
+                 "--json",        "--threads",
+                 "bcre-inertial", "local-lax-friedrichs"}},
+        {"replay",
+         {"RECORDING", "--headless", "--until", "--verify", "--frames", "--every", "--size", "--gl",
+          "--no-render", "--perf", "--summary", "--json", "--threads"}},
+        {"list", {"--json"}}};
+    const Finished all = couloir({"--help"});
+    EXPECT_EQ(all.status, 0);
+    EXPECT_NE(all.out.find("Exit status"), std::string::npos);
+    for (const auto& [subcommand, names] : options) {
+        EXPECT_NE(all.out.find(subcommand), std::string::npos);
+        const Finished help = couloir({subcommand, "--help"});
+        EXPECT_EQ(help.status, 0);
+        EXPECT_EQ(help.err, "");
+        for (const std::string& name : names)
+            EXPECT_NE(help.out.find(name), std::string::npos) << subcommand << " " << name;
+    }
+}
+
+TEST(CommandLine, version_is_one_line) {
+    const Finished finished = couloir({"--version"});
+    EXPECT_EQ(finished.status, 0);
+    EXPECT_EQ(finished.out.rfind("couloir ", 0), 0u) << finished.out;
+    EXPECT_EQ(std::count(finished.out.begin(), finished.out.end(), '\n'), 1);
+}
+
+TEST(CommandLine, lists_what_ships_for_people_and_as_json) {
+    const Finished text = couloir({"list"});
+    EXPECT_EQ(text.status, 0);
+    const Json json = Json::parse(couloir({"list", "--json"}).out);
+    for (const char* shelf : {"scenes", "materials", "recordings", "terrains"}) {
+        ASSERT_TRUE(json[shelf].is_array()) << shelf;
+        for (const Json& each : json[shelf])
+            EXPECT_NE(text.out.find(each["name"].get<std::string>()), std::string::npos) << shelf;
+    }
+    EXPECT_GE(json["scenes"].size(), 2u);
+    EXPECT_GE(json["materials"].size(), 3u);
+}
+
+TEST(CommandLine, run_tells_the_same_as_json_on_screen_and_in_the_file) {
+    const support::TemporaryFolder folder;
+    const auto file = folder.path() / "summary.json";
+    const Finished finished = couloir(short_run({"--json", "--summary", file.string()}));
+    ASSERT_EQ(finished.status, 0) << finished.err;
+    const Json summary = Json::parse(finished.out);
+    EXPECT_EQ(finished.out, read_bytes(file));
+    for (const char* field : {"program", "scene", "terrain", "material", "model", "squares", "cell_m",
+                              "ticks", "seconds", "state_hash", "mass", "measures", "performance"})
+        EXPECT_TRUE(summary.contains(field)) << field;
+    for (const char* field :
+         {"run_out_m", "fall_m", "reach_deg", "extent_ha", "peak_depth_m", "peak_speed_m_s", "top", "toe"})
+        EXPECT_TRUE(summary["measures"].contains(field)) << field;
+    EXPECT_EQ(summary["scene"], "landslide");
+    EXPECT_EQ(summary["ticks"], 30);
+    EXPECT_EQ(summary["squares"], Json({16, 16}));
+    EXPECT_EQ(summary["mass"]["error_quanta"], 0);
+    EXPECT_FALSE(summary.contains("at_rest")) << "nobody asked";
+}
+
+TEST(CommandLine, run_and_verified_replay_agree_with_any_number_of_threads) {
+    const support::TemporaryFolder folder;
+    const auto recording = folder.path() / "slide.couloir";
+    const auto hash_of = [](const Arguments& arguments) {
+        const Finished finished = couloir(arguments);
+        EXPECT_EQ(finished.status, 0) << finished.err;
+        return Json::parse(finished.out)["state_hash"].get<std::string>();
+    };
+    const Arguments run{"run", "landslide", "--grid", "24", "--seconds", "4", "--json"};
+    Arguments recorded = run, two = run;
+    recorded.insert(recorded.end(), {"--record", recording.string()});
+    two.insert(two.end(), {"--threads", "2"});
+    const std::string hash = hash_of(recorded);
+    EXPECT_EQ(hash_of(two), hash);
+    for (const char* threads : {"1", "2", "5"})
+        EXPECT_EQ(hash_of({"replay", recording.string(), "--verify", "--json", "--threads", threads}), hash);
+    EXPECT_NE(hash_of({"replay", recording.string(), "--until", "200", "--json"}), hash);
+}
+
+TEST(CommandLine, a_run_longer_than_an_hour_runs_as_long_as_it_says) {
+    const support::TemporaryFolder folder;
+    const auto scene = folder.path() / "slow.toml";
+    write_bytes(scene,
+                "[terrain]\ngenerator = \"slope-of-soil\"\ngrid = 8\n[cover]\nmaterial = "
+                "\"soil\"\n[physics]\ntick_s = 0.1\n");
+    const Finished finished = couloir({"run", scene.string(), "--seconds", "21601", "--json"});
+    EXPECT_EQ(finished.status, 0) << finished.err;
+    EXPECT_EQ(Json::parse(finished.out)["ticks"], 216010);
+}
+
+}  // namespace
+}  // namespace game::test

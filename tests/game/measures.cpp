@@ -1,0 +1,132 @@
+#include "game/measures.h"
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "game/session.h"
+
+namespace game::test {
+namespace {
+
+// 11×9 vertices 10 m apart that rise 5 m with each row to the north.
+struct Hill {
+    Start start;
+
+    Hill() {
+        start.grid = {11, 9, 10.f};
+        start.depth.assign(start.grid.size(), 1.f);
+        start.rolling.assign(start.grid.size(), 0.f);
+        start.has_data.assign(start.grid.size(), 1);
+        for (int y = 0; y < 9; ++y)
+            start.bedrock.insert(start.bedrock.end(), 11, 5.f * static_cast<float>(y));
+    }
+    std::size_t at(int x, int y) const { return static_cast<std::size_t>(y * start.grid.nx + x); }
+    std::vector<std::uint8_t> flags(std::initializer_list<std::pair<int, int>> places) const {
+        std::vector<std::uint8_t> flags(start.grid.size());
+        for (const auto& [x, y] : places) flags[at(x, y)] = 1;
+        return flags;
+    }
+    // The peaks of a session that has not begun are its release.
+    Session session() const { return Session::begin(start, 1, std::nullopt).value(); }
+};
+
+TEST(Measures, are_those_worked_out_by_hand) {
+    Hill hill;
+    hill.start.rolling[hill.at(5, 8)] = 1.f;
+    hill.start.rolling[hill.at(5, 6)] = 2.5f;
+    hill.start.rolling[hill.at(2, 2)] = 0.25f;
+    hill.start.rolling[hill.at(9, 0)] = 0.0625f;  // farther, but too thin to count
+    const Session session = hill.session();
+    const Measures m = measure(hill.start, session, hill.flags({{4, 7}, {5, 8}, {3, 1}}),
+                               hill.flags({{5, 8}, {5, 6}, {1, 1}}));
+    EXPECT_DOUBLE_EQ(m.extent_area, 3 * 100.0);
+    EXPECT_DOUBLE_EQ(m.peak_depth, 2.5);
+    EXPECT_DOUBLE_EQ(m.top.x, 50);
+    EXPECT_DOUBLE_EQ(m.top.y, 80);
+    EXPECT_DOUBLE_EQ(m.toe.x, 20);
+    EXPECT_DOUBLE_EQ(m.toe.y, 20);
+    EXPECT_DOUBLE_EQ(m.run_out, std::sqrt(30.0 * 30 + 60.0 * 60));
+    EXPECT_DOUBLE_EQ(m.fall, 30);
+    EXPECT_NEAR(m.reach_deg, 24.0948425521, 1e-9);  // atan(30 / 67.08)
+    ASSERT_TRUE(m.overlap);
+    EXPECT_DOUBLE_EQ(*m.overlap, 2.0 / 4);
+    EXPECT_DOUBLE_EQ(m.eroded, 0);
+    EXPECT_DOUBLE_EQ(m.deposited, 0);
+}
+
+TEST(Measures, without_release_or_reference_leave_line_and_overlap_out) {
+    Hill hill;
+    hill.start.rolling[hill.at(5, 6)] = 1.f;
+    const Session session = hill.session();
+    const Measures m = measure(hill.start, session, hill.flags({}), {});
+    EXPECT_DOUBLE_EQ(m.run_out, 0);
+    EXPECT_DOUBLE_EQ(m.reach_deg, 0);
+    EXPECT_FALSE(m.overlap);
+    EXPECT_DOUBLE_EQ(m.extent_area, 100);
+    EXPECT_FALSE(measure(Hill().start, Hill().session(), hill.flags({}), hill.flags({})).overlap)
+        << "nothing over nothing";
+}
+
+TEST(Measures, count_what_the_standing_layer_lost_and_won) {
+    const Hill hill;
+    Session session = hill.session();
+    sim::Command dig, pour;
+    dig.kind = sim::CommandKind::kDig;
+    dig.x = dig.y = 30;
+    dig.radius = 0;
+    dig.rate = 15;  // m/s for a 60th of a second: 0.25 m
+    pour.x = pour.y = 60;
+    pour.radius = 0;
+    pour.rate = 3000;  // m³/s: 50 m³, on one vertex of 100 m²
+    pour.layer = sim::Layer::kStanding;
+    const std::vector<sim::Command> both{dig, pour};
+    ASSERT_TRUE(session.advance(both));
+    const Measures m = measure(hill.start, session, hill.flags({}), {});
+    EXPECT_NEAR(m.eroded, 25, 1e-3);
+    EXPECT_NEAR(m.deposited, 50, 1e-3);
+}
+
+TEST(ReleaseArea, is_the_release_and_what_pours_and_blasts_cover) {
+    Hill hill;
+    hill.start.rolling[hill.at(1, 1)] = 0.5f;
+    sim::Command pour, blast, dig;
+    pour.x = 50;
+    pour.y = 40;
+    pour.radius = 10;
+    blast = pour;
+    blast.kind = sim::CommandKind::kBlast;
+    blast.x = 90;
+    blast.radius = 9;
+    dig.kind = sim::CommandKind::kDig;
+    dig.x = 20;
+    dig.y = 70;
+    const std::vector<TimedCommand> commands{{0, pour}, {5, blast}, {6, dig}};
+    EXPECT_EQ(release_area(hill.start, commands),
+              hill.flags({{1, 1}, {5, 4}, {4, 4}, {6, 4}, {5, 3}, {5, 5}, {9, 4}}));
+}
+
+TEST(ReleaseArea, of_a_disc_below_a_cell_is_the_vertex_that_takes_it) {
+    const Hill hill;
+    for (const auto& [x, y] : {std::pair(44.9, 44.9), std::pair(36.0, 44.0), std::pair(40.0, 40.0)})
+        for (const double radius : {0.0, 3.0, 9.0}) {
+            sim::Command pour;
+            pour.x = x;
+            pour.y = y;
+            pour.radius = radius;
+            pour.rate = 6000;
+            pour.layer = sim::Layer::kStanding;
+            const std::vector<TimedCommand> commands{{0, pour}};
+            EXPECT_EQ(release_area(hill.start, commands), hill.flags({{4, 4}}))
+                << x << " " << y << " " << radius;
+
+            Session session = hill.session();
+            ASSERT_TRUE(session.advance(std::vector{pour}));
+            EXPECT_GT(session.state().depth(4, 4), 1.9f) << "the simulation poured elsewhere";
+        }
+}
+
+}  // namespace
+}  // namespace game::test

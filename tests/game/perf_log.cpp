@@ -1,0 +1,104 @@
+#include "game/perf_log.h"
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/game/program.h"
+#include "tests/support/places.h"
+
+namespace game::test {
+namespace {
+
+// The contract's, in its order.
+constexpr const char* kColumns =
+    "frame,tick,time_s,substeps,solve_ms,track_ms,gradient_ms,advect_ms,upload_ms,remesh_ms,draw_ms,frame_ms,"
+    "active_cells,"
+    "discontinuity_points,cut_triangles,mass_standing_m3,mass_rolling_m3,mass_out_m3,mass_error_m3,state_"
+    "hash";
+
+PerfRow row(std::int64_t tick, double solve_ms, std::optional<double> draw_ms) {
+    PerfRow row;
+    row.tick = tick;
+    row.solve_ms = solve_ms;
+    row.draw_ms = draw_ms;
+    row.frame_ms = solve_ms + draw_ms.value_or(0);
+    return row;
+}
+
+TEST(PerfLog, figures_are_nearest_ranks_over_the_ticks_in_which_a_stage_ran) {
+    PerfLog log({"trial", "", 1, ""});
+    for (const int ms : {20, 3, 1, 19, 18, 2, 17, 4, 16, 5, 15, 6, 14, 7, 13, 8, 12, 9, 11, 10})
+        log.add(row(ms, ms, ms % 10 == 0 ? std::optional(100.0 * ms) : std::nullopt));
+    const auto figures = log.figures();
+    ASSERT_EQ(figures.size(), 3u);
+    const StageFigures &solve = figures[0], &draw = figures[1], &frame = figures[2];
+    EXPECT_EQ(solve.stage, "solve");
+    EXPECT_EQ(solve.count, 20u);
+    EXPECT_DOUBLE_EQ(solve.mean, 10.5);
+    EXPECT_DOUBLE_EQ(solve.median, 10);
+    EXPECT_DOUBLE_EQ(solve.p95, 19);
+    EXPECT_DOUBLE_EQ(solve.p99, 20);
+    EXPECT_DOUBLE_EQ(solve.most, 20);
+    EXPECT_DOUBLE_EQ(solve.total, 210);
+    EXPECT_EQ(draw.stage, "draw");
+    EXPECT_EQ(draw.count, 2u);
+    EXPECT_DOUBLE_EQ(draw.mean, 1500);
+    EXPECT_DOUBLE_EQ(draw.median, 1000);
+    EXPECT_DOUBLE_EQ(draw.p95, 2000);
+    EXPECT_EQ(frame.stage, "frame");
+    EXPECT_DOUBLE_EQ(frame.total, 3210);
+}
+
+TEST(PerfLog, of_nothing_has_no_figures_and_divides_by_nothing) {
+    const PerfLog log({"trial", "", 1, ""});
+    for (const StageFigures& stage : log.figures()) {
+        EXPECT_EQ(stage.count, 0u);
+        EXPECT_EQ(stage.mean, 0);
+    }
+    EXPECT_EQ(log.to_json()["ticks_per_s"], 0);
+}
+
+TEST(PerfLog, json_gives_each_stage_its_share_of_the_frame) {
+    PerfLog log({"trial", "", 3, ""});
+    log.add(row(1, 10, 30));
+    log.add(row(2, 10, std::nullopt));
+    const Json json = log.to_json();
+    EXPECT_EQ(json["threads"], 3);
+    EXPECT_DOUBLE_EQ(json["stages"]["solve"]["share"], 0.4);
+    EXPECT_DOUBLE_EQ(json["stages"]["draw"]["share"], 0.6);
+    EXPECT_DOUBLE_EQ(json["ticks_per_s"], 40);
+}
+
+TEST(PerfLog, csv_has_the_contracts_columns_in_every_row) {
+    const support::TemporaryFolder folder;
+    const auto path = folder.path() / "new folder" / "log.csv";
+    PerfLog log({"trial, with a comma", "0123456789abcdef", 2, "llvmpipe"});
+    PerfRow full{7, 0.1166667, 3, 1.25, 2.5, 3.75, 42, 100.5, 20.25, 3.125, 0, 0x00000000deadbeefu};
+    log.add(full);
+    full.draw_ms.reset();
+    log.add(full);
+    ASSERT_TRUE(log.write_csv(path));
+
+    std::istringstream stream(read_bytes(path));
+    std::string line, heading;
+    while (std::getline(stream, line) && line.rfind('#', 0) == 0) heading += line + "\n";
+    for (const char* told : {"couloir ", "commit ", "-march=", "processor: ", "threads: 2", "GL: llvmpipe",
+                             "trial, with a comma", "file hash 0123456789abcdef"})
+        EXPECT_NE(heading.find(told), std::string::npos) << told << " is not in\n" << heading;
+    EXPECT_EQ(line, kColumns);
+    std::vector<std::string> rows;
+    while (std::getline(stream, line)) rows.push_back(line);
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_EQ(rows[0],
+              "0,7,0.1167,3,1.2500,,,,,,2.5000,3.7500,42,,,100.5000,20.2500,3.1250,0.0000,00000000deadbeef");
+    for (const std::string& each : rows)
+        EXPECT_EQ(std::count(each.begin(), each.end(), ','),
+                  std::count(kColumns, kColumns + std::string(kColumns).size(), ','));
+}
+
+}  // namespace
+}  // namespace game::test

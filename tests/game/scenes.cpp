@@ -1,0 +1,241 @@
+#include "game/scene.h"
+
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "game/assets.h"
+#include "tests/game/program.h"
+#include "tests/support/places.h"
+
+namespace game::test {
+namespace {
+
+constexpr const char* kScene = R"(title = "A trial"
+[terrain]
+generator = "slope-of-soil"
+grid = 16
+[cover]
+material = "soil"
+[physics]
+model = "bcre-inertial"
+borders = "open"
+[[command]]
+at = 1.5
+pour = { x = 80, y = 138, radius = 9, rate = 38, duration = 1 }
+[camera]
+target = [80, 72, -48]
+[light]
+azimuth = 255
+)";
+
+class SceneFile : public testing::Test {
+  protected:
+    SceneFile() : path_(folder_.path() / "trial.toml") {}
+
+    Outcome<Scene> load(const std::string& text, const Wishes& wishes = {}) {
+        write_bytes(path_, text);
+        return load_scene(path_.string(), wishes);
+    }
+    static std::string with(const std::string& old_text, const std::string& new_text) {
+        std::string text = kScene;
+        const auto at = text.find(old_text);
+        EXPECT_NE(at, std::string::npos) << old_text;
+        return text.replace(at, old_text.size(), new_text);
+    }
+
+    support::TemporaryFolder folder_;
+    std::filesystem::path path_;
+};
+
+TEST(ShippedScenes, load_on_their_own_grid_and_on_a_coarser_one) {
+    const auto names = asset_names(AssetKind::kScene).value();
+    ASSERT_GE(names.size(), 2u);
+    for (const std::string& name : names) {
+        const auto own = load_scene(name, {});
+        ASSERT_TRUE(own) << own.error().sentence;
+        EXPECT_EQ(own->start.scene, name);
+        EXPECT_FALSE(own->commands.empty());
+        Wishes coarse;
+        coarse.squares = 40;
+        const auto forty = load_scene(name, coarse);
+        ASSERT_TRUE(forty) << forty.error().sentence;
+        const sim::Grid &fine = own->start.grid, &grid = forty->start.grid;
+        EXPECT_EQ(std::max(grid.nx, grid.ny), 41);
+        EXPECT_GT(std::max(fine.nx, fine.ny), 41);
+        // The domain stays, only the cell changes.
+        EXPECT_FLOAT_EQ(grid.dx * 40, fine.dx * static_cast<float>(std::max(fine.nx, fine.ny) - 1));
+        EXPECT_EQ(forty->start.params, own->start.params);
+    }
+}
+
+TEST_F(SceneFile, is_read_with_its_terrain_material_commands_and_view) {
+    const auto scene = load(kScene);
+    ASSERT_TRUE(scene) << scene.error().sentence;
+    EXPECT_EQ(scene->start.title, "A trial");
+    EXPECT_EQ(scene->start.material, "soil");
+    EXPECT_EQ(scene->start.grid.nx, 17);
+    ASSERT_EQ(scene->commands.size(), 1u);
+    EXPECT_EQ(scene->commands[0].tick, 90);
+    EXPECT_EQ(scene->commands[0].command.rate, 38);
+    ASSERT_TRUE(scene->start.camera);
+    EXPECT_EQ(scene->start.camera->target.z, -48);
+    EXPECT_EQ(scene->start.light.azimuth_deg, 255);
+}
+
+TEST_F(SceneFile, gives_its_own_numbers_to_its_own_model_only) {
+    const std::string text = with("borders = \"open\"", "borders = \"wall\"\nmax_speed = 7.5");
+    const auto own = load(text);
+    ASSERT_TRUE(own) << own.error().sentence;
+    EXPECT_EQ(own->start.params.max_speed, 7.5f);
+    EXPECT_EQ(own->start.params.borders[sim::kEast], sim::Border::kWall);
+    Wishes other;
+    other.model = sim::Model::kBcre;
+    const auto bcre = load(text, other);
+    ASSERT_TRUE(bcre) << bcre.error().sentence;
+    EXPECT_EQ(bcre->start.params.model, sim::Model::kBcre);
+    EXPECT_NE(bcre->start.params.max_speed, 7.5f);
+}
+
+TEST_F(SceneFile, sorts_its_commands_by_time) {
+    const auto scene = load(with(
+        "[camera]", "[[command]]\nat = 0.25\nblast = { x = 1, y = 2, radius = 3, depth = 0.5 }\n[camera]"));
+    ASSERT_TRUE(scene) << scene.error().sentence;
+    ASSERT_EQ(scene->commands.size(), 2u);
+    EXPECT_EQ(scene->commands[0].tick, 15);
+    EXPECT_EQ(scene->commands[0].command.kind, sim::CommandKind::kBlast);
+    EXPECT_EQ(scene->commands[0].command.depth, 0.5);
+}
+
+struct Fault {
+    const char *old_text, *new_text;
+    int line;
+    const char* key;  // or the fact, where a whole table is meant
+};
+
+constexpr Fault kFaults[] = {
+    // Unknown keys, in every table.
+    {"grid = 16", "grid = 16\ngrids = 3", 5, "terrain.grids"},
+    {"material = \"soil\"", "material = \"soil\"\ncolour = 3", 7, "cover.colour"},
+    {"borders = \"open\"", "borders = \"open\"\ngravity = 9.8", 10, "physics.gravity"},
+    {"borders = \"open\"", "borders = \"open\"\nrolling_speed = 3", 10, "physics.rolling_speed"},  // of bcre
+    {"at = 1.5", "at = 1.5\nwhen = 3", 12, "command.when"},
+    {"radius = 9", "radius = 9, size = 3", 12, "pour.size"},
+    {"azimuth = 255", "azimuth = 255\ncolour = 3", 17, "light.colour"},
+    {"target = [80, 72, -48]", "target = [80, 72, -48]\nroll = 3", 15, "camera.roll"},
+    {"[light]", "[goals]\nx = 1\n[light]", 15, "goals"},
+    // Wrong kinds.
+    {"title = \"A trial\"", "title = 3", 1, "title"},
+    {"grid = 16", "grid = 16.5", 4, "terrain.grid"},
+    {"grid = 16", "grid = \"16\"", 4, "terrain.grid"},
+    {"material = \"soil\"", "material = 3", 6, "cover.material"},
+    {"borders = \"open\"", "borders = \"open\"\nmax_speed = \"fast\"", 10, "physics.max_speed"},
+    {"at = 1.5", "at = \"noon\"", 11, "command.at"},
+    {"radius = 9", "radius = [9]", 12, "pour.radius"},
+    {"[80, 72, -48]", "[80, 72]", 14, "camera.target"},
+    {"[80, 72, -48]", "[80, 72, \"x\"]", 14, "camera.target"},
+    {"[[command]]", "[command]", 10, "command"},
+    {"[light]\nazimuth = 255", "light = 3", 15, "light"},
+    // Out of range.
+    {"grid = 16", "grid = 7", 4, "terrain.grid"},
+    {"grid = 16", "grid = 4097", 4, "terrain.grid"},
+    {"grid = 16", "grid = 16\nsteep = 46", 5, "terrain.steep"},
+    {"borders = \"open\"", "borders = \"open\"\ncourant = 0.6", 10, "physics.courant"},
+    {"borders = \"open\"", "borders = \"open\"\ncourant = nan", 10, "physics.courant"},
+    {"borders = \"open\"", "borders = \"open\"\nstop_angle = 85", 10, "physics.stop_angle"},
+    {"at = 1.5", "at = -1", 11, "command.at"},
+    {"radius = 9", "radius = -9", 12, "pour.radius"},
+    {"rate = 38", "rate = inf", 12, "pour.rate"},
+    {"azimuth = 255", "elevation = 0", 16, "light.elevation"},
+    // Unknown names.
+    {"\"slope-of-soil\"", "\"the-moon\"", 3, "terrain.generator"},
+    {"\"soil\"", "\"cheese\"", 6, "cover.material"},
+    {"\"bcre-inertial\"", "\"newton\"", 8, "physics.model"},
+    {"\"open\"", "\"ajar\"", 9, "physics.borders"},
+    {"\"open\"", "\"open\"\nscheme = \"upwind\"", 10, "physics.scheme"},
+    {"duration = 1", "duration = 1, as = \"flying\"", 12, "pour.as"},
+    {"duration = 1", "duration = 1, profile = \"star\"", 12, "pour.profile"},
+    // Missing.
+    {"grid = 16\n", "", 2, "terrain.grid"},
+    {"generator = \"slope-of-soil\"\n", "", 2, "terrain needs"},
+    {"material = \"soil\"\n", "", 5, "cover needs a material"},
+    {"at = 1.5\n", "", 10, "command needs `at`"},
+    {", rate = 38", "", 12, "pour needs rate"},
+    {"pour = { x = 80, y = 138, radius = 9, rate = 38, duration = 1 }\n", "", 10,
+     "command needs exactly one"},
+    {"target = [80, 72, -48]\n", "", 13, "camera needs a target"},
+    {"generator = \"slope-of-soil\"", "generator = \"slope-of-soil\"\nfile = \"x.asc\"", 2,
+     "terrain needs either"},
+    // Not TOML.
+    {"grid = 16", "grid = ", 4, ""},
+    {"[cover]", "[cover", 5, ""},
+    {"grid = 16", "grid = 16\ngrid = 17", 5, ""},
+};
+
+TEST_F(SceneFile, with_a_fault_is_refused_with_file_line_and_key) {
+    for (const Fault& fault : kFaults) {
+        SCOPED_TRACE(std::string(fault.old_text) + " -> " + fault.new_text);
+        const auto scene = load(with(fault.old_text, fault.new_text));
+        if (scene) {
+            ADD_FAILURE() << "accepted";
+            continue;
+        }
+        EXPECT_EQ(scene.error().status, Failure::kUnusable);
+        const std::string start = path_.string() + ":" + std::to_string(fault.line) + ": " + fault.key;
+        EXPECT_EQ(scene.error().sentence.rfind(start, 0), 0u)
+            << scene.error().sentence << "\nexpected " << start;
+    }
+}
+
+TEST_F(SceneFile, without_a_section_is_refused_by_name) {
+    const std::pair<const char*, const char*> sections[] = {
+        {"[terrain]\ngenerator = \"slope-of-soil\"\ngrid = 16\n", "has no [terrain]"},
+        {"[cover]\nmaterial = \"soil\"\n", "has no [cover]"},
+        {"[physics]\nmodel = \"bcre-inertial\"\nborders = \"open\"\n", "has no [physics]"}};
+    for (const auto& [section, fact] : sections) {
+        const auto scene = load(with(section, ""));
+        ASSERT_FALSE(scene);
+        EXPECT_EQ(scene.error().sentence, path_.string() + ":1: " + fact);
+    }
+}
+
+TEST_F(SceneFile, with_numbers_that_contradict_each_other_is_refused) {
+    const auto scene = load(with("borders = \"open\"", "borders = \"open\"\nstop_angle = 50"));
+    ASSERT_FALSE(scene);
+    EXPECT_EQ(scene.error().sentence.rfind(path_.string() + ": ", 0), 0u) << scene.error().sentence;
+    EXPECT_NE(scene.error().sentence.find("stop_slope"), std::string::npos) << scene.error().sentence;
+}
+
+TEST_F(SceneFile, finds_its_terrain_beside_it_and_lays_cover_by_its_rule) {
+    std::string asc = "ncols 9\nnrows 9\nxllcorner 0\nyllcorner 0\ncellsize 10\n";
+    for (int row = 0; row < 9; ++row)
+        for (int column = 0; column < 9; ++column)
+            asc += std::to_string(1000 + 2 * (8 - row)) + (column == 8 ? "\n" : " ");
+    write_bytes(folder_.path() / "hill.asc", asc);
+    const std::string file = "file = \"hill.asc\"";
+    const std::string rule = "material = \"soil\"\ndepth = 0.5\nabove = 1008\nfade = 0.5";
+    std::string text = with("generator = \"slope-of-soil\"", file);
+    text.replace(text.find("material = \"soil\""), 17, rule);
+    text.replace(text.find("grid = 16"), 9, "grid = 8 ");
+    const auto scene = load(text);
+    ASSERT_TRUE(scene) << scene.error().sentence;
+    const Start& start = scene->start;
+    EXPECT_EQ(start.grid.nx, 9);
+    EXPECT_EQ(start.depth[4], 0.f);                       // the south edge, at 1000 m
+    EXPECT_EQ(start.depth[start.grid.size() - 5], 0.5f);  // the north edge, at 1016 m
+    EXPECT_NEAR(start.datum + static_cast<double>(start.bedrock[start.grid.size() - 5]), 1016 - 0.5, 1e-3);
+}
+
+TEST_F(SceneFile, that_is_no_file_is_said_so) {
+    for (const char* name : {"no-such-scene", "no/such/scene.toml"}) {
+        const auto scene = load_scene(name, {});
+        ASSERT_FALSE(scene);
+        EXPECT_EQ(scene.error().status, Failure::kUnusable);
+        EXPECT_NE(scene.error().sentence.find(name), std::string::npos) << scene.error().sentence;
+    }
+    EXPECT_NE(load_scene("no-such-scene", {}).error().sentence.find("landslide"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace game::test

@@ -1,0 +1,134 @@
+// The recordings that ship are the physics' memory: same commands, same bits, with every compiler and thread
+// count. A change of their hashes is a commit of its own that says why, and a new physics version.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "game/assets.h"
+#include "game/headless.h"
+#include "game/recording/reader.h"
+#include "game/session.h"
+
+namespace game::test {
+namespace {
+
+struct Golden {
+    const char* recording;
+    const char* hash;  // of the state at its end, on the grid it was recorded on
+};
+
+constexpr Golden kGoldens[] = {
+    {"landslide", ""},
+    {"landslide-bcre", ""},
+    {"snow-avalanche", ""},
+};
+
+Recording open(const std::string& name) {
+    const auto path = find_asset(AssetKind::kRecording, name);
+    if (!path) throw std::runtime_error(path.error().sentence);
+    auto recording = read_recording(*path);
+    if (!recording) throw std::runtime_error(recording.error().sentence);
+    return std::move(*recording);
+}
+
+// Plays a recording again and returns what its state lines would be now, one for each that it has.
+std::vector<StateLine> replayed(const Recording& recording, int threads, std::int64_t ticks) {
+    auto session = Session::begin(recording.header.start, threads, std::nullopt).value();
+    std::vector<StateLine> lines;
+    const auto look = [&](const Session& now) {
+        if (lines.size() < recording.states.size() && recording.states[lines.size()].tick == now.state().tick)
+            lines.push_back(now.state_line());
+    };
+    look(session);
+    Until until;
+    until.tick = until.most_ticks = ticks;
+    Watchers watchers;
+    watchers.after_tick = look;
+    play_headless(session, recording.commands, until, watchers, "").value();
+    return lines;
+}
+
+class Shipped : public testing::TestWithParam<Golden> {};
+
+TEST_P(Shipped, recording_replays_to_the_same_bits_with_one_thread_and_with_two) {
+    const Recording recording = open(GetParam().recording);
+    ASSERT_EQ(recording.header.physics_version, kPhysicsVersion);
+    for (const int threads : {1, 2}) {
+        const auto lines = replayed(recording, threads, recording.last_tick());
+        ASSERT_EQ(lines.size(), recording.states.size());
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            StateLine line = lines[i];
+            EXPECT_EQ(line.ledger.mass_error(), 0);
+            line.ledger.initial = 0;  // is not recorded
+            ASSERT_EQ(line, recording.states[i]) << "with " << threads << " threads they part at tick "
+                                                 << line.tick << ", hash " << hex(line.hash);
+        }
+    }
+}
+
+TEST_P(Shipped, recording_is_whole_ends_at_rest_and_accounts_for_its_mass) {
+    const Recording recording = open(GetParam().recording);
+    EXPECT_FALSE(recording.warning);
+    ASSERT_TRUE(recording.end);
+    ASSERT_GE(recording.states.size(), 2u);
+    EXPECT_FALSE(recording.commands.empty());
+    EXPECT_EQ(recording.states.front().tick, 0);
+    EXPECT_EQ(recording.states.back().tick, *recording.end);
+    EXPECT_EQ(recording.states.back().ledger.rolling, 0);
+    const std::int64_t initial = recording.states.front().ledger.mass_error();
+    EXPECT_GT(initial, 0);
+    for (std::size_t i = 1; i < recording.states.size(); ++i) {
+        const StateLine& line = recording.states[i];
+        EXPECT_EQ(line.ledger.mass_error(), initial) << "tick " << line.tick;
+        EXPECT_LE(line.tick - recording.states[i - 1].tick, 60);
+    }
+}
+
+TEST_P(Shipped, recording_ends_in_the_golden_state) {
+    const Recording recording = open(GetParam().recording);
+    ASSERT_FALSE(recording.states.empty());
+    EXPECT_EQ(hex(recording.states.back().hash), GetParam().hash);
+}
+
+TEST_P(Shipped, recording_with_one_number_changed_by_a_millionth_ends_elsewhere) {
+    Recording recording = open(GetParam().recording);
+    ASSERT_FALSE(recording.commands.empty());
+    sim::Command& first = recording.commands.front().command;
+    double& amount = first.kind == sim::CommandKind::kBlast ? first.depth : first.rate;
+    amount *= 1 + 1e-6;
+    const auto lines = replayed(recording, 1, recording.last_tick());
+    ASSERT_EQ(lines.size(), recording.states.size());
+    EXPECT_NE(lines.back().hash, recording.states.back().hash);
+}
+
+TEST_P(Shipped, recording_with_one_bit_of_a_command_changed_parts_while_the_command_runs) {
+    Recording recording = open(GetParam().recording);
+    const auto command =
+        std::find_if(recording.commands.begin(), recording.commands.end(), [](const TimedCommand& each) {
+            return each.command.kind != sim::CommandKind::kBlast && each.command.duration >= 0.2;
+        });
+    ASSERT_NE(command, recording.commands.end());
+    command->command.rate = std::nextafter(command->command.rate, 1e30);
+    const auto lines = replayed(recording, 1, command->tick + 2 * kTicksPerState);
+    EXPECT_FALSE(
+        std::equal(lines.begin(), lines.end(), recording.states.begin(),
+                   [](const StateLine& now, const StateLine& then) { return now.hash == then.hash; }));
+}
+
+INSTANTIATE_TEST_SUITE_P(Recordings, Shipped, testing::ValuesIn(kGoldens), [](const auto& golden) {
+    std::string name = golden.param.recording;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
+
+TEST(ShippedRecordings, are_those_that_have_a_golden_state) {
+    std::vector<std::string> known;
+    for (const Golden& golden : kGoldens) known.emplace_back(golden.recording);
+    EXPECT_EQ(asset_names(AssetKind::kRecording).value(), known);
+}
+
+}  // namespace
+}  // namespace game::test
