@@ -1,5 +1,7 @@
 #include "game/command_line.h"
 
+#include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <thread>
 
@@ -36,6 +38,15 @@ void add_pictures(CLI::App& app, PictureOptions& options, const char* where) {
         ->type_name("WxH");
     app.add_option("--gl", options.gl,
                    "where to draw: auto (a hardware device if there is one), surfaceless (software), device or device:N")
+        ->check(
+            [](const std::string& way) {
+                int number = 0;
+                char rest = 0;
+                const bool numbered = std::sscanf(way.c_str(), "device:%d%c", &number, &rest) == 1 && number >= 0;
+                const bool known = way == "auto" || way == "surfaceless" || way == "device" || numbered;
+                return known ? "" : "'" + way + "' is none of auto, surfaceless, device, device:N";
+            },
+            "")
         ->capture_default_str();
 }
 
@@ -65,10 +76,9 @@ void add_named(CLI::App& app, const char* option, std::optional<Enum>& value,
 }
 
 void add_run(CLI::App& app, RunOptions& options) {
-    auto* scene = app.add_option("scene", options.scene, "a name from `couloir list`, or a scene file")->type_name("SCENE");
+    app.add_option("scene", options.scene, "a name from `couloir list`, or a scene file")->type_name("SCENE");
     auto* terrain = app.add_option("--terrain", options.terrain, "a DEM instead of a scene: GeoTIFF, ESRI ASCII, …")
-                        ->type_name("DEM")
-                        ->excludes(scene);
+                        ->type_name("DEM");
     app.add_option("--release", options.release,
                    "what starts on it: a depth raster, or GeoJSON polygons with `thickness` in vertical metres")
         ->type_name("FILE")
@@ -80,7 +90,10 @@ void add_run(CLI::App& app, RunOptions& options) {
     add_named(app, "--scheme", options.wishes.scheme, sim::scheme_from, "lax-friedrichs, local-lax-friedrichs", "of bcre");
     app.add_option("--grid", options.wishes.squares, "squares along the longer side")->check(CLI::Range(8, 4096))->type_name("N");
     app.add_flag("--until-rest", options.until_rest, "stop when nothing moves; with --seconds, by then at the latest [3600]");
-    app.add_option("--seconds", options.seconds, "simulated time")->check(CLI::Range(0.0, 86400.0))->type_name("S");
+    app.add_option("--seconds", options.seconds, "simulated time")
+        ->check(CLI::Range(0.0, 86400.0))
+        ->check([](const std::string& text) { return std::isnan(std::strtod(text.c_str(), nullptr)) ? "not a number" : ""; }, "")
+        ->type_name("S");
     app.add_option("--record", options.record, "write the recording here")->type_name("FILE.couloir");
     app.add_option("--export", options.export_folder,
                    "write deposit, peak depth and speed, extent, summary, and pictures into DIR/frames")
@@ -103,13 +116,12 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
 
 // What the options of a run must add up to.
 Outcome<void> check(RunOptions& options) {
+    if (!options.scene.empty() && options.terrain) return unusable("run takes a scene or --terrain DEM, not both");
     if (options.scene.empty() && !options.terrain)
         return unusable("run needs a scene, or --terrain DEM with --release FILE; `couloir list` tells the scenes");
     if (options.terrain && !options.release)
         return unusable("--terrain needs --release FILE: without it nothing would start");
     if (!options.until_rest && !options.seconds) return unusable("run needs --until-rest or --seconds S");
-    if (options.wishes.scheme && options.wishes.model == sim::Model::kBcreInertial)
-        return unusable("--scheme is of the model bcre; bcre-inertial has its own");
     if (options.export_folder && !options.pictures.folder) {
         options.pictures.folder = *options.export_folder / "frames";
         options.pictures.every = std::max<std::int64_t>(options.pictures.every, 600);
@@ -124,7 +136,6 @@ Outcome<int> run_command_line(int argc, char** argv) {
                  "Exit status: 0 done; 1 ran, but the answer is bad; 2 unusable arguments or input; 3 the machine fails.",
                  "couloir"};
     app.set_version_flag("--version", fmt::format("{}, commit {}", kProgram, kCommit));
-    app.require_subcommand(1);
     app.get_formatter()->column_width(34);
 
     RunOptions run_options;
@@ -145,6 +156,8 @@ Outcome<int> run_command_line(int argc, char** argv) {
         return unusable(fmt::format("{} (couloir {}--help tells more)", wrong.what(),
                                     app.get_subcommands().empty() ? "" : app.get_subcommands()[0]->get_name() + " "));
     }
+    if (app.get_subcommands().empty())
+        return unusable("a subcommand is missing: run, replay or list (couloir --help tells more)");
     if (run_app->parsed()) {
         if (auto sound = check(run_options); !sound) return tl::unexpected(sound.error());
         return run(run_options);

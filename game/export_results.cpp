@@ -47,7 +47,7 @@ Outcome<void> export_results(const std::filesystem::path& folder, const Start& s
     for (std::size_t i = 0; i < extent.size(); ++i) extent[i] = session.peaks().depth[i] >= Measures::kExtentDepth;
     if (auto written = terrains::write_outlines(folder / "extent.geojson", start.grid, start.georeference, extent); !written)
         return machine_fails(written.error());
-    return write_text(folder / "summary.json", to_json(summary).dump(2) + "\n");
+    return write_text(folder / "summary.json", printed(to_json(summary)));
 }
 
 void draw_results(Gallery& gallery, const Session& session) {

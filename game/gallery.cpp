@@ -23,12 +23,14 @@ struct Gallery::Parts {
     render::Look look;
     int pictures = 0;
 
-    Parts(render::HeadlessContext&& gl, render::Renderer&& with) : context(std::move(gl)), renderer(std::move(with)) {}
+    Parts(render::HeadlessContext&& gl, render::Renderer&& with)
+        : context(std::move(gl)), renderer(std::move(with)) {}
 
     double draw(const sim::View& world, const render::Camera& from, const std::string& name) {
         const auto before = std::chrono::steady_clock::now();
         renderer.draw(world, from, light, look, size.width, size.height);
-        render::Picture picture = renderer.read_back();  // waits for the frame, so that the time is the frame's
+        render::Picture picture =
+            renderer.read_back();  // waits for the frame, so that the time is the frame's
         const auto after = std::chrono::steady_clock::now();
         writer.submit(std::move(picture), folder / (name + ".png"));
         ++pictures;
@@ -54,8 +56,8 @@ render::Camera map_camera(const sim::View& world, double aspect) {
     camera.target = {width / 2, height / 2, world.datum + (lowest + highest) / 2};
     camera.azimuth_deg = 180;  // stands in the south, so north is up
     camera.elevation_deg = 89.9;
-    camera.distance_m = half / std::tan(camera.field_of_view_deg / 2 * 3.14159265358979323846 / 180) +
-                        (highest - lowest) / 2;
+    camera.distance_m =
+        half / std::tan(camera.field_of_view_deg / 2 * 3.14159265358979323846 / 180) + (highest - lowest) / 2;
     return camera;
 }
 
@@ -91,7 +93,8 @@ double Gallery::draw(const sim::View& world, const std::string& name) {
 }
 
 double Gallery::draw_map(const sim::View& world, const std::string& name) {
-    return parts_->draw(world, map_camera(world, static_cast<double>(parts_->size.width) / parts_->size.height), name);
+    return parts_->draw(
+        world, map_camera(world, static_cast<double>(parts_->size.width) / parts_->size.height), name);
 }
 
 Outcome<void> Gallery::close() {
@@ -99,7 +102,11 @@ Outcome<void> Gallery::close() {
     return {};
 }
 
-std::string Gallery::renderer_name() const { return parts_->context.renderer_name(); }
-int Gallery::pictures() const { return parts_->pictures; }
+std::string Gallery::renderer_name() const {
+    return parts_->context.renderer_name();
+}
+int Gallery::pictures() const {
+    return parts_->pictures;
+}
 
 }  // namespace game

@@ -17,14 +17,16 @@ struct PictureSize {
 // Draws a world into numbered pictures without a window, and writes them while the world goes on.
 class Gallery {
   public:
-    // `gl` as in render::HeadlessContext::create. Makes `folder`. Errors: no GL, or the folder cannot be written (status 3).
+    // `gl` as in render::HeadlessContext::create. Makes `folder`. Errors: no GL, or the folder cannot be
+    // written (status 3).
     static Outcome<Gallery> open(const std::filesystem::path& folder, PictureSize size, const std::string& gl,
                                  const Start& start);
     ~Gallery();
     Gallery(Gallery&&) noexcept;
     Gallery& operator=(Gallery&&) noexcept;
 
-    // Draws the world as it is and hands the picture on to be written as NAME.png. Returns the milliseconds drawing took.
+    // Draws the world as it is and hands the picture on to be written as NAME.png. Returns the milliseconds
+    // drawing took.
     double draw(const sim::View& world, const std::string& name);
     // Seen straight from above, with north up.
     double draw_map(const sim::View& world, const std::string& name);

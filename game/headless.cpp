@@ -30,11 +30,15 @@ PerfRow perf_row(const Session& session, std::optional<double> draw_ms, double f
     return row;
 }
 
-std::string picture_name(std::int64_t tick) { return fmt::format("tick_{:06}", tick); }
+std::string picture_name(std::int64_t tick) {
+    return fmt::format("tick_{:06}", tick);
+}
 
 void report(Progress& progress, const Session& session, const Until& until) {
     const std::int64_t tick = session.state().tick;
-    const double share = until.tick ? static_cast<double>(tick) / static_cast<double>(std::max<std::int64_t>(*until.tick, 1)) : -1;
+    const double share =
+        until.tick ? static_cast<double>(tick) / static_cast<double>(std::max<std::int64_t>(*until.tick, 1))
+                   : -1;
     progress.show(share, fmt::format("{:.1f} s, {:.0f} m3 moving", session.seconds(),
                                      session.cubic_metres(session.state().ledger.rolling)));
 }
@@ -51,7 +55,9 @@ Outcome<bool> play_headless(Session& session, std::span<const TimedCommand> comm
         return (until.tick && tick >= *until.tick) ||
                (until.rest && tick > 0 && next == commands.size() && sim::at_rest(session.state()));
     };
-    const auto draw = [&] { return watchers.gallery->draw(session.view(), picture_name(session.state().tick)); };
+    const auto draw = [&] {
+        return watchers.gallery->draw(session.view(), picture_name(session.state().tick));
+    };
 
     if (watchers.gallery) draw();
     while (!done()) {
@@ -59,7 +65,8 @@ Outcome<bool> play_headless(Session& session, std::span<const TimedCommand> comm
         if (tick >= until.most_ticks) return false;
 
         due.clear();
-        for (; next < commands.size() && commands[next].tick == tick; ++next) due.push_back(commands[next].command);
+        for (; next < commands.size() && commands[next].tick == tick; ++next)
+            due.push_back(commands[next].command);
 
         const auto before = std::chrono::steady_clock::now();
         if (auto advanced = session.advance(due); !advanced) return tl::unexpected(advanced.error());

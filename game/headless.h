@@ -16,8 +16,8 @@ namespace game {
 
 // When a world without a window stops.
 struct Until {
-    std::optional<std::int64_t> tick;      // after so many ticks
-    bool rest = false;                     // or when nothing moves and no command is left
+    std::optional<std::int64_t> tick;        // after so many ticks
+    bool rest = false;                       // or when nothing moves and no command is left
     std::int64_t most_ticks = 60 * 60 * 60;  // in any case
 };
 
@@ -29,8 +29,8 @@ struct Watchers {
     std::function<void(const Session&)> after_tick;
 };
 
-// Plays a session: commands at their ticks, one tick after the other. Returns whether it stopped for the reason that was
-// asked for, false where most_ticks came first.
+// Plays a session: commands at their ticks, one tick after the other. Returns whether it stopped for the
+// reason that was asked for, false where most_ticks came first.
 Outcome<bool> play_headless(Session& session, std::span<const TimedCommand> commands, const Until& until,
                             const Watchers& watchers, const std::string& what);
 

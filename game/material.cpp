@@ -90,9 +90,10 @@ Outcome<Material> load_material(std::string_view name_or_path, sim::Model model)
     root.finish();
     if (fault) return unusable(*fault);
     if (!has_block)
-        return unusable(fmt::format("{}: has no [{}] block, so it cannot be used with that model", path->string(),
-                                    sim::to_string(model)));
-    if (const auto wrong = sim::fault_of(material.params)) return unusable(fmt::format("{}: {}", path->string(), *wrong));
+        return unusable(fmt::format("{}: has no [{}] block, so it cannot be used with that model",
+                                    path->string(), sim::to_string(model)));
+    if (const auto wrong = sim::fault_of(material.params))
+        return unusable(fmt::format("{}: {}", path->string(), *wrong));
     return material;
 }
 

@@ -21,8 +21,8 @@ struct Material {
 // Reads assets/materials/NAME.toml or a file. Errors: unknown name, damage, or no block for this model.
 Outcome<Material> load_material(std::string_view name_or_path, sim::Model model);
 
-// Sets every physics number that `table` names, by its name in sim/params.h; `…_slope` may be given in degrees as `…_angle`.
-// `model` says which numbers there are.
+// Sets every physics number that `table` names, by its name in sim/params.h; `…_slope` may be given in
+// degrees as `…_angle`. `model` says which numbers there are.
 void read_physics_numbers(TomlTable& table, sim::Model model, sim::Params& params);
 
 }  // namespace game

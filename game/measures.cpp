@@ -81,10 +81,13 @@ std::vector<std::uint8_t> release_area(const Start& start, std::span<const Timed
     for (const TimedCommand& timed : commands) {
         const sim::Command& c = timed.command;
         if (c.kind == sim::CommandKind::kDig) continue;
-        const double radius = std::max(c.radius, 0.5 * dx);
+        // A disc below a cell is its nearest vertex, as for the simulation.
+        const bool small = c.radius < dx;
+        const double radius = small ? 0.5 * dx : c.radius;
+        const double cx = small ? dx * std::rint(c.x / dx) : c.x, cy = small ? dx * std::rint(c.y / dx) : c.y;
         for (int y = 0; y < grid.ny; ++y)
             for (int x = 0; x < grid.nx; ++x)
-                if (std::hypot(x * dx - c.x, y * dx - c.y) <= radius) released[index(grid, x, y)] = 1;
+                if (std::hypot(x * dx - cx, y * dx - cy) <= radius) released[index(grid, x, y)] = 1;
     }
     return released;
 }

@@ -13,8 +13,10 @@ namespace game {
 namespace {
 
 constexpr const char* kColumns =
-    "frame,tick,time_s,substeps,solve_ms,track_ms,gradient_ms,advect_ms,upload_ms,remesh_ms,draw_ms,frame_ms,active_cells,"
-    "discontinuity_points,cut_triangles,mass_standing_m3,mass_rolling_m3,mass_out_m3,mass_error_m3,state_hash\n";
+    "frame,tick,time_s,substeps,solve_ms,track_ms,gradient_ms,advect_ms,upload_ms,remesh_ms,draw_ms,frame_ms,"
+    "active_cells,"
+    "discontinuity_points,cut_triangles,mass_standing_m3,mass_rolling_m3,mass_out_m3,mass_error_m3,state_"
+    "hash\n";
 
 std::string processor() {
     std::ifstream info("/proc/cpuinfo");
@@ -25,9 +27,9 @@ std::string processor() {
 
 std::string csv_line(std::size_t frame, const PerfRow& row) {
     const std::string draw = row.draw_ms ? fmt::format("{:.4f}", *row.draw_ms) : "";
-    return fmt::format("{},{},{:.4f},{},{:.4f},,,,,,{},{:.4f},{},,,{:.4f},{:.4f},{:.4f},{:.4f},{}\n", frame, row.tick, row.time_s,
-                       row.substeps, row.solve_ms, draw, row.frame_ms, row.active_cells, row.standing_m3,
-                       row.rolling_m3, row.out_m3, row.error_m3, hex(row.state_hash));
+    return fmt::format("{},{},{:.4f},{},{:.4f},,,,,,{},{:.4f},{},,,{:.4f},{:.4f},{:.4f},{:.4f},{}\n", frame,
+                       row.tick, row.time_s, row.substeps, row.solve_ms, draw, row.frame_ms, row.active_cells,
+                       row.standing_m3, row.rolling_m3, row.out_m3, row.error_m3, hex(row.state_hash));
 }
 
 StageFigures figures_of(std::string stage, std::vector<double> ms) {
@@ -58,8 +60,9 @@ Json paper_figures() {
 
 Outcome<void> PerfLog::write_csv(const std::filesystem::path& path) const {
     std::string text = fmt::format(
-        "# {}, commit {}\n# {}\n# processor: {}; threads: {}\n# GL: {}\n# of: {}{}\n", kProgram, kCommit, kCompiler, processor(),
-        surroundings_.threads, surroundings_.gl_renderer.empty() ? "none, nothing was drawn" : surroundings_.gl_renderer,
+        "# {}, commit {}\n# {}\n# processor: {}; threads: {}\n# GL: {}\n# of: {}{}\n", kProgram, kCommit,
+        kCompiler, processor(), surroundings_.threads,
+        surroundings_.gl_renderer.empty() ? "none, nothing was drawn" : surroundings_.gl_renderer,
         surroundings_.what, surroundings_.file_hash.empty() ? "" : ", file hash " + surroundings_.file_hash);
     text += kColumns;
     for (std::size_t i = 0; i < rows_.size(); ++i) text += csv_line(i, rows_[i]);
@@ -81,8 +84,12 @@ Json PerfLog::to_json() const {
     const double frame_total = all.back().total;
     Json stages;
     for (const StageFigures& stage : all)
-        stages[stage.stage] = {{"count", stage.count}, {"mean_ms", stage.mean}, {"median_ms", stage.median},
-                               {"p95_ms", stage.p95},  {"p99_ms", stage.p99},   {"max_ms", stage.most},
+        stages[stage.stage] = {{"count", stage.count},
+                               {"mean_ms", stage.mean},
+                               {"median_ms", stage.median},
+                               {"p95_ms", stage.p95},
+                               {"p99_ms", stage.p99},
+                               {"max_ms", stage.most},
                                {"share", frame_total > 0 ? stage.total / frame_total : 0}};
     const double ticks_per_s = frame_total > 0 ? 1000.0 * static_cast<double>(rows_.size()) / frame_total : 0;
     return {{"compiler", kCompiler},

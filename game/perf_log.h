@@ -26,8 +26,8 @@ struct PerfRow {
 
 // What of the surroundings a measurement depends on; the log's first lines.
 struct PerfSurroundings {
-    std::string what;         // scene or recording
-    std::string file_hash;    // of the recording; empty without one
+    std::string what;       // scene or recording
+    std::string file_hash;  // of the recording; empty without one
     int threads = 1;
     std::string gl_renderer;  // empty without pictures
 };

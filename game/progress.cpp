@@ -26,7 +26,8 @@ void Progress::show(double share, const std::string& note) {
     std::string bar;
     if (share >= 0) {
         const auto full = static_cast<std::size_t>(std::lround(std::clamp(share, 0.0, 1.0) * kWidth));
-        bar = fmt::format("[{}{}] {:3.0f} % ", std::string(full, '#'), std::string(kWidth - full, '.'), 100 * share);
+        bar = fmt::format("[{}{}] {:3.0f} % ", std::string(full, '#'), std::string(kWidth - full, '.'),
+                          100 * share);
     }
     fmt::print(stderr, "\r\x1b[K{} {}{}", what_, bar, note);
     std::fflush(stderr);

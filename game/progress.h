@@ -5,8 +5,8 @@
 
 namespace game {
 
-// A bar on standard error while long work runs, where that is a terminal; nothing elsewhere. Drawn at most ten times a
-// second, wiped when it goes.
+// A bar on standard error while long work runs, where that is a terminal; nothing elsewhere. Drawn at most
+// ten times a second, wiped when it goes.
 class Progress {
   public:
     explicit Progress(std::string what);

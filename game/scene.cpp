@@ -225,7 +225,8 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& w
     if (fault) return unusable(*fault);
 
     const auto material = load_material(wishes.material.value_or(*named), model);
-    if (!material) return tl::unexpected(material.error());
+    if (!material && !wishes.material) cover->blame("material", "cannot be used: " + material.error().sentence);
+    if (!material) return fault ? unusable(*fault) : tl::unexpected(material.error());
     sim::Params params = material->params;
     read_scheme(*physics, wishes, params);
     read_borders(*physics, params);

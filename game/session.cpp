@@ -37,13 +37,15 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
 
     const auto before = std::chrono::steady_clock::now();
     sim::step(state_, params_, commands, scratch_, *workers_);
-    times_.solve_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
+    times_.solve_ms =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
 
     if (const auto error = state_.ledger.mass_error(); error != 0)
         return tl::unexpected(Failure{
-            Failure::kBadAnswer, fmt::format("tick {}: {} m3 of mass appeared from nowhere; a layer deeper than {} m cannot be "
-                                             "counted exactly",
-                                             state_.tick, cubic_metres(error), sim::kDeepest)});
+            Failure::kBadAnswer,
+            fmt::format("tick {}: {} m3 of mass appeared from nowhere; a layer deeper than {} m cannot be "
+                        "counted exactly",
+                        state_.tick, cubic_metres(error), sim::kDeepest)});
     watch();
     if (recorder_ && state_.tick % kTicksPerState == 0) return recorder_->state(state_line());
     return {};
@@ -57,7 +59,9 @@ Outcome<void> Session::finish() {
     return recorder_->end(state_.tick);
 }
 
-StateLine Session::state_line() const { return {state_.tick, sim::state_hash(state_), state_.ledger}; }
+StateLine Session::state_line() const {
+    return {state_.tick, sim::state_hash(state_), state_.ledger};
+}
 
 double Session::cubic_metres(std::int64_t quanta) const {
     return static_cast<double>(quanta) * static_cast<double>(sim::kQuantum) * state_.grid.cell_area();

@@ -18,22 +18,23 @@ struct TickTimes {
     double solve_ms = 0;
 };
 
-// The greatest values that each vertex has seen, grid.size() each: what an avalanche did, when it is over. A view.
+// The greatest values that each vertex has seen, grid.size() each: what an avalanche did, when it is over. A
+// view.
 struct Peaks {
-    std::vector<float> depth;  // m, of the rolling layer
-    std::vector<float> speed;  // m/s, where that layer was at least kVisible deep
+    std::vector<float> depth;                 // m, of the rolling layer
+    std::vector<float> speed;                 // m/s, where that layer was at least kVisible deep
     static constexpr float kVisible = 0.01f;  // m
 };
 
-// A world being played, with or without a window: commands in, views out. Whatever it is told it records first, if it has
-// a recorder, and then does.
+// A world being played, with or without a window: commands in, views out. Whatever it is told it records
+// first, if it has a recorder, and then does.
 class Session {
   public:
     // `threads` ≥ 1. With a recorder, writes the state of tick 0.
     static Outcome<Session> begin(const Start& start, int threads, std::optional<Recorder> recorder);
 
-    // One tick, with the commands given at its start. Errors: the recording cannot be written, or mass was lost, which is
-    // checked every tick.
+    // One tick, with the commands given at its start. Errors: the recording cannot be written, or mass was
+    // lost, which is checked every tick.
     Outcome<void> advance(std::span<const sim::Command> commands);
     // Closes the recording.
     Outcome<void> finish();
@@ -43,7 +44,7 @@ class Session {
     const sim::Params& params() const { return params_; }
     const Peaks& peaks() const { return peaks_; }
     const TickTimes& times() const { return times_; }
-    StateLine state_line() const;  // of this tick; computes the hash
+    StateLine state_line() const;                               // of this tick; computes the hash
     std::size_t active_cells() const { return active_cells_; }  // vertices whose rolling layer is not empty
     double seconds() const { return static_cast<double>(state_.tick) * static_cast<double>(params_.tick_s); }
     double cubic_metres(std::int64_t quanta) const;

@@ -25,12 +25,12 @@ struct Start {
     std::string terrain;  // name of the ground
     std::string licence;  // of the ground's source; may be empty
     sim::Grid grid;
-    double datum = 0;                      // m, height of bedrock = 0
-    std::vector<float> bedrock;            // m above datum, grid.size() values, row-major, row 0 the south
-    std::vector<float> depth;              // m, erodible
-    std::vector<float> rolling;            // m, a release that begins at rest
-    std::vector<std::uint8_t> has_data;    // 0 where material leaves the world
-    terrains::Georeference georeference;   // where the grid stands on Earth, if anywhere
+    double datum = 0;                     // m, height of bedrock = 0
+    std::vector<float> bedrock;           // m above datum, grid.size() values, row-major, row 0 the south
+    std::vector<float> depth;             // m, erodible
+    std::vector<float> rolling;           // m, a release that begins at rest
+    std::vector<std::uint8_t> has_data;   // 0 where material leaves the world
+    terrains::Georeference georeference;  // where the grid stands on Earth, if anywhere
     std::uint64_t seed = 0;
 
     render::Look look;
@@ -44,7 +44,8 @@ struct TimedCommand {
     sim::Command command;
 };
 
-// The ground of `terrain` as a start's: bedrock under its cover, above a whole-metre datum near its lowest point.
+// The ground of `terrain` as a start's: bedrock under its cover, above a whole-metre datum near its lowest
+// point.
 void set_ground(Start& start, const terrains::Terrain& terrain);
 
 // For sim; valid as long as the start is.

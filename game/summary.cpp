@@ -37,7 +37,7 @@ Json measures_json(const Summary& summary) {
 
 Json verdict_json(const Verdict& verdict) {
     Json json{{"comparable", verdict.comparable}, {"states_compared", verdict.compared}, {"proven_tick", verdict.proven_tick}};
-    json["exact"] = verdict.comparable && !verdict.parted;
+    json["exact"] = verdict.comparable && !verdict.parted && verdict.compared > 0;
     if (verdict.parted) json["parted"] = *verdict.parted;
     return json;
 }
@@ -50,6 +50,7 @@ std::string placed(const Start& start, terrains::LocalPoint point) {
 std::string verdict_text(const Verdict& verdict) {
     if (!verdict.comparable) return "not comparable: recorded with another version of the physics\n";
     if (verdict.parted) return fmt::format("NOT the same: {}\n", *verdict.parted);
+    if (verdict.compared == 0) return "nothing is proven: no state was recorded up to here\n";
     return fmt::format("exact: all {} recorded states met, bit for bit; proven up to tick {}\n", verdict.compared,
                        verdict.proven_tick);
 }

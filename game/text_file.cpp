@@ -13,8 +13,7 @@ namespace game {
 namespace fs = std::filesystem;
 
 Outcome<void> write_text(const fs::path& path, std::string_view text) {
-    if (path.has_parent_path())
-        if (auto made = make_folder(path.parent_path()); !made) return made;
+    if (auto placed = make_place_for(path); !placed) return placed;
     fs::path beside = path;
     beside += ".part";
     std::ofstream stream(beside, std::ios::binary);
@@ -26,6 +25,12 @@ Outcome<void> write_text(const fs::path& path, std::string_view text) {
     const std::string reason = stream ? error.message() : std::strerror(errno);
     fs::remove(beside, error);
     return machine_fails(fmt::format("{}: cannot be written: {}", path.string(), reason));
+}
+
+Outcome<void> make_place_for(const fs::path& path) {
+    std::error_code error;
+    if (fs::is_directory(path, error)) return machine_fails(fmt::format("{}: is a folder, not a file", path.string()));
+    return path.has_parent_path() ? make_folder(path.parent_path()) : Outcome<void>();
 }
 
 Outcome<void> make_folder(const fs::path& path) {

@@ -94,7 +94,7 @@ void TomlTable::blame(std::string_view key, const std::string& fact) {
     const toml::node* node = key.empty() ? table_ : table_->get(key);
     const auto line = (node ? node : table_)->source().begin.line;
     const std::string place = name_.empty() ? std::string(key) : fmt::format("{}{}{}", name_, key.empty() ? "" : ".", key);
-    *fault_ = fmt::format("{}:{}: {} {}", file_, line, place, fact);
+    *fault_ = fmt::format("{}:{}: {}{}{}", file_, line, place, place.empty() ? "" : " ", fact);
 }
 
 void TomlTable::finish() {

@@ -10,8 +10,8 @@
 namespace sim {
 namespace {
 
-// Vertices within a disc, and for each its share of the whole. A disc smaller than a cell holds its nearest vertex, so
-// that nothing a person does is lost between the vertices.
+// Vertices within a disc, and for each its share of the whole. A disc smaller than a cell holds its nearest
+// vertex, so that nothing a person does is lost between the vertices.
 struct Disc {
     double x, y, radius;  // m
     int x0, x1, y0, y1;   // vertices, inclusive; may lie outside the grid
@@ -45,9 +45,9 @@ struct Disc {
             }
     }
 
-    // Sum of all weights, of the vertices outside the grid too: what falls there is no longer the world's. The sum
-    // runs over whole rows of a disc that may be far larger than the grid, so it is closed-form in the disc's area
-    // where the disc has more than 2²⁰ vertices.
+    // Sum of all weights, of the vertices outside the grid too: what falls there is no longer the world's.
+    // The sum runs over whole rows of a disc that may be far larger than the grid, so it is closed-form in
+    // the disc's area where the disc has more than 2²⁰ vertices.
     double total_weight(double dx, Profile profile) const {
         const double across = radius / dx;
         const double area = 3.14159265358979323846 * across * across;
@@ -59,7 +59,8 @@ struct Disc {
     }
 };
 
-// This tick's share of an amount that is spread over `ticks`, in whole quanta, so that the shares add up exactly.
+// This tick's share of an amount that is spread over `ticks`, in whole quanta, so that the shares add up
+// exactly.
 std::int64_t quanta_due(double metres, std::int64_t tick, std::int64_t ticks) {
     const double quanta = metres / kQuantum;
     const auto until = [&](std::int64_t k) {
@@ -129,12 +130,16 @@ std::optional<Value> found(const Infos& names, std::string_view name) {
     return std::nullopt;
 }
 
-constexpr std::pair<Layer, std::string_view> kLayers[] = {{Layer::kRolling, "rolling"}, {Layer::kStanding, "standing"}};
-constexpr std::pair<Profile, std::string_view> kProfiles[] = {{Profile::kDisc, "disc"}, {Profile::kCone, "cone"}};
+constexpr std::pair<Layer, std::string_view> kLayers[] = {{Layer::kRolling, "rolling"},
+                                                          {Layer::kStanding, "standing"}};
+constexpr std::pair<Profile, std::string_view> kProfiles[] = {{Profile::kDisc, "disc"},
+                                                              {Profile::kCone, "cone"}};
 
 }  // namespace
 
-const CommandInfo& info_of(CommandKind kind) { return kCommands[static_cast<std::size_t>(kind)]; }
+const CommandInfo& info_of(CommandKind kind) {
+    return kCommands[static_cast<std::size_t>(kind)];
+}
 
 std::optional<CommandInfo> command_from(std::string_view name) {
     for (const CommandInfo& info : kCommands)
@@ -142,19 +147,27 @@ std::optional<CommandInfo> command_from(std::string_view name) {
     return std::nullopt;
 }
 
-std::string_view to_string(Layer layer) { return kLayers[static_cast<std::size_t>(layer)].second; }
-std::string_view to_string(Profile profile) { return kProfiles[static_cast<std::size_t>(profile)].second; }
-std::optional<Layer> layer_from(std::string_view name) { return found<Layer>(kLayers, name); }
-std::optional<Profile> profile_from(std::string_view name) { return found<Profile>(kProfiles, name); }
+std::string_view to_string(Layer layer) {
+    return kLayers[static_cast<std::size_t>(layer)].second;
+}
+std::string_view to_string(Profile profile) {
+    return kProfiles[static_cast<std::size_t>(profile)].second;
+}
+std::optional<Layer> layer_from(std::string_view name) {
+    return found<Layer>(kLayers, name);
+}
+std::optional<Profile> profile_from(std::string_view name) {
+    return found<Profile>(kProfiles, name);
+}
 
 std::optional<std::string> fault_of(const Command& command) {
     const CommandInfo& info = info_of(command.kind);
     for (const CommandNumber& number : info.numbers) {
         const double value = command.*number.value;
         if (!(value >= number.least && value <= number.most))  // NaN too
-            return std::string(info.name) + "'s " + std::string(number.name) + " is " + std::to_string(value) + " " +
-                   std::string(number.unit) + ", outside " + std::to_string(number.least) + " to " +
-                   std::to_string(number.most);
+            return std::string(info.name) + "'s " + std::string(number.name) + " is " +
+                   std::to_string(value) + " " + std::string(number.unit) + ", outside " +
+                   std::to_string(number.least) + " to " + std::to_string(number.most);
     }
     return std::nullopt;
 }
@@ -164,15 +177,22 @@ void apply_commands(State& state, const Params& params, std::span<const Command>
 
     const double tick_s = params.tick_s;
     const auto ticks_of = [&](const Command& c) {
-        return c.kind == CommandKind::kBlast ? 1 : std::max<std::int64_t>(1, std::llrint(c.duration / tick_s));
+        return c.kind == CommandKind::kBlast ? 1
+                                             : std::max<std::int64_t>(1, std::llrint(c.duration / tick_s));
     };
     for (const Source& source : state.sources) {
         const Command& c = source.command;
         const std::int64_t tick = state.tick - source.first_tick;
         switch (c.kind) {
-            case CommandKind::kPour: pour(state, c, tick, ticks_of(c), tick_s); break;
-            case CommandKind::kDig: dig(state, c, tick, ticks_of(c), tick_s); break;
-            case CommandKind::kBlast: blast(state, c); break;
+            case CommandKind::kPour:
+                pour(state, c, tick, ticks_of(c), tick_s);
+                break;
+            case CommandKind::kDig:
+                dig(state, c, tick, ticks_of(c), tick_s);
+                break;
+            case CommandKind::kBlast:
+                blast(state, c);
+                break;
         }
     }
     std::erase_if(state.sources, [&](const Source& source) {

@@ -15,8 +15,8 @@ enum class CommandKind : std::uint8_t { kPour, kDig, kBlast };
 enum class Layer : std::uint8_t { kRolling, kStanding };
 enum class Profile : std::uint8_t { kDisc, kCone };  // equal depth within the radius; highest in the middle
 
-// One thing a person does to the world, in world units. Which members a kind uses is in kCommands; the others keep
-// their defaults. Nothing else changes a world.
+// One thing a person does to the world, in world units. Which members a kind uses is in kCommands; the others
+// keep their defaults. Nothing else changes a world.
 struct Command {
     CommandKind kind = CommandKind::kPour;
     double x = 0, y = 0;
@@ -86,10 +86,10 @@ std::optional<Profile> profile_from(std::string_view name);
 // What is wrong with a command, as a sentence; nothing if all its numbers are in range.
 std::optional<std::string> fault_of(const Command& command);
 
-// Begins these commands at the state's tick and does this tick's share of all that run. Reads grid, site, tick; writes
-// depth, rolling, velocity (material is added and eroded at rest), sources, ledger. A vertex whose layer has reached
-// half of kDeepest takes no more, and what falls beside the grid or on no-data never enters the world: the ledger counts
-// what did.
+// Begins these commands at the state's tick and does this tick's share of all that run. Reads grid, site,
+// tick; writes depth, rolling, velocity (material is added and eroded at rest), sources, ledger. A vertex
+// whose layer has reached half of kDeepest takes no more, and what falls beside the grid or on no-data never
+// enters the world: the ledger counts what did.
 void apply_commands(State& state, const Params& params, std::span<const Command> commands);
 
 }  // namespace sim

@@ -8,8 +8,8 @@
 
 namespace sim {
 
-// A regular grid of vertices. x runs east, y runs north, row 0 is the south. A grid of N×N squares has (N+1)² vertices;
-// every vertex owns a full cell of dx² m², the ones on the border too.
+// A regular grid of vertices. x runs east, y runs north, row 0 is the south. A grid of N×N squares has (N+1)²
+// vertices; every vertex owns a full cell of dx² m², the ones on the border too.
 struct Grid {
     int nx = 0;      // vertices along x, ≥ 3
     int ny = 0;      // vertices along y, ≥ 3
@@ -21,8 +21,8 @@ struct Grid {
     bool operator==(const Grid&) const = default;
 };
 
-// One value per vertex with a halo of one vertex around, so that a stencil needs no special case at the border.
-// Row-major, x fastest; (x, y) is valid from -1 to nx and from -1 to ny. Starts at zero.
+// One value per vertex with a halo of one vertex around, so that a stencil needs no special case at the
+// border. Row-major, x fastest; (x, y) is valid from -1 to nx and from -1 to ny. Starts at zero.
 template <class T>
 class Field {
   public:

@@ -7,7 +7,8 @@ namespace sim {
 struct Params;
 struct State;
 
-// The grain of mass: depth and rolling layer are whole multiples of it, exact in float32 up to kDeepest. m of depth.
+// The grain of mass: depth and rolling layer are whole multiples of it, exact in float32 up to kDeepest. m of
+// depth.
 inline constexpr float kQuantum = 1.f / 131072.f;  // 2⁻¹⁷ m, 7.6 µm
 // Beyond this a layer's float32 no longer holds single quanta. m
 inline constexpr float kDeepest = 128.f;

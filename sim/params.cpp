@@ -14,7 +14,8 @@ struct Named {
 constexpr Named<Model> kModels[] = {{Model::kBcre, "bcre"}, {Model::kBcreInertial, "bcre-inertial"}};
 constexpr Named<Scheme> kSchemes[] = {{Scheme::kLaxFriedrichs, "lax-friedrichs"},
                                       {Scheme::kLocalLaxFriedrichs, "local-lax-friedrichs"}};
-constexpr Named<Border> kBorders[] = {{Border::kWall, "wall"}, {Border::kOpen, "open"}, {Border::kSink, "sink"}};
+constexpr Named<Border> kBorders[] = {
+    {Border::kWall, "wall"}, {Border::kOpen, "open"}, {Border::kSink, "sink"}};
 
 template <class Enum, std::size_t n>
 std::string_view name_of(const Named<Enum> (&table)[n], Enum value) {
@@ -32,12 +33,24 @@ std::optional<Enum> value_of(const Named<Enum> (&table)[n], std::string_view nam
 
 }  // namespace
 
-std::string_view to_string(Model model) { return name_of(kModels, model); }
-std::string_view to_string(Scheme scheme) { return name_of(kSchemes, scheme); }
-std::string_view to_string(Border border) { return name_of(kBorders, border); }
-std::optional<Model> model_from(std::string_view name) { return value_of(kModels, name); }
-std::optional<Scheme> scheme_from(std::string_view name) { return value_of(kSchemes, name); }
-std::optional<Border> border_from(std::string_view name) { return value_of(kBorders, name); }
+std::string_view to_string(Model model) {
+    return name_of(kModels, model);
+}
+std::string_view to_string(Scheme scheme) {
+    return name_of(kSchemes, scheme);
+}
+std::string_view to_string(Border border) {
+    return name_of(kBorders, border);
+}
+std::optional<Model> model_from(std::string_view name) {
+    return value_of(kModels, name);
+}
+std::optional<Scheme> scheme_from(std::string_view name) {
+    return value_of(kSchemes, name);
+}
+std::optional<Border> border_from(std::string_view name) {
+    return value_of(kBorders, name);
+}
 
 std::optional<std::string> fault_of(const Params& params) {
     for (const ParamInfo& info : kParams) {

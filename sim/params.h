@@ -8,9 +8,9 @@
 
 namespace sim {
 
-enum class Model { kBcre, kBcreInertial };                   // README.md, "Two models"
+enum class Model { kBcre, kBcreInertial };                  // README.md, "Two models"
 enum class Scheme { kLaxFriedrichs, kLocalLaxFriedrichs };  // of kBcre; kBcreInertial has its own
-enum class Border { kWall, kOpen, kSink };                   // borders.h
+enum class Border { kWall, kOpen, kSink };                  // borders.h
 
 enum Side { kWest, kEast, kSouth, kNorth };
 
@@ -85,7 +85,8 @@ inline constexpr ParamInfo kParams[] = {
      "depth over which the stop slope falls from thin to thick by 1 - 1/e"},
     {"deposit_speed", "m/s", &Params::deposit_speed, 0.01f, 200.f, UsedBy::kBcreInertial,
      "a layer faster than this deposits nothing"},
-    {"erosion_slope", "1", &Params::erosion_slope, 0.f, 10.f, UsedBy::kBcreInertial, "above it a layer erodes"},
+    {"erosion_slope", "1", &Params::erosion_slope, 0.f, 10.f, UsedBy::kBcreInertial,
+     "above it a layer erodes"},
     {"erosion_depth", "m", &Params::erosion_depth, 0.f, 10.f, UsedBy::kBcreInertial,
      "a rolling layer thinner than this erodes nothing"},
     {"anchor_gain", "1", &Params::anchor_gain, 0.f, 10.f, UsedBy::kBcreInertial,
@@ -100,12 +101,12 @@ std::optional<Model> model_from(std::string_view name);
 std::optional<Scheme> scheme_from(std::string_view name);
 std::optional<Border> border_from(std::string_view name);
 
-// What is wrong with these parameters, as a sentence; nothing if all is well. Checks each number's range and the order
-// that the thresholds must keep.
+// What is wrong with these parameters, as a sentence; nothing if all is well. Checks each number's range and
+// the order that the thresholds must keep.
 std::optional<std::string> fault_of(const Params& params);
 
-// Sub-steps of a tick, and the length of one. Fixed by the parameters and the cell alone, so that a replay never
-// depends on a reduction over the state.
+// Sub-steps of a tick, and the length of one. Fixed by the parameters and the cell alone, so that a replay
+// never depends on a reduction over the state.
 struct Substeps {
     int count = 1;
     float dt = 0;  // s

@@ -7,9 +7,10 @@
 
 namespace sim {
 
-// A sub-step's length, and the dither with which it rounds to quanta: one number for all of it, equally spread over
-// [0, 1) from sub-step to sub-step (golden-ratio sequence). So rounding is right on average over time, and a film whose
-// flux is less than a quantum per sub-step still flows; always rounding to nearest would nail it to its place.
+// A sub-step's length, and the dither with which it rounds to quanta: one number for all of it, equally
+// spread over [0, 1) from sub-step to sub-step (golden-ratio sequence). So rounding is right on average over
+// time, and a film whose flux is less than a quantum per sub-step still flows; always rounding to nearest
+// would nail it to its place.
 struct Substep {
     float dt = 0;      // s
     float dither = 0;  // 0 ≤ dither < 1
@@ -27,6 +28,8 @@ inline float to_quanta(float metres, float dither) {
 }
 
 // The nearest whole number of quanta, for what is rounded once.
-inline float nearest_quanta(float metres) { return std::rint(metres / kQuantum) * kQuantum; }
+inline float nearest_quanta(float metres) {
+    return std::rint(metres / kQuantum) * kQuantum;
+}
 
 }  // namespace sim

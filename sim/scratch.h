@@ -7,16 +7,16 @@
 
 namespace sim {
 
-// A face between ground and drain: that of vertex (x, y) toward east or north in flux_x or flux_y. `sign` is +1 where
-// ground lies on the west or south side, so that sign × flux leaves the world.
+// A face between ground and drain: that of vertex (x, y) toward east or north in flux_x or flux_y. `sign` is
+// +1 where ground lies on the west or south side, so that sign × flux leaves the world.
 struct DrainFace {
     int x, y;
     bool along_x;
     int sign;
 };
 
-// What a step needs between its stages; holds nothing from one sub-step to the next. Made once per world, so that a
-// step allocates nothing.
+// What a step needs between its stages; holds nothing from one sub-step to the next. Made once per world, so
+// that a step allocates nothing.
 struct Scratch {
     explicit Scratch(const State& state);
 

@@ -7,8 +7,8 @@
 
 namespace sim {
 
-// What of a state changes while its world stays: a plain value. Restoring it into a state of the same world gives the
-// same hash and the same future, to the bit.
+// What of a state changes while its world stays: a plain value. Restoring it into a state of the same world
+// gives the same hash and the same future, to the bit.
 struct Snapshot {
     Field<float> depth, rolling, velocity_x, velocity_y;  // as in State
     std::int64_t tick = 0;
@@ -18,6 +18,7 @@ struct Snapshot {
 };
 
 Snapshot take_snapshot(const State& state);
-void restore(const Snapshot& snapshot, State& state);  // `state` must be of the world the snapshot was taken of
+void restore(const Snapshot& snapshot,
+             State& state);  // `state` must be of the world the snapshot was taken of
 
 }  // namespace sim

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "sim/bcre/stages.h"
 #include "sim/borders.h"
 #include "sim/params.h"
 #include "sim/quanta.h"
 #include "sim/scratch.h"
-#include "sim/bcre/stages.h"
 
 namespace sim {
 namespace {
@@ -72,8 +72,8 @@ State make_state(const World& world, const Params& params) {
     set_sites(s, params, world.has_data);
     for (int y = 0; y < grid.ny; ++y)
         for (int x = 0; x < grid.nx; ++x) {
-            const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.nx) +
-                                  static_cast<std::size_t>(x);
+            const std::size_t i =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(x);
             s.bedrock(x, y) = world.bedrock[i];
             if (s.site(x, y) != Site::kGround) continue;
             s.depth(x, y) = nearest_quanta(world.depth[i]);
@@ -86,6 +86,8 @@ State make_state(const World& world, const Params& params) {
     return s;
 }
 
-bool at_rest(const State& state) { return state.ledger.rolling == 0 && state.sources.empty(); }
+bool at_rest(const State& state) {
+    return state.ledger.rolling == 0 && state.sources.empty();
+}
 
 }  // namespace sim

@@ -10,7 +10,8 @@
 
 namespace sim {
 
-// What a vertex is to the flow. Border vertices of the grid are kGround; the halo around them is kDrain or kWall.
+// What a vertex is to the flow. Border vertices of the grid are kGround; the halo around them is kDrain or
+// kWall.
 enum class Site : std::uint8_t {
     kGround,  // material lies and rolls here
     kDrain,   // what arrives has left the world: no-data and the halo of open and sink borders
@@ -25,8 +26,8 @@ struct Source {
 };
 
 // All that a step changes, and the ground it changes it on. A plain value: copy it to keep it.
-// bedrock, depth and rolling are vertical metres; depth and rolling are whole multiples of kQuantum (ledger.h), so that
-// sums and differences of them are exact.
+// bedrock, depth and rolling are vertical metres; depth and rolling are whole multiples of kQuantum
+// (ledger.h), so that sums and differences of them are exact.
 struct State {
     Grid grid;
 
@@ -35,10 +36,12 @@ struct State {
     Field<float> rolling;      // R ≥ 0, m, rolling layer
     Field<float> velocity_x;   // m/s, of the rolling layer; 0 where R = 0
     Field<float> velocity_y;   // m/s
-    Field<float> start_slope;  // tangent above which the vertex starts from rest; set by make_state from the first surface
+    Field<float> start_slope;  // tangent above which the vertex starts from rest; set by make_state from the
+                               // first surface
     Field<Site> site;
 
-    double datum = 0;  // m, height of b = 0 above the terrain's zero; bedrock is kept small so that slopes keep their digits
+    double datum = 0;  // m, height of b = 0 above the terrain's zero; bedrock is kept small so that slopes
+                       // keep their digits
 
     std::int64_t tick = 0;        // ticks done
     std::vector<Source> sources;  // running, in the order in which they were given
@@ -49,16 +52,17 @@ struct State {
 // What a world begins with: grid.size() values each, row-major, without a halo.
 struct World {
     Grid grid;
-    double datum = 0;                         // m, see State
-    std::span<const float> bedrock;           // m above datum
-    std::span<const float> depth;             // m, 0 ≤ depth ≤ kDeepest / 2; rounded to whole quanta
-    std::span<const float> rolling;           // m, the same; begins at rest
-    std::span<const std::uint8_t> has_data;   // 0 where material leaves the world
+    double datum = 0;                        // m, see State
+    std::span<const float> bedrock;          // m above datum
+    std::span<const float> depth;            // m, 0 ≤ depth ≤ kDeepest / 2; rounded to whole quanta
+    std::span<const float> rolling;          // m, the same; begins at rest
+    std::span<const std::uint8_t> has_data;  // 0 where material leaves the world
     std::uint64_t seed = 0;
 };
 State make_state(const World& world, const Params& params);
 
-// Nothing rolls and nothing is being poured or dug: with no further command every later tick leaves the same fields.
+// Nothing rolls and nothing is being poured or dug: with no further command every later tick leaves the same
+// fields.
 bool at_rest(const State& state);
 
 // Read-only view that everything outside sim gets. Valid as long as the state is.

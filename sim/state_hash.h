@@ -6,8 +6,9 @@ namespace sim {
 
 struct State;
 
-// 64 bits of the whole state: bedrock, depth, rolling layer, velocity x and y, unpadded and as bits, in that order, then
-// tick, running sources and seed. XXH3, whose value is the same on every machine; zero and minus zero differ.
+// 64 bits of the whole state: bedrock, depth, rolling layer, velocity x and y, unpadded and as bits, in that
+// order, then tick, running sources and seed. XXH3, whose value is the same on every machine; zero and minus
+// zero differ.
 std::uint64_t state_hash(const State& state);
 
 }  // namespace sim

@@ -13,7 +13,8 @@
 
 namespace sim {
 
-void step(State& state, const Params& params, std::span<const Command> commands, Scratch& scratch, Workers& workers) {
+void step(State& state, const Params& params, std::span<const Command> commands, Scratch& scratch,
+          Workers& workers) {
     const auto each_band = [&](auto&& stage) { workers.each_band(state.grid.ny, stage); };
     const bool inertial = params.model == Model::kBcreInertial;
     const Substeps substeps = substeps_of(params, state.grid.dx);
@@ -53,8 +54,8 @@ void step(State& state, const Params& params, std::span<const Command> commands,
         std::swap(state.velocity_y, scratch.velocity_y);
         drain(state, scratch);
 
-        // Between the layers, where the flow stands now. One slope serves both stages, so that their order within a
-        // vertex does not depend on its neighbours'.
+        // Between the layers, where the flow stands now. One slope serves both stages, so that their order
+        // within a vertex does not depend on its neighbours'.
         each_band([&](int first, int last) { bcre::lower_slope(state, scratch, first, last); });
         each_band([&](int first, int last) {
             if (inertial)

@@ -27,7 +27,8 @@ void Workers::run(int rows, Call call, void* callable) {
     round_.fetch_add(1, std::memory_order_release);
     round_.notify_all();
     do_band(0);
-    for (int left = busy_.load(std::memory_order_acquire); left != 0; left = busy_.load(std::memory_order_acquire))
+    for (int left = busy_.load(std::memory_order_acquire); left != 0;
+         left = busy_.load(std::memory_order_acquire))
         busy_.wait(left, std::memory_order_acquire);
 }
 

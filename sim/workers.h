@@ -8,8 +8,8 @@
 
 namespace sim {
 
-// A fixed crew of threads that divides rows among itself. Each stage writes only the rows it is given and reads what an
-// earlier stage finished, so the number of threads never shows in the result.
+// A fixed crew of threads that divides rows among itself. Each stage writes only the rows it is given and
+// reads what an earlier stage finished, so the number of threads never shows in the result.
 class Workers {
   public:
     explicit Workers(int threads);  // ≥ 1; 1 starts none
@@ -19,11 +19,14 @@ class Workers {
 
     int threads() const { return static_cast<int>(crew_.size()) + 1; }
 
-    // Calls stage(first, last) for bands of the rows 0 … rows-1, and returns when all are done. `stage` must not throw.
+    // Calls stage(first, last) for bands of the rows 0 … rows-1, and returns when all are done. `stage` must
+    // not throw.
     template <class Stage>
     void each_band(int rows, Stage&& stage) {
         using Callable = std::remove_reference_t<Stage>;
-        run(rows, [](void* callable, int first, int last) { (*static_cast<Callable*>(callable))(first, last); },
+        run(
+            rows,
+            [](void* callable, int first, int last) { (*static_cast<Callable*>(callable))(first, last); },
             const_cast<void*>(static_cast<const void*>(&stage)));
     }
 

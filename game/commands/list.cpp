@@ -42,7 +42,7 @@ Outcome<int> list(const ListOptions& options) {
     }
     text += "terrains (generator = \"NAME\" in a scene)\n  slope-of-soil\n  alpine-valley\n";
     json["terrains"] = {{{"name", "slope-of-soil"}}, {{"name", "alpine-valley"}}};
-    fmt::print("{}", options.json ? json.dump(2) + "\n" : text);
+    fmt::print("{}", options.json ? printed(json) : text);
     return 0;
 }
 

@@ -70,6 +70,9 @@ Outcome<int> replay(const ReplayOptions& options) {
     if (recording->warning) fmt::print(stderr, "couloir: warning: {}\n", *recording->warning);
     const Start& start = recording->header.start;
 
+    for (const auto& file : {options.perf, options.summary})
+        if (file)
+            if (auto placed = make_place_for(*file); !placed) return tl::unexpected(placed.error());
     auto session = Session::begin(start, options.threads, std::nullopt);
     if (!session) return tl::unexpected(session.error());
     std::optional<Gallery> gallery;
@@ -82,7 +85,7 @@ Outcome<int> replay(const ReplayOptions& options) {
     Verifier verifier(*recording);
 
     Until until;
-    until.tick = std::min(options.until.value_or(recording->last_tick()), recording->last_tick());
+    until.tick = until.most_ticks = std::min(options.until.value_or(recording->last_tick()), recording->last_tick());
     Watchers watchers;
     watchers.gallery = gallery ? &*gallery : nullptr;
     watchers.ticks_per_picture = options.pictures.every;
@@ -102,9 +105,9 @@ Outcome<int> replay(const ReplayOptions& options) {
     if (options.perf)
         if (auto written = perf.write_csv(*options.perf); !written) return tl::unexpected(written.error());
     if (options.summary)
-        if (auto written = write_text(*options.summary, to_json(summary).dump(2) + "\n"); !written)
+        if (auto written = write_text(*options.summary, printed(to_json(summary))); !written)
             return tl::unexpected(written.error());
-    fmt::print("{}", options.json ? to_json(summary).dump(2) + "\n" : to_text(summary));
+    fmt::print("{}", options.json ? printed(to_json(summary)) : to_text(summary));
     return options.verify && verifier.verdict().parted ? Failure::kBadAnswer : 0;
 }
 

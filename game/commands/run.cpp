@@ -35,6 +35,9 @@ Outcome<Leavings> open_leavings(const RunOptions& options, const Start& start, c
     }
     if (options.export_folder)
         if (auto made = make_folder(*options.export_folder); !made) return tl::unexpected(made.error());
+    for (const auto& file : {options.perf, options.summary})
+        if (file)
+            if (auto placed = make_place_for(*file); !placed) return tl::unexpected(placed.error());
     if (options.record) {
         auto recorder = Recorder::create(*options.record, start);
         if (!recorder) return tl::unexpected(recorder.error());
@@ -55,7 +58,7 @@ Until until_of(const RunOptions& options, const sim::Params& params) {
     if (options.until_rest)
         until.most_ticks = ticks(options.seconds.value_or(3600));
     else
-        until.tick = ticks(*options.seconds);
+        until.tick = until.most_ticks = ticks(*options.seconds);
     return until;
 }
 
@@ -65,6 +68,8 @@ Outcome<int> run(const RunOptions& options) {
     const auto scene = scene_of(options);
     if (!scene) return tl::unexpected(scene.error());
     const Start& start = scene->start;
+    if (options.wishes.scheme && start.params.model != sim::Model::kBcre)
+        return unusable("--scheme is of the model bcre, and this is bcre-inertial, which has its own; add --model bcre");
     const terrains::Terrain ground = ground_of(start);
     auto leavings = open_leavings(options, start, ground);
     if (!leavings) return tl::unexpected(leavings.error());
@@ -94,9 +99,9 @@ Outcome<int> run(const RunOptions& options) {
     if (options.perf)
         if (auto written = perf.write_csv(*options.perf); !written) return tl::unexpected(written.error());
     if (options.summary)
-        if (auto written = write_text(*options.summary, to_json(summary).dump(2) + "\n"); !written)
+        if (auto written = write_text(*options.summary, printed(to_json(summary))); !written)
             return tl::unexpected(written.error());
-    fmt::print("{}", options.json ? to_json(summary).dump(2) + "\n" : to_text(summary));
+    fmt::print("{}", options.json ? printed(to_json(summary)) : to_text(summary));
     return *finished ? 0 : Failure::kBadAnswer;
 }
 

@@ -1,7 +1,6 @@
 #include "game/recording/format.h"
 
 #include <charconv>
-#include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -72,13 +71,16 @@ Json numbers(std::initializer_list<double> values) {
     return list;
 }
 
-glm::dvec3 triple(const Json& json, const char* key) {
+glm::dvec3 triple(const Json& json, const char* key, double least, double most) {
     const Json& list = member(json, key);
     if (!list.is_array() || list.size() != 3) refuse(fmt::format("{} is not three numbers", key));
     glm::dvec3 values;
     for (int i = 0; i < 3; ++i) {
-        values[i] = list.at(static_cast<std::size_t>(i)).get<double>();
-        if (!(std::fabs(values[i]) < 1e9)) refuse(fmt::format("{} is out of range", key));
+        const Json& value = list.at(static_cast<std::size_t>(i));
+        if (!value.is_number()) refuse(fmt::format("{} is not three numbers", key));
+        values[i] = value.get<double>();
+        if (!(values[i] >= least && values[i] <= most))
+            refuse(fmt::format("{} has {}, outside {} to {}", key, values[i], least, most));
     }
     return values;
 }
@@ -125,8 +127,10 @@ void ground_from(const Json& json, Start& start) {
     start.datum = number(json, "datum", -2e4, 2e4);
     if (json.contains("georeference")) {
         const Json& place = member(json, "georeference");
-        start.georeference = terrains::Georeference::projected(text(place, "wkt"), number(place, "x", -1e9, 1e9),
-                                                               number(place, "y", -1e9, 1e9));
+        const std::string wkt = text(place, "wkt");
+        const double x = number(place, "x", -1e9, 1e9), y = number(place, "y", -1e9, 1e9);
+        start.georeference =
+            wkt.empty() ? terrains::Georeference::unnamed(x, y) : terrains::Georeference::projected(wkt, x, y);
     }
     if (!member(json, "data").is_string()) refuse("data is not a text");
     if (const auto unpacked = unpack_ground(member(json, "data").get_ref<const std::string&>(), start); !unpacked)
@@ -159,10 +163,10 @@ Json view_json(const Start& start) {
 
 void view_from(const Json& json, Start& start) {
     const Json& look = member(json, "look");
-    start.look.rock = triple(look, "rock");
-    start.look.meadow = triple(look, "meadow");
-    start.look.standing = triple(look, "standing");
-    start.look.rolling = triple(look, "rolling");
+    start.look.rock = triple(look, "rock", 0, 1);
+    start.look.meadow = triple(look, "meadow", 0, 1);
+    start.look.standing = triple(look, "standing", 0, 1);
+    start.look.rolling = triple(look, "rolling", 0, 1);
     start.look.roughness = static_cast<float>(number(look, "roughness", 0, 1));
     start.look.cover_visible_m = static_cast<float>(number(look, "cover_visible_m", 0, 10));
     start.look.rolling_visible_m = static_cast<float>(number(look, "rolling_visible_m", 0, 10));
@@ -170,7 +174,7 @@ void view_from(const Json& json, Start& start) {
     start.light = {number(light, "azimuth_deg", -360, 360), number(light, "elevation_deg", 1, 90)};
     if (!json.contains("camera")) return;
     const Json& camera = member(json, "camera");
-    start.camera = render::Camera{triple(camera, "target"), number(camera, "azimuth_deg", -360, 360),
+    start.camera = render::Camera{triple(camera, "target", -1e9, 1e9), number(camera, "azimuth_deg", -360, 360),
                                   number(camera, "elevation_deg", -90, 90), number(camera, "distance_m", 0.1, 1e6),
                                   number(camera, "field_of_view_deg", 5, 120)};
 }
@@ -185,7 +189,7 @@ void read_version(const Json& json) {
     if (major > kFormatMajor)
         refuse(fmt::format("recorded in format {}.{}, and this program reads up to {}.x: use a newer couloir", major, minor,
                            kFormatMajor));
-    if (major < 1) refuse(fmt::format("format {}.{} never was", major, minor));
+    if (major < 1 || minor < 0) refuse(fmt::format("format {}.{} never was", major, minor));
 }
 
 Header read_header(const Json& json) {
@@ -305,7 +309,8 @@ std::uint64_t Chain::link(std::string_view body) const {
 }
 
 std::string Chain::write(const Json& json) {
-    std::string line = json.dump();
+    // A file's name need not be UTF-8, and a recording is.
+    std::string line = json.dump(-1, ' ', false, Json::error_handler_t::replace);
     line.pop_back();
     last_ = link(line);
     return fmt::format("{}{}{}\"}}", line, kChainKey, hex(last_));
@@ -320,6 +325,8 @@ tl::expected<void, std::string> Chain::read(std::string_view line) {
     last_ = expected;
     return {};
 }
+
+std::string printed(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 std::string hex(std::uint64_t value) { return fmt::format("{:016x}", value); }
 

@@ -70,6 +70,8 @@ class Chain {
 };
 
 std::string hex(std::uint64_t value);  // 16 digits
+// For people and scripts: indented, with a line break. What is not UTF-8, as a file's name may be, becomes U+FFFD.
+std::string printed(const Json& json);
 std::optional<std::uint64_t> from_hex(std::string_view text);
 
 }  // namespace game

@@ -28,15 +28,19 @@ Read next_line(std::istream& stream, std::string& line, std::size_t longest) {
 
 // JSON no deeper than a recording ever is. Errors: the parser's, shortened to the fact.
 tl::expected<Json, std::string> parse(const std::string& line) {
-    bool too_deep = false;
-    const auto watch = [&](int depth, Json::parse_event_t, Json&) {
-        too_deep |= depth > kDeepestNesting;
-        return !too_deep;
+    struct TooDeep {};
+    // Thrown, so that the parser stops there: it keeps a pointer for every level that it merely skips.
+    const auto watch = [](int depth, Json::parse_event_t, Json&) {
+        if (depth > kDeepestNesting) throw TooDeep{};
+        return true;
     };
-    Json json = Json::parse(line, watch, false);
-    if (too_deep) return tl::unexpected(std::string("nested deeper than any recording"));
-    if (json.is_discarded()) return tl::unexpected(std::string("not JSON"));
-    return json;
+    try {
+        Json json = Json::parse(line, watch, false);
+        if (json.is_discarded()) return tl::unexpected(std::string("not JSON"));
+        return json;
+    } catch (const TooDeep&) {
+        return tl::unexpected(std::string("nested deeper than any recording"));
+    }
 }
 
 class Reader {

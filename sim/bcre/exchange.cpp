@@ -8,8 +8,9 @@
 #include "sim/scratch.h"
 #include "sim/state.h"
 
-// Exchange between the layers, thin flow: ∂R/∂t = γ R p, ∂h/∂t = −γ R p, with p = S − threshold and S the slope toward the
-// lower neighbours of h (upwind: what lies uphill feels what happens below, and a checkerboard is seen):
+// Exchange between the layers, thin flow: ∂R/∂t = γ R p, ∂h/∂t = −γ R p, with p = S − threshold and S the
+// slope toward the lower neighbours of h (upwind: what lies uphill feels what happens below, and a
+// checkerboard is seen):
 //
 //            N              g_x = max(0, h_C − h_W, h_C − h_E) / Δx
 //            |              g_y = max(0, h_C − h_S, h_C − h_N) / Δx
@@ -17,9 +18,10 @@
 //            |
 //            S              lowering C by Δ lowers S by at most κ Δ/Δx
 //
-// With the lower neighbours held for the sub-step, p falls with what is eroded: a logistic equation in R. Its solution
-// never takes S past the threshold. A vertex that is raised may come above a neighbour that was not lower before, so
-// deposition reckons with the greatest κ, √2. Where p changes little in a sub-step the solution is the exponential.
+// With the lower neighbours held for the sub-step, p falls with what is eroded: a logistic equation in R. Its
+// solution never takes S past the threshold. A vertex that is raised may come above a neighbour that was not
+// lower before, so deposition reckons with the greatest κ, √2. Where p changes little in a sub-step the
+// solution is the exponential.
 
 namespace sim::bcre {
 namespace {
@@ -35,8 +37,8 @@ float after_exchange(float rolling, float excess, float rate, float spread, floa
     return end / (1.f + (end / rolling - 1.f) * exponential(-pace * end));
 }
 
-// Moves `amount` from the standing to the rolling layer, or back if negative: whole quanta, no more than there is. What
-// is eroded starts at rest; what is deposited takes its momentum along.
+// Moves `amount` from the standing to the rolling layer, or back if negative: whole quanta, no more than
+// there is. What is eroded starts at rest; what is deposited takes its momentum along.
 void transfer(State& s, int x, int y, float amount, float dither) {
     float &d = s.depth(x, y), &r = s.rolling(x, y);
     const float moved = std::clamp(to_quanta(amount, dither), -r, d);
@@ -57,7 +59,8 @@ void lower_slope(const State& s, Scratch& scratch, int first, int last) {
         const float *d = s.depth.row(y), *d_n = s.depth.row(y + 1), *d_s = s.depth.row(y - 1);
         float *slope = scratch.slope.row(y), *spread = scratch.slope_spread.row(y);
         for (int x = 0; x < s.grid.nx; ++x) {
-            const float west = (b[x] - b[x - 1]) + (d[x] - d[x - 1]), east = (b[x] - b[x + 1]) + (d[x] - d[x + 1]);
+            const float west = (b[x] - b[x - 1]) + (d[x] - d[x - 1]),
+                        east = (b[x] - b[x + 1]) + (d[x] - d[x + 1]);
             const float south = (b[x] - b_s[x]) + (d[x] - d_s[x]), north = (b[x] - b_n[x]) + (d[x] - d_n[x]);
             const float gx = std::max(0.f, std::max(west, east)) * per_cell;
             const float gy = std::max(0.f, std::max(south, north)) * per_cell;
@@ -74,14 +77,17 @@ void exchange(State& s, const Params& params, const Scratch& scratch, Substep su
             if (r == 0) continue;
             const float excess = scratch.slope(x, y) - params.stop_slope;
             transfer(s, x, y,
-                     after_exchange(r, excess, params.exchange_rate, scratch.slope_spread(x, y), s.grid.dx, sub.dt) - r,
+                     after_exchange(r, excess, params.exchange_rate, scratch.slope_spread(x, y), s.grid.dx,
+                                    sub.dt) -
+                         r,
                      sub.dither);
         }
 }
 
-// The same with a speed gate on deposition, a threshold that falls with depth, and a band between the stop and the
-// erosion slope in which nothing is exchanged.
-void exchange_inertial(State& s, const Params& params, const Scratch& scratch, Substep sub, int first, int last) {
+// The same with a speed gate on deposition, a threshold that falls with depth, and a band between the stop
+// and the erosion slope in which nothing is exchanged.
+void exchange_inertial(State& s, const Params& params, const Scratch& scratch, Substep sub, int first,
+                       int last) {
     for (int y = first; y < last; ++y)
         for (int x = 0; x < s.grid.nx; ++x) {
             const float r = s.rolling(x, y);
@@ -97,7 +103,8 @@ void exchange_inertial(State& s, const Params& params, const Scratch& scratch, S
             } else if (slope > params.erosion_slope && r > params.erosion_depth) {
                 excess = slope - params.erosion_slope;
             }
-            if (excess != 0) transfer(s, x, y, after_exchange(r, excess, rate, spread, s.grid.dx, sub.dt) - r, sub.dither);
+            if (excess != 0)
+                transfer(s, x, y, after_exchange(r, excess, rate, spread, s.grid.dx, sub.dt) - r, sub.dither);
         }
 }
 

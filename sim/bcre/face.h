@@ -8,19 +8,22 @@
 
 // Faces and their two vertices, along either axis; what the three transport schemes share.
 //
-//     back      left   |   right     beyond        a face lies between left and right, positive from left to right
+//     back      left   |   right     beyond        a face lies between left and right, positive from left to
+//     right
 //      x-1       x     |    x+1       x+2          (west to east, south to north)
 
 namespace sim::bcre {
 
 // One velocity per face: that of the material on both sides together. 0 where there is none.
-inline float face_velocity(float left_rolling, float left_velocity, float right_rolling, float right_velocity) {
+inline float face_velocity(float left_rolling, float left_velocity, float right_rolling,
+                           float right_velocity) {
     const float both = left_rolling + right_rolling;
     return both > 0 ? (left_rolling * left_velocity + right_rolling * right_velocity) / both : 0.f;
 }
 
-// Calls flux = face(R_back, R_left, R_right, R_beyond, v_left, v_right) for every face of the rows and stores it, in m of depth
-// per unit of Δt/Δx. At the border, where back or beyond would lie outside the halo, the halo vertex stands in for it.
+// Calls flux = face(R_back, R_left, R_right, R_beyond, v_left, v_right) for every face of the rows and stores
+// it, in m of depth per unit of Δt/Δx. At the border, where back or beyond would lie outside the halo, the
+// halo vertex stands in for it.
 template <class Face>
 void each_face(const State& s, Scratch& scratch, int first, int last, Face&& face) {
     const int nx = s.grid.nx, ny = s.grid.ny;
@@ -36,7 +39,8 @@ void each_face(const State& s, Scratch& scratch, int first, int last, Face&& fac
         const float *right = s.rolling.row(y + 1), *beyond = s.rolling.row(std::min(y + 2, ny));
         const float *v_left = s.velocity_y.row(y), *v_right = s.velocity_y.row(y + 1);
         float* flux = scratch.flux_y.row(y);
-        for (int x = 0; x < nx; ++x) flux[x] = face(back[x], left[x], right[x], beyond[x], v_left[x], v_right[x]);
+        for (int x = 0; x < nx; ++x)
+            flux[x] = face(back[x], left[x], right[x], beyond[x], v_left[x], v_right[x]);
     }
 }
 

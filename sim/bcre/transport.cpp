@@ -13,13 +13,15 @@
 //               ↑            what stays keeps its velocity, what comes brings its own:
 //              F_s           v ← (R_stays v + Σ F_in v_donor) / (R_stays + Σ F_in)
 //
-// A flux of both signs leaves its donor: the left vertex if positive, the right one if negative. As a mean with positive
-// weights the new velocity never exceeds those it is made of.
+// A flux of both signs leaves its donor: the left vertex if positive, the right one if negative. As a mean
+// with positive weights the new velocity never exceeds those it is made of.
 
 namespace sim::bcre {
 namespace {
 
-float out_of(float toward, float away) { return std::max(toward, 0.f) + std::max(-away, 0.f); }
+float out_of(float toward, float away) {
+    return std::max(toward, 0.f) + std::max(-away, 0.f);
+}
 
 }  // namespace
 
@@ -61,7 +63,8 @@ void carry(const State& s, Scratch& scratch, int first, int last) {
         const float *fx = scratch.flux_x.row(y), *fn = scratch.flux_y.row(y), *fs = scratch.flux_y.row(y - 1);
         const float *u = s.velocity_x.row(y), *u_n = s.velocity_x.row(y + 1), *u_s = s.velocity_x.row(y - 1);
         const float *v = s.velocity_y.row(y), *v_n = s.velocity_y.row(y + 1), *v_s = s.velocity_y.row(y - 1);
-        float *rolling = scratch.rolling.row(y), *new_u = scratch.velocity_x.row(y), *new_v = scratch.velocity_y.row(y);
+        float *rolling = scratch.rolling.row(y), *new_u = scratch.velocity_x.row(y),
+              *new_v = scratch.velocity_y.row(y);
         for (int x = 0; x < s.grid.nx; ++x) {
             const float west = std::max(fx[x - 1], 0.f), east = std::max(-fx[x], 0.f);
             const float south = std::max(fs[x], 0.f), north = std::max(-fn[x], 0.f);
@@ -70,10 +73,12 @@ void carry(const State& s, Scratch& scratch, int first, int last) {
             const float after = stays + ((west + east) + (south + north));
             const float per_depth = after > 0 ? 1.f / after : 0.f;
             rolling[x] = after;
-            new_u[x] = (stays * u[x] + ((west * u[x - 1] + east * u[x + 1]) + (south * u_s[x] + north * u_n[x]))) *
-                       per_depth;
-            new_v[x] = (stays * v[x] + ((west * v[x - 1] + east * v[x + 1]) + (south * v_s[x] + north * v_n[x]))) *
-                       per_depth;
+            new_u[x] =
+                (stays * u[x] + ((west * u[x - 1] + east * u[x + 1]) + (south * u_s[x] + north * u_n[x]))) *
+                per_depth;
+            new_v[x] =
+                (stays * v[x] + ((west * v[x - 1] + east * v[x + 1]) + (south * v_s[x] + north * v_n[x]))) *
+                per_depth;
         }
     }
 }

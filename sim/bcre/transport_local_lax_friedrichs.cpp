@@ -12,10 +12,11 @@ namespace sim::bcre {
 
 void fluxes_local_lax_friedrichs(const State& s, Scratch& scratch, Substep sub, int first, int last) {
     const float courant = sub.dt / s.grid.dx;
-    each_face(s, scratch, first, last, [=](float, float left, float right, float, float v_left, float v_right) {
-        const float w = face_velocity(left, v_left, right, v_right);
-        return courant * w * (w > 0 ? left : right);
-    });
+    each_face(s, scratch, first, last,
+              [=](float, float left, float right, float, float v_left, float v_right) {
+                  const float w = face_velocity(left, v_left, right, v_right);
+                  return courant * w * (w > 0 ? left : right);
+              });
 }
 
 }  // namespace sim::bcre

@@ -2,8 +2,8 @@
 #include "sim/bcre/stages.h"
 #include "sim/quanta.h"
 
-// Donor cell with the layer's depth carried to the face along its minmod-limited slope (van Leer 1979), second order in
-// space where R is smooth; the transport of bcre-inertial:
+// Donor cell with the layer's depth carried to the face along its minmod-limited slope (van Leer 1979),
+// second order in space where R is smooth; the transport of bcre-inertial:
 //
 //     F = w Δt/Δx · (w > 0 ? R_l + ½ minmod(R_l − R_b, R_r − R_l)            b     l  |  r     y
 //                          : R_r − ½ minmod(R_r − R_l, R_y − R_r))

@@ -47,7 +47,8 @@ void accelerate(State& s, const Params& params, Substep sub, int first, int last
         const float *r = s.rolling.row(y), *r_n = s.rolling.row(y + 1), *r_s = s.rolling.row(y - 1);
         float *u = s.velocity_x.row(y), *v = s.velocity_y.row(y);
         for (int x = 0; x < s.grid.nx; ++x) {
-            const float gx = ((b[x + 1] - b[x - 1]) + ((d[x + 1] + r[x + 1]) - (d[x - 1] + r[x - 1]))) * per_step;
+            const float gx =
+                ((b[x + 1] - b[x - 1]) + ((d[x + 1] + r[x + 1]) - (d[x - 1] + r[x - 1]))) * per_step;
             const float gy = ((b_n[x] - b_s[x]) + ((d_n[x] + r_n[x]) - (d_s[x] + r_s[x]))) * per_step;
             const float steepness = std::sqrt(gx * gx + gy * gy);
             const float terminal = std::min(params.max_speed, params.speed_per_slope * steepness) *

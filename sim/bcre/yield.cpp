@@ -7,17 +7,19 @@
 #include "sim/scratch.h"
 #include "sim/state.h"
 
-// Two thresholds (Daerr & Douady 1999). A vertex whose rolling layer is thinner than R_min and slow is at rest:
+// Two thresholds (Daerr & Douady 1999). A vertex whose rolling layer is thinner than R_min and slow is at
+// rest:
 //
 //     S > s_start and d + R ≥ R_min   start:   min(d, start_depth) begins to roll
 //     else                            freeze:  the thin layer joins the standing one
 //
-// so a pile between its two thresholds comes to a rest that is exact, and holds no denormals. Slow is what deposits: in
-// bcre everything, in bcre-inertial what is below the deposit speed; without that a front, which is thin where it arrives,
-// would be stopped the more often the shorter the sub-step. Less than R_min in all lies on any slope, as dust does.
+// so a pile between its two thresholds comes to a rest that is exact, and holds no denormals. Slow is what
+// deposits: in bcre everything, in bcre-inertial what is below the deposit speed; without that a front, which
+// is thin where it arrives, would be stopped the more often the shorter the sub-step. Less than R_min in all
+// lies on any slope, as dust does.
 //
-// A layer of any depth that stands still, as on the very top of a heap, where no side is down, freezes too if the vertex
-// holds when it has: S + κ R/Δx ≤ s_start.
+// A layer of any depth that stands still, as on the very top of a heap, where no side is down, freezes too if
+// the vertex holds when it has: S + κ R/Δx ≤ s_start.
 
 namespace sim::bcre {
 namespace {
@@ -29,7 +31,8 @@ constexpr float kStandsStill = 1e-3f;  // m/s; a grain on a slope is faster afte
 void yield(State& s, const Params& params, const Scratch& scratch, int first, int last) {
     const float per_cell = 1.f / s.grid.dx;
     const float start_depth = nearest_quanta(params.start_depth);
-    const float slow = params.model == Model::kBcreInertial ? params.deposit_speed : std::numeric_limits<float>::infinity();
+    const float slow =
+        params.model == Model::kBcreInertial ? params.deposit_speed : std::numeric_limits<float>::infinity();
     for (int y = first; y < last; ++y) {
         const float *slope = scratch.slope.row(y), *spread = scratch.slope_spread.row(y);
         const float* start_slope = s.start_slope.row(y);

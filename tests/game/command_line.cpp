@@ -58,6 +58,9 @@ TEST(CommandLine, that_is_wrong_ends_with_2_and_one_line) {
         {short_run({"--model", "newton"}), "--model"},
         {short_run({"--scheme", "upwind"}), "--scheme"},
         {short_run({"--scheme", "lax-friedrichs", "--model", "bcre-inertial"}), "--scheme"},
+        {short_run({"--scheme", "lax-friedrichs"}), "--scheme"},  // the scene's model has its own
+        {short_run({"--gl", "moon", "--frames", "never-made"}), "moon"},
+        {{"replay", "/"}, "is a folder"},
         {short_run({"--material", "cheese"}), "cheese"},
         {short_run({"--material", "sand"}), "bcre-inertial"},
         {short_run({"--release", "x.geojson"}), "--release"},
@@ -70,7 +73,7 @@ TEST(CommandLine, that_is_wrong_ends_with_2_and_one_line) {
         {{"run", "--terrain", "x.asc", "--release", "y.geojson", "--until-rest"}, "x.asc"},
         {{"run", "nothing", "--until-rest"}, "nothing"},
         {{"run", "nothing.toml", "--until-rest"}, "nothing.toml"},
-        {{"replay"}, "RECORDING"},
+        {{"replay"}, "recording is required"},
         {{"replay", "nothing"}, "nothing"},
         {{"replay", "nothing.couloir"}, "nothing.couloir"},
         {{"replay", "nothing", "--until", "-1"}, "--until"},

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "game/assets.h"
@@ -20,13 +21,13 @@ TEST(ShippedMaterials, load_for_the_models_they_have_numbers_for_and_for_no_othe
     for (const std::string& name : names) {
         const std::string text = read_bytes(find_asset(AssetKind::kMaterial, name).value());
         for (const sim::Model model : {sim::Model::kBcre, sim::Model::kBcreInertial}) {
-            const std::string block = "[" + std::string(sim::to_string(model)) + "]";
+            const std::string block = fmt::format("[{}]", sim::to_string(model));
             const auto material = load_material(name, model);
             if (text.find("\n" + block) != std::string::npos) {
                 ASSERT_TRUE(material) << material.error().sentence;
                 EXPECT_EQ(material->params.model, model);
                 EXPECT_EQ(material->name, name);
-                EXPECT_NE(material->title, name);
+                EXPECT_FALSE(material->title.empty());
                 ++loaded;
             } else {
                 ASSERT_FALSE(material) << name;

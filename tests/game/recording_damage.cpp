@@ -83,6 +83,7 @@ TEST_F(DamagedRecording, is_none_as_it_was_written) {
     ASSERT_EQ(recording->commands.size(), commands.size());
     for (std::size_t i = 0; i < commands.size(); ++i) {
         EXPECT_EQ(recording->commands[i].tick, commands[i].tick);
+        EXPECT_EQ(recording->commands[i].command, commands[i].command);
     }
 }
 

@@ -54,7 +54,10 @@ std::vector<TimedCommand> some_commands() {
     sim::Command dig = pour;
     dig.kind = sim::CommandKind::kDig;
     dig.rate = 0.1;
-    sim::Command blast = pour;
+    sim::Command blast;
+    blast.x = pour.x;
+    blast.y = pour.y;
+    blast.radius = pour.radius;
     blast.kind = sim::CommandKind::kBlast;
     blast.depth = 0.2;
     return {{0, pour}, {3, dig}, {3, heap}, {20, blast}};

@@ -138,8 +138,9 @@ TEST_F(ForgedHeader, with_a_number_beyond_all_numbers_is_refused) {
 
 // Where these stand in a header they are as good as what stood there.
 bool may_stand(const std::string& place, const Json& value) {
-    static const std::set<std::string> kNames{"/program",  "/scene",        "/title",
-                                              "/material", "/terrain/name", "/terrain/licence"};
+    static const std::set<std::string> kNames{
+        "/program",  "/scene",        "/title",          "/terrain/georeference/wkt",
+        "/material", "/terrain/name", "/terrain/licence"};
     static const std::set<std::string> kSigned{"/terrain/georeference/x",    "/terrain/georeference/y",
                                                "/view/light/azimuth_deg",    "/view/camera/azimuth_deg",
                                                "/view/camera/elevation_deg", "/view/camera/target/0",
@@ -149,7 +150,8 @@ bool may_stand(const std::string& place, const Json& value) {
 
 TEST_F(ForgedHeader, with_a_wrong_kind_of_value_anywhere_is_refused) {
     std::set<std::string> places;
-    for (const auto& [leaf, value] : header_.flatten().items()) {
+    const Json leaves = header_.flatten();
+    for (const auto& [leaf, value] : leaves.items()) {
         const std::string path = leaf;
         for (auto end = path.size(); end != 0 && end != std::string::npos; end = path.rfind('/', end - 1))
             places.insert(path.substr(0, end));  // the leaf and all that hold it
@@ -164,6 +166,16 @@ TEST_F(ForgedHeader, with_a_wrong_kind_of_value_anywhere_is_refused) {
             header[Json::json_pointer(place)] = wrong;
             refused(header);
         }
+}
+
+TEST_F(ForgedHeader, with_no_line_behind_it_plays_and_proves_nothing) {
+    bodies_.resize(1);
+    ASSERT_TRUE(read(header_));
+    const Finished replayed = couloir({"replay", path_.string(), "--verify"});
+    EXPECT_EQ(replayed.status, 0) << replayed.err;
+    EXPECT_NE(replayed.out.find("nothing is proven"), std::string::npos) << replayed.out;
+    const Json summary = Json::parse(couloir({"replay", path_.string(), "--verify", "--json"}).out);
+    EXPECT_EQ(summary["verified"]["exact"], false);
 }
 
 TEST_F(ForgedHeader, without_any_one_member_is_refused) {

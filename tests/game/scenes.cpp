@@ -136,7 +136,6 @@ constexpr Fault kFaults[] = {
     {"[80, 72, -48]", "[80, 72]", 14, "camera.target"},
     {"[80, 72, -48]", "[80, 72, \"x\"]", 14, "camera.target"},
     {"[[command]]", "[command]", 10, "command"},
-    {"[light]\nazimuth = 255", "light = 3", 15, "light"},
     // Out of range.
     {"grid = 16", "grid = 7", 4, "terrain.grid"},
     {"grid = 16", "grid = 4097", 4, "terrain.grid"},

@@ -128,7 +128,8 @@ TEST(Commands, manifest_stands_in_the_order_of_its_kinds) {
 TEST(Commands, refuse_every_number_out_of_its_range_and_name_it) {
     for (const sim::CommandInfo& info : sim::kCommands)
         for (const sim::CommandNumber& number : info.numbers)
-            for (const double bad : {std::nextafter(number.least, -1e300) - 1, number.most * 1.001 + 1, std::nan("")}) {
+            for (const double bad :
+                 {std::nextafter(number.least, -1e300) - 1, number.most * 1.001 + 1, std::nan("")}) {
                 Command command;
                 command.kind = info.kind;
                 command.depth = command.radius = 1;

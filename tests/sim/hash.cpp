@@ -20,8 +20,8 @@ struct World : Play {
 TEST(StateHash, changes_with_a_single_bit_anywhere) {
     World play;
     const std::uint64_t before = sim::state_hash(play.state);
-    for (sim::Field<float>* field : {&play.state.bedrock, &play.state.depth, &play.state.rolling, &play.state.velocity_x,
-                                     &play.state.velocity_y}) {
+    for (sim::Field<float>* field : {&play.state.bedrock, &play.state.depth, &play.state.rolling,
+                                     &play.state.velocity_x, &play.state.velocity_y}) {
         for (const auto& [x, y] : {std::pair(0, 0), std::pair(16, 18), std::pair(7, 9)}) {
             float& value = (*field)(x, y);
             const float kept = value;

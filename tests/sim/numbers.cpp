@@ -37,7 +37,8 @@ TEST(Quanta, round_right_on_average_and_alike_for_both_signs) {
 TEST(Params, defaults_are_sound_and_every_number_out_of_range_is_named) {
     ASSERT_FALSE(sim::fault_of(sim::Params{}));
     for (const sim::ParamInfo& info : sim::kParams)
-        for (const float bad : {info.least - 1, info.most * 1.01f + 1, std::numeric_limits<float>::quiet_NaN()}) {
+        for (const float bad :
+             {info.least - 1, info.most * 1.01f + 1, std::numeric_limits<float>::quiet_NaN()}) {
             sim::Params params;
             params.*info.value = bad;
             const auto fault = sim::fault_of(params);

@@ -141,7 +141,9 @@ TEST(Exchange, grows_and_decays_as_the_exponential) {
 
 TEST(Exchange, never_carries_the_slope_past_its_threshold) {
     std::mt19937 random(17);
-    const auto within = [&](double least, double most) { return least + (most - least) * static_cast<double>(random()) / 4294967296.0; };
+    const auto within = [&](double least, double most) {
+        return least + (most - least) * static_cast<double>(random()) / 4294967296.0;
+    };
     for (int round = 0; round < 2000; ++round) {
         support::Ground ground({3, 3, 1});
         const double deep = within(0, 1);

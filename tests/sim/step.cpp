@@ -30,7 +30,9 @@ std::string name_of(const Physics& p) {
 
 // Commands of all kinds, anywhere in and around the world.
 std::vector<sim::Command> any_commands(std::mt19937& random, double extent) {
-    const auto within = [&](double least, double most) { return least + (most - least) * static_cast<double>(random()) / 4294967296.0; };
+    const auto within = [&](double least, double most) {
+        return least + (most - least) * static_cast<double>(random()) / 4294967296.0;
+    };
     std::vector<sim::Command> commands;
     for (const sim::CommandInfo& info : sim::kCommands) {
         sim::Command c;
@@ -67,7 +69,8 @@ TEST(Step, lets_a_pile_above_its_start_slope_slide_and_comes_to_rest_near_the_st
         play.ticks(60 * 120);
         EXPECT_TRUE(sim::at_rest(play.state)) << name_of(p);
         EXPECT_LT(play.state.depth(30, 30), top - 1) << name_of(p);
-        // From 10 m to 4 m beside the middle no side is steeper than what starts, nor all of it gentler than what stops.
+        // From 10 m to 4 m beside the middle no side is steeper than what starts, nor all of it gentler than
+        // what stops.
         const float fall = play.state.depth(34, 30) - play.state.depth(40, 30);
         EXPECT_GT(fall / 6, 0.2f) << name_of(p);
         EXPECT_LT(fall / 6, params.start_slope) << name_of(p);
@@ -105,7 +108,8 @@ TEST(Step, never_makes_a_negative_depth_or_a_value_that_is_not_finite) {
                     ASSERT_GE(play.state.rolling(x, y), 0) << name_of(p) << ", tick " << tick;
                     const float speed = std::hypot(play.state.velocity_x(x, y), play.state.velocity_y(x, y));
                     ASSERT_LE(speed, play.params.max_speed * 1.001f) << name_of(p) << ", tick " << tick;
-                    ASSERT_TRUE(play.state.rolling(x, y) > 0 || speed == 0) << name_of(p) << ", tick " << tick;
+                    ASSERT_TRUE(play.state.rolling(x, y) > 0 || speed == 0)
+                        << name_of(p) << ", tick " << tick;
                 }
         }
     }
@@ -118,7 +122,8 @@ TEST(Step, gives_the_same_bits_with_any_number_of_threads) {
         for (const int threads : {2, 3, 5, 8}) {
             Play many(support::rough(40, 2, 11), lively(p.model, p.scheme), threads);
             many.ticks(200);
-            EXPECT_EQ(sim::state_hash(one.state), sim::state_hash(many.state)) << name_of(p) << ", " << threads;
+            EXPECT_EQ(sim::state_hash(one.state), sim::state_hash(many.state))
+                << name_of(p) << ", " << threads;
         }
     }
 }

@@ -2,8 +2,8 @@
 
 #include "tests/support/worlds.h"
 
-// A turned or mirrored world does the turned or mirrored thing, to the bit: no direction of the grid is favoured by the
-// order of operations.
+// A turned or mirrored world does the turned or mirrored thing, to the bit: no direction of the grid is
+// favoured by the order of operations.
 
 namespace {
 
@@ -56,8 +56,10 @@ TEST(Symmetry, mirrored_transposed_and_turned_worlds_stay_so_to_the_bit) {
                 for (int y = 0; y < 31; ++y)
                     for (int x = 0; x < 31; ++x) {
                         const auto [fx, fy] = turn(x, y, 30);
-                        ASSERT_EQ(other.state.depth(x, y), straight.state.depth(fx, fy)) << name << " " << x << " " << y;
-                        ASSERT_EQ(other.state.rolling(x, y), straight.state.rolling(fx, fy)) << name << " " << x << " " << y;
+                        ASSERT_EQ(other.state.depth(x, y), straight.state.depth(fx, fy))
+                            << name << " " << x << " " << y;
+                        ASSERT_EQ(other.state.rolling(x, y), straight.state.rolling(fx, fy))
+                            << name << " " << x << " " << y;
                     }
             }
 }

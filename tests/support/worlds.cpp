@@ -17,7 +17,8 @@ std::size_t Ground::at(int x, int y) const {
 void Ground::set(std::vector<float>& field, const std::function<double(double, double)>& of) {
     for (int y = 0; y < grid.ny; ++y)
         for (int x = 0; x < grid.nx; ++x)
-            field[at(x, y)] = static_cast<float>(of(x * static_cast<double>(grid.dx), y * static_cast<double>(grid.dx)));
+            field[at(x, y)] =
+                static_cast<float>(of(x * static_cast<double>(grid.dx), y * static_cast<double>(grid.dx)));
 }
 
 Ground plane(int squares, float dx, double tangent, double depth) {
@@ -42,7 +43,8 @@ Ground rough(int squares, float dx, unsigned seed) {
     Ground ground({squares + 1, squares + 3, dx});  // not square, so that swapped axes show
     std::mt19937 random(seed);
     const auto noise = [&] { return static_cast<double>(random()) / 4294967296.0; };
-    ground.set(ground.bedrock, [&](double, double y) { return -0.6 * y + 0.8 * noise() * static_cast<double>(dx); });
+    ground.set(ground.bedrock,
+               [&](double, double y) { return -0.6 * y + 0.8 * noise() * static_cast<double>(dx); });
     ground.set(ground.depth, [&](double, double) { return noise(); });
     ground.set(ground.rolling, [&](double, double) { return noise() < 0.1 ? 0.5 * noise() : 0.0; });
     return ground;
@@ -52,7 +54,8 @@ Play::Play(const Ground& ground, const sim::Params& with, int threads)
     : params(with), state(sim::make_state(ground.world(), with)), scratch(state), workers(threads) {}
 
 void Play::ticks(int count, std::span<const sim::Command> first) {
-    for (int i = 0; i < count; ++i) sim::step(state, params, i == 0 ? first : std::span<const sim::Command>{}, scratch, workers);
+    for (int i = 0; i < count; ++i)
+        sim::step(state, params, i == 0 ? first : std::span<const sim::Command>{}, scratch, workers);
 }
 
 sim::Params lively(sim::Model model, sim::Scheme scheme) {
@@ -71,7 +74,8 @@ sim::Params lively(sim::Model model, sim::Scheme scheme) {
 bool same_bits(const sim::Field<float>& a, const sim::Field<float>& b) {
     if (a.nx() != b.nx() || a.ny() != b.ny()) return false;
     for (int y = 0; y < a.ny(); ++y)
-        if (std::memcmp(a.row(y), b.row(y), sizeof(float) * static_cast<std::size_t>(a.nx())) != 0) return false;
+        if (std::memcmp(a.row(y), b.row(y), sizeof(float) * static_cast<std::size_t>(a.nx())) != 0)
+            return false;
     return true;
 }
 
