@@ -17,9 +17,12 @@ struct Drawer {
 
 Drawer drawer_of(AssetKind kind) {
     switch (kind) {
-        case AssetKind::kScene: return {"scenes", ".toml", "scene"};
-        case AssetKind::kMaterial: return {"materials", ".toml", "material"};
-        case AssetKind::kRecording: break;
+        case AssetKind::kScene:
+            return {"scenes", ".toml", "scene"};
+        case AssetKind::kMaterial:
+            return {"materials", ".toml", "material"};
+        case AssetKind::kRecording:
+            break;
     }
     return {"recordings", ".couloir", "recording"};
 }
@@ -58,7 +61,8 @@ Outcome<fs::path> find_asset(AssetKind kind, std::string_view name_or_path) {
     if (fs::is_regular_file(given, error)) return given;
     const Drawer drawer = drawer_of(kind);
     const bool is_path = given.has_parent_path() || given.has_extension();
-    if (fs::is_directory(given, error)) return unusable(fmt::format("{}: is a folder, not a file", name_or_path));
+    if (fs::is_directory(given, error))
+        return unusable(fmt::format("{}: is a folder, not a file", name_or_path));
     if (is_path) return unusable(fmt::format("{}: no such file", name_or_path));
 
     const auto names = asset_names(kind);

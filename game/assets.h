@@ -8,8 +8,9 @@
 
 namespace game {
 
-// The folder that holds shaders, scenes, materials and recordings: COULOIR_ASSETS if set, else beside or above the program
-// (a build tree), else share/couloir of its prefix (an installation). Errors: none of these has it.
+// The folder that holds shaders, scenes, materials and recordings: COULOIR_ASSETS if set, else beside or
+// above the program (a build tree), else share/couloir of its prefix (an installation). Errors: none of these
+// has it.
 Outcome<std::filesystem::path> assets_folder();
 
 enum class AssetKind { kScene, kMaterial, kRecording };

@@ -5,8 +5,8 @@
 #include <functional>
 #include <thread>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "game/commands/commands.h"
 #include "game/version.h"
@@ -30,19 +30,24 @@ void add_pictures(CLI::App& app, PictureOptions& options, const char* where) {
            "--size",
            [&options](const std::string& text) {
                char rest = 0;
-               if (std::sscanf(text.c_str(), "%dx%d%c", &options.size.width, &options.size.height, &rest) != 2 ||
-                   options.size.width < 16 || options.size.height < 16 || options.size.width > 8192 || options.size.height > 8192)
-                   throw CLI::ValidationError("--size", "'" + text + "' is not WIDTHxHEIGHT, each 16 to 8192 pixels");
+               if (std::sscanf(text.c_str(), "%dx%d%c", &options.size.width, &options.size.height, &rest) !=
+                       2 ||
+                   options.size.width < 16 || options.size.height < 16 || options.size.width > 8192 ||
+                   options.size.height > 8192)
+                   throw CLI::ValidationError("--size",
+                                              "'" + text + "' is not WIDTHxHEIGHT, each 16 to 8192 pixels");
            },
            "of the pictures, in pixels [1280x720]")
         ->type_name("WxH");
     app.add_option("--gl", options.gl,
-                   "where to draw: auto (a hardware device if there is one), surfaceless (software), device or device:N")
+                   "where to draw: auto (a hardware device if there is one), surfaceless (software), device "
+                   "or device:N")
         ->check(
             [](const std::string& way) {
                 int number = 0;
                 char rest = 0;
-                const bool numbered = std::sscanf(way.c_str(), "device:%d%c", &number, &rest) == 1 && number >= 0;
+                const bool numbered =
+                    std::sscanf(way.c_str(), "device:%d%c", &number, &rest) == 1 && number >= 0;
                 const bool known = way == "auto" || way == "surfaceless" || way == "device" || numbered;
                 return known ? "" : "'" + way + "' is none of auto, surfaceless, device, device:N";
             },
@@ -56,9 +61,11 @@ void add_threads(CLI::App& app, int& threads) {
         ->capture_default_str();
 }
 
-void add_results(CLI::App& app, std::optional<std::filesystem::path>& perf, std::optional<std::filesystem::path>& summary, bool& json) {
+void add_results(CLI::App& app, std::optional<std::filesystem::path>& perf,
+                 std::optional<std::filesystem::path>& summary, bool& json) {
     app.add_option("--perf", perf, "write the performance log, a line per tick")->type_name("FILE.csv");
-    app.add_option("--summary", summary, "write what is printed in the end, and more, as JSON")->type_name("FILE.json");
+    app.add_option("--summary", summary, "write what is printed in the end, and more, as JSON")
+        ->type_name("FILE.json");
     app.add_flag("--json", json, "print the summary as JSON");
 }
 
@@ -77,22 +84,34 @@ void add_named(CLI::App& app, const char* option, std::optional<Enum>& value,
 
 void add_run(CLI::App& app, RunOptions& options) {
     app.add_option("scene", options.scene, "a name from `couloir list`, or a scene file")->type_name("SCENE");
-    auto* terrain = app.add_option("--terrain", options.terrain, "a DEM instead of a scene: GeoTIFF, ESRI ASCII, …")
-                        ->type_name("DEM");
-    app.add_option("--release", options.release,
-                   "what starts on it: a depth raster, or GeoJSON polygons with `thickness` in vertical metres")
+    auto* terrain =
+        app.add_option("--terrain", options.terrain, "a DEM instead of a scene: GeoTIFF, ESRI ASCII, …")
+            ->type_name("DEM");
+    app.add_option(
+           "--release", options.release,
+           "what starts on it: a depth raster, or GeoJSON polygons with `thickness` in vertical metres")
         ->type_name("FILE")
         ->needs(terrain);
-    app.add_option("--reference", options.reference, "GeoJSON extent to compare with; the summary tells the overlap")
+    app.add_option("--reference", options.reference,
+                   "GeoJSON extent to compare with; the summary tells the overlap")
         ->type_name("FILE");
-    app.add_option("--material", options.wishes.material, "a name from `couloir list`, or a material file")->type_name("NAME");
+    app.add_option("--material", options.wishes.material, "a name from `couloir list`, or a material file")
+        ->type_name("NAME");
     add_named(app, "--model", options.wishes.model, sim::model_from, "bcre, bcre-inertial", "physics");
-    add_named(app, "--scheme", options.wishes.scheme, sim::scheme_from, "lax-friedrichs, local-lax-friedrichs", "of bcre");
-    app.add_option("--grid", options.wishes.squares, "squares along the longer side")->check(CLI::Range(8, 4096))->type_name("N");
-    app.add_flag("--until-rest", options.until_rest, "stop when nothing moves; with --seconds, by then at the latest [3600]");
+    add_named(app, "--scheme", options.wishes.scheme, sim::scheme_from,
+              "lax-friedrichs, local-lax-friedrichs", "of bcre");
+    app.add_option("--grid", options.wishes.squares, "squares along the longer side")
+        ->check(CLI::Range(8, 4096))
+        ->type_name("N");
+    app.add_flag("--until-rest", options.until_rest,
+                 "stop when nothing moves; with --seconds, by then at the latest [3600]");
     app.add_option("--seconds", options.seconds, "simulated time")
         ->check(CLI::Range(0.0, 86400.0))
-        ->check([](const std::string& text) { return std::isnan(std::strtod(text.c_str(), nullptr)) ? "not a number" : ""; }, "")
+        ->check(
+            [](const std::string& text) {
+                return std::isnan(std::strtod(text.c_str(), nullptr)) ? "not a number" : "";
+            },
+            "")
         ->type_name("S");
     app.add_option("--record", options.record, "write the recording here")->type_name("FILE.couloir");
     app.add_option("--export", options.export_folder,
@@ -104,21 +123,31 @@ void add_run(CLI::App& app, RunOptions& options) {
 }
 
 void add_replay(CLI::App& app, ReplayOptions& options) {
-    app.add_option("recording", options.recording, "a name from `couloir list`, or a file")->type_name("RECORDING")->required();
-    app.add_flag_callback("--headless", [] {}, "without a window (the only way yet)");
-    app.add_option("--until", options.until, "stop after this many ticks")->check(CLI::Range(0, 1 << 30))->type_name("TICK");
-    app.add_flag("--verify", options.verify, "compare every recorded state hash and mass ledger; status 1 if one differs");
+    app.add_option("recording", options.recording, "a name from `couloir list`, or a file")
+        ->type_name("RECORDING")
+        ->required();
+    app.add_flag_callback(
+        "--headless", [] {}, "without a window (the only way yet)");
+    app.add_option("--until", options.until, "stop after this many ticks")
+        ->check(CLI::Range(0, 1 << 30))
+        ->type_name("TICK");
+    app.add_flag("--verify", options.verify,
+                 "compare every recorded state hash and mass ledger; status 1 if one differs");
     add_pictures(app, options.pictures, "write pictures here");
-    app.add_flag_callback("--no-render", [&options] { options.pictures.folder.reset(); }, "draw nothing, whatever else is said");
+    app.add_flag_callback(
+        "--no-render", [&options] { options.pictures.folder.reset(); },
+        "draw nothing, whatever else is said");
     add_results(app, options.perf, options.summary, options.json);
     add_threads(app, options.threads);
 }
 
 // What the options of a run must add up to.
 Outcome<void> check(RunOptions& options) {
-    if (!options.scene.empty() && options.terrain) return unusable("run takes a scene or --terrain DEM, not both");
+    if (!options.scene.empty() && options.terrain)
+        return unusable("run takes a scene or --terrain DEM, not both");
     if (options.scene.empty() && !options.terrain)
-        return unusable("run needs a scene, or --terrain DEM with --release FILE; `couloir list` tells the scenes");
+        return unusable(
+            "run needs a scene, or --terrain DEM with --release FILE; `couloir list` tells the scenes");
     if (options.terrain && !options.release)
         return unusable("--terrain needs --release FILE: without it nothing would start");
     if (!options.until_rest && !options.seconds) return unusable("run needs --until-rest or --seconds S");
@@ -132,9 +161,11 @@ Outcome<void> check(RunOptions& options) {
 }  // namespace
 
 Outcome<int> run_command_line(int argc, char** argv) {
-    CLI::App app{"Couloir: a sandbox for avalanches and landslides.\n"
-                 "Exit status: 0 done; 1 ran, but the answer is bad; 2 unusable arguments or input; 3 the machine fails.",
-                 "couloir"};
+    CLI::App app{
+        "Couloir: a sandbox for avalanches and landslides.\n"
+        "Exit status: 0 done; 1 ran, but the answer is bad; 2 unusable arguments or input; 3 the machine "
+        "fails.",
+        "couloir"};
     app.set_version_flag("--version", fmt::format("{}, commit {}", kProgram, kCommit));
     app.get_formatter()->column_width(34);
 
@@ -153,8 +184,9 @@ Outcome<int> run_command_line(int argc, char** argv) {
     } catch (const CLI::Success& asked) {  // --help, --version
         return app.exit(asked);
     } catch (const CLI::ParseError& wrong) {
-        return unusable(fmt::format("{} (couloir {}--help tells more)", wrong.what(),
-                                    app.get_subcommands().empty() ? "" : app.get_subcommands()[0]->get_name() + " "));
+        return unusable(
+            fmt::format("{} (couloir {}--help tells more)", wrong.what(),
+                        app.get_subcommands().empty() ? "" : app.get_subcommands()[0]->get_name() + " "));
     }
     if (app.get_subcommands().empty())
         return unusable("a subcommand is missing: run, replay or list (couloir --help tells more)");

@@ -36,7 +36,9 @@ Outcome<void> export_results(const std::filesystem::path& folder, const Start& s
     if (auto made = make_folder(folder); !made) return made;
     const std::vector<float> deposit = deposit_of(start, session.state());
     const std::pair<std::string, const std::vector<float>*> fields[] = {
-        {"deposit", &deposit}, {"peak_depth", &session.peaks().depth}, {"peak_speed", &session.peaks().speed}};
+        {"deposit", &deposit},
+        {"peak_depth", &session.peaks().depth},
+        {"peak_speed", &session.peaks().speed}};
     for (const auto& [name, field] : fields)
         for (const auto& written :
              {terrains::write_geotiff(folder / (name + ".tif"), start.grid, start.georeference, *field),
@@ -44,8 +46,11 @@ Outcome<void> export_results(const std::filesystem::path& folder, const Start& s
             if (!written) return machine_fails(written.error());
 
     std::vector<std::uint8_t> extent(start.grid.size());
-    for (std::size_t i = 0; i < extent.size(); ++i) extent[i] = session.peaks().depth[i] >= Measures::kExtentDepth;
-    if (auto written = terrains::write_outlines(folder / "extent.geojson", start.grid, start.georeference, extent); !written)
+    for (std::size_t i = 0; i < extent.size(); ++i)
+        extent[i] = session.peaks().depth[i] >= Measures::kExtentDepth;
+    if (auto written =
+            terrains::write_outlines(folder / "extent.geojson", start.grid, start.georeference, extent);
+        !written)
         return machine_fails(written.error());
     return write_text(folder / "summary.json", printed(to_json(summary)));
 }
@@ -53,8 +58,8 @@ Outcome<void> export_results(const std::filesystem::path& folder, const Start& s
 void draw_results(Gallery& gallery, const Session& session) {
     const sim::View now = session.view();
     const sim::Field<float> peaks = peak_field(session);
-    const sim::View extent{now.grid,       now.bedrock,    now.depth, peaks,     now.velocity_x,
-                           now.velocity_y, now.site, now.datum, now.tick};
+    const sim::View extent{now.grid,       now.bedrock, now.depth, peaks,   now.velocity_x,
+                           now.velocity_y, now.site,    now.datum, now.tick};
     gallery.draw_map(extent, "map_extent");
     gallery.draw_map(now, "map_end");
 }

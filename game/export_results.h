@@ -10,12 +10,13 @@
 
 namespace game {
 
-// What an avalanche left, for a GIS: deposit, peak depth and peak speed as GeoTIFF and ESRI ASCII, the extent's outline
-// as GeoJSON, and summary.json. Errors: a file cannot be written (status 3).
+// What an avalanche left, for a GIS: deposit, peak depth and peak speed as GeoTIFF and ESRI ASCII, the
+// extent's outline as GeoJSON, and summary.json. Errors: a file cannot be written (status 3).
 Outcome<void> export_results(const std::filesystem::path& folder, const Start& start, const Session& session,
                              const Summary& summary);
 
-// Two maps with north up: map_extent shows all that the rolling layer ever covered, map_end the world as it is.
+// Two maps with north up: map_extent shows all that the rolling layer ever covered, map_end the world as it
+// is.
 void draw_results(Gallery& gallery, const Session& session);
 
 // The start's ground as terrains knows it, to place other files on it.

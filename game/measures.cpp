@@ -15,8 +15,8 @@ double ground_height(const Start& start, std::size_t i) {
 }
 
 // Run-out, fall and reach; nothing where nothing was released or nothing moved.
-void measure_line(const Start& start, const std::vector<std::uint8_t>& released, const std::vector<std::uint8_t>& extent,
-                  Measures& measures) {
+void measure_line(const Start& start, const std::vector<std::uint8_t>& released,
+                  const std::vector<std::uint8_t>& extent, Measures& measures) {
     const sim::Grid& grid = start.grid;
     const auto place = [&](int x, int y) {
         return terrains::LocalPoint{x * static_cast<double>(grid.dx), y * static_cast<double>(grid.dx)};
@@ -62,7 +62,8 @@ Measures measure(const Start& start, const Session& session, const std::vector<s
             measures.extent_area += extent[i] * cell;
             measures.peak_depth = std::max(measures.peak_depth, static_cast<double>(peaks.depth[i]));
             measures.peak_speed = std::max(measures.peak_speed, static_cast<double>(peaks.speed[i]));
-            const double change = static_cast<double>(session.state().depth(x, y)) - static_cast<double>(start.depth[i]);
+            const double change =
+                static_cast<double>(session.state().depth(x, y)) - static_cast<double>(start.depth[i]);
             (change < 0 ? measures.eroded : measures.deposited) += std::fabs(change) * cell;
             if (reference.empty()) continue;
             both += extent[i] && reference[i];

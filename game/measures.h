@@ -11,24 +11,26 @@
 
 namespace game {
 
-// What an avalanche did, as people in the field put it. The extent is where the rolling layer was ever at least
-// kExtentDepth deep.
+// What an avalanche did, as people in the field put it. The extent is where the rolling layer was ever at
+// least kExtentDepth deep.
 struct Measures {
     static constexpr float kExtentDepth = 0.1f;  // m
 
-    double extent_area = 0;                     // m², in plan
-    double peak_depth = 0, peak_speed = 0;      // m, m/s
-    double eroded = 0, deposited = 0;           // m³ by which the standing layer has been lowered and raised
-    // From the highest vertex at which material was released or poured to the farthest of the extent, straight.
+    double extent_area = 0;                 // m², in plan
+    double peak_depth = 0, peak_speed = 0;  // m, m/s
+    double eroded = 0, deposited = 0;       // m³ by which the standing layer has been lowered and raised
+    // From the highest vertex at which material was released or poured to the farthest of the extent,
+    // straight.
     terrains::LocalPoint top, toe;
-    double run_out = 0;      // m, in plan
-    double fall = 0;         // m
-    double reach_deg = 0;    // ° of that line below the horizon
+    double run_out = 0;    // m, in plan
+    double fall = 0;       // m
+    double reach_deg = 0;  // ° of that line below the horizon
     // Extent and reference: their intersection over their union; with a reference only.
     std::optional<double> overlap;
 };
 
-// `released` is where material was set loose, as has_release gives it; `reference` is empty or grid.size() flags.
+// `released` is where material was set loose, as has_release gives it; `reference` is empty or grid.size()
+// flags.
 Measures measure(const Start& start, const Session& session, const std::vector<std::uint8_t>& released,
                  const std::vector<std::uint8_t>& reference);
 

@@ -26,7 +26,8 @@ template <class Recipe, class Numbers>
 Recipe read_recipe(TomlTable& table, const Numbers& numbers) {
     Recipe recipe;
     for (const auto& number : numbers)
-        if (const auto value = table.number(number.name, number.lowest, number.highest)) recipe.*number.value = *value;
+        if (const auto value = table.number(number.name, number.lowest, number.highest))
+            recipe.*number.value = *value;
     return recipe;
 }
 
@@ -68,13 +69,14 @@ MaybeTerrain read_terrain(TomlTable& table, const fs::path& folder, const Wishes
     return generator ? generate(table, *generator, squares) : read_file(table, folder / *file, squares);
 }
 
-// [cover]: the material, and for a ground that has none of its own, how deep it lies: `depth` where the ground is above
-// `above` + `fade` and gentler than `bare` − 10°, none below `above` or where steeper than `bare`.
+// [cover]: the material, and for a ground that has none of its own, how deep it lies: `depth` where the
+// ground is above `above` + `fade` and gentler than `bare` − 10°, none below `above` or where steeper than
+// `bare`.
 struct CoverRule {
-    double depth = 0;             // m
-    double above = -1e6;          // m
-    double fade = 1;              // m
-    double bare = 90;             // deg
+    double depth = 0;     // m
+    double above = -1e6;  // m
+    double fade = 1;      // m
+    double bare = 90;     // deg
 };
 
 std::optional<CoverRule> read_cover_rule(TomlTable& table) {
@@ -105,8 +107,8 @@ void lay_cover(Terrain& terrain, const CoverRule& rule) {
             const double gentle = std::clamp((rule.bare - slope_deg) / 10, 0.0, 1.0);
             // Millimetres, so that the last bits of another maths library never show.
             const double depth = std::rint(rule.depth * high * gentle * 1024) / 1024;
-            terrain.cover[static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x)] =
-                static_cast<float>(depth);
+            terrain.cover[static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) +
+                          static_cast<std::size_t>(x)] = static_cast<float>(depth);
         }
 }
 
@@ -196,13 +198,14 @@ void read_view(TomlTable& root, Start& start) {
     }
 }
 
-void take_material(Start& start, Material material, const sim::Params& over) {
+void take_material(Start& start, const Material& material, const sim::Params& over) {
     start.material = material.name;
     start.look = material.look;
     start.params = over;
 }
 
-// The whole file in the order in which one part needs another. Faults gather in `fault`; what is returned then is moot.
+// The whole file in the order in which one part needs another. Faults gather in `fault`; what is returned
+// then is moot.
 Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& wishes, TomlFault& fault) {
     Scene scene;
     Start& start = scene.start;
@@ -225,7 +228,8 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& w
     if (fault) return unusable(*fault);
 
     const auto material = load_material(wishes.material.value_or(*named), model);
-    if (!material && !wishes.material) cover->blame("material", "cannot be used: " + material.error().sentence);
+    if (!material && !wishes.material)
+        cover->blame("material", "cannot be used: " + material.error().sentence);
     if (!material) return fault ? unusable(*fault) : tl::unexpected(material.error());
     sim::Params params = material->params;
     read_scheme(*physics, wishes, params);
@@ -241,7 +245,8 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& w
     read_view(root, start);
     root.finish();
     if (fault) return unusable(*fault);
-    if (const auto wrong = sim::fault_of(params)) return unusable(fmt::format("{}: {}", path.string(), *wrong));
+    if (const auto wrong = sim::fault_of(params))
+        return unusable(fmt::format("{}: {}", path.string(), *wrong));
 
     auto terrain = read_terrain(*ground, path.parent_path(), wishes);
     if (fault) return unusable(*fault);
@@ -265,7 +270,8 @@ Outcome<Scene> load_scene(std::string_view name_or_path, const Wishes& wishes) {
 
 Outcome<Scene> scene_of_terrain(const fs::path& dem, const fs::path& release, const Wishes& wishes) {
     constexpr int kUsualSquares = 256;
-    const auto material = load_material(wishes.material.value_or("snow-dry"), wishes.model.value_or(sim::Model::kBcreInertial));
+    const auto material =
+        load_material(wishes.material.value_or("snow-dry"), wishes.model.value_or(sim::Model::kBcreInertial));
     if (!material) return tl::unexpected(material.error());
     const auto terrain = terrains::read_dem(dem, wishes.squares.value_or(kUsualSquares));
     if (!terrain) return unusable(terrain.error());
@@ -273,7 +279,8 @@ Outcome<Scene> scene_of_terrain(const fs::path& dem, const fs::path& release, co
     if (!rolling) return unusable(rolling.error());
     constexpr float kDeepestRelease = sim::kDeepest / 2;
     if (const float most = *std::max_element(rolling->begin(), rolling->end()); most > kDeepestRelease)
-        return unusable(fmt::format("{}: {} m thick, and the most is {} m", release.string(), most, kDeepestRelease));
+        return unusable(
+            fmt::format("{}: {} m thick, and the most is {} m", release.string(), most, kDeepestRelease));
 
     Scene scene;
     scene.start.scene = scene.start.title = terrain->name;

@@ -12,8 +12,8 @@ namespace game {
 
 // What a person may say on the command line against what a scene file says.
 struct Wishes {
-    std::optional<int> squares;                // along the longer side, 8 to 4096
-    std::optional<std::string> material;       // name or file
+    std::optional<int> squares;           // along the longer side, 8 to 4096
+    std::optional<std::string> material;  // name or file
     std::optional<sim::Model> model;
     std::optional<sim::Scheme> scheme;
 };
@@ -24,12 +24,12 @@ struct Scene {
     std::vector<TimedCommand> commands;  // in order of their ticks
 };
 
-// Reads a scene by name or file (README.md has every key), its material and its terrain. Errors: damage, told with file
-// and line, or whatever is wrong with terrain or material.
+// Reads a scene by name or file (README.md has every key), its material and its terrain. Errors: damage, told
+// with file and line, or whatever is wrong with terrain or material.
 Outcome<Scene> load_scene(std::string_view name_or_path, const Wishes& wishes);
 
-// A real hill without a scene: a DEM, the material (snow-dry unless wished otherwise), no cover, borders and no-data
-// as sinks, and `release` (raster or GeoJSON, terrains/release.h) as rolling layer at rest.
+// A real hill without a scene: a DEM, the material (snow-dry unless wished otherwise), no cover, borders and
+// no-data as sinks, and `release` (raster or GeoJSON, terrains/release.h) as rolling layer at rest.
 Outcome<Scene> scene_of_terrain(const std::filesystem::path& dem, const std::filesystem::path& release,
                                 const Wishes& wishes);
 

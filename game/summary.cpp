@@ -10,8 +10,9 @@ namespace {
 Json mass_json(const Session& session) {
     const sim::Ledger& mass = session.state().ledger;
     const auto m3 = [&](std::int64_t quanta) { return session.cubic_metres(quanta); };
-    return {{"initial_m3", m3(mass.initial)},   {"standing_m3", m3(mass.standing)}, {"rolling_m3", m3(mass.rolling)},
-            {"out_m3", m3(mass.out)},           {"poured_m3", m3(mass.poured)},     {"dug_m3", m3(mass.dug)},
+    return {{"initial_m3", m3(mass.initial)},   {"standing_m3", m3(mass.standing)},
+            {"rolling_m3", m3(mass.rolling)},   {"out_m3", m3(mass.out)},
+            {"poured_m3", m3(mass.poured)},     {"dug_m3", m3(mass.dug)},
             {"error_quanta", mass.mass_error()}};
 }
 
@@ -26,17 +27,24 @@ Json place_json(const Start& start, terrains::LocalPoint point) {
 
 Json measures_json(const Summary& summary) {
     const Measures& m = summary.measures;
-    Json json{{"run_out_m", m.run_out},         {"fall_m", m.fall},
-              {"reach_deg", m.reach_deg},       {"extent_ha", m.extent_area / 1e4},
-              {"peak_depth_m", m.peak_depth},   {"peak_speed_m_s", m.peak_speed},
-              {"eroded_m3", m.eroded},          {"deposited_m3", m.deposited},
-              {"top", place_json(summary.start, m.top)}, {"toe", place_json(summary.start, m.toe)}};
+    Json json{{"run_out_m", m.run_out},
+              {"fall_m", m.fall},
+              {"reach_deg", m.reach_deg},
+              {"extent_ha", m.extent_area / 1e4},
+              {"peak_depth_m", m.peak_depth},
+              {"peak_speed_m_s", m.peak_speed},
+              {"eroded_m3", m.eroded},
+              {"deposited_m3", m.deposited},
+              {"top", place_json(summary.start, m.top)},
+              {"toe", place_json(summary.start, m.toe)}};
     if (m.overlap) json["overlap"] = *m.overlap;
     return json;
 }
 
 Json verdict_json(const Verdict& verdict) {
-    Json json{{"comparable", verdict.comparable}, {"states_compared", verdict.compared}, {"proven_tick", verdict.proven_tick}};
+    Json json{{"comparable", verdict.comparable},
+              {"states_compared", verdict.compared},
+              {"proven_tick", verdict.proven_tick}};
     json["exact"] = verdict.comparable && !verdict.parted && verdict.compared > 0;
     if (verdict.parted) json["parted"] = *verdict.parted;
     return json;
@@ -51,8 +59,8 @@ std::string verdict_text(const Verdict& verdict) {
     if (!verdict.comparable) return "not comparable: recorded with another version of the physics\n";
     if (verdict.parted) return fmt::format("NOT the same: {}\n", *verdict.parted);
     if (verdict.compared == 0) return "nothing is proven: no state was recorded up to here\n";
-    return fmt::format("exact: all {} recorded states met, bit for bit; proven up to tick {}\n", verdict.compared,
-                       verdict.proven_tick);
+    return fmt::format("exact: all {} recorded states met, bit for bit; proven up to tick {}\n",
+                       verdict.compared, verdict.proven_tick);
 }
 
 }  // namespace
@@ -86,31 +94,40 @@ std::string to_text(const Summary& summary) {
     const Session& session = summary.session;
     const sim::Ledger& mass = session.state().ledger;
     const auto m3 = [&](std::int64_t quanta) { return session.cubic_metres(quanta); };
-    std::string text = fmt::format("{}: {} on {}, {}x{} squares of {:.4g} m, {}\n", start.title, start.material, start.terrain,
-                                   start.grid.nx - 1, start.grid.ny - 1, start.grid.dx,
-                                   sim::to_string(start.params.model));
+    std::string text = fmt::format("{}: {} on {}, {}x{} squares of {:.4g} m, {}\n", start.title,
+                                   start.material, start.terrain, start.grid.nx - 1, start.grid.ny - 1,
+                                   start.grid.dx, sim::to_string(start.params.model));
     if (!start.licence.empty()) text += fmt::format("terrain: {}\n", start.licence);
     text += fmt::format("{} ticks, {:.1f} s{}\n", session.state().tick, session.seconds(),
-                        !summary.at_rest    ? ""
+                        !summary.at_rest   ? ""
                         : *summary.at_rest ? ", at rest"
-                                            : ", NOT yet at rest");
+                                           : ", NOT yet at rest");
     if (m.run_out > 0) {
-        text += fmt::format("run-out {:.0f} m, fall {:.0f} m, reach {:.1f} deg; extent {:.2f} ha, up to {:.1f} m deep and {:.1f} m/s\n",
-                            m.run_out, m.fall, m.reach_deg, m.extent_area / 1e4, m.peak_depth, m.peak_speed);
+        text += fmt::format(
+            "run-out {:.0f} m, fall {:.0f} m, reach {:.1f} deg; extent {:.2f} ha, up to {:.1f} m deep and "
+            "{:.1f} m/s\n",
+            m.run_out, m.fall, m.reach_deg, m.extent_area / 1e4, m.peak_depth, m.peak_speed);
         text += fmt::format("from {}\n  to {}\n", placed(start, m.top), placed(start, m.toe));
     }
-    if (m.overlap) text += fmt::format("overlap with the reference extent {:.2f} (intersection over union)\n", *m.overlap);
-    text += fmt::format("mass: standing {:.1f} + rolling {:.1f} + out {:.1f} - poured {:.1f} + dug {:.1f} = initial {:.1f} m3, error {} quanta\n",
-                        m3(mass.standing), m3(mass.rolling), m3(mass.out), m3(mass.poured), m3(mass.dug), m3(mass.initial),
-                        mass.mass_error());
-    text += fmt::format("eroded {:.0f} m3, deposited {:.0f} m3 (entrainment has no reference and changes with the grid)\n", m.eroded, m.deposited);
+    if (m.overlap)
+        text +=
+            fmt::format("overlap with the reference extent {:.2f} (intersection over union)\n", *m.overlap);
+    text += fmt::format(
+        "mass: standing {:.1f} + rolling {:.1f} + out {:.1f} - poured {:.1f} + dug {:.1f} = initial {:.1f} "
+        "m3, error {} quanta\n",
+        m3(mass.standing), m3(mass.rolling), m3(mass.out), m3(mass.poured), m3(mass.dug), m3(mass.initial),
+        mass.mass_error());
+    text += fmt::format(
+        "eroded {:.0f} m3, deposited {:.0f} m3 (entrainment has no reference and changes with the grid)\n",
+        m.eroded, m.deposited);
     text += fmt::format("state hash {}\n", hex(session.state_line().hash));
     if (summary.verdict) text += verdict_text(*summary.verdict);
     if (summary.perf)
         for (const StageFigures& stage : summary.perf->figures())
             if (stage.count > 0)
-                text += fmt::format("{:>6}: median {:.3f} ms, p95 {:.3f}, p99 {:.3f}, max {:.3f} over {} ticks\n", stage.stage,
-                                    stage.median, stage.p95, stage.p99, stage.most, stage.count);
+                text +=
+                    fmt::format("{:>6}: median {:.3f} ms, p95 {:.3f}, p99 {:.3f}, max {:.3f} over {} ticks\n",
+                                stage.stage, stage.median, stage.p95, stage.p99, stage.most, stage.count);
     return text;
 }
 

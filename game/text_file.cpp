@@ -29,7 +29,8 @@ Outcome<void> write_text(const fs::path& path, std::string_view text) {
 
 Outcome<void> make_place_for(const fs::path& path) {
     std::error_code error;
-    if (fs::is_directory(path, error)) return machine_fails(fmt::format("{}: is a folder, not a file", path.string()));
+    if (fs::is_directory(path, error))
+        return machine_fails(fmt::format("{}: is a folder, not a file", path.string()));
     return path.has_parent_path() ? make_folder(path.parent_path()) : Outcome<void>();
 }
 
@@ -39,7 +40,8 @@ Outcome<void> make_folder(const fs::path& path) {
     if (error) return machine_fails(fmt::format("{}: cannot be made: {}", path.string(), error.message()));
     if (!fs::is_directory(path)) return machine_fails(fmt::format("{}: is not a folder", path.string()));
     if (access(path.c_str(), W_OK | X_OK) != 0)
-        return machine_fails(fmt::format("{}: cannot be written into: {}", path.string(), std::strerror(errno)));
+        return machine_fails(
+            fmt::format("{}: cannot be written into: {}", path.string(), std::strerror(errno)));
     return {};
 }
 

@@ -7,11 +7,12 @@
 
 namespace game {
 
-// Writes a whole file beside `path` and renames it, so that nobody sees half of one; makes its folder. Errors: status 3.
+// Writes a whole file beside `path` and renames it, so that nobody sees half of one; makes its folder.
+// Errors: status 3.
 Outcome<void> write_text(const std::filesystem::path& path, std::string_view text);
 
-// Whether write_text() would find a place for this file; makes its folder. To be asked before long work whose result goes
-// there. Errors: status 3.
+// Whether write_text() would find a place for this file; makes its folder. To be asked before long work whose
+// result goes there. Errors: status 3.
 Outcome<void> make_place_for(const std::filesystem::path& path);
 
 // Makes a folder that can be written into. Errors: status 3.

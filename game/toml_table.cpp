@@ -56,7 +56,8 @@ std::optional<std::vector<double>> TomlTable::numbers(std::string_view key, std:
     std::vector<double> values;
     if (const toml::array* array = node->as_array())
         for (const toml::node& element : *array)
-            if (const auto value = element.value<double>(); value && std::isfinite(*value)) values.push_back(*value);
+            if (const auto value = element.value<double>(); value && std::isfinite(*value))
+                values.push_back(*value);
     if (values.size() == count && node->as_array()->size() == count) return values;
     blame(key, fmt::format("is not a list of {} numbers", count));
     return std::nullopt;
@@ -65,7 +66,8 @@ std::optional<std::vector<double>> TomlTable::numbers(std::string_view key, std:
 std::optional<TomlTable> TomlTable::table(std::string_view key) {
     const toml::node* node = find(key);
     if (!node) return std::nullopt;
-    if (const toml::table* inner = node->as_table()) return TomlTable(*inner, std::string(key), file_, *fault_);
+    if (const toml::table* inner = node->as_table())
+        return TomlTable(*inner, std::string(key), file_, *fault_);
     blame(key, "is not a table");
     return std::nullopt;
 }
@@ -93,7 +95,8 @@ void TomlTable::blame(std::string_view key, const std::string& fact) {
     if (*fault_) return;
     const toml::node* node = key.empty() ? table_ : table_->get(key);
     const auto line = (node ? node : table_)->source().begin.line;
-    const std::string place = name_.empty() ? std::string(key) : fmt::format("{}{}{}", name_, key.empty() ? "" : ".", key);
+    const std::string place =
+        name_.empty() ? std::string(key) : fmt::format("{}{}{}", name_, key.empty() ? "" : ".", key);
     *fault_ = fmt::format("{}:{}: {}{}{}", file_, line, place, place.empty() ? "" : " ", fact);
 }
 
@@ -107,7 +110,8 @@ Outcome<toml::table> parse_toml(const std::filesystem::path& file) {
     std::error_code error;
     const auto bytes = std::filesystem::file_size(file, error);
     if (error) return unusable(fmt::format("{}: {}", file.string(), error.message()));
-    if (bytes > kMostBytes) return unusable(fmt::format("{}: {} bytes, and the most is {}", file.string(), bytes, kMostBytes));
+    if (bytes > kMostBytes)
+        return unusable(fmt::format("{}: {} bytes, and the most is {}", file.string(), bytes, kMostBytes));
     std::ifstream stream(file, std::ios::binary);
     std::stringstream content;
     content << stream.rdbuf();
@@ -115,7 +119,8 @@ Outcome<toml::table> parse_toml(const std::filesystem::path& file) {
     try {
         return toml::parse(content.str());
     } catch (const toml::parse_error& wrong) {
-        return unusable(fmt::format("{}:{}: {}", file.string(), wrong.source().begin.line, wrong.description()));
+        return unusable(
+            fmt::format("{}:{}: {}", file.string(), wrong.source().begin.line, wrong.description()));
     }
 }
 

@@ -17,9 +17,9 @@ namespace game {
 // The first thing that is wrong with a TOML file, as "file:line: fact".
 using TomlFault = std::optional<std::string>;
 
-// One table of a TOML file, read key by key. Every reader returns nothing where the key is absent; a key of the wrong kind
-// or out of range, and at finish() a key that nobody asked for, is the file's fault, told with its line. Valid as
-// long as the document and the fault are.
+// One table of a TOML file, read key by key. Every reader returns nothing where the key is absent; a key of
+// the wrong kind or out of range, and at finish() a key that nobody asked for, is the file's fault, told with
+// its line. Valid as long as the document and the fault are.
 class TomlTable {
   public:
     TomlTable(const toml::table& table, std::string name, std::string file, TomlFault& fault);

@@ -10,8 +10,8 @@
 
 namespace game {
 
-// Options of each subcommand, as the command line gives them, and what runs them. Results go to standard output. Each
-// returns its exit status, or why it ended early.
+// Options of each subcommand, as the command line gives them, and what runs them. Results go to standard
+// output. Each returns its exit status, or why it ended early.
 
 struct PictureOptions {
     std::optional<std::filesystem::path> folder;

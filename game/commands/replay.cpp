@@ -32,12 +32,14 @@ class Verifier {
         const std::int64_t initial = replayed.ledger.initial;
         replayed.ledger.initial = 0;
         if (replayed.hash != recorded.hash)
-            verdict_.parted = fmt::format("at tick {} the state's hash is {}, and {} was recorded", recorded.tick,
-                                          hex(replayed.hash), hex(recorded.hash));
+            verdict_.parted = fmt::format("at tick {} the state's hash is {}, and {} was recorded",
+                                          recorded.tick, hex(replayed.hash), hex(recorded.hash));
         else if (replayed.ledger != recorded.ledger)
-            verdict_.parted = fmt::format("at tick {} the mass ledger is not the recorded one", recorded.tick);
+            verdict_.parted =
+                fmt::format("at tick {} the mass ledger is not the recorded one", recorded.tick);
         else if (const auto error = recorded.ledger.mass_error() - initial; error != 0)
-            verdict_.parted = fmt::format("at tick {} the recorded mass is off by {} quanta", recorded.tick, error);
+            verdict_.parted =
+                fmt::format("at tick {} the recorded mass is off by {} quanta", recorded.tick, error);
         else
             verdict_.proven_tick = recorded.tick;
     }
@@ -77,7 +79,8 @@ Outcome<int> replay(const ReplayOptions& options) {
     if (!session) return tl::unexpected(session.error());
     std::optional<Gallery> gallery;
     if (options.pictures.folder) {
-        auto opened = Gallery::open(*options.pictures.folder, options.pictures.size, options.pictures.gl, start);
+        auto opened =
+            Gallery::open(*options.pictures.folder, options.pictures.size, options.pictures.gl, start);
         if (!opened) return tl::unexpected(opened.error());
         gallery = std::move(*opened);
     }
@@ -85,7 +88,8 @@ Outcome<int> replay(const ReplayOptions& options) {
     Verifier verifier(*recording);
 
     Until until;
-    until.tick = until.most_ticks = std::min(options.until.value_or(recording->last_tick()), recording->last_tick());
+    until.tick = until.most_ticks =
+        std::min(options.until.value_or(recording->last_tick()), recording->last_tick());
     Watchers watchers;
     watchers.gallery = gallery ? &*gallery : nullptr;
     watchers.ticks_per_picture = options.pictures.every;

@@ -18,15 +18,16 @@ Outcome<Scene> scene_of(const RunOptions& options) {
     return scene_of_terrain(*options.terrain, *options.release, options.wishes);
 }
 
-// Whatever the run is to leave behind is opened before it begins: a folder that cannot be written should not cost a
-// person the run.
+// Whatever the run is to leave behind is opened before it begins: a folder that cannot be written should not
+// cost a person the run.
 struct Leavings {
     std::optional<Recorder> recorder;
     std::optional<Gallery> gallery;
     std::vector<std::uint8_t> reference;
 };
 
-Outcome<Leavings> open_leavings(const RunOptions& options, const Start& start, const terrains::Terrain& ground) {
+Outcome<Leavings> open_leavings(const RunOptions& options, const Start& start,
+                                const terrains::Terrain& ground) {
     Leavings leavings;
     if (options.reference) {
         auto reference = terrains::read_extent(*options.reference, ground);
@@ -44,7 +45,8 @@ Outcome<Leavings> open_leavings(const RunOptions& options, const Start& start, c
         leavings.recorder = std::move(*recorder);
     }
     if (options.pictures.folder) {
-        auto gallery = Gallery::open(*options.pictures.folder, options.pictures.size, options.pictures.gl, start);
+        auto gallery =
+            Gallery::open(*options.pictures.folder, options.pictures.size, options.pictures.gl, start);
         if (!gallery) return tl::unexpected(gallery.error());
         leavings.gallery = std::move(*gallery);
     }
@@ -53,7 +55,9 @@ Outcome<Leavings> open_leavings(const RunOptions& options, const Start& start, c
 
 Until until_of(const RunOptions& options, const sim::Params& params) {
     Until until;
-    const auto ticks = [&](double seconds) { return std::llrint(seconds / static_cast<double>(params.tick_s)); };
+    const auto ticks = [&](double seconds) {
+        return std::llrint(seconds / static_cast<double>(params.tick_s));
+    };
     until.rest = options.until_rest;
     if (options.until_rest)
         until.most_ticks = ticks(options.seconds.value_or(3600));
@@ -69,7 +73,8 @@ Outcome<int> run(const RunOptions& options) {
     if (!scene) return tl::unexpected(scene.error());
     const Start& start = scene->start;
     if (options.wishes.scheme && start.params.model != sim::Model::kBcre)
-        return unusable("--scheme is of the model bcre, and this is bcre-inertial, which has its own; add --model bcre");
+        return unusable(
+            "--scheme is of the model bcre, and this is bcre-inertial, which has its own; add --model bcre");
     const terrains::Terrain ground = ground_of(start);
     auto leavings = open_leavings(options, start, ground);
     if (!leavings) return tl::unexpected(leavings.error());
@@ -82,11 +87,13 @@ Outcome<int> run(const RunOptions& options) {
     watchers.gallery = gallery ? &*gallery : nullptr;
     watchers.ticks_per_picture = options.pictures.every;
     watchers.perf = &perf;
-    const auto finished = play_headless(*session, scene->commands, until_of(options, start.params), watchers, "running");
+    const auto finished =
+        play_headless(*session, scene->commands, until_of(options, start.params), watchers, "running");
     if (!finished) return tl::unexpected(finished.error());
     if (auto closed = session->finish(); !closed) return tl::unexpected(closed.error());
 
-    const Measures measures = measure(start, *session, release_area(start, scene->commands), leavings->reference);
+    const Measures measures =
+        measure(start, *session, release_area(start, scene->commands), leavings->reference);
     Summary summary{start, *session, measures, &perf, std::nullopt, std::nullopt};
     if (options.until_rest) summary.at_rest = *finished;
     if (gallery) {

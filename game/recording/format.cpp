@@ -17,10 +17,14 @@ constexpr std::string_view kFormatName = "couloir recording";
 constexpr std::array<std::string_view, 4> kSides{"west", "east", "south", "north"};
 
 // The shortest decimal that reads back as the same float.
-double shortest(float value) { return std::stod(fmt::format("{}", value)); }
+double shortest(float value) {
+    return std::stod(fmt::format("{}", value));
+}
 
 // The readers below throw the fact; the public ones turn it into a value.
-[[noreturn]] void refuse(const std::string& fact) { throw std::runtime_error(fact); }
+[[noreturn]] void refuse(const std::string& fact) {
+    throw std::runtime_error(fact);
+}
 
 const Json& member(const Json& json, const char* key) {
     if (!json.is_object() || !json.contains(key)) refuse(fmt::format("has no {}", key));
@@ -31,16 +35,19 @@ double number(const Json& json, const char* key, double least, double most) {
     const Json& value = member(json, key);
     if (!value.is_number()) refuse(fmt::format("{} is not a number", key));
     const double number = value.get<double>();
-    if (!(number >= least && number <= most)) refuse(fmt::format("{} is {}, outside {} to {}", key, number, least, most));
+    if (!(number >= least && number <= most))
+        refuse(fmt::format("{} is {}, outside {} to {}", key, number, least, most));
     return number;
 }
 
 std::int64_t whole(const Json& json, const char* key, std::int64_t least, std::int64_t most) {
     const Json& value = member(json, key);
     if (!value.is_number_integer()) refuse(fmt::format("{} is not a whole number", key));
-    const auto number = value.is_number_unsigned() && value.get<std::uint64_t>() > INT64_MAX ? INT64_MAX
-                                                                                             : value.get<std::int64_t>();
-    if (number < least || number > most) refuse(fmt::format("{} is {}, outside {} to {}", key, number, least, most));
+    const auto number = value.is_number_unsigned() && value.get<std::uint64_t>() > INT64_MAX
+                            ? INT64_MAX
+                            : value.get<std::int64_t>();
+    if (number < least || number > most)
+        refuse(fmt::format("{} is {}, outside {} to {}", key, number, least, most));
     return number;
 }
 
@@ -89,7 +96,8 @@ Json physics_json(const sim::Params& params) {
     Json json{{"model", sim::to_string(params.model)}, {"scheme", sim::to_string(params.scheme)}};
     for (std::size_t side = 0; side < kSides.size(); ++side)
         json["borders"][std::string(kSides[side])] = sim::to_string(params.borders[side]);
-    for (const sim::ParamInfo& info : sim::kParams) json[std::string(info.name)] = shortest(params.*info.value);
+    for (const sim::ParamInfo& info : sim::kParams)
+        json[std::string(info.name)] = shortest(params.*info.value);
     return json;
 }
 
@@ -100,14 +108,19 @@ sim::Params physics_from(const Json& json) {
     for (std::size_t side = 0; side < kSides.size(); ++side)
         params.borders[side] = named(member(json, "borders"), kSides[side].data(), sim::border_from);
     for (const sim::ParamInfo& info : sim::kParams)
-        params.*info.value = static_cast<float>(number(json, info.name.data(), info.least - 1e-6, info.most + 1e-6));
+        params.*info.value =
+            static_cast<float>(number(json, info.name.data(), info.least - 1e-6, info.most + 1e-6));
     if (const auto wrong = sim::fault_of(params)) refuse(*wrong);
     return params;
 }
 
 Json ground_json(const Start& start) {
-    Json json{{"name", start.terrain},   {"licence", start.licence}, {"nx", start.grid.nx},
-              {"ny", start.grid.ny},     {"dx", shortest(start.grid.dx)},     {"datum", start.datum},
+    Json json{{"name", start.terrain},
+              {"licence", start.licence},
+              {"nx", start.grid.nx},
+              {"ny", start.grid.ny},
+              {"dx", shortest(start.grid.dx)},
+              {"datum", start.datum},
               {"hash", hex(ground_hash(start))}};
     if (start.georeference.has_coordinates())
         json["georeference"] = {{"wkt", start.georeference.wkt()},
@@ -129,20 +142,23 @@ void ground_from(const Json& json, Start& start) {
         const Json& place = member(json, "georeference");
         const std::string wkt = text(place, "wkt");
         const double x = number(place, "x", -1e9, 1e9), y = number(place, "y", -1e9, 1e9);
-        start.georeference =
-            wkt.empty() ? terrains::Georeference::unnamed(x, y) : terrains::Georeference::projected(wkt, x, y);
+        start.georeference = wkt.empty() ? terrains::Georeference::unnamed(x, y)
+                                         : terrains::Georeference::projected(wkt, x, y);
     }
     if (!member(json, "data").is_string()) refuse("data is not a text");
-    if (const auto unpacked = unpack_ground(member(json, "data").get_ref<const std::string&>(), start); !unpacked)
+    if (const auto unpacked = unpack_ground(member(json, "data").get_ref<const std::string&>(), start);
+        !unpacked)
         refuse(unpacked.error());
     if (ground_hash(start) != hash_of(json, "hash"))
-        refuse(fmt::format("its terrain is not the '{}' it was recorded on: the hash is {}, not {}", start.terrain,
-                           hex(ground_hash(start)), text(json, "hash")));
+        refuse(fmt::format("its terrain is not the '{}' it was recorded on: the hash is {}, not {}",
+                           start.terrain, hex(ground_hash(start)), text(json, "hash")));
 }
 
 Json view_json(const Start& start) {
     const render::Look& look = start.look;
-    const auto colour = [](const glm::vec3& c) { return numbers({shortest(c.x), shortest(c.y), shortest(c.z)}); };
+    const auto colour = [](const glm::vec3& c) {
+        return numbers({shortest(c.x), shortest(c.y), shortest(c.z)});
+    };
     Json json;
     json["look"] = {{"rock", colour(look.rock)},
                     {"meadow", colour(look.meadow)},
@@ -174,21 +190,23 @@ void view_from(const Json& json, Start& start) {
     start.light = {number(light, "azimuth_deg", -360, 360), number(light, "elevation_deg", 1, 90)};
     if (!json.contains("camera")) return;
     const Json& camera = member(json, "camera");
-    start.camera = render::Camera{triple(camera, "target", -1e9, 1e9), number(camera, "azimuth_deg", -360, 360),
-                                  number(camera, "elevation_deg", -90, 90), number(camera, "distance_m", 0.1, 1e6),
-                                  number(camera, "field_of_view_deg", 5, 120)};
+    start.camera =
+        render::Camera{triple(camera, "target", -1e9, 1e9), number(camera, "azimuth_deg", -360, 360),
+                       number(camera, "elevation_deg", -90, 90), number(camera, "distance_m", 0.1, 1e6),
+                       number(camera, "field_of_view_deg", 5, 120)};
 }
 
 void read_version(const Json& json) {
     if (!json.is_object() || !json.contains("format") || json.at("format") != kFormatName)
         refuse("not a couloir recording");
     const Json& version = member(json, "version");
-    if (!version.is_array() || version.size() != 2 || !version[0].is_number_integer() || !version[1].is_number_integer())
+    if (!version.is_array() || version.size() != 2 || !version[0].is_number_integer() ||
+        !version[1].is_number_integer())
         refuse("version is not two whole numbers");
     const auto major = version[0].get<std::int64_t>(), minor = version[1].get<std::int64_t>();
     if (major > kFormatMajor)
-        refuse(fmt::format("recorded in format {}.{}, and this program reads up to {}.x: use a newer couloir", major, minor,
-                           kFormatMajor));
+        refuse(fmt::format("recorded in format {}.{}, and this program reads up to {}.x: use a newer couloir",
+                           major, minor, kFormatMajor));
     if (major < 1 || minor < 0) refuse(fmt::format("format {}.{} never was", major, minor));
 }
 
@@ -228,7 +246,8 @@ Line read_line(const Json& json) {
         const Json& mass = member(json, "mass");
         const auto quanta = [&](const char* key) { return whole(mass, key, INT64_MIN / 8, INT64_MAX / 8); };
         StateLine line{whole(json, "tick", 0, kMostTicks), hash_of(json, "hash"), {}};
-        line.ledger = {0, quanta("standing"), quanta("rolling"), quanta("out"), quanta("poured"), quanta("dug")};
+        line.ledger = {
+            0, quanta("standing"), quanta("rolling"), quanta("out"), quanta("poured"), quanta("dug")};
         return line;
     }
     for (const sim::CommandInfo& info : sim::kCommands)
@@ -271,7 +290,8 @@ tl::expected<Header, std::string> header_from(const Json& json) try {
 Json to_json(const TimedCommand& timed) {
     const sim::CommandInfo& info = sim::info_of(timed.command.kind);
     Json numbers;
-    for (const sim::CommandNumber& each : info.numbers) numbers[std::string(each.name)] = timed.command.*each.value;
+    for (const sim::CommandNumber& each : info.numbers)
+        numbers[std::string(each.name)] = timed.command.*each.value;
     if (info.has_layer) numbers["as"] = sim::to_string(timed.command.layer);
     if (info.has_profile) numbers["profile"] = sim::to_string(timed.command.profile);
     return {{"tick", timed.tick}, {std::string(info.name), numbers}};
@@ -289,7 +309,9 @@ Json to_json(const StateLine& line) {
               {"dug", mass.dug}}}};
 }
 
-Json to_json(const EndLine& line) { return {{"end", line.tick}}; }
+Json to_json(const EndLine& line) {
+    return {{"end", line.tick}};
+}
 
 tl::expected<Line, std::string> line_from(const Json& json) try {
     return read_line(json);
@@ -317,7 +339,9 @@ std::string Chain::write(const Json& json) {
 }
 
 tl::expected<void, std::string> Chain::read(std::string_view line) {
-    const auto damaged = [] { return tl::unexpected(std::string("damaged: its chained hash is not that of what it says")); };
+    const auto damaged = [] {
+        return tl::unexpected(std::string("damaged: its chained hash is not that of what it says"));
+    };
     if (line.size() <= kChainLength || line.substr(line.size() - kChainLength, kChainKey.size()) != kChainKey)
         return damaged();
     const std::uint64_t expected = link(line.substr(0, line.size() - kChainLength));
@@ -326,9 +350,13 @@ tl::expected<void, std::string> Chain::read(std::string_view line) {
     return {};
 }
 
-std::string printed(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+std::string printed(const Json& json) {
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 
-std::string hex(std::uint64_t value) { return fmt::format("{:016x}", value); }
+std::string hex(std::uint64_t value) {
+    return fmt::format("{:016x}", value);
+}
 
 std::optional<std::uint64_t> from_hex(std::string_view text) {
     std::uint64_t value = 0;

@@ -13,16 +13,17 @@
 
 namespace game {
 
-// A recording is JSON Lines: a header that holds the whole start, then one line per command and one every few ticks with the
-// state's hash and the mass ledger, last an end line. Every line closes with "chain": the hash of the line before
-// and of itself, so that damage shows where it is. README.md has an example.
+// A recording is JSON Lines: a header that holds the whole start, then one line per command and one every few
+// ticks with the state's hash and the mass ledger, last an end line. Every line closes with "chain": the hash
+// of the line before and of itself, so that damage shows where it is. README.md has an example.
 
 using Json = nlohmann::ordered_json;
 
-inline constexpr int kFormatMajor = 1;      // a reader refuses a greater one
-inline constexpr int kFormatMinor = 0;      // a greater one may hold fields that this reader leaves alone
-inline constexpr int kPhysicsVersion = 1;   // recordings of another one play, but their hashes are not comparable
-inline constexpr int kTicksPerState = 6;    // between two state lines
+inline constexpr int kFormatMajor = 1;  // a reader refuses a greater one
+inline constexpr int kFormatMinor = 0;  // a greater one may hold fields that this reader leaves alone
+inline constexpr int kPhysicsVersion =
+    1;  // recordings of another one play, but their hashes are not comparable
+inline constexpr int kTicksPerState = 6;  // between two state lines
 
 // The state after `tick` ticks.
 struct StateLine {
@@ -46,8 +47,8 @@ struct Header {
 // Readers' errors are a fact without file and line, which the caller knows.
 Json to_json(const Header& header);
 tl::expected<Header, std::string> header_from(const Json& json);
-// Whether this is a header of a format that this program reads. To be asked first, of the chain too: nothing else need be
-// the same in another format.
+// Whether this is a header of a format that this program reads. To be asked first, of the chain too: nothing
+// else need be the same in another format.
 tl::expected<void, std::string> check_format(const Json& json);
 
 Json to_json(const TimedCommand& command);
@@ -70,7 +71,8 @@ class Chain {
 };
 
 std::string hex(std::uint64_t value);  // 16 digits
-// For people and scripts: indented, with a line break. What is not UTF-8, as a file's name may be, becomes U+FFFD.
+// For people and scripts: indented, with a line break. What is not UTF-8, as a file's name may be, becomes
+// U+FFFD.
 std::string printed(const Json& json);
 std::optional<std::uint64_t> from_hex(std::string_view text);
 

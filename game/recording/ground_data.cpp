@@ -14,7 +14,9 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "a recording's ground is little-endian");
 
-std::size_t packed_size(std::size_t vertices) { return vertices * (3 * sizeof(float) + 1); }
+std::size_t packed_size(std::size_t vertices) {
+    return vertices * (3 * sizeof(float) + 1);
+}
 
 bool all_within(const std::vector<float>& values, float least, float most) {
     for (const float value : values)
@@ -35,7 +37,8 @@ std::string pack_ground(const Start& start) {
     std::string packed(ZSTD_compressBound(bytes.size()), '\0');
     packed.resize(ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), kThorough));
     const std::unique_ptr<char, decltype(&VSIFree)> text(
-        CPLBase64Encode(static_cast<int>(packed.size()), reinterpret_cast<const GByte*>(packed.data())), &VSIFree);
+        CPLBase64Encode(static_cast<int>(packed.size()), reinterpret_cast<const GByte*>(packed.data())),
+        &VSIFree);
     return text.get();
 }
 
@@ -44,8 +47,10 @@ tl::expected<void, std::string> unpack_ground(std::string_view text, Start& star
     const int decoded = CPLBase64DecodeInPlace(reinterpret_cast<GByte*>(packed.data()));
     const std::size_t vertices = start.grid.size();
     std::string bytes(packed_size(vertices), '\0');
-    const std::size_t size = ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), static_cast<std::size_t>(decoded));
-    if (ZSTD_isError(size) || size != bytes.size()) return tl::unexpected(std::string("terrain data that does not unpack"));
+    const std::size_t size =
+        ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), static_cast<std::size_t>(decoded));
+    if (ZSTD_isError(size) || size != bytes.size())
+        return tl::unexpected(std::string("terrain data that does not unpack"));
 
     const char* at = bytes.data();
     for (std::vector<float>* field : {&start.bedrock, &start.depth, &start.rolling}) {

@@ -58,15 +58,16 @@ class Reader {
             if (got == Read::kEnd) break;
             if (got == Read::kTooLong) return wrong(fmt::format("longer than {} bytes", kLongestLine));
             if (got == Read::kTorn) {
-                recording_.warning = fmt::format("{}:{}: torn off after {} bytes; the lines before it are whole",
-                                                 path_.string(), line_number_, line_.size());
+                recording_.warning =
+                    fmt::format("{}:{}: torn off after {} bytes; the lines before it are whole",
+                                path_.string(), line_number_, line_.size());
                 break;
             }
             if (const auto taken = take_line(); !taken) return tl::unexpected(taken.error());
         }
         if (!recording_.end && !recording_.warning)
-            recording_.warning = fmt::format("{}: has no end line; it was cut off after line {}", path_.string(),
-                                             line_number_ - 1);
+            recording_.warning = fmt::format("{}: has no end line; it was cut off after line {}",
+                                             path_.string(), line_number_ - 1);
         return std::move(recording_);
     }
 
@@ -103,14 +104,16 @@ class Reader {
 
     Outcome<void> keep(const TimedCommand& command) {
         // Given at the start of its tick, so after the state of that tick was written.
-        if (command.tick < latest_) return wrong(fmt::format("goes back to tick {} from {}", command.tick, latest_));
+        if (command.tick < latest_)
+            return wrong(fmt::format("goes back to tick {} from {}", command.tick, latest_));
         latest_ = command.tick;
         recording_.commands.push_back(command);
         return {};
     }
 
     Outcome<void> keep(const StateLine& state) {
-        if (state.tick < latest_ || (!recording_.states.empty() && state.tick <= recording_.states.back().tick))
+        if (state.tick < latest_ ||
+            (!recording_.states.empty() && state.tick <= recording_.states.back().tick))
             return wrong(fmt::format("goes back to tick {} from {}", state.tick, latest_));
         latest_ = state.tick;
         recording_.states.push_back(state);
@@ -140,6 +143,8 @@ std::int64_t Recording::last_tick() const {
     return std::max(commanded, states.empty() ? 0 : states.back().tick);
 }
 
-Outcome<Recording> read_recording(const std::filesystem::path& path) { return Reader(path).read(); }
+Outcome<Recording> read_recording(const std::filesystem::path& path) {
+    return Reader(path).read();
+}
 
 }  // namespace game

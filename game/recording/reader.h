@@ -20,9 +20,9 @@ struct Recording {
     std::int64_t last_tick() const;
 };
 
-// Reads and checks a whole recording. A torn last line and a missing end are a warning; any other damage is an error
-// that names the line. Memory is bounded by the file: no line but the header may be longer than 64 KiB, the header no longer
-// than 256 MiB.
+// Reads and checks a whole recording. A torn last line and a missing end are a warning; any other damage is
+// an error that names the line. Memory is bounded by the file: no line but the header may be longer than 64
+// KiB, the header no longer than 256 MiB.
 Outcome<Recording> read_recording(const std::filesystem::path& path);
 
 }  // namespace game

@@ -9,8 +9,8 @@
 
 namespace game {
 
-// Writes a recording as it happens: every line is flushed before the world goes on, so that what was done survives a
-// `kill -9` up to its last whole line. Errors of all calls: the file cannot be written (status 3).
+// Writes a recording as it happens: every line is flushed before the world goes on, so that what was done
+// survives a `kill -9` up to its last whole line. Errors of all calls: the file cannot be written (status 3).
 class Recorder {
   public:
     // Begins the file, replacing any that has this name; makes its folder.
