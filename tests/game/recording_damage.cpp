@@ -185,6 +185,13 @@ TEST_F(DamagedRecording, nested_deeper_than_any_recording_is_refused) {
     EXPECT_NE(refused_at(1, read(chained({nested}))).find("nested"), std::string::npos);
 }
 
+// The address sanitizer keeps what is freed: there, memory says nothing of us.
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool kMemoryIsOurs = false;
+#else
+constexpr bool kMemoryIsOurs = true;
+#endif
+
 // The greatest resident size so far, bytes.
 std::size_t most_memory() {
     rusage usage{};
@@ -198,7 +205,9 @@ TEST_F(DamagedRecording, with_an_endless_line_is_refused_before_it_is_read) {
                                  whole_.size() + (100u << 20));  // zeros, and none of them a line break
     const std::size_t before = most_memory();
     EXPECT_NE(refused_at(lines_in(whole_) + 1, read_recording(path_)).find("longer than"), std::string::npos);
-    EXPECT_LT(most_memory() - before, 16u << 20);
+    if (kMemoryIsOurs) {
+        EXPECT_LT(most_memory() - before, 16u << 20);
+    }
 }
 
 TEST_F(DamagedRecording, of_a_hundred_megabytes_of_opening_brackets_stays_within_its_size) {
@@ -206,7 +215,9 @@ TEST_F(DamagedRecording, of_a_hundred_megabytes_of_opening_brackets_stays_within
     write_bytes(path_, brackets);
     const std::size_t before = most_memory();
     refused_at(1, read_recording(path_));
-    EXPECT_LT(most_memory() - before, 4 * brackets.size());
+    if (kMemoryIsOurs) {
+        EXPECT_LT(most_memory() - before, 4 * brackets.size());
+    }
 }
 
 TEST_F(DamagedRecording, that_is_empty_missing_or_a_folder_is_said_so) {
