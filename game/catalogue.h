@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "game/outcome.h"
+
+namespace game {
+
+// What ships, by name and title, for whoever offers a choice. Read once.
+struct Catalogue {
+    struct Entry {
+        std::string name, title;
+    };
+    std::vector<Entry> scenes, materials, recordings;
+};
+
+// Errors: the assets cannot be found or one of them cannot be read.
+Outcome<Catalogue> read_catalogue();
+
+}  // namespace game

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <variant>
+
+namespace game {
+
+// What hands do to a window, free of any windowing library. Positions are in framebuffer pixels from the top
+// left, so that a monitor's scale has no part in anything below.
+
+// Keys that Couloir knows by name; letters and digits are their ASCII capitals.
+enum class Key : std::uint16_t {
+    kNone = 0,
+    kSpace = ' ',
+    kComma = ',',
+    kMinus = '-',
+    kPeriod = '.',
+    kEqual = '=',
+    kLeftBracket = '[',
+    kRightBracket = ']',
+    kEscape = 256,
+    kEnter,
+    kTab,
+    kBackspace,
+    kDelete,
+    kLeft,
+    kRight,
+    kUp,
+    kDown,
+    kHome,
+    kEnd,
+    kPageUp,
+    kPageDown,
+    kShift,    // either one, as are the two below
+    kControl,
+    kAlt,
+    kF1 = 290,  // to kF1 + 11
+};
+constexpr Key key(char letter) {
+    return static_cast<Key>(letter);
+}
+constexpr Key function_key(int number) {
+    return static_cast<Key>(static_cast<int>(Key::kF1) + number - 1);
+}
+inline constexpr int kKeys = 320;  // more than any of them
+
+enum class Button : std::uint8_t { kLeft, kRight, kMiddle };
+inline constexpr int kButtons = 3;
+
+// Held with a key or a button.
+struct Modifiers {
+    bool shift = false, control = false, alt = false;
+    bool operator==(const Modifiers&) const = default;
+};
+
+struct KeyEvent {
+    Key key;
+    bool down;
+    bool repeat;  // the keyboard's own, while the key is held
+    Modifiers with;
+};
+struct ButtonEvent {
+    Button button;
+    bool down;
+    Modifiers with;
+};
+struct MoveEvent {
+    double x, y;  // px
+};
+struct WheelEvent {
+    double steps;  // away from the person is positive
+    Modifiers with;
+};
+struct TextEvent {
+    char32_t character;
+};
+struct FocusEvent {
+    bool focused;  // after a loss nothing is held any more
+};
+struct DropEvent {};  // files were dropped: Screen::dropped() has their paths
+struct CloseEvent {};
+
+using Event = std::variant<KeyEvent, ButtonEvent, MoveEvent, WheelEvent, TextEvent, FocusEvent, DropEvent, CloseEvent>;
+
+}  // namespace game

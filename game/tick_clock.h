@@ -1,0 +1,33 @@
+#pragma once
+
+namespace game {
+
+// Turns real seconds into ticks due. Speed changes how many ticks a frame runs, never the tick.
+class TickClock {
+  public:
+    static constexpr double kSlowest = 1.0 / 8, kFastest = 16;
+
+    bool paused() const { return paused_; }
+    void pause(bool on) { paused_ = on; }
+    void step_once() { stepping_ = true; }  // one tick at the next frame, paused or not
+
+    double speed() const { return speed_; }
+    void set_speed(double speed);  // to the nearest power of two within kSlowest … kFastest
+
+    // Ticks that `elapsed_s` seconds owe. A frame that took longer than a quarter second, as when the window was
+    // dragged or the machine slept, owes no more than that.
+    int ticks_due(double elapsed_s, double tick_s);
+
+    // What of the ticks due the machine did, in how many seconds: what is left undone is forgotten, so that the world
+    // slows instead of stalling.
+    void ticks_done(int due, int done, double elapsed_s, double tick_s);
+    // Speed as it was reached over the last half second or so; below speed() where the machine cannot keep up.
+    double reached_speed() const { return reached_; }
+    bool behind() const;  // reaches less than nine tenths of its speed
+
+  private:
+    bool paused_ = false, stepping_ = false;
+    double speed_ = 1, owed_ = 0, reached_ = 1;
+};
+
+}  // namespace game

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "game/brush.h"
+#include "game/camera_control.h"
+#include "game/catalogue.h"
+#include "game/display.h"
+#include "game/frame_times.h"
+#include "game/notices.h"
+#include "game/probe.h"
+#include "game/start.h"
+#include "game/tick_clock.h"
+#include "sim/state.h"
+
+namespace game::ui {
+
+// A recording that is being watched, before the person takes over at its end.
+struct Watching {
+    std::int64_t last_tick = 0;
+};
+
+// All that panels may tell. References are valid for one frame.
+struct Facts {
+    const Start& start;       // what the world began with; its params are the defaults
+    const sim::State& state;  // state.params are the numbers now
+    const TickClock& clock;
+    const Brush& brush;
+    bool inverted = false;  // Ctrl is held
+    bool brushing = false;  // a stroke is going on
+    bool touched = false;   // the person has changed the world
+    std::size_t actions_to_undo = 0;
+    std::optional<Reading> under_cursor;
+    CameraMode camera_mode = CameraMode::kOrbit;
+    const Display& display;
+    const FrameTimes& times;
+    const Notices& notices;
+    const Catalogue& catalogue;
+    std::optional<Watching> watching;
+    std::string_view recording;  // file that is being written; empty where none is
+    std::string_view renderer;   // GL's name
+    double now_s = 0;            // screen's clock
+};
+
+}  // namespace game::ui
