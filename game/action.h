@@ -19,12 +19,12 @@ namespace game {
 // What needs no more words.
 enum class Verb {
     kPauseOrGoOn,
-    kStepOnce,     // one tick, and stay paused
-    kSlower,       // half the speed
-    kFaster,       // twice the speed
-    kUsualSpeed,   // 1
-    kUndo,         // rewinds to just before the last action
-    kReset,        // begins the scene anew
+    kStepOnce,    // one tick, and stay paused
+    kSlower,      // half the speed
+    kFaster,      // twice the speed
+    kUsualSpeed,  // 1
+    kUndo,        // rewinds to just before the last action
+    kReset,       // begins the scene anew
     kPour,
     kDig,
     kBlast,

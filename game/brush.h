@@ -29,7 +29,8 @@ struct Brush {
     bool operator==(const Brush&) const = default;
 };
 
-// What a brush does to the world, inverted (Ctrl) or not: pour and dig change places, a blast becomes a settle.
+// What a brush does to the world, inverted (Ctrl) or not: pour and dig change places, a blast becomes a
+// settle.
 sim::CommandKind deed_of(const Brush& brush, bool inverted);
 
 // A stroke, from the press of the button to its release, told as commands tick by tick in world units.
@@ -42,10 +43,11 @@ class Stroke {
     // Where the hand is now, m; nothing while it is off the ground.
     void move_to(std::optional<glm::dvec2> at) { to_ = at; }
 
-    // Adds what the `tick`-th of `ticks` ticks owes, which share the way since the last arrive() evenly. A way
-    // that is longer than half a radius in one tick is filled with several discs that share the amount. Blast
-    // and settle go off at the press, and again wherever the hand has gone on by a radius.
-    void commands_of(int tick, int ticks, const Brush& brush, double tick_s, std::vector<sim::Command>& commands);
+    // Adds what the `tick`-th of `ticks` ticks owes, which share the way since the last arrive() evenly. A
+    // way that is longer than half a radius in one tick is filled with several discs that share the amount.
+    // Blast and settle go off at the press, and again wherever the hand has gone on by a radius.
+    void commands_of(int tick, int ticks, const Brush& brush, double tick_s,
+                     std::vector<sim::Command>& commands);
     // The ticks of a frame are done; the next way begins where this one ended.
     void arrive() { from_ = to_; }
 

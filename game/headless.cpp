@@ -17,7 +17,7 @@ PerfRow perf_row(const Session& session, std::optional<double> draw_ms, double f
     PerfRow row;
     row.tick = state.tick;
     row.time_s = session.seconds();
-    row.substeps = sim::substeps_of(session.params(), state.grid.dx).count;
+    row.substeps = sim::substeps_of(state.params, state.grid.dx).count;
     row.solve_ms = session.times().solve_ms;
     row.draw_ms = draw_ms;
     row.frame_ms = frame_ms;

@@ -37,11 +37,6 @@ void read_look(TomlTable& table, render::Look& look) {
     table.finish();
 }
 
-bool used_by(const sim::ParamInfo& info, sim::Model model) {
-    const auto own = model == sim::Model::kBcre ? sim::UsedBy::kBcre : sim::UsedBy::kBcreInertial;
-    return info.used_by == sim::UsedBy::kBoth || info.used_by == own;
-}
-
 // "stop_slope_thick" may also be given as the angle "stop_angle_thick"; empty where a number is no slope.
 std::string angle_key(const sim::ParamInfo& info) {
     std::string key(info.name);
@@ -54,7 +49,7 @@ std::string angle_key(const sim::ParamInfo& info) {
 
 void read_physics_numbers(TomlTable& table, sim::Model model, sim::Params& params) {
     for (const sim::ParamInfo& info : sim::kParams) {
-        if (!used_by(info, model)) continue;
+        if (!sim::is_used_by(info, model)) continue;
         if (const auto value = table.number(info.name, info.least, info.most))
             params.*info.value = static_cast<float>(*value);
         const std::string angle = angle_key(info);

@@ -143,6 +143,12 @@ sim::Command read_command(TomlTable& table, const sim::CommandInfo& info) {
         if (!value) table.blame("", fmt::format("needs {} in {}", number.name, number.unit));
         command.*number.value = value.value_or(0);
     }
+    if (info.has_param) {
+        const auto param = sim::param_from(table.text("param").value_or(""));
+        if (!param) table.blame("param", "names no number of the physics that can be set");
+        command.param = param.value_or(0);
+        if (const auto wrong = sim::fault_of(command); wrong && param) table.blame("value", *wrong);
+    }
     if (info.has_layer)
         if (const auto name = table.text("as")) {
             const auto layer = sim::layer_from(*name);
@@ -159,6 +165,13 @@ sim::Command read_command(TomlTable& table, const sim::CommandInfo& info) {
     return command;
 }
 
+std::string command_names() {
+    std::string names;
+    for (const sim::CommandInfo& info : sim::kCommands)
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", info.name);
+    return names;
+}
+
 std::vector<TimedCommand> read_commands(TomlTable& root, double tick_s) {
     std::vector<TimedCommand> commands;
     for (TomlTable& table : root.tables("command")) {
@@ -171,7 +184,7 @@ std::vector<TimedCommand> read_commands(TomlTable& root, double tick_s) {
                 ++given;
             }
         table.finish();
-        if (given != 1) table.blame("", "needs exactly one of pour, dig, blast");
+        if (given != 1) table.blame("", fmt::format("needs exactly one of {}", command_names()));
     }
     std::stable_sort(commands.begin(), commands.end(),
                      [](const TimedCommand& a, const TimedCommand& b) { return a.tick < b.tick; });

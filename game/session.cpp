@@ -12,8 +12,7 @@
 namespace game {
 
 Session::Session(const Start& start, int threads, std::optional<Recorder> recorder)
-    : params_(start.params),
-      state_(sim::make_state(world_of(start), params_)),
+    : state_(sim::make_state(world_of(start), start.params)),
       scratch_(state_),
       workers_(std::make_unique<sim::Workers>(threads)),
       recorder_(std::move(recorder)) {
@@ -31,12 +30,15 @@ Outcome<Session> Session::begin(const Start& start, int threads, std::optional<R
 }
 
 Outcome<void> Session::advance(std::span<const sim::Command> commands) {
+    if (const auto fault = sim::fault_after(state_.params, commands))
+        return unusable(fmt::format("tick {}: {}", state_.tick, *fault));
     if (recorder_)
         for (const sim::Command& command : commands)
             if (auto written = recorder_->command({state_.tick, command}); !written) return written;
 
     const auto before = std::chrono::steady_clock::now();
-    sim::step(state_, params_, commands, scratch_, *workers_);
+    line_.reset();
+    sim::step(state_, commands, scratch_, *workers_);
     times_.solve_ms =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
 
@@ -59,8 +61,24 @@ Outcome<void> Session::finish() {
     return recorder_->end(state_.tick);
 }
 
-StateLine Session::state_line() const {
-    return {state_.tick, sim::state_hash(state_), state_.ledger};
+Session::Moment Session::moment() const {
+    Moment moment{sim::take_snapshot(state_), peaks_, active_cells_, std::nullopt};
+    if (recorder_) moment.mark = recorder_->mark();
+    return moment;
+}
+
+Outcome<void> Session::rewind(const Moment& moment) {
+    line_.reset();
+    sim::restore(moment.world, state_);
+    peaks_ = moment.peaks;
+    active_cells_ = moment.active_cells;
+    if (recorder_ && moment.mark) return recorder_->rewind(*moment.mark);
+    return {};
+}
+
+const StateLine& Session::state_line() const {
+    if (!line_) line_ = StateLine{state_.tick, sim::state_hash(state_), state_.ledger};
+    return *line_;
 }
 
 double Session::cubic_metres(std::int64_t quanta) const {

@@ -8,6 +8,7 @@
 #include "game/recording/recorder.h"
 #include "game/start.h"
 #include "sim/scratch.h"
+#include "sim/snapshot.h"
 #include "sim/state.h"
 #include "sim/workers.h"
 
@@ -30,30 +31,48 @@ struct Peaks {
 // first, if it has a recorder, and then does.
 class Session {
   public:
+    // All of a session at one tick, to come back to: a plain value of some 24 bytes per vertex.
+    struct Moment {
+        sim::Snapshot world;
+        Peaks peaks;
+        std::size_t active_cells = 0;
+        std::optional<Recorder::Mark> mark;
+    };
+
     // `threads` ≥ 1. With a recorder, writes the state of tick 0.
     static Outcome<Session> begin(const Start& start, int threads, std::optional<Recorder> recorder);
 
-    // One tick, with the commands given at its start. Errors: the recording cannot be written, or mass was
-    // lost, which is checked every tick.
+    // One tick, with the commands given at its start. Errors: the commands' parameters do not go together,
+    // and then nothing has changed; the recording cannot be written; or mass was lost, which is checked every
+    // tick.
     Outcome<void> advance(std::span<const sim::Command> commands);
     // Closes the recording.
     Outcome<void> finish();
 
+    Moment moment() const;
+    // Takes back all that came after `moment`, in the world and in the recording, to the bit. Errors: the
+    // recording cannot be written.
+    Outcome<void> rewind(const Moment& moment);
+
+    const Recorder* recorder() const { return recorder_ ? &*recorder_ : nullptr; }
+    // Leaves the file as it is, without an end, and plays on unrecorded.
+    void stop_recording() { recorder_.reset(); }
+
     sim::View view() const { return sim::view(state_); }
     const sim::State& state() const { return state_; }
-    const sim::Params& params() const { return params_; }
     const Peaks& peaks() const { return peaks_; }
     const TickTimes& times() const { return times_; }
-    StateLine state_line() const;                               // of this tick; computes the hash
+    const StateLine& state_line() const;  // of this tick; the first call computes the hash
     std::size_t active_cells() const { return active_cells_; }  // vertices whose rolling layer is not empty
-    double seconds() const { return static_cast<double>(state_.tick) * static_cast<double>(params_.tick_s); }
+    double seconds() const {
+        return static_cast<double>(state_.tick) * static_cast<double>(state_.params.tick_s);
+    }
     double cubic_metres(std::int64_t quanta) const;
 
   private:
     Session(const Start& start, int threads, std::optional<Recorder> recorder);
     void watch();
 
-    sim::Params params_;
     sim::State state_;
     sim::Scratch scratch_;
     std::unique_ptr<sim::Workers> workers_;
@@ -61,6 +80,7 @@ class Session {
     Peaks peaks_;
     TickTimes times_;
     std::size_t active_cells_ = 0;
+    mutable std::optional<StateLine> line_;  // of this tick, once somebody has asked for it
 };
 
 }  // namespace game

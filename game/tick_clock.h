@@ -14,14 +14,15 @@ class TickClock {
     double speed() const { return speed_; }
     void set_speed(double speed);  // to the nearest power of two within kSlowest … kFastest
 
-    // Ticks that `elapsed_s` seconds owe. A frame that took longer than a quarter second, as when the window was
-    // dragged or the machine slept, owes no more than that.
+    // Ticks that `elapsed_s` seconds owe. A frame that took longer than a quarter second, as when the window
+    // was dragged or the machine slept, owes no more than that.
     int ticks_due(double elapsed_s, double tick_s);
 
-    // What of the ticks due the machine did, in how many seconds: what is left undone is forgotten, so that the world
-    // slows instead of stalling.
+    // What of the ticks due the machine did, in how many seconds: what is left undone is forgotten, so that
+    // the world slows instead of stalling.
     void ticks_done(int due, int done, double elapsed_s, double tick_s);
-    // Speed as it was reached over the last half second or so; below speed() where the machine cannot keep up.
+    // Speed as it was reached over the last half second or so; below speed() where the machine cannot keep
+    // up.
     double reached_speed() const { return reached_; }
     bool behind() const;  // reaches less than nine tenths of its speed
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "sim/params.h"
 #include "sim/quanta.h"
@@ -123,6 +124,17 @@ void blast(State& s, const Command& c) {
     });
 }
 
+void set(Params& params, const Command& c) {
+    params.*kParams[c.param].value = static_cast<float>(c.value);
+}
+
+void settle(State& s, const Command& c) {
+    Disc(c, s.grid.dx).each_ground(s, Profile::kDisc, [&](int x, int y, double) {
+        s.depth(x, y) += s.rolling(x, y);
+        set_rolling(s, x, y, 0);
+    });
+}
+
 template <class Value, class Infos>
 std::optional<Value> found(const Infos& names, std::string_view name) {
     for (const auto& [value, known] : names)
@@ -160,6 +172,12 @@ std::optional<Profile> profile_from(std::string_view name) {
     return found<Profile>(kProfiles, name);
 }
 
+std::optional<std::size_t> param_from(std::string_view name) {
+    for (std::size_t i = 0; i < std::size(kParams); ++i)
+        if (kParams[i].name == name && !kParams[i].fixed) return i;
+    return std::nullopt;
+}
+
 std::optional<std::string> fault_of(const Command& command) {
     const CommandInfo& info = info_of(command.kind);
     for (const CommandNumber& number : info.numbers) {
@@ -169,16 +187,30 @@ std::optional<std::string> fault_of(const Command& command) {
                    std::to_string(value) + " " + std::string(number.unit) + ", outside " +
                    std::to_string(number.least) + " to " + std::to_string(number.most);
     }
+    if (info.has_param) {
+        const ParamInfo& param = kParams[command.param];
+        if (!(command.value >= param.least && command.value <= param.most))
+            return "set " + std::string(param.name) + " is " + std::to_string(command.value) + " " +
+                   std::string(param.unit) + ", outside " + std::to_string(param.least) + " to " +
+                   std::to_string(param.most);
+    }
     return std::nullopt;
 }
 
-void apply_commands(State& state, const Params& params, std::span<const Command> commands) {
+std::optional<std::string> fault_after(const Params& params, std::span<const Command> commands) {
+    Params after = params;
+    for (const Command& command : commands)
+        if (command.kind == CommandKind::kSet) set(after, command);
+    return after == params ? std::nullopt : fault_of(after);
+}
+
+void apply_commands(State& state, std::span<const Command> commands) {
     for (const Command& command : commands) state.sources.push_back({command, state.tick});
 
-    const double tick_s = params.tick_s;
+    const double tick_s = state.params.tick_s;
     const auto ticks_of = [&](const Command& c) {
-        return c.kind == CommandKind::kBlast ? 1
-                                             : std::max<std::int64_t>(1, std::llrint(c.duration / tick_s));
+        const bool lasts = c.kind == CommandKind::kPour || c.kind == CommandKind::kDig;
+        return lasts ? std::max<std::int64_t>(1, std::llrint(c.duration / tick_s)) : 1;
     };
     for (const Source& source : state.sources) {
         const Command& c = source.command;
@@ -192,6 +224,12 @@ void apply_commands(State& state, const Params& params, std::span<const Command>
                 break;
             case CommandKind::kBlast:
                 blast(state, c);
+                break;
+            case CommandKind::kSettle:
+                settle(state, c);
+                break;
+            case CommandKind::kSet:
+                set(state.params, c);
                 break;
         }
     }

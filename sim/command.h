@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -11,7 +12,7 @@ namespace sim {
 struct Params;
 struct State;
 
-enum class CommandKind : std::uint8_t { kPour, kDig, kBlast };
+enum class CommandKind : std::uint8_t { kPour, kDig, kBlast, kSettle, kSet };
 enum class Layer : std::uint8_t { kRolling, kStanding };
 enum class Profile : std::uint8_t { kDisc, kCone };  // equal depth within the radius; highest in the middle
 
@@ -26,6 +27,8 @@ struct Command {
     double depth = 0;
     Layer layer = Layer::kRolling;
     Profile profile = Profile::kDisc;
+    std::size_t param = 0;  // index in kParams
+    double value = 0;
 
     bool operator==(const Command&) const = default;
 };
@@ -60,6 +63,15 @@ inline constexpr CommandNumber kBlastNumbers[] = {
     {"depth", "m", &Command::depth, 0, 100, "erodible depth that becomes rolling layer, at most"},
 };
 
+inline constexpr CommandNumber kSettleNumbers[] = {
+    {"x", "m", &Command::x, -kFarthest, kFarthest, "centre, east of the south-west vertex"},
+    {"y", "m", &Command::y, -kFarthest, kFarthest, "centre, north of the south-west vertex"},
+    {"radius", "m", &Command::radius, 0, 1e5, "of the disc; below a cell, the nearest vertex settles"},
+};
+inline constexpr CommandNumber kSetNumbers[] = {
+    {"value", "the parameter's", &Command::value, -1e6, 1e6, "from now on; its own range holds too"},
+};
+
 // The manifest: from it come the recording's writer and reader, the scene's, --help, and the tests of all.
 struct CommandInfo {
     CommandKind kind;
@@ -67,13 +79,19 @@ struct CommandInfo {
     std::span<const CommandNumber> numbers;
     bool has_layer;    // "as": "rolling" or "standing"
     bool has_profile;  // "profile": "disc" or "cone"
+    bool has_param;    // "param": a name of kParams that is not fixed
     std::string_view meaning;
 };
 
 inline constexpr CommandInfo kCommands[] = {
-    {CommandKind::kPour, "pour", kPourNumbers, true, true, "adds material, at rest, for a while"},
-    {CommandKind::kDig, "dig", kDigNumbers, false, false, "takes material away, for a while"},
-    {CommandKind::kBlast, "blast", kBlastNumbers, false, false, "makes the erodible layer roll, at once"},
+    {CommandKind::kPour, "pour", kPourNumbers, true, true, false, "adds material, at rest, for a while"},
+    {CommandKind::kDig, "dig", kDigNumbers, false, false, false, "takes material away, for a while"},
+    {CommandKind::kBlast, "blast", kBlastNumbers, false, false, false,
+     "makes the erodible layer roll, at once"},
+    {CommandKind::kSettle, "settle", kSettleNumbers, false, false, false,
+     "makes the rolling layer lie, at once"},
+    {CommandKind::kSet, "set", kSetNumbers, false, false, true,
+     "gives a parameter of the physics another value"},
 };
 
 const CommandInfo& info_of(CommandKind kind);
@@ -82,14 +100,18 @@ std::string_view to_string(Layer layer);
 std::string_view to_string(Profile profile);
 std::optional<Layer> layer_from(std::string_view name);
 std::optional<Profile> profile_from(std::string_view name);
+std::optional<std::size_t> param_from(std::string_view name);  // index in kParams; none for a fixed one
 
 // What is wrong with a command, as a sentence; nothing if all its numbers are in range.
 std::optional<std::string> fault_of(const Command& command);
+// What would be wrong with the parameters once these commands have set theirs: thresholds must keep their
+// order.
+std::optional<std::string> fault_after(const Params& params, std::span<const Command> commands);
 
 // Begins these commands at the state's tick and does this tick's share of all that run. Reads grid, site,
-// tick; writes depth, rolling, velocity (material is added and eroded at rest), sources, ledger. A vertex
-// whose layer has reached half of kDeepest takes no more, and what falls beside the grid or on no-data never
-// enters the world: the ledger counts what did.
-void apply_commands(State& state, const Params& params, std::span<const Command> commands);
+// tick; writes params, depth, rolling, velocity (material is added and eroded at rest), sources, ledger. A
+// vertex whose layer has reached half of kDeepest takes no more, and what falls beside the grid or on no-data
+// never enters the world: the ledger counts what did.
+void apply_commands(State& state, std::span<const Command> commands);
 
 }  // namespace sim

@@ -57,10 +57,11 @@ struct ParamInfo {
     float least, most;
     UsedBy used_by;
     std::string_view meaning;
+    bool fixed = false;  // for the life of a world
 };
 
 inline constexpr ParamInfo kParams[] = {
-    {"tick_s", "s", &Params::tick_s, 1e-3f, 0.1f, UsedBy::kBoth, "simulated time between two states"},
+    {"tick_s", "s", &Params::tick_s, 1e-3f, 0.1f, UsedBy::kBoth, "simulated time between two states", true},
     {"courant", "1", &Params::courant, 0.01f, 0.5f, UsedBy::kBoth,
      "farthest way of the fastest grain in a sub-step, in cells"},
     {"exchange_rate", "1/s", &Params::exchange_rate, 0.f, 100.f, UsedBy::kBoth,
@@ -93,6 +94,11 @@ inline constexpr ParamInfo kParams[] = {
      "start slope of natural ground, as a multiple of its first slope"},
     {"anchor_margin", "1", &Params::anchor_margin, 0.f, 10.f, UsedBy::kBcreInertial, "and this more"},
 };
+
+inline bool is_used_by(const ParamInfo& info, Model model) {
+    return info.used_by == UsedBy::kBoth ||
+           info.used_by == (model == Model::kBcre ? UsedBy::kBcre : UsedBy::kBcreInertial);
+}
 
 std::string_view to_string(Model model);
 std::string_view to_string(Scheme scheme);

@@ -3,11 +3,12 @@
 namespace sim {
 
 Snapshot take_snapshot(const State& s) {
-    return {s.depth, s.rolling, s.velocity_x, s.velocity_y, s.tick, s.sources, s.seed, s.ledger};
+    return {s.params, s.depth, s.rolling, s.velocity_x, s.velocity_y, s.tick, s.sources, s.seed, s.ledger};
 }
 
 void restore(const Snapshot& snapshot, State& s) {
     CHECK(snapshot.depth.nx() == s.grid.nx && snapshot.depth.ny() == s.grid.ny);
+    s.params = snapshot.params;
     s.depth = snapshot.depth;
     s.rolling = snapshot.rolling;
     s.velocity_x = snapshot.velocity_x;

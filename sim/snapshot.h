@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -10,6 +11,7 @@ namespace sim {
 // What of a state changes while its world stays: a plain value. Restoring it into a state of the same world
 // gives the same hash and the same future, to the bit.
 struct Snapshot {
+    Params params;
     Field<float> depth, rolling, velocity_x, velocity_y;  // as in State
     std::int64_t tick = 0;
     std::vector<Source> sources;

@@ -43,17 +43,11 @@ void continue_bedrock(State& s, const Params& params) {
     }
 }
 
-// Natural ground holds: a vertex that is steep from the first starts only when it has become steeper yet.
-void anchor(State& s, const Params& params) {
-    const bool anchored = params.model == Model::kBcreInertial;
+void remember_first_slope(State& s) {
     Scratch scratch(s);
-    fill_borders(s, params);
+    fill_borders(s, s.params);
     bcre::lower_slope(s, scratch, 0, s.grid.ny);
-    for (int y = 0; y < s.grid.ny; ++y)
-        for (int x = 0; x < s.grid.nx; ++x) {
-            const float held = params.anchor_gain * scratch.slope(x, y) + params.anchor_margin;
-            s.start_slope(x, y) = anchored ? std::max(params.start_slope, held) : params.start_slope;
-        }
+    for (int y = 0; y < s.grid.ny; ++y) std::copy_n(scratch.slope.row(y), s.grid.nx, s.first_slope.row(y));
 }
 
 }  // namespace
@@ -65,9 +59,10 @@ State make_state(const World& world, const Params& params) {
 
     State s;
     s.grid = grid;
+    s.params = params;
     s.datum = world.datum;
     s.seed = world.seed;
-    s.bedrock = s.depth = s.rolling = s.velocity_x = s.velocity_y = s.start_slope = Field<float>(grid);
+    s.bedrock = s.depth = s.rolling = s.velocity_x = s.velocity_y = s.first_slope = Field<float>(grid);
     s.site = Field<Site>(grid);
     set_sites(s, params, world.has_data);
     for (int y = 0; y < grid.ny; ++y)
@@ -80,7 +75,7 @@ State make_state(const World& world, const Params& params) {
             s.rolling(x, y) = nearest_quanta(world.rolling[i]);
         }
     continue_bedrock(s, params);
-    anchor(s, params);
+    remember_first_slope(s);
     count_mass(s);
     s.ledger.initial = s.ledger.standing + s.ledger.rolling;
     return s;

@@ -7,6 +7,7 @@
 #include "sim/command.h"
 #include "sim/grid.h"
 #include "sim/ledger.h"
+#include "sim/params.h"
 
 namespace sim {
 
@@ -30,14 +31,14 @@ struct Source {
 // (ledger.h), so that sums and differences of them are exact.
 struct State {
     Grid grid;
+    Params params;  // the numbers of the physics, as the last command left them
 
     Field<float> bedrock;      // b, m above datum
     Field<float> depth;        // d ≥ 0, m, erodible depth; the standing layer's height is h = b + d
     Field<float> rolling;      // R ≥ 0, m, rolling layer
     Field<float> velocity_x;   // m/s, of the rolling layer; 0 where R = 0
     Field<float> velocity_y;   // m/s
-    Field<float> start_slope;  // tangent above which the vertex starts from rest; set by make_state from the
-                               // first surface
+    Field<float> first_slope;  // tangent of the first surface's steepest descent: natural ground holds it
     Field<Site> site;
 
     double datum = 0;  // m, height of b = 0 above the terrain's zero; bedrock is kept small so that slopes

@@ -13,15 +13,15 @@
 
 namespace sim {
 
-void step(State& state, const Params& params, std::span<const Command> commands, Scratch& scratch,
-          Workers& workers) {
+void step(State& state, std::span<const Command> commands, Scratch& scratch, Workers& workers) {
     const auto each_band = [&](auto&& stage) { workers.each_band(state.grid.ny, stage); };
+
+    // A person's hand first: what is poured in this tick rolls in this tick, by the numbers set for it.
+    apply_commands(state, commands);
+
+    const Params& params = state.params;
     const bool inertial = params.model == Model::kBcreInertial;
     const Substeps substeps = substeps_of(params, state.grid.dx);
-
-    // A person's hand first: what is poured in this tick rolls in this tick.
-    apply_commands(state, params, commands);
-
     for (int i = 0; i < substeps.count; ++i) {
         const Substep sub{substeps.dt, dither_of(state.tick * substeps.count + i)};
 

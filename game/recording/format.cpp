@@ -1,11 +1,10 @@
 #include "game/recording/format.h"
 
 #include <charconv>
+#include <iterator>
 #include <stdexcept>
 
 #include <fmt/format.h>
-#define XXH_STATIC_LINKING_ONLY  // for a digest on the stack
-#include <xxhash.h>
 
 #include "game/recording/ground_data.h"
 #include "game/version.h"
@@ -234,8 +233,10 @@ TimedCommand read_command(const Json& json, const sim::CommandInfo& info) {
     timed.command.kind = info.kind;
     for (const sim::CommandNumber& each : info.numbers)
         timed.command.*each.value = number(numbers, each.name.data(), each.least, each.most);
+    if (info.has_param) timed.command.param = named(numbers, "param", sim::param_from);
     if (info.has_layer) timed.command.layer = named(numbers, "as", sim::layer_from);
     if (info.has_profile) timed.command.profile = named(numbers, "profile", sim::profile_from);
+    if (const auto wrong = sim::fault_of(timed.command)) refuse(*wrong);
     return timed;
 }
 
@@ -287,67 +288,49 @@ tl::expected<Header, std::string> header_from(const Json& json) try {
     return tl::unexpected(std::string(wrong.what()));
 }
 
-Json to_json(const TimedCommand& timed) {
+namespace {
+
+// The shortest text that reads back as the same double, and as a double: "-0" would lose its sign.
+void append(double value, std::string& line) {
+    const std::size_t before = line.size();
+    fmt::format_to(std::back_inserter(line), "{}", value);
+    if (line.find_first_of(".e", before) == std::string::npos) line += ".0";
+}
+
+}  // namespace
+
+void write(const TimedCommand& timed, std::string& line) {
     const sim::CommandInfo& info = sim::info_of(timed.command.kind);
-    Json numbers;
-    for (const sim::CommandNumber& each : info.numbers)
-        numbers[std::string(each.name)] = timed.command.*each.value;
-    if (info.has_layer) numbers["as"] = sim::to_string(timed.command.layer);
-    if (info.has_profile) numbers["profile"] = sim::to_string(timed.command.profile);
-    return {{"tick", timed.tick}, {std::string(info.name), numbers}};
+    const auto out = std::back_inserter(line);
+    fmt::format_to(out, R"({{"tick":{},"{}":{{)", timed.tick, info.name);
+    if (info.has_param) fmt::format_to(out, R"("param":"{}",)", sim::kParams[timed.command.param].name);
+    for (const sim::CommandNumber& each : info.numbers) {
+        fmt::format_to(out, R"("{}":)", each.name);
+        append(timed.command.*each.value, line);
+        line += ',';
+    }
+    if (info.has_layer) fmt::format_to(out, R"("as":"{}",)", sim::to_string(timed.command.layer));
+    if (info.has_profile) fmt::format_to(out, R"("profile":"{}",)", sim::to_string(timed.command.profile));
+    line.pop_back();  // the last comma
+    line += "}}";
 }
 
-Json to_json(const StateLine& line) {
-    const sim::Ledger& mass = line.ledger;
-    return {{"tick", line.tick},
-            {"hash", hex(line.hash)},
-            {"mass",
-             {{"standing", mass.standing},
-              {"rolling", mass.rolling},
-              {"out", mass.out},
-              {"poured", mass.poured},
-              {"dug", mass.dug}}}};
+void write(const StateLine& state, std::string& line) {
+    const sim::Ledger& mass = state.ledger;
+    fmt::format_to(
+        std::back_inserter(line),
+        R"({{"tick":{},"hash":"{:016x}","mass":{{"standing":{},"rolling":{},"out":{},"poured":{},"dug":{}}}}})",
+        state.tick, state.hash, mass.standing, mass.rolling, mass.out, mass.poured, mass.dug);
 }
 
-Json to_json(const EndLine& line) {
-    return {{"end", line.tick}};
+void write(const EndLine& end, std::string& line) {
+    fmt::format_to(std::back_inserter(line), R"({{"end":{}}})", end.tick);
 }
 
 tl::expected<Line, std::string> line_from(const Json& json) try {
     return read_line(json);
 } catch (const std::exception& wrong) {
     return tl::unexpected(std::string(wrong.what()));
-}
-
-namespace {
-
-constexpr std::string_view kChainKey = ",\"chain\":\"";
-constexpr std::size_t kChainLength = kChainKey.size() + 16 + 2;  // key, digits, quote and brace
-
-}  // namespace
-
-std::uint64_t Chain::link(std::string_view body) const {
-    return XXH3_64bits_withSeed(body.data(), body.size(), last_);
-}
-
-std::string Chain::write(const Json& json) {
-    // A file's name need not be UTF-8, and a recording is.
-    std::string line = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    line.pop_back();
-    last_ = link(line);
-    return fmt::format("{}{}{}\"}}", line, kChainKey, hex(last_));
-}
-
-tl::expected<void, std::string> Chain::read(std::string_view line) {
-    const auto damaged = [] {
-        return tl::unexpected(std::string("damaged: its chained hash is not that of what it says"));
-    };
-    if (line.size() <= kChainLength || line.substr(line.size() - kChainLength, kChainKey.size()) != kChainKey)
-        return damaged();
-    const std::uint64_t expected = link(line.substr(0, line.size() - kChainLength));
-    if (line.substr(line.size() - kChainLength + kChainKey.size()) != hex(expected) + "\"}") return damaged();
-    last_ = expected;
-    return {};
 }
 
 std::string printed(const Json& json) {

@@ -51,24 +51,12 @@ tl::expected<Header, std::string> header_from(const Json& json);
 // else need be the same in another format.
 tl::expected<void, std::string> check_format(const Json& json);
 
-Json to_json(const TimedCommand& command);
-Json to_json(const StateLine& line);
-Json to_json(const EndLine& line);
+// Appended to `line`, without a line break; allocates only where the string must grow.
+void write(const TimedCommand& command, std::string& line);
+void write(const StateLine& state, std::string& line);
+void write(const EndLine& end, std::string& line);
 using Line = std::variant<TimedCommand, StateLine, EndLine>;
 tl::expected<Line, std::string> line_from(const Json& json);
-
-// The hashes that tie lines together.
-class Chain {
-  public:
-    // `json` as the next line's text, chained, without a line break.
-    std::string write(const Json& json);
-    // Takes the next line. Errors: it is not what stood there when the lines before it were written.
-    tl::expected<void, std::string> read(std::string_view line);
-
-  private:
-    std::uint64_t link(std::string_view body) const;
-    std::uint64_t last_ = 0;
-};
 
 std::string hex(std::uint64_t value);  // 16 digits
 // For people and scripts: indented, with a line break. What is not UTF-8, as a file's name may be, becomes

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "game/recording/chain.h"
+
 namespace game {
 namespace {
 

@@ -3,38 +3,65 @@
 #include <cerrno>
 #include <cstring>
 
+#include <unistd.h>
+
 #include <fmt/format.h>
 
 namespace game {
+namespace {
+
+tl::unexpected<Failure> cannot_write(const std::filesystem::path& path) {
+    return machine_fails(fmt::format("{}: cannot be written: {}", path.string(), std::strerror(errno)));
+}
+
+}  // namespace
 
 Outcome<Recorder> Recorder::create(const std::filesystem::path& path, const Start& start) {
     std::error_code error;
     if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
     std::FILE* file = std::fopen(path.c_str(), "wb");
-    if (!file)
-        return machine_fails(fmt::format("{}: cannot be written: {}", path.string(), std::strerror(errno)));
+    if (!file) return cannot_write(path);
     Recorder recorder(path, file);
     Header header;
     header.start = start;
-    if (const auto written = recorder.write(to_json(header)); !written)
-        return tl::unexpected(written.error());
+    // A file's name need not be UTF-8, and a recording is.
+    recorder.line_ = to_json(header).dump(-1, ' ', false, Json::error_handler_t::replace);
+    if (const auto written = recorder.write_line(); !written) return tl::unexpected(written.error());
+    recorder.line_ = {};  // the header's memory is not needed again
     return recorder;
 }
 
 Outcome<void> Recorder::command(const TimedCommand& command) {
-    return write(to_json(command));
+    write(command, line_);
+    return write_line();
 }
 Outcome<void> Recorder::state(const StateLine& line) {
-    return write(to_json(line));
+    write(line, line_);
+    return write_line();
 }
 Outcome<void> Recorder::end(std::int64_t tick) {
-    return write(to_json(EndLine{tick}));
+    write(EndLine{tick}, line_);
+    return write_line();
 }
 
-Outcome<void> Recorder::write(const Json& json) {
-    const std::string line = chain_.write(json) + '\n';
-    if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size() || std::fflush(file_.get()) != 0)
-        return machine_fails(fmt::format("{}: cannot be written: {}", path_.string(), std::strerror(errno)));
+Outcome<void> Recorder::rewind(const Mark& mark) {
+    // Every line was flushed, so nothing of it is left in the stream.
+    if (ftruncate(fileno(file_.get()), static_cast<off_t>(mark.bytes)) != 0 ||
+        std::fseek(file_.get(), static_cast<long>(mark.bytes), SEEK_SET) != 0)
+        return cannot_write(path_);
+    bytes_ = mark.bytes;
+    chain_ = mark.chain;
+    return {};
+}
+
+Outcome<void> Recorder::write_line() {
+    chain_.close(line_);
+    line_ += '\n';
+    const std::size_t written = std::fwrite(line_.data(), 1, line_.size(), file_.get());
+    const bool whole = written == line_.size() && std::fflush(file_.get()) == 0;
+    bytes_ += static_cast<std::int64_t>(line_.size());
+    line_.clear();
+    if (!whole) return cannot_write(path_);
     return {};
 }
 

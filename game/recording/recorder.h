@@ -3,8 +3,10 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include "game/outcome.h"
+#include "game/recording/chain.h"
 #include "game/recording/format.h"
 
 namespace game {
@@ -20,6 +22,15 @@ class Recorder {
     Outcome<void> state(const StateLine& line);
     Outcome<void> end(std::int64_t tick);
 
+    // A place in the file to come back to.
+    struct Mark {
+        std::int64_t bytes = 0;
+        Chain chain;
+    };
+    Mark mark() const { return {bytes_, chain_}; }
+    // Takes back all lines since `mark`, as if they had never been.
+    Outcome<void> rewind(const Mark& mark);
+
     const std::filesystem::path& path() const { return path_; }
 
   private:
@@ -27,11 +38,13 @@ class Recorder {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
     Recorder(std::filesystem::path path, std::FILE* file) : path_(std::move(path)), file_(file) {}
-    Outcome<void> write(const Json& json);
+    Outcome<void> write_line();  // closes line_, writes and empties it
 
     std::filesystem::path path_;
     std::unique_ptr<std::FILE, Close> file_;
+    std::int64_t bytes_ = 0;  // written
     Chain chain_;
+    std::string line_;  // kept for its memory
 };
 
 }  // namespace game

@@ -44,7 +44,7 @@ void exchange(State& state, const Params& params, const Scratch& scratch, Subste
 void exchange_inertial(State& state, const Params& params, const Scratch& scratch, Substep sub, int first,
                        int last);
 
-// Starts what is too steep to lie, stops what is too thin to roll. Reads slope, start_slope; writes d, R,
+// Starts what is too steep to lie, stops what is too thin to roll. Reads slope, first_slope; writes d, R,
 // velocity.
 void yield(State& state, const Params& params, const Scratch& scratch, int first, int last);
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/snapshot.h"
 #include "tests/support/worlds.h"
 
 namespace {
@@ -52,7 +53,7 @@ TEST(Pour, into_the_rolling_layer_begins_at_rest) {
     play.state.rolling(20, 20) = 0.5f;
     play.state.velocity_x(20, 20) = 2;
     const Command pour = support::pour_at(20, 20, 0, 30, 0);  // less than a cell: the nearest vertex
-    sim::apply_commands(play.state, play.params, {&pour, 1});
+    sim::apply_commands(play.state, {&pour, 1});
     EXPECT_EQ(play.state.rolling(20, 20), 1.f);
     EXPECT_EQ(play.state.velocity_x(20, 20), 1.f);
 }
@@ -62,7 +63,7 @@ TEST(Pour, beside_the_world_or_on_no_data_never_enters_it) {
     ground.has_data[ground.at(10, 10)] = 0;
     Play play(ground, support::lively(sim::Model::kBcreInertial));
     const Command commands[] = {support::pour_at(-50, 5, 10, 100, 0), support::pour_at(10, 10, 0, 100, 0)};
-    sim::apply_commands(play.state, play.params, commands);
+    sim::apply_commands(play.state, commands);
     EXPECT_EQ(play.state.ledger.poured, 0);
     EXPECT_EQ(play.state.rolling(10, 10), 0);
 }
@@ -79,7 +80,7 @@ TEST(Pour, fills_a_vertex_up_to_half_the_deepest_and_no_further) {
     Play play = flat();
     Command pour = support::pour_at(20, 20, 0, 1e8, 0);
     pour.layer = sim::Layer::kStanding;
-    sim::apply_commands(play.state, play.params, {&pour, 1});
+    sim::apply_commands(play.state, {&pour, 1});
     EXPECT_EQ(play.state.depth(20, 20), sim::kDeepest / 2);
     sim::count_mass(play.state);
     EXPECT_EQ(play.state.ledger.mass_error(), 0);
@@ -95,7 +96,7 @@ TEST(Dig, takes_the_rolling_layer_first_and_never_bedrock) {
     dig.x = dig.y = 20;
     dig.radius = 3;
     dig.rate = 36;  // 0.6 m in a tick
-    sim::apply_commands(play.state, play.params, {&dig, 1});
+    sim::apply_commands(play.state, {&dig, 1});
     EXPECT_EQ(play.state.rolling(20, 20), 0);
     EXPECT_NEAR(play.state.depth(20, 20), 0.15, 1e-5);
     EXPECT_EQ(play.state.depth(21, 20), 0);
@@ -110,7 +111,7 @@ TEST(Blast, makes_the_erodible_layer_roll_up_to_its_depth) {
     blast.x = blast.y = 20;
     blast.radius = 3;
     blast.depth = 0.75;
-    sim::apply_commands(play.state, play.params, {&blast, 1});
+    sim::apply_commands(play.state, {&blast, 1});
     EXPECT_EQ(play.state.rolling(20, 20), 0.75f);
     EXPECT_EQ(play.state.depth(20, 20), 0.25f);
     EXPECT_EQ(play.state.rolling(24, 20), 0);
@@ -132,13 +133,77 @@ TEST(Commands, refuse_every_number_out_of_its_range_and_name_it) {
                  {std::nextafter(number.least, -1e300) - 1, number.most * 1.001 + 1, std::nan("")}) {
                 Command command;
                 command.kind = info.kind;
-                command.depth = command.radius = 1;
+                command.depth = command.radius = command.value = 1;
+                command.param = sim::param_from("start_depth").value();
                 ASSERT_FALSE(sim::fault_of(command));
                 command.*number.value = bad;
                 const auto fault = sim::fault_of(command);
                 ASSERT_TRUE(fault) << info.name << " " << number.name;
                 EXPECT_NE(fault->find(number.name), std::string::npos);
             }
+}
+
+TEST(Settle, turns_the_rolling_layer_into_standing_within_its_disc_and_keeps_the_mass) {
+    Play play = flat(1);
+    const Command pour = support::pour_at(20, 20, 8, 600, 0);
+    sim::apply_commands(play.state, {&pour, 1});
+    ASSERT_GT(play.state.rolling(20, 20), 0.f);
+    play.state.velocity_x(20, 20) = 3;
+    const float outside = play.state.rolling(26, 20),
+                all = play.state.depth(20, 20) + play.state.rolling(20, 20);
+    ASSERT_GT(outside, 0.f);
+    Command settle;
+    settle.kind = CommandKind::kSettle;
+    settle.x = settle.y = 20;
+    settle.radius = 4;
+    sim::apply_commands(play.state, {&settle, 1});
+    EXPECT_EQ(play.state.rolling(20, 20), 0.f);
+    EXPECT_EQ(play.state.velocity_x(20, 20), 0.f);
+    EXPECT_EQ(play.state.depth(20, 20), all);
+    EXPECT_EQ(play.state.rolling(26, 20), outside);
+    EXPECT_TRUE(play.state.sources.empty());
+    play.ticks(1);
+    EXPECT_EQ(play.state.ledger.mass_error(), 0);
+}
+
+Command set_to(std::string_view param, double value) {
+    Command set;
+    set.kind = CommandKind::kSet;
+    set.param = sim::param_from(param).value();
+    set.value = value;
+    return set;
+}
+
+TEST(Set, acts_from_its_own_tick_on_and_travels_with_a_snapshot) {
+    Play play = flat(1);
+    const sim::Snapshot before = sim::take_snapshot(play.state);
+    const Command set = set_to("stop_slope", 0.625);
+    play.ticks(1, {&set, 1});
+    EXPECT_EQ(play.state.params.stop_slope, 0.625f);
+    EXPECT_TRUE(play.state.sources.empty());
+    sim::restore(before, play.state);
+    EXPECT_NE(play.state.params.stop_slope, 0.625f);
+}
+
+TEST(Set, of_the_start_slope_and_the_anchor_lets_ground_go_that_held) {
+    // Steep from the first, so the anchor holds it; without the anchor it is above the start slope.
+    sim::Params params = support::lively(sim::Model::kBcreInertial);
+    params.anchor_gain = 2;
+    Play play(support::plane(20, 1, 0.6, 1), params);
+    play.ticks(10);
+    ASSERT_EQ(play.state.ledger.rolling, 0);
+    const Command sets[] = {set_to("start_slope", 0.5), set_to("anchor_gain", 0), set_to("stop_slope", 0.45)};
+    play.ticks(1, sets);
+    EXPECT_GT(play.state.ledger.rolling, 0);
+}
+
+TEST(Set, is_judged_by_what_all_of_a_tick_come_to) {
+    const sim::Params params = support::lively(sim::Model::kBcreInertial);
+    const Command low_start = set_to("start_slope", 0.4), low_stop = set_to("stop_slope", 0.38);
+    EXPECT_TRUE(sim::fault_after(params, {&low_start, 1}));
+    const Command both[] = {low_start, low_stop};
+    EXPECT_FALSE(sim::fault_after(params, both));
+    EXPECT_FALSE(sim::fault_after(params, {}));
 }
 
 }  // namespace

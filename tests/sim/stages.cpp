@@ -24,7 +24,7 @@ TEST(Velocity, of_law_C_has_one_speed_down_the_slope) {
     ground.set(ground.bedrock, [](double x, double y) { return -0.3 * x + 0.4 * y; });
     ground.set(ground.rolling, [](double, double) { return 0.1; });
     Play play(ground, lively(Model::kBcre));
-    sim::bcre::slope_velocity(play.state, play.params, 0, 5);
+    sim::bcre::slope_velocity(play.state, play.state.params, 0, 5);
     EXPECT_NEAR(play.state.velocity_x(2, 2), 5 * 0.6, 1e-5);  // V = 5 m/s, down is (0.6, −0.8)
     EXPECT_NEAR(play.state.velocity_y(2, 2), 5 * -0.8, 1e-5);
 }
@@ -35,7 +35,7 @@ TEST(Velocity, of_the_inertial_model_relaxes_toward_the_terminal_one) {
     ground.set(ground.rolling, [](double, double) { return 0.3; });
     Play play(ground, lively(Model::kBcreInertial));
     play.state.velocity_x(2, 2) = 1;
-    sim::bcre::accelerate(play.state, play.params, kHalfQuantum, 0, 5);
+    sim::bcre::accelerate(play.state, play.state.params, kHalfQuantum, 0, 5);
     const double terminal = 15 * 0.5 * (0.3 / (0.3 + 0.1));  // k_v |∇z| R/(R + R_h)
     const double gained = 1 - std::exp(-0.02 / 1.5);
     EXPECT_NEAR(play.state.velocity_x(2, 2), 1 + gained * (0.6 * terminal - 1), 1e-5);
@@ -132,9 +132,9 @@ TEST(Exchange, grows_and_decays_as_the_exponential) {
     support::Ground ground = support::plane(6, 2, 0.8, 3);
     ground.set(ground.rolling, [](double, double) { return 0.05; });
     Play play(ground, lively(Model::kBcre));
-    sim::fill_borders(play.state, play.params);
+    sim::fill_borders(play.state, play.state.params);
     sim::bcre::lower_slope(play.state, play.scratch, 0, 7);
-    sim::bcre::exchange(play.state, play.params, play.scratch, kHalfQuantum, 0, 7);
+    sim::bcre::exchange(play.state, play.state.params, play.scratch, kHalfQuantum, 0, 7);
     EXPECT_NEAR(play.state.rolling(3, 3), 0.05 * std::exp(2 * 0.3 * 0.02), 1e-5);  // γ p Δt, p = .8 − .5
     EXPECT_EQ(play.state.rolling(3, 3) + play.state.depth(3, 3), 3 + sim::nearest_quanta(0.05f));
 }
@@ -174,9 +174,9 @@ TEST(Exchange, of_the_inertial_model_deposits_nothing_above_the_deposit_speed) {
         ground.set(ground.rolling, [](double, double) { return 0.5; });
         Play play(ground, lively(Model::kBcreInertial));
         play.state.velocity_y.fill(speed);
-        sim::fill_borders(play.state, play.params);
+        sim::fill_borders(play.state, play.state.params);
         sim::bcre::lower_slope(play.state, play.scratch, 0, 5);
-        sim::bcre::exchange_inertial(play.state, play.params, play.scratch, kHalfQuantum, 0, 5);
+        sim::bcre::exchange_inertial(play.state, play.state.params, play.scratch, kHalfQuantum, 0, 5);
         if (speed < 2.5f)
             EXPECT_GT(play.state.depth(2, 2), 0);
         else
@@ -189,9 +189,9 @@ TEST(Exchange, of_the_inertial_model_does_nothing_between_stop_and_erosion_slope
     support::Ground ground = support::plane(4, 2, 0.52, 1);  // stop .5, erosion .55
     ground.set(ground.rolling, [](double, double) { return 0.5; });
     Play play(ground, lively(Model::kBcreInertial));
-    sim::fill_borders(play.state, play.params);
+    sim::fill_borders(play.state, play.state.params);
     sim::bcre::lower_slope(play.state, play.scratch, 0, 5);
-    sim::bcre::exchange_inertial(play.state, play.params, play.scratch, kHalfQuantum, 0, 5);
+    sim::bcre::exchange_inertial(play.state, play.state.params, play.scratch, kHalfQuantum, 0, 5);
     EXPECT_EQ(play.state.depth(2, 2), 1);
 }
 
@@ -200,9 +200,9 @@ TEST(Exchange, starts_what_it_erodes_from_rest) {
     ground.set(ground.rolling, [](double, double) { return 0.5; });
     Play play(ground, lively(Model::kBcreInertial));
     play.state.velocity_y.fill(4);
-    sim::fill_borders(play.state, play.params);
+    sim::fill_borders(play.state, play.state.params);
     sim::bcre::lower_slope(play.state, play.scratch, 0, 5);
-    sim::bcre::exchange_inertial(play.state, play.params, play.scratch, kHalfQuantum, 0, 5);
+    sim::bcre::exchange_inertial(play.state, play.state.params, play.scratch, kHalfQuantum, 0, 5);
     ASSERT_GT(play.state.rolling(2, 2), 0.5f);
     EXPECT_NEAR(play.state.rolling(2, 2) * play.state.velocity_y(2, 2), 0.5f * 4, 1e-5);
 }

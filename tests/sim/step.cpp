@@ -35,6 +35,7 @@ std::vector<sim::Command> any_commands(std::mt19937& random, double extent) {
     };
     std::vector<sim::Command> commands;
     for (const sim::CommandInfo& info : sim::kCommands) {
+        if (info.has_param) continue;  // any_number, below
         sim::Command c;
         c.kind = info.kind;
         c.x = within(-0.2, 1.2) * extent;
@@ -48,6 +49,20 @@ std::vector<sim::Command> any_commands(std::mt19937& random, double extent) {
         commands.push_back(c);
     }
     return commands;
+}
+
+// Some number of the physics set to anywhere in its range, as long as the thresholds keep their order.
+sim::Command any_number(std::mt19937& random, const sim::Params& now) {
+    for (;;) {
+        sim::Command set;
+        set.kind = sim::CommandKind::kSet;
+        set.param = random() % std::size(sim::kParams);
+        const sim::ParamInfo& info = sim::kParams[set.param];
+        const double least = static_cast<double>(info.least), most = static_cast<double>(info.most);
+        set.value = least * std::pow(std::max(most, 1e-3) / std::max(least, 1e-3),
+                                     static_cast<double>(random()) / 4294967296.0);
+        if (!info.fixed && !sim::fault_of(set) && !sim::fault_after(now, {&set, 1})) return set;
+    }
 }
 
 TEST(Step, keeps_a_pile_between_its_thresholds_bit_identical) {
@@ -96,6 +111,29 @@ TEST(Step, conserves_mass_to_the_quantum_whatever_is_done) {
         }
 }
 
+TEST(Step, stays_finite_and_conserves_mass_under_any_numbers_that_its_ranges_allow) {
+    for (const Physics& p : kAll) {
+        Play play(support::rough(16, 2, 11), lively(p.model, p.scheme));
+        std::mt19937 random(3);
+        for (int tick = 0; tick < 300; ++tick) {
+            std::vector<sim::Command> commands;
+            if (tick % 5 == 0) commands = any_commands(random, 32);
+            commands.push_back(any_number(random, play.state.params));
+            if (sim::fault_after(play.state.params, commands)) continue;
+            play.ticks(1, commands);
+            ASSERT_EQ(play.state.ledger.mass_error(), 0) << name_of(p) << ", tick " << tick;
+            for (int y = 0; y < play.state.grid.ny; ++y)
+                for (int x = 0; x < play.state.grid.nx; ++x) {
+                    ASSERT_GE(play.state.depth(x, y), 0) << name_of(p) << ", tick " << tick;
+                    ASSERT_GE(play.state.rolling(x, y), 0) << name_of(p) << ", tick " << tick;
+                    ASSERT_TRUE(std::isfinite(play.state.velocity_x(x, y)) &&
+                                std::isfinite(play.state.velocity_y(x, y)))
+                        << name_of(p) << ", tick " << tick;
+                }
+        }
+    }
+}
+
 TEST(Step, never_makes_a_negative_depth_or_a_value_that_is_not_finite) {
     for (const Physics& p : kAll) {
         Play play(support::rough(24, 2, 3), lively(p.model, p.scheme));
@@ -107,7 +145,7 @@ TEST(Step, never_makes_a_negative_depth_or_a_value_that_is_not_finite) {
                     ASSERT_GE(play.state.depth(x, y), 0) << name_of(p) << ", tick " << tick;
                     ASSERT_GE(play.state.rolling(x, y), 0) << name_of(p) << ", tick " << tick;
                     const float speed = std::hypot(play.state.velocity_x(x, y), play.state.velocity_y(x, y));
-                    ASSERT_LE(speed, play.params.max_speed * 1.001f) << name_of(p) << ", tick " << tick;
+                    ASSERT_LE(speed, play.state.params.max_speed * 1.001f) << name_of(p) << ", tick " << tick;
                     ASSERT_TRUE(play.state.rolling(x, y) > 0 || speed == 0)
                         << name_of(p) << ", tick " << tick;
                 }

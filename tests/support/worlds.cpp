@@ -51,11 +51,11 @@ Ground rough(int squares, float dx, unsigned seed) {
 }
 
 Play::Play(const Ground& ground, const sim::Params& with, int threads)
-    : params(with), state(sim::make_state(ground.world(), with)), scratch(state), workers(threads) {}
+    : state(sim::make_state(ground.world(), with)), scratch(state), workers(threads) {}
 
 void Play::ticks(int count, std::span<const sim::Command> first) {
     for (int i = 0; i < count; ++i)
-        sim::step(state, params, i == 0 ? first : std::span<const sim::Command>{}, scratch, workers);
+        sim::step(state, i == 0 ? first : std::span<const sim::Command>{}, scratch, workers);
 }
 
 sim::Params lively(sim::Model model, sim::Scheme scheme) {

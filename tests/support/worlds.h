@@ -35,7 +35,6 @@ Ground rough(int squares, float dx, unsigned seed);
 
 // A world that steps.
 struct Play {
-    sim::Params params;
     sim::State state;
     sim::Scratch scratch;
     sim::Workers workers;
