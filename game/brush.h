@@ -44,14 +44,19 @@ class Stroke {
     void move_to(std::optional<glm::dvec2> at) { to_ = at; }
 
     // Adds what the `tick`-th of `ticks` ticks owes, which share the way since the last arrive() evenly. A
-    // way that is longer than half a radius in one tick is filled with several discs that share the amount.
-    // Blast and settle go off at the press, and again wherever the hand has gone on by a radius.
+    // way that is longer than half a radius in one tick is filled with several discs that share the amount;
+    // one of more than eight radii is a jump. Blast and settle go off at the press, and again wherever the
+    // hand has gone on by a radius.
     void commands_of(int tick, int ticks, const Brush& brush, double tick_s,
                      std::vector<sim::Command>& commands);
     // The ticks of a frame are done; the next way begins where this one ended.
     void arrive() { from_ = to_; }
 
   private:
+    void burst(glm::dvec2 at, const Brush& brush, std::vector<sim::Command>& commands);
+    void spread(glm::dvec2 from, glm::dvec2 to, const Brush& brush, double tick_s,
+                std::vector<sim::Command>& commands);
+
     sim::CommandKind deed_;
     std::optional<glm::dvec2> from_, to_;
     std::optional<glm::dvec2> last_burst_;  // where blast or settle went off last

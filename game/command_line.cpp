@@ -20,25 +20,84 @@ namespace {
 
 constexpr int kMostThreads = 64;
 
+void add_threads(CLI::App& app, int& threads) {
+    app.add_option("--threads", threads, "for the simulation; any number gives the same bits")
+        ->check(CLI::Range(1, kMostThreads))
+        ->capture_default_str();
+}
+
+template <class Enum>
+void add_named(CLI::App& app, const char* option, std::optional<Enum>& value,
+               std::optional<Enum> (*from)(std::string_view), const char* names, const char* help) {
+    app.add_option_function<std::string>(
+           option,
+           [=, &value](const std::string& text) {
+               value = from(text);
+               if (!value) throw CLI::ValidationError(option, "'" + text + "' is none of " + names);
+           },
+           std::string(help) + ": " + names)
+        ->type_name("NAME");
+}
+
+void add_size(CLI::App& app, PictureSize& size, const char* of_what) {
+    app.add_option_function<std::string>(
+           "--size",
+           [&size](const std::string& text) {
+               char rest = 0;
+               if (std::sscanf(text.c_str(), "%dx%d%c", &size.width, &size.height, &rest) != 2 ||
+                   size.width < 16 || size.height < 16 || size.width > 8192 || size.height > 8192)
+                   throw CLI::ValidationError("--size",
+                                              "'" + text + "' is not WIDTHxHEIGHT, each 16 to 8192 pixels");
+           },
+           of_what)
+        ->type_name("WxH");
+}
+
+void add_grid(CLI::App& app, Wishes& wishes) {
+    app.add_option_function<std::string>(
+           "--grid",
+           [&wishes](const std::string& text) {
+               int squares = 0;
+               char rest = 0;
+               if (std::sscanf(text.c_str(), "%d%c", &squares, &rest) != 1 || squares < 8 || squares > 4096)
+                   throw CLI::ValidationError("--grid",
+                                              "'" + text + "' is not a number of squares, 8 to 4096");
+               wishes.squares = squares;
+           },
+           "squares along the longer side")
+        ->type_name("N");
+}
+
+void add_material_and_model(CLI::App& app, Wishes& wishes) {
+    app.add_option("--material", wishes.material, "a name from `couloir list`, or a material file")
+        ->type_name("NAME");
+    add_named(app, "--model", wishes.model, sim::model_from, "bcre, bcre-inertial", "physics");
+    add_named(app, "--scheme", wishes.scheme, sim::scheme_from, "lax-friedrichs, local-lax-friedrichs",
+              "of bcre");
+    add_grid(app, wishes);
+}
+
+void add_play(CLI::App& app, PlayOptions& options) {
+    app.add_option(
+           "what", options.what,
+           "a scene by name, or a file: scene (.toml), recording to take over at its end (.couloir), or "
+           "elevation raster [alpine-valley]")
+        ->type_name("SCENE");
+    app.add_option("--record", options.record,
+                   "record the session here [a new file in couloir/recordings in the XDG data folder]")
+        ->type_name("FILE.couloir");
+    add_material_and_model(app, options.wishes);
+    add_size(app, options.size, "of the window, in pixels [1280x720]");
+    add_threads(app, options.threads);
+}
+
 void add_pictures(CLI::App& app, PictureOptions& options, const char* where) {
     app.add_option("--frames", options.folder, where)->type_name("DIR");
     app.add_option("--every", options.every, "ticks between two pictures (60 ticks are a second)")
         ->check(CLI::Range(1, 1 << 20))
         ->type_name("TICKS")
         ->capture_default_str();
-    app.add_option_function<std::string>(
-           "--size",
-           [&options](const std::string& text) {
-               char rest = 0;
-               if (std::sscanf(text.c_str(), "%dx%d%c", &options.size.width, &options.size.height, &rest) !=
-                       2 ||
-                   options.size.width < 16 || options.size.height < 16 || options.size.width > 8192 ||
-                   options.size.height > 8192)
-                   throw CLI::ValidationError("--size",
-                                              "'" + text + "' is not WIDTHxHEIGHT, each 16 to 8192 pixels");
-           },
-           "of the pictures, in pixels [1280x720]")
-        ->type_name("WxH");
+    add_size(app, options.size, "of the pictures, in pixels [1280x720]");
     app.add_option("--gl", options.gl,
                    "where to draw: auto (a hardware device if there is one), surfaceless (software), device "
                    "or device:N")
@@ -55,31 +114,12 @@ void add_pictures(CLI::App& app, PictureOptions& options, const char* where) {
         ->capture_default_str();
 }
 
-void add_threads(CLI::App& app, int& threads) {
-    app.add_option("--threads", threads, "for the simulation; any number gives the same bits")
-        ->check(CLI::Range(1, kMostThreads))
-        ->capture_default_str();
-}
-
-void add_results(CLI::App& app, std::optional<std::filesystem::path>& perf,
-                 std::optional<std::filesystem::path>& summary, bool& json) {
-    app.add_option("--perf", perf, "write the performance log, a line per tick")->type_name("FILE.csv");
-    app.add_option("--summary", summary, "write what is printed in the end, and more, as JSON")
+void add_results(CLI::App& app, ResultOptions& options) {
+    app.add_option("--perf", options.perf, "write the performance log, a line per tick")
+        ->type_name("FILE.csv");
+    app.add_option("--summary", options.summary, "write what is printed in the end, and more, as JSON")
         ->type_name("FILE.json");
-    app.add_flag("--json", json, "print the summary as JSON");
-}
-
-template <class Enum>
-void add_named(CLI::App& app, const char* option, std::optional<Enum>& value,
-               std::optional<Enum> (*from)(std::string_view), const char* names, const char* help) {
-    app.add_option_function<std::string>(
-           option,
-           [=, &value](const std::string& text) {
-               value = from(text);
-               if (!value) throw CLI::ValidationError(option, "'" + text + "' is none of " + names);
-           },
-           std::string(help) + ": " + names)
-        ->type_name("NAME");
+    app.add_flag("--json", options.json, "print the summary as JSON");
 }
 
 void add_run(CLI::App& app, RunOptions& options) {
@@ -95,14 +135,7 @@ void add_run(CLI::App& app, RunOptions& options) {
     app.add_option("--reference", options.reference,
                    "GeoJSON extent to compare with; the summary tells the overlap")
         ->type_name("FILE");
-    app.add_option("--material", options.wishes.material, "a name from `couloir list`, or a material file")
-        ->type_name("NAME");
-    add_named(app, "--model", options.wishes.model, sim::model_from, "bcre, bcre-inertial", "physics");
-    add_named(app, "--scheme", options.wishes.scheme, sim::scheme_from,
-              "lax-friedrichs, local-lax-friedrichs", "of bcre");
-    app.add_option("--grid", options.wishes.squares, "squares along the longer side")
-        ->check(CLI::Range(8, 4096))
-        ->type_name("N");
+    add_material_and_model(app, options.wishes);
     app.add_flag("--until-rest", options.until_rest,
                  "stop when nothing moves; with --seconds, by then at the latest [3600]");
     app.add_option("--seconds", options.seconds, "simulated time")
@@ -118,7 +151,7 @@ void add_run(CLI::App& app, RunOptions& options) {
                    "write deposit, peak depth and speed, extent, summary, and pictures into DIR/frames")
         ->type_name("DIR");
     add_pictures(app, options.pictures, "write pictures here, and maps of extent and end");
-    add_results(app, options.perf, options.summary, options.json);
+    add_results(app, options.results);
     add_threads(app, options.threads);
 }
 
@@ -127,7 +160,7 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
         ->type_name("RECORDING")
         ->required();
     app.add_flag_callback(
-        "--headless", [] {}, "without a window (the only way yet)");
+        "--headless", [] {}, "without a window (replay never opens one)");
     app.add_option("--until", options.until, "stop after this many ticks")
         ->check(CLI::Range(0, 1 << 30))
         ->type_name("TICK");
@@ -137,7 +170,7 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
     app.add_flag_callback(
         "--no-render", [&options] { options.pictures.folder.reset(); },
         "draw nothing, whatever else is said");
-    add_results(app, options.perf, options.summary, options.json);
+    add_results(app, options.results);
     add_threads(app, options.threads);
 }
 
@@ -169,12 +202,16 @@ Outcome<int> run_command_line(int argc, char** argv) {
     app.set_version_flag("--version", fmt::format("{}, commit {}", kProgram, kCommit));
     app.get_formatter()->column_width(34);
 
+    PlayOptions play_options;
     RunOptions run_options;
     ReplayOptions replay_options;
     ListOptions list_options;
+    CLI::App* play_app =
+        app.add_subcommand("play", "open the sandbox in a window (what couloir does without a subcommand)");
     CLI::App* run_app = app.add_subcommand("run", "run a scene or a real hill without a window");
     CLI::App* replay_app = app.add_subcommand("replay", "run a recording again, bit for bit");
     CLI::App* list_app = app.add_subcommand("list", "what ships: scenes, materials, recordings, terrains");
+    add_play(*play_app, play_options);
     add_run(*run_app, run_options);
     add_replay(*replay_app, replay_options);
     list_app->add_flag("--json", list_options.json, "as JSON");
@@ -188,8 +225,7 @@ Outcome<int> run_command_line(int argc, char** argv) {
             fmt::format("{} (couloir {}--help tells more)", wrong.what(),
                         app.get_subcommands().empty() ? "" : app.get_subcommands()[0]->get_name() + " "));
     }
-    if (app.get_subcommands().empty())
-        return unusable("a subcommand is missing: run, replay or list (couloir --help tells more)");
+    if (app.get_subcommands().empty() || play_app->parsed()) return play(play_options);
     if (run_app->parsed()) {
         if (auto sound = check(run_options); !sound) return tl::unexpected(sound.error());
         return run(run_options);

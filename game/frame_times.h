@@ -10,6 +10,10 @@ enum class Stage { kInput, kSolve, kDraw, kPanels, kPresent };
 inline constexpr std::size_t kStages = 5;
 inline constexpr std::array<const char*, kStages> kStageNames{"input", "solve", "draw", "panels", "present"};
 
+constexpr std::size_t stage_index(Stage stage) {
+    return static_cast<std::size_t>(stage);
+}
+
 struct FrameTime {
     std::array<float, kStages> stage_ms{};
     float frame_ms = 0;       // from begin to begin: what frames/s counts

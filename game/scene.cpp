@@ -211,6 +211,12 @@ void read_view(TomlTable& root, Start& start) {
     }
 }
 
+Outcome<void> check_scheme(const Wishes& wishes, sim::Model model) {
+    if (!wishes.scheme || model == sim::Model::kBcre) return {};
+    return unusable(
+        "--scheme is of the model bcre, and this is bcre-inertial, which has its own; add --model bcre");
+}
+
 void take_material(Start& start, const Material& material, const sim::Params& over) {
     start.material = material.name;
     start.look = material.look;
@@ -239,6 +245,7 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& w
     cover->finish();
     const sim::Model model = read_model(*physics, wishes);
     if (fault) return unusable(*fault);
+    if (const auto sound = check_scheme(wishes, model); !sound) return tl::unexpected(sound.error());
 
     const auto material = load_material(wishes.material.value_or(*named), model);
     if (!material && !wishes.material)
@@ -281,19 +288,29 @@ Outcome<Scene> load_scene(std::string_view name_or_path, const Wishes& wishes) {
     return read_scene(root, *path, wishes, fault);
 }
 
-Outcome<Scene> scene_of_terrain(const fs::path& dem, const fs::path& release, const Wishes& wishes) {
-    constexpr int kUsualSquares = 256;
-    const auto material =
-        load_material(wishes.material.value_or("snow-dry"), wishes.model.value_or(sim::Model::kBcreInertial));
-    if (!material) return tl::unexpected(material.error());
-    const auto terrain = terrains::read_dem(dem, wishes.squares.value_or(kUsualSquares));
-    if (!terrain) return unusable(terrain.error());
-    auto rolling = terrains::read_release(release, *terrain);
+namespace {
+
+Outcome<std::vector<float>> read_release_on(const Terrain& terrain, const fs::path& release) {
+    auto rolling = terrains::read_release(release, terrain);
     if (!rolling) return unusable(rolling.error());
     constexpr float kDeepestRelease = sim::kDeepest / 2;
     if (const float most = *std::max_element(rolling->begin(), rolling->end()); most > kDeepestRelease)
         return unusable(
             fmt::format("{}: {} m thick, and the most is {} m", release.string(), most, kDeepestRelease));
+    return std::move(*rolling);
+}
+
+}  // namespace
+
+Outcome<Scene> scene_of_terrain(const fs::path& dem, const std::optional<fs::path>& release,
+                                const Wishes& wishes) {
+    constexpr int kUsualSquares = 256;
+    const sim::Model model = wishes.model.value_or(sim::Model::kBcreInertial);
+    if (const auto sound = check_scheme(wishes, model); !sound) return tl::unexpected(sound.error());
+    const auto material = load_material(wishes.material.value_or("snow-dry"), model);
+    if (!material) return tl::unexpected(material.error());
+    const auto terrain = terrains::read_dem(dem, wishes.squares.value_or(kUsualSquares));
+    if (!terrain) return unusable(terrain.error());
 
     Scene scene;
     scene.start.scene = scene.start.title = terrain->name;
@@ -302,7 +319,11 @@ Outcome<Scene> scene_of_terrain(const fs::path& dem, const fs::path& release, co
     params.borders.fill(sim::Border::kSink);
     take_material(scene.start, *material, params);
     set_ground(scene.start, *terrain);
-    scene.start.rolling = std::move(*rolling);
+    if (release) {
+        auto rolling = read_release_on(*terrain, *release);
+        if (!rolling) return tl::unexpected(rolling.error());
+        scene.start.rolling = std::move(*rolling);
+    }
     return scene;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "game/text_file.h"
 #include "game/version.h"
 
 namespace game {
@@ -129,6 +130,22 @@ std::string to_text(const Summary& summary) {
                     fmt::format("{:>6}: median {:.3f} ms, p95 {:.3f}, p99 {:.3f}, max {:.3f} over {} ticks\n",
                                 stage.stage, stage.median, stage.p95, stage.p99, stage.most, stage.count);
     return text;
+}
+
+Outcome<void> make_places_for(const ResultOptions& options) {
+    for (const auto& file : {options.perf, options.summary})
+        if (file)
+            if (auto placed = make_place_for(*file); !placed) return placed;
+    return {};
+}
+
+Outcome<void> tell(const Summary& summary, const ResultOptions& options) {
+    if (options.perf)
+        if (auto written = summary.perf->write_csv(*options.perf); !written) return written;
+    if (options.summary)
+        if (auto written = write_text(*options.summary, printed(to_json(summary))); !written) return written;
+    fmt::print("{}", options.json ? printed(to_json(summary)) : to_text(summary));
+    return {};
 }
 
 }  // namespace game

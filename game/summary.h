@@ -5,18 +5,11 @@
 
 #include "game/measures.h"
 #include "game/perf_log.h"
+#include "game/recording/verifier.h"
 #include "game/session.h"
 #include "game/start.h"
 
 namespace game {
-
-// How a recording's states compared with those of its replay.
-struct Verdict {
-    bool comparable = true;             // same physics version
-    std::size_t compared = 0;           // state lines
-    std::int64_t proven_tick = -1;      // every state line up to here was met exactly; −1: none
-    std::optional<std::string> parted;  // where and how the two first differ
-};
 
 // What is told of a finished run or replay, as JSON and as text for people.
 struct Summary {
@@ -30,5 +23,15 @@ struct Summary {
 
 Json to_json(const Summary& summary);
 std::string to_text(const Summary& summary);
+
+// Where a run's or a replay's results go besides standard output.
+struct ResultOptions {
+    std::optional<std::filesystem::path> perf, summary;
+    bool json = false;  // on standard output
+};
+// To be asked before the work begins. Errors: a file there could not be written (status 3).
+Outcome<void> make_places_for(const ResultOptions& options);
+// Writes the files and prints the summary. Needs summary.perf. Errors: status 3.
+Outcome<void> tell(const Summary& summary, const ResultOptions& options);
 
 }  // namespace game

@@ -14,21 +14,24 @@ class TickClock {
     double speed() const { return speed_; }
     void set_speed(double speed);  // to the nearest power of two within kSlowest … kFastest
 
-    // Ticks that `elapsed_s` seconds owe. A frame that took longer than a quarter second, as when the window
-    // was dragged or the machine slept, owes no more than that.
+    // Ticks that `elapsed_s` seconds owe. A frame that took longer than a quarter second, as when the machine
+    // slept, owes no more than that.
     int ticks_due(double elapsed_s, double tick_s);
 
-    // What of the ticks due the machine did, in how many seconds: what is left undone is forgotten, so that
-    // the world slows instead of stalling.
-    void ticks_done(int due, int done, double elapsed_s, double tick_s);
+    // So many of the ticks due were more than the machine could do. They are forgotten, so that the world
+    // slows instead of stalling.
+    void ticks_undone(int count);
+
     // Speed as it was reached over the last half second or so; below speed() where the machine cannot keep
     // up.
-    double reached_speed() const { return reached_; }
+    double reached_speed() const;
     bool behind() const;  // reaches less than nine tenths of its speed
 
   private:
     bool paused_ = false, stepping_ = false;
-    double speed_ = 1, owed_ = 0, reached_ = 1;
+    double speed_ = 1;
+    double owed_ = 0;               // ticks, less than one
+    double wanted_ = 0, lost_ = 0;  // ticks of the last half second, fading
 };
 
 }  // namespace game

@@ -7,6 +7,7 @@
 #include "game/gallery.h"
 #include "game/outcome.h"
 #include "game/scene.h"
+#include "game/summary.h"
 
 namespace game {
 
@@ -26,10 +27,10 @@ struct RunOptions {
     Wishes wishes;
     bool until_rest = false;
     std::optional<double> seconds;
-    std::optional<std::filesystem::path> record, export_folder, perf, summary;
+    std::optional<std::filesystem::path> record, export_folder;
     PictureOptions pictures;
+    ResultOptions results;
     int threads = 1;
-    bool json = false;
 };
 Outcome<int> run(const RunOptions& options);
 
@@ -37,12 +38,20 @@ struct ReplayOptions {
     std::string recording;  // name or file
     std::optional<std::int64_t> until;
     bool verify = false;
-    std::optional<std::filesystem::path> perf, summary;
     PictureOptions pictures;
+    ResultOptions results;
     int threads = 1;
-    bool json = false;
 };
 Outcome<int> replay(const ReplayOptions& options);
+
+struct PlayOptions {
+    std::string what;  // scene, terrain file or recording; empty: the first scene
+    Wishes wishes;
+    std::optional<std::filesystem::path> record;
+    PictureSize size;
+    int threads = 1;
+};
+Outcome<int> play(const PlayOptions& options);
 
 struct ListOptions {
     bool json = false;

@@ -9,48 +9,12 @@
 #include "game/commands/commands.h"
 #include "game/headless.h"
 #include "game/measures.h"
-#include "game/recording/reader.h"
+#include "game/recording/verifier.h"
 #include "game/summary.h"
 #include "game/text_file.h"
 
 namespace game {
 namespace {
-
-// Compares each recorded state with the replay's as it passes.
-class Verifier {
-  public:
-    explicit Verifier(const Recording& recording) : states_(recording.states) {
-        verdict_.comparable = recording.header.physics_version == kPhysicsVersion;
-    }
-
-    void look_at(const Session& session) {
-        if (next_ == states_.size() || states_[next_].tick != session.state().tick) return;
-        const StateLine recorded = states_[next_++];
-        if (!verdict_.comparable || verdict_.parted) return;
-        ++verdict_.compared;
-        StateLine replayed = session.state_line();
-        const std::int64_t initial = replayed.ledger.initial;
-        replayed.ledger.initial = 0;
-        if (replayed.hash != recorded.hash)
-            verdict_.parted = fmt::format("at tick {} the state's hash is {}, and {} was recorded",
-                                          recorded.tick, hex(replayed.hash), hex(recorded.hash));
-        else if (replayed.ledger != recorded.ledger)
-            verdict_.parted =
-                fmt::format("at tick {} the mass ledger is not the recorded one", recorded.tick);
-        else if (const auto error = recorded.ledger.mass_error() - initial; error != 0)
-            verdict_.parted =
-                fmt::format("at tick {} the recorded mass is off by {} quanta", recorded.tick, error);
-        else
-            verdict_.proven_tick = recorded.tick;
-    }
-
-    const Verdict& verdict() const { return verdict_; }
-
-  private:
-    const std::vector<StateLine>& states_;
-    std::size_t next_ = 0;
-    Verdict verdict_;
-};
 
 std::string file_hash(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);
@@ -72,9 +36,7 @@ Outcome<int> replay(const ReplayOptions& options) {
     if (recording->warning) fmt::print(stderr, "couloir: warning: {}\n", *recording->warning);
     const Start& start = recording->header.start;
 
-    for (const auto& file : {options.perf, options.summary})
-        if (file)
-            if (auto placed = make_place_for(*file); !placed) return tl::unexpected(placed.error());
+    if (auto placed = make_places_for(options.results); !placed) return tl::unexpected(placed.error());
     auto session = Session::begin(start, options.threads, std::nullopt);
     if (!session) return tl::unexpected(session.error());
     std::optional<Gallery> gallery;
@@ -106,12 +68,7 @@ Outcome<int> replay(const ReplayOptions& options) {
     const Measures measures = measure(start, *session, release_area(start, recording->commands), {});
     Summary summary{start, *session, measures, &perf, std::nullopt, std::nullopt};
     if (options.verify) summary.verdict = verifier.verdict();
-    if (options.perf)
-        if (auto written = perf.write_csv(*options.perf); !written) return tl::unexpected(written.error());
-    if (options.summary)
-        if (auto written = write_text(*options.summary, printed(to_json(summary))); !written)
-            return tl::unexpected(written.error());
-    fmt::print("{}", options.json ? printed(to_json(summary)) : to_text(summary));
+    if (auto told = tell(summary, options.results); !told) return tl::unexpected(told.error());
     return options.verify && verifier.verdict().parted ? Failure::kBadAnswer : 0;
 }
 

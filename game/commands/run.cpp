@@ -36,9 +36,7 @@ Outcome<Leavings> open_leavings(const RunOptions& options, const Start& start,
     }
     if (options.export_folder)
         if (auto made = make_folder(*options.export_folder); !made) return tl::unexpected(made.error());
-    for (const auto& file : {options.perf, options.summary})
-        if (file)
-            if (auto placed = make_place_for(*file); !placed) return tl::unexpected(placed.error());
+    if (auto placed = make_places_for(options.results); !placed) return tl::unexpected(placed.error());
     if (options.record) {
         auto recorder = Recorder::create(*options.record, start);
         if (!recorder) return tl::unexpected(recorder.error());
@@ -72,9 +70,6 @@ Outcome<int> run(const RunOptions& options) {
     const auto scene = scene_of(options);
     if (!scene) return tl::unexpected(scene.error());
     const Start& start = scene->start;
-    if (options.wishes.scheme && start.params.model != sim::Model::kBcre)
-        return unusable(
-            "--scheme is of the model bcre, and this is bcre-inertial, which has its own; add --model bcre");
     const terrains::Terrain ground = ground_of(start);
     auto leavings = open_leavings(options, start, ground);
     if (!leavings) return tl::unexpected(leavings.error());
@@ -103,12 +98,7 @@ Outcome<int> run(const RunOptions& options) {
     if (options.export_folder)
         if (auto exported = export_results(*options.export_folder, start, *session, summary); !exported)
             return tl::unexpected(exported.error());
-    if (options.perf)
-        if (auto written = perf.write_csv(*options.perf); !written) return tl::unexpected(written.error());
-    if (options.summary)
-        if (auto written = write_text(*options.summary, printed(to_json(summary))); !written)
-            return tl::unexpected(written.error());
-    fmt::print("{}", options.json ? printed(to_json(summary)) : to_text(summary));
+    if (auto told = tell(summary, options.results); !told) return tl::unexpected(told.error());
     return *finished ? 0 : Failure::kBadAnswer;
 }
 

@@ -1,0 +1,131 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "game/action.h"
+#include "game/brush.h"
+#include "game/camera_control.h"
+#include "game/catalogue.h"
+#include "game/commands/commands.h"
+#include "game/display.h"
+#include "game/frame_times.h"
+#include "game/input.h"
+#include "game/notices.h"
+#include "game/outcome.h"
+#include "game/probe.h"
+#include "game/sandbox.h"
+#include "game/screen.h"
+#include "game/tick_clock.h"
+#include "game/ui/ui.h"
+#include "render/frame.h"
+
+namespace game {
+
+// The sandbox as a person has it before them: a world, its picture, a hand and the panels, on a screen. Owns
+// everything that outlives a frame.
+class App {
+  public:
+    // Opens what `options` ask for on a screen that outlives the app. Errors: what was asked for cannot be
+    // opened (2); shaders or assets are missing, or the recording that was asked for cannot be written (3).
+    static Outcome<std::unique_ptr<App>> begin(Screen& screen, const PlayOptions& options);
+    ~App();
+
+    // One frame, from events to the picture on the screen. False once the person has asked to leave.
+    bool frame();
+    // Closes the recording. Errors: it cannot be written (3).
+    Outcome<void> finish();
+
+    const Sandbox& sandbox() const { return *sandbox_; }
+    const FrameTimes& times() const { return times_; }
+    const Notices& notices() const { return notices_; }
+    const TickClock& clock() const { return clock_; }
+    const Brush& brush() const { return brush_; }
+    const Display& display() const { return display_; }
+    const render::Camera& camera() const { return camera_->camera(); }
+    const ui::Ui& panels() const { return ui_; }
+    // File that is or was being written; nothing where none could be.
+    const std::optional<std::filesystem::path>& recording() const { return recording_; }
+
+  private:
+    App(Screen& screen, render::Renderer renderer, Catalogue catalogue, int threads);
+
+    // The stops of a frame, in their order.
+    void perform_all();
+    void move_camera(double elapsed_s);
+    void guide_stroke();
+    void run_ticks(double elapsed_s, FrameTime& time);
+    void draw_world();
+    void draw_panels();
+
+    void perform(Verb verb);
+    void perform(const SetSpeed& set);
+    void perform(const SetBrush& set);
+    void perform(const SetNumber& set);
+    void perform(const SetDisplay& set);
+    void perform(const Open& open);
+    void undo();
+    void reset();
+    void resize_brush(double steps);
+    void begin_stroke();
+    void tell_when_watched();
+
+    // Begins anew with `opening`, recorded in `record` or else in the recordings folder; the world before it
+    // is closed. Errors: `record` cannot be written; nothing has changed then.
+    Outcome<void> begin_world(Opening opening, const std::optional<std::filesystem::path>& record);
+    Outcome<std::optional<Recorder>> begin_recording(const Start& start,
+                                                     const std::optional<std::filesystem::path>& wanted);
+    void open_or_tell(const std::string& name_or_path, const Wishes& wishes);
+
+    void tell(std::string sentence) { notices_.tell(Notice::Kind::kInfo, std::move(sentence), now_s_); }
+    void warn(std::string sentence) { notices_.tell(Notice::Kind::kWarning, std::move(sentence), now_s_); }
+
+    // What a picture of the world was drawn from: the same again need not be drawn again.
+    struct Drawn {
+        std::int64_t epoch = -1, tick = -1;
+        render::Camera camera;
+        Display display;
+        render::Marks marks;
+        int width = 0, height = 0;
+        bool operator==(const Drawn&) const = default;
+    };
+
+    Screen& screen_;
+    render::Renderer renderer_;
+    ui::Ui ui_;
+    Catalogue catalogue_;
+    std::string renderer_name_;
+    bool waits_for_gl_ = false;  // without a GPU GL's time is ours, and its stage should say so
+    int threads_;
+
+    Opening first_;  // what reset goes back to
+    std::optional<Sandbox> sandbox_;
+    std::optional<std::filesystem::path> recording_;
+    std::int64_t epoch_ = 0;  // of the world: grows when it begins anew or goes back in time
+    bool was_watching_ = false;
+
+    TickClock clock_;
+    Input input_;
+    Actions actions_;
+    Brush brush_;
+    std::optional<Stroke> stroke_;
+    bool stroke_ends_ = false;               // its button is up; it goes once it has had a tick
+    bool touched_ = false;                   // the person has changed the world
+    std::vector<sim::Command> hand_;         // of one tick; kept for its memory
+    std::vector<sim::Command> set_numbers_;  // by panels, for the next tick
+
+    std::optional<CameraControl> camera_;
+    std::optional<Probe> probe_;
+    std::optional<glm::dvec3> drag_pivot_;
+    std::optional<glm::dvec3> ground_;  // under the cursor
+    Display display_;
+    Drawn drawn_;
+    Notices notices_;
+    FrameTimes times_;
+    double now_s_ = 0;
+    bool leaving_ = false;
+};
+
+}  // namespace game

@@ -1,0 +1,191 @@
+// What an app does for each action; app.cpp has the frame.
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "game/app.h"
+#include "game/recordings_folder.h"
+#include "render/overview.h"
+
+namespace game {
+namespace {
+
+constexpr double kSizeStep = 1.15, kStrengthStep = 1.25;
+
+// Length of the longer side, m.
+double extent_of(const sim::Grid& grid) {
+    return static_cast<double>(grid.dx) * (std::max(grid.nx, grid.ny) - 1);
+}
+
+// A fiftieth of the mountain, but never so small that the grid cannot tell.
+Brush brush_for(const sim::Grid& grid) {
+    Brush brush;
+    brush.radius = std::max(0.02 * extent_of(grid), 2.5 * static_cast<double>(grid.dx));
+    return brush;
+}
+
+// The double whose shortest text is the float's, so that a recording says 0.6 and not 0.6000000238418579.
+double as_written(float value) {
+    return std::stod(fmt::format("{}", value));
+}
+
+}  // namespace
+
+void App::perform(Verb verb) {
+    if (ui_.perform(verb)) return;
+    const auto choose = [&](Tool tool) { brush_.tool = tool; };
+    switch (verb) {
+        case Verb::kPauseOrGoOn:
+            return clock_.pause(!clock_.paused());
+        case Verb::kStepOnce:
+            clock_.pause(true);
+            return clock_.step_once();
+        case Verb::kSlower:
+            return clock_.set_speed(clock_.speed() / 2);
+        case Verb::kFaster:
+            return clock_.set_speed(clock_.speed() * 2);
+        case Verb::kUsualSpeed:
+            return clock_.set_speed(1);
+        case Verb::kUndo:
+            return undo();
+        case Verb::kReset:
+            return reset();
+        case Verb::kPour:
+            return choose(Tool::kPour);
+        case Verb::kDig:
+            return choose(Tool::kDig);
+        case Verb::kBlast:
+            return choose(Tool::kBlast);
+        case Verb::kSmallerBrush:
+            return resize_brush(-1);
+        case Verb::kLargerBrush:
+            return resize_brush(1);
+        case Verb::kWeakerBrush:
+        case Verb::kStrongerBrush:
+            brush_.amount() = std::clamp(
+                brush_.amount() * (verb == Verb::kStrongerBrush ? kStrengthStep : 1 / kStrengthStep),
+                Brush::kLeastStrength, Brush::kMostStrength);
+            return;
+        case Verb::kPourStandingOrRolling:
+            brush_.standing = !brush_.standing;
+            return;
+        case Verb::kOverview:
+            return camera_->overview();
+        case Verb::kTopDown:
+            return camera_->top_down(camera_->mode() != CameraMode::kTopDown);
+        case Verb::kFly:
+            return camera_->fly(camera_->mode() != CameraMode::kFly);
+        case Verb::kFullscreen:
+            return screen_.set_fullscreen(!screen_.fullscreen());
+        case Verb::kQuit:
+            leaving_ = true;
+            return;
+        default:
+            return;  // a panel's, which ui_ has taken
+    }
+}
+
+void App::perform(const SetSpeed& set) {
+    clock_.set_speed(set.speed);
+}
+void App::perform(const SetBrush& set) {
+    brush_ = set.brush;
+}
+void App::perform(const SetDisplay& set) {
+    display_ = set.display;
+}
+void App::perform(const Open& open) {
+    open_or_tell(open.name_or_path, open.wishes);
+}
+
+void App::perform(const SetNumber& set) {
+    if (sandbox_->watched_until()) return tell("Hands off until the recording has come to its end");
+    sim::Command command;
+    command.kind = sim::CommandKind::kSet;
+    command.param = set.param;
+    command.value = as_written(set.value);
+    auto all = set_numbers_;
+    all.push_back(command);
+    auto fault = sim::fault_of(command);
+    if (!fault) fault = sim::fault_after(sandbox_->session().state().params, all);
+    if (fault) return warn(fmt::format("Not set: {}", *fault));
+    set_numbers_ = std::move(all);
+    sandbox_->begin_action(fmt::format("set {}", sim::kParams[set.param].name));
+    if (clock_.paused()) tell("Set with the next tick: time stands still");
+}
+
+void App::resize_brush(double steps) {
+    const double most = std::min(Brush::kMostRadius, 0.5 * extent_of(sandbox_->start().grid));
+    brush_.radius = std::clamp(brush_.radius * std::pow(kSizeStep, steps), Brush::kLeastRadius, most);
+}
+
+void App::undo() {
+    stroke_.reset();
+    set_numbers_.clear();
+    const auto undone = sandbox_->undo();
+    ++epoch_;
+    if (!undone) return warn(undone.error().sentence);
+    tell(fmt::format("Undone: {}. Back at {:.1f} s", *undone, sandbox_->session().seconds()));
+}
+
+void App::reset() {
+    Opening again = first_;
+    again.told = fmt::format("Begun anew: {}", first_.scene.start.title);
+    if (const auto begun = begin_world(std::move(again), std::nullopt); !begun) warn(begun.error().sentence);
+}
+
+void App::open_or_tell(const std::string& name_or_path, const Wishes& wishes) {
+    auto opening = open_anything(name_or_path, wishes);
+    if (!opening) return warn(opening.error().sentence);
+    if (const auto begun = begin_world(std::move(*opening), std::nullopt); !begun)
+        warn(begun.error().sentence);
+}
+
+Outcome<void> App::begin_world(Opening opening, const std::optional<std::filesystem::path>& record) {
+    // Reset keeps the hand and the eye as they are; another mountain does not.
+    const bool same = sandbox_ && ground_hash(sandbox_->start()) == ground_hash(opening.scene.start);
+    first_ = opening;
+    auto recorder = begin_recording(opening.scene.start, record);
+    if (!recorder) return tl::unexpected(recorder.error());
+    auto begun = Sandbox::begin(std::move(opening), threads_, std::move(*recorder));
+    if (!begun) return tl::unexpected(begun.error());
+    if (sandbox_)
+        if (const auto closed = sandbox_->finish(); !closed) warn(closed.error().sentence);
+    sandbox_ = std::move(*begun);
+    ++epoch_;
+
+    const Start& start = sandbox_->start();
+    stroke_.reset();
+    set_numbers_.clear();
+    touched_ = false;
+    was_watching_ = sandbox_->watched_until().has_value();
+    if (!same) {
+        const sim::View world = sandbox_->session().view();
+        brush_ = brush_for(start.grid);
+        display_.light = start.light;
+        camera_.emplace(start.camera.value_or(render::overview(world)), world);
+        probe_.emplace(start.georeference);
+    }
+    screen_.show_title(fmt::format("Couloir: {}", start.title));
+    tell(first_.told);
+    return {};
+}
+
+Outcome<std::optional<Recorder>> App::begin_recording(const Start& start,
+                                                      const std::optional<std::filesystem::path>& wanted) {
+    recording_.reset();
+    const auto path = wanted ? Outcome<std::filesystem::path>(*wanted) : next_recording(start.scene);
+    auto recorder = path ? Recorder::create(*path, start) : Outcome<Recorder>(tl::unexpected(path.error()));
+    // A file that was asked for is a must; the one that is always made must not keep anybody from playing.
+    if (!recorder && wanted) return tl::unexpected(recorder.error());
+    if (!recorder) {
+        warn(fmt::format("This session is not recorded: {}", recorder.error().sentence));
+        return std::nullopt;
+    }
+    recording_ = *path;
+    return std::move(*recorder);
+}
+
+}  // namespace game

@@ -1,0 +1,48 @@
+#include "game/recordings_folder.h"
+
+#include <cctype>
+#include <chrono>
+#include <cstdlib>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+namespace game {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What a file's name can bear on any system.
+std::string plain(const std::string& scene) {
+    std::string name;
+    for (const char c : scene) name += std::isalnum(static_cast<unsigned char>(c)) || c == '-' ? c : '-';
+    return name.empty() ? "scene" : name;
+}
+
+}  // namespace
+
+Outcome<fs::path> recordings_folder() {
+    const auto folder_of = [](const char* variable) {
+        const char* value = std::getenv(variable);
+        return fs::path(value ? value : "");
+    };
+    // A relative XDG_DATA_HOME is to be ignored (XDG Base Directory Specification).
+    if (const fs::path data = folder_of("XDG_DATA_HOME"); data.is_absolute())
+        return data / "couloir/recordings";
+    if (const fs::path home = folder_of("HOME"); home.is_absolute())
+        return home / ".local/share/couloir/recordings";
+    return machine_fails("there is no place for recordings: neither XDG_DATA_HOME nor HOME is set");
+}
+
+Outcome<fs::path> next_recording(const std::string& scene) {
+    const auto folder = recordings_folder();
+    if (!folder) return tl::unexpected(folder.error());
+    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    const std::string name = fmt::format("{:%Y-%m-%d_%H-%M-%S}_{}", fmt::localtime(now), plain(scene));
+    fs::path path = *folder / (name + ".couloir");
+    std::error_code error;
+    for (int n = 2; fs::exists(path, error); ++n) path = *folder / fmt::format("{}_{}.couloir", name, n);
+    return path;
+}
+
+}  // namespace game

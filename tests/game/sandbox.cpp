@@ -1,0 +1,218 @@
+#include "game/sandbox.h"
+
+#include <csignal>
+
+#include <sys/resource.h>
+
+#include <gtest/gtest.h>
+
+#include "game/recordings_folder.h"
+#include "tests/game/recording_files.h"
+#include "tests/support/places.h"
+
+namespace game::test {
+namespace {
+
+sim::Command pour_here(const Start& start, double rate) {
+    sim::Command pour;
+    pour.x = 0.5 * start.grid.nx * static_cast<double>(start.grid.dx);
+    pour.y = 0.7 * start.grid.ny * static_cast<double>(start.grid.dx);
+    pour.radius = 5;
+    pour.rate = rate;
+    return pour;
+}
+
+Opening small_opening() {
+    Opening opening;
+    opening.scene.start = small_start();
+    opening.scene.commands = {{12, pour_here(opening.scene.start, 300)},
+                              {40, pour_here(opening.scene.start, 100)}};
+    return opening;
+}
+
+Sandbox recorded(const std::filesystem::path& path) {
+    Opening opening = small_opening();
+    auto recorder = Recorder::create(path, opening.scene.start);
+    return Sandbox::begin(std::move(opening), 1, std::move(*recorder)).value();
+}
+
+void run(Sandbox& sandbox, int ticks) {
+    for (int i = 0; i < ticks; ++i) ASSERT_TRUE(sandbox.tick({}));
+}
+
+void stroke(Sandbox& sandbox, const char* name, int ticks) {
+    sandbox.begin_action(name);
+    const sim::Command pour = pour_here(sandbox.start(), 500);
+    for (int i = 0; i < ticks; ++i) ASSERT_TRUE(sandbox.tick({&pour, 1}));
+}
+
+// The hash at the end of a recording played again without a window, proven on the way.
+std::uint64_t replayed_hash(const std::filesystem::path& path) {
+    const Recording recording = read_recording(path).value();
+    Opening opening;
+    opening.scene = {recording.header.start, recording.commands};
+    opening.watched = recording;
+    Sandbox sandbox = Sandbox::begin(std::move(opening), 1, std::nullopt).value();
+    while (sandbox.watched_until()) EXPECT_TRUE(sandbox.tick({}));
+    EXPECT_FALSE(sandbox.verdict()->parted) << *sandbox.verdict()->parted;
+    EXPECT_EQ(sandbox.verdict()->proven_tick, recording.last_tick());
+    return sandbox.session().state_line().hash;
+}
+
+TEST(Sandbox, takes_back_the_last_action_to_the_bit_in_the_world_and_in_the_file) {
+    const support::TemporaryFolder folder;
+    const auto path = folder.path() / "hand.couloir";
+    Sandbox sandbox = recorded(path);
+    run(sandbox, 20);
+    stroke(sandbox, "pour", 30);
+    run(sandbox, 7);
+    const StateLine before = sandbox.session().state_line();
+    const Peaks peaks = sandbox.session().peaks();
+    stroke(sandbox, "pour again", 25);
+    run(sandbox, 31);
+    ASSERT_NE(sandbox.session().state_line().hash, before.hash);
+
+    EXPECT_EQ(sandbox.undo().value(), "pour again");
+    EXPECT_EQ(sandbox.session().state_line(), before);
+    EXPECT_EQ(sandbox.session().peaks().depth, peaks.depth);
+    EXPECT_EQ(sandbox.actions(), 1u);
+
+    // The file goes on as if the action had never been, what the scene had in store included.
+    run(sandbox, 50);
+    ASSERT_TRUE(sandbox.finish());
+    const Recording recording = read_recording(path).value();
+    EXPECT_FALSE(recording.warning);
+    EXPECT_EQ(recording.commands.size(), 2u + 30u);
+    EXPECT_EQ(replayed_hash(path), sandbox.session().state_line().hash);
+}
+
+TEST(Sandbox, plays_on_from_an_undo_to_the_bits_it_would_have_had) {
+    Sandbox straight = Sandbox::begin(small_opening(), 1, std::nullopt).value();
+    Sandbox bent = Sandbox::begin(small_opening(), 1, std::nullopt).value();
+    run(straight, 80);
+    run(bent, 10);
+    stroke(bent, "pour", 40);  // over both ticks at which the scene pours
+    ASSERT_TRUE(bent.undo());
+    run(bent, 70);
+    EXPECT_EQ(bent.session().state_line(), straight.session().state_line());
+}
+
+TEST(Sandbox, undoes_a_number_that_was_set) {
+    Sandbox sandbox = Sandbox::begin(small_opening(), 1, std::nullopt).value();
+    const float usual = sandbox.session().state().params.exchange_rate;
+    sim::Command set;
+    set.kind = sim::CommandKind::kSet;
+    set.param = sim::param_from("exchange_rate").value();
+    set.value = 7;
+    sandbox.begin_action("set exchange_rate");
+    ASSERT_TRUE(sandbox.tick({&set, 1}));
+    ASSERT_EQ(sandbox.session().state().params.exchange_rate, 7.f);
+    ASSERT_TRUE(sandbox.undo());
+    EXPECT_EQ(sandbox.session().state().params.exchange_rate, usual);
+}
+
+TEST(Sandbox, refuses_numbers_that_do_not_go_together_and_leaves_the_world_as_it_is) {
+    Sandbox sandbox = Sandbox::begin(small_opening(), 1, std::nullopt).value();
+    run(sandbox, 3);
+    const StateLine before = sandbox.session().state_line();
+    sim::Command set;
+    set.kind = sim::CommandKind::kSet;
+    set.param = sim::param_from("start_slope").value();
+    set.value = 0.01;
+    const auto refused = sandbox.tick({&set, 1});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().sentence.find("start_slope is below stop_slope"), std::string::npos);
+    EXPECT_EQ(sandbox.session().state_line(), before);
+}
+
+TEST(Sandbox, has_nothing_to_undo_where_an_action_gave_no_command) {
+    Sandbox sandbox = Sandbox::begin(small_opening(), 1, std::nullopt).value();
+    sandbox.begin_action("pour");
+    run(sandbox, 5);
+    EXPECT_EQ(sandbox.actions(), 0u);
+    const auto undone = sandbox.undo();
+    ASSERT_FALSE(undone);
+    EXPECT_EQ(undone.error().sentence, "Nothing to undo");
+    EXPECT_EQ(sandbox.session().state().tick, 5);
+}
+
+TEST(Sandbox, lets_a_person_take_over_a_recording_at_its_end_and_records_the_whole) {
+    const support::TemporaryFolder folder;
+    const auto first = folder.path() / "first.couloir", second = folder.path() / "second.couloir";
+    Sandbox before = recorded(first);
+    stroke(before, "pour", 45);
+    ASSERT_TRUE(before.finish());
+
+    Opening opening;
+    Recording recording = read_recording(first).value();
+    opening.scene = {recording.header.start, recording.commands};
+    opening.watched = std::move(recording);
+    auto recorder = Recorder::create(second, opening.scene.start);
+    Sandbox after = Sandbox::begin(std::move(opening), 1, std::move(*recorder)).value();
+    EXPECT_EQ(after.watched_until(), 45);
+    while (after.watched_until()) ASSERT_TRUE(after.tick({}));
+    EXPECT_EQ(after.session().state_line().hash, before.session().state_line().hash);
+    EXPECT_EQ(after.verdict()->proven_tick, 45);
+    stroke(after, "pour", 10);
+    ASSERT_TRUE(after.finish());
+    EXPECT_EQ(read_recording(second).value().last_tick(), 55);
+    EXPECT_EQ(replayed_hash(second), after.session().state_line().hash);
+}
+
+// Files of this process may grow to `bytes` and no further, as on a full disk.
+class FullDisk {
+  public:
+    explicit FullDisk(rlim_t bytes) {
+        getrlimit(RLIMIT_FSIZE, &before_);
+        signal_ = std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit less{bytes, before_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &less);
+    }
+    ~FullDisk() {
+        setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, signal_);
+    }
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+
+  private:
+    rlimit before_{};
+    void (*signal_)(int) = nullptr;
+};
+
+TEST(Sandbox, says_that_the_disk_is_full_and_plays_on_without_a_recording) {
+    const support::TemporaryFolder folder;
+    const auto path = folder.path() / "full.couloir";
+    Sandbox sandbox = recorded(path), unrecorded = Sandbox::begin(small_opening(), 1, std::nullopt).value();
+    const sim::Command pour = pour_here(sandbox.start(), 500);
+    const FullDisk full(std::filesystem::file_size(path) + 1000);
+    int refused = 0;
+    for (int i = 0; i < 40; ++i) {
+        if (const auto done = sandbox.tick({&pour, 1}); !done) {
+            ++refused;
+            EXPECT_EQ(done.error().status, Failure::kMachine);
+            EXPECT_NE(done.error().sentence.find(path.string()), std::string::npos);
+        }
+        ASSERT_TRUE(unrecorded.tick({&pour, 1}));
+    }
+    EXPECT_EQ(refused, 1);
+    EXPECT_EQ(sandbox.session().recorder(), nullptr);
+    EXPECT_EQ(sandbox.session().state_line(), unrecorded.session().state_line());
+    EXPECT_TRUE(read_recording(path));  // what was whole by then is still there
+}
+
+TEST(Recordings, are_named_by_time_and_scene_and_never_replace_one_another) {
+    const support::TemporaryFolder folder;
+    ASSERT_EQ(setenv("XDG_DATA_HOME", folder.path().c_str(), 1), 0);
+    const auto first = next_recording("my hill/2.tif").value();
+    EXPECT_EQ(first.parent_path(), folder.path() / "couloir/recordings");
+    EXPECT_NE(first.filename().string().find("_my-hill-2-tif.couloir"), std::string::npos);
+    ASSERT_TRUE(Recorder::create(first, small_start()));
+    EXPECT_NE(next_recording("my hill/2.tif").value(), first);
+    ASSERT_EQ(setenv("XDG_DATA_HOME", "relative", 1), 0);
+    ASSERT_EQ(setenv("HOME", "/nobody", 1), 0);
+    EXPECT_EQ(recordings_folder().value(), "/nobody/.local/share/couloir/recordings");
+}
+
+}  // namespace
+}  // namespace game::test
