@@ -57,7 +57,7 @@ void Input::take_key(const KeyEvent& event, bool kept, Actions& actions) {
     if (!event.down || kept) return;
     for (const KeyBinding& binding : key_bindings())
         if (binding.key == event.key && binding.with == event.with && (!event.repeat || binding.repeats))
-            actions.push_back(binding.verb);
+            actions.emplace_back(binding.verb);
 }
 
 void Input::take_button(const ButtonEvent& event, bool kept) {

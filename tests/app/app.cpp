@@ -1,0 +1,324 @@
+#include "game/app.h"
+
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "game/recording/reader.h"
+#include "game/recording/verifier.h"
+#include "render/picture.h"
+#include "tests/app/gl_screen.h"
+#include "tests/support/places.h"
+
+// The whole sandbox, from events to pixels and files, on a screen without a window.
+
+namespace game {
+namespace {
+
+using app_test::GlScreen;
+
+class Playing : public testing::Test {
+  protected:
+    Playing() { setenv("XDG_DATA_HOME", folder_.path().c_str(), 1); }
+
+    void begin(const std::string& what = "alpine-valley", int squares = 80) {
+        PlayOptions options;
+        options.what = what;
+        if (squares > 0) options.wishes.squares = squares;
+        options.record = folder_.path() / "session.couloir";
+        auto begun = App::begin(screen_, options);
+        ASSERT_TRUE(begun) << begun.error().sentence;
+        app_ = std::move(*begun);
+        frames(2);
+    }
+
+    void frames(int count) {
+        for (int i = 0; i < count; ++i) ASSERT_TRUE(app_->frame());
+    }
+
+    void tap(Key key, Modifiers with = {}) {
+        screen_.tap(key, with);
+        frames(1);
+    }
+
+    // Over the slope in the middle of the picture, clear of panels.
+    void point_at_slope() {
+        screen_.move_to(kAtX, kAtY);
+        frames(1);
+    }
+
+    void stroke(int count, Modifiers with = {}) {
+        point_at_slope();
+        screen_.press(Button::kLeft, with);
+        frames(count);
+        screen_.release(Button::kLeft);
+        frames(1);
+    }
+
+    const sim::State& state() const { return app_->sandbox().session().state(); }
+    const sim::Ledger& mass() const { return state().ledger; }
+    StateLine line() const { return app_->sandbox().session().state_line(); }
+
+    std::string last_notice() const {
+        const Notices& notices = app_->notices();
+        return notices.size() == 0 ? "" : notices[notices.size() - 1].sentence;
+    }
+
+    // Ends the session and plays its recording again: to the same hash?
+    void expect_recording_replays() {
+        const StateLine live = line();
+        ASSERT_TRUE(app_->finish());
+        const auto recording = read_recording(*app_->recording());
+        ASSERT_TRUE(recording) << recording.error().sentence;
+        EXPECT_FALSE(recording->warning);
+        EXPECT_EQ(recording->last_tick(), live.tick);
+        auto session = Session::begin(recording->header.start, 1, std::nullopt);
+        Verifier verifier(*recording);
+        std::size_t next = 0;
+        std::vector<sim::Command> due;
+        while (session->state().tick < recording->last_tick()) {
+            due.clear();
+            for (; next < recording->commands.size() && recording->commands[next].tick == session->state().tick; ++next)
+                due.push_back(recording->commands[next].command);
+            ASSERT_TRUE(session->advance(due));
+            verifier.look_at(*session);
+        }
+        EXPECT_FALSE(verifier.verdict().parted);
+        EXPECT_EQ(session->state_line(), live);
+    }
+
+    static constexpr double kAtX = 430, kAtY = 230;
+    support::TemporaryFolder folder_;
+    GlScreen screen_{640, 360};
+    std::unique_ptr<App> app_;
+};
+
+TEST_F(Playing, pours_by_holding_and_dragging_and_the_recording_replays_to_the_same_hash) {
+    begin();
+    point_at_slope();
+    screen_.press(Button::kLeft);
+    for (int i = 0; i < 30; ++i) {
+        screen_.move_to(kAtX - i, kAtY);
+        frames(1);
+    }
+    screen_.release(Button::kLeft);
+    frames(20);
+    EXPECT_GT(mass().poured, 0);
+    EXPECT_EQ(app_->sandbox().actions(), 1u);
+    expect_recording_replays();
+}
+
+TEST_F(Playing, shows_what_the_hand_does_within_two_frames) {
+    begin();
+    point_at_slope();
+    frames(30);  // the first notices and hints have had their time
+    const auto before = screen_.picture().pixels;
+    screen_.press(Button::kLeft);
+    frames(2);
+    EXPECT_GT(mass().poured, 0);
+    EXPECT_NE(screen_.picture().pixels, before);
+}
+
+TEST_F(Playing, digs_and_blasts_and_inverts_both_with_control) {
+    begin();
+    tap(key('2'));
+    stroke(10);
+    EXPECT_GT(mass().dug, 0);
+    EXPECT_EQ(mass().poured, 0);
+    stroke(10, {.control = true});
+    EXPECT_GT(mass().poured, 0);
+    tap(key('3'));
+    const auto rolling = mass().rolling;
+    stroke(1);
+    EXPECT_GT(mass().rolling, rolling);
+    expect_recording_replays();
+}
+
+TEST_F(Playing, settles_what_rolls_with_an_inverted_blast) {
+    begin();
+    stroke(20);
+    ASSERT_GT(mass().rolling, 0);
+    tap(key('3'));
+    for (int i = 0; i < 8; ++i) tap(Key::kRightBracket);  // larger than what was poured
+    stroke(1, {.control = true});
+    const auto recording = app_->recording();
+    expect_recording_replays();
+    const Recording read = read_recording(*recording).value();
+    EXPECT_EQ(read.commands.back().command.kind, sim::CommandKind::kSettle);
+}
+
+TEST_F(Playing, undoes_to_the_bit_and_plays_on) {
+    begin();
+    stroke(10);
+    frames(5);
+    const StateLine before = line();
+    stroke(25);
+    frames(20);
+    ASSERT_EQ(app_->sandbox().actions(), 2u);
+    tap(Key::kSpace);  // so that no tick follows the undo at once
+    tap(key('Z'), {.control = true});
+    // The stroke's first command came with the tick after the one in which the button went down was over.
+    EXPECT_EQ(app_->sandbox().actions(), 1u);
+    EXPECT_NEAR(static_cast<double>(line().tick), static_cast<double>(before.tick), 2);
+    EXPECT_EQ(line().ledger.poured, before.ledger.poured);
+    EXPECT_NE(last_notice().find("Undone: pour"), std::string::npos) << last_notice();
+    tap(Key::kSpace);
+    frames(10);
+    expect_recording_replays();
+}
+
+TEST_F(Playing, pauses_steps_and_changes_speed_without_changing_the_tick) {
+    begin();
+    tap(Key::kSpace);
+    const auto paused = state().tick;
+    frames(30);
+    EXPECT_EQ(state().tick, paused);
+    for (int i = 0; i < 3; ++i) tap(Key::kPeriod);
+    EXPECT_EQ(state().tick, paused + 3);
+    tap(Key::kSpace);
+    tap(Key::kEqual);
+    tap(Key::kEqual);
+    const auto before = state().tick;
+    frames(60);
+    EXPECT_NEAR(static_cast<double>(state().tick - before), 240, 4);
+    EXPECT_EQ(app_->clock().speed(), 4);
+    expect_recording_replays();
+}
+
+TEST_F(Playing, turns_pans_zooms_and_flies_without_touching_the_world) {
+    begin();
+    tap(Key::kSpace);
+    const StateLine before = line();
+    std::vector<std::uint8_t> seen = screen_.picture().pixels;
+    const auto expect_another_picture = [&](const char* after) {
+        frames(40);
+        EXPECT_NE(screen_.picture().pixels, seen) << after;
+        seen = screen_.picture().pixels;
+    };
+    for (const auto& [button, what] : {std::pair{Button::kRight, "turn"}, {Button::kMiddle, "pan"}}) {
+        point_at_slope();
+        screen_.press(button);
+        frames(1);
+        screen_.move_to(kAtX - 80, kAtY - 20);
+        frames(1);
+        screen_.release(button);
+        expect_another_picture(what);
+    }
+    screen_.give(WheelEvent{3, {}});
+    expect_another_picture("zoom");
+    tap(key('T'));
+    expect_another_picture("top-down");
+    tap(key('T'));
+    expect_another_picture("and back");
+    screen_.give(KeyEvent{key('W'), true, false, {}});
+    frames(20);
+    screen_.give(KeyEvent{key('W'), false, false, {}});
+    expect_another_picture("walk");
+    tap(Key::kHome);
+    expect_another_picture("overview");
+    EXPECT_EQ(line(), before);
+    EXPECT_EQ(app_->sandbox().actions(), 0u);
+}
+
+TEST_F(Playing, sizes_the_brush_by_brackets_and_by_wheel_with_shift) {
+    begin();
+    point_at_slope();
+    const double before = app_->brush().radius;
+    tap(Key::kRightBracket);
+    EXPECT_GT(app_->brush().radius, before);
+    tap(Key::kLeftBracket);
+    EXPECT_NEAR(app_->brush().radius, before, 1e-9);
+    screen_.give(WheelEvent{-2, {.shift = true}});
+    frames(1);
+    EXPECT_LT(app_->brush().radius, before);
+}
+
+TEST_F(Playing, begins_anew_with_the_same_first_hash_and_another_file) {
+    begin();
+    tap(Key::kSpace);
+    stroke(1);
+    tap(Key::kSpace);
+    stroke(20);
+    const auto first = app_->recording();
+    tap(key('R'), {.control = true});
+    EXPECT_LE(state().tick, 2);
+    EXPECT_EQ(mass().poured, 0);
+    EXPECT_NE(app_->recording(), first);
+    EXPECT_FALSE(read_recording(*first).value().warning);  // closed
+    expect_recording_replays();
+}
+
+TEST_F(Playing, survives_being_minimised_and_resized_while_running) {
+    begin();
+    screen_.resize(0, 0);
+    const int shown = screen_.shown;
+    for (int i = 0; i < 5; ++i) ASSERT_TRUE(app_->frame());
+    EXPECT_EQ(screen_.shown, shown);
+    screen_.resize(801, 433);
+    frames(3);
+    EXPECT_EQ(screen_.picture().width, 801);
+    stroke(5);
+    expect_recording_replays();
+}
+
+TEST_F(Playing, closes_the_file_when_it_is_left_in_the_middle_of_a_stroke) {
+    begin();
+    point_at_slope();
+    screen_.press(Button::kLeft);
+    frames(10);
+    screen_.give(CloseEvent{});
+    EXPECT_FALSE(app_->frame());
+    EXPECT_GT(mass().poured, 0);
+    expect_recording_replays();
+}
+
+TEST_F(Playing, lets_go_of_everything_when_the_focus_is_lost) {
+    begin();
+    point_at_slope();
+    screen_.press(Button::kLeft);
+    frames(5);
+    screen_.give(FocusEvent{false});
+    frames(2);
+    const auto poured = mass().poured;
+    frames(10);
+    EXPECT_EQ(mass().poured, poured);
+}
+
+TEST_F(Playing, opens_what_is_dropped_and_says_why_not) {
+    begin();
+    const auto before = line().hash;
+    screen_.drop(folder_.path() / "none.toml");
+    frames(1);
+    EXPECT_NE(last_notice().find("none.toml"), std::string::npos) << last_notice();
+    EXPECT_EQ(app_->sandbox().start().scene, "alpine-valley");
+    EXPECT_EQ(line().ledger.initial, mass().initial);
+    screen_.drop(support::source_dir() / "assets/scenes/landslide.toml");
+    frames(1);
+    EXPECT_EQ(app_->sandbox().start().scene, "landslide");
+    EXPECT_NE(line().hash, before);
+    EXPECT_NE(screen_.title.find("slope of soil"), std::string::npos);
+}
+
+TEST_F(Playing, watches_a_recording_hands_off_and_then_takes_over) {
+    begin("landslide.couloir", 0);
+    point_at_slope();
+    screen_.press(Button::kLeft);
+    frames(3);
+    screen_.release(Button::kLeft);
+    frames(1);
+    EXPECT_NE(last_notice().find("Hands off"), std::string::npos) << last_notice();
+    const auto until = app_->sandbox().watched_until();
+    ASSERT_TRUE(until);
+    for (int i = 0; i < 4; ++i) tap(Key::kEqual);
+    while (app_->sandbox().watched_until()) frames(1);
+    EXPECT_NE(last_notice().find("bit for bit"), std::string::npos) << last_notice();
+    EXPECT_GE(state().tick, *until);
+    tap(key('0'));
+    const auto poured = mass().poured;
+    stroke(5);
+    EXPECT_GT(mass().poured, poured);
+    expect_recording_replays();
+}
+
+}  // namespace
+}  // namespace game
