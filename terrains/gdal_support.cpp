@@ -19,9 +19,9 @@ void CPL_STDCALL keep_first_failure(CPLErr severity, CPLErrorNum, const char* me
 
 }  // namespace
 
-GdalErrors::GdalErrors() : first_(std::make_unique<std::string>()) {
+GdalErrors::GdalErrors() {
     [[maybe_unused]] static const bool registered = (GDALAllRegister(), true);
-    CPLPushErrorHandlerEx(keep_first_failure, first_.get());
+    CPLPushErrorHandlerEx(keep_first_failure, &first_);
 }
 
 GdalErrors::~GdalErrors() {
@@ -29,7 +29,7 @@ GdalErrors::~GdalErrors() {
 }
 
 std::string GdalErrors::first() const {
-    return first_->empty() ? "no reason given" : *first_;
+    return first_.empty() ? "no reason given" : first_;
 }
 
 tl::expected<Dataset, std::string> open_raster(const std::filesystem::path& path) {

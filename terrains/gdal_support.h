@@ -20,13 +20,14 @@ class GdalErrors {
     GdalErrors(const GdalErrors&) = delete;
     GdalErrors& operator=(const GdalErrors&) = delete;
 
-    bool any() const { return !first_->empty(); }
+    bool any() const { return !first_.empty(); }
     // First failure in GDAL's words, on one line; "no reason given" where there was none.
     std::string first() const;
-    void forget() { first_->clear(); }
+    void forget() { first_.clear(); }
 
   private:
-    std::unique_ptr<std::string> first_;  // its address is GDAL's, for as long as this lives
+    // Its address is GDAL's for as long as this lives, and GDAL writes to it whatever we promise.
+    mutable std::string first_;
 };
 
 struct CloseDataset {

@@ -10,20 +10,22 @@ struct LatLon {
     double latitude = 0, longitude = 0;  // WGS 84, degrees; north and east positive
 };
 
+bool on_earth(LatLon p);  // whether it is a latitude and a longitude; false for NaN
+
 struct LocalPoint {
     double x = 0, y = 0;  // m from the grid's south-west vertex, along the grid's own axes
 };
 
 // Where a grid stands on Earth, and the way there and back. Four kinds:
-//   not placed   a generated terrain: local metres only
-//   unnamed      a DEM that states no coordinate system: its coordinates are kept, so that rasters of one set
-//   find each
-//                other, but nobody knows where on Earth they are; not placed either
-//   projected    the DEM's own metric coordinate system; the grid keeps its axes, x = easting − easting of
-//   vertex (0, 0) local        a DEM in degrees, or in a system whose metres are not true there, laid on a
-//   transverse Mercator plane
-//                through its own centre (GeographicLib, scale 1 there), so that lengths and angles are true
-//                and y is north
+//   not placed: a generated terrain, local metres only.
+//   unnamed: a DEM that states no coordinate system. Its coordinates are kept, so that rasters of one set
+//   find
+//     each other, but nobody knows where on Earth they are; not placed either.
+//   projected: the DEM's own metric coordinate system. The grid keeps its axes, x = easting − easting of
+//   vertex
+//     (0, 0).
+//   local: a DEM in degrees, or in a system whose metres are not true there, laid on a transverse Mercator
+//     plane through its own centre (local_plane.h), so that lengths and angles are true and y is north.
 // A value: cheap to copy, holds no library handle. For many points at once use PlaneTransform with wkt().
 class Georeference {
   public:
@@ -42,6 +44,9 @@ class Georeference {
     bool placed() const { return kind_ == Kind::kProjected || kind_ == Kind::kLocal; }
     // Whether origin_x and origin_y mean something to other files: every kind but "not placed".
     bool has_coordinates() const { return kind_ != Kind::kNone; }
+
+    // Of the local plane; means nothing to other kinds.
+    LatLon centre() const { return centre_; }
 
     // Errors: not placed, or a point that the coordinate system cannot express.
     tl::expected<LatLon, std::string> to_lat_lon(LocalPoint p) const;

@@ -1,10 +1,11 @@
 #include "terrains/plane_transform.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 #include <ogr_srs_api.h>
@@ -51,15 +52,19 @@ tl::expected<PlaneTransform, std::string> PlaneTransform::between(const std::str
 
 bool PlaneTransform::apply(std::span<double> x, std::span<double> y) const {
     CHECK(x.size() == y.size());
-    const GdalErrors errors;  // PROJ complains once per point; the return value says it all
-    const int count = static_cast<int>(x.size());
-    std::vector<int> done(x.size());
-    OCTTransformEx(transform_.get(), count, x.data(), y.data(), nullptr, done.data());
+    const GdalErrors errors;    // PROJ complains once per point; the return value says it all
+    std::array<int, 512> done;  // in pieces, so that nothing is allocated for a single point
     bool all = true;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        if (done[i] != 0 && std::isfinite(x[i]) && std::isfinite(y[i])) continue;
-        x[i] = y[i] = std::numeric_limits<double>::quiet_NaN();
-        all = false;
+    for (std::size_t first = 0; first < x.size(); first += done.size()) {
+        const std::size_t count = std::min(done.size(), x.size() - first);
+        done.fill(0);
+        OCTTransformEx(transform_.get(), static_cast<int>(count), &x[first], &y[first], nullptr, done.data());
+        for (std::size_t i = 0; i < count; ++i) {
+            double &px = x[first + i], &py = y[first + i];
+            if (done[i] != 0 && std::isfinite(px) && std::isfinite(py)) continue;
+            px = py = std::numeric_limits<double>::quiet_NaN();
+            all = false;
+        }
     }
     return all;
 }
