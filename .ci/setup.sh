@@ -12,6 +12,7 @@ program|libgdal-dev|GDAL 3 headers|header gdal.h
 program|libopenimageio-dev|OpenImageIO 2.4 headers|header OpenImageIO/imageio.h
 program|libgeographiclib-dev|GeographicLib headers|header GeographicLib/Geodesic.hpp
 program|libepoxy-dev|epoxy headers|header epoxy/gl.h
+program|libglfw3-dev|GLFW 3.3 headers|header GLFW/glfw3.h
 program|libegl-dev|EGL headers|header EGL/egl.h
 program|libglm-dev|GLM|header glm/glm.hpp
 program|libfmt-dev|fmt headers|header fmt/core.h
@@ -23,9 +24,16 @@ program|libxxhash-dev|xxHash headers|header xxhash.h
 program|libzstd-dev|Zstandard headers|header zstd.h
 program|libegl1|EGL at run time|library libEGL.so.1
 program|libegl-mesa0|Mesa as the EGL driver|library libEGL_mesa.so.0
+program|libgl1|libGL.so.1, which Dear ImGui opens at run time|library libGL.so.1
 program|libgl1-mesa-dri|the OpenGL driver of Mesa that needs no GPU|library dri/swrast_dri.so
 program|proj-data|the coordinate systems of PROJ|data proj/proj.db
+program|fonts-roboto-unhinted|the letters of the panels|
+program|fonts-dejavu-core|the same, where there is no Roboto|
 tests|libgtest-dev|GoogleTest|header gtest/gtest.h
+tests|xvfb|a display without a screen|program Xvfb
+tests|xdotool|a mouse and a keyboard without hands|program xdotool
+tests|blackbox|a window manager, to minimise and to close|program blackbox
+tests|wmctrl|asks it to close a window|program wmctrl
 maintainer|clang|clang++|program clang++
 maintainer|libclang-rt-14-dev|run time of the clang sanitizers|
 maintainer|clang-format|clang-format 14|program clang-format

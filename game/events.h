@@ -47,7 +47,7 @@ inline constexpr int kKeys = 320;  // more than any of them
 enum class Button : std::uint8_t { kLeft, kRight, kMiddle };
 inline constexpr int kButtons = 3;
 
-// Held with a key or a button.
+// Held with a key or a button; its own key's press and release count already.
 struct Modifiers {
     bool shift = false, control = false, alt = false;
     bool operator==(const Modifiers&) const = default;

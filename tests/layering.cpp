@@ -69,6 +69,10 @@ TEST(Layering, finds_every_kind_of_planted_breach) {
              Planted{"render/frame.cpp", "#include <GLFW/glfw3.h>"},
              Planted{"render/frame.cpp", "#include \"tests/support/places.h\""},
              Planted{"game/main.cpp", "#include \"tests/support/places.h\""},
+             Planted{"game/app.cpp", "#include <GLFW/glfw3.h>"},
+             Planted{"game/window.h", "#include <GLFW/glfw3.h>"},
+             Planted{"game/main.cpp", "#include <CLI/CLI.hpp>"},
+             Planted{"tests/window/sessions.cpp", "#include <GLFW/glfw3.h>"},
          })
         EXPECT_EQ(breaches_in(planted.file, planted.line).size(), 1u) << planted.file << ": " << planted.line;
 }
@@ -87,6 +91,7 @@ TEST(Layering, lets_the_arrows_through) {
              Planted{"render/frame.cpp", "#include <epoxy/gl.h>"},
              Planted{"render/passes/ground.cpp", "#include \"assets/shaders/slots.h\""},
              Planted{"game/window.cpp", "#include <GLFW/glfw3.h>"},
+             Planted{"game/command_line.cpp", "#include <CLI/CLI.hpp>"},
              Planted{"game/main.cpp", "#include \"render/frame.h\""},
              Planted{"tests/layering.cpp", "#include \"game/scene.h\""},
          })
