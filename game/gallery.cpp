@@ -28,7 +28,7 @@ struct Gallery::Parts {
 
     double draw(const sim::View& world, const render::Camera& from, const std::string& name) {
         const auto before = std::chrono::steady_clock::now();
-        renderer.draw(world, from, light, look, size.width, size.height);
+        renderer.draw(world, from, light, look, {}, size.width, size.height);
         render::Picture picture =
             renderer.read_back();  // waits for the frame, so that the time is the frame's
         const auto after = std::chrono::steady_clock::now();

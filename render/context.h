@@ -8,6 +8,13 @@
 
 namespace render {
 
+// Of the context that is current, whoever made it: "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa
+// 22.3.6".
+std::string renderer_name();
+// Whether that context draws on the processor (llvmpipe, softpipe, swrast), so that resolution and quality
+// are dear.
+bool is_software_renderer();
+
 // An OpenGL 4.5 core context without a window, through EGL, current on the thread that made it.
 class HeadlessContext {
   public:
@@ -18,7 +25,7 @@ class HeadlessContext {
     HeadlessContext(HeadlessContext&&) noexcept;
     HeadlessContext& operator=(HeadlessContext&&) noexcept;
 
-    std::string renderer_name() const;  // "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa 22.3.6"
+    std::string renderer_name() const;
 
   private:
     struct Handles;

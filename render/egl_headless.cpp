@@ -134,11 +134,7 @@ HeadlessContext::HeadlessContext(HeadlessContext&&) noexcept = default;
 HeadlessContext& HeadlessContext::operator=(HeadlessContext&&) noexcept = default;
 
 std::string HeadlessContext::renderer_name() const {
-    const auto text = [](GLenum which) {
-        const GLubyte* value = glGetString(which);
-        return std::string(value == nullptr ? "" : reinterpret_cast<const char*>(value));
-    };
-    return text(GL_RENDERER) + ", " + text(GL_VERSION);
+    return render::renderer_name();
 }
 
 }  // namespace render

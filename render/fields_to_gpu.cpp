@@ -1,8 +1,6 @@
 #include "render/fields_to_gpu.h"
 
-#include <algorithm>
 #include <cstring>
-#include <limits>
 
 #include "assets/shaders/slots.glsl"
 
@@ -27,18 +25,6 @@ void send(const Texture& texture, const sim::Field<T>& field, GLenum format, GLe
     glTextureSubImage2D(texture.name(), 0, 0, 0, field.nx(), field.ny(), format, type, field.row(0));
     glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-}
-
-HeightRange height_range(const sim::View& world) {
-    HeightRange range{std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest()};
-    for (int y = 0; y < world.grid.ny; ++y) {
-        for (int x = 0; x < world.grid.nx; ++x) {
-            if (world.site(x, y) == sim::Site::kDrain) continue;
-            range.lowest = std::min(range.lowest, world.bedrock(x, y));
-            range.highest = std::max(range.highest, world.bedrock(x, y));
-        }
-    }
-    return range.lowest > range.highest ? HeightRange{} : range;
 }
 
 }  // namespace

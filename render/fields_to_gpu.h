@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "render/frame_block.h"
 #include "render/gl_handle.h"
+#include "render/height_range.h"
 #include "sim/state.h"
 
 namespace render {

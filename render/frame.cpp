@@ -15,6 +15,13 @@
 #include "sim/check.h"
 
 namespace render {
+namespace {
+
+int samples_of(Quality quality) {
+    return quality == Quality::kFine ? 2 : 1;
+}
+
+}  // namespace
 
 struct Renderer::Parts {
     FieldsToGpu fields;
@@ -25,6 +32,7 @@ struct Renderer::Parts {
     FullscreenPass sky;
     FullscreenPass tone;
     Target target;
+    Quality quality;
 };
 
 tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path& assets, Quality quality) {
@@ -37,14 +45,14 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     if (!terrain) return tl::unexpected(terrain.error());
     auto sky = FullscreenPass::create(shaders, {"slots.glsl", "frame.glsl", "light.glsl", "sky.frag"});
     if (!sky) return tl::unexpected(sky.error());
-    auto tone = FullscreenPass::create(shaders, {"slots.glsl", "tone.frag"});
+    auto tone = FullscreenPass::create(shaders, {"slots.glsl", "tone_curve.glsl", "tone.frag"});
     if (!tone) return tl::unexpected(tone.error());
 
     Buffer frame_block = make_buffer();
     glNamedBufferStorage(frame_block.name(), sizeof(FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    return Renderer(std::make_unique<Parts>(Parts{
-        FieldsToGpu(), std::move(frame_block), std::move(*surface), std::move(*shadow), std::move(*terrain),
-        std::move(*sky), std::move(*tone), Target(quality == Quality::kFine ? 2 : 1)}));
+    return Renderer(std::make_unique<Parts>(Parts{FieldsToGpu(), std::move(frame_block), std::move(*surface),
+                                                  std::move(*shadow), std::move(*terrain), std::move(*sky),
+                                                  std::move(*tone), Target(), quality}));
 }
 
 Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -52,15 +60,20 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
+void Renderer::set_quality(Quality quality) {
+    parts_->quality = quality;
+}
+
 void Renderer::draw(const sim::View& world, const Camera& camera, const Light& light, const Look& look,
-                    int width, int height) {
+                    const Marks& marks, int width, int height) {
     Parts& p = *parts_;
+    const int samples = samples_of(p.quality);
     const ScopedState state;  // whoever shares the context finds it as it was
 
     // The world first: everything below reads these textures, and only they change with the state.
     const bool new_terrain = p.fields.upload(world);
     const FrameBlock frame =
-        make_frame_block(world, p.fields.heights(), camera, light, look, {width, height, p.target.samples()});
+        make_frame_block(world, p.fields.heights(), camera, light, look, marks, {width, height, samples});
     glNamedBufferSubData(p.frame_block.name(), 0, sizeof frame, &frame);
     glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_FRAME, p.frame_block.name());
     p.fields.bind();
@@ -83,11 +96,11 @@ void Renderer::draw(const sim::View& world, const Camera& camera, const Light& l
     p.shadow.bind();
 
     // Depth before shading, so that the dear shader runs once per pixel however many triangles lie under it.
-    p.target.resize(width, height);
+    p.target.resize(width, height, samples);
     p.target.begin_scene();
     p.terrain.draw_depth();
     p.target.begin_shading();
-    p.terrain.shade();
+    p.terrain.shade(marks);
 
     // Walls hide surface behind them, and the sky shows only where neither is.
     p.terrain.draw_walls();

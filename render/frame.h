@@ -9,6 +9,7 @@
 #include "render/camera.h"
 #include "render/context.h"
 #include "render/look.h"
+#include "render/marks.h"
 #include "render/picture.h"
 #include "sim/state.h"
 
@@ -31,11 +32,15 @@ class Renderer {
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
+    // For the frames to come.
+    void set_quality(Quality quality);
+
     // All passes, in order, into an offscreen target of the given size in pixels, > 0. GL's state is left as
     // it was found, but for bindings of texture units, which are emptied, and of uniform block and image
     // units.
-    void draw(const sim::View& world, const Camera& camera, const Light& light, const Look& look, int width,
-              int height);
+    // Allocates nothing while size, quality and terrain are those of the frame before.
+    void draw(const sim::View& world, const Camera& camera, const Light& light, const Look& look,
+              const Marks& marks, int width, int height);
 
     // The last drawn frame, top row first, sRGB 8 bit, 3 channels. Waits for the frame.
     Picture read_back() const;

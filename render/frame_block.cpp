@@ -10,6 +10,11 @@
 namespace render {
 namespace {
 
+static_assert(OVERLAY_SLOPE == static_cast<int>(Overlay::kSlope));
+static_assert(OVERLAY_STANDING == static_cast<int>(Overlay::kStanding));
+static_assert(OVERLAY_ROLLING == static_cast<int>(Overlay::kRolling));
+static_assert(OVERLAY_SPEED == static_cast<int>(Overlay::kSpeed));
+
 constexpr double kDetailTilesPerSide = 9;  // the detail texture repeats so often along the longer side
 constexpr double kHazeBegins = 0.85;       // of the camera's distance
 constexpr double kHazeLength = 6.0;        // in longer sides
@@ -52,6 +57,23 @@ void set_view(FrameBlock& block, const Camera& camera, double datum, double aspe
     block.ray_forward = glm::dvec4(-glm::dvec3(axes[2]), kNear);
 }
 
+void set_marks(FrameBlock& block, const Marks& marks, HeightRange heights, double datum) {
+    if (marks.ring) {
+        block.ring = glm::dvec4(marks.ring->centre, marks.ring->radius, 1);
+        block.ring_colour = glm::vec4(marks.ring->colour, 0);
+    }
+    if (marks.contours) {
+        // Counted from the fifth below the datum: a float that starts at sea level would have no digits left.
+        const double interval = contour_interval(heights), five = 5 * interval;
+        block.contours = glm::dvec4(1 / interval, (datum - five * std::floor(datum / five)) / interval, 0, 0);
+    }
+    const Legend legend = legend_of(marks.overlay);
+    block.overlay = {static_cast<int>(marks.overlay), static_cast<int>(legend.stops.size()), legend.stepped,
+                     0};
+    for (std::size_t i = 0; i < legend.stops.size(); ++i)
+        block.stops[i] = glm::vec4(legend.stops[i].colour, legend.stops[i].value);
+}
+
 }  // namespace
 
 int most_rays(const sim::Grid& grid) {
@@ -62,7 +84,7 @@ int most_rows(const sim::Grid& grid) {
 }
 
 FrameBlock make_frame_block(const sim::View& world, HeightRange heights, const Camera& camera,
-                            const Light& light, const Look& look, FrameSize size) {
+                            const Light& light, const Look& look, const Marks& marks, FrameSize size) {
     const double side = static_cast<double>(std::max(world.grid.nx, world.grid.ny) - 1) * world.grid.dx;
     FrameBlock block{};
     block.eye.w = static_cast<float>(kDetailTilesPerSide / side);
@@ -77,7 +99,8 @@ FrameBlock make_frame_block(const sim::View& world, HeightRange heights, const C
     block.standing = glm::vec4(look.standing, look.cover_visible_m);
     block.rolling = glm::vec4(look.rolling, look.rolling_visible_m);
     const double pixel = 2 * glm::length(glm::dvec3(block.ray_up)) / (size.height * size.samples);
-    block.material = glm::dvec4(look.roughness * look.detail, pixel, 0, 0);
+    block.material = glm::dvec4(look.roughness * look.detail, pixel, size.samples, 0);
+    set_marks(block, marks, heights, world.datum);
     return block;
 }
 

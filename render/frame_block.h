@@ -1,10 +1,15 @@
 #pragma once
 
+#include <array>
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
+#include "assets/shaders/slots.glsl"
 #include "render/camera.h"
+#include "render/height_range.h"
 #include "render/look.h"
+#include "render/marks.h"
 #include "sim/state.h"
 
 namespace render {
@@ -21,13 +26,12 @@ struct FrameBlock {
     glm::vec4 sweep;
     glm::vec4 haze;
     glm::vec4 rock, meadow, standing, rolling, material;
+    glm::vec4 ring, ring_colour;
+    glm::vec4 contours;
+    glm::ivec4 overlay;
+    std::array<glm::vec4, MOST_STOPS> stops;
 };
-static_assert(sizeof(FrameBlock) == 64 + 14 * 16);
-
-// Lowest and highest bedrock where there is ground, m above datum.
-struct HeightRange {
-    float lowest = 0, highest = 0;
-};
+static_assert(sizeof(FrameBlock) == 64 + (18 + MOST_STOPS) * 16);
 
 // The largest `size.z` that any light needs on a grid: rays of the sun's sweep.
 int most_rays(const sim::Grid& grid);
@@ -40,6 +44,6 @@ struct FrameSize {
 };
 
 FrameBlock make_frame_block(const sim::View& world, HeightRange heights, const Camera& camera,
-                            const Light& light, const Look& look, FrameSize size);
+                            const Light& light, const Look& look, const Marks& marks, FrameSize size);
 
 }  // namespace render

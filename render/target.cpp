@@ -6,15 +6,17 @@
 #include "sim/check.h"
 
 namespace render {
-void Target::resize(int width, int height) {
-    CHECK(width > 0 && height > 0);
-    if (width == width_ && height == height_) return;
+
+void Target::resize(int width, int height, int samples) {
+    CHECK(width > 0 && height > 0 && (samples == 1 || samples == 2));
+    if (width == width_ && height == height_ && samples == samples_) return;
     width_ = width;
     height_ = height;
+    samples_ = samples;
     depth_ = make_texture(GL_DEPTH_COMPONENT32F, width * samples_, height * samples_, GL_NEAREST);
     colour_ = make_texture(GL_RGBA16F, width, height, GL_NEAREST);
-    if (samples_ > 1)
-        samples_colour_ = make_texture(GL_RGBA16F, width * samples_, height * samples_, GL_LINEAR);
+    samples_colour_ =
+        samples_ > 1 ? make_texture(GL_RGBA16F, width * samples_, height * samples_, GL_LINEAR) : Texture();
     picture_ = make_texture(GL_SRGB8_ALPHA8, width, height, GL_LINEAR);
     scene_ = make_framebuffer();
     averaged_ = make_framebuffer();

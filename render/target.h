@@ -6,13 +6,11 @@
 namespace render {
 
 // Where a frame is drawn: depth and linear light, `samples` × `samples` to a pixel, then 8-bit sRGB. Made
-// anew when the size changes.
+// anew when one of them changes, and only then.
 class Target {
   public:
-    explicit Target(int samples) : samples_(samples) {}  // 1 or 2
-
-    int samples() const { return samples_; }  // along the edge of a pixel
-    void resize(int width, int height);       // pixels, > 0
+    // Before every frame. Pixels, > 0; samples along the edge of a pixel, 1 or 2.
+    void resize(int width, int height, int samples);
 
     void begin_scene() const;    // depth is cleared; draw depth and linear colour
     void begin_shading() const;  // depth can be read at SLOT_SCENE_DEPTH while it is not drawn to
@@ -23,8 +21,7 @@ class Target {
     void copy_to(GLuint framebuffer, int width, int height) const;
 
   private:
-    int samples_;
-    int width_ = 0, height_ = 0;
+    int width_ = 0, height_ = 0, samples_ = 1;
     Texture depth_, samples_colour_, colour_, picture_;
     Framebuffer scene_, averaged_, output_;
 };

@@ -15,5 +15,10 @@ layout(std140, binding = SLOT_FRAME) uniform Frame {
     vec4 meadow;
     vec4 standing;          // w: depth that hides the ground, m
     vec4 rolling;           // w: depth that is drawn, m
-    vec4 material;          // roughness 0 to 1; height of a pixel at a distance of 1
+    vec4 material;          // roughness 0 to 1; height of a sample at a distance of 1; samples along the edge of a pixel
+    vec4 ring;              // centre m, radius m; 1: is drawn
+    vec4 ring_colour;       // linear light
+    vec4 contours;          // lines per metre of height, 0: none; line, counted from a heavy one, at z = 0
+    ivec4 overlay;          // OVERLAY_*, 0: none; stops of its legend; 1: they are steps
+    vec4 stops[MOST_STOPS]; // colour in sRGB; w: value
 } frame;

@@ -17,16 +17,26 @@
 #define SLOT_DETAIL 10    // RGBA8 array: small-scale relief, one layer per kind
 #define SLOT_SCENE_DEPTH 11 // D32F: reversed depth of the surface
 #define SLOT_COLOUR 12    // RGBA16F: the frame in linear light
-#define SLOT_UNITS 13     // how many texture units there are
+#define SLOT_MEASURE 13   // RG32F: what the overlay shows times its weight, weight 0 to 1
+#define SLOT_UNITS 14     // how many texture units there are
 
 // Image units
 #define IMAGE_RELIEF 0
 #define IMAGE_LAYERS 1
 #define IMAGE_OPENNESS 2
 #define IMAGE_SUN_CEILING 3
+#define IMAGE_MEASURE 4
 
 // Values of sim::Site
 #define SITE_DRAIN 1
+
+// Values of render::Overlay
+#define OVERLAY_SLOPE 1
+#define OVERLAY_STANDING 2
+#define OVERLAY_ROLLING 3
+#define OVERLAY_SPEED 4
+
+#define MOST_STOPS 8 // of a legend
 
 // Layers of the detail texture
 #define DETAIL_SOFT 0

@@ -10,6 +10,7 @@ layout(binding = SLOT_SITE) uniform usampler2D site;
 layout(binding = SLOT_OPENNESS) uniform sampler2D openness;
 layout(binding = IMAGE_RELIEF, rgba32f) uniform writeonly image2D relief;
 layout(binding = IMAGE_LAYERS, rgba8) uniform writeonly image2D layers;
+layout(binding = IMAGE_MEASURE, rg32f) uniform writeonly image2D measure;
 
 const float kHalfSpeed = 10.0;  // m/s, drawn as half of the fastest
 
@@ -29,6 +30,18 @@ float slope(ivec2 v, ivec2 along, float here) {
     return rise / (frame.ground.x * (ahead && behind ? 2.0 : 1.0));
 }
 
+// What the overlay shows, times its weight, and the weight. Where nothing rolls there is no depth and no speed to be mixed
+// into that of the front beside it.
+vec2 measured(vec2 rise, float d, float r, float rolls, float speed) {
+    switch (frame.overlay.x) {
+        case OVERLAY_SLOPE: return vec2(degrees(atan(length(rise))), 1.0);
+        case OVERLAY_STANDING: return vec2(d, 1.0);
+        case OVERLAY_ROLLING: return vec2(r, 1.0) * rolls;
+        case OVERLAY_SPEED: return vec2(speed, 1.0) * rolls;
+    }
+    return vec2(0.0);
+}
+
 void main() {
     ivec2 v = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(v, frame.size.xy))) return;
@@ -41,6 +54,7 @@ void main() {
     // and lies midway between the last vertex inside and the first outside.
     float d = texelFetch(depth, v, 0).r, r = texelFetch(rolling, v, 0).r;
     float speed = length(vec2(texelFetch(velocity_x, v, 0).r, texelFetch(velocity_y, v, 0).r));
-    imageStore(layers, v, vec4(clamp(vec2(0.5 * d / frame.standing.w, 0.5 * r / frame.rolling.w), 0.0, 1.0),
-                               speed / (speed + kHalfSpeed), ground ? 1.0 : 0.0));
+    vec2 share = clamp(vec2(0.5 * d / frame.standing.w, 0.5 * r / frame.rolling.w), 0.0, 1.0);
+    imageStore(layers, v, vec4(share, speed / (speed + kHalfSpeed), ground ? 1.0 : 0.0));
+    imageStore(measure, v, vec4(ground ? measured(rise, d, r, share.y, speed) : vec2(0.0), 0.0, 0.0));
 }

@@ -1,5 +1,5 @@
 // Terrain: once per pixel that shows the surface, from its depth. Ground by slope and altitude, the standing layer over it, the
-// rolling layer over that, all lit once.
+// rolling layer over that, all lit once; marks on top.
 layout(binding = SLOT_SCENE_DEPTH) uniform sampler2D scene_depth;
 layout(binding = SLOT_RELIEF) uniform sampler2D relief;
 layout(binding = SLOT_LAYERS) uniform sampler2D layers;
@@ -10,6 +10,8 @@ out vec4 colour;
 
 // A place on the surface, and how much of it a pixel covers.
 struct Place {
+    vec3 ray;         // from the eye, as long as one step forward
+    float forward;    // steps
     vec3 at;          // m
     vec2 slope;
     float open;       // share of the sky that is seen
@@ -23,6 +25,9 @@ struct Skin {
     float open;  // share of the sky that small hollows leave
 };
 
+// What is drawn onto the ground for a person; marks.glsl or marks_none.glsl. `light` is what white ground sends out.
+vec3 marked(vec3 seen, Place p, vec3 light);
+
 // Small relief at a place: slopes along x and y (about −1 to 1), height and a second height (0 to 1). Mip-mapped, so it fades
 // with distance instead of shimmering. Each use is turned by its own angle, which hides the repeats.
 vec4 detail(Place p, float kind, float scale, float c, float s) {
@@ -32,23 +37,6 @@ vec4 detail(Place p, float kind, float scale, float c, float s) {
     vec4 t = textureLod(detail_texture, vec3(rotation * p.at.xy * repeats + c, kind), level);
     t.xy = (t.xy * 2.0 - 1.0) * rotation;
     return mix(vec4(0.0, 0.0, 0.5, 0.5), t, frame.haze.w);
-}
-
-// Cubic B-spline through the layers: four bilinear fetches. The spline rounds the corners that a front along grid edges would
-// have. `along` becomes the change of the rolling share per cell.
-vec4 smooth_layers(vec2 cell, out vec2 along) {
-    vec2 size = vec2(frame.size.xy);
-    vec2 i = floor(cell), f = cell - i, e = 1.0 - f;
-    vec2 w0 = e * e * e / 6.0, w1 = 2.0 / 3.0 - 0.5 * f * f * (2.0 - f), w3 = f * f * f / 6.0;
-    vec2 g0 = w0 + w1, g1 = 1.0 - g0;
-    vec2 a = i - 0.5 + w1 / g0, b = i + 1.5 + w3 / g1;
-    vec2 apart = b - a;
-    a /= size;
-    b /= size;
-    vec4 t00 = texture(layers, a), t10 = texture(layers, vec2(b.x, a.y));
-    vec4 t01 = texture(layers, vec2(a.x, b.y)), t11 = texture(layers, b);
-    along = vec2(mix(t10.y - t00.y, t11.y - t01.y, g1.y), mix(t01.y - t00.y, t11.y - t10.y, g1.x)) / apart;
-    return mix(mix(t00, t10, g1.x), mix(t01, t11, g1.x), g1.y);
 }
 
 Skin ground(Place p, vec4 broad, vec4 soft, vec4 rock, vec4 fine) {
@@ -84,15 +72,16 @@ Skin blend(Skin a, Skin b, float share) {
 
 Place find_place(float depth) {
     vec3 ray = frame.ray_forward.xyz + ndc.x * frame.ray_right.xyz + ndc.y * frame.ray_up.xyz;
-    float forward = frame.ray_forward.w / depth;
     Place p;
-    p.at = frame.eye.xyz + ray * forward;
+    p.ray = ray;
+    p.forward = frame.ray_forward.w / depth;
+    p.at = frame.eye.xyz + ray * p.forward;
     vec4 r = texture(relief, (p.at.xy / frame.ground.x + 0.5) / vec2(frame.size.xy));
     p.slope = r.yz;
     p.open = r.w;
     // Seen at a low angle a pixel covers a long strip: the mean of its length and its width.
     float facing = dot(vec3(-r.yz, 1.0), ray) / sqrt((1.0 + dot(r.yz, r.yz)) * dot(ray, ray));
-    p.footprint = forward * frame.material.y * inversesqrt(clamp(-facing, 0.06, 1.0));
+    p.footprint = p.forward * frame.material.y * inversesqrt(clamp(-facing, 0.06, 1.0));
     return p;
 }
 
@@ -103,8 +92,9 @@ void main() {
     vec4 rock = detail(p, DETAIL_ROCK, 0.8, -0.588, 0.809), fine = detail(p, DETAIL_ROCK, 3.1, 0.622, 0.783);
     vec4 clumps = detail(p, DETAIL_CLUMPS, 0.8, 0.980, 0.199), crumbs = detail(p, DETAIL_CLUMPS, 2.6, -0.129, 0.992);
 
-    vec2 along;
-    vec4 layer = smooth_layers(p.at.xy / frame.ground.x, along);
+    Smooth smoothed = spline(layers, p.at.xy / frame.ground.x);
+    vec4 layer = smoothed.value;
+    vec2 along = vec2(smoothed.along_x.y, smoothed.along_y.y);
     float steepness = length(along);
     float pixel = p.footprint / frame.ground.x;  // cells
 
@@ -128,6 +118,6 @@ void main() {
     vec3 normal = normalize(vec3(-p.slope - skin.rise, 1.0));
     // Small relief must not catch sun on a slope that lies in its own shadow.
     float facing_sun = smoothstep(-0.05, 0.12, dot(vec3(-p.slope, 1.0), frame.sun.xyz));
-    vec3 light = lit(skin.albedo, normal, sunlit(p.at) * facing_sun, p.open * clamp(skin.open, 0.0, 1.2));
-    colour = vec4(through_air(light, p.at), 1.0);
+    vec3 light = lit(vec3(1.0), normal, sunlit(p.at) * facing_sun, p.open * clamp(skin.open, 0.0, 1.2));
+    colour = vec4(marked(through_air(skin.albedo * light, p.at), p, light), 1.0);
 }

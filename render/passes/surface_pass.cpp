@@ -29,6 +29,7 @@ void SurfacePass::resize(const sim::Grid& grid) {
     grid_ = grid;
     relief_texture_ = make_texture(GL_RGBA32F, grid.nx, grid.ny, GL_LINEAR);
     layers_texture_ = make_texture(GL_RGBA8, grid.nx, grid.ny, GL_LINEAR);
+    measure_texture_ = make_texture(GL_RG32F, grid.nx, grid.ny, GL_LINEAR);
     openness_texture_ = make_texture(GL_R16F, grid.nx, grid.ny, GL_NEAREST);
 }
 
@@ -44,6 +45,7 @@ void SurfacePass::run() const {
     glBindTextureUnit(SLOT_OPENNESS, openness_texture_.name());
     glBindImageTexture(IMAGE_RELIEF, relief_texture_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
     glBindImageTexture(IMAGE_LAYERS, layers_texture_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
+    glBindImageTexture(IMAGE_MEASURE, measure_texture_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32F);
     glDispatchCompute(groups(grid_.nx), groups(grid_.ny), 1);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
@@ -51,6 +53,7 @@ void SurfacePass::run() const {
 void SurfacePass::bind() const {
     glBindTextureUnit(SLOT_RELIEF, relief_texture_.name());
     glBindTextureUnit(SLOT_LAYERS, layers_texture_.name());
+    glBindTextureUnit(SLOT_MEASURE, measure_texture_.name());
 }
 
 }  // namespace render

@@ -10,21 +10,21 @@
 
 namespace render {
 
-// Compute: from the fields to what drawing asks for. Reads the fields, writes SLOT_RELIEF and SLOT_LAYERS for
-// every frame, SLOT_OPENNESS once per terrain.
+// Compute: from the fields to what drawing asks for. Reads the fields, writes SLOT_RELIEF, SLOT_LAYERS
+// and SLOT_MEASURE for every frame, SLOT_OPENNESS once per terrain.
 class SurfacePass {
   public:
     static tl::expected<SurfacePass, std::string> create(const std::filesystem::path& shaders);
 
     void resize(const sim::Grid& grid);
     void survey_terrain() const;  // openness; the fields must be bound
-    void run() const;             // relief and layers; the fields must be bound
+    void run() const;             // relief, layers and measure; the fields must be bound
     void bind() const;
 
   private:
     ProgramName surface_, openness_;
     sim::Grid grid_;
-    Texture relief_texture_, layers_texture_, openness_texture_;
+    Texture relief_texture_, layers_texture_, measure_texture_, openness_texture_;
 };
 
 }  // namespace render

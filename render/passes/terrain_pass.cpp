@@ -1,5 +1,8 @@
 #include "render/passes/terrain_pass.h"
 
+#include <initializer_list>
+#include <utility>
+
 #include "assets/shaders/slots.glsl"
 #include "render/detail.h"
 #include "render/passes/scoped_state.h"
@@ -24,15 +27,27 @@ Texture make_detail_texture() {
     return texture;
 }
 
+// The surface's shading, with the files that say what is drawn onto it.
+tl::expected<FullscreenPass, std::string> make_shading(const std::filesystem::path& shaders,
+                                                       std::initializer_list<std::string_view> marks) {
+    std::vector<std::string_view> files{"slots.glsl",      "frame.glsl",  "light.glsl",  "sun_ceiling.glsl",
+                                        "tone_curve.glsl", "spline.glsl", "terrain.frag"};
+    files.insert(files.end(), marks);
+    return FullscreenPass::create(shaders, files);
+}
+
 }  // namespace
 
 tl::expected<TerrainPass, std::string> TerrainPass::create(const std::filesystem::path& shaders) {
     const ShaderStage vertex{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "terrain.vert"}};
     auto depth = link_program(shaders, {vertex, {GL_FRAGMENT_SHADER, {"depth.frag"}}});
     if (!depth) return tl::unexpected(depth.error());
-    auto shading = FullscreenPass::create(
-        shaders, {"slots.glsl", "frame.glsl", "light.glsl", "sun_ceiling.glsl", "terrain.frag"});
-    if (!shading) return tl::unexpected(shading.error());
+    auto plain = make_shading(shaders, {"marks_none.glsl"});
+    if (!plain) return tl::unexpected(plain.error());
+    auto marked = make_shading(shaders, {"marks.glsl", "overlay_none.glsl"});
+    if (!marked) return tl::unexpected(marked.error());
+    auto overlaid = make_shading(shaders, {"marks.glsl", "overlay.glsl"});
+    if (!overlaid) return tl::unexpected(overlaid.error());
     auto walls = link_program(
         shaders,
         {vertex,
@@ -40,7 +55,9 @@ tl::expected<TerrainPass, std::string> TerrainPass::create(const std::filesystem
     if (!walls) return tl::unexpected(walls.error());
     TerrainPass pass;
     pass.depth_program_ = std::move(*depth);
-    pass.shading_ = std::move(*shading);
+    pass.plain_shading_ = std::move(*plain);
+    pass.marked_shading_ = std::move(*marked);
+    pass.overlaid_shading_ = std::move(*overlaid);
     pass.wall_program_ = std::move(*walls);
     pass.detail_texture_ = make_detail_texture();
     return pass;
@@ -73,9 +90,13 @@ void TerrainPass::draw_depth() const {
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void TerrainPass::shade() const {
+void TerrainPass::shade(const Marks& marks) const {
     glBindTextureUnit(SLOT_DETAIL, detail_texture_.name());
-    shading_.draw_on();
+    const bool lines = marks.contours || marks.ring;
+    const FullscreenPass& shading = marks.overlay != Overlay::kNone ? overlaid_shading_
+                                    : lines                         ? marked_shading_
+                                                                    : plain_shading_;
+    shading.draw_on();
 }
 
 void TerrainPass::draw_walls() const {

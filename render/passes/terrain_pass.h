@@ -9,6 +9,7 @@
 
 #include "render/gl_handle.h"
 #include "render/ground_mesh.h"
+#include "render/marks.h"
 #include "render/passes/fullscreen_pass.h"
 
 namespace render {
@@ -22,7 +23,8 @@ class TerrainPass {
 
     void send_mesh(const GroundMesh& mesh);
     void draw_depth() const;  // reads SLOT_RELIEF
-    void shade() const;  // reads SLOT_SCENE_DEPTH, SLOT_RELIEF, SLOT_LAYERS, SLOT_SUN_CEILING, SLOT_DETAIL
+    // Reads SLOT_SCENE_DEPTH, SLOT_RELIEF, SLOT_LAYERS, SLOT_MEASURE, SLOT_SUN_CEILING, SLOT_DETAIL.
+    void shade(const Marks& marks) const;
     void draw_walls() const;  // reads SLOT_RELIEF, SLOT_SUN_CEILING, SLOT_DETAIL
 
   private:
@@ -37,7 +39,8 @@ class TerrainPass {
     };
 
     ProgramName depth_program_, wall_program_;
-    FullscreenPass shading_;
+    // Three of one kind, because what a shader could draw costs time even where it is not drawn.
+    FullscreenPass plain_shading_, marked_shading_, overlaid_shading_;
     Indexed surface_, walls_;
     Texture detail_texture_;
 };

@@ -116,7 +116,7 @@ TEST_F(Gl, draws_in_fine_quality_what_it_draws_in_fast_but_for_edges) {
     const Picture fast = draw(world, overview(world.view()), Light(), plain_look(), 160, 90);
     auto fine_renderer = Renderer::create(support::source_dir() / "assets", Quality::kFine);
     ASSERT_TRUE(fine_renderer) << fine_renderer.error();
-    fine_renderer->draw(world.view(), overview(world.view()), Light(), plain_look(), 160, 90);
+    fine_renderer->draw(world.view(), overview(world.view()), Light(), plain_look(), {}, 160, 90);
     const Picture fine = fine_renderer->read_back();
     double sum = 0;
     for (std::size_t i = 0; i < fast.pixels.size(); ++i) sum += std::abs(fast.pixels[i] - fine.pixels[i]);

@@ -33,7 +33,7 @@ class Gl : public testing::Test {
     static const HeadlessContext& context();
 
     Picture draw(const World& world, const Camera& camera, const Light& light, const Look& look,
-                 int width = 96, int height = 96);
+                 int width = 96, int height = 96, const Marks& marks = {});
 
     std::optional<Renderer> renderer_;
 };

@@ -1,0 +1,54 @@
+// Marks: contours and a ring on the ground, in colours as the screen shall show them, as wide from near as from afar.
+vec3 overlaid(vec3 picture, Place p, mat2 pixel, vec3 light);  // overlay.glsl or overlay_none.glsl
+
+const float kEdge = 0.06;  // a plane seen at a lower angle than its sine is taken to be seen at that
+
+// How far one sees over the ground, in plan, m, from a pixel to the next to the right (first column) and above (second). On
+// the plane that touches the surface; so it is right beside an outline too, where neighbours show something else.
+mat2 pixel_on_ground(Place p) {
+    vec3 n = vec3(-p.slope, 1.0);
+    float facing = min(dot(n, p.ray), -kEdge * length(n) * length(p.ray));
+    float size = p.forward * frame.material.y * frame.material.z;
+    vec3 right = size * normalize(frame.ray_right.xyz), up = size * normalize(frame.ray_up.xyz);
+    return mat2(right.xy - p.ray.xy * (dot(n, right) / facing), up.xy - p.ray.xy * (dot(n, up) / facing));
+}
+
+// How much of a sample lies within `half_width` pixels of a line that is `away` pixels off, 0 to 1.
+float line(float away, float half_width) {
+    return clamp((half_width - abs(away)) * frame.material.z + 0.5, 0.0, 1.0);
+}
+
+// Gone where lines would run together and where ground is level.
+vec3 with_contours(vec3 picture, Place p, mat2 pixel) {
+    float height = p.at.z * frame.contours.x + frame.contours.y;  // lines
+    float nearest = round(height);
+    bool heavy = abs(mod(nearest + 0.5, 5.0) - 0.5) < 0.1;
+    float per_pixel = max(length(p.slope * pixel) * frame.contours.x, 1e-5);
+    float there = line((height - nearest) / per_pixel, heavy ? 0.9 : 0.5);
+    float crowded = smoothstep(0.18, 0.4, heavy ? 0.2 * per_pixel : per_pixel);
+    float level = smoothstep(0.03, 0.01, length(p.slope));
+    const vec3 kInk = vec3(0.012, 0.009, 0.008);
+    return mix(picture, kInk, there * (heavy ? 0.8 : 0.55) * (1.0 - crowded) * (1.0 - level));
+}
+
+// A line of two pixels between dark hairlines, a faint tint inside, a dot in the middle.
+vec3 with_ring(vec3 picture, Place p, mat2 pixel) {
+    vec2 away = p.at.xy - frame.ring.xy;
+    float distance_m = length(away), outside_m = distance_m - frame.ring.z;
+    float outside = outside_m / length(away / max(distance_m, 1e-6) * pixel + 1e-9);  // pixels
+    float across = frame.ring.z / sqrt(abs(determinant(pixel)));                      // pixels, so large is the ring
+    // The ground under the dot is not level: its pixels are counted on the screen, so that it is round.
+    float from_dot = length(inverse(pixel) * away);
+    float dot_shown = smoothstep(6.0, 12.0, across);
+    picture = mix(picture, frame.ring_colour.rgb, 0.04 * clamp(0.5 - outside * frame.material.z, 0.0, 1.0));
+    picture *= 1.0 - 0.75 * max(line(outside, 2.1), dot_shown * line(from_dot, 3.9));
+    return mix(picture, frame.ring_colour.rgb, max(line(outside, 1.0), dot_shown * line(from_dot, 2.7)));
+}
+
+vec3 marked(vec3 seen, Place p, vec3 light) {
+    mat2 pixel = pixel_on_ground(p);
+    vec3 picture = overlaid(shown(seen), p, pixel, light);
+    if (frame.contours.x > 0.0) picture = with_contours(picture, p, pixel);
+    if (frame.ring.w > 0.5) picture = with_ring(picture, p, pixel);
+    return light_shown_as(picture);
+}

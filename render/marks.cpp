@@ -1,0 +1,72 @@
+#include "render/marks.h"
+
+#include <array>
+#include <cmath>
+
+#include "assets/shaders/slots.glsl"
+
+namespace render {
+namespace {
+
+// Classes of the Swiss, Austrian and French slope maps. Each is darker than the one before it, so that their
+// order is seen without hues.
+constexpr std::array<LegendStop, 4> kSlope{{
+    {30, {0.98f, 0.87f, 0.30f}},
+    {35, {0.95f, 0.57f, 0.16f}},
+    {40, {0.80f, 0.22f, 0.20f}},
+    {45, {0.40f, 0.19f, 0.52f}},
+}};
+
+// Viridis at six even steps (van der Walt and Smith 2015, public domain): even steps of lightness, and of hue
+// for people without one kind of cone. Both layers have one scale, so that they can be compared; it nearly
+// doubles from step to step, because a film that flows and a deposit of metres are both worth seeing.
+constexpr std::array<LegendStop, 6> kDepth{{
+    {0.1f, {0.267f, 0.005f, 0.329f}},
+    {0.2f, {0.254f, 0.265f, 0.530f}},
+    {0.5f, {0.164f, 0.471f, 0.558f}},
+    {1.0f, {0.135f, 0.659f, 0.518f}},
+    {2.0f, {0.478f, 0.821f, 0.318f}},
+    {5.0f, {0.993f, 0.906f, 0.144f}},
+}};
+
+// Plasma at six even steps, of the same authors and made the same way; other hues, so that a speed is not
+// taken for a depth. From creeping soil to dry snow at full speed.
+constexpr std::array<LegendStop, 6> kSpeed{{
+    {0, {0.050f, 0.030f, 0.528f}},
+    {2, {0.417f, 0.001f, 0.658f}},
+    {5, {0.693f, 0.165f, 0.565f}},
+    {10, {0.881f, 0.393f, 0.383f}},
+    {20, {0.988f, 0.652f, 0.211f}},
+    {40, {0.940f, 0.975f, 0.131f}},
+}};
+
+static_assert(kSlope.size() <= MOST_STOPS && kDepth.size() <= MOST_STOPS && kSpeed.size() <= MOST_STOPS);
+
+}  // namespace
+
+Legend legend_of(Overlay overlay) {
+    switch (overlay) {
+        case Overlay::kSlope:
+            return {kSlope, "°", true};
+        case Overlay::kStanding:
+        case Overlay::kRolling:
+            return {kDepth, "m", false};
+        case Overlay::kSpeed:
+            return {kSpeed, "m/s", false};
+        case Overlay::kNone:
+            break;
+    }
+    return {{}, "", false};
+}
+
+double contour_interval(HeightRange heights) {
+    constexpr double kMostLines = 40;
+    const double range = static_cast<double>(heights.highest) - heights.lowest;
+    for (double power = 1;; power *= 10) {
+        for (const double interval : {power, 2 * power, 5 * power}) {
+            if (!(range > kMostLines * interval)) return interval;
+        }
+    }
+}
+
+}  // namespace render

@@ -1,0 +1,135 @@
+#include <cmath>
+
+#include "tests/render/gl_scene.h"
+
+namespace render::test {
+namespace {
+
+constexpr double kPi = 3.14159265358979;
+
+Colour of_legend(const LegendStop& stop) {
+    return {255.0 * stop.colour.r, 255.0 * stop.colour.g, 255.0 * stop.colour.b};
+}
+
+Colour between(const LegendStop& a, const LegendStop& b, double share) {
+    Colour mixed{};
+    for (std::size_t c = 0; c < 3; ++c) mixed[c] = (1 - share) * of_legend(a)[c] + share * of_legend(b)[c];
+    return mixed;
+}
+
+class Overlays : public Gl {
+  protected:
+    static World level() {
+        return make_world(40, 4, [](double, double) { return 0; });
+    }
+
+    static World tilted(double slope_deg) {
+        return make_world(40, 4, [=](double, double y) { return std::tan(slope_deg * kPi / 180) * y; });
+    }
+
+    Picture shot(const World& world, Overlay overlay, const Light& light = {}) {
+        Marks marks;
+        marks.overlay = overlay;
+        const double z = static_cast<double>(world.bedrock(20, 20));
+        return draw(world, from_above({80, 80, z}, 8), light, plain_look(), 96, 96, marks);
+    }
+    Colour middle(const World& world, Overlay overlay, const Light& light = {}) {
+        return mean_colour(shot(world, overlay, light), 48, 48, 10);
+    }
+
+    // A field of level ground set to each value of the overlay's legend and to those midway between.
+    void expect_colours_of_the_legend(Overlay overlay, World& world, sim::Field<float>& field) {
+        const auto stops = legend_of(overlay).stops;
+        for (std::size_t i = 0; i < stops.size(); ++i) {
+            field.fill(std::max(stops[i].value, 0.001f));
+            EXPECT_LT(colour_distance(middle(world, overlay), of_legend(stops[i])), 2) << stops[i].value;
+            if (i == 0) continue;
+            field.fill((stops[i - 1].value + stops[i].value) / 2);
+            EXPECT_LT(colour_distance(middle(world, overlay), between(stops[i - 1], stops[i], 0.5)), 2)
+                << "below " << stops[i].value;
+        }
+        field.fill(3 * stops.back().value);
+        EXPECT_LT(colour_distance(middle(world, overlay), of_legend(stops.back())), 2) << "beyond";
+    }
+};
+
+TEST_F(Overlays, of_slope_has_the_colour_of_the_class_from_edge_to_edge) {
+    for (const LegendStop& stop : legend_of(Overlay::kSlope).stops) {
+        for (const double slope_deg : {stop.value + 0.3, stop.value + 4.7}) {
+            // From the south and so high that the slope gets as much sun as level ground.
+            const Light light{180, 90 - slope_deg / 2};
+            EXPECT_LT(colour_distance(middle(tilted(slope_deg), Overlay::kSlope, light), of_legend(stop)), 5)
+                << slope_deg;
+        }
+    }
+}
+
+TEST_F(Overlays, of_slope_leaves_ground_below_30_degrees_as_it_is) {
+    EXPECT_EQ(shot(tilted(29.5), Overlay::kSlope).pixels, shot(tilted(29.5), Overlay::kNone).pixels);
+}
+
+TEST_F(Overlays, of_the_standing_layer_has_the_colours_of_its_legend) {
+    World world = level();
+    expect_colours_of_the_legend(Overlay::kStanding, world, world.depth);
+}
+
+TEST_F(Overlays, of_the_rolling_layer_has_the_colours_of_its_legend) {
+    World world = level();
+    expect_colours_of_the_legend(Overlay::kRolling, world, world.rolling);
+}
+
+TEST_F(Overlays, of_speed_has_the_colours_of_its_legend_whichever_way_it_goes) {
+    World world = level();
+    world.rolling.fill(0.5f);
+    expect_colours_of_the_legend(Overlay::kSpeed, world, world.velocity_x);
+    world.velocity_x.fill(-6);
+    world.velocity_y.fill(8);
+    EXPECT_LT(colour_distance(middle(world, Overlay::kSpeed), of_legend(legend_of(Overlay::kSpeed).stops[3])),
+              2);
+}
+
+TEST_F(Overlays, of_depth_and_speed_leave_bare_and_resting_ground_as_it_is) {
+    const World bare = level();
+    for (const Overlay overlay : {Overlay::kStanding, Overlay::kRolling, Overlay::kSpeed})
+        EXPECT_EQ(shot(bare, overlay).pixels, shot(bare, Overlay::kNone).pixels);
+}
+
+TEST_F(Overlays, of_speed_keep_the_speed_of_a_front_up_to_its_edge) {
+    World front = level();
+    for (int y = 0; y <= 40; ++y) {
+        for (int x = 0; x <= 20; ++x) front.rolling(x, y) = 1, front.velocity_x(x, y) = 20;
+    }
+    // 8 m across 96 pixels; the edge lies midway between x = 80 and 84, at pixel 72.
+    const Picture p = shot(front, Overlay::kSpeed), plain = shot(front, Overlay::kNone);
+    const Colour twenty = of_legend(legend_of(Overlay::kSpeed).stops[4]);
+    EXPECT_LT(colour_distance(mean_colour(p, 20, 48, 3), twenty), 12);
+    EXPECT_LT(colour_distance(mean_colour(p, 64, 48, 3), twenty), 12);
+    EXPECT_EQ(mean_colour(p, 80, 48, 3), mean_colour(plain, 80, 48, 3));
+}
+
+TEST_F(Overlays, show_the_shape_of_the_ground_by_its_shade) {
+    const Light east{90, 40};
+    const auto faces = [](double sign) {
+        World world = make_world(40, 4, [=](double x, double) { return sign * 0.5 * x; });
+        world.depth.fill(1);
+        return world;
+    };
+    const Colour sunny = middle(faces(-1), Overlay::kStanding, east);
+    const Colour shady = middle(faces(1), Overlay::kStanding, east);
+    EXPECT_GT(colour_distance(sunny, shady), 8);
+}
+
+TEST_F(Overlays, have_stops_that_every_eye_tells_apart) {
+    for (const Overlay overlay : {Overlay::kSlope, Overlay::kStanding, Overlay::kRolling, Overlay::kSpeed}) {
+        const auto stops = legend_of(overlay).stops;
+        for (std::size_t i = 1; i < stops.size(); ++i) {
+            const Colour a = of_legend(stops[i - 1]), b = of_legend(stops[i]);
+            EXPECT_GT(colour_distance(a, b), 15) << stops[i].value;
+            for (const Cone cone : {Cone::kLong, Cone::kMiddle})
+                EXPECT_GT(colour_distance(without(cone, a), without(cone, b)), 10) << stops[i].value;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace render::test

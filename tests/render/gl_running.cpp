@@ -1,0 +1,146 @@
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <new>
+#include <type_traits>
+
+#include <epoxy/gl.h>
+
+#include "render/overview.h"
+#include "tests/render/gl_scene.h"
+#include "tests/support/places.h"
+
+// What a window asks of one frame after the other.
+namespace {
+
+std::atomic<bool> counting{false};
+std::atomic<int> allocations{0};
+int gl_objects = 0;
+
+void* allocate(std::size_t size) {
+    if (counting) ++allocations;
+    void* memory = std::malloc(size == 0 ? 1 : size);
+    if (memory == nullptr) throw std::bad_alloc();
+    return memory;
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+    return allocate(size);
+}
+void* operator new[](std::size_t size) {
+    return allocate(size);
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete[](void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+void operator delete[](void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
+namespace render::test {
+namespace {
+
+// Counts the calls of an entry point that makes GL names, while it lives. The loader keeps them in variables.
+template <auto* kEntry>
+class Watched {
+    using Function = std::remove_pointer_t<decltype(kEntry)>;
+
+  public:
+    Watched() {
+        behind_ = *kEntry;
+        *kEntry = counted(behind_);
+    }
+    ~Watched() { *kEntry = behind_; }
+    Watched(const Watched&) = delete;
+    Watched& operator=(const Watched&) = delete;
+
+  private:
+    template <class... Args>
+    static Function counted(void (*)(Args...)) {
+        return [](Args... args) {
+            ++gl_objects;
+            behind_(args...);
+        };
+    }
+    static inline Function behind_ = nullptr;
+};
+
+World hill() {
+    World world = make_world(48, 5, [](double x, double y) { return 0.4 * y + 12 * std::sin(x / 30); });
+    world.depth.fill(0.7f);
+    return world;
+}
+
+Marks all_marks(Overlay overlay) {
+    Marks marks;
+    marks.overlay = overlay;
+    marks.contours = true;
+    marks.ring = Ring{{120, 120}, 30, {1, 1, 1}};
+    return marks;
+}
+
+TEST_F(Gl, allocates_nothing_and_makes_no_object_in_a_running_frame) {
+    World world = hill();
+    Camera camera = overview(world.view());
+    const auto frame = [&](int i) {
+        world.rolling(20 + i, 20) = 1;  // the world goes on
+        camera.azimuth_deg += 1;
+        const Marks marks = i % 3 == 0 ? Marks() : all_marks(i % 3 == 1 ? Overlay::kNone : Overlay::kSpeed);
+        renderer_->draw(world.view(), camera, Light(), Look(), marks, 160, 90);
+        glFinish();
+    };
+    for (int i = 0; i < 6; ++i) frame(i);
+    const Watched<&epoxy_glCreateTextures> textures;
+    const Watched<&epoxy_glCreateFramebuffers> framebuffers;
+    const Watched<&epoxy_glCreateBuffers> buffers;
+    const Watched<&epoxy_glCreateVertexArrays> vertex_arrays;
+    allocations = 0;
+    gl_objects = 0;
+    counting = true;
+    for (int i = 6; i < 12; ++i) frame(i);
+    counting = false;
+    EXPECT_EQ(allocations, 0);
+    EXPECT_EQ(gl_objects, 0);
+
+    // The same counters see a frame of another size, and a plain allocation.
+    renderer_->draw(world.view(), camera, Light(), Look(), {}, 100, 60);
+    EXPECT_GE(gl_objects, 4);
+    counting = true;
+    operator delete(operator new(8));  // a new expression may be left out by the compiler
+    counting = false;
+    EXPECT_EQ(allocations, 1);
+}
+
+TEST_F(Gl, changes_its_quality_between_frames) {
+    const World world = hill();
+    const Camera camera = overview(world.view());
+    auto fine = Renderer::create(support::source_dir() / "assets", Quality::kFine);
+    ASSERT_TRUE(fine) << fine.error();
+    fine->draw(world.view(), camera, Light(), Look(), {}, 160, 90);
+
+    const Picture fast = draw(world, camera, Light(), Look(), 160, 90);
+    renderer_->set_quality(Quality::kFine);
+    EXPECT_EQ(renderer_->read_back().pixels, fast.pixels);  // of the frame drawn last
+    EXPECT_EQ(draw(world, camera, Light(), Look(), 160, 90).pixels, fine->read_back().pixels);
+    renderer_->set_quality(Quality::kFast);
+    EXPECT_EQ(draw(world, camera, Light(), Look(), 160, 90).pixels, fast.pixels);
+}
+
+TEST_F(Gl, names_the_renderer_of_the_current_context_whoever_made_it) {
+    const std::string name = renderer_name();
+    EXPECT_EQ(name, context().renderer_name());
+    EXPECT_NE(name.find(reinterpret_cast<const char*>(glGetString(GL_RENDERER))), std::string::npos);
+    const bool known = name.find("llvmpipe") == 0 || name.find("softpipe") == 0;
+    EXPECT_EQ(is_software_renderer(), known) << name;
+}
+
+}  // namespace
+}  // namespace render::test
