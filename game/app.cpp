@@ -1,6 +1,8 @@
 #include "game/app.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -243,7 +245,7 @@ void App::draw_world() {
         renderer_.set_quality(display_.fine ? render::Quality::kFine : render::Quality::kFast);
         renderer_.draw(world, wanted.camera, display_.light, look, marks, wanted.width, wanted.height);
     }
-    renderer_.show(screen_.framebuffer(), size.width, size.height);
+    renderer_.show_on(screen_.framebuffer(), size.width, size.height);
     if (waits_for_gl_) renderer_.wait();
 }
 

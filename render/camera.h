@@ -13,6 +13,7 @@ struct Camera {
     double elevation_deg = 35;      // above the horizon, −89 to 89
     double distance_m = 1000;       // > 0
     double field_of_view_deg = 35;  // vertical, 5 to 120
+    bool operator==(const Camera&) const = default;
 };
 
 inline constexpr double kNear = 0.1;  // m, near plane

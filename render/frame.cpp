@@ -116,8 +116,14 @@ Picture Renderer::read_back() const {
     return parts_->target.read_back();
 }
 
-void Renderer::copy_to(unsigned framebuffer, int width, int height) const {
+void Renderer::show_on(unsigned framebuffer, int width, int height) const {
     parts_->target.copy_to(framebuffer, width, height);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, width, height);
+}
+
+void Renderer::wait() const {
+    glFinish();
 }
 
 }  // namespace render

@@ -8,6 +8,7 @@ namespace render {
 struct Light {
     double azimuth_deg = 135;   // where the sun stands: 0 north, 90 east
     double elevation_deg = 40;  // above the horizon, 1 to 90
+    bool operator==(const Light&) const = default;
 };
 
 // How ground and material look: data of a scene and its material, never of the simulation.
