@@ -112,9 +112,13 @@ bool within(double seconds, const std::function<bool()>& question) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
     while (!question()) {
         if (std::chrono::steady_clock::now() > end) return false;
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        rest(0.005);
     }
     return true;
+}
+
+void rest(double seconds) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
 }
 
 bool is_installed(const std::string& program) {

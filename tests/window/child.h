@@ -43,6 +43,8 @@ class Child {
 // Asks again and again until the answer is yes; false if it is no for all that time.
 bool within(double seconds, const std::function<bool()>& question);
 
+void rest(double seconds);
+
 // Whether PATH has a program of this name.
 bool is_installed(const std::string& program);
 

@@ -1,11 +1,9 @@
 #include "tests/window/x_session.h"
 
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <sstream>
 #include <stdexcept>
-#include <thread>
 
 #include "tests/window/screenshot.h"
 
@@ -16,7 +14,7 @@ constexpr double kToStart = 30, kToAnswer = 10;  // s, on a machine that does mu
 
 // Time for a frame or two to see what the hand did, as there is between the movements of a hand.
 void breathe() {
-    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+    rest(0.06);
 }
 
 }  // namespace
