@@ -1,0 +1,108 @@
+#include <gtest/gtest.h>
+
+#include "tests/window/play_session.h"
+#include "tests/window/screenshot.h"
+
+// Ways to look at a world that stands still.
+namespace game::test {
+namespace {
+
+constexpr int kX = PlaySession::kMiddleX, kY = PlaySession::kMiddleY;
+constexpr double kPart = 0.7;   // of the window, away from what stands in its corners
+constexpr double kSame = 0.01;  // of the pixels, for a ring or an arrow that has moved
+constexpr double kOther = 0.10;
+
+class CameraInTheWindow : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (const auto missing = missing_for_a_desktop()) GTEST_SKIP() << *missing;
+        session.emplace();
+        hand().key("space");
+        ASSERT_TRUE(within(5, [&] { return session->stands(); })) << "it is not paused";
+        hand().key("Home");
+        start = at_rest();
+    }
+    void TearDown() override {
+        if (!session) return;
+        EXPECT_EQ(session->commands(), 0u) << "a look has changed the world";
+        EXPECT_EQ(session->tick(), tick) << "a look has moved time";
+        session->leave();
+    }
+
+    XSession& hand() { return session->hand(); }
+
+    // The picture once the camera has come to rest, seen with the hand at the same place.
+    render::Picture at_rest() {
+        hand().move(kX, kY);
+        render::Picture before = middle(hand().screenshot(), kPart), now;
+        EXPECT_TRUE(within(15, [&] {
+            rest(0.4);
+            now = middle(hand().screenshot(), kPart);
+            return difference(std::exchange(before, now), now) == 0;
+        })) << "the picture does not come to rest";
+        tick = session->tick();
+        return now;
+    }
+
+    void expect_home_leads_back() {
+        hand().key("Home");
+        EXPECT_LT(difference(at_rest(), start), kSame);
+    }
+
+    std::optional<PlaySession> session;
+    render::Picture start;
+    std::int64_t tick = -1;
+};
+
+TEST_F(CameraInTheWindow, turns_with_the_right_button) {
+    hand().press(Mouse::kRight);
+    hand().drag(kX + 120, kY);
+    hand().release(Mouse::kRight);
+    EXPECT_GT(difference(at_rest(), start), kOther);
+    expect_home_leads_back();
+}
+
+TEST_F(CameraInTheWindow, pans_with_the_middle_button_and_with_shift_and_the_right_one) {
+    hand().press(Mouse::kMiddle);
+    hand().drag(kX + 80, kY + 40);
+    hand().release(Mouse::kMiddle);
+    const render::Picture panned = at_rest();
+    EXPECT_GT(difference(panned, start), kOther);
+    expect_home_leads_back();
+    hand().key_down("Shift_L");
+    hand().press(Mouse::kRight);
+    hand().drag(kX + 80, kY + 40);
+    hand().release(Mouse::kRight);
+    hand().key_up("Shift_L");
+    EXPECT_GT(difference(at_rest(), start), kOther);
+}
+
+TEST_F(CameraInTheWindow, zooms_with_the_wheel) {
+    hand().wheel(4);
+    const render::Picture near = at_rest();
+    EXPECT_GT(difference(near, start), kOther);
+    hand().wheel(-8);
+    const render::Picture far = at_rest();
+    EXPECT_GT(difference(far, near), kOther);
+    EXPECT_GT(difference(far, start), kOther);
+    expect_home_leads_back();
+}
+
+TEST_F(CameraInTheWindow, looks_straight_down_and_back) {
+    hand().key("t");
+    EXPECT_GT(difference(at_rest(), start), kOther);
+    hand().key("t");
+    EXPECT_LT(difference(at_rest(), start), kSame);
+}
+
+TEST_F(CameraInTheWindow, flies_by_the_keys_that_are_held) {
+    hand().key("f");
+    const render::Picture still = at_rest();
+    hand().key_down("w");
+    rest(0.6);
+    hand().key_up("w");
+    EXPECT_GT(difference(at_rest(), still), kOther);
+}
+
+}  // namespace
+}  // namespace game::test

@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "game/events.h"
+#include "tests/window/screenshot.h"
+#include "tests/window/x_session.h"
+
+namespace game::test {
+namespace {
+
+const std::string kEcho = COULOIR_WINDOW_ECHO;
+
+class Window : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (const auto missing = missing_for_a_desktop()) GTEST_SKIP() << *missing;
+        desktop.emplace();
+        desktop->start({kEcho}, "Echo");
+    }
+
+    // Whether it prints this line, at once or soon.
+    bool says(const std::string& line) {
+        return within(5,
+                      [&] { return ("\n" + desktop->out()).find("\n" + line + "\n") != std::string::npos; });
+    }
+    bool says(Key key, const std::string& how) {
+        return says("key " + std::to_string(static_cast<int>(key)) + " " + how);
+    }
+    bool says_size(int width, int height, bool full_screen) {
+        std::ostringstream line;
+        line << "\nsize " << width << " " << height << " full screen " << std::boolalpha << full_screen
+             << " ";
+        return within(5, [&] { return desktop->out().find(line.str()) != std::string::npos; });
+    }
+
+    std::optional<XSession> desktop;
+};
+
+TEST_F(Window, has_the_size_that_was_asked_for_and_shows_what_is_drawn) {
+    EXPECT_TRUE(says_size(640, 400, false)) << desktop->out();
+    EXPECT_TRUE(within(5, [&] {
+        const render::Picture shown = middle(desktop->screenshot(), 0.5);
+        return shown.pixels[0] == 51 && shown.pixels[1] == 102 && shown.pixels[2] == 204;
+    }));
+}
+
+TEST_F(Window, tells_moves_buttons_and_the_wheel) {
+    desktop->move(100, 120);
+    EXPECT_TRUE(says("move 100 120")) << desktop->out();
+    desktop->press(Mouse::kLeft);
+    EXPECT_TRUE(says("button 0 down")) << desktop->out();
+    desktop->drag(140, 100, 2);
+    EXPECT_TRUE(says("move 120 110")) << desktop->out();
+    desktop->release(Mouse::kLeft);
+    EXPECT_TRUE(says("button 0 up")) << desktop->out();
+    desktop->press(Mouse::kRight);
+    EXPECT_TRUE(says("button 1 down")) << desktop->out();
+    desktop->release(Mouse::kRight);
+    desktop->press(Mouse::kMiddle);
+    EXPECT_TRUE(says("button 2 down")) << desktop->out();
+    desktop->release(Mouse::kMiddle);
+    desktop->wheel(1);
+    EXPECT_TRUE(says("wheel 1")) << desktop->out();
+    desktop->wheel(-1);
+    EXPECT_TRUE(says("wheel -1")) << desktop->out();
+}
+
+TEST_F(Window, tells_keys_by_name_and_what_is_held_with_them) {
+    desktop->key("space");
+    EXPECT_TRUE(says(Key::kSpace, "down") && says(Key::kSpace, "up")) << desktop->out();
+    desktop->key("bracketleft");
+    EXPECT_TRUE(says(Key::kLeftBracket, "down")) << desktop->out();
+    desktop->key("period");
+    EXPECT_TRUE(says(Key::kPeriod, "down")) << desktop->out();
+    desktop->key("Home");
+    EXPECT_TRUE(says(Key::kHome, "down")) << desktop->out();
+    desktop->key("F5");
+    EXPECT_TRUE(says(function_key(5), "down")) << desktop->out();
+    desktop->key_down("Control_L");
+    EXPECT_TRUE(says(Key::kControl, "down control")) << desktop->out();
+    desktop->key("z");
+    EXPECT_TRUE(says(key('Z'), "down control")) << desktop->out();
+    desktop->key_up("Control_L");
+    EXPECT_TRUE(says(Key::kControl, "up")) << "Control is said to be held still: " << desktop->out();
+    desktop->key_down("Shift_L");
+    desktop->wheel(1);
+    EXPECT_TRUE(says("wheel 1 shift")) << desktop->out();
+    desktop->key_up("Shift_L");
+}
+
+TEST_F(Window, tells_what_is_typed) {
+    desktop->type("7é");
+    EXPECT_TRUE(says("text 55")) << desktop->out();
+    EXPECT_TRUE(says("text 233")) << desktop->out();
+}
+
+// Where a German board prints Z, an American one prints Y.
+TEST_F(Window, takes_a_letter_with_control_as_it_is_printed_and_one_without_by_its_place) {
+    desktop->keyboard("de");
+    desktop->key("ctrl+z");
+    EXPECT_TRUE(says(key('Z'), "down control")) << desktop->out();
+    desktop->key("z");
+    EXPECT_TRUE(says(key('Y'), "down")) << desktop->out();
+}
+
+TEST_F(Window, follows_its_size) {
+    desktop->resize(900, 500);
+    EXPECT_TRUE(says_size(900, 500, false)) << desktop->out();
+    desktop->move(890, 490);
+    EXPECT_TRUE(says("move 890 490")) << desktop->out();
+}
+
+TEST_F(Window, fills_the_screen_and_comes_back_to_its_old_place) {
+    const XSession::Place before = desktop->place();
+    desktop->key("F11");
+    EXPECT_TRUE(says_size(1280, 800, true)) << desktop->out();
+    desktop->key("F11");
+    EXPECT_TRUE(within(5, [&] {
+        const XSession::Place now = desktop->place();
+        return now.x == before.x && now.y == before.y && now.width == 640 && now.height == 400;
+    }));
+}
+
+TEST_F(Window, has_no_size_while_minimised_and_has_it_again) {
+    desktop->minimise();
+    EXPECT_TRUE(says_size(0, 0, false)) << desktop->out();
+    EXPECT_TRUE(says("focus false")) << desktop->out();
+    desktop->restore();
+    EXPECT_TRUE(within(5, [&] {
+        const std::string out = desktop->out();
+        return out.find("size 640 400", out.find("size 0 0")) != std::string::npos;
+    })) << desktop->out();
+}
+
+TEST_F(Window, leaves_it_to_the_program_to_close) {
+    EXPECT_TRUE(says("clipboard névé")) << desktop->out();
+    desktop->close();
+    const Finished finished = desktop->finish();
+    EXPECT_EQ(finished.status, 0);
+    EXPECT_TRUE(says("close")) << finished.out;
+}
+
+// Needs no desktop.
+TEST(NoWindow, is_one_line_and_status_3_where_there_is_no_display) {
+    const support::TemporaryFolder folder;
+    for (const std::optional<std::string>& display :
+         {std::optional<std::string>(), std::optional<std::string>(":9999")}) {
+        const auto out = folder.path() / "out", err = folder.path() / "err";
+        Child echo({kEcho}, {{"DISPLAY", display}, {"WAYLAND_DISPLAY", std::nullopt}}, out, err);
+        EXPECT_EQ(echo.wait(20), 3);
+        const std::string said = read_bytes(err);
+        EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+        EXPECT_NE(said.find("no window: "), std::string::npos) << said;
+        EXPECT_NE(said.find(display.value_or("no DISPLAY")), std::string::npos) << said;
+    }
+}
+
+}  // namespace
+}  // namespace game::test

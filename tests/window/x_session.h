@@ -1,0 +1,77 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/picture.h"
+#include "tests/game/program.h"
+#include "tests/support/places.h"
+#include "tests/window/child.h"
+
+namespace game::test {
+
+// What a desktop of one's own needs and this machine has not, as a sentence to skip with.
+std::optional<std::string> missing_for_a_desktop();
+
+enum class Mouse { kLeft = 1, kMiddle = 2, kRight = 3 };
+
+// A desktop without a screen: an X server with a window manager, one program with one window on it, and a
+// hand with mouse and keyboard. Positions are in pixels from the window's top left. Everything has a time
+// limit and throws std::runtime_error, with what the program said, once that is over. The program has a home
+// of its own.
+class XSession {
+  public:
+    explicit XSession(int width = 1280, int height = 800);
+
+    // Starts a program, by path, and waits for a window whose title begins with `title`; it then has the
+    // keyboard.
+    void start(const std::vector<std::string>& arguments, const std::string& title);
+
+    void move(int x, int y);
+    void press(Mouse button);
+    void release(Mouse button);
+    // Moves there in small steps, as a hand does; the first from where the last move() went.
+    void drag(int x, int y, int steps = 10);
+    void wheel(int steps);              // away from the person is positive
+    void key(const std::string& keys);  // as xdotool names them: "ctrl+z", "space", "period"
+    void key_down(const std::string& name);
+    void key_up(const std::string& name);
+    void type(const std::string& text);
+    void keyboard(const std::string& layout);  // "us", "de"
+
+    void resize(int width, int height);
+    void minimise();
+    void restore();
+    void close();  // asks, as the cross in the corner does
+    void kill();   // does not ask
+    struct Place {
+        int x = 0, y = 0, width = 0, height = 0;
+    };
+    Place place();  // of the window on the desktop
+
+    // The window's part of the desktop as it is shown now.
+    render::Picture screenshot();
+    // What it has printed so far.
+    std::string out() const;
+    bool ended() { return program_->ended(); }
+    // Waits for the program to end.
+    Finished finish(double seconds = 20);
+
+    const std::filesystem::path& folder() const { return folder_.path(); }  // that goes with the session
+
+  private:
+    std::string tool(std::vector<std::string> arguments);
+    [[noreturn]] void give_up(const std::string& what) const;
+    std::filesystem::path file(const char* name) const { return folder_.path() / name; }
+
+    support::TemporaryFolder folder_;
+    Environment environment_;
+    std::unique_ptr<Child> server_, manager_, program_;  // end in the opposite order
+    std::string window_;
+    int x_ = 0, y_ = 0;
+};
+
+}  // namespace game::test
