@@ -22,6 +22,7 @@ program|nlohmann-json3-dev|JSON for Modern C++|header nlohmann/json.hpp
 program|libcli11-dev|CLI11|header CLI/CLI.hpp
 program|libxxhash-dev|xxHash headers|header xxhash.h
 program|libzstd-dev|Zstandard headers|header zstd.h
+program|libimgui-dev|Dear ImGui headers|header imgui/imgui.h
 program|libegl1|EGL at run time|library libEGL.so.1
 program|libegl-mesa0|Mesa as the EGL driver|library libEGL_mesa.so.0
 program|libgl1|libGL.so.1, which Dear ImGui opens at run time|library libGL.so.1

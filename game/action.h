@@ -45,6 +45,7 @@ enum class Verb {
     kFullscreen,
     kQuit,
 };
+inline constexpr std::size_t kVerbs = static_cast<std::size_t>(Verb::kQuit) + 1;
 
 struct SetSpeed {
     double speed;  // of simulated against real time, 1/8 to 16

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@ namespace game {
 struct Catalogue {
     struct Entry {
         std::string name, title;
+        std::filesystem::path file;  // a scene and a recording may share a name
     };
     std::vector<Entry> scenes, materials, recordings;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,7 +34,7 @@ std::span<const HeldBinding> held_bindings();
 // What the mouse does on the mountain.
 enum class Gesture { kBrush, kTurn, kPan, kZoom, kResizeBrush };
 struct GestureBinding {
-    std::string_view hand;  // "drag with the right button"
+    std::string_view hand;         // "Right drag"
     std::optional<Button> button;  // none: the wheel
     bool shift;                    // with Shift held
     Gesture gesture;
@@ -41,7 +42,10 @@ struct GestureBinding {
 };
 std::span<const GestureBinding> gesture_bindings();
 
-// "Ctrl+Z", "Space", "F1", as a person reads it on a key.
+// "Ctrl+Z", "Space", "F1", as a person reads it on a key; empty for a key without a name. Short enough for a
+// std::string that does not allocate, but for a key with all three modifiers.
 std::string name_of(Key key, Modifiers with = {});
+// The key of a verb; the first where it has several.
+std::string name_of(Verb verb);
 
 }  // namespace game

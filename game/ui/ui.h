@@ -23,8 +23,8 @@ class Ui {
     Ui(const Ui&) = delete;
     Ui& operator=(const Ui&) = delete;
 
-    // Begins a frame: hands the events on and says what of them the panels keep for themselves. `letters` as in
-    // Display. `screen` lends its clipboard.
+    // Begins a frame: hands the events on and says what of them the panels keep for themselves. `letters` as
+    // in Display. `screen` lends its clipboard.
     void begin(std::span<const Event> events, Screen& screen, double letters, double elapsed_s);
     bool keeps_mouse() const;  // the cursor is over a panel
     bool keeps_keys() const;   // a number is being typed
@@ -37,8 +37,8 @@ class Ui {
     // Onto the bound framebuffer. Needs the screen's GL context. Leaves GL's state as it was.
     void draw();
 
-    // For tests: where the widget with this label stood in the last frame, in pixels; nothing where it was not
-    // seen. Labels are what a person reads on the widget.
+    // For tests: where the widget with this label stood in the last frame, in pixels; nothing where it was
+    // not seen. Labels are what a person reads on the widget.
     struct Place {
         double x, y, width, height;
     };

@@ -1,0 +1,109 @@
+#include <array>
+
+#include "game/ui/legend.h"
+#include "game/ui/panels.h"
+
+namespace game::ui {
+namespace {
+
+struct OverlayName {
+    render::Overlay overlay;
+    const char* name;
+};
+constexpr std::array<OverlayName, 5> kOverlays{{
+    {render::Overlay::kNone, "what it is made of"},
+    {render::Overlay::kSlope, "steepness"},
+    {render::Overlay::kStanding, "depth of what lies"},
+    {render::Overlay::kRolling, "depth of what rolls"},
+    {render::Overlay::kSpeed, "speed"},
+}};
+
+// Below the choice of an overlay.
+void legend(Desk& desk, render::Overlay overlay) {
+    draw_legend(legend_of(overlay), desk.em(), *desk.widgets.letters.small);
+}
+
+bool colours(Desk& desk, Display& display) {
+    int chosen = 0;
+    for (std::size_t i = 0; i < kOverlays.size(); ++i)
+        if (kOverlays[i].overlay == display.overlay) chosen = static_cast<int>(i);
+    desk.widgets.row("Ground shows");
+    bool changed = desk.widgets.choice("Ground shows", chosen, static_cast<int>(kOverlays.size()),
+                                       "What the colours of the ground tell.",
+                                       [](int i) { return kOverlays[static_cast<std::size_t>(i)].name; });
+    if (changed) display.overlay = kOverlays[static_cast<std::size_t>(chosen)].overlay;
+    legend(desk, display.overlay);
+    changed |= desk.widgets.toggle("Contours", display.contours, "Lines of equal height.");
+    return changed;
+}
+
+bool sun(Desk& desk, const Facts& facts, Display& display) {
+    desk.widgets.heading("Sun");
+    desk.widgets.row("Direction");
+    bool changed = desk.widgets.slider("Direction", display.light.azimuth_deg, {0, 360, "%.0f°"},
+                                       "Where the sun stands: 0 is north, 90 east.");
+    desk.widgets.row("Height above horizon");
+    changed |= desk.widgets.slider("Height above horizon", display.light.elevation_deg, {1, 90, "%.0f°"},
+                                   "How high the sun stands; low sun shows the shape of the ground.");
+    if (desk.widgets.button("Sun as the scene says", "Puts the sun back where the scene has it.")) {
+        display.light = facts.start.light;
+        changed = true;
+    }
+    return changed;
+}
+
+bool picture(Desk& desk, Display& display) {
+    desk.widgets.heading("Picture");
+    bool changed = false;
+    double detail = static_cast<double>(display.detail) * 100, resolution = display.resolution * 100,
+           letters = display.letters * 100;
+    desk.widgets.row("Fine relief");
+    if (desk.widgets.slider("Fine relief", detail, {0, 100, "%.0f %%"},
+                            "Strength of the small relief that is drawn onto ground and material.")) {
+        display.detail = static_cast<float>(detail / 100);
+        changed = true;
+    }
+    desk.widgets.row("Resolution");
+    if (desk.widgets.slider("Resolution", resolution, {25, 100, "%.0f %%", false, true},
+                            "Pixels drawn along an edge for each of the screen's; fewer are faster.")) {
+        display.resolution = resolution / 100;
+        changed = true;
+    }
+    changed |= desk.widgets.toggle("Smooth edges", display.fine, "Four samples per pixel: finer and slower.");
+    desk.widgets.row("Letters");
+    if (desk.widgets.slider("Letters", letters, {50, 300, "%.0f %%", false, true},
+                            "Size of letters and panels.")) {
+        display.letters = letters / 100;
+        changed = true;
+    }
+    return changed;
+}
+
+void camera(Desk& desk, const Facts& facts, Actions& actions) {
+    desk.widgets.heading("Camera");
+    if (desk.widgets.button("Overview", "Shows the whole mountain.")) actions.emplace_back(Verb::kOverview);
+    ImGui::SameLine();
+    if (desk.widgets.button("From above", "Looks straight down, and back.",
+                            facts.camera_mode == CameraMode::kTopDown))
+        actions.emplace_back(Verb::kTopDown);
+    ImGui::SameLine();
+    if (desk.widgets.button("Fly", "Moves with the keys and looks round with the mouse, and back.",
+                            facts.camera_mode == CameraMode::kFly))
+        actions.emplace_back(Verb::kFly);
+    ImGui::SameLine();
+    if (desk.widgets.button("Full screen", "Fills the monitor, and back."))
+        actions.emplace_back(Verb::kFullscreen);
+}
+
+}  // namespace
+
+void display_panel(Desk& desk, const Facts& facts, Actions& actions) {
+    Display display = facts.display;
+    bool changed = colours(desk, display);
+    changed |= sun(desk, facts, display);
+    changed |= picture(desk, display);
+    if (changed) actions.emplace_back(SetDisplay{display});
+    camera(desk, facts, actions);
+}
+
+}  // namespace game::ui

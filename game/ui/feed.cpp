@@ -1,0 +1,120 @@
+#include "game/ui/feed.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <utility>
+
+#include <imgui.h>
+
+namespace game::ui {
+namespace {
+
+// What ImGui's text fields act on; every other key reaches them as text.
+constexpr std::pair<ImGuiKey_, Key> kEditing[] = {
+    {ImGuiKey_Tab, Key::kTab},
+    {ImGuiKey_LeftArrow, Key::kLeft},
+    {ImGuiKey_RightArrow, Key::kRight},
+    {ImGuiKey_UpArrow, Key::kUp},
+    {ImGuiKey_DownArrow, Key::kDown},
+    {ImGuiKey_Home, Key::kHome},
+    {ImGuiKey_End, Key::kEnd},
+    {ImGuiKey_Delete, Key::kDelete},
+    {ImGuiKey_Backspace, Key::kBackspace},
+    {ImGuiKey_Enter, Key::kEnter},
+    {ImGuiKey_Escape, Key::kEscape},
+    {ImGuiKey_PageUp, Key::kPageUp},
+    {ImGuiKey_PageDown, Key::kPageDown},
+    {ImGuiKey_A, key('A')},
+    {ImGuiKey_C, key('C')},
+    {ImGuiKey_V, key('V')},
+    {ImGuiKey_X, key('X')},
+    {ImGuiKey_Y, key('Y')},
+    {ImGuiKey_Z, key('Z')},
+};
+
+void hold(const Modifiers& with) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.KeyCtrl = with.control;
+    io.KeyShift = with.shift;
+    io.KeyAlt = with.alt;
+}
+
+}  // namespace
+
+Feed::Feed() {
+    ImGuiIO& io = ImGui::GetIO();
+    for (const auto& [imgui, ours] : kEditing) io.KeyMap[imgui] = static_cast<int>(ours);
+}
+
+void Feed::add(std::span<const Event> events) {
+    keys_turned_.reset();
+    buttons_turned_.reset();
+    key_went_down_ = false;
+    waiting_.insert(waiting_.end(), events.begin(), events.end());
+    const auto next =
+        std::find_if(waiting_.begin(), waiting_.end(), [this](const Event& event) { return !take(event); });
+    waiting_.erase(waiting_.begin(), next);
+}
+
+bool Feed::take(const Event& event) {
+    return std::visit([this](const auto& each) { return take(each); }, event);
+}
+
+bool Feed::take(const KeyEvent& event) {
+    const auto code = static_cast<std::size_t>(event.key);
+    if (code >= keys_turned_.size()) return true;
+    bool& down = ImGui::GetIO().KeysDown[code];
+    if (down != event.down && keys_turned_[code]) return false;
+    hold(event.with);
+    if (event.key == Key::kShift) ImGui::GetIO().KeyShift = event.down;
+    if (event.key == Key::kControl) ImGui::GetIO().KeyCtrl = event.down;
+    if (event.key == Key::kAlt) ImGui::GetIO().KeyAlt = event.down;
+    if (down != event.down) keys_turned_.set(code);
+    down = event.down;
+    const bool edits = std::any_of(std::begin(kEditing), std::end(kEditing),
+                                   [&](const auto& pair) { return pair.second == event.key; });
+    // Letters are text as well; only with Ctrl do they edit.
+    if (event.down && edits && (event.key >= Key::kEscape || event.with.control)) key_went_down_ = true;
+    return true;
+}
+
+bool Feed::take(const ButtonEvent& event) {
+    const auto button = static_cast<std::size_t>(event.button);
+    if (buttons_turned_[button]) return false;
+    hold(event.with);
+    buttons_turned_.set(button);
+    ImGui::GetIO().MouseDown[button] = event.down;
+    return true;
+}
+
+bool Feed::take(const MoveEvent& event) {
+    if (buttons_turned_.any()) return false;  // the button turned where the cursor was then
+    ImGui::GetIO().MousePos = {static_cast<float>(event.x), static_cast<float>(event.y)};
+    return true;
+}
+
+bool Feed::take(const WheelEvent& event) {
+    if (buttons_turned_.any()) return false;
+    hold(event.with);
+    ImGui::GetIO().MouseWheel += static_cast<float>(event.steps);
+    return true;
+}
+
+bool Feed::take(const TextEvent& event) {
+    if (key_went_down_) return false;  // ImGui would put the text before the key
+    ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(event.character));
+    return true;
+}
+
+bool Feed::take(const FocusEvent& event) {
+    if (event.focused) return true;
+    ImGuiIO& io = ImGui::GetIO();
+    std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+    std::fill(std::begin(io.MouseDown), std::end(io.MouseDown), false);
+    // Away from every widget, so that what was held is let go without being done.
+    io.MousePos = {-FLT_MAX, -FLT_MAX};
+    hold({});
+    return true;
+}
+
+}  // namespace game::ui

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <span>
+#include <vector>
+
+#include "game/events.h"
+
+namespace game::ui {
+
+// Hands events to ImGui, which sees one state of mouse and keys per frame. What would be lost by that, as the
+// press in a press and release or the place of a press that was dragged on at once, waits for the next frame,
+// in order.
+class Feed {
+  public:
+    Feed();  // into the current ImGui context
+
+    void add(std::span<const Event> events);
+
+  private:
+    bool take(const Event& event);  // false: it must wait for the next frame
+    bool take(const KeyEvent& event);
+    bool take(const ButtonEvent& event);
+    bool take(const MoveEvent& event);
+    bool take(const WheelEvent& event);
+    bool take(const TextEvent& event);
+    bool take(const FocusEvent& event);
+    bool take(const DropEvent&) { return true; }
+    bool take(const CloseEvent&) { return true; }
+
+    std::vector<Event> waiting_;
+    // Of this frame:
+    std::bitset<kKeys> keys_turned_;
+    std::bitset<kButtons> buttons_turned_;
+    bool key_went_down_ = false;
+};
+
+}  // namespace game::ui

@@ -1,0 +1,91 @@
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "game/key_map.h"
+#include "game/ui/panels.h"
+
+// Sentences over the picture: notices and the first hint. They are drawn, not windows: a hand reaches
+// through.
+
+namespace game::ui {
+namespace {
+
+struct Line {
+    const char* text;
+    ImU32 mark;  // colour of the bar at its left
+    float strength;
+    float most_width;  // px, of the text
+};
+
+ImVec2 size_of(const Desk& desk, const Line& line) {
+    const ImVec2 text = ImGui::CalcTextSize(line.text, nullptr, false, line.most_width);
+    return {text.x + 1.7f * desk.em(), text.y + desk.em()};
+}
+
+void draw(const Desk& desk, const Line& line, ImVec2 from) {
+    const float em = desk.em();
+    const ImVec2 size = size_of(desk, line), to{from.x + size.x, from.y + size.y};
+    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    list.AddRectFilled(from, to, faded(kPanel, line.strength), em * 0.4f);
+    list.AddRectFilled({from.x, from.y}, {from.x + em * 0.25f, to.y}, faded(line.mark, line.strength),
+                       em * 0.4f, ImDrawFlags_RoundCornersLeft);
+    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {from.x + em * 0.95f, from.y + em * 0.5f},
+                 faded(kText, line.strength), line.text, nullptr, line.most_width);
+}
+
+const char* deed(Tool tool) {
+    switch (tool) {
+        case Tool::kDig:
+            return "dig";
+        case Tool::kBlast:
+            return "blast loose what lies there";
+        case Tool::kPour:
+            break;
+    }
+    return "pour ";
+}
+
+}  // namespace
+
+void notices(Desk& desk, const Facts& facts, bool warnings_only) {
+    const float margin = desk.margin(), most = std::min(24 * desk.em(), desk.size.x - 6 * margin);
+    const float room_beside = desk.size.x - desk.time_bar_left;  // left and right of the bar are alike
+    float bottom = desk.size.y - margin;
+    for (std::size_t i = facts.notices.size(); i-- > 0;) {  // the newest stands lowest
+        const Notice& notice = facts.notices[i];
+        const bool warning = notice.kind == Notice::Kind::kWarning;
+        const auto strength = static_cast<float>(Notices::strength(notice, facts.now_s));
+        if (strength <= 0 || (warnings_only && !warning)) continue;
+        std::array<char, 512> text;
+        std::snprintf(text.data(), text.size(), notice.times > 1 ? "%s (%d times)" : "%s",
+                      notice.sentence.c_str(), notice.times);
+        const Line line{text.data(), warning ? kWarning : kAccent, strength, most};
+        const ImVec2 size = size_of(desk, line);
+        const float left = desk.size.x - margin - size.x;
+        // Not over the time bar.
+        if (left < room_beside && bottom > desk.time_bar_top && !desk.panels.hidden())
+            bottom = std::min(bottom, desk.time_bar_top - margin);
+        const ImVec2 from{left, bottom - size.y};
+        draw(desk, line, from);
+        desk.widgets.note(notice.sentence, from, {from.x + size.x, bottom});
+        bottom = from.y - margin / 2;
+    }
+}
+
+void hint(Desk& desk, const Facts& facts) {
+    if (facts.touched || facts.watching) return;
+    const bool pours = facts.brush.tool == Tool::kPour;
+    std::array<char, 256> text;
+    std::snprintf(text.data(), text.size(),
+                  "Hold the left button on the mountain to %s%s. %s shows all keys.", deed(facts.brush.tool),
+                  pours ? title_in(facts.catalogue.materials, facts.start.material) : "",
+                  name_of(Verb::kToggleHelp).c_str());
+    const Line line{text.data(), kAccent, 1, desk.size.x - 4 * desk.em()};
+    const ImVec2 size = size_of(desk, line);
+    const ImVec2 from{(desk.size.x - size.x) / 2, desk.time_bar_top - desk.margin() - size.y};
+    draw(desk, line, from);
+    desk.widgets.note("Hint", from, {from.x + size.x, from.y + size.y});
+}
+
+}  // namespace game::ui

@@ -1,0 +1,84 @@
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+#include "game/ui/widgets.h"
+
+// The typed number, a page of its own.
+
+namespace game::ui {
+namespace {
+
+// The number that `text` is, with a decimal point or comma and blanks around it; nothing if it is none.
+std::optional<double> number_from(std::string_view text) {
+    std::array<char, 32> plain{};
+    std::size_t length = 0;
+    for (const char c : text)
+        if (c != ' ' && length < plain.size()) plain[length++] = c == ',' ? '.' : c;
+    const char* from = plain.data() + (length > 0 && plain[0] == '+' ? 1 : 0);
+    double value = 0;
+    const auto [end, error] = std::from_chars(from, plain.data() + length, value);
+    if (error != std::errc() || end != plain.data() + length || !std::isfinite(value)) return {};
+    return value;
+}
+
+}  // namespace
+
+Typed Widgets::typed(std::string_view was) {
+    const std::string_view text(typed_.data());
+    const auto value = number_from(text);
+    if (!value) return {Typed::What::kNonsense, 0};
+    if (text == was || value == number_from(was)) return {};
+    return {Typed::What::kValue, *value};
+}
+
+bool Widgets::usual_mark(const Number& number) {
+    std::array<char, 64> label, text;
+    std::snprintf(label.data(), label.size(), "%s: default", number.label);
+    std::snprintf(text.data(), text.size(), "Back to %.4g %s, its default.", number.usual, number.unit);
+    const float side = ImGui::GetFrameHeight();
+    const bool pressed = ImGui::InvisibleButton("##usual", {side, side});
+    const ImVec2 from = ImGui::GetItemRectMin();
+    draw_icon(*ImGui::GetWindowDrawList(), Icon::kUndo, {from.x + side / 2, from.y + side / 2}, em * 0.75f,
+              ImGui::IsItemHovered() ? kText : kAccent);
+    places_.note(label.data());
+    tooltip(text.data());
+    return pressed;
+}
+
+Typed Widgets::number(const Number& number) {
+    std::array<char, 32> shown{};
+    std::snprintf(shown.data(), shown.size(), "%.4g", number.value);
+    ImGui::PushID(number.label);
+    row(number.label);
+    const ImGuiID id = ImGui::GetID("##number");
+    std::array<char, 32>& text = changing_ == id ? typed_ : shown;
+    const std::array<char, 32> was = shown;
+    Typed result;
+    ImGui::BeginDisabled(!number.editable);
+    ImGui::SetNextItemWidth(em * 5.5f);
+    ImGui::InputText("##number", text.data(), text.size(), ImGuiInputTextFlags_AutoSelectAll);
+    ImGui::EndDisabled();
+    places_.note(number.label);
+    if (ImGui::IsItemActive()) {
+        if (changing_ != id) typed_ = shown;
+        changing_ = id;
+    } else if (changing_ == id) {
+        changing_ = 0;
+        if (ImGui::IsItemDeactivatedAfterEdit()) result = typed(was.data());
+    }
+    tooltip(number.tooltip);
+    ImGui::SameLine(0, em * 0.4f);
+    ImGui::PushStyleColor(ImGuiCol_Text, kDimText);
+    ImGui::TextUnformatted(number.unit);
+    ImGui::PopStyleColor();
+    if (number.editable && number.value != number.usual) {
+        ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::GetFrameHeight());
+        if (usual_mark(number)) result = {Typed::What::kUsual, number.usual};
+    }
+    ImGui::PopID();
+    return result;
+}
+
+}  // namespace game::ui

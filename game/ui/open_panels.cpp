@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <cstdio>
+
+#include "game/ui/panels.h"
+
+namespace game::ui {
+namespace {
+
+constexpr float kColumn = 24, kHelp = 56, kBesides = 20;  // em: widths, and what two columns leave between
+
+bool in_left_column(Panel panel) {
+    return panel == Panel::kScene || panel == Panel::kDisplay;
+}
+
+void build(Desk& desk, Panel panel, const Facts& facts, Actions& actions) {
+    switch (panel) {
+        case Panel::kScene:
+            return scene_panel(desk, facts, actions);
+        case Panel::kPhysics:
+            return physics_panel(desk, facts, actions);
+        case Panel::kDisplay:
+            return display_panel(desk, facts, actions);
+        case Panel::kPerformance:
+            return performance_panel(desk, facts);
+        case Panel::kHelp:
+            return help_panel(desk);
+    }
+}
+
+// Title at the left, a cross at the right.
+void header(Desk& desk, const PanelInfo& info) {
+    const float side = ImGui::GetFrameHeight();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(info.title);
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - side * 1.2f);
+    char label[32];
+    std::snprintf(label, sizeof label, "Close %s", info.title);
+    if (desk.widgets.icon_button(label, Icon::kClose, "Closes this panel.")) desk.panels.toggle(info.panel);
+    ImGui::Separator();
+}
+
+struct Frame {
+    float x, y, width, most_height;
+};
+
+// Returns the panel's height.
+float draw(Desk& desk, const PanelInfo& info, const Frame& frame, const Facts& facts, Actions& actions) {
+    ImGui::SetNextWindowPos({frame.x, frame.y});
+    ImGui::SetNextWindowSizeConstraints({frame.width, 0}, {frame.width, frame.most_height});
+    ImGui::Begin(info.title, nullptr,
+                 (kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize) & ~ImGuiWindowFlags_NoScrollbar);
+    header(desk, info);
+    build(desk, info.panel, facts, actions);
+    const float height = ImGui::GetWindowSize().y;
+    ImGui::End();
+    return height;
+}
+
+// One below the other, each with a fair share of the height.
+void column(Desk& desk, bool left, const Facts& facts, Actions& actions) {
+    const auto mine = [&](const PanelInfo& info) {
+        return info.panel != Panel::kHelp && in_left_column(info.panel) == left &&
+               desk.panels.is_open(info.panel);
+    };
+    auto waiting = std::count_if(std::begin(kPanelInfos), std::end(kPanelInfos), mine);
+    const float width = std::min(kColumn * desk.em(), desk.size.x - 2 * desk.margin());
+    const float bottom = desk.narrow() ? desk.size.y : desk.time_bar_top;
+    Frame frame{left ? desk.margin() : desk.size.x - desk.margin() - width,
+                desk.toolbar_bottom + desk.margin(), width, 0};
+    for (const PanelInfo& info : kPanelInfos) {
+        if (!mine(info)) continue;
+        const float gaps = static_cast<float>(waiting) * desk.margin();
+        frame.most_height = std::max((bottom - frame.y - gaps) / static_cast<float>(waiting), desk.em() * 5);
+        frame.y += draw(desk, info, frame, facts, actions) + desk.margin();
+        --waiting;
+    }
+}
+
+}  // namespace
+
+void OpenPanels::toggle(Panel panel) {
+    bool& open = open_[static_cast<std::size_t>(panel)];
+    open = hidden_ || !open;  // what is hidden, a person takes for closed
+    hidden_ = false;
+    if (open) last_ = panel;
+}
+
+void OpenPanels::keep_only_last() {
+    const bool open = is_open(last_);
+    open_.fill(false);
+    open_[static_cast<std::size_t>(last_)] = open;
+}
+
+void open_panels(Desk& desk, const Facts& facts, Actions& actions) {
+    if (desk.size.x < (2 * kColumn + kBesides) * desk.em()) desk.panels.keep_only_last();
+    column(desk, true, facts, actions);
+    column(desk, false, facts, actions);
+    if (!desk.panels.is_open(Panel::kHelp)) return;
+    const PanelInfo& info = kPanelInfos[static_cast<std::size_t>(Panel::kHelp)];
+    const float width = std::min(kHelp * desk.em(), desk.size.x - 2 * desk.margin());
+    const float top = desk.toolbar_bottom + desk.margin();
+    draw(desk, info, {(desk.size.x - width) / 2, top, width, desk.size.y - top - desk.margin()}, facts,
+         actions);
+}
+
+const char* title_in(const std::vector<Catalogue::Entry>& entries, const std::string& name) {
+    const auto found = std::find_if(entries.begin(), entries.end(),
+                                    [&](const Catalogue::Entry& entry) { return entry.name == name; });
+    return found == entries.end() ? name.c_str() : found->title.c_str();
+}
+
+}  // namespace game::ui

@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "game/ui/panels.h"
+#include "sim/params.h"
+
+namespace game::ui {
+namespace {
+
+// Okabe and Ito's palette (2008), which people with any colour vision tell apart; in the order of Stage.
+constexpr std::array<ImU32, kStages> kStageColours{IM_COL32(240, 228, 66, 255), IM_COL32(230, 159, 0, 255),
+                                                   IM_COL32(86, 180, 233, 255), IM_COL32(0, 158, 115, 255),
+                                                   IM_COL32(204, 121, 167, 255)};
+constexpr ImU32 kRest = IM_COL32(110, 118, 128, 255);  // of a frame, beside its stages
+constexpr std::array kRates{16.7f, 33.3f};             // ms, 60 and 30 frames/s
+
+// The top of the axis: the least of a few round numbers that nineteen of twenty frames stay under.
+float top_of(const FrameTimes& times) {
+    constexpr std::array kTops{40.f, 80.f, 160.f, 320.f, 640.f, 1280.f, 2560.f};
+    for (const float top : kTops) {
+        std::size_t above = 0;
+        for (std::size_t i = 0; i < times.size(); ++i) above += times[i].frame_ms > top;
+        if (above * 20 <= times.size()) return top;
+    }
+    return kTops.back();
+}
+
+struct Chart {
+    ImVec2 from, to;  // px
+    float top;        // ms
+
+    float y(float ms) const { return to.y - (to.y - from.y) * std::min(ms / top, 1.f); }
+};
+
+void bar(ImDrawList& list, const Chart& chart, float x, float width, const FrameTime& frame) {
+    float ms = 0;
+    const auto part = [&](float more, ImU32 colour) {
+        if (more <= 0 || ms >= chart.top) return;
+        list.AddRectFilled({x, chart.y(ms + more)}, {x + width, chart.y(ms)}, colour);
+        ms += more;
+    };
+    for (std::size_t stage = 0; stage < kStages; ++stage) part(frame.stage_ms[stage], kStageColours[stage]);
+    part(frame.frame_ms - ms, kRest);
+    // A frame that the axis cuts off says so.
+    if (frame.frame_ms > chart.top)
+        list.AddRectFilled({x, chart.from.y}, {x + width, chart.from.y + 3}, kWarning);
+}
+
+void axis(Desk& desk, ImDrawList& list, const Chart& chart) {
+    ImFont* letters = desk.widgets.letters.small;
+    const auto label = [&](float ms, const char* format) {
+        std::array<char, 24> text;
+        std::snprintf(text.data(), text.size(), format, static_cast<double>(ms));
+        list.AddText(letters, letters->FontSize,
+                     {chart.to.x + desk.em() * 0.3f, chart.y(ms) - letters->FontSize / 2}, kDimText,
+                     text.data());
+    };
+    for (const float ms : kRates) {
+        list.AddLine({chart.from.x, chart.y(ms)}, {chart.to.x, chart.y(ms)}, IM_COL32(255, 255, 255, 90));
+        // 16.7 and 33.3 would lie on each other where the axis is long.
+        if (chart.top <= 160 || ms > 20) label(ms, "%.1f");
+    }
+    label(0, "%.0f");
+    label(chart.top, "%.0f ms");
+}
+
+void chart(Desk& desk, const FrameTimes& times) {
+    const float em = desk.em();
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x, height = 8 * em;
+    const Chart chart{
+        {from.x, from.y + em * 0.5f}, {from.x + width - 3.4f * em, from.y + height}, top_of(times)};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(chart.from, chart.to, IM_COL32(0, 0, 0, 70));
+    const float each = (chart.to.x - chart.from.x) / static_cast<float>(FrameTimes::kKept);
+    const std::size_t missing = FrameTimes::kKept - times.size();
+    for (std::size_t i = 0; i < times.size(); ++i)
+        bar(list, chart, chart.from.x + each * static_cast<float>(missing + i), each, times[i]);
+    axis(desk, list, chart);
+    ImGui::Dummy({width, height + em * 0.5f});
+    desk.widgets.note("Chart");
+}
+
+void stage_row(Desk& desk, const char* name, ImU32 colour, double ms) {
+    const float em = desk.em(), side = em * 0.7f;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float y = at.y + (ImGui::GetTextLineHeight() - side) / 2;
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, y}, {at.x + side, y + side}, colour, side * 0.2f);
+    ImGui::Dummy({side, ImGui::GetTextLineHeight()});
+    ImGui::SameLine();
+    ImGui::TextUnformatted(name);
+    desk.widgets.note(name);
+    std::array<char, 24> text;
+    std::snprintf(text.data(), text.size(), "%.2f ms", ms);
+    ImGui::SameLine(em * 11 - ImGui::CalcTextSize(text.data()).x);
+    ImGui::TextUnformatted(text.data());
+}
+
+double median_rest_ms(const FrameTimes& times) {
+    std::array<float, FrameTimes::kKept> rest;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        rest[i] = times[i].frame_ms;
+        for (const float ms : times[i].stage_ms) rest[i] -= ms;
+    }
+    if (times.size() == 0) return 0;
+    const auto middle = rest.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+    std::nth_element(rest.begin(), middle, rest.begin() + static_cast<std::ptrdiff_t>(times.size()));
+    return static_cast<double>(std::max(*middle, 0.f));
+}
+
+}  // namespace
+
+void performance_panel(Desk& desk, const Facts& facts) {
+    Widgets& widgets = desk.widgets;
+    const FrameTimes& times = facts.times;
+    const sim::Grid& grid = facts.state.grid;
+    chart(desk, times);
+    widgets.dim("The last 240 frames; medians of each stage:");
+    for (std::size_t stage = 0; stage < kStages; ++stage)
+        stage_row(desk, kStageNames[stage], kStageColours[stage], times.median_ms(static_cast<Stage>(stage)));
+    stage_row(desk, "the rest", kRest, median_rest_ms(times));
+    ImGui::Separator();
+    widgets.fact("Frames", "%.1f per second", times.frames_per_second());
+    widgets.fact("Worst tick", "%.1f ms", static_cast<double>(times.worst_tick_ms()));
+    widgets.fact("Ticks per frame", "%d", times.size() > 0 ? times[times.size() - 1].ticks : 0);
+    widgets.fact("Sub-steps per tick", "%d", sim::substeps_of(facts.state.params, grid.dx).count);
+    widgets.fact("Grid", "%d × %d squares", grid.nx - 1, grid.ny - 1);
+    widgets.dim("Drawn by %.*s", static_cast<int>(facts.renderer.size()), facts.renderer.data());
+}
+
+}  // namespace game::ui

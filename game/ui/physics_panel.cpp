@@ -1,0 +1,144 @@
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string_view>
+
+#include "game/ui/panels.h"
+#include "sim/params.h"
+
+namespace game::ui {
+namespace {
+
+constexpr double kDegrees = 180 / 3.14159265358979323846;
+
+struct Group {
+    const char* title;
+    std::array<std::string_view, 7> names;  // of kParams; empty beyond the last
+};
+// What is in none of them comes under the last title.
+constexpr std::array<Group, 5> kGroups{{
+    {"When it starts", {"start_slope", "start_depth", "anchor_gain", "anchor_margin"}},
+    {"How it rolls",
+     {"rolling_speed", "speed_per_slope", "max_speed", "relaxation_time", "half_speed_depth"}},
+    {"What it takes along", {"exchange_rate", "erosion_slope", "erosion_depth"}},
+    {"When it stops", {"stop_slope", "stop_slope_thick", "stop_fold_depth", "deposit_speed", "freeze_depth"}},
+    {"Steps of the computation", {}},
+}};
+
+std::size_t group_of(std::string_view name) {
+    for (std::size_t i = 0; i < kGroups.size(); ++i)
+        for (const std::string_view each : kGroups[i].names)
+            if (each == name) return i;
+    return kGroups.size() - 1;
+}
+
+// The last group is no physics: it stays as a scene set it.
+bool editable(const sim::ParamInfo& info) {
+    return !info.fixed && group_of(info.name) + 1 < kGroups.size();
+}
+
+bool is_slope(const sim::ParamInfo& info) {
+    return info.unit == "1" && info.name.find("_slope") != std::string_view::npos;
+}
+
+// As shown: slopes in degrees.
+double shown(const sim::ParamInfo& info, float value) {
+    return is_slope(info) ? std::atan(static_cast<double>(value)) * kDegrees : static_cast<double>(value);
+}
+
+// The float that stands for a typed number; 90° and beyond are no tangent, and out of every range.
+float meant(const sim::ParamInfo& info, double typed) {
+    if (!is_slope(info)) return static_cast<float>(typed);
+    return typed > -90 && typed < 90 ? static_cast<float>(std::tan(typed / kDegrees)) : INFINITY;
+}
+
+void refuse(Desk& desk, std::string_view sentence) {
+    std::snprintf(desk.refusal.data(), desk.refusal.size(), "Not taken: %.*s.",
+                  static_cast<int>(sentence.size()), sentence.data());
+}
+
+void set(Desk& desk, const sim::Params& params, std::size_t param, float value, Actions& actions) {
+    sim::Params changed = params;
+    changed.*sim::kParams[param].value = value;
+    desk.refusal[0] = 0;
+    if (const auto fault = sim::fault_of(changed))
+        refuse(desk, *fault);
+    else
+        actions.emplace_back(SetNumber{param, value});
+}
+
+void write_tooltip(std::span<char> text, const sim::ParamInfo& info, float value) {
+    const auto length = [](std::string_view part) { return static_cast<int>(part.size()); };
+    const double least = shown(info, info.least), most = shown(info, info.most);
+    const std::string_view unit = is_slope(info) ? "°" : info.unit == "1" ? "" : info.unit;
+    int used = std::snprintf(text.data(), text.size(), "%.*s: %.*s; from %.4g to %.4g %.*s.",
+                             length(info.name), info.name.data(), length(info.meaning), info.meaning.data(),
+                             least, most, length(unit), unit.data());
+    if (is_slope(info) && used > 0 && static_cast<std::size_t>(used) < text.size())
+        std::snprintf(text.data() + used, text.size() - static_cast<std::size_t>(used),
+                      " Its tangent is %.4g.", static_cast<double>(value));
+}
+
+void number(Desk& desk, const Facts& facts, std::size_t param, Actions& actions) {
+    const sim::ParamInfo& info = sim::kParams[param];
+    const float now = facts.state.params.*info.value, usual = facts.start.params.*info.value;
+    std::array<char, 32> label{}, unit{};
+    for (std::size_t i = 0; i < info.name.size() && i + 1 < label.size(); ++i)
+        label[i] = info.name[i] == '_' ? ' ' : info.name[i];
+    if (is_slope(info))
+        std::snprintf(unit.data(), unit.size(), "°");
+    else if (info.unit != "1")
+        std::snprintf(unit.data(), unit.size(), "%.*s", static_cast<int>(info.unit.size()), info.unit.data());
+    std::array<char, 256> tooltip;
+    write_tooltip(tooltip, info, now);
+    const Typed typed = desk.widgets.number(
+        {label.data(), shown(info, now), shown(info, usual), unit.data(), tooltip.data(), editable(info)});
+    switch (typed.what) {
+        case Typed::What::kNothing:
+            return;
+        case Typed::What::kNonsense:
+            return refuse(desk, "what was typed is no number");
+        case Typed::What::kUsual:
+            return set(desk, facts.state.params, param, usual, actions);
+        case Typed::What::kValue:
+            return set(desk, facts.state.params, param, meant(info, typed.value), actions);
+    }
+}
+
+void all_defaults(Desk& desk, const Facts& facts, Actions& actions) {
+    const bool changed = facts.state.params != facts.start.params;
+    ImGui::BeginDisabled(!changed);
+    if (desk.widgets.button("All defaults", "Every number as the scene began with it.", false,
+                            ImGui::GetContentRegionAvail().x)) {
+        desk.refusal[0] = 0;
+        for (std::size_t i = 0; i < std::size(sim::kParams); ++i) {
+            const float usual = facts.start.params.*sim::kParams[i].value;
+            if (facts.state.params.*sim::kParams[i].value != usual) actions.emplace_back(SetNumber{i, usual});
+        }
+    }
+    ImGui::EndDisabled();
+}
+
+}  // namespace
+
+void physics_panel(Desk& desk, const Facts& facts, Actions& actions) {
+    const sim::Params& params = facts.state.params;
+    if (desk.refusal[0] != 0) {
+        desk.widgets.warn(desk.refusal.data());
+        desk.widgets.note("Refusal");
+    }
+    ImGui::BeginDisabled(facts.watching.has_value());
+    for (std::size_t group = 0; group < kGroups.size(); ++group) {
+        desk.widgets.heading(kGroups[group].title);
+        if (group + 1 == kGroups.size())
+            desk.widgets.fact("model", "%s", sim::to_string(params.model).data());
+        for (std::size_t i = 0; i < std::size(sim::kParams); ++i)
+            if (sim::is_used_by(sim::kParams[i], params.model) && group_of(sim::kParams[i].name) == group)
+                number(desk, facts, i, actions);
+    }
+    ImGui::Dummy({0, desk.em() * 0.2f});
+    all_defaults(desk, facts, actions);
+    ImGui::EndDisabled();
+}
+
+}  // namespace game::ui

@@ -1,0 +1,83 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string_view>
+
+#include "game/ui/legend.h"
+#include "game/ui/panels.h"
+
+namespace game::ui {
+namespace {
+
+constexpr float kWidth = 16;  // em
+constexpr std::array<const char*, 8> kCompass{"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
+
+const char* compass_point(double degrees) {
+    return kCompass[static_cast<std::size_t>(std::lround(degrees / 45)) % kCompass.size()];
+}
+
+// The class of a slope as avalanche services colour it; none below the first.
+std::optional<ImU32> class_colour(double slope_deg) {
+    std::optional<ImU32> colour;
+    for (const LegendStop& stop : legend_of(render::Overlay::kSlope).stops)
+        if (slope_deg >= static_cast<double>(stop.value)) colour = packed(stop.colour);
+    return colour;
+}
+
+void slope(Desk& desk, const Reading& reading) {
+    desk.widgets.fact("Slope", "%.1f°", reading.slope_deg);
+    const auto colour = class_colour(reading.slope_deg);
+    if (!colour) return;
+    ImGui::SameLine();
+    const float side = desk.em() * 0.75f;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float y = at.y + (ImGui::GetFrameHeight() - side) / 2;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({at.x, y}, {at.x + side * 1.6f, y + side}, *colour, side * 0.25f);
+    list.AddRect({at.x, y}, {at.x + side * 1.6f, y + side}, kLine, side * 0.25f);
+    ImGui::Dummy({side * 1.6f, side});
+}
+
+void rows(Desk& desk, const Reading& reading) {
+    Widgets& widgets = desk.widgets;
+    widgets.fact("Height", "%.1f m", reading.at.z);
+    slope(desk, reading);
+    if (reading.aspect_deg)
+        widgets.fact("Faces", "%.0f° %s", *reading.aspect_deg, compass_point(*reading.aspect_deg));
+    else
+        widgets.fact("Faces", "level");
+    widgets.fact("Lies", "%.2f m", reading.standing);
+    widgets.fact("Rolls", "%.2f m", reading.rolling);
+    widgets.fact("Speed", "%.1f m/s", reading.speed);
+}
+
+// Latitude and longitude in one line, UTM in the next.
+void where(Desk& desk, const Reading& reading) {
+    const std::string_view text(reading.where.data());
+    const std::size_t comma = std::min(text.find(", "), text.size());
+    desk.widgets.dim("%.*s", static_cast<int>(comma), text.data());
+    if (comma < text.size()) desk.widgets.dim("%s", text.data() + comma + 2);
+}
+
+}  // namespace
+
+void readings(Desk& desk, const Facts& facts) {
+    if (!facts.under_cursor) return;
+    const float width = kWidth * desk.em(), margin = desk.margin();
+    // Beside the time bar where there is room, else above it.
+    const bool beside = width + 2 * margin <= desk.time_bar_left;
+    ImGui::SetNextWindowPos({margin, (beside ? desk.size.y : desk.time_bar_top) - margin}, ImGuiCond_Always,
+                            {0, 1});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, desk.size.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, desk.em() * 0.12f});
+    ImGui::Begin("Readings", nullptr,
+                 kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
+    rows(desk, *facts.under_cursor);
+    if (facts.under_cursor->where[0] != 0) where(desk, *facts.under_cursor);
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
+}  // namespace game::ui

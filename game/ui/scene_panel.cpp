@@ -1,0 +1,113 @@
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "game/ui/panels.h"
+
+namespace game::ui {
+namespace {
+
+constexpr const char* kAsTheSceneSays = "as the scene says";
+constexpr std::array<int, 5> kGrids{40, 80, 160, 256, 512};
+constexpr std::array<const char*, 5> kGridNames{"40 squares", "80 squares", "160 squares", "256 squares",
+                                                "512 squares"};
+constexpr std::array kModels{sim::Model::kBcreInertial, sim::Model::kBcre};
+
+const char* name_of(sim::Model model) {
+    return sim::to_string(model).data();  // a literal
+}
+
+void what_is_loaded(Desk& desk, const Facts& facts) {
+    Widgets& widgets = desk.widgets;
+    const Start& start = facts.start;
+    const sim::Grid& grid = facts.state.grid;
+    const double dx = static_cast<double>(grid.dx);
+    widgets.plain("%s", start.title.c_str());
+    widgets.fact("Terrain", "%s", start.terrain.c_str());
+    if (!start.licence.empty()) widgets.fact("Licence", "%s", start.licence.c_str());
+    widgets.fact("Material", "%s", title_in(facts.catalogue.materials, start.material));
+    widgets.fact("Model", "%s", name_of(start.params.model));
+    widgets.fact("Grid", "%d × %d squares of %.4g m", grid.nx - 1, grid.ny - 1, dx);
+    widgets.fact("Extent", "%.4g × %.4g m", (grid.nx - 1) * dx, (grid.ny - 1) * dx);
+    if (facts.recording.empty())
+        widgets.fact("Recording", "none");
+    else
+        widgets.fact("Recording", "%.*s", static_cast<int>(facts.recording.size()), facts.recording.data());
+}
+
+// Which scene is chosen before anybody has: the one that is loaded, if it ships.
+int scene_at_first(const Facts& facts) {
+    const auto& scenes = facts.catalogue.scenes;
+    const auto found = std::find_if(scenes.begin(), scenes.end(),
+                                    [&](const auto& scene) { return scene.name == facts.start.scene; });
+    return found == scenes.end() ? 0 : static_cast<int>(found - scenes.begin());
+}
+
+// A list that begins with what the scene says, which `chosen` has as −1.
+template <class Name>
+void choice_or_scenes(Desk& desk, const char* label, int& chosen, std::size_t count, const char* tooltip,
+                      Name&& name) {
+    int at = chosen + 1;
+    desk.widgets.row(label);
+    desk.widgets.choice(label, at, static_cast<int>(count) + 1, tooltip, [&](int i) {
+        return i == 0 ? kAsTheSceneSays : name(static_cast<std::size_t>(i - 1));
+    });
+    chosen = at - 1;
+}
+
+Open begin_of(const SceneChoice& choice, const Facts& facts) {
+    const auto at = [](int i) { return static_cast<std::size_t>(i); };
+    Open open{facts.catalogue.scenes[at(choice.scene)].name, {}};
+    if (choice.material >= 0) open.wishes.material = facts.catalogue.materials[at(choice.material)].name;
+    if (choice.model >= 0) open.wishes.model = kModels[at(choice.model)];
+    if (choice.grid >= 0) open.wishes.squares = kGrids[at(choice.grid)];
+    return open;
+}
+
+void what_to_begin(Desk& desk, const Facts& facts, Actions& actions) {
+    SceneChoice& choice = desk.choice;
+    const auto& scenes = facts.catalogue.scenes;
+    const auto& materials = facts.catalogue.materials;
+    if (scenes.empty()) return;
+    if (choice.scene < 0) choice.scene = scene_at_first(facts);
+    desk.widgets.heading("Begin another");
+    desk.widgets.row("Scene");
+    desk.widgets.choice("Choose a scene", choice.scene, static_cast<int>(scenes.size()),
+                        "Terrain, cover, light and what happens by itself.",
+                        [&](int i) { return scenes[static_cast<std::size_t>(i)].title.c_str(); });
+    choice_or_scenes(desk, "Of material", choice.material, materials.size(),
+                     "What lies on the terrain and rolls.",
+                     [&](std::size_t i) { return materials[i].title.c_str(); });
+    choice_or_scenes(desk, "By model", choice.model, kModels.size(),
+                     "bcre-inertial gives the material a speed of its own; bcre rolls it at one speed.",
+                     [&](std::size_t i) { return name_of(kModels[i]); });
+    choice_or_scenes(desk, "On a grid of", choice.grid, kGrids.size(),
+                     "Squares along the longer side: more of them are finer and slower.",
+                     [&](std::size_t i) { return kGridNames[i]; });
+    if (desk.widgets.button("Begin", "Begins this scene; the session until now stays in its recording.", true,
+                            ImGui::GetContentRegionAvail().x))
+        actions.emplace_back(begin_of(choice, facts));
+}
+
+void recordings(Desk& desk, const Facts& facts, Actions& actions) {
+    if (facts.catalogue.recordings.empty()) return;
+    desk.widgets.heading("Watch a recording, then take over");
+    for (const Catalogue::Entry& entry : facts.catalogue.recordings) {
+        std::array<char, 96> label;
+        std::snprintf(label.data(), label.size(), "Watch %s", entry.name.c_str());
+        if (desk.widgets.button(label.data(), entry.title.c_str(), false, ImGui::GetContentRegionAvail().x))
+            actions.emplace_back(Open{entry.file.string(), {}});
+    }
+}
+
+}  // namespace
+
+void scene_panel(Desk& desk, const Facts& facts, Actions& actions) {
+    what_is_loaded(desk, facts);
+    what_to_begin(desk, facts, actions);
+    recordings(desk, facts, actions);
+    ImGui::Dummy({0, desk.em() * 0.2f});
+    desk.widgets.dim("A scene, a terrain file or a recording can also be dropped onto the window.");
+}
+
+}  // namespace game::ui

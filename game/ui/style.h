@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include <imgui.h>
+
+namespace game::ui {
+
+// Colours, measures and letters that all panels share. Measures are in em, the height of the usual letters,
+// so that a panel grows with them.
+
+// sRGB. One accent; amber only where something wants care.
+inline constexpr ImU32 kText = IM_COL32(233, 238, 243, 255);
+inline constexpr ImU32 kDimText = IM_COL32(159, 171, 184, 255);
+inline constexpr ImU32 kAccent = IM_COL32(88, 184, 240, 255);
+inline constexpr ImU32 kAccentText = IM_COL32(8, 22, 32, 255);  // on the accent
+inline constexpr ImU32 kWarning = IM_COL32(250, 184, 76, 255);
+inline constexpr ImU32 kPanel = IM_COL32(17, 21, 27, 226);
+inline constexpr ImU32 kControl = IM_COL32(255, 255, 255, 20);
+inline constexpr ImU32 kControlHovered = IM_COL32(255, 255, 255, 40);
+inline constexpr ImU32 kControlHeld = IM_COL32(255, 255, 255, 60);
+inline constexpr ImU32 kLine = IM_COL32(255, 255, 255, 28);
+
+constexpr ImU32 faded(ImU32 colour, float strength) {
+    const auto alpha = static_cast<float>(colour >> IM_COL32_A_SHIFT) * strength;
+    return (colour & ~IM_COL32_A_MASK) | (static_cast<ImU32>(alpha) << IM_COL32_A_SHIFT);
+}
+
+struct Letters {
+    ImFont* usual = nullptr;
+    ImFont* small = nullptr;
+};
+
+// Makes the atlas of the current context anew with letters `em` px high, and all measures with it. `font`: a
+// TrueType file; if there is none, or it cannot be read, ImGui's own, which have Latin-1 alone.
+Letters set_letters(const std::optional<std::filesystem::path>& font, float em);
+
+}  // namespace game::ui

@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "game/key_map.h"
+#include "game/ui/panels.h"
+#include "sim/ledger.h"
+
+namespace game::ui {
+namespace {
+
+constexpr float kWidth = 39;  // em
+constexpr std::array<const char*, 8> kSpeeds{"1/8 ×", "1/4 ×", "1/2 ×", "1 ×", "2 ×", "4 ×", "8 ×", "16 ×"};
+constexpr int kUsual = 3;  // index of 1 ×
+
+// A button that does what a verb's key does, and tells the key.
+bool verb_button(Desk& desk, const char* label, Icon icon, Verb verb, const char* text) {
+    std::array<char, 128> tooltip;
+    std::snprintf(tooltip.data(), tooltip.size(), "%s: %s", name_of(verb).c_str(), text);
+    return desk.widgets.icon_button(label, icon, tooltip.data());
+}
+
+void speed(Desk& desk, const Facts& facts, Actions& actions) {
+    int chosen = std::clamp(static_cast<int>(std::lround(std::log2(facts.clock.speed()))) + kUsual, 0,
+                            static_cast<int>(kSpeeds.size()) - 1);
+    if (desk.widgets.choice(
+            "Speed", chosen, static_cast<int>(kSpeeds.size()), "Simulated seconds for each real one.",
+            [](int i) { return kSpeeds[static_cast<std::size_t>(i)]; }, desk.em() * 5))
+        actions.emplace_back(SetSpeed{std::exp2(chosen - kUsual)});
+}
+
+void controls(Desk& desk, const Facts& facts, Actions& actions) {
+    const bool paused = facts.clock.paused();
+    if (verb_button(desk, paused ? "Go on" : "Pause", paused ? Icon::kPlay : Icon::kPause, Verb::kPauseOrGoOn,
+                    paused ? "lets time run." : "stops time."))
+        actions.emplace_back(Verb::kPauseOrGoOn);
+    ImGui::SameLine();
+    if (verb_button(desk, "One tick", Icon::kStep, Verb::kStepOnce, "runs one tick and pauses."))
+        actions.emplace_back(Verb::kStepOnce);
+    ImGui::SameLine();
+    speed(desk, facts, actions);
+    ImGui::SameLine(0, desk.em());
+    ImGui::BeginDisabled(facts.watching.has_value() || facts.actions_to_undo == 0);
+    std::array<char, 96> text;
+    std::snprintf(text.data(), text.size(), "goes back to just before the last action; there are %zu.",
+                  facts.actions_to_undo);
+    if (verb_button(desk, "Undo", Icon::kUndo, Verb::kUndo, text.data())) actions.emplace_back(Verb::kUndo);
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    if (verb_button(desk, "Reset", Icon::kReset, Verb::kReset, "begins the scene anew."))
+        actions.emplace_back(Verb::kReset);
+}
+
+void moment(Desk& desk, const Facts& facts) {
+    const double seconds =
+        static_cast<double>(facts.state.tick) * static_cast<double>(facts.state.params.tick_s);
+    ImGui::SameLine(0, desk.em());
+    ImGui::Text("%.2f s", seconds);
+    desk.widgets.note("Time");
+    ImGui::SameLine(0, desk.em() * 0.7f);
+    ImGui::PushStyleColor(ImGuiCol_Text, kDimText);
+    ImGui::Text("tick %lld", static_cast<long long>(facts.state.tick));
+    ImGui::PopStyleColor();
+}
+
+// What a person should know of the world's pace, at the right end.
+void pace(Desk& desk, const Facts& facts) {
+    std::array<char, 32> text{};
+    ImU32 colour = kDimText;
+    if (facts.clock.behind()) {
+        std::snprintf(text.data(), text.size(), "reaches %.1f ×", facts.clock.reached_speed());
+        colour = kWarning;
+    } else if (facts.clock.paused()) {
+        std::snprintf(text.data(), text.size(), "paused");
+    } else if (sim::at_rest(facts.state)) {
+        std::snprintf(text.data(), text.size(), "at rest");
+    }
+    if (text[0] == 0) return;
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(text.data()).x);
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    ImGui::TextUnformatted(text.data());
+    ImGui::PopStyleColor();
+    desk.widgets.note(text.data());
+}
+
+void mass(Desk& desk, const Facts& facts) {
+    const sim::Ledger& ledger = facts.state.ledger;
+    const double quantum = static_cast<double>(sim::kQuantum) * facts.state.grid.cell_area();
+    std::array<std::array<char, 40>, 4> text;
+    const std::array quanta{ledger.standing, ledger.rolling, ledger.poured, ledger.out};
+    for (std::size_t i = 0; i < text.size(); ++i)
+        write_volume(text[i], static_cast<double>(quanta[i]) * quantum);
+    desk.widgets.dim("lies %s   rolls %s   poured %s   has left %s", text[0].data(), text[1].data(),
+                     text[2].data(), text[3].data());
+    desk.widgets.note("Mass");
+    desk.widgets.tooltip("Material that lies, that rolls, that was poured, and that left the terrain.");
+}
+
+}  // namespace
+
+void time_bar(Desk& desk, const Facts& facts, Actions& actions) {
+    const float width = std::min(kWidth * desk.em(), desk.size.x - 2 * desk.margin());
+    ImGui::SetNextWindowPos({desk.size.x / 2, desk.size.y - desk.margin()}, ImGuiCond_Always, {0.5f, 1});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, desk.size.y});
+    ImGui::Begin("Time", nullptr, kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize);
+    controls(desk, facts, actions);
+    moment(desk, facts);
+    pace(desk, facts);
+    mass(desk, facts);
+    desk.time_bar_top = ImGui::GetWindowPos().y;
+    desk.time_bar_left = ImGui::GetWindowPos().x;
+    ImGui::End();
+}
+
+}  // namespace game::ui

@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "game/key_map.h"
+#include "game/ui/panels.h"
+
+namespace game::ui {
+namespace {
+
+// Lays groups of known width beside each other, and goes on in the next line where the row is full.
+class Flow {
+  public:
+    Flow(float most, float gap) : most_(most), gap_(gap) {}
+
+    void next(float width, float gap_before = 0) {
+        const float gap = std::max(gap_before, gap_);
+        if (used_ > 0 && used_ + gap + width <= most_)
+            ImGui::SameLine(0, gap);
+        else if (used_ > 0)
+            used_ = -gap;
+        used_ += width + (used_ != 0 ? gap : 0);
+    }
+
+  private:
+    float most_, gap_, used_ = 0;
+};
+
+struct ToolInfo {
+    Tool tool;
+    Verb verb;
+    const char* label;
+    const char* inverted;  // what it does while Ctrl is held
+    Icon icon, inverted_icon;
+    const char* tooltip;
+    const char* strength;  // format
+};
+constexpr std::array<ToolInfo, kTools> kToolInfos{{
+    {Tool::kPour, Verb::kPour, "Pour", "Dig", Icon::kPour, Icon::kDig,
+     "Hold the left button on the mountain to add material; with Ctrl, to take it away.", "Rate %.2f m/s"},
+    {Tool::kDig, Verb::kDig, "Dig", "Pour", Icon::kDig, Icon::kPour,
+     "Hold the left button on the mountain to take material away; with Ctrl, to add it.", "Rate %.2f m/s"},
+    {Tool::kBlast, Verb::kBlast, "Blast", "Settle", Icon::kBlast, Icon::kSettle,
+     "Click on the mountain to make what lies there roll; with Ctrl, to make what rolls lie.",
+     "Depth %.2f m"},
+}};
+
+void tools(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
+    for (const ToolInfo& info : kToolInfos) {
+        const bool on = facts.brush.tool == info.tool, inverted = on && facts.inverted;
+        const char* label = inverted ? info.inverted : info.label;
+        const std::string key = name_of(info.verb);
+        flow.next(desk.widgets.tool_button_width(label, key.c_str(), desk.narrow()));
+        ImGui::PushID(info.label);
+        if (desk.widgets.tool_button(label, inverted ? info.inverted_icon : info.icon, key.c_str(),
+                                     info.tooltip, on, desk.narrow()))
+            actions.emplace_back(info.verb);
+        ImGui::PopID();
+    }
+}
+
+void sizes(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
+    const float em = desk.em(), width = 9 * em;
+    Brush brush = facts.brush;
+    const sim::Grid& grid = facts.state.grid;
+    const double extent = std::max(grid.nx, grid.ny) * static_cast<double>(grid.dx);
+    // From a cell to half the terrain, so that the hand finds its way along the slider.
+    const double least = std::max(Brush::kLeastRadius, static_cast<double>(grid.dx) / 2);
+    const double most = std::clamp(extent / 2, least * 2, Brush::kMostRadius);
+    flow.next(width, em);
+    bool changed =
+        desk.widgets.slider("Radius", brush.radius, {least, most, "Radius %.1f m", true, false, width},
+                            "How far the brush reaches; Shift and the wheel change it too.");
+    flow.next(width);
+    const char* format = kToolInfos[static_cast<std::size_t>(brush.tool)].strength;
+    changed |= desk.widgets.slider("Strength", brush.amount(),
+                                   {Brush::kLeastStrength, Brush::kMostStrength, format, true, false, width},
+                                   brush.tool == Tool::kBlast ? "How deep a blast loosens what lies."
+                                                              : "Depth that is added or taken each second.");
+    if (changed) actions.emplace_back(SetBrush{brush});
+}
+
+// Where poured material goes, and what it is.
+void material(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
+    struct Way {
+        const char *label, *tooltip;
+        bool standing;
+    };
+    constexpr std::array<Way, 2> kWays{{{"Rolls", "What is poured rolls at once.", false},
+                                        {"Lies", "What is poured lies until the slope gives way.", true}}};
+    const float em = desk.em(), width = 3.4f * em;
+    ImGui::BeginDisabled(facts.brush.tool == Tool::kBlast);
+    for (const Way& way : kWays) {
+        flow.next(width, way.standing ? 0 : em);
+        const bool on = facts.brush.standing == way.standing;
+        if (desk.widgets.button(way.label, way.tooltip, on, width) && !on)
+            actions.emplace_back(Verb::kPourStandingOrRolling);
+    }
+    ImGui::EndDisabled();
+    const char* title = title_in(facts.catalogue.materials, facts.start.material);
+    flow.next(ImGui::CalcTextSize(title).x, 0.7f * em);
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, kDimText);
+    ImGui::TextUnformatted(title);
+    ImGui::PopStyleColor();
+    desk.widgets.note("Material of the world");
+    desk.widgets.tooltip("The material of this world; the scene panel has others.");
+}
+
+void panel_buttons(Desk& desk, Flow& flow) {
+    const float width = ImGui::GetFrameHeight() * 1.2f;
+    for (const PanelInfo& info : kPanelInfos) {
+        std::array<char, 96> text;
+        std::snprintf(text.data(), text.size(), "%s: %s", name_of(info.verb).c_str(), info.tooltip);
+        flow.next(width, info.panel == Panel::kScene ? desk.em() : 0);
+        if (desk.widgets.icon_button(info.title, info.icon, text.data(), desk.panels.is_open(info.panel)))
+            desk.panels.toggle(info.panel);
+    }
+}
+
+void watching(Desk& desk, const Facts& facts) {
+    const double tick_s = static_cast<double>(facts.state.params.tick_s);
+    const auto last = static_cast<double>(facts.watching->last_tick),
+               now = static_cast<double>(facts.state.tick);
+    ImGui::Text("Watching a recording: %.1f of %.1f s, then it is yours", now * tick_s, last * tick_s);
+    desk.widgets.note("Watching a recording");
+    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, kAccent);
+    ImGui::ProgressBar(last > 0 ? static_cast<float>(std::min(now / last, 1.0)) : 1.f, {-1, desk.em() * 0.3f},
+                       "");
+    ImGui::PopStyleColor();
+}
+
+}  // namespace
+
+void toolbar(Desk& desk, const Facts& facts, Actions& actions) {
+    const float margin = desk.margin();
+    ImGui::SetNextWindowPos({desk.size.x / 2, margin}, ImGuiCond_Always, {0.5f, 0});
+    ImGui::Begin("Toolbar", nullptr, kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize);
+    const float inside = desk.size.x - 2 * margin - 2 * ImGui::GetStyle().WindowPadding.x;
+    Flow flow(inside, ImGui::GetStyle().ItemSpacing.x);
+    ImGui::BeginDisabled(facts.watching.has_value());
+    tools(desk, facts, actions, flow);
+    sizes(desk, facts, actions, flow);
+    material(desk, facts, actions, flow);
+    ImGui::EndDisabled();
+    panel_buttons(desk, flow);
+    if (facts.watching) watching(desk, facts);
+    desk.toolbar_bottom = margin + ImGui::GetWindowSize().y;
+    ImGui::End();
+}
+
+}  // namespace game::ui

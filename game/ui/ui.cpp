@@ -1,0 +1,164 @@
+#include "game/ui/ui.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <backends/imgui_impl_opengl3.h>
+#include <epoxy/gl.h>
+#include <imgui.h>
+
+#include "game/ui/feed.h"
+#include "game/ui/panels.h"
+#include "game/ui/style.h"
+
+namespace game::ui {
+namespace {
+
+constexpr double kLetterHeight = 16;  // px at scale 1
+
+// ImGui's context, current as long as it lives.
+struct Context {
+    Context() {
+        IMGUI_CHECKVERSION();
+        ImGui::CreateContext();
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr;
+        io.LogFilename = nullptr;
+        io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+        io.MousePos = {-1e6f, -1e6f};
+    }
+    ~Context() { ImGui::DestroyContext(); }
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+};
+
+}  // namespace
+
+struct Ui::Parts {
+    Context context;
+    Feed feed;
+    Desk desk;
+    std::optional<std::filesystem::path> font;
+    Screen* screen = nullptr;  // lent for a frame
+    std::string clipboard;     // what ImGui was given last
+    bool gl_ready = false, letters_stale = false;
+
+    ~Parts() {
+        if (gl_ready) ImGui_ImplOpenGL3_Shutdown();
+    }
+    void lend_clipboard();
+    void draw_letters_texture();
+};
+
+void Ui::Parts::lend_clipboard() {
+    ImGuiIO& io = ImGui::GetIO();
+    io.ClipboardUserData = this;
+    io.SetClipboardTextFn = [](void* parts, const char* text) {
+        if (Screen* const screen = static_cast<Parts*>(parts)->screen) screen->set_clipboard(text);
+    };
+    io.GetClipboardTextFn = [](void* user) {
+        auto* const parts = static_cast<Parts*>(user);
+        parts->clipboard = parts->screen ? parts->screen->clipboard() : std::string();
+        return parts->clipboard.c_str();
+    };
+}
+
+// The frame was built with the old texture's name, and everything in it uses that one texture.
+void Ui::Parts::draw_letters_texture() {
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+    const ImTextureID texture = ImGui::GetIO().Fonts->TexID;
+    const ImDrawData& drawing = *ImGui::GetDrawData();
+    for (int i = 0; i < drawing.CmdListsCount; ++i)
+        for (ImDrawCmd& command : drawing.CmdLists[i]->CmdBuffer) command.TextureId = texture;
+    letters_stale = false;
+}
+
+Ui::Ui(std::optional<std::filesystem::path> font) : parts_(std::make_unique<Parts>()) {
+    parts_->font = std::move(font);
+    parts_->desk.widgets.em = 0;  // no letters yet
+    parts_->lend_clipboard();
+}
+
+Ui::~Ui() = default;
+
+void Ui::begin(std::span<const Event> events, Screen& screen, double letters, double elapsed_s) {
+    Parts& parts = *parts_;
+    Desk& desk = parts.desk;
+    const ScreenSize size = screen.size();
+    parts.screen = &screen;
+
+    const auto em =
+        static_cast<float>(std::round(kLetterHeight * std::clamp(size.scale * letters, 0.5, 8.0)));
+    if (em != desk.widgets.em) {
+        desk.widgets.em = em;
+        desk.widgets.letters = set_letters(parts.font, em);
+        parts.letters_stale = true;
+    }
+    ImGuiIO& io = ImGui::GetIO();
+    desk.size = io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
+    io.DeltaTime = static_cast<float>(std::clamp(elapsed_s, 1e-4, 1.0));
+    parts.feed.add(events);
+    ImGui::NewFrame();
+}
+
+bool Ui::keeps_mouse() const {
+    return ImGui::GetIO().WantCaptureMouse;
+}
+
+bool Ui::keeps_keys() const {
+    return ImGui::GetIO().WantTextInput;
+}
+
+bool Ui::perform(Verb verb) {
+    OpenPanels& panels = parts_->desk.panels;
+    if (verb == Verb::kTogglePanels) {
+        panels.toggle_all();
+        return true;
+    }
+    const auto info = std::find_if(std::begin(kPanelInfos), std::end(kPanelInfos),
+                                   [verb](const PanelInfo& each) { return each.verb == verb; });
+    if (info == std::end(kPanelInfos)) return false;
+    panels.toggle(info->panel);
+    return true;
+}
+
+void Ui::build(const Facts& facts, Actions& actions) {
+    Desk& desk = parts_->desk;
+    desk.widgets.begin_frame(static_cast<double>(ImGui::GetIO().DeltaTime));
+    if (!desk.panels.hidden()) {
+        toolbar(desk, facts, actions);
+        time_bar(desk, facts, actions);
+        readings(desk, facts);
+        hint(desk, facts);
+        open_panels(desk, facts, actions);
+    }
+    notices(desk, facts, desk.panels.hidden());
+    ImGui::Render();
+}
+
+void Ui::draw() {
+    Parts& parts = *parts_;
+    const bool srgb = glIsEnabled(GL_FRAMEBUFFER_SRGB);
+    glDisable(GL_FRAMEBUFFER_SRGB);  // our colours are sRGB already
+    if (!parts.gl_ready) {
+        ImGui_ImplOpenGL3_Init("#version 450");
+        ImGui_ImplOpenGL3_CreateDeviceObjects();
+        parts.gl_ready = true;
+        parts.letters_stale = true;
+    }
+    if (parts.letters_stale) parts.draw_letters_texture();
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    if (srgb) glEnable(GL_FRAMEBUFFER_SRGB);
+}
+
+std::optional<Ui::Place> Ui::find(std::string_view label) const {
+    const Places::Place* const place = parts_->desk.widgets.places().find(label);
+    if (!place) return {};
+    return Place{static_cast<double>(place->from.x), static_cast<double>(place->from.y),
+                 static_cast<double>(place->to.x - place->from.x),
+                 static_cast<double>(place->to.y - place->from.y)};
+}
+
+}  // namespace game::ui

@@ -1,0 +1,262 @@
+#include "game/ui/widgets.h"
+
+#include <algorithm>
+#include <cstdarg>
+#include <cstdio>
+#include <cstring>
+
+#include <imgui_internal.h>
+
+namespace game::ui {
+namespace {
+
+constexpr double kTooltipAfter = 0.4;  // s
+constexpr float kLabelShare = 0.42f;   // of a row's width
+
+ImU32 plate_colour(bool on) {
+    const bool hovered = ImGui::IsItemHovered();
+    if (on) return hovered ? kAccent : faded(kAccent, 0.88f);
+    return ImGui::IsItemActive() ? kControlHeld : hovered ? kControlHovered : kControl;
+}
+
+// ImDrawList knows nothing of BeginDisabled.
+ImU32 alive(ImU32 colour) {
+    return faded(colour, ImGui::GetStyle().Alpha);
+}
+
+}  // namespace
+
+void Places::note(std::string_view label) {
+    const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+    const ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 seen_from = list.GetClipRectMin(), seen_to = list.GetClipRectMax();
+    const float x = (from.x + to.x) / 2, y = (from.y + to.y) / 2;
+    if (x > seen_from.x && x < seen_to.x && y > seen_from.y && y < seen_to.y) note(label, from, to);
+}
+
+void Places::note(std::string_view label, ImVec2 from, ImVec2 to) {
+    if (size_ == kMost) return;
+    Place& place = places_[size_++];
+    const std::size_t length = std::min(label.size(), place.label.size() - 1);
+    std::copy_n(label.begin(), length, place.label.begin());
+    place.label[length] = 0;
+    place.from = from;
+    place.to = to;
+}
+
+const Places::Place* Places::find(std::string_view label) const {
+    const auto end = places_.begin() + static_cast<std::ptrdiff_t>(size_);
+    const auto found = std::find_if(places_.begin(), end, [label](const Place& place) {
+        return std::string_view(place.label.data()) == label.substr(0, place.label.size() - 1);
+    });
+    return found == end ? nullptr : &*found;
+}
+
+void Widgets::begin_frame(double elapsed_s) {
+    places_.clear();
+    elapsed_s_ = elapsed_s;
+    if (hovered_ != ImGui::GetCurrentContext()->HoveredIdPreviousFrame) hovered_ = 0;
+}
+
+void Widgets::tooltip(const char* text) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    const ImGuiID id = ImGui::GetItemID();
+    hovered_s_ = id == hovered_ ? hovered_s_ + elapsed_s_ : 0;
+    hovered_ = id;
+    if (hovered_s_ < kTooltipAfter || ImGui::IsItemActive()) return;
+    const float alpha = ImGui::GetStyle().Alpha;
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, std::max(alpha, 1.f));  // readable over a greyed widget
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(em * 20);
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
+}
+
+bool Widgets::plate(const char* label, ImVec2 size, bool on) {
+    const bool pressed = ImGui::InvisibleButton(label, size);
+    ImGui::GetWindowDrawList()->AddRectFilled(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
+                                              alive(plate_colour(on)), ImGui::GetStyle().FrameRounding);
+    places_.note(label);
+    return pressed;
+}
+
+bool Widgets::button(const char* label, const char* text, bool on, float width) {
+    const ImVec2 size = ImGui::CalcTextSize(label), padding = ImGui::GetStyle().FramePadding;
+    const float wide = width > 0 ? width : size.x + 2 * padding.x;
+    const bool pressed = plate(label, {wide, ImGui::GetFrameHeight()}, on);
+    const ImVec2 from = ImGui::GetItemRectMin();
+    ImGui::GetWindowDrawList()->AddText({from.x + (wide - size.x) / 2, from.y + padding.y},
+                                        alive(on ? kAccentText : kText), label);
+    tooltip(text);
+    return pressed;
+}
+
+bool Widgets::icon_button(const char* label, Icon icon, const char* text, bool on) {
+    const float side = ImGui::GetFrameHeight();
+    const bool pressed = plate(label, {side * 1.2f, side}, on);
+    const ImVec2 from = ImGui::GetItemRectMin();
+    draw_icon(*ImGui::GetWindowDrawList(), icon, {from.x + side * 0.6f, from.y + side * 0.5f}, em * 0.8f,
+              alive(on ? kAccentText : kText));
+    tooltip(text);
+    return pressed;
+}
+
+float Widgets::tool_button_width(const char* label, const char* key, bool narrow) const {
+    const float gap = em * 0.45f;
+    const float small = letters.small->FontSize;
+    const float word = narrow ? 0 : ImGui::CalcTextSize(label).x + gap;
+    return em * 0.6f * 2 + em * 0.9f + gap + word + letters.small->CalcTextSizeA(small, 1e6f, 0, key).x;
+}
+
+bool Widgets::tool_button(const char* label, Icon icon, const char* key, const char* text, bool on,
+                          bool narrow) {
+    const float gap = em * 0.45f, side = ImGui::GetFrameHeight();
+    const bool pressed = plate(label, {tool_button_width(label, key, narrow), side}, on);
+    const ImVec2 from = ImGui::GetItemRectMin();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    float x = from.x + em * 0.6f;
+    draw_icon(list, icon, {x + em * 0.45f, from.y + side / 2}, em * 0.9f, alive(on ? kAccentText : kText));
+    x += em * 0.9f + gap;
+    if (!narrow) {
+        list.AddText({x, from.y + ImGui::GetStyle().FramePadding.y}, alive(on ? kAccentText : kText), label);
+        x += ImGui::CalcTextSize(label).x + gap;
+    }
+    const float small = letters.small->FontSize;
+    list.AddText(letters.small, small, {x, from.y + (side - small) / 2},
+                 alive(on ? faded(kAccentText, 0.7f) : kDimText), key);
+    tooltip(text);
+    return pressed;
+}
+
+bool Widgets::toggle(const char* label, bool& on, const char* text) {
+    row(label);
+    const float side = ImGui::GetFrameHeight(), radius = em * 0.5f;
+    const bool pressed = ImGui::InvisibleButton(label, {em * 2.2f, side});
+    if (pressed) on = !on;
+    const ImVec2 from = ImGui::GetItemRectMin();
+    const float y = from.y + side / 2;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({from.x, y - radius}, {from.x + em * 2, y + radius}, alive(plate_colour(on)), radius);
+    list.AddCircleFilled({from.x + (on ? em * 2 - radius : radius), y}, radius * 0.72f,
+                         alive(on ? kAccentText : kText));
+    places_.note(label);
+    tooltip(text);
+    return pressed;
+}
+
+bool Widgets::slider(const char* label, double& value, const Slide& slide, const char* text) {
+    ImGui::PushID(label);
+    const ImGuiID id = ImGui::GetID("##slide");
+    double shown = changing_ == id ? slid_ : value;
+    ImGui::SetNextItemWidth(slide.width > 0 ? slide.width : -FLT_MIN);
+    const ImGuiSliderFlags flags = slide.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
+    bool changed = ImGui::SliderScalar("##slide", ImGuiDataType_Double, &shown, &slide.least, &slide.most,
+                                       slide.format, flags);
+    places_.note(label);
+    if (slide.when_released) changed = ImGui::IsItemDeactivatedAfterEdit();
+    if (ImGui::IsItemActive()) {
+        changing_ = id;
+        slid_ = shown;
+    } else if (changing_ == id) {
+        changing_ = 0;
+    }
+    tooltip(text);
+    if (changed) value = std::clamp(shown, slide.least, slide.most);
+    ImGui::PopID();
+    return changed;
+}
+
+bool Widgets::begin_choice(const char* label, const char* shown, const char* text, float width) {
+    ImGui::PushID(label);
+    ImGui::SetNextItemWidth(width > 0 ? width : -FLT_MIN);
+    const bool open = ImGui::BeginCombo("##choice", shown);
+    ImGui::PopID();
+    if (!open) {
+        places_.note(label);
+        tooltip(text);
+    }
+    return open;
+}
+
+bool Widgets::choice_item(const char* name, int index, bool chosen) {
+    ImGui::PushID(index);
+    const bool pressed = ImGui::Selectable(name, chosen);
+    places_.note(name);
+    ImGui::PopID();
+    return pressed;
+}
+
+void Widgets::row(const char* label) {
+    const float from = ImGui::GetCursorPosX(), wide = ImGui::GetContentRegionAvail().x;
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, kDimText);
+    ImGui::TextUnformatted(label);
+    ImGui::PopStyleColor();
+    ImGui::SameLine(from + wide * kLabelShare);
+}
+
+void Widgets::heading(const char* text) {
+    ImGui::Dummy({0, em * 0.3f});
+    ImGui::PushStyleColor(ImGuiCol_Text, kAccent);
+    ImGui::PushFont(letters.small);
+    ImGui::TextUnformatted(text);
+    ImGui::PopFont();
+    ImGui::PopStyleColor();
+}
+
+void Widgets::dim(const char* format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    ImGui::PushFont(letters.small);
+    ImGui::PushStyleColor(ImGuiCol_Text, kDimText);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextV(format, arguments);
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    va_end(arguments);
+}
+
+void Widgets::plain(const char* format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    ImGui::TextWrappedV(format, arguments);
+    va_end(arguments);
+}
+
+void Widgets::fact(const char* label, const char* format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    row(label);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextV(format, arguments);
+    ImGui::PopTextWrapPos();
+    places_.note(label);
+    va_end(arguments);
+}
+
+void Widgets::warn(const char* text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, kWarning);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+const char* write_volume(std::span<char> text, double cubic_metres) {
+    const char* format = cubic_metres < 10 ? "%.2f m³" : cubic_metres < 1000 ? "%.1f m³" : "%.0f m³";
+    std::snprintf(text.data(), text.size(), format, cubic_metres);
+    // Digits in threes, from the unit forward.
+    const std::string_view digits(text.data(), std::min(std::strcspn(text.data(), ". "), text.size()));
+    for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3) {
+        const std::size_t length = std::strlen(text.data());
+        if (length + 2 > text.size()) break;
+        std::memmove(text.data() + at + 1, text.data() + at, length + 1 - static_cast<std::size_t>(at));
+        text[static_cast<std::size_t>(at)] = ' ';
+    }
+    return text.data();
+}
+
+}  // namespace game::ui

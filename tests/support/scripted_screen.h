@@ -1,0 +1,61 @@
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "game/screen.h"
+
+namespace support {
+
+// A screen that a test holds in its hands: it gives the events that the test put in, and remembers what it
+// was told. Has no GL: what draws needs a context from elsewhere, and framebuffer() is what the test says.
+class ScriptedScreen : public game::Screen {
+  public:
+    // For the next poll(), in order.
+    void happen(std::initializer_list<game::Event> events) { coming_.insert(coming_.end(), events); }
+    void move(double x, double y) { happen({game::MoveEvent{x, y}}); }
+    void press(game::Button button, game::Modifiers with = {}) {
+        happen({game::ButtonEvent{button, true, with}});
+    }
+    void release(game::Button button, game::Modifiers with = {}) {
+        happen({game::ButtonEvent{button, false, with}});
+    }
+    // Down and up again.
+    void tap(game::Key key, game::Modifiers with = {});
+    void type(std::string_view text);  // ASCII
+    void drop(std::vector<std::filesystem::path> files);
+
+    void resize(game::ScreenSize size) { size_ = size; }
+    void pass(double seconds) { seconds_ += seconds; }
+    void draw_into(unsigned framebuffer) { framebuffer_ = framebuffer; }
+
+    const std::string& title() const { return title_; }
+    int frames() const { return frames_; }  // that were presented
+
+    std::span<const game::Event> poll() override;
+    std::vector<std::filesystem::path> dropped() override { return std::exchange(dropped_, {}); }
+    game::ScreenSize size() const override { return size_; }
+    unsigned framebuffer() const override { return framebuffer_; }
+    double seconds() const override { return seconds_; }
+    void present() override { ++frames_; }
+    void show_title(const std::string& title) override { title_ = title; }
+    void set_fullscreen(bool on) override { fullscreen_ = on; }
+    bool fullscreen() const override { return fullscreen_; }
+    std::string clipboard() const override { return clipboard_; }
+    void set_clipboard(const std::string& text) override { clipboard_ = text; }
+    std::string renderer_name() const override { return "scripted"; }
+
+  private:
+    std::vector<game::Event> coming_, polled_;
+    std::vector<std::filesystem::path> dropped_;
+    game::ScreenSize size_;
+    unsigned framebuffer_ = 0;
+    double seconds_ = 0;
+    std::string title_, clipboard_;
+    bool fullscreen_ = false;
+    int frames_ = 0;
+};
+
+}  // namespace support
