@@ -20,7 +20,7 @@ const char* compass_point(double degrees) {
 // The class of a slope as avalanche services colour it; none below the first.
 std::optional<ImU32> class_colour(double slope_deg) {
     std::optional<ImU32> colour;
-    for (const LegendStop& stop : legend_of(render::Overlay::kSlope).stops)
+    for (const render::LegendStop& stop : render::legend_of(render::Overlay::kSlope).stops)
         if (slope_deg >= static_cast<double>(stop.value)) colour = packed(stop.colour);
     return colour;
 }
