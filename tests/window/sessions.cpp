@@ -131,7 +131,10 @@ TEST_F(Play, stands_still_and_goes_on_tick_by_tick) {
     }
     const std::int64_t from = session->tick();
     ASSERT_GT(from, paused);
-    for (int i = 0; i < 3; ++i) hand().key("period");
+    for (int i = 0; i < 3; ++i) {
+        hand().key("period");
+        rest(0.3);  // a frame between any two, also on a slow machine
+    }
     EXPECT_TRUE(session->stands());
     EXPECT_EQ(session->tick(), from);
     session->leave();
