@@ -28,7 +28,7 @@ double FrameTimes::frames_per_second() const {
 double FrameTimes::median_ms(Stage stage) const {
     if (size_ == 0) return 0;
     std::array<float, kKept> ms;
-    for (std::size_t i = 0; i < size_; ++i) ms[i] = (*this)[i].stage_ms[static_cast<std::size_t>(stage)];
+    for (std::size_t i = 0; i < size_; ++i) ms[i] = (*this)[i].stage_ms[stage_index(stage)];
     const auto middle = ms.begin() + static_cast<std::ptrdiff_t>(size_ / 2);
     std::nth_element(ms.begin(), middle, ms.begin() + static_cast<std::ptrdiff_t>(size_));
     return static_cast<double>(*middle);

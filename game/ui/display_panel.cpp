@@ -13,15 +13,10 @@ struct OverlayName {
 constexpr std::array<OverlayName, 5> kOverlays{{
     {render::Overlay::kNone, "what it is made of"},
     {render::Overlay::kSlope, "steepness"},
-    {render::Overlay::kStanding, "depth of what lies"},
-    {render::Overlay::kRolling, "depth of what rolls"},
+    {render::Overlay::kStanding, "standing depth"},
+    {render::Overlay::kRolling, "rolling depth"},
     {render::Overlay::kSpeed, "speed"},
 }};
-
-// Below the choice of an overlay.
-void legend(Desk& desk, render::Overlay overlay) {
-    draw_legend(legend_of(overlay), desk.em(), *desk.widgets.letters.small);
-}
 
 bool colours(Desk& desk, Display& display) {
     int chosen = 0;
@@ -32,7 +27,7 @@ bool colours(Desk& desk, Display& display) {
                                        "What the colours of the ground tell.",
                                        [](int i) { return kOverlays[static_cast<std::size_t>(i)].name; });
     if (changed) display.overlay = kOverlays[static_cast<std::size_t>(chosen)].overlay;
-    legend(desk, display.overlay);
+    draw_legend(render::legend_of(display.overlay), desk.em(), *desk.widgets.letters.small);
     changed |= desk.widgets.toggle("Contours", display.contours, "Lines of equal height.");
     return changed;
 }

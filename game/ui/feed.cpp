@@ -66,9 +66,6 @@ bool Feed::take(const KeyEvent& event) {
     bool& down = ImGui::GetIO().KeysDown[code];
     if (down != event.down && keys_turned_[code]) return false;
     hold(event.with);
-    if (event.key == Key::kShift) ImGui::GetIO().KeyShift = event.down;
-    if (event.key == Key::kControl) ImGui::GetIO().KeyCtrl = event.down;
-    if (event.key == Key::kAlt) ImGui::GetIO().KeyAlt = event.down;
     if (down != event.down) keys_turned_.set(code);
     down = event.down;
     const bool edits = std::any_of(std::begin(kEditing), std::end(kEditing),

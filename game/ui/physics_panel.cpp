@@ -105,16 +105,26 @@ void number(Desk& desk, const Facts& facts, std::size_t param, Actions& actions)
     }
 }
 
+// One after the other, in an order that never breaks the order that thresholds must keep.
+void ask_for_defaults(const Facts& facts, Actions& actions) {
+    sim::Params params = facts.state.params;
+    for (std::size_t pass = 0; pass < std::size(sim::kParams) && params != facts.start.params; ++pass)
+        for (std::size_t i = 0; i < std::size(sim::kParams); ++i) {
+            const auto value = sim::kParams[i].value;
+            sim::Params next = params;
+            next.*value = facts.start.params.*value;
+            if (next == params || sim::fault_of(next)) continue;
+            params = next;
+            actions.emplace_back(SetNumber{i, params.*value});
+        }
+}
+
 void all_defaults(Desk& desk, const Facts& facts, Actions& actions) {
-    const bool changed = facts.state.params != facts.start.params;
-    ImGui::BeginDisabled(!changed);
+    ImGui::BeginDisabled(facts.state.params == facts.start.params);
     if (desk.widgets.button("All defaults", "Every number as the scene began with it.", false,
                             ImGui::GetContentRegionAvail().x)) {
         desk.refusal[0] = 0;
-        for (std::size_t i = 0; i < std::size(sim::kParams); ++i) {
-            const float usual = facts.start.params.*sim::kParams[i].value;
-            if (facts.state.params.*sim::kParams[i].value != usual) actions.emplace_back(SetNumber{i, usual});
-        }
+        ask_for_defaults(facts, actions);
     }
     ImGui::EndDisabled();
 }

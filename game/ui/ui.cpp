@@ -55,7 +55,7 @@ void Ui::Parts::lend_clipboard() {
     ImGuiIO& io = ImGui::GetIO();
     io.ClipboardUserData = this;
     io.SetClipboardTextFn = [](void* parts, const char* text) {
-        if (Screen* const screen = static_cast<Parts*>(parts)->screen) screen->set_clipboard(text);
+        if (Screen* const to = static_cast<Parts*>(parts)->screen) to->set_clipboard(text);
     };
     io.GetClipboardTextFn = [](void* user) {
         auto* const parts = static_cast<Parts*>(user);
@@ -130,8 +130,8 @@ void Ui::build(const Facts& facts, Actions& actions) {
     if (!desk.panels.hidden()) {
         toolbar(desk, facts, actions);
         time_bar(desk, facts, actions);
-        readings(desk, facts);
         hint(desk, facts);
+        readings(desk, facts);
         open_panels(desk, facts, actions);
     }
     notices(desk, facts, desk.panels.hidden());
