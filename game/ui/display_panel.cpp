@@ -13,8 +13,8 @@ struct OverlayName {
 constexpr std::array<OverlayName, 5> kOverlays{{
     {render::Overlay::kNone, "what it is made of"},
     {render::Overlay::kSlope, "steepness"},
-    {render::Overlay::kStanding, "depth of what lies"},
-    {render::Overlay::kRolling, "depth of what rolls"},
+    {render::Overlay::kStanding, "standing depth"},
+    {render::Overlay::kRolling, "rolling depth"},
     {render::Overlay::kSpeed, "speed"},
 }};
 

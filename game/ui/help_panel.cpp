@@ -8,19 +8,20 @@
 namespace game::ui {
 namespace {
 
-constexpr float kTwoColumns = 48;  // em: below, one column
+constexpr float kTwoColumns = 48;    // em: below, one column
+constexpr float kCapHeight = 1.25f;  // em
 
 // A key, or several that do the same, as it looks on a keyboard; then what it does.
 class Table {
   public:
     Table(Desk& desk, float label_width) : desk_(desk), label_width_(label_width) {}
 
-    void begin() { x_ = ImGui::GetCursorPosX(); }
+    void begin() { from_ = ImGui::GetCursorScreenPos(); }
 
     void cap(const char* name) {
         const float em = desk_.em(), small = desk_.widgets.letters.small->FontSize;
         const ImVec2 text = desk_.widgets.letters.small->CalcTextSizeA(small, 1e6f, 0, name);
-        const ImVec2 at = ImGui::GetCursorScreenPos(), size{text.x + em * 0.7f, em * 1.25f};
+        const ImVec2 at = ImGui::GetCursorScreenPos(), size{text.x + em * 0.7f, em * kCapHeight};
         ImDrawList& list = *ImGui::GetWindowDrawList();
         list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, kControl, em * 0.25f);
         list.AddRect(at, {at.x + size.x, at.y + size.y}, kLine, em * 0.25f);
@@ -31,7 +32,9 @@ class Table {
     }
 
     void meaning(std::string_view text) {
-        ImGui::SameLine(x_ + label_width_);
+        // In the middle of the caps' height.
+        const float lower = (desk_.em() * kCapHeight - ImGui::GetTextLineHeight()) / 2;
+        ImGui::SetCursorScreenPos({from_.x + label_width_, from_.y + lower});
         ImGui::PushTextWrapPos(0);
         ImGui::TextUnformatted(text.data(), text.data() + text.size());
         ImGui::PopTextWrapPos();
@@ -40,7 +43,8 @@ class Table {
 
   private:
     Desk& desk_;
-    float label_width_, x_ = 0;
+    float label_width_;
+    ImVec2 from_;  // of the row
 };
 
 void hands(Desk& desk, Table& table) {
@@ -61,9 +65,14 @@ void hands(Desk& desk, Table& table) {
     }
 }
 
-void keys(Desk& desk, Table& table) {
-    desk.widgets.heading("Keys");
+bool is_of_brush(Verb verb) {
+    return verb >= Verb::kPour && verb <= Verb::kPourStandingOrRolling;
+}
+
+void keys(Desk& desk, Table& table, const char* heading, bool of_brush) {
+    desk.widgets.heading(heading);
     for (const KeyBinding& binding : key_bindings()) {
+        if (is_of_brush(binding.verb) != of_brush) continue;
         table.begin();
         table.cap(name_of(binding.key, binding.with).c_str());
         table.meaning(binding.meaning);
@@ -75,17 +84,14 @@ void keys(Desk& desk, Table& table) {
 void help_panel(Desk& desk) {
     const float em = desk.em(), width = ImGui::GetContentRegionAvail().x;
     Table table(desk, 9 * em);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {em * 0.3f, em * 0.15f});
-    if (width < kTwoColumns * em) {
-        hands(desk, table);
-        keys(desk, table);
-    } else {
-        ImGui::Columns(2, "help", false);
-        hands(desk, table);
-        ImGui::NextColumn();
-        keys(desk, table);
-        ImGui::Columns(1);
-    }
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {em * 0.3f, em * 0.05f});
+    const bool two = width >= kTwoColumns * em;
+    if (two) ImGui::Columns(2, "help", false);
+    hands(desk, table);
+    keys(desk, table, "Keys of the brush", true);
+    if (two) ImGui::NextColumn();
+    keys(desk, table, "Keys", false);
+    if (two) ImGui::Columns(1);
     ImGui::PopStyleVar();
 }
 

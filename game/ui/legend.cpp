@@ -25,7 +25,10 @@ void draw_legend(const render::Legend& legend, float em, ImFont& letters) {
         const ImU32 right = mixed ? packed(legend.stops[i + 1].colour) : left;
         list.AddRectFilledMultiColor({x, from.y}, {x + part, from.y + height}, left, right, right, left);
         std::array<char, 24> text;
-        std::snprintf(text.data(), text.size(), i == 0 ? "%g %s" : "%g",
+        std::snprintf(text.data(), text.size(),
+                      i > 0                   ? "%g"
+                      : legend.unit[0] == 'm' ? "%g %s"
+                                              : "%g%s",
                       static_cast<double>(legend.stops[i].value), legend.unit);
         list.AddText(&letters, letters.FontSize, {x, from.y + height + em * 0.15f}, kDimText, text.data());
     }

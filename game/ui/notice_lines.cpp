@@ -27,7 +27,7 @@ void draw(const Desk& desk, const Line& line, ImVec2 from) {
     const float em = desk.em();
     const ImVec2 size = size_of(desk, line), to{from.x + size.x, from.y + size.y};
     ImDrawList& list = *ImGui::GetForegroundDrawList();
-    list.AddRectFilled(from, to, faded(kPanel, line.strength), em * 0.4f);
+    list.AddRectFilled(from, to, faded(kPanel | IM_COL32_A_MASK, 0.94f * line.strength), em * 0.4f);
     list.AddRectFilled({from.x, from.y}, {from.x + em * 0.25f, to.y}, faded(line.mark, line.strength),
                        em * 0.4f, ImDrawFlags_RoundCornersLeft);
     list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {from.x + em * 0.95f, from.y + em * 0.5f},
@@ -49,9 +49,13 @@ const char* deed(Tool tool) {
 }  // namespace
 
 void notices(Desk& desk, const Facts& facts, bool warnings_only) {
-    const float margin = desk.margin(), most = std::min(24 * desk.em(), desk.size.x - 6 * margin);
-    const float room_beside = desk.size.x - desk.time_bar_left;  // left and right of the bar are alike
-    float bottom = desk.size.y - margin;
+    const float margin = desk.margin(), em = desk.em();
+    // Beside the time bar where there is room, else above it, beside the readings or the panels.
+    const bool column = desk.right_column > 0 && !desk.narrow() && !desk.panels.hidden();
+    const bool beside = (desk.beside_time_bar() && !column) || desk.panels.hidden();
+    const float right = desk.size.x - (column ? desk.right_column : 0);
+    const float room = beside ? desk.time_bar_left : desk.size.x - (kReadingsWidth + 0.6f) * em;
+    float bottom = (beside ? desk.size.y : desk.lower_edge) - margin;
     for (std::size_t i = facts.notices.size(); i-- > 0;) {  // the newest stands lowest
         const Notice& notice = facts.notices[i];
         const bool warning = notice.kind == Notice::Kind::kWarning;
@@ -60,13 +64,10 @@ void notices(Desk& desk, const Facts& facts, bool warnings_only) {
         std::array<char, 512> text;
         std::snprintf(text.data(), text.size(), notice.times > 1 ? "%s (%d times)" : "%s",
                       notice.sentence.c_str(), notice.times);
-        const Line line{text.data(), warning ? kWarning : kAccent, strength, most};
+        const Line line{text.data(), warning ? kWarning : kAccent, strength,
+                        std::min(24 * em, room - 2 * margin - 1.7f * em)};
         const ImVec2 size = size_of(desk, line);
-        const float left = desk.size.x - margin - size.x;
-        // Not over the time bar.
-        if (left < room_beside && bottom > desk.time_bar_top && !desk.panels.hidden())
-            bottom = std::min(bottom, desk.time_bar_top - margin);
-        const ImVec2 from{left, bottom - size.y};
+        const ImVec2 from{right - margin - size.x, bottom - size.y};
         draw(desk, line, from);
         desk.widgets.note(notice.sentence, from, {from.x + size.x, bottom});
         bottom = from.y - margin / 2;
@@ -74,6 +75,7 @@ void notices(Desk& desk, const Facts& facts, bool warnings_only) {
 }
 
 void hint(Desk& desk, const Facts& facts) {
+    desk.lower_edge = desk.time_bar_top;
     if (facts.touched || facts.watching) return;
     const bool pours = facts.brush.tool == Tool::kPour;
     std::array<char, 256> text;
@@ -85,6 +87,7 @@ void hint(Desk& desk, const Facts& facts) {
     const ImVec2 size = size_of(desk, line);
     const ImVec2 from{(desk.size.x - size.x) / 2, desk.time_bar_top - desk.margin() - size.y};
     draw(desk, line, from);
+    desk.lower_edge = from.y;
     desk.widgets.note("Hint", from, {from.x + size.x, from.y + size.y});
 }
 

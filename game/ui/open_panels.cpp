@@ -46,6 +46,8 @@ struct Frame {
 // Returns the panel's height.
 float draw(Desk& desk, const PanelInfo& info, const Frame& frame, const Facts& facts, Actions& actions) {
     ImGui::SetNextWindowPos({frame.x, frame.y});
+    // What lies over other panels hides them.
+    ImGui::SetNextWindowBgAlpha(info.panel == Panel::kHelp || desk.narrow() ? 0.97f : 0.9f);
     ImGui::SetNextWindowSizeConstraints({frame.width, 0}, {frame.width, frame.most_height});
     ImGui::Begin(info.title, nullptr,
                  (kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize) & ~ImGuiWindowFlags_NoScrollbar);
@@ -64,7 +66,10 @@ void column(Desk& desk, bool left, const Facts& facts, Actions& actions) {
     };
     auto waiting = std::count_if(std::begin(kPanelInfos), std::end(kPanelInfos), mine);
     const float width = std::min(kColumn * desk.em(), desk.size.x - 2 * desk.margin());
-    const float bottom = desk.narrow() ? desk.size.y : desk.time_bar_top;
+    // Above what stands in the corner, where that leaves room enough.
+    float bottom = left && desk.beside_time_bar() ? desk.readings_top : desk.time_bar_top;
+    if (desk.narrow()) bottom = desk.size.y;
+    if (!left) desk.right_column = waiting > 0 ? width + desk.margin() : 0;
     Frame frame{left ? desk.margin() : desk.size.x - desk.margin() - width,
                 desk.toolbar_bottom + desk.margin(), width, 0};
     for (const PanelInfo& info : kPanelInfos) {

@@ -53,17 +53,22 @@ struct SceneChoice {
     int material = -1, model = -1, grid = -1;
 };
 
+inline constexpr float kReadingsWidth = 16;  // em
+
 // What all panels share in a frame and keep between frames.
 struct Desk {
     Widgets widgets;
     OpenPanels panels;
     SceneChoice choice;
-    std::array<char, 192> refusal{};                                // why a number was not taken
-    ImVec2 size{1280, 720};                                         // of the screen, px
-    float toolbar_bottom = 0, time_bar_top = 0, time_bar_left = 0;  // px, as drawn last
+    std::array<char, 192> refusal{};  // why a number was not taken
+    ImVec2 size{1280, 720};           // of the screen, px
+    // px, as drawn last. The lower edge is that of what has no room beside the time bar.
+    float toolbar_bottom = 0, time_bar_top = 0, time_bar_left = 0, lower_edge = 0, readings_top = 0;
+    float right_column = 0;  // its width with its margin; 0 while none of it is open
 
     float em() const { return widgets.em; }
     float margin() const { return em() * 0.6f; }
+    bool beside_time_bar() const { return (kReadingsWidth + 1.2f) * em() <= time_bar_left; }
     bool narrow() const { return size.x < 75 * em(); }  // a word per tool no longer fits
 };
 

@@ -117,7 +117,7 @@ void performance_panel(Desk& desk, const Facts& facts) {
     const FrameTimes& times = facts.times;
     const sim::Grid& grid = facts.state.grid;
     chart(desk, times);
-    widgets.dim("The last 240 frames; medians of each stage:");
+    widgets.dim("The last 240 frames (amber tip: taller than the axis), and the median of each stage:");
     for (std::size_t stage = 0; stage < kStages; ++stage)
         stage_row(desk, kStageNames[stage], kStageColours[stage], times.median_ms(static_cast<Stage>(stage)));
     stage_row(desk, "the rest", kRest, median_rest_ms(times));

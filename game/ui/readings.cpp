@@ -10,7 +10,7 @@
 namespace game::ui {
 namespace {
 
-constexpr float kWidth = 16;  // em
+constexpr float kLow = 27;  // em: in a lower window the letters are small
 constexpr std::array<const char*, 8> kCompass{"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
 
 const char* compass_point(double degrees) {
@@ -29,7 +29,7 @@ void slope(Desk& desk, const Reading& reading) {
     desk.widgets.fact("Slope", "%.1f°", reading.slope_deg);
     const auto colour = class_colour(reading.slope_deg);
     if (!colour) return;
-    ImGui::SameLine();
+    ImGui::SameLine(0, desk.em() * 0.5f);
     const float side = desk.em() * 0.75f;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float y = at.y + (ImGui::GetFrameHeight() - side) / 2;
@@ -47,8 +47,8 @@ void rows(Desk& desk, const Reading& reading) {
         widgets.fact("Faces", "%.0f° %s", *reading.aspect_deg, compass_point(*reading.aspect_deg));
     else
         widgets.fact("Faces", "level");
-    widgets.fact("Lies", "%.2f m", reading.standing);
-    widgets.fact("Rolls", "%.2f m", reading.rolling);
+    widgets.fact("Standing", "%.2f m", reading.standing);
+    widgets.fact("Rolling", "%.2f m", reading.rolling);
     widgets.fact("Speed", "%.1f m/s", reading.speed);
 }
 
@@ -64,18 +64,21 @@ void where(Desk& desk, const Reading& reading) {
 
 void readings(Desk& desk, const Facts& facts) {
     if (!facts.under_cursor) return;
-    const float width = kWidth * desk.em(), margin = desk.margin();
+    const float width = kReadingsWidth * desk.em(), margin = desk.margin();
     // Beside the time bar where there is room, else above it.
-    const bool beside = width + 2 * margin <= desk.time_bar_left;
-    ImGui::SetNextWindowPos({margin, (beside ? desk.size.y : desk.time_bar_top) - margin}, ImGuiCond_Always,
-                            {0, 1});
+    const float bottom = desk.beside_time_bar() ? desk.size.y : desk.lower_edge;
+    ImGui::SetNextWindowPos({margin, bottom - margin}, ImGuiCond_Always, {0, 1});
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, desk.size.y});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, desk.em() * 0.12f});
+    const bool low = desk.size.y < kLow * desk.em();
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, low ? 0 : desk.em() * 0.12f});
     ImGui::Begin("Readings", nullptr,
                  kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
+    ImGui::PushFont(low ? desk.widgets.letters.small : desk.widgets.letters.usual);
     rows(desk, *facts.under_cursor);
+    ImGui::PopFont();
     if (facts.under_cursor->where[0] != 0) where(desk, *facts.under_cursor);
+    desk.readings_top = ImGui::GetWindowPos().y;
     ImGui::End();
     ImGui::PopStyleVar(2);
 }

@@ -17,12 +17,24 @@ const char* name_of(sim::Model model) {
     return sim::to_string(model).data();  // a literal
 }
 
+// The file's name; all of its path in the tooltip.
+void recording_file(Desk& desk, std::string_view path) {
+    const std::string_view name = path.substr(path.rfind('/') + 1);
+    desk.widgets.fact("Recording", "%.*s", static_cast<int>(name.size()), name.data());
+    std::array<char, 512> text;
+    std::snprintf(text.data(), text.size(), "This session is written to %.*s", static_cast<int>(path.size()),
+                  path.data());
+    desk.widgets.tooltip(text.data());
+}
+
 void what_is_loaded(Desk& desk, const Facts& facts) {
     Widgets& widgets = desk.widgets;
     const Start& start = facts.start;
     const sim::Grid& grid = facts.state.grid;
     const double dx = static_cast<double>(grid.dx);
     widgets.plain("%s", start.title.c_str());
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, desk.em() * 0.12f});
     widgets.fact("Terrain", "%s", start.terrain.c_str());
     if (!start.licence.empty()) widgets.fact("Licence", "%s", start.licence.c_str());
     widgets.fact("Material", "%s", title_in(facts.catalogue.materials, start.material));
@@ -32,7 +44,8 @@ void what_is_loaded(Desk& desk, const Facts& facts) {
     if (facts.recording.empty())
         widgets.fact("Recording", "none");
     else
-        widgets.fact("Recording", "%.*s", static_cast<int>(facts.recording.size()), facts.recording.data());
+        recording_file(desk, facts.recording);
+    ImGui::PopStyleVar(2);
 }
 
 // Which scene is chosen before anybody has: the one that is loaded, if it ships.

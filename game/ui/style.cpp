@@ -48,7 +48,7 @@ void set_colours(ImGuiStyle& style) {
     colours[ImGuiCol_Header] = colour(faded(kAccent, 0.35f));
     colours[ImGuiCol_HeaderHovered] = colour(faded(kAccent, 0.5f));
     colours[ImGuiCol_HeaderActive] = colour(faded(kAccent, 0.6f));
-    colours[ImGuiCol_SliderGrab] = colour(faded(kAccent, 0.75f));
+    colours[ImGuiCol_SliderGrab] = colour(kAccent);
     colours[ImGuiCol_SliderGrabActive] = colours[ImGuiCol_CheckMark] = colour(kAccent);
     colours[ImGuiCol_TextSelectedBg] = colour(faded(kAccent, 0.45f));
     colours[ImGuiCol_ScrollbarBg] = {0, 0, 0, 0};
@@ -65,7 +65,7 @@ void set_measures(ImGuiStyle& style, float em) {
     style.ItemInnerSpacing = {px(0.4f), px(0.3f)};
     style.WindowRounding = style.PopupRounding = px(0.5f);
     style.FrameRounding = style.GrabRounding = px(0.3f);
-    style.GrabMinSize = px(0.5f);
+    style.GrabMinSize = px(0.2f);
     style.ScrollbarSize = px(0.6f);
     style.ScrollbarRounding = px(0.3f);
     style.WindowBorderSize = style.PopupBorderSize = std::max(1.f, std::floor(em / 16));

@@ -10,7 +10,7 @@
 namespace game::ui {
 namespace {
 
-constexpr float kWidth = 39;  // em
+constexpr float kWidth = 33;  // em
 constexpr std::array<const char*, 8> kSpeeds{"1/8 ×", "1/4 ×", "1/2 ×", "1 ×", "2 ×", "4 ×", "8 ×", "16 ×"};
 constexpr int kUsual = 3;  // index of 1 ×
 
@@ -91,10 +91,10 @@ void mass(Desk& desk, const Facts& facts) {
     const std::array quanta{ledger.standing, ledger.rolling, ledger.poured, ledger.out};
     for (std::size_t i = 0; i < text.size(); ++i)
         write_volume(text[i], static_cast<double>(quanta[i]) * quantum);
-    desk.widgets.dim("lies %s   rolls %s   poured %s   has left %s", text[0].data(), text[1].data(),
+    desk.widgets.dim("standing %s   rolling %s   poured %s   out %s", text[0].data(), text[1].data(),
                      text[2].data(), text[3].data());
     desk.widgets.note("Mass");
-    desk.widgets.tooltip("Material that lies, that rolls, that was poured, and that left the terrain.");
+    desk.widgets.tooltip("Material that stands, that rolls, that was poured, and that has left the terrain.");
 }
 
 }  // namespace

@@ -86,12 +86,14 @@ void material(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
         const char *label, *tooltip;
         bool standing;
     };
-    constexpr std::array<Way, 2> kWays{{{"Rolls", "What is poured rolls at once.", false},
-                                        {"Lies", "What is poured lies until the slope gives way.", true}}};
-    const float em = desk.em(), width = 3.4f * em;
+    constexpr std::array<Way, 2> kWays{
+        {{"Rolling", "What is poured rolls at once.", false},
+         {"Standing", "What is poured stands until the slope gives way.", true}}};
+    const float em = desk.em(), width = 5 * em, gap = ImGui::GetStyle().ItemInnerSpacing.x;
     ImGui::BeginDisabled(facts.brush.tool == Tool::kBlast);
+    flow.next(2 * width + gap, em);
     for (const Way& way : kWays) {
-        flow.next(width, way.standing ? 0 : em);
+        if (way.standing) ImGui::SameLine(0, gap);
         const bool on = facts.brush.standing == way.standing;
         if (desk.widgets.button(way.label, way.tooltip, on, width) && !on)
             actions.emplace_back(Verb::kPourStandingOrRolling);
@@ -108,11 +110,12 @@ void material(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
 }
 
 void panel_buttons(Desk& desk, Flow& flow) {
-    const float width = ImGui::GetFrameHeight() * 1.2f;
+    const float width = ImGui::GetFrameHeight() * 1.2f, gap = ImGui::GetStyle().ItemSpacing.x;
+    flow.next(kPanels * width + (kPanels - 1) * gap, desk.em());
     for (const PanelInfo& info : kPanelInfos) {
         std::array<char, 96> text;
         std::snprintf(text.data(), text.size(), "%s: %s", name_of(info.verb).c_str(), info.tooltip);
-        flow.next(width, info.panel == Panel::kScene ? desk.em() : 0);
+        if (info.panel != Panel::kScene) ImGui::SameLine();
         if (desk.widgets.icon_button(info.title, info.icon, text.data(), desk.panels.is_open(info.panel)))
             desk.panels.toggle(info.panel);
     }

@@ -132,8 +132,8 @@ void Ui::build(const Facts& facts, Actions& actions) {
     if (!desk.panels.hidden()) {
         toolbar(desk, facts, actions);
         time_bar(desk, facts, actions);
-        readings(desk, facts);
         hint(desk, facts);
+        readings(desk, facts);
         open_panels(desk, facts, actions);
     }
     notices(desk, facts, desk.panels.hidden());

@@ -1,11 +1,11 @@
 #include "game/ui/widgets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <cstring>
-
-#include <imgui_internal.h>
+#include <utility>
 
 namespace game::ui {
 namespace {
@@ -55,14 +55,15 @@ const Places::Place* Places::find(std::string_view label) const {
 void Widgets::begin_frame(double elapsed_s) {
     places_.clear();
     elapsed_s_ = elapsed_s;
-    if (hovered_ != ImGui::GetCurrentContext()->HoveredIdPreviousFrame) hovered_ = 0;
+    if (!std::exchange(hovering_, false)) hovered_s_ = 0;
 }
 
 void Widgets::tooltip(const char* text) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-    const ImGuiID id = ImGui::GetItemID();
-    hovered_s_ = id == hovered_ ? hovered_s_ + elapsed_s_ : 0;
-    hovered_ = id;
+    const ImVec2 at = ImGui::GetItemRectMin();
+    hovered_s_ = at.x == hovered_.x && at.y == hovered_.y ? hovered_s_ + elapsed_s_ : 0;
+    hovered_ = at;
+    hovering_ = true;
     if (hovered_s_ < kTooltipAfter || ImGui::IsItemActive()) return;
     const float alpha = ImGui::GetStyle().Alpha;
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, std::max(alpha, 1.f));  // readable over a greyed widget
@@ -146,11 +147,24 @@ bool Widgets::toggle(const char* label, bool& on, const char* text) {
     return pressed;
 }
 
+// Behind a slider, from its left to its value.
+void Widgets::fill(const Slide& slide, double value, float width) {
+    const double part = slide.logarithmic ? std::log(value / slide.least) / std::log(slide.most / slide.least)
+                                          : (value - slide.least) / (slide.most - slide.least);
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        from,
+        {from.x + width * static_cast<float>(std::clamp(part, 0.0, 1.0)), from.y + ImGui::GetFrameHeight()},
+        alive(faded(kAccent, 0.4f)), ImGui::GetStyle().FrameRounding);
+}
+
 bool Widgets::slider(const char* label, double& value, const Slide& slide, const char* text) {
     ImGui::PushID(label);
     const ImGuiID id = ImGui::GetID("##slide");
     double shown = changing_ == id ? slid_ : value;
-    ImGui::SetNextItemWidth(slide.width > 0 ? slide.width : -FLT_MIN);
+    const float width = slide.width > 0 ? slide.width : ImGui::GetContentRegionAvail().x;
+    fill(slide, shown, width);
+    ImGui::SetNextItemWidth(width);
     const ImGuiSliderFlags flags = slide.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
     bool changed = ImGui::SliderScalar("##slide", ImGuiDataType_Double, &shown, &slide.least, &slide.most,
                                        slide.format, flags);
@@ -246,7 +260,10 @@ void Widgets::warn(const char* text) {
 }
 
 const char* write_volume(std::span<char> text, double cubic_metres) {
-    const char* format = cubic_metres < 10 ? "%.2f m³" : cubic_metres < 1000 ? "%.1f m³" : "%.0f m³";
+    const char* format = cubic_metres == 0     ? "%.0f m³"
+                         : cubic_metres < 10   ? "%.2f m³"
+                         : cubic_metres < 1000 ? "%.1f m³"
+                                               : "%.0f m³";
     std::snprintf(text.data(), text.size(), format, cubic_metres);
     // Digits in threes, from the unit forward.
     const std::string_view digits(text.data(), std::min(std::strcspn(text.data(), ". "), text.size()));

@@ -108,6 +108,7 @@ class Widgets {
     bool begin_choice(const char* label, const char* shown, const char* tooltip, float width);
     bool choice_item(const char* name, int index, bool chosen);
     bool plate(const char* label, ImVec2 size, bool on);  // an empty button
+    void fill(const Slide& slide, double value, float width);
     bool usual_mark(const Number& number);
     Typed typed(std::string_view was);
 
@@ -116,8 +117,9 @@ class Widgets {
     ImGuiID changing_ = 0;
     double slid_ = 0;
     std::array<char, 32> typed_{};
-    // The item under the cursor, for how long.
-    ImGuiID hovered_ = 0;
+    // Where the item under the cursor stands, and for how long the cursor has been there.
+    ImVec2 hovered_;
+    bool hovering_ = false;  // in this frame
     double hovered_s_ = 0, elapsed_s_ = 0;
 };
 
