@@ -99,6 +99,8 @@ TEST(Sandbox, plays_on_from_an_undo_to_the_bits_it_would_have_had) {
 
 TEST(Session, knows_when_its_fields_changed_last) {
     Opening opening = small_opening();
+    opening.scene.start.params.start_slope = 9;  // nothing starts by itself
+    opening.scene.start.rolling.assign(opening.scene.start.grid.size(), 0.f);
     opening.scene.commands = {{300, pour_here(opening.scene.start, 200)}};
     Sandbox sandbox = Sandbox::begin(std::move(opening), 1, std::nullopt).value();
     const Session& session = sandbox.session();
