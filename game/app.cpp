@@ -17,7 +17,6 @@
 namespace game {
 namespace {
 
-constexpr std::string_view kFirstScene = "alpine-valley";
 constexpr double kTickBudget = 0.04;         // s of a frame; with more the picture would stutter
 constexpr double kSoftwareResolution = 0.5;  // without a GPU four times the pixels take four times as long
 
@@ -50,18 +49,16 @@ glm::vec3 ring_colour(sim::CommandKind deed) {
 
 }  // namespace
 
-Outcome<std::unique_ptr<App>> App::begin(Screen& screen, const PlayOptions& options) {
+Outcome<std::unique_ptr<App>> App::begin(Screen& screen, Opening opening, int threads,
+                                         const std::optional<std::filesystem::path>& record) {
     const auto assets = assets_folder();
     if (!assets) return tl::unexpected(assets.error());
     auto catalogue = read_catalogue();
     if (!catalogue) return tl::unexpected(catalogue.error());
-    auto opening =
-        open_anything(options.what.empty() ? std::string(kFirstScene) : options.what, options.wishes);
-    if (!opening) return tl::unexpected(opening.error());
     auto renderer = render::Renderer::create(*assets, render::Quality::kFast);
     if (!renderer) return machine_fails(renderer.error());
 
-    std::unique_ptr<App> app(new App(screen, std::move(*renderer), std::move(*catalogue), options.threads));
+    std::unique_ptr<App> app(new App(screen, std::move(*renderer), std::move(*catalogue), threads));
     app->now_s_ = screen.seconds();
     app->renderer_name_ = screen.renderer_name();
     app->waits_for_gl_ = render::is_software_renderer();
@@ -69,8 +66,7 @@ Outcome<std::unique_ptr<App>> App::begin(Screen& screen, const PlayOptions& opti
         app->display_.resolution = kSoftwareResolution;
         app->tell("No GPU here: the picture is drawn at half resolution (Display changes it)");
     }
-    if (auto begun = app->begin_world(std::move(*opening), options.record); !begun)
-        return tl::unexpected(begun.error());
+    if (auto begun = app->begin_world(std::move(opening), record); !begun) return tl::unexpected(begun.error());
     return app;
 }
 

@@ -9,7 +9,6 @@
 #include "game/brush.h"
 #include "game/camera_control.h"
 #include "game/catalogue.h"
-#include "game/commands/commands.h"
 #include "game/display.h"
 #include "game/frame_times.h"
 #include "game/input.h"
@@ -28,9 +27,10 @@ namespace game {
 // everything that outlives a frame.
 class App {
   public:
-    // Opens what `options` ask for on a screen that outlives the app. Errors: what was asked for cannot be
-    // opened (2); shaders or assets are missing, or the recording that was asked for cannot be written (3).
-    static Outcome<std::unique_ptr<App>> begin(Screen& screen, const PlayOptions& options);
+    // Begins with `opening` on a screen that outlives the app; `record` as in begin_world. Errors: shaders or assets are
+    // missing, or `record` cannot be written (3).
+    static Outcome<std::unique_ptr<App>> begin(Screen& screen, Opening opening, int threads,
+                                               const std::optional<std::filesystem::path>& record);
     ~App();
 
     // One frame, from events to the picture on the screen. False once the person has asked to leave.

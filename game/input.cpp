@@ -22,7 +22,7 @@ void Input::take(std::span<const Event> events, ScreenSize size, Kept kept, Acti
         if (const auto* key = std::get_if<KeyEvent>(&event)) take_key(*key, kept.keys, actions);
         if (const auto* button = std::get_if<ButtonEvent>(&event)) take_button(*button, kept.mouse);
         if (const auto* wheel = std::get_if<WheelEvent>(&event); wheel && !kept.mouse) take_wheel(*wheel);
-        if (const auto* move = std::get_if<MoveEvent>(&event))
+        if (const auto* move = std::get_if<MoveEvent>(&event); move && size.width > 0)
             at_ = glm::dvec2(2 * move->x / size.width - 1, 1 - 2 * move->y / size.height);
         if (const auto* focus = std::get_if<FocusEvent>(&event); focus && !focus->focused) release_all();
         close_asked_ |= std::holds_alternative<CloseEvent>(event);

@@ -30,7 +30,7 @@ Outcome<Scene> load_scene(std::string_view name_or_path, const Wishes& wishes);
 
 // A real hill without a scene: a DEM, the material (snow-dry unless wished otherwise), no cover, borders and
 // no-data as sinks, and `release`, if any, (raster or GeoJSON, terrains/release.h) as rolling layer at rest.
-Outcome<Scene> scene_of_terrain(const std::filesystem::path& dem, const std::optional<std::filesystem::path>& release,
-                                const Wishes& wishes);
+Outcome<Scene> scene_of_terrain(const std::filesystem::path& dem,
+                                const std::optional<std::filesystem::path>& release, const Wishes& wishes);
 
 }  // namespace game

@@ -17,8 +17,8 @@ void TickClock::set_speed(double speed) {
 }
 
 int TickClock::ticks_due(double elapsed_s, double tick_s) {
-    if (std::exchange(stepping_, false)) return 1;
-    if (paused_) return 0;
+    const int steps = std::exchange(steps_, 0);
+    if (paused_ || steps > 0) return steps;
     const double wanted = elapsed_s * speed_ / tick_s;
     const double granted = std::min(elapsed_s, kLongestFrame) * speed_ / tick_s;
     const double fade = std::exp(-elapsed_s / kMemory);

@@ -9,7 +9,7 @@ class TickClock {
 
     bool paused() const { return paused_; }
     void pause(bool on) { paused_ = on; }
-    void step_once() { stepping_ = true; }  // one tick at the next frame, paused or not
+    void step_once() { ++steps_; }  // one tick more at the next frame, paused or not
 
     double speed() const { return speed_; }
     void set_speed(double speed);  // to the nearest power of two within kSlowest … kFastest
@@ -28,7 +28,8 @@ class TickClock {
     bool behind() const;  // reaches less than nine tenths of its speed
 
   private:
-    bool paused_ = false, stepping_ = false;
+    bool paused_ = false;
+    int steps_ = 0;  // asked for one by one
     double speed_ = 1;
     double owed_ = 0;               // ticks, less than one
     double wanted_ = 0, lost_ = 0;  // ticks of the last half second, fading

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <optional>
 #include <thread>
 
@@ -19,57 +20,44 @@ constexpr std::size_t kEventsPerFrame = 1024;         // room for a fast mouse a
 
 static_assert(GLFW_KEY_LAST < 512, "pressed_ has a place for every key");
 
+struct NamedKey {
+    int glfw;
+    Key key;
+};
+constexpr NamedKey kNamedKeys[] = {
+    {GLFW_KEY_ESCAPE, Key::kEscape},
+    {GLFW_KEY_ENTER, Key::kEnter},
+    {GLFW_KEY_KP_ENTER, Key::kEnter},
+    {GLFW_KEY_TAB, Key::kTab},
+    {GLFW_KEY_BACKSPACE, Key::kBackspace},
+    {GLFW_KEY_DELETE, Key::kDelete},
+    {GLFW_KEY_LEFT, Key::kLeft},
+    {GLFW_KEY_RIGHT, Key::kRight},
+    {GLFW_KEY_UP, Key::kUp},
+    {GLFW_KEY_DOWN, Key::kDown},
+    {GLFW_KEY_HOME, Key::kHome},
+    {GLFW_KEY_END, Key::kEnd},
+    {GLFW_KEY_PAGE_UP, Key::kPageUp},
+    {GLFW_KEY_PAGE_DOWN, Key::kPageDown},
+    {GLFW_KEY_LEFT_SHIFT, Key::kShift},
+    {GLFW_KEY_RIGHT_SHIFT, Key::kShift},
+    {GLFW_KEY_LEFT_CONTROL, Key::kControl},
+    {GLFW_KEY_RIGHT_CONTROL, Key::kControl},
+    {GLFW_KEY_LEFT_ALT, Key::kAlt},
+    {GLFW_KEY_RIGHT_ALT, Key::kAlt},
+    {GLFW_KEY_KP_ADD, Key::kEqual},
+    {GLFW_KEY_KP_SUBTRACT, Key::kMinus},
+    {GLFW_KEY_KP_DECIMAL, Key::kPeriod},
+};
+
 Key key_of(int glfw_key) {
     if (glfw_key >= GLFW_KEY_SPACE && glfw_key <= GLFW_KEY_GRAVE_ACCENT) return static_cast<Key>(glfw_key);
     if (glfw_key >= GLFW_KEY_F1 && glfw_key <= GLFW_KEY_F12) return function_key(glfw_key - GLFW_KEY_F1 + 1);
     if (glfw_key >= GLFW_KEY_KP_0 && glfw_key <= GLFW_KEY_KP_9)
         return key(static_cast<char>('0' + glfw_key - GLFW_KEY_KP_0));
-    switch (glfw_key) {
-        case GLFW_KEY_ESCAPE:
-            return Key::kEscape;
-        case GLFW_KEY_ENTER:
-        case GLFW_KEY_KP_ENTER:
-            return Key::kEnter;
-        case GLFW_KEY_TAB:
-            return Key::kTab;
-        case GLFW_KEY_BACKSPACE:
-            return Key::kBackspace;
-        case GLFW_KEY_DELETE:
-            return Key::kDelete;
-        case GLFW_KEY_LEFT:
-            return Key::kLeft;
-        case GLFW_KEY_RIGHT:
-            return Key::kRight;
-        case GLFW_KEY_UP:
-            return Key::kUp;
-        case GLFW_KEY_DOWN:
-            return Key::kDown;
-        case GLFW_KEY_HOME:
-            return Key::kHome;
-        case GLFW_KEY_END:
-            return Key::kEnd;
-        case GLFW_KEY_PAGE_UP:
-            return Key::kPageUp;
-        case GLFW_KEY_PAGE_DOWN:
-            return Key::kPageDown;
-        case GLFW_KEY_LEFT_SHIFT:
-        case GLFW_KEY_RIGHT_SHIFT:
-            return Key::kShift;
-        case GLFW_KEY_LEFT_CONTROL:
-        case GLFW_KEY_RIGHT_CONTROL:
-            return Key::kControl;
-        case GLFW_KEY_LEFT_ALT:
-        case GLFW_KEY_RIGHT_ALT:
-            return Key::kAlt;
-        case GLFW_KEY_KP_ADD:
-            return Key::kEqual;
-        case GLFW_KEY_KP_SUBTRACT:
-            return Key::kMinus;
-        case GLFW_KEY_KP_DECIMAL:
-            return Key::kPeriod;
-        default:
-            return Key::kNone;
-    }
+    const auto* named = std::find_if(std::begin(kNamedKeys), std::end(kNamedKeys),
+                                     [&](const NamedKey& candidate) { return candidate.glfw == glfw_key; });
+    return named == std::end(kNamedKeys) ? Key::kNone : named->key;
 }
 
 // What is printed on a key, where that is a letter of ours.

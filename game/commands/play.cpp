@@ -5,15 +5,32 @@
 #include "game/window.h"
 
 namespace game {
+namespace {
+
+constexpr const char* kFirstScene = "alpine-valley";
+
+// Where the time of the last frames went, for who wants to know without having looked at the panel.
+void tell_times(const FrameTimes& times) {
+    fmt::print("{:.1f} frames/s at the end; median ms of a frame:", times.frames_per_second());
+    for (std::size_t i = 0; i < kStages; ++i)
+        fmt::print(" {} {:.2f}", kStageNames[i], times.median_ms(static_cast<Stage>(i)));
+    fmt::print(", worst tick {:.2f}\n", times.worst_tick_ms());
+}
+
+}  // namespace
 
 Outcome<int> play(const PlayOptions& options) {
+    // Before there is a window: a mistake on the command line should not flash one.
+    auto opening = open_anything(options.what.empty() ? kFirstScene : options.what, options.wishes);
+    if (!opening) return tl::unexpected(opening.error());
     auto window = Window::open("Couloir", options.size.width, options.size.height);
     if (!window) return tl::unexpected(window.error());
-    auto app = App::begin(**window, options);
+    auto app = App::begin(**window, std::move(*opening), options.threads, options.record);
     if (!app) return tl::unexpected(app.error());
     while ((*app)->frame()) {
     }
     if (auto finished = (*app)->finish(); !finished) return tl::unexpected(finished.error());
+    tell_times((*app)->times());
     if (const auto& recording = (*app)->recording())
         fmt::print("{:.1f} s played; couloir replay {} plays it again\n",
                    (*app)->sandbox().session().seconds(), recording->string());

@@ -100,6 +100,8 @@ void Ui::begin(std::span<const Event> events, Screen& screen, double letters, do
     desk.size = io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
     io.DeltaTime = static_cast<float>(std::clamp(elapsed_s, 1e-4, 1.0));
     parts.feed.add(events);
+    // A frame that nobody sees, minimised, is begun and never built.
+    if (ImGui::GetFrameCount() > 0) ImGui::EndFrame();
     ImGui::NewFrame();
 }
 

@@ -8,6 +8,7 @@
 #include "game/recording/verifier.h"
 #include "render/picture.h"
 #include "tests/app/gl_screen.h"
+#include "tests/support/allocations.h"
 #include "tests/support/places.h"
 
 // The whole sandbox, from events to pixels and files, on a screen without a window.
@@ -22,11 +23,11 @@ class Playing : public testing::Test {
     Playing() { setenv("XDG_DATA_HOME", folder_.path().c_str(), 1); }
 
     void begin(const std::string& what = "alpine-valley", int squares = 80) {
-        PlayOptions options;
-        options.what = what;
-        if (squares > 0) options.wishes.squares = squares;
-        options.record = folder_.path() / "session.couloir";
-        auto begun = App::begin(screen_, options);
+        Wishes wishes;
+        if (squares > 0) wishes.squares = squares;
+        auto opening = open_anything(what, wishes);
+        ASSERT_TRUE(opening) << opening.error().sentence;
+        auto begun = App::begin(screen_, std::move(*opening), 1, folder_.path() / "session.couloir");
         ASSERT_TRUE(begun) << begun.error().sentence;
         app_ = std::move(*begun);
         frames(2);
@@ -43,7 +44,7 @@ class Playing : public testing::Test {
 
     // Over the slope in the middle of the picture, clear of panels.
     void point_at_slope() {
-        screen_.move_to(kAtX, kAtY);
+        screen_.move(kAtX, kAtY);
         frames(1);
     }
 
@@ -98,7 +99,7 @@ TEST_F(Playing, pours_by_holding_and_dragging_and_the_recording_replays_to_the_s
     point_at_slope();
     screen_.press(Button::kLeft);
     for (int i = 0; i < 30; ++i) {
-        screen_.move_to(kAtX - i, kAtY);
+        screen_.move(kAtX - i, kAtY);
         frames(1);
     }
     screen_.release(Button::kLeft);
@@ -117,6 +118,26 @@ TEST_F(Playing, shows_what_the_hand_does_within_two_frames) {
     frames(2);
     EXPECT_GT(mass().poured, 0);
     EXPECT_NE(screen_.picture().pixels, before);
+}
+
+TEST_F(Playing, allocates_nothing_in_a_frame_once_it_has_played_for_a_while) {
+    screen_.resize_to(1280, 720);  // room for more than one panel
+    begin();
+    for (const Verb verb : {Verb::kToggleScene, Verb::kTogglePhysics, Verb::kToggleDisplay, Verb::kTogglePerformance})
+        for (const KeyBinding& binding : key_bindings())
+            if (binding.verb == verb) tap(binding.key, binding.with);
+    screen_.move(640, 330);
+    frames(1);
+    screen_.press(Button::kLeft);
+    frames(80);
+    ASSERT_GT(mass().poured, 0);
+    // Pouring, recording, the camera turning, all panels open: whatever frames do all the time.
+    const std::int64_t before = support::allocations();
+    for (int i = 0; i < 60; ++i) {
+        screen_.move(640 + i % 7, 330);
+        ASSERT_TRUE(app_->frame());
+    }
+    EXPECT_EQ(support::allocations() - before, 0);
 }
 
 TEST_F(Playing, digs_and_blasts_and_inverts_both_with_control) {
@@ -199,20 +220,20 @@ TEST_F(Playing, turns_pans_zooms_and_flies_without_touching_the_world) {
         point_at_slope();
         screen_.press(button);
         frames(1);
-        screen_.move_to(kAtX - 80, kAtY - 20);
+        screen_.move(kAtX - 80, kAtY - 20);
         frames(1);
         screen_.release(button);
         expect_another_picture(what);
     }
-    screen_.give(WheelEvent{3, {}});
+    screen_.happen({WheelEvent{3, {}}});
     expect_another_picture("zoom");
     tap(key('T'));
     expect_another_picture("top-down");
     tap(key('T'));
     expect_another_picture("and back");
-    screen_.give(KeyEvent{key('W'), true, false, {}});
+    screen_.happen({KeyEvent{key('W'), true, false, {}}});
     frames(20);
-    screen_.give(KeyEvent{key('W'), false, false, {}});
+    screen_.happen({KeyEvent{key('W'), false, false, {}}});
     expect_another_picture("walk");
     tap(Key::kHome);
     expect_another_picture("overview");
@@ -228,7 +249,7 @@ TEST_F(Playing, sizes_the_brush_by_brackets_and_by_wheel_with_shift) {
     EXPECT_GT(app_->brush().radius, before);
     tap(Key::kLeftBracket);
     EXPECT_NEAR(app_->brush().radius, before, 1e-9);
-    screen_.give(WheelEvent{-2, {.shift = true}});
+    screen_.happen({WheelEvent{-2, {.shift = true}}});
     frames(1);
     EXPECT_LT(app_->brush().radius, before);
 }
@@ -250,11 +271,11 @@ TEST_F(Playing, begins_anew_with_the_same_first_hash_and_another_file) {
 
 TEST_F(Playing, survives_being_minimised_and_resized_while_running) {
     begin();
-    screen_.resize(0, 0);
-    const int shown = screen_.shown;
+    screen_.resize_to(0, 0);
+    const int shown = screen_.frames();
     for (int i = 0; i < 5; ++i) ASSERT_TRUE(app_->frame());
-    EXPECT_EQ(screen_.shown, shown);
-    screen_.resize(801, 433);
+    EXPECT_EQ(screen_.frames(), shown);
+    screen_.resize_to(801, 433);
     frames(3);
     EXPECT_EQ(screen_.picture().width, 801);
     stroke(5);
@@ -266,7 +287,7 @@ TEST_F(Playing, closes_the_file_when_it_is_left_in_the_middle_of_a_stroke) {
     point_at_slope();
     screen_.press(Button::kLeft);
     frames(10);
-    screen_.give(CloseEvent{});
+    screen_.happen({CloseEvent{}});
     EXPECT_FALSE(app_->frame());
     EXPECT_GT(mass().poured, 0);
     expect_recording_replays();
@@ -277,7 +298,7 @@ TEST_F(Playing, lets_go_of_everything_when_the_focus_is_lost) {
     point_at_slope();
     screen_.press(Button::kLeft);
     frames(5);
-    screen_.give(FocusEvent{false});
+    screen_.happen({FocusEvent{false}});
     frames(2);
     const auto poured = mass().poured;
     frames(10);
@@ -287,16 +308,16 @@ TEST_F(Playing, lets_go_of_everything_when_the_focus_is_lost) {
 TEST_F(Playing, opens_what_is_dropped_and_says_why_not) {
     begin();
     const auto before = line().hash;
-    screen_.drop(folder_.path() / "none.toml");
+    screen_.drop({folder_.path() / "none.toml"});
     frames(1);
     EXPECT_NE(last_notice().find("none.toml"), std::string::npos) << last_notice();
     EXPECT_EQ(app_->sandbox().start().scene, "alpine-valley");
     EXPECT_EQ(line().ledger.initial, mass().initial);
-    screen_.drop(support::source_dir() / "assets/scenes/landslide.toml");
+    screen_.drop({support::source_dir() / "assets/scenes/landslide.toml"});
     frames(1);
     EXPECT_EQ(app_->sandbox().start().scene, "landslide");
     EXPECT_NE(line().hash, before);
-    EXPECT_NE(screen_.title.find("slope of soil"), std::string::npos);
+    EXPECT_NE(screen_.title().find("slope of soil"), std::string::npos);
 }
 
 TEST_F(Playing, watches_a_recording_hands_off_and_then_takes_over) {

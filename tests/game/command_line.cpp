@@ -37,8 +37,9 @@ Arguments short_run(const Arguments& more = {}) {
 
 TEST(CommandLine, that_is_wrong_ends_with_2_and_one_line) {
     const std::pair<Arguments, const char*> wrong[] = {
-        {{}, "--help"},
         {{"ski"}, "ski"},
+        {{"play", "nowhere"}, "nowhere"},
+        {{"play", "landslide", "--scheme", "lax-friedrichs"}, "--scheme"},
         {{"--frobnicate"}, "--frobnicate"},
         {short_run({"--frobnicate"}), "--frobnicate"},
         {short_run({"--grid"}), "--grid"},

@@ -25,7 +25,7 @@ TEST(Opening, takes_a_scene_by_its_name_and_a_shipped_recording_by_name_and_endi
 TEST(Opening, tells_a_torn_recording_and_takes_it_all_the_same) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "torn.couloir";
-    record(path, small_start(), 30);
+    record(path, small_start(), 30, {});
     std::filesystem::resize_file(path, std::filesystem::file_size(path) - 5);
     const auto opening = open_anything(path.string(), {});
     ASSERT_TRUE(opening);

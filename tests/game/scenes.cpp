@@ -56,7 +56,7 @@ TEST(ShippedScenes, load_on_their_own_grid_and_on_a_coarser_one) {
         const auto own = load_scene(name, {});
         ASSERT_TRUE(own) << own.error().sentence;
         EXPECT_EQ(own->start.scene, name);
-        EXPECT_FALSE(own->commands.empty());
+        EXPECT_EQ(own->commands.empty(), name == "alpine-valley");  // the one that is left to the person
         Wishes coarse;
         coarse.squares = 40;
         const auto forty = load_scene(name, coarse);

@@ -18,6 +18,9 @@ generator = "slope-of-soil"
 grid = 40
 [cover]
 material = "soil"
+[physics]
+model = "bcre-inertial"
+borders = "open"
 [camera]
 target = [80, 84, -33]
 azimuth = 207

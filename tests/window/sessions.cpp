@@ -46,7 +46,8 @@ TEST_F(Play, pours_where_the_button_is_held_and_dragged) {
     hand().press(Mouse::kLeft);
     ASSERT_TRUE(session->comes_to("pour", 10));
     const auto held = session->commands("pour");
-    EXPECT_EQ(least(held, "x"), most(held, "x")) << "the hand did not move";
+    // The hand does not move; but as the heap rises, it meets the ground a little nearer to the eye.
+    EXPECT_LT(most(held, "x") - least(held, "x"), 2) << "m";
     hand().drag(kX + 60, kY + 20);
     ASSERT_TRUE(session->comes_to("pour", held.size() + 10));
     hand().release(Mouse::kLeft);
@@ -130,7 +131,10 @@ TEST_F(Play, stands_still_and_goes_on_tick_by_tick) {
     }
     const std::int64_t from = session->tick();
     ASSERT_GT(from, paused);
-    for (int i = 0; i < 3; ++i) hand().key("period");
+    for (int i = 0; i < 3; ++i) {
+        hand().key("period");
+        rest(0.3);  // a frame between any two, also on a slow machine
+    }
     EXPECT_TRUE(session->stands());
     EXPECT_EQ(session->tick(), from);
     session->leave();
@@ -173,6 +177,7 @@ TEST_F(Play, goes_on_through_resizing_and_minimising) {
     };
     EXPECT_TRUE(within(10, [&] { return is_drawn(790, 550); })) << "nothing is drawn in the new corner";
     hand().minimise();
+    rest(0.5);  // several frames that nobody sees
     hand().restore();
     EXPECT_TRUE(session->runs());
     hand().move(400, 280);

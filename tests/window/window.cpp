@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <sstream>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "game/events.h"
@@ -22,17 +22,15 @@ class Window : public testing::Test {
 
     // Whether it prints this line, at once or soon.
     bool says(const std::string& line) {
-        return within(5,
-                      [&] { return ("\n" + desktop->out()).find("\n" + line + "\n") != std::string::npos; });
+        const std::string whole = fmt::format("\n{}\n", line);
+        return within(5, [&] { return desktop->out().find(whole) != std::string::npos; });
     }
     bool says(Key key, const std::string& how) {
-        return says("key " + std::to_string(static_cast<int>(key)) + " " + how);
+        return says(fmt::format("key {} {}", static_cast<int>(key), how));
     }
     bool says_size(int width, int height, bool full_screen) {
-        std::ostringstream line;
-        line << "\nsize " << width << " " << height << " full screen " << std::boolalpha << full_screen
-             << " ";
-        return within(5, [&] { return desktop->out().find(line.str()) != std::string::npos; });
+        const std::string line = fmt::format("\nsize {} {} full screen {} ", width, height, full_screen);
+        return within(5, [&] { return desktop->out().find(line) != std::string::npos; });
     }
 
     std::optional<XSession> desktop;
