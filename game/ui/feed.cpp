@@ -49,7 +49,7 @@ Feed::Feed() {
 void Feed::add(std::span<const Event> events) {
     keys_turned_.reset();
     buttons_turned_.reset();
-    key_went_down_ = false;
+    key_went_down_ = text_came_ = false;
     waiting_.insert(waiting_.end(), events.begin(), events.end());
     const auto next =
         std::find_if(waiting_.begin(), waiting_.end(), [this](const Event& event) { return !take(event); });
@@ -65,6 +65,8 @@ bool Feed::take(const KeyEvent& event) {
     if (code >= keys_turned_.size()) return true;
     bool& down = ImGui::GetIO().KeysDown[code];
     if (down != event.down && keys_turned_[code]) return false;
+    // With Ctrl held ImGui throws text away.
+    if (text_came_ && event.with.control != ImGui::GetIO().KeyCtrl) return false;
     hold(event.with);
     if (down != event.down) keys_turned_.set(code);
     down = event.down;
@@ -99,6 +101,7 @@ bool Feed::take(const WheelEvent& event) {
 
 bool Feed::take(const TextEvent& event) {
     if (key_went_down_) return false;  // ImGui would put the text before the key
+    text_came_ = true;
     ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(event.character));
     return true;
 }

@@ -33,7 +33,7 @@ class Feed {
     // Of this frame:
     std::bitset<kKeys> keys_turned_;
     std::bitset<kButtons> buttons_turned_;
-    bool key_went_down_ = false;
+    bool key_went_down_ = false, text_came_ = false;
 };
 
 }  // namespace game::ui

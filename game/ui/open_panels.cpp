@@ -6,7 +6,8 @@
 namespace game::ui {
 namespace {
 
-constexpr float kColumn = 24, kHelp = 56, kBesides = 20;  // em: widths, and what two columns leave between
+constexpr float kColumn = 24, kReadingsHeight = 10.2f, kHelp = 56,
+                kBesides = 20;  // em: sizes, and what two columns leave between
 
 bool in_left_column(Panel panel) {
     return panel == Panel::kScene || panel == Panel::kDisplay;
@@ -67,7 +68,9 @@ void column(Desk& desk, bool left, const Facts& facts, Actions& actions) {
     auto waiting = std::count_if(std::begin(kPanelInfos), std::end(kPanelInfos), mine);
     const float width = std::min(kColumn * desk.em(), desk.size.x - 2 * desk.margin());
     // Above what stands in the corner, where that leaves room enough.
-    float bottom = left && desk.beside_time_bar() ? desk.readings_top : desk.time_bar_top;
+    float bottom = desk.time_bar_top;
+    if (left && desk.beside_time_bar())
+        bottom = desk.size.y - desk.margin() - std::max(desk.readings_height, kReadingsHeight * desk.em());
     if (desk.narrow()) bottom = desk.size.y;
     if (!left) desk.right_column = waiting > 0 ? width + desk.margin() : 0;
     Frame frame{left ? desk.margin() : desk.size.x - desk.margin() - width,

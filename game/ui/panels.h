@@ -63,8 +63,9 @@ struct Desk {
     std::array<char, 192> refusal{};  // why a number was not taken
     ImVec2 size{1280, 720};           // of the screen, px
     // px, as drawn last. The lower edge is that of what has no room beside the time bar.
-    float toolbar_bottom = 0, time_bar_top = 0, time_bar_left = 0, lower_edge = 0, readings_top = 0;
-    float right_column = 0;  // its width with its margin; 0 while none of it is open
+    float toolbar_bottom = 0, time_bar_top = 0, time_bar_left = 0, lower_edge = 0;
+    float readings_height = 0;  // kept while the cursor is beside, so that panels stay where they are
+    float right_column = 0;     // its width with its margin; 0 while none of it is open
 
     float em() const { return widgets.em; }
     float margin() const { return em() * 0.6f; }

@@ -78,7 +78,7 @@ void readings(Desk& desk, const Facts& facts) {
     rows(desk, *facts.under_cursor);
     ImGui::PopFont();
     if (facts.under_cursor->where[0] != 0) where(desk, *facts.under_cursor);
-    desk.readings_top = ImGui::GetWindowPos().y;
+    desk.readings_height = ImGui::GetWindowSize().y;
     ImGui::End();
     ImGui::PopStyleVar(2);
 }

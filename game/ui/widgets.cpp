@@ -183,10 +183,10 @@ bool Widgets::slider(const char* label, double& value, const Slide& slide, const
 }
 
 bool Widgets::begin_choice(const char* label, const char* shown, const char* text, float width) {
-    ImGui::PushID(label);
+    std::array<char, 64> id;  // no PushID: an open list is a window of its own, with other ids
+    std::snprintf(id.data(), id.size(), "##%s", label);
     ImGui::SetNextItemWidth(width > 0 ? width : -FLT_MIN);
-    const bool open = ImGui::BeginCombo("##choice", shown);
-    ImGui::PopID();
+    const bool open = ImGui::BeginCombo(id.data(), shown);
     if (!open) {
         places_.note(label);
         tooltip(text);

@@ -1,0 +1,57 @@
+#include "game/frame_times.h"
+
+#include <gtest/gtest.h>
+
+namespace game::test {
+namespace {
+
+FrameTime frame_of(float frame_ms, float solve_ms = 0, float worst_tick_ms = 0) {
+    FrameTime frame;
+    frame.frame_ms = frame_ms;
+    frame.stage_ms[stage_index(Stage::kSolve)] = solve_ms;
+    frame.worst_tick_ms = worst_tick_ms;
+    return frame;
+}
+
+TEST(FrameTimes, say_nothing_of_frames_there_were_none_of) {
+    const FrameTimes times;
+    EXPECT_EQ(times.size(), 0u);
+    EXPECT_EQ(times.frames_per_second(), 0);
+    EXPECT_EQ(times.median_ms(Stage::kDraw), 0);
+    EXPECT_EQ(times.worst_tick_ms(), 0);
+}
+
+TEST(FrameTimes, keep_the_last_frames_oldest_first) {
+    FrameTimes times;
+    for (std::size_t i = 0; i < FrameTimes::kKept + 3; ++i) times.add(frame_of(static_cast<float>(i)));
+    ASSERT_EQ(times.size(), FrameTimes::kKept);
+    EXPECT_EQ(times[0].frame_ms, 3);
+    EXPECT_EQ(times[FrameTimes::kKept - 1].frame_ms, static_cast<float>(FrameTimes::kKept + 2));
+}
+
+TEST(FrameTimes, count_frames_of_the_last_second_alone) {
+    FrameTimes times;
+    for (int i = 0; i < 10; ++i) times.add(frame_of(500));
+    EXPECT_DOUBLE_EQ(times.frames_per_second(), 2);
+    for (int i = 0; i < 100; ++i) times.add(frame_of(10));
+    EXPECT_DOUBLE_EQ(times.frames_per_second(), 100);
+}
+
+TEST(FrameTimes, are_told_by_a_median_that_one_hiccup_does_not_move) {
+    FrameTimes times;
+    for (const float ms : {3.f, 1.f, 900.f, 2.f, 4.f}) times.add(frame_of(16, ms));
+    EXPECT_EQ(times.median_ms(Stage::kSolve), 3);
+    EXPECT_EQ(times.median_ms(Stage::kDraw), 0);
+}
+
+TEST(FrameTimes, remember_the_worst_tick_as_long_as_its_frame) {
+    FrameTimes times;
+    times.add(frame_of(16, 0, 30));
+    for (std::size_t i = 1; i < FrameTimes::kKept; ++i) times.add(frame_of(16, 0, 5));
+    EXPECT_EQ(times.worst_tick_ms(), 30);
+    times.add(frame_of(16, 0, 5));
+    EXPECT_EQ(times.worst_tick_ms(), 5);
+}
+
+}  // namespace
+}  // namespace game::test

@@ -1,0 +1,61 @@
+#include "game/key_map.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace game::test {
+namespace {
+
+TEST(KeyMap, binds_no_key_twice) {
+    std::set<std::string> names;
+    for (const KeyBinding& binding : key_bindings())
+        EXPECT_TRUE(names.insert(name_of(binding.key, binding.with)).second) << binding.meaning;
+    // Keys to hold act with any modifier but Ctrl, so that even their bare key must be free.
+    for (const HeldBinding& binding : held_bindings())
+        EXPECT_TRUE(names.insert(name_of(binding.key)).second) << binding.meaning;
+}
+
+TEST(KeyMap, binds_every_verb_and_everything_that_is_held) {
+    std::set<Verb> verbs;
+    for (const KeyBinding& binding : key_bindings()) verbs.insert(binding.verb);
+    EXPECT_EQ(verbs.size(), kVerbs);
+    std::set<Held> held;
+    for (const HeldBinding& binding : held_bindings()) held.insert(binding.held);
+    EXPECT_EQ(held.size(), 6u);
+}
+
+TEST(KeyMap, gives_one_meaning_to_each_gesture_of_the_hand) {
+    std::set<std::pair<int, bool>> hands;
+    for (const GestureBinding& binding : gesture_bindings())
+        EXPECT_TRUE(
+            hands.insert({binding.button ? static_cast<int>(*binding.button) : -1, binding.shift}).second)
+            << binding.hand;
+    std::set<Gesture> gestures;
+    for (const GestureBinding& binding : gesture_bindings()) gestures.insert(binding.gesture);
+    EXPECT_EQ(gestures.size(), 5u);
+}
+
+TEST(KeyMap, says_something_of_every_binding) {
+    for (const KeyBinding& binding : key_bindings()) {
+        EXPECT_FALSE(binding.meaning.empty());
+        EXPECT_FALSE(name_of(binding.key, binding.with).empty()) << binding.meaning;
+    }
+    for (const HeldBinding& binding : held_bindings()) EXPECT_FALSE(name_of(binding.key).empty());
+}
+
+TEST(KeyMap, names_keys_as_they_are_printed_on_keyboards) {
+    EXPECT_EQ(name_of(key('Z'), {false, true, false}), "Ctrl+Z");
+    EXPECT_EQ(name_of(Key::kLeftBracket, {true, false, false}), "Shift+[");
+    EXPECT_EQ(name_of(Key::kSpace), "Space");
+    EXPECT_EQ(name_of(function_key(1)), "F1");
+    EXPECT_EQ(name_of(function_key(9)), "F9");
+    EXPECT_EQ(name_of(function_key(10)), "F10");
+    EXPECT_EQ(name_of(function_key(12)), "F12");
+    EXPECT_EQ(name_of(Key::kPageDown), "PageDown");
+    EXPECT_EQ(name_of(Key::kNone), "");
+    EXPECT_EQ(name_of(Verb::kToggleHelp), "F1");
+}
+
+}  // namespace
+}  // namespace game::test

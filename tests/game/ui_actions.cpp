@@ -1,0 +1,142 @@
+#include <gtest/gtest.h>
+
+#include "tests/game/ui_hand.h"
+
+namespace game::test {
+namespace {
+
+TEST_F(UiHand, asks_for_nothing_while_nobody_touches_it) {
+    settle(30);
+}
+
+TEST_F(UiHand, asks_for_the_tool_that_is_clicked) {
+    EXPECT_EQ(only<Verb>(click("Dig")), Verb::kDig);
+    EXPECT_EQ(only<Verb>(click("Blast")), Verb::kBlast);
+    EXPECT_EQ(only<Verb>(click("Pour")), Verb::kPour);
+}
+
+TEST_F(UiHand, asks_for_what_the_time_bar_says) {
+    EXPECT_EQ(only<Verb>(click("Pause")), Verb::kPauseOrGoOn);
+    EXPECT_EQ(only<Verb>(click("One tick")), Verb::kStepOnce);
+    EXPECT_EQ(only<Verb>(click("Reset")), Verb::kReset);
+    clock_.pause(true);
+    frame();
+    EXPECT_FALSE(ui_->find("Pause"));
+    EXPECT_EQ(only<Verb>(click("Go on")), Verb::kPauseOrGoOn);
+}
+
+TEST_F(UiHand, asks_for_each_speed_that_is_chosen) {
+    EXPECT_TRUE(click("Speed").empty());
+    EXPECT_EQ(only<SetSpeed>(click("1/8 ×")).speed, 0.125);
+    EXPECT_TRUE(click("Speed").empty());
+    EXPECT_EQ(only<SetSpeed>(click("16 ×")).speed, 16);
+}
+
+TEST_F(UiHand, undoes_only_where_there_is_something_to_undo) {
+    EXPECT_TRUE(click("Undo").empty());
+    actions_to_undo_ = 1;
+    EXPECT_EQ(only<Verb>(click("Undo")), Verb::kUndo);
+}
+
+TEST_F(UiHand, pours_standing_or_rolling_by_the_button_that_is_not_on) {
+    EXPECT_TRUE(click("Rolling").empty());
+    EXPECT_EQ(only<Verb>(click("Standing")), Verb::kPourStandingOrRolling);
+    brush_.standing = true;
+    EXPECT_TRUE(click("Standing").empty());
+    EXPECT_EQ(only<Verb>(click("Rolling")), Verb::kPourStandingOrRolling);
+}
+
+TEST_F(UiHand, sets_radius_and_strength_of_the_brush_by_sliding) {
+    const auto at = place("Radius");
+    screen_.move(at.x + at.width * 0.75, at.y + at.height / 2);
+    frame();
+    screen_.press(Button::kLeft);
+    const Brush larger = only<SetBrush>(frame()).brush;
+    EXPECT_GT(larger.radius, brush_.radius);
+    EXPECT_EQ(larger.strength, brush_.strength);
+    brush_ = larger;
+    screen_.release(Button::kLeft);
+    settle();
+
+    brush_.tool = Tool::kBlast;
+    frame();
+    const auto strength = place("Strength");
+    screen_.move(strength.x + 2, strength.y + strength.height / 2);
+    frame();
+    screen_.press(Button::kLeft);
+    const Brush weaker = only<SetBrush>(frame()).brush;
+    EXPECT_DOUBLE_EQ(weaker.strength[2], Brush::kLeastStrength);
+    EXPECT_EQ(weaker.strength[0], brush_.strength[0]);
+    EXPECT_EQ(weaker.radius, brush_.radius);
+}
+
+TEST_F(UiHand, says_what_a_tool_does_while_control_is_held) {
+    brush_.tool = Tool::kBlast;
+    inverted_ = true;
+    frame();
+    EXPECT_TRUE(ui_->find("Settle"));
+    EXPECT_FALSE(ui_->find("Blast"));
+}
+
+TEST_F(UiHand, greys_the_tools_while_a_recording_is_watched) {
+    EXPECT_FALSE(ui_->find("Watching a recording"));
+    watching_ = ui::Watching{600};
+    actions_to_undo_ = 2;
+    settle();
+    EXPECT_TRUE(ui_->find("Watching a recording"));
+    for (const char* label : {"Dig", "Standing", "Radius", "Undo"})
+        EXPECT_TRUE(click(label).empty()) << label;
+    EXPECT_EQ(only<Verb>(click("Pause")), Verb::kPauseOrGoOn);
+}
+
+TEST_F(UiHand, says_when_the_machine_cannot_keep_up) {
+    EXPECT_TRUE(ui_->find("at rest"));
+    for (int i = 0; i < 60; ++i) {
+        clock_.ticks_due(0.1, 1.0 / 60);
+        clock_.ticks_undone(4);
+    }
+    ASSERT_TRUE(clock_.behind());
+    frame();
+    EXPECT_FALSE(ui_->find("at rest"));
+    EXPECT_TRUE(ui_->find("reaches 0.3 ×"));
+}
+
+TEST_F(UiHand, hints_at_the_brush_until_the_world_was_touched) {
+    EXPECT_TRUE(ui_->find("Hint"));
+    touched_ = true;
+    frame();
+    EXPECT_FALSE(ui_->find("Hint"));
+}
+
+TEST_F(UiHand, reads_out_what_is_under_the_cursor_and_nothing_where_there_is_none) {
+    EXPECT_FALSE(ui_->find("Slope"));
+    under_cursor_.emplace();
+    under_cursor_->slope_deg = 37;
+    settle();
+    for (const char* label : {"Height", "Slope", "Faces", "Standing", "Rolling", "Speed"})
+        EXPECT_TRUE(ui_->find(label)) << label;
+}
+
+TEST_F(UiHand, shows_notices_until_they_have_faded) {
+    notices_.tell(Notice::Kind::kInfo, "Loaded a valley.", screen_.seconds());
+    frame();
+    EXPECT_TRUE(ui_->find("Loaded a valley."));
+    screen_.pass(Notices::kInfoStays);
+    frame();
+    EXPECT_FALSE(ui_->find("Loaded a valley."));
+}
+
+TEST_F(UiHand, leaves_the_middle_of_the_picture_free_at_first) {
+    under_cursor_.emplace();
+    notices_.tell(Notice::Kind::kInfo, "Loaded a valley.", screen_.seconds());
+    settle();
+    for (double x = 0.2; x <= 0.8; x += 0.1)
+        for (double y = 0.2; y <= 0.75; y += 0.05) {
+            screen_.move(x * 1280, y * 720);
+            frame();
+            EXPECT_FALSE(ui_->keeps_mouse()) << x << " " << y;
+        }
+}
+
+}  // namespace
+}  // namespace game::test

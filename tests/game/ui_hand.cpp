@@ -1,0 +1,83 @@
+#include "tests/game/ui_hand.h"
+
+namespace game::test {
+
+UiHand::UiHand() {
+    const support::Ground ground = support::plane(20, 5, 0.6, 2);
+    start_.scene = "valley";
+    start_.title = "A valley";
+    start_.material = "snow-dry";
+    start_.terrain = "plane";
+    start_.licence = "CC0";
+    start_.grid = ground.grid;
+    start_.params = support::lively(sim::Model::kBcreInertial);
+    state_ = sim::make_state(ground.world(), start_.params);
+    catalogue_.scenes = {{"slope", "A slope", "/scenes/slope.toml"},
+                         {"valley", "A valley", "/scenes/valley.toml"}};
+    catalogue_.materials = {{"sand", "dry sand", "/materials/sand.toml"},
+                            {"snow-dry", "loose dry snow", "/materials/snow-dry.toml"}};
+    catalogue_.recordings = {{"slope", "A slope that slid", "/recordings/slope.couloir"}};
+    times_.add({{1, 2, 3, 4, 5}, 16, 2, 1});
+    begin_anew({1280, 720, 1});
+}
+
+void UiHand::begin_anew(ScreenSize size) {
+    ui_.reset();  // ImGui has one context
+    screen_.resize(size);
+    ui_.emplace(std::nullopt);
+    settle();
+}
+
+ui::Facts UiHand::facts() const {
+    return {start_,   state_,           clock_,        brush_,       inverted_,  false,
+            touched_, actions_to_undo_, under_cursor_, camera_mode_, display_,   times_,
+            notices_, catalogue_,       watching_,     recording_,   "scripted", screen_.seconds()};
+}
+
+Actions UiHand::frame() {
+    Actions actions;
+    screen_.pass(1.0 / 60);
+    ui_->begin(screen_.poll(), screen_, display_.letters, 1.0 / 60);
+    ui_->build(facts(), actions);
+    return actions;
+}
+
+void UiHand::settle(int frames) {
+    for (int i = 0; i < frames; ++i) EXPECT_TRUE(frame().empty());
+}
+
+ui::Ui::Place UiHand::place(std::string_view label) {
+    const auto found = ui_->find(label);
+    EXPECT_TRUE(found) << "'" << label << "' is not to be seen";
+    return found.value_or(ui::Ui::Place{});
+}
+
+void UiHand::point_at(std::string_view label) {
+    const auto at = place(label);
+    screen_.move(at.x + at.width / 2, at.y + at.height / 2);
+}
+
+Actions UiHand::click(std::string_view label) {
+    point_at(label);
+    Actions all;
+    const auto go_on = [&] {
+        for (const Action& action : frame()) all.push_back(action);
+    };
+    go_on();
+    screen_.press(Button::kLeft);
+    go_on();
+    screen_.release(Button::kLeft);
+    for (int i = 0; i < 3; ++i) go_on();
+    return all;
+}
+
+Actions UiHand::type_into(std::string_view label, std::string_view text) {
+    Actions all = click(label);
+    screen_.type(text);
+    screen_.tap(Key::kEnter);
+    for (int i = 0; i < 4; ++i)
+        for (const Action& action : frame()) all.push_back(action);
+    return all;
+}
+
+}  // namespace game::test

@@ -1,0 +1,189 @@
+#include <gtest/gtest.h>
+
+#include "game/key_map.h"
+#include "tests/game/ui_hand.h"
+
+namespace game::test {
+namespace {
+
+struct PanelFacts {
+    Verb verb;
+    const char* button;
+    std::vector<const char*> widgets;
+};
+const std::vector<PanelFacts> kPanels{
+    {Verb::kToggleScene, "Scene", {"Close Scene", "Terrain", "Choose a scene", "Begin", "Watch slope"}},
+    {Verb::kTogglePhysics, "Physics", {"Close Physics", "start slope", "exchange rate"}},
+    {Verb::kToggleDisplay,
+     "Display",
+     {"Close Display", "Ground shows", "Contours", "Direction", "Letters", "Fly"}},
+    {Verb::kTogglePerformance, "Performance", {"Close Performance", "Chart", "solve", "Worst tick"}},
+    {Verb::kToggleHelp, "Help", {"Close Help", "one tick"}},
+};
+
+class UiPanels : public UiHand {
+  protected:
+    void SetUp() override { begin_anew({1600, 1000, 1}); }
+};
+
+TEST_F(UiPanels, open_and_close_by_their_verbs_with_all_that_is_in_them) {
+    for (const PanelFacts& panel : kPanels) {
+        const auto shown = [&] {
+            int count = 0;
+            for (const char* label : panel.widgets) count += ui_->find(label).has_value();
+            return count;
+        };
+        EXPECT_EQ(shown(), 0) << panel.button;
+        EXPECT_TRUE(ui_->perform(panel.verb));
+        settle();
+        EXPECT_EQ(shown(), static_cast<int>(panel.widgets.size())) << panel.button;
+        EXPECT_TRUE(ui_->perform(panel.verb));
+        settle();
+        EXPECT_EQ(shown(), 0) << panel.button;
+    }
+}
+
+TEST_F(UiPanels, open_by_their_buttons_and_close_by_their_crosses_without_asking_anybody) {
+    for (const PanelFacts& panel : kPanels) {
+        EXPECT_TRUE(click(panel.button).empty());
+        EXPECT_TRUE(ui_->find(panel.widgets[0])) << panel.button;
+        EXPECT_TRUE(click(panel.widgets[0]).empty());
+        EXPECT_FALSE(ui_->find(panel.widgets[0])) << panel.button;
+    }
+}
+
+TEST_F(UiPanels, take_only_the_verbs_that_are_theirs) {
+    for (std::size_t i = 0; i < kVerbs; ++i) {
+        const auto verb = static_cast<Verb>(i);
+        EXPECT_EQ(ui_->perform(verb), verb >= Verb::kToggleScene && verb <= Verb::kTogglePanels) << i;
+    }
+}
+
+TEST_F(UiPanels, hide_all_at_once_and_come_back_as_they_were) {
+    ui_->perform(Verb::kToggleScene);
+    settle();
+    ui_->perform(Verb::kTogglePanels);
+    settle();
+    for (const char* label : {"Begin", "Pour", "Pause", "Hint"}) EXPECT_FALSE(ui_->find(label)) << label;
+    ui_->perform(Verb::kTogglePanels);
+    settle();
+    for (const char* label : {"Begin", "Pour", "Pause", "Hint"}) EXPECT_TRUE(ui_->find(label)) << label;
+}
+
+TEST_F(UiPanels, tell_warnings_even_while_they_are_hidden) {
+    ui_->perform(Verb::kTogglePanels);
+    notices_.tell(Notice::Kind::kInfo, "All is well.", screen_.seconds());
+    notices_.tell(Notice::Kind::kWarning, "The disk is full.", screen_.seconds());
+    settle();
+    EXPECT_TRUE(ui_->find("The disk is full."));
+    EXPECT_FALSE(ui_->find("All is well."));
+}
+
+TEST_F(UiPanels, stand_one_at_a_time_where_there_is_room_for_one) {
+    begin_anew({640, 360, 1});
+    ui_->perform(Verb::kToggleScene);
+    settle();
+    EXPECT_TRUE(ui_->find("Close Scene"));
+    ui_->perform(Verb::kTogglePhysics);
+    settle();
+    EXPECT_FALSE(ui_->find("Close Scene"));
+    EXPECT_TRUE(ui_->find("Close Physics"));
+}
+
+TEST_F(UiPanels, keep_every_button_on_the_screen_at_any_size_and_scale) {
+    for (const ScreenSize size :
+         {ScreenSize{640, 360, 1}, {1280, 720, 1}, {1280, 720, 1.5}, {2560, 1440, 2}}) {
+        begin_anew(size);
+        for (const char* label :
+             {"Pour", "Radius", "Strength", "Standing", "Help", "Pause", "Speed", "Reset"}) {
+            const auto at = place(label);
+            EXPECT_GE(at.x, 0) << label;
+            EXPECT_GE(at.y, 0) << label;
+            EXPECT_LE(at.x + at.width, size.width) << label << " at " << size.width;
+            EXPECT_LE(at.y + at.height, size.height) << label << " at " << size.width;
+        }
+    }
+}
+
+TEST_F(UiPanels, begin_a_scene_as_it_was_chosen) {
+    ui_->perform(Verb::kToggleScene);
+    settle();
+    Open open = only<Open>(click("Begin"));
+    EXPECT_EQ(open.name_or_path, "valley");  // what is loaded
+    EXPECT_FALSE(open.wishes.material || open.wishes.model || open.wishes.squares || open.wishes.scheme);
+
+    const auto choose = [&](const char* list, const char* item) {
+        EXPECT_TRUE(click(list).empty());
+        EXPECT_TRUE(click(item).empty());
+    };
+    choose("Choose a scene", "A slope");
+    choose("Of material", "dry sand");
+    choose("By model", "bcre");
+    choose("On a grid of", "256 squares");
+    open = only<Open>(click("Begin"));
+    EXPECT_EQ(open.name_or_path, "slope");
+    EXPECT_EQ(open.wishes.material, "sand");
+    EXPECT_EQ(open.wishes.model, sim::Model::kBcre);
+    EXPECT_EQ(open.wishes.squares, 256);
+
+    choose("Of material", "as the scene says");
+    EXPECT_FALSE(only<Open>(click("Begin")).wishes.material);
+}
+
+TEST_F(UiPanels, open_a_recording_by_its_file_because_scenes_have_names_too) {
+    ui_->perform(Verb::kToggleScene);
+    settle();
+    EXPECT_EQ(only<Open>(click("Watch slope")).name_or_path, "/recordings/slope.couloir");
+}
+
+TEST_F(UiPanels, change_one_thing_of_the_display_and_leave_the_rest) {
+    ui_->perform(Verb::kToggleDisplay);
+    settle();
+    Display expected = display_;
+    expected.contours = true;
+    EXPECT_EQ(only<SetDisplay>(click("Contours")).display, expected);
+
+    EXPECT_TRUE(click("Ground shows").empty());
+    expected = display_;
+    expected.overlay = render::Overlay::kSpeed;
+    EXPECT_EQ(only<SetDisplay>(click("speed")).display, expected);
+
+    display_.light.azimuth_deg = 12;
+    expected = display_;
+    expected.light = start_.light;
+    EXPECT_EQ(only<SetDisplay>(click("Sun as the scene says")).display, expected);
+    EXPECT_EQ(only<Verb>(click("Overview")), Verb::kOverview);
+}
+
+TEST_F(UiPanels, size_letters_only_when_the_slider_is_let_go) {
+    ui_->perform(Verb::kToggleDisplay);
+    settle();
+    const auto at = place("Letters");
+    screen_.move(at.x + at.width * 0.2, at.y + at.height / 2);
+    frame();
+    screen_.press(Button::kLeft);
+    settle(2);
+    screen_.move(at.x + at.width - 1, at.y + at.height / 2);
+    settle(2);
+    screen_.release(Button::kLeft);
+    const Display display = only<SetDisplay>(frame()).display;
+    EXPECT_EQ(display.letters, 3);
+    display_ = display;
+    settle();
+    EXPECT_GT(place("Pour").height, 2.5 * at.height);
+}
+
+TEST_F(UiPanels, list_every_key_and_every_gesture_in_the_help) {
+    begin_anew({1280, 720, 1});
+    ui_->perform(Verb::kToggleHelp);
+    settle();
+    for (const KeyBinding& binding : key_bindings())
+        EXPECT_TRUE(ui_->find(binding.meaning)) << binding.meaning;
+    for (const HeldBinding& binding : held_bindings())
+        EXPECT_TRUE(ui_->find(binding.meaning)) << binding.meaning;
+    for (const GestureBinding& binding : gesture_bindings())
+        EXPECT_TRUE(ui_->find(binding.meaning)) << binding.meaning;
+}
+
+}  // namespace
+}  // namespace game::test
