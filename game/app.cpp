@@ -130,17 +130,19 @@ void App::perform_all() {
     actions_.clear();
 }
 
+std::optional<glm::dvec3> App::ground_under(glm::dvec2 point) const {
+    const ScreenSize size = screen_.size();
+    const double aspect = static_cast<double>(size.width) / size.height;
+    return render::pick(sandbox_->session().view(), render::ray_through(camera_->camera(), aspect, point));
+}
+
 void App::move_camera(double elapsed_s) {
     const sim::View world = sandbox_->session().view();
     const ScreenSize size = screen_.size();
     const double aspect = static_cast<double>(size.width) / size.height;
-    const auto under = [&](glm::dvec2 point) {
-        return render::pick(world, render::ray_through(camera_->camera(), aspect, point));
-    };
-
     CameraWish wish;
     const auto cursor = input_.cursor();
-    if (input_.camera_drag_began()) drag_pivot_ = under(input_.drag_from());
+    if (input_.camera_drag_began()) drag_pivot_ = ground_under(input_.drag_from());
     if (const auto drag = input_.camera_drag(); drag && cursor) {
         wish.drag = drag == Gesture::kTurn ? CameraWish::Drag::kTurn : CameraWish::Drag::kPan;
         wish.from = input_.drag_from();
@@ -149,21 +151,22 @@ void App::move_camera(double elapsed_s) {
     }
     if (input_.zoom_steps() != 0 && cursor) {
         wish.zoom_steps = input_.zoom_steps();
-        if (!wish.pivot) wish.pivot = under(*cursor);
+        if (!wish.pivot) wish.pivot = ground_under(*cursor);
     }
     wish.walk = {input_.held(Held::kRight, Held::kLeft), input_.held(Held::kForward, Held::kBack),
                  input_.held(Held::kUp, Held::kDown)};
     wish.fast = input_.fast();
     camera_->move(wish, world, aspect, elapsed_s);
 
-    ground_ = cursor ? under(*cursor) : std::nullopt;
+    ground_ = cursor ? ground_under(*cursor) : std::nullopt;
 }
 
 void App::guide_stroke() {
     if (input_.resize_steps() != 0) resize_brush(input_.resize_steps());
     if (input_.brush_pressed()) begin_stroke();
     if (!stroke_) return;
-    stroke_->move_to(ground_ ? std::optional<glm::dvec2>(*ground_) : std::nullopt);
+    // Once the button is up the hand is elsewhere.
+    if (!stroke_ends_) stroke_->move_to(ground_ ? std::optional<glm::dvec2>(*ground_) : std::nullopt);
     // A click shorter than a tick is a stroke too; one while time stands still is none.
     if (!input_.brush_held()) stroke_ends_ = true;
     if (stroke_ends_ && clock_.paused()) stroke_.reset();
@@ -172,9 +175,11 @@ void App::guide_stroke() {
 void App::begin_stroke() {
     if (sandbox_->watched_until())
         return tell("Hands off until the recording has come to its end: = makes it faster");
-    if (!ground_) return;
+    // Where the button went down: by now the cursor may be far on.
+    const auto at = ground_under(input_.drag_from());
+    if (!at) return;
     const sim::CommandKind deed = deed_of(brush_, input_.inverted());
-    stroke_.emplace(deed, glm::dvec2(*ground_));
+    stroke_.emplace(deed, glm::dvec2(*at));
     stroke_ends_ = false;
     sandbox_->begin_action(std::string(sim::info_of(deed).name));
     if (clock_.paused())
@@ -193,7 +198,10 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
         if (const auto done = sandbox_->tick(hand_); !done) {
             warn(done.error().sentence);
             if (done.error().status == Failure::kMachine) recording_.reset();
-            if (done.error().status == Failure::kBadAnswer) clock_.pause(true);
+            if (done.error().status == Failure::kBadAnswer) {
+                clock_.pause(true);
+                break;
+            }
         }
         const double now = screen_.seconds() - begun;
         time.worst_tick_ms = std::max(time.worst_tick_ms, static_cast<float>(1000 * (now - spent)));
@@ -201,7 +209,7 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
     }
     clock_.ticks_undone(due - time.ticks);
     if (stroke_ && time.ticks > 0) {
-        stroke_->arrive();
+        stroke_->arrive(static_cast<double>(time.ticks) / due);
         if (stroke_ends_) stroke_.reset();
     }
     tell_when_watched();
@@ -214,6 +222,10 @@ void App::tell_when_watched() {
     if (verdict.parted)
         warn(fmt::format("The recording parts from what was played: {}. The world is yours now",
                          *verdict.parted));
+    else if (verdict.comparable && verdict.proven_tick < sandbox_->session().state().tick)
+        tell(
+            "The recording has come to its end; it states nothing to compare with up to there. The world is "
+            "yours");
     else if (!verdict.comparable)
         tell(
             "The recording has come to its end, played by another version of the physics: the world is "

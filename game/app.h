@@ -27,8 +27,8 @@ namespace game {
 // everything that outlives a frame.
 class App {
   public:
-    // Begins with `opening` on a screen that outlives the app; `record` as in begin_world. Errors: shaders or assets are
-    // missing, or `record` cannot be written (3).
+    // Begins with `opening` on a screen that outlives the app; `record` as in begin_world. Errors: shaders or
+    // assets are missing, or `record` cannot be written (3).
     static Outcome<std::unique_ptr<App>> begin(Screen& screen, Opening opening, int threads,
                                                const std::optional<std::filesystem::path>& record);
     ~App();
@@ -70,6 +70,7 @@ class App {
     void reset();
     void resize_brush(double steps);
     void begin_stroke();
+    std::optional<glm::dvec3> ground_under(glm::dvec2 point) const;  // of the picture
     void tell_when_watched();
 
     // Begins anew with `opening`, recorded in `record` or else in the recordings folder; the world before it

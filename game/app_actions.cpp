@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "game/app.h"
+#include "game/recording/format.h"
 #include "game/recordings_folder.h"
 #include "render/overview.h"
 
@@ -14,21 +15,14 @@ namespace {
 
 constexpr double kSizeStep = 1.15, kStrengthStep = 1.25;
 
-// Length of the longer side, m.
-double extent_of(const sim::Grid& grid) {
-    return static_cast<double>(grid.dx) * (std::max(grid.nx, grid.ny) - 1);
-}
-
 // A fiftieth of the mountain, but never so small that the grid cannot tell.
 Brush brush_for(const sim::Grid& grid) {
+    const auto dx = static_cast<double>(grid.dx);
+    const RadiusRange range = radius_range(grid);
     Brush brush;
-    brush.radius = std::max(0.02 * extent_of(grid), 2.5 * static_cast<double>(grid.dx));
+    brush.radius =
+        std::clamp(std::max(0.02 * dx * (std::max(grid.nx, grid.ny) - 1), 2.5 * dx), range.least, range.most);
     return brush;
-}
-
-// The double whose shortest text is the float's, so that a recording says 0.6 and not 0.6000000238418579.
-double as_written(float value) {
-    return std::stod(fmt::format("{}", value));
 }
 
 }  // namespace
@@ -105,7 +99,7 @@ void App::perform(const SetNumber& set) {
     sim::Command command;
     command.kind = sim::CommandKind::kSet;
     command.param = set.param;
-    command.value = as_written(set.value);
+    command.value = shortest(set.value);  // a recording says 0.6, and not 0.6000000238418579
     auto all = set_numbers_;
     all.push_back(command);
     auto fault = sim::fault_of(command);
@@ -117,16 +111,24 @@ void App::perform(const SetNumber& set) {
 }
 
 void App::resize_brush(double steps) {
-    const double most = std::min(Brush::kMostRadius, 0.5 * extent_of(sandbox_->start().grid));
-    brush_.radius = std::clamp(brush_.radius * std::pow(kSizeStep, steps), Brush::kLeastRadius, most);
+    const RadiusRange range = radius_range(sandbox_->start().grid);
+    brush_.radius = std::clamp(brush_.radius * std::pow(kSizeStep, steps), range.least, range.most);
 }
 
 void App::undo() {
     stroke_.reset();
-    set_numbers_.clear();
+    // A number that waits for the next tick has done nothing yet: it goes, and nothing else.
+    if (!set_numbers_.empty()) {
+        set_numbers_.clear();
+        return tell("Undone: the numbers that waited for the next tick");
+    }
     const auto undone = sandbox_->undo();
     ++epoch_;
-    if (!undone) return warn(undone.error().sentence);
+    if (!undone && undone.error().status == Failure::kMachine) {
+        recording_.reset();
+        return warn(fmt::format("Undone, but the recording ends here: {}", undone.error().sentence));
+    }
+    if (!undone) return tell(undone.error().sentence);
     tell(fmt::format("Undone: {}. Back at {:.1f} s", *undone, sandbox_->session().seconds()));
 }
 
@@ -146,14 +148,22 @@ void App::open_or_tell(const std::string& name_or_path, const Wishes& wishes) {
 Outcome<void> App::begin_world(Opening opening, const std::optional<std::filesystem::path>& record) {
     // Reset keeps the hand and the eye as they are; another mountain does not.
     const bool same = sandbox_ && ground_hash(sandbox_->start()) == ground_hash(opening.scene.start);
-    first_ = opening;
     auto recorder = begin_recording(opening.scene.start, record);
     if (!recorder) return tl::unexpected(recorder.error());
-    auto begun = Sandbox::begin(std::move(opening), threads_, std::move(*recorder));
+    std::optional<std::filesystem::path> recording;
+    if (*recorder) recording = (*recorder)->path();
+    auto begun = Sandbox::begin(opening, threads_, std::move(*recorder));
+    if (!begun && recording && !record) {
+        warn(fmt::format("This session is not recorded: {}", begun.error().sentence));
+        recording.reset();
+        begun = Sandbox::begin(opening, threads_, std::nullopt);
+    }
     if (!begun) return tl::unexpected(begun.error());
     if (sandbox_)
         if (const auto closed = sandbox_->finish(); !closed) warn(closed.error().sentence);
     sandbox_ = std::move(*begun);
+    first_ = std::move(opening);
+    recording_ = std::move(recording);
     ++epoch_;
 
     const Start& start = sandbox_->start();
@@ -166,16 +176,16 @@ Outcome<void> App::begin_world(Opening opening, const std::optional<std::filesys
         brush_ = brush_for(start.grid);
         display_.light = start.light;
         camera_.emplace(start.camera.value_or(render::overview(world)), world);
-        probe_.emplace(start.georeference);
     }
+    probe_.emplace(start.georeference);
     screen_.show_title(fmt::format("Couloir: {}", start.title));
     tell(first_.told);
+    now_s_ = screen_.seconds();  // loading took time that the new world does not owe
     return {};
 }
 
 Outcome<std::optional<Recorder>> App::begin_recording(const Start& start,
                                                       const std::optional<std::filesystem::path>& wanted) {
-    recording_.reset();
     const auto path = wanted ? Outcome<std::filesystem::path>(*wanted) : next_recording(start.scene);
     auto recorder = path ? Recorder::create(*path, start) : Outcome<Recorder>(tl::unexpected(path.error()));
     // A file that was asked for is a must; the one that is always made must not keep anybody from playing.
@@ -184,7 +194,6 @@ Outcome<std::optional<Recorder>> App::begin_recording(const Start& start,
         warn(fmt::format("This session is not recorded: {}", recorder.error().sentence));
         return std::nullopt;
     }
-    recording_ = *path;
     return std::move(*recorder);
 }
 

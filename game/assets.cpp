@@ -55,22 +55,28 @@ Outcome<std::vector<std::string>> asset_names(AssetKind kind) {
     return names;
 }
 
+bool is_asset(AssetKind kind, std::string_view name) {
+    const auto names = asset_names(kind);
+    return names && std::find(names->begin(), names->end(), name) != names->end();
+}
+
 Outcome<fs::path> find_asset(AssetKind kind, std::string_view name_or_path) {
     const fs::path given(name_or_path);
     std::error_code error;
-    if (fs::is_regular_file(given, error)) return given;
     const Drawer drawer = drawer_of(kind);
     const bool is_path = given.has_parent_path() || given.has_extension();
+    // What ships comes first: a folder or file that happens to be called so must not hide it.
+    if (!is_path && is_asset(kind, name_or_path))
+        return *assets_folder() / drawer.folder / fmt::format("{}{}", name_or_path, drawer.extension);
+    if (fs::is_regular_file(given, error)) return given;
     if (fs::is_directory(given, error))
         return unusable(fmt::format("{}: is a folder, not a file", name_or_path));
     if (is_path) return unusable(fmt::format("{}: no such file", name_or_path));
 
     const auto names = asset_names(kind);
     if (!names) return tl::unexpected(names.error());
-    if (std::find(names->begin(), names->end(), name_or_path) == names->end())
-        return unusable(fmt::format("no {} is named '{}'; there are {}", drawer.noun, name_or_path,
-                                    fmt::join(*names, ", ")));
-    return *assets_folder() / drawer.folder / fmt::format("{}{}", name_or_path, drawer.extension);
+    return unusable(
+        fmt::format("no {} is named '{}'; there are {}", drawer.noun, name_or_path, fmt::join(*names, ", ")));
 }
 
 }  // namespace game

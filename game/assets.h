@@ -18,6 +18,8 @@ enum class AssetKind { kScene, kMaterial, kRecording };
 // Names of what ships of a kind, sorted.
 Outcome<std::vector<std::string>> asset_names(AssetKind kind);
 
+bool is_asset(AssetKind kind, std::string_view name);
+
 // A shipped thing by its name, or a file by its path. Errors: neither; lists the names there are.
 Outcome<std::filesystem::path> find_asset(AssetKind kind, std::string_view name_or_path);
 

@@ -14,6 +14,13 @@ constexpr double kMostDiscs = 16;
 
 }  // namespace
 
+RadiusRange radius_range(const sim::Grid& grid) {
+    const auto dx = static_cast<double>(grid.dx);
+    const double extent = dx * (std::max(grid.nx, grid.ny) - 1);
+    const double least = std::clamp(dx / 2, Brush::kLeastRadius, Brush::kMostRadius);
+    return {least, std::clamp(extent / 2, least, Brush::kMostRadius)};
+}
+
 sim::CommandKind deed_of(const Brush& brush, bool inverted) {
     switch (brush.tool) {
         case Tool::kPour:
@@ -24,6 +31,10 @@ sim::CommandKind deed_of(const Brush& brush, bool inverted) {
             break;
     }
     return inverted ? sim::CommandKind::kSettle : sim::CommandKind::kBlast;
+}
+
+void Stroke::arrive(double share) {
+    from_ = from_ && to_ ? *from_ + share * (*to_ - *from_) : to_;
 }
 
 void Stroke::commands_of(int tick, int ticks, const Brush& brush, double tick_s,

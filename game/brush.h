@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 
 #include "sim/command.h"
+#include "sim/grid.h"
 
 namespace game {
 
@@ -29,6 +30,12 @@ struct Brush {
     bool operator==(const Brush&) const = default;
 };
 
+// Radii that make sense on a grid, m: from half a cell to half of the terrain, within the brush's own.
+struct RadiusRange {
+    double least, most;
+};
+RadiusRange radius_range(const sim::Grid& grid);
+
 // What a brush does to the world, inverted (Ctrl) or not: pour and dig change places, a blast becomes a
 // settle.
 sim::CommandKind deed_of(const Brush& brush, bool inverted);
@@ -49,8 +56,9 @@ class Stroke {
     // hand has gone on by a radius.
     void commands_of(int tick, int ticks, const Brush& brush, double tick_s,
                      std::vector<sim::Command>& commands);
-    // The ticks of a frame are done; the next way begins where this one ended.
-    void arrive() { from_ = to_; }
+    // The ticks of a frame are done, or that share of them that the machine could do; the next way begins
+    // there.
+    void arrive(double share);
 
   private:
     void burst(glm::dvec2 at, const Brush& brush, std::vector<sim::Command>& commands);

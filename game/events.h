@@ -31,7 +31,7 @@ enum class Key : std::uint16_t {
     kEnd,
     kPageUp,
     kPageDown,
-    kShift,    // either one, as are the two below
+    kShift,  // either one, as are the two below
     kControl,
     kAlt,
     kF1 = 290,  // to kF1 + 11
@@ -80,6 +80,7 @@ struct FocusEvent {
 struct DropEvent {};  // files were dropped: Screen::dropped() has their paths
 struct CloseEvent {};
 
-using Event = std::variant<KeyEvent, ButtonEvent, MoveEvent, WheelEvent, TextEvent, FocusEvent, DropEvent, CloseEvent>;
+using Event =
+    std::variant<KeyEvent, ButtonEvent, MoveEvent, WheelEvent, TextEvent, FocusEvent, DropEvent, CloseEvent>;
 
 }  // namespace game

@@ -50,7 +50,8 @@ Outcome<Opening> open_anything(const std::string& name_or_path, const Wishes& wi
     const fs::path path(name_or_path);
     if (path.extension() == ".couloir") return open_recording(path);
     std::error_code error;
-    const bool is_raster = path.extension() != ".toml" && fs::exists(path, error);
+    const bool is_raster =
+        path.extension() != ".toml" && fs::exists(path, error) && !is_asset(AssetKind::kScene, name_or_path);
     return is_raster ? open_terrain(path, wishes) : open_scene(name_or_path, wishes);
 }
 

@@ -1,8 +1,11 @@
 #include "game/recordings_folder.h"
 
 #include <cctype>
+#include <cerrno>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -39,9 +42,16 @@ Outcome<fs::path> next_recording(const std::string& scene) {
     if (!folder) return tl::unexpected(folder.error());
     const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
     const std::string name = fmt::format("{:%Y-%m-%d_%H-%M-%S}_{}", fmt::localtime(now), plain(scene));
-    fs::path path = *folder / (name + ".couloir");
     std::error_code error;
-    for (int n = 2; fs::exists(path, error); ++n) path = *folder / fmt::format("{}_{}.couloir", name, n);
+    fs::create_directories(*folder, error);
+    fs::path path = *folder / (name + ".couloir");
+    // Made here and now, so that a second sandbox that begins in the same second takes another name.
+    std::FILE* file = nullptr;
+    for (int n = 2; !(file = std::fopen(path.c_str(), "wbx")) && errno == EEXIST; ++n)
+        path = *folder / fmt::format("{}_{}.couloir", name, n);
+    if (!file)
+        return machine_fails(fmt::format("{}: cannot be written: {}", path.string(), std::strerror(errno)));
+    std::fclose(file);
     return path;
 }
 

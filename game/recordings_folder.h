@@ -11,8 +11,8 @@ namespace game {
 // (XDG_DATA_HOME, else ~/.local/share). Errors: neither XDG_DATA_HOME nor HOME is set.
 Outcome<std::filesystem::path> recordings_folder();
 
-// A file there that does not exist yet, named by local time and scene:
-// 2026-11-21_18-04-59_alpine-valley.couloir.
+// A new, empty file there, named by local time and scene:
+// 2026-11-21_18-04-59_alpine-valley.couloir. Errors: it cannot be made.
 Outcome<std::filesystem::path> next_recording(const std::string& scene);
 
 }  // namespace game

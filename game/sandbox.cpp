@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace game {
 namespace {
 
@@ -47,12 +49,25 @@ Outcome<void> Sandbox::tick(std::span<const sim::Command> hand) {
     for (auto next = std::lower_bound(stored.begin(), stored.end(), tick, by_tick);
          next != stored.end() && next->tick == tick; ++next)
         given_.push_back(next->command);
-    if (!hand.empty() && new_action_) remember();
+    auto refused = leave_out_clashing(0);
+    const std::size_t in_store = given_.size();
     given_.insert(given_.end(), hand.begin(), hand.end());
+    if (refused) refused = leave_out_clashing(in_store);
+    if (given_.size() > in_store && new_action_) remember();
 
     auto advanced = advance();
     if (verifier_ && session_.state().tick > tick) verifier_->look_at(session_);
-    return advanced;
+    return advanced ? refused : advanced;
+}
+
+// Numbers from `first` on that do not go with the others are left out, so that time goes on.
+Outcome<void> Sandbox::leave_out_clashing(std::size_t first) {
+    const auto fault = sim::fault_after(session_.state().params, given_);
+    if (!fault) return {};
+    const auto is_set = [](const sim::Command& command) { return command.kind == sim::CommandKind::kSet; };
+    given_.erase(std::remove_if(given_.begin() + static_cast<std::ptrdiff_t>(first), given_.end(), is_set),
+                 given_.end());
+    return unusable(fmt::format("Not set: {}", *fault));
 }
 
 // A recording that can no longer be written is left, and the tick is done all the same.

@@ -21,7 +21,6 @@ class Sandbox {
     // Where the session is recorded; without a recorder it is not.
     static Outcome<Sandbox> begin(Opening opening, int threads, std::optional<Recorder> recorder);
 
-    const Opening& opening() const { return opening_; }
     const Start& start() const { return opening_.scene.start; }
     const Session& session() const { return session_; }
 
@@ -32,9 +31,9 @@ class Sandbox {
 
     // What the hand gives from here on is one action, undone as a whole. `name` is for people: "pour".
     void begin_action(std::string name);
-    // One tick, with what the hand gives. Errors, in words for a notice: the hand's numbers do not go
-    // together, and nothing has happened; the recording cannot be written, and the world goes on without one;
-    // or mass was lost.
+    // One tick, with what the hand gives. Errors, in words for a notice, though the tick was done: numbers
+    // that do not go together were left out; the recording cannot be written, and the world goes on without
+    // one; or mass was lost.
     Outcome<void> tick(std::span<const sim::Command> hand);
 
     std::size_t actions() const { return past_.size(); }  // that can be undone
@@ -52,6 +51,7 @@ class Sandbox {
     };
     Sandbox(Opening opening, Session session) : opening_(std::move(opening)), session_(std::move(session)) {}
     void remember();
+    Outcome<void> leave_out_clashing(std::size_t first);
     Outcome<void> advance();
 
     Opening opening_;

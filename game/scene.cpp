@@ -173,6 +173,8 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& w
     if (fault) return unusable(*fault);
     if (const auto wrong = sim::fault_of(params))
         return unusable(fmt::format("{}: {}", path.string(), *wrong));
+    if (const auto wrong = fault_of_sets(params, scene.commands))
+        return unusable(fmt::format("{}: {}", path.string(), *wrong));
 
     auto terrain = read_terrain(*ground, path.parent_path(), wishes.squares);
     if (fault) return unusable(*fault);

@@ -16,8 +16,8 @@ struct ScreenSize {
     bool operator==(const ScreenSize&) const = default;
 };
 
-// Where a sandbox is seen and from where it is handled. A window in the program, a script in tests. Owns a current
-// GL 4.5 core context for as long as it lives.
+// Where a sandbox is seen and from where it is handled. A window in the program, a script in tests. Owns a
+// current GL 4.5 core context for as long as it lives.
 class Screen {
   public:
     virtual ~Screen() = default;

@@ -30,6 +30,9 @@ Outcome<Session> Session::begin(const Start& start, int threads, std::optional<R
 }
 
 Outcome<void> Session::advance(std::span<const sim::Command> commands) {
+    for (const sim::Command& command : commands)
+        if (const auto fault = sim::fault_of(command))
+            return unusable(fmt::format("tick {}: {}", state_.tick, *fault));
     if (const auto fault = sim::fault_after(state_.params, commands))
         return unusable(fmt::format("tick {}: {}", state_.tick, *fault));
     if (recorder_)
@@ -44,13 +47,13 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
     times_.solve_ms =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
 
+    if (!rests) changed_at_ = state_.tick;
     if (const auto error = state_.ledger.mass_error(); error != 0)
         return tl::unexpected(Failure{
             Failure::kBadAnswer,
             fmt::format("tick {}: {} m3 of mass appeared from nowhere; a layer deeper than {} m cannot be "
                         "counted exactly",
                         state_.tick, cubic_metres(error), sim::kDeepest)});
-    if (!rests) changed_at_ = state_.tick;
     watch();
     if (recorder_ && state_.tick % kTicksPerState == 0) return recorder_->state(state_line());
     return {};

@@ -42,9 +42,9 @@ class Session {
     // `threads` ≥ 1. With a recorder, writes the state of tick 0.
     static Outcome<Session> begin(const Start& start, int threads, std::optional<Recorder> recorder);
 
-    // One tick, with the commands given at its start. Errors: the commands' parameters do not go together,
-    // and then nothing has changed; the recording cannot be written; or mass was lost, which is checked every
-    // tick.
+    // One tick, with the commands given at its start. Errors: a command is out of range or the numbers set do
+    // not go together, and then nothing has changed; the recording cannot be written; or mass was lost, which
+    // is checked every tick.
     Outcome<void> advance(std::span<const sim::Command> commands);
     // Closes the recording.
     Outcome<void> finish();

@@ -3,10 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #define XXH_STATIC_LINKING_ONLY  // for a digest on the stack
 #include <xxhash.h>
 
 namespace game {
+
+std::optional<std::string> fault_of_sets(sim::Params params, std::span<const TimedCommand> commands) {
+    std::vector<sim::Command> sets;  // of one tick, which may go together only as a whole
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+        if (commands[i].command.kind == sim::CommandKind::kSet) sets.push_back(commands[i].command);
+        const bool last_of_tick = i + 1 == commands.size() || commands[i + 1].tick != commands[i].tick;
+        if (!last_of_tick || sets.empty()) continue;
+        if (const auto fault = sim::fault_after(params, sets))
+            return fmt::format("at tick {}: {}", commands[i].tick, *fault);
+        for (const sim::Command& set : sets) sim::set_number(params, set);
+        sets.clear();
+    }
+    return std::nullopt;
+}
 
 void set_ground(Start& start, const terrains::Terrain& terrain) {
     start.terrain = terrain.name;

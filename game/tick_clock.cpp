@@ -17,8 +17,8 @@ void TickClock::set_speed(double speed) {
 }
 
 int TickClock::ticks_due(double elapsed_s, double tick_s) {
-    const int steps = std::exchange(steps_, 0);
-    if (paused_ || steps > 0) return steps;
+    due_are_steps_ = paused_ || steps_ > 0;
+    if (due_are_steps_) return std::exchange(steps_, 0);
     const double wanted = elapsed_s * speed_ / tick_s;
     const double granted = std::min(elapsed_s, kLongestFrame) * speed_ / tick_s;
     const double fade = std::exp(-elapsed_s / kMemory);
@@ -31,7 +31,10 @@ int TickClock::ticks_due(double elapsed_s, double tick_s) {
 }
 
 void TickClock::ticks_undone(int count) {
-    if (!paused_) lost_ += count;
+    if (due_are_steps_)
+        steps_ += count;  // asked for one by one: none of them is forgotten
+    else
+        lost_ += count;
 }
 
 double TickClock::reached_speed() const {

@@ -9,7 +9,7 @@ class TickClock {
 
     bool paused() const { return paused_; }
     void pause(bool on) { paused_ = on; }
-    void step_once() { ++steps_; }  // one tick more at the next frame, paused or not
+    void step_once() { ++steps_; }  // a tick at the next frame, instead of those that time owes
 
     double speed() const { return speed_; }
     void set_speed(double speed);  // to the nearest power of two within kSlowest … kFastest
@@ -30,6 +30,7 @@ class TickClock {
   private:
     bool paused_ = false;
     int steps_ = 0;  // asked for one by one
+    bool due_are_steps_ = false;
     double speed_ = 1;
     double owed_ = 0;               // ticks, less than one
     double wanted_ = 0, lost_ = 0;  // ticks of the last half second, fading

@@ -11,6 +11,8 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "render/context.h"
+
 namespace game {
 namespace {
 
@@ -350,11 +352,7 @@ void Window::set_clipboard(const std::string& text) {
 }
 
 std::string Window::renderer_name() const {
-    const auto text = [](GLenum which) {
-        const GLubyte* value = glGetString(which);
-        return std::string(value == nullptr ? "" : reinterpret_cast<const char*>(value));
-    };
-    return text(GL_RENDERER) + ", " + text(GL_VERSION);
+    return render::renderer_name();
 }
 
 }  // namespace game

@@ -23,11 +23,17 @@ void each_ground(const State& s, const Disc& disc, Profile profile, Visit&& visi
 // This tick's share of an amount that is spread over `ticks`, in whole quanta, so that the shares add up
 // exactly.
 std::int64_t quanta_due(double metres, std::int64_t tick, std::int64_t ticks) {
-    const double quanta = metres / kQuantum;
+    const double quanta =
+        std::min(metres / kQuantum, 1e15);  // more than any layer takes, and still a whole number
     const auto until = [&](std::int64_t k) {
         return std::llrint(quanta * (static_cast<double>(k) / static_cast<double>(ticks)));
     };
     return until(tick + 1) - until(tick);
+}
+
+// What a layer can still take: beyond half of kDeepest it could not be counted exactly.
+float room_above(float layer) {
+    return std::max(kDeepest / 2 - layer, 0.f);
 }
 
 void set_rolling(State& s, int x, int y, float rolling) {
@@ -78,20 +84,17 @@ void dig(State& s, const Command& c, std::int64_t tick, std::int64_t ticks, doub
 void blast(State& s, const Command& c) {
     const auto most = nearest_quanta(static_cast<float>(c.depth));
     each_ground(s, Disc(c, s.grid.dx), Profile::kDisc, [&](int x, int y, double) {
-        const float moved = std::min(most, s.depth(x, y));
+        const float moved = std::min({most, s.depth(x, y), room_above(s.rolling(x, y))});
         s.depth(x, y) -= moved;
         set_rolling(s, x, y, s.rolling(x, y) + moved);
     });
 }
 
-void set(Params& params, const Command& c) {
-    params.*kParams[c.param].value = static_cast<float>(c.value);
-}
-
 void settle(State& s, const Command& c) {
     each_ground(s, Disc(c, s.grid.dx), Profile::kDisc, [&](int x, int y, double) {
-        s.depth(x, y) += s.rolling(x, y);
-        set_rolling(s, x, y, 0);
+        const float moved = std::min(s.rolling(x, y), room_above(s.depth(x, y)));
+        s.depth(x, y) += moved;
+        set_rolling(s, x, y, s.rolling(x, y) - moved);
     });
 }
 
@@ -149,7 +152,8 @@ std::optional<std::string> fault_of(const Command& command) {
     }
     if (info.has_param) {
         const ParamInfo& param = kParams[command.param];
-        if (!(command.value >= param.least && command.value <= param.most))
+        const auto value = static_cast<float>(command.value);  // what it will be
+        if (!(value >= param.least && value <= param.most))
             return "set " + std::string(param.name) + " is " + std::to_string(command.value) + " " +
                    std::string(param.unit) + ", outside " + std::to_string(param.least) + " to " +
                    std::to_string(param.most);
@@ -157,10 +161,14 @@ std::optional<std::string> fault_of(const Command& command) {
     return std::nullopt;
 }
 
+void set_number(Params& params, const Command& set) {
+    params.*kParams[set.param].value = static_cast<float>(set.value);
+}
+
 std::optional<std::string> fault_after(const Params& params, std::span<const Command> commands) {
     Params after = params;
     for (const Command& command : commands)
-        if (command.kind == CommandKind::kSet) set(after, command);
+        if (command.kind == CommandKind::kSet) set_number(after, command);
     return after == params ? std::nullopt : fault_of(after);
 }
 
@@ -189,7 +197,7 @@ void apply_commands(State& state, std::span<const Command> commands) {
                 settle(state, c);
                 break;
             case CommandKind::kSet:
-                set(state.params, c);
+                set_number(state.params, c);
                 break;
         }
     }

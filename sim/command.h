@@ -104,6 +104,8 @@ std::optional<std::size_t> param_from(std::string_view name);  // index in kPara
 
 // What is wrong with a command, as a sentence; nothing if all its numbers are in range.
 std::optional<std::string> fault_of(const Command& command);
+// Does what a kSet says.
+void set_number(Params& params, const Command& set);
 // What would be wrong with the parameters once these commands have set theirs: thresholds must keep their
 // order.
 std::optional<std::string> fault_after(const Params& params, std::span<const Command> commands);

@@ -19,7 +19,7 @@ enum class Site : std::uint8_t {
     kWall,    // nothing passes: the halo of wall borders
 };
 
-// A pour or a dig that goes on for more than the tick it began in.
+// A command that is being done: a pour or a dig may go on for more than the tick it began in.
 struct Source {
     Command command;
     std::int64_t first_tick = 0;

@@ -23,6 +23,9 @@ Outcome<int> play(const PlayOptions& options) {
     // Before there is a window: a mistake on the command line should not flash one.
     auto opening = open_anything(options.what.empty() ? kFirstScene : options.what, options.wishes);
     if (!opening) return tl::unexpected(opening.error());
+    std::error_code error;
+    if (options.record && std::filesystem::equivalent(options.what, *options.record, error))
+        return unusable(fmt::format("{}: cannot be watched and recorded at once", options.what));
     auto window = Window::open("Couloir", options.size.width, options.size.height);
     if (!window) return tl::unexpected(window.error());
     auto app = App::begin(**window, std::move(*opening), options.threads, options.record);
@@ -31,6 +34,8 @@ Outcome<int> play(const PlayOptions& options) {
     }
     if (auto finished = (*app)->finish(); !finished) return tl::unexpected(finished.error());
     tell_times((*app)->times());
+    if (options.record && !(*app)->recording())
+        return machine_fails(fmt::format("{}: could not be written to the end", options.record->string()));
     if (const auto& recording = (*app)->recording())
         fmt::print("{:.1f} s played; couloir replay {} plays it again\n",
                    (*app)->sandbox().session().seconds(), recording->string());

@@ -15,11 +15,6 @@ namespace {
 constexpr std::string_view kFormatName = "couloir recording";
 constexpr std::array<std::string_view, 4> kSides{"west", "east", "south", "north"};
 
-// The shortest decimal that reads back as the same float.
-double shortest(float value) {
-    return std::stod(fmt::format("{}", value));
-}
-
 // The readers below throw the fact; the public ones turn it into a value.
 [[noreturn]] void refuse(const std::string& fact) {
     throw std::runtime_error(fact);
@@ -257,6 +252,10 @@ Line read_line(const Json& json) {
 }
 
 }  // namespace
+
+double shortest(float value) {
+    return std::stod(fmt::format("{}", value));
+}
 
 Json to_json(const Header& header) {
     const Start& start = header.start;

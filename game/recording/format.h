@@ -58,6 +58,8 @@ void write(const EndLine& end, std::string& line);
 using Line = std::variant<TimedCommand, StateLine, EndLine>;
 tl::expected<Line, std::string> line_from(const Json& json);
 
+// The double whose shortest text is also the float's.
+double shortest(float value);
 std::string hex(std::uint64_t value);  // 16 digits
 // For people and scripts: indented, with a line break. What is not UTF-8, as a file's name may be, becomes
 // U+FFFD.

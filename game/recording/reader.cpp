@@ -67,6 +67,8 @@ class Reader {
             }
             if (const auto taken = take_line(); !taken) return tl::unexpected(taken.error());
         }
+        if (const auto fault = fault_of_sets(recording_.header.start.params, recording_.commands))
+            return unusable(fmt::format("{}: {}", path_.string(), *fault));
         if (!recording_.end && !recording_.warning)
             recording_.warning = fmt::format("{}: has no end line; it was cut off after line {}",
                                              path_.string(), line_number_ - 1);

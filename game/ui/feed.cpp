@@ -88,7 +88,7 @@ bool Feed::take(const ButtonEvent& event) {
 
 bool Feed::take(const MoveEvent& event) {
     if (buttons_turned_.any()) return false;  // the button turned where the cursor was then
-    ImGui::GetIO().MousePos = {static_cast<float>(event.x), static_cast<float>(event.y)};
+    ImGui::GetIO().MousePos = mouse_ = {static_cast<float>(event.x), static_cast<float>(event.y)};
     return true;
 }
 
@@ -107,8 +107,9 @@ bool Feed::take(const TextEvent& event) {
 }
 
 bool Feed::take(const FocusEvent& event) {
-    if (event.focused) return true;
     ImGuiIO& io = ImGui::GetIO();
+    if (event.focused) io.MousePos = mouse_;
+    if (event.focused) return true;
     std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
     std::fill(std::begin(io.MouseDown), std::end(io.MouseDown), false);
     // Away from every widget, so that what was held is let go without being done.

@@ -2,8 +2,11 @@
 
 #include <array>
 #include <bitset>
+#include <cfloat>
 #include <span>
 #include <vector>
+
+#include <imgui.h>
 
 #include "game/events.h"
 
@@ -30,6 +33,7 @@ class Feed {
     bool take(const CloseEvent&) { return true; }
 
     std::vector<Event> waiting_;
+    ImVec2 mouse_{-FLT_MAX, -FLT_MAX};  // where it was seen last, px
     // Of this frame:
     std::bitset<kKeys> keys_turned_;
     std::bitset<kButtons> buttons_turned_;

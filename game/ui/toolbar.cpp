@@ -62,15 +62,11 @@ void tools(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
 void sizes(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
     const float em = desk.em(), width = 9 * em;
     Brush brush = facts.brush;
-    const sim::Grid& grid = facts.state.grid;
-    const double extent = std::max(grid.nx, grid.ny) * static_cast<double>(grid.dx);
-    // From a cell to half the terrain, so that the hand finds its way along the slider.
-    const double least = std::max(Brush::kLeastRadius, static_cast<double>(grid.dx) / 2);
-    const double most = std::clamp(extent / 2, least * 2, Brush::kMostRadius);
+    const RadiusRange range = radius_range(facts.state.grid);
     flow.next(width, em);
-    bool changed =
-        desk.widgets.slider("Radius", brush.radius, {least, most, "Radius %.1f m", true, false, width},
-                            "How far the brush reaches; Shift and the wheel change it too.");
+    bool changed = desk.widgets.slider("Radius", brush.radius,
+                                       {range.least, range.most, "Radius %.1f m", true, false, width},
+                                       "How far the brush reaches; Shift and the wheel change it too.");
     flow.next(width);
     const char* format = kToolInfos[static_cast<std::size_t>(brush.tool)].strength;
     changed |= desk.widgets.slider("Strength", brush.amount(),

@@ -18,7 +18,7 @@ std::vector<sim::Command> draw(Stroke& stroke, const Brush& brush, const std::ve
     for (const glm::dvec2 place : at) {
         stroke.move_to(place);
         for (int tick = 0; tick < ticks; ++tick) stroke.commands_of(tick, ticks, brush, kTick, commands);
-        stroke.arrive();
+        stroke.arrive(1);
     }
     return commands;
 }
@@ -64,6 +64,31 @@ TEST(Stroke, fills_the_way_of_a_moving_hand_and_spreads_the_same_amount_along_it
     EXPECT_NEAR(before, 30, 1e-9);
 }
 
+TEST(Stroke, goes_on_from_where_the_machine_got_to) {
+    Brush brush;
+    brush.radius = 4;
+    Stroke stroke(sim::CommandKind::kPour, {0, 0});
+    std::vector<sim::Command> commands;
+    stroke.move_to(glm::dvec2(12, 0));
+    stroke.commands_of(0, 4, brush, kTick, commands);  // one of four ticks, and no time for more
+    stroke.arrive(0.25);
+    EXPECT_NEAR(commands.back().x, 3, 1e-9);
+    commands.clear();
+    stroke.commands_of(0, 1, brush, kTick, commands);
+    EXPECT_LE(commands.front().x - 3, 2 + 1e-9);
+    EXPECT_NEAR(commands.back().x, 12, 1e-9);
+}
+
+TEST(Brush, fits_every_grid_within_what_a_command_may_be) {
+    for (const sim::Grid& grid : {sim::Grid{3, 3, 1e-3f}, sim::Grid{9, 9, 0.01f}, sim::Grid{161, 161, 12.5f},
+                                  sim::Grid{257, 200, 800.f}, sim::Grid{41, 41, 2800.f}}) {
+        const RadiusRange range = radius_range(grid);
+        EXPECT_LE(range.least, range.most);
+        EXPECT_GE(range.least, Brush::kLeastRadius);
+        EXPECT_LE(range.most, Brush::kMostRadius);
+    }
+}
+
 TEST(Stroke, does_not_paint_across_a_valley_that_the_hand_jumped_over) {
     Brush brush;
     brush.radius = 4;
@@ -79,7 +104,7 @@ TEST(Stroke, rests_while_the_hand_is_off_the_ground_and_goes_on_where_it_comes_b
     std::vector<sim::Command> commands;
     stroke.move_to(std::nullopt);
     stroke.commands_of(0, 1, brush, kTick, commands);
-    stroke.arrive();
+    stroke.arrive(1);
     EXPECT_TRUE(commands.empty());
     stroke.move_to(glm::dvec2(100, 0));
     stroke.commands_of(0, 1, brush, kTick, commands);

@@ -158,6 +158,10 @@ TEST(RecordingLine, keeps_every_parameter_that_can_be_set_and_refuses_fixed_ones
         ASSERT_EQ(line.has_value(), !sim::kParams[i].fixed) << sim::kParams[i].name;
         if (!line) continue;
         EXPECT_EQ(std::get<TimedCommand>(*line).command, set.command);
+        // The least is a float that is no round decimal: what a person writes for it must do.
+        TimedCommand least = set;
+        least.command.value = shortest(sim::kParams[i].least);
+        EXPECT_TRUE(line_from(through_line(least))) << sim::kParams[i].name;
         set.command.value *= 1.001;
         EXPECT_FALSE(line_from(through_line(set))) << sim::kParams[i].name;
     }

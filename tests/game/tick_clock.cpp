@@ -35,6 +35,9 @@ TEST(TickClock, owes_nothing_while_paused_and_one_tick_per_step) {
     EXPECT_EQ(clock.ticks_due(0.001, kTick), 1);
     for (int i = 0; i < 3; ++i) clock.step_once();  // pressed faster than frames come
     EXPECT_EQ(clock.ticks_due(0.001, kTick), 3);
+    clock.ticks_undone(2);  // too slow for all of them in one frame
+    EXPECT_EQ(clock.ticks_due(0.001, kTick), 2);
+    EXPECT_EQ(clock.ticks_due(0.001, kTick), 0);
     EXPECT_EQ(ticks_of(clock, 5, 60), 0);
     clock.pause(false);
     EXPECT_NEAR(ticks_of(clock, 1, 60), 60, 1);

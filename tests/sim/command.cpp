@@ -174,6 +174,25 @@ Command set_to(std::string_view param, double value) {
     return set;
 }
 
+TEST(Settle, never_piles_up_more_than_can_be_counted) {
+    Play play = flat(1);
+    for (int i = 0; i < 4; ++i) {
+        const Command pour = support::pour_at(20, 20, 3, 1e6, 0);
+        sim::apply_commands(play.state, {&pour, 1});
+        Command settle;
+        settle.kind = CommandKind::kSettle;
+        settle.x = settle.y = 20;
+        settle.radius = 2;
+        sim::apply_commands(play.state, {&settle, 1});
+        ++play.state.tick;
+    }
+    EXPECT_LE(play.state.depth(20, 20), sim::kDeepest / 2);
+    EXPECT_LE(play.state.rolling(20, 20), sim::kDeepest / 2);
+    play.state.tick = 0;
+    play.ticks(1);
+    EXPECT_EQ(play.state.ledger.mass_error(), 0);
+}
+
 TEST(Set, acts_from_its_own_tick_on_and_travels_with_a_snapshot) {
     Play play = flat(1);
     const sim::Snapshot before = sim::take_snapshot(play.state);
