@@ -66,7 +66,8 @@ Outcome<std::unique_ptr<App>> App::begin(Screen& screen, Opening opening, int th
         app->display_.resolution = kSoftwareResolution;
         app->tell("No GPU here: the picture is drawn at half resolution (Display changes it)");
     }
-    if (auto begun = app->begin_world(std::move(opening), record); !begun) return tl::unexpected(begun.error());
+    if (auto begun = app->begin_world(std::move(opening), record); !begun)
+        return tl::unexpected(begun.error());
     return app;
 }
 
@@ -232,8 +233,13 @@ void App::draw_world() {
         const auto deed = stroke_ ? stroke_->deed() : deed_of(brush_, input_.inverted());
         marks.ring = render::Ring{glm::dvec2(*ground_), brush_.radius, ring_colour(deed)};
     }
-    const Drawn wanted{epoch_, world.tick,         camera_->camera(),  display_,
-                       marks,  scaled(size.width), scaled(size.height)};
+    const Drawn wanted{epoch_,
+                       sandbox_->session().changed_at(),
+                       camera_->camera(),
+                       display_,
+                       marks,
+                       scaled(size.width),
+                       scaled(size.height)};
     if (!(wanted == drawn_)) {
         drawn_ = wanted;
         render::Look look = sandbox_->start().look;

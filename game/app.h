@@ -84,7 +84,7 @@ class App {
 
     // What a picture of the world was drawn from: the same again need not be drawn again.
     struct Drawn {
-        std::int64_t epoch = -1, tick = -1;
+        std::int64_t epoch = -1, changed_at = -1;
         render::Camera camera;
         Display display;
         render::Marks marks;

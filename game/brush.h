@@ -22,7 +22,7 @@ struct Brush {
     std::array<double, kTools> strength{2, 2, 1};
     bool standing = false;  // pour onto the standing layer; else into the rolling one
 
-    static constexpr double kLeastRadius = 0.1, kMostRadius = 1e4;
+    static constexpr double kLeastRadius = 0.1, kMostRadius = 1000;
     static constexpr double kLeastStrength = 0.05, kMostStrength = 20;
     double& amount() { return strength[static_cast<std::size_t>(tool)]; }
     double amount() const { return strength[static_cast<std::size_t>(tool)]; }

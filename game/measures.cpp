@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/disc.h"
+
 namespace game {
 namespace {
 
@@ -78,17 +80,12 @@ std::vector<std::uint8_t> release_area(const Start& start, std::span<const Timed
     const sim::Grid& grid = start.grid;
     std::vector<std::uint8_t> released(grid.size());
     for (std::size_t i = 0; i < released.size(); ++i) released[i] = start.rolling[i] > 0;
-    const auto dx = static_cast<double>(grid.dx);
     for (const TimedCommand& timed : commands) {
         const sim::Command& c = timed.command;
-        if (c.kind == sim::CommandKind::kDig) continue;
-        // A disc below a cell is its nearest vertex, as for the simulation.
-        const bool small = c.radius < dx;
-        const double radius = small ? 0.5 * dx : c.radius;
-        const double cx = small ? dx * std::rint(c.x / dx) : c.x, cy = small ? dx * std::rint(c.y / dx) : c.y;
-        for (int y = 0; y < grid.ny; ++y)
-            for (int x = 0; x < grid.nx; ++x)
-                if (std::hypot(x * dx - cx, y * dx - cy) <= radius) released[index(grid, x, y)] = 1;
+        if (c.kind != sim::CommandKind::kPour && c.kind != sim::CommandKind::kBlast) continue;
+        sim::Disc(c, grid.dx).each_vertex(grid, sim::Profile::kDisc, [&](int x, int y, double) {
+            released[index(grid, x, y)] = 1;
+        });
     }
     return released;
 }

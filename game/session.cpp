@@ -38,6 +38,8 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
 
     const auto before = std::chrono::steady_clock::now();
     line_.reset();
+    // The first tick may find ground too steep to lie, the others only after a command.
+    const bool rests = state_.tick > 0 && commands.empty() && sim::at_rest(state_);
     sim::step(state_, commands, scratch_, *workers_);
     times_.solve_ms =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
@@ -48,6 +50,7 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
             fmt::format("tick {}: {} m3 of mass appeared from nowhere; a layer deeper than {} m cannot be "
                         "counted exactly",
                         state_.tick, cubic_metres(error), sim::kDeepest)});
+    if (!rests) changed_at_ = state_.tick;
     watch();
     if (recorder_ && state_.tick % kTicksPerState == 0) return recorder_->state(state_line());
     return {};
@@ -72,6 +75,7 @@ Outcome<void> Session::rewind(const Moment& moment) {
     sim::restore(moment.world, state_);
     peaks_ = moment.peaks;
     active_cells_ = moment.active_cells;
+    changed_at_ = state_.tick;
     if (recorder_ && moment.mark) return recorder_->rewind(*moment.mark);
     return {};
 }

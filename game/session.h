@@ -60,6 +60,8 @@ class Session {
 
     sim::View view() const { return sim::view(state_); }
     const sim::State& state() const { return state_; }
+    // The tick that changed the fields last: while the world is at rest its picture stays the same.
+    std::int64_t changed_at() const { return changed_at_; }
     const Peaks& peaks() const { return peaks_; }
     const TickTimes& times() const { return times_; }
     const StateLine& state_line() const;  // of this tick; the first call computes the hash
@@ -80,6 +82,7 @@ class Session {
     Peaks peaks_;
     TickTimes times_;
     std::size_t active_cells_ = 0;
+    std::int64_t changed_at_ = 0;
     mutable std::optional<StateLine> line_;  // of this tick, once somebody has asked for it
 };
 

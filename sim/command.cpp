@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "sim/disc.h"
 #include "sim/params.h"
 #include "sim/quanta.h"
 #include "sim/state.h"
@@ -11,54 +12,13 @@
 namespace sim {
 namespace {
 
-// Vertices within a disc, and for each its share of the whole. A disc smaller than a cell holds its nearest
-// vertex, so that nothing a person does is lost between the vertices.
-struct Disc {
-    double x, y, radius;  // m
-    int x0, x1, y0, y1;   // vertices, inclusive; may lie outside the grid
-
-    Disc(const Command& c, double dx) : x(c.x), y(c.y), radius(c.radius) {
-        if (radius < dx) {
-            x = dx * std::rint(x / dx);
-            y = dx * std::rint(y / dx);
-            radius = 0.5 * dx;
-        }
-        x0 = static_cast<int>(std::ceil((x - radius) / dx));
-        x1 = static_cast<int>(std::floor((x + radius) / dx));
-        y0 = static_cast<int>(std::ceil((y - radius) / dx));
-        y1 = static_cast<int>(std::floor((y + radius) / dx));
-    }
-
-    double weight(int i, int j, double dx, Profile profile) const {
-        const double ex = i * dx - x, ey = j * dx - y;
-        const double distance = std::sqrt(ex * ex + ey * ey);
-        if (distance > radius) return 0;
-        return profile == Profile::kCone ? 1 - distance / radius : 1;
-    }
-
-    // Calls visit(x, y, weight) for each ground vertex of the grid under the disc.
-    template <class Visit>
-    void each_ground(const State& s, Profile profile, Visit&& visit) const {
-        for (int j = std::max(y0, 0); j <= std::min(y1, s.grid.ny - 1); ++j)
-            for (int i = std::max(x0, 0); i <= std::min(x1, s.grid.nx - 1); ++i) {
-                const double w = weight(i, j, s.grid.dx, profile);
-                if (w > 0 && s.site(i, j) == Site::kGround) visit(i, j, w);
-            }
-    }
-
-    // Sum of all weights, of the vertices outside the grid too: what falls there is no longer the world's.
-    // The sum runs over whole rows of a disc that may be far larger than the grid, so it is closed-form in
-    // the disc's area where the disc has more than 2²⁰ vertices.
-    double total_weight(double dx, Profile profile) const {
-        const double across = radius / dx;
-        const double area = 3.14159265358979323846 * across * across;
-        if (area > 1 << 20) return profile == Profile::kCone ? area / 3 : area;
-        double sum = 0;
-        for (int j = y0; j <= y1; ++j)
-            for (int i = x0; i <= x1; ++i) sum += weight(i, j, dx, profile);
-        return sum;
-    }
-};
+// Calls visit(x, y, weight) for each ground vertex under the disc.
+template <class Visit>
+void each_ground(const State& s, const Disc& disc, Profile profile, Visit&& visit) {
+    disc.each_vertex(s.grid, profile, [&](int x, int y, double weight) {
+        if (s.site(x, y) == Site::kGround) visit(x, y, weight);
+    });
+}
 
 // This tick's share of an amount that is spread over `ticks`, in whole quanta, so that the shares add up
 // exactly.
@@ -86,7 +46,7 @@ void pour(State& s, const Command& c, std::int64_t tick, std::int64_t ticks, dou
     const Disc disc(c, s.grid.dx);
     const double total = disc.total_weight(s.grid.dx, c.profile);
     const double volume = c.rate * tick_s * static_cast<double>(ticks);
-    disc.each_ground(s, c.profile, [&](int x, int y, double w) {
+    each_ground(s, disc, c.profile, [&](int x, int y, double w) {
         const auto due = quanta_due(volume * w / (total * s.grid.cell_area()), tick, ticks);
         float& layer = c.layer == Layer::kStanding ? s.depth(x, y) : s.rolling(x, y);
         const auto room = static_cast<std::int64_t>((kDeepest / 2 - layer) / kQuantum);
@@ -104,7 +64,7 @@ void dig(State& s, const Command& c, std::int64_t tick, std::int64_t ticks, doub
     const double depth = c.rate * tick_s * static_cast<double>(ticks);
     const auto due = static_cast<float>(std::min<std::int64_t>(
         quanta_due(depth, tick, ticks), static_cast<std::int64_t>(kDeepest / kQuantum)));
-    Disc(c, s.grid.dx).each_ground(s, Profile::kDisc, [&](int x, int y, double) {
+    each_ground(s, Disc(c, s.grid.dx), Profile::kDisc, [&](int x, int y, double) {
         const float wanted = due * kQuantum;
         const float from_rolling = std::min(wanted, s.rolling(x, y));
         const float from_depth = std::min(wanted - from_rolling, s.depth(x, y));
@@ -117,7 +77,7 @@ void dig(State& s, const Command& c, std::int64_t tick, std::int64_t ticks, doub
 
 void blast(State& s, const Command& c) {
     const auto most = nearest_quanta(static_cast<float>(c.depth));
-    Disc(c, s.grid.dx).each_ground(s, Profile::kDisc, [&](int x, int y, double) {
+    each_ground(s, Disc(c, s.grid.dx), Profile::kDisc, [&](int x, int y, double) {
         const float moved = std::min(most, s.depth(x, y));
         s.depth(x, y) -= moved;
         set_rolling(s, x, y, s.rolling(x, y) + moved);
@@ -129,7 +89,7 @@ void set(Params& params, const Command& c) {
 }
 
 void settle(State& s, const Command& c) {
-    Disc(c, s.grid.dx).each_ground(s, Profile::kDisc, [&](int x, int y, double) {
+    each_ground(s, Disc(c, s.grid.dx), Profile::kDisc, [&](int x, int y, double) {
         s.depth(x, y) += s.rolling(x, y);
         set_rolling(s, x, y, 0);
     });

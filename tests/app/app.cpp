@@ -79,7 +79,9 @@ class Playing : public testing::Test {
         std::vector<sim::Command> due;
         while (session->state().tick < recording->last_tick()) {
             due.clear();
-            for (; next < recording->commands.size() && recording->commands[next].tick == session->state().tick; ++next)
+            for (;
+                 next < recording->commands.size() && recording->commands[next].tick == session->state().tick;
+                 ++next)
                 due.push_back(recording->commands[next].command);
             ASSERT_TRUE(session->advance(due));
             verifier.look_at(*session);
@@ -123,7 +125,8 @@ TEST_F(Playing, shows_what_the_hand_does_within_two_frames) {
 TEST_F(Playing, allocates_nothing_in_a_frame_once_it_has_played_for_a_while) {
     screen_.resize_to(1280, 720);  // room for more than one panel
     begin();
-    for (const Verb verb : {Verb::kToggleScene, Verb::kTogglePhysics, Verb::kToggleDisplay, Verb::kTogglePerformance})
+    for (const Verb verb :
+         {Verb::kToggleScene, Verb::kTogglePhysics, Verb::kToggleDisplay, Verb::kTogglePerformance})
         for (const KeyBinding& binding : key_bindings())
             if (binding.verb == verb) tap(binding.key, binding.with);
     screen_.move(640, 330);

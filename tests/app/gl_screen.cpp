@@ -32,8 +32,8 @@ render::Picture GlScreen::picture() const {
     render::Picture picture{size().width, size().height,
                             std::vector<std::uint8_t>(static_cast<std::size_t>(row * size().height))};
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glGetTextureImage(colour_.name(), 0, GL_RGB, GL_UNSIGNED_BYTE, static_cast<GLsizei>(picture.pixels.size()),
-                      picture.pixels.data());
+    glGetTextureImage(colour_.name(), 0, GL_RGB, GL_UNSIGNED_BYTE,
+                      static_cast<GLsizei>(picture.pixels.size()), picture.pixels.data());
     for (int y = 0; y < picture.height / 2; ++y)
         std::swap_ranges(picture.pixels.begin() + y * row, picture.pixels.begin() + (y + 1) * row,
                          picture.pixels.begin() + (picture.height - 1 - y) * row);

@@ -103,7 +103,12 @@ TEST(ReleaseArea, is_the_release_and_what_pours_and_blasts_cover) {
     dig.kind = sim::CommandKind::kDig;
     dig.x = 20;
     dig.y = 70;
-    const std::vector<TimedCommand> commands{{0, pour}, {5, blast}, {6, dig}};
+    // What takes away, comes to rest or only sets a number frees nothing.
+    sim::Command settle, set;
+    settle.kind = sim::CommandKind::kSettle;
+    settle.x = settle.y = 70;
+    set.kind = sim::CommandKind::kSet;
+    const std::vector<TimedCommand> commands{{0, pour}, {5, blast}, {6, dig}, {7, settle}, {8, set}};
     EXPECT_EQ(release_area(hill.start, commands),
               hill.flags({{1, 1}, {5, 4}, {4, 4}, {6, 4}, {5, 3}, {5, 5}, {9, 4}}));
 }

@@ -97,6 +97,31 @@ TEST(Sandbox, plays_on_from_an_undo_to_the_bits_it_would_have_had) {
     EXPECT_EQ(bent.session().state_line(), straight.session().state_line());
 }
 
+TEST(Session, knows_when_its_fields_changed_last) {
+    Opening opening = small_opening();
+    opening.scene.start.params.start_slope = 9;  // nothing starts by itself
+    opening.scene.start.rolling.assign(opening.scene.start.grid.size(), 0.f);
+    opening.scene.commands = {{300, pour_here(opening.scene.start, 200)}};
+    Sandbox sandbox = Sandbox::begin(std::move(opening), 1, std::nullopt).value();
+    const Session& session = sandbox.session();
+    int still = 0;
+    for (int i = 0; i < 400; ++i) {
+        const sim::State before = session.state();
+        ASSERT_TRUE(sandbox.tick({}));
+        const sim::State& after = session.state();
+        bool same = true;
+        for (int y = 0; y < before.grid.ny; ++y)
+            for (int x = 0; x < before.grid.nx; ++x)
+                same &= before.depth(x, y) == after.depth(x, y) &&
+                        before.rolling(x, y) == after.rolling(x, y) &&
+                        before.velocity_x(x, y) == after.velocity_x(x, y);
+        ASSERT_TRUE(same || session.changed_at() == after.tick) << after.tick;
+        still += session.changed_at() < after.tick ? 1 : 0;
+    }
+    EXPECT_GT(still, 10);
+    EXPECT_GT(session.changed_at(), 300);
+}
+
 TEST(Sandbox, undoes_a_number_that_was_set) {
     Sandbox sandbox = Sandbox::begin(small_opening(), 1, std::nullopt).value();
     const float usual = sandbox.session().state().params.exchange_rate;
