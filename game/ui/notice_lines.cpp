@@ -65,7 +65,7 @@ void notices(Desk& desk, const Facts& facts, bool warnings_only) {
         std::snprintf(text.data(), text.size(), notice.times > 1 ? "%s (%d times)" : "%s",
                       notice.sentence.c_str(), notice.times);
         const Line line{text.data(), warning ? kWarning : kAccent, strength,
-                        std::min(24 * em, room - 2 * margin - 1.7f * em)};
+                        std::min(24 * em, room - 2 * margin - 2.5f * em)};
         const ImVec2 size = size_of(desk, line);
         const ImVec2 from{right - margin - size.x, bottom - size.y};
         draw(desk, line, from);

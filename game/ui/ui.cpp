@@ -68,7 +68,7 @@ void Ui::Parts::lend_clipboard() {
 void Ui::Parts::draw_letters_texture() {
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
-    const ImTextureID texture = ImGui::GetIO().Fonts->TexID;
+    void* const texture = ImGui::GetIO().Fonts->TexID;
     const ImDrawData& drawing = *ImGui::GetDrawData();
     for (int i = 0; i < drawing.CmdListsCount; ++i)
         for (ImDrawCmd& command : drawing.CmdLists[i]->CmdBuffer) command.TextureId = texture;

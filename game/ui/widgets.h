@@ -67,7 +67,6 @@ class Widgets {
     void note(std::string_view label, ImVec2 from, ImVec2 to) { places_.note(label, from, to); }
 
     bool button(const char* label, const char* tooltip, bool on = false, float width = 0);
-    // `shown` instead of a picture, if it is not empty.
     bool icon_button(const char* label, Icon icon, const char* tooltip, bool on = false);
     // A picture, a word and a key; the word is left out where `narrow`.
     bool tool_button(const char* label, Icon icon, const char* key, const char* tooltip, bool on,
@@ -78,8 +77,7 @@ class Widgets {
     bool slider(const char* label, double& value, const Slide& slide, const char* tooltip);
     Typed number(const Number& number);
 
-    // A list to choose from. `name(i)` for i from 0 to `count`; `shown` while it is closed. True if `chosen`
-    // was changed.
+    // A list to choose from: `name(i)` for i from 0 to `count`. True if `chosen` was changed.
     template <class Name>
     bool choice(const char* label, int& chosen, int count, const char* tooltip, Name&& name,
                 float width = 0) {

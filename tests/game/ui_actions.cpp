@@ -130,9 +130,9 @@ TEST_F(UiHand, leaves_the_middle_of_the_picture_free_at_first) {
     under_cursor_.emplace();
     notices_.tell(Notice::Kind::kInfo, "Loaded a valley.", screen_.seconds());
     settle();
-    for (double x = 0.2; x <= 0.8; x += 0.1)
-        for (double y = 0.2; y <= 0.75; y += 0.05) {
-            screen_.move(x * 1280, y * 720);
+    for (int x = 256; x <= 1024; x += 128)
+        for (int y = 144; y <= 540; y += 36) {
+            screen_.move(x, y);
             frame();
             EXPECT_FALSE(ui_->keeps_mouse()) << x << " " << y;
         }

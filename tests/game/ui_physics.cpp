@@ -107,14 +107,15 @@ TEST_F(UiPhysics, leads_back_to_a_default_to_the_bit) {
 TEST_F(UiPhysics, leads_back_to_all_defaults_in_an_order_in_which_each_step_holds) {
     EXPECT_TRUE(click("All defaults").empty());
     sim::Params& now = state_.params;
-    now.stop_slope = start_.params.start_slope * 1.5f;  // above the default of what must lie above it
-    now.start_slope = start_.params.start_slope * 2;
-    now.erosion_slope = now.start_slope;
+    now.stop_slope_thick = start_.params.stop_slope * 0.5f;
+    now.stop_slope = start_.params.stop_slope * 0.6f;
+    now.erosion_slope = start_.params.stop_slope * 0.7f;
+    now.start_slope = start_.params.stop_slope * 0.8f;  // below the default of what must lie below it
     now.relaxation_time = 7;
     ASSERT_FALSE(sim::fault_of(now)) << *sim::fault_of(now);
     frame();
     const Actions actions = click("All defaults");
-    EXPECT_EQ(actions.size(), 4u);
+    EXPECT_EQ(actions.size(), 5u);
     for (const Action& action : actions) {
         const auto& set = std::get<SetNumber>(action);
         now.*sim::kParams[set.param].value = set.value;
@@ -141,8 +142,9 @@ TEST_F(UiPhysics, edits_as_text_fields_do) {
     constexpr Modifiers kControl{false, true, false};
     click("max speed");
     screen_.type("12");
-    screen_.tap(Key::kBackspace);
+    screen_.happen({KeyEvent{Key::kBackspace, true, false, {}}});
     screen_.type("7");  // after the key, though in the same frame
+    screen_.happen({KeyEvent{Key::kBackspace, false, false, {}}});
     screen_.tap(key('A'), kControl);
     screen_.tap(key('C'), kControl);
     screen_.tap(Key::kEnter);
