@@ -174,7 +174,7 @@ void App::guide_stroke() {
 
 void App::begin_stroke() {
     if (sandbox_->watched_until())
-        return tell("Hands off until the recording has come to its end: = makes it faster");
+        return tell("Hands off: the recording goes on. It is yours at its end, and = takes it there faster");
     // Where the button went down: by now the cursor may be far on.
     const auto at = ground_under(input_.drag_from());
     if (!at) return;
@@ -216,13 +216,14 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
 }
 
 void App::tell_when_watched() {
-    const bool watching = sandbox_->watched_until().has_value();
-    if (!std::exchange(was_watching_, watching) || watching) return;
+    const auto until = sandbox_->watched_until();
+    const auto watched = std::exchange(watched_until_, until);
+    if (!watched || until) return;
     const Verdict verdict = *sandbox_->verdict();
     if (verdict.parted)
         warn(fmt::format("The recording parts from what was played: {}. The world is yours now",
                          *verdict.parted));
-    else if (verdict.comparable && verdict.proven_tick < sandbox_->session().state().tick)
+    else if (verdict.comparable && verdict.proven_tick < *watched)
         tell(
             "The recording has come to its end; it states nothing to compare with up to there. The world is "
             "yours");

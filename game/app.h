@@ -105,7 +105,7 @@ class App {
     std::optional<Sandbox> sandbox_;
     std::optional<std::filesystem::path> recording_;
     std::int64_t epoch_ = 0;  // of the world: grows when it begins anew or goes back in time
-    bool was_watching_ = false;
+    std::optional<std::int64_t> watched_until_;  // as it was in the last frame
 
     TickClock clock_;
     Input input_;

@@ -15,6 +15,13 @@ namespace {
 
 constexpr double kSizeStep = 1.15, kStrengthStep = 1.25;
 
+// From a little farther than for a picture: bars lie over the upper and the lower edge.
+render::Camera overview_beside_panels(const sim::View& world) {
+    render::Camera camera = render::overview(world);
+    camera.distance_m *= 1.3;
+    return camera;
+}
+
 // A fiftieth of the mountain, but never so small that the grid cannot tell.
 Brush brush_for(const sim::Grid& grid) {
     const auto dx = static_cast<double>(grid.dx);
@@ -164,18 +171,19 @@ Outcome<void> App::begin_world(Opening opening, const std::optional<std::filesys
     sandbox_ = std::move(*begun);
     first_ = std::move(opening);
     recording_ = std::move(recording);
+    catalogue_.own = own_recordings();
     ++epoch_;
 
     const Start& start = sandbox_->start();
     stroke_.reset();
     set_numbers_.clear();
-    touched_ = false;
-    was_watching_ = sandbox_->watched_until().has_value();
+    if (!same) touched_ = false;  // who begins anew knows how
+    watched_until_ = sandbox_->watched_until();
     if (!same) {
         const sim::View world = sandbox_->session().view();
         brush_ = brush_for(start.grid);
         display_.light = start.light;
-        camera_.emplace(start.camera.value_or(render::overview(world)), world);
+        camera_.emplace(start.camera.value_or(overview_beside_panels(world)), world);
     }
     probe_.emplace(start.georeference);
     screen_.show_title(fmt::format("Couloir: {}", start.title));

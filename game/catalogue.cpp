@@ -1,11 +1,13 @@
 #include "game/catalogue.h"
 
+#include <algorithm>
 #include <fstream>
 
 #include <fmt/format.h>
 
 #include "game/assets.h"
 #include "game/recording/format.h"
+#include "game/recordings_folder.h"
 #include "game/toml_table.h"
 
 namespace game {
@@ -56,6 +58,20 @@ Outcome<Catalogue> read_catalogue() {
         *entries = std::move(*found);
     }
     return catalogue;
+}
+
+std::vector<Catalogue::Entry> own_recordings() {
+    std::vector<Catalogue::Entry> own;
+    const auto folder = recordings_folder();
+    std::error_code error;
+    if (!folder || !std::filesystem::is_directory(*folder, error)) return own;
+    for (const auto& entry : std::filesystem::directory_iterator(*folder, error))
+        if (entry.path().extension() == ".couloir")
+            own.push_back({entry.path().stem().string(), entry.path().string(), entry.path()});
+    // Their names begin with the time.
+    std::sort(own.begin(), own.end(), [](const auto& a, const auto& b) { return a.name > b.name; });
+    if (own.size() > kMostOwn) own.resize(kMostOwn);
+    return own;
 }
 
 }  // namespace game

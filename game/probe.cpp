@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "game/session.h"
 #include "game/surface.h"
 
 namespace game {
@@ -59,7 +60,8 @@ std::optional<Reading> Probe::read(const sim::View& world, glm::dvec2 at) {
     const glm::dvec2 rise = gradient(world, square);
     reading.slope_deg = glm::degrees(std::atan(glm::length(rise)));
     reading.aspect_deg = aspect(rise);
-    if (reading.rolling > 0)
+    // A breath of dust between the vertices of a fast flow is nothing that is seen to move.
+    if (reading.rolling >= static_cast<double>(Peaks::kVisible))
         reading.speed = std::hypot(between(square, world.velocity_x), between(square, world.velocity_y));
 
     if (last_ != at) {

@@ -19,7 +19,7 @@ struct Reading {
     // Whither it falls: 0 north, 90 east, below 360; nothing where it is level, gentler than 1 in 1000.
     std::optional<double> aspect_deg;
     double standing = 0, rolling = 0;  // m
-    double speed = 0;                  // m/s, of the rolling layer; 0 where there is none
+    double speed = 0;  // m/s, of the rolling layer; 0 where it is thinner than Peaks::kVisible
     std::array<char, 96>
         where{};  // "47.30012° N 11.43210° E, UTM 32T 683912 5240010"; empty where not placed
 };

@@ -102,10 +102,11 @@ void what_to_begin(Desk& desk, const Facts& facts, Actions& actions) {
         actions.emplace_back(begin_of(choice, facts));
 }
 
-void recordings(Desk& desk, const Facts& facts, Actions& actions) {
-    if (facts.catalogue.recordings.empty()) return;
-    desk.widgets.heading("Watch a recording, then take over");
-    for (const Catalogue::Entry& entry : facts.catalogue.recordings) {
+void recordings(Desk& desk, const char* heading, const std::vector<Catalogue::Entry>& entries,
+                Actions& actions) {
+    if (entries.empty()) return;
+    desk.widgets.heading(heading);
+    for (const Catalogue::Entry& entry : entries) {
         std::array<char, 96> label;
         std::snprintf(label.data(), label.size(), "Watch %s", entry.name.c_str());
         if (desk.widgets.button(label.data(), entry.title.c_str(), false, ImGui::GetContentRegionAvail().x))
@@ -118,7 +119,8 @@ void recordings(Desk& desk, const Facts& facts, Actions& actions) {
 void scene_panel(Desk& desk, const Facts& facts, Actions& actions) {
     what_is_loaded(desk, facts);
     what_to_begin(desk, facts, actions);
-    recordings(desk, facts, actions);
+    recordings(desk, "Watch a recording, and take over at its end", facts.catalogue.recordings, actions);
+    recordings(desk, "Your own, the newest first", facts.catalogue.own, actions);
     ImGui::Dummy({0, desk.em() * 0.2f});
     desk.widgets.dim("A scene, a terrain file or a recording can also be dropped onto the window.");
 }

@@ -69,7 +69,7 @@ void pace(Desk& desk, const Facts& facts) {
     std::array<char, 32> text{};
     ImU32 colour = kDimText;
     if (facts.clock.behind()) {
-        std::snprintf(text.data(), text.size(), "reaches %.1f ×", facts.clock.reached_speed());
+        std::snprintf(text.data(), text.size(), "the machine manages %.1f ×", facts.clock.reached_speed());
         colour = kWarning;
     } else if (facts.clock.paused()) {
         std::snprintf(text.data(), text.size(), "paused");

@@ -1,11 +1,13 @@
 #include "game/sandbox.h"
 
 #include <csignal>
+#include <fstream>
 
 #include <sys/resource.h>
 
 #include <gtest/gtest.h>
 
+#include "game/catalogue.h"
 #include "game/recordings_folder.h"
 #include "tests/game/recording_files.h"
 #include "tests/support/places.h"
@@ -248,6 +250,20 @@ TEST(Sandbox, says_that_the_disk_is_full_and_plays_on_without_a_recording) {
     EXPECT_EQ(sandbox.session().recorder(), nullptr);
     EXPECT_EQ(sandbox.session().state_line(), unrecorded.session().state_line());
     EXPECT_TRUE(read_recording(path));  // what was whole by then is still there
+}
+
+TEST(Recordings, of_ones_own_are_offered_the_newest_first) {
+    const support::TemporaryFolder folder;
+    ASSERT_EQ(setenv("XDG_DATA_HOME", folder.path().c_str(), 1), 0);
+    EXPECT_TRUE(own_recordings().empty());  // no such folder yet
+    std::filesystem::create_directories(folder.path() / "couloir/recordings");
+    for (const char* name :
+         {"2026-01-02_a.couloir", "2026-01-03_a.couloir", "2025-12-31_a.couloir", "note.txt"})
+        std::ofstream(folder.path() / "couloir/recordings" / name) << "x";
+    const auto own = own_recordings();
+    ASSERT_EQ(own.size(), 3u);
+    EXPECT_EQ(own[0].name, "2026-01-03_a");
+    EXPECT_EQ(own[2].name, "2025-12-31_a");
 }
 
 TEST(Recordings, are_named_by_time_and_scene_and_never_replace_one_another) {

@@ -98,7 +98,7 @@ TEST_F(UiHand, says_when_the_machine_cannot_keep_up) {
     ASSERT_TRUE(clock_.behind());
     frame();
     EXPECT_FALSE(ui_->find("at rest"));
-    EXPECT_TRUE(ui_->find("reaches 0.3 ×"));
+    EXPECT_TRUE(ui_->find("the machine manages 0.3 ×"));
 }
 
 TEST_F(UiHand, hints_at_the_brush_until_the_world_was_touched) {
