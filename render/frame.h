@@ -45,8 +45,8 @@ class Renderer {
     // The last drawn frame, top row first, sRGB 8 bit, 3 channels. Waits for the frame.
     Picture read_back() const;
 
-    // The last drawn frame, stretched over a framebuffer (0 is the window's) of the given size in pixels, which is left
-    // bound for what is drawn on top.
+    // The last drawn frame, stretched over a framebuffer (0 is the window's) of the given size in pixels,
+    // which is left bound for what is drawn on top.
     void show_on(unsigned framebuffer, int width, int height) const;
 
     // Until GL has done all that it was told.
