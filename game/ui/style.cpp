@@ -48,8 +48,9 @@ void set_colours(ImGuiStyle& style) {
     colours[ImGuiCol_Header] = colour(faded(kAccent, 0.35f));
     colours[ImGuiCol_HeaderHovered] = colour(faded(kAccent, 0.5f));
     colours[ImGuiCol_HeaderActive] = colour(faded(kAccent, 0.6f));
-    colours[ImGuiCol_SliderGrab] = colour(kAccent);
-    colours[ImGuiCol_SliderGrabActive] = colours[ImGuiCol_CheckMark] = colour(kAccent);
+    colours[ImGuiCol_CheckMark] = colour(kAccent);
+    // A slider's bar ends at its value; a grab there would strike through a letter.
+    colours[ImGuiCol_SliderGrab] = colours[ImGuiCol_SliderGrabActive] = {0, 0, 0, 0};
     colours[ImGuiCol_TextSelectedBg] = colour(faded(kAccent, 0.45f));
     colours[ImGuiCol_ScrollbarBg] = {0, 0, 0, 0};
     colours[ImGuiCol_ScrollbarGrab] = colour(kControlHovered);

@@ -10,7 +10,7 @@
 namespace game::ui {
 namespace {
 
-constexpr float kWidth = 33;  // em
+constexpr float kWidth = 36;  // em
 constexpr std::array<const char*, 8> kSpeeds{"1/8 ×", "1/4 ×", "1/2 ×", "1 ×", "2 ×", "4 ×", "8 ×", "16 ×"};
 constexpr int kUsual = 3;  // index of 1 ×
 
@@ -52,36 +52,57 @@ void controls(Desk& desk, const Facts& facts, Actions& actions) {
         actions.emplace_back(Verb::kReset);
 }
 
-void moment(Desk& desk, const Facts& facts) {
-    const double seconds =
-        static_cast<double>(facts.state.tick) * static_cast<double>(facts.state.params.tick_s);
-    ImGui::SameLine(0, desk.em());
-    ImGui::Text("%.2f s", seconds);
-    desk.widgets.note("Time");
-    ImGui::SameLine(0, desk.em() * 0.7f);
-    ImGui::PushStyleColor(ImGuiCol_Text, kDimText);
-    ImGui::Text("tick %lld", static_cast<long long>(facts.state.tick));
+// What a person should know of the world's pace; empty where there is nothing to say.
+struct Pace {
+    std::array<char, 32> text{};
+    ImU32 colour = kDimText;
+};
+
+Pace pace_of(const Facts& facts) {
+    Pace pace;
+    if (facts.clock.behind()) {
+        std::snprintf(pace.text.data(), pace.text.size(), "only %.1f ×", facts.clock.reached_speed());
+        pace.colour = kWarning;
+    } else if (facts.clock.paused()) {
+        std::snprintf(pace.text.data(), pace.text.size(), "paused");
+    } else if (sim::at_rest(facts.state)) {
+        std::snprintf(pace.text.data(), pace.text.size(), "at rest");
+    }
+    return pace;
+}
+
+void coloured(const char* text, ImU32 colour) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    ImGui::TextUnformatted(text);
     ImGui::PopStyleColor();
 }
 
-// What a person should know of the world's pace, at the right end.
-void pace(Desk& desk, const Facts& facts) {
-    std::array<char, 32> text{};
-    ImU32 colour = kDimText;
-    if (facts.clock.behind()) {
-        std::snprintf(text.data(), text.size(), "the machine manages %.1f ×", facts.clock.reached_speed());
-        colour = kWarning;
-    } else if (facts.clock.paused()) {
-        std::snprintf(text.data(), text.size(), "paused");
-    } else if (sim::at_rest(facts.state)) {
-        std::snprintf(text.data(), text.size(), "at rest");
+// Time, and the tick too where it leaves room for the pace at the right end.
+void moment(Desk& desk, const Facts& facts) {
+    const double seconds =
+        static_cast<double>(facts.state.tick) * static_cast<double>(facts.state.params.tick_s);
+    const Pace pace = pace_of(facts);
+    const float pace_from = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(pace.text.data()).x;
+
+    ImGui::SameLine(0, desk.em());
+    ImGui::Text("%.2f s", seconds);
+    desk.widgets.note("Time");
+
+    std::array<char, 32> tick;
+    std::snprintf(tick.data(), tick.size(), "tick %lld", static_cast<long long>(facts.state.tick));
+    const float gap = desk.em() * 0.7f;
+    ImGui::SameLine(0, gap);
+    if (ImGui::GetCursorPosX() + ImGui::CalcTextSize(tick.data()).x + gap <= pace_from) {
+        coloured(tick.data(), kDimText);
+        desk.widgets.note("Tick");
+        ImGui::SameLine();
     }
-    if (text[0] == 0) return;
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(text.data()).x);
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::TextUnformatted(text.data());
-    ImGui::PopStyleColor();
-    desk.widgets.note(text.data());
+    ImGui::SetCursorPosX(pace_from);
+    coloured(pace.text.data(), pace.colour);
+    if (pace.text[0] == 0) return;
+    desk.widgets.note(pace.text.data());
+    if (facts.clock.behind())
+        desk.widgets.tooltip("The machine cannot keep up with the speed that was asked for.");
 }
 
 void mass(Desk& desk, const Facts& facts) {
@@ -106,7 +127,6 @@ void time_bar(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::Begin("Time", nullptr, kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize);
     controls(desk, facts, actions);
     moment(desk, facts);
-    pace(desk, facts);
     mass(desk, facts);
     desk.time_bar_top = ImGui::GetWindowPos().y;
     desk.time_bar_left = ImGui::GetWindowPos().x;

@@ -98,7 +98,27 @@ TEST_F(UiHand, says_when_the_machine_cannot_keep_up) {
     ASSERT_TRUE(clock_.behind());
     frame();
     EXPECT_FALSE(ui_->find("at rest"));
-    EXPECT_TRUE(ui_->find("the machine manages 0.3 ×"));
+    EXPECT_TRUE(ui_->find("only 0.3 ×"));
+}
+
+TEST_F(UiHand, leaves_the_tick_out_where_a_long_time_leaves_no_room_for_it) {
+    while (!clock_.behind()) {
+        clock_.ticks_due(0.1, 1.0 / 60);
+        clock_.ticks_undone(4);
+    }
+    for (state_.tick = 1; state_.tick < 1'000'000'000; state_.tick *= 10) {
+        frame();
+        const ui::Ui::Place time = place("Time"), pace = place("only 0.3 ×");
+        EXPECT_LE(time.x + time.width, pace.x) << state_.tick;
+        const std::optional<ui::Ui::Place> tick = ui_->find("Tick");
+        if (state_.tick <= 100'000) {
+            EXPECT_TRUE(tick) << state_.tick;
+        }
+        if (state_.tick >= 100'000'000) {
+            EXPECT_FALSE(tick) << state_.tick;
+        }
+        EXPECT_LE(tick ? tick->x + tick->width : 0, pace.x) << state_.tick;
+    }
 }
 
 TEST_F(UiHand, hints_at_the_brush_until_the_world_was_touched) {
