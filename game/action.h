@@ -41,6 +41,7 @@ enum class Verb {
     kToggleDisplay,
     kTogglePerformance,
     kToggleHelp,
+    kClosePanel,    // the open list, else the help, else the panel opened last
     kTogglePanels,  // all of them, and what stands in the corners
     kFullscreen,
     kQuit,

@@ -219,6 +219,7 @@ void App::tell_when_watched() {
     const auto until = sandbox_->watched_until();
     const auto watched = std::exchange(watched_until_, until);
     if (!watched || until) return;
+    clock_.set_speed(1);  // whoever hurried through it starts at a pace for hands
     const Verdict verdict = *sandbox_->verdict();
     if (verdict.parted)
         warn(fmt::format("The recording parts from what was played: {}. The world is yours now",

@@ -68,6 +68,7 @@ class App {
     void perform(const Open& open);
     void undo();
     void reset();
+    void tell_camera_mode();
     void resize_brush(double steps);
     void begin_stroke();
     std::optional<glm::dvec3> ground_under(glm::dvec2 point) const;  // of the picture

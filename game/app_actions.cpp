@@ -75,9 +75,11 @@ void App::perform(Verb verb) {
         case Verb::kOverview:
             return camera_->overview();
         case Verb::kTopDown:
-            return camera_->top_down(camera_->mode() != CameraMode::kTopDown);
+            camera_->top_down(camera_->mode() != CameraMode::kTopDown);
+            return tell_camera_mode();
         case Verb::kFly:
-            return camera_->fly(camera_->mode() != CameraMode::kFly);
+            camera_->fly(camera_->mode() != CameraMode::kFly);
+            return tell_camera_mode();
         case Verb::kFullscreen:
             return screen_.set_fullscreen(!screen_.fullscreen());
         case Verb::kQuit:
@@ -117,6 +119,14 @@ void App::perform(const SetNumber& set) {
     if (clock_.paused()) tell("Set with the next tick: time stands still");
 }
 
+// Neither is to be seen in the picture.
+void App::tell_camera_mode() {
+    if (camera_->mode() == CameraMode::kTopDown)
+        tell("From above, north is up: the middle button moves the view, T goes back");
+    if (camera_->mode() == CameraMode::kFly)
+        tell("Flying: W A S D and the arrows move, the right button looks round, F goes back");
+}
+
 void App::resize_brush(double steps) {
     const RadiusRange range = radius_range(sandbox_->start().grid);
     brush_.radius = std::clamp(brush_.radius * std::pow(kSizeStep, steps), range.least, range.most);
@@ -141,7 +151,8 @@ void App::undo() {
 
 void App::reset() {
     Opening again = first_;
-    again.told = fmt::format("Begun anew: {}", first_.scene.start.title);
+    again.told = fmt::format("Begun anew: {}{}", first_.scene.start.title,
+                             recording_ ? ". What was is in its recording" : "");
     if (const auto begun = begin_world(std::move(again), std::nullopt); !begun) warn(begun.error().sentence);
 }
 

@@ -203,6 +203,7 @@ Outcome<int> run_command_line(int argc, char** argv) {
     app.get_formatter()->column_width(34);
 
     PlayOptions play_options;
+    play_options.program = argv[0];
     RunOptions run_options;
     ReplayOptions replay_options;
     ListOptions list_options;

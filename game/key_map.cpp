@@ -33,6 +33,7 @@ constexpr std::array kKeyBindings{
     KeyBinding{function_key(3), kAlone, false, Verb::kTogglePhysics, "physics panel"},
     KeyBinding{function_key(4), kAlone, false, Verb::kToggleDisplay, "display panel"},
     KeyBinding{function_key(5), kAlone, false, Verb::kTogglePerformance, "performance panel"},
+    KeyBinding{Key::kEscape, kAlone, false, Verb::kClosePanel, "close a list or a panel"},
     KeyBinding{Key::kTab, kAlone, false, Verb::kTogglePanels, "show or hide all panels"},
     KeyBinding{function_key(11), kAlone, false, Verb::kFullscreen, "full screen, and back"},
     KeyBinding{key('Q'), kControl, false, Verb::kQuit, "quit"},

@@ -45,6 +45,7 @@ struct ReplayOptions {
 Outcome<int> replay(const ReplayOptions& options);
 
 struct PlayOptions {
+    std::string program;  // as it was called
     std::string what;  // scene, terrain file or recording; empty: the first scene
     Wishes wishes;
     std::optional<std::filesystem::path> record;

@@ -37,8 +37,8 @@ Outcome<int> play(const PlayOptions& options) {
     if (options.record && !(*app)->recording())
         return machine_fails(fmt::format("{}: could not be written to the end", options.record->string()));
     if (const auto& recording = (*app)->recording())
-        fmt::print("{:.1f} s played; couloir replay {} plays it again\n",
-                   (*app)->sandbox().session().seconds(), recording->string());
+        fmt::print("{:.1f} s played. To watch it and go on: {} play {}\n",
+                   (*app)->sandbox().session().seconds(), options.program, recording->string());
     return 0;
 }
 

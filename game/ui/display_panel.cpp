@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "game/ui/legend.h"
 #include "game/ui/panels.h"
@@ -47,6 +49,21 @@ bool sun(Desk& desk, const Facts& facts, Display& display) {
     return changed;
 }
 
+constexpr double kStep = 5;  // percent, to which a hand's slide is rounded
+
+double in_steps(double percent) {
+    return kStep * std::round(percent / kStep);
+}
+
+// The largest letters, in percent, with which a panel still has its place beside the bars.
+double most_letters(const Desk& desk, double letters) {
+    constexpr double kWide = 42, kHigh = 27;  // em
+    const double em = static_cast<double>(desk.em()) / letters;
+    const double fits =
+        std::min(static_cast<double>(desk.size.x) / kWide, static_cast<double>(desk.size.y) / kHigh);
+    return std::clamp(kStep * std::floor(100 * fits / em / kStep), 100., 300.);
+}
+
 bool picture(Desk& desk, Display& display) {
     desk.widgets.heading("Picture");
     bool changed = false;
@@ -61,14 +78,15 @@ bool picture(Desk& desk, Display& display) {
     desk.widgets.row("Resolution");
     if (desk.widgets.slider("Resolution", resolution, {25, 100, "%.0f %%", false, true},
                             "Pixels drawn along an edge for each of the screen's; fewer are faster.")) {
-        display.resolution = resolution / 100;
+        display.resolution = in_steps(resolution) / 100;
         changed = true;
     }
     changed |= desk.widgets.toggle("Smooth edges", display.fine, "Four samples per pixel: finer and slower.");
     desk.widgets.row("Letters");
-    if (desk.widgets.slider("Letters", letters, {50, 300, "%.0f %%", false, true},
+    if (desk.widgets.slider("Letters", letters,
+                            {50, most_letters(desk, display.letters), "%.0f %%", false, true},
                             "Size of letters and panels.")) {
-        display.letters = letters / 100;
+        display.letters = in_steps(letters) / 100;
         changed = true;
     }
     return changed;

@@ -93,6 +93,13 @@ void OpenPanels::toggle(Panel panel) {
     if (open) last_ = panel;
 }
 
+void OpenPanels::close_one() {
+    for (const Panel panel : {Panel::kHelp, last_})
+        if (is_open(panel)) return toggle(panel);
+    const auto any = std::find(open_.begin(), open_.end(), true);
+    if (any != open_.end()) *any = false;
+}
+
 void OpenPanels::keep_only_last() {
     const bool open = is_open(last_);
     open_.fill(false);

@@ -39,6 +39,7 @@ class OpenPanels {
     bool hidden() const { return hidden_; }
     void toggle(Panel panel);
     void toggle_all() { hidden_ = !hidden_; }
+    void close_one();  // the help, which lies on top, else the one opened last, else any
     void keep_only_last();
 
   private:

@@ -46,15 +46,40 @@ double shown(const sim::ParamInfo& info, float value) {
     return is_slope(info) ? std::atan(static_cast<double>(value)) * kDegrees : static_cast<double>(value);
 }
 
-// The float that stands for a typed number; 90° and beyond are no tangent, and out of every range.
+// The float that stands for a typed number.
 float meant(const sim::ParamInfo& info, double typed) {
-    if (!is_slope(info)) return static_cast<float>(typed);
-    return typed > -90 && typed < 90 ? static_cast<float>(std::tan(typed / kDegrees)) : INFINITY;
+    return static_cast<float>(is_slope(info) ? std::tan(typed / kDegrees) : typed);
+}
+
+const char* unit_of(const sim::ParamInfo& info) {
+    return is_slope(info) ? "°" : info.unit == "1" ? "" : info.unit.data();  // a literal
+}
+
+// "start slope": the name without the unit that some end in.
+std::array<char, 32> label_of(const sim::ParamInfo& info) {
+    std::string_view name = info.name;
+    if (name.ends_with("_s")) name.remove_suffix(2);
+    std::array<char, 32> label{};
+    for (std::size_t i = 0; i < name.size() && i + 1 < label.size(); ++i)
+        label[i] = name[i] == '_' ? ' ' : name[i];
+    return label;
 }
 
 void refuse(Desk& desk, std::string_view sentence) {
     std::snprintf(desk.refusal.data(), desk.refusal.size(), "Not taken: %.*s.",
                   static_cast<int>(sentence.size()), sentence.data());
+}
+
+// Nonsense, or a number out of its range; in the unit in which it was typed.
+void refuse_typed(Desk& desk, const sim::ParamInfo& info, const double* typed) {
+    std::array<char, 160> sentence;
+    const std::array<char, 32> label = label_of(info);
+    if (typed)
+        std::snprintf(sentence.data(), sentence.size(), "%s takes %.4g to %.4g %s, and this is %.4g",
+                      label.data(), shown(info, info.least), shown(info, info.most), unit_of(info), *typed);
+    else
+        std::snprintf(sentence.data(), sentence.size(), "%s wants a number", label.data());
+    refuse(desk, sentence.data());
 }
 
 void set(Desk& desk, const sim::Params& params, std::size_t param, float value, Actions& actions) {
@@ -70,37 +95,36 @@ void set(Desk& desk, const sim::Params& params, std::size_t param, float value, 
 void write_tooltip(std::span<char> text, const sim::ParamInfo& info, float value) {
     const auto length = [](std::string_view part) { return static_cast<int>(part.size()); };
     const double least = shown(info, info.least), most = shown(info, info.most);
-    const std::string_view unit = is_slope(info) ? "°" : info.unit == "1" ? "" : info.unit;
-    int used = std::snprintf(text.data(), text.size(), "%.*s: %.*s; from %.4g to %.4g %.*s.",
-                             length(info.name), info.name.data(), length(info.meaning), info.meaning.data(),
-                             least, most, length(unit), unit.data());
-    if (is_slope(info) && used > 0 && static_cast<std::size_t>(used) < text.size())
-        std::snprintf(text.data() + used, text.size() - static_cast<std::size_t>(used),
-                      " Its tangent is %.4g.", static_cast<double>(value));
+    const char* unit = unit_of(info);
+    const int used = std::snprintf(text.data(), text.size(), "%.*s: %.*s; from %.4g to %.4g%s%s.",
+                                   length(info.name), info.name.data(), length(info.meaning),
+                                   info.meaning.data(), least, most, *unit != 0 ? " " : "", unit);
+    if (used <= 0 || static_cast<std::size_t>(used) >= text.size()) return;
+    const std::span<char> rest = text.subspan(static_cast<std::size_t>(used));
+    if (is_slope(info))
+        std::snprintf(rest.data(), rest.size(), " Its tangent is %.4g.", static_cast<double>(value));
+    else if (!editable(info))
+        std::snprintf(rest.data(), rest.size(), " It stays as the scene has it.");
 }
 
 void number(Desk& desk, const Facts& facts, std::size_t param, Actions& actions) {
     const sim::ParamInfo& info = sim::kParams[param];
     const float now = facts.state.params.*info.value, usual = facts.start.params.*info.value;
-    std::array<char, 32> label{}, unit{};
-    for (std::size_t i = 0; i < info.name.size() && i + 1 < label.size(); ++i)
-        label[i] = info.name[i] == '_' ? ' ' : info.name[i];
-    if (is_slope(info))
-        std::snprintf(unit.data(), unit.size(), "°");
-    else if (info.unit != "1")
-        std::snprintf(unit.data(), unit.size(), "%.*s", static_cast<int>(info.unit.size()), info.unit.data());
+    const std::array<char, 32> label = label_of(info);
     std::array<char, 256> tooltip;
     write_tooltip(tooltip, info, now);
     const Typed typed = desk.widgets.number(
-        {label.data(), shown(info, now), shown(info, usual), unit.data(), tooltip.data(), editable(info)});
+        {label.data(), shown(info, now), shown(info, usual), unit_of(info), tooltip.data(), editable(info)});
     switch (typed.what) {
         case Typed::What::kNothing:
             return;
         case Typed::What::kNonsense:
-            return refuse(desk, "what was typed is no number");
+            return refuse_typed(desk, info, nullptr);
         case Typed::What::kUsual:
             return set(desk, facts.state.params, param, usual, actions);
         case Typed::What::kValue:
+            if (!(typed.value >= shown(info, info.least) && typed.value <= shown(info, info.most)))
+                return refuse_typed(desk, info, &typed.value);
             return set(desk, facts.state.params, param, meant(info, typed.value), actions);
     }
 }
@@ -133,10 +157,6 @@ void all_defaults(Desk& desk, const Facts& facts, Actions& actions) {
 
 void physics_panel(Desk& desk, const Facts& facts, Actions& actions) {
     const sim::Params& params = facts.state.params;
-    if (desk.refusal[0] != 0) {
-        desk.widgets.warn(desk.refusal.data());
-        desk.widgets.note("Refusal");
-    }
     ImGui::BeginDisabled(facts.watching.has_value());
     for (std::size_t group = 0; group < kGroups.size(); ++group) {
         desk.widgets.heading(kGroups[group].title);
@@ -149,6 +169,8 @@ void physics_panel(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::Dummy({0, desk.em() * 0.2f});
     all_defaults(desk, facts, actions);
     ImGui::EndDisabled();
+    // Over the panel's foot: rows that moved would slip from under the hand.
+    if (desk.refusal[0] != 0) desk.widgets.warn_over_foot("Refusal", desk.refusal.data());
 }
 
 }  // namespace game::ui

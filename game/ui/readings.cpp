@@ -25,10 +25,11 @@ std::optional<ImU32> class_colour(double slope_deg) {
     return colour;
 }
 
-void slope(Desk& desk, const Reading& reading) {
+void slope(Desk& desk, const Facts& facts, const Reading& reading) {
     desk.widgets.fact("Slope", "%.1f°", reading.slope_deg);
+    // Of the colours that the ground shows, and only then.
     const auto colour = class_colour(reading.slope_deg);
-    if (!colour) return;
+    if (!colour || facts.display.overlay != render::Overlay::kSlope) return;
     ImGui::SameLine(0, desk.em() * 0.5f);
     const float side = desk.em() * 0.75f;
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -39,10 +40,10 @@ void slope(Desk& desk, const Reading& reading) {
     ImGui::Dummy({side * 1.6f, side});
 }
 
-void rows(Desk& desk, const Reading& reading) {
+void rows(Desk& desk, const Facts& facts, const Reading& reading) {
     Widgets& widgets = desk.widgets;
     widgets.fact("Height", "%.1f m", reading.at.z);
-    slope(desk, reading);
+    slope(desk, facts, reading);
     if (reading.aspect_deg)
         widgets.fact("Faces", "%.0f° %s", *reading.aspect_deg, compass_point(*reading.aspect_deg));
     else
@@ -75,7 +76,7 @@ void readings(Desk& desk, const Facts& facts) {
     ImGui::Begin("Readings", nullptr,
                  kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
     ImGui::PushFont(low ? desk.widgets.letters.small : desk.widgets.letters.usual);
-    rows(desk, *facts.under_cursor);
+    rows(desk, facts, *facts.under_cursor);
     ImGui::PopFont();
     if (facts.under_cursor->where[0] != 0) where(desk, *facts.under_cursor);
     desk.readings_height = ImGui::GetWindowSize().y;

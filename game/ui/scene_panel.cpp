@@ -12,6 +12,7 @@ constexpr std::array<int, 5> kGrids{40, 80, 160, 256, 512};
 constexpr std::array<const char*, 5> kGridNames{"40 squares", "80 squares", "160 squares", "256 squares",
                                                 "512 squares"};
 constexpr std::array kModels{sim::Model::kBcreInertial, sim::Model::kBcre};
+constexpr std::array<const char*, 2> kModelNames{"bcre-inertial: gains speed", "bcre: rolls at one speed"};
 
 const char* name_of(sim::Model model) {
     return sim::to_string(model).data();  // a literal
@@ -93,7 +94,7 @@ void what_to_begin(Desk& desk, const Facts& facts, Actions& actions) {
                      [&](std::size_t i) { return materials[i].title.c_str(); });
     choice_or_scenes(desk, "By model", choice.model, kModels.size(),
                      "bcre-inertial gives the material a speed of its own; bcre rolls it at one speed.",
-                     [&](std::size_t i) { return name_of(kModels[i]); });
+                     [&](std::size_t i) { return kModelNames[i]; });
     choice_or_scenes(desk, "On a grid of", choice.grid, kGrids.size(),
                      "Squares along the longer side: more of them are finer and slower.",
                      [&](std::size_t i) { return kGridNames[i]; });
@@ -102,11 +103,14 @@ void what_to_begin(Desk& desk, const Facts& facts, Actions& actions) {
         actions.emplace_back(begin_of(choice, facts));
 }
 
+// All but the one that is being written.
 void recordings(Desk& desk, const char* heading, const std::vector<Catalogue::Entry>& entries,
-                Actions& actions) {
-    if (entries.empty()) return;
+                std::string_view being_written, Actions& actions) {
+    const auto open = [&](const Catalogue::Entry& entry) { return entry.file.native() != being_written; };
+    if (std::none_of(entries.begin(), entries.end(), open)) return;
     desk.widgets.heading(heading);
     for (const Catalogue::Entry& entry : entries) {
+        if (!open(entry)) continue;
         std::array<char, 96> label;
         std::snprintf(label.data(), label.size(), "Watch %s", entry.name.c_str());
         if (desk.widgets.button(label.data(), entry.title.c_str(), false, ImGui::GetContentRegionAvail().x))
@@ -119,8 +123,9 @@ void recordings(Desk& desk, const char* heading, const std::vector<Catalogue::En
 void scene_panel(Desk& desk, const Facts& facts, Actions& actions) {
     what_is_loaded(desk, facts);
     what_to_begin(desk, facts, actions);
-    recordings(desk, "Watch a recording, and take over at its end", facts.catalogue.recordings, actions);
-    recordings(desk, "Your own, the newest first", facts.catalogue.own, actions);
+    recordings(desk, "Watch a recording, and take over at its end", facts.catalogue.recordings,
+               facts.recording, actions);
+    recordings(desk, "Your own, the newest first", facts.catalogue.own, facts.recording, actions);
     ImGui::Dummy({0, desk.em() * 0.2f});
     desk.widgets.dim("A scene, a terrain file or a recording can also be dropped onto the window.");
 }

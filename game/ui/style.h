@@ -17,6 +17,7 @@ inline constexpr ImU32 kAccent = IM_COL32(88, 184, 240, 255);
 inline constexpr ImU32 kAccentText = IM_COL32(8, 22, 32, 255);  // on the accent
 inline constexpr ImU32 kWarning = IM_COL32(250, 184, 76, 255);
 inline constexpr ImU32 kPanel = IM_COL32(17, 21, 27, 226);
+inline constexpr ImU32 kNoticePlate = IM_COL32(17, 21, 27, 250);
 inline constexpr ImU32 kControl = IM_COL32(255, 255, 255, 20);
 inline constexpr ImU32 kControlHovered = IM_COL32(255, 255, 255, 40);
 inline constexpr ImU32 kControlHeld = IM_COL32(255, 255, 255, 60);

@@ -108,14 +108,16 @@ void moment(Desk& desk, const Facts& facts) {
 void mass(Desk& desk, const Facts& facts) {
     const sim::Ledger& ledger = facts.state.ledger;
     const double quantum = static_cast<double>(sim::kQuantum) * facts.state.grid.cell_area();
-    std::array<std::array<char, 40>, 4> text;
-    const std::array quanta{ledger.standing, ledger.rolling, ledger.poured, ledger.out};
+    std::array<std::array<char, 40>, 5> text;
+    const std::array quanta{ledger.standing, ledger.rolling, ledger.poured, ledger.dug, ledger.out};
     for (std::size_t i = 0; i < text.size(); ++i)
         write_volume(text[i], static_cast<double>(quanta[i]) * quantum);
-    desk.widgets.dim("standing %s   rolling %s   poured %s   out %s", text[0].data(), text[1].data(),
-                     text[2].data(), text[3].data());
+    const bool dug = ledger.dug != 0;
+    desk.widgets.dim("standing %s   rolling %s   poured %s%s%s   out %s", text[0].data(), text[1].data(),
+                     text[2].data(), dug ? "   dug " : "", dug ? text[3].data() : "", text[4].data());
     desk.widgets.note("Mass");
-    desk.widgets.tooltip("Material that stands, that rolls, that was poured, and that has left the terrain.");
+    desk.widgets.tooltip(
+        "Material that stands, that rolls, that was poured or dug, and that has left the terrain.");
 }
 
 }  // namespace

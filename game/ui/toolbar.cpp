@@ -86,7 +86,7 @@ void material(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
         {{"Rolling", "What is poured rolls at once.", false},
          {"Standing", "What is poured stands until the slope gives way.", true}}};
     const float em = desk.em(), width = 5 * em, gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    ImGui::BeginDisabled(facts.brush.tool == Tool::kBlast);
+    ImGui::BeginDisabled(deed_of(facts.brush, facts.inverted) != sim::CommandKind::kPour);
     flow.next(2 * width + gap, em);
     for (const Way& way : kWays) {
         if (way.standing) ImGui::SameLine(0, gap);

@@ -119,6 +119,13 @@ bool Ui::perform(Verb verb) {
         panels.toggle_all();
         return true;
     }
+    if (verb == Verb::kClosePanel) {
+        if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup))
+            parts_->desk.widgets.close_choice();
+        else
+            panels.close_one();
+        return true;
+    }
     const auto info = std::find_if(std::begin(kPanelInfos), std::end(kPanelInfos),
                                    [verb](const PanelInfo& each) { return each.verb == verb; });
     if (info == std::end(kPanelInfos)) return false;

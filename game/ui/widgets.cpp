@@ -190,6 +190,8 @@ bool Widgets::begin_choice(const char* label, const char* shown, const char* tex
     if (!open) {
         places_.note(label);
         tooltip(text);
+    } else if (std::exchange(closing_choice_, false)) {
+        ImGui::CloseCurrentPopup();
     }
     return open;
 }
@@ -251,12 +253,18 @@ void Widgets::fact(const char* label, const char* format, ...) {
     va_end(arguments);
 }
 
-void Widgets::warn(const char* text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, kWarning);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text);
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
+void Widgets::warn_over_foot(const char* label, const char* text) {
+    const ImVec2 window = ImGui::GetWindowPos(), size = ImGui::GetWindowSize(),
+                 pad = ImGui::GetStyle().WindowPadding;
+    const float width = size.x - 2 * pad.x;
+    const ImVec2 words = ImGui::CalcTextSize(text, nullptr, false, width);
+    const ImVec2 to{window.x + size.x, window.y + size.y};
+    const ImVec2 from{window.x, to.y - words.y - 2 * pad.y};
+    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    list.AddRectFilled(from, to, kNoticePlate, ImGui::GetStyle().WindowRounding);
+    list.AddRectFilled(from, {from.x + em * 0.2f, to.y}, kWarning);
+    list.AddText(letters.usual, em, {from.x + pad.x, from.y + pad.y}, kWarning, text, nullptr, width);
+    places_.note(label, from, to);
 }
 
 const char* write_volume(std::span<char> text, double cubic_metres) {

@@ -99,8 +99,11 @@ class Widgets {
     void dim(const char* format, ...) IM_FMTARGS(2);                      // small, dim
     void plain(const char* format, ...) IM_FMTARGS(2);                    // wrapped
     void fact(const char* label, const char* format, ...) IM_FMTARGS(3);  // a row that only tells
-    void warn(const char* text);                                          // wrapped
-    void tooltip(const char* text);                                       // for the last item
+    // The list that is open closes when it is built next.
+    void close_choice() { closing_choice_ = true; }
+    // A warning over the foot of the window that is being built; nothing moves for it.
+    void warn_over_foot(const char* label, const char* text);
+    void tooltip(const char* text);  // for the last item
 
   private:
     bool begin_choice(const char* label, const char* shown, const char* tooltip, float width);
@@ -112,6 +115,7 @@ class Widgets {
 
     Places places_;
     // The widget that is being changed, and what it shows meanwhile.
+    bool closing_choice_ = false;
     ImGuiID changing_ = 0;
     double slid_ = 0;
     std::array<char, 32> typed_{};

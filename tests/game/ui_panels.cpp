@@ -70,6 +70,27 @@ TEST_F(UiPanels, hide_all_at_once_and_come_back_as_they_were) {
     for (const char* label : {"Begin", "Pour", "Pause", "Hint"}) EXPECT_TRUE(ui_->find(label)) << label;
 }
 
+TEST_F(UiPanels, close_one_by_one_from_the_top_a_list_before_its_panel) {
+    ui_->perform(Verb::kToggleScene);
+    ui_->perform(Verb::kToggleHelp);
+    settle();
+    const auto close = [&] {
+        EXPECT_TRUE(ui_->perform(Verb::kClosePanel));
+        settle();
+    };
+    close();
+    EXPECT_FALSE(ui_->find("Close Help"));
+    click("Choose a scene");
+    settle();
+    ASSERT_TRUE(ui_->find("A slope"));  // an item of the list
+    close();
+    EXPECT_FALSE(ui_->find("A slope"));
+    EXPECT_TRUE(ui_->find("Close Scene"));
+    close();
+    EXPECT_FALSE(ui_->find("Close Scene"));
+    close();  // nothing is left
+}
+
 TEST_F(UiPanels, tell_warnings_even_while_they_are_hidden) {
     ui_->perform(Verb::kTogglePanels);
     notices_.tell(Notice::Kind::kInfo, "All is well.", screen_.seconds());
@@ -118,7 +139,7 @@ TEST_F(UiPanels, begin_a_scene_as_it_was_chosen) {
     };
     choose("Choose a scene", "A slope");
     choose("Of material", "dry sand");
-    choose("By model", "bcre");
+    choose("By model", "bcre: rolls at one speed");
     choose("On a grid of", "256 squares");
     open = only<Open>(click("Begin"));
     EXPECT_EQ(open.name_or_path, "slope");
@@ -156,6 +177,7 @@ TEST_F(UiPanels, change_one_thing_of_the_display_and_leave_the_rest) {
 }
 
 TEST_F(UiPanels, size_letters_only_when_the_slider_is_let_go) {
+    begin_anew({2400, 1400, 1});
     ui_->perform(Verb::kToggleDisplay);
     settle();
     const auto at = place("Letters");
@@ -171,6 +193,29 @@ TEST_F(UiPanels, size_letters_only_when_the_slider_is_let_go) {
     display_ = display;
     settle();
     EXPECT_GT(place("Pour").height, 2.5 * at.height);
+}
+
+TEST_F(UiPanels, offer_no_letters_so_large_that_panels_lose_their_place) {
+    begin_anew({1280, 720, 1});
+    ui_->perform(Verb::kToggleDisplay);
+    settle();
+    const auto at = place("Letters");
+    screen_.move(at.x + at.width * 0.2, at.y + at.height / 2);
+    frame();
+    screen_.press(Button::kLeft);
+    settle(2);
+    screen_.move(at.x + at.width + 50, at.y + at.height / 2);
+    settle(2);
+    screen_.release(Button::kLeft);
+    display_ = only<SetDisplay>(frame()).display;
+    EXPECT_GT(display_.letters, 1.4);
+    EXPECT_LT(display_.letters, 1.8);
+    settle();
+    EXPECT_TRUE(click("Ground shows").empty());  // can be reached
+    EXPECT_TRUE(ui_->find("steepness"));
+    EXPECT_TRUE(click("Close Display").empty());  // closes the list
+    EXPECT_TRUE(click("Close Display").empty());
+    EXPECT_FALSE(ui_->find("Close Display"));
 }
 
 TEST_F(UiPanels, list_every_key_and_every_gesture_in_the_help) {

@@ -15,7 +15,7 @@ std::size_t index_of(std::string_view name) {
 }
 
 std::string label_of(const sim::ParamInfo& info) {
-    std::string label(info.name);
+    std::string label(info.name == "tick_s" ? "tick" : info.name);
     for (char& c : label)
         if (c == '_') c = ' ';
     return label;
@@ -89,6 +89,15 @@ TEST_F(UiPhysics, refuses_what_is_wrong_with_a_sentence_and_sets_nothing) {
     EXPECT_TRUE(refused());
 }
 
+TEST_F(UiPhysics, moves_no_row_for_what_it_refuses) {
+    const ui::Ui::Place before = place("relaxation time");
+    EXPECT_TRUE(type_into("max speed", "fast").empty());
+    settle();
+    EXPECT_TRUE(refused());
+    EXPECT_EQ(place("relaxation time").y, before.y);
+    EXPECT_EQ(place("relaxation time").x, before.x);
+}
+
 TEST_F(UiPhysics, refuses_thresholds_in_the_wrong_order) {
     EXPECT_TRUE(type_into("start slope", "1").empty());  // below the stop slope
     EXPECT_TRUE(refused());
@@ -125,7 +134,7 @@ TEST_F(UiPhysics, leads_back_to_all_defaults_in_an_order_in_which_each_step_hold
 }
 
 TEST_F(UiPhysics, lets_nobody_change_the_steps_of_the_computation) {
-    for (const char* label : {"tick s", "courant"}) EXPECT_TRUE(type_into(label, "0.02").empty()) << label;
+    for (const char* label : {"tick", "courant"}) EXPECT_TRUE(type_into(label, "0.02").empty()) << label;
 }
 
 TEST_F(UiPhysics, keeps_the_keys_only_while_a_number_is_typed) {
