@@ -72,8 +72,10 @@ void add_material_and_model(CLI::App& app, Wishes& wishes) {
     app.add_option("--material", wishes.material, "a name from `couloir list`, or a material file")
         ->type_name("NAME");
     add_named(app, "--model", wishes.model, sim::model_from, "bcre, bcre-inertial", "physics");
-    add_named(app, "--scheme", wishes.scheme, sim::scheme_from, "lax-friedrichs, local-lax-friedrichs",
-              "of bcre");
+    add_named(app, "--scheme", wishes.scheme, sim::scheme_from, "lax-friedrichs, local-lax-friedrichs, muscl",
+              "how bcre carries its rolling layer");
+    add_named(app, "--law", wishes.law, sim::law_from, "constant, slope, shear",
+              "how fast the rolling layer of bcre is");
     add_grid(app, wishes);
 }
 
@@ -215,6 +217,9 @@ Outcome<int> run_command_line(int argc, char** argv) {
     add_play(*play_app, play_options);
     add_run(*run_app, run_options);
     add_replay(*replay_app, replay_options);
+    CLI::App* verify_app = app.add_subcommand(
+        "verify-physics",
+        "compare the solver with exact answers: errors and orders; 1 where one misses its bound");
     list_app->add_flag("--json", list_options.json, "as JSON");
 
     try {
@@ -231,6 +236,7 @@ Outcome<int> run_command_line(int argc, char** argv) {
         if (auto sound = check(run_options); !sound) return tl::unexpected(sound.error());
         return run(run_options);
     }
+    if (verify_app->parsed()) return verify_physics();
     return replay_app->parsed() ? replay(replay_options) : list(list_options);
 }
 

@@ -34,11 +34,20 @@ sim::Model read_model(TomlTable& physics, const Wishes& wishes) {
     return wishes.model.value_or(model.value_or(sim::Model::kBcreInertial));
 }
 
-void read_scheme(TomlTable& physics, const Wishes& wishes, sim::Params& params) {
-    const auto name = physics.text("scheme");
-    const auto scheme = name ? sim::scheme_from(*name) : sim::Scheme::kLocalLaxFriedrichs;
-    if (!scheme) physics.blame("scheme", "is neither lax-friedrichs nor local-lax-friedrichs");
-    params.scheme = wishes.scheme.value_or(scheme.value_or(sim::Scheme::kLocalLaxFriedrichs));
+// Scheme and velocity law of bcre.
+void read_choices(TomlTable& physics, const Wishes& wishes, sim::Params& params) {
+    if (const auto name = physics.text("scheme")) {
+        const auto scheme = sim::scheme_from(*name);
+        if (!scheme) physics.blame("scheme", "is none of lax-friedrichs, local-lax-friedrichs, muscl");
+        params.scheme = scheme.value_or(params.scheme);
+    }
+    if (const auto name = physics.text("law")) {
+        const auto law = sim::law_from(*name);
+        if (!law) physics.blame("law", "is none of constant, slope, shear");
+        params.law = law.value_or(params.law);
+    }
+    params.scheme = wishes.scheme.value_or(params.scheme);
+    params.law = wishes.law.value_or(params.law);
 }
 
 sim::Command read_command(TomlTable& table, const sim::CommandInfo& info) {
@@ -117,10 +126,11 @@ void read_view(TomlTable& root, Start& start) {
     }
 }
 
-Outcome<void> check_scheme(const Wishes& wishes, sim::Model model) {
-    if (!wishes.scheme || model == sim::Model::kBcre) return {};
-    return unusable(
-        "--scheme is of the model bcre, and this is bcre-inertial, which has its own; add --model bcre");
+Outcome<void> check_choices(const Wishes& wishes, sim::Model model) {
+    if ((!wishes.scheme && !wishes.law) || model == sim::Model::kBcre) return {};
+    return unusable(fmt::format(
+        "--{} is of the model bcre, and this is bcre-inertial, which has its own; add --model bcre",
+        wishes.scheme ? "scheme" : "law"));
 }
 
 void take_material(Start& start, const Material& material, const sim::Params& over) {
@@ -151,14 +161,14 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& w
     cover->finish();
     const sim::Model model = read_model(*physics, wishes);
     if (fault) return unusable(*fault);
-    if (const auto sound = check_scheme(wishes, model); !sound) return tl::unexpected(sound.error());
+    if (const auto sound = check_choices(wishes, model); !sound) return tl::unexpected(sound.error());
 
     const auto material = load_material(wishes.material.value_or(*named), model);
     if (!material && !wishes.material)
         cover->blame("material", "cannot be used: " + material.error().sentence);
     if (!material) return fault ? unusable(*fault) : tl::unexpected(material.error());
     sim::Params params = material->params;
-    read_scheme(*physics, wishes, params);
+    read_choices(*physics, wishes, params);
     read_borders(*physics, params);
     // A scene's own numbers are for its own model: under another one the material's stand.
     sim::Params unused;
@@ -214,7 +224,7 @@ Outcome<Scene> scene_of_terrain(const fs::path& dem, const std::optional<fs::pat
                                 const Wishes& wishes) {
     constexpr int kUsualSquares = 256;
     const sim::Model model = wishes.model.value_or(sim::Model::kBcreInertial);
-    if (const auto sound = check_scheme(wishes, model); !sound) return tl::unexpected(sound.error());
+    if (const auto sound = check_choices(wishes, model); !sound) return tl::unexpected(sound.error());
     const auto material = load_material(wishes.material.value_or("snow-dry"), model);
     if (!material) return tl::unexpected(material.error());
     const auto terrain = terrains::read_dem(dem, wishes.squares.value_or(kUsualSquares));
@@ -224,6 +234,7 @@ Outcome<Scene> scene_of_terrain(const fs::path& dem, const std::optional<fs::pat
     scene.start.scene = scene.start.title = terrain->name;
     sim::Params params = material->params;
     params.scheme = wishes.scheme.value_or(params.scheme);
+    params.law = wishes.law.value_or(params.law);
     params.borders.fill(sim::Border::kSink);
     take_material(scene.start, *material, params);
     set_ground(scene.start, *terrain);

@@ -16,6 +16,7 @@ struct Wishes {
     std::optional<std::string> material;  // name or file
     std::optional<sim::Model> model;
     std::optional<sim::Scheme> scheme;
+    std::optional<sim::Law> law;
 };
 
 // A start, and what is done to it at which tick.

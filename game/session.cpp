@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/float_environment.h"
 #include "sim/state_hash.h"
 #include "sim/step.h"
 
@@ -35,6 +36,9 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
             return unusable(fmt::format("tick {}: {}", state_.tick, *fault));
     if (const auto fault = sim::fault_after(state_.params, commands))
         return unusable(fmt::format("tick {}: {}", state_.tick, *fault));
+    if (const auto fault = sim::float_environment_fault())
+        return machine_fails(
+            fmt::format("tick {}: {}, so no replay could meet these bits", state_.tick, *fault));
     if (recorder_)
         for (const sim::Command& command : commands)
             if (auto written = recorder_->command({state_.tick, command}); !written) return written;

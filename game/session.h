@@ -76,7 +76,7 @@ class Session {
     void watch();
 
     sim::State state_;
-    sim::Scratch scratch_;
+    sim::Scratch<float> scratch_;
     std::unique_ptr<sim::Workers> workers_;
     std::optional<Recorder> recorder_;
     Peaks peaks_;

@@ -82,7 +82,10 @@ Json to_json(const Summary& summary) {
               {"state_hash", hex(summary.session.state_line().hash)},
               {"mass", mass_json(summary.session)},
               {"measures", measures_json(summary)}};
-    if (start.params.model == sim::Model::kBcre) json["scheme"] = sim::to_string(start.params.scheme);
+    if (start.params.model == sim::Model::kBcre) {
+        json["scheme"] = sim::to_string(start.params.scheme);
+        json["law"] = sim::to_string(start.params.law);
+    }
     if (summary.at_rest) json["at_rest"] = *summary.at_rest;
     if (summary.verdict) json["verified"] = verdict_json(*summary.verdict);
     if (summary.perf) json["performance"] = summary.perf->to_json();

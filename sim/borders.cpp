@@ -1,26 +1,30 @@
 #include "sim/borders.h"
 
+#include "sim/layers.h"
+#include "sim/ledger.h"
 #include "sim/params.h"
 #include "sim/scratch.h"
-#include "sim/state.h"
 
 namespace sim {
 namespace {
 
 // One halo vertex from the border vertex beside it. `across` is the velocity component through the border.
-void fill(State& s, Border border, int hx, int hy, int x, int y, Field<float>& across, Field<float>& along) {
+template <class Number>
+void fill(Layers<Number>& s, Border border, int hx, int hy, int x, int y, Field<Number>& across,
+          Field<Number>& along) {
     const bool wall = border == Border::kWall;
-    s.depth(hx, hy) = border == Border::kSink ? 0.f : s.depth(x, y);
-    s.rolling(hx, hy) = wall ? s.rolling(x, y) : 0.f;
-    across(hx, hy) = wall ? -across(x, y) : 0.f;
-    along(hx, hy) = wall ? along(x, y) : 0.f;
+    s.depth(hx, hy) = border == Border::kSink ? Number{0} : s.depth(x, y);
+    s.rolling(hx, hy) = wall ? s.rolling(x, y) : Number{0};
+    across(hx, hy) = wall ? -across(x, y) : Number{0};
+    along(hx, hy) = wall ? along(x, y) : Number{0};
 }
 
 }  // namespace
 
-void fill_borders(State& s, const Params& params) {
+template <class Number>
+void fill_borders(Layers<Number>& s, const Params& params) {
     const int nx = s.grid.nx, ny = s.grid.ny;
-    Field<float>&u = s.velocity_x, &v = s.velocity_y;
+    Field<Number>&u = s.velocity_x, &v = s.velocity_y;
     for (int y = 0; y < ny; ++y) {
         fill(s, params.borders[kWest], -1, y, 0, y, u, v);
         fill(s, params.borders[kEast], nx, y, nx - 1, y, u, v);
@@ -31,15 +35,26 @@ void fill_borders(State& s, const Params& params) {
     }
 }
 
-void drain(State& s, const Scratch& scratch) {
-    for (const DrainFace& face : scratch.drain_faces) {
-        const float flux = (face.along_x ? scratch.flux_x : scratch.flux_y)(face.x, face.y);
-        s.ledger.out += face.sign * static_cast<std::int64_t>(flux / kQuantum);
-    }
+template <class Number>
+void clear_drains(Layers<Number>& s, const Scratch<Number>& scratch) {
     for (const auto& [x, y] : scratch.drain_vertices) {
         s.rolling(x, y) = 0;
         s.velocity_x(x, y) = s.velocity_y(x, y) = 0;
     }
 }
+
+std::int64_t drained(const Scratch<float>& scratch) {
+    std::int64_t quanta = 0;
+    for (const DrainFace& face : scratch.drain_faces) {
+        const float flux = (face.along_x ? scratch.flux_x : scratch.flux_y)(face.x, face.y);
+        quanta += face.sign * static_cast<std::int64_t>(flux / kQuantum);
+    }
+    return quanta;
+}
+
+template void fill_borders(Layers<float>&, const Params&);
+template void fill_borders(Layers<double>&, const Params&);
+template void clear_drains(Layers<float>&, const Scratch<float>&);
+template void clear_drains(Layers<double>&, const Scratch<double>&);
 
 }  // namespace sim

@@ -13,7 +13,9 @@ struct Named {
 
 constexpr Named<Model> kModels[] = {{Model::kBcre, "bcre"}, {Model::kBcreInertial, "bcre-inertial"}};
 constexpr Named<Scheme> kSchemes[] = {{Scheme::kLaxFriedrichs, "lax-friedrichs"},
-                                      {Scheme::kLocalLaxFriedrichs, "local-lax-friedrichs"}};
+                                      {Scheme::kLocalLaxFriedrichs, "local-lax-friedrichs"},
+                                      {Scheme::kMuscl, "muscl"}};
+constexpr Named<Law> kLaws[] = {{Law::kConstant, "constant"}, {Law::kSlope, "slope"}, {Law::kShear, "shear"}};
 constexpr Named<Border> kBorders[] = {
     {Border::kWall, "wall"}, {Border::kOpen, "open"}, {Border::kSink, "sink"}};
 
@@ -39,6 +41,9 @@ std::string_view to_string(Model model) {
 std::string_view to_string(Scheme scheme) {
     return name_of(kSchemes, scheme);
 }
+std::string_view to_string(Law law) {
+    return name_of(kLaws, law);
+}
 std::string_view to_string(Border border) {
     return name_of(kBorders, border);
 }
@@ -47,6 +52,9 @@ std::optional<Model> model_from(std::string_view name) {
 }
 std::optional<Scheme> scheme_from(std::string_view name) {
     return value_of(kSchemes, name);
+}
+std::optional<Law> law_from(std::string_view name) {
+    return value_of(kLaws, name);
 }
 std::optional<Border> border_from(std::string_view name) {
     return value_of(kBorders, name);
@@ -71,7 +79,8 @@ std::optional<std::string> fault_of(const Params& params) {
 }
 
 Substeps substeps_of(const Params& params, float dx) {
-    const float speed = params.model == Model::kBcre ? params.rolling_speed : params.max_speed;
+    const bool constant = params.model == Model::kBcre && params.law == Law::kConstant;
+    const float speed = constant ? params.rolling_speed : params.max_speed;
     const int count = static_cast<int>(std::ceil(speed * params.tick_s / (params.courant * dx)));
     const int at_least_one = count > 1 ? count : 1;
     return {at_least_one, params.tick_s / static_cast<float>(at_least_one)};

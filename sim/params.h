@@ -8,9 +8,10 @@
 
 namespace sim {
 
-enum class Model { kBcre, kBcreInertial };                  // README.md, "Two models"
-enum class Scheme { kLaxFriedrichs, kLocalLaxFriedrichs };  // of kBcre; kBcreInertial has its own
-enum class Border { kWall, kOpen, kSink };                  // borders.h
+enum class Model { kBcre, kBcreInertial };                          // README.md, "Two models"
+enum class Scheme { kLaxFriedrichs, kLocalLaxFriedrichs, kMuscl };  // of kBcre; kBcreInertial has its own
+enum class Law { kConstant, kSlope, kShear };  // speed in kBcre: (C), (HK), (T) of bcre/velocity.cpp
+enum class Border { kWall, kOpen, kSink };     // borders.h
 
 enum Side { kWest, kEast, kSouth, kNorth };
 
@@ -19,18 +20,21 @@ enum Side { kWest, kEast, kSouth, kNorth };
 struct Params {
     Model model = Model::kBcreInertial;
     Scheme scheme = Scheme::kLocalLaxFriedrichs;
+    Law law = Law::kConstant;
     std::array<Border, 4> borders{Border::kOpen, Border::kOpen, Border::kOpen, Border::kOpen};  // by Side
 
     float tick_s = 1.f / 60.f;
     float courant = 0.25f;
 
     float exchange_rate = 1.5f;
+    float exchange_depth = 128.f;
     float stop_slope = 0.6249f;
     float start_slope = 0.7002f;
     float start_depth = 0.3f;
     float freeze_depth = 0.005f;
 
     float rolling_speed = 1.f;
+    float shear_rate = 1.f;
 
     float speed_per_slope = 15.f;
     float max_speed = 12.f;
@@ -66,16 +70,22 @@ inline constexpr ParamInfo kParams[] = {
      "farthest way of the fastest grain in a sub-step, in cells"},
     {"exchange_rate", "1/s", &Params::exchange_rate, 0.f, 100.f, UsedBy::kBoth,
      "how fast layers exchange material, per unit of slope beyond the threshold"},
+    {"exchange_depth", "m", &Params::exchange_depth, 1e-3f, 128.f, UsedBy::kBoth,
+     "how much of a thick rolling layer exchanges, the lowest part; 128 is all of it"},
     {"stop_slope", "1", &Params::stop_slope, 0.f, 10.f, UsedBy::kBoth,
      "below it rolling material deposits; for bcre-inertial, that of a thin layer"},
     {"start_slope", "1", &Params::start_slope, 0.f, 10.f, UsedBy::kBoth, "above it ground at rest starts"},
     {"start_depth", "m", &Params::start_depth, 0.f, 10.f, UsedBy::kBoth, "depth that starts at once"},
     {"freeze_depth", "m", &Params::freeze_depth, 1e-5f, 1.f, UsedBy::kBoth,
      "a rolling layer thinner than this comes to rest"},
-    {"rolling_speed", "m/s", &Params::rolling_speed, 0.f, 100.f, UsedBy::kBcre, "speed of the rolling layer"},
-    {"speed_per_slope", "m/s", &Params::speed_per_slope, 0.f, 1000.f, UsedBy::kBcreInertial,
-     "terminal speed of a deep layer, per unit of surface slope"},
-    {"max_speed", "m/s", &Params::max_speed, 0.1f, 200.f, UsedBy::kBcreInertial, "greatest terminal speed"},
+    {"rolling_speed", "m/s", &Params::rolling_speed, 0.f, 100.f, UsedBy::kBcre,
+     "speed of the rolling layer; by the law shear, of a thin one"},
+    {"shear_rate", "1/s", &Params::shear_rate, 0.f, 1000.f, UsedBy::kBcre,
+     "by the law shear, how much faster a layer is at its surface than at its ground, per depth"},
+    {"speed_per_slope", "m/s", &Params::speed_per_slope, 0.f, 1000.f, UsedBy::kBoth,
+     "terminal speed of a deep layer, per unit of surface slope; by the law slope of bcre, of any layer"},
+    {"max_speed", "m/s", &Params::max_speed, 0.1f, 200.f, UsedBy::kBoth,
+     "greatest terminal speed; greatest of the laws slope and shear of bcre"},
     {"relaxation_time", "s", &Params::relaxation_time, 0.01f, 100.f, UsedBy::kBcreInertial,
      "time to approach the terminal speed by 1 - 1/e"},
     {"half_speed_depth", "m", &Params::half_speed_depth, 1e-4f, 10.f, UsedBy::kBcreInertial,
@@ -102,9 +112,11 @@ inline bool is_used_by(const ParamInfo& info, Model model) {
 
 std::string_view to_string(Model model);
 std::string_view to_string(Scheme scheme);
+std::string_view to_string(Law law);
 std::string_view to_string(Border border);
 std::optional<Model> model_from(std::string_view name);
 std::optional<Scheme> scheme_from(std::string_view name);
+std::optional<Law> law_from(std::string_view name);
 std::optional<Border> border_from(std::string_view name);
 
 // What is wrong with these parameters, as a sentence; nothing if all is well. Checks each number's range and

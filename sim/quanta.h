@@ -11,8 +11,9 @@ namespace sim {
 // spread over [0, 1) from sub-step to sub-step (golden-ratio sequence). So rounding is right on average over
 // time, and a film whose flux is less than a quantum per sub-step still flows; always rounding to nearest
 // would nail it to its place.
+template <class Number>
 struct Substep {
-    float dt = 0;      // s
+    Number dt = 0;     // s
     float dither = 0;  // 0 ≤ dither < 1
 };
 
@@ -26,10 +27,22 @@ inline float to_quanta(float metres, float dither) {
     const float quanta = std::floor(std::fabs(metres) / kQuantum + dither);
     return std::copysign(quanta * kQuantum, metres);
 }
+inline double to_quanta(double metres, float) {
+    return metres;  // double has none, see Layers
+}
 
 // The nearest whole number of quanta, for what is rounded once.
 inline float nearest_quanta(float metres) {
     return std::rint(metres / kQuantum) * kQuantum;
 }
+inline double nearest_quanta(double metres) {
+    return metres;
+}
+
+// What rounding may add to a transfer, m.
+template <class Number>
+inline constexpr Number kGrain = kQuantum;
+template <>
+inline constexpr double kGrain<double> = 0;
 
 }  // namespace sim

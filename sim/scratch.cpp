@@ -2,9 +2,10 @@
 
 namespace sim {
 
-Scratch::Scratch(const State& s) {
-    flux_x = flux_y = outflow_scale = rolling = velocity_x = velocity_y = slope = slope_spread =
-        Field<float>(s.grid);
+template <class Number>
+Scratch<Number>::Scratch(const Layers<Number>& s) {
+    flux_x = flux_y = outflow_scale = rolling = velocity_x = velocity_y = slope = slope_spread = exchanged =
+        depth = first_flux_x = first_flux_y = first_exchanged = Field<Number>(s.grid);
 
     const int nx = s.grid.nx, ny = s.grid.ny;
     const auto is = [&](int x, int y, Site site) { return s.site(x, y) == site; };
@@ -28,5 +29,8 @@ Scratch::Scratch(const State& s) {
                                            is(x, y - 1, Site::kGround) || is(x, y + 1, Site::kGround)))
                 drain_vertices.emplace_back(x, y);
 }
+
+template struct Scratch<float>;
+template struct Scratch<double>;
 
 }  // namespace sim

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "sim/grid.h"
-#include "sim/state.h"
+#include "sim/layers.h"
 
 namespace sim {
 
@@ -17,20 +18,29 @@ struct DrainFace {
 
 // What a step needs between its stages; holds nothing from one sub-step to the next. Made once per world, so
 // that a step allocates nothing.
+template <class Number>
 struct Scratch {
-    explicit Scratch(const State& state);
+    explicit Scratch(const Layers<Number>& layers);
 
-    Field<float> flux_x;         // m of depth through the face (x, y)–(x+1, y) in a sub-step, east positive
-    Field<float> flux_y;         // m of depth through the face (x, y)–(x, y+1), north positive
-    Field<float> outflow_scale;  // 1, or less where a vertex would give more than it has
-    Field<float> rolling;        // m, after transport
-    Field<float> velocity_x;     // m/s, after transport
-    Field<float> velocity_y;     // m/s
-    Field<float> slope;          // tangent toward the lower neighbours of h
-    Field<float> slope_spread;   // (|g_x| + |g_y|) / |g| of it, 1 to √2
+    Field<Number> flux_x;  // m of depth through the face (x, y)–(x+1, y) in a sub-step, east positive
+    Field<Number> flux_y;  // m of depth through the face (x, y)–(x, y+1), north positive
+    Field<Number> outflow_scale;  // 1, or less where a vertex would give more than it has
+    Field<Number> rolling;        // m, after transport
+    Field<Number> velocity_x;     // m/s, after transport
+    Field<Number> velocity_y;     // m/s
+    Field<Number> slope;          // tangent toward the lower neighbours of h
+    Field<Number> slope_spread;   // (|g_x| + |g_y|) / |g| of it, 1 to √2
+
+    // For what is of second order in time.
+    Field<Number> exchanged;                                    // m in a sub-step, erosion positive
+    Field<Number> depth;                                        // m, predicted
+    Field<Number> first_flux_x, first_flux_y, first_exchanged;  // at the sub-step's beginning
 
     std::vector<DrainFace> drain_faces;
     std::vector<std::pair<int, int>> drain_vertices;  // no-data vertices beside ground
 };
+
+template <class Number>
+Scratch(const Layers<Number>&) -> Scratch<Number>;
 
 }  // namespace sim

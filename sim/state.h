@@ -6,18 +6,11 @@
 
 #include "sim/command.h"
 #include "sim/grid.h"
+#include "sim/layers.h"
 #include "sim/ledger.h"
 #include "sim/params.h"
 
 namespace sim {
-
-// What a vertex is to the flow. Border vertices of the grid are kGround; the halo around them is kDrain or
-// kWall.
-enum class Site : std::uint8_t {
-    kGround,  // material lies and rolls here
-    kDrain,   // what arrives has left the world: no-data and the halo of open and sink borders
-    kWall,    // nothing passes: the halo of wall borders
-};
 
 // A command that is being done: a pour or a dig may go on for more than the tick it began in.
 struct Source {
@@ -27,19 +20,8 @@ struct Source {
 };
 
 // All that a step changes, and the ground it changes it on. A plain value: copy it to keep it.
-// bedrock, depth and rolling are vertical metres; depth and rolling are whole multiples of kQuantum
-// (ledger.h), so that sums and differences of them are exact.
-struct State {
-    Grid grid;
+struct State : Layers<float> {
     Params params;  // the numbers of the physics, as the last command left them
-
-    Field<float> bedrock;      // b, m above datum
-    Field<float> depth;        // d ≥ 0, m, erodible depth; the standing layer's height is h = b + d
-    Field<float> rolling;      // R ≥ 0, m, rolling layer
-    Field<float> velocity_x;   // m/s, of the rolling layer; 0 where R = 0
-    Field<float> velocity_y;   // m/s
-    Field<float> first_slope;  // tangent of the first surface's steepest descent: natural ground holds it
-    Field<Site> site;
 
     double datum = 0;  // m, height of b = 0 above the terrain's zero; bedrock is kept small so that slopes
                        // keep their digits

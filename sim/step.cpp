@@ -13,57 +13,117 @@
 
 namespace sim {
 
-void step(State& state, std::span<const Command> commands, Scratch& scratch, Workers& workers) {
-    const auto each_band = [&](auto&& stage) { workers.each_band(state.grid.ny, stage); };
+namespace {
 
-    // A person's hand first: what is poured in this tick rolls in this tick, by the numbers set for it.
-    apply_commands(state, commands);
+// Second order: what is carried and exchanged is the mean of what the layers ask for now and of what they
+// would ask for where that leads (bcre/runge_kutta.cpp). Leaves them in `scratch`.
+template <class Number>
+void find_mean_rates(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch, Workers& workers,
+                     Substep<Number> sub) {
+    const auto each_band = [&](auto&& stage) { workers.each_band(layers.grid.ny, stage); };
+    const auto find_rates = [&] {
+        fill_borders(layers, params);
+        each_band([&](int first, int last) { bcre::slope_velocity(layers, params, first, last); });
+        fill_borders(layers, params);  // walls mirror the new velocity
+        each_band([&](int first, int last) { bcre::fluxes_minmod(layers, scratch, sub, first, last); });
+        each_band([&](int first, int last) { bcre::limited_lower_slope(layers, scratch, first, last); });
+        each_band(
+            [&](int first, int last) { bcre::exchange_at_rate(layers, params, scratch, sub, first, last); });
+    };
+    const auto swap_with_predicted = [&] {
+        std::swap(layers.depth, scratch.depth);
+        std::swap(layers.rolling, scratch.rolling);
+    };
 
-    const Params& params = state.params;
+    find_rates();
+    each_band([&](int first, int last) { bcre::predict(layers, scratch, first, last); });
+    std::swap(scratch.flux_x, scratch.first_flux_x);
+    std::swap(scratch.flux_y, scratch.first_flux_y);
+    std::swap(scratch.exchanged, scratch.first_exchanged);
+
+    swap_with_predicted();
+    clear_drains(layers, scratch);
+    find_rates();
+    swap_with_predicted();
+    each_band([&](int first, int last) { bcre::mean_rates(scratch, first, last); });
+}
+
+}  // namespace
+
+template <class Number>
+void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch, Workers& workers,
+             Substep<Number> sub) {
+    const auto each_band = [&](auto&& stage) { workers.each_band(layers.grid.ny, stage); };
     const bool inertial = params.model == Model::kBcreInertial;
-    const Substeps substeps = substeps_of(params, state.grid.dx);
-    for (int i = 0; i < substeps.count; ++i) {
-        const Substep sub{substeps.dt, dither_of(state.tick * substeps.count + i)};
+    const bool second_order = !inertial && params.scheme == Scheme::kMuscl;
 
+    if (second_order) {
+        find_mean_rates(layers, params, scratch, workers, sub);
+        fill_borders(layers, params);  // of the layers before the prediction
+    } else {
         // The halo takes part in every stencil below.
-        fill_borders(state, params);
+        fill_borders(layers, params);
 
         // How fast: from the surface as it lies now.
         each_band([&](int first, int last) {
             if (inertial)
-                bcre::accelerate(state, params, sub, first, last);
+                bcre::accelerate(layers, params, sub, first, last);
             else
-                bcre::slope_velocity(state, params, first, last);
+                bcre::slope_velocity(layers, params, first, last);
         });
-        fill_borders(state, params);  // walls mirror the new velocity
+        fill_borders(layers, params);  // walls mirror the new velocity
 
-        // Whither and how much: wanted, then what there is to give, then whole quanta.
+        // Whither and how much is wanted.
         each_band([&](int first, int last) {
             if (inertial)
-                bcre::fluxes_minmod(state, scratch, sub, first, last);
+                bcre::fluxes_minmod(layers, scratch, sub, first, last);
             else if (params.scheme == Scheme::kLaxFriedrichs)
-                bcre::fluxes_lax_friedrichs(state, scratch, sub, first, last);
+                bcre::fluxes_lax_friedrichs(layers, scratch, sub, first, last);
             else
-                bcre::fluxes_local_lax_friedrichs(state, scratch, sub, first, last);
+                bcre::fluxes_local_lax_friedrichs(layers, scratch, sub, first, last);
         });
-        each_band([&](int first, int last) { bcre::limit_outflow(state, scratch, first, last); });
-        each_band([&](int first, int last) { bcre::round_fluxes(state, scratch, sub, first, last); });
-        each_band([&](int first, int last) { bcre::carry(state, scratch, first, last); });
-        std::swap(state.rolling, scratch.rolling);
-        std::swap(state.velocity_x, scratch.velocity_x);
-        std::swap(state.velocity_y, scratch.velocity_y);
-        drain(state, scratch);
+    }
 
-        // Between the layers, where the flow stands now. One slope serves both stages, so that their order
-        // within a vertex does not depend on its neighbours'.
-        each_band([&](int first, int last) { bcre::lower_slope(state, scratch, first, last); });
-        each_band([&](int first, int last) {
-            if (inertial)
-                bcre::exchange_inertial(state, params, scratch, sub, first, last);
-            else
-                bcre::exchange(state, params, scratch, sub, first, last);
-            bcre::yield(state, params, scratch, first, last);  // last: it ends what exchange left thin
-        });
+    // No more than there is to give, in whole quanta; then it is carried.
+    each_band([&](int first, int last) { bcre::limit_outflow(layers, scratch, first, last); });
+    each_band([&](int first, int last) { bcre::round_fluxes(layers, scratch, sub, first, last); });
+    each_band([&](int first, int last) { bcre::carry(layers, scratch, first, last); });
+    std::swap(layers.rolling, scratch.rolling);
+    std::swap(layers.velocity_x, scratch.velocity_x);
+    std::swap(layers.velocity_y, scratch.velocity_y);
+    clear_drains(layers, scratch);
+
+    // Between the layers, where the flow stands now. One slope serves both stages, so that their order
+    // within a vertex does not depend on its neighbours'.
+    each_band([&](int first, int last) {
+        if (second_order)
+            bcre::limited_lower_slope(layers, scratch, first, last);
+        else
+            bcre::lower_slope(layers, scratch, first, last);
+    });
+    each_band([&](int first, int last) {
+        if (inertial)
+            bcre::exchange_inertial(layers, params, scratch, sub, first, last);
+        else if (second_order)
+            bcre::exchange_booked(layers, scratch, sub, first, last);
+        else
+            bcre::exchange(layers, params, scratch, sub, first, last);
+        bcre::yield(layers, params, scratch, first, last);  // last: it ends what exchange left thin
+    });
+}
+
+template void substep(Layers<float>&, const Params&, Scratch<float>&, Workers&, Substep<float>);
+template void substep(Layers<double>&, const Params&, Scratch<double>&, Workers&, Substep<double>);
+
+void step(State& state, std::span<const Command> commands, Scratch<float>& scratch, Workers& workers) {
+    // A person's hand first: what is poured in this tick rolls in this tick, by the numbers set for it.
+    apply_commands(state, commands);
+
+    const Substeps substeps = substeps_of(state.params, state.grid.dx);
+    for (int i = 0; i < substeps.count; ++i) {
+        const std::int64_t substeps_done = state.tick * substeps.count + i;
+        substep(state, state.params, scratch, workers, {substeps.dt, dither_of(substeps_done)});
+        state.ledger.out += drained(scratch);
     }
 
     ++state.tick;

@@ -7,13 +7,24 @@
 namespace sim {
 
 class Workers;
-struct Scratch;
+struct Params;
 struct State;
+template <class Number>
+struct Layers;
+template <class Number>
+struct Scratch;
+template <class Number>
+struct Substep;
 
 // One tick: the commands given for it, then as many sub-steps as the parameters ask for. The only way in
 // which a state changes. Same state and commands: same bits, whatever compiler, level,
 // instruction set or number of workers. `scratch` is one made for this state's world. Allocates nothing
 // unless more sources run than ever before.
-void step(State& state, std::span<const Command> commands, Scratch& scratch, Workers& workers);
+void step(State& state, std::span<const Command> commands, Scratch<float>& scratch, Workers& workers);
+
+// One sub-step of it, without commands and ledger, on the layers alone.
+template <class Number>
+void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch, Workers& workers,
+             Substep<Number> sub);
 
 }  // namespace sim

@@ -46,7 +46,7 @@ Outcome<int> replay(const ReplayOptions& options);
 
 struct PlayOptions {
     std::string program;  // as it was called
-    std::string what;  // scene, terrain file or recording; empty: the first scene
+    std::string what;     // scene, terrain file or recording; empty: the first scene
     Wishes wishes;
     std::optional<std::filesystem::path> record;
     PictureSize size;
@@ -58,5 +58,8 @@ struct ListOptions {
     bool json = false;
 };
 Outcome<int> list(const ListOptions& options);
+
+// Prints the table of errors and orders; 1 where one misses its bound.
+Outcome<int> verify_physics();
 
 }  // namespace game

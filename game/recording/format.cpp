@@ -1,5 +1,6 @@
 #include "game/recording/format.h"
 
+#include <algorithm>
 #include <charconv>
 #include <iterator>
 #include <stdexcept>
@@ -87,7 +88,9 @@ glm::dvec3 triple(const Json& json, const char* key, double least, double most) 
 }
 
 Json physics_json(const sim::Params& params) {
-    Json json{{"model", sim::to_string(params.model)}, {"scheme", sim::to_string(params.scheme)}};
+    Json json{{"model", sim::to_string(params.model)},
+              {"scheme", sim::to_string(params.scheme)},
+              {"law", sim::to_string(params.law)}};
     for (std::size_t side = 0; side < kSides.size(); ++side)
         json["borders"][std::string(kSides[side])] = sim::to_string(params.borders[side]);
     for (const sim::ParamInfo& info : sim::kParams)
@@ -95,15 +98,27 @@ Json physics_json(const sim::Params& params) {
     return json;
 }
 
-sim::Params physics_from(const Json& json) {
+// What older recordings do not name yet, by the minor version that does. The default of each leaves the
+// physics as it was before.
+constexpr std::pair<std::string_view, int> kSince[] = {{"law", 1}, {"exchange_depth", 1}, {"shear_rate", 1}};
+
+bool is_named_in(int minor, std::string_view name) {
+    for (const auto& [key, since] : kSince)
+        if (key == name) return minor >= since;
+    return true;
+}
+
+sim::Params physics_from(const Json& json, int minor) {
     sim::Params params;
     params.model = named(json, "model", sim::model_from);
     params.scheme = named(json, "scheme", sim::scheme_from);
+    if (is_named_in(minor, "law")) params.law = named(json, "law", sim::law_from);
     for (std::size_t side = 0; side < kSides.size(); ++side)
         params.borders[side] = named(member(json, "borders"), kSides[side].data(), sim::border_from);
     for (const sim::ParamInfo& info : sim::kParams)
-        params.*info.value =
-            static_cast<float>(number(json, info.name.data(), info.least - 1e-6, info.most + 1e-6));
+        if (is_named_in(minor, info.name))
+            params.*info.value =
+                static_cast<float>(number(json, info.name.data(), info.least - 1e-6, info.most + 1e-6));
     if (const auto wrong = sim::fault_of(params)) refuse(*wrong);
     return params;
 }
@@ -190,7 +205,8 @@ void view_from(const Json& json, Start& start) {
                        number(camera, "field_of_view_deg", 5, 120)};
 }
 
-void read_version(const Json& json) {
+// The minor version.
+int read_version(const Json& json) {
     if (!json.is_object() || !json.contains("format") || json.at("format") != kFormatName)
         refuse("not a couloir recording");
     const Json& version = member(json, "version");
@@ -202,9 +218,10 @@ void read_version(const Json& json) {
         refuse(fmt::format("recorded in format {}.{}, and this program reads up to {}.x: use a newer couloir",
                            major, minor, kFormatMajor));
     if (major < 1 || minor < 0) refuse(fmt::format("format {}.{} never was", major, minor));
+    return static_cast<int>(std::min<std::int64_t>(minor, kFormatMinor));
 }
 
-Header read_header(const Json& json) {
+Header read_header(const Json& json, int minor) {
     Header header;
     header.program = text(json, "program");
     header.physics_version = static_cast<int>(whole(json, "physics_version", 1, 1 << 20));
@@ -214,7 +231,7 @@ Header read_header(const Json& json) {
     start.title = text(json, "title");
     start.material = text(json, "material");
     start.seed = hash_of(json, "seed");
-    start.params = physics_from(member(json, "physics"));
+    start.params = physics_from(member(json, "physics"), minor);
     view_from(member(json, "view"), start);
     ground_from(member(json, "terrain"), start);
     return header;
@@ -282,7 +299,7 @@ tl::expected<void, std::string> check_format(const Json& json) try {
 }
 
 tl::expected<Header, std::string> header_from(const Json& json) try {
-    return read_header(json);
+    return read_header(json, read_version(json));
 } catch (const std::exception& wrong) {
     return tl::unexpected(std::string(wrong.what()));
 }

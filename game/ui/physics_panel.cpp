@@ -19,8 +19,8 @@ struct Group {
 constexpr std::array<Group, 5> kGroups{{
     {"When it starts", {"start_slope", "start_depth", "anchor_gain", "anchor_margin"}},
     {"How it rolls",
-     {"rolling_speed", "speed_per_slope", "max_speed", "relaxation_time", "half_speed_depth"}},
-    {"What it takes along", {"exchange_rate", "erosion_slope", "erosion_depth"}},
+     {"rolling_speed", "shear_rate", "speed_per_slope", "max_speed", "relaxation_time", "half_speed_depth"}},
+    {"What it takes along", {"exchange_rate", "exchange_depth", "erosion_slope", "erosion_depth"}},
     {"When it stops", {"stop_slope", "stop_slope_thick", "stop_fold_depth", "deposit_speed", "freeze_depth"}},
     {"Steps of the computation", {}},
 }};

@@ -1,9 +1,9 @@
 #include <algorithm>
 
 #include "sim/bcre/stages.h"
+#include "sim/layers.h"
 #include "sim/quanta.h"
 #include "sim/scratch.h"
-#include "sim/state.h"
 
 // From wanted fluxes to layers carried, with nothing lost:
 //
@@ -19,59 +19,66 @@
 namespace sim::bcre {
 namespace {
 
-float out_of(float toward, float away) {
-    return std::max(toward, 0.f) + std::max(-away, 0.f);
+template <class Number>
+Number out_of(Number toward, Number away) {
+    return std::max(toward, Number{0}) + std::max(-away, Number{0});
 }
 
 }  // namespace
 
-void limit_outflow(const State& s, Scratch& scratch, int first, int last) {
+template <class Number>
+void limit_outflow(const Layers<Number>& s, Scratch<Number>& scratch, int first, int last) {
     // Rounding a face's flux may add a quantum; with four faces a vertex keeps four in hand.
-    constexpr float kInHand = 4 * kQuantum;
+    constexpr Number kInHand = 4 * kGrain<Number>;
     for (int y = first; y < last; ++y) {
-        const float* r = s.rolling.row(y);
-        const float *fx = scratch.flux_x.row(y), *fn = scratch.flux_y.row(y), *fs = scratch.flux_y.row(y - 1);
-        float* scale = scratch.outflow_scale.row(y);
+        const Number* r = s.rolling.row(y);
+        const Number *fx = scratch.flux_x.row(y), *fn = scratch.flux_y.row(y),
+                     *fs = scratch.flux_y.row(y - 1);
+        Number* scale = scratch.outflow_scale.row(y);
         for (int x = 0; x < s.grid.nx; ++x) {
-            const float wanted = out_of(fx[x], fx[x - 1]) + out_of(fn[x], fs[x]);
+            const Number wanted = out_of(fx[x], fx[x - 1]) + out_of(fn[x], fs[x]);
             // A millionth less, for the rounding of the products that follow.
-            const float had = std::max(r[x] - kInHand, 0.f) * (1.f - 1e-6f);
+            const Number had = std::max(r[x] - kInHand, Number{0}) * (1.f - 1e-6f);
             scale[x] = wanted > had ? had / wanted : 1.f;
         }
     }
 }
 
-void round_fluxes(const State& s, Scratch& scratch, Substep sub, int first, int last) {
-    const auto rounded = [=](float flux, float left_scale, float right_scale) {
+template <class Number>
+void round_fluxes(const Layers<Number>& s, Scratch<Number>& scratch, Substep<Number> sub, int first,
+                  int last) {
+    const auto rounded = [=](Number flux, Number left_scale, Number right_scale) {
         return to_quanta(flux * (flux > 0 ? left_scale : right_scale), sub.dither);
     };
     for (int y = first; y < last; ++y) {
-        const float* scale = scratch.outflow_scale.row(y);
-        float* flux = scratch.flux_x.row(y);
+        const Number* scale = scratch.outflow_scale.row(y);
+        Number* flux = scratch.flux_x.row(y);
         for (int x = -1; x < s.grid.nx; ++x) flux[x] = rounded(flux[x], scale[x], scale[x + 1]);
     }
     for (int y = first == 0 ? -1 : first; y < last; ++y) {
-        const float *left = scratch.outflow_scale.row(y), *right = scratch.outflow_scale.row(y + 1);
-        float* flux = scratch.flux_y.row(y);
+        const Number *left = scratch.outflow_scale.row(y), *right = scratch.outflow_scale.row(y + 1);
+        Number* flux = scratch.flux_y.row(y);
         for (int x = 0; x < s.grid.nx; ++x) flux[x] = rounded(flux[x], left[x], right[x]);
     }
 }
 
-void carry(const State& s, Scratch& scratch, int first, int last) {
+template <class Number>
+void carry(const Layers<Number>& s, Scratch<Number>& scratch, int first, int last) {
     for (int y = first; y < last; ++y) {
-        const float* r = s.rolling.row(y);
-        const float *fx = scratch.flux_x.row(y), *fn = scratch.flux_y.row(y), *fs = scratch.flux_y.row(y - 1);
-        const float *u = s.velocity_x.row(y), *u_n = s.velocity_x.row(y + 1), *u_s = s.velocity_x.row(y - 1);
-        const float *v = s.velocity_y.row(y), *v_n = s.velocity_y.row(y + 1), *v_s = s.velocity_y.row(y - 1);
-        float *rolling = scratch.rolling.row(y), *new_u = scratch.velocity_x.row(y),
-              *new_v = scratch.velocity_y.row(y);
+        const Number* r = s.rolling.row(y);
+        const Number *fx = scratch.flux_x.row(y), *fn = scratch.flux_y.row(y),
+                     *fs = scratch.flux_y.row(y - 1);
+        const Number *u = s.velocity_x.row(y), *u_n = s.velocity_x.row(y + 1), *u_s = s.velocity_x.row(y - 1);
+        const Number *v = s.velocity_y.row(y), *v_n = s.velocity_y.row(y + 1), *v_s = s.velocity_y.row(y - 1);
+        Number *rolling = scratch.rolling.row(y), *new_u = scratch.velocity_x.row(y),
+               *new_v = scratch.velocity_y.row(y);
         for (int x = 0; x < s.grid.nx; ++x) {
-            const float west = std::max(fx[x - 1], 0.f), east = std::max(-fx[x], 0.f);
-            const float south = std::max(fs[x], 0.f), north = std::max(-fn[x], 0.f);
-            const float stays = r[x] - (out_of(fx[x], fx[x - 1]) + out_of(fn[x], fs[x]));
+            const Number west = std::max(fx[x - 1], Number{0}), east = std::max(-fx[x], Number{0});
+            const Number south = std::max(fs[x], Number{0}), north = std::max(-fn[x], Number{0});
+            const Number stays = r[x] - (out_of(fx[x], fx[x - 1]) + out_of(fn[x], fs[x]));
             CHECK(stays >= 0);
-            const float after = stays + ((west + east) + (south + north));
-            const float per_depth = after > 0 ? 1.f / after : 0.f;
+            const Number after = stays + ((west + east) + (south + north));
+            const Number per_depth = after > 0 ? 1.f / after : Number{0};
             rolling[x] = after;
             new_u[x] =
                 (stays * u[x] + ((west * u[x - 1] + east * u[x + 1]) + (south * u_s[x] + north * u_n[x]))) *
@@ -82,5 +89,12 @@ void carry(const State& s, Scratch& scratch, int first, int last) {
         }
     }
 }
+
+template void limit_outflow(const Layers<float>&, Scratch<float>&, int, int);
+template void limit_outflow(const Layers<double>&, Scratch<double>&, int, int);
+template void round_fluxes(const Layers<float>&, Scratch<float>&, Substep<float>, int, int);
+template void round_fluxes(const Layers<double>&, Scratch<double>&, Substep<double>, int, int);
+template void carry(const Layers<float>&, Scratch<float>&, int, int);
+template void carry(const Layers<double>&, Scratch<double>&, int, int);
 
 }  // namespace sim::bcre

@@ -12,12 +12,17 @@
 
 namespace sim::bcre {
 
-void fluxes_lax_friedrichs(const State& s, Scratch& scratch, Substep sub, int first, int last) {
-    const float half_courant = 0.5f * (sub.dt / s.grid.dx);
+template <class Number>
+void fluxes_lax_friedrichs(const Layers<Number>& s, Scratch<Number>& scratch, Substep<Number> sub, int first,
+                           int last) {
+    const Number half_courant = 0.5f * (sub.dt / s.grid.dx);
     each_face(s, scratch, first, last,
-              [=](float, float left, float right, float, float v_left, float v_right) {
+              [=](Number, Number left, Number right, Number, Number v_left, Number v_right) {
                   return half_courant * (left * v_left + right * v_right) - 0.25f * (right - left);
               });
 }
+
+template void fluxes_lax_friedrichs(const Layers<float>&, Scratch<float>&, Substep<float>, int, int);
+template void fluxes_lax_friedrichs(const Layers<double>&, Scratch<double>&, Substep<double>, int, int);
 
 }  // namespace sim::bcre

@@ -10,13 +10,18 @@
 
 namespace sim::bcre {
 
-void fluxes_local_lax_friedrichs(const State& s, Scratch& scratch, Substep sub, int first, int last) {
-    const float courant = sub.dt / s.grid.dx;
+template <class Number>
+void fluxes_local_lax_friedrichs(const Layers<Number>& s, Scratch<Number>& scratch, Substep<Number> sub,
+                                 int first, int last) {
+    const Number courant = sub.dt / s.grid.dx;
     each_face(s, scratch, first, last,
-              [=](float, float left, float right, float, float v_left, float v_right) {
-                  const float w = face_velocity(left, v_left, right, v_right);
+              [=](Number, Number left, Number right, Number, Number v_left, Number v_right) {
+                  const Number w = face_velocity(left, v_left, right, v_right);
                   return courant * w * (w > 0 ? left : right);
               });
 }
+
+template void fluxes_local_lax_friedrichs(const Layers<float>&, Scratch<float>&, Substep<float>, int, int);
+template void fluxes_local_lax_friedrichs(const Layers<double>&, Scratch<double>&, Substep<double>, int, int);
 
 }  // namespace sim::bcre

@@ -2,10 +2,10 @@
 #include <limits>
 
 #include "sim/bcre/stages.h"
+#include "sim/layers.h"
 #include "sim/params.h"
 #include "sim/quanta.h"
 #include "sim/scratch.h"
-#include "sim/state.h"
 
 // Two thresholds (Daerr & Douady 1999). A vertex whose rolling layer is thinner than R_min and slow is at
 // rest:
@@ -31,35 +31,40 @@ constexpr float kStandsStill = 1e-3f;  // m/s; a grain on a slope is faster afte
 
 }  // namespace
 
-void yield(State& s, const Params& params, const Scratch& scratch, int first, int last) {
-    const float per_cell = 1.f / s.grid.dx;
-    const float start_depth = nearest_quanta(params.start_depth);
+template <class Number>
+void yield(Layers<Number>& s, const Params& params, const Scratch<Number>& scratch, int first, int last) {
+    const Number per_cell = 1 / Number{s.grid.dx};
+    const Number start_depth = nearest_quanta(Number{params.start_depth});
     const bool inertial = params.model == Model::kBcreInertial;
-    const float slow = inertial ? params.deposit_speed : std::numeric_limits<float>::infinity();
-    const float gain = inertial ? params.anchor_gain : 0.f, margin = inertial ? params.anchor_margin : 0.f;
+    const Number slow = inertial ? params.deposit_speed : std::numeric_limits<Number>::infinity();
+    const Number gain = inertial ? params.anchor_gain : Number{0},
+                 margin = inertial ? params.anchor_margin : Number{0};
     for (int y = first; y < last; ++y) {
-        const float *slope = scratch.slope.row(y), *spread = scratch.slope_spread.row(y);
-        const float* first_slope = s.first_slope.row(y);
-        float *d = s.depth.row(y), *r = s.rolling.row(y);
-        float *u = s.velocity_x.row(y), *v = s.velocity_y.row(y);
+        const Number *slope = scratch.slope.row(y), *spread = scratch.slope_spread.row(y);
+        const Number* first_slope = s.first_slope.row(y);
+        Number *d = s.depth.row(y), *r = s.rolling.row(y);
+        Number *u = s.velocity_x.row(y), *v = s.velocity_y.row(y);
         for (int x = 0; x < s.grid.nx; ++x) {
-            const float before = r[x];
-            const float start_slope = std::max(params.start_slope, gain * first_slope[x] + margin);
-            const float speed_squared = u[x] * u[x] + v[x] * v[x];
+            const Number before = r[x];
+            const Number start_slope = std::max<Number>(params.start_slope, gain * first_slope[x] + margin);
+            const Number speed_squared = u[x] * u[x] + v[x] * v[x];
             const bool thin = before < params.freeze_depth;
             const bool stands = speed_squared < kStandsStill * kStandsStill &&
                                 slope[x] + spread[x] * before * per_cell <= start_slope;
             if (!thin && !stands) continue;
             const bool starts = slope[x] > start_slope && d[x] + before >= params.freeze_depth;
             if (!starts && (before == 0 || speed_squared > slow * slow)) continue;
-            const float moved = starts ? std::min(d[x], start_depth) : -before;
+            const Number moved = starts ? std::min(d[x], start_depth) : -before;
             d[x] -= moved;
             r[x] += moved;
-            const float kept = r[x] > 0 ? before / r[x] : 0.f;  // what starts is at rest
+            const Number kept = r[x] > 0 ? before / r[x] : Number{0};  // what starts is at rest
             u[x] *= kept;
             v[x] *= kept;
         }
     }
 }
+
+template void yield(Layers<float>&, const Params&, const Scratch<float>&, int, int);
+template void yield(Layers<double>&, const Params&, const Scratch<double>&, int, int);
 
 }  // namespace sim::bcre

@@ -61,7 +61,7 @@ TEST(Material, with_a_fault_is_refused_with_file_line_and_key) {
     const auto path = folder.path() / "mine.toml";
     const std::pair<const char*, const char*> faults[] = {
         {"[bcre]\nviscosity = 3\n", ":2: bcre.viscosity"},
-        {"[bcre]\nmax_speed = 3\n", ":2: bcre.max_speed"},  // of the other model
+        {"[bcre]\ndeposit_speed = 3\n", ":2: bcre.deposit_speed"},  // of the other model
         {"[bcre]\nrolling_speed = -1\n", ":2: bcre.rolling_speed"},
         {"[bcre]\n[bcre-inertial]\nmax_speed = -1\n", ":3: bcre-inertial.max_speed"},
         {"[bcre]\nstop_angle = \"steep\"\n", ":2: bcre.stop_angle"},

@@ -96,13 +96,18 @@ TEST(RecordingHeader, keeps_every_physics_number_to_the_bit) {
 TEST(RecordingHeader, keeps_both_models_every_scheme_and_border) {
     Start start = small_start();
     for (const auto model : {sim::Model::kBcre, sim::Model::kBcreInertial})
-        for (const auto scheme : {sim::Scheme::kLaxFriedrichs, sim::Scheme::kLocalLaxFriedrichs})
+        for (const auto scheme :
+             {sim::Scheme::kLaxFriedrichs, sim::Scheme::kLocalLaxFriedrichs, sim::Scheme::kMuscl})
             for (const auto border : {sim::Border::kWall, sim::Border::kOpen, sim::Border::kSink}) {
                 start.params.model = model;
                 start.params.scheme = scheme;
                 start.params.borders[sim::kNorth] = border;
                 EXPECT_EQ(through_header(start).params, start.params);
             }
+    for (const auto law : {sim::Law::kConstant, sim::Law::kSlope, sim::Law::kShear}) {
+        start.params.law = law;
+        EXPECT_EQ(through_header(start).params, start.params);
+    }
 }
 
 const std::size_t kAnyParam = sim::param_from("start_depth").value();

@@ -69,6 +69,17 @@ TEST_F(ForgedHeader, of_a_newer_major_version_is_refused_with_the_version) {
     }
 }
 
+TEST_F(ForgedHeader, of_an_older_minor_version_need_not_name_what_came_later) {
+    const char* const later[] = {"law", "exchange_depth", "shear_rate"};
+    for (const char* name : later) header_["physics"].erase(name);
+    EXPECT_NE(refused(header_).find("has no "), std::string::npos);
+    header_["version"] = {1, 0};
+    const auto recording = read(header_);
+    ASSERT_TRUE(recording) << recording.error().sentence;
+    EXPECT_EQ(recording->header.start.params.law, sim::Law::kConstant);
+    EXPECT_EQ(recording->header.start.params.exchange_depth, sim::Params{}.exchange_depth);
+}
+
 TEST_F(ForgedHeader, of_a_newer_minor_version_may_hold_fields_that_nobody_knows) {
     header_["version"] = {1, 7};
     header_["snow_crystals"] = {{"kind", "dendrite"}};

@@ -15,8 +15,8 @@ TEST(Exponential, is_right_to_three_in_ten_million) {
         const double exact = std::exp(static_cast<double>(argument));
         ASSERT_NEAR(static_cast<double>(sim::exponential(argument)) / exact, 1, 3e-7) << x;
     }
-    EXPECT_EQ(sim::exponential(0), 1);
-    EXPECT_EQ(sim::exponential(-1e30f), sim::exponential(-80));
+    EXPECT_EQ(sim::exponential(0.f), 1);
+    EXPECT_EQ(sim::exponential(-1e30f), sim::exponential(-80.f));
 }
 
 TEST(Quanta, round_right_on_average_and_alike_for_both_signs) {
@@ -72,8 +72,11 @@ TEST(Params, substeps_keep_the_fastest_grain_within_its_courant_number) {
 TEST(Params, names_go_there_and_back) {
     for (const auto model : {sim::Model::kBcre, sim::Model::kBcreInertial})
         EXPECT_EQ(sim::model_from(sim::to_string(model)), model);
-    for (const auto scheme : {sim::Scheme::kLaxFriedrichs, sim::Scheme::kLocalLaxFriedrichs})
+    for (const auto scheme :
+         {sim::Scheme::kLaxFriedrichs, sim::Scheme::kLocalLaxFriedrichs, sim::Scheme::kMuscl})
         EXPECT_EQ(sim::scheme_from(sim::to_string(scheme)), scheme);
+    for (const auto law : {sim::Law::kConstant, sim::Law::kSlope, sim::Law::kShear})
+        EXPECT_EQ(sim::law_from(sim::to_string(law)), law);
     for (const auto border : {sim::Border::kWall, sim::Border::kOpen, sim::Border::kSink})
         EXPECT_EQ(sim::border_from(sim::to_string(border)), border);
     EXPECT_FALSE(sim::model_from("voellmy"));

@@ -17,7 +17,7 @@ using sim::Model;
 using support::lively;
 using support::Play;
 
-constexpr sim::Substep kHalfQuantum{0.02f, 0.5f};  // rounds to nearest
+constexpr sim::Substep<float> kHalfQuantum{0.02f, 0.5f};  // rounds to nearest
 
 TEST(Velocity, of_law_C_has_one_speed_down_the_slope) {
     support::Ground ground({5, 5, 2});
@@ -27,6 +27,27 @@ TEST(Velocity, of_law_C_has_one_speed_down_the_slope) {
     sim::bcre::slope_velocity(play.state, play.state.params, 0, 5);
     EXPECT_NEAR(play.state.velocity_x(2, 2), 5 * 0.6, 1e-5);  // V = 5 m/s, down is (0.6, −0.8)
     EXPECT_NEAR(play.state.velocity_y(2, 2), 5 * -0.8, 1e-5);
+}
+
+TEST(Velocity, of_the_laws_slope_and_shear_grows_with_them_up_to_the_greatest) {
+    support::Ground ground({5, 5, 2});
+    ground.set(ground.bedrock, [](double x, double y) { return -0.3 * x + 0.4 * y; });
+    ground.set(ground.rolling, [](double, double) { return 0.5; });
+    sim::Params params = lively(Model::kBcre);
+    params.speed_per_slope = 8;
+    params.shear_rate = 12;
+    const auto speed = [&](sim::Law law, float greatest) {
+        params.law = law;
+        params.max_speed = greatest;
+        Play play(ground, params);
+        sim::bcre::slope_velocity(play.state, params, 0, 5);
+        EXPECT_NEAR(play.state.velocity_x(2, 2) / play.state.velocity_y(2, 2), 0.6 / -0.8, 1e-5);
+        return std::hypot(play.state.velocity_x(2, 2), play.state.velocity_y(2, 2));
+    };
+    EXPECT_NEAR(speed(sim::Law::kSlope, 100), 8 * 0.5, 1e-5);           // μ |∇h|
+    EXPECT_NEAR(speed(sim::Law::kShear, 100), 5 + 12 * 0.5 / 2, 1e-5);  // v₀ + γ̇ R / 2
+    EXPECT_NEAR(speed(sim::Law::kSlope, 3), 3, 1e-5);
+    EXPECT_NEAR(speed(sim::Law::kShear, 6), 6, 1e-5);
 }
 
 TEST(Velocity, of_the_inertial_model_relaxes_toward_the_terminal_one) {

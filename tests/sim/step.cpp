@@ -22,6 +22,7 @@ struct Physics {
 };
 constexpr Physics kAll[] = {{Model::kBcre, Scheme::kLaxFriedrichs},
                             {Model::kBcre, Scheme::kLocalLaxFriedrichs},
+                            {Model::kBcre, Scheme::kMuscl},
                             {Model::kBcreInertial, Scheme::kLocalLaxFriedrichs}};
 
 std::string name_of(const Physics& p) {
@@ -76,7 +77,7 @@ TEST(Step, keeps_a_pile_between_its_thresholds_bit_identical) {
 }
 
 TEST(Step, lets_a_pile_above_its_start_slope_slide_and_comes_to_rest_near_the_stop_slope) {
-    for (const Physics& p : {kAll[1], kAll[2]}) {
+    for (const Physics& p : {kAll[1], kAll[2], kAll[3]}) {
         sim::Params params = lively(p.model, p.scheme);
         params.anchor_gain = params.anchor_margin = 0;  // a heap, not natural ground
         Play play(support::pile(60, 1, 0.9, 9), params);

@@ -45,7 +45,8 @@ TEST(Symmetry, mirrored_transposed_and_turned_worlds_stay_so_to_the_bit) {
         {"quarter turn", [](int x, int y, int last) { return std::pair(y, last - x); }},
     };
     for (const auto model : {sim::Model::kBcre, sim::Model::kBcreInertial})
-        for (const auto scheme : {sim::Scheme::kLaxFriedrichs, sim::Scheme::kLocalLaxFriedrichs})
+        for (const auto scheme :
+             {sim::Scheme::kLaxFriedrichs, sim::Scheme::kLocalLaxFriedrichs, sim::Scheme::kMuscl})
             for (const auto& [name, turn] : turns) {
                 const Ground ground = square_rough(4);
                 Play straight(ground, support::lively(model, scheme));

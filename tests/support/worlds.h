@@ -36,7 +36,7 @@ Ground rough(int squares, float dx, unsigned seed);
 // A world that steps.
 struct Play {
     sim::State state;
-    sim::Scratch scratch;
+    sim::Scratch<float> scratch;
     sim::Workers workers;
 
     Play(const Ground& ground, const sim::Params& with, int threads = 1);

@@ -1,0 +1,43 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "game/commands/commands.h"
+#include "sim/verification/cases.h"
+
+namespace game {
+namespace {
+
+// Each grid's error, the order between the last two, and the bounds.
+std::string told(const sim::verification::Series& series) {
+    std::string errors;
+    for (std::size_t i = 0; i < series.errors.size(); ++i)
+        errors += fmt::format("{:>5} {:<9.2e}", series.squares[i], series.errors[i]);
+    const std::string order = series.least_order > 0
+                                  ? fmt::format("{:5.2f} (≥ {:.2f})", series.order(), series.least_order)
+                                  : std::string(14, ' ');
+    return fmt::format("  {:<21}{:<15}{:<48}{}  ≤ {:.1e}  {}\n", series.scheme, series.measure, errors, order,
+                       series.most, series.holds() ? "holds" : "MISSED");
+}
+
+}  // namespace
+
+Outcome<int> verify_physics() {
+    fmt::print(
+        "The solver against exact answers, in double without quanta; relative errors on grids of growing fineness\n"
+        "(squares, error), the order between the last two, and the bounds that both must keep.\n");
+    int missed = 0, all = 0;
+    for (const sim::verification::Case& each : sim::verification::cases()) {
+        fmt::print("\n{}: {}\n", each.name, each.answer);
+        std::fflush(stdout);  // a case takes seconds
+        for (const sim::verification::Series& series : each.run()) {
+            fmt::print("{}", told(series));
+            ++all;
+            missed += !series.holds();
+        }
+    }
+    fmt::print("\n{} of {} hold\n", all - missed, all);
+    return missed == 0 ? 0 : Failure::kBadAnswer;
+}
+
+}  // namespace game

@@ -1,0 +1,74 @@
+#include "sim/layers.h"
+
+#include <algorithm>
+
+#include "sim/bcre/stages.h"
+#include "sim/borders.h"
+#include "sim/params.h"
+#include "sim/scratch.h"
+
+namespace sim {
+namespace {
+
+template <class Number>
+void set_sites(Layers<Number>& s, const Params& params, std::span<const std::uint8_t> has_data) {
+    const int nx = s.grid.nx, ny = s.grid.ny;
+    const auto halo = [&](Side side) {
+        return params.borders[side] == Border::kWall ? Site::kWall : Site::kDrain;
+    };
+    for (int y = 0; y < ny; ++y) s.site(-1, y) = halo(kWest), s.site(nx, y) = halo(kEast);
+    for (int x = -1; x <= nx; ++x) s.site(x, -1) = halo(kSouth), s.site(x, ny) = halo(kNorth);
+    for (int y = 0; y < ny; ++y)
+        for (int x = 0; x < nx; ++x)
+            s.site(x, y) = has_data[static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) +
+                                    static_cast<std::size_t>(x)]
+                               ? Site::kGround
+                               : Site::kDrain;
+}
+
+// Bedrock goes on over the border as steep as inside; walls mirror it.
+template <class Number>
+void continue_bedrock(Layers<Number>& s, const Params& params) {
+    const int nx = s.grid.nx, ny = s.grid.ny;
+    Field<Number>& b = s.bedrock;
+    const auto beyond = [&](Side side, Number edge, Number inner) {
+        return params.borders[side] == Border::kWall ? edge : 2 * edge - inner;
+    };
+    for (int y = 0; y < ny; ++y) {
+        b(-1, y) = beyond(kWest, b(0, y), b(1, y));
+        b(nx, y) = beyond(kEast, b(nx - 1, y), b(nx - 2, y));
+    }
+    for (int x = -1; x <= nx; ++x) {
+        b(x, -1) = beyond(kSouth, b(x, 0), b(x, 1));
+        b(x, ny) = beyond(kNorth, b(x, ny - 1), b(x, ny - 2));
+    }
+}
+
+}  // namespace
+
+template <class Number>
+Layers<Number> make_layers(const Grid& grid, const Params& params, std::span<const std::uint8_t> has_data) {
+    CHECK(has_data.size() == grid.size());
+    Layers<Number> s;
+    s.grid = grid;
+    s.bedrock = s.depth = s.rolling = s.velocity_x = s.velocity_y = s.first_slope = Field<Number>(grid);
+    s.site = Field<Site>(grid);
+    set_sites(s, params, has_data);
+    return s;
+}
+
+template <class Number>
+void enclose(Layers<Number>& s, const Params& params) {
+    continue_bedrock(s, params);
+    fill_borders(s, params);
+    Scratch scratch(s);
+    bcre::lower_slope(s, scratch, 0, s.grid.ny);
+    for (int y = 0; y < s.grid.ny; ++y) std::copy_n(scratch.slope.row(y), s.grid.nx, s.first_slope.row(y));
+}
+
+template Layers<float> make_layers(const Grid&, const Params&, std::span<const std::uint8_t>);
+template Layers<double> make_layers(const Grid&, const Params&, std::span<const std::uint8_t>);
+template void enclose(Layers<float>&, const Params&);
+template void enclose(Layers<double>&, const Params&);
+
+}  // namespace sim

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "sim/verification/cases.h"
+
+// What each file holds; cases() puts them in order.
+
+namespace sim::verification {
+
+extern const Case kDecay, kSimpleWave, kObliqueWave, kDepositFront, kThickPulse;  // waves.cpp
+extern const Case kManufactured;                                                  // manufactured.cpp
+extern const Case kStrip, kSquare, kDisk;                                         // tables.cpp
+extern const Case kGrowth, kTerminalSpeed, kSpeedGate, kRestingLayer;             // uniform.cpp
+
+}  // namespace sim::verification

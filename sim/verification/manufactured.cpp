@@ -1,0 +1,88 @@
+#include <cmath>
+#include <numbers>
+
+#include "sim/verification/case_list.h"
+#include "sim/verification/trial.h"
+
+// An answer that was chosen, and the sources that make it one: h(x, y) stays, R(x, y, t) waves,
+//
+//     q_h = Γ      q_R = ∂R/∂t + ∇·(R v) − Γ      Γ = γ R (|∇h| − s)      v = −μ ∇h  (law HK)
+//
+// in two dimensions, with every term of the equations at work.
+
+namespace sim::verification {
+namespace {
+
+constexpr double kSide = 1.6, kSeconds = 0.25, kMobility = 1, kRate = 2, kStop = 0.5, kDeep = 2;
+
+struct Answer {
+    double t = 0;
+
+    // h falls along both axes everywhere.
+    static double standing(double x, double y) {
+        return -0.75 * x - 0.5 * y + 0.02 * std::sin(4 * x) * std::cos(3 * y);
+    }
+    static double standing_x(double x, double y) { return -0.75 + 0.08 * std::cos(4 * x) * std::cos(3 * y); }
+    static double standing_y(double x, double y) { return -0.5 - 0.06 * std::sin(4 * x) * std::sin(3 * y); }
+    static double laplacian(double x, double y) { return -25 * 0.02 * std::sin(4 * x) * std::cos(3 * y); }
+
+    double phase(double x, double y) const { return 5 * x + 4 * y - 3 * t; }
+    double rolling(double x, double y) const { return 0.1 + 0.03 * std::sin(phase(x, y)); }
+
+    double exchange(double x, double y) const {
+        return kRate * rolling(x, y) * (std::hypot(standing_x(x, y), standing_y(x, y)) - kStop);
+    }
+    double rolling_source(double x, double y) const {
+        const double slope = 0.03 * std::cos(phase(x, y));  // of R along its phase
+        const double divergence = -kMobility * (5 * slope * standing_x(x, y) + 4 * slope * standing_y(x, y) +
+                                                rolling(x, y) * laplacian(x, y));
+        return -3 * slope + divergence - exchange(x, y);
+    }
+};
+
+std::vector<Series> manufactured() {
+    struct Bound {
+        Scheme scheme;
+        double most, least_order;
+    };
+    constexpr Bound kBounds[] = {{Scheme::kLaxFriedrichs, 2.2e-2, 0.9},
+                                 {Scheme::kLocalLaxFriedrichs, 5.4e-3, 0.9},
+                                 {Scheme::kMuscl, 4.4e-4, 1.75}};
+    std::vector<Series> table;
+    for (const Bound& bound : kBounds) {
+        Series rolling{to_string(bound.scheme), "R, L1", bound.most, bound.least_order, {40, 80, 160}};
+        for (const int n : rolling.squares) {
+            Params params = bare_params(Model::kBcre, bound.scheme);
+            params.law = Law::kSlope;
+            params.speed_per_slope = static_cast<float>(kMobility);
+            params.exchange_rate = static_cast<float>(kRate);
+            params.stop_slope = static_cast<float>(kStop);
+            const Grid grid{n + 1, n + 1, static_cast<float>(kSide / n)};
+            const double dx = grid.dx;
+            Trial trial(grid, params,
+                        {[](double x, double y) { return Answer::standing(x, y) - kDeep; },
+                         [](double, double) { return kDeep; },
+                         [](double x, double y) { return Answer{0}.rolling(x, y); }});
+            trial.run(kSeconds, 1, 0.25, [&](double t, double dt) {
+                const Answer answer{t};
+                for (int y = 0; y < grid.ny; ++y)
+                    for (int x = 0; x < grid.nx; ++x) {
+                        trial.layers.depth(x, y) += dt * answer.exchange(x * dx, y * dx);
+                        trial.layers.rolling(x, y) += dt * answer.rolling_source(x * dx, y * dx);
+                    }
+            });
+            const Answer end{kSeconds};
+            rolling.errors.push_back(relative_l1(trial.layers.rolling, grid, {0.6, 1.2}, {0.6, 1.2},
+                                                 [&](double x, double y) { return end.rolling(x, y); }));
+        }
+        table.push_back(rolling);
+    }
+    return table;
+}
+
+}  // namespace
+
+extern const Case kManufactured{"manufactured, two-dimensional", "h stays, R = 0.1 + 0.03 sin(5x + 4y - 3t)",
+                                manufactured};
+
+}  // namespace sim::verification

@@ -1,0 +1,76 @@
+#include "sim/verification/trial.h"
+
+#include <cmath>
+
+#include "sim/quanta.h"
+#include "sim/step.h"
+
+namespace sim::verification {
+namespace {
+
+Layers<double> begun(const Grid& grid, const Params& params, const Trial::Begin& begin) {
+    std::vector<std::uint8_t> has_data;
+    const double dx = grid.dx;
+    for (int y = 0; y < grid.ny; ++y)
+        for (int x = 0; x < grid.nx; ++x) has_data.push_back(begin.has_data(x * dx, y * dx) != 0);
+    auto layers = make_layers<double>(grid, params, has_data);
+    for (int y = 0; y < grid.ny; ++y)
+        for (int x = 0; x < grid.nx; ++x) {
+            layers.bedrock(x, y) = begin.bedrock(x * dx, y * dx);
+            if (layers.site(x, y) != Site::kGround) continue;
+            layers.depth(x, y) = begin.depth(x * dx, y * dx);
+            layers.rolling(x, y) = begin.rolling(x * dx, y * dx);
+        }
+    enclose(layers, params);
+    return layers;
+}
+
+}  // namespace
+
+Params bare_params(Model model, Scheme scheme) {
+    Params params;
+    params.model = model;
+    params.scheme = scheme;
+    params.start_slope = 1e6f;
+    params.freeze_depth = 0;
+    return params;
+}
+
+Trial::Trial(const Grid& grid, const Params& with, const Begin& begin)
+    : params(with), layers(begun(grid, with, begin)), scratch(layers) {}
+
+void Trial::run(double seconds, double speed, double courant,
+                const std::function<void(double, double)>& source) {
+    const int count = static_cast<int>(std::ceil(seconds * speed / (courant * layers.grid.dx)));
+    const double dt = seconds / count;
+    for (int i = 0; i < count; ++i) {
+        if (source) source((i + 0.25) * dt, dt / 2);
+        substep(layers, params, scratch, workers, Substep<double>{dt, 0});
+        if (source) source((i + 0.75) * dt, dt / 2);
+    }
+}
+
+double relative_l1(const Field<double>& field, const Grid& grid, Window in_x, Window in_y,
+                   const Function& exact) {
+    const double dx = grid.dx;
+    double wrong = 0, all = 0;
+    for (int y = 0; y < grid.ny; ++y)
+        for (int x = 0; x < grid.nx; ++x) {
+            const double at_x = x * dx, at_y = y * dx;
+            if (at_x < in_x.from || at_x > in_x.to || at_y < in_y.from || at_y > in_y.to) continue;
+            const double value = exact(at_x, at_y);
+            wrong += std::fabs(field(x, y) - value);
+            all += std::fabs(value);
+        }
+    return wrong / all;
+}
+
+Grid column(int squares, double side) {
+    return {squares + 1, 3, static_cast<float>(side / squares)};
+}
+
+void wall_sides(Params& params) {
+    params.borders[kSouth] = params.borders[kNorth] = Border::kWall;
+}
+
+}  // namespace sim::verification

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "sim/layers.h"
+#include "sim/params.h"
+#include "sim/scratch.h"
+#include "sim/workers.h"
+
+namespace sim::verification {
+
+using Function = std::function<double(double x, double y)>;  // of a place in m
+
+// Numbers under which nothing but the equations acts: no freezing, no start, open borders.
+Params bare_params(Model model, Scheme scheme);
+
+// Layers in double on a grid, set from functions of the place, and time for them.
+struct Trial {
+    Params params;
+    Layers<double> layers;
+    Scratch<double> scratch;
+    Workers workers{1};
+
+    struct Begin {
+        Function bedrock, depth, rolling;                       // m
+        Function has_data = [](double, double) { return 1.; };  // 0 where there is none
+    };
+    Trial(const Grid& grid, const Params& with, const Begin& begin);
+
+    // To `seconds`, in sub-steps of no more than `courant` cells at `speed`, all alike. `source`, if any,
+    // adds what comes from without in a time dt about t: half of a sub-step before it, half after it, which
+    // is of second order (Strang).
+    void run(double seconds, double speed, double courant,
+             const std::function<void(double t, double dt)>& source = {});
+};
+
+// Where errors are taken: away from borders, whose influence the exact answer does not know.
+struct Window {
+    double from, to;
+};
+
+// Σ|value − exact| / Σ|exact| over the vertices with x and y in their windows.
+double relative_l1(const Field<double>& field, const Grid& grid, Window x, Window y, const Function& exact);
+
+// N squares of 1/N of `side` along x, two along y between walls: one dimension.
+Grid column(int squares, double side);
+void wall_sides(Params& params);
+
+}  // namespace sim::verification

@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/worlds.h"
+
+// What must hold of the world's own numbers, float in whole quanta, where no formula tells the outcome.
+
+namespace {
+
+using sim::Model;
+using sim::Scheme;
+using support::Play;
+
+constexpr double kPi = 3.14159265358979323846;
+
+TEST(World, closes_its_mass_exactly_over_a_hundred_thousand_ticks) {
+    for (const auto& [model, scheme] : {std::pair(Model::kBcre, Scheme::kMuscl),
+                                        std::pair(Model::kBcreInertial, Scheme::kLocalLaxFriedrichs)}) {
+        Play play(support::rough(12, 4, 5), support::lively(model, scheme));
+        std::mt19937 random(2);
+        for (int tick = 0; tick < 100'000; ++tick) {
+            std::vector<sim::Command> hand;
+            if (tick % 500 == 0) hand.push_back(support::pour_at(random() % 48, random() % 48, 9, 40, 0.5));
+            play.ticks(1, hand);
+            ASSERT_EQ(play.state.ledger.mass_error(), 0) << tick;
+        }
+        EXPECT_GT(play.state.ledger.out, 0);
+    }
+}
+
+// Rolling material at random, dense and patchy, over ground at random, at the greatest Courant number there
+// is.
+TEST(World, of_the_second_order_scheme_stays_positive_at_its_courant_limit) {
+    std::mt19937 random(7);
+    const auto within = [&](double most) { return most * static_cast<double>(random()) / 4294967296.0; };
+    for (int round = 0; round < 60; ++round) {
+        support::Ground ground({17, 17, 1});
+        ground.set(ground.bedrock, [&](double x, double) { return -0.5 * x + within(1.5); });
+        ground.set(ground.depth, [&](double, double) { return within(0.3); });
+        ground.set(ground.rolling, [&](double, double) { return random() % 3 ? within(0.5) : 0; });
+        sim::Params params = support::lively(Model::kBcre, Scheme::kMuscl);
+        params.courant = 0.5f;
+        params.rolling_speed = 0.5f * 60;  // half a cell in a tick: one sub-step
+        Play play(ground, params);
+        ASSERT_EQ(sim::substeps_of(params, 1).count, 1);
+        for (int tick = 0; tick < 40; ++tick) {
+            play.ticks(1);
+            for (int y = 0; y < 17; ++y)
+                for (int x = 0; x < 17; ++x) {
+                    ASSERT_GE(play.state.rolling(x, y), 0);
+                    ASSERT_GE(play.state.depth(x, y), 0);
+                    ASSERT_TRUE(std::isfinite(play.state.velocity_x(x, y)));
+                }
+            ASSERT_EQ(play.state.ledger.mass_error(), 0);
+        }
+    }
+}
+
+// A straight slope that eases into flat ground, turned about the middle of the world; a heap of loose
+// material on it. Returns how far from the middle, downhill, the farthest deposit of 5 cm lies, m.
+double run_out(double turned_deg) {
+    constexpr int kSquares = 160;
+    constexpr double kDx = 5, kMiddle = kSquares * kDx / 2;
+    const double down_x = std::sin(turned_deg * kPi / 180), down_y = std::cos(turned_deg * kPi / 180);
+    const auto along = [&](double x, double y) { return (x - kMiddle) * down_x + (y - kMiddle) * down_y; };
+    const auto across = [&](double x, double y) { return (x - kMiddle) * down_y - (y - kMiddle) * down_x; };
+    support::Ground ground({kSquares + 1, kSquares + 1, static_cast<float>(kDx)});
+    ground.set(ground.bedrock, [&](double x, double y) {
+        const double s = along(x, y), ease = 60;  // 35° above the middle, flat below
+        return 0.7 * (-s + std::sqrt(s * s + ease * ease)) / 2;
+    });
+    ground.set(ground.rolling, [&](double x, double y) {
+        return std::max(0., 3 * (1 - std::hypot(along(x, y) + 200, across(x, y)) / 60));
+    });
+    sim::Params params;  // of loose dry snow
+    params.speed_per_slope = 41;
+    params.max_speed = 45;
+    params.relaxation_time = 3;
+    params.deposit_speed = 6;
+    params.start_slope = 0.84f;
+    params.erosion_slope = 0.65f;
+    Play play(ground, params, 2);
+    for (int tick = 0; tick < 60 * 90 && !sim::at_rest(play.state); ++tick) play.ticks(1);
+    EXPECT_TRUE(sim::at_rest(play.state));
+    double farthest = 0;
+    for (int y = 0; y <= kSquares; ++y)
+        for (int x = 0; x <= kSquares; ++x)
+            if (play.state.depth(x, y) >= 0.05f) farthest = std::max(farthest, along(x * kDx, y * kDx));
+    return farthest;
+}
+
+TEST(World, turned_by_any_angle_lets_a_slide_run_as_far_within_two_cells) {
+    const double straight = run_out(0);
+    EXPECT_GT(straight, 50);
+    for (const double turned_deg : {120., 225.})
+        EXPECT_NEAR(run_out(turned_deg), straight, 2 * 5) << turned_deg;
+}
+
+}  // namespace

@@ -1,0 +1,44 @@
+#include "sim/float_environment.h"
+
+#include <cfenv>
+#include <string>
+
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
+
+#include <gtest/gtest.h>
+
+#include "sim/workers.h"
+
+namespace {
+
+TEST(FloatEnvironment, is_sound_here_and_in_every_thread) {
+    sim::Workers workers(3);
+    workers.each_band(3, [](int, int) { EXPECT_FALSE(sim::float_environment_fault()); });
+}
+
+TEST(FloatEnvironment, of_another_rounding_is_told) {
+    for (const int rounding : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+        std::fesetround(rounding);
+        const auto fault = sim::float_environment_fault();
+        std::fesetround(FE_TONEAREST);
+        EXPECT_EQ(fault, "numbers are not rounded to nearest") << rounding;
+    }
+    EXPECT_FALSE(sim::float_environment_fault());
+}
+
+#if defined(__SSE__)
+TEST(FloatEnvironment, that_takes_denormals_for_zero_is_told) {
+    constexpr unsigned kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040;
+    const unsigned usual = _mm_getcsr();
+    for (const unsigned bit : {kFlushToZero, kDenormalsAreZero}) {
+        _mm_setcsr(usual | bit);
+        const auto fault = sim::float_environment_fault();
+        _mm_setcsr(usual);
+        EXPECT_EQ(fault, "denormal numbers are taken for zero") << bit;
+    }
+}
+#endif
+
+}  // namespace
