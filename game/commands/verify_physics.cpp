@@ -24,7 +24,8 @@ std::string told(const sim::verification::Series& series) {
 
 Outcome<int> verify_physics() {
     fmt::print(
-        "The solver against exact answers, in double without quanta; relative errors on grids of growing fineness\n"
+        "The solver against exact answers, in double without quanta; relative errors on grids of growing "
+        "fineness\n"
         "(squares, error), the order between the last two, and the bounds that both must keep.\n");
     int missed = 0, all = 0;
     for (const sim::verification::Case& each : sim::verification::cases()) {
