@@ -31,6 +31,7 @@ program|proj-data|the coordinate systems of PROJ|data proj/proj.db
 program|fonts-roboto-unhinted|the letters of the panels|
 program|fonts-dejavu-core|the same, where there is no Roboto|
 tests|libgtest-dev|GoogleTest|header gtest/gtest.h
+tests|libbenchmark-dev|Google Benchmark|header benchmark/benchmark.h
 tests|xvfb|a display without a screen|program Xvfb
 tests|xdotool|a mouse and a keyboard without hands|program xdotool
 tests|blackbox|a window manager, to minimise and to close|program blackbox

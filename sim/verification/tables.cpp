@@ -40,7 +40,7 @@ struct Heap {
     Function has_data, standing, rolling;
 };
 
-std::vector<Series> compare(std::vector<int> squares, Series standing, Series rolling, double seconds,
+std::vector<Series> compare(const std::vector<int>& squares, Series standing, Series rolling, double seconds,
                             const std::function<Heap(int)>& heap_of) {
     for (Series* series : {&standing, &rolling}) {
         series->scheme = to_string(Scheme::kLocalLaxFriedrichs);

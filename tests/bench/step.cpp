@@ -1,0 +1,97 @@
+#include <chrono>
+#include <cstdio>
+#include <string>
+
+#include <benchmark/benchmark.h>
+
+#include "sim/quanta.h"
+#include "sim/state_hash.h"
+#include "tests/support/worlds.h"
+
+// Nanoseconds per cell and sub-step of the whole step, in the worst case: material rolls in every cell. The
+// state hash stands in the same line, because a fast wrong answer is wrong: it must be the same on every
+// machine, and change only with the physics.
+
+namespace {
+
+using sim::Model;
+using sim::Scheme;
+
+constexpr int kTicks = 4;             // of one sub-step each, between two copies of the first state
+constexpr double kLeastTraffic = 20;  // bytes per cell that any step must move: 12 read, 8 written
+
+// A rough slope between walls, so that nothing leaves, with half a metre rolling everywhere.
+support::Play world_of(int squares, Model model, Scheme scheme, int threads) {
+    constexpr float kDx = 5;
+    support::Ground ground({squares + 1, squares + 1, kDx});
+    ground.set(ground.bedrock,
+               [](double x, double y) { return -0.7 * y + 3 * std::sin(x / 37) * std::sin(y / 53); });
+    ground.set(ground.depth, [](double x, double y) { return 1 + 0.3 * std::sin(x / 17 + y / 29); });
+    ground.set(ground.rolling, [](double x, double y) { return 0.5 + 0.2 * std::sin(x / 23 - y / 19); });
+    sim::Params params = support::lively(model, scheme);
+    params.borders.fill(sim::Border::kWall);
+    params.tick_s = 1.f / 60;
+    params.max_speed = 45;
+    params.speed_per_slope = 41;
+    params.rolling_speed = 15;
+    return {ground, params, threads};
+}
+
+void whole_step(benchmark::State& run, Model model, Scheme scheme, int threads) {
+    const auto squares = static_cast<int>(run.range(0));
+    support::Play play = world_of(squares, model, scheme, threads);
+    const sim::State first = play.state;
+    for (auto _ : run) {
+        play.state = first;
+        const auto before = std::chrono::steady_clock::now();
+        play.ticks(kTicks);
+        run.SetIterationTime(
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count());
+    }
+    const double cells = static_cast<double>(first.grid.size()) * kTicks *
+                         sim::substeps_of(first.params, first.grid.dx).count *
+                         static_cast<double>(run.iterations());
+    using Counter = benchmark::Counter;
+    run.counters["per_cell"] = Counter(cells, Counter::kIsRate | Counter::kInvert);  // s
+    run.counters["bytes_per_s"] = Counter(cells * kLeastTraffic, Counter::kIsRate, Counter::kIs1024);
+    char hash[32];
+    std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(sim::state_hash(play.state)));
+    run.SetLabel(hash);
+}
+
+void hash_of_state(benchmark::State& run) {
+    const support::Play play =
+        world_of(static_cast<int>(run.range(0)), Model::kBcreInertial, Scheme::kLocalLaxFriedrichs, 1);
+    for (auto _ : run) benchmark::DoNotOptimize(sim::state_hash(play.state));
+    const double bytes = 5 * sizeof(float) * static_cast<double>(play.state.grid.size());
+    run.counters["bytes_per_s"] =
+        benchmark::Counter(bytes * static_cast<double>(run.iterations()), benchmark::Counter::kIsRate,
+                           benchmark::Counter::kIs1024);
+}
+
+void add(const char* name, Model model, Scheme scheme, int threads) {
+    benchmark::RegisterBenchmark(name, whole_step, model, scheme, threads)
+        ->Arg(80)
+        ->Arg(160)
+        ->Arg(512)
+        ->Arg(1024)
+        ->Arg(2048)
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    add("lax-friedrichs", Model::kBcre, Scheme::kLaxFriedrichs, 1);
+    add("local-lax-friedrichs", Model::kBcre, Scheme::kLocalLaxFriedrichs, 1);
+    add("local-lax-friedrichs, two threads", Model::kBcre, Scheme::kLocalLaxFriedrichs, 2);
+    add("muscl", Model::kBcre, Scheme::kMuscl, 1);
+    add("bcre-inertial", Model::kBcreInertial, Scheme::kLocalLaxFriedrichs, 1);
+    add("bcre-inertial, two threads", Model::kBcreInertial, Scheme::kLocalLaxFriedrichs, 2);
+    benchmark::RegisterBenchmark("state hash", hash_of_state)->Arg(160)->Arg(1024);
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}
