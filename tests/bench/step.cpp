@@ -6,21 +6,17 @@
 
 #include "sim/quanta.h"
 #include "sim/state_hash.h"
-#include "tests/support/worlds.h"
+#include "tests/bench/world.h"
 
 // Nanoseconds per cell and sub-step of the whole step, in the worst case: material rolls in every cell. The
 // state hash stands in the same line, because a fast wrong answer is wrong: it must be the same on every
 // machine, and change only with the physics.
 
-namespace {
-
 using sim::Model;
 using sim::Scheme;
 
-constexpr int kTicks = 4;             // of one sub-step each, between two copies of the first state
-constexpr double kLeastTraffic = 20;  // bytes per cell that any step must move: 12 read, 8 written
+namespace bench {
 
-// A rough slope between walls, so that nothing leaves, with half a metre rolling everywhere.
 support::Play world_of(int squares, Model model, Scheme scheme, int threads) {
     constexpr float kDx = 5;
     support::Ground ground({squares + 1, squares + 1, kDx});
@@ -37,9 +33,16 @@ support::Play world_of(int squares, Model model, Scheme scheme, int threads) {
     return {ground, params, threads};
 }
 
+}  // namespace bench
+
+namespace {
+
+constexpr int kTicks = 4;             // of one sub-step each, between two copies of the first state
+constexpr double kLeastTraffic = 20;  // bytes per cell that any step must move: 12 read, 8 written
+
 void whole_step(benchmark::State& run, Model model, Scheme scheme, int threads) {
     const auto squares = static_cast<int>(run.range(0));
-    support::Play play = world_of(squares, model, scheme, threads);
+    support::Play play = bench::world_of(squares, model, scheme, threads);
     const sim::State first = play.state;
     for (auto _ : run) {
         play.state = first;
@@ -61,7 +64,7 @@ void whole_step(benchmark::State& run, Model model, Scheme scheme, int threads) 
 
 void hash_of_state(benchmark::State& run) {
     const support::Play play =
-        world_of(static_cast<int>(run.range(0)), Model::kBcreInertial, Scheme::kLocalLaxFriedrichs, 1);
+        bench::world_of(static_cast<int>(run.range(0)), Model::kBcreInertial, Scheme::kLocalLaxFriedrichs, 1);
     for (auto _ : run) benchmark::DoNotOptimize(sim::state_hash(play.state));
     const double bytes = 5 * sizeof(float) * static_cast<double>(play.state.grid.size());
     run.counters["bytes_per_s"] =
@@ -89,6 +92,7 @@ int main(int argc, char** argv) {
     add("muscl", Model::kBcre, Scheme::kMuscl, 1);
     add("bcre-inertial", Model::kBcreInertial, Scheme::kLocalLaxFriedrichs, 1);
     add("bcre-inertial, two threads", Model::kBcreInertial, Scheme::kLocalLaxFriedrichs, 2);
+    bench::add_stages();
     benchmark::RegisterBenchmark("state hash", hash_of_state)->Arg(160)->Arg(1024);
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

@@ -1,0 +1,90 @@
+#include "tests/bench/world.h"
+
+#include <functional>
+
+#include <benchmark/benchmark.h>
+
+#include "sim/bcre/stages.h"
+#include "sim/borders.h"
+#include "sim/quanta.h"
+
+// Nanoseconds per cell of each stage of a step by itself, on one thread, where the step would call it: the
+// world and the scratch are those of a step that was done before.
+
+namespace bench {
+namespace {
+
+using sim::Model;
+using sim::Scheme;
+
+struct Place {
+    sim::State& s;
+    sim::Scratch<float>& scratch;
+    const sim::Params& params;
+    sim::Substep<float> sub;
+    int rows;
+};
+using Stage = void (*)(const Place&);
+
+void one_stage(benchmark::State& run, Model model, Scheme scheme, Stage stage) {
+    support::Play play = world_of(static_cast<int>(run.range(0)), model, scheme, 1);
+    play.ticks(1);
+    const Place place{
+        play.state, play.scratch, play.state.params, {play.state.params.tick_s, 0.5f}, play.state.grid.ny};
+    for (auto _ : run) {
+        stage(place);
+        benchmark::ClobberMemory();
+    }
+    run.counters["per_cell"] = benchmark::Counter(
+        static_cast<double>(play.state.grid.size()) * static_cast<double>(run.iterations()),
+        benchmark::Counter::kIsRate | benchmark::Counter::kInvert);  // s
+}
+
+}  // namespace
+
+void add_stages() {
+    struct Entry {
+        const char* name;
+        Model model;
+        Scheme scheme;
+        Stage stage;
+    };
+    constexpr auto kBcre = Model::kBcre;
+    constexpr auto kInertial = Model::kBcreInertial;
+    constexpr auto kLocal = Scheme::kLocalLaxFriedrichs;
+    const Entry entries[] = {
+        {"fill_borders", kBcre, kLocal, [](const Place& p) { sim::fill_borders(p.s, p.params); }},
+        {"slope_velocity", kBcre, kLocal,
+         [](const Place& p) { sim::bcre::slope_velocity(p.s, p.params, 0, p.rows); }},
+        {"accelerate", kInertial, kLocal,
+         [](const Place& p) { sim::bcre::accelerate(p.s, p.params, p.sub, 0, p.rows); }},
+        {"fluxes_lax_friedrichs", kBcre, kLocal,
+         [](const Place& p) { sim::bcre::fluxes_lax_friedrichs(p.s, p.scratch, p.sub, 0, p.rows); }},
+        {"fluxes_local_lax_friedrichs", kBcre, kLocal,
+         [](const Place& p) { sim::bcre::fluxes_local_lax_friedrichs(p.s, p.scratch, p.sub, 0, p.rows); }},
+        {"fluxes_minmod", kBcre, kLocal,
+         [](const Place& p) { sim::bcre::fluxes_minmod(p.s, p.scratch, p.sub, 0, p.rows); }},
+        {"limit_outflow", kBcre, kLocal,
+         [](const Place& p) { sim::bcre::limit_outflow(p.s, p.scratch, 0, p.rows); }},
+        {"round_fluxes", kBcre, kLocal,
+         [](const Place& p) { sim::bcre::round_fluxes(p.s, p.scratch, p.sub, 0, p.rows); }},
+        {"carry", kBcre, kLocal, [](const Place& p) { sim::bcre::carry(p.s, p.scratch, 0, p.rows); }},
+        {"lower_slope", kBcre, kLocal,
+         [](const Place& p) { sim::bcre::lower_slope(p.s, p.scratch, 0, p.rows); }},
+        {"limited_lower_slope", kBcre, kLocal,
+         [](const Place& p) { sim::bcre::limited_lower_slope(p.s, p.scratch, 0, p.rows); }},
+        {"exchange", kBcre, kLocal,
+         [](const Place& p) { sim::bcre::exchange(p.s, p.params, p.scratch, p.sub, 0, p.rows); }},
+        {"exchange_inertial", kInertial, kLocal,
+         [](const Place& p) { sim::bcre::exchange_inertial(p.s, p.params, p.scratch, p.sub, 0, p.rows); }},
+        {"yield", kBcre, kLocal,
+         [](const Place& p) { sim::bcre::yield(p.s, p.params, p.scratch, 0, p.rows); }},
+        {"count_mass", kBcre, kLocal, [](const Place& p) { sim::count_mass(p.s); }},
+    };
+    for (const Entry& entry : entries)
+        benchmark::RegisterBenchmark(entry.name, one_stage, entry.model, entry.scheme, entry.stage)
+            ->Arg(160)
+            ->Arg(512);
+}
+
+}  // namespace bench
