@@ -110,7 +110,7 @@ TEST(Transport, never_takes_more_than_a_vertex_has) {
         // From outside comes nothing: the halo is empty.
         for (int y = -1; y < 23; ++y) play.scratch.flux_x(-1, y) = play.scratch.flux_x(20, y) = 0;
         for (int x = -1; x < 21; ++x) play.scratch.flux_y(x, -1) = play.scratch.flux_y(x, 22) = 0;
-        const sim::Substep sub{0.02f, sim::dither_of(round)};
+        const sim::Substep<float> sub{0.02f, sim::dither_of(round)};
         sim::bcre::limit_outflow(play.state, play.scratch, 0, 23);
         sim::bcre::round_fluxes(play.state, play.scratch, sub, 0, 23);
         sim::bcre::carry(play.state, play.scratch, 0, 23);
