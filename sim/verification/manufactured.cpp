@@ -6,6 +6,8 @@
 
 // An answer that was chosen, and the sources that make it one: h(x, y) stays, R(x, y, t) waves,
 //
+// within a frame along the border that is held at the answer: what flows in there is part of it too.
+//
 //     q_h = Γ      q_R = ∂R/∂t + ∇·(R v) − Γ      Γ = γ R (|∇h| − s)      v = −μ ∇h  (law HK)
 //
 // in two dimensions, with every term of the equations at work.
@@ -40,6 +42,11 @@ struct Answer {
     }
 };
 
+bool in_frame(double x, double y) {
+    constexpr double kWide = 0.2;
+    return x < kWide || y < kWide || x > kSide - kWide || y > kSide - kWide;
+}
+
 std::vector<Series> manufactured() {
     struct Bound {
         Scheme scheme;
@@ -64,11 +71,18 @@ std::vector<Series> manufactured() {
                          [](double, double) { return kDeep; },
                          [](double x, double y) { return Answer{0}.rolling(x, y); }});
             trial.run(kSeconds, 1, 0.25, [&](double t, double dt) {
-                const Answer answer{t};
+                const Answer answer{t}, after{t + dt / 2};
                 for (int y = 0; y < grid.ny; ++y)
                     for (int x = 0; x < grid.nx; ++x) {
-                        trial.layers.depth(x, y) += dt * answer.exchange(x * dx, y * dx);
-                        trial.layers.rolling(x, y) += dt * answer.rolling_source(x * dx, y * dx);
+                        const double at_x = x * dx, at_y = y * dx;
+                        double &d = trial.layers.depth(x, y), &r = trial.layers.rolling(x, y);
+                        if (in_frame(at_x, at_y)) {
+                            d = kDeep;
+                            r = after.rolling(at_x, at_y);
+                        } else {
+                            d += dt * answer.exchange(at_x, at_y);
+                            r += dt * answer.rolling_source(at_x, at_y);
+                        }
                     }
             });
             const Answer end{kSeconds};

@@ -82,7 +82,8 @@ TEST(Step, lets_a_pile_above_its_start_slope_slide_and_comes_to_rest_near_the_st
         params.anchor_gain = params.anchor_margin = 0;  // a heap, not natural ground
         Play play(support::pile(60, 1, 0.9, 9), params);
         const float top = play.state.depth(30, 30);
-        play.ticks(60 * 120);
+        for (int second = 0; second < 120 && (second == 0 || !sim::at_rest(play.state)); ++second)
+            play.ticks(60);
         EXPECT_TRUE(sim::at_rest(play.state)) << name_of(p);
         EXPECT_LT(play.state.depth(30, 30), top - 1) << name_of(p);
         // From 10 m to 4 m beside the middle no side is steeper than what starts, nor all of it gentler than
