@@ -34,6 +34,11 @@ sim::Model read_model(TomlTable& physics, const Wishes& wishes) {
     return wishes.model.value_or(model.value_or(sim::Model::kBcreInertial));
 }
 
+void take_choices(const Wishes& wishes, sim::Params& params) {
+    params.scheme = wishes.scheme.value_or(params.scheme);
+    params.law = wishes.law.value_or(params.law);
+}
+
 // Scheme and velocity law of bcre.
 void read_choices(TomlTable& physics, const Wishes& wishes, sim::Params& params) {
     if (const auto name = physics.text("scheme")) {
@@ -46,8 +51,7 @@ void read_choices(TomlTable& physics, const Wishes& wishes, sim::Params& params)
         if (!law) physics.blame("law", "is none of constant, slope, shear");
         params.law = law.value_or(params.law);
     }
-    params.scheme = wishes.scheme.value_or(params.scheme);
-    params.law = wishes.law.value_or(params.law);
+    take_choices(wishes, params);
 }
 
 sim::Command read_command(TomlTable& table, const sim::CommandInfo& info) {
@@ -233,8 +237,7 @@ Outcome<Scene> scene_of_terrain(const fs::path& dem, const std::optional<fs::pat
     Scene scene;
     scene.start.scene = scene.start.title = terrain->name;
     sim::Params params = material->params;
-    params.scheme = wishes.scheme.value_or(params.scheme);
-    params.law = wishes.law.value_or(params.law);
+    take_choices(wishes, params);
     params.borders.fill(sim::Border::kSink);
     take_material(scene.start, *material, params);
     set_ground(scene.start, *terrain);

@@ -24,13 +24,18 @@
 namespace sim::bcre {
 namespace {
 
-constexpr float kGreatestSpread = 1.41421356f;  // of κ
+// κ where the vertex is lowered, and the greatest where it is raised.
+template <class Number>
+Number spread_of(Number excess, Number spread) {
+    constexpr float kGreatest = 1.41421356f;
+    return excess < 0 ? kGreatest : spread;
+}
 
 // R after a sub-step that began with R₀ > 0, of which no more than `reach` exchanges.
 template <class Number>
 Number after_exchange(Number rolling, Number excess, Number rate, Number reach, Number spread, Number dx,
                       Number dt) {
-    const Number kappa = excess < 0 ? kGreatestSpread : spread;
+    const Number kappa = spread_of(excess, spread);
     const Number growth = rate * excess * dt;
     const bool changes_little = rate * std::min(rolling, reach) * (dt / dx) < 0.2f;
     if (rolling > reach)
@@ -112,7 +117,7 @@ void exchange_at_rate(const Layers<Number>& s, const Params& params, Scratch<Num
         for (int x = 0; x < s.grid.nx; ++x) {
             const Number r = s.rolling(x, y), excess = scratch.slope(x, y) - params.stop_slope;
             const Number reach = std::min(r, Number{params.exchange_depth});
-            const Number kappa = excess < 0 ? kGreatestSpread : scratch.slope_spread(x, y);
+            const Number kappa = spread_of(excess, scratch.slope_spread(x, y));
             const Number most = std::fabs(excess) * s.grid.dx / kappa;
             const Number wanted = params.exchange_rate * reach * excess * sub.dt;
             scratch.exchanged(x, y) = std::clamp(wanted, -std::min(most, r), std::min(most, s.depth(x, y)));

@@ -9,11 +9,10 @@
 // Slope toward the lower neighbours of h, upwind: what lies uphill feels what happens below, and a
 // checkerboard is seen.
 //
-//            N              g_x = max(0, D_W, D_E) / Δx     D_W = h_C − h_W  [ + ½ minmod(h_E − 2 h_C + h_W,
-//            |              g_y = max(0, D_S, D_N) / Δx                                   h_C − 2 h_W + h_WW)
-//            ]
+//            N              g_x = max(0, D_W, D_E) / Δx
+//            |              g_y = max(0, D_S, D_N) / Δx
 //   WW — W — C — E — EE     S = |g|,  κ = (g_x + g_y) / |g| ∈ [1, √2]
-//            |
+//            |              D_W = h_C − h_W  [+ ½ minmod(h_E − 2 h_C + h_W, h_C − 2 h_W + h_WW)]
 //            S              lowering C by Δ lowers S by at most κ Δ/Δx
 //
 // The term in brackets makes it second order where h is smooth (Osher and Shu 1991). Bedrock and depth are

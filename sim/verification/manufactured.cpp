@@ -48,50 +48,38 @@ bool in_frame(double x, double y) {
 }
 
 std::vector<Series> manufactured() {
-    struct Bound {
-        Scheme scheme;
-        double most, least_order;
-    };
-    constexpr Bound kBounds[] = {{Scheme::kLaxFriedrichs, 2.2e-2, 0.9},
-                                 {Scheme::kLocalLaxFriedrichs, 5.4e-3, 0.9},
-                                 {Scheme::kMuscl, 4.4e-4, 1.75}};
-    std::vector<Series> table;
-    for (const Bound& bound : kBounds) {
-        Series rolling{to_string(bound.scheme), "R, L1", bound.most, bound.least_order, {40, 80, 160}};
-        for (const int n : rolling.squares) {
-            Params params = bare_params(Model::kBcre, bound.scheme);
-            params.law = Law::kSlope;
-            params.speed_per_slope = static_cast<float>(kMobility);
-            params.exchange_rate = static_cast<float>(kRate);
-            params.stop_slope = static_cast<float>(kStop);
-            const Grid grid{n + 1, n + 1, static_cast<float>(kSide / n)};
-            const double dx = grid.dx;
-            Trial trial(grid, params,
-                        {[](double x, double y) { return Answer::standing(x, y) - kDeep; },
-                         [](double, double) { return kDeep; },
-                         [](double x, double y) { return Answer{0}.rolling(x, y); }});
-            trial.run(kSeconds, 1, 0.25, [&](double t, double dt) {
-                const Answer answer{t}, after{t + dt / 2};
-                for (int y = 0; y < grid.ny; ++y)
-                    for (int x = 0; x < grid.nx; ++x) {
-                        const double at_x = x * dx, at_y = y * dx;
-                        double &d = trial.layers.depth(x, y), &r = trial.layers.rolling(x, y);
-                        if (in_frame(at_x, at_y)) {
-                            d = kDeep;
-                            r = after.rolling(at_x, at_y);
-                        } else {
-                            d += dt * answer.exchange(at_x, at_y);
-                            r += dt * answer.rolling_source(at_x, at_y);
-                        }
+    constexpr std::array<Bounds, 3> kBounds{{{2.2e-2, 0.9}, {5.4e-3, 0.9}, {4.4e-4, 1.75}}};
+    return of_each_scheme({40, 80, 160}, kBounds, [&](Scheme scheme, int n) {
+        Params params = bare_params(Model::kBcre, scheme);
+        params.law = Law::kSlope;
+        params.speed_per_slope = static_cast<float>(kMobility);
+        params.exchange_rate = static_cast<float>(kRate);
+        params.stop_slope = static_cast<float>(kStop);
+        const Grid grid{n + 1, n + 1, static_cast<float>(kSide / n)};
+        const double dx = grid.dx;
+        Trial trial(grid, params,
+                    {[](double x, double y) { return Answer::standing(x, y) - kDeep; },
+                     [](double, double) { return kDeep; },
+                     [](double x, double y) { return Answer{0}.rolling(x, y); }});
+        trial.run(kSeconds, [&](double t, double dt) {
+            const Answer answer{t}, after{t + dt / 2};
+            for (int y = 0; y < grid.ny; ++y)
+                for (int x = 0; x < grid.nx; ++x) {
+                    const double at_x = x * dx, at_y = y * dx;
+                    double &d = trial.layers.depth(x, y), &r = trial.layers.rolling(x, y);
+                    if (in_frame(at_x, at_y)) {
+                        d = kDeep;
+                        r = after.rolling(at_x, at_y);
+                    } else {
+                        d += dt * answer.exchange(at_x, at_y);
+                        r += dt * answer.rolling_source(at_x, at_y);
                     }
-            });
-            const Answer end{kSeconds};
-            rolling.errors.push_back(relative_l1(trial.layers.rolling, grid, {0.6, 1.2}, {0.6, 1.2},
-                                                 [&](double x, double y) { return end.rolling(x, y); }));
-        }
-        table.push_back(rolling);
-    }
-    return table;
+                }
+        });
+        const Answer end{kSeconds};
+        return relative_l1(trial.layers.rolling, grid, {0.6, 1.2}, {0.6, 1.2},
+                           [&](double x, double y) { return end.rolling(x, y); });
+    });
 }
 
 }  // namespace

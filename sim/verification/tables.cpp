@@ -26,7 +26,7 @@ Params table_params() {
 // Rains on what lies on the table, whose heap begins at nine tenths of its height, until nothing changes any
 // more.
 void rain(Trial& trial, double seconds) {
-    trial.run(seconds, kSpeed, 0.25, [&](double, double dt) {
+    trial.run(seconds, [&](double, double dt) {
         for (int y = 0; y < trial.layers.grid.ny; ++y)
             for (int x = 0; x < trial.layers.grid.nx; ++x)
                 if (trial.layers.site(x, y) == Site::kGround) trial.layers.rolling(x, y) += kRain * dt;

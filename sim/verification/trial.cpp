@@ -39,15 +39,31 @@ Params bare_params(Model model, Scheme scheme) {
 Trial::Trial(const Grid& grid, const Params& with, const Begin& begin)
     : params(with), layers(begun(grid, with, begin)), scratch(layers) {}
 
-void Trial::run(double seconds, double speed, double courant,
-                const std::function<void(double, double)>& source) {
-    const int count = static_cast<int>(std::ceil(seconds * speed / (courant * layers.grid.dx)));
-    const double dt = seconds / count;
-    for (int i = 0; i < count; ++i) {
+void Trial::run_in(int substeps, double seconds, const Source& source) {
+    const double dt = seconds / substeps;
+    for (int i = 0; i < substeps; ++i) {
         if (source) source((i + 0.25) * dt, dt / 2);
         substep(layers, params, scratch, workers, Substep<double>{dt, 0});
         if (source) source((i + 0.75) * dt, dt / 2);
     }
+}
+
+void Trial::run(double seconds, const Source& source) {
+    run_in(static_cast<int>(std::ceil(seconds / (0.25 * layers.grid.dx))), seconds, source);
+}
+
+std::vector<Series> of_each_scheme(const std::vector<int>& squares,
+                                   const std::array<Bounds, 3>& lax_friedrichs_local_muscl,
+                                   const std::function<double(Scheme, int)>& error) {
+    constexpr std::array kSchemes{Scheme::kLaxFriedrichs, Scheme::kLocalLaxFriedrichs, Scheme::kMuscl};
+    std::vector<Series> table;
+    for (std::size_t i = 0; i < kSchemes.size(); ++i) {
+        const Bounds& bounds = lax_friedrichs_local_muscl[i];
+        Series series{to_string(kSchemes[i]), "R, L1", bounds.most, bounds.least_order, squares};
+        for (const int n : squares) series.errors.push_back(error(kSchemes[i], n));
+        table.push_back(std::move(series));
+    }
+    return table;
 }
 
 double relative_l1(const Field<double>& field, const Grid& grid, Window in_x, Window in_y,

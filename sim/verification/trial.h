@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <vector>
 
 #include "sim/layers.h"
 #include "sim/params.h"
 #include "sim/scratch.h"
+#include "sim/verification/cases.h"
 #include "sim/workers.h"
 
 namespace sim::verification {
@@ -28,12 +30,25 @@ struct Trial {
     };
     Trial(const Grid& grid, const Params& with, const Begin& begin);
 
-    // To `seconds`, in sub-steps of no more than `courant` cells at `speed`, all alike. `source`, if any,
-    // adds what comes from without in a time dt about t: half of a sub-step before it, half after it, which
-    // is of second order (Strang).
-    void run(double seconds, double speed, double courant,
-             const std::function<void(double t, double dt)>& source = {});
+    // Adds what comes from without in a time dt about t, s.
+    using Source = std::function<void(double t, double dt)>;
+
+    // To `seconds`, in sub-steps all alike. A source acts half of a sub-step before it and half after it,
+    // which is of second order (Strang).
+    void run_in(int substeps, double seconds, const Source& source = {});
+    // The same in as many as take what moves at 1 m/s a quarter of a cell at most.
+    void run(double seconds, const Source& source = {});
 };
+
+struct Bounds {
+    double most, least_order;
+};
+
+// A case of bcre on grids of growing fineness: a series for each scheme, with its bounds. `error` runs one
+// and compares R with its answer, by relative_l1.
+std::vector<Series> of_each_scheme(const std::vector<int>& squares,
+                                   const std::array<Bounds, 3>& lax_friedrichs_local_muscl,
+                                   const std::function<double(Scheme scheme, int squares)>& error);
 
 // Where errors are taken: away from borders, whose influence the exact answer does not know.
 struct Window {

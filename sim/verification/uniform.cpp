@@ -18,13 +18,13 @@ struct Middle {
 };
 
 Middle after(Params params, double tangent, double depth, double rolling, double velocity, double seconds,
-             double dt, double speed) {
+             int substeps) {
     wall_sides(params);
     Trial trial(column(kSquares, kSide), params,
                 {[=](double x, double) { return -tangent * x; }, [=](double, double) { return depth; },
                  [=](double, double) { return rolling; }});
     trial.layers.velocity_x.fill(velocity);
-    trial.run(seconds, speed, dt * speed / trial.layers.grid.dx);
+    trial.run_in(substeps, seconds);
     constexpr int kAt = kSquares / 2;
     return {trial.layers.depth(kAt, 1), trial.layers.rolling(kAt, 1), trial.layers.velocity_x(kAt, 1)};
 }
@@ -47,7 +47,7 @@ std::vector<Series> growth() {
         Series grows{to_string(scheme), "R at 1 s", 1e-13, 0, {kSquares}};
         Series ends{to_string(scheme), "R at 2 s", 1e-13, 0, {kSquares}};
         const auto rolling = [&](double t) {
-            return after(growing(scheme), kTangent, kGround, kLayer, 0, t, 1. / 64, 0.0625).rolling;
+            return after(growing(scheme), kTangent, kGround, kLayer, 0, t, static_cast<int>(64 * t)).rolling;
         };
         grows.errors.push_back(std::fabs(rolling(1) / (kLayer * std::exp(1.)) - 1));
         ends.errors.push_back(std::fabs(rolling(2) / (kLayer + kGround) - 1));
@@ -56,10 +56,9 @@ std::vector<Series> growth() {
     }
     Series second{to_string(Scheme::kMuscl), "R at 1 s", 6e-5, 1.9, {16, 32, 64}};  // sub-steps a second
     for (const int n : second.squares)
-        second.errors.push_back(
-            std::fabs(after(growing(Scheme::kMuscl), kTangent, 1, kLayer, 0, 1, 1. / n, 0.0625).rolling /
-                          (kLayer * std::exp(1.)) -
-                      1));
+        second.errors.push_back(std::fabs(
+            after(growing(Scheme::kMuscl), kTangent, 1, kLayer, 0, 1, n).rolling / (kLayer * std::exp(1.)) -
+            1));
     table.push_back(second);
     return table;
 }
@@ -82,13 +81,13 @@ std::vector<Series> terminal_speed() {
     Params params = inertial();
     params.deposit_speed = 1e-3f;
     Series relaxes{"bcre-inertial", "v at 0.5 s", 1e-12, 0, {kSquares}};
-    const double speed = after(params, kTangent, 1, 0.5, 0.0625, 0.5, 1. / 64, 0.25).velocity;
+    const double speed = after(params, kTangent, 1, 0.5, 0.0625, 0.5, 32).velocity;
     const double terminal = 0.25 * kTangent;
     relaxes.errors.push_back(std::fabs(speed / (terminal + (0.0625 - terminal) * std::exp(-1.)) - 1));
 
     Series capped{"bcre-inertial", "v, capped", 1e-12, 0, {kSquares}};
     params.max_speed = 0.03125f;
-    const double end = after(params, kTangent, 1, 0.5, 0.0625, 0.5, 1. / 64, 0.0625).velocity;
+    const double end = after(params, kTangent, 1, 0.5, 0.0625, 0.5, 32).velocity;
     capped.errors.push_back(std::fabs(end / (0.03125 * (1 + std::exp(-1.))) - 1));
     return {relaxes, capped};
 }
@@ -99,7 +98,7 @@ std::vector<Series> speed_gate() {
     constexpr double kGentle = 0.25, kSpeed = 0.25 * kGentle;
     Series layer{"bcre-inertial", "R at 1 s", 1e-12, 0, {kSquares}};
     Series speed{"bcre-inertial", "v at 1 s", 1e-12, 0, {kSquares}};
-    const Middle middle = after(inertial(), kGentle, 1, 1e-3, kSpeed, 1, 1. / 64, 0.25);
+    const Middle middle = after(inertial(), kGentle, 1, 1e-3, kSpeed, 1, 64);
     layer.errors.push_back(
         std::fabs(middle.rolling / (1e-3 * std::exp(-2 * (1 - kSpeed / 0.25) * (0.5 - kGentle))) - 1));
     speed.errors.push_back(std::fabs(middle.velocity / kSpeed - 1));
@@ -120,7 +119,7 @@ std::vector<Series> resting_layer() {
         Trial trial(grid, params,
                     {[](double, double) { return 0; }, [](double, double) { return 0; },
                      [&](double x, double y) { return std::hypot(x - kMiddle, y - kMiddle) < 0.5 ? 1 : 0; }});
-        trial.run(kSteps, 1, 1);
+        trial.run_in(kSteps, kSteps);
         double variance = 0;
         for (int y = 0; y < grid.ny; ++y)
             for (int x = 0; x < grid.nx; ++x)

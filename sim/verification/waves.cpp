@@ -10,7 +10,6 @@
 namespace sim::verification {
 namespace {
 
-constexpr Scheme kSchemes[] = {Scheme::kLaxFriedrichs, Scheme::kLocalLaxFriedrichs, Scheme::kMuscl};
 constexpr double kSeconds = 0.3;
 
 // A smooth bump, 1 in the middle, 0 from |u| = 1 on, with three continuous derivatives.
@@ -18,18 +17,6 @@ double bump(double u) {
     if (std::fabs(u) >= 1) return 0;
     const double c = std::cos(u * std::numbers::pi / 2);
     return c * c * c * c;
-}
-
-struct Bounds {
-    double most, least_order;
-};
-
-// One scheme on grids of growing fineness.
-Series converge(Scheme scheme, std::vector<int> squares, Bounds bounds,
-                const std::function<double(int squares)>& error) {
-    Series series{to_string(scheme), "R, L1", bounds.most, bounds.least_order, std::move(squares)};
-    for (const int n : series.squares) series.errors.push_back(error(n));
-    return series;
 }
 
 Params wave_params(Scheme scheme, float stop_slope, float rate) {
@@ -43,23 +30,20 @@ Params wave_params(Scheme scheme, float stop_slope, float rate) {
 // A film so thin that what it deposits does not change the plane: R = R₀(x − vt) e^{−γ (s − tan a) t}.
 std::vector<Series> decay() {
     constexpr double kTangent = 0.25, kFilm = 1e-9, kSide = 1;
-    constexpr Bounds kBounds[] = {{4e-2, 0.9}, {1.6e-2, 0.9}, {6e-4, 1.8}};
-    std::vector<Series> table;
-    for (std::size_t i = 0; i < 3; ++i)
-        table.push_back(converge(kSchemes[i], {100, 200, 400}, kBounds[i], [&](int n) {
-            Params params = wave_params(kSchemes[i], 0.5f, 3);
-            wall_sides(params);
-            const auto shape = [](double x) { return kFilm * bump((x - 0.4) / 0.4); };
-            Trial trial(column(n, kSide), params,
-                        {[](double x, double) { return -kTangent * x - 1; }, [](double, double) { return 1; },
-                         [&](double x, double) { return shape(x); }});
-            constexpr double kTime = 0.2;
-            trial.run(kTime, 1, 0.25);
-            const double left = std::exp(-3 * (0.5 - kTangent) * kTime);
-            return relative_l1(trial.layers.rolling, trial.layers.grid, {0, kSide}, {0, kSide},
-                               [&](double x, double) { return left * shape(x - kTime); });
-        }));
-    return table;
+    constexpr std::array<Bounds, 3> kBounds{{{4e-2, 0.9}, {1.6e-2, 0.9}, {6e-4, 1.8}}};
+    return of_each_scheme({100, 200, 400}, kBounds, [&](Scheme scheme, int n) {
+        Params params = wave_params(scheme, 0.5f, 3);
+        wall_sides(params);
+        const auto shape = [](double x) { return kFilm * bump((x - 0.4) / 0.4); };
+        Trial trial(column(n, kSide), params,
+                    {[](double x, double) { return -kTangent * x - 1; }, [](double, double) { return 1; },
+                     [&](double x, double) { return shape(x); }});
+        constexpr double kTime = 0.2;
+        trial.run(kTime);
+        const double left = std::exp(-3 * (0.5 - kTangent) * kTime);
+        return relative_l1(trial.layers.rolling, trial.layers.grid, {0, kSide}, {0, kSide},
+                           [&](double x, double) { return left * shape(x - kTime); });
+    });
 }
 
 // R = R₀(x + γ R t), h = −s x − R − (v/γ) ln R: erosion and deposition move it uphill, while the material
@@ -79,51 +63,44 @@ struct SimpleWave {
 constexpr double kDeep = 2;  // m of erodible ground, which no wave here uses up
 
 std::vector<Series> simple_wave() {
-    constexpr Bounds kBounds[] = {{3.8e-3, 0.9}, {2.8e-3, 0.9}, {5e-5, 1.9}};
+    constexpr std::array<Bounds, 3> kBounds{{{3.8e-3, 0.9}, {2.8e-3, 0.9}, {5e-5, 1.9}}};
     constexpr double kSide = 2.4;
     const SimpleWave wave;
-    std::vector<Series> table;
-    for (std::size_t i = 0; i < 3; ++i)
-        table.push_back(converge(kSchemes[i], {200, 400, 800}, kBounds[i], [&](int n) {
-            Params params = wave_params(kSchemes[i], 1, 5);
-            wall_sides(params);
-            Trial trial(
-                column(n, kSide), params,
-                {[&](double x, double) { return wave.standing(x) - kDeep; },
-                 [](double, double) { return kDeep; }, [&](double x, double) { return wave.begin(x); }});
-            trial.run(kSeconds, 1, 0.25);
-            return relative_l1(trial.layers.rolling, trial.layers.grid, {0.85, 1.7}, {0, kSide},
-                               [&](double x, double) { return wave.rolling(x, kSeconds); });
-        }));
-    return table;
+    return of_each_scheme({200, 400, 800}, kBounds, [&](Scheme scheme, int n) {
+        Params params = wave_params(scheme, 1, 5);
+        wall_sides(params);
+        Trial trial(column(n, kSide), params,
+                    {[&](double x, double) { return wave.standing(x) - kDeep; },
+                     [](double, double) { return kDeep; }, [&](double x, double) { return wave.begin(x); }});
+        trial.run(kSeconds);
+        return relative_l1(trial.layers.rolling, trial.layers.grid, {0.85, 1.7}, {0, kSide},
+                           [&](double x, double) { return wave.rolling(x, kSeconds); });
+    });
 }
 
 // The same at 45° to the grid.
 std::vector<Series> oblique_wave() {
-    constexpr Bounds kBounds[] = {{7.5e-3, 0.9}, {4.7e-3, 0.9}, {1.5e-4, 1.8}};
+    constexpr std::array<Bounds, 3> kBounds{{{7.5e-3, 0.9}, {4.7e-3, 0.9}, {1.5e-4, 1.8}}};
     constexpr double kSide = 1.7;
     const SimpleWave wave;
     const auto along = [](double x, double y) { return (x + y) / std::numbers::sqrt2; };
-    std::vector<Series> table;
-    for (std::size_t i = 0; i < 3; ++i)
-        table.push_back(converge(kSchemes[i], {60, 120, 240}, kBounds[i], [&](int n) {
-            const Params params = wave_params(kSchemes[i], 1, 5);
-            Trial trial({n + 1, n + 1, static_cast<float>(kSide / n)}, params,
-                        {[&](double x, double y) { return wave.standing(along(x, y)) - kDeep; },
-                         [](double, double) { return kDeep; },
-                         [&](double x, double y) { return wave.begin(along(x, y)); }});
-            trial.run(kSeconds, 1, 0.25);
-            return relative_l1(trial.layers.rolling, trial.layers.grid, {0.6, 1.15}, {0.6, 1.15},
-                               [&](double x, double y) { return wave.rolling(along(x, y), kSeconds); });
-        }));
-    return table;
+    return of_each_scheme({60, 120, 240}, kBounds, [&](Scheme scheme, int n) {
+        const Params params = wave_params(scheme, 1, 5);
+        Trial trial({n + 1, n + 1, static_cast<float>(kSide / n)}, params,
+                    {[&](double x, double y) { return wave.standing(along(x, y)) - kDeep; },
+                     [](double, double) { return kDeep; },
+                     [&](double x, double y) { return wave.begin(along(x, y)); }});
+        trial.run(kSeconds);
+        return relative_l1(trial.layers.rolling, trial.layers.grid, {0.6, 1.15}, {0.6, 1.15},
+                           [&](double x, double y) { return wave.rolling(along(x, y), kSeconds); });
+    });
 }
 
 // A front that deposits as it runs over a bare plane too gentle for it, of constant shape and speed c < v:
 // h = −x tan a + ((v − c)/c) R and c ln R + γ R = const − γ K ξ/(v − c), with ξ = x − ct, K = c (s − tan a).
 std::vector<Series> deposit_front() {
     constexpr double kC = 0.5, kTangent = 0.25, kRate = 4, kS = 0.5, kSide = 3.2;
-    constexpr Bounds kBounds[] = {{5.5e-4, 0.95}, {9.5e-5, 0.95}, {3.1e-7, 1.9}};
+    constexpr std::array<Bounds, 3> kBounds{{{5.5e-4, 0.95}, {9.5e-5, 0.95}, {3.1e-7, 1.9}}};
     const auto rolling = [](double xi) {
         constexpr double kFilm = 0.1;  // R where ξ = 0
         const double right =
@@ -133,48 +110,40 @@ std::vector<Series> deposit_front() {
             log_r -= (kC * log_r + kRate * std::exp(log_r) - right) / (kC + kRate * std::exp(log_r));
         return std::exp(log_r);
     };
-    std::vector<Series> table;
-    for (std::size_t i = 0; i < 3; ++i)
-        table.push_back(converge(kSchemes[i], {200, 400, 800}, kBounds[i], [&](int n) {
-            Params params = wave_params(kSchemes[i], static_cast<float>(kS), static_cast<float>(kRate));
-            wall_sides(params);
-            constexpr double kMiddle = 1.6;
-            Trial trial(column(n, kSide), params,
-                        {[&](double x, double) {
-                             return -kTangent * x + (1 - kC) / kC * rolling(x - kMiddle) - kDeep;
-                         },
-                         [](double, double) { return kDeep; },
-                         [&](double x, double) { return rolling(x - kMiddle); }});
-            trial.run(kSeconds, 1, 0.25);
-            return relative_l1(trial.layers.rolling, trial.layers.grid, {1.3, 2.2}, {0, kSide},
-                               [&](double x, double) { return rolling(x - kMiddle - kC * kSeconds); });
-        }));
-    return table;
+    return of_each_scheme({200, 400, 800}, kBounds, [&](Scheme scheme, int n) {
+        Params params = wave_params(scheme, static_cast<float>(kS), static_cast<float>(kRate));
+        wall_sides(params);
+        constexpr double kMiddle = 1.6;
+        Trial trial(
+            column(n, kSide), params,
+            {[&](double x, double) { return -kTangent * x + (1 - kC) / kC * rolling(x - kMiddle) - kDeep; },
+             [](double, double) { return kDeep; }, [&](double x, double) { return rolling(x - kMiddle); }});
+        trial.run(kSeconds);
+        return relative_l1(trial.layers.rolling, trial.layers.grid, {1.3, 2.2}, {0, kSide},
+                           [&](double x, double) { return rolling(x - kMiddle - kC * kSeconds); });
+    });
 }
 
 // A thick flow, of which only R_c exchanges, v_u = γ R_c: p(x, t) = p₀(x + v_u t), and with p₀ = G′
 // R = R₀ + v_u/(v + v_u) [G(x + v_u t) − G(x − vt)].
 std::vector<Series> thick_pulse() {
     constexpr double kUphill = 0.5, kFlow = 1, kSide = 2.4;
-    constexpr Bounds kBounds[] = {{1.25e-3, 0.85}, {7e-4, 0.85}, {1.9e-5, 1.8}};
+    constexpr std::array<Bounds, 3> kBounds{{{1.25e-3, 0.85}, {7e-4, 0.85}, {1.9e-5, 1.8}}};
     const auto bulge = [](double x) { return 0.1 * bump((x - 1.3) / 0.3); };
-    std::vector<Series> table;
-    for (std::size_t i = 0; i < 3; ++i)
-        table.push_back(converge(kSchemes[i], {200, 400, 800}, kBounds[i], [&](int n) {
-            Params params = wave_params(kSchemes[i], 1, 2);
-            params.exchange_depth = 0.25f;
-            wall_sides(params);
-            Trial trial(column(n, kSide), params,
-                        {[&](double x, double) { return -x - bulge(x) - kDeep; },
-                         [](double, double) { return kDeep; }, [](double, double) { return kFlow; }});
-            trial.run(kSeconds, 1, 0.25);
-            return relative_l1(
-                trial.layers.rolling, trial.layers.grid, {0.85, 1.7}, {0, kSide}, [&](double x, double) {
-                    return kFlow +
-                           kUphill / (1 + kUphill) * (bulge(x + kUphill * kSeconds) - bulge(x - kSeconds));
-                });
-        }));
-    return table;
+    return of_each_scheme({200, 400, 800}, kBounds, [&](Scheme scheme, int n) {
+        Params params = wave_params(scheme, 1, 2);
+        params.exchange_depth = 0.25f;
+        wall_sides(params);
+        Trial trial(column(n, kSide), params,
+                    {[&](double x, double) { return -x - bulge(x) - kDeep; },
+                     [](double, double) { return kDeep; }, [](double, double) { return kFlow; }});
+        trial.run(kSeconds);
+        return relative_l1(
+            trial.layers.rolling, trial.layers.grid, {0.85, 1.7}, {0, kSide}, [&](double x, double) {
+                return kFlow +
+                       kUphill / (1 + kUphill) * (bulge(x + kUphill * kSeconds) - bulge(x - kSeconds));
+            });
+    });
 }
 
 }  // namespace

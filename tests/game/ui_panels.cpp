@@ -24,6 +24,20 @@ const std::vector<PanelFacts> kPanels{
 class UiPanels : public UiHand {
   protected:
     void SetUp() override { begin_anew({1600, 1000, 1}); }
+
+    // Slides the size of letters to so many px beyond the slider's right end, asks for nothing on the way,
+    // and lets it go.
+    Actions slide_letters(double px) {
+        const auto at = place("Letters");
+        screen_.move(at.x + at.width * 0.2, at.y + at.height / 2);
+        frame();
+        screen_.press(Button::kLeft);
+        settle(2);
+        screen_.move(at.x + at.width + px, at.y + at.height / 2);
+        settle(2);
+        screen_.release(Button::kLeft);
+        return frame();
+    }
 };
 
 TEST_F(UiPanels, open_and_close_by_their_verbs_with_all_that_is_in_them) {
@@ -181,16 +195,8 @@ TEST_F(UiPanels, size_letters_only_when_the_slider_is_let_go) {
     ui_->perform(Verb::kToggleDisplay);
     settle();
     const auto at = place("Letters");
-    screen_.move(at.x + at.width * 0.2, at.y + at.height / 2);
-    frame();
-    screen_.press(Button::kLeft);
-    settle(2);
-    screen_.move(at.x + at.width - 1, at.y + at.height / 2);
-    settle(2);
-    screen_.release(Button::kLeft);
-    const Display display = only<SetDisplay>(frame()).display;
-    EXPECT_EQ(display.letters, 3);
-    display_ = display;
+    display_ = only<SetDisplay>(slide_letters(-1)).display;
+    EXPECT_EQ(display_.letters, 3);
     settle();
     EXPECT_GT(place("Pour").height, 2.5 * at.height);
 }
@@ -199,15 +205,7 @@ TEST_F(UiPanels, offer_no_letters_so_large_that_panels_lose_their_place) {
     begin_anew({1280, 720, 1});
     ui_->perform(Verb::kToggleDisplay);
     settle();
-    const auto at = place("Letters");
-    screen_.move(at.x + at.width * 0.2, at.y + at.height / 2);
-    frame();
-    screen_.press(Button::kLeft);
-    settle(2);
-    screen_.move(at.x + at.width + 50, at.y + at.height / 2);
-    settle(2);
-    screen_.release(Button::kLeft);
-    display_ = only<SetDisplay>(frame()).display;
+    display_ = only<SetDisplay>(slide_letters(50)).display;
     EXPECT_GT(display_.letters, 1.4);
     EXPECT_LT(display_.letters, 1.8);
     settle();

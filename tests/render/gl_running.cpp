@@ -1,49 +1,19 @@
-#include <atomic>
 #include <cmath>
-#include <cstdlib>
-#include <new>
 #include <type_traits>
 
 #include <epoxy/gl.h>
 
 #include "render/overview.h"
 #include "tests/render/gl_scene.h"
+#include "tests/support/allocations.h"
 #include "tests/support/places.h"
 
 // What a window asks of one frame after the other.
 namespace {
 
-std::atomic<bool> counting{false};
-std::atomic<int> allocations{0};
 int gl_objects = 0;
 
-void* allocate(std::size_t size) {
-    if (counting) ++allocations;
-    void* memory = std::malloc(size == 0 ? 1 : size);
-    if (memory == nullptr) throw std::bad_alloc();
-    return memory;
-}
-
 }  // namespace
-
-void* operator new(std::size_t size) {
-    return allocate(size);
-}
-void* operator new[](std::size_t size) {
-    return allocate(size);
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
 
 namespace render::test {
 namespace {
@@ -102,21 +72,18 @@ TEST_F(Gl, allocates_nothing_and_makes_no_object_in_a_running_frame) {
     const Watched<&epoxy_glCreateFramebuffers> framebuffers;
     const Watched<&epoxy_glCreateBuffers> buffers;
     const Watched<&epoxy_glCreateVertexArrays> vertex_arrays;
-    allocations = 0;
     gl_objects = 0;
-    counting = true;
+    const std::int64_t before = support::allocations_of_all_threads();
     for (int i = 6; i < 12; ++i) frame(i);
-    counting = false;
-    EXPECT_EQ(allocations, 0);
+    EXPECT_EQ(support::allocations_of_all_threads(), before);
     EXPECT_EQ(gl_objects, 0);
 
     // The same counters see a frame of another size, and a plain allocation.
     renderer_->draw(world.view(), camera, Light(), Look(), {}, 100, 60);
     EXPECT_GE(gl_objects, 4);
-    counting = true;
+    const std::int64_t after = support::allocations_of_all_threads();
     operator delete(operator new(8));  // a new expression may be left out by the compiler
-    counting = false;
-    EXPECT_EQ(allocations, 1);
+    EXPECT_EQ(support::allocations_of_all_threads(), after + 1);
 }
 
 TEST_F(Gl, changes_its_quality_between_frames) {

@@ -1,15 +1,22 @@
 #include "tests/support/allocations.h"
 
+#include <atomic>
 #include <cstdlib>
 #include <new>
 
 namespace {
 
 thread_local std::int64_t count = 0;
+std::atomic<std::int64_t> count_of_all{0};
+
+void* counted_or_null(std::size_t size) noexcept {
+    ++count;
+    ++count_of_all;
+    return std::malloc(size == 0 ? 1 : size);
+}
 
 void* counted(std::size_t size) {
-    ++count;
-    if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+    if (void* memory = counted_or_null(size)) return memory;
     throw std::bad_alloc();
 }
 
@@ -17,6 +24,9 @@ void* counted(std::size_t size) {
 
 std::int64_t support::allocations() {
     return count;
+}
+std::int64_t support::allocations_of_all_threads() {
+    return count_of_all;
 }
 
 // All kinds without an alignment of their own: those of the standard library call the first, but a sanitizer
@@ -28,12 +38,10 @@ void* operator new[](std::size_t size) {
     return counted(size);
 }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-    ++count;
-    return std::malloc(size == 0 ? 1 : size);
+    return counted_or_null(size);
 }
 void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
-    ++count;
-    return std::malloc(size == 0 ? 1 : size);
+    return counted_or_null(size);
 }
 void operator delete(void* memory) noexcept {
     std::free(memory);
