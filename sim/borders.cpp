@@ -1,5 +1,7 @@
 #include "sim/borders.h"
 
+#include <tuple>
+
 #include "sim/layers.h"
 #include "sim/ledger.h"
 #include "sim/params.h"
@@ -36,25 +38,38 @@ void fill_borders(Layers<Number>& s, const Params& params) {
 }
 
 template <class Number>
-void clear_drains(Layers<Number>& s, const Scratch<Number>& scratch) {
-    for (const auto& [x, y] : scratch.drain_vertices) {
-        s.rolling(x, y) = 0;
-        s.velocity_x(x, y) = s.velocity_y(x, y) = 0;
-    }
+void clear_drains(Layers<Number>& s, const Outlets& outlets) {
+    for (int y = 0; y < s.grid.ny; ++y)
+        for (int i = outlets.first_drain[y]; i < outlets.first_drain[y + 1]; ++i) {
+            const int x = outlets.drains[i];
+            s.rolling(x, y) = s.velocity_x(x, y) = s.velocity_y(x, y) = 0;
+        }
 }
 
-std::int64_t drained(const Scratch<float>& scratch) {
+std::int64_t drained(const Scratch<float>& scratch, Model model) {
     std::int64_t quanta = 0;
-    for (const DrainFace& face : scratch.drain_faces) {
-        const float flux = (face.along_x ? scratch.flux_x : scratch.flux_y)(face.x, face.y);
-        quanta += face.sign * static_cast<std::int64_t>(flux / kQuantum);
+    for (const auto& [x, y, way] : scratch.outlets.faces) {
+        const auto [east, west, north, south] = std::tie(
+            scratch.given.east, scratch.given.west, scratch.given.north, scratch.given.south);
+        float out = 0;  // m
+        if (model == Model::kBcre)
+            out = way == Way::kEast    ? east(x, y)
+                  : way == Way::kWest  ? west(x, y)
+                  : way == Way::kNorth ? north(x, y)
+                                       : south(x, y);
+        else
+            out = way == Way::kEast    ? scratch.flux_x(x, y)
+                  : way == Way::kWest  ? -scratch.flux_x(x - 1, y)
+                  : way == Way::kNorth ? scratch.flux_y(x, y)
+                                       : -scratch.flux_y(x, y - 1);
+        quanta += static_cast<std::int64_t>(out / kQuantum);
     }
     return quanta;
 }
 
 template void fill_borders(Layers<float>&, const Params&);
 template void fill_borders(Layers<double>&, const Params&);
-template void clear_drains(Layers<float>&, const Scratch<float>&);
-template void clear_drains(Layers<double>&, const Scratch<double>&);
+template void clear_drains(Layers<float>&, const Outlets&);
+template void clear_drains(Layers<double>&, const Outlets&);
 
 }  // namespace sim

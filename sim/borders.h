@@ -4,6 +4,8 @@
 
 namespace sim {
 
+enum class Model;
+struct Outlets;
 struct Params;
 template <class Number>
 struct Layers;
@@ -20,9 +22,9 @@ void fill_borders(Layers<Number>& layers, const Params& params);
 
 // Takes away what the last transport carried into no-data. Writes rolling and velocity on drains.
 template <class Number>
-void clear_drains(Layers<Number>& layers, const Scratch<Number>& scratch);
+void clear_drains(Layers<Number>& layers, const Outlets& outlets);
 
 // What the last transport carried into drains (halo or no-data), in whole quanta.
-std::int64_t drained(const Scratch<float>& scratch);
+std::int64_t drained(const Scratch<float>& scratch, Model model);
 
 }  // namespace sim

@@ -12,9 +12,11 @@
 namespace sim {
 namespace {
 
-// Calls visit(x, y, weight) for each ground vertex under the disc.
+// Calls visit(x, y, weight) for each ground vertex under the disc, and wakes what lies there.
 template <class Visit>
-void each_ground(const State& s, const Disc& disc, Profile profile, Visit&& visit) {
+void each_ground(State& s, const Disc& disc, Profile profile, Visit&& visit) {
+    s.tiles.wake(std::max(disc.x0, 0), std::min(disc.x1, s.grid.nx - 1), std::max(disc.y0, 0),
+                 std::min(disc.y1, s.grid.ny - 1));
     disc.each_vertex(s.grid, profile, [&](int x, int y, double weight) {
         if (s.site(x, y) == Site::kGround) visit(x, y, weight);
     });
@@ -198,6 +200,7 @@ void apply_commands(State& state, std::span<const Command> commands) {
                 break;
             case CommandKind::kSet:
                 set_number(state.params, c);
+                state.tiles.wake_all();  // what held by the old number may start by the new one
                 break;
         }
     }

@@ -21,6 +21,9 @@ struct Grid {
     bool operator==(const Grid&) const = default;
 };
 
+// Rows are padded so that they can be read many lanes at a time from any of their vertices.
+inline constexpr int kRowPadding = 16;
+
 // One value per vertex with a halo of one vertex around, so that a stencil needs no special case at the
 // border. Row-major, x fastest; (x, y) is valid from -1 to nx and from -1 to ny. Starts at zero.
 template <class T>
@@ -30,11 +33,12 @@ class Field {
     explicit Field(const Grid& grid)
         : nx_(grid.nx),
           ny_(grid.ny),
-          stride_(grid.nx + 2),
-          values_(static_cast<std::size_t>(grid.nx + 2) * static_cast<std::size_t>(grid.ny + 2)) {}
+          stride_((grid.nx / kRowPadding + 3) * kRowPadding),
+          values_(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(grid.ny + 2)) {}
 
     int nx() const { return nx_; }
     int ny() const { return ny_; }
+    int stride() const { return stride_; }  // from a row to the next
 
     // Pointer to x = 0 of a row; [-1] and [nx] are the halo.
     T* row(int y) { return values_.data() + offset(0, y); }
@@ -49,7 +53,7 @@ class Field {
     std::size_t offset(int x, int y) const {
         CHECK(x >= -1 && x <= nx_ && y >= -1 && y <= ny_);
         return static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(stride_) +
-               static_cast<std::size_t>(x + 1);
+               static_cast<std::size_t>(x + kRowPadding);
     }
 
     int nx_ = 0, ny_ = 0, stride_ = 0;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "sim/numbers.h"
 #include "sim/ledger.h"
 
 namespace sim {
@@ -39,10 +40,31 @@ inline double nearest_quanta(double metres) {
     return metres;
 }
 
+template <class Number>
+inline constexpr bool kHasQuanta = !std::is_same_v<Number, double>;
+
 // What rounding may add to a transfer, m.
 template <class Number>
-inline constexpr Number kGrain = kQuantum;
-template <>
-inline constexpr double kGrain<double> = 0;
+inline constexpr Scalar<Number> kGrain = kHasQuanta<Number> ? kQuantum : 0;
+
+// A sub-step's dither as it is added, m, between minus and plus half of a quantum.
+template <class Number>
+struct Dither {
+    Number metres;
+
+    Dither() = default;
+    Dither(float dither) : metres((dither - 0.5f) * kQuantum) {}
+};
+
+// `metres` as a whole number of quanta, less than one away, and exactly 0 for 0. From 96 m on, float's digits
+// end at one quantum: what is added and taken away again leaves whole ones. -32 ≤ metres; from 32 m on they are
+// whole pairs.
+template <class Number>
+Number in_quanta(const Number& metres, const Dither<Scalar<Number>>& dither) {
+    if constexpr (kHasQuanta<Number>)
+        return ((metres + dither.metres) + 96.f) - 96.f;
+    else
+        return metres;  // double has none, see Layers
+}
 
 }  // namespace sim

@@ -1,19 +1,15 @@
 #pragma once
 
-#include <utility>
-#include <vector>
-
 #include "sim/grid.h"
 #include "sim/layers.h"
+#include "sim/outlets.h"
 
 namespace sim {
 
-// A face between ground and drain: that of vertex (x, y) toward east or north in flux_x or flux_y. `sign` is
-// +1 where ground lies on the west or south side, so that sign × flux leaves the world.
-struct DrainFace {
-    int x, y;
-    bool along_x;
-    int sign;
+// One value per vertex and direction.
+template <class Number>
+struct Directions {
+    Field<Number> east, west, north, south;
 };
 
 // What a step needs between its stages; holds nothing from one sub-step to the next. Made once per world, so
@@ -31,13 +27,18 @@ struct Scratch {
     Field<Number> slope;          // tangent toward the lower neighbours of h
     Field<Number> slope_spread;   // (|g_x| + |g_y|) / |g| of it, 1 to √2
 
-    // For what is of second order in time.
-    Field<Number> exchanged;                                    // m in a sub-step, erosion positive
-    Field<Number> depth;                                        // m, predicted
-    Field<Number> first_flux_x, first_flux_y, first_exchanged;  // at the sub-step's beginning
+    Directions<Number> down;     // m from a vertex down to its lower neighbours
+    Field<Number> fall;          // m over a cell, slope times Δx
+    Field<Number> pace;          // 1/s, speed per drop
+    Directions<Number> given;    // m that a vertex gives to its neighbours in a sub-step
 
-    std::vector<DrainFace> drain_faces;
-    std::vector<std::pair<int, int>> drain_vertices;  // no-data vertices beside ground
+    // For what is of second order in time.
+    Field<Number> exchanged;        // m in a sub-step, erosion positive
+    Field<Number> depth;            // m, predicted
+    Directions<Number> first_given;  // at the sub-step's beginning
+    Field<Number> first_exchanged;  // the same
+
+    Outlets outlets;
 };
 
 template <class Number>

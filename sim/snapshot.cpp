@@ -17,6 +17,7 @@ void restore(const Snapshot& snapshot, State& s) {
     s.sources = snapshot.sources;
     s.seed = snapshot.seed;
     s.ledger = snapshot.ledger;
+    s.tiles.wake_all();
 }
 
 }  // namespace sim

@@ -9,6 +9,7 @@
 #include "sim/layers.h"
 #include "sim/ledger.h"
 #include "sim/params.h"
+#include "sim/tiles.h"
 
 namespace sim {
 
@@ -30,6 +31,8 @@ struct State : Layers<float> {
     std::vector<Source> sources;  // running, in the order in which they were given
     std::uint64_t seed = 0;       // of randomness, kept and hashed; nothing draws from it yet
     Ledger ledger;                // where the mass is
+
+    Tiles tiles;  // which of it may change; not hashed, for it changes no bit
 };
 
 // What a world begins with: grid.size() values each, row-major, without a halo.

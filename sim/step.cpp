@@ -2,87 +2,87 @@
 
 #include <utility>
 
+#include "sim/bcre/constants.h"
+#include "sim/bcre/plain.h"
 #include "sim/bcre/stages.h"
 #include "sim/borders.h"
+#include "sim/engine.h"
 #include "sim/ledger.h"
 #include "sim/params.h"
 #include "sim/quanta.h"
-#include "sim/scratch.h"
 #include "sim/state.h"
-#include "sim/workers.h"
 
 namespace sim {
 
 namespace {
 
-// Second order: what is carried and exchanged is the mean of what the layers ask for now and of what they
-// would ask for where that leads (bcre/runge_kutta.cpp). Leaves them in `scratch`.
+// The stages of `bcre`, one after the other (bcre/plain.h).
 template <class Number>
-void find_mean_rates(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch, Workers& workers,
-                     Substep<Number> sub) {
+void substep_bcre(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch, Workers& workers,
+                  const bcre::Constants<Number>& c) {
     const auto each_band = [&](auto&& stage) { workers.each_band(layers.grid.ny, stage); };
-    const auto find_rates = [&] {
-        fill_borders(layers, params);
-        each_band([&](int first, int last) { bcre::slope_velocity(layers, params, first, last); });
-        fill_borders(layers, params);  // walls mirror the new velocity
-        each_band([&](int first, int last) { bcre::fluxes_minmod(layers, scratch, sub, first, last); });
-        each_band([&](int first, int last) { bcre::limited_lower_slope(layers, scratch, first, last); });
+    const Scheme scheme = params.scheme;
+
+    // Where down is, how fast, whither and how much is wanted, from the layers as they lie now.
+    const auto find_transport = [&] {
+        fill_borders(layers, params);  // the halo takes part in every stencil below
+        each_band([&](int first, int last) { bcre::find_slope(layers, scratch, scheme, first, last); });
+        if (scheme == Scheme::kMuscl) {
+            each_band(
+                [&](int first, int last) { bcre::find_central_velocity(layers, scratch, c, first, last); });
+            bcre::continue_velocity(scratch);
+        } else {
+            each_band([&](int first, int last) { bcre::find_pace(layers, scratch, c, first, last); });
+        }
+        each_band([&](int first, int last) { bcre::find_gives(layers, scratch, scheme, c, first, last); });
+    };
+    const auto find_exchange = [&] {
         each_band(
-            [&](int first, int last) { bcre::exchange_at_rate(layers, params, scratch, sub, first, last); });
+            [&](int first, int last) { bcre::find_exchange(layers, scratch, scheme, c, first, last); });
     };
     const auto swap_with_predicted = [&] {
         std::swap(layers.depth, scratch.depth);
         std::swap(layers.rolling, scratch.rolling);
     };
 
-    find_rates();
-    each_band([&](int first, int last) { bcre::predict(layers, scratch, first, last); });
-    std::swap(scratch.flux_x, scratch.first_flux_x);
-    std::swap(scratch.flux_y, scratch.first_flux_y);
-    std::swap(scratch.exchanged, scratch.first_exchanged);
+    find_transport();
+    if (scheme == Scheme::kMuscl) {
+        // Second order: the mean of what the layers want now and of what they would want where that leads.
+        find_exchange();
+        each_band([&](int first, int last) { bcre::predict(layers, scratch, first, last); });
+        std::swap(scratch.given, scratch.first_given);
+        std::swap(scratch.exchanged, scratch.first_exchanged);
+        swap_with_predicted();
+        clear_drains(layers, scratch.outlets);
+        find_transport();
+        find_exchange();
+        swap_with_predicted();
+        each_band([&](int first, int last) { bcre::take_means(scratch, first, last); });
+    }
 
-    swap_with_predicted();
-    clear_drains(layers, scratch);
-    find_rates();
-    swap_with_predicted();
-    each_band([&](int first, int last) { bcre::mean_rates(scratch, first, last); });
+    // No more than there is to give, in whole quanta; then it is carried.
+    each_band([&](int first, int last) { bcre::book_gives(layers, scratch, scheme, c, first, last); });
+    each_band([&](int first, int last) { bcre::carry_gives(layers, scratch, first, last); });
+    std::swap(layers.rolling, scratch.rolling);
+    clear_drains(layers, scratch.outlets);
+
+    // Between the layers, where the flow stands now.
+    if (scheme != Scheme::kMuscl) find_exchange();
+    each_band([&](int first, int last) { bcre::settle(layers, scratch, c, first, last); });
 }
 
-}  // namespace
-
 template <class Number>
-void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch, Workers& workers,
-             Substep<Number> sub) {
+void substep_inertial(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch,
+                      Workers& workers, Substep<Number> sub) {
     const auto each_band = [&](auto&& stage) { workers.each_band(layers.grid.ny, stage); };
-    const bool inertial = params.model == Model::kBcreInertial;
-    const bool second_order = !inertial && params.scheme == Scheme::kMuscl;
 
-    if (second_order) {
-        find_mean_rates(layers, params, scratch, workers, sub);
-        fill_borders(layers, params);  // of the layers before the prediction
-    } else {
-        // The halo takes part in every stencil below.
-        fill_borders(layers, params);
-
-        // How fast: from the surface as it lies now.
-        each_band([&](int first, int last) {
-            if (inertial)
-                bcre::accelerate(layers, params, sub, first, last);
-            else
-                bcre::slope_velocity(layers, params, first, last);
-        });
-        fill_borders(layers, params);  // walls mirror the new velocity
-
-        // Whither and how much is wanted.
-        each_band([&](int first, int last) {
-            if (inertial)
-                bcre::fluxes_minmod(layers, scratch, sub, first, last);
-            else if (params.scheme == Scheme::kLaxFriedrichs)
-                bcre::fluxes_lax_friedrichs(layers, scratch, sub, first, last);
-            else
-                bcre::fluxes_local_lax_friedrichs(layers, scratch, sub, first, last);
-        });
-    }
+    // The halo takes part in every stencil below.
+    fill_borders(layers, params);
+    // How fast: from the surface as it lies now.
+    each_band([&](int first, int last) { bcre::accelerate(layers, params, sub, first, last); });
+    fill_borders(layers, params);  // walls mirror the new velocity
+    // Whither and how much is wanted.
+    each_band([&](int first, int last) { bcre::fluxes_minmod(layers, scratch, sub, first, last); });
 
     // No more than there is to give, in whole quanta; then it is carried.
     each_band([&](int first, int last) { bcre::limit_outflow(layers, scratch, first, last); });
@@ -91,39 +91,56 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
     std::swap(layers.rolling, scratch.rolling);
     std::swap(layers.velocity_x, scratch.velocity_x);
     std::swap(layers.velocity_y, scratch.velocity_y);
-    clear_drains(layers, scratch);
+    clear_drains(layers, scratch.outlets);
 
     // Between the layers, where the flow stands now. One slope serves both stages, so that their order
     // within a vertex does not depend on its neighbours'.
+    each_band([&](int first, int last) { bcre::lower_slope(layers, scratch, first, last); });
     each_band([&](int first, int last) {
-        if (second_order)
-            bcre::limited_lower_slope(layers, scratch, first, last);
-        else
-            bcre::lower_slope(layers, scratch, first, last);
-    });
-    each_band([&](int first, int last) {
-        if (inertial)
-            bcre::exchange_inertial(layers, params, scratch, sub, first, last);
-        else if (second_order)
-            bcre::exchange_booked(layers, scratch, sub, first, last);
-        else
-            bcre::exchange(layers, params, scratch, sub, first, last);
+        bcre::exchange_inertial(layers, params, scratch, sub, first, last);
         bcre::yield(layers, params, scratch, first, last);  // last: it ends what exchange left thin
     });
+}
+
+}  // namespace
+
+template <class Number>
+void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch, Workers& workers,
+             Substep<Number> sub) {
+    if (params.model == Model::kBcre)
+        substep_bcre(layers, params, scratch, workers, bcre::constants_of(params, layers.grid.dx, sub));
+    else
+        substep_inertial(layers, params, scratch, workers, sub);
 }
 
 template void substep(Layers<float>&, const Params&, Scratch<float>&, Workers&, Substep<float>);
 template void substep(Layers<double>&, const Params&, Scratch<double>&, Workers&, Substep<double>);
 
-void step(State& state, std::span<const Command> commands, Scratch<float>& scratch, Workers& workers) {
+void step(State& state, std::span<const Command> commands, Engine& engine) {
     // A person's hand first: what is poured in this tick rolls in this tick, by the numbers set for it.
     apply_commands(state, commands);
 
     const Substeps substeps = substeps_of(state.params, state.grid.dx);
     for (int i = 0; i < substeps.count; ++i) {
         const std::int64_t substeps_done = state.tick * substeps.count + i;
-        substep(state, state.params, scratch, workers, {substeps.dt, dither_of(substeps_done)});
-        state.ledger.out += drained(scratch);
+        const Substep<float> sub{substeps.dt, dither_of(substeps_done)};
+        if (engine.sweeper) {
+            state.ledger.out +=
+                engine.sweeper->substep(state, engine.workers, engine.how.instruction_set, sub);
+        } else {
+            substep(state, state.params, *engine.scratch, engine.workers, sub);
+            state.ledger.out += drained(*engine.scratch, state.params.model);
+        }
+    }
+
+    // bcre's velocity follows from the layers; who looks on wants it where they are now.
+    if (engine.sweeper) {
+        engine.sweeper->find_velocity(state, engine.workers, engine.how.instruction_set);
+    } else if (state.params.model == Model::kBcre) {
+        const auto c = bcre::constants_of(state.params, state.grid.dx, Substep<float>{});
+        fill_borders(state, state.params);
+        engine.workers.each_band(state.grid.ny,
+                                 [&](int first, int last) { bcre::find_velocity(state, c, first, last); });
     }
 
     ++state.tick;

@@ -7,6 +7,7 @@
 namespace sim {
 
 class Workers;
+struct Engine;
 struct Params;
 struct State;
 template <class Number>
@@ -18,9 +19,9 @@ struct Substep;
 
 // One tick: the commands given for it, then as many sub-steps as the parameters ask for. The only way in
 // which a state changes. Same state and commands: same bits, whatever compiler, level,
-// instruction set or number of workers. `scratch` is one made for this state's world. Allocates nothing
-// unless more sources run than ever before.
-void step(State& state, std::span<const Command> commands, Scratch<float>& scratch, Workers& workers);
+// instruction set, number of threads or way of reckoning. `engine` is one made for this state's world.
+// Allocates nothing unless more sources run than ever before.
+void step(State& state, std::span<const Command> commands, Engine& engine);
 
 // One sub-step of it, without commands and ledger, on the layers alone.
 template <class Number>

@@ -45,7 +45,7 @@ void Workers::serve(int member) {
 void Workers::do_band(int member) const {
     const int crew = threads();
     const int first = rows_ * member / crew, last = rows_ * (member + 1) / crew;
-    if (first < last) call_(callable_, first, last);
+    if (first < last) call_(callable_, member, first, last);
 }
 
 }  // namespace sim

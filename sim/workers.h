@@ -23,15 +23,22 @@ class Workers {
     // not throw.
     template <class Stage>
     void each_band(int rows, Stage&& stage) {
+        each_member(rows, [&](int, int first, int last) { stage(first, last); });
+    }
+    // The same with the number of the thread that does it, 0 … threads()-1.
+    template <class Stage>
+    void each_member(int rows, Stage&& stage) {
         using Callable = std::remove_reference_t<Stage>;
         run(
             rows,
-            [](void* callable, int first, int last) { (*static_cast<Callable*>(callable))(first, last); },
+            [](void* callable, int member, int first, int last) {
+                (*static_cast<Callable*>(callable))(member, first, last);
+            },
             const_cast<void*>(static_cast<const void*>(&stage)));
     }
 
   private:
-    using Call = void (*)(void*, int, int);
+    using Call = void (*)(void*, int, int, int);
     void run(int rows, Call call, void* callable);
     void serve(int member);
     void do_band(int member) const;

@@ -17,9 +17,6 @@
 // lower before, so deposition reckons with the greatest κ, √2. Where p changes little in a sub-step the
 // solution is the exponential. In a thick flow R drops out, and p falls exponentially: what is exchanged is
 // p (Δx/κ) (1 − e^(−γ R_c κ Δt/Δx)), or γ R_c p Δt where p changes little.
-//
-// For the schemes of second order the rate itself is wanted, γ min(R, R_c) p Δt; it is held to what would
-// take S to the threshold, p Δx/κ, where the cells are too coarse for it.
 
 namespace sim::bcre {
 namespace {
@@ -65,23 +62,7 @@ void transfer(Layers<Number>& s, int x, int y, Number amount, float dither) {
 
 }  // namespace
 
-template <class Number>
-void exchange(Layers<Number>& s, const Params& params, const Scratch<Number>& scratch, Substep<Number> sub,
-              int first, int last) {
-    for (int y = first; y < last; ++y)
-        for (int x = 0; x < s.grid.nx; ++x) {
-            const Number r = s.rolling(x, y);
-            if (r == 0) continue;
-            const Number excess = scratch.slope(x, y) - params.stop_slope;
-            transfer(s, x, y,
-                     after_exchange(r, excess, Number{params.exchange_rate}, Number{params.exchange_depth},
-                                    scratch.slope_spread(x, y), Number{s.grid.dx}, sub.dt) -
-                         r,
-                     sub.dither);
-        }
-}
-
-// The same with a speed gate on deposition, a threshold that falls with depth, and a band between the stop
+// Exchange with a speed gate on deposition, a threshold that falls with depth, and a band between the stop
 // and the erosion slope in which nothing is exchanged.
 template <class Number>
 void exchange_inertial(Layers<Number>& s, const Params& params, const Scratch<Number>& scratch,
@@ -110,40 +91,9 @@ void exchange_inertial(Layers<Number>& s, const Params& params, const Scratch<Nu
         }
 }
 
-template <class Number>
-void exchange_at_rate(const Layers<Number>& s, const Params& params, Scratch<Number>& scratch,
-                      Substep<Number> sub, int first, int last) {
-    for (int y = first; y < last; ++y)
-        for (int x = 0; x < s.grid.nx; ++x) {
-            const Number r = s.rolling(x, y), excess = scratch.slope(x, y) - params.stop_slope;
-            const Number reach = std::min(r, Number{params.exchange_depth});
-            const Number kappa = spread_of(excess, scratch.slope_spread(x, y));
-            const Number most = std::fabs(excess) * s.grid.dx / kappa;
-            const Number wanted = params.exchange_rate * reach * excess * sub.dt;
-            scratch.exchanged(x, y) = std::clamp(wanted, -std::min(most, r), std::min(most, s.depth(x, y)));
-        }
-}
-
-template <class Number>
-void exchange_booked(Layers<Number>& s, const Scratch<Number>& scratch, Substep<Number> sub, int first,
-                     int last) {
-    for (int y = first; y < last; ++y)
-        for (int x = 0; x < s.grid.nx; ++x)
-            if (scratch.exchanged(x, y) != 0) transfer(s, x, y, scratch.exchanged(x, y), sub.dither);
-}
-
-template void exchange(Layers<float>&, const Params&, const Scratch<float>&, Substep<float>, int, int);
-template void exchange(Layers<double>&, const Params&, const Scratch<double>&, Substep<double>, int, int);
 template void exchange_inertial(Layers<float>&, const Params&, const Scratch<float>&, Substep<float>, int,
                                 int);
 template void exchange_inertial(Layers<double>&, const Params&, const Scratch<double>&, Substep<double>, int,
                                 int);
-
-template void exchange_at_rate(const Layers<float>&, const Params&, Scratch<float>&, Substep<float>, int,
-                               int);
-template void exchange_at_rate(const Layers<double>&, const Params&, Scratch<double>&, Substep<double>, int,
-                               int);
-template void exchange_booked(Layers<float>&, const Scratch<float>&, Substep<float>, int, int);
-template void exchange_booked(Layers<double>&, const Scratch<double>&, Substep<double>, int, int);
 
 }  // namespace sim::bcre

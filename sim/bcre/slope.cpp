@@ -31,27 +31,6 @@ void store(Number west, Number east, Number south, Number north, Number per_cell
     spread = slope > 0 ? (gx + gy) / slope : Number{1};
 }
 
-// h_to − h_from along a line through C, both counted in steps from C.
-template <class Number>
-struct Line {
-    const Layers<Number>& s;
-    int x, y, step_x, step_y;
-
-    Number rise(int from, int to) const {
-        const int x0 = x + from * step_x, y0 = y + from * step_y, x1 = x + to * step_x, y1 = y + to * step_y;
-        return (s.bedrock(x1, y1) - s.bedrock(x0, y0)) + (s.depth(x1, y1) - s.depth(x0, y0));
-    }
-
-    // D toward the first vertex of the line.
-    Number drop() const {
-        const int far_x = x + 2 * step_x, far_y = y + 2 * step_y;
-        const bool known = far_x >= -1 && far_x <= s.grid.nx && far_y >= -1 && far_y <= s.grid.ny;
-        if (!known) return rise(1, 0);
-        const Number bend_here = rise(0, -1) - rise(1, 0), bend_there = rise(1, 0) - rise(2, 1);
-        return rise(1, 0) + Number{0.5} * minmod(bend_here, bend_there);
-    }
-};
-
 }  // namespace
 
 template <class Number>
@@ -68,19 +47,7 @@ void lower_slope(const Layers<Number>& s, Scratch<Number>& scratch, int first, i
     }
 }
 
-template <class Number>
-void limited_lower_slope(const Layers<Number>& s, Scratch<Number>& scratch, int first, int last) {
-    const Number per_cell = 1 / Number{s.grid.dx};
-    for (int y = first; y < last; ++y)
-        for (int x = 0; x < s.grid.nx; ++x)
-            store(Line<Number>{s, x, y, -1, 0}.drop(), Line<Number>{s, x, y, 1, 0}.drop(),
-                  Line<Number>{s, x, y, 0, -1}.drop(), Line<Number>{s, x, y, 0, 1}.drop(), per_cell,
-                  scratch.slope(x, y), scratch.slope_spread(x, y));
-}
-
 template void lower_slope(const Layers<float>&, Scratch<float>&, int, int);
 template void lower_slope(const Layers<double>&, Scratch<double>&, int, int);
-template void limited_lower_slope(const Layers<float>&, Scratch<float>&, int, int);
-template void limited_lower_slope(const Layers<double>&, Scratch<double>&, int, int);
 
 }  // namespace sim::bcre

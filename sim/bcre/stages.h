@@ -18,8 +18,6 @@ namespace bcre {
 
 // bcre: velocity of the rolling layer down the slope of h at one speed (law C). Reads b, d, R; writes
 // velocity.
-template <class Number>
-void slope_velocity(Layers<Number>& layers, const Params& params, int first, int last);
 
 // bcre-inertial: velocity relaxes toward the terminal one of surface and depth. Reads b, d, R; writes
 // velocity.
@@ -28,12 +26,6 @@ void accelerate(Layers<Number>& layers, const Params& params, Substep<Number> su
 
 // Depth that a sub-step wants to carry through each face, m. Read R, velocity; write flux_x, flux_y. The
 // first band writes the southern border's faces too.
-template <class Number>
-void fluxes_lax_friedrichs(const Layers<Number>& layers, Scratch<Number>& scratch, Substep<Number> sub,
-                           int first, int last);
-template <class Number>
-void fluxes_local_lax_friedrichs(const Layers<Number>& layers, Scratch<Number>& scratch, Substep<Number> sub,
-                                 int first, int last);
 template <class Number>
 void fluxes_minmod(const Layers<Number>& layers, Scratch<Number>& scratch, Substep<Number> sub, int first,
                    int last);
@@ -54,37 +46,22 @@ void carry(const Layers<Number>& layers, Scratch<Number>& scratch, int first, in
 // Slope toward the lower neighbours of h, of first and of second order. Read b, d; write slope, slope_spread.
 template <class Number>
 void lower_slope(const Layers<Number>& layers, Scratch<Number>& scratch, int first, int last);
-template <class Number>
-void limited_lower_slope(const Layers<Number>& layers, Scratch<Number>& scratch, int first, int last);
 
 // Erosion and deposition. Read slope; write d, R, and velocity where what is eroded starts at rest.
-template <class Number>
-void exchange(Layers<Number>& layers, const Params& params, const Scratch<Number>& scratch,
-              Substep<Number> sub, int first, int last);
 template <class Number>
 void exchange_inertial(Layers<Number>& layers, const Params& params, const Scratch<Number>& scratch,
                        Substep<Number> sub, int first, int last);
 
 // What a sub-step exchanges at the rate of this moment, m. Reads d, R, slope; writes exchanged.
-template <class Number>
-void exchange_at_rate(const Layers<Number>& layers, const Params& params, Scratch<Number>& scratch,
-                      Substep<Number> sub, int first, int last);
 
 // Where these rates lead, unrounded, and never stored: it only serves to find rates. Reads d, R, fluxes,
 // exchanged; writes scratch's depth and rolling.
-template <class Number>
-void predict(const Layers<Number>& layers, Scratch<Number>& scratch, int first, int last);
 
 // Fluxes and exchange as the means of the first ones and the present ones. The first band writes the southern
 // border's faces too.
-template <class Number>
-void mean_rates(Scratch<Number>& scratch, int first, int last);
 
 // Books what was found to be exchanged, in whole quanta, no more than there is. Reads exchanged; writes d, R,
 // velocity.
-template <class Number>
-void exchange_booked(Layers<Number>& layers, const Scratch<Number>& scratch, Substep<Number> sub, int first,
-                     int last);
 
 // Starts what is too steep to lie, stops what is too thin to roll. Reads slope, first_slope; writes d, R,
 // velocity.

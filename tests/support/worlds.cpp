@@ -50,12 +50,12 @@ Ground rough(int squares, float dx, unsigned seed) {
     return ground;
 }
 
-Play::Play(const Ground& ground, const sim::Params& with, int threads)
-    : state(sim::make_state(ground.world(), with)), scratch(state), workers(threads) {}
+Play::Play(const Ground& ground, const sim::Params& with, const sim::How& how)
+    : state(sim::make_state(ground.world(), with)), engine(state, how) {}
 
 void Play::ticks(int count, std::span<const sim::Command> first) {
     for (int i = 0; i < count; ++i)
-        sim::step(state, i == 0 ? first : std::span<const sim::Command>{}, scratch, workers);
+        sim::step(state, i == 0 ? first : std::span<const sim::Command>{}, engine);
 }
 
 sim::Params lively(sim::Model model, sim::Scheme scheme) {

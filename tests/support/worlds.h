@@ -5,11 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "sim/engine.h"
 #include "sim/params.h"
-#include "sim/scratch.h"
 #include "sim/state.h"
 #include "sim/step.h"
-#include "sim/workers.h"
 
 namespace support {
 
@@ -36,10 +35,9 @@ Ground rough(int squares, float dx, unsigned seed);
 // A world that steps.
 struct Play {
     sim::State state;
-    sim::Scratch<float> scratch;
-    sim::Workers workers;
+    sim::Engine engine;
 
-    Play(const Ground& ground, const sim::Params& with, int threads = 1);
+    Play(const Ground& ground, const sim::Params& with, const sim::How& how = {});
     void ticks(int count, std::span<const sim::Command> first = {});
 };
 

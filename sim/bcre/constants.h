@@ -1,0 +1,67 @@
+#pragma once
+
+#include <algorithm>
+
+#include "sim/exponential.h"
+#include "sim/params.h"
+#include "sim/quanta.h"
+
+namespace sim::bcre {
+
+// γ R Δt/Δx up to which the exchange of a sub-step hardly changes the slope it goes by.
+inline constexpr double kWeakExchange = 0.2;
+
+// What the formulas of a sub-step take from parameters, cell and sub-step: the same for all vertices. A fall is
+// a slope times Δx, what the ground falls over a cell.
+template <class Scalar>
+struct Constants {
+    Scalar courant;          // Δt/Δx, s/m
+    Dither<Scalar> dither;   // of the sub-step
+    bool may_give_too_much;  // at this Courant number a peak might give more than it has
+
+    Law law;
+    Scalar rolling_speed, half_shear_rate, speed_per_fall, max_speed;
+
+    Scalar growth_per_fall;  // γ Δt/Δx
+    Scalar growth_at_level;  // γ Δt s_stop
+    Scalar room_per_growth;  // Δx / (κ γ Δt), m
+    Scalar strong_pace;      // γ κ Δt/Δx, 1/m
+    Scalar exchange_depth;   // R_c, m
+    Scalar thick_exchange;   // m per growth, of a layer thicker than it
+    Scalar per_much_rolling;  // 1/m: from its inverse on the exchange is not the plain exponential
+
+    Scalar start_fall, start_depth, freeze_depth;  // m
+};
+
+template <class Scalar>
+Constants<Scalar> constants_of(const Params& p, float cell, Substep<Scalar> sub) {
+    constexpr Scalar kSpread = Scalar(1.41421356237309505);                 // κ
+    constexpr Scalar kNotZero = Scalar(1e-30);                              // under a rate of 0
+    constexpr Scalar kPeakGives = Scalar(2 * 1.41421356237309505), kMost = Scalar(0.75);  // of R
+    const Scalar dx = cell, courant = sub.dt / dx, growth = p.exchange_rate * sub.dt;
+    const Scalar speed = p.law == Law::kConstant ? p.rolling_speed : p.max_speed;
+    const Scalar weak = Scalar(kWeakExchange) / std::max(growth / dx, kNotZero);
+    const Scalar room = dx / (kSpread * std::max(growth, kNotZero));
+    const Scalar strong_pace = growth * kSpread / dx;
+    const Scalar thick_share = -grown(Scalar(-strong_pace * p.exchange_depth));  // 1 − e^…
+    return {.courant = courant,
+            .dither = {sub.dither},
+            .may_give_too_much = kPeakGives * courant * speed > kMost,
+            .law = p.law,
+            .rolling_speed = p.rolling_speed,
+            .half_shear_rate = p.shear_rate / 2,
+            .speed_per_fall = p.speed_per_slope / dx,
+            .max_speed = p.max_speed,
+            .growth_per_fall = growth / dx,
+            .growth_at_level = growth * p.stop_slope,
+            .room_per_growth = room,
+            .strong_pace = strong_pace,
+            .exchange_depth = p.exchange_depth,
+            .thick_exchange = p.exchange_depth < weak ? Scalar{p.exchange_depth} : room * thick_share,
+            .per_much_rolling = 1 / std::min(weak, Scalar{p.exchange_depth}),
+            .start_fall = p.start_slope * dx,
+            .start_depth = nearest_quanta(Scalar{p.start_depth}),
+            .freeze_depth = p.freeze_depth};
+}
+
+}  // namespace sim::bcre

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "sim/bcre/slope.h"
+#include "sim/exponential.h"
+
+// Exchange between the layers: ∂R/∂t = γ R p, ∂h/∂t = −γ R p, with p = S − s_stop and S the slope toward the
+// lower neighbours of h (slope.h). In a thick flow only the lowest R_c of the layer reaches the ground:
+// γ min(R, R_c) p (Boutreux, Raphaël and de Gennes 1998).
+//
+// Where p changes little in a sub-step the solution is the exponential, R e^(γ p Δt), and R + γ R_c p Δt in a
+// thick flow. Else p falls with what is eroded, with the lower neighbours held: a logistic equation in R, whose
+// solution never takes S past the threshold,
+//
+//     R ← R / (E + R a φ(aK))      a = γ κ Δt/Δx,  K = R + p Δx/κ,  E = e^(−aK),  φ(u) = (1 − e^(−u))/u
+//
+// and in a thick flow an exponential in p: p (Δx/κ) (1 − e^(−γ R_c κ Δt/Δx)). κ = √2, the most that S falls
+// with what is eroded; it depends on where the lower neighbours lie, and a vertex that is raised may come above
+// one that was not lower before.
+
+namespace sim::bcre {
+
+inline constexpr double kGreatestSpread = 1.41421356237309505;
+
+// What becomes rolling, m, negative where it is deposited; the closed forms where p does change.
+template <class Number>
+Number exchanged_strongly(const Number& rolling, const Number& growth, const Constants<Scalar<Number>>& c) {
+    using S = Scalar<Number>;
+    const Number room = growth * c.room_per_growth;  // p Δx/κ: what takes S to the threshold
+    const Number end = (rolling + room) * c.strong_pace;  // aK
+    const Number left = -grown(-end);                     // 1 − E
+    const auto tiny = magnitude(end) < S(1e-6);
+    const Number phi = select(tiny, Number(1), left / select(tiny, Number(1), end));
+    const Number thin = rolling / ((1 - left) + rolling * c.strong_pace * phi) - rolling;
+    const auto thick = rolling > c.exchange_depth;
+    if (!any(thick)) return thin;
+    return select(thick, growth * c.thick_exchange, thin);
+}
+
+// `growth` = γ p Δt.
+template <class Number>
+Number growth_of(const Number& fall, const Constants<Scalar<Number>>& c) {
+    return fall * c.growth_per_fall - c.growth_at_level;
+}
+
+// By how much a layer grows where p changes little, e^(γ p Δt) − 1; where the growth is not little, a number that
+// says so.
+inline constexpr double kMuchGrowth = 1e30;
+template <class Number>
+Number weak_growth(const Number& growth) {
+    return select(magnitude(growth) > Scalar<Number>(kGrowsLittle), Number(Scalar<Number>(kMuchGrowth)),
+                  grown_little(growth));
+}
+
+template <class Number>
+Number exchanged(const Number& rolling, const Number& fall, const Number& weak_growth,
+                 const Constants<Scalar<Number>>& c) {
+    const Number weak = rolling * weak_growth;
+    const auto changes_much = larger(rolling * c.per_much_rolling, weak_growth) > Scalar<Number>(1);
+    if (!any(changes_much)) return weak;
+    return select(changes_much, exchanged_strongly(rolling, growth_of(fall, c), c), weak);
+}
+
+// The rate of this moment for a sub-step, which the scheme of second order takes the mean of; held to what
+// takes S to the threshold where the cells are too coarse for it.
+template <class Number>
+Number exchanged_at_rate(const Number& rolling, const Number& depth, const Number& growth,
+                         const Constants<Scalar<Number>>& c) {
+    const Number room = magnitude(growth) * c.room_per_growth;
+    const Number wanted = growth * smaller(rolling, Number(c.exchange_depth));
+    return larger(smaller(wanted, smaller(room, depth)), -smaller(room, rolling));
+}
+
+// Moves `amount` from the standing to the rolling layer, or back if negative: whole quanta, no more than there
+// is.
+template <class Number>
+void transfer(const Number& amount, Number& depth, Number& rolling, const Constants<Scalar<Number>>& c) {
+    const Number moved = smaller(larger(in_quanta(amount, c.dither), -rolling), depth);
+    depth -= moved;
+    rolling += moved;
+}
+
+}  // namespace sim::bcre

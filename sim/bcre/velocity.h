@@ -1,0 +1,63 @@
+#pragma once
+
+#include "sim/bcre/slope.h"
+
+// Velocity of the rolling layer in `bcre`: from a vertex to each of its lower neighbours, in proportion to the
+// drop, at the speed of a law. The ground says it, also where nothing rolls: it has no inertia.
+//
+//             N              v_E = k max(0, D_E),  k = V / |f|   toward east; the same for W, N and S
+//             ↑
+//         W ← C → E          (C)  V = v₀                         one speed
+//             ↓              (HK) V = min(v_max, k_v S)          Hadeler and Kuttler 1999
+//             S              (T)  V = min(v_max, v₀ + ½ γ̇ R)     a layer sheared at the rate γ̇; its mean speed
+//
+// On a slope two of the four are not 0 and are the components of a vector of length V; on a ridge material
+// leaves to both sides, and in a pit it stays. D and f are of slope.h, so that flow and exchange agree on what
+// is down.
+//
+// For muscl to second order, v = −V g/|g| from central differences, g = ((h_E − h_W), (h_N − h_S)) / 2. (The
+// drops with a correction are of second order too, but what h has of single vertices would come back in ∇·v.)
+
+namespace sim::bcre {
+
+template <class Number>
+struct Vector {
+    Number x, y;
+};
+
+template <class Number>
+Number law_speed(const Number& fall, const Number& rolling, const Constants<Scalar<Number>>& c) {
+    switch (c.law) {
+        case Law::kConstant:
+            break;
+        case Law::kSlope:
+            return smaller(fall * c.speed_per_fall, Number(c.max_speed));
+        case Law::kShear:
+            return smaller(rolling * c.half_shear_rate + c.rolling_speed, Number(c.max_speed));
+    }
+    return Number(c.rolling_speed);
+}
+
+// k, the pace: speed per drop, 1/s. On level ground nothing moves, and the pace only has to be finite.
+template <class Number>
+Number pace_of(const Number& fall, const Number& rolling, const Constants<Scalar<Number>>& c) {
+    constexpr auto kFlat = Scalar<Number>(1e-12);
+    return law_speed(fall, rolling, c) / larger(fall, Number(kFlat));
+}
+
+// Of what goes to either side.
+template <class Number>
+Vector<Number> net_velocity(const Toward<Number>& down, const Number& pace) {
+    return {(down.east - down.west) * pace, (down.north - down.south) * pace};
+}
+
+// `rise_x` = h_E − h_W and `rise_y` = h_N − h_S, m.
+template <class Number>
+Vector<Number> central_velocity(const Number& rise_x, const Number& rise_y, const Number& rolling,
+                                const Constants<Scalar<Number>>& c) {
+    const Number x = rise_x * Scalar<Number>(0.5), y = rise_y * Scalar<Number>(0.5);
+    const Number against = -pace_of(square_root(x * x + y * y), rolling, c);
+    return {against * x, against * y};
+}
+
+}  // namespace sim::bcre

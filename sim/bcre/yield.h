@@ -1,0 +1,26 @@
+#pragma once
+
+#include "sim/bcre/slope.h"
+
+// Two thresholds (Daerr & Douady 1999). A vertex whose rolling layer is thinner than R_min is at rest:
+//
+//     S > s_start and d + R ≥ R_min   start:   min(d, start_depth) begins to roll
+//     else                            freeze:  the thin layer joins the standing one
+//
+// so a pile between its two thresholds comes to a rest that is exact, and holds no denormals. Less than R_min
+// in all lies on any slope, as dust does.
+
+namespace sim::bcre {
+
+template <class Number>
+void yield(const Number& fall, Number& depth, Number& rolling, const Constants<Scalar<Number>>& c) {
+    const auto at_rest = rolling < c.freeze_depth;
+    if (!any(at_rest)) return;
+    const auto starts = fall > c.start_fall && depth + rolling >= c.freeze_depth;
+    const Number set_free = select(starts, smaller(depth, Number(c.start_depth)), -rolling);
+    const Number moved = select(at_rest, set_free, Number(0));
+    depth -= moved;
+    rolling += moved;
+}
+
+}  // namespace sim::bcre

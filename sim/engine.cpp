@@ -1,0 +1,16 @@
+#include "sim/engine.h"
+
+#include "sim/state.h"
+
+namespace sim {
+
+Engine::Engine(const State& state, const How& as) : how(as), workers(as.threads) {
+    CHECK(has(how.instruction_set));
+    how.plain = how.plain || state.params.model != Model::kBcre || state.params.scheme == Scheme::kMuscl;
+    if (how.plain)
+        scratch.emplace(state);
+    else
+        sweeper.emplace(state, how.threads);
+}
+
+}  // namespace sim

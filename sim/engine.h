@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+
+#include "sim/scratch.h"
+#include "sim/sweep/sweeper.h"
+#include "sim/workers.h"
+
+namespace sim {
+
+// How a step is reckoned; never what comes out.
+struct How {
+    int threads = 1;                                          // ≥ 1
+    bool plain = false;                                       // stage by stage over the fields (bcre/plain.h)
+    InstructionSet instruction_set = best_instruction_set();  // of the sweep
+};
+
+// What a step works with: made once for a world, so that a step allocates nothing; holds nothing of it from one
+// sub-step to the next.
+struct Engine {
+    explicit Engine(const State& state, const How& how = {});
+
+    How how;
+    Workers workers;
+    std::optional<Scratch<float>> scratch;  // of the plain step
+    std::optional<sweep::Sweeper> sweeper;
+};
+
+}  // namespace sim

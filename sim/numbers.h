@@ -1,0 +1,104 @@
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <experimental/simd>  // the standard library's data-parallel types: one formula for one number and for many
+#include <type_traits>
+
+// What the formulas of a step ask of a number, so that each is written once: Number is float in a world,
+// double in verification, and in a sweep a row of floats that are reckoned with at once (Lanes). The
+// operations are those that IEEE 754 rounds correctly, so a lane's bits are those of a float.
+
+namespace sim {
+
+namespace stdx = std::experimental;
+
+template <class Number>
+inline constexpr bool kIsLanes = stdx::is_simd_v<Number>;
+
+// float for float and its lanes, double for double: what a constant is.
+template <class Number>
+using Scalar = std::conditional_t<std::is_same_v<Number, double>, double, float>;
+
+template <class Number>
+using Same = std::type_identity_t<Number>;  // a parameter that takes part in no deduction
+
+inline bool any(bool condition) {
+    return condition;
+}
+template <class T, class Abi>
+bool any(const stdx::simd_mask<T, Abi>& condition) {
+    return stdx::any_of(condition);
+}
+
+// Lane by lane: `yes` where the condition holds, else `no`.
+template <class Condition, class Number>
+Number select(const Condition& condition, Number yes, const Same<Number>& no) {
+    if constexpr (std::is_same_v<Condition, bool>) {
+        return condition ? yes : no;
+    } else {
+        stdx::where(!condition, yes) = no;
+        return yes;
+    }
+}
+
+template <class Number>
+Number larger(const Number& a, const Same<Number>& b) {
+    if constexpr (kIsLanes<Number>)
+        return stdx::max(a, b);
+    else
+        return a < b ? b : a;
+}
+
+template <class Number>
+Number smaller(const Number& a, const Same<Number>& b) {
+    if constexpr (kIsLanes<Number>)
+        return stdx::min(a, b);
+    else
+        return b < a ? b : a;
+}
+
+template <class Number>
+Number magnitude(const Number& a) {
+    if constexpr (kIsLanes<Number>)
+        return stdx::abs(a);
+    else
+        return std::fabs(a);
+}
+
+template <class Number>
+Number square_root(const Number& a) {
+    if constexpr (kIsLanes<Number>)
+        return stdx::sqrt(a);
+    else
+        return std::sqrt(a);
+}
+
+template <class Number>
+Number rounded_down(const Number& a) {
+    if constexpr (kIsLanes<Number>)
+        return stdx::floor(a);
+    else
+        return std::floor(a);
+}
+
+// 2^n for whole n from -126 to 127.
+template <class Number>
+Number power_of_two(const Number& n) {
+    if constexpr (kIsLanes<Number>) {
+        using Whole = stdx::rebind_simd_t<std::int32_t, Number>;
+        return std::bit_cast<Number>(Whole((stdx::static_simd_cast<Whole>(n) + 127) << 23));
+    } else {
+        return std::bit_cast<float>((static_cast<std::int32_t>(n) + 127) << 23);
+    }
+}
+
+// The gentler of two slopes of the same sign, else 0 (Roe 1986): what keeps a reconstruction between its
+// neighbours.
+template <class Number>
+Number minmod(const Number& a, const Number& b) {
+    return larger(smaller(a, b), Number(0)) + smaller(larger(a, b), Number(0));
+}
+
+}  // namespace sim

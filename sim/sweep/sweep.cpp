@@ -1,0 +1,194 @@
+#include "sim/sweep/sweep.h"
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+
+#include "sim/borders.h"
+#include "sim/state.h"
+#include "sim/sweep/sweeper.h"
+#include "sim/workers.h"
+
+namespace sim {
+
+bool has(InstructionSet set) {
+#if defined(__x86_64__)
+    switch (set) {
+        case InstructionSet::kX86_64_v2:
+            break;
+        case InstructionSet::kX86_64_v3:
+            return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi2") &&
+                   __builtin_cpu_supports("fma");
+        case InstructionSet::kX86_64_v4:
+            return has(InstructionSet::kX86_64_v3) && __builtin_cpu_supports("avx512f") &&
+                   __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
+                   __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd");
+    }
+#endif
+    return set == InstructionSet::kX86_64_v2;
+}
+
+InstructionSet best_instruction_set() {
+    for (const auto set : {InstructionSet::kX86_64_v4, InstructionSet::kX86_64_v3})
+        if (has(set)) return set;
+    return InstructionSet::kX86_64_v2;
+}
+
+std::string_view to_string(InstructionSet set) {
+    constexpr std::string_view kNames[] = {"x86-64-v2", "x86-64-v3", "x86-64-v4"};
+    return kNames[static_cast<std::size_t>(set)];
+}
+
+namespace sweep {
+namespace {
+
+Sweep sweep_for(InstructionSet set) {
+    switch (set) {
+        case InstructionSet::kX86_64_v2:
+            break;
+        case InstructionSet::kX86_64_v3:
+            return sweep_v3;
+        case InstructionSet::kX86_64_v4:
+            return sweep_v4;
+    }
+    return sweep_v2;
+}
+
+Velocity velocity_for(InstructionSet set) {
+    switch (set) {
+        case InstructionSet::kX86_64_v2:
+            break;
+        case InstructionSet::kX86_64_v3:
+            return velocity_v3;
+        case InstructionSet::kX86_64_v4:
+            return velocity_v4;
+    }
+    return velocity_v2;
+}
+
+}  // namespace
+
+Sweeper::Sweeper(const State& s, int threads)
+    : outlets_(s.grid, s.site),
+      stride_(s.depth.stride()),
+      aprons_(static_cast<std::size_t>(s.tiles.rows) * 4 * kApron * static_cast<std::size_t>(stride_)),
+      work_(static_cast<std::size_t>(threads) * kWorkRows * static_cast<std::size_t>(stride_)),
+      row_active_(static_cast<std::size_t>(threads) * static_cast<std::size_t>(stride_)),
+      active_(s.tiles.awake.size()),
+      stale_(s.tiles.awake.size(), 1) {
+    jobs_.reserve(active_.size());
+    drained_.reserve(active_.size());
+}
+
+// Marked tiles as rectangles: runs of them along x, and as many rows of them as have the same runs, but so that
+// each thread gets some.
+void Sweeper::find_jobs(const Grid& grid, const Tiles& tiles, const std::vector<std::uint8_t>& marked,
+                        int threads) {
+    jobs_.clear();
+    const int most_rows = std::max(1, (tiles.rows + threads - 1) / threads);
+    const auto row_of = [&](int row) { return marked.begin() + row * tiles.columns; };
+    for (int row = 0; row < tiles.rows;) {
+        int end = row + 1;
+        while (end < tiles.rows && end - row < most_rows &&
+               std::equal(row_of(row), row_of(row + 1), row_of(end)))
+            ++end;
+        const auto apron = [&](int i) {
+            return aprons_.data() + (row * 4 + i) * kApron * stride_ + kRowPadding;
+        };
+        for (int column = 0; column < tiles.columns; ++column) {
+            if (!row_of(row)[column]) continue;
+            const int first = column;
+            while (column < tiles.columns && row_of(row)[column]) ++column;
+            jobs_.push_back({first * tiles.width, std::min(column * tiles.width, grid.nx), row * tiles.height,
+                             std::min(end * tiles.height, grid.ny), apron(0), apron(1), apron(2), apron(3)});
+        }
+        row = end;
+    }
+    drained_.assign(jobs_.size(), 0);
+}
+
+// Rows beside a job as they are before anybody changes them, with a margin for the stencils.
+void Sweeper::copy_aprons(const State& s, const Job& job) const {
+    constexpr int kMargin = 4;
+    const int from = job.x0 == 0 ? -1 : job.x0 - kMargin;
+    const int to = job.x1 == s.grid.nx ? job.x1 + 1 : job.x1 + kMargin;
+    const auto copy = [&](const Field<float>& field, float* rows, int first) {
+        for (int i = 0; i < kApron; ++i) {
+            const int y = first + i;
+            if (y >= -1 && y <= s.grid.ny)
+                std::copy(field.row(y) + from, field.row(y) + to, rows + i * stride_ + from);
+        }
+    };
+    if (job.y0 > 0) {
+        copy(s.depth, job.depth_below, job.y0 - kApron);
+        copy(s.rolling, job.rolling_below, job.y0 - kApron);
+    }
+    if (job.y1 < s.grid.ny) {
+        copy(s.depth, job.depth_above, job.y1);
+        copy(s.rolling, job.rolling_above, job.y1);
+    }
+}
+
+Ground Sweeper::ground_of(State& s, Substep<float> sub) {
+    Ground ground{.nx = s.grid.nx,
+                  .ny = s.grid.ny,
+                  .stride = stride_,
+                  .bedrock = s.bedrock.row(0),
+                  .depth = s.depth.row(0),
+                  .rolling = s.rolling.row(0),
+                  .velocity_x = s.velocity_x.row(0),
+                  .velocity_y = s.velocity_y.row(0),
+                  .wall = {},
+                  .sink = {},
+                  .outlets = outlets_.view(),
+                  .scheme = s.params.scheme,
+                  .constants = bcre::constants_of(s.params, s.grid.dx, sub),
+                  .tile_width = s.tiles.width,
+                  .tile_height = s.tiles.height,
+                  .tile_columns = s.tiles.columns,
+                  .active = active_.data()};
+    for (std::size_t side = 0; side < 4; ++side) {
+        ground.wall[side] = s.params.borders[side] == Border::kWall;
+        ground.sink[side] = s.params.borders[side] == Border::kSink;
+    }
+    return ground;
+}
+
+std::int64_t Sweeper::substep(State& s, Workers& workers, InstructionSet set, Substep<float> sub) {
+    find_jobs(s.grid, s.tiles, s.tiles.awake, workers.threads());
+    if (jobs_.empty()) return 0;
+    for (std::size_t i = 0; i < stale_.size(); ++i) stale_[i] |= s.tiles.awake[i];
+    fill_borders(s, s.params);
+
+    const Ground ground = ground_of(s, sub);
+    const Sweep sweep = sweep_for(set);
+    const int count = static_cast<int>(jobs_.size());
+    workers.each_band(count, [&](int first, int last) {
+        for (int i = first; i < last; ++i) copy_aprons(s, jobs_[static_cast<std::size_t>(i)]);
+    });
+    std::fill(active_.begin(), active_.end(), std::uint8_t{0});
+    workers.each_member(count, [&](int member, int first, int last) {
+        float* work = work_.data() + member * kWorkRows * stride_ + kRowPadding;
+        for (int i = first; i < last; ++i) {
+            const auto job = static_cast<std::size_t>(i);
+            drained_[job] = sweep(ground, jobs_[job], work, row_active_.data() + member * stride_);
+        }
+    });
+    s.tiles.keep_awake(active_);
+    return std::accumulate(drained_.begin(), drained_.end(), std::int64_t{0});
+}
+
+void Sweeper::find_velocity(State& s, Workers& workers, InstructionSet set) {
+    find_jobs(s.grid, s.tiles, stale_, workers.threads());
+    std::fill(stale_.begin(), stale_.end(), std::uint8_t{0});
+    if (jobs_.empty()) return;
+    fill_borders(s, s.params);
+    const Ground ground = ground_of(s, {});
+    const Velocity velocity = velocity_for(set);
+    workers.each_band(static_cast<int>(jobs_.size()), [&](int first, int last) {
+        for (int i = first; i < last; ++i) velocity(ground, jobs_[static_cast<std::size_t>(i)]);
+    });
+}
+
+}  // namespace sweep
+}  // namespace sim

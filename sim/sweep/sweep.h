@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "sim/bcre/constants.h"
+#include "sim/outlets.h"
+
+// The stages of `bcre` in one sweep over the rows, with a row of lanes at a time: the same formulas as the plain
+// step (bcre/plain.h), and the same bits, without a field between them.
+//
+// Nothing here is more than pointers and numbers. The files sweep_*.cpp are compiled for instruction sets that
+// a machine may lack, so they must not share a function with the rest of the program.
+
+namespace sim {
+
+// Oldest first. The bits do not depend on it.
+enum class InstructionSet { kX86_64_v2, kX86_64_v3, kX86_64_v4 };
+
+// The newest that this machine has and this program was built with.
+InstructionSet best_instruction_set();
+bool has(InstructionSet set);
+std::string_view to_string(InstructionSet set);
+
+namespace sweep {
+
+inline constexpr int kWidest = 16;  // lanes of the newest set; rows are padded to whole multiples of it
+
+// A sub-step's world as the sweep sees it: pointers to vertex (0, 0), rows `stride` apart.
+struct Ground {
+    int nx, ny;
+    std::ptrdiff_t stride;
+    const float* bedrock;
+    float *depth, *rolling, *velocity_x, *velocity_y;
+    bool wall[4], sink[4];  // by Side
+    Outlets::View outlets;
+    Scheme scheme;
+    bcre::Constants<float> constants;
+
+    int tile_width, tile_height, tile_columns;
+    std::uint8_t* active;  // of each tile: set where anything rolled or came to rest
+};
+
+// A rectangle of vertices that one thread sweeps, x0 … x1-1 by y0 … y1-1. Its rows change in place while others
+// sweep the rows beside it, so what lies beyond was copied before: kApron rows on each side.
+inline constexpr int kApron = 8;
+struct Job {
+    int x0, x1, y0, y1;
+    float *depth_below, *depth_above;      // rows y0-kApron …, y1 …; to vertex x = 0
+    float *rolling_below, *rolling_above;  // the same
+};
+
+// Rows that a thread works with, each `stride` floats.
+inline constexpr int kWorkRows = 112;
+
+// Returns what left the world, in quanta. `work` points to x = 0 of the first work row, `active` to a byte for each
+// run of lanes in a row, all 0.
+using Sweep = std::int64_t (*)(const Ground& ground, const Job& job, float* work, std::uint8_t* active);
+std::int64_t sweep_v2(const Ground& ground, const Job& job, float* work, std::uint8_t* active);
+std::int64_t sweep_v3(const Ground& ground, const Job& job, float* work, std::uint8_t* active);
+std::int64_t sweep_v4(const Ground& ground, const Job& job, float* work, std::uint8_t* active);
+
+// The velocity at the end of a tick, for who looks on; 0 where nothing rolls.
+using Velocity = void (*)(const Ground& ground, const Job& job);
+void velocity_v2(const Ground& ground, const Job& job);
+void velocity_v3(const Ground& ground, const Job& job);
+void velocity_v4(const Ground& ground, const Job& job);
+
+}  // namespace sweep
+}  // namespace sim

@@ -1,0 +1,17 @@
+#include "sim/sweep/kernel.h"
+
+// For x86-64-v2: 4 lanes.
+
+namespace sim::sweep {
+
+using Lanes4 = stdx::simd<float, stdx::simd_abi::deduce_t<float, 4>>;
+
+std::int64_t sweep_v2(const Ground& ground, const Job& job, float* work, std::uint8_t* active) {
+    return run<Lanes4>(ground, job, work, active);
+}
+
+void velocity_v2(const Ground& ground, const Job& job) {
+    run_velocity<Lanes4>(ground, job);
+}
+
+}  // namespace sim::sweep

@@ -1,0 +1,17 @@
+#include "sim/sweep/kernel.h"
+
+// For x86-64-v3: 8 lanes.
+
+namespace sim::sweep {
+
+using Lanes8 = stdx::simd<float, stdx::simd_abi::deduce_t<float, 8>>;
+
+std::int64_t sweep_v3(const Ground& ground, const Job& job, float* work, std::uint8_t* active) {
+    return run<Lanes8>(ground, job, work, active);
+}
+
+void velocity_v3(const Ground& ground, const Job& job) {
+    run_velocity<Lanes8>(ground, job);
+}
+
+}  // namespace sim::sweep

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/quanta.h"
+#include "sim/sweep/sweep.h"
+
+namespace sim {
+
+class Workers;
+struct State;
+struct Tiles;
+
+namespace sweep {
+
+// Shares the tiles that are awake out among threads, and sweeps them. Made once per world; allocates nothing
+// afterwards. Holds nothing from one sub-step to the next.
+class Sweeper {
+  public:
+    Sweeper(const State& state, int threads);
+
+    // One sub-step of `bcre`, without commands; returns what left the world, in quanta.
+    std::int64_t substep(State& state, Workers& workers, InstructionSet set, Substep<float> sub);
+
+    // Once a tick, after its sub-steps: the velocity for who looks on.
+    void find_velocity(State& state, Workers& workers, InstructionSet set);
+
+  private:
+    void find_jobs(const Grid& grid, const Tiles& tiles, const std::vector<std::uint8_t>& marked,
+                   int threads);
+    void copy_aprons(const State& state, const Job& job) const;
+    Ground ground_of(State& state, Substep<float> sub);
+
+    Outlets outlets_;
+    std::ptrdiff_t stride_;
+    std::vector<float> aprons_;  // kApron rows of two layers on two sides, for each row of tiles
+    std::vector<float> work_;    // kWorkRows for each thread
+    std::vector<std::uint8_t> row_active_;  // a row for each thread
+    std::vector<std::uint8_t> active_;  // of each tile, in this sub-step
+    std::vector<std::uint8_t> stale_;   // of each tile: swept since its velocity was found
+    std::vector<Job> jobs_;
+    std::vector<std::int64_t> drained_;  // by each job
+};
+
+}  // namespace sweep
+}  // namespace sim

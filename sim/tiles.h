@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/grid.h"
+
+namespace sim {
+
+// Which parts of a world may change in the next sub-step. A tile falls asleep when nothing rolled and nothing
+// came to rest in it and around it: a sub-step would leave it as it is, to the bit, so it is left out. Whoever
+// changes a state otherwise than by a step wakes what he changed.
+struct Tiles {
+    Tiles() = default;
+    // Tiles of `width` by `height` vertices; width a whole multiple of kRowPadding.
+    explicit Tiles(const Grid& grid, int width = 64, int height = 32);
+
+    int width = 0, height = 0;
+    int columns = 0, rows = 0;
+    bool may_sleep = true;
+    std::vector<std::uint8_t> awake;  // columns × rows
+
+    void wake_all();
+    void wake(int x0, int x1, int y0, int y1);  // vertices, inclusive; what is changed, and the tiles around
+
+    // After a sub-step: awake is what was active in it, and the tiles around.
+    void keep_awake(const std::vector<std::uint8_t>& active);
+};
+
+}  // namespace sim
