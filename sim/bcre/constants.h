@@ -8,6 +8,8 @@
 
 namespace sim::bcre {
 
+inline constexpr double kLittle = 0.133;  // e^kGrowsLittle − 1
+
 // γ R Δt/Δx up to which the exchange of a sub-step hardly changes the slope it goes by.
 inline constexpr double kWeakExchange = 0.2;
 
@@ -28,7 +30,7 @@ struct Constants {
     Scalar strong_pace;      // γ κ Δt/Δx, 1/m
     Scalar exchange_depth;   // R_c, m
     Scalar thick_exchange;   // m per growth, of a layer thicker than it
-    Scalar per_much_rolling;  // 1/m: from its inverse on the exchange is not the plain exponential
+    Scalar little_per_rolling;  // 1/m: kLittle by the layer from which on the exchange is not the exponential
 
     Scalar start_fall, start_depth, freeze_depth;  // m
 };
@@ -41,6 +43,7 @@ Constants<Scalar> constants_of(const Params& p, float cell, Substep<Scalar> sub)
     const Scalar dx = cell, courant = sub.dt / dx, growth = p.exchange_rate * sub.dt;
     const Scalar speed = p.law == Law::kConstant ? p.rolling_speed : p.max_speed;
     const Scalar weak = Scalar(kWeakExchange) / std::max(growth / dx, kNotZero);
+    const bool decays_much = growth * p.stop_slope > Scalar(kGrowsLittle);  // on level ground
     const Scalar room = dx / (kSpread * std::max(growth, kNotZero));
     const Scalar strong_pace = growth * kSpread / dx;
     const Scalar thick_share = -grown(Scalar(-strong_pace * p.exchange_depth));  // 1 − e^…
@@ -58,7 +61,7 @@ Constants<Scalar> constants_of(const Params& p, float cell, Substep<Scalar> sub)
             .strong_pace = strong_pace,
             .exchange_depth = p.exchange_depth,
             .thick_exchange = p.exchange_depth < weak ? Scalar{p.exchange_depth} : room * thick_share,
-            .per_much_rolling = 1 / std::min(weak, Scalar{p.exchange_depth}),
+            .little_per_rolling = decays_much ? Scalar(1e30) : Scalar(kLittle) / std::min(weak, Scalar{p.exchange_depth}),
             .start_fall = p.start_slope * dx,
             .start_depth = nearest_quanta(Scalar{p.start_depth}),
             .freeze_depth = p.freeze_depth};

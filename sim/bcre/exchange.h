@@ -42,20 +42,19 @@ Number growth_of(const Number& fall, const Constants<Scalar<Number>>& c) {
     return fall * c.growth_per_fall - c.growth_at_level;
 }
 
-// By how much a layer grows where p changes little, e^(γ p Δt) − 1; where the growth is not little, a number that
-// says so.
-inline constexpr double kMuchGrowth = 1e30;
+// By how much a layer grows where p changes little, e^(γ p Δt) − 1. Of a growth that is not little only that it is
+// more than kLittle.
 template <class Number>
 Number weak_growth(const Number& growth) {
-    return select(magnitude(growth) > Scalar<Number>(kGrowsLittle), Number(Scalar<Number>(kMuchGrowth)),
-                  grown_little(growth));
+    return grown_little(growth);
 }
 
 template <class Number>
 Number exchanged(const Number& rolling, const Number& fall, const Number& weak_growth,
                  const Constants<Scalar<Number>>& c) {
+    const auto changes_much =
+        larger(rolling * c.little_per_rolling, weak_growth) > Scalar<Number>(kLittle);
     const Number weak = rolling * weak_growth;
-    const auto changes_much = larger(rolling * c.per_much_rolling, weak_growth) > Scalar<Number>(1);
     if (!any(changes_much)) return weak;
     return select(changes_much, exchanged_strongly(rolling, growth_of(fall, c), c), weak);
 }

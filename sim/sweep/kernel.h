@@ -92,7 +92,7 @@ class Kernel {
     float* drop_north(int y) const { return work_ + (10 + (y & 1)) * stride_; }
 
     // The rest only goes to the same lanes of this row or another, so it lies together, lanes by lanes.
-    enum Part { kNorth, kSouth, kKept, kFall, kGrowth, kParts };
+    enum Part { kNorth, kSouth, kKept, kFall, kGrowth, kPace, kParts };
     float* parts(int y) const { return work_ + (12 + (y & 3) * kParts) * stride_ + kParts * kLanes; }
     static float* part(float* parts, Part which, int x) { return parts + kParts * x + which * kLanes; }
 
@@ -138,23 +138,23 @@ class Kernel {
         const float *r = rolling(y), *east_of = drop_east(y), *north_of = drop_north(y),
                     *north_of_south = drop_north(y - 1);
         float *to_east = east(y), *to_west = west(y), *to = part(parts(y), kNorth, x0);
-        // What takes long, a root and a quotient, is begun for the next lanes before it is used for these.
-        struct Ahead {
-            Lanes moving, pace;
-            Toward down;
+        // In several short loops, so that a root or a quotient of some lanes does not hold up the others.
+        const auto downward = [&](int x) {
+            return bcre::downward<Lanes>({load(east_of + x), -load(east_of + x - 1), load(north_of + x),
+                                          -load(north_of_south + x)});
         };
-        const auto look_ahead = [&](int x, float* parts_of_x) -> Ahead {
-            const Toward down = bcre::downward<Lanes>({load(east_of + x), -load(east_of + x - 1),
-                                                       load(north_of + x), -load(north_of_south + x)});
-            const Lanes moving = load(r + x), fall = bcre::fall_of(down);
-            put(fall, parts_of_x + kFall * kLanes);
-            put(bcre::weak_growth(bcre::growth_of(fall, c)), parts_of_x + kGrowth * kLanes);
-            return {moving, bcre::pace_of(fall, moving, c), down};
-        };
-        Ahead ahead = look_ahead(x0, to);
+        float* of = to;
+        for (int x = x0; x < x1; x += kLanes, of += kParts * kLanes)
+            put(bcre::fall_of(downward(x)), of + kFall * kLanes);
+        of = to;
+        for (int x = x0; x < x1; x += kLanes, of += kParts * kLanes) {
+            const Lanes fall = load(of + kFall * kLanes);
+            put(bcre::weak_growth(bcre::growth_of(fall, c)), of + kGrowth * kLanes);
+            put(bcre::pace_of(fall, load(r + x), c), of + kPace * kLanes);
+        }
         for (int x = x0; x < x1; x += kLanes, to += kParts * kLanes) {
-            const auto [moving, pace, down] = ahead;
-            ahead = look_ahead(x + kLanes, to + kParts * kLanes);
+            const Lanes moving = load(r + x), pace = load(to + kPace * kLanes);
+            const Toward down = downward(x);
             Toward gives;
             if constexpr (scheme == Scheme::kLaxFriedrichs) {
                 gives = bcre::give_lax_friedrichs(moving, down, pace, c);
