@@ -49,7 +49,7 @@ glm::vec3 ring_colour(sim::CommandKind deed) {
 
 }  // namespace
 
-Outcome<std::unique_ptr<App>> App::begin(Screen& screen, Opening opening, int threads,
+Outcome<std::unique_ptr<App>> App::begin(Screen& screen, Opening opening, const sim::How& how,
                                          const std::optional<std::filesystem::path>& record) {
     const auto assets = assets_folder();
     if (!assets) return tl::unexpected(assets.error());
@@ -58,7 +58,7 @@ Outcome<std::unique_ptr<App>> App::begin(Screen& screen, Opening opening, int th
     auto renderer = render::Renderer::create(*assets, render::Quality::kFast);
     if (!renderer) return machine_fails(renderer.error());
 
-    std::unique_ptr<App> app(new App(screen, std::move(*renderer), std::move(*catalogue), threads));
+    std::unique_ptr<App> app(new App(screen, std::move(*renderer), std::move(*catalogue), how));
     app->now_s_ = screen.seconds();
     app->renderer_name_ = screen.renderer_name();
     app->waits_for_gl_ = render::is_software_renderer();
@@ -71,12 +71,12 @@ Outcome<std::unique_ptr<App>> App::begin(Screen& screen, Opening opening, int th
     return app;
 }
 
-App::App(Screen& screen, render::Renderer renderer, Catalogue catalogue, int threads)
+App::App(Screen& screen, render::Renderer renderer, Catalogue catalogue, const sim::How& how)
     : screen_(screen),
       renderer_(std::move(renderer)),
       ui_(ui_font()),
       catalogue_(std::move(catalogue)),
-      threads_(threads) {}
+      how_(how) {}
 
 App::~App() = default;
 

@@ -29,7 +29,7 @@ class App {
   public:
     // Begins with `opening` on a screen that outlives the app; `record` as in begin_world. Errors: shaders or
     // assets are missing, or `record` cannot be written (3).
-    static Outcome<std::unique_ptr<App>> begin(Screen& screen, Opening opening, int threads,
+    static Outcome<std::unique_ptr<App>> begin(Screen& screen, Opening opening, const sim::How& how,
                                                const std::optional<std::filesystem::path>& record);
     ~App();
 
@@ -50,7 +50,7 @@ class App {
     const std::optional<std::filesystem::path>& recording() const { return recording_; }
 
   private:
-    App(Screen& screen, render::Renderer renderer, Catalogue catalogue, int threads);
+    App(Screen& screen, render::Renderer renderer, Catalogue catalogue, const sim::How& how);
 
     // The stops of a frame, in their order.
     void perform_all();
@@ -100,7 +100,7 @@ class App {
     Catalogue catalogue_;
     std::string renderer_name_;
     bool waits_for_gl_ = false;  // without a GPU GL's time is ours, and its stage should say so
-    int threads_;
+    sim::How how_;
 
     Opening first_;  // what reset goes back to
     std::optional<Sandbox> sandbox_;

@@ -170,11 +170,11 @@ Outcome<void> App::begin_world(Opening opening, const std::optional<std::filesys
     if (!recorder) return tl::unexpected(recorder.error());
     std::optional<std::filesystem::path> recording;
     if (*recorder) recording = (*recorder)->path();
-    auto begun = Sandbox::begin(opening, threads_, std::move(*recorder));
+    auto begun = Sandbox::begin(opening, how_, std::move(*recorder));
     if (!begun && recording && !record) {
         warn(fmt::format("This session is not recorded: {}", begun.error().sentence));
         recording.reset();
-        begun = Sandbox::begin(opening, threads_, std::nullopt);
+        begun = Sandbox::begin(opening, how_, std::nullopt);
     }
     if (!begun) return tl::unexpected(begun.error());
     if (sandbox_)

@@ -20,10 +20,28 @@ namespace {
 
 constexpr int kMostThreads = 64;
 
-void add_threads(CLI::App& app, int& threads) {
-    app.add_option("--threads", threads, "for the simulation; any number gives the same bits")
+void add_how(CLI::App& app, sim::How& how) {
+    app.add_option("--threads", how.threads, "for the simulation; any number gives the same bits")
         ->check(CLI::Range(1, kMostThreads))
         ->capture_default_str();
+    app.add_option_function<std::string>(
+           "--kernel",
+           [&how](const std::string& text) {
+               how.plain = text == "plain";
+               if (how.plain) return;
+               for (const auto set : sim::kInstructionSets)
+                   if (text == sim::to_string(set)) {
+                       if (!sim::has(set))
+                           throw CLI::ValidationError("--kernel", "this machine lacks " + text);
+                       how.instruction_set = set;
+                       return;
+                   }
+               throw CLI::ValidationError(
+                   "--kernel", "'" + text + "' is none of plain, x86-64-v2, x86-64-v3, x86-64-v4");
+           },
+           "how the simulation is reckoned, to the same bits: plain, x86-64-v2, x86-64-v3, x86-64-v4 [the "
+           "newest that this machine has]")
+        ->type_name("NAME");
 }
 
 template <class Enum>
@@ -90,7 +108,7 @@ void add_play(CLI::App& app, PlayOptions& options) {
         ->type_name("FILE.couloir");
     add_material_and_model(app, options.wishes);
     add_size(app, options.size, "of the window, in pixels [1280x720]");
-    add_threads(app, options.threads);
+    add_how(app, options.how);
 }
 
 void add_pictures(CLI::App& app, PictureOptions& options, const char* where) {
@@ -154,7 +172,7 @@ void add_run(CLI::App& app, RunOptions& options) {
         ->type_name("DIR");
     add_pictures(app, options.pictures, "write pictures here, and maps of extent and end");
     add_results(app, options.results);
-    add_threads(app, options.threads);
+    add_how(app, options.how);
 }
 
 void add_replay(CLI::App& app, ReplayOptions& options) {
@@ -173,7 +191,7 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
         "--no-render", [&options] { options.pictures.folder.reset(); },
         "draw nothing, whatever else is said");
     add_results(app, options.results);
-    add_threads(app, options.threads);
+    add_how(app, options.how);
 }
 
 // What the options of a run must add up to.

@@ -13,8 +13,8 @@ constexpr std::size_t kMostActions = 1000;
 
 }  // namespace
 
-Outcome<Sandbox> Sandbox::begin(Opening opening, int threads, std::optional<Recorder> recorder) {
-    auto session = Session::begin(opening.scene.start, threads, std::move(recorder));
+Outcome<Sandbox> Sandbox::begin(Opening opening, const sim::How& how, std::optional<Recorder> recorder) {
+    auto session = Session::begin(opening.scene.start, how, std::move(recorder));
     if (!session) return tl::unexpected(session.error());
     const std::size_t per_moment = 6 * sizeof(float) * opening.scene.start.grid.size();
     Sandbox sandbox(std::move(opening), std::move(*session));

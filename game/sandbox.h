@@ -19,7 +19,7 @@ namespace game {
 class Sandbox {
   public:
     // Where the session is recorded; without a recorder it is not.
-    static Outcome<Sandbox> begin(Opening opening, int threads, std::optional<Recorder> recorder);
+    static Outcome<Sandbox> begin(Opening opening, const sim::How& how, std::optional<Recorder> recorder);
 
     const Start& start() const { return opening_.scene.start; }
     const Session& session() const { return session_; }

@@ -12,18 +12,17 @@
 
 namespace game {
 
-Session::Session(const Start& start, int threads, std::optional<Recorder> recorder)
+Session::Session(const Start& start, const sim::How& how, std::optional<Recorder> recorder)
     : state_(sim::make_state(world_of(start), start.params)),
-      scratch_(state_),
-      workers_(std::make_unique<sim::Workers>(threads)),
+      engine_(std::make_unique<sim::Engine>(state_, how)),
       recorder_(std::move(recorder)) {
     peaks_.depth.assign(state_.grid.size(), 0.f);
     peaks_.speed.assign(state_.grid.size(), 0.f);
     watch();
 }
 
-Outcome<Session> Session::begin(const Start& start, int threads, std::optional<Recorder> recorder) {
-    Session session(start, threads, std::move(recorder));
+Outcome<Session> Session::begin(const Start& start, const sim::How& how, std::optional<Recorder> recorder) {
+    Session session(start, how, std::move(recorder));
     if (session.recorder_)
         if (const auto written = session.recorder_->state(session.state_line()); !written)
             return tl::unexpected(written.error());
@@ -47,7 +46,7 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
     line_.reset();
     // The first tick may find ground too steep to lie, the others only after a command.
     const bool rests = state_.tick > 0 && commands.empty() && sim::at_rest(state_);
-    sim::step(state_, commands, scratch_, *workers_);
+    sim::step(state_, commands, *engine_);
     times_.solve_ms =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
 

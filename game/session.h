@@ -7,10 +7,9 @@
 #include "game/outcome.h"
 #include "game/recording/recorder.h"
 #include "game/start.h"
-#include "sim/scratch.h"
+#include "sim/engine.h"
 #include "sim/snapshot.h"
 #include "sim/state.h"
-#include "sim/workers.h"
 
 namespace game {
 
@@ -39,8 +38,8 @@ class Session {
         std::optional<Recorder::Mark> mark;
     };
 
-    // `threads` ≥ 1. With a recorder, writes the state of tick 0.
-    static Outcome<Session> begin(const Start& start, int threads, std::optional<Recorder> recorder);
+    // With a recorder, writes the state of tick 0.
+    static Outcome<Session> begin(const Start& start, const sim::How& how, std::optional<Recorder> recorder);
 
     // One tick, with the commands given at its start. Errors: a command is out of range or the numbers set do
     // not go together, and then nothing has changed; the recording cannot be written; or mass was lost, which
@@ -72,12 +71,11 @@ class Session {
     double cubic_metres(std::int64_t quanta) const;
 
   private:
-    Session(const Start& start, int threads, std::optional<Recorder> recorder);
+    Session(const Start& start, const sim::How& how, std::optional<Recorder> recorder);
     void watch();
 
     sim::State state_;
-    sim::Scratch<float> scratch_;
-    std::unique_ptr<sim::Workers> workers_;
+    std::unique_ptr<sim::Engine> engine_;
     std::optional<Recorder> recorder_;
     Peaks peaks_;
     TickTimes times_;

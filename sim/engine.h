@@ -13,12 +13,14 @@ struct How {
     int threads = 1;                                          // ≥ 1
     bool plain = false;                                       // stage by stage over the fields (bcre/plain.h)
     InstructionSet instruction_set = best_instruction_set();  // of the sweep
+    int tile_width = 64, tile_height = 32;                    // vertices; see Tiles
+    bool tiles_may_sleep = true;
 };
 
 // What a step works with: made once for a world, so that a step allocates nothing; holds nothing of it from one
-// sub-step to the next.
+// sub-step to the next. Lays the state's tiles out anew, all awake.
 struct Engine {
-    explicit Engine(const State& state, const How& how = {});
+    explicit Engine(State& state, const How& how = {});
 
     How how;
     Workers workers;

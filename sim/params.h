@@ -76,7 +76,7 @@ inline constexpr ParamInfo kParams[] = {
      "below it rolling material deposits; for bcre-inertial, that of a thin layer"},
     {"start_slope", "1", &Params::start_slope, 0.f, 10.f, UsedBy::kBoth, "above it ground at rest starts"},
     {"start_depth", "m", &Params::start_depth, 0.f, 10.f, UsedBy::kBoth, "depth that starts at once"},
-    {"freeze_depth", "m", &Params::freeze_depth, 1e-5f, 1.f, UsedBy::kBoth,
+    {"freeze_depth", "m", &Params::freeze_depth, 1.25e-4f, 1.f, UsedBy::kBoth,
      "a rolling layer thinner than this comes to rest"},
     {"rolling_speed", "m/s", &Params::rolling_speed, 0.f, 100.f, UsedBy::kBcre,
      "speed of the rolling layer; by the law shear, of a thin one"},

@@ -25,7 +25,6 @@ State make_state(const World& world, const Params& params) {
             s.rolling(x, y) = nearest_quanta(world.rolling[i]);
         }
     enclose(s, params);
-    s.tiles = Tiles(grid);
     count_mass(s);
     s.ledger.initial = s.ledger.standing + s.ledger.rolling;
     return s;

@@ -13,9 +13,9 @@ namespace sim {
 struct Tiles {
     Tiles() = default;
     // Tiles of `width` by `height` vertices; width a whole multiple of kRowPadding.
-    explicit Tiles(const Grid& grid, int width = 64, int height = 32);
+    Tiles(const Grid& grid, int width, int height);
 
-    int width = 0, height = 0;
+    int width = 1, height = 1;
     int columns = 0, rows = 0;
     bool may_sleep = true;
     std::vector<std::uint8_t> awake;  // columns × rows

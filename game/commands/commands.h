@@ -8,6 +8,7 @@
 #include "game/outcome.h"
 #include "game/scene.h"
 #include "game/summary.h"
+#include "sim/engine.h"
 
 namespace game {
 
@@ -30,7 +31,7 @@ struct RunOptions {
     std::optional<std::filesystem::path> record, export_folder;
     PictureOptions pictures;
     ResultOptions results;
-    int threads = 1;
+    sim::How how;
 };
 Outcome<int> run(const RunOptions& options);
 
@@ -40,7 +41,7 @@ struct ReplayOptions {
     bool verify = false;
     PictureOptions pictures;
     ResultOptions results;
-    int threads = 1;
+    sim::How how;
 };
 Outcome<int> replay(const ReplayOptions& options);
 
@@ -50,7 +51,7 @@ struct PlayOptions {
     Wishes wishes;
     std::optional<std::filesystem::path> record;
     PictureSize size;
-    int threads = 1;
+    sim::How how;
 };
 Outcome<int> play(const PlayOptions& options);
 

@@ -28,7 +28,7 @@ Outcome<int> play(const PlayOptions& options) {
         return unusable(fmt::format("{}: cannot be watched and recorded at once", options.what));
     auto window = Window::open("Couloir", options.size.width, options.size.height);
     if (!window) return tl::unexpected(window.error());
-    auto app = App::begin(**window, std::move(*opening), options.threads, options.record);
+    auto app = App::begin(**window, std::move(*opening), options.how, options.record);
     if (!app) return tl::unexpected(app.error());
     while ((*app)->frame()) {
     }

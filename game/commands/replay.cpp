@@ -37,7 +37,7 @@ Outcome<int> replay(const ReplayOptions& options) {
     const Start& start = recording->header.start;
 
     if (auto placed = make_places_for(options.results); !placed) return tl::unexpected(placed.error());
-    auto session = Session::begin(start, options.threads, std::nullopt);
+    auto session = Session::begin(start, options.how, std::nullopt);
     if (!session) return tl::unexpected(session.error());
     std::optional<Gallery> gallery;
     if (options.pictures.folder) {
@@ -46,7 +46,7 @@ Outcome<int> replay(const ReplayOptions& options) {
         if (!opened) return tl::unexpected(opened.error());
         gallery = std::move(*opened);
     }
-    PerfLog perf({start.scene, file_hash(*path), options.threads, gallery ? gallery->renderer_name() : ""});
+    PerfLog perf({start.scene, file_hash(*path), options.how.threads, gallery ? gallery->renderer_name() : ""});
     Verifier verifier(*recording);
 
     Until until;

@@ -73,11 +73,11 @@ Outcome<int> run(const RunOptions& options) {
     const terrains::Terrain ground = ground_of(start);
     auto leavings = open_leavings(options, start, ground);
     if (!leavings) return tl::unexpected(leavings.error());
-    auto session = Session::begin(start, options.threads, std::move(leavings->recorder));
+    auto session = Session::begin(start, options.how, std::move(leavings->recorder));
     if (!session) return tl::unexpected(session.error());
 
     std::optional<Gallery>& gallery = leavings->gallery;
-    PerfLog perf({start.scene, "", options.threads, gallery ? gallery->renderer_name() : ""});
+    PerfLog perf({start.scene, "", options.how.threads, gallery ? gallery->renderer_name() : ""});
     Watchers watchers;
     watchers.gallery = gallery ? &*gallery : nullptr;
     watchers.ticks_per_picture = options.pictures.every;

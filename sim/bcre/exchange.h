@@ -19,7 +19,7 @@
 
 namespace sim::bcre {
 
-inline constexpr double kGreatestSpread = 1.41421356237309505;
+inline constexpr double kMostDeposited = -31;  // m in a sub-step, which in_quanta can still count
 
 // What becomes rolling, m, negative where it is deposited; the closed forms where p does change.
 template <class Number>
@@ -30,10 +30,10 @@ Number exchanged_strongly(const Number& rolling, const Number& growth, const Con
     const Number left = -grown(-end);                     // 1 − E
     const auto tiny = magnitude(end) < S(1e-6);
     const Number phi = select(tiny, Number(1), left / select(tiny, Number(1), end));
-    const Number thin = rolling / ((1 - left) + rolling * c.strong_pace * phi) - rolling;
-    const auto thick = rolling > c.exchange_depth;
-    if (!any(thick)) return thin;
-    return select(thick, growth * c.thick_exchange, thin);
+    const Number kept = larger((1 - left) + rolling * c.strong_pace * phi, Number(1e-30f));
+    const Number of_thin = rolling / kept - rolling;
+    const Number moved = select(rolling > c.exchange_depth, growth * c.thick_exchange, of_thin);
+    return larger(moved, Number(S(kMostDeposited)));
 }
 
 // `growth` = γ p Δt.
@@ -66,7 +66,8 @@ Number exchanged_at_rate(const Number& rolling, const Number& depth, const Numbe
                          const Constants<Scalar<Number>>& c) {
     const Number room = magnitude(growth) * c.room_per_growth;
     const Number wanted = growth * smaller(rolling, Number(c.exchange_depth));
-    return larger(smaller(wanted, smaller(room, depth)), -smaller(room, rolling));
+    const Number most_deposited = larger(-smaller(room, rolling), Number(Scalar<Number>(kMostDeposited)));
+    return larger(smaller(wanted, smaller(room, depth)), most_deposited);
 }
 
 // Moves `amount` from the standing to the rolling layer, or back if negative: whole quanta, no more than there

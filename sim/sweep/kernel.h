@@ -221,9 +221,10 @@ class Kernel {
             Lanes rolls = carried;
             bcre::transfer(bcre::exchanged(rolls, fall, load(of + kGrowth * kLanes), c), lies, rolls, c);
             bool active = true;
-            if (any(rolls < c.freeze_depth)) {
+            if (any(rolls < c.freeze_depth) || x + kLanes > x1) {
                 bcre::yield(fall, lies, rolls, c);
-                active = any(carried > 0.f || rolls > 0.f);
+                const Lanes number([](auto lane) { return static_cast<float>(lane); });
+                active = any((carried > 0.f || rolls > 0.f) && number < static_cast<float>(x1 - x));
             }
             if (active) active_[x / kLanes] = 1;
             store_within(x1, lies, d, x);

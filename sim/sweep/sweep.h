@@ -17,6 +17,8 @@ namespace sim {
 
 // Oldest first. The bits do not depend on it.
 enum class InstructionSet { kX86_64_v2, kX86_64_v3, kX86_64_v4 };
+inline constexpr InstructionSet kInstructionSets[] = {InstructionSet::kX86_64_v2, InstructionSet::kX86_64_v3,
+                                                      InstructionSet::kX86_64_v4};
 
 // The newest that this machine has and this program was built with.
 InstructionSet best_instruction_set();

@@ -26,7 +26,7 @@ class Playing : public testing::Test {
         if (squares > 0) wishes_.squares = squares;
         auto opening = open_anything(what, wishes_);
         ASSERT_TRUE(opening) << opening.error().sentence;
-        auto begun = App::begin(screen_, std::move(*opening), 1, folder_.path() / "session.couloir");
+        auto begun = App::begin(screen_, std::move(*opening), sim::How{}, folder_.path() / "session.couloir");
         ASSERT_TRUE(begun) << begun.error().sentence;
         app_ = std::move(*begun);
         frames(2);
@@ -72,7 +72,7 @@ class Playing : public testing::Test {
         ASSERT_TRUE(recording) << recording.error().sentence;
         EXPECT_FALSE(recording->warning);
         EXPECT_EQ(recording->last_tick(), live.tick);
-        auto session = Session::begin(recording->header.start, 1, std::nullopt);
+        auto session = Session::begin(recording->header.start, sim::How{}, std::nullopt);
         Verifier verifier(*recording);
         verifier.look_at(*session);
         std::size_t next = 0;
@@ -193,7 +193,7 @@ TEST_F(Playing, undoes_to_the_bit_and_plays_on) {
     const StateLine after = line();
     EXPECT_LE(after.tick - before.tick, 4);
     EXPECT_EQ(after.ledger.poured, before.ledger.poured);
-    auto again = Sandbox::begin(open_anything("alpine-valley", wishes_).value(), 1, std::nullopt);
+    auto again = Sandbox::begin(open_anything("alpine-valley", wishes_).value(), sim::How{}, std::nullopt);
     const Recording recording = read_recording(*app_->recording()).value();
     for (std::size_t next = 0; again->session().state().tick < after.tick;) {
         std::vector<sim::Command> due;

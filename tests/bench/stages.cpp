@@ -4,6 +4,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include "sim/bcre/constants.h"
+#include "sim/bcre/plain.h"
 #include "sim/bcre/stages.h"
 #include "sim/borders.h"
 #include "sim/quanta.h"
@@ -17,20 +19,28 @@ namespace {
 using sim::Model;
 using sim::Scheme;
 
+constexpr auto kLocal = Scheme::kLocalLaxFriedrichs;
+
 struct Place {
     sim::State& s;
     sim::Scratch<float>& scratch;
     const sim::Params& params;
     sim::Substep<float> sub;
+    sim::bcre::Constants<float> c;
     int rows;
 };
 using Stage = void (*)(const Place&);
 
 void one_stage(benchmark::State& run, Model model, Scheme scheme, Stage stage) {
-    support::Play play = world_of(static_cast<int>(run.range(0)), model, scheme, 1);
+    support::Play play = world_of(static_cast<int>(run.range(0)), model, scheme, {.plain = true});
     play.ticks(1);
-    const Place place{
-        play.state, play.scratch, play.state.params, {play.state.params.tick_s, 0.5f}, play.state.grid.ny};
+    const sim::Substep<float> sub{play.state.params.tick_s, 0.5f};
+    const Place place{play.state,
+                      *play.engine.scratch,
+                      play.state.params,
+                      sub,
+                      sim::bcre::constants_of(play.state.params, play.state.grid.dx, sub),
+                      play.state.grid.ny};
     for (auto _ : run) {
         stage(place);
         benchmark::ClobberMemory();
@@ -51,33 +61,30 @@ void add_stages() {
     };
     constexpr auto kBcre = Model::kBcre;
     constexpr auto kInertial = Model::kBcreInertial;
-    constexpr auto kLocal = Scheme::kLocalLaxFriedrichs;
-    const Entry entries[] = {
+        const Entry entries[] = {
         {"fill_borders", kBcre, kLocal, [](const Place& p) { sim::fill_borders(p.s, p.params); }},
-        {"slope_velocity", kBcre, kLocal,
-         [](const Place& p) { sim::bcre::slope_velocity(p.s, p.params, 0, p.rows); }},
+        {"find_slope", kBcre, kLocal, [](const Place& p) { sim::bcre::find_slope(p.s, p.scratch, kLocal, 0, p.rows); }},
+        {"find_pace", kBcre, kLocal, [](const Place& p) { sim::bcre::find_pace(p.s, p.scratch, p.c, 0, p.rows); }},
+        {"find_gives", kBcre, kLocal, [](const Place& p) { sim::bcre::find_gives(p.s, p.scratch, kLocal, p.c, 0, p.rows); }},
+        {"book_gives", kBcre, kLocal, [](const Place& p) { sim::bcre::book_gives(p.s, p.scratch, kLocal, p.c, 0, p.rows); }},
+        {"carry_gives", kBcre, kLocal, [](const Place& p) { sim::bcre::carry_gives(p.s, p.scratch, 0, p.rows); }},
+        {"find_exchange", kBcre, kLocal, [](const Place& p) { sim::bcre::find_exchange(p.s, p.scratch, kLocal, p.c, 0, p.rows); }},
+        {"settle", kBcre, kLocal, [](const Place& p) { sim::bcre::settle(p.s, p.scratch, p.c, 0, p.rows); }},
+        {"find_velocity", kBcre, kLocal, [](const Place& p) { sim::bcre::find_velocity(p.s, p.c, 0, p.rows); }},
         {"accelerate", kInertial, kLocal,
          [](const Place& p) { sim::bcre::accelerate(p.s, p.params, p.sub, 0, p.rows); }},
-        {"fluxes_lax_friedrichs", kBcre, kLocal,
-         [](const Place& p) { sim::bcre::fluxes_lax_friedrichs(p.s, p.scratch, p.sub, 0, p.rows); }},
-        {"fluxes_local_lax_friedrichs", kBcre, kLocal,
-         [](const Place& p) { sim::bcre::fluxes_local_lax_friedrichs(p.s, p.scratch, p.sub, 0, p.rows); }},
-        {"fluxes_minmod", kBcre, kLocal,
+        {"fluxes_minmod", kInertial, kLocal,
          [](const Place& p) { sim::bcre::fluxes_minmod(p.s, p.scratch, p.sub, 0, p.rows); }},
-        {"limit_outflow", kBcre, kLocal,
+        {"limit_outflow", kInertial, kLocal,
          [](const Place& p) { sim::bcre::limit_outflow(p.s, p.scratch, 0, p.rows); }},
-        {"round_fluxes", kBcre, kLocal,
+        {"round_fluxes", kInertial, kLocal,
          [](const Place& p) { sim::bcre::round_fluxes(p.s, p.scratch, p.sub, 0, p.rows); }},
-        {"carry", kBcre, kLocal, [](const Place& p) { sim::bcre::carry(p.s, p.scratch, 0, p.rows); }},
-        {"lower_slope", kBcre, kLocal,
+        {"carry", kInertial, kLocal, [](const Place& p) { sim::bcre::carry(p.s, p.scratch, 0, p.rows); }},
+        {"lower_slope", kInertial, kLocal,
          [](const Place& p) { sim::bcre::lower_slope(p.s, p.scratch, 0, p.rows); }},
-        {"limited_lower_slope", kBcre, kLocal,
-         [](const Place& p) { sim::bcre::limited_lower_slope(p.s, p.scratch, 0, p.rows); }},
-        {"exchange", kBcre, kLocal,
-         [](const Place& p) { sim::bcre::exchange(p.s, p.params, p.scratch, p.sub, 0, p.rows); }},
         {"exchange_inertial", kInertial, kLocal,
          [](const Place& p) { sim::bcre::exchange_inertial(p.s, p.params, p.scratch, p.sub, 0, p.rows); }},
-        {"yield", kBcre, kLocal,
+        {"yield", kInertial, kLocal,
          [](const Place& p) { sim::bcre::yield(p.s, p.params, p.scratch, 0, p.rows); }},
         {"count_mass", kBcre, kLocal, [](const Place& p) { sim::count_mass(p.s); }},
     };

@@ -17,7 +17,7 @@ using sim::Scheme;
 
 namespace bench {
 
-support::Play world_of(int squares, Model model, Scheme scheme, int threads) {
+support::Play world_of(int squares, Model model, Scheme scheme, const sim::How& how) {
     constexpr float kDx = 5;
     support::Ground ground({squares + 1, squares + 1, kDx});
     ground.set(ground.bedrock,
@@ -30,7 +30,7 @@ support::Play world_of(int squares, Model model, Scheme scheme, int threads) {
     params.max_speed = 45;
     params.speed_per_slope = 41;
     params.rolling_speed = 15;
-    return {ground, params, threads};
+    return {ground, params, how};
 }
 
 }  // namespace bench
@@ -40,9 +40,9 @@ namespace {
 constexpr int kTicks = 4;             // of one sub-step each, between two copies of the first state
 constexpr double kLeastTraffic = 20;  // bytes per cell that any step must move: 12 read, 8 written
 
-void whole_step(benchmark::State& run, Model model, Scheme scheme, int threads) {
+void whole_step(benchmark::State& run, Model model, Scheme scheme, const sim::How& how) {
     const auto squares = static_cast<int>(run.range(0));
-    support::Play play = bench::world_of(squares, model, scheme, threads);
+    support::Play play = bench::world_of(squares, model, scheme, how);
     const sim::State first = play.state;
     for (auto _ : run) {
         play.state = first;
@@ -64,7 +64,7 @@ void whole_step(benchmark::State& run, Model model, Scheme scheme, int threads) 
 
 void hash_of_state(benchmark::State& run) {
     const support::Play play =
-        bench::world_of(static_cast<int>(run.range(0)), Model::kBcreInertial, Scheme::kLocalLaxFriedrichs, 1);
+        bench::world_of(static_cast<int>(run.range(0)), Model::kBcreInertial, Scheme::kLocalLaxFriedrichs);
     for (auto _ : run) benchmark::DoNotOptimize(sim::state_hash(play.state));
     const double bytes = 5 * sizeof(float) * static_cast<double>(play.state.grid.size());
     run.counters["bytes_per_s"] =
@@ -72,8 +72,8 @@ void hash_of_state(benchmark::State& run) {
                            benchmark::Counter::kIs1024);
 }
 
-void add(const char* name, Model model, Scheme scheme, int threads) {
-    benchmark::RegisterBenchmark(name, whole_step, model, scheme, threads)
+void add(const std::string& name, Model model, Scheme scheme, const sim::How& how) {
+    benchmark::RegisterBenchmark(name.c_str(), whole_step, model, scheme, how)
         ->Arg(80)
         ->Arg(160)
         ->Arg(512)
@@ -86,12 +86,18 @@ void add(const char* name, Model model, Scheme scheme, int threads) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    add("lax-friedrichs", Model::kBcre, Scheme::kLaxFriedrichs, 1);
-    add("local-lax-friedrichs", Model::kBcre, Scheme::kLocalLaxFriedrichs, 1);
-    add("local-lax-friedrichs, two threads", Model::kBcre, Scheme::kLocalLaxFriedrichs, 2);
-    add("muscl", Model::kBcre, Scheme::kMuscl, 1);
-    add("bcre-inertial", Model::kBcreInertial, Scheme::kLocalLaxFriedrichs, 1);
-    add("bcre-inertial, two threads", Model::kBcreInertial, Scheme::kLocalLaxFriedrichs, 2);
+    for (const Scheme scheme : {Scheme::kLaxFriedrichs, Scheme::kLocalLaxFriedrichs}) {
+        const std::string name(sim::to_string(scheme));
+        for (const auto set : sim::kInstructionSets)
+            if (sim::has(set))
+                add(name + ", " + std::string(sim::to_string(set)), Model::kBcre, scheme,
+                    {.instruction_set = set});
+        add(name + ", two threads", Model::kBcre, scheme, {.threads = 2});
+        add(name + ", plain", Model::kBcre, scheme, {.plain = true});
+    }
+    add("muscl, plain", Model::kBcre, Scheme::kMuscl, {});
+    add("bcre-inertial, plain", Model::kBcreInertial, Scheme::kLocalLaxFriedrichs, {});
+    add("bcre-inertial, plain, two threads", Model::kBcreInertial, Scheme::kLocalLaxFriedrichs, {.threads = 2});
     bench::add_stages();
     benchmark::RegisterBenchmark("state hash", hash_of_state)->Arg(160)->Arg(1024);
     benchmark::Initialize(&argc, argv);

@@ -6,7 +6,7 @@ namespace bench {
 
 // The worst case for a step: a rough slope between walls, so that nothing leaves, with half a metre rolling
 // everywhere; one sub-step per tick.
-support::Play world_of(int squares, sim::Model model, sim::Scheme scheme, int threads);
+support::Play world_of(int squares, sim::Model model, sim::Scheme scheme, const sim::How& how = {});
 
 // Registers a benchmark for each stage of a step.
 void add_stages();

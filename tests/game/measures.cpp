@@ -30,7 +30,7 @@ struct Hill {
         return flags;
     }
     // The peaks of a session that has not begun are its release.
-    Session session() const { return Session::begin(start, 1, std::nullopt).value(); }
+    Session session() const { return Session::begin(start, sim::How{}, std::nullopt).value(); }
 };
 
 TEST(Measures, are_those_worked_out_by_hand) {

@@ -65,7 +65,7 @@ std::vector<TimedCommand> some_commands() {
 
 StateLine record(const std::filesystem::path& path, const Start& start, int ticks,
                  const std::vector<TimedCommand>& commands) {
-    auto session = Session::begin(start, 1, Recorder::create(path, start).value()).value();
+    auto session = Session::begin(start, sim::How{}, Recorder::create(path, start).value()).value();
     Until until;
     until.tick = ticks;
     play_headless(session, commands, until, {}, "").value();

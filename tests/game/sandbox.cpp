@@ -35,7 +35,7 @@ Opening small_opening() {
 Sandbox recorded(const std::filesystem::path& path) {
     Opening opening = small_opening();
     auto recorder = Recorder::create(path, opening.scene.start);
-    return Sandbox::begin(std::move(opening), 1, std::move(*recorder)).value();
+    return Sandbox::begin(std::move(opening), sim::How{}, std::move(*recorder)).value();
 }
 
 void run(Sandbox& sandbox, int ticks) {
@@ -54,7 +54,7 @@ std::uint64_t replayed_hash(const std::filesystem::path& path) {
     Opening opening;
     opening.scene = {recording.header.start, recording.commands};
     opening.watched = recording;
-    Sandbox sandbox = Sandbox::begin(std::move(opening), 1, std::nullopt).value();
+    Sandbox sandbox = Sandbox::begin(std::move(opening), sim::How{}, std::nullopt).value();
     while (sandbox.watched_until()) EXPECT_TRUE(sandbox.tick({}));
     EXPECT_FALSE(sandbox.verdict()->parted) << *sandbox.verdict()->parted;
     EXPECT_EQ(sandbox.verdict()->proven_tick, recording.last_tick());
@@ -89,8 +89,8 @@ TEST(Sandbox, takes_back_the_last_action_to_the_bit_in_the_world_and_in_the_file
 }
 
 TEST(Sandbox, plays_on_from_an_undo_to_the_bits_it_would_have_had) {
-    Sandbox straight = Sandbox::begin(small_opening(), 1, std::nullopt).value();
-    Sandbox bent = Sandbox::begin(small_opening(), 1, std::nullopt).value();
+    Sandbox straight = Sandbox::begin(small_opening(), sim::How{}, std::nullopt).value();
+    Sandbox bent = Sandbox::begin(small_opening(), sim::How{}, std::nullopt).value();
     run(straight, 80);
     run(bent, 10);
     stroke(bent, "pour", 40);  // over both ticks at which the scene pours
@@ -104,7 +104,7 @@ TEST(Session, knows_when_its_fields_changed_last) {
     opening.scene.start.params.start_slope = 9;  // nothing starts by itself
     opening.scene.start.rolling.assign(opening.scene.start.grid.size(), 0.f);
     opening.scene.commands = {{300, pour_here(opening.scene.start, 200)}};
-    Sandbox sandbox = Sandbox::begin(std::move(opening), 1, std::nullopt).value();
+    Sandbox sandbox = Sandbox::begin(std::move(opening), sim::How{}, std::nullopt).value();
     const Session& session = sandbox.session();
     int still = 0;
     for (int i = 0; i < 400; ++i) {
@@ -125,7 +125,7 @@ TEST(Session, knows_when_its_fields_changed_last) {
 }
 
 TEST(Sandbox, undoes_a_number_that_was_set) {
-    Sandbox sandbox = Sandbox::begin(small_opening(), 1, std::nullopt).value();
+    Sandbox sandbox = Sandbox::begin(small_opening(), sim::How{}, std::nullopt).value();
     const float usual = sandbox.session().state().params.exchange_rate;
     sim::Command set;
     set.kind = sim::CommandKind::kSet;
@@ -139,7 +139,7 @@ TEST(Sandbox, undoes_a_number_that_was_set) {
 }
 
 TEST(Sandbox, leaves_out_numbers_that_do_not_go_together_and_time_goes_on) {
-    Sandbox sandbox = Sandbox::begin(small_opening(), 1, std::nullopt).value();
+    Sandbox sandbox = Sandbox::begin(small_opening(), sim::How{}, std::nullopt).value();
     run(sandbox, 3);
     const StateLine before = sandbox.session().state_line();
     sim::Command set;
@@ -164,7 +164,7 @@ TEST(Sandbox, does_not_stick_where_what_is_in_store_clashes_with_what_a_person_h
     };
     Opening opening = small_opening();
     opening.scene.commands = {{5, set("start_slope", 0.5)}, {5, pour_here(opening.scene.start, 100)}};
-    Sandbox sandbox = Sandbox::begin(std::move(opening), 1, std::nullopt).value();
+    Sandbox sandbox = Sandbox::begin(std::move(opening), sim::How{}, std::nullopt).value();
     const sim::Command own[] = {set("start_slope", 0.9), set("stop_slope", 0.6)};
     ASSERT_TRUE(sandbox.tick(own));
     run(sandbox, 4);
@@ -177,7 +177,7 @@ TEST(Sandbox, does_not_stick_where_what_is_in_store_clashes_with_what_a_person_h
 }
 
 TEST(Sandbox, has_nothing_to_undo_where_an_action_gave_no_command) {
-    Sandbox sandbox = Sandbox::begin(small_opening(), 1, std::nullopt).value();
+    Sandbox sandbox = Sandbox::begin(small_opening(), sim::How{}, std::nullopt).value();
     sandbox.begin_action("pour");
     run(sandbox, 5);
     EXPECT_EQ(sandbox.actions(), 0u);
@@ -199,7 +199,7 @@ TEST(Sandbox, lets_a_person_take_over_a_recording_at_its_end_and_records_the_who
     opening.scene = {recording.header.start, recording.commands};
     opening.watched = std::move(recording);
     auto recorder = Recorder::create(second, opening.scene.start);
-    Sandbox after = Sandbox::begin(std::move(opening), 1, std::move(*recorder)).value();
+    Sandbox after = Sandbox::begin(std::move(opening), sim::How{}, std::move(*recorder)).value();
     EXPECT_EQ(after.watched_until(), 45);
     while (after.watched_until()) ASSERT_TRUE(after.tick({}));
     EXPECT_EQ(after.session().state_line().hash, before.session().state_line().hash);
@@ -234,7 +234,7 @@ class FullDisk {
 TEST(Sandbox, says_that_the_disk_is_full_and_plays_on_without_a_recording) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "full.couloir";
-    Sandbox sandbox = recorded(path), unrecorded = Sandbox::begin(small_opening(), 1, std::nullopt).value();
+    Sandbox sandbox = recorded(path), unrecorded = Sandbox::begin(small_opening(), sim::How{}, std::nullopt).value();
     const sim::Command pour = pour_here(sandbox.start(), 500);
     const FullDisk full(std::filesystem::file_size(path) + 1000);
     int refused = 0;

@@ -37,7 +37,7 @@ Recording open(const std::string& name) {
 
 // Plays a recording again and returns what its state lines would be now, one for each that it has.
 std::vector<StateLine> replayed(const Recording& recording, int threads, std::int64_t ticks) {
-    auto session = Session::begin(recording.header.start, threads, std::nullopt).value();
+    auto session = Session::begin(recording.header.start, sim::How{.threads = threads}, std::nullopt).value();
     std::vector<StateLine> lines;
     const auto look = [&](const Session& now) {
         if (lines.size() < recording.states.size() && recording.states[lines.size()].tick == now.state().tick)

@@ -157,10 +157,10 @@ TEST(Step, never_makes_a_negative_depth_or_a_value_that_is_not_finite) {
 
 TEST(Step, gives_the_same_bits_with_any_number_of_threads) {
     for (const Physics& p : kAll) {
-        Play one(support::rough(40, 2, 11), lively(p.model, p.scheme), 1);
+        Play one(support::rough(40, 2, 11), lively(p.model, p.scheme));
         one.ticks(200);
         for (const int threads : {2, 3, 5, 8}) {
-            Play many(support::rough(40, 2, 11), lively(p.model, p.scheme), threads);
+            Play many(support::rough(40, 2, 11), lively(p.model, p.scheme), {.threads = threads});
             many.ticks(200);
             EXPECT_EQ(sim::state_hash(one.state), sim::state_hash(many.state))
                 << name_of(p) << ", " << threads;

@@ -1,0 +1,128 @@
+#include "sim/engine.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "sim/state_hash.h"
+#include "tests/support/worlds.h"
+
+// The sweep does what the plain step does, to the bit: with every instruction set that this machine has, with
+// any number of threads, whatever the tiles, asleep or not.
+
+namespace {
+
+using sim::How;
+using sim::Law;
+using sim::Scheme;
+using support::Play;
+
+// All ways of reckoning that there are here.
+std::vector<How> ways() {
+    std::vector<How> all;
+    for (const auto set : sim::kInstructionSets)
+        if (sim::has(set))
+            for (const int threads : {1, 3})
+                all.push_back({.threads = threads, .instruction_set = set});
+    all.push_back({.threads = 8, .tile_width = 16, .tile_height = 1});
+    all.push_back({.threads = 5, .tile_width = 16, .tile_height = 9});
+    all.push_back({.tile_width = 128, .tile_height = 200});
+    all.push_back({.threads = 2, .tiles_may_sleep = false});
+    return all;
+}
+
+std::string name_of(const How& how) {
+    return std::string(sim::to_string(how.instruction_set)) + ", threads " + std::to_string(how.threads) +
+           ", tiles " + std::to_string(how.tile_width) + " by " + std::to_string(how.tile_height);
+}
+
+// Steps worlds of all ways beside a plain one and compares them at each tick.
+void expect_same(const support::Ground& ground, const sim::Params& params, int ticks,
+                 const std::function<std::vector<sim::Command>(int tick)>& commands, const std::string& what) {
+    Play plain(ground, params, {.plain = true});
+    std::vector<std::unique_ptr<Play>> others;
+    for (const How& how : ways()) others.push_back(std::make_unique<Play>(ground, params, how));
+    for (int tick = 0; tick < ticks; ++tick) {
+        const auto given = commands(tick);
+        plain.ticks(1, given);
+        ASSERT_EQ(plain.state.ledger.mass_error(), 0) << what << ", tick " << tick;
+        for (const auto& other : others) {
+            other->ticks(1, given);
+            ASSERT_EQ(sim::state_hash(other->state), sim::state_hash(plain.state))
+                << what << ", " << name_of(other->engine.how) << ", tick " << tick;
+            ASSERT_EQ(other->state.ledger, plain.state.ledger) << what << ", tick " << tick;
+        }
+    }
+}
+
+std::vector<sim::Command> nothing(int) {
+    return {};
+}
+
+constexpr Scheme kSwept[] = {Scheme::kLaxFriedrichs, Scheme::kLocalLaxFriedrichs};
+
+TEST(Sweep, is_the_plain_step_to_the_bit_by_every_law_and_border) {
+    for (const Scheme scheme : kSwept)
+        for (const Law law : {Law::kConstant, Law::kSlope, Law::kShear})
+            for (const auto border : {sim::Border::kWall, sim::Border::kOpen, sim::Border::kSink}) {
+                sim::Params params = support::lively(sim::Model::kBcre, scheme);
+                params.law = law;
+                params.speed_per_slope = 7;
+                params.max_speed = 8;
+                params.borders = {border, sim::Border::kOpen, border, sim::Border::kWall};
+                support::Ground ground = support::rough(45, 2, 5);
+                for (int x = 20; x < 25; ++x) ground.has_data[ground.at(x, x)] = 0;
+                expect_same(ground, params, 40, nothing,
+                            std::string(sim::to_string(scheme)) + ", " + std::string(sim::to_string(law)));
+            }
+}
+
+TEST(Sweep, is_the_plain_step_to_the_bit_where_the_exchange_is_strong_and_the_flow_thick) {
+    for (const Scheme scheme : kSwept)
+        for (const float depth : {0.2f, 128.f})
+            for (const float rate : {0.f, 20.f, 100.f}) {
+                sim::Params params = support::lively(sim::Model::kBcre, scheme);
+                params.exchange_rate = rate;
+                params.exchange_depth = depth;
+                support::Ground ground = support::rough(40, 1, 8);
+                ground.set(ground.bedrock, [&](double x, double y) {  // cliffs
+                    return -0.6 * y + 30 * std::floor(x / 13);
+                });
+                expect_same(ground, params, 40, nothing, std::string(sim::to_string(scheme)));
+            }
+}
+
+TEST(Sweep, is_the_plain_step_to_the_bit_under_any_hand_while_most_of_the_world_sleeps) {
+    for (const Scheme scheme : kSwept) {
+        support::Ground ground = support::plane(150, 2, 0.62, 2);  // between stop and start
+        std::mt19937 random(4);
+        const auto hand = [&](int tick) -> std::vector<sim::Command> {
+            if (tick % 25) return {};
+            const double x = static_cast<double>(random() % 300), y = static_cast<double>(random() % 300);
+            sim::Command command = support::pour_at(x, y, 6, 20, 0.2);
+            if (tick % 50 == 0) {
+                command.kind = sim::CommandKind::kBlast;
+                command.depth = 1;
+            }
+            return {command};
+        };
+        expect_same(ground, support::lively(sim::Model::kBcre, scheme), 200, hand,
+                    std::string(sim::to_string(scheme)));
+    }
+}
+
+TEST(Sweep, lets_what_is_at_rest_sleep) {
+    Play play(support::plane(150, 2, 0.62, 2), support::lively(sim::Model::kBcre));
+    const auto awake = [&] {
+        return std::count(play.state.tiles.awake.begin(), play.state.tiles.awake.end(), 1);
+    };
+    EXPECT_EQ(awake(), static_cast<std::ptrdiff_t>(play.state.tiles.awake.size()));
+    play.ticks(1);
+    EXPECT_EQ(awake(), 0);
+    const sim::Command pour = support::pour_at(20, 20, 4, 40, 0.1);
+    play.ticks(1, {&pour, 1});
+    EXPECT_GT(awake(), 0);
+    EXPECT_LT(awake(), 5);
+}
+
+}  // namespace
