@@ -51,7 +51,7 @@ Layers<Number> make_layers(const Grid& grid, const Params& params, std::span<con
     CHECK(has_data.size() == grid.size());
     Layers<Number> s;
     s.grid = grid;
-    s.bedrock = s.depth = s.rolling = s.velocity_x = s.velocity_y = s.first_slope = Field<Number>(grid);
+    s.bedrock = s.depth = s.rolling = s.velocity_x = s.velocity_y = s.first_slope = s.first_depth = Field<Number>(grid);
     s.site = Field<Site>(grid);
     set_sites(s, params, has_data);
     return s;
@@ -64,6 +64,7 @@ void enclose(Layers<Number>& s, const Params& params) {
     Scratch scratch(s);
     bcre::lower_slope(s, scratch, 0, s.grid.ny);
     for (int y = 0; y < s.grid.ny; ++y) std::copy_n(scratch.slope.row(y), s.grid.nx, s.first_slope.row(y));
+    s.first_depth = s.depth;
 }
 
 template Layers<float> make_layers(const Grid&, const Params&, std::span<const std::uint8_t>);

@@ -16,6 +16,12 @@ struct DrainFace {
     int sign;
 };
 
+// Momentum per area that a sub-step carries through each face, m²/s: of the layer's u and v.
+template <class Number>
+struct Momentum {
+    Field<Number> u, v;
+};
+
 // What a step needs between its stages; holds nothing from one sub-step to the next. Made once per world, so
 // that a step allocates nothing.
 template <class Number>
@@ -35,6 +41,8 @@ struct Scratch {
     Field<Number> exchanged;                                    // m in a sub-step, erosion positive
     Field<Number> depth;                                        // m, predicted
     Field<Number> first_flux_x, first_flux_y, first_exchanged;  // at the sub-step's beginning
+
+    Momentum<Number> momentum_x, momentum_y;  // with flux_x and with flux_y, of bcre-inertial
 
     std::vector<DrainFace> drain_faces;
     std::vector<std::pair<int, int>> drain_vertices;  // no-data vertices beside ground

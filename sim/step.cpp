@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "sim/bcre/inertial.h"
 #include "sim/bcre/stages.h"
 #include "sim/borders.h"
 #include "sim/ledger.h"
@@ -48,12 +49,57 @@ void find_mean_rates(Layers<Number>& layers, const Params& params, Scratch<Numbe
     each_band([&](int first, int last) { bcre::mean_rates(scratch, first, last); });
 }
 
+// bcre-inertial: velocity relaxes, layers move and exchange, velocity relaxes (bcre/inertial_heun.cpp).
+template <class Number>
+void substep_inertial(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch,
+                      Workers& workers, Substep<Number> sub) {
+    const auto each_band = [&](auto&& stage) { workers.each_band(layers.grid.ny, stage); };
+    const auto find_rates = [&](const Field<Number>& begun) {
+        fill_borders(layers, params);
+        each_band(
+            [&](int first, int last) { bcre::inertial_exchange(layers, params, scratch, sub, first, last); });
+        each_band(
+            [&](int first, int last) { bcre::inertial_fluxes(layers, begun, scratch, sub, first, last); });
+    };
+    const auto swap_layers_with_scratch = [&] {
+        std::swap(layers.depth, scratch.depth);
+        std::swap(layers.rolling, scratch.rolling);
+        std::swap(layers.velocity_x, scratch.velocity_x);
+        std::swap(layers.velocity_y, scratch.velocity_y);
+    };
+
+    fill_borders(layers, params);
+    each_band([&](int first, int last) { bcre::inertial_relax(layers, params, sub, first, last); });
+
+    // Where what is carried and exchanged now would lead.
+    find_rates(layers.rolling);
+    each_band([&](int first, int last) { bcre::inertial_predict(layers, scratch, first, last); });
+    std::swap(scratch.flux_x, scratch.first_flux_x);
+    std::swap(scratch.flux_y, scratch.first_flux_y);
+    std::swap(scratch.exchanged, scratch.first_exchanged);
+    swap_layers_with_scratch();
+    clear_drains(layers, scratch);
+
+    // What would be carried and exchanged from there; the mean of both is booked, in whole quanta.
+    find_rates(scratch.rolling);
+    each_band([&](int first, int last) { bcre::inertial_book(scratch, sub, first, last); });
+    each_band([&](int first, int last) { bcre::inertial_finish(layers, params, scratch, sub, first, last); });
+    swap_layers_with_scratch();
+    std::swap(scratch.flux_x, scratch.first_flux_x);  // booked, for the ledger
+    std::swap(scratch.flux_y, scratch.first_flux_y);
+    clear_drains(layers, scratch);
+
+    // Last: it ends what exchange left thin.
+    each_band([&](int first, int last) { bcre::inertial_yield(layers, params, scratch, first, last); });
+}
+
 }  // namespace
 
 template <class Number>
 void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch, Workers& workers,
              Substep<Number> sub) {
     const auto each_band = [&](auto&& stage) { workers.each_band(layers.grid.ny, stage); };
+    if (params.model == Model::kBcreInertial) return substep_inertial(layers, params, scratch, workers, sub);
     const bool inertial = params.model == Model::kBcreInertial;
     const bool second_order = !inertial && params.scheme == Scheme::kMuscl;
 
