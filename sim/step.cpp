@@ -100,8 +100,7 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
              Substep<Number> sub) {
     const auto each_band = [&](auto&& stage) { workers.each_band(layers.grid.ny, stage); };
     if (params.model == Model::kBcreInertial) return substep_inertial(layers, params, scratch, workers, sub);
-    const bool inertial = params.model == Model::kBcreInertial;
-    const bool second_order = !inertial && params.scheme == Scheme::kMuscl;
+    const bool second_order = params.scheme == Scheme::kMuscl;
 
     if (second_order) {
         find_mean_rates(layers, params, scratch, workers, sub);
@@ -111,19 +110,12 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
         fill_borders(layers, params);
 
         // How fast: from the surface as it lies now.
-        each_band([&](int first, int last) {
-            if (inertial)
-                bcre::accelerate(layers, params, sub, first, last);
-            else
-                bcre::slope_velocity(layers, params, first, last);
-        });
+        each_band([&](int first, int last) { bcre::slope_velocity(layers, params, first, last); });
         fill_borders(layers, params);  // walls mirror the new velocity
 
         // Whither and how much is wanted.
         each_band([&](int first, int last) {
-            if (inertial)
-                bcre::fluxes_minmod(layers, scratch, sub, first, last);
-            else if (params.scheme == Scheme::kLaxFriedrichs)
+            if (params.scheme == Scheme::kLaxFriedrichs)
                 bcre::fluxes_lax_friedrichs(layers, scratch, sub, first, last);
             else
                 bcre::fluxes_local_lax_friedrichs(layers, scratch, sub, first, last);
@@ -148,9 +140,7 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
             bcre::lower_slope(layers, scratch, first, last);
     });
     each_band([&](int first, int last) {
-        if (inertial)
-            bcre::exchange_inertial(layers, params, scratch, sub, first, last);
-        else if (second_order)
+        if (second_order)
             bcre::exchange_booked(layers, scratch, sub, first, last);
         else
             bcre::exchange(layers, params, scratch, sub, first, last);

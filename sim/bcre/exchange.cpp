@@ -81,35 +81,6 @@ void exchange(Layers<Number>& s, const Params& params, const Scratch<Number>& sc
         }
 }
 
-// The same with a speed gate on deposition, a threshold that falls with depth, and a band between the stop
-// and the erosion slope in which nothing is exchanged.
-template <class Number>
-void exchange_inertial(Layers<Number>& s, const Params& params, const Scratch<Number>& scratch,
-                       Substep<Number> sub, int first, int last) {
-    for (int y = first; y < last; ++y)
-        for (int x = 0; x < s.grid.nx; ++x) {
-            const Number r = s.rolling(x, y);
-            if (r == 0) continue;
-            const Number slope = scratch.slope(x, y), spread = scratch.slope_spread(x, y);
-            const Number stop = params.stop_slope_thick + (params.stop_slope - params.stop_slope_thick) *
-                                                              exponential(-r / params.stop_fold_depth);
-            Number excess = 0, rate = params.exchange_rate;
-            if (slope < stop) {
-                const Number u = s.velocity_x(x, y), v = s.velocity_y(x, y);
-                excess = slope - stop;
-                rate *= std::max(Number{0}, 1 - std::sqrt(u * u + v * v) / params.deposit_speed);
-            } else if (slope > params.erosion_slope && r > params.erosion_depth) {
-                excess = slope - params.erosion_slope;
-            }
-            if (excess != 0)
-                transfer(s, x, y,
-                         after_exchange(r, excess, rate, Number{params.exchange_depth}, spread,
-                                        Number{s.grid.dx}, sub.dt) -
-                             r,
-                         sub.dither);
-        }
-}
-
 template <class Number>
 void exchange_at_rate(const Layers<Number>& s, const Params& params, Scratch<Number>& scratch,
                       Substep<Number> sub, int first, int last) {
@@ -134,11 +105,6 @@ void exchange_booked(Layers<Number>& s, const Scratch<Number>& scratch, Substep<
 
 template void exchange(Layers<float>&, const Params&, const Scratch<float>&, Substep<float>, int, int);
 template void exchange(Layers<double>&, const Params&, const Scratch<double>&, Substep<double>, int, int);
-template void exchange_inertial(Layers<float>&, const Params&, const Scratch<float>&, Substep<float>, int,
-                                int);
-template void exchange_inertial(Layers<double>&, const Params&, const Scratch<double>&, Substep<double>, int,
-                                int);
-
 template void exchange_at_rate(const Layers<float>&, const Params&, Scratch<float>&, Substep<float>, int,
                                int);
 template void exchange_at_rate(const Layers<double>&, const Params&, Scratch<double>&, Substep<double>, int,

@@ -26,6 +26,11 @@
 namespace sim::bcre {
 namespace {
 
+// Of a vertex that gave nearly all it had a residue of rounding is left, and so of its momentum; their quotient
+// means nothing and must not grow. Thinner than this a layer is none (m; a quantum is 7.6e-6), and no velocity
+// passes this (m/s; no numbers allow half of it).
+constexpr float kNothing = 1e-12f, kFastest = 400;
+
 template <class Number>
 struct Rolling {
     Number depth, u, v, exchanged;
@@ -42,12 +47,14 @@ Rolling<Number> after_stage(const Layers<Number>& s, const Scratch<Number>& scra
     const Number exchanged = std::max(scratch.exchanged(x, y), -carried);
     const Number end = carried + exchanged;
     // Divided by all the mass that has this momentum: what came and stayed, or that and what was eroded.
-    const Number per_depth = end > 0 ? 1 / std::max(carried, end) : Number{0};
+    if (end < kNothing) return {0, 0, 0, exchanged};
+    const Number per_depth = 1 / std::max(carried, end);
     const Number momentum_u =
         before * s.velocity_x(x, y) - leaves(scratch.momentum_x.u, scratch.momentum_y.u);
     const Number momentum_v =
         before * s.velocity_y(x, y) - leaves(scratch.momentum_x.v, scratch.momentum_y.v);
-    return {end, momentum_u * per_depth, momentum_v * per_depth, exchanged};
+    const auto bounded = [](Number speed) { return std::clamp<Number>(speed, -kFastest, kFastest); };
+    return {end, bounded(momentum_u * per_depth), bounded(momentum_v * per_depth), exchanged};
 }
 
 }  // namespace

@@ -55,7 +55,9 @@ struct FaceRow {
     // `across` is u or v: the component through the face.
     void carry(int x, Number courant, const Stencil<Number>& across) const {
         constexpr Number kThin = 10 * kGrain<Number>;
-        const Number r_l = rolling.at_left(x), r_r = rolling.at_right(x), both = r_l + r_r;
+        // Rounding may leave a face of nothing a hair below it, and w no mean any more.
+        const Number r_l = std::max(rolling.at_left(x), Number{0});
+        const Number r_r = std::max(rolling.at_right(x), Number{0}), both = r_l + r_r;
         const Number w =
             both > 0 ? (r_l * across.at_left(x) + r_r * across.at_right(x)) / both : Number{0};
         const bool wall = site_left[x] == Site::kWall || site_right[x] == Site::kWall;

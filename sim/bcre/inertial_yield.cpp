@@ -6,6 +6,26 @@
 #include "sim/quanta.h"
 #include "sim/scratch.h"
 
+// Two thresholds (Daerr & Douady 1999). A vertex whose rolling layer is thinner than R_min and slow is at rest:
+//
+//     S > s_start and d + R ≥ R_min   start:   what can start does, no more than start_depth at once
+//     else                            freeze:  the thin layer joins the standing one
+//
+// Slow is what deposits; without that a front, which is thin where it arrives, would be stopped the more often
+// the shorter the sub-step. A layer of any depth that stands still freezes too if the vertex holds when it has:
+// S + κ R/Δx ≤ s_start.
+//
+// Natural ground holds: a vertex that was steep from the first starts only when it has become steeper yet,
+//
+//     s_start = max(start_slope, anchor_gain S₀ + anchor_margin + anchor_step / Δx).
+//
+// The step is a height, whatever the cell: what an avalanche has bared beside a vertex is a scarp of so many
+// metres, the steeper the finer the grid, and one would set off the next all over a face.
+//
+// Only natural ground holds so. What lies above the first surface, d > d₀, is loose: it starts above the
+// erosion slope, at which a flow would take it up, and by itself; the ground under it only above its own
+// s_start. So a heap tipped on a slope goes, whatever the slope under it holds.
+
 namespace sim::bcre {
 namespace {
 
@@ -29,8 +49,8 @@ void inertial_yield(Layers<Number>& s, const Params& params, const Scratch<Numbe
             const Number before = r[x], loose = d[x] - first_depth[x];
             const Number holds =
                 std::max<Number>(params.start_slope, params.anchor_gain * first_slope[x] + margin);
-            const bool on_top = loose > 0 && loose + before >= params.freeze_depth;
-            const Number start_slope = on_top ? std::min<Number>(holds, params.erosion_slope) : holds;
+            const bool lies_loose = loose > 0 && loose + before >= params.freeze_depth;
+            const Number start_slope = lies_loose ? std::min<Number>(holds, params.erosion_slope) : holds;
             const Number speed_squared = u[x] * u[x] + v[x] * v[x];
             const bool thin = before < params.freeze_depth;
             const bool stands = speed_squared < kStandsStill * kStandsStill &&

@@ -1,6 +1,6 @@
 #pragma once
 
-// The stages of a step, in call order. Each works on the rows first … last-1, writes nothing else, and reads
+// The stages of a step of bcre, in call order; those of bcre-inertial are in inertial.h. Each works on the rows first … last-1, writes nothing else, and reads
 // of other rows only what an earlier stage finished; so rows may be shared out among threads. README.md has
 // the same as a table.
 
@@ -20,11 +20,6 @@ namespace bcre {
 // velocity.
 template <class Number>
 void slope_velocity(Layers<Number>& layers, const Params& params, int first, int last);
-
-// bcre-inertial: velocity relaxes toward the terminal one of surface and depth. Reads b, d, R; writes
-// velocity.
-template <class Number>
-void accelerate(Layers<Number>& layers, const Params& params, Substep<Number> sub, int first, int last);
 
 // Depth that a sub-step wants to carry through each face, m. Read R, velocity; write flux_x, flux_y. The
 // first band writes the southern border's faces too.
@@ -61,9 +56,6 @@ void limited_lower_slope(const Layers<Number>& layers, Scratch<Number>& scratch,
 template <class Number>
 void exchange(Layers<Number>& layers, const Params& params, const Scratch<Number>& scratch,
               Substep<Number> sub, int first, int last);
-template <class Number>
-void exchange_inertial(Layers<Number>& layers, const Params& params, const Scratch<Number>& scratch,
-                       Substep<Number> sub, int first, int last);
 
 // What a sub-step exchanges at the rate of this moment, m. Reads d, R, slope; writes exchanged.
 template <class Number>
@@ -86,8 +78,7 @@ template <class Number>
 void exchange_booked(Layers<Number>& layers, const Scratch<Number>& scratch, Substep<Number> sub, int first,
                      int last);
 
-// Starts what is too steep to lie, stops what is too thin to roll. Reads slope, first_slope; writes d, R,
-// velocity.
+// Starts what is too steep to lie, stops what is too thin to roll. Reads slope; writes d, R, velocity.
 template <class Number>
 void yield(Layers<Number>& layers, const Params& params, const Scratch<Number>& scratch, int first, int last);
 

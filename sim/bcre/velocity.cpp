@@ -56,32 +56,7 @@ void slope_velocity(Layers<Number>& s, const Params& params, int first, int last
     }
 }
 
-template <class Number>
-void accelerate(Layers<Number>& s, const Params& params, Substep<Number> sub, int first, int last) {
-    const Number per_step = 1 / (2 * Number{s.grid.dx});
-    const Number gained = 1 - exponential(-sub.dt / params.relaxation_time);
-    for (int y = first; y < last; ++y) {
-        const Number *b = s.bedrock.row(y), *b_n = s.bedrock.row(y + 1), *b_s = s.bedrock.row(y - 1);
-        const Number *d = s.depth.row(y), *d_n = s.depth.row(y + 1), *d_s = s.depth.row(y - 1);
-        const Number *r = s.rolling.row(y), *r_n = s.rolling.row(y + 1), *r_s = s.rolling.row(y - 1);
-        Number *u = s.velocity_x.row(y), *v = s.velocity_y.row(y);
-        for (int x = 0; x < s.grid.nx; ++x) {
-            const Number gx =
-                ((b[x + 1] - b[x - 1]) + ((d[x + 1] + r[x + 1]) - (d[x - 1] + r[x - 1]))) * per_step;
-            const Number gy = ((b_n[x] - b_s[x]) + ((d_n[x] + r_n[x]) - (d_s[x] + r_s[x]))) * per_step;
-            const Number steepness = std::sqrt(gx * gx + gy * gy);
-            const Number terminal = std::min<Number>(params.max_speed, params.speed_per_slope * steepness) *
-                                    (r[x] / (r[x] + params.half_speed_depth));
-            const Number along = steepness > 0 ? -terminal / steepness : Number{0};
-            u[x] = r[x] > 0 ? u[x] + gained * (along * gx - u[x]) : Number{0};
-            v[x] = r[x] > 0 ? v[x] + gained * (along * gy - v[x]) : Number{0};
-        }
-    }
-}
-
 template void slope_velocity(Layers<float>&, const Params&, int, int);
 template void slope_velocity(Layers<double>&, const Params&, int, int);
-template void accelerate(Layers<float>&, const Params&, Substep<float>, int, int);
-template void accelerate(Layers<double>&, const Params&, Substep<double>, int, int);
 
 }  // namespace sim::bcre

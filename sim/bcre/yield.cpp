@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <limits>
 
 #include "sim/bcre/stages.h"
 #include "sim/layers.h"
@@ -7,19 +6,13 @@
 #include "sim/quanta.h"
 #include "sim/scratch.h"
 
-// Two thresholds (Daerr & Douady 1999). A vertex whose rolling layer is thinner than R_min and slow is at
-// rest:
+// Two thresholds (Daerr & Douady 1999). A vertex whose rolling layer is thinner than R_min is at rest:
 //
 //     S > s_start and d + R ≥ R_min   start:   min(d, start_depth) begins to roll
 //     else                            freeze:  the thin layer joins the standing one
 //
-// so a pile between its two thresholds comes to a rest that is exact, and holds no denormals. Slow is what
-// deposits: in bcre everything, in bcre-inertial what is below the deposit speed; without that a front, which
-// is thin where it arrives, would be stopped the more often the shorter the sub-step. Less than R_min in all
-// lies on any slope, as dust does.
-//
-// Natural ground holds: in bcre-inertial a vertex that was steep from the first starts only when it has
-// become steeper yet, s_start = max(start_slope, anchor_gain S₀ + anchor_margin).
+// so a pile between its two thresholds comes to a rest that is exact, and holds no denormals. Less than R_min
+// in all lies on any slope, as dust does.
 //
 // A layer of any depth that stands still, as on the very top of a heap, where no side is down, freezes too if
 // the vertex holds when it has: S + κ R/Δx ≤ s_start.
@@ -35,25 +28,20 @@ template <class Number>
 void yield(Layers<Number>& s, const Params& params, const Scratch<Number>& scratch, int first, int last) {
     const Number per_cell = 1 / Number{s.grid.dx};
     const Number start_depth = nearest_quanta(Number{params.start_depth});
-    const bool inertial = params.model == Model::kBcreInertial;
-    const Number slow = inertial ? params.deposit_speed : std::numeric_limits<Number>::infinity();
-    const Number gain = inertial ? params.anchor_gain : Number{0},
-                 margin = inertial ? params.anchor_margin : Number{0};
+    const Number start_slope = params.start_slope;
     for (int y = first; y < last; ++y) {
         const Number *slope = scratch.slope.row(y), *spread = scratch.slope_spread.row(y);
-        const Number* first_slope = s.first_slope.row(y);
         Number *d = s.depth.row(y), *r = s.rolling.row(y);
         Number *u = s.velocity_x.row(y), *v = s.velocity_y.row(y);
         for (int x = 0; x < s.grid.nx; ++x) {
             const Number before = r[x];
-            const Number start_slope = std::max<Number>(params.start_slope, gain * first_slope[x] + margin);
             const Number speed_squared = u[x] * u[x] + v[x] * v[x];
             const bool thin = before < params.freeze_depth;
             const bool stands = speed_squared < kStandsStill * kStandsStill &&
                                 slope[x] + spread[x] * before * per_cell <= start_slope;
             if (!thin && !stands) continue;
             const bool starts = slope[x] > start_slope && d[x] + before >= params.freeze_depth;
-            if (!starts && (before == 0 || speed_squared > slow * slow)) continue;
+            if (!starts && before == 0) continue;
             const Number moved = starts ? std::min(d[x], start_depth) : -before;
             d[x] -= moved;
             r[x] += moved;

@@ -4,6 +4,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "sim/bcre/inertial.h"
 #include "sim/bcre/stages.h"
 #include "sim/borders.h"
 #include "sim/quanta.h"
@@ -56,8 +57,22 @@ void add_stages() {
         {"fill_borders", kBcre, kLocal, [](const Place& p) { sim::fill_borders(p.s, p.params); }},
         {"slope_velocity", kBcre, kLocal,
          [](const Place& p) { sim::bcre::slope_velocity(p.s, p.params, 0, p.rows); }},
-        {"accelerate", kInertial, kLocal,
-         [](const Place& p) { sim::bcre::accelerate(p.s, p.params, p.sub, 0, p.rows); }},
+        {"inertial_relax", kInertial, kLocal,
+         [](const Place& p) { sim::bcre::inertial_relax(p.s, p.params, p.sub, 0, p.rows); }},
+        {"inertial_exchange", kInertial, kLocal,
+         [](const Place& p) { sim::bcre::inertial_exchange(p.s, p.params, p.scratch, p.sub, 0, p.rows); }},
+        {"inertial_fluxes", kInertial, kLocal,
+         [](const Place& p) {
+             sim::bcre::inertial_fluxes(p.s, p.s.rolling, p.scratch, p.sub, 0, p.rows);
+         }},
+        {"inertial_predict", kInertial, kLocal,
+         [](const Place& p) { sim::bcre::inertial_predict(p.s, p.scratch, 0, p.rows); }},
+        {"inertial_book", kInertial, kLocal,
+         [](const Place& p) { sim::bcre::inertial_book(p.scratch, p.sub, 0, p.rows); }},
+        {"inertial_finish", kInertial, kLocal,
+         [](const Place& p) { sim::bcre::inertial_finish(p.s, p.params, p.scratch, p.sub, 0, p.rows); }},
+        {"inertial_yield", kInertial, kLocal,
+         [](const Place& p) { sim::bcre::inertial_yield(p.s, p.params, p.scratch, 0, p.rows); }},
         {"fluxes_lax_friedrichs", kBcre, kLocal,
          [](const Place& p) { sim::bcre::fluxes_lax_friedrichs(p.s, p.scratch, p.sub, 0, p.rows); }},
         {"fluxes_local_lax_friedrichs", kBcre, kLocal,
@@ -75,8 +90,6 @@ void add_stages() {
          [](const Place& p) { sim::bcre::limited_lower_slope(p.s, p.scratch, 0, p.rows); }},
         {"exchange", kBcre, kLocal,
          [](const Place& p) { sim::bcre::exchange(p.s, p.params, p.scratch, p.sub, 0, p.rows); }},
-        {"exchange_inertial", kInertial, kLocal,
-         [](const Place& p) { sim::bcre::exchange_inertial(p.s, p.params, p.scratch, p.sub, 0, p.rows); }},
         {"yield", kBcre, kLocal,
          [](const Place& p) { sim::bcre::yield(p.s, p.params, p.scratch, 0, p.rows); }},
         {"count_mass", kBcre, kLocal, [](const Place& p) { sim::count_mass(p.s); }},
