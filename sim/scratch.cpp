@@ -5,7 +5,8 @@ namespace sim {
 template <class Number>
 Scratch<Number>::Scratch(const Layers<Number>& s) {
     flux_x = flux_y = outflow_scale = rolling = velocity_x = velocity_y = slope = slope_spread = exchanged =
-        momentum_x.u = momentum_x.v = momentum_y.u = momentum_y.v = depth = first_flux_x = first_flux_y = first_exchanged = Field<Number>(s.grid);
+        momentum_x.u = momentum_x.v = momentum_y.u = momentum_y.v = depth = first_flux_x = first_flux_y =
+            first_exchanged = Field<Number>(s.grid);
 
     const int nx = s.grid.nx, ny = s.grid.ny;
     const auto is = [&](int x, int y, Site site) { return s.site(x, y) == site; };

@@ -27,15 +27,15 @@ template <class Number>
 void inertial_exchange(const Layers<Number>& layers, const Params& params, Scratch<Number>& scratch,
                        Substep<Number> sub, int first, int last);
 
-// What a sub-step carries through each face at the rate of this moment, layer and momentum. `begun` is R at the
-// sub-step's beginning: what was thinner than can be rounded then gives nothing. Reads R, velocity; writes
-// flux_x, flux_y, momentum_x, momentum_y. The first band writes the southern border's faces too.
+// What a sub-step carries through each face at the rate of this moment, layer and momentum. `begun` is R at
+// the sub-step's beginning: what was thinner than can be rounded then gives nothing. Reads R, velocity;
+// writes flux_x, flux_y, momentum_x, momentum_y. The first band writes the southern border's faces too.
 template <class Number>
 void inertial_fluxes(const Layers<Number>& layers, const Field<Number>& begun, Scratch<Number>& scratch,
                      Substep<Number> sub, int first, int last);
 
-// Where these rates lead, unrounded, and never stored: it only serves to find rates. Reads the layers, fluxes,
-// momentum, exchanged; writes exchanged (no more than there is after transport) and scratch's layers.
+// Where these rates lead, unrounded, and never stored: it only serves to find rates. Reads the layers,
+// fluxes, momentum, exchanged; writes exchanged (no more than there is after transport) and scratch's layers.
 template <class Number>
 void inertial_predict(const Layers<Number>& layers, Scratch<Number>& scratch, int first, int last);
 
@@ -45,8 +45,8 @@ template <class Number>
 void inertial_book(Scratch<Number>& scratch, Substep<Number> sub, int first, int last);
 
 // The end of the sub-step: scratch's layers, which began it, become the mean of themselves and of where the
-// predicted ones lead; and the other half of relaxation. Reads the predicted layers and all of scratch; writes
-// scratch's layers.
+// predicted ones lead; and the other half of relaxation. Reads the predicted layers and all of scratch;
+// writes scratch's layers.
 template <class Number>
 void inertial_finish(const Layers<Number>& predicted, const Params& params, Scratch<Number>& scratch,
                      Substep<Number> sub, int first, int last);

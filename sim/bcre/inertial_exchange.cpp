@@ -16,8 +16,8 @@
 //     s_stop(R) = s_thick + (s_thin − s_thick) e^(−R/R_fold)
 //
 // Between s_stop and s_ero nothing is exchanged. The speed gate, not inertia, carries a flow over benches and
-// pits. Erosion sets in smoothly where R passes R_ero: by a leap, or with a kink, the edges of a flow, thin as
-// they are, grow by what the grid does to them, and outlines show the grid.
+// pits. Erosion sets in smoothly where R passes R_ero: by a leap, or with a kink, the edges of a flow, thin
+// as they are, grow by what the grid does to them, and outlines show the grid.
 //
 //            N              D_W = h_C − h_W
 //            |              S first order:   g_x = max(0, D_W, D_E) / Δx,  |g|;  what natural ground holds is
@@ -78,7 +78,8 @@ void inertial_exchange(const Layers<Number>& s, const Params& params, Scratch<Nu
                 return to + kHalf * minmod(bend, bend_beyond(s, x, y, step_x, step_y, to));
             };
             const Number fine_x = greatest(finer(west, bend_x, -1, 0), finer(east, bend_x, 1, 0)) * per_cell;
-            const Number fine_y = greatest(finer(south, bend_y, 0, -1), finer(north, bend_y, 0, 1)) * per_cell;
+            const Number fine_y =
+                greatest(finer(south, bend_y, 0, -1), finer(north, bend_y, 0, 1)) * per_cell;
             const Number slope = std::sqrt(fine_x * fine_x + fine_y * fine_y);
 
             const Number stop = params.stop_slope_thick + (params.stop_slope - params.stop_slope_thick) *
@@ -87,8 +88,7 @@ void inertial_exchange(const Layers<Number>& s, const Params& params, Scratch<Nu
             const Number gentle = std::max(stop - slope, Number{0});
 
             const Number u = s.velocity_x(x, y), v = s.velocity_y(x, y);
-            const Number gate =
-                std::max(Number{0}, 1 - std::sqrt(u * u + v * v) / params.deposit_speed);
+            const Number gate = std::max(Number{0}, 1 - std::sqrt(u * u + v * v) / params.deposit_speed);
             const Number above = std::max(r - params.erosion_depth, Number{0});
 
             const Number eroded = std::min(pace * std::min(above * above / r, reach) * steep,
@@ -99,7 +99,8 @@ void inertial_exchange(const Layers<Number>& s, const Params& params, Scratch<Nu
         }
 }
 
-template void inertial_exchange(const Layers<float>&, const Params&, Scratch<float>&, Substep<float>, int, int);
+template void inertial_exchange(const Layers<float>&, const Params&, Scratch<float>&, Substep<float>, int,
+                                int);
 template void inertial_exchange(const Layers<double>&, const Params&, Scratch<double>&, Substep<double>, int,
                                 int);
 

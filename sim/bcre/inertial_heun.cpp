@@ -19,16 +19,16 @@
 //               ↑            X > 0 starts at rest; X < 0 takes its momentum along: what stays keeps its speed
 //              F_s
 //
-// Mass is booked once, as the mean of both stages' fluxes and exchange, in whole quanta; velocities have none,
-// and become the mean by mass, (R₀ v₀ + R₂ v₂) / (R₀ + R₂). The last half of A reckons with the terminal
-// velocity on u₁, which is as good there to second order and known already.
+// Mass is booked once, as the mean of both stages' fluxes and exchange, in whole quanta; velocities have
+// none, and become the mean by mass, (R₀ v₀ + R₂ v₂) / (R₀ + R₂). The last half of A reckons with the
+// terminal velocity on u₁, which is as good there to second order and known already.
 
 namespace sim::bcre {
 namespace {
 
-// Of a vertex that gave nearly all it had a residue of rounding is left, and so of its momentum; their quotient
-// means nothing and must not grow. Thinner than this a layer is none (m; a quantum is 7.6e-6), and no velocity
-// passes this (m/s; no numbers allow half of it).
+// Of a vertex that gave nearly all it had a residue of rounding is left, and so of its momentum; their
+// quotient means nothing and must not grow. Thinner than this a layer is none (m; a quantum is 7.6e-6), and
+// no velocity passes this (m/s; no numbers allow half of it).
 constexpr float kNothing = 1e-12f, kFastest = 400;
 
 template <class Number>

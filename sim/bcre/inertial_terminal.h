@@ -15,7 +15,8 @@
 //            S
 //
 // The slope of z rather than of h: it carries the lateral pressure, without which a flow digs itself into
-// rills along the grid. Bedrock and layers are differenced apart: their sum would lose the layers' last digits.
+// rills along the grid. Bedrock and layers are differenced apart: their sum would lose the layers' last
+// digits.
 
 namespace sim::bcre {
 

@@ -8,8 +8,8 @@
 
 // Layer and momentum through a face, second order where they are smooth:
 //
-//     back   left | right   beyond        q_l = q_left + ½ σ_left,  q_r = q_right − ½ σ_right   for q = R, u, v
-//     x-1     x   |  x+1     x+2          σ the limited slope of a vertex (limiter.h)
+//     back   left | right   beyond        q_l = q_left + ½ σ_left,  q_r = q_right − ½ σ_right   for q = R, u,
+//     v x-1     x   |  x+1     x+2          σ the limited slope of a vertex (limiter.h)
 //
 //     w = (R_l v_l + R_r v_r) / (R_l + R_r)     the joint velocity across the face
 //     w > 0:  F = min(R_l w Δt/Δx, ¼ R_left),    momentum F (u_l, v_l)
@@ -52,23 +52,25 @@ struct FaceRow {
     const Site *site_left, *site_right;
     Number *flux, *momentum_u, *momentum_v;
 
-    // `across` is u or v: the component through the face.
-    void carry(int x, Number courant, const Stencil<Number>& across) const {
-        constexpr Number kThin = 10 * kGrain<Number>;
+    // `along_x`: of faces between west and east, which u goes through; else v does.
+    template <bool along_x>
+    void carry(int x, Number courant) const {
+        constexpr Number kThin = 10 * kGrain<Number>, kMost = 0.25f;
         // Rounding may leave a face of nothing a hair below it, and w no mean any more.
         const Number r_l = std::max(rolling.at_left(x), Number{0});
         const Number r_r = std::max(rolling.at_right(x), Number{0}), both = r_l + r_r;
-        const Number w =
-            both > 0 ? (r_l * across.at_left(x) + r_r * across.at_right(x)) / both : Number{0};
+        const Number u_l = u.at_left(x), u_r = u.at_right(x), v_l = v.at_left(x), v_r = v.at_right(x);
+        const Number momentum = along_x ? r_l * u_l + r_r * u_r : r_l * v_l + r_r * v_r;
+        const Number w = both > 0 ? momentum / both : Number{0};
         const bool wall = site_left[x] == Site::kWall || site_right[x] == Site::kWall;
-        const Number from_left = begun_left[x] > kThin ? Number{0.25f} * rolling.left[x] : Number{0};
-        const Number from_right = begun_right[x] > kThin ? Number{0.25f} * rolling.right[x] : Number{0};
+        const Number from_left = begun_left[x] > kThin ? kMost * rolling.left[x] : Number{0};
+        const Number from_right = begun_right[x] > kThin ? kMost * rolling.right[x] : Number{0};
         const Number toward = std::min(courant * r_l * std::max(w, Number{0}), from_left);
         const Number away = std::min(courant * r_r * std::max(-w, Number{0}), from_right);
         const Number f = wall ? Number{0} : toward - away;
         flux[x] = f;
-        momentum_u[x] = f * (f > 0 ? u.at_left(x) : u.at_right(x));
-        momentum_v[x] = f * (f > 0 ? v.at_left(x) : v.at_right(x));
+        momentum_u[x] = f * (f > 0 ? u_l : u_r);
+        momentum_v[x] = f * (f > 0 ? v_l : v_r);
     }
 };
 
@@ -96,7 +98,7 @@ void inertial_fluxes(const Layers<Number>& s, const Field<Number>& begun, Scratc
                                       scratch.flux_x.row(y),
                                       scratch.momentum_x.u.row(y),
                                       scratch.momentum_x.v.row(y)};
-            for (int x = from; x < to; ++x) row.carry(x, courant, row.u);
+            for (int x = from; x < to; ++x) row.template carry<true>(x, courant);
         };
         faces(-1, 0, 0, 2);
         faces(0, nx - 1, -1, 2);
@@ -117,7 +119,7 @@ void inertial_fluxes(const Layers<Number>& s, const Field<Number>& begun, Scratc
                                   scratch.flux_y.row(y),
                                   scratch.momentum_y.u.row(y),
                                   scratch.momentum_y.v.row(y)};
-        for (int x = 0; x < nx; ++x) row.carry(x, courant, row.v);
+        for (int x = 0; x < nx; ++x) row.template carry<false>(x, courant);
     }
 }
 

@@ -6,14 +6,15 @@
 #include "sim/quanta.h"
 #include "sim/scratch.h"
 
-// Two thresholds (Daerr & Douady 1999). A vertex whose rolling layer is thinner than R_min and slow is at rest:
+// Two thresholds (Daerr & Douady 1999). A vertex whose rolling layer is thinner than R_min and slow is at
+// rest:
 //
 //     S > s_start and d + R ≥ R_min   start:   what can start does, no more than start_depth at once
 //     else                            freeze:  the thin layer joins the standing one
 //
-// Slow is what deposits; without that a front, which is thin where it arrives, would be stopped the more often
-// the shorter the sub-step. A layer of any depth that stands still freezes too if the vertex holds when it has:
-// S + κ R/Δx ≤ s_start.
+// Slow is what deposits; without that a front, which is thin where it arrives, would be stopped the more
+// often the shorter the sub-step. A layer of any depth that stands still freezes too if the vertex holds when
+// it has: S + κ R/Δx ≤ s_start.
 //
 // Natural ground holds: a vertex that was steep from the first starts only when it has become steeper yet,
 //

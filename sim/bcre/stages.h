@@ -1,8 +1,8 @@
 #pragma once
 
-// The stages of a step of bcre, in call order; those of bcre-inertial are in inertial.h. Each works on the rows first … last-1, writes nothing else, and reads
-// of other rows only what an earlier stage finished; so rows may be shared out among threads. README.md has
-// the same as a table.
+// The stages of a step of bcre, in call order; those of bcre-inertial are in inertial.h. Each works on the
+// rows first … last-1, writes nothing else, and reads of other rows only what an earlier stage finished; so
+// rows may be shared out among threads. README.md has the same as a table.
 
 namespace sim {
 

@@ -9,8 +9,8 @@
 //
 //     q_h = Γ      q_R = ∂R/∂t + ∇·(R v) − Γ      q_v = ∂v/∂t + (v·∇)v − (v_eq − v)/τ + v max(Γ, 0)/R
 //
-// in two dimensions with every term at work: momentum that is carried, a terminal velocity that follows ∇z and
-// R, and erosion, whose material starts at rest, or deposition under its speed gate.
+// in two dimensions with every term at work: momentum that is carried, a terminal velocity that follows ∇z
+// and R, and erosion, whose material starts at rest, or deposition under its speed gate.
 
 namespace sim::verification {
 namespace {
@@ -77,8 +77,7 @@ struct Answer {
         const double r = rolling().value;
         const double terminal = -params.speed_per_slope * (slope_of_standing + slope_of_rolling) * r /
                                 (r + params.half_speed_depth);
-        return of.t + u().value * of.x + v().value * of.y -
-               (terminal - of.value) / params.relaxation_time +
+        return of.t + u().value * of.x + v().value * of.y - (terminal - of.value) / params.relaxation_time +
                of.value * std::max(0., exchange()) / r;
     }
     double u_source() const { return velocity_source(u(), standing_x(), rolling().x); }
@@ -106,11 +105,12 @@ void each_vertex(const Grid& grid, Visit&& visit) {
 
 Layers<double> at_end(const Params& params, int n) {
     const Grid grid{n + 1, n + 1, static_cast<float>(kSide / n)};
-    Trial trial(
-        grid, params,
-        {[](double x, double y) { return Answer::standing(x, y) - kDeep; },
-         [](double, double) { return kDeep; },
-         [&](double x, double y) { return Answer{params, x, y, 0}.rolling().value; }});
+    Trial trial(grid, params,
+                {[](double x, double y) { return Answer::standing(x, y) - kDeep; },
+                 [](double, double) { return kDeep; },
+                 [&](double x, double y) {
+                     return Answer{params, x, y, 0}.rolling().value;
+                 }});
     Layers<double>& s = trial.layers;
     each_vertex(grid, [&](int x, int y, double at_x, double at_y) {
         set_to_answer(s, x, y, {params, at_x, at_y, 0});
@@ -136,9 +136,8 @@ std::vector<Series> compare(bool erodes, double most_depth, double most_speed) {
     for (const int n : depth.squares) {
         const Layers<double> s = at_end(params, n);
         const auto exact = [&](double x, double y) { return Answer{params, x, y, kSeconds}; };
-        depth.errors.push_back(relative_l1(s.rolling, s.grid, middle, middle, [&](double x, double y) {
-            return exact(x, y).rolling().value;
-        }));
+        depth.errors.push_back(relative_l1(s.rolling, s.grid, middle, middle,
+                                           [&](double x, double y) { return exact(x, y).rolling().value; }));
         speed.errors.push_back(relative_l1(s.velocity_x, s.grid, middle, middle,
                                            [&](double x, double y) { return exact(x, y).u().value; }));
     }

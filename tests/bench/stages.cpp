@@ -62,9 +62,7 @@ void add_stages() {
         {"inertial_exchange", kInertial, kLocal,
          [](const Place& p) { sim::bcre::inertial_exchange(p.s, p.params, p.scratch, p.sub, 0, p.rows); }},
         {"inertial_fluxes", kInertial, kLocal,
-         [](const Place& p) {
-             sim::bcre::inertial_fluxes(p.s, p.s.rolling, p.scratch, p.sub, 0, p.rows);
-         }},
+         [](const Place& p) { sim::bcre::inertial_fluxes(p.s, p.s.rolling, p.scratch, p.sub, 0, p.rows); }},
         {"inertial_predict", kInertial, kLocal,
          [](const Place& p) { sim::bcre::inertial_predict(p.s, p.scratch, 0, p.rows); }},
         {"inertial_book", kInertial, kLocal,

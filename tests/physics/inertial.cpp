@@ -60,7 +60,8 @@ struct Taken {
 
 Taken heap_in_a_gully(double dx) {
     constexpr double kWide = 240, kLong = 888, kHeapX = 120, kHeapY = 768, kRadius = 36;
-    Ground ground({static_cast<int>(kWide / dx) + 1, static_cast<int>(kLong / dx) + 1, static_cast<float>(dx)});
+    Ground ground(
+        {static_cast<int>(kWide / dx) + 1, static_cast<int>(kLong / dx) + 1, static_cast<float>(dx)});
     ground.set(ground.depth, [](double, double) { return 1; });
     ground.set(ground.bedrock, [](double x, double y) {
         const double ease = 60, up = y - 380;  // 36° above, 5° below
@@ -98,8 +99,8 @@ TEST(Avalanche, takes_as_much_snow_on_every_grid_within_a_third_and_leaves_no_he
 
 using Points = std::vector<std::array<double, 2>>;
 
-// Points along the line on which a field, given at vertices, is `level`: where it crosses the grid's edges and
-// half way between two crossings of a square. About (middle, middle), turned back by `turned` rad.
+// Points along the line on which a field, given at vertices, is `level`: where it crosses the grid's edges
+// and half way between two crossings of a square. About (middle, middle), turned back by `turned` rad.
 Points outline(const std::vector<double>& field, int side, double dx, double level, double turned) {
     const double middle = (side - 1) / 2. * dx, c = std::cos(turned), s = std::sin(turned);
     Points points;
@@ -157,8 +158,8 @@ struct Outlines {
     Points extent, deposit;
 };
 
-// A hill of 36° that eases to 5°, under `cover` metres of snow; 2 m of it go on a disc on the flank that looks
-// `azimuth_deg` to the north of east.
+// A hill of 36° that eases to 5°, under `cover` metres of snow; 2 m of it go on a disc on the flank that
+// looks `azimuth_deg` to the north of east.
 Outlines release_on_a_hill(double azimuth_deg, double cover) {
     constexpr int kSide = 95;
     constexpr double kDx = 10, kMiddle = (kSide - 1) / 2. * kDx, kFoot = 230, kEase = 50, kOut = 100,
@@ -172,9 +173,11 @@ Outlines release_on_a_hill(double azimuth_deg, double cover) {
     ground.set(ground.bedrock, [&](double x, double y) {
         const double r = std::hypot(from_top(x, y), 20), steep = std::tan(36 * kPi / 180),
                      flat = std::tan(5 * kPi / 180);
-        const double fall = flat * r + (steep - flat) / 2 * (r - kEase * std::log(std::cosh((r - kFoot) / kEase)));
-        return 300 - fall - static_cast<double>(ground.depth[ground.at(static_cast<int>(std::lrint(x / kDx)),
-                                                                       static_cast<int>(std::lrint(y / kDx)))]);
+        const double fall =
+            flat * r + (steep - flat) / 2 * (r - kEase * std::log(std::cosh((r - kFoot) / kEase)));
+        return 300 - fall -
+               static_cast<double>(ground.depth[ground.at(static_cast<int>(std::lrint(x / kDx)),
+                                                          static_cast<int>(std::lrint(y / kDx)))]);
     });
     const double at_x = kMiddle + kOut * std::cos(azimuth), at_y = kMiddle + kOut * std::sin(azimuth);
     ground.set(ground.rolling, [&](double x, double y) {  // vertices on the rim by what of them it covers

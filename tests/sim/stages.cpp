@@ -231,7 +231,8 @@ TEST(InertialExchange, deposits_nothing_above_the_deposit_speed) {
         Play play(ground, lively(Model::kBcreInertial));
         exchange_stage(play, speed);
         const double stop = 0.36 + (0.5 - 0.36) * std::exp(-5.);  // of 0.5 m
-        EXPECT_NEAR(play.scratch.depth(2, 2), 2 * 0.5 * (stop - 0.1) * std::max(0., 1 - speed / 2.5) * 0.02, 1e-6);
+        EXPECT_NEAR(play.scratch.depth(2, 2), 2 * 0.5 * (stop - 0.1) * std::max(0., 1 - speed / 2.5) * 0.02,
+                    1e-6);
         EXPECT_EQ(play.scratch.velocity_y(2, 2), speed);  // what stays moving keeps its speed
     }
 }
