@@ -2,10 +2,8 @@
 #include <cmath>
 
 #include "sim/bcre/stages.h"
-#include "sim/exponential.h"
 #include "sim/layers.h"
 #include "sim/params.h"
-#include "sim/quanta.h"
 
 // Central differences over the vertex's four neighbours:
 //
@@ -17,8 +15,6 @@
 //                                (HK) V = min(v_max, k_v |g|)            Hadeler and Kuttler 1999
 //                                (T)  V = min(v_max, v₀ + ½ γ̇ R)         a layer sheared at the rate γ̇; its
 //                                mean speed
-//                              bcre-inertial:  v += (1 − e^(−Δt/τ)) (v_eq − v),  g = ∇z,  z = h + R
-//                                v_eq = −(g/|g|) min(v_max, k_v |g|) R / (R + R_h)
 //
 // Bedrock and layers are differenced apart: their sum would lose the layers' last digits.
 
