@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/bcre/stages.h"
+#include "sim/bcre/plain.h"
 #include "sim/borders.h"
 #include "sim/params.h"
 #include "sim/scratch.h"
@@ -51,7 +51,8 @@ Layers<Number> make_layers(const Grid& grid, const Params& params, std::span<con
     CHECK(has_data.size() == grid.size());
     Layers<Number> s;
     s.grid = grid;
-    s.bedrock = s.depth = s.rolling = s.velocity_x = s.velocity_y = s.first_slope = Field<Number>(grid);
+    s.bedrock = s.depth = s.rolling = s.velocity_x = s.velocity_y = s.first_slope = s.first_depth =
+        Field<Number>(grid);
     s.site = Field<Site>(grid);
     set_sites(s, params, has_data);
     return s;
@@ -61,9 +62,11 @@ template <class Number>
 void enclose(Layers<Number>& s, const Params& params) {
     continue_bedrock(s, params);
     fill_borders(s, params);
-    Scratch scratch(s);
-    bcre::lower_slope(s, scratch, 0, s.grid.ny);
-    for (int y = 0; y < s.grid.ny; ++y) std::copy_n(scratch.slope.row(y), s.grid.nx, s.first_slope.row(y));
+    Scratch<Number> scratch(s);
+    bcre::find_slope(s, scratch, Scheme::kLocalLaxFriedrichs, 0, s.grid.ny);
+    for (int y = 0; y < s.grid.ny; ++y)
+        for (int x = 0; x < s.grid.nx; ++x) s.first_slope(x, y) = scratch.fall(x, y) / s.grid.dx;
+    s.first_depth = s.depth;
 }
 
 template Layers<float> make_layers(const Grid&, const Params&, std::span<const std::uint8_t>);

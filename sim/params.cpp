@@ -1,5 +1,6 @@
 #include "sim/params.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sim {
@@ -81,7 +82,9 @@ std::optional<std::string> fault_of(const Params& params) {
 Substeps substeps_of(const Params& params, float dx) {
     const bool constant = params.model == Model::kBcre && params.law == Law::kConstant;
     const float speed = constant ? params.rolling_speed : params.max_speed;
-    const int count = static_cast<int>(std::ceil(speed * params.tick_s / (params.courant * dx)));
+    const float courant =
+        params.model == Model::kBcreInertial ? std::min(params.courant, 0.25f) : params.courant;
+    const int count = static_cast<int>(std::ceil(speed * params.tick_s / (courant * dx)));
     const int at_least_one = count > 1 ? count : 1;
     return {at_least_one, params.tick_s / static_cast<float>(at_least_one)};
 }

@@ -47,6 +47,7 @@ struct Params {
     float erosion_depth = 0.05f;
     float anchor_gain = 1.02f;
     float anchor_margin = 0.02f;
+    float anchor_step = 1.f;
 
     bool operator==(const Params&) const = default;
 };
@@ -67,7 +68,7 @@ struct ParamInfo {
 inline constexpr ParamInfo kParams[] = {
     {"tick_s", "s", &Params::tick_s, 1e-3f, 0.1f, UsedBy::kBoth, "simulated time between two states", true},
     {"courant", "1", &Params::courant, 0.01f, 0.5f, UsedBy::kBoth,
-     "farthest way of the fastest grain in a sub-step, in cells"},
+     "farthest way of the fastest grain in a sub-step, in cells; in bcre-inertial a quarter at most"},
     {"exchange_rate", "1/s", &Params::exchange_rate, 0.f, 100.f, UsedBy::kBoth,
      "how fast layers exchange material, per unit of slope beyond the threshold"},
     {"exchange_depth", "m", &Params::exchange_depth, 1e-3f, 128.f, UsedBy::kBoth,
@@ -103,6 +104,8 @@ inline constexpr ParamInfo kParams[] = {
     {"anchor_gain", "1", &Params::anchor_gain, 0.f, 10.f, UsedBy::kBcreInertial,
      "start slope of natural ground, as a multiple of its first slope"},
     {"anchor_margin", "1", &Params::anchor_margin, 0.f, 10.f, UsedBy::kBcreInertial, "and this more"},
+    {"anchor_step", "m", &Params::anchor_step, 0.f, 10.f, UsedBy::kBcreInertial,
+     "height of a step between a vertex and the next that natural ground holds besides"},
 };
 
 inline bool is_used_by(const ParamInfo& info, Model model) {

@@ -6,6 +6,12 @@
 
 namespace sim {
 
+// What is carried of both components of R v.
+template <class Number>
+struct Momentum {
+    Field<Number> u, v;
+};
+
 // One value per vertex and direction.
 template <class Number>
 struct Directions {
@@ -20,7 +26,6 @@ struct Scratch {
 
     Field<Number> flux_x;  // m of depth through the face (x, y)–(x+1, y) in a sub-step, east positive
     Field<Number> flux_y;  // m of depth through the face (x, y)–(x, y+1), north positive
-    Field<Number> outflow_scale;  // 1, or less where a vertex would give more than it has
     Field<Number> rolling;        // m, after transport
     Field<Number> velocity_x;     // m/s, after transport
     Field<Number> velocity_y;     // m/s
@@ -31,6 +36,10 @@ struct Scratch {
     Field<Number> fall;          // m over a cell, slope times Δx
     Field<Number> pace;          // 1/s, speed per drop
     Directions<Number> given;    // m that a vertex gives to its neighbours in a sub-step
+
+    // Of bcre-inertial.
+    Momentum<Number> momentum_x, momentum_y;    // m²/s, with flux_x and with flux_y
+    Field<Number> first_flux_x, first_flux_y;  // at the sub-step's beginning
 
     // For what is of second order in time.
     Field<Number> exchanged;        // m in a sub-step, erosion positive

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "sim/bcre/constants.h"
+#include "sim/bcre/inertial.h"
 #include "sim/bcre/plain.h"
-#include "sim/bcre/stages.h"
 #include "sim/borders.h"
 #include "sim/engine.h"
 #include "sim/ledger.h"
@@ -71,35 +71,48 @@ void substep_bcre(Layers<Number>& layers, const Params& params, Scratch<Number>&
     each_band([&](int first, int last) { bcre::settle(layers, scratch, c, first, last); });
 }
 
+// bcre-inertial: velocity relaxes, layers move and exchange, velocity relaxes (bcre/inertial_heun.cpp).
 template <class Number>
 void substep_inertial(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch,
                       Workers& workers, Substep<Number> sub) {
     const auto each_band = [&](auto&& stage) { workers.each_band(layers.grid.ny, stage); };
+    const auto find_rates = [&](const Field<Number>& begun) {
+        fill_borders(layers, params);
+        each_band(
+            [&](int first, int last) { bcre::inertial_exchange(layers, params, scratch, sub, first, last); });
+        each_band(
+            [&](int first, int last) { bcre::inertial_fluxes(layers, begun, scratch, sub, first, last); });
+    };
+    const auto swap_layers_with_scratch = [&] {
+        std::swap(layers.depth, scratch.depth);
+        std::swap(layers.rolling, scratch.rolling);
+        std::swap(layers.velocity_x, scratch.velocity_x);
+        std::swap(layers.velocity_y, scratch.velocity_y);
+    };
 
-    // The halo takes part in every stencil below.
     fill_borders(layers, params);
-    // How fast: from the surface as it lies now.
-    each_band([&](int first, int last) { bcre::accelerate(layers, params, sub, first, last); });
-    fill_borders(layers, params);  // walls mirror the new velocity
-    // Whither and how much is wanted.
-    each_band([&](int first, int last) { bcre::fluxes_minmod(layers, scratch, sub, first, last); });
+    each_band([&](int first, int last) { bcre::inertial_relax(layers, params, sub, first, last); });
 
-    // No more than there is to give, in whole quanta; then it is carried.
-    each_band([&](int first, int last) { bcre::limit_outflow(layers, scratch, first, last); });
-    each_band([&](int first, int last) { bcre::round_fluxes(layers, scratch, sub, first, last); });
-    each_band([&](int first, int last) { bcre::carry(layers, scratch, first, last); });
-    std::swap(layers.rolling, scratch.rolling);
-    std::swap(layers.velocity_x, scratch.velocity_x);
-    std::swap(layers.velocity_y, scratch.velocity_y);
+    // Where what is carried and exchanged now would lead.
+    find_rates(layers.rolling);
+    each_band([&](int first, int last) { bcre::inertial_predict(layers, scratch, first, last); });
+    std::swap(scratch.flux_x, scratch.first_flux_x);
+    std::swap(scratch.flux_y, scratch.first_flux_y);
+    std::swap(scratch.exchanged, scratch.first_exchanged);
+    swap_layers_with_scratch();
     clear_drains(layers, scratch.outlets);
 
-    // Between the layers, where the flow stands now. One slope serves both stages, so that their order
-    // within a vertex does not depend on its neighbours'.
-    each_band([&](int first, int last) { bcre::lower_slope(layers, scratch, first, last); });
-    each_band([&](int first, int last) {
-        bcre::exchange_inertial(layers, params, scratch, sub, first, last);
-        bcre::yield(layers, params, scratch, first, last);  // last: it ends what exchange left thin
-    });
+    // What would be carried and exchanged from there; the mean of both is booked, in whole quanta.
+    find_rates(scratch.rolling);
+    each_band([&](int first, int last) { bcre::inertial_book(scratch, sub, first, last); });
+    each_band([&](int first, int last) { bcre::inertial_finish(layers, params, scratch, sub, first, last); });
+    swap_layers_with_scratch();
+    std::swap(scratch.flux_x, scratch.first_flux_x);  // booked, for the ledger
+    std::swap(scratch.flux_y, scratch.first_flux_y);
+    clear_drains(layers, scratch.outlets);
+
+    // Last: it ends what exchange left thin.
+    each_band([&](int first, int last) { bcre::inertial_yield(layers, params, scratch, first, last); });
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ TEST(Layering, finds_every_kind_of_planted_breach) {
 TEST(Layering, lets_the_arrows_through) {
     for (const Planted& planted : {
              Planted{"sim/step.cpp", "#include \"sim/grid.h\""},
-             Planted{"sim/bcre/yield.cpp", "#include \"stages.h\""},
+             Planted{"sim/bcre/plain.cpp", "#include \"plain.h\""},
              Planted{"sim/step.cpp", "#include <cmath>"},
              Planted{"sim/step.cpp", "#include <glm/vec2.hpp>"},
              Planted{"sim/state_hash.cpp", "#include <xxhash.h>"},

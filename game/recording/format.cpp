@@ -99,8 +99,9 @@ Json physics_json(const sim::Params& params) {
 }
 
 // What older recordings do not name yet, by the minor version that does. The default of each leaves the
-// physics as it was before.
-constexpr std::pair<std::string_view, int> kSince[] = {{"law", 1}, {"exchange_depth", 1}, {"shear_rate", 1}};
+// physics as it was before; but for anchor_step, which came with other physics of bcre-inertial.
+constexpr std::pair<std::string_view, int> kSince[] = {
+    {"law", 1}, {"exchange_depth", 1}, {"shear_rate", 1}, {"anchor_step", 2}};
 
 bool is_named_in(int minor, std::string_view name) {
     for (const auto& [key, since] : kSince)

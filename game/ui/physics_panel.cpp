@@ -17,7 +17,7 @@ struct Group {
 };
 // What is in none of them comes under the last title.
 constexpr std::array<Group, 5> kGroups{{
-    {"When it starts", {"start_slope", "start_depth", "anchor_gain", "anchor_margin"}},
+    {"When it starts", {"start_slope", "start_depth", "anchor_gain", "anchor_margin", "anchor_step"}},
     {"How it rolls",
      {"rolling_speed", "shear_rate", "speed_per_slope", "max_speed", "relaxation_time", "half_speed_depth"}},
     {"What it takes along", {"exchange_rate", "exchange_depth", "erosion_slope", "erosion_depth"}},

@@ -8,6 +8,7 @@ namespace sim::verification {
 
 extern const Case kDecay, kSimpleWave, kObliqueWave, kDepositFront, kThickPulse;  // waves.cpp
 extern const Case kManufactured;                                                  // manufactured.cpp
+extern const Case kEroding, kDepositing;                                          // inertial.cpp
 extern const Case kStrip, kSquare, kDisk;                                         // tables.cpp
 extern const Case kGrowth, kTerminalSpeed, kSpeedGate, kRestingLayer;             // uniform.cpp
 

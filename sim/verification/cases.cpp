@@ -21,7 +21,7 @@ bool Series::holds() const {
 std::span<const Case> cases() {
     static const std::array kCases{kDecay,         kSimpleWave, kObliqueWave, kDepositFront, kThickPulse,
                                    kManufactured,  kGrowth,     kStrip,       kSquare,       kDisk,
-                                   kTerminalSpeed, kSpeedGate,  kRestingLayer};
+                                   kTerminalSpeed, kSpeedGate,  kEroding,     kDepositing,   kRestingLayer};
     return kCases;
 }
 

@@ -5,8 +5,8 @@
 #include <benchmark/benchmark.h>
 
 #include "sim/bcre/constants.h"
+#include "sim/bcre/inertial.h"
 #include "sim/bcre/plain.h"
-#include "sim/bcre/stages.h"
 #include "sim/borders.h"
 #include "sim/quanta.h"
 
@@ -71,21 +71,20 @@ void add_stages() {
         {"find_exchange", kBcre, kLocal, [](const Place& p) { sim::bcre::find_exchange(p.s, p.scratch, kLocal, p.c, 0, p.rows); }},
         {"settle", kBcre, kLocal, [](const Place& p) { sim::bcre::settle(p.s, p.scratch, p.c, 0, p.rows); }},
         {"find_velocity", kBcre, kLocal, [](const Place& p) { sim::bcre::find_velocity(p.s, p.c, 0, p.rows); }},
-        {"accelerate", kInertial, kLocal,
-         [](const Place& p) { sim::bcre::accelerate(p.s, p.params, p.sub, 0, p.rows); }},
-        {"fluxes_minmod", kInertial, kLocal,
-         [](const Place& p) { sim::bcre::fluxes_minmod(p.s, p.scratch, p.sub, 0, p.rows); }},
-        {"limit_outflow", kInertial, kLocal,
-         [](const Place& p) { sim::bcre::limit_outflow(p.s, p.scratch, 0, p.rows); }},
-        {"round_fluxes", kInertial, kLocal,
-         [](const Place& p) { sim::bcre::round_fluxes(p.s, p.scratch, p.sub, 0, p.rows); }},
-        {"carry", kInertial, kLocal, [](const Place& p) { sim::bcre::carry(p.s, p.scratch, 0, p.rows); }},
-        {"lower_slope", kInertial, kLocal,
-         [](const Place& p) { sim::bcre::lower_slope(p.s, p.scratch, 0, p.rows); }},
-        {"exchange_inertial", kInertial, kLocal,
-         [](const Place& p) { sim::bcre::exchange_inertial(p.s, p.params, p.scratch, p.sub, 0, p.rows); }},
-        {"yield", kInertial, kLocal,
-         [](const Place& p) { sim::bcre::yield(p.s, p.params, p.scratch, 0, p.rows); }},
+        {"inertial_relax", kInertial, kLocal,
+         [](const Place& p) { sim::bcre::inertial_relax(p.s, p.params, p.sub, 0, p.rows); }},
+        {"inertial_exchange", kInertial, kLocal,
+         [](const Place& p) { sim::bcre::inertial_exchange(p.s, p.params, p.scratch, p.sub, 0, p.rows); }},
+        {"inertial_fluxes", kInertial, kLocal,
+         [](const Place& p) { sim::bcre::inertial_fluxes(p.s, p.s.rolling, p.scratch, p.sub, 0, p.rows); }},
+        {"inertial_predict", kInertial, kLocal,
+         [](const Place& p) { sim::bcre::inertial_predict(p.s, p.scratch, 0, p.rows); }},
+        {"inertial_book", kInertial, kLocal,
+         [](const Place& p) { sim::bcre::inertial_book(p.scratch, p.sub, 0, p.rows); }},
+        {"inertial_finish", kInertial, kLocal,
+         [](const Place& p) { sim::bcre::inertial_finish(p.s, p.params, p.scratch, p.sub, 0, p.rows); }},
+        {"inertial_yield", kInertial, kLocal,
+         [](const Place& p) { sim::bcre::inertial_yield(p.s, p.params, p.scratch, 0, p.rows); }},
         {"count_mass", kBcre, kLocal, [](const Place& p) { sim::count_mass(p.s); }},
     };
     for (const Entry& entry : entries)

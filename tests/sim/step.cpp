@@ -79,7 +79,7 @@ TEST(Step, keeps_a_pile_between_its_thresholds_bit_identical) {
 TEST(Step, lets_a_pile_above_its_start_slope_slide_and_comes_to_rest_near_the_stop_slope) {
     for (const Physics& p : {kAll[1], kAll[2], kAll[3]}) {
         sim::Params params = lively(p.model, p.scheme);
-        params.anchor_gain = params.anchor_margin = 0;  // a heap, not natural ground
+        params.anchor_gain = params.anchor_margin = params.anchor_step = 0;  // a heap, not natural ground
         Play play(support::pile(60, 1, 0.9, 9), params);
         const float top = play.state.depth(30, 30);
         for (int second = 0; second < 120 && (second == 0 || !sim::at_rest(play.state)); ++second)

@@ -1,0 +1,260 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/worlds.h"
+
+// What bcre-inertial promises of avalanches: the ground they take, the heap that sets them off, and outlines,
+// whatever the cell and however the hill lies on the grid.
+
+namespace {
+
+using sim::Model;
+using support::Ground;
+using support::Play;
+
+constexpr double kPi = 3.14159265358979323846;
+
+sim::Params loose_dry_snow() {
+    const auto tangent = [](double angle_deg) { return static_cast<float>(std::tan(angle_deg * kPi / 180)); };
+    sim::Params params;
+    params.speed_per_slope = 41;
+    params.max_speed = 45;
+    params.relaxation_time = 3;
+    params.half_speed_depth = 0.1f;
+    params.deposit_speed = 6;
+    params.exchange_rate = 1.5f;
+    params.stop_slope = tangent(32);
+    params.stop_slope_thick = tangent(20);
+    params.stop_fold_depth = 0.1f;
+    params.start_slope = tangent(40);
+    params.erosion_slope = tangent(33);
+    params.erosion_depth = 0.1f;
+    params.start_depth = 0.5f;
+    params.freeze_depth = 0.005f;
+    return params;
+}
+
+// Runs until all lies, for `seconds` at most. Returns the greatest R that each vertex saw, m.
+std::vector<double> peaks_of(Play& play, int seconds, const std::vector<sim::Command>& first = {}) {
+    const sim::Grid grid = play.state.grid;
+    std::vector<double> peaks(grid.size());
+    for (int tick = 0; tick < 60 * seconds && (tick == 0 || !sim::at_rest(play.state)); ++tick) {
+        play.ticks(1, tick == 0 ? std::span<const sim::Command>(first) : std::span<const sim::Command>{});
+        std::size_t i = 0;
+        for (int y = 0; y < grid.ny; ++y)
+            for (int x = 0; x < grid.nx; ++x, ++i)
+                peaks[i] = std::max(peaks[i], static_cast<double>(play.state.rolling(x, y)));
+    }
+    return peaks;
+}
+
+// What a heap that is tipped into a snow-covered gully does, m³.
+struct Taken {
+    double eroded, poured, left_in_footprint;
+};
+
+Taken heap_in_a_gully(double dx) {
+    constexpr double kWide = 240, kLong = 888, kHeapX = 120, kHeapY = 768, kRadius = 36;
+    Ground ground(
+        {static_cast<int>(kWide / dx) + 1, static_cast<int>(kLong / dx) + 1, static_cast<float>(dx)});
+    ground.set(ground.depth, [](double, double) { return 1; });
+    ground.set(ground.bedrock, [](double x, double y) {
+        const double ease = 60, up = y - 380;  // 36° above, 5° below
+        return 0.09 * y + 0.64 * (up + std::sqrt(up * up + ease * ease)) / 2 +
+               0.0012 * (x - kHeapX) * (x - kHeapX);
+    });
+    Play play(ground, loose_dry_snow());
+    const sim::Field<float> before = play.state.depth;
+    sim::Command pour = support::pour_at(kHeapX, kHeapY, kRadius, 3000, 2);
+    pour.layer = sim::Layer::kStanding;
+    pour.profile = sim::Profile::kCone;
+    peaks_of(play, 60, {pour});
+    Taken taken{0, 6000, 0};
+    for (int y = 0; y < ground.grid.ny; ++y)
+        for (int x = 0; x < ground.grid.nx; ++x) {
+            const double gained = static_cast<double>(play.state.depth(x, y) - before(x, y)) * dx * dx;
+            taken.eroded += std::max(0., -gained);
+            if (std::hypot(x * dx - kHeapX, y * dx - kHeapY) <= kRadius)
+                taken.left_in_footprint += std::max(0., gained);
+        }
+    return taken;
+}
+
+TEST(Avalanche, takes_as_much_snow_on_every_grid_within_a_third_and_leaves_no_heap) {
+    double least = 1e30, most = 0;
+    for (const double dx : {24., 12., 6.}) {
+        const Taken taken = heap_in_a_gully(dx);
+        EXPECT_LE(taken.left_in_footprint, taken.poured / 5) << dx;
+        least = std::min(least, taken.eroded);
+        most = std::max(most, taken.eroded);
+    }
+    EXPECT_GT(least, 1000);
+    EXPECT_LE(most, 1.3 * least);
+}
+
+using Points = std::vector<std::array<double, 2>>;
+
+// Points along the line on which a field, given at vertices, is `level`: where it crosses the grid's edges
+// and half way between two crossings of a square. About (middle, middle), turned back by `turned` rad.
+Points outline(const std::vector<double>& field, int side, double dx, double level, double turned) {
+    const double middle = (side - 1) / 2. * dx, c = std::cos(turned), s = std::sin(turned);
+    Points points;
+    const auto at = [&](int x, int y) {
+        return field[static_cast<std::size_t>(y) * static_cast<std::size_t>(side) +
+                     static_cast<std::size_t>(x)];
+    };
+    const auto add = [&](double x, double y) {
+        const double from_x = x * dx - middle, from_y = y * dx - middle;
+        points.push_back({c * from_x + s * from_y, c * from_y - s * from_x});
+    };
+    for (int y = 0; y + 1 < side; ++y)
+        for (int x = 0; x + 1 < side; ++x) {
+            constexpr int kX[] = {0, 1, 1, 0}, kY[] = {0, 0, 1, 1};
+            Points crossings;
+            for (int k = 0; k < 4; ++k) {
+                const int n = (k + 1) % 4;
+                const double a = at(x + kX[k], y + kY[k]), b = at(x + kX[n], y + kY[n]);
+                if ((a >= level) == (b >= level)) continue;
+                const double way = (level - a) / (b - a);
+                crossings.push_back({x + kX[k] + way * (kX[n] - kX[k]), y + kY[k] + way * (kY[n] - kY[k])});
+            }
+            for (const auto& [px, py] : crossings) add(px, py);
+            if (crossings.size() == 2)
+                add((crossings[0][0] + crossings[1][0]) / 2, (crossings[0][1] + crossings[1][1]) / 2);
+        }
+    return points;
+}
+
+// How far the points of either line lie from the other, m: the mean, and what 95 of 100 keep.
+struct Apart {
+    double mean, p95;
+};
+
+Apart apart(const Points& one, const Points& other) {
+    std::vector<double> distances;
+    const auto add = [&](const Points& from, const Points& to) {
+        for (const auto& [x, y] : from) {
+            double nearest = 1e30;
+            for (const auto& [to_x, to_y] : to)
+                nearest = std::min(nearest, (x - to_x) * (x - to_x) + (y - to_y) * (y - to_y));
+            distances.push_back(std::sqrt(nearest));
+        }
+    };
+    add(one, other);
+    add(other, one);
+    std::sort(distances.begin(), distances.end());
+    double sum = 0;
+    for (const double distance : distances) sum += distance;
+    const auto count = static_cast<double>(distances.size());
+    return {sum / count, distances[static_cast<std::size_t>(0.95 * (count - 1))]};
+}
+
+struct Outlines {
+    Points extent, deposit;
+};
+
+// A hill of 36° that eases to 5°, under `cover` metres of snow; 2 m of it go on a disc on the flank that
+// looks `azimuth_deg` to the north of east.
+Outlines release_on_a_hill(double azimuth_deg, double cover) {
+    constexpr int kSide = 95;
+    constexpr double kDx = 10, kMiddle = (kSide - 1) / 2. * kDx, kFoot = 230, kEase = 50, kOut = 100,
+                     kRadius = 36;
+    const double azimuth = azimuth_deg * kPi / 180;
+    const auto from_top = [&](double x, double y) { return std::hypot(x - kMiddle, y - kMiddle); };
+    Ground ground({kSide, kSide, static_cast<float>(kDx)});
+    ground.set(ground.depth, [&](double x, double y) {
+        return cover * (1 - std::tanh((from_top(x, y) - kFoot) / 30)) / 2;
+    });
+    ground.set(ground.bedrock, [&](double x, double y) {
+        const double r = std::hypot(from_top(x, y), 20), steep = std::tan(36 * kPi / 180),
+                     flat = std::tan(5 * kPi / 180);
+        const double fall =
+            flat * r + (steep - flat) / 2 * (r - kEase * std::log(std::cosh((r - kFoot) / kEase)));
+        return 300 - fall -
+               static_cast<double>(ground.depth[ground.at(static_cast<int>(std::lrint(x / kDx)),
+                                                          static_cast<int>(std::lrint(y / kDx)))]);
+    });
+    const double at_x = kMiddle + kOut * std::cos(azimuth), at_y = kMiddle + kOut * std::sin(azimuth);
+    ground.set(ground.rolling, [&](double x, double y) {  // vertices on the rim by what of them it covers
+        constexpr int kFine = 16;
+        int in = 0;
+        for (int i = 0; i < kFine * kFine; ++i) {
+            const double off_x = ((i % kFine + 0.5) / kFine - 0.5) * kDx,
+                         off_y = ((i / kFine + 0.5) / kFine - 0.5) * kDx;
+            in += std::hypot(x + off_x - at_x, y + off_y - at_y) <= kRadius;
+        }
+        return 2. * in / (kFine * kFine);
+    });
+    Play play(ground, loose_dry_snow());
+    const sim::Field<float> before = play.state.depth;
+    const std::vector<double> peaks = peaks_of(play, 90);
+    EXPECT_TRUE(sim::at_rest(play.state));
+    std::vector<double> gained;
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x)
+            gained.push_back(static_cast<double>(play.state.depth(x, y) - before(x, y)));
+    constexpr double kLevel = 0.1;  // m
+    return {outline(peaks, kSide, kDx, kLevel, azimuth), outline(gained, kSide, kDx, kLevel, azimuth)};
+}
+
+// A cell is 10 m.
+void expect_outlines_within_a_cell(double cover) {
+    const Outlines along = release_on_a_hill(0, cover), oblique = release_on_a_hill(22.5, cover);
+    const Apart extent = apart(along.extent, oblique.extent), deposit = apart(along.deposit, oblique.deposit);
+    EXPECT_LE(extent.p95, 10);
+    EXPECT_LE(extent.mean, 5);
+    EXPECT_LE(deposit.p95, 10);
+    EXPECT_LE(deposit.mean, 5);
+}
+
+TEST(Avalanche, has_the_same_outline_within_a_cell_however_its_hill_lies_on_the_grid) {
+    expect_outlines_within_a_cell(0);
+}
+
+TEST(Avalanche, that_takes_snow_has_the_same_outline_within_a_cell_however_its_hill_lies_on_the_grid) {
+    expect_outlines_within_a_cell(0.5);
+}
+
+// Rolling material at random with velocities at random, dense and patchy, over ground at random, at the
+// greatest Courant number there is.
+TEST(Avalanche, stays_positive_and_exact_in_mass_at_its_courant_limit) {
+    std::mt19937 random(11);
+    const auto within = [&](double most) { return most * static_cast<double>(random()) / 4294967296.0; };
+    for (int round = 0; round < 60; ++round) {
+        Ground ground({17, 17, 1});
+        ground.set(ground.bedrock, [&](double x, double) { return -0.5 * x + within(1.5); });
+        ground.set(ground.depth, [&](double, double) { return within(0.3); });
+        ground.set(ground.rolling,
+                   [&](double, double) { return random() % 3 ? within(random() % 2 ? 0.5 : 3e-4) : 0; });
+        sim::Params params = support::lively(Model::kBcreInertial);
+        params.courant = 0.5f;
+        params.max_speed = 0.25f * 60;  // a quarter of a cell in a tick: one sub-step
+        params.speed_per_slope = 100;
+        params.relaxation_time = 0.05f;
+        params.exchange_rate = static_cast<float>(within(50));
+        Play play(ground, params);
+        ASSERT_EQ(sim::substeps_of(params, 1).count, 1);
+        for (int y = 0; y < 17; ++y)
+            for (int x = 0; x < 17; ++x) {
+                play.state.velocity_x(x, y) = static_cast<float>(within(30) - 15);
+                play.state.velocity_y(x, y) = static_cast<float>(within(30) - 15);
+            }
+        for (int tick = 0; tick < 60; ++tick) {
+            play.ticks(1);
+            for (int y = 0; y < 17; ++y)
+                for (int x = 0; x < 17; ++x) {
+                    ASSERT_GE(play.state.rolling(x, y), 0);
+                    ASSERT_GE(play.state.depth(x, y), 0);
+                    ASSERT_LE(std::hypot(play.state.velocity_x(x, y), play.state.velocity_y(x, y)), 2 * 15.f);
+                }
+            ASSERT_EQ(play.state.ledger.mass_error(), 0);
+        }
+    }
+}
+
+}  // namespace
