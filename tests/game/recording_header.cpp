@@ -124,10 +124,10 @@ TEST_F(ForgedHeader, with_another_grid_than_its_ground_is_refused) {
 }
 
 TEST_F(ForgedHeader, of_another_physics_version_plays_but_is_not_comparable) {
-    header_["physics_version"] = 2;
+    header_["physics_version"] = kPhysicsVersion + 1;
     const auto recording = read(header_);
     ASSERT_TRUE(recording) << recording.error().sentence;
-    EXPECT_EQ(recording->header.physics_version, 2);
+    EXPECT_EQ(recording->header.physics_version, kPhysicsVersion + 1);
     const Finished replayed = couloir({"replay", path_.string(), "--verify", "--json"});
     EXPECT_EQ(replayed.status, 0) << replayed.err;
     const Json summary = Json::parse(replayed.out);
