@@ -36,8 +36,8 @@ void add_how(CLI::App& app, sim::How& how) {
                        how.instruction_set = set;
                        return;
                    }
-               throw CLI::ValidationError(
-                   "--kernel", "'" + text + "' is none of plain, x86-64-v2, x86-64-v3, x86-64-v4");
+               throw CLI::ValidationError("--kernel",
+                                          "'" + text + "' is none of plain, x86-64-v2, x86-64-v3, x86-64-v4");
            },
            "how the simulation is reckoned, to the same bits: plain, x86-64-v2, x86-64-v3, x86-64-v4 [the "
            "newest that this machine has]")

@@ -49,8 +49,8 @@ void clear_drains(Layers<Number>& s, const Outlets& outlets) {
 std::int64_t drained(const Scratch<float>& scratch, Model model) {
     std::int64_t quanta = 0;
     for (const auto& [x, y, way] : scratch.outlets.faces) {
-        const auto [east, west, north, south] = std::tie(
-            scratch.given.east, scratch.given.west, scratch.given.north, scratch.given.south);
+        const auto [east, west, north, south] =
+            std::tie(scratch.given.east, scratch.given.west, scratch.given.north, scratch.given.south);
         float out = 0;  // m
         if (model == Model::kBcre)
             out = way == Way::kEast    ? east(x, y)

@@ -17,8 +17,8 @@ struct How {
     bool tiles_may_sleep = true;
 };
 
-// What a step works with: made once for a world, so that a step allocates nothing; holds nothing of it from one
-// sub-step to the next. Lays the state's tiles out anew, all awake.
+// What a step works with: made once for a world, so that a step allocates nothing; holds nothing of it from
+// one sub-step to the next. Lays the state's tiles out anew, all awake.
 struct Engine {
     explicit Engine(State& state, const How& how = {});
 

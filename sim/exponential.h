@@ -18,8 +18,7 @@ Number exponential(const Number& x) {
         // ln 2 in two parts, so that r keeps its digits
         const Number r = (bounded - n * 0.693359375f) + n * 2.12194440e-4f;
         const Number p =
-            1.f +
-            r * (1.f + r * (0.5f + r * (1.f / 6 + r * (1.f / 24 + r * (1.f / 120 + r * (1.f / 720))))));
+            1.f + r * (1.f + r * (0.5f + r * (1.f / 6 + r * (1.f / 24 + r * (1.f / 120 + r * (1.f / 720))))));
         return p * power_of_two(n);
     }
 }

@@ -34,12 +34,13 @@ bool any(const stdx::simd_mask<T, Abi>& condition) {
 
 // Lane by lane: `yes` where the condition holds, else `no`.
 template <class Condition, class Number>
-Number select(const Condition& condition, Number yes, const Same<Number>& no) {
+Number select(const Condition& condition, const Number& yes, const Same<Number>& no) {
     if constexpr (std::is_same_v<Condition, bool>) {
         return condition ? yes : no;
     } else {
-        stdx::where(!condition, yes) = no;
-        return yes;
+        Number chosen = no;
+        stdx::where(condition, chosen) = yes;
+        return chosen;
     }
 }
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "sim/numbers.h"
 #include "sim/ledger.h"
+#include "sim/numbers.h"
 
 namespace sim {
 
@@ -57,8 +57,8 @@ struct Dither {
 };
 
 // `metres` as a whole number of quanta, less than one away, and exactly 0 for 0. From 96 m on, float's digits
-// end at one quantum: what is added and taken away again leaves whole ones. -32 ≤ metres; from 32 m on they are
-// whole pairs.
+// end at one quantum: what is added and taken away again leaves whole ones. -32 ≤ metres; from 32 m on they
+// are whole pairs.
 template <class Number>
 Number in_quanta(const Number& metres, const Dither<Scalar<Number>>& dither) {
     if constexpr (kHasQuanta<Number>)

@@ -24,28 +24,28 @@ template <class Number>
 struct Scratch {
     explicit Scratch(const Layers<Number>& layers);
 
-    Field<Number> flux_x;  // m of depth through the face (x, y)–(x+1, y) in a sub-step, east positive
-    Field<Number> flux_y;  // m of depth through the face (x, y)–(x, y+1), north positive
-    Field<Number> rolling;        // m, after transport
-    Field<Number> velocity_x;     // m/s, after transport
-    Field<Number> velocity_y;     // m/s
-    Field<Number> slope;          // tangent toward the lower neighbours of h
-    Field<Number> slope_spread;   // (|g_x| + |g_y|) / |g| of it, 1 to √2
+    Field<Number> flux_x;        // m of depth through the face (x, y)–(x+1, y) in a sub-step, east positive
+    Field<Number> flux_y;        // m of depth through the face (x, y)–(x, y+1), north positive
+    Field<Number> rolling;       // m, after transport
+    Field<Number> velocity_x;    // m/s, after transport
+    Field<Number> velocity_y;    // m/s
+    Field<Number> slope;         // tangent toward the lower neighbours of h
+    Field<Number> slope_spread;  // (|g_x| + |g_y|) / |g| of it, 1 to √2
 
-    Directions<Number> down;     // m from a vertex down to its lower neighbours
-    Field<Number> fall;          // m over a cell, slope times Δx
-    Field<Number> pace;          // 1/s, speed per drop
-    Directions<Number> given;    // m that a vertex gives to its neighbours in a sub-step
+    Directions<Number> down;   // m from a vertex down to its lower neighbours
+    Field<Number> fall;        // m over a cell, slope times Δx
+    Field<Number> pace;        // 1/s, speed per drop
+    Directions<Number> given;  // m that a vertex gives to its neighbours in a sub-step
 
     // Of bcre-inertial.
-    Momentum<Number> momentum_x, momentum_y;    // m²/s, with flux_x and with flux_y
+    Momentum<Number> momentum_x, momentum_y;   // m²/s, with flux_x and with flux_y
     Field<Number> first_flux_x, first_flux_y;  // at the sub-step's beginning
 
     // For what is of second order in time.
-    Field<Number> exchanged;        // m in a sub-step, erosion positive
-    Field<Number> depth;            // m, predicted
+    Field<Number> exchanged;         // m in a sub-step, erosion positive
+    Field<Number> depth;             // m, predicted
     Directions<Number> first_given;  // at the sub-step's beginning
-    Field<Number> first_exchanged;  // the same
+    Field<Number> first_exchanged;   // the same
 
     Outlets outlets;
 };

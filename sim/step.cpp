@@ -37,8 +37,7 @@ void substep_bcre(Layers<Number>& layers, const Params& params, Scratch<Number>&
         each_band([&](int first, int last) { bcre::find_gives(layers, scratch, scheme, c, first, last); });
     };
     const auto find_exchange = [&] {
-        each_band(
-            [&](int first, int last) { bcre::find_exchange(layers, scratch, scheme, c, first, last); });
+        each_band([&](int first, int last) { bcre::find_exchange(layers, scratch, scheme, c, first, last); });
     };
     const auto swap_with_predicted = [&] {
         std::swap(layers.depth, scratch.depth);

@@ -8,8 +8,8 @@
 namespace sim {
 
 // Which parts of a world may change in the next sub-step. A tile falls asleep when nothing rolled and nothing
-// came to rest in it and around it: a sub-step would leave it as it is, to the bit, so it is left out. Whoever
-// changes a state otherwise than by a step wakes what he changed.
+// came to rest in it and around it: a sub-step would leave it as it is, to the bit, so it is left out.
+// Whoever changes a state otherwise than by a step wakes what he changed.
 struct Tiles {
     Tiles() = default;
     // Tiles of `width` by `height` vertices; width a whole multiple of kRowPadding.

@@ -46,7 +46,8 @@ Outcome<int> replay(const ReplayOptions& options) {
         if (!opened) return tl::unexpected(opened.error());
         gallery = std::move(*opened);
     }
-    PerfLog perf({start.scene, file_hash(*path), options.how.threads, gallery ? gallery->renderer_name() : ""});
+    PerfLog perf(
+        {start.scene, file_hash(*path), options.how.threads, gallery ? gallery->renderer_name() : ""});
     Verifier verifier(*recording);
 
     Until until;

@@ -13,8 +13,8 @@ inline constexpr double kLittle = 0.133;  // e^kGrowsLittle − 1
 // γ R Δt/Δx up to which the exchange of a sub-step hardly changes the slope it goes by.
 inline constexpr double kWeakExchange = 0.2;
 
-// What the formulas of a sub-step take from parameters, cell and sub-step: the same for all vertices. A fall is
-// a slope times Δx, what the ground falls over a cell.
+// What the formulas of a sub-step take from parameters, cell and sub-step: the same for all vertices. A fall
+// is a slope times Δx, what the ground falls over a cell.
 template <class Scalar>
 struct Constants {
     Scalar courant;          // Δt/Δx, s/m
@@ -24,12 +24,12 @@ struct Constants {
     Law law;
     Scalar rolling_speed, half_shear_rate, speed_per_fall, max_speed;
 
-    Scalar growth_per_fall;  // γ Δt/Δx
-    Scalar growth_at_level;  // γ Δt s_stop
-    Scalar room_per_growth;  // Δx / (κ γ Δt), m
-    Scalar strong_pace;      // γ κ Δt/Δx, 1/m
-    Scalar exchange_depth;   // R_c, m
-    Scalar thick_exchange;   // m per growth, of a layer thicker than it
+    Scalar growth_per_fall;     // γ Δt/Δx
+    Scalar growth_at_level;     // γ Δt s_stop
+    Scalar room_per_growth;     // Δx / (κ γ Δt), m
+    Scalar strong_pace;         // γ κ Δt/Δx, 1/m
+    Scalar exchange_depth;      // R_c, m
+    Scalar thick_exchange;      // m per growth, of a layer thicker than it
     Scalar little_per_rolling;  // 1/m: kLittle by the layer from which on the exchange is not the exponential
 
     Scalar start_fall, start_depth, freeze_depth;  // m
@@ -37,8 +37,8 @@ struct Constants {
 
 template <class Scalar>
 Constants<Scalar> constants_of(const Params& p, float cell, Substep<Scalar> sub) {
-    constexpr Scalar kSpread = Scalar(1.41421356237309505);                 // κ
-    constexpr Scalar kNotZero = Scalar(1e-30);                              // under a rate of 0
+    constexpr Scalar kSpread = Scalar(1.41421356237309505);                               // κ
+    constexpr Scalar kNotZero = Scalar(1e-30);                                            // under a rate of 0
     constexpr Scalar kPeakGives = Scalar(2 * 1.41421356237309505), kMost = Scalar(0.75);  // of R
     const Scalar dx = cell, courant = sub.dt / dx, growth = p.exchange_rate * sub.dt;
     const Scalar speed = p.law == Law::kConstant ? p.rolling_speed : p.max_speed;
@@ -61,7 +61,8 @@ Constants<Scalar> constants_of(const Params& p, float cell, Substep<Scalar> sub)
             .strong_pace = strong_pace,
             .exchange_depth = p.exchange_depth,
             .thick_exchange = p.exchange_depth < weak ? Scalar{p.exchange_depth} : room * thick_share,
-            .little_per_rolling = decays_much ? Scalar(1e30) : Scalar(kLittle) / std::min(weak, Scalar{p.exchange_depth}),
+            .little_per_rolling =
+                decays_much ? Scalar(1e30) : Scalar(kLittle) / std::min(weak, Scalar{p.exchange_depth}),
             .start_fall = p.start_slope * dx,
             .start_depth = nearest_quanta(Scalar{p.start_depth}),
             .freeze_depth = p.freeze_depth};

@@ -8,14 +8,14 @@
 // γ min(R, R_c) p (Boutreux, Raphaël and de Gennes 1998).
 //
 // Where p changes little in a sub-step the solution is the exponential, R e^(γ p Δt), and R + γ R_c p Δt in a
-// thick flow. Else p falls with what is eroded, with the lower neighbours held: a logistic equation in R, whose
-// solution never takes S past the threshold,
+// thick flow. Else p falls with what is eroded, with the lower neighbours held: a logistic equation in R,
+// whose solution never takes S past the threshold,
 //
 //     R ← R / (E + R a φ(aK))      a = γ κ Δt/Δx,  K = R + p Δx/κ,  E = e^(−aK),  φ(u) = (1 − e^(−u))/u
 //
 // and in a thick flow an exponential in p: p (Δx/κ) (1 − e^(−γ R_c κ Δt/Δx)). κ = √2, the most that S falls
-// with what is eroded; it depends on where the lower neighbours lie, and a vertex that is raised may come above
-// one that was not lower before.
+// with what is eroded; it depends on where the lower neighbours lie, and a vertex that is raised may come
+// above one that was not lower before.
 
 namespace sim::bcre {
 
@@ -25,7 +25,7 @@ inline constexpr double kMostDeposited = -31;  // m in a sub-step, which in_quan
 template <class Number>
 Number exchanged_strongly(const Number& rolling, const Number& growth, const Constants<Scalar<Number>>& c) {
     using S = Scalar<Number>;
-    const Number room = growth * c.room_per_growth;  // p Δx/κ: what takes S to the threshold
+    const Number room = growth * c.room_per_growth;       // p Δx/κ: what takes S to the threshold
     const Number end = (rolling + room) * c.strong_pace;  // aK
     const Number left = -grown(-end);                     // 1 − E
     const auto tiny = magnitude(end) < S(1e-6);
@@ -42,8 +42,8 @@ Number growth_of(const Number& fall, const Constants<Scalar<Number>>& c) {
     return fall * c.growth_per_fall - c.growth_at_level;
 }
 
-// By how much a layer grows where p changes little, e^(γ p Δt) − 1. Of a growth that is not little only that it is
-// more than kLittle.
+// By how much a layer grows where p changes little, e^(γ p Δt) − 1. Of a growth that is not little only that
+// it is more than kLittle.
 template <class Number>
 Number weak_growth(const Number& growth) {
     return grown_little(growth);
@@ -52,8 +52,7 @@ Number weak_growth(const Number& growth) {
 template <class Number>
 Number exchanged(const Number& rolling, const Number& fall, const Number& weak_growth,
                  const Constants<Scalar<Number>>& c) {
-    const auto changes_much =
-        larger(rolling * c.little_per_rolling, weak_growth) > Scalar<Number>(kLittle);
+    const auto changes_much = larger(rolling * c.little_per_rolling, weak_growth) > Scalar<Number>(kLittle);
     const Number weak = rolling * weak_growth;
     if (!any(changes_much)) return weak;
     return select(changes_much, exchanged_strongly(rolling, growth_of(fall, c), c), weak);
@@ -70,8 +69,8 @@ Number exchanged_at_rate(const Number& rolling, const Number& depth, const Numbe
     return larger(smaller(wanted, smaller(room, depth)), most_deposited);
 }
 
-// Moves `amount` from the standing to the rolling layer, or back if negative: whole quanta, no more than there
-// is.
+// Moves `amount` from the standing to the rolling layer, or back if negative: whole quanta, no more than
+// there is.
 template <class Number>
 void transfer(const Number& amount, Number& depth, Number& rolling, const Constants<Scalar<Number>>& c) {
     const Number moved = smaller(larger(in_quanta(amount, c.dither), -rolling), depth);

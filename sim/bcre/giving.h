@@ -30,8 +30,8 @@ Toward<Number> limited(const Toward<Number>& wanted, const Number& rolling) {
 // In whole quanta, so that both sides of a face book the same.
 template <class Number>
 Toward<Number> booked(const Toward<Number>& gives, const Constants<Scalar<Number>>& c) {
-    return {in_quanta(gives.east, c.dither), in_quanta(gives.west, c.dither), in_quanta(gives.north, c.dither),
-            in_quanta(gives.south, c.dither)};
+    return {in_quanta(gives.east, c.dither), in_quanta(gives.west, c.dither),
+            in_quanta(gives.north, c.dither), in_quanta(gives.south, c.dither)};
 }
 
 // R less what it gave, and then with what its neighbours gave it.

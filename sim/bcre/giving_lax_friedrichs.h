@@ -6,8 +6,8 @@
 //
 //     e = ¼ R + ½ R v_x Δt/Δx        w = ¼ R − ½ R v_x Δt/Δx        n, s alike, with v_x = v_E − v_W
 //
-// Its defect: a layer at rest spreads all the same, with Δx²/4Δt along each axis, and odd and even vertices do
-// not know of each other. Kept for comparison.
+// Its defect: a layer at rest spreads all the same, with Δx²/4Δt along each axis, and odd and even vertices
+// do not know of each other. Kept for comparison.
 
 namespace sim::bcre {
 

@@ -7,8 +7,9 @@
 //
 //     e = R v_E Δt/Δx        w, n, s alike
 //
-// No diffusion where nothing moves. At Courant numbers up to ¼ no more than 0.71 R leaves a vertex, a peak with
-// four lower neighbours, so that a layer of 16 quanta has the four that rounding may add; a thinner one waits.
+// No diffusion where nothing moves. At Courant numbers up to ¼ no more than 0.71 R leaves a vertex, a peak
+// with four lower neighbours, so that a layer of 16 quanta has the four that rounding may add; a thinner one
+// waits.
 
 namespace sim::bcre {
 

@@ -2,8 +2,8 @@
 
 #include "sim/bcre/giving.h"
 
-// The split fluxes of giving_local_lax_friedrichs.h with layer and velocity of the face, second order in space
-// where they are smooth: R along its minmod-limited slope (van Leer 1979), v as the mean of both sides.
+// The split fluxes of giving_local_lax_friedrichs.h with layer and velocity of the face, second order in
+// space where they are smooth: R along its minmod-limited slope (van Leer 1979), v as the mean of both sides.
 //
 //     W     C  |  E            e = (R_C + ½ σ) max(0,  ½ (v_C + v_E)) Δt/Δx        v, σ: components along x
 //                              w = (R_C − ½ σ) max(0, −½ (v_C + v_W)) Δt/Δx        n, s alike

@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "sim/bcre/inertial.h"
-#include "sim/numbers.h"
 #include "sim/exponential.h"
 #include "sim/layers.h"
+#include "sim/numbers.h"
 #include "sim/params.h"
 #include "sim/quanta.h"
 #include "sim/scratch.h"

@@ -35,7 +35,8 @@ Number bend_y(const Layers<Number>& s, int x, int y) {
 // D toward the four neighbours, m.
 template <class Number>
 Toward<Number> drops(const Layers<Number>& s, int x, int y) {
-    return {rise(s, x + 1, y, x, y), rise(s, x - 1, y, x, y), rise(s, x, y + 1, x, y), rise(s, x, y - 1, x, y)};
+    return {rise(s, x + 1, y, x, y), rise(s, x - 1, y, x, y), rise(s, x, y + 1, x, y),
+            rise(s, x, y - 1, x, y)};
 }
 template <class Number>
 Toward<Number> limited_drops(const Layers<Number>& s, const Toward<Number>& drop, int x, int y) {
@@ -68,8 +69,7 @@ void store(const Toward<Number>& values, Directions<Number>& field, int x, int y
 }  // namespace
 
 template <class Number>
-void find_slope(const Layers<Number>& s, Scratch<Number>& scratch, Scheme scheme, int first,
-                int last) {
+void find_slope(const Layers<Number>& s, Scratch<Number>& scratch, Scheme scheme, int first, int last) {
     for (int y = first; y < last; ++y)
         for (int x = 0; x < s.grid.nx; ++x) {
             const Toward<Number> drop = drops(s, x, y);
@@ -140,8 +140,7 @@ template <class Number>
 void book_gives(const Layers<Number>& s, Scratch<Number>& scratch, Scheme scheme, const Constants<Number>& c,
                 int first, int last) {
     for (int y = first; y < last; ++y)
-        for (int x = 0; x < s.grid.nx; ++x)
-            {
+        for (int x = 0; x < s.grid.nx; ++x) {
             const Toward<Number> wanted = at(scratch.given, x, y);
             store(booked(scheme == Scheme::kMuscl ? limited(wanted, s.rolling(x, y)) : wanted, c),
                   scratch.given, x, y);
@@ -153,8 +152,7 @@ void carry_gives(const Layers<Number>& s, Scratch<Number>& scratch, int first, i
     const Directions<Number>& given = scratch.given;
     for (int y = first; y < last; ++y)
         for (int x = 0; x < s.grid.nx; ++x)
-            scratch.rolling(x, y) =
-                after_transport(s.rolling(x, y), given, x, y);
+            scratch.rolling(x, y) = after_transport(s.rolling(x, y), given, x, y);
 }
 
 template <class Number>
@@ -175,8 +173,7 @@ void predict(const Layers<Number>& s, Scratch<Number>& scratch, int first, int l
     const Directions<Number>& given = scratch.given;
     for (int y = first; y < last; ++y)
         for (int x = 0; x < s.grid.nx; ++x) {
-            const Number carried =
-                after_transport(s.rolling(x, y), given, x, y);
+            const Number carried = after_transport(s.rolling(x, y), given, x, y);
             scratch.rolling(x, y) = predicted_rolling(carried, scratch.exchanged(x, y));
             scratch.depth(x, y) = s.depth(x, y) - scratch.exchanged(x, y);
         }
@@ -186,8 +183,7 @@ template <class Number>
 void take_means(Scratch<Number>& scratch, int first, int last) {
     for (int y = first; y < last; ++y)
         for (int x = 0; x < scratch.exchanged.nx(); ++x) {
-            store(mean(at(scratch.first_given, x, y), at(scratch.given, x, y)), scratch.given, x,
-                  y);
+            store(mean(at(scratch.first_given, x, y), at(scratch.given, x, y)), scratch.given, x, y);
             scratch.exchanged(x, y) = mean(scratch.first_exchanged(x, y), scratch.exchanged(x, y));
         }
 }

@@ -2,8 +2,8 @@
 
 // The stages of `bcre`, one loop each, in call order: the step as it reads, beside the sweep that does the
 // same at once (sweep/). Each works on the rows first … last-1, writes nothing else, and reads of other rows
-// only what an earlier stage finished; so rows may be shared out among threads. The formulas are in velocity.h,
-// giving.h and its schemes, slope.h, exchange.h and yield.h.
+// only what an earlier stage finished; so rows may be shared out among threads. The formulas are in
+// velocity.h, giving.h and its schemes, slope.h, exchange.h and yield.h.
 
 namespace sim {
 

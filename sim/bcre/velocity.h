@@ -2,18 +2,19 @@
 
 #include "sim/bcre/slope.h"
 
-// Velocity of the rolling layer in `bcre`: from a vertex to each of its lower neighbours, in proportion to the
-// drop, at the speed of a law. The ground says it, also where nothing rolls: it has no inertia.
+// Velocity of the rolling layer in `bcre`: from a vertex to each of its lower neighbours, in proportion to
+// the drop, at the speed of a law. The ground says it, also where nothing rolls: it has no inertia.
 //
 //             N              v_E = k max(0, D_E),  k = V / |f|   toward east; the same for W, N and S
 //             ↑
 //         W ← C → E          (C)  V = v₀                         one speed
 //             ↓              (HK) V = min(v_max, k_v S)          Hadeler and Kuttler 1999
-//             S              (T)  V = min(v_max, v₀ + ½ γ̇ R)     a layer sheared at the rate γ̇; its mean speed
+//             S              (T)  V = min(v_max, v₀ + ½ γ̇ R)     a layer sheared at the rate γ̇; its mean
+//             speed
 //
 // On a slope two of the four are not 0 and are the components of a vector of length V; on a ridge material
-// leaves to both sides, and in a pit it stays. D and f are of slope.h, so that flow and exchange agree on what
-// is down.
+// leaves to both sides, and in a pit it stays. D and f are of slope.h, so that flow and exchange agree on
+// what is down.
 //
 // For muscl to second order, v = −V g/|g| from central differences, g = ((h_E − h_W), (h_N − h_S)) / 2. (The
 // drops with a correction are of second order too, but what h has of single vertices would come back in ∇·v.)

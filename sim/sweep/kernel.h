@@ -11,11 +11,12 @@
 #include "sim/bcre/yield.h"
 #include "sim/sweep/sweep.h"
 
-// The sweep, for lanes of any number. A pipeline over the rows of a job: each stage runs as soon as the rows that
-// it reads are done, so that a row is still in the nearest cache when the next stage wants it.
+// The sweep, for lanes of any number. A pipeline over the rows of a job: each stage runs as soon as the rows
+// that it reads are done, so that a row is still in the nearest cache when the next stage wants it.
 //
 //   first order     drops (t)  ─►  gives (t)  ─►  R, d (t − 1)
-//   muscl           rates₀ (t)  ─►  gives₀ (t − 1)  ─►  u₁ (t − 2)  ─►  rates₁ (t − 4)  ─►  mean gives (t − 5)
+//   muscl           rates₀ (t)  ─►  gives₀ (t − 1)  ─►  u₁ (t − 2)  ─►  rates₁ (t − 4)  ─►  mean gives (t −
+//   5)
 //                   ─►  R, d, v (t − 6)
 //
 // A row is overwritten after the last stage that reads what it was.
@@ -26,12 +27,7 @@ template <class Lanes, Scheme scheme>
 class Kernel {
   public:
     Kernel(const Ground& ground, const Job& job, float* work, std::uint8_t* active = nullptr)
-        : g_(ground),
-          job_(job),
-          c_(ground.constants),
-          work_(work),
-          active_(active),
-          stride_(ground.stride) {}
+        : g_(ground), job_(job), c_(ground.constants), work_(work), active_(active), stride_(ground.stride) {}
 
     std::int64_t first_order() {
         find_drops(job_.y0 - 2);
@@ -140,8 +136,8 @@ class Kernel {
         float *to_east = east(y), *to_west = west(y), *to = part(parts(y), kNorth, x0);
         // In several short loops, so that a root or a quotient of some lanes does not hold up the others.
         const auto downward = [&](int x) {
-            return bcre::downward<Lanes>({load(east_of + x), -load(east_of + x - 1), load(north_of + x),
-                                          -load(north_of_south + x)});
+            return bcre::downward<Lanes>(
+                {load(east_of + x), -load(east_of + x - 1), load(north_of + x), -load(north_of_south + x)});
         };
         float* of = to;
         for (int x = x0; x < x1; x += kLanes, of += kParts * kLanes)
@@ -214,9 +210,9 @@ class Kernel {
                     *north = part(parts(y + 1), kNorth, job_.x0);
         for (int x = job_.x0; x < x1; x += kLanes) {
             Lanes lies = load(d + x);
-            const Lanes carried = bcre::with_received(load(of + kKept * kLanes), load(from_west + x),
-                                                      load(from_east + x), load(south + kNorth * kLanes),
-                                                      load(north + kSouth * kLanes));
+            const Lanes carried =
+                bcre::with_received(load(of + kKept * kLanes), load(from_west + x), load(from_east + x),
+                                    load(south + kNorth * kLanes), load(north + kSouth * kLanes));
             const Lanes fall = load(of + kFall * kLanes);
             Lanes rolls = carried;
             bcre::transfer(bcre::exchanged(rolls, fall, load(of + kGrowth * kLanes), c), lies, rolls, c);

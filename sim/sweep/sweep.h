@@ -7,11 +7,11 @@
 #include "sim/bcre/constants.h"
 #include "sim/outlets.h"
 
-// The stages of `bcre` in one sweep over the rows, with a row of lanes at a time: the same formulas as the plain
-// step (bcre/plain.h), and the same bits, without a field between them.
+// The stages of `bcre` in one sweep over the rows, with a row of lanes at a time: the same formulas as the
+// plain step (bcre/plain.h), and the same bits, without a field between them.
 //
-// Nothing here is more than pointers and numbers. The files sweep_*.cpp are compiled for instruction sets that
-// a machine may lack, so they must not share a function with the rest of the program.
+// Nothing here is more than pointers and numbers. The files sweep_*.cpp are compiled for instruction sets
+// that a machine may lack, so they must not share a function with the rest of the program.
 
 namespace sim {
 
@@ -44,8 +44,8 @@ struct Ground {
     std::uint8_t* active;  // of each tile: set where anything rolled or came to rest
 };
 
-// A rectangle of vertices that one thread sweeps, x0 … x1-1 by y0 … y1-1. Its rows change in place while others
-// sweep the rows beside it, so what lies beyond was copied before: kApron rows on each side.
+// A rectangle of vertices that one thread sweeps, x0 … x1-1 by y0 … y1-1. Its rows change in place while
+// others sweep the rows beside it, so what lies beyond was copied before: kApron rows on each side.
 inline constexpr int kApron = 8;
 struct Job {
     int x0, x1, y0, y1;
@@ -56,8 +56,8 @@ struct Job {
 // Rows that a thread works with, each `stride` floats.
 inline constexpr int kWorkRows = 112;
 
-// Returns what left the world, in quanta. `work` points to x = 0 of the first work row, `active` to a byte for each
-// run of lanes in a row, all 0.
+// Returns what left the world, in quanta. `work` points to x = 0 of the first work row, `active` to a byte
+// for each run of lanes in a row, all 0.
 using Sweep = std::int64_t (*)(const Ground& ground, const Job& job, float* work, std::uint8_t* active);
 std::int64_t sweep_v2(const Ground& ground, const Job& job, float* work, std::uint8_t* active);
 std::int64_t sweep_v3(const Ground& ground, const Job& job, float* work, std::uint8_t* active);

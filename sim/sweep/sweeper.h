@@ -33,11 +33,11 @@ class Sweeper {
 
     Outlets outlets_;
     std::ptrdiff_t stride_;
-    std::vector<float> aprons_;  // kApron rows of two layers on two sides, for each row of tiles
-    std::vector<float> work_;    // kWorkRows for each thread
+    std::vector<float> aprons_;             // kApron rows of two layers on two sides, for each row of tiles
+    std::vector<float> work_;               // kWorkRows for each thread
     std::vector<std::uint8_t> row_active_;  // a row for each thread
-    std::vector<std::uint8_t> active_;  // of each tile, in this sub-step
-    std::vector<std::uint8_t> stale_;   // of each tile: swept since its velocity was found
+    std::vector<std::uint8_t> active_;      // of each tile, in this sub-step
+    std::vector<std::uint8_t> stale_;       // of each tile: swept since its velocity was found
     std::vector<Job> jobs_;
     std::vector<std::int64_t> drained_;  // by each job
 };

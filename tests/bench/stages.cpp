@@ -61,16 +61,23 @@ void add_stages() {
     };
     constexpr auto kBcre = Model::kBcre;
     constexpr auto kInertial = Model::kBcreInertial;
-        const Entry entries[] = {
+    const Entry entries[] = {
         {"fill_borders", kBcre, kLocal, [](const Place& p) { sim::fill_borders(p.s, p.params); }},
-        {"find_slope", kBcre, kLocal, [](const Place& p) { sim::bcre::find_slope(p.s, p.scratch, kLocal, 0, p.rows); }},
-        {"find_pace", kBcre, kLocal, [](const Place& p) { sim::bcre::find_pace(p.s, p.scratch, p.c, 0, p.rows); }},
-        {"find_gives", kBcre, kLocal, [](const Place& p) { sim::bcre::find_gives(p.s, p.scratch, kLocal, p.c, 0, p.rows); }},
-        {"book_gives", kBcre, kLocal, [](const Place& p) { sim::bcre::book_gives(p.s, p.scratch, kLocal, p.c, 0, p.rows); }},
-        {"carry_gives", kBcre, kLocal, [](const Place& p) { sim::bcre::carry_gives(p.s, p.scratch, 0, p.rows); }},
-        {"find_exchange", kBcre, kLocal, [](const Place& p) { sim::bcre::find_exchange(p.s, p.scratch, kLocal, p.c, 0, p.rows); }},
+        {"find_slope", kBcre, kLocal,
+         [](const Place& p) { sim::bcre::find_slope(p.s, p.scratch, kLocal, 0, p.rows); }},
+        {"find_pace", kBcre, kLocal,
+         [](const Place& p) { sim::bcre::find_pace(p.s, p.scratch, p.c, 0, p.rows); }},
+        {"find_gives", kBcre, kLocal,
+         [](const Place& p) { sim::bcre::find_gives(p.s, p.scratch, kLocal, p.c, 0, p.rows); }},
+        {"book_gives", kBcre, kLocal,
+         [](const Place& p) { sim::bcre::book_gives(p.s, p.scratch, kLocal, p.c, 0, p.rows); }},
+        {"carry_gives", kBcre, kLocal,
+         [](const Place& p) { sim::bcre::carry_gives(p.s, p.scratch, 0, p.rows); }},
+        {"find_exchange", kBcre, kLocal,
+         [](const Place& p) { sim::bcre::find_exchange(p.s, p.scratch, kLocal, p.c, 0, p.rows); }},
         {"settle", kBcre, kLocal, [](const Place& p) { sim::bcre::settle(p.s, p.scratch, p.c, 0, p.rows); }},
-        {"find_velocity", kBcre, kLocal, [](const Place& p) { sim::bcre::find_velocity(p.s, p.c, 0, p.rows); }},
+        {"find_velocity", kBcre, kLocal,
+         [](const Place& p) { sim::bcre::find_velocity(p.s, p.c, 0, p.rows); }},
         {"inertial_relax", kInertial, kLocal,
          [](const Place& p) { sim::bcre::inertial_relax(p.s, p.params, p.sub, 0, p.rows); }},
         {"inertial_exchange", kInertial, kLocal,

@@ -97,7 +97,8 @@ int main(int argc, char** argv) {
     }
     add("muscl, plain", Model::kBcre, Scheme::kMuscl, {});
     add("bcre-inertial, plain", Model::kBcreInertial, Scheme::kLocalLaxFriedrichs, {});
-    add("bcre-inertial, plain, two threads", Model::kBcreInertial, Scheme::kLocalLaxFriedrichs, {.threads = 2});
+    add("bcre-inertial, plain, two threads", Model::kBcreInertial, Scheme::kLocalLaxFriedrichs,
+        {.threads = 2});
     bench::add_stages();
     benchmark::RegisterBenchmark("state hash", hash_of_state)->Arg(160)->Arg(1024);
     benchmark::Initialize(&argc, argv);

@@ -234,7 +234,8 @@ class FullDisk {
 TEST(Sandbox, says_that_the_disk_is_full_and_plays_on_without_a_recording) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "full.couloir";
-    Sandbox sandbox = recorded(path), unrecorded = Sandbox::begin(small_opening(), sim::How{}, std::nullopt).value();
+    Sandbox sandbox = recorded(path),
+            unrecorded = Sandbox::begin(small_opening(), sim::How{}, std::nullopt).value();
     const sim::Command pour = pour_here(sandbox.start(), 500);
     const FullDisk full(std::filesystem::file_size(path) + 1000);
     int refused = 0;

@@ -211,8 +211,8 @@ TEST(Set, of_the_start_slope_and_the_anchor_lets_ground_go_that_held) {
     Play play(support::plane(20, 1, 0.6, 1), params);
     play.ticks(10);
     ASSERT_EQ(play.state.ledger.rolling, 0);
-    const Command sets[] = {set_to("start_slope", 0.5), set_to("anchor_gain", 0),
-                            set_to("anchor_step", 0), set_to("stop_slope", 0.45)};
+    const Command sets[] = {set_to("start_slope", 0.5), set_to("anchor_gain", 0), set_to("anchor_step", 0),
+                            set_to("stop_slope", 0.45)};
     play.ticks(1, sets);
     EXPECT_GT(play.state.ledger.rolling, 0);
 }

@@ -278,8 +278,8 @@ TEST(InertialExchange, deposits_nothing_above_the_deposit_speed) {
         Play play(ground, lively(Model::kBcreInertial));
         exchange_stage(play, speed);
         const double stop = 0.36 + (0.5 - 0.36) * std::exp(-5.);  // of 0.5 m
-        EXPECT_NEAR((*play.engine.scratch).depth(2, 2), 2 * 0.5 * (stop - 0.1) * std::max(0., 1 - speed / 2.5) * 0.02,
-                    1e-6);
+        EXPECT_NEAR((*play.engine.scratch).depth(2, 2),
+                    2 * 0.5 * (stop - 0.1) * std::max(0., 1 - speed / 2.5) * 0.02, 1e-6);
         EXPECT_EQ((*play.engine.scratch).velocity_y(2, 2), speed);  // what stays moving keeps its speed
     }
 }
@@ -300,7 +300,9 @@ TEST(InertialExchange, erodes_smoothly_from_the_erosion_depth_on_and_from_rest) 
         exchange_stage(play, 4);
         const double above = std::max(0., rolling - 0.05), eroded = 2 * above * above / rolling * 0.35 * 0.02;
         EXPECT_NEAR((*play.engine.scratch).rolling(2, 2), rolling + eroded, 1e-5) << rolling;
-        EXPECT_NEAR((*play.engine.scratch).rolling(2, 2) * (*play.engine.scratch).velocity_y(2, 2), rolling * 4, 1e-4) << rolling;
+        EXPECT_NEAR((*play.engine.scratch).rolling(2, 2) * (*play.engine.scratch).velocity_y(2, 2),
+                    rolling * 4, 1e-4)
+            << rolling;
     }
 }
 

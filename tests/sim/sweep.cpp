@@ -22,8 +22,7 @@ std::vector<How> ways() {
     std::vector<How> all;
     for (const auto set : sim::kInstructionSets)
         if (sim::has(set))
-            for (const int threads : {1, 3})
-                all.push_back({.threads = threads, .instruction_set = set});
+            for (const int threads : {1, 3}) all.push_back({.threads = threads, .instruction_set = set});
     all.push_back({.threads = 8, .tile_width = 16, .tile_height = 1});
     all.push_back({.threads = 5, .tile_width = 16, .tile_height = 9});
     all.push_back({.tile_width = 128, .tile_height = 200});
@@ -38,7 +37,8 @@ std::string name_of(const How& how) {
 
 // Steps worlds of all ways beside a plain one and compares them at each tick.
 void expect_same(const support::Ground& ground, const sim::Params& params, int ticks,
-                 const std::function<std::vector<sim::Command>(int tick)>& commands, const std::string& what) {
+                 const std::function<std::vector<sim::Command>(int tick)>& commands,
+                 const std::string& what) {
     Play plain(ground, params, {.plain = true});
     std::vector<std::unique_ptr<Play>> others;
     for (const How& how : ways()) others.push_back(std::make_unique<Play>(ground, params, how));
