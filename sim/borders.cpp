@@ -1,7 +1,5 @@
 #include "sim/borders.h"
 
-#include <tuple>
-
 #include "sim/layers.h"
 #include "sim/ledger.h"
 #include "sim/params.h"
@@ -47,23 +45,25 @@ void clear_drains(Layers<Number>& s, const Outlets& outlets) {
 }
 
 std::int64_t drained(const Scratch<float>& scratch, Model model) {
+    const Directions<float>& given = scratch.given;
+    const Field<float>&flux_x = scratch.flux_x, &flux_y = scratch.flux_y;
+    const bool gives = model == Model::kBcre;
+    const auto out_of = [&](int x, int y, Way way) {  // m
+        switch (way) {
+            case Way::kEast:
+                return gives ? given.east(x, y) : flux_x(x, y);
+            case Way::kWest:
+                return gives ? given.west(x, y) : -flux_x(x - 1, y);
+            case Way::kNorth:
+                return gives ? given.north(x, y) : flux_y(x, y);
+            case Way::kSouth:
+                break;
+        }
+        return gives ? given.south(x, y) : -flux_y(x, y - 1);
+    };
     std::int64_t quanta = 0;
-    for (const auto& [x, y, way] : scratch.outlets.faces) {
-        const auto [east, west, north, south] =
-            std::tie(scratch.given.east, scratch.given.west, scratch.given.north, scratch.given.south);
-        float out = 0;  // m
-        if (model == Model::kBcre)
-            out = way == Way::kEast    ? east(x, y)
-                  : way == Way::kWest  ? west(x, y)
-                  : way == Way::kNorth ? north(x, y)
-                                       : south(x, y);
-        else
-            out = way == Way::kEast    ? scratch.flux_x(x, y)
-                  : way == Way::kWest  ? -scratch.flux_x(x - 1, y)
-                  : way == Way::kNorth ? scratch.flux_y(x, y)
-                                       : -scratch.flux_y(x, y - 1);
-        quanta += static_cast<std::int64_t>(out / kQuantum);
-    }
+    for (const auto& [x, y, way] : scratch.outlets.faces)
+        quanta += static_cast<std::int64_t>(out_of(x, y, way) / kQuantum);
     return quanta;
 }
 

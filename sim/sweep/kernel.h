@@ -4,8 +4,6 @@
 #include "sim/bcre/giving.h"
 #include "sim/bcre/giving_lax_friedrichs.h"
 #include "sim/bcre/giving_local_lax_friedrichs.h"
-#include "sim/bcre/giving_muscl.h"
-#include "sim/bcre/runge_kutta.h"
 #include "sim/bcre/slope.h"
 #include "sim/bcre/velocity.h"
 #include "sim/bcre/yield.h"
@@ -14,10 +12,7 @@
 // The sweep, for lanes of any number. A pipeline over the rows of a job: each stage runs as soon as the rows
 // that it reads are done, so that a row is still in the nearest cache when the next stage wants it.
 //
-//   first order     drops (t)  ─►  gives (t)  ─►  R, d (t − 1)
-//   muscl           rates₀ (t)  ─►  gives₀ (t − 1)  ─►  u₁ (t − 2)  ─►  rates₁ (t − 4)  ─►  mean gives (t −
-//   5)
-//                   ─►  R, d, v (t − 6)
+//     drops (t)  ─►  gives (t)  ─►  R, d (t − 1)
 //
 // A row is overwritten after the last stage that reads what it was.
 
@@ -29,7 +24,7 @@ class Kernel {
     Kernel(const Ground& ground, const Job& job, float* work, std::uint8_t* active = nullptr)
         : g_(ground), job_(job), c_(ground.constants), work_(work), active_(active), stride_(ground.stride) {}
 
-    std::int64_t first_order() {
+    std::int64_t substep() {
         find_drops(job_.y0 - 2);
         for (int t = job_.y0 - 1; t <= job_.y1; ++t) {
             find_drops(t);
@@ -80,16 +75,17 @@ class Kernel {
     }
 
     // What is given east and west, as rows: the next vertex reads it.
-    float* east(int y) const { return work_ + (y & 3) * stride_; }
-    float* west(int y) const { return work_ + (4 + (y & 3)) * stride_; }
+    float* east(int y) const { return work_ + (y & 1) * stride_; }
+    float* west(int y) const { return work_ + (2 + (y & 1)) * stride_; }
 
     // h less that of the next vertex east and north.
-    float* drop_east(int y) const { return work_ + (8 + (y & 1)) * stride_; }
-    float* drop_north(int y) const { return work_ + (10 + (y & 1)) * stride_; }
+    float* drop_east(int y) const { return work_ + (4 + (y & 1)) * stride_; }
+    float* drop_north(int y) const { return work_ + (6 + (y & 1)) * stride_; }
 
     // The rest only goes to the same lanes of this row or another, so it lies together, lanes by lanes.
     enum Part { kNorth, kSouth, kKept, kFall, kGrowth, kPace, kParts };
-    float* parts(int y) const { return work_ + (12 + (y & 3) * kParts) * stride_ + kParts * kLanes; }
+    static_assert(8 + 4 * kParts <= kWorkRows);
+    float* parts(int y) const { return work_ + (8 + (y & 3) * kParts) * stride_ + kParts * kLanes; }
     static float* part(float* parts, Part which, int x) { return parts + kParts * x + which * kLanes; }
 
     bool in_grid(int y) const { return y >= 0 && y < g_.ny; }
@@ -154,7 +150,7 @@ class Kernel {
             Toward gives;
             if constexpr (scheme == Scheme::kLaxFriedrichs) {
                 gives = bcre::give_lax_friedrichs(moving, down, pace, c);
-            } else {
+            } else {  // down to a wall there is no drop, so nothing has to be kept back
                 gives = bcre::booked(bcre::give_local_lax_friedrichs(moving, down, pace, c), c);
                 put(bcre::kept(moving, gives), to + kKept * kLanes);
             }
@@ -267,8 +263,6 @@ class Kernel {
         }
     }
 
-    static int smaller_of(int a, int b) { return a < b ? a : b; }
-
     const Ground& g_;
     const Job job_;
     const bcre::Constants<float> c_;
@@ -287,9 +281,9 @@ template <class Lanes>
 std::int64_t run(const Ground& ground, const Job& job, float* work, std::uint8_t* active) {
     switch (ground.scheme) {
         case Scheme::kLaxFriedrichs:
-            return Kernel<Lanes, Scheme::kLaxFriedrichs>(ground, job, work, active).first_order();
+            return Kernel<Lanes, Scheme::kLaxFriedrichs>(ground, job, work, active).substep();
         case Scheme::kLocalLaxFriedrichs:
-            return Kernel<Lanes, Scheme::kLocalLaxFriedrichs>(ground, job, work, active).first_order();
+            return Kernel<Lanes, Scheme::kLocalLaxFriedrichs>(ground, job, work, active).substep();
         case Scheme::kMuscl:
             break;
     }

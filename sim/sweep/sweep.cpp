@@ -142,7 +142,6 @@ Ground Sweeper::ground_of(State& s, Substep<float> sub) {
                   .velocity_x = s.velocity_x.row(0),
                   .velocity_y = s.velocity_y.row(0),
                   .wall = {},
-                  .sink = {},
                   .outlets = outlets_.view(),
                   .scheme = s.params.scheme,
                   .constants = bcre::constants_of(s.params, s.grid.dx, sub),
@@ -150,10 +149,7 @@ Ground Sweeper::ground_of(State& s, Substep<float> sub) {
                   .tile_height = s.tiles.height,
                   .tile_columns = s.tiles.columns,
                   .active = active_.data()};
-    for (std::size_t side = 0; side < 4; ++side) {
-        ground.wall[side] = s.params.borders[side] == Border::kWall;
-        ground.sink[side] = s.params.borders[side] == Border::kSink;
-    }
+    for (std::size_t side = 0; side < 4; ++side) ground.wall[side] = s.params.borders[side] == Border::kWall;
     return ground;
 }
 

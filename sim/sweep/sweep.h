@@ -7,8 +7,8 @@
 #include "sim/bcre/constants.h"
 #include "sim/outlets.h"
 
-// The stages of `bcre` in one sweep over the rows, with a row of lanes at a time: the same formulas as the
-// plain step (bcre/plain.h), and the same bits, without a field between them.
+// The first-order stages of `bcre` in one sweep over the rows, with a row of lanes at a time: the same
+// formulas as the plain step (bcre/plain.h), and the same bits, without a field between them.
 //
 // Nothing here is more than pointers and numbers. The files sweep_*.cpp are compiled for instruction sets
 // that a machine may lack, so they must not share a function with the rest of the program.
@@ -27,15 +27,13 @@ std::string_view to_string(InstructionSet set);
 
 namespace sweep {
 
-inline constexpr int kWidest = 16;  // lanes of the newest set; rows are padded to whole multiples of it
-
 // A sub-step's world as the sweep sees it: pointers to vertex (0, 0), rows `stride` apart.
 struct Ground {
     int nx, ny;
     std::ptrdiff_t stride;
     const float* bedrock;
     float *depth, *rolling, *velocity_x, *velocity_y;
-    bool wall[4], sink[4];  // by Side
+    bool wall[4];  // by Side
     Outlets::View outlets;
     Scheme scheme;
     bcre::Constants<float> constants;
@@ -46,7 +44,7 @@ struct Ground {
 
 // A rectangle of vertices that one thread sweeps, x0 … x1-1 by y0 … y1-1. Its rows change in place while
 // others sweep the rows beside it, so what lies beyond was copied before: kApron rows on each side.
-inline constexpr int kApron = 8;
+inline constexpr int kApron = 2;
 struct Job {
     int x0, x1, y0, y1;
     float *depth_below, *depth_above;      // rows y0-kApron …, y1 …; to vertex x = 0
@@ -54,7 +52,7 @@ struct Job {
 };
 
 // Rows that a thread works with, each `stride` floats.
-inline constexpr int kWorkRows = 112;
+inline constexpr int kWorkRows = 32;
 
 // Returns what left the world, in quanta. `work` points to x = 0 of the first work row, `active` to a byte
 // for each run of lanes in a row, all 0.
