@@ -21,7 +21,7 @@ bool same_inside(const sim::Field<T>& a, const sim::Field<T>& b) {
 template <class T>
 void send(const Texture& texture, const sim::Field<T>& field, GLenum format, GLenum type) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, field.nx() + 2);  // rows of a field carry the halo
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, field.stride());  // rows of a field carry halo and padding
     glTextureSubImage2D(texture.name(), 0, 0, 0, field.nx(), field.ny(), format, type, field.row(0));
     glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);

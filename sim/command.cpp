@@ -97,6 +97,7 @@ void settle(State& s, const Command& c) {
         const float moved = std::min(s.rolling(x, y), room_above(s.depth(x, y)));
         s.depth(x, y) += moved;
         set_rolling(s, x, y, s.rolling(x, y) - moved);
+        s.first_depth(x, y) = std::max(s.first_depth(x, y), s.depth(x, y));  // and is loose no more
     });
 }
 

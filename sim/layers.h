@@ -30,7 +30,8 @@ struct Layers {
     Field<Number> velocity_x;   // m/s, of the rolling layer; 0 where R = 0
     Field<Number> velocity_y;   // m/s
     Field<Number> first_slope;  // tangent of the first surface's steepest descent: natural ground holds it
-    Field<Number> first_depth;  // m, d of the first surface: what lies above it is loose
+    Field<Number>
+        first_depth;  // m, d of the first surface, or of what was settled: what lies above it is loose
     Field<Site> site;
 };
 

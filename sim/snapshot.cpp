@@ -3,7 +3,8 @@
 namespace sim {
 
 Snapshot take_snapshot(const State& s) {
-    return {s.params, s.depth, s.rolling, s.velocity_x, s.velocity_y, s.tick, s.sources, s.seed, s.ledger};
+    return {s.params,      s.depth, s.rolling, s.velocity_x, s.velocity_y,
+            s.first_depth, s.tick,  s.sources, s.seed,       s.ledger};
 }
 
 void restore(const Snapshot& snapshot, State& s) {
@@ -13,6 +14,7 @@ void restore(const Snapshot& snapshot, State& s) {
     s.rolling = snapshot.rolling;
     s.velocity_x = snapshot.velocity_x;
     s.velocity_y = snapshot.velocity_y;
+    s.first_depth = snapshot.first_depth;
     s.tick = snapshot.tick;
     s.sources = snapshot.sources;
     s.seed = snapshot.seed;

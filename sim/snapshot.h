@@ -12,7 +12,7 @@ namespace sim {
 // gives the same hash and the same future, to the bit.
 struct Snapshot {
     Params params;
-    Field<float> depth, rolling, velocity_x, velocity_y;  // as in State
+    Field<float> depth, rolling, velocity_x, velocity_y, first_depth;  // as in State
     std::int64_t tick = 0;
     std::vector<Source> sources;
     std::uint64_t seed = 0;
