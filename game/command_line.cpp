@@ -20,6 +20,8 @@ namespace {
 
 constexpr int kMostThreads = 64;
 
+constexpr const char* kKernels = "plain, x86-64-v2, x86-64-v3, x86-64-v4";
+
 void add_how(CLI::App& app, sim::How& how) {
     app.add_option("--threads", how.threads, "for the simulation; any number gives the same bits")
         ->check(CLI::Range(1, kMostThreads))
@@ -36,11 +38,10 @@ void add_how(CLI::App& app, sim::How& how) {
                        how.instruction_set = set;
                        return;
                    }
-               throw CLI::ValidationError("--kernel",
-                                          "'" + text + "' is none of plain, x86-64-v2, x86-64-v3, x86-64-v4");
+               throw CLI::ValidationError("--kernel", "'" + text + "' is none of " + kKernels);
            },
-           "how the simulation is reckoned, to the same bits: plain, x86-64-v2, x86-64-v3, x86-64-v4 [the "
-           "newest that this machine has]")
+           std::string("how the simulation is reckoned, to the same bits: ") + kKernels +
+               " [the newest that this machine has]")
         ->type_name("NAME");
 }
 

@@ -121,9 +121,8 @@ std::string to_text(const Summary& summary) {
         "m3, error {} quanta\n",
         m3(mass.standing), m3(mass.rolling), m3(mass.out), m3(mass.poured), m3(mass.dug), m3(mass.initial),
         mass.mass_error());
-    text += fmt::format(
-        "eroded {:.0f} m3, deposited {:.0f} m3 (entrainment has no reference)\n",
-        m.eroded, m.deposited);
+    text += fmt::format("eroded {:.0f} m3, deposited {:.0f} m3 (entrainment has no reference)\n", m.eroded,
+                        m.deposited);
     text += fmt::format("state hash {}\n", hex(session.state_line().hash));
     if (summary.verdict) text += verdict_text(*summary.verdict);
     if (summary.perf)

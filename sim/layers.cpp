@@ -1,11 +1,8 @@
 #include "sim/layers.h"
 
-#include <algorithm>
-
-#include "sim/bcre/plain.h"
+#include "sim/bcre/drops.h"
 #include "sim/borders.h"
 #include "sim/params.h"
-#include "sim/scratch.h"
 
 namespace sim {
 namespace {
@@ -62,10 +59,9 @@ template <class Number>
 void enclose(Layers<Number>& s, const Params& params) {
     continue_bedrock(s, params);
     fill_borders(s, params);
-    Scratch<Number> scratch(s);
-    bcre::find_slope(s, scratch, Scheme::kLocalLaxFriedrichs, 0, s.grid.ny);
     for (int y = 0; y < s.grid.ny; ++y)
-        for (int x = 0; x < s.grid.nx; ++x) s.first_slope(x, y) = scratch.fall(x, y) / s.grid.dx;
+        for (int x = 0; x < s.grid.nx; ++x)
+            s.first_slope(x, y) = bcre::fall_of(bcre::downward(bcre::drops(s, x, y))) / s.grid.dx;
     s.first_depth = s.depth;
 }
 

@@ -42,13 +42,8 @@ Number growth_of(const Number& fall, const Constants<Scalar<Number>>& c) {
     return fall * c.growth_per_fall - c.growth_at_level;
 }
 
-// By how much a layer grows where p changes little, e^(γ p Δt) − 1. Of a growth that is not little only that
-// it is more than kLittle.
-template <class Number>
-Number weak_growth(const Number& growth) {
-    return grown_little(growth);
-}
-
+// `weak_growth` = e^growth − 1 by grown_little(): the answer where p changes little. Where the growth is not
+// little, neither is this, and it only says so.
 template <class Number>
 Number exchanged(const Number& rolling, const Number& fall, const Number& weak_growth,
                  const Constants<Scalar<Number>>& c) {

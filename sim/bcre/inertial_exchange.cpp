@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/bcre/drops.h"
 #include "sim/bcre/inertial.h"
 #include "sim/exponential.h"
-#include "sim/layers.h"
-#include "sim/numbers.h"
 #include "sim/params.h"
 #include "sim/quanta.h"
 #include "sim/scratch.h"
@@ -30,41 +29,18 @@
 // term with minmod is left out.
 
 namespace sim::bcre {
-namespace {
-
-// The fall of h from one vertex to another; bedrock and depth apart, lest the depth's last digits be lost.
-template <class Number>
-Number fall(const Layers<Number>& s, int x0, int y0, int x1, int y1) {
-    return (s.bedrock(x0, y0) - s.bedrock(x1, y1)) + (s.depth(x0, y0) - s.depth(x1, y1));
-}
-
-// By how much less h falls beyond a neighbour, which lies by (step_x, step_y), than to it.
-template <class Number>
-Number bend_beyond(const Layers<Number>& s, int x, int y, int step_x, int step_y, Number to_neighbour) {
-    const int far_x = x + 2 * step_x, far_y = y + 2 * step_y;
-    if (far_x < -1 || far_y < -1 || far_x > s.grid.nx || far_y > s.grid.ny) return 0;
-    return to_neighbour - fall(s, x + step_x, y + step_y, far_x, far_y);
-}
-
-// g along one axis, times Δx.
-template <class Number>
-Number greatest(Number one, Number other) {
-    return std::max(Number{0}, std::max(one, other));
-}
-
-}  // namespace
 
 template <class Number>
 void inertial_exchange(const Layers<Number>& s, const Params& params, Scratch<Number>& scratch,
                        Substep<Number> sub, int first, int last) {
-    constexpr Number kGreatestSpread = 1.41421356f, kHalf = 0.5f;
+    constexpr Number kGreatestSpread = 1.41421356f;
     const Number dx = s.grid.dx, per_cell = 1 / dx, pace = params.exchange_rate * sub.dt;
     const Number reach = params.exchange_depth;
     for (int y = first; y < last; ++y)
         for (int x = 0; x < s.grid.nx; ++x) {
-            const Number west = fall(s, x, y, x - 1, y), east = fall(s, x, y, x + 1, y);
-            const Number south = fall(s, x, y, x, y - 1), north = fall(s, x, y, x, y + 1);
-            const Number gx = greatest(west, east) * per_cell, gy = greatest(south, north) * per_cell;
+            const Toward<Number> drop = drops(s, x, y), down = downward(drop);
+            const Number gx = std::max(down.west, down.east) * per_cell;
+            const Number gy = std::max(down.south, down.north) * per_cell;
             const Number lower = std::sqrt(gx * gx + gy * gy);
             const Number spread = lower > 0 ? (gx + gy) / lower : Number{1};
             scratch.slope(x, y) = lower;
@@ -73,13 +49,9 @@ void inertial_exchange(const Layers<Number>& s, const Params& params, Scratch<Nu
             const Number r = s.rolling(x, y);
             if (r == 0) continue;
 
-            const Number bend_x = -(west + east), bend_y = -(south + north);
-            const auto finer = [&](Number to, Number bend, int step_x, int step_y) {
-                return to + kHalf * minmod(bend, bend_beyond(s, x, y, step_x, step_y, to));
-            };
-            const Number fine_x = greatest(finer(west, bend_x, -1, 0), finer(east, bend_x, 1, 0)) * per_cell;
-            const Number fine_y =
-                greatest(finer(south, bend_y, 0, -1), finer(north, bend_y, 0, 1)) * per_cell;
+            const Toward<Number> fine = downward(limited_drops(s, drop, x, y));
+            const Number fine_x = std::max(fine.west, fine.east) * per_cell;
+            const Number fine_y = std::max(fine.south, fine.north) * per_cell;
             const Number slope = std::sqrt(fine_x * fine_x + fine_y * fine_y);
 
             const Number stop = params.stop_slope_thick + (params.stop_slope - params.stop_slope_thick) *

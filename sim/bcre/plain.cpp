@@ -1,51 +1,18 @@
 #include "sim/bcre/plain.h"
 
+#include "sim/bcre/drops.h"
 #include "sim/bcre/exchange.h"
 #include "sim/bcre/giving.h"
 #include "sim/bcre/giving_lax_friedrichs.h"
 #include "sim/bcre/giving_local_lax_friedrichs.h"
 #include "sim/bcre/giving_muscl.h"
 #include "sim/bcre/runge_kutta.h"
-#include "sim/bcre/slope.h"
 #include "sim/bcre/velocity.h"
 #include "sim/bcre/yield.h"
-#include "sim/layers.h"
 #include "sim/scratch.h"
 
 namespace sim::bcre {
 namespace {
-
-// h at one vertex less h at another, m.
-template <class Number>
-Number rise(const Layers<Number>& s, int from_x, int from_y, int to_x, int to_y) {
-    return (s.bedrock(to_x, to_y) - s.bedrock(from_x, from_y)) +
-           (s.depth(to_x, to_y) - s.depth(from_x, from_y));
-}
-
-// B, the bend of h along x or y; 0 where a neighbour lies beyond the halo.
-template <class Number>
-Number bend_x(const Layers<Number>& s, int x, int y) {
-    return x < 0 || x >= s.grid.nx ? Number{0} : rise(s, x, y, x + 1, y) - rise(s, x - 1, y, x, y);
-}
-template <class Number>
-Number bend_y(const Layers<Number>& s, int x, int y) {
-    return y < 0 || y >= s.grid.ny ? Number{0} : rise(s, x, y, x, y + 1) - rise(s, x, y - 1, x, y);
-}
-
-// D toward the four neighbours, m.
-template <class Number>
-Toward<Number> drops(const Layers<Number>& s, int x, int y) {
-    return {rise(s, x + 1, y, x, y), rise(s, x - 1, y, x, y), rise(s, x, y + 1, x, y),
-            rise(s, x, y - 1, x, y)};
-}
-template <class Number>
-Toward<Number> limited_drops(const Layers<Number>& s, const Toward<Number>& drop, int x, int y) {
-    const Number along_x = bend_x(s, x, y), along_y = bend_y(s, x, y);
-    return {limited_drop(drop.east, along_x, bend_x(s, x + 1, y)),
-            limited_drop(drop.west, along_x, bend_x(s, x - 1, y)),
-            limited_drop(drop.north, along_y, bend_y(s, x, y + 1)),
-            limited_drop(drop.south, along_y, bend_y(s, x, y - 1))};
-}
 
 template <class Number>
 Toward<Number> at(const Directions<Number>& field, int x, int y) {
@@ -164,7 +131,7 @@ void find_exchange(const Layers<Number>& s, Scratch<Number>& scratch, Scheme sch
             scratch.exchanged(x, y) =
                 scheme == Scheme::kMuscl
                     ? exchanged_at_rate(s.rolling(x, y), s.depth(x, y), growth, c)
-                    : exchanged(s.rolling(x, y), scratch.fall(x, y), weak_growth(growth), c);
+                    : exchanged(s.rolling(x, y), scratch.fall(x, y), grown_little(growth), c);
         }
 }
 

@@ -141,7 +141,7 @@ class Kernel {
         of = to;
         for (int x = x0; x < x1; x += kLanes, of += kParts * kLanes) {
             const Lanes fall = load(of + kFall * kLanes);
-            put(bcre::weak_growth(bcre::growth_of(fall, c)), of + kGrowth * kLanes);
+            put(grown_little(bcre::growth_of(fall, c)), of + kGrowth * kLanes);
             put(bcre::pace_of(fall, load(r + x), c), of + kPace * kLanes);
         }
         for (int x = x0; x < x1; x += kLanes, to += kParts * kLanes) {

@@ -45,28 +45,15 @@ std::string_view to_string(InstructionSet set) {
 namespace sweep {
 namespace {
 
-Sweep sweep_for(InstructionSet set) {
-    switch (set) {
-        case InstructionSet::kX86_64_v2:
-            break;
-        case InstructionSet::kX86_64_v3:
-            return sweep_v3;
-        case InstructionSet::kX86_64_v4:
-            return sweep_v4;
-    }
-    return sweep_v2;
-}
+struct Kernels {
+    Sweep sweep;
+    Velocity velocity;
+};
+// By InstructionSet.
+constexpr Kernels kKernels[] = {{sweep_v2, velocity_v2}, {sweep_v3, velocity_v3}, {sweep_v4, velocity_v4}};
 
-Velocity velocity_for(InstructionSet set) {
-    switch (set) {
-        case InstructionSet::kX86_64_v2:
-            break;
-        case InstructionSet::kX86_64_v3:
-            return velocity_v3;
-        case InstructionSet::kX86_64_v4:
-            return velocity_v4;
-    }
-    return velocity_v2;
+const Kernels& kernels_for(InstructionSet set) {
+    return kKernels[static_cast<std::size_t>(set)];
 }
 
 }  // namespace
@@ -110,9 +97,9 @@ void Sweeper::find_jobs(const Grid& grid, const Tiles& tiles, const std::vector<
     drained_.assign(jobs_.size(), 0);
 }
 
-// Rows beside a job as they are before anybody changes them, with a margin for the stencils.
+// Rows beside a job as they are before anybody changes them, with the vertex beyond either end.
 void Sweeper::copy_aprons(const State& s, const Job& job) const {
-    constexpr int kMargin = 4;
+    constexpr int kMargin = 1;
     const int from = job.x0 == 0 ? -1 : job.x0 - kMargin;
     const int to = job.x1 == s.grid.nx ? job.x1 + 1 : job.x1 + kMargin;
     const auto copy = [&](const Field<float>& field, float* rows, int first) {
@@ -160,7 +147,7 @@ std::int64_t Sweeper::substep(State& s, Workers& workers, InstructionSet set, Su
     fill_borders(s, s.params);
 
     const Ground ground = ground_of(s, sub);
-    const Sweep sweep = sweep_for(set);
+    const Sweep sweep = kernels_for(set).sweep;
     const int count = static_cast<int>(jobs_.size());
     workers.each_band(count, [&](int first, int last) {
         for (int i = first; i < last; ++i) copy_aprons(s, jobs_[static_cast<std::size_t>(i)]);
@@ -183,7 +170,7 @@ void Sweeper::find_velocity(State& s, Workers& workers, InstructionSet set) {
     if (jobs_.empty()) return;
     fill_borders(s, s.params);
     const Ground ground = ground_of(s, {});
-    const Velocity velocity = velocity_for(set);
+    const Velocity velocity = kernels_for(set).velocity;
     workers.each_band(static_cast<int>(jobs_.size()), [&](int first, int last) {
         for (int i = first; i < last; ++i) velocity(ground, jobs_[static_cast<std::size_t>(i)]);
     });

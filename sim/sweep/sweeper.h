@@ -14,7 +14,7 @@ struct Tiles;
 namespace sweep {
 
 // Shares the tiles that are awake out among threads, and sweeps them. Made once per world; allocates nothing
-// afterwards. Holds nothing from one sub-step to the next.
+// afterwards. From one sub-step to the next it holds only which tiles have no new velocity yet.
 class Sweeper {
   public:
     Sweeper(const State& state, int threads);
