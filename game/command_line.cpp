@@ -154,7 +154,9 @@ void add_run(CLI::App& app, RunOptions& options) {
         ->type_name("FILE")
         ->needs(terrain);
     app.add_option("--reference", options.reference,
-                   "GeoJSON extent to compare with; the summary tells the overlap")
+                   "what to compare with: a GeoJSON extent, or a raster of the observed change of height; "
+                   "the summary "
+                   "tells the overlap, and how far material was carried")
         ->type_name("FILE");
     add_material_and_model(app, options.wishes);
     app.add_flag("--until-rest", options.until_rest,

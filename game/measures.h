@@ -8,6 +8,7 @@
 #include "game/session.h"
 #include "game/start.h"
 #include "terrains/georeference.h"
+#include "terrains/release.h"
 
 namespace game {
 
@@ -25,14 +26,28 @@ struct Measures {
     double run_out = 0;    // m, in plan
     double fall = 0;       // m
     double reach_deg = 0;  // ° of that line below the horizon
-    // Extent and reference: their intersection over their union; with a reference only.
+    // With a reference only: intersection over union of its extent and this one, or of where the surface was
+    // changed by kChanged at least.
+    static constexpr float kChanged = 0.3f;  // m
     std::optional<double> overlap;
+
+    // A change of the surface: how much was raised, and how far its middle lies from that of what was
+    // lowered.
+    struct Change {
+        double raised = 0;              // m³
+        terrains::LocalPoint from, to;  // centroids by volume
+        double carried = 0;             // m, in plan
+    };
+    struct Changes {
+        Change here, observed;
+        double apart = 0;  // m, between the middles of what was raised
+    };
+    std::optional<Changes> changes;  // with a reference that is a change
 };
 
-// `released` is where material was set loose, as has_release gives it; `reference` is empty or grid.size()
-// flags.
+// `released` is where material was set loose, as release_area() gives it.
 Measures measure(const Start& start, const Session& session, const std::vector<std::uint8_t>& released,
-                 const std::vector<std::uint8_t>& reference);
+                 const terrains::Reference& reference);
 
 // 1 at each vertex of the start's release and under each command that adds or frees material.
 std::vector<std::uint8_t> release_area(const Start& start, std::span<const TimedCommand> commands);

@@ -39,6 +39,17 @@ Json measures_json(const Summary& summary) {
               {"top", place_json(summary.start, m.top)},
               {"toe", place_json(summary.start, m.toe)}};
     if (m.overlap) json["overlap"] = *m.overlap;
+    if (m.changes) {
+        const auto of = [&](const Measures::Change& change) {
+            return Json{{"raised_m3", change.raised},
+                        {"from", place_json(summary.start, change.from)},
+                        {"to", place_json(summary.start, change.to)},
+                        {"carried_m", change.carried}};
+        };
+        json["change"] = {{"here", of(m.changes->here)},
+                          {"observed", of(m.changes->observed)},
+                          {"apart_m", m.changes->apart}};
+    }
     return json;
 }
 
@@ -114,8 +125,15 @@ std::string to_text(const Summary& summary) {
         text += fmt::format("from {}\n  to {}\n", placed(start, m.top), placed(start, m.toe));
     }
     if (m.overlap)
-        text +=
-            fmt::format("overlap with the reference extent {:.2f} (intersection over union)\n", *m.overlap);
+        text += fmt::format("overlap with the reference {} {:.2f} (intersection over union)\n",
+                            m.changes ? "change of 0.3 m and more" : "extent", *m.overlap);
+    if (m.changes)
+        text += fmt::format(
+            "carried {:.0f} m, observed {:.0f} m, from the middle of what was lowered to that of what was "
+            "raised; "
+            "{:.0f} m apart; raised {:.0f} m3, observed {:.0f} m3\n",
+            m.changes->here.carried, m.changes->observed.carried, m.changes->apart, m.changes->here.raised,
+            m.changes->observed.raised);
     text += fmt::format(
         "mass: standing {:.1f} + rolling {:.1f} + out {:.1f} - poured {:.1f} + dug {:.1f} = initial {:.1f} "
         "m3, error {} quanta\n",

@@ -20,12 +20,15 @@ constexpr double kDeepest = 200;  // m
 
 struct Depths {
     int columns = 0, rows = 0;
-    std::vector<float> metres;  // ≥ 0, row 0 first in the file
+    std::vector<float> metres;  // row 0 first in the file
     std::array<double, 6> to_pixels{};
     std::string wkt;
 };
 
-tl::expected<void, std::string> read_values(GDALDatasetH dataset, Depths& depths) {
+// What the numbers of a raster are: amounts, whatever their sign, or the sign says up or down.
+enum class Meaning { kAmount, kSigned };
+
+tl::expected<void, std::string> read_values(GDALDatasetH dataset, Meaning meaning, Depths& depths) {
     const GdalErrors errors;
     GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
     const std::size_t count = static_cast<std::size_t>(depths.columns) * depths.rows;
@@ -42,20 +45,20 @@ tl::expected<void, std::string> read_values(GDALDatasetH dataset, Depths& depths
         float& depth = depths.metres[i];
         if (known[i] == 0 || std::isnan(depth) || depth == -9999.f || depth == -32768.f) depth = 0;
         if (!(std::abs(depth) <= kDeepest))
-            return tl::unexpected(
-                fmt::format("row {}, column {} is {} m deep, and at most {} m can be released",
-                            i / depths.columns + 1, i % depths.columns + 1, depth, kDeepest));
+            return tl::unexpected(fmt::format("row {}, column {} is {} m deep, and at most {} m can be",
+                                              i / depths.columns + 1, i % depths.columns + 1, depth,
+                                              kDeepest));
         raised = raised || depth > 0;
         lowered = lowered || depth < 0;
-        depth = std::abs(depth);
+        if (meaning == Meaning::kAmount) depth = std::abs(depth);
     }
-    if (raised && lowered)
+    if (meaning == Meaning::kAmount && raised && lowered)
         return tl::unexpected<std::string>(
             "it has depths of both signs, and nobody could say which of them is released");
     return {};
 }
 
-tl::expected<Depths, std::string> read(GDALDatasetH dataset) {
+tl::expected<Depths, std::string> read(GDALDatasetH dataset, Meaning meaning) {
     constexpr double kMostPixels = 100e6;
     if (auto bounded = check_size(dataset); !bounded) return tl::unexpected(bounded.error());
     Depths depths;
@@ -68,7 +71,7 @@ tl::expected<Depths, std::string> read(GDALDatasetH dataset) {
         GDALInvGeoTransform(from_pixels.data(), depths.to_pixels.data()) == 0)
         return tl::unexpected<std::string>("it does not say where its pixels lie");
     depths.wkt = system_of(dataset).wkt;
-    if (auto values = read_values(dataset, depths); !values) return tl::unexpected(values.error());
+    if (auto values = read_values(dataset, meaning, depths); !values) return tl::unexpected(values.error());
     return depths;
 }
 
@@ -146,8 +149,9 @@ float mean_depth(const Depths& depths, const Corners& below, const Corners& abov
     return static_cast<float>(sum / (samples * samples));
 }
 
-tl::expected<std::vector<float>, std::string> read(GDALDatasetH dataset, const Terrain& terrain) {
-    const auto depths = read(dataset);
+tl::expected<std::vector<float>, std::string> read(GDALDatasetH dataset, Meaning meaning,
+                                                   const Terrain& terrain) {
+    const auto depths = read(dataset, meaning);
     if (!depths) return tl::unexpected(depths.error());
     const auto way = between(terrain.georeference, *depths);
     if (!way) return tl::unexpected(way.error());
@@ -167,16 +171,26 @@ tl::expected<std::vector<float>, std::string> read(GDALDatasetH dataset, const T
     return thickness;
 }
 
+tl::expected<std::vector<float>, std::string> read(const std::filesystem::path& path, Meaning meaning,
+                                                   const Terrain& terrain) {
+    const GdalErrors errors;
+    const auto dataset = open_raster(path);
+    if (!dataset) return tl::unexpected(dataset.error());
+    auto values = read(dataset->get(), meaning, terrain);
+    if (!values) return tl::unexpected(fmt::format("{}: {}", path.string(), values.error()));
+    return values;
+}
+
 }  // namespace
 
 tl::expected<std::vector<float>, std::string> read_depth_raster(const std::filesystem::path& path,
                                                                 const Terrain& terrain) {
-    const GdalErrors errors;
-    const auto dataset = open_raster(path);
-    if (!dataset) return tl::unexpected(dataset.error());
-    auto thickness = read(dataset->get(), terrain);
-    if (!thickness) return tl::unexpected(fmt::format("{}: {}", path.string(), thickness.error()));
-    return thickness;
+    return read(path, Meaning::kAmount, terrain);
+}
+
+tl::expected<std::vector<float>, std::string> read_signed_raster(const std::filesystem::path& path,
+                                                                 const Terrain& terrain) {
+    return read(path, Meaning::kSigned, terrain);
 }
 
 }  // namespace terrains

@@ -14,5 +14,8 @@ namespace terrains {
 // as described with read_release(). A pixel counts with its whole area, so the volume is kept.
 tl::expected<std::vector<float>, std::string> read_depth_raster(const std::filesystem::path& path,
                                                                 const Terrain& terrain);
+// The same with the signs that it has.
+tl::expected<std::vector<float>, std::string> read_signed_raster(const std::filesystem::path& path,
+                                                                 const Terrain& terrain);
 
 }  // namespace terrains

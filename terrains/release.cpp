@@ -55,4 +55,21 @@ tl::expected<std::vector<std::uint8_t>, std::string> read_extent(const std::file
     return mask;
 }
 
+tl::expected<Reference, std::string> read_reference(const std::filesystem::path& path,
+                                                    const Terrain& terrain) {
+    Reference reference;
+    if (looks_like_json(path)) {
+        auto extent = read_extent(path, terrain);
+        if (!extent) return tl::unexpected(extent.error());
+        reference.extent = std::move(*extent);
+    } else {
+        auto change = read_signed_raster(path, terrain);
+        if (!change) return tl::unexpected(change.error());
+        if (std::all_of(change->begin(), change->end(), [](float metres) { return metres == 0; }))
+            return tl::unexpected(fmt::format("{}: it has no change on {}", path.string(), terrain.name));
+        reference.change = std::move(*change);
+    }
+    return reference;
+}
+
 }  // namespace terrains

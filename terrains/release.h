@@ -29,6 +29,19 @@ tl::expected<std::vector<float>, std::string> read_release(const std::filesystem
                                                            const Terrain& terrain,
                                                            std::optional<double> default_thickness = {});
 
+// What people observed or another program found, to compare with: one of the two, the other is empty.
+struct Reference {
+    std::vector<std::uint8_t> extent;  // 1 where the avalanche was
+    std::vector<float> change;         // m by which the surface was raised, below 0 lowered
+
+    bool empty() const { return extent.empty() && change.empty(); }
+};
+
+// An extent from GeoJSON, else the change of height from a raster (a "DEM of difference"): brought over as a
+// depth raster, but signs count, and no data is no change. Errors as of read_extent() and read_release().
+tl::expected<Reference, std::string> read_reference(const std::filesystem::path& path,
+                                                    const Terrain& terrain);
+
 // 1 where at least half a vertex's cell lies in the file's polygons: an observed or simulated extent to
 // compare with. GeoJSON as above, thickness not needed. Counts no-data vertices too. Errors as above.
 tl::expected<std::vector<std::uint8_t>, std::string> read_extent(const std::filesystem::path& path,

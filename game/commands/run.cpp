@@ -23,14 +23,14 @@ Outcome<Scene> scene_of(const RunOptions& options) {
 struct Leavings {
     std::optional<Recorder> recorder;
     std::optional<Gallery> gallery;
-    std::vector<std::uint8_t> reference;
+    terrains::Reference reference;
 };
 
 Outcome<Leavings> open_leavings(const RunOptions& options, const Start& start,
                                 const terrains::Terrain& ground) {
     Leavings leavings;
     if (options.reference) {
-        auto reference = terrains::read_extent(*options.reference, ground);
+        auto reference = terrains::read_reference(*options.reference, ground);
         if (!reference) return unusable(reference.error());
         leavings.reference = std::move(*reference);
     }

@@ -41,7 +41,7 @@ TEST(Measures, are_those_worked_out_by_hand) {
     hill.start.rolling[hill.at(9, 0)] = 0.0625f;  // farther, but too thin to count
     const Session session = hill.session();
     const Measures m = measure(hill.start, session, hill.flags({{4, 7}, {5, 8}, {3, 1}}),
-                               hill.flags({{5, 8}, {5, 6}, {1, 1}}));
+                               {hill.flags({{5, 8}, {5, 6}, {1, 1}}), {}});
     EXPECT_DOUBLE_EQ(m.extent_area, 3 * 100.0);
     EXPECT_DOUBLE_EQ(m.peak_depth, 2.5);
     EXPECT_DOUBLE_EQ(m.top.x, 50);
@@ -66,7 +66,7 @@ TEST(Measures, without_release_or_reference_leave_line_and_overlap_out) {
     EXPECT_DOUBLE_EQ(m.reach_deg, 0);
     EXPECT_FALSE(m.overlap);
     EXPECT_DOUBLE_EQ(m.extent_area, 100);
-    EXPECT_FALSE(measure(Hill().start, Hill().session(), hill.flags({}), hill.flags({})).overlap)
+    EXPECT_FALSE(measure(Hill().start, Hill().session(), hill.flags({}), {hill.flags({}), {}}).overlap)
         << "nothing over nothing";
 }
 
@@ -87,6 +87,35 @@ TEST(Measures, count_what_the_standing_layer_lost_and_won) {
     const Measures m = measure(hill.start, session, hill.flags({}), {});
     EXPECT_NEAR(m.eroded, 25, 1e-3);
     EXPECT_NEAR(m.deposited, 50, 1e-3);
+}
+
+TEST(Measures, compare_a_change_of_the_surface_with_an_observed_one) {
+    const Hill hill;
+    Session session = hill.session();
+    sim::Command dig, pour;
+    dig.kind = sim::CommandKind::kDig;
+    dig.x = 50, dig.y = 70;
+    dig.radius = 0;
+    dig.rate = 30;  // 0.5 m
+    pour.x = 50, pour.y = 20;
+    pour.radius = 0;
+    pour.rate = 3000;  // 0.5 m
+    pour.layer = sim::Layer::kStanding;
+    const std::vector<sim::Command> both{dig, pour};
+    ASSERT_TRUE(session.advance(both));
+    terrains::Reference observed;
+    observed.change.assign(hill.start.grid.size(), 0.f);
+    observed.change[hill.at(5, 7)] = -1;
+    observed.change[hill.at(5, 4)] = 1;
+    observed.change[hill.at(5, 3)] = 0.25f;  // too little to count in the overlap
+    const Measures m = measure(hill.start, session, hill.flags({}), observed);
+    ASSERT_TRUE(m.changes && m.overlap);
+    EXPECT_DOUBLE_EQ(*m.overlap, 1. / 3);
+    EXPECT_NEAR(m.changes->here.carried, 50, 1e-6);
+    EXPECT_NEAR(m.changes->here.raised, 50, 1e-3);
+    EXPECT_NEAR(m.changes->observed.carried, 32, 1e-6);  // from 70 m to (4 × 40 + 30) / 5 m
+    EXPECT_NEAR(m.changes->observed.raised, 125, 1e-3);
+    EXPECT_NEAR(m.changes->apart, 18, 1e-6);
 }
 
 TEST(ReleaseArea, is_the_release_and_what_pours_and_blasts_cover) {

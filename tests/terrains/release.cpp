@@ -1,7 +1,9 @@
 #include "terrains/release.h"
+#include <algorithm>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -253,6 +255,31 @@ TEST_F(Release, reads_an_extent_whether_or_not_it_has_a_thickness) {
     }
     test::write_text(path_, collection(feature("", "Polygon", "[" + ring(terrain, 950, 45, 990, 75) + "]")));
     EXPECT_FALSE(read_extent(path_, terrain));
+}
+
+TEST_F(Release, reads_a_reference_as_an_extent_or_as_a_change_with_its_signs) {
+    const Terrain terrain = ground(Georeference::unnamed(1000, 2000));
+    const auto write = [&](const test::Height& change) {
+        return test::write_ascii_grid(folder_.path(), "change",
+                                      {.columns = 10, .rows = 10, .west = 1100, .south = 2100}, change);
+    };
+    const auto change =
+        read_reference(write([](double x, double) { return x > 1150 ? -1.25 : 0.5; }), terrain);
+    ASSERT_TRUE(change) << change.error();
+    EXPECT_TRUE(change->extent.empty());
+    const auto [lowest, highest] = std::minmax_element(change->change.begin(), change->change.end());
+    EXPECT_EQ(*lowest, -1.25f);
+    EXPECT_EQ(*highest, 0.5f);
+    const auto none = read_reference(write([](double, double) { return 0.0; }), terrain);
+    ASSERT_FALSE(none);
+    EXPECT_NE(none.error().find("no change"), std::string::npos) << none.error();
+
+    test::write_text(path_,
+                     collection(feature("", "Polygon", "[" + ring(utm_ground(), 95, 45, 149, 75) + "]")));
+    const auto extent = read_reference(path_, utm_ground());
+    ASSERT_TRUE(extent) << extent.error();
+    EXPECT_TRUE(extent->change.empty());
+    EXPECT_FALSE(extent->extent.empty());
 }
 
 }  // namespace
