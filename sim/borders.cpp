@@ -1,9 +1,7 @@
 #include "sim/borders.h"
 
 #include "sim/layers.h"
-#include "sim/ledger.h"
 #include "sim/params.h"
-#include "sim/scratch.h"
 
 namespace sim {
 namespace {
@@ -35,41 +33,6 @@ void fill_borders(Layers<Number>& s, const Params& params) {
     }
 }
 
-template <class Number>
-void clear_drains(Layers<Number>& s, const Outlets& outlets) {
-    for (int y = 0; y < s.grid.ny; ++y)
-        for (int i = outlets.first_drain[y]; i < outlets.first_drain[y + 1]; ++i) {
-            const int x = outlets.drains[i];
-            s.rolling(x, y) = s.velocity_x(x, y) = s.velocity_y(x, y) = 0;
-        }
-}
-
-std::int64_t drained(const Scratch<float>& scratch, Model model) {
-    const Directions<float>& given = scratch.given;
-    const Field<float>&flux_x = scratch.flux_x, &flux_y = scratch.flux_y;
-    const bool gives = model == Model::kBcre;
-    const auto out_of = [&](int x, int y, Way way) {  // m
-        switch (way) {
-            case Way::kEast:
-                return gives ? given.east(x, y) : flux_x(x, y);
-            case Way::kWest:
-                return gives ? given.west(x, y) : -flux_x(x - 1, y);
-            case Way::kNorth:
-                return gives ? given.north(x, y) : flux_y(x, y);
-            case Way::kSouth:
-                break;
-        }
-        return gives ? given.south(x, y) : -flux_y(x, y - 1);
-    };
-    std::int64_t quanta = 0;
-    for (const auto& [x, y, way] : scratch.outlets.faces)
-        quanta += static_cast<std::int64_t>(out_of(x, y, way) / kQuantum);
-    return quanta;
-}
-
 template void fill_borders(Layers<float>&, const Params&);
 template void fill_borders(Layers<double>&, const Params&);
-template void clear_drains(Layers<float>&, const Outlets&);
-template void clear_drains(Layers<double>&, const Outlets&);
-
 }  // namespace sim

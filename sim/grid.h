@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
 
+#include "sim/aligned.h"
 #include "sim/check.h"
 
 namespace sim {
@@ -57,7 +57,7 @@ class Field {
     }
 
     int nx_ = 0, ny_ = 0, stride_ = 0;
-    std::vector<T> values_;
+    AlignedVector<T> values_;  // of whole cache lines; x = 0 starts one
 };
 
 }  // namespace sim

@@ -61,7 +61,7 @@ void enclose(Layers<Number>& s, const Params& params) {
     fill_borders(s, params);
     for (int y = 0; y < s.grid.ny; ++y)
         for (int x = 0; x < s.grid.nx; ++x)
-            s.first_slope(x, y) = bcre::fall_of(bcre::downward(bcre::drops(s, x, y))) / s.grid.dx;
+            s.first_slope(x, y) = bcre::fall_of(bcre::drops(s, x, y)) / s.grid.dx;
     s.first_depth = s.depth;
 }
 

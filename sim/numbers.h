@@ -24,17 +24,28 @@ using Scalar = std::conditional_t<std::is_same_v<Number, double>, double, float>
 template <class Number>
 using Same = std::type_identity_t<Number>;  // a parameter that takes part in no deduction
 
-inline bool any(bool condition) {
+[[gnu::always_inline]] inline bool any(bool condition) {
     return condition;
 }
 template <class T, class Abi>
-bool any(const stdx::simd_mask<T, Abi>& condition) {
+[[gnu::always_inline]] inline bool any(const stdx::simd_mask<T, Abi>& condition) {
     return stdx::any_of(condition);
+}
+
+// Whether it holds for one of the first `count` lanes, which are at least one.
+[[gnu::always_inline]] inline bool any_before(int, bool condition) {
+    return condition;
+}
+template <class T, class Abi>
+[[gnu::always_inline]] inline bool any_before(int count, const stdx::simd_mask<T, Abi>& condition) {
+    const stdx::simd<T, Abi> number([](auto lane) { return static_cast<T>(lane); });
+    return stdx::any_of(condition && number < static_cast<T>(count));
 }
 
 // Lane by lane: `yes` where the condition holds, else `no`.
 template <class Condition, class Number>
-Number select(const Condition& condition, const Number& yes, const Same<Number>& no) {
+[[gnu::always_inline]] inline Number select(const Condition& condition, const Number& yes,
+                                            const Same<Number>& no) {
     if constexpr (std::is_same_v<Condition, bool>) {
         return condition ? yes : no;
     } else {
@@ -45,7 +56,7 @@ Number select(const Condition& condition, const Number& yes, const Same<Number>&
 }
 
 template <class Number>
-Number larger(const Number& a, const Same<Number>& b) {
+[[gnu::always_inline]] inline Number larger(const Number& a, const Same<Number>& b) {
     if constexpr (kIsLanes<Number>)
         return stdx::max(a, b);
     else
@@ -53,7 +64,7 @@ Number larger(const Number& a, const Same<Number>& b) {
 }
 
 template <class Number>
-Number smaller(const Number& a, const Same<Number>& b) {
+[[gnu::always_inline]] inline Number smaller(const Number& a, const Same<Number>& b) {
     if constexpr (kIsLanes<Number>)
         return stdx::min(a, b);
     else
@@ -61,7 +72,7 @@ Number smaller(const Number& a, const Same<Number>& b) {
 }
 
 template <class Number>
-Number magnitude(const Number& a) {
+[[gnu::always_inline]] inline Number magnitude(const Number& a) {
     if constexpr (kIsLanes<Number>)
         return stdx::abs(a);
     else
@@ -69,7 +80,7 @@ Number magnitude(const Number& a) {
 }
 
 template <class Number>
-Number square_root(const Number& a) {
+[[gnu::always_inline]] inline Number square_root(const Number& a) {
     if constexpr (kIsLanes<Number>)
         return stdx::sqrt(a);
     else
@@ -77,7 +88,7 @@ Number square_root(const Number& a) {
 }
 
 template <class Number>
-Number rounded_down(const Number& a) {
+[[gnu::always_inline]] inline Number rounded_down(const Number& a) {
     if constexpr (kIsLanes<Number>)
         return stdx::floor(a);
     else
@@ -86,7 +97,7 @@ Number rounded_down(const Number& a) {
 
 // 2^n for whole n from -126 to 127.
 template <class Number>
-Number power_of_two(const Number& n) {
+[[gnu::always_inline]] inline Number power_of_two(const Number& n) {
     if constexpr (kIsLanes<Number>) {
         using Whole = stdx::rebind_simd_t<std::int32_t, Number>;
         return std::bit_cast<Number>(Whole((stdx::static_simd_cast<Whole>(n) + 127) << 23));
@@ -95,10 +106,23 @@ Number power_of_two(const Number& n) {
     }
 }
 
+// Lane by lane: `of_magnitude` of |a|, which must not be below 0, with the sign of a.
+template <class Number, class OfMagnitude>
+[[gnu::always_inline]] inline Number odd(const Number& a, OfMagnitude of_magnitude) {
+    if constexpr (kIsLanes<Number>) {
+        using Bits = stdx::rebind_simd_t<std::uint32_t, Number>;
+        const Bits bits = std::bit_cast<Bits>(a), sign = bits & Bits(0x80000000u);
+        const Number result = of_magnitude(std::bit_cast<Number>(Bits(bits ^ sign)));
+        return std::bit_cast<Number>(Bits(std::bit_cast<Bits>(result) ^ sign));
+    } else {
+        return std::copysign(of_magnitude(std::fabs(a)), a);
+    }
+}
+
 // The gentler of two slopes of the same sign, else 0 (Roe 1986): what keeps a reconstruction between its
 // neighbours.
 template <class Number>
-Number minmod(const Number& a, const Number& b) {
+[[gnu::always_inline]] inline Number minmod(const Number& a, const Number& b) {
     return larger(smaller(a, b), Number(0)) + smaller(larger(a, b), Number(0));
 }
 

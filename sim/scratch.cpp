@@ -3,14 +3,20 @@
 namespace sim {
 
 template <class Number>
-Scratch<Number>::Scratch(const Layers<Number>& s) {
+Scratch<Number>::Scratch(const Layers<Number>& s, Model model) : outlets(s.grid, s.site) {
     const Field<Number> empty(s.grid);
-    flux_x = flux_y = rolling = velocity_x = velocity_y = slope = slope_spread = empty;
-    fall = pace = exchanged = first_exchanged = depth = empty;
-    momentum_x = momentum_y = {empty, empty};
-    first_flux_x = first_flux_y = empty;
-    down = given = first_given = {empty, empty, empty, empty};
-    outlets = Outlets(s.grid, s.site);
+    const auto set = [&](auto&... fields) { ((fields = empty), ...); };
+    if (model == Model::kBcre) {
+        for (auto* f : {&now, &then})
+            set(f->depth, f->rolling, f->drop_x, f->drop_y, f->bend_x, f->bend_y, f->fall, f->given,
+                f->velocity_x, f->velocity_y, f->flux_x, f->flux_y, f->exchanged);
+        set(share);
+    } else {
+        for (auto* f : {&flow_now, &flow_then})
+            set(f->depth, f->rolling, f->velocity_x, f->velocity_y, f->drop_x, f->drop_y, f->bend_x,
+                f->bend_y, f->exchanged, f->rolling_x, f->u_x, f->v_x, f->rolling_y, f->u_y, f->v_y,
+                f->flux_x, f->flux_y, f->momentum_xu, f->momentum_xv, f->momentum_yu, f->momentum_yv);
+    }
 }
 
 template struct Scratch<float>;

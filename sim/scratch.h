@@ -3,54 +3,37 @@
 #include "sim/grid.h"
 #include "sim/layers.h"
 #include "sim/outlets.h"
+#include "sim/params.h"
 
 namespace sim {
 
-// What is carried of both components of R v.
+// What the stages of `bcre` write, field by field; bcre/work.h says what each is.
 template <class Number>
-struct Momentum {
-    Field<Number> u, v;
+struct LevelFields {
+    Field<Number> depth, rolling;  // of what is predicted; else they are the layers'
+    Field<Number> drop_x, drop_y, bend_x, bend_y, fall, given, velocity_x, velocity_y, flux_x, flux_y,
+        exchanged;
 };
 
-// One value per vertex and direction.
+// What those of `bcre-inertial` write (inertial/work.h).
 template <class Number>
-struct Directions {
-    Field<Number> east, west, north, south;
+struct FlowFields {
+    Field<Number> depth, rolling, velocity_x, velocity_y;  // of what is predicted; else they are the layers'
+    Field<Number> drop_x, drop_y, bend_x, bend_y, exchanged;
+    Field<Number> rolling_x, u_x, v_x, rolling_y, u_y, v_y;
+    Field<Number> flux_x, flux_y, momentum_xu, momentum_xv, momentum_yu, momentum_yv;
 };
 
-// What a step needs between its stages; holds nothing from one sub-step to the next. Made once per world, so
-// that a step allocates nothing.
+// What a plain step needs between its stages; holds nothing from one sub-step to the next. Made once per
+// world, so that a step allocates nothing.
 template <class Number>
 struct Scratch {
-    explicit Scratch(const Layers<Number>& layers);
+    Scratch(const Layers<Number>& layers, Model model);
 
-    Field<Number> flux_x;        // m of depth through the face (x, y)–(x+1, y) in a sub-step, east positive
-    Field<Number> flux_y;        // m of depth through the face (x, y)–(x, y+1), north positive
-    Field<Number> rolling;       // m, after transport
-    Field<Number> velocity_x;    // m/s, after transport
-    Field<Number> velocity_y;    // m/s
-    Field<Number> slope;         // tangent toward the lower neighbours of h
-    Field<Number> slope_spread;  // (|g_x| + |g_y|) / |g| of it, 1 to √2
-
-    Directions<Number> down;   // m from a vertex down to its lower neighbours
-    Field<Number> fall;        // m over a cell, slope times Δx
-    Field<Number> pace;        // 1/s, speed per drop
-    Directions<Number> given;  // m that a vertex gives to its neighbours in a sub-step
-
-    // Of bcre-inertial.
-    Momentum<Number> momentum_x, momentum_y;   // m²/s, with flux_x and with flux_y
-    Field<Number> first_flux_x, first_flux_y;  // at the sub-step's beginning
-
-    // For what is of second order in time.
-    Field<Number> exchanged;         // m in a sub-step, erosion positive
-    Field<Number> depth;             // m, predicted
-    Directions<Number> first_given;  // at the sub-step's beginning
-    Field<Number> first_exchanged;   // the same
-
+    LevelFields<Number> now, then;
+    Field<Number> share;
+    FlowFields<Number> flow_now, flow_then;
     Outlets outlets;
 };
-
-template <class Number>
-Scratch(const Layers<Number>&) -> Scratch<Number>;
 
 }  // namespace sim

@@ -27,19 +27,20 @@ Number bend_y(const Layers<Number>& s, int x, int y) {
 
 // D toward the four neighbours, m.
 template <class Number>
-Toward<Number> drops(const Layers<Number>& s, int x, int y) {
+Drops<Number> drops(const Layers<Number>& s, int x, int y) {
     return {rise(s, x + 1, y, x, y), rise(s, x - 1, y, x, y), rise(s, x, y + 1, x, y),
             rise(s, x, y - 1, x, y)};
 }
 
 // The same to second order, from those of first order.
 template <class Number>
-Toward<Number> limited_drops(const Layers<Number>& s, const Toward<Number>& drop, int x, int y) {
+Drops<Number> limited_drops(const Layers<Number>& s, const Drops<Number>& drop, int x, int y) {
+    constexpr Number kHalf = 0.5f;
     const Number along_x = bend_x(s, x, y), along_y = bend_y(s, x, y);
-    return {limited_drop(drop.east, along_x, bend_x(s, x + 1, y)),
-            limited_drop(drop.west, along_x, bend_x(s, x - 1, y)),
-            limited_drop(drop.north, along_y, bend_y(s, x, y + 1)),
-            limited_drop(drop.south, along_y, bend_y(s, x, y - 1))};
+    return {drop.east + kHalf * minmod(along_x, bend_x(s, x + 1, y)),
+            drop.west + kHalf * minmod(along_x, bend_x(s, x - 1, y)),
+            drop.north + kHalf * minmod(along_y, bend_y(s, x, y + 1)),
+            drop.south + kHalf * minmod(along_y, bend_y(s, x, y - 1))};
 }
 
 }  // namespace sim::bcre

@@ -23,7 +23,8 @@ inline constexpr double kMostDeposited = -31;  // m in a sub-step, which in_quan
 
 // What becomes rolling, m, negative where it is deposited; the closed forms where p does change.
 template <class Number>
-Number exchanged_strongly(const Number& rolling, const Number& growth, const Constants<Scalar<Number>>& c) {
+[[gnu::always_inline]] inline Number exchanged_strongly(const Number& rolling, const Number& growth,
+                                                        const Constants<Scalar<Number>>& c) {
     using S = Scalar<Number>;
     const Number room = growth * c.room_per_growth;       // p Δx/κ: what takes S to the threshold
     const Number end = (rolling + room) * c.strong_pace;  // aK
@@ -33,20 +34,21 @@ Number exchanged_strongly(const Number& rolling, const Number& growth, const Con
     const Number kept = larger((1 - left) + rolling * c.strong_pace * phi, Number(1e-30f));
     const Number of_thin = rolling / kept - rolling;
     const Number moved = select(rolling > c.exchange_depth, growth * c.thick_exchange, of_thin);
-    return larger(moved, Number(S(kMostDeposited)));
+    return larger(moved, larger(-rolling, Number(S(kMostDeposited))));
 }
 
 // `growth` = γ p Δt.
 template <class Number>
-Number growth_of(const Number& fall, const Constants<Scalar<Number>>& c) {
+[[gnu::always_inline]] inline Number growth_of(const Number& fall, const Constants<Scalar<Number>>& c) {
     return fall * c.growth_per_fall - c.growth_at_level;
 }
 
 // `weak_growth` = e^growth − 1 by grown_little(): the answer where p changes little. Where the growth is not
 // little, neither is this, and it only says so.
 template <class Number>
-Number exchanged(const Number& rolling, const Number& fall, const Number& weak_growth,
-                 const Constants<Scalar<Number>>& c) {
+[[gnu::always_inline]] inline Number exchanged(const Number& rolling, const Number& fall,
+                                               const Number& weak_growth,
+                                               const Constants<Scalar<Number>>& c) {
     const auto changes_much = larger(rolling * c.little_per_rolling, weak_growth) > Scalar<Number>(kLittle);
     const Number weak = rolling * weak_growth;
     if (!any(changes_much)) return weak;
@@ -56,19 +58,21 @@ Number exchanged(const Number& rolling, const Number& fall, const Number& weak_g
 // The rate of this moment for a sub-step, which the scheme of second order takes the mean of; held to what
 // takes S to the threshold where the cells are too coarse for it.
 template <class Number>
-Number exchanged_at_rate(const Number& rolling, const Number& depth, const Number& growth,
-                         const Constants<Scalar<Number>>& c) {
+[[gnu::always_inline]] inline Number exchanged_at_rate(const Number& rolling, const Number& depth,
+                                                       const Number& growth,
+                                                       const Constants<Scalar<Number>>& c) {
     const Number room = magnitude(growth) * c.room_per_growth;
     const Number wanted = growth * smaller(rolling, Number(c.exchange_depth));
     const Number most_deposited = larger(-smaller(room, rolling), Number(Scalar<Number>(kMostDeposited)));
     return larger(smaller(wanted, smaller(room, depth)), most_deposited);
 }
 
-// Moves `amount` from the standing to the rolling layer, or back if negative: whole quanta, no more than
+// Moves `amount`, which is at least −R, from the standing to the rolling layer: whole quanta, no more than
 // there is.
 template <class Number>
-void transfer(const Number& amount, Number& depth, Number& rolling, const Constants<Scalar<Number>>& c) {
-    const Number moved = smaller(larger(in_quanta(amount, c.dither), -rolling), depth);
+[[gnu::always_inline]] inline void transfer(const Number& amount, Number& depth, Number& rolling,
+                                            const Constants<Scalar<Number>>& c) {
+    const Number moved = smaller(in_quanta(amount, c.dither), depth);
     depth -= moved;
     rolling += moved;
 }

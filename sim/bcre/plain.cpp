@@ -1,202 +1,125 @@
 #include "sim/bcre/plain.h"
 
-#include "sim/bcre/drops.h"
-#include "sim/bcre/exchange.h"
-#include "sim/bcre/giving.h"
-#include "sim/bcre/giving_lax_friedrichs.h"
-#include "sim/bcre/giving_local_lax_friedrichs.h"
-#include "sim/bcre/giving_muscl.h"
-#include "sim/bcre/runge_kutta.h"
-#include "sim/bcre/velocity.h"
-#include "sim/bcre/yield.h"
+#include "sim/bcre/stages.h"
 #include "sim/scratch.h"
+#include "sim/workers.h"
 
 namespace sim::bcre {
 namespace {
 
 template <class Number>
-Toward<Number> at(const Directions<Number>& field, int x, int y) {
-    return {field.east(x, y), field.west(x, y), field.north(x, y), field.south(x, y)};
-}
-
-template <class Number>
-Number after_transport(Number rolling, const Directions<Number>& given, int x, int y) {
-    return with_received(kept(rolling, at(given, x, y)), given.east(x - 1, y), given.west(x + 1, y),
-                         given.north(x, y - 1), given.south(x, y + 1));
-}
-
-template <class Number>
-void store(const Toward<Number>& values, Directions<Number>& field, int x, int y) {
-    field.east(x, y) = values.east;
-    field.west(x, y) = values.west;
-    field.north(x, y) = values.north;
-    field.south(x, y) = values.south;
+Level<Number> level_of(LevelFields<Number>& f, Field<Number>& depth, Field<Number>& rolling) {
+    const auto rows = [](Field<Number>& field) { return Rows<Number>(field); };
+    return {rows(depth),    rows(rolling),  rows(f.drop_x),   rows(f.drop_y),     rows(f.bend_x),
+            rows(f.bend_y), rows(f.fall),   rows(f.given),    rows(f.velocity_x), rows(f.velocity_y),
+            rows(f.flux_x), rows(f.flux_y), rows(f.exchanged)};
 }
 
 }  // namespace
 
 template <class Number>
-void find_slope(const Layers<Number>& s, Scratch<Number>& scratch, Scheme scheme, int first, int last) {
-    for (int y = first; y < last; ++y)
-        for (int x = 0; x < s.grid.nx; ++x) {
-            const Toward<Number> drop = drops(s, x, y);
-            const Toward<Number> down =
-                downward(scheme == Scheme::kMuscl ? limited_drops(s, drop, x, y) : drop);
-            store(down, scratch.down, x, y);
-            scratch.fall(x, y) = fall_of(down);
-        }
+Work<Number> work_of(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch,
+                     Substep<Number> sub) {
+    return {layers.grid.nx,
+            layers.grid.ny,
+            params.borders,
+            constants_of(params, layers.grid.dx, sub),
+            Rows<Number>(layers.bedrock),
+            level_of(scratch.now, layers.depth, layers.rolling),
+            level_of(scratch.then, scratch.then.depth, scratch.then.rolling),
+            Rows<Number>(scratch.share)};
 }
 
 template <class Number>
-void find_pace(const Layers<Number>& s, Scratch<Number>& scratch, const Constants<Number>& c, int first,
-               int last) {
-    for (int y = first; y < last; ++y)
-        for (int x = 0; x < s.grid.nx; ++x)
-            scratch.pace(x, y) = pace_of(scratch.fall(x, y), s.rolling(x, y), c);
-}
-
-template <class Number>
-void find_central_velocity(const Layers<Number>& s, Scratch<Number>& scratch, const Constants<Number>& c,
-                           int first, int last) {
-    for (int y = first; y < last; ++y)
-        for (int x = 0; x < s.grid.nx; ++x) {
-            const Vector<Number> v = central_velocity(rise(s, x - 1, y, x + 1, y),
-                                                      rise(s, x, y - 1, x, y + 1), s.rolling(x, y), c);
-            scratch.velocity_x(x, y) = v.x;
-            scratch.velocity_y(x, y) = v.y;
-        }
-}
-
-template <class Number>
-void continue_velocity(Scratch<Number>& scratch) {
-    Field<Number>&u = scratch.velocity_x, &v = scratch.velocity_y;
-    const int nx = u.nx(), ny = u.ny();
-    for (int y = 0; y < ny; ++y) u(-1, y) = u(0, y), u(nx, y) = u(nx - 1, y);
-    for (int x = 0; x < nx; ++x) v(x, -1) = v(x, 0), v(x, ny) = v(x, ny - 1);
-}
-
-template <class Number>
-void find_gives(const Layers<Number>& s, Scratch<Number>& scratch, Scheme scheme, const Constants<Number>& c,
-                int first, int last) {
-    const auto wanted = [&](int x, int y) -> Toward<Number> {
-        const Field<Number>&r = s.rolling, &u = scratch.velocity_x, &v = scratch.velocity_y;
-        if (scheme == Scheme::kMuscl) {
-            const auto [east, west] = give_muscl<Number>({r(x - 1, y), r(x, y), r(x + 1, y)},
-                                                         {u(x - 1, y), u(x, y), u(x + 1, y)}, c);
-            const auto [north, south] = give_muscl<Number>({r(x, y - 1), r(x, y), r(x, y + 1)},
-                                                           {v(x, y - 1), v(x, y), v(x, y + 1)}, c);
-            return {east, west, north, south};
-        }
-        const Toward<Number> down = at(scratch.down, x, y);
-        return scheme == Scheme::kLaxFriedrichs
-                   ? give_lax_friedrichs(r(x, y), down, scratch.pace(x, y), c)
-                   : give_local_lax_friedrichs(r(x, y), down, scratch.pace(x, y), c);
+void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch, Workers& workers,
+             Substep<Number> sub) {
+    const Work<Number> w = work_of(layers, params, scratch, sub);
+    const Outlets::View outlets = scratch.outlets.view();
+    const Span all{0, w.nx};
+    const auto each = [&](int rows, auto&& work_on) {
+        workers.each_band(rows, [&](int first, int last) {
+            for (int y = first; y < last; ++y) work_on(y);
+        });
     };
-    for (int y = first; y < last; ++y)
-        for (int x = 0; x < s.grid.nx; ++x) {
-            Toward<Number> gives = wanted(x, y);
-            if (s.site(x + 1, y) == Site::kWall) gives.east = 0;
-            if (s.site(x - 1, y) == Site::kWall) gives.west = 0;
-            if (s.site(x, y + 1) == Site::kWall) gives.north = 0;
-            if (s.site(x, y - 1) == Site::kWall) gives.south = 0;
-            store(gives, scratch.given, x, y);
-        }
+    // A stage on all rows, or all faces, and what ends a row.
+    const auto none = [](int) {};
+    const auto each_row = [&](auto&& stage, auto&& end) {
+        each(w.ny, [&](int y) { along<Number>(all, stage(y)), end(y); });
+    };
+    const auto each_face = [&](auto&& stage, auto&& end) {
+        each(w.ny + 1, [&](int y) { along<Number>(all.faces(), stage(y)), end(y); });
+    };
+    const auto find_drops_of = [&](const Level<Number>& level) {
+        each(w.ny, [&](int y) { fill_halo<Number>(w, level, y, all); });
+        each_face([&](int y) { return find_drops<Number>(w, level, y); },
+                  [&](int y) { end_drops<Number>(w, level, y); });
+    };
+    const auto close = [&](const Level<Number>& level) {
+        return [&](int y) { close_walls<Number>(w, level, y, all); };
+    };
+    const auto end_gift = [&](int y) { end_given<Number>(w, w.now, y, all); };
+    const auto find_rates = [&](const Level<Number>& level) {
+        each_face([&](int y) { return find_bends<Number>(w, level, y); }, none);
+        each_row([&](int y) { return find_bent_fall<Number>(level, y); }, none);
+        each_row([&](int y) { return find_central_velocity<Number>(w, level, y); },
+                 [&](int y) { end_velocity<Number>(w, level, y); });
+        each_face([&](int y) { return find_muscl_fluxes<Number>(w, level, y); }, close(level));
+        each_row([&](int y) { return find_exchange<Number>(w, level, y); }, none);
+    };
+
+    find_drops_of(w.now);
+    switch (params.scheme) {
+        case Scheme::kLaxFriedrichs:
+            each_row([&](int y) { return find_fall<Number>(w.now, y); }, none);
+            each_row([&](int y) { return find_quarters<Number>(w, w.now, y); }, end_gift);
+            each_face([&](int y) { return find_quarter_fluxes<Number>(w, w.now, y); }, close(w.now));
+            each_row([&](int y) { return settle<Number, Scheme::kLaxFriedrichs>(w, y, w.nx); }, none);
+            break;
+        case Scheme::kLocalLaxFriedrichs:
+            each_row([&](int y) { return find_fall<Number>(w.now, y); }, none);
+            each_row([&](int y) { return find_given<Number>(w, w.now, y); }, end_gift);
+            each_face([&](int y) { return find_split_fluxes<Number>(w, w.now, y); }, none);
+            each_row([&](int y) { return settle<Number, Scheme::kLocalLaxFriedrichs>(w, y, w.nx); }, none);
+            break;
+        case Scheme::kMuscl:
+            find_rates(w.now);
+            each_row([&](int y) { return predict<Number>(w, y); },
+                     [&](int y) { clear_drains<Number>(w.then, outlets, y, all); });
+            find_drops_of(w.then);
+            find_rates(w.then);
+            each_face([&](int y) { return take_mean_fluxes<Number>(w, y); }, none);
+            each_row([&](int y) { return find_share<Number>(w, y); },
+                     [&](int y) { end_share<Number>(w, y, all); });
+            each_face([&](int y) { return book_fluxes<Number>(w, y); }, none);
+            each_row([&](int y) { return settle<Number, Scheme::kMuscl>(w, y, w.nx); }, none);
+            break;
+    }
+    each(w.ny, [&](int y) { clear_drains<Number>(w.now, outlets, y, all); });
 }
 
-template <class Number>
-void book_gives(const Layers<Number>& s, Scratch<Number>& scratch, Scheme scheme, const Constants<Number>& c,
-                int first, int last) {
-    for (int y = first; y < last; ++y)
-        for (int x = 0; x < s.grid.nx; ++x) {
-            const Toward<Number> wanted = at(scratch.given, x, y);
-            store(booked(scheme == Scheme::kMuscl ? limited(wanted, s.rolling(x, y)) : wanted, c),
-                  scratch.given, x, y);
-        }
+std::int64_t drained(Layers<float>& layers, const Params& params, Scratch<float>& scratch) {
+    const Work<float> w = work_of(layers, params, scratch, {});
+    std::int64_t quanta = 0;
+    for (int y = 0; y < w.ny; ++y) quanta += sim::drained<float>(w.now, scratch.outlets.view(), y, {0, w.nx});
+    return quanta;
 }
 
-template <class Number>
-void carry_gives(const Layers<Number>& s, Scratch<Number>& scratch, int first, int last) {
-    const Directions<Number>& given = scratch.given;
-    for (int y = first; y < last; ++y)
-        for (int x = 0; x < s.grid.nx; ++x)
-            scratch.rolling(x, y) = after_transport(s.rolling(x, y), given, x, y);
+void find_velocity(Layers<float>& layers, const Params& params, Scratch<float>& scratch, Workers& workers) {
+    Work<float> w = work_of(layers, params, scratch, {});
+    w.now.velocity_x = Rows<float>(layers.velocity_x), w.now.velocity_y = Rows<float>(layers.velocity_y);
+    const Span all{0, w.nx};
+    const auto each = [&](int rows, auto&& work_on) {
+        workers.each_band(rows, [&](int first, int last) {
+            for (int y = first; y < last; ++y) work_on(y);
+        });
+    };
+    each(w.ny, [&](int y) { fill_halo<float>(w, w.now, y, all); });
+    each(w.ny + 1, [&](int y) { along<float>(all.faces(), find_drops<float>(w, w.now, y)); });
+    each(w.ny, [&](int y) { along<float>(all, find_velocity<float>(w, y, w.nx)); });
 }
 
-template <class Number>
-void find_exchange(const Layers<Number>& s, Scratch<Number>& scratch, Scheme scheme,
-                   const Constants<Number>& c, int first, int last) {
-    for (int y = first; y < last; ++y)
-        for (int x = 0; x < s.grid.nx; ++x) {
-            const Number growth = growth_of(scratch.fall(x, y), c);
-            scratch.exchanged(x, y) =
-                scheme == Scheme::kMuscl
-                    ? exchanged_at_rate(s.rolling(x, y), s.depth(x, y), growth, c)
-                    : exchanged(s.rolling(x, y), scratch.fall(x, y), grown_little(growth), c);
-        }
-}
-
-template <class Number>
-void predict(const Layers<Number>& s, Scratch<Number>& scratch, int first, int last) {
-    const Directions<Number>& given = scratch.given;
-    for (int y = first; y < last; ++y)
-        for (int x = 0; x < s.grid.nx; ++x) {
-            const Number carried = after_transport(s.rolling(x, y), given, x, y);
-            scratch.rolling(x, y) = predicted_rolling(carried, scratch.exchanged(x, y));
-            scratch.depth(x, y) = s.depth(x, y) - scratch.exchanged(x, y);
-        }
-}
-
-template <class Number>
-void take_means(Scratch<Number>& scratch, int first, int last) {
-    for (int y = first; y < last; ++y)
-        for (int x = 0; x < scratch.exchanged.nx(); ++x) {
-            store(mean(at(scratch.first_given, x, y), at(scratch.given, x, y)), scratch.given, x, y);
-            scratch.exchanged(x, y) = mean(scratch.first_exchanged(x, y), scratch.exchanged(x, y));
-        }
-}
-
-template <class Number>
-void settle(Layers<Number>& s, const Scratch<Number>& scratch, const Constants<Number>& c, int first,
-            int last) {
-    for (int y = first; y < last; ++y)
-        for (int x = 0; x < s.grid.nx; ++x) {
-            Number &d = s.depth(x, y), &r = s.rolling(x, y);
-            transfer(scratch.exchanged(x, y), d, r, c);
-            yield(scratch.fall(x, y), d, r, c);
-        }
-}
-
-template <class Number>
-void find_velocity(Layers<Number>& s, const Constants<Number>& c, int first, int last) {
-    for (int y = first; y < last; ++y)
-        for (int x = 0; x < s.grid.nx; ++x) {
-            const Toward<Number> down = downward(drops(s, x, y));
-            const Number r = s.rolling(x, y);
-            const Vector<Number> v = net_velocity(down, pace_of(fall_of(down), r, c));
-            s.velocity_x(x, y) = r > 0 ? v.x : Number{0};
-            s.velocity_y(x, y) = r > 0 ? v.y : Number{0};
-        }
-}
-
-#define INSTANTIATE(Number)                                                                                  \
-    template void find_slope(const Layers<Number>&, Scratch<Number>&, Scheme, int, int);                     \
-    template void find_pace(const Layers<Number>&, Scratch<Number>&, const Constants<Number>&, int, int);    \
-    template void find_central_velocity(const Layers<Number>&, Scratch<Number>&, const Constants<Number>&,   \
-                                        int, int);                                                           \
-    template void continue_velocity(Scratch<Number>&);                                                       \
-    template void find_gives(const Layers<Number>&, Scratch<Number>&, Scheme, const Constants<Number>&, int, \
-                             int);                                                                           \
-    template void book_gives(const Layers<Number>&, Scratch<Number>&, Scheme, const Constants<Number>&, int, \
-                             int);                                                                           \
-    template void carry_gives(const Layers<Number>&, Scratch<Number>&, int, int);                            \
-    template void find_exchange(const Layers<Number>&, Scratch<Number>&, Scheme, const Constants<Number>&,   \
-                                int, int);                                                                   \
-    template void predict(const Layers<Number>&, Scratch<Number>&, int, int);                                \
-    template void take_means(Scratch<Number>&, int, int);                                                    \
-    template void settle(Layers<Number>&, const Scratch<Number>&, const Constants<Number>&, int, int);       \
-    template void find_velocity(Layers<Number>&, const Constants<Number>&, int, int);
-INSTANTIATE(float)
-INSTANTIATE(double)
-#undef INSTANTIATE
+template Work<float> work_of(Layers<float>&, const Params&, Scratch<float>&, Substep<float>);
+template void substep(Layers<float>&, const Params&, Scratch<float>&, Workers&, Substep<float>);
+template void substep(Layers<double>&, const Params&, Scratch<double>&, Workers&, Substep<double>);
 
 }  // namespace sim::bcre

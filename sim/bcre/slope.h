@@ -17,33 +17,34 @@
 
 namespace sim::bcre {
 
-// Something for each of the four neighbours of a vertex.
+// Of four neighbours: how far it is down to them, m.
 template <class Number>
-struct Toward {
+struct Drops {
     Number east, west, north, south;
-
-    Number sum() const { return (east + west) + (north + south); }
 };
-
-// Of the drops D those that lead down, m.
-template <class Number>
-Toward<Number> downward(const Toward<Number>& drop) {
-    const Number none(0);
-    return {larger(drop.east, none), larger(drop.west, none), larger(drop.north, none),
-            larger(drop.south, none)};
-}
 
 // |f|, the fall over a cell, m.
 template <class Number>
-Number fall_of(const Toward<Number>& down) {
-    const Number x = larger(down.west, down.east), y = larger(down.south, down.north);
+[[gnu::always_inline]] inline Number fall_of(const Drops<Number>& drop) {
+    const Number x = larger(larger(drop.west, drop.east), Number(0));
+    const Number y = larger(larger(drop.south, drop.north), Number(0));
     return square_root(x * x + y * y);
 }
 
-// D to second order, from that of first order and the bends B of both vertices.
+// Σ max(0, D), m.
 template <class Number>
-Number limited_drop(const Number& drop, const Number& bend_here, const Number& bend_there) {
-    return drop + Scalar<Number>(0.5) * minmod<Number>(bend_here, bend_there);
+[[gnu::always_inline]] inline Number sum_down(const Drops<Number>& drop) {
+    const Number none(0);
+    return (larger(drop.east, none) + larger(drop.west, none)) +
+           (larger(drop.north, none) + larger(drop.south, none));
+}
+
+// ½ minmod of the bends on both sides of a face, which make its drop one of second order, either way.
+// `drop` through the face, and through those before and behind it.
+template <class Number>
+[[gnu::always_inline]] inline Number correction(const Number& drop_back, const Number& drop,
+                                                const Number& drop_ahead) {
+    return Scalar<Number>(0.5) * minmod<Number>(drop_back - drop, drop - drop_ahead);
 }
 
 }  // namespace sim::bcre

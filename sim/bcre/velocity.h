@@ -27,7 +27,8 @@ struct Vector {
 };
 
 template <class Number>
-Number law_speed(const Number& fall, const Number& rolling, const Constants<Scalar<Number>>& c) {
+[[gnu::always_inline]] inline Number law_speed(const Number& fall, const Number& rolling,
+                                               const Constants<Scalar<Number>>& c) {
     switch (c.law) {
         case Law::kConstant:
             break;
@@ -41,24 +42,28 @@ Number law_speed(const Number& fall, const Number& rolling, const Constants<Scal
 
 // k, the pace: speed per drop, 1/s. On level ground nothing moves, and the pace only has to be finite.
 template <class Number>
-Number pace_of(const Number& fall, const Number& rolling, const Constants<Scalar<Number>>& c) {
+[[gnu::always_inline]] inline Number pace_of(const Number& fall, const Number& rolling,
+                                             const Constants<Scalar<Number>>& c) {
     constexpr auto kFlat = Scalar<Number>(1e-12);
     return law_speed(fall, rolling, c) / larger(fall, Number(kFlat));
 }
 
 // Of what goes to either side.
 template <class Number>
-Vector<Number> net_velocity(const Toward<Number>& down, const Number& pace) {
-    return {(down.east - down.west) * pace, (down.north - down.south) * pace};
+[[gnu::always_inline]] inline Vector<Number> net_velocity(const Drops<Number>& drop, const Number& pace) {
+    const Number none(0);
+    return {(larger(drop.east, none) - larger(drop.west, none)) * pace,
+            (larger(drop.north, none) - larger(drop.south, none)) * pace};
 }
 
-// `rise_x` = h_E − h_W and `rise_y` = h_N − h_S, m.
+// For muscl. `fall_x` = h_W − h_E and `fall_y` = h_S − h_N, m.
 template <class Number>
-Vector<Number> central_velocity(const Number& rise_x, const Number& rise_y, const Number& rolling,
-                                const Constants<Scalar<Number>>& c) {
-    const Number x = rise_x * Scalar<Number>(0.5), y = rise_y * Scalar<Number>(0.5);
-    const Number against = -pace_of(square_root(x * x + y * y), rolling, c);
-    return {against * x, against * y};
+[[gnu::always_inline]] inline Vector<Number> central_velocity(const Number& fall_x, const Number& fall_y,
+                                                              const Number& rolling,
+                                                              const Constants<Scalar<Number>>& c) {
+    const Number x = fall_x * Scalar<Number>(0.5), y = fall_y * Scalar<Number>(0.5);
+    const Number pace = pace_of(square_root(x * x + y * y), rolling, c);
+    return {pace * x, pace * y};
 }
 
 }  // namespace sim::bcre

@@ -13,7 +13,8 @@
 namespace sim::bcre {
 
 template <class Number>
-void yield(const Number& fall, Number& depth, Number& rolling, const Constants<Scalar<Number>>& c) {
+[[gnu::always_inline]] inline void yield(const Number& fall, Number& depth, Number& rolling,
+                                         const Constants<Scalar<Number>>& c) {
     const auto at_rest = rolling < c.freeze_depth;
     if (!any(at_rest)) return;
     const auto starts = fall > c.start_fall && depth + rolling >= c.freeze_depth;

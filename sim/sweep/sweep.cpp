@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "sim/borders.h"
 #include "sim/state.h"
 #include "sim/sweep/sweeper.h"
 #include "sim/workers.h"
@@ -45,6 +44,8 @@ std::string_view to_string(InstructionSet set) {
 namespace sweep {
 namespace {
 
+constexpr int kAproned = 4;  // fields that a job changes while others read beside it
+
 struct Kernels {
     Sweep sweep;
     Velocity velocity;
@@ -61,7 +62,8 @@ const Kernels& kernels_for(InstructionSet set) {
 Sweeper::Sweeper(const State& s, int threads)
     : outlets_(s.grid, s.site),
       stride_(s.depth.stride()),
-      aprons_(static_cast<std::size_t>(s.tiles.rows) * 4 * kApron * static_cast<std::size_t>(stride_)),
+      aprons_(static_cast<std::size_t>(s.tiles.rows) * kAproned * 2 * kApron *
+              static_cast<std::size_t>(stride_)),
       work_(static_cast<std::size_t>(threads) * kWorkRows * static_cast<std::size_t>(stride_)),
       row_active_(static_cast<std::size_t>(threads) * static_cast<std::size_t>(stride_)),
       active_(s.tiles.awake.size()),
@@ -82,8 +84,9 @@ void Sweeper::find_jobs(const Grid& grid, const Tiles& tiles, const std::vector<
         while (end < tiles.rows && end - row < most_rows &&
                std::equal(row_of(row), row_of(row + 1), row_of(end)))
             ++end;
-        const auto apron = [&](int i) {
-            return aprons_.data() + (row * 4 + i) * kApron * stride_ + kRowPadding;
+        const auto apron = [&](int field) -> Job::Apron {
+            float* rows = aprons_.data() + (row * kAproned + field) * 2 * kApron * stride_ + kRowPadding;
+            return {rows + kApron * stride_, rows + kApron * stride_};
         };
         for (int column = 0; column < tiles.columns; ++column) {
             if (!row_of(row)[column]) continue;
@@ -97,54 +100,55 @@ void Sweeper::find_jobs(const Grid& grid, const Tiles& tiles, const std::vector<
     drained_.assign(jobs_.size(), 0);
 }
 
-// Rows beside a job as they are before anybody changes them, with the vertex beyond either end.
+// Rows beside a job as they are before anybody changes them.
 void Sweeper::copy_aprons(const State& s, const Job& job) const {
-    constexpr int kMargin = 1;
-    const int from = job.x0 == 0 ? -1 : job.x0 - kMargin;
-    const int to = job.x1 == s.grid.nx ? job.x1 + 1 : job.x1 + kMargin;
-    const auto copy = [&](const Field<float>& field, float* rows, int first) {
-        for (int i = 0; i < kApron; ++i) {
-            const int y = first + i;
-            if (y >= -1 && y <= s.grid.ny)
-                std::copy(field.row(y) + from, field.row(y) + to, rows + i * stride_ + from);
-        }
+    const int from = std::max(job.x0 - kBeside, -1), to = std::min(job.x1 + kBeside, s.grid.nx + 1);
+    const auto copy = [&](const Field<float>& field, const Job::Apron& apron) {
+        const auto copy_rows = [&](int first, float* row, int beside) {
+            for (int y = std::max(first, -1); y < std::min(first + kApron, s.grid.ny + 1); ++y)
+                std::copy(field.row(y) + from, field.row(y) + to, row + (y - beside) * stride_ + from);
+        };
+        if (job.y0 > 0) copy_rows(job.y0 - kApron, apron.below, job.y0);
+        if (job.y1 < s.grid.ny) copy_rows(job.y1, apron.above, job.y1);
     };
-    if (job.y0 > 0) {
-        copy(s.depth, job.depth_below, job.y0 - kApron);
-        copy(s.rolling, job.rolling_below, job.y0 - kApron);
-    }
-    if (job.y1 < s.grid.ny) {
-        copy(s.depth, job.depth_above, job.y1);
-        copy(s.rolling, job.rolling_above, job.y1);
-    }
+    copy(s.depth, job.depth);
+    copy(s.rolling, job.rolling);
+    if (s.params.model == Model::kBcre) return;
+    copy(s.velocity_x, job.velocity_x);
+    copy(s.velocity_y, job.velocity_y);
+}
+
+float* Sweeper::work_of(int member) {
+    return work_.data() + member * kWorkRows * stride_ + kRowPadding;
 }
 
 Ground Sweeper::ground_of(State& s, Substep<float> sub) {
-    Ground ground{.nx = s.grid.nx,
-                  .ny = s.grid.ny,
-                  .stride = stride_,
-                  .bedrock = s.bedrock.row(0),
-                  .depth = s.depth.row(0),
-                  .rolling = s.rolling.row(0),
-                  .velocity_x = s.velocity_x.row(0),
-                  .velocity_y = s.velocity_y.row(0),
-                  .wall = {},
-                  .outlets = outlets_.view(),
-                  .scheme = s.params.scheme,
-                  .constants = bcre::constants_of(s.params, s.grid.dx, sub),
-                  .tile_width = s.tiles.width,
-                  .tile_height = s.tiles.height,
-                  .tile_columns = s.tiles.columns,
-                  .active = active_.data()};
-    for (std::size_t side = 0; side < 4; ++side) ground.wall[side] = s.params.borders[side] == Border::kWall;
-    return ground;
+    return {.nx = s.grid.nx,
+            .ny = s.grid.ny,
+            .stride = stride_,
+            .bedrock = s.bedrock.row(0),
+            .depth = s.depth.row(0),
+            .rolling = s.rolling.row(0),
+            .velocity_x = s.velocity_x.row(0),
+            .velocity_y = s.velocity_y.row(0),
+            .first_slope = s.first_slope.row(0),
+            .first_depth = s.first_depth.row(0),
+            .borders = s.params.borders,
+            .outlets = outlets_.view(),
+            .model = s.params.model,
+            .scheme = s.params.scheme,
+            .bcre = bcre::constants_of(s.params, s.grid.dx, sub),
+            .inertial = inertial::constants_of(s.params, s.grid.dx, sub),
+            .tile_width = s.tiles.width,
+            .tile_height = s.tiles.height,
+            .tile_columns = s.tiles.columns,
+            .active = active_.data()};
 }
 
 std::int64_t Sweeper::substep(State& s, Workers& workers, InstructionSet set, Substep<float> sub) {
     find_jobs(s.grid, s.tiles, s.tiles.awake, workers.threads());
     if (jobs_.empty()) return 0;
     for (std::size_t i = 0; i < stale_.size(); ++i) stale_[i] |= s.tiles.awake[i];
-    fill_borders(s, s.params);
 
     const Ground ground = ground_of(s, sub);
     const Sweep sweep = kernels_for(set).sweep;
@@ -154,10 +158,9 @@ std::int64_t Sweeper::substep(State& s, Workers& workers, InstructionSet set, Su
     });
     std::fill(active_.begin(), active_.end(), std::uint8_t{0});
     workers.each_member(count, [&](int member, int first, int last) {
-        float* work = work_.data() + member * kWorkRows * stride_ + kRowPadding;
         for (int i = first; i < last; ++i) {
             const auto job = static_cast<std::size_t>(i);
-            drained_[job] = sweep(ground, jobs_[job], work, row_active_.data() + member * stride_);
+            drained_[job] = sweep(ground, jobs_[job], work_of(member), row_active_.data() + member * stride_);
         }
     });
     s.tiles.keep_awake(active_);
@@ -165,14 +168,15 @@ std::int64_t Sweeper::substep(State& s, Workers& workers, InstructionSet set, Su
 }
 
 void Sweeper::find_velocity(State& s, Workers& workers, InstructionSet set) {
+    if (s.params.model != Model::kBcre) return;  // it is state, and there already
     find_jobs(s.grid, s.tiles, stale_, workers.threads());
     std::fill(stale_.begin(), stale_.end(), std::uint8_t{0});
     if (jobs_.empty()) return;
-    fill_borders(s, s.params);
     const Ground ground = ground_of(s, {});
     const Velocity velocity = kernels_for(set).velocity;
-    workers.each_band(static_cast<int>(jobs_.size()), [&](int first, int last) {
-        for (int i = first; i < last; ++i) velocity(ground, jobs_[static_cast<std::size_t>(i)]);
+    workers.each_member(static_cast<int>(jobs_.size()), [&](int member, int first, int last) {
+        for (int i = first; i < last; ++i)
+            velocity(ground, jobs_[static_cast<std::size_t>(i)], work_of(member));
     });
 }
 

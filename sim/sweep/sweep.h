@@ -1,14 +1,16 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
 
 #include "sim/bcre/constants.h"
+#include "sim/inertial/work.h"
 #include "sim/outlets.h"
 
-// The first-order stages of `bcre` in one sweep over the rows, with a row of lanes at a time: the same
-// formulas as the plain step (bcre/plain.h), and the same bits, without a field between them.
+// A sub-step in one sweep over the rows, many vertices at a time: the stages of the plain step
+// (bcre/stages.h, inertial/stages.h), and the same bits, without a field between them.
 //
 // Nothing here is more than pointers and numbers. The files sweep_*.cpp are compiled for instruction sets
 // that a machine may lack, so they must not share a function with the rest of the program.
@@ -31,28 +33,32 @@ namespace sweep {
 struct Ground {
     int nx, ny;
     std::ptrdiff_t stride;
-    const float* bedrock;
-    float *depth, *rolling, *velocity_x, *velocity_y;
-    bool wall[4];  // by Side
+    float *bedrock, *depth, *rolling, *velocity_x, *velocity_y, *first_slope, *first_depth;
+    std::array<Border, 4> borders;  // by Side
     Outlets::View outlets;
+    Model model;
     Scheme scheme;
-    bcre::Constants<float> constants;
+    bcre::Constants<float> bcre;
+    inertial::Constants<float> inertial;
 
     int tile_width, tile_height, tile_columns;
     std::uint8_t* active;  // of each tile: set where anything rolled or came to rest
 };
 
 // A rectangle of vertices that one thread sweeps, x0 … x1-1 by y0 … y1-1. Its rows change in place while
-// others sweep the rows beside it, so what lies beyond was copied before: kApron rows on each side.
-inline constexpr int kApron = 2;
+// others sweep the rows beside it, so what lies beyond was copied before: kApron rows on each side. Along x
+// only what sleeps lies beside it, of which its stages read less than kBeside vertices.
+inline constexpr int kApron = 5, kBeside = 8;
 struct Job {
     int x0, x1, y0, y1;
-    float *depth_below, *depth_above;      // rows y0-kApron …, y1 …; to vertex x = 0
-    float *rolling_below, *rolling_above;  // the same
+    struct Apron {  // where row y0 would follow on what lies below, and row y1 above; x = 0
+        float *below, *above;
+    };
+    Apron depth, rolling, velocity_x, velocity_y;
 };
 
 // Rows that a thread works with, each `stride` floats.
-inline constexpr int kWorkRows = 32;
+inline constexpr int kWorkRows = 192;
 
 // Returns what left the world, in quanta. `work` points to x = 0 of the first work row, `active` to a byte
 // for each run of lanes in a row, all 0.
@@ -62,10 +68,10 @@ std::int64_t sweep_v3(const Ground& ground, const Job& job, float* work, std::ui
 std::int64_t sweep_v4(const Ground& ground, const Job& job, float* work, std::uint8_t* active);
 
 // The velocity at the end of a tick, for who looks on; 0 where nothing rolls.
-using Velocity = void (*)(const Ground& ground, const Job& job);
-void velocity_v2(const Ground& ground, const Job& job);
-void velocity_v3(const Ground& ground, const Job& job);
-void velocity_v4(const Ground& ground, const Job& job);
+using Velocity = void (*)(const Ground& ground, const Job& job, float* work);
+void velocity_v2(const Ground& ground, const Job& job, float* work);
+void velocity_v3(const Ground& ground, const Job& job, float* work);
+void velocity_v4(const Ground& ground, const Job& job, float* work);
 
 }  // namespace sweep
 }  // namespace sim

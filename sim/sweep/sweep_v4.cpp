@@ -10,8 +10,8 @@ std::int64_t sweep_v4(const Ground& ground, const Job& job, float* work, std::ui
     return run<Lanes16>(ground, job, work, active);
 }
 
-void velocity_v4(const Ground& ground, const Job& job) {
-    run_velocity<Lanes16>(ground, job);
+void velocity_v4(const Ground& ground, const Job& job, float* work) {
+    run_velocity<Lanes16>(ground, job, work);
 }
 
 }  // namespace sim::sweep

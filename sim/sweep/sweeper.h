@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "sim/aligned.h"
 #include "sim/quanta.h"
 #include "sim/sweep/sweep.h"
 
@@ -19,7 +20,7 @@ class Sweeper {
   public:
     Sweeper(const State& state, int threads);
 
-    // One sub-step of `bcre`, without commands; returns what left the world, in quanta.
+    // One sub-step, without commands; returns what left the world, in quanta.
     std::int64_t substep(State& state, Workers& workers, InstructionSet set, Substep<float> sub);
 
     // Once a tick, after its sub-steps: the velocity for who looks on.
@@ -30,11 +31,12 @@ class Sweeper {
                    int threads);
     void copy_aprons(const State& state, const Job& job) const;
     Ground ground_of(State& state, Substep<float> sub);
+    float* work_of(int member);
 
     Outlets outlets_;
     std::ptrdiff_t stride_;
-    std::vector<float> aprons_;             // kApron rows of two layers on two sides, for each row of tiles
-    std::vector<float> work_;               // kWorkRows for each thread
+    AlignedVector<float> aprons_;           // kApron rows of each field on two sides, for each row of tiles
+    AlignedVector<float> work_;             // kWorkRows for each thread
     std::vector<std::uint8_t> row_active_;  // a row for each thread
     std::vector<std::uint8_t> active_;      // of each tile, in this sub-step
     std::vector<std::uint8_t> stale_;       // of each tile: swept since its velocity was found

@@ -37,7 +37,7 @@ Params bare_params(Model model, Scheme scheme) {
 }
 
 Trial::Trial(const Grid& grid, const Params& with, const Begin& begin)
-    : params(with), layers(begun(grid, with, begin)), scratch(layers) {}
+    : params(with), layers(begun(grid, with, begin)), scratch(layers, with.model) {}
 
 void Trial::run_in(int substeps, double seconds, const Source& source) {
     const double dt = seconds / substeps;

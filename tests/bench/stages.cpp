@@ -4,9 +4,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "sim/bcre/constants.h"
-#include "sim/bcre/inertial.h"
 #include "sim/bcre/plain.h"
+#include "sim/bcre/stages.h"
 #include "sim/borders.h"
 #include "sim/quanta.h"
 
@@ -26,10 +25,19 @@ struct Place {
     sim::Scratch<float>& scratch;
     const sim::Params& params;
     sim::Substep<float> sub;
-    sim::bcre::Constants<float> c;
+    sim::bcre::Work<float> w;
     int rows;
 };
 using Stage = void (*)(const Place&);
+
+template <class Stage>
+void each_row(const Place& p, Stage&& stage) {
+    for (int y = 0; y < p.rows; ++y) sim::along<float>({0, p.w.nx}, stage(y));
+}
+template <class Stage>
+void each_face(const Place& p, Stage&& stage) {
+    for (int y = 0; y <= p.rows; ++y) sim::along<float>(sim::Span{0, p.w.nx}.faces(), stage(y));
+}
 
 void one_stage(benchmark::State& run, Model model, Scheme scheme, Stage stage) {
     support::Play play = world_of(static_cast<int>(run.range(0)), model, scheme, {.plain = true});
@@ -39,7 +47,7 @@ void one_stage(benchmark::State& run, Model model, Scheme scheme, Stage stage) {
                       *play.engine.scratch,
                       play.state.params,
                       sub,
-                      sim::bcre::constants_of(play.state.params, play.state.grid.dx, sub),
+                      sim::bcre::work_of(play.state, play.state.params, *play.engine.scratch, sub),
                       play.state.grid.ny};
     for (auto _ : run) {
         stage(place);
@@ -60,38 +68,26 @@ void add_stages() {
         Stage stage;
     };
     constexpr auto kBcre = Model::kBcre;
-    constexpr auto kInertial = Model::kBcreInertial;
     const Entry entries[] = {
         {"fill_borders", kBcre, kLocal, [](const Place& p) { sim::fill_borders(p.s, p.params); }},
-        {"find_slope", kBcre, kLocal,
-         [](const Place& p) { sim::bcre::find_slope(p.s, p.scratch, kLocal, 0, p.rows); }},
-        {"find_pace", kBcre, kLocal,
-         [](const Place& p) { sim::bcre::find_pace(p.s, p.scratch, p.c, 0, p.rows); }},
-        {"find_gives", kBcre, kLocal,
-         [](const Place& p) { sim::bcre::find_gives(p.s, p.scratch, kLocal, p.c, 0, p.rows); }},
-        {"book_gives", kBcre, kLocal,
-         [](const Place& p) { sim::bcre::book_gives(p.s, p.scratch, kLocal, p.c, 0, p.rows); }},
-        {"carry_gives", kBcre, kLocal,
-         [](const Place& p) { sim::bcre::carry_gives(p.s, p.scratch, 0, p.rows); }},
-        {"find_exchange", kBcre, kLocal,
-         [](const Place& p) { sim::bcre::find_exchange(p.s, p.scratch, kLocal, p.c, 0, p.rows); }},
-        {"settle", kBcre, kLocal, [](const Place& p) { sim::bcre::settle(p.s, p.scratch, p.c, 0, p.rows); }},
-        {"find_velocity", kBcre, kLocal,
-         [](const Place& p) { sim::bcre::find_velocity(p.s, p.c, 0, p.rows); }},
-        {"inertial_relax", kInertial, kLocal,
-         [](const Place& p) { sim::bcre::inertial_relax(p.s, p.params, p.sub, 0, p.rows); }},
-        {"inertial_exchange", kInertial, kLocal,
-         [](const Place& p) { sim::bcre::inertial_exchange(p.s, p.params, p.scratch, p.sub, 0, p.rows); }},
-        {"inertial_fluxes", kInertial, kLocal,
-         [](const Place& p) { sim::bcre::inertial_fluxes(p.s, p.s.rolling, p.scratch, p.sub, 0, p.rows); }},
-        {"inertial_predict", kInertial, kLocal,
-         [](const Place& p) { sim::bcre::inertial_predict(p.s, p.scratch, 0, p.rows); }},
-        {"inertial_book", kInertial, kLocal,
-         [](const Place& p) { sim::bcre::inertial_book(p.scratch, p.sub, 0, p.rows); }},
-        {"inertial_finish", kInertial, kLocal,
-         [](const Place& p) { sim::bcre::inertial_finish(p.s, p.params, p.scratch, p.sub, 0, p.rows); }},
-        {"inertial_yield", kInertial, kLocal,
-         [](const Place& p) { sim::bcre::inertial_yield(p.s, p.params, p.scratch, 0, p.rows); }},
+        {"find_drops", kBcre, kLocal,
+         [](const Place& p) {
+             each_face(p, [&](int y) { return sim::find_drops<float>(p.w, p.w.now, y); });
+         }},
+        {"find_fall", kBcre, kLocal,
+         [](const Place& p) { each_row(p, [&](int y) { return sim::bcre::find_fall<float>(p.w.now, y); }); }},
+        {"find_given", kBcre, kLocal,
+         [](const Place& p) {
+             each_row(p, [&](int y) { return sim::bcre::find_given<float>(p.w, p.w.now, y); });
+         }},
+        {"find_split_fluxes", kBcre, kLocal,
+         [](const Place& p) {
+             each_face(p, [&](int y) { return sim::bcre::find_split_fluxes<float>(p.w, p.w.now, y); });
+         }},
+        {"settle", kBcre, kLocal,
+         [](const Place& p) {
+             each_row(p, [&](int y) { return sim::bcre::settle<float, kLocal>(p.w, y, p.w.nx); });
+         }},
         {"count_mass", kBcre, kLocal, [](const Place& p) { sim::count_mass(p.s); }},
     };
     for (const Entry& entry : entries)

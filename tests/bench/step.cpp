@@ -86,19 +86,16 @@ void add(const std::string& name, Model model, Scheme scheme, const sim::How& ho
 }  // namespace
 
 int main(int argc, char** argv) {
-    for (const Scheme scheme : {Scheme::kLaxFriedrichs, Scheme::kLocalLaxFriedrichs}) {
-        const std::string name(sim::to_string(scheme));
+    const auto add_ways = [](const std::string& name, Model model, Scheme scheme) {
         for (const auto set : sim::kInstructionSets)
             if (sim::has(set))
-                add(name + ", " + std::string(sim::to_string(set)), Model::kBcre, scheme,
-                    {.instruction_set = set});
-        add(name + ", two threads", Model::kBcre, scheme, {.threads = 2});
-        add(name + ", plain", Model::kBcre, scheme, {.plain = true});
-    }
-    add("muscl, plain", Model::kBcre, Scheme::kMuscl, {});
-    add("bcre-inertial, plain", Model::kBcreInertial, Scheme::kLocalLaxFriedrichs, {});
-    add("bcre-inertial, plain, two threads", Model::kBcreInertial, Scheme::kLocalLaxFriedrichs,
-        {.threads = 2});
+                add(name + ", " + std::string(sim::to_string(set)), model, scheme, {.instruction_set = set});
+        add(name + ", two threads", model, scheme, {.threads = 2});
+        add(name + ", plain", model, scheme, {.plain = true});
+    };
+    for (const Scheme scheme : {Scheme::kLaxFriedrichs, Scheme::kLocalLaxFriedrichs, Scheme::kMuscl})
+        add_ways(std::string(sim::to_string(scheme)), Model::kBcre, scheme);
+    add_ways("bcre-inertial", Model::kBcreInertial, Scheme::kLocalLaxFriedrichs);
     bench::add_stages();
     benchmark::RegisterBenchmark("state hash", hash_of_state)->Arg(160)->Arg(1024);
     benchmark::Initialize(&argc, argv);

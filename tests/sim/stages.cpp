@@ -1,13 +1,13 @@
-#include "sim/bcre/inertial.h"
-
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "sim/bcre/constants.h"
 #include "sim/bcre/plain.h"
+#include "sim/bcre/stages.h"
 #include "sim/borders.h"
+#include "sim/inertial/plain.h"
+#include "sim/inertial/stages.h"
 #include "sim/quanta.h"
 #include "tests/support/worlds.h"
 
@@ -21,35 +21,33 @@ using support::Play;
 
 constexpr sim::Substep<float> kHalfQuantum{0.02f, 0.5f};  // rounds to nearest
 
-// The plain stages of `bcre` on a world, in their order.
+// A sub-step of `bcre` on a world; what its stages wrote stands in scratch.
 struct Stages {
     Play play;
     sim::Scratch<float>& scratch;
-    sim::bcre::Constants<float> c;
-    sim::Scheme scheme;
+    sim::LevelFields<float>& now;
+    sim::Workers& workers;
 
     Stages(const support::Ground& ground, const sim::Params& params)
         : play(ground, params, {.plain = true}),
           scratch(*play.engine.scratch),
-          c(sim::bcre::constants_of(params, ground.grid.dx, kHalfQuantum)),
-          scheme(params.scheme) {}
+          now(scratch.now),
+          workers(play.engine.workers) {}
 
-    int rows() const { return play.state.grid.ny; }
-    void find_slope() {
-        sim::fill_borders(play.state, play.state.params);
-        sim::bcre::find_slope(play.state, scratch, scheme, 0, rows());
-        sim::bcre::find_pace(play.state, scratch, c, 0, rows());
+    void substep(sim::Substep<float> sub = kHalfQuantum) {
+        sim::bcre::substep(play.state, play.state.params, scratch, workers, sub);
     }
-    void find_gives() { sim::bcre::find_gives(play.state, scratch, scheme, c, 0, rows()); }
-    void find_velocity() {
-        sim::fill_borders(play.state, play.state.params);
-        sim::bcre::find_velocity(play.state, c, 0, rows());
-    }
-    void exchange() {
-        sim::bcre::find_exchange(play.state, scratch, scheme, c, 0, rows());
-        sim::bcre::settle(play.state, scratch, c, 0, rows());
-    }
+    void find_velocity() { sim::bcre::find_velocity(play.state, play.state.params, scratch, workers); }
 };
+
+// The rows of a world of bcre-inertial that steps plainly, its halo filled.
+sim::inertial::Work<float> work_of(Play& play) {
+    sim::fill_borders(play.state, play.state.params);
+    return sim::inertial::work_of(play.state, play.state.params, *play.engine.scratch, kHalfQuantum);
+}
+
+// A flux in whole quanta is less than one away from what it should be.
+constexpr double kRounded = 8e-6;
 
 TEST(Velocity, of_law_C_has_one_speed_down_the_slope) {
     support::Ground ground({5, 5, 2});
@@ -93,65 +91,66 @@ TEST(Velocity, of_the_inertial_model_relaxes_toward_the_terminal_one_for_half_of
     support::Ground ground({5, 5, 2});
     ground.set(ground.bedrock, [](double x, double y) { return -0.3 * x + 0.4 * y; });
     ground.set(ground.rolling, [](double, double) { return 0.3; });
-    Play play(ground, lively(Model::kBcreInertial));
+    Play play(ground, lively(Model::kBcreInertial), {.plain = true});
     play.state.velocity_x(2, 2) = 1;
-    sim::bcre::inertial_relax(play.state, play.state.params, kHalfQuantum, 0, 5);
+    const auto w = work_of(play);
+    sim::along<float>({0, 5}, sim::inertial::relax<float>(w, 2, 5));
     const double terminal = 15 * 0.5 * (0.3 / (0.3 + 0.1));  // k_v |∇z| R/(R + R_h)
     const double gained = 1 - std::exp(-0.01 / 1.5);
     EXPECT_NEAR(play.state.velocity_x(2, 2), 1 + gained * (0.6 * terminal - 1), 1e-5);
     EXPECT_NEAR(play.state.velocity_y(2, 2), gained * -0.8 * terminal, 1e-5);
 }
 
-TEST(Gives, of_local_lax_friedrichs_go_to_the_lower_neighbours_by_their_drops) {
+TEST(Fluxes, of_local_lax_friedrichs_go_to_the_lower_neighbours_by_their_drops) {
     support::Ground ground({5, 5, 2});
     ground.set(ground.bedrock, [](double x, double y) { return -0.3 * x + 0.4 * y; });
     ground.rolling[ground.at(2, 2)] = 0.4f;
     Stages stages(ground, lively(Model::kBcre));
-    stages.find_slope();
-    stages.find_gives();
-    EXPECT_NEAR(stages.scratch.given.east(2, 2), 0.4 * 5 * 0.6 * 0.01, 1e-7);  // R v_E Δt/Δx
-    EXPECT_NEAR(stages.scratch.given.south(2, 2), 0.4 * 5 * 0.8 * 0.01, 1e-7);
-    EXPECT_EQ(stages.scratch.given.west(2, 2), 0);
-    EXPECT_EQ(stages.scratch.given.north(2, 2), 0);
+    stages.substep();
+    EXPECT_NEAR(stages.now.flux_x(3, 2), 0.4 * 5 * 0.6 * 0.01, kRounded);   // R v_E Δt/Δx
+    EXPECT_NEAR(stages.now.flux_y(2, 2), -0.4 * 5 * 0.8 * 0.01, kRounded);  // south
+    EXPECT_EQ(stages.now.flux_x(2, 2), 0);
+    EXPECT_EQ(stages.now.flux_y(2, 3), 0);
 }
 
-TEST(Gives, of_a_ridge_go_to_both_sides) {
+TEST(Fluxes, of_a_ridge_go_to_both_sides) {
     support::Ground ground({5, 5, 2});
     ground.set(ground.bedrock, [](double x, double) { return -std::fabs(x - 4); });
     ground.rolling[ground.at(2, 2)] = 0.4f;
     Stages stages(ground, lively(Model::kBcre));
-    stages.find_slope();
-    stages.find_gives();
-    EXPECT_NEAR(stages.scratch.given.east(2, 2), 0.4 * 5 * 0.01, 1e-7);
-    EXPECT_EQ(stages.scratch.given.east(2, 2), stages.scratch.given.west(2, 2));
+    stages.substep();
+    EXPECT_NEAR(stages.now.flux_x(3, 2), 0.4 * 5 * 0.01, kRounded);
+    EXPECT_EQ(stages.now.flux_x(3, 2), -stages.now.flux_x(2, 2));
 }
 
-TEST(Gives, of_lax_friedrichs_are_quarters_and_more_of_them_downhill) {
+TEST(Fluxes, of_lax_friedrichs_are_quarters_and_more_of_them_downhill) {
     support::Ground ground({5, 5, 2});
     ground.set(ground.bedrock, [](double x, double) { return -0.5 * x; });
     ground.rolling[ground.at(2, 2)] = 0.4f;
     Stages stages(ground, lively(Model::kBcre, sim::Scheme::kLaxFriedrichs));
-    stages.find_slope();
-    stages.find_gives();
+    stages.substep();
     const double quarter = 0.25 * 0.4, half = 0.5 * 0.4 * 5 * 0.01;
-    EXPECT_NEAR(stages.scratch.given.east(2, 2), quarter + half, 1e-5);
-    EXPECT_NEAR(stages.scratch.given.west(2, 2), quarter - half, 1e-5);
-    EXPECT_NEAR(stages.scratch.given.north(2, 2), quarter, 1e-5);
+    EXPECT_NEAR(stages.now.flux_x(3, 2), quarter + half, 2 * kRounded);
+    EXPECT_NEAR(stages.now.flux_x(2, 2), -(quarter - half), 2 * kRounded);
+    EXPECT_NEAR(stages.now.flux_y(2, 3), quarter, 2 * kRounded);
 }
 
-TEST(Gives, of_muscl_take_layer_and_velocity_at_the_face) {
+TEST(Fluxes, of_muscl_take_layer_and_velocity_at_the_face) {
     support::Ground ground({7, 5, 2});
     const float depths[] = {0, 0.1f, 0.3f, 0.4f, 0.6f, 0.6f, 0};
     for (int x = 0; x < 7; ++x) ground.rolling[ground.at(x, 2)] = depths[x];
     Stages stages(ground, lively(Model::kBcre, sim::Scheme::kMuscl));
-    for (int x = 0; x < 7; ++x) stages.scratch.velocity_x(x, 2) = x == 3 ? 4 : 2;
-    stages.find_gives();
-    EXPECT_NEAR(stages.scratch.given.east(2, 2), 3 * 0.01 * (0.3 + 0.05), 1e-7);  // minmod(.2, .1) = .1
-    EXPECT_NEAR(stages.scratch.given.east(5, 2), 2 * 0.01 * 0.6, 1e-7);           // a maximum keeps its own
-    EXPECT_EQ(stages.scratch.given.west(2, 2), 0);
+    sim::fill_borders(stages.play.state, stages.play.state.params);
+    const auto w =
+        sim::bcre::work_of(stages.play.state, stages.play.state.params, stages.scratch, kHalfQuantum);
+    for (int x = 0; x < 7; ++x) stages.now.velocity_x(x, 2) = x == 3 ? 4 : 2;
+    sim::along<float>({0, 8}, sim::bcre::find_muscl_fluxes<float>(w, w.now, 2));
+    EXPECT_NEAR(stages.now.flux_x(3, 2), 3 * 0.01 * (0.3 + 0.05), 1e-7);  // minmod(.2, .1) = .1
+    EXPECT_NEAR(stages.now.flux_x(6, 2), 2 * 0.01 * 0.6, 1e-7);           // a maximum keeps its own
+    EXPECT_EQ(stages.now.flux_y(2, 2), 0);
 }
 
-TEST(Gives, never_are_more_than_a_vertex_has) {
+TEST(Fluxes, never_take_more_than_a_vertex_has) {
     std::mt19937 random(3);
     for (const auto scheme :
          {sim::Scheme::kLaxFriedrichs, sim::Scheme::kLocalLaxFriedrichs, sim::Scheme::kMuscl}) {
@@ -163,25 +162,24 @@ TEST(Gives, never_are_more_than_a_vertex_has) {
         });
         sim::Params params = lively(Model::kBcre, scheme);
         params.rolling_speed = 25;  // half a cell in a sub-step
+        params.exchange_rate = 0;
+        params.start_slope = 10;
+        params.freeze_depth = 0;
         for (int round = 0; round < 50; ++round) {
             Stages stages(ground, params);
-            stages.c = sim::bcre::constants_of(params, 1, sim::Substep<float>{0.02f, sim::dither_of(round)});
-            stages.find_slope();
-            sim::bcre::find_central_velocity(stages.play.state, stages.scratch, stages.c, 0, stages.rows());
-            sim::bcre::continue_velocity(stages.scratch);
-            stages.find_gives();
-            sim::bcre::book_gives(stages.play.state, stages.scratch, scheme, stages.c, 0, stages.rows());
-            sim::bcre::carry_gives(stages.play.state, stages.scratch, 0, stages.rows());
-            double before = 0, after = 0;
+            sim::State& state = stages.play.state;
+            const auto volume = [&] {  // whole quanta: sums in double are exact
+                double sum = 0;
+                for (int y = 0; y < 23; ++y)
+                    for (int x = 0; x < 21; ++x) sum += static_cast<double>(state.rolling(x, y));
+                return sum;
+            };
+            const double before = volume();
+            stages.substep({0.02f, sim::dither_of(round)});
             for (int y = 0; y < 23; ++y)
-                for (int x = 0; x < 21; ++x) {
-                    before += static_cast<double>(stages.play.state.rolling(x, y));
-                    after += static_cast<double>(stages.scratch.rolling(x, y));
-                    ASSERT_GE(stages.scratch.rolling(x, y), 0) << sim::to_string(scheme);
-                }
-            const auto out = static_cast<double>(sim::drained(stages.scratch, Model::kBcre));
-            // whole quanta: sums in double are exact
-            ASSERT_EQ(before, after + out * static_cast<double>(sim::kQuantum)) << sim::to_string(scheme);
+                for (int x = 0; x < 21; ++x) ASSERT_GE(state.rolling(x, y), 0) << sim::to_string(scheme);
+            const auto out = static_cast<double>(sim::bcre::drained(state, params, stages.scratch));
+            ASSERT_EQ(before, volume() + out * static_cast<double>(sim::kQuantum)) << sim::to_string(scheme);
         }
     }
 }
@@ -190,17 +188,16 @@ TEST(LowerSlope, looks_at_lower_neighbours_only_and_sees_a_checkerboard) {
     support::Ground ground({5, 5, 2});
     ground.bedrock[ground.at(2, 2)] = 1;
     Stages stages(ground, lively(Model::kBcre));
-    stages.find_slope();
-    EXPECT_NEAR(stages.scratch.fall(2, 2), std::sqrt(2.0), 1e-6);
-    EXPECT_EQ(stages.scratch.fall(1, 2), 0);  // beside it only a higher one
+    stages.substep();
+    EXPECT_NEAR(stages.now.fall(2, 2), std::sqrt(2.0), 1e-6);
+    EXPECT_EQ(stages.now.fall(1, 2), 0);  // beside it only a higher one
 }
 
 TEST(Exchange, grows_and_decays_as_the_exponential) {
     support::Ground ground = support::plane(6, 2, 0.8, 3);
     ground.set(ground.rolling, [](double, double) { return 0.05; });
     Stages stages(ground, lively(Model::kBcre));
-    stages.find_slope();
-    stages.exchange();
+    stages.substep();
     const sim::State& state = stages.play.state;
     EXPECT_NEAR(state.rolling(3, 3), 0.05 * std::exp(2 * 0.3 * 0.02), 1e-5);  // γ p Δt, p = .8 − .5
     EXPECT_EQ(state.rolling(3, 3) + state.depth(3, 3), 3 + sim::nearest_quanta(0.05f));
@@ -222,12 +219,12 @@ TEST(Exchange, never_carries_the_slope_past_its_threshold) {
         params.exchange_rate = static_cast<float>(within(0, 50));
         if (round % 2) params.exchange_depth = static_cast<float>(within(0.01, 5));
         params.start_slope = 10;
+        params.rolling_speed = 0;
         Stages stages(ground, params);
-        stages.find_slope();
-        const float before = stages.scratch.fall(1, 1) - params.stop_slope;
-        stages.exchange();
-        stages.find_slope();
-        const float after = stages.scratch.fall(1, 1) - params.stop_slope;
+        stages.substep();
+        const float before = stages.now.fall(1, 1) - params.stop_slope;
+        stages.substep();  // for the slope as the first has left it
+        const float after = stages.now.fall(1, 1) - params.stop_slope;
         const float slack = 2e-5f;  // a quantum and float32
         if (before > 0) {
             ASSERT_GE(after, -slack) << round;
@@ -237,93 +234,115 @@ TEST(Exchange, never_carries_the_slope_past_its_threshold) {
     }
 }
 
+// Of row 2.
+void find_fluxes(const sim::inertial::Work<float>& w) {
+    for (int y = 1; y <= 3; ++y) {
+        sim::along<float>({0, w.nx}, sim::inertial::find_slopes<float>(w.now, y));
+        sim::inertial::end_slopes<float>(w, w.now, y, {0, w.nx});
+    }
+    sim::along<float>({0, w.nx + 1}, sim::inertial::find_fluxes<float>(w, w.now, 2));
+}
+
 TEST(InertialTransport, takes_layer_and_momentum_at_the_face) {
     support::Ground ground({7, 5, 2});
     const float depths[] = {0, 0.1f, 0.3f, 0.4f, 0.6f, 0.6f, 0}, speeds[] = {0, 1, 2, 4, 4, 4, 0};
     for (int x = 0; x < 7; ++x) ground.rolling[ground.at(x, 2)] = depths[x];
-    Play play(ground, lively(Model::kBcreInertial));
+    Play play(ground, lively(Model::kBcreInertial), {.plain = true});
     for (int x = 0; x < 7; ++x) play.state.velocity_x(x, 2) = speeds[x];
-    sim::bcre::inertial_fluxes(play.state, play.state.rolling, (*play.engine.scratch), kHalfQuantum, 0, 5);
+    const auto w = work_of(play);
+    find_fluxes(w);
     // Between 0.3 m at 2 m/s and 0.4 m at 4: the slopes of R are 0.15 and 0.15, those of u 1.5 and 0.
     const double left = 0.3 + 0.075, right = 0.4 - 0.075, joint = (left * 2.75 + right * 4) / (left + right);
     const double flux = left * joint * 0.02 / 2;
-    EXPECT_NEAR((*play.engine.scratch).flux_x(2, 2), flux, 1e-6);
-    EXPECT_NEAR((*play.engine.scratch).momentum_x.u(2, 2), flux * 2.75, 2e-6);
-    EXPECT_EQ((*play.engine.scratch).momentum_x.v(2, 2), 0);
-    EXPECT_EQ((*play.engine.scratch).flux_x(0, 2), 0);  // what is empty gives nothing
-    EXPECT_EQ((*play.engine.scratch).flux_y(2, 2), 0);
+    EXPECT_NEAR(w.now.flux_x[2][3], flux, 1e-6);
+    EXPECT_NEAR(w.now.momentum_xu[2][3], flux * 2.75, 2e-6);
+    EXPECT_EQ(w.now.momentum_xv[2][3], 0);
+    EXPECT_EQ(w.now.flux_x[2][1], 0);  // what is empty gives nothing
+    EXPECT_EQ(w.now.flux_y[2][2], 0);
 }
 
 TEST(InertialTransport, takes_a_quarter_of_a_vertex_through_a_face_at_most) {
     support::Ground ground({5, 5, 1});
     ground.rolling[ground.at(2, 2)] = 0.5f;
-    Play play(ground, lively(Model::kBcreInertial));
+    Play play(ground, lively(Model::kBcreInertial), {.plain = true});
     play.state.velocity_x(2, 2) = 1000;
-    sim::bcre::inertial_fluxes(play.state, play.state.rolling, (*play.engine.scratch), kHalfQuantum, 0, 5);
-    EXPECT_EQ((*play.engine.scratch).flux_x(2, 2), 0.125f);
+    const auto w = work_of(play);
+    find_fluxes(w);
+    EXPECT_EQ(w.now.flux_x[2][3], 0.125f);
+}
+
+// The slopes of `level`, and what would be exchanged, on all of a world of 5 by 5 vertices.
+void find_exchange(const sim::inertial::Work<float>& w, const sim::inertial::Level<float>& level) {
+    for (int y = 0; y <= 5; ++y)
+        sim::along<float>({0, 6}, sim::find_drops<float>(w, level, y)), sim::end_drops<float>(w, level, y);
+    for (int y = 0; y <= 5; ++y) sim::along<float>({0, 6}, sim::find_bends<float>(w, level, y));
+    for (int y = 0; y < 5; ++y) sim::along<float>({0, 5}, sim::inertial::find_exchange<float>(w, level, y));
 }
 
 // A stage of the exchange alone, on what rolls with `speed`; where it leads stands in scratch.
 void exchange_stage(Play& play, float speed) {
     play.state.velocity_y.fill(speed);
-    sim::fill_borders(play.state, play.state.params);
-    sim::bcre::inertial_exchange(play.state, play.state.params, (*play.engine.scratch), kHalfQuantum, 0, 5);
-    sim::bcre::inertial_predict(play.state, (*play.engine.scratch), 0, 5);
+    const auto w = work_of(play);
+    find_exchange(w, w.now);
+    for (int y = 0; y < 5; ++y) sim::along<float>({0, 5}, sim::inertial::predict<float>(w, y));
 }
 
 TEST(InertialExchange, deposits_nothing_above_the_deposit_speed) {
     for (const float speed : {2.f, 3.f}) {  // the gate is at 2.5 m/s
         support::Ground ground = support::plane(4, 2, 0.1);
         ground.set(ground.rolling, [](double, double) { return 0.5; });
-        Play play(ground, lively(Model::kBcreInertial));
+        Play play(ground, lively(Model::kBcreInertial), {.plain = true});
         exchange_stage(play, speed);
         const double stop = 0.36 + (0.5 - 0.36) * std::exp(-5.);  // of 0.5 m
-        EXPECT_NEAR((*play.engine.scratch).depth(2, 2),
+        EXPECT_NEAR(play.engine.scratch->flow_then.depth(2, 2),
                     2 * 0.5 * (stop - 0.1) * std::max(0., 1 - speed / 2.5) * 0.02, 1e-6);
-        EXPECT_EQ((*play.engine.scratch).velocity_y(2, 2), speed);  // what stays moving keeps its speed
+        EXPECT_EQ(play.engine.scratch->flow_then.velocity_y(2, 2),
+                  speed);  // what stays moving keeps its speed
     }
 }
 
 TEST(InertialExchange, does_nothing_between_stop_and_erosion_slope) {
     support::Ground ground = support::plane(4, 2, 0.52, 1);  // stop .5, erosion .55
     ground.set(ground.rolling, [](double, double) { return 0.5; });
-    Play play(ground, lively(Model::kBcreInertial));
+    Play play(ground, lively(Model::kBcreInertial), {.plain = true});
     exchange_stage(play, 1);
-    EXPECT_EQ((*play.engine.scratch).depth(2, 2), 1);
+    EXPECT_EQ(play.engine.scratch->flow_then.depth(2, 2), 1);
 }
 
 TEST(InertialExchange, erodes_smoothly_from_the_erosion_depth_on_and_from_rest) {
     for (const double rolling : {0.04, 0.06, 0.5}) {
         support::Ground ground = support::plane(4, 2, 0.9, 1);
         ground.set(ground.rolling, [&](double, double) { return rolling; });
-        Play play(ground, lively(Model::kBcreInertial));
+        Play play(ground, lively(Model::kBcreInertial), {.plain = true});
         exchange_stage(play, 4);
         const double above = std::max(0., rolling - 0.05), eroded = 2 * above * above / rolling * 0.35 * 0.02;
-        EXPECT_NEAR((*play.engine.scratch).rolling(2, 2), rolling + eroded, 1e-5) << rolling;
-        EXPECT_NEAR((*play.engine.scratch).rolling(2, 2) * (*play.engine.scratch).velocity_y(2, 2),
-                    rolling * 4, 1e-4)
+        EXPECT_NEAR(play.engine.scratch->flow_then.rolling(2, 2), rolling + eroded, 1e-5) << rolling;
+        EXPECT_NEAR(
+            play.engine.scratch->flow_then.rolling(2, 2) * play.engine.scratch->flow_then.velocity_y(2, 2),
+            rolling * 4, 1e-4)
             << rolling;
     }
 }
 
 // Slopes toward the lower neighbours, then yield.
 void yield_stage(Play& play) {
-    sim::fill_borders(play.state, play.state.params);
-    sim::bcre::inertial_exchange(play.state, play.state.params, (*play.engine.scratch), kHalfQuantum, 0, 5);
-    sim::bcre::inertial_yield(play.state, play.state.params, (*play.engine.scratch), 0, 5);
+    auto w = work_of(play);
+    w.then.depth = w.now.depth, w.then.rolling = w.now.rolling;  // the slopes of what is
+    find_exchange(w, w.then);
+    for (int y = 0; y < 5; ++y) sim::along<float>({0, 5}, sim::inertial::yield<float>(w, y, 5));
 }
 
 TEST(Yield, starts_above_the_start_slope_and_freezes_what_is_thin_and_slow) {
     sim::Params params = lively(Model::kBcreInertial);
     params.anchor_gain = params.anchor_margin = params.anchor_step = 0;
-    Play play(support::plane(4, 2, 0.75, 1), params);  // start .7
+    Play play(support::plane(4, 2, 0.75, 1), params, {.plain = true});  // start .7
     yield_stage(play);
     EXPECT_NEAR(play.state.rolling(2, 2), params.start_depth, 1e-5);
 
     support::Ground gentle = support::plane(4, 2, 0.4, 1);
     gentle.set(gentle.rolling, [](double, double) { return 0.004; });
     for (const float speed : {1.f, 4.f}) {
-        Play thin(gentle, params);
+        Play thin(gentle, params, {.plain = true});
         thin.state.velocity_y.fill(speed);
         yield_stage(thin);
         EXPECT_EQ(thin.state.rolling(2, 2) == 0, speed < params.deposit_speed) << speed;
@@ -333,7 +352,7 @@ TEST(Yield, starts_above_the_start_slope_and_freezes_what_is_thin_and_slow) {
 TEST(Yield, starts_what_lies_loose_on_natural_ground_above_the_erosion_slope_and_not_the_ground) {
     const sim::Params params = lively(Model::kBcreInertial);
     for (const double tangent : {0.5, 0.6}) {  // erosion .55, start .7
-        Play play(support::plane(4, 2, tangent, 1), params);
+        Play play(support::plane(4, 2, tangent, 1), params, {.plain = true});
         for (int y = 0; y < 5; ++y)
             for (int x = 0; x < 5; ++x) play.state.depth(x, y) += 0.125f;
         yield_stage(play);
@@ -344,8 +363,7 @@ TEST(Yield, starts_what_lies_loose_on_natural_ground_above_the_erosion_slope_and
 
 TEST(Yield, of_bcre_starts_above_the_start_slope_whatever_the_ground_was) {
     Stages stages(support::plane(4, 2, 0.75, 1), lively(Model::kBcre));  // start .7
-    stages.find_slope();
-    stages.exchange();
+    stages.substep();
     EXPECT_NEAR(stages.play.state.rolling(2, 2), stages.play.state.params.start_depth, 1e-5);
 }
 

@@ -59,13 +59,25 @@ std::vector<sim::Command> nothing(int) {
     return {};
 }
 
-constexpr Scheme kSwept[] = {Scheme::kLaxFriedrichs, Scheme::kLocalLaxFriedrichs};
+// Each scheme of bcre, and bcre-inertial.
+struct Physics {
+    sim::Model model;
+    Scheme scheme;
+    std::string name() const {
+        return std::string(model == sim::Model::kBcre ? sim::to_string(scheme) : sim::to_string(model));
+    }
+};
+constexpr auto kBcre = sim::Model::kBcre;
+constexpr Physics kPhysics[] = {{kBcre, Scheme::kLaxFriedrichs},
+                                {kBcre, Scheme::kLocalLaxFriedrichs},
+                                {kBcre, Scheme::kMuscl},
+                                {sim::Model::kBcreInertial, Scheme::kLocalLaxFriedrichs}};
 
 TEST(Sweep, is_the_plain_step_to_the_bit_by_every_law_and_border) {
-    for (const Scheme scheme : kSwept)
+    for (const Physics& physics : kPhysics)
         for (const Law law : {Law::kConstant, Law::kSlope, Law::kShear})
             for (const auto border : {sim::Border::kWall, sim::Border::kOpen, sim::Border::kSink}) {
-                sim::Params params = support::lively(sim::Model::kBcre, scheme);
+                sim::Params params = support::lively(physics.model, physics.scheme);
                 params.law = law;
                 params.speed_per_slope = 7;
                 params.max_speed = 8;
@@ -73,27 +85,27 @@ TEST(Sweep, is_the_plain_step_to_the_bit_by_every_law_and_border) {
                 support::Ground ground = support::rough(45, 2, 5);
                 for (int x = 20; x < 25; ++x) ground.has_data[ground.at(x, x)] = 0;
                 expect_same(ground, params, 40, nothing,
-                            std::string(sim::to_string(scheme)) + ", " + std::string(sim::to_string(law)));
+                            physics.name() + ", " + std::string(sim::to_string(law)));
             }
 }
 
 TEST(Sweep, is_the_plain_step_to_the_bit_where_the_exchange_is_strong_and_the_flow_thick) {
-    for (const Scheme scheme : kSwept)
+    for (const Physics& physics : kPhysics)
         for (const float depth : {0.2f, 128.f})
             for (const float rate : {0.f, 20.f, 100.f}) {
-                sim::Params params = support::lively(sim::Model::kBcre, scheme);
+                sim::Params params = support::lively(physics.model, physics.scheme);
                 params.exchange_rate = rate;
                 params.exchange_depth = depth;
                 support::Ground ground = support::rough(40, 1, 8);
                 ground.set(ground.bedrock, [&](double x, double y) {  // cliffs
                     return -0.6 * y + 30 * std::floor(x / 13);
                 });
-                expect_same(ground, params, 40, nothing, std::string(sim::to_string(scheme)));
+                expect_same(ground, params, 40, nothing, physics.name());
             }
 }
 
 TEST(Sweep, is_the_plain_step_to_the_bit_under_any_hand_while_most_of_the_world_sleeps) {
-    for (const Scheme scheme : kSwept) {
+    for (const Physics& physics : kPhysics) {
         support::Ground ground = support::plane(150, 2, 0.62, 2);  // between stop and start
         std::mt19937 random(4);
         const auto hand = [&](int tick) -> std::vector<sim::Command> {
@@ -106,8 +118,7 @@ TEST(Sweep, is_the_plain_step_to_the_bit_under_any_hand_while_most_of_the_world_
             }
             return {command};
         };
-        expect_same(ground, support::lively(sim::Model::kBcre, scheme), 200, hand,
-                    std::string(sim::to_string(scheme)));
+        expect_same(ground, support::lively(physics.model, physics.scheme), 200, hand, physics.name());
     }
 }
 

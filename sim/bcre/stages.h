@@ -1,0 +1,265 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "sim/bcre/exchange.h"
+#include "sim/bcre/flux_lax_friedrichs.h"
+#include "sim/bcre/flux_local_lax_friedrichs.h"
+#include "sim/bcre/flux_muscl.h"
+#include "sim/bcre/runge_kutta.h"
+#include "sim/bcre/velocity.h"
+#include "sim/bcre/work.h"
+#include "sim/bcre/yield.h"
+#include "sim/stages.h"
+
+// The stages of `bcre`, in call order, after halo and drops (sim/stages.h).
+
+namespace sim::bcre {
+
+// Rows y = 0 … ny-1. Reads drop_x, drop_y; writes fall.
+template <class Number, class S = Scalar<Number>>
+auto find_fall(const Level<S>& level, int y) {
+    return
+        [drop_x = level.drop_x[y], south = level.drop_y[y], north = level.drop_y[y + 1],
+         fall = level.fall[y]](int i) { store(fall_of(outward<Number>(drop_x, south, north, i)), fall + i); };
+}
+
+// Rows y = 0 … ny-1. Reads drop_x, drop_y, bend_x, bend_y; writes fall.
+template <class Number, class S = Scalar<Number>>
+auto find_bent_fall(const Level<S>& level, int y) {
+    return [drop_x = level.drop_x[y], south = level.drop_y[y], north = level.drop_y[y + 1],
+            bend_x = level.bend_x[y], bend_south = level.bend_y[y], bend_north = level.bend_y[y + 1],
+            fall = level.fall[y]](int i) {
+        const Drops<Number> drop = outward<Number>(drop_x, south, north, i);
+        store(
+            fall_of<Number>({drop.east + at<Number>(bend_x, i + 1), drop.west + at<Number>(bend_x, i),
+                             drop.north + at<Number>(bend_north, i), drop.south + at<Number>(bend_south, i)}),
+            fall + i);
+    };
+}
+
+// Of local-lax-friedrichs: rows y = 0 … ny-1. Reads R, drop_x, drop_y, fall; writes given.
+template <class Number, class S = Scalar<Number>>
+auto find_given(const Work<S>& w, const Level<S>& level, int y) {
+    return [c = w.c, rolling = level.rolling[y], fall = level.fall[y], drop_x = level.drop_x[y],
+            south = level.drop_y[y], north = level.drop_y[y + 1], given = level.given[y]](int i) {
+        const Number r = at<Number>(rolling, i);
+        const Number wanted = given_per_drop(r, pace_of(at<Number>(fall, i), r, c), c);
+        if (c.may_give_too_much) {
+            const Number all = wanted * sum_down(outward<Number>(drop_x, south, north, i));
+            store<Number>(wanted * share_given(all, r), given + i);
+        } else {
+            store(wanted, given + i);
+        }
+    };
+}
+// The halo gives nothing: rows y = -1 … ny.
+template <class Number, class S = Scalar<Number>>
+void end_given(const Work<S>& w, const Level<S>& level, int y, Span x) {
+    for (S* row : {level.given[y], level.velocity_x[y], level.velocity_y[y]}) {
+        if (w.is_ground(y))
+            row[-1] = row[w.nx] = 0;
+        else
+            std::fill(row + x.first, row + x.last, S{0});
+    }
+}
+// Then faces y = 0 … ny. Reads drop_x, drop_y, given; writes flux_x, flux_y, in whole quanta.
+template <class Number, class S = Scalar<Number>>
+auto find_split_fluxes(const Work<S>& w, const Level<S>& level, int y) {
+    return [c = w.c, drop_x = level.drop_x[y], drop_y = level.drop_y[y], given = level.given[y],
+            south = level.given[y - 1], flux_x = level.flux_x[y], flux_y = level.flux_y[y]](int i) {
+        const Number here = at<Number>(given, i), west = at<Number>(given, i - 1);
+        const Number in_x = flux_local_lax_friedrichs(at<Number>(drop_x, i), west, here);
+        const Number in_y = flux_local_lax_friedrichs(at<Number>(drop_y, i), at<Number>(south, i), here);
+        store(booked(in_x, c), flux_x + i);
+        store(booked(in_y, c), flux_y + i);
+    };
+}
+
+// Of lax-friedrichs: rows y = 0 … ny-1. Reads R, drop_x, drop_y, fall; writes given, velocity_x, velocity_y.
+template <class Number, class S = Scalar<Number>>
+auto find_quarters(const Work<S>& w, const Level<S>& level, int y) {
+    return [c = w.c, rolling = level.rolling[y], fall = level.fall[y], drop_x = level.drop_x[y],
+            south = level.drop_y[y], north = level.drop_y[y + 1], given = level.given[y],
+            more_x = level.velocity_x[y], more_y = level.velocity_y[y]](int i) {
+        const Number r = at<Number>(rolling, i), pace = pace_of(at<Number>(fall, i), r, c);
+        const Quarters<Number> gives =
+            quarters(r, net_velocity(outward<Number>(drop_x, south, north, i), pace), c);
+        store(gives.quarter, given + i), store(gives.along_x, more_x + i), store(gives.along_y, more_y + i);
+    };
+}
+// Then faces y = 0 … ny. Reads given, velocity_x, velocity_y; writes flux_x, flux_y, in whole quanta.
+template <class Number, class S = Scalar<Number>>
+auto find_quarter_fluxes(const Work<S>& w, const Level<S>& level, int y) {
+    return [c = w.c, given = level.given[y], given_south = level.given[y - 1], more_x = level.velocity_x[y],
+            more_y = level.velocity_y[y], more_south = level.velocity_y[y - 1], flux_x = level.flux_x[y],
+            flux_y = level.flux_y[y]](int i) {
+        const Number here = at<Number>(given, i), west = at<Number>(given, i - 1);
+        const Number in_x = flux_lax_friedrichs(west, at<Number>(more_x, i - 1), here, at<Number>(more_x, i));
+        const Number in_y = flux_lax_friedrichs(at<Number>(given_south, i), at<Number>(more_south, i), here,
+                                                at<Number>(more_y, i));
+        store(booked(in_x, c), flux_x + i);
+        store(booked(in_y, c), flux_y + i);
+    };
+}
+
+// Of muscl: rows y = 0 … ny-1. Reads R, drop_x, drop_y; writes velocity_x, velocity_y.
+template <class Number, class S = Scalar<Number>>
+auto find_central_velocity(const Work<S>& w, const Level<S>& level, int y) {
+    return [c = w.c, rolling = level.rolling[y], drop_x = level.drop_x[y], south = level.drop_y[y],
+            north = level.drop_y[y + 1], u = level.velocity_x[y], v = level.velocity_y[y]](int i) {
+        const Vector<Number> velocity =
+            central_velocity<Number>(at<Number>(drop_x, i) + at<Number>(drop_x, i + 1),
+                                     at<Number>(south, i) + at<Number>(north, i), at<Number>(rolling, i), c);
+        store(velocity.x, u + i), store(velocity.y, v + i);
+    };
+}
+// Beyond the border the velocity is that of the border.
+template <class Number, class S = Scalar<Number>>
+void end_velocity(const Work<S>& w, const Level<S>& level, int y) {
+    S* u = level.velocity_x[y];
+    u[-1] = u[0], u[w.nx] = u[w.nx - 1];
+}
+// Then faces y = 0 … ny. Reads R, velocity_x, velocity_y; writes flux_x, flux_y, as much as is wanted.
+template <class Number, class S = Scalar<Number>>
+auto find_muscl_fluxes(const Work<S>& w, const Level<S>& level, int y) {
+    return [c = w.c, r = level.rolling[y], r_south = level.rolling[y - 1],
+            r_north = level.rolling[std::min(y + 1, w.ny)], r_south2 = level.rolling[std::max(y - 2, -1)],
+            u = level.velocity_x[y], v = level.velocity_y[std::min(y, w.ny - 1)],
+            v_south = level.velocity_y[std::max(y - 1, 0)], flux_x = level.flux_x[y],
+            flux_y = level.flux_y[y]](int i) {
+        const Number here = at<Number>(r, i);
+        store(flux_muscl<Number>({at<Number>(r, i - 2), at<Number>(r, i - 1), here, at<Number>(r, i + 1)},
+                                 at<Number>(u, i - 1), at<Number>(u, i), c),
+              flux_x + i);
+        store(flux_muscl<Number>(
+                  {at<Number>(r_south2, i), at<Number>(r_south, i), here, at<Number>(r_north, i)},
+                  at<Number>(v_south, i), at<Number>(v, i), c),
+              flux_y + i);
+    };
+}
+
+// Through a wall nothing passes. Faces y = 0 … ny.
+template <class Number, class S = Scalar<Number>>
+void close_walls(const Work<S>& w, const Level<S>& level, int y, Span x) {
+    if (w.is_wall(kWest)) level.flux_x[y][0] = 0;
+    if (w.is_wall(kEast)) level.flux_x[y][w.nx] = 0;
+    if ((y == 0 && w.is_wall(kSouth)) || (y == w.ny && w.is_wall(kNorth)))
+        std::fill(level.flux_y[y] + x.first, level.flux_y[y] + x.last, S{0});
+}
+
+// What rolls at vertex i of row y when the fluxes have passed.
+template <class Number, class S = Scalar<Number>>
+[[gnu::always_inline]] inline Number carried_at(const S* rolling, const S* flux_x, const S* flux_south,
+                                                const S* flux_north, int i) {
+    return carried(at<Number>(rolling, i), at<Number>(flux_x, i), at<Number>(flux_x, i + 1),
+                   at<Number>(flux_south, i), at<Number>(flux_north, i));
+}
+
+// Of muscl: rows y = 0 … ny-1. Reads d, R, fall; writes exchanged, at the rate of this moment.
+template <class Number, class S = Scalar<Number>>
+auto find_exchange(const Work<S>& w, const Level<S>& level, int y) {
+    return [c = w.c, depth = level.depth[y], rolling = level.rolling[y], fall = level.fall[y],
+            exchanged = level.exchanged[y]](int i) {
+        store(exchanged_at_rate(at<Number>(rolling, i), at<Number>(depth, i),
+                                growth_of(at<Number>(fall, i), c), c),
+              exchanged + i);
+    };
+}
+
+// Of muscl: rows y = 0 … ny-1. Where fluxes and exchange lead, unrounded, and never stored: it only serves to
+// find fluxes and exchange there. Reads all of `now`; writes depth and rolling of `then`.
+template <class Number, class S = Scalar<Number>>
+auto predict(const Work<S>& w, int y) {
+    return [depth = w.now.depth[y], rolling = w.now.rolling[y], exchanged = w.now.exchanged[y],
+            flux_x = w.now.flux_x[y], south = w.now.flux_y[y], north = w.now.flux_y[y + 1],
+            d = w.then.depth[y], r = w.then.rolling[y]](int i) {
+        const Number taken = at<Number>(exchanged, i);
+        store(predicted_rolling(carried_at<Number>(rolling, flux_x, south, north, i), taken), r + i);
+        store<Number>(at<Number>(depth, i) - taken, d + i);
+    };
+}
+
+// Of muscl: faces y = 0 … ny. Reads flux_x, flux_y of both levels; makes those of `now` the mean.
+template <class Number, class S = Scalar<Number>>
+auto take_mean_fluxes(const Work<S>& w, int y) {
+    return [flux_x = w.now.flux_x[y], flux_y = w.now.flux_y[y], then_x = w.then.flux_x[y],
+            then_y = w.then.flux_y[y]](int i) {
+        store(mean(at<Number>(flux_x, i), at<Number>(then_x, i)), flux_x + i);
+        store(mean(at<Number>(flux_y, i), at<Number>(then_y, i)), flux_y + i);
+    };
+}
+// Rows y = 0 … ny-1. Reads R, flux_x, flux_y; writes share.
+template <class Number, class S = Scalar<Number>>
+auto find_share(const Work<S>& w, int y) {
+    return [rolling = w.now.rolling[y], flux_x = w.now.flux_x[y], south = w.now.flux_y[y],
+            north = w.now.flux_y[y + 1], share = w.share[y]](int i) {
+        const Number all = sum_down(outward<Number>(flux_x, south, north, i));
+        store(share_given(all, at<Number>(rolling, i)), share + i);
+    };
+}
+// The halo gives nothing: rows y = -1 … ny.
+template <class Number, class S = Scalar<Number>>
+void end_share(const Work<S>& w, int y, Span x) {
+    S* share = w.share[y];
+    if (w.is_ground(y))
+        share[-1] = share[w.nx] = 0;
+    else
+        std::fill(share + x.first, share + x.last, S{0});
+}
+// Faces y = 0 … ny. Reads share; makes flux_x, flux_y no more than there is to give, in whole quanta.
+template <class Number, class S = Scalar<Number>>
+auto book_fluxes(const Work<S>& w, int y) {
+    return [c = w.c, share = w.share[y], share_south = w.share[y - 1], flux_x = w.now.flux_x[y],
+            flux_y = w.now.flux_y[y]](int i) {
+        const Number here = at<Number>(share, i), in_x = at<Number>(flux_x, i), in_y = at<Number>(flux_y, i);
+        store(booked<Number>(in_x * select(in_x > S{0}, at<Number>(share, i - 1), here), c), flux_x + i);
+        store(booked<Number>(in_y * select(in_y > S{0}, at<Number>(share_south, i), here), c), flux_y + i);
+    };
+}
+
+// Rows y = 0 … ny-1: carries the fluxes, books the exchange, starts what is too steep to lie and stops what
+// is too thin to roll. Reads fall and, of muscl, exchanged of both levels; writes d, R, up to vertex `end`.
+// `active`, if there is one: a byte for each run of lanes, set where anything rolled or came to rest.
+template <class Number, Scheme scheme, class S = Scalar<Number>>
+auto settle(const Work<S>& w, int y, int end, std::uint8_t* active = nullptr) {
+    constexpr bool kSecond = scheme == Scheme::kMuscl;
+    return [c = w.c, depth = w.now.depth[y], rolling = w.now.rolling[y], flux_x = w.now.flux_x[y],
+            south = w.now.flux_y[y], north = w.now.flux_y[y + 1],
+            falls = kSecond ? w.then.fall[y] : w.now.fall[y], first = w.now.exchanged[y],
+            second = w.then.exchanged[y], end, active](int i) {
+        const Number fall = at<Number>(falls, i);
+        const Number carried = carried_at<Number>(rolling, flux_x, south, north, i);
+        Number lies = at<Number>(depth, i), rolls = carried;
+        if constexpr (kSecond)
+            transfer(larger(mean(at<Number>(first, i), at<Number>(second, i)), -carried), lies, rolls, c);
+        else
+            transfer(exchanged(carried, fall, grown_little(growth_of(fall, c)), c), lies, rolls, c);
+        bool moves = true;
+        if (any(rolls < c.freeze_depth) || i + kLanes < Number >> end) {
+            yield(fall, lies, rolls, c);
+            moves = any_before(end - i, carried > S{0} || rolls > S{0});
+        }
+        if (active && moves) active[static_cast<unsigned>(i) / kLanes<Number>] = 1;
+        store_before(end, lies, depth, i);
+        store_before(end, rolls, rolling, i);
+    };
+}
+
+// For who looks on, at the end of a tick, 0 where nothing rolls: rows y = 0 … ny-1, up to vertex `end`. Reads
+// R, drop_x, drop_y; writes velocity_x, velocity_y.
+template <class Number, class S = Scalar<Number>>
+auto find_velocity(const Work<S>& w, int y, int end) {
+    return [c = w.c, rolling = w.now.rolling[y], drop_x = w.now.drop_x[y], south = w.now.drop_y[y],
+            north = w.now.drop_y[y + 1], u = w.now.velocity_x[y], v = w.now.velocity_y[y], end](int i) {
+        const Number r = at<Number>(rolling, i);
+        const Drops<Number> drop = outward<Number>(drop_x, south, north, i);
+        const Vector<Number> velocity = net_velocity(drop, pace_of(fall_of(drop), r, c));
+        const auto moves = r > S{0};
+        store_before(end, select(moves, velocity.x, Number(0)), u, i);
+        store_before(end, select(moves, velocity.y, Number(0)), v, i);
+    };
+}
+
+}  // namespace sim::bcre

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "sim/inertial/work.h"
+#include "sim/stages.h"
+
+// Exchange between the layers, S the slope of h toward its lower neighbours, erosion positive:
+//
+//     S > s_ero:      Γ = +γ min(R_e, R_c) (S − s_ero)                R_e = max(0, R − R_ero)² / R
+//     S < s_stop(R):  Γ = −γ min(R, R_c) (s_stop − S) max(0, 1 − |v|/v_dep)
+//     s_stop(R) = s_thick + (s_thin − s_thick) e^(−R/R_fold)
+//
+// Between s_stop and s_ero nothing is exchanged. The speed gate, not inertia, carries a flow over benches and
+// pits. Erosion sets in smoothly where R passes R_ero: by a leap, or with a kink, the edges of a flow, thin
+// as they are, grow by what the grid does to them, and outlines show the grid.
+//
+//            N              D_W = h_C − h_W
+//            |              S first order:   g_x = max(0, D_W, D_E) / Δx,  |g|;  what natural ground holds is
+//   WW — W — C — E — EE                      measured by it, so it is left to yield
+//            |              S second order:  D_W + ½ minmod(h_E − 2 h_C + h_W, h_C − 2 h_W + h_WW)  for D_W;
+//            S                               what Γ reckons with (Osher and Shu 1991)
+//
+// κ = (g_x + g_y)/|g|: lowering C by Δ lowers S by at most κ Δ/Δx, raising raises it by at most √2 Δ/Δx. So
+// neither erosion nor deposition takes S past its threshold. Beyond the halo nothing is known, and the
+// term with minmod is left out.
+
+namespace sim::inertial {
+
+// S toward the lower neighbours and (g_x + g_y)/|g|, 1 to √2.
+template <class Number>
+struct Slope {
+    Number tangent, spread;
+};
+template <class Number>
+[[gnu::always_inline]] inline Slope<Number> slope_of(const bcre::Drops<Number>& drop,
+                                                     Scalar<Number> per_cell) {
+    const Number none(0);
+    const Number gx = larger(larger(drop.west, drop.east), none) * per_cell;
+    const Number gy = larger(larger(drop.south, drop.north), none) * per_cell;
+    const Number tangent = square_root(gx * gx + gy * gy);
+    const auto leads_down = tangent > 0;
+    return {tangent, select(leads_down, (gx + gy) / select(leads_down, tangent, Number(1)), Number(1))};
+}
+
+// Rows y = 0 … ny-1. Reads d, R, velocity, drops and bends; writes exchanged, what a sub-step exchanges at
+// the rate of this moment.
+template <class Number, class S = Scalar<Number>>
+auto find_exchange(const Work<S>& w, const Level<S>& level, int y) {
+    return [c = w.c, drop_x = level.drop_x[y], south = level.drop_y[y], north = level.drop_y[y + 1],
+            bend_x = level.bend_x[y], bend_south = level.bend_y[y], bend_north = level.bend_y[y + 1],
+            depth = level.depth[y], rolling = level.rolling[y], to_u = level.velocity_x[y],
+            to_v = level.velocity_y[y], to = level.exchanged[y]](int i) {
+        const Number none(0), r = at<Number>(rolling, i);
+        const auto rolls = r > S{0};
+        if (!any(rolls)) {
+            store(none, to + i);
+            return;
+        }
+        const bcre::Drops<Number> drop = outward<Number>(drop_x, south, north, i);
+        const Number spread = slope_of(drop, c.per_cell).spread;
+        const Number slope =
+            bcre::fall_of<Number>({drop.east + at<Number>(bend_x, i + 1), drop.west + at<Number>(bend_x, i),
+                                   drop.north + at<Number>(bend_north, i),
+                                   drop.south + at<Number>(bend_south, i)}) *
+            c.per_cell;
+        const Number stop =
+            c.stop_slope_thick + c.stop_slope_more * exponential<Number>(-r * c.per_fold_depth);
+        const Number steep = larger(slope - c.erosion_slope, none), gentle = larger(stop - slope, none);
+
+        const Number u = at<Number>(to_u, i), v = at<Number>(to_v, i);
+        const Number gate = larger(Number(1) - square_root(u * u + v * v) * c.per_deposit_speed, none);
+        const Number above = larger(r - c.erosion_depth, none);
+        const Number erodes = smaller(above * above / select(rolls, r, Number(1)), Number(c.exchange_depth));
+
+        constexpr S kGreatestSpread = S(1.41421356237309505);
+        const Number eroded =
+            smaller(c.pace * erodes * steep, smaller(at<Number>(depth, i), steep * c.dx / spread));
+        const Number laid = smaller(c.pace * gate * smaller(r, Number(c.exchange_depth)) * gentle,
+                                    gentle * (c.dx / kGreatestSpread));
+        store(select(rolls, eroded - smaller(laid, r), none), to + i);
+    };
+}
+
+}  // namespace sim::inertial

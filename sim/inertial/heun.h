@@ -1,0 +1,136 @@
+#pragma once
+
+#include "sim/inertial/velocity.h"
+#include "sim/inertial/work.h"
+#include "sim/stages.h"
+
+// Heun's method, which is the second-order one of Gottlieb, Shu and Tadmor (2001), between two halves of
+// relaxation A (Strang 1968). L is what transport and exchange do in a sub-step:
+//
+//     u₀ ← A(½Δt) u₀      u₁ = u₀ + L(u₀)      u₂ = u₁ + L(u₁)      u ← A(½Δt) ½ (u₀ + u₂)
+//
+//              F_n
+//               ↑            R ← R − (F_e − F_w) − (F_n − F_s) + X
+//      F_w →    C    → F_e   R v likewise with the momentum of each flux
+//               ↑            X > 0 starts at rest; X < 0 takes its momentum along: what stays keeps its speed
+//              F_s
+//
+// Mass is booked once, as the mean of both stages' fluxes and exchange, in whole quanta; velocities have
+// none, and become the mean by mass, (R₀ v₀ + R₂ v₂) / (R₀ + R₂). The last half of A reckons with the
+// terminal velocity on u₁, which is as good there to second order and known already.
+
+namespace sim::inertial {
+
+// Of a vertex that gave nearly all it had a residue of rounding is left, and so of its momentum; their
+// quotient means nothing and must not grow. Thinner than this a layer is none (m; a quantum is 7.6e-6), and
+// no velocity passes this (m/s; no numbers allow half of it).
+inline constexpr float kNothing = 1e-12f, kFastest = 400;
+
+// What rolls at a vertex at the end of a stage, and how much of what it would exchange it can.
+template <class Number>
+struct Rolling {
+    Number depth, u, v, exchanged;
+};
+
+// A row of a level with what flows over its faces.
+template <class S>
+struct FlowRow {
+    const S *rolling, *u, *v, *exchanged;
+    const S *flux_x, *flux_south, *flux_north;
+    const S *xu, *xv, *yu_south, *yu_north, *yv_south, *yv_north;
+};
+template <class S>
+[[gnu::always_inline]] inline FlowRow<S> flow_row(const Level<S>& l, int y) {
+    return {l.rolling[y],         l.velocity_x[y],  l.velocity_y[y],     l.exchanged[y],   l.flux_x[y],
+            l.flux_y[y],          l.flux_y[y + 1],  l.momentum_xu[y],    l.momentum_xv[y], l.momentum_yu[y],
+            l.momentum_yu[y + 1], l.momentum_yv[y], l.momentum_yv[y + 1]};
+}
+
+template <class Number, class S = Scalar<Number>>
+[[gnu::always_inline]] inline Number leaving(const S* in_x, const S* south, const S* north, int i) {
+    return (at<Number>(in_x, i + 1) - at<Number>(in_x, i)) + (at<Number>(north, i) - at<Number>(south, i));
+}
+
+template <class Number, class S = Scalar<Number>>
+[[gnu::always_inline]] inline Rolling<Number> after_stage(const FlowRow<S>& row, int i) {
+    const Number none(0), before = at<Number>(row.rolling, i);
+    const Number carried =
+        larger(before - leaving<Number>(row.flux_x, row.flux_south, row.flux_north, i), none);
+    const Number exchanged = larger(at<Number>(row.exchanged, i), -carried);
+    const Number end = carried + exchanged;
+    // Divided by all the mass that has this momentum: what came and stayed, or that and what was eroded.
+    const auto rolls = end >= S(kNothing);
+    const Number per_depth = Number(1) / select(rolls, larger(carried, end), Number(1));
+    const auto speed = [&](const S* of, const S* in_x, const S* south, const S* north) {
+        const Number momentum = before * at<Number>(of, i) - leaving<Number>(in_x, south, north, i);
+        const Number bounded =
+            smaller(larger(momentum * per_depth, Number(S(-kFastest))), Number(S(kFastest)));
+        return select(rolls, bounded, none);
+    };
+    return {select(rolls, end, none), speed(row.u, row.xu, row.yu_south, row.yu_north),
+            speed(row.v, row.xv, row.yv_south, row.yv_north), exchanged};
+}
+
+// Where the rates of `now` lead, unrounded, and never stored: it only serves to find rates. Rows y = 0 …
+// ny-1. Reads all of `now`; writes its exchanged, no more than there is after transport, and the layers of
+// `then`.
+template <class Number, class S = Scalar<Number>>
+auto predict(const Work<S>& w, int y) {
+    return [row = flow_row(w.now, y), exchanged = w.now.exchanged[y], depth = w.now.depth[y],
+            to_depth = w.then.depth[y], to_rolling = w.then.rolling[y], to_u = w.then.velocity_x[y],
+            to_v = w.then.velocity_y[y]](int i) {
+        const Rolling<Number> end = after_stage<Number>(row, i);
+        store(end.exchanged, exchanged + i);
+        store<Number>(at<Number>(depth, i) - end.exchanged, to_depth + i);
+        store(end.depth, to_rolling + i), store(end.u, to_u + i), store(end.v, to_v + i);
+    };
+}
+
+// The means of the fluxes of both levels in whole quanta, so that both sides of a face book the same. Faces
+// y = 0 … ny. Reads flux_x, flux_y of both; writes those of `now`.
+template <class Number, class S = Scalar<Number>>
+auto book_fluxes(const Work<S>& w, int y) {
+    return [c = w.c, one_x = w.now.flux_x[y], one_y = w.now.flux_y[y], other_x = w.then.flux_x[y],
+            other_y = w.then.flux_y[y]](int i) {
+        const auto book = [&](S* one, const S* other) {
+            const Number mean = S(0.5) * (at<Number>(one, i) + at<Number>(other, i));
+            store(odd(mean, [&](const Number& size) { return in_quanta(size, c.dither); }), one + i);
+        };
+        book(one_x, other_x), book(one_y, other_y);
+    };
+}
+
+// The end of the sub-step: the layers become the mean of themselves and of where `then` leads; and the other
+// half of relaxation. Rows y = 0 … ny-1. Reads all of both levels; writes the layers of `now`, up to vertex
+// `end`.
+template <class Number, class S = Scalar<Number>>
+auto finish(const Work<S>& w, int y, int end) {
+    return [c = w.c, second = flow_row(w.then, y), south = surface_row(w, w.then, y - 1),
+            here = surface_row(w, w.then, y), north = surface_row(w, w.then, y + 1), flux_x = w.now.flux_x[y],
+            flux_south = w.now.flux_y[y], flux_north = w.now.flux_y[y + 1],
+            first_exchanged = w.now.exchanged[y], depth = w.now.depth[y], rolling = w.now.rolling[y],
+            to_u = w.now.velocity_x[y], to_v = w.now.velocity_y[y], end](int i) {
+        const Number none(0), d = at<Number>(depth, i), r = at<Number>(rolling, i);
+        const Rolling<Number> led = after_stage<Number>(second, i);
+        const Number both = r + led.depth;
+        const auto rolled = both > S{0};
+        const Number per_depth = select(rolled, Number(1) / select(rolled, both, Number(1)), none);
+        const Number mean_u = (r * at<Number>(to_u, i) + led.depth * led.u) * per_depth;
+        const Number mean_v = (r * at<Number>(to_v, i) + led.depth * led.v) * per_depth;
+
+        const Number carried = r - leaving<Number>(flux_x, flux_south, flux_north, i);
+        const Number exchanged = S(0.5) * (at<Number>(first_exchanged, i) + led.exchanged);
+        const Number whole = odd(exchanged, [&](const Number& size) { return in_quanta(size, c.dither); });
+        const Number moved = smaller(larger(whole, -carried), d);
+        const Number rolls = carried + moved;
+
+        const Velocity<Number> limit = terminal<Number>(south, here, north, i, c);
+        const auto moves = rolls > S{0};
+        store_before<Number>(end, d - moved, depth, i);
+        store_before(end, rolls, rolling, i);
+        store_before<Number>(end, select(moves, mean_u + c.relaxed * (limit.u - mean_u), none), to_u, i);
+        store_before<Number>(end, select(moves, mean_v + c.relaxed * (limit.v - mean_v), none), to_v, i);
+    };
+}
+
+}  // namespace sim::inertial

@@ -1,0 +1,105 @@
+#include "sim/inertial/plain.h"
+
+#include "sim/inertial/stages.h"
+#include "sim/scratch.h"
+#include "sim/workers.h"
+
+namespace sim::inertial {
+
+template <class Number>
+Work<Number> work_of(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch,
+                     Substep<Number> sub) {
+    const auto rows = [](Field<Number>& field) { return Rows<Number>(field); };
+    const auto level = [&](FlowFields<Number>& f, Field<Number>& depth, Field<Number>& rolling,
+                           Field<Number>& u, Field<Number>& v) {
+        return Level<Number>{rows(depth),
+                             rows(rolling),
+                             rows(u),
+                             rows(v),
+                             rows(f.drop_x),
+                             rows(f.drop_y),
+                             rows(f.bend_x),
+                             rows(f.bend_y),
+                             rows(f.exchanged),
+                             rows(f.rolling_x),
+                             rows(f.u_x),
+                             rows(f.v_x),
+                             rows(f.rolling_y),
+                             rows(f.u_y),
+                             rows(f.v_y),
+                             rows(f.flux_x),
+                             rows(f.flux_y),
+                             rows(f.momentum_xu),
+                             rows(f.momentum_xv),
+                             rows(f.momentum_yu),
+                             rows(f.momentum_yv)};
+    };
+    FlowFields<Number>& then = scratch.flow_then;
+    return {layers.grid.nx,
+            layers.grid.ny,
+            params.borders,
+            constants_of(params, layers.grid.dx, sub),
+            rows(layers.bedrock),
+            rows(layers.first_slope),
+            rows(layers.first_depth),
+            level(scratch.flow_now, layers.depth, layers.rolling, layers.velocity_x, layers.velocity_y),
+            level(then, then.depth, then.rolling, then.velocity_x, then.velocity_y)};
+}
+
+template <class Number>
+void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch, Workers& workers,
+             Substep<Number> sub) {
+    const Work<Number> w = work_of(layers, params, scratch, sub);
+    const Outlets::View outlets = scratch.outlets.view();
+    const Span all{0, w.nx};
+    const auto each = [&](int rows, auto&& work_on) {
+        workers.each_band(rows, [&](int first, int last) {
+            for (int y = first; y < last; ++y) work_on(y);
+        });
+    };
+    // A stage on all rows, or all faces, and what ends a row.
+    const auto none = [](int) {};
+    const auto each_row = [&](auto&& stage, auto&& end) {
+        each(w.ny, [&](int y) { along<Number>(all, stage(y)), end(y); });
+    };
+    const auto each_face = [&](auto&& stage, auto&& end) {
+        each(w.ny + 1, [&](int y) { along<Number>(all.faces(), stage(y)), end(y); });
+    };
+    // What would be exchanged and carried, as the layers lie and move.
+    const auto find_rates = [&](const Level<Number>& level) {
+        each_face([&](int y) { return find_drops<Number>(w, level, y); },
+                  [&](int y) { end_drops<Number>(w, level, y); });
+        each_face([&](int y) { return find_bends<Number>(w, level, y); }, none);
+        each_row([&](int y) { return find_exchange<Number>(w, level, y); }, none);
+        each_row([&](int y) { return find_slopes<Number>(level, y); },
+                 [&](int y) { end_slopes<Number>(w, level, y, all); });
+        each_face([&](int y) { return find_fluxes<Number>(w, level, y); },
+                  [&](int y) { end_fluxes<Number>(w, level, y, all); });
+    };
+
+    each(w.ny, [&](int y) { fill_halo<Number>(w, w.now, y, all); });
+    each_row([&](int y) { return relax<Number>(w, y, w.nx); },
+             [&](int y) { end_velocity<Number>(w, w.now, y, all); });
+    find_rates(w.now);
+    each_row([&](int y) { return predict<Number>(w, y); },
+             [&](int y) { clear_drains<Number>(w.then, outlets, y, all); });
+    each(w.ny, [&](int y) { fill_halo<Number>(w, w.then, y, all), end_velocity<Number>(w, w.then, y, all); });
+    find_rates(w.then);
+    each_face([&](int y) { return book_fluxes<Number>(w, y); }, none);
+    each_row([&](int y) { return finish<Number>(w, y, w.nx); },
+             [&](int y) { clear_drains<Number>(w.now, outlets, y, all); });
+    each_row([&](int y) { return yield<Number>(w, y, w.nx); }, none);
+}
+
+std::int64_t drained(Layers<float>& layers, const Params& params, Scratch<float>& scratch) {
+    const Work<float> w = work_of(layers, params, scratch, {});
+    std::int64_t quanta = 0;
+    for (int y = 0; y < w.ny; ++y) quanta += sim::drained<float>(w.now, scratch.outlets.view(), y, {0, w.nx});
+    return quanta;
+}
+
+template Work<float> work_of(Layers<float>&, const Params&, Scratch<float>&, Substep<float>);
+template void substep(Layers<float>&, const Params&, Scratch<float>&, Workers&, Substep<float>);
+template void substep(Layers<double>&, const Params&, Scratch<double>&, Workers&, Substep<double>);
+
+}  // namespace sim::inertial
