@@ -21,17 +21,35 @@ std::int64_t quanta_in_row(const float* row, int count) {
     return sum;
 }
 
-std::int64_t quanta_in(const Field<float>& field) {
+std::int64_t quanta_in(const Field<float>& field, int x0, int x1, int y0, int y1) {
     std::int64_t sum = 0;
-    for (int y = 0; y < field.ny(); ++y) sum += quanta_in_row(field.row(y), field.nx());
+    for (int y = y0; y < y1; ++y) sum += quanta_in_row(field.row(y) + x0, x1 - x0);
     return sum;
 }
 
 }  // namespace
 
-void count_mass(State& state) {
-    state.ledger.standing = quanta_in(state.depth);
-    state.ledger.rolling = quanta_in(state.rolling);
+void count_mass(State& s) {
+    s.ledger.standing = quanta_in(s.depth, 0, s.grid.nx, 0, s.grid.ny);
+    s.ledger.rolling = quanta_in(s.rolling, 0, s.grid.nx, 0, s.grid.ny);
+}
+
+void count_changed_mass(State& s) {
+    Tiles& tiles = s.tiles;
+    s.ledger.standing = s.ledger.rolling = 0;
+    for (int row = 0; row < tiles.rows; ++row)
+        for (int column = 0; column < tiles.columns; ++column) {
+            const auto tile = static_cast<std::size_t>(row * tiles.columns + column);
+            Tiles::Mass& mass = tiles.mass[tile];
+            if (tiles.changed[tile]) {
+                const int x0 = column * tiles.width, x1 = std::min(x0 + tiles.width, s.grid.nx);
+                const int y0 = row * tiles.height, y1 = std::min(y0 + tiles.height, s.grid.ny);
+                mass = {quanta_in(s.depth, x0, x1, y0, y1), quanta_in(s.rolling, x0, x1, y0, y1)};
+                tiles.changed[tile] = 0;
+            }
+            s.ledger.standing += mass.standing;
+            s.ledger.rolling += mass.rolling;
+        }
 }
 
 }  // namespace sim

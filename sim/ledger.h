@@ -29,5 +29,7 @@ struct Ledger {
 
 // Counts standing and rolling layers anew, exactly, in any order.
 void count_mass(State& state);
+// The same, but of tiles that cannot have changed since takes what was counted then. The first time of all.
+void count_changed_mass(State& state);
 
 }  // namespace sim

@@ -41,6 +41,8 @@ void step(State& state, std::span<const Command> commands, Engine& engine) {
         }
     }
 
+    if (!engine.sweeper) state.tiles.wake_all();  // a plain step goes over all of them
+
     // bcre's velocity follows from the layers; who looks on wants it where they are now.
     if (engine.sweeper) {
         engine.sweeper->find_velocity(state, engine.workers, engine.how.instruction_set);
@@ -49,7 +51,7 @@ void step(State& state, std::span<const Command> commands, Engine& engine) {
     }
 
     ++state.tick;
-    count_mass(state);
+    count_changed_mass(state);
 }
 
 }  // namespace sim

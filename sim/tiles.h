@@ -20,6 +20,14 @@ struct Tiles {
     bool may_sleep = true;
     std::vector<std::uint8_t> awake;  // columns × rows
 
+    // Of each tile: whether anything in it may have changed since mass was counted last; and what it had
+    // then, in quanta.
+    struct Mass {
+        std::int64_t standing = 0, rolling = 0;
+    };
+    std::vector<std::uint8_t> changed;
+    std::vector<Mass> mass;
+
     void wake_all();
     void wake(int x0, int x1, int y0, int y1);  // vertices, inclusive; what is changed, and the tiles around
 

@@ -32,7 +32,7 @@ namespace sim::inertial {
 inline constexpr float kStandsStill = 1e-3f;  // m/s; a grain on a slope is faster after its first sub-step
 
 // Rows y = 0 … ny-1. Reads drops of `then`, first_slope, first_depth; writes d, R, velocity, up to vertex
-// `end`. `active`, if there is one: a byte for each run of lanes, set where anything rolled or came to rest.
+// `end`. `active`, if there is one: a byte for each run of lanes, set where anything rolls.
 template <class Number, class S = Scalar<Number>>
 auto yield(const Work<S>& w, int y, int end, std::uint8_t* active = nullptr) {
     return [c = w.c, drop_x = w.then.drop_x[y], south = w.then.drop_y[y], north = w.then.drop_y[y + 1],
@@ -68,8 +68,7 @@ auto yield(const Work<S>& w, int y, int end, std::uint8_t* active = nullptr) {
             store_before<Number>(end, select(changes, u * kept, u), to_u, i);
             store_before<Number>(end, select(changes, v * kept, v), to_v, i);
         }
-        if (active && any_before(end - i, before > S{0} || left))
-            active[static_cast<unsigned>(i) / kLanes<Number>] = 1;
+        if (active && any_before(end - i, left)) active[static_cast<unsigned>(i) / kLanes<Number>] = 1;
     };
 }
 

@@ -169,7 +169,7 @@ class Kernel {
             if (is_face(t - 4, 0)) end_fluxes<Lanes>(w, then, t - 4, wide());
             take_turns(turn(is_face(t - 4, 0), [&] { return book_fluxes<Lanes>(w, t - 4); }));
             if (is_row(t - 5, 0)) {
-                along<Lanes>(narrow(), sim::inertial::finish<Lanes>(w, t - 5, job_.x1));
+                along<Lanes>(narrow(), sim::inertial::finish<Lanes>(w, t - 5, job_.x1, active));
                 clear_drains<Lanes>(now, g_.outlets, t - 5, narrow());
                 along<Lanes>(narrow(), yield<Lanes>(w, t - 5, job_.x1, active));
                 end_row(w, t - 5, active);

@@ -66,8 +66,7 @@ Sweeper::Sweeper(const State& s, int threads)
               static_cast<std::size_t>(stride_)),
       work_(static_cast<std::size_t>(threads) * kWorkRows * static_cast<std::size_t>(stride_)),
       row_active_(static_cast<std::size_t>(threads) * static_cast<std::size_t>(stride_)),
-      active_(s.tiles.awake.size()),
-      stale_(s.tiles.awake.size(), 1) {
+      active_(s.tiles.awake.size()) {
     jobs_.reserve(active_.size());
     drained_.reserve(active_.size());
 }
@@ -148,7 +147,6 @@ Ground Sweeper::ground_of(State& s, Substep<float> sub) {
 std::int64_t Sweeper::substep(State& s, Workers& workers, InstructionSet set, Substep<float> sub) {
     find_jobs(s.grid, s.tiles, s.tiles.awake, workers.threads());
     if (jobs_.empty()) return 0;
-    for (std::size_t i = 0; i < stale_.size(); ++i) stale_[i] |= s.tiles.awake[i];
 
     const Ground ground = ground_of(s, sub);
     const Sweep sweep = kernels_for(set).sweep;
@@ -169,8 +167,7 @@ std::int64_t Sweeper::substep(State& s, Workers& workers, InstructionSet set, Su
 
 void Sweeper::find_velocity(State& s, Workers& workers, InstructionSet set) {
     if (s.params.model != Model::kBcre) return;  // it is state, and there already
-    find_jobs(s.grid, s.tiles, stale_, workers.threads());
-    std::fill(stale_.begin(), stale_.end(), std::uint8_t{0});
+    find_jobs(s.grid, s.tiles, s.tiles.changed, workers.threads());
     if (jobs_.empty()) return;
     const Ground ground = ground_of(s, {});
     const Velocity velocity = kernels_for(set).velocity;

@@ -15,7 +15,7 @@ struct Tiles;
 namespace sweep {
 
 // Shares the tiles that are awake out among threads, and sweeps them. Made once per world; allocates nothing
-// afterwards. From one sub-step to the next it holds only which tiles have no new velocity yet.
+// afterwards. Holds nothing from one sub-step to the next.
 class Sweeper {
   public:
     Sweeper(const State& state, int threads);
@@ -39,7 +39,6 @@ class Sweeper {
     AlignedVector<float> work_;             // kWorkRows for each thread
     std::vector<std::uint8_t> row_active_;  // a row for each thread
     std::vector<std::uint8_t> active_;      // of each tile, in this sub-step
-    std::vector<std::uint8_t> stale_;       // of each tile: swept since its velocity was found
     std::vector<Job> jobs_;
     std::vector<std::int64_t> drained_;  // by each job
 };

@@ -62,6 +62,26 @@ void whole_step(benchmark::State& run, Model model, Scheme scheme, const sim::Ho
     run.SetLabel(hash);
 }
 
+// What sleeps: a patch that rolls on a slope on which the rest lies still, so that a tenth of 1024² is awake.
+void patch_active(benchmark::State& run, Model model, bool may_sleep) {
+    const auto squares = static_cast<int>(run.range(0));
+    support::Ground ground({squares + 1, squares + 1, 5});
+    const double side = 5. * squares;
+    ground.set(ground.bedrock, [](double, double y) { return -0.52 * y; });  // between stop and erosion slope
+    ground.set(ground.depth, [](double, double) { return 1; });
+    ground.set(ground.rolling, [&](double x, double y) {
+        return std::fabs(x / side - 0.5) < 0.06 && std::fabs(y / side - 0.5) < 0.2 ? 0.5 : 0;
+    });
+    sim::Params params = support::lively(model);
+    params.borders.fill(sim::Border::kWall);
+    support::Play play(ground, params, {.tiles_may_sleep = may_sleep});
+    play.ticks(3);  // what may sleep has fallen asleep
+    for (auto _ : run) play.ticks(1);
+    double awake = 0;
+    for (const auto tile : play.state.tiles.awake) awake += tile;
+    run.counters["awake"] = awake / static_cast<double>(play.state.tiles.awake.size());
+}
+
 void hash_of_state(benchmark::State& run) {
     const support::Play play =
         bench::world_of(static_cast<int>(run.range(0)), Model::kBcreInertial, Scheme::kLocalLaxFriedrichs);
@@ -97,6 +117,15 @@ int main(int argc, char** argv) {
         add_ways(std::string(sim::to_string(scheme)), Model::kBcre, scheme);
     add_ways("bcre-inertial", Model::kBcreInertial, Scheme::kLocalLaxFriedrichs);
     bench::add_stages();
+    for (const Model model : {Model::kBcre, Model::kBcreInertial})
+        for (const bool may_sleep : {false, true})
+            benchmark::RegisterBenchmark((std::string(sim::to_string(model)) + ", a patch active, " +
+                                          (may_sleep ? "the rest asleep" : "all awake"))
+                                             .c_str(),
+                                         patch_active, model, may_sleep)
+                ->Arg(512)
+                ->Arg(1024)
+                ->Unit(benchmark::kMillisecond);
     benchmark::RegisterBenchmark("state hash", hash_of_state)->Arg(160)->Arg(1024);
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
