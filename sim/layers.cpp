@@ -1,7 +1,6 @@
 #include "sim/layers.h"
 
-#include "sim/bcre/drops.h"
-#include "sim/borders.h"
+#include "sim/bcre/stages.h"
 #include "sim/params.h"
 
 namespace sim {
@@ -58,10 +57,21 @@ Layers<Number> make_layers(const Grid& grid, const Params& params, std::span<con
 template <class Number>
 void enclose(Layers<Number>& s, const Params& params) {
     continue_bedrock(s, params);
-    fill_borders(s, params);
-    for (int y = 0; y < s.grid.ny; ++y)
-        for (int x = 0; x < s.grid.nx; ++x)
-            s.first_slope(x, y) = bcre::fall_of(bcre::drops(s, x, y)) / s.grid.dx;
+    Field<Number> drop_x(s.grid), drop_y(s.grid);
+    bcre::Work<Number> w{};
+    w.nx = s.grid.nx, w.ny = s.grid.ny;
+    w.borders = params.borders;
+    w.bedrock = Rows<Number>(s.bedrock);
+    w.now.depth = Rows<Number>(s.depth), w.now.rolling = Rows<Number>(s.rolling);
+    w.now.drop_x = Rows<Number>(drop_x), w.now.drop_y = Rows<Number>(drop_y);
+    w.now.fall = Rows<Number>(s.first_slope);
+    const Span all{0, w.nx};
+    for (int y = 0; y < w.ny; ++y) fill_halo<Number>(w, w.now, y, all);
+    for (int y = 0; y <= w.ny; ++y) along<Number>(all.faces(), find_drops<Number>(w, w.now, y));
+    for (int y = 0; y < w.ny; ++y) {
+        along<Number>(all, bcre::find_fall<Number>(w.now, y));
+        for (int x = 0; x < w.nx; ++x) s.first_slope(x, y) /= s.grid.dx;
+    }
     s.first_depth = s.depth;
 }
 

@@ -10,8 +10,8 @@ namespace sim {
 
 enum class Model { kBcre, kBcreInertial };                          // README.md, "Two models"
 enum class Scheme { kLaxFriedrichs, kLocalLaxFriedrichs, kMuscl };  // of kBcre; kBcreInertial has its own
-enum class Law { kConstant, kSlope, kShear };  // speed in kBcre: (C), (HK), (T) of bcre/velocity.cpp
-enum class Border { kWall, kOpen, kSink };     // borders.h
+enum class Law { kConstant, kSlope, kShear };  // speed in kBcre: (C), (HK), (T) of bcre/velocity.h
+enum class Border { kWall, kOpen, kSink };     // stages.h
 
 enum Side { kWest, kEast, kSouth, kNorth };
 

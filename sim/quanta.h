@@ -23,15 +23,6 @@ inline float dither_of(std::int64_t substep) {
     return static_cast<float>((turned >> 8) | 1) * (1.f / 16777216.f);
 }
 
-// `metres` as a whole number of quanta, less than one away; the same for both signs.
-inline float to_quanta(float metres, float dither) {
-    const float quanta = std::floor(std::fabs(metres) / kQuantum + dither);
-    return std::copysign(quanta * kQuantum, metres);
-}
-inline double to_quanta(double metres, float) {
-    return metres;  // double has none, see Layers
-}
-
 // The nearest whole number of quanta, for what is rounded once.
 inline float nearest_quanta(float metres) {
     return std::rint(metres / kQuantum) * kQuantum;

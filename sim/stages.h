@@ -34,8 +34,11 @@ template <class Number, class S = Scalar<Number>>
     return {at<Number>(in_x, i + 1), -at<Number>(in_x, i), at<Number>(north, i), -at<Number>(south, i)};
 }
 
-// Rows y = 0 … ny-1, the first and the last for the halo beside them too: what lies beyond the border
-// (borders.h). Reads d, R; writes their halo.
+// Rows y = 0 … ny-1, the first and the last for the halo beside them too: what lies beyond the border. Reads
+// d, R; writes their halo. Bedrock's halo never changes: it carries the slope on, or mirrors it at a wall.
+//   wall   layers and velocity are mirrored: the flow across is zero, and so is the slope
+//   open   the standing layer goes on: material leaves over ground that looks like the last cell
+//   sink   the world ends in bare bedrock: the edge is a ledge, from which loose material falls
 template <class Number, class Work, class Level>
 void fill_halo(const Work& w, const Level& level, int y, Span x) {
     using S = Scalar<Number>;

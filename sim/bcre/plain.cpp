@@ -1,8 +1,8 @@
 #include "sim/bcre/plain.h"
 
 #include "sim/bcre/stages.h"
+#include "sim/over_rows.h"
 #include "sim/scratch.h"
-#include "sim/workers.h"
 
 namespace sim::bcre {
 namespace {
@@ -35,66 +35,54 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
              Substep<Number> sub) {
     const Work<Number> w = work_of(layers, params, scratch, sub);
     const Outlets::View outlets = scratch.outlets.view();
-    const Span all{0, w.nx};
-    const auto each = [&](int rows, auto&& work_on) {
-        workers.each_band(rows, [&](int first, int last) {
-            for (int y = first; y < last; ++y) work_on(y);
-        });
-    };
-    // A stage on all rows, or all faces, and what ends a row.
-    const auto none = [](int) {};
-    const auto each_row = [&](auto&& stage, auto&& end) {
-        each(w.ny, [&](int y) { along<Number>(all, stage(y)), end(y); });
-    };
-    const auto each_face = [&](auto&& stage, auto&& end) {
-        each(w.ny + 1, [&](int y) { along<Number>(all.faces(), stage(y)), end(y); });
-    };
+    const OverRows<Number> over(workers, w.nx, w.ny);
+    const Span all = over.all();
     const auto find_drops_of = [&](const Level<Number>& level) {
-        each(w.ny, [&](int y) { fill_halo<Number>(w, level, y, all); });
-        each_face([&](int y) { return find_drops<Number>(w, level, y); },
-                  [&](int y) { end_drops<Number>(w, level, y); });
+        over.each_row_do([&](int y) { fill_halo<Number>(w, level, y, all); });
+        over.each_face([&](int y) { return find_drops<Number>(w, level, y); },
+                       [&](int y) { end_drops<Number>(w, level, y); });
     };
     const auto close = [&](const Level<Number>& level) {
         return [&](int y) { close_walls<Number>(w, level, y, all); };
     };
     const auto end_gift = [&](int y) { end_given<Number>(w, w.now, y, all); };
     const auto find_rates = [&](const Level<Number>& level) {
-        each_face([&](int y) { return find_bends<Number>(w, level, y); }, none);
-        each_row([&](int y) { return find_bent_fall<Number>(level, y); }, none);
-        each_row([&](int y) { return find_central_velocity<Number>(w, level, y); },
-                 [&](int y) { end_velocity<Number>(w, level, y); });
-        each_face([&](int y) { return find_muscl_fluxes<Number>(w, level, y); }, close(level));
-        each_row([&](int y) { return find_exchange<Number>(w, level, y); }, none);
+        over.each_face([&](int y) { return find_bends<Number>(w, level, y); });
+        over.each_row([&](int y) { return find_bent_fall<Number>(level, y); });
+        over.each_row([&](int y) { return find_central_velocity<Number>(w, level, y); },
+                      [&](int y) { end_velocity<Number>(w, level, y); });
+        over.each_face([&](int y) { return find_muscl_fluxes<Number>(w, level, y); }, close(level));
+        over.each_row([&](int y) { return find_exchange<Number>(w, level, y); });
     };
 
     find_drops_of(w.now);
     switch (params.scheme) {
         case Scheme::kLaxFriedrichs:
-            each_row([&](int y) { return find_fall<Number>(w.now, y); }, none);
-            each_row([&](int y) { return find_quarters<Number>(w, w.now, y); }, end_gift);
-            each_face([&](int y) { return find_quarter_fluxes<Number>(w, w.now, y); }, close(w.now));
-            each_row([&](int y) { return settle<Number, Scheme::kLaxFriedrichs>(w, y, w.nx); }, none);
+            over.each_row([&](int y) { return find_fall<Number>(w.now, y); });
+            over.each_row([&](int y) { return find_quarters<Number>(w, w.now, y); }, end_gift);
+            over.each_face([&](int y) { return find_quarter_fluxes<Number>(w, w.now, y); }, close(w.now));
+            over.each_row([&](int y) { return settle<Number, Scheme::kLaxFriedrichs>(w, y, w.nx); });
             break;
         case Scheme::kLocalLaxFriedrichs:
-            each_row([&](int y) { return find_fall<Number>(w.now, y); }, none);
-            each_row([&](int y) { return find_given<Number>(w, w.now, y); }, end_gift);
-            each_face([&](int y) { return find_split_fluxes<Number>(w, w.now, y); }, none);
-            each_row([&](int y) { return settle<Number, Scheme::kLocalLaxFriedrichs>(w, y, w.nx); }, none);
+            over.each_row([&](int y) { return find_fall<Number>(w.now, y); });
+            over.each_row([&](int y) { return find_given<Number>(w, w.now, y); }, end_gift);
+            over.each_face([&](int y) { return find_split_fluxes<Number>(w, w.now, y); });
+            over.each_row([&](int y) { return settle<Number, Scheme::kLocalLaxFriedrichs>(w, y, w.nx); });
             break;
         case Scheme::kMuscl:
             find_rates(w.now);
-            each_row([&](int y) { return predict<Number>(w, y); },
-                     [&](int y) { clear_drains<Number>(w.then, outlets, y, all); });
+            over.each_row([&](int y) { return predict<Number>(w, y); },
+                          [&](int y) { clear_drains<Number>(w.then, outlets, y, all); });
             find_drops_of(w.then);
             find_rates(w.then);
-            each_face([&](int y) { return take_mean_fluxes<Number>(w, y); }, none);
-            each_row([&](int y) { return find_share<Number>(w, y); },
-                     [&](int y) { end_share<Number>(w, y, all); });
-            each_face([&](int y) { return book_fluxes<Number>(w, y); }, none);
-            each_row([&](int y) { return settle<Number, Scheme::kMuscl>(w, y, w.nx); }, none);
+            over.each_face([&](int y) { return take_mean_fluxes<Number>(w, y); });
+            over.each_row([&](int y) { return find_share<Number>(w, y); },
+                          [&](int y) { end_share<Number>(w, y, all); });
+            over.each_face([&](int y) { return book_fluxes<Number>(w, y); });
+            over.each_row([&](int y) { return settle<Number, Scheme::kMuscl>(w, y, w.nx); });
             break;
     }
-    each(w.ny, [&](int y) { clear_drains<Number>(w.now, outlets, y, all); });
+    over.each_row_do([&](int y) { clear_drains<Number>(w.now, outlets, y, all); });
 }
 
 std::int64_t drained(Layers<float>& layers, const Params& params, Scratch<float>& scratch) {
@@ -107,15 +95,10 @@ std::int64_t drained(Layers<float>& layers, const Params& params, Scratch<float>
 void find_velocity(Layers<float>& layers, const Params& params, Scratch<float>& scratch, Workers& workers) {
     Work<float> w = work_of(layers, params, scratch, {});
     w.now.velocity_x = Rows<float>(layers.velocity_x), w.now.velocity_y = Rows<float>(layers.velocity_y);
-    const Span all{0, w.nx};
-    const auto each = [&](int rows, auto&& work_on) {
-        workers.each_band(rows, [&](int first, int last) {
-            for (int y = first; y < last; ++y) work_on(y);
-        });
-    };
-    each(w.ny, [&](int y) { fill_halo<float>(w, w.now, y, all); });
-    each(w.ny + 1, [&](int y) { along<float>(all.faces(), find_drops<float>(w, w.now, y)); });
-    each(w.ny, [&](int y) { along<float>(all, find_velocity<float>(w, y, w.nx)); });
+    const OverRows<float> over(workers, w.nx, w.ny);
+    over.each_row_do([&](int y) { fill_halo<float>(w, w.now, y, over.all()); });
+    over.each_face([&](int y) { return find_drops<float>(w, w.now, y); });
+    over.each_row([&](int y) { return find_velocity<float>(w, y, w.nx); });
 }
 
 template Work<float> work_of(Layers<float>&, const Params&, Scratch<float>&, Substep<float>);

@@ -1,8 +1,8 @@
 #include "sim/inertial/plain.h"
 
 #include "sim/inertial/stages.h"
+#include "sim/over_rows.h"
 #include "sim/scratch.h"
-#include "sim/workers.h"
 
 namespace sim::inertial {
 
@@ -51,44 +51,33 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
              Substep<Number> sub) {
     const Work<Number> w = work_of(layers, params, scratch, sub);
     const Outlets::View outlets = scratch.outlets.view();
-    const Span all{0, w.nx};
-    const auto each = [&](int rows, auto&& work_on) {
-        workers.each_band(rows, [&](int first, int last) {
-            for (int y = first; y < last; ++y) work_on(y);
-        });
-    };
-    // A stage on all rows, or all faces, and what ends a row.
-    const auto none = [](int) {};
-    const auto each_row = [&](auto&& stage, auto&& end) {
-        each(w.ny, [&](int y) { along<Number>(all, stage(y)), end(y); });
-    };
-    const auto each_face = [&](auto&& stage, auto&& end) {
-        each(w.ny + 1, [&](int y) { along<Number>(all.faces(), stage(y)), end(y); });
-    };
+    const OverRows<Number> over(workers, w.nx, w.ny);
+    const Span all = over.all();
     // What would be exchanged and carried, as the layers lie and move.
     const auto find_rates = [&](const Level<Number>& level) {
-        each_face([&](int y) { return find_drops<Number>(w, level, y); },
-                  [&](int y) { end_drops<Number>(w, level, y); });
-        each_face([&](int y) { return find_bends<Number>(w, level, y); }, none);
-        each_row([&](int y) { return find_exchange<Number>(w, level, y); }, none);
-        each_row([&](int y) { return find_slopes<Number>(level, y); },
-                 [&](int y) { end_slopes<Number>(w, level, y, all); });
-        each_face([&](int y) { return find_fluxes<Number>(w, level, y); },
-                  [&](int y) { end_fluxes<Number>(w, level, y, all); });
+        over.each_face([&](int y) { return find_drops<Number>(w, level, y); },
+                       [&](int y) { end_drops<Number>(w, level, y); });
+        over.each_face([&](int y) { return find_bends<Number>(w, level, y); });
+        over.each_row([&](int y) { return find_exchange<Number>(w, level, y); });
+        over.each_row([&](int y) { return find_slopes<Number>(level, y); },
+                      [&](int y) { end_slopes<Number>(w, level, y, all); });
+        over.each_face([&](int y) { return find_fluxes<Number>(w, level, y); },
+                       [&](int y) { end_fluxes<Number>(w, level, y, all); });
     };
 
-    each(w.ny, [&](int y) { fill_halo<Number>(w, w.now, y, all); });
-    each_row([&](int y) { return relax<Number>(w, y, w.nx); },
-             [&](int y) { end_velocity<Number>(w, w.now, y, all); });
+    over.each_row_do([&](int y) { fill_halo<Number>(w, w.now, y, all); });
+    over.each_row([&](int y) { return relax<Number>(w, y, w.nx); },
+                  [&](int y) { end_velocity<Number>(w, w.now, y, all); });
     find_rates(w.now);
-    each_row([&](int y) { return predict<Number>(w, y); },
-             [&](int y) { clear_drains<Number>(w.then, outlets, y, all); });
-    each(w.ny, [&](int y) { fill_halo<Number>(w, w.then, y, all), end_velocity<Number>(w, w.then, y, all); });
+    over.each_row([&](int y) { return predict<Number>(w, y); },
+                  [&](int y) { clear_drains<Number>(w.then, outlets, y, all); });
+    over.each_row_do(
+        [&](int y) { fill_halo<Number>(w, w.then, y, all), end_velocity<Number>(w, w.then, y, all); });
     find_rates(w.then);
-    each_face([&](int y) { return book_fluxes<Number>(w, y); }, none);
-    each_row([&](int y) { return finish<Number>(w, y, w.nx); },
-             [&](int y) { clear_drains<Number>(w.now, outlets, y, all); });
-    each_row([&](int y) { return yield<Number>(w, y, w.nx); }, none);
+    over.each_face([&](int y) { return book_fluxes<Number>(w, y); });
+    over.each_row([&](int y) { return finish<Number>(w, y, w.nx); },
+                  [&](int y) { clear_drains<Number>(w.now, outlets, y, all); });
+    over.each_row([&](int y) { return yield<Number>(w, y, w.nx); });
 }
 
 std::int64_t drained(Layers<float>& layers, const Params& params, Scratch<float>& scratch) {

@@ -6,7 +6,6 @@
 
 #include "sim/bcre/plain.h"
 #include "sim/bcre/stages.h"
-#include "sim/borders.h"
 #include "sim/quanta.h"
 
 // Nanoseconds per cell of each stage of a step by itself, on one thread, where the step would call it: the
@@ -69,7 +68,10 @@ void add_stages() {
     };
     constexpr auto kBcre = Model::kBcre;
     const Entry entries[] = {
-        {"fill_borders", kBcre, kLocal, [](const Place& p) { sim::fill_borders(p.s, p.params); }},
+        {"fill_halo", kBcre, kLocal,
+         [](const Place& p) {
+             for (int y = 0; y < p.rows; ++y) sim::fill_halo<float>(p.w, p.w.now, y, {0, p.w.nx});
+         }},
         {"find_drops", kBcre, kLocal,
          [](const Place& p) {
              each_face(p, [&](int y) { return sim::find_drops<float>(p.w, p.w.now, y); });

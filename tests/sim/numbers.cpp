@@ -19,19 +19,32 @@ TEST(Exponential, is_right_to_three_in_ten_million) {
     EXPECT_EQ(sim::exponential(-1e30f), sim::exponential(-80.f));
 }
 
+TEST(Exponential, of_little_less_one_keeps_its_digits) {
+    for (int i = -1000; i <= 1000; ++i) {
+        const double x = i * sim::kGrowsLittle / 1000;
+        const double grown = static_cast<double>(sim::grown_little(static_cast<float>(x)));
+        ASSERT_LE(std::fabs(grown - std::expm1(static_cast<float>(x))), 2.2e-6 * std::fabs(x)) << x;
+    }
+}
+
 TEST(Quanta, round_right_on_average_and_alike_for_both_signs) {
+    const auto rounded = [](float metres, float dither) {
+        return sim::odd(metres, [&](float size) { return sim::in_quanta<float>(size, dither); });
+    };
     const float amount = 3.3f * sim::kQuantum;
     double sum = 0;
     constexpr int kSubsteps = 10000;
     for (int k = 0; k < kSubsteps; ++k) {
         const float dither = sim::dither_of(k);
-        ASSERT_GE(dither, 0);
+        ASSERT_GT(dither, 0);
         ASSERT_LT(dither, 1);
-        ASSERT_EQ(sim::to_quanta(-amount, dither), -sim::to_quanta(amount, dither));
-        sum += static_cast<double>(sim::to_quanta(amount, dither));
+        ASSERT_EQ(rounded(-amount, dither), -rounded(amount, dither));
+        sum += static_cast<double>(rounded(amount, dither));
+        for (const int whole : {0, 1, 5, 131071, 131072 * 31})  // stays itself
+            ASSERT_EQ(rounded(static_cast<float>(whole) * sim::kQuantum, dither),
+                      static_cast<float>(whole) * sim::kQuantum);
     }
     EXPECT_NEAR(sum / kSubsteps / static_cast<double>(sim::kQuantum), 3.3, 1e-3);
-    EXPECT_EQ(sim::to_quanta(5 * sim::kQuantum, 0.999f), 5 * sim::kQuantum);  // a whole number stays itself
 }
 
 TEST(Params, defaults_are_sound_and_every_number_out_of_range_is_named) {

@@ -5,7 +5,6 @@
 
 #include "sim/bcre/plain.h"
 #include "sim/bcre/stages.h"
-#include "sim/borders.h"
 #include "sim/inertial/plain.h"
 #include "sim/inertial/stages.h"
 #include "sim/quanta.h"
@@ -42,8 +41,12 @@ struct Stages {
 
 // The rows of a world of bcre-inertial that steps plainly, its halo filled.
 sim::inertial::Work<float> work_of(Play& play) {
-    sim::fill_borders(play.state, play.state.params);
-    return sim::inertial::work_of(play.state, play.state.params, *play.engine.scratch, kHalfQuantum);
+    const auto w = sim::inertial::work_of(play.state, play.state.params, *play.engine.scratch, kHalfQuantum);
+    for (int y = 0; y < w.ny; ++y) {
+        sim::fill_halo<float>(w, w.now, y, {0, w.nx});
+        sim::inertial::end_velocity<float>(w, w.now, y, {0, w.nx});
+    }
+    return w;
 }
 
 // A flux in whole quanta is less than one away from what it should be.
@@ -140,9 +143,9 @@ TEST(Fluxes, of_muscl_take_layer_and_velocity_at_the_face) {
     const float depths[] = {0, 0.1f, 0.3f, 0.4f, 0.6f, 0.6f, 0};
     for (int x = 0; x < 7; ++x) ground.rolling[ground.at(x, 2)] = depths[x];
     Stages stages(ground, lively(Model::kBcre, sim::Scheme::kMuscl));
-    sim::fill_borders(stages.play.state, stages.play.state.params);
     const auto w =
         sim::bcre::work_of(stages.play.state, stages.play.state.params, stages.scratch, kHalfQuantum);
+    for (int y = 0; y < 5; ++y) sim::fill_halo<float>(w, w.now, y, {0, 7});
     for (int x = 0; x < 7; ++x) stages.now.velocity_x(x, 2) = x == 3 ? 4 : 2;
     sim::along<float>({0, 8}, sim::bcre::find_muscl_fluxes<float>(w, w.now, 2));
     EXPECT_NEAR(stages.now.flux_x(3, 2), 3 * 0.01 * (0.3 + 0.05), 1e-7);  // minmod(.2, .1) = .1
