@@ -47,7 +47,7 @@ struct Dither {
     Dither(float dither) : metres((dither - 0.5f) * kQuantum) {}
 };
 
-// `metres` as a whole number of quanta, less than one away, and unchanged if it is one. From 96 m on, float's
+// `metres` as a whole number of quanta, less than one away, and exactly 0 for 0. From 96 m on, float's
 // digits end at one quantum: what is added and taken away again leaves whole ones. -32 ≤ metres; from 32 m on
 // they are whole pairs.
 template <class Number>

@@ -34,7 +34,7 @@ template <class Number>
     const Number kept = larger((1 - left) + rolling * c.strong_pace * phi, Number(1e-30f));
     const Number of_thin = rolling / kept - rolling;
     const Number moved = select(rolling > c.exchange_depth, growth * c.thick_exchange, of_thin);
-    return larger(moved, larger(-rolling, Number(S(kMostDeposited))));
+    return larger(moved, Number(S(kMostDeposited)));
 }
 
 // `growth` = γ p Δt.
@@ -43,16 +43,17 @@ template <class Number>
     return fall * c.growth_per_fall - c.growth_at_level;
 }
 
-// `weak_growth` = e^growth − 1 by grown_little(): the answer where p changes little. Where the growth is not
-// little, neither is this, and it only says so.
+// What becomes rolling in whole quanta, at least −R. `weak_growth` = e^growth − 1 by grown_little(): the
+// answer where p changes little. Where the growth is not little, neither is this, and it only says so.
 template <class Number>
 [[gnu::always_inline]] inline Number exchanged(const Number& rolling, const Number& fall,
                                                const Number& weak_growth,
                                                const Constants<Scalar<Number>>& c) {
     const auto changes_much = larger(rolling * c.little_per_rolling, weak_growth) > Scalar<Number>(kLittle);
-    const Number weak = rolling * weak_growth;
+    const Number weak = in_quanta<Number>(rolling * weak_growth, c.dither);  // a small part of R
     if (!any(changes_much)) return weak;
-    return select(changes_much, exchanged_strongly(rolling, growth_of(fall, c), c), weak);
+    const Number strong = in_quanta(exchanged_strongly(rolling, growth_of(fall, c), c), c.dither);
+    return select(changes_much, larger(strong, -rolling), weak);
 }
 
 // The rate of this moment for a sub-step, which the scheme of second order takes the mean of; held to what
@@ -67,12 +68,11 @@ template <class Number>
     return larger(smaller(wanted, smaller(room, depth)), most_deposited);
 }
 
-// Moves `amount`, which is at least −R, from the standing to the rolling layer: whole quanta, no more than
-// there is.
+// Moves `amount`, whole quanta and at least −R, from the standing to the rolling layer, as far as there is
+// any.
 template <class Number>
-[[gnu::always_inline]] inline void transfer(const Number& amount, Number& depth, Number& rolling,
-                                            const Constants<Scalar<Number>>& c) {
-    const Number moved = smaller(in_quanta(amount, c.dither), depth);
+[[gnu::always_inline]] inline void transfer(const Number& amount, Number& depth, Number& rolling) {
+    const Number moved = smaller(amount, depth);
     depth -= moved;
     rolling += moved;
 }

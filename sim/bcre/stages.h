@@ -232,10 +232,12 @@ auto settle(const Work<S>& w, int y, int end, std::uint8_t* active = nullptr) {
         const Number fall = at<Number>(falls, i);
         const Number carried = carried_at<Number>(rolling, flux_x, south, north, i);
         Number lies = at<Number>(depth, i), rolls = carried;
-        if constexpr (kSecond)
-            transfer(larger(mean(at<Number>(first, i), at<Number>(second, i)), -carried), lies, rolls, c);
-        else
-            transfer(exchanged(carried, fall, grown_little(growth_of(fall, c)), c), lies, rolls, c);
+        if constexpr (kSecond) {
+            const Number wanted = mean(at<Number>(first, i), at<Number>(second, i));
+            transfer(larger(in_quanta(wanted, c.dither), -carried), lies, rolls);
+        } else {
+            transfer(exchanged(carried, fall, grown_little(growth_of(fall, c)), c), lies, rolls);
+        }
         bool moves = true;
         if (any(rolls < c.freeze_depth) || i + kLanes < Number >> end) {
             yield(fall, lies, rolls, c);
