@@ -10,7 +10,9 @@
 //
 //     drops (t)  ─►  fall (t − 1)  ─►  given (t − 2)  ─►  fluxes (t − 3)  ─►  d, R (t − 4)
 //
-// The layers' rows are overwritten when no stage reads any more what they were.
+// The layers' rows are overwritten when no stage reads any more what they were. Of what lies beside a job the
+// stages are reckoned too, each on so many rows more (`beside`) as those that read it need: the last on none,
+// the first of all on what kApron covers. Two jobs find the same there, to the bit.
 
 namespace sim::sweep {
 

@@ -57,7 +57,7 @@ struct Job {
     Apron depth, rolling, velocity_x, velocity_y;
 };
 
-// Rows that a thread works with, each `stride` floats.
+// Rows that a thread works with, each `stride` floats: the most that a sweep takes is 168, for bcre-inertial.
 inline constexpr int kWorkRows = 192;
 
 // Returns what left the world, in quanta. `work` points to x = 0 of the first work row, `active` to a byte
