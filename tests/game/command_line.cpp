@@ -63,7 +63,6 @@ TEST(CommandLine, that_is_wrong_ends_with_2_and_one_line) {
         {short_run({"--gl", "moon", "--frames", "never-made"}), "moon"},
         {{"replay", "/"}, "is a folder"},
         {short_run({"--material", "cheese"}), "cheese"},
-        {short_run({"--material", "sand"}), "bcre-inertial"},
         {short_run({"--release", "x.geojson"}), "--release"},
         {short_run({"--terrain", "x.asc"}), "--terrain"},
         {short_run({"--reference", "nothing.geojson"}), "nothing.geojson"},
