@@ -39,7 +39,7 @@ void count_changed_mass(State& s) {
     s.ledger.standing = s.ledger.rolling = 0;
     for (int row = 0; row < tiles.rows; ++row)
         for (int column = 0; column < tiles.columns; ++column) {
-            const auto tile = static_cast<std::size_t>(row * tiles.columns + column);
+            const std::size_t tile = tiles.number(column, row);
             Tiles::Mass& mass = tiles.mass[tile];
             if (tiles.changed[tile]) {
                 const int x0 = column * tiles.width, x1 = std::min(x0 + tiles.width, s.grid.nx);

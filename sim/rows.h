@@ -65,14 +65,15 @@ template <class Number, class... Stages>
     for (int i = x.first; i < x.last; i += kLanes<Number>) (stages(i), ...);
 }
 
+// The analyser takes a row that a stage has, and does not read, for one that it reads.
 template <class Number>
 [[gnu::always_inline]] inline Number load(const Scalar<Number>* from) {
     if constexpr (kIsLanes<Number>) {
         using Vector [[gnu::vector_size(sizeof(Number))]] = float;
         using Unaligned [[gnu::vector_size(sizeof(Number)), gnu::aligned(4), gnu::may_alias]] = float;
+        // NOLINTNEXTLINE(clang-analyzer-core.NullDereference)
         return Number(static_cast<Vector>(*reinterpret_cast<const Unaligned*>(from)));
     } else {
-        // The analyser takes a row that a stage has, and does not read, for one that it reads.
         return *from;  // NOLINT(clang-analyzer-core.NullDereference)
     }
 }

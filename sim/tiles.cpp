@@ -25,7 +25,7 @@ void Tiles::wake(int x0, int x1, int y0, int y1) {
     const int first_row = std::max(y0 / height - 1, 0), last_row = std::min(y1 / height + 1, rows - 1);
     for (int row = first_row; row <= last_row; ++row)
         for (int column = first_column; column <= last_column; ++column) {
-            const auto tile = static_cast<std::size_t>(row * columns + column);
+            const std::size_t tile = number(column, row);
             awake[tile] = changed[tile] = 1;
         }
 }
@@ -34,8 +34,7 @@ void Tiles::keep_awake(const std::vector<std::uint8_t>& active) {
     std::fill(awake.begin(), awake.end(), std::uint8_t{!may_sleep});
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column)
-            if (active[static_cast<std::size_t>(row * columns + column)])
-                wake(column * width, column * width, row * height, row * height);
+            if (active[number(column, row)]) wake(column * width, column * width, row * height, row * height);
 }
 
 }  // namespace sim

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -17,6 +18,11 @@ struct Tiles {
 
     int width = 1, height = 1;
     int columns = 0, rows = 0;
+    // Where a tile stands in what follows.
+    std::size_t number(int column, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+               static_cast<std::size_t>(column);
+    }
     bool may_sleep = true;
     std::vector<std::uint8_t> awake;  // columns × rows
 
