@@ -58,8 +58,8 @@ Outcome<void> export_results(const std::filesystem::path& folder, const Start& s
 void draw_results(Gallery& gallery, const Session& session) {
     const sim::View now = session.view();
     const sim::Field<float> peaks = peak_field(session);
-    const sim::View extent{now.grid,       now.bedrock, now.depth, peaks,   now.velocity_x,
-                           now.velocity_y, now.site,    now.datum, now.tick};
+    const sim::View extent{now.grid,       now.bedrock, now.depth,   peaks,     now.velocity_x,
+                           now.velocity_y, now.site,    now.mixture, now.datum, now.tick};
     gallery.draw_map(extent, "map_extent");
     gallery.draw_map(now, "map_end");
 }

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "game/progress.h"
-#include "sim/params.h"
+#include "sim/step.h"
 
 namespace game {
 namespace {
@@ -17,7 +17,7 @@ PerfRow perf_row(const Session& session, std::optional<double> draw_ms, double f
     PerfRow row;
     row.tick = state.tick;
     row.time_s = session.seconds();
-    row.substeps = sim::substeps_of(state.params, state.grid.dx).count;
+    row.substeps = sim::substeps_of(state).count;
     row.solve_ms = session.times().solve_ms;
     row.draw_ms = draw_ms;
     row.frame_ms = frame_ms;

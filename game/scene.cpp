@@ -54,7 +54,7 @@ void read_choices(TomlTable& physics, const Wishes& wishes, sim::Params& params)
     take_choices(wishes, params);
 }
 
-sim::Command read_command(TomlTable& table, const sim::CommandInfo& info) {
+sim::Command read_command(TomlTable& table, const sim::CommandInfo& info, bool has_lower) {
     sim::Command command;
     command.kind = info.kind;
     for (const sim::CommandNumber& number : info.numbers) {
@@ -80,6 +80,14 @@ sim::Command read_command(TomlTable& table, const sim::CommandInfo& info) {
             if (!profile) table.blame("profile", "is neither disc nor cone");
             command.profile = profile.value_or(command.profile);
         }
+    if (info.has_part)
+        if (const auto name = table.text("of")) {
+            const auto part = sim::part_from(*name);
+            if (!part) table.blame("of", "is neither upper nor lower");
+            if (part == sim::Part::kLower && !has_lower)
+                table.blame("of", "is lower, and the scene has no [under]");
+            command.of = part.value_or(command.of);
+        }
     table.finish();
     return command;
 }
@@ -91,7 +99,7 @@ std::string command_names() {
     return names;
 }
 
-std::vector<TimedCommand> read_commands(TomlTable& root, double tick_s) {
+std::vector<TimedCommand> read_commands(TomlTable& root, double tick_s, bool has_lower) {
     std::vector<TimedCommand> commands;
     for (TomlTable& table : root.tables("command")) {
         const auto at = table.number("at", 0, 1e5);
@@ -99,7 +107,8 @@ std::vector<TimedCommand> read_commands(TomlTable& root, double tick_s) {
         int given = 0;
         for (const sim::CommandInfo& info : sim::kCommands)
             if (auto numbers = table.table(info.name)) {
-                commands.push_back({std::llrint(at.value_or(0) / tick_s), read_command(*numbers, info)});
+                commands.push_back(
+                    {std::llrint(at.value_or(0) / tick_s), read_command(*numbers, info, has_lower)});
                 ++given;
             }
         table.finish();
@@ -137,6 +146,14 @@ Outcome<void> check_choices(const Wishes& wishes, sim::Model model) {
         wishes.scheme ? "scheme" : "law"));
 }
 
+void take_lower(Start& start, const Material& lower) {
+    start.lower = Start::Lower{lower.name, lower.params, {}};
+    sim::take_choices(start.params, start.lower->params);
+    start.look.lower_standing = lower.look.standing;
+    start.look.lower_rolling = lower.look.rolling;
+    start.look.rock = lower.look.rock, start.look.meadow = lower.look.meadow;  // it lies on the ground
+}
+
 void take_material(Start& start, const Material& material, const sim::Params& over) {
     start.material = material.name;
     start.look = material.look;
@@ -152,6 +169,7 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& w
     start.title = root.text("title").value_or(start.scene);
 
     auto cover = root.table("cover");
+    auto under = root.table("under");
     auto physics = root.table("physics");
     auto ground = root.table("terrain");
     if (!cover) root.blame("", "has no [cover]");
@@ -163,6 +181,10 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& w
     if (!named) cover->blame("", "needs a material");
     const auto rule = read_cover_rule(*cover);
     cover->finish();
+    const auto under_named = under ? under->text("material") : std::nullopt;
+    const auto under_rule = under ? read_cover_rule(*under) : std::nullopt;
+    if (under && !under_named) under->blame("", "needs a material");
+    if (under && !under_rule) under->blame("", "needs a depth, in metres");
     const sim::Model model = read_model(*physics, wishes);
     if (fault) return unusable(*fault);
     if (const auto sound = check_choices(wishes, model); !sound) return tl::unexpected(sound.error());
@@ -181,7 +203,16 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& w
     read_physics_numbers(*physics, own, own == model ? params : unused);
     physics->finish();
     take_material(start, *material, params);
-    scene.commands = read_commands(root, params.tick_s);
+    if (under_rule) {
+        const auto lower = load_material(*under_named, model);
+        if (!lower) under->blame("material", "cannot be used: " + lower.error().sentence);
+        if (!lower) return unusable(*fault);
+        take_lower(start, *lower);
+        read_physics_numbers(*under, own, own == model ? start.lower->params : unused);
+        if (const auto wrong = sim::fault_of(start.lower->params)) under->blame("", *wrong);
+    }
+    if (under) under->finish();
+    scene.commands = read_commands(root, params.tick_s, start.lower.has_value());
     read_view(root, start);
     root.finish();
     if (fault) return unusable(*fault);
@@ -193,7 +224,16 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& w
     auto terrain = read_terrain(*ground, path.parent_path(), wishes.squares);
     if (fault) return unusable(*fault);
     if (!terrain) return unusable(terrain.error());
-    if (rule) lay_cover(*terrain, *rule);
+    if (rule) terrain->cover = depth_by(*rule, *terrain);
+    if (under_rule) {
+        start.lower->depth = depth_by(*under_rule, *terrain);
+        for (std::size_t i = 0; i < terrain->cover.size(); ++i) terrain->cover[i] += start.lower->depth[i];
+        constexpr float kDeepestCover = sim::kDeepest / 2;
+        if (const float most = *std::max_element(terrain->cover.begin(), terrain->cover.end());
+            most > kDeepestCover)
+            return unusable(fmt::format("{}: cover and what is under it are {} m deep, and the most is {} m",
+                                        path.string(), most, kDeepestCover));
+    }
     set_ground(start, *terrain);
     return scene;
 }

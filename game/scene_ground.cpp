@@ -75,7 +75,8 @@ std::optional<CoverRule> read_cover_rule(TomlTable& table) {
     return rule;
 }
 
-void lay_cover(Terrain& terrain, const CoverRule& rule) {
+std::vector<float> depth_by(const CoverRule& rule, const Terrain& terrain) {
+    std::vector<float> depths(terrain.grid.size());
     const int nx = terrain.grid.nx, ny = terrain.grid.ny;
     const auto surface = [&](int x, int y) {
         const auto i = static_cast<std::size_t>(std::clamp(y, 0, ny - 1)) * static_cast<std::size_t>(nx) +
@@ -92,9 +93,10 @@ void lay_cover(Terrain& terrain, const CoverRule& rule) {
             const double gentle = std::clamp((rule.bare - slope_deg) / 10, 0.0, 1.0);
             // Millimetres, so that the last bits of another maths library never show.
             const double depth = std::rint(rule.depth * high * gentle * 1024) / 1024;
-            terrain.cover[static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) +
-                          static_cast<std::size_t>(x)] = static_cast<float>(depth);
+            depths[static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x)] =
+                static_cast<float>(depth);
         }
+    return depths;
 }
 
 }  // namespace game

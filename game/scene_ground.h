@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -32,6 +33,7 @@ struct CoverRule {
 
 // Nothing where [cover] gives no depth: then it is as deep as the terrain says.
 std::optional<CoverRule> read_cover_rule(TomlTable& table);
-void lay_cover(terrains::Terrain& terrain, const CoverRule& rule);
+// How deep it lies, m, at each vertex.
+std::vector<float> depth_by(const CoverRule& rule, const terrains::Terrain& terrain);
 
 }  // namespace game

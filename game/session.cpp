@@ -31,7 +31,7 @@ Outcome<Session> Session::begin(const Start& start, const sim::How& how, std::op
 
 Outcome<void> Session::advance(std::span<const sim::Command> commands) {
     for (const sim::Command& command : commands)
-        if (const auto fault = sim::fault_of(command))
+        if (const auto fault = sim::fault_of(command, state_.mixture.has_value()))
             return unusable(fmt::format("tick {}: {}", state_.tick, *fault));
     if (const auto fault = sim::fault_after(state_.params, commands))
         return unusable(fmt::format("tick {}: {}", state_.tick, *fault));

@@ -40,7 +40,10 @@ void set_ground(Start& start, const terrains::Terrain& terrain) {
 }
 
 sim::World world_of(const Start& start) {
-    return {start.grid, start.datum, start.bedrock, start.depth, start.rolling, start.has_data, start.seed};
+    sim::World world{start.grid,    start.datum,    start.bedrock, start.depth,
+                     start.rolling, start.has_data, start.seed};
+    if (start.lower) world.lower = sim::World::Lower{start.lower->params, start.lower->depth};
+    return world;
 }
 
 std::uint64_t ground_hash(const Start& start) {
@@ -54,6 +57,7 @@ std::uint64_t ground_hash(const Start& start) {
     for (const std::vector<float>* field : {&start.bedrock, &start.depth, &start.rolling})
         add(field->data(), field->size() * sizeof(float));
     add(start.has_data.data(), start.has_data.size());
+    if (start.lower) add(start.lower->depth.data(), start.lower->depth.size() * sizeof(float));
     return XXH3_64bits_digest(&digest);
 }
 

@@ -34,6 +34,14 @@ struct Start {
     terrains::Georeference georeference;  // where the grid stands on Earth, if anywhere
     std::uint64_t seed = 0;
 
+    // The material under the other, in a world of two (sim/mixture.h).
+    struct Lower {
+        std::string material;  // name of its preset
+        sim::Params params;
+        std::vector<float> depth;  // m, how much of `depth` it is alone, from bedrock up
+    };
+    std::optional<Lower> lower;
+
     render::Look look;
     render::Light light;
     std::optional<render::Camera> camera;  // none: the overview
@@ -56,7 +64,8 @@ void set_ground(Start& start, const terrains::Terrain& terrain);
 // For sim; valid as long as the start is.
 sim::World world_of(const Start& start);
 
-// XXH3 of grid, datum, bedrock, depth, rolling and has_data: which ground a recording is of.
+// XXH3 of grid, datum, bedrock, depth, rolling, has_data and the lower material's depth: which ground a
+// recording is of.
 std::uint64_t ground_hash(const Start& start);
 
 }  // namespace game

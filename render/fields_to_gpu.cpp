@@ -1,5 +1,6 @@
 #include "render/fields_to_gpu.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "assets/shaders/slots.glsl"
@@ -41,7 +42,33 @@ bool FieldsToGpu::upload(const sim::View& world) {
     send(rolling_texture_, world.rolling, GL_RED, GL_FLOAT);
     send(velocity_x_texture_, world.velocity_x, GL_RED, GL_FLOAT);
     send(velocity_y_texture_, world.velocity_y, GL_RED, GL_FLOAT);
+    if (world.mixture) send_mixture(world);
     return changed;
+}
+
+// Where nothing rolls, or nothing lies, it is as beside it: so that the edge of a layer is of the layer's
+// colour.
+void FieldsToGpu::send_mixture(const sim::View& world) {
+    const int nx = world.grid.nx, ny = world.grid.ny;
+    const auto shares_near = [&](int x, int y, const sim::Field<float>& layer, auto&& share_at) {
+        if (layer(x, y) > 0) return share_at(world, x, y);
+        float sum = 0, count = 0;
+        for (int j = std::max(y - 1, 0); j <= std::min(y + 1, ny - 1); ++j)
+            for (int i = std::max(x - 1, 0); i <= std::min(x + 1, nx - 1); ++i)
+                if (layer(i, j) > 0) sum += share_at(world, i, j), count += 1;
+        return count > 0 ? sum / count : 0.f;
+    };
+    const auto byte_of = [](float share) { return static_cast<std::uint8_t>(share * 255 + 0.5f); };
+    mixture_.resize(2 * world.grid.size());
+    auto* to = mixture_.data();
+    for (int y = 0; y < ny; ++y)
+        for (int x = 0; x < nx; ++x) {
+            *to++ = byte_of(shares_near(x, y, world.depth, sim::share_at_surface));
+            *to++ = byte_of(shares_near(x, y, world.rolling, sim::share_in_rolling));
+        }
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage2D(mixture_texture_.name(), 0, 0, 0, nx, ny, GL_RG, GL_UNSIGNED_BYTE, mixture_.data());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 
 void FieldsToGpu::bind() const {
@@ -51,6 +78,7 @@ void FieldsToGpu::bind() const {
     glBindTextureUnit(SLOT_VELOCITY_X, velocity_x_texture_.name());
     glBindTextureUnit(SLOT_VELOCITY_Y, velocity_y_texture_.name());
     glBindTextureUnit(SLOT_SITE, site_texture_.name());
+    glBindTextureUnit(SLOT_MIXTURE, mixture_texture_.name());
 }
 
 bool FieldsToGpu::is_known(const sim::View& world) const {
@@ -62,6 +90,7 @@ void FieldsToGpu::allocate(const sim::Grid& grid) {
          {&bedrock_texture_, &depth_texture_, &rolling_texture_, &velocity_x_texture_, &velocity_y_texture_})
         *texture = make_texture(GL_R32F, grid.nx, grid.ny, GL_NEAREST);
     site_texture_ = make_texture(GL_R8UI, grid.nx, grid.ny, GL_NEAREST);
+    mixture_texture_ = make_texture(GL_RG8, grid.nx, grid.ny, GL_LINEAR);
 }
 
 void FieldsToGpu::remember(const sim::View& world) {

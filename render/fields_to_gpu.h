@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "render/gl_handle.h"
 #include "render/height_range.h"
@@ -22,13 +23,15 @@ class FieldsToGpu {
     bool is_known(const sim::View& world) const;
     void allocate(const sim::Grid& grid);
     void remember(const sim::View& world);
+    void send_mixture(const sim::View& world);
 
     sim::Grid grid_;
     sim::Field<float> bedrock_;  // as sent last
     sim::Field<sim::Site> site_;
     HeightRange heights_;
     Texture bedrock_texture_, depth_texture_, rolling_texture_, velocity_x_texture_, velocity_y_texture_,
-        site_texture_;
+        site_texture_, mixture_texture_;
+    std::vector<std::uint8_t> mixture_;  // as sent: two shares per vertex, 0 to 255
 };
 
 }  // namespace render

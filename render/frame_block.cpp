@@ -98,6 +98,8 @@ FrameBlock make_frame_block(const sim::View& world, HeightRange heights, const C
     block.meadow = glm::vec4(look.meadow, 0);
     block.standing = glm::vec4(look.standing, look.cover_visible_m);
     block.rolling = glm::vec4(look.rolling, look.rolling_visible_m);
+    block.lower_standing = glm::vec4(look.lower_standing, world.mixture ? 1 : 0);
+    block.lower_rolling = glm::vec4(look.lower_rolling, 0);
     const double pixel = 2 * glm::length(glm::dvec3(block.ray_up)) / (size.height * size.samples);
     block.material = glm::dvec4(look.roughness * look.detail, pixel, size.samples, 0);
     set_marks(block, marks, heights, world.datum);

@@ -25,13 +25,13 @@ struct FrameBlock {
     glm::ivec4 size;
     glm::vec4 sweep;
     glm::vec4 haze;
-    glm::vec4 rock, meadow, standing, rolling, material;
+    glm::vec4 rock, meadow, standing, rolling, lower_standing, lower_rolling, material;
     glm::vec4 ring, ring_colour;
     glm::vec4 contours;
     glm::ivec4 overlay;
     std::array<glm::vec4, MOST_STOPS> stops;
 };
-static_assert(sizeof(FrameBlock) == 64 + (18 + MOST_STOPS) * 16);
+static_assert(sizeof(FrameBlock) == 64 + (20 + MOST_STOPS) * 16);
 
 // The largest `size.z` that any light needs on a grid: rays of the sun's sweep.
 int most_rays(const sim::Grid& grid);

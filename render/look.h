@@ -13,13 +13,15 @@ struct Light {
 
 // How ground and material look: data of a scene and its material, never of the simulation.
 struct Look {
-    glm::vec3 rock{0.23f, 0.21f, 0.20f};      // steep bare ground
-    glm::vec3 meadow{0.16f, 0.20f, 0.08f};    // gentle bare ground
-    glm::vec3 standing{0.86f, 0.89f, 0.93f};  // erodible layer
-    glm::vec3 rolling{0.42f, 0.58f, 0.84f};   // rolling layer
-    float roughness = 0.5f;                   // 0 to 1, strength of the rolling layer's small-scale relief
-    float cover_visible_m = 0.05f;            // depth at which the standing layer hides the ground, m, > 0
-    float rolling_visible_m = 0.05f;          // depth at which the rolling layer is drawn, m, > 0
+    glm::vec3 rock{0.23f, 0.21f, 0.20f};            // steep bare ground
+    glm::vec3 meadow{0.16f, 0.20f, 0.08f};          // gentle bare ground
+    glm::vec3 standing{0.86f, 0.89f, 0.93f};        // erodible layer
+    glm::vec3 rolling{0.42f, 0.58f, 0.84f};         // rolling layer
+    glm::vec3 lower_standing{0.30f, 0.22f, 0.14f};  // of the lower material in a world of two
+    glm::vec3 lower_rolling{0.36f, 0.25f, 0.14f};
+    float roughness = 0.5f;           // 0 to 1, strength of the rolling layer's small-scale relief
+    float cover_visible_m = 0.05f;    // depth at which the standing layer hides the ground, m, > 0
+    float rolling_visible_m = 0.05f;  // depth at which the rolling layer is drawn, m, > 0
     float detail =
         1;  // 0 to 1, strength of all small-scale relief and variation of colour; 0 draws plain colours
 };

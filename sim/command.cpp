@@ -60,6 +60,8 @@ void pour(State& s, const Command& c, std::int64_t tick, std::int64_t ticks, dou
         const auto room = static_cast<std::int64_t>((kDeepest / 2 - layer) / kQuantum);
         const auto quanta = std::clamp<std::int64_t>(due, 0, std::max<std::int64_t>(room, 0));
         const float filled = layer + static_cast<float>(quanta) * kQuantum;
+        if (c.of == Part::kLower)
+            pour_lower(s, x, y, c.layer == Layer::kRolling, static_cast<float>(quanta) * kQuantum);
         if (c.layer == Layer::kStanding)
             layer = filled;
         else
@@ -76,6 +78,7 @@ void dig(State& s, const Command& c, std::int64_t tick, std::int64_t ticks, doub
         const float wanted = due * kQuantum;
         const float from_rolling = std::min(wanted, s.rolling(x, y));
         const float from_depth = std::min(wanted - from_rolling, s.depth(x, y));
+        dig_mixture(s, x, y, from_rolling, from_depth);
         set_rolling(s, x, y, s.rolling(x, y) - from_rolling);
         s.depth(x, y) -= from_depth;
         s.ledger.dug += static_cast<std::int64_t>(from_rolling / kQuantum) +
@@ -87,6 +90,7 @@ void blast(State& s, const Command& c) {
     const auto most = nearest_quanta(static_cast<float>(c.depth));
     each_ground(s, Disc(c, s.grid.dx), Profile::kDisc, [&](int x, int y, double) {
         const float moved = std::min({most, s.depth(x, y), room_above(s.rolling(x, y))});
+        start_mixture(s, x, y, moved);
         s.depth(x, y) -= moved;
         set_rolling(s, x, y, s.rolling(x, y) + moved);
     });
@@ -95,6 +99,7 @@ void blast(State& s, const Command& c) {
 void settle(State& s, const Command& c) {
     each_ground(s, Disc(c, s.grid.dx), Profile::kDisc, [&](int x, int y, double) {
         const float moved = std::min(s.rolling(x, y), room_above(s.depth(x, y)));
+        stop_mixture(s, x, y, moved);
         s.depth(x, y) += moved;
         set_rolling(s, x, y, s.rolling(x, y) - moved);
         s.first_depth(x, y) = std::max(s.first_depth(x, y), s.depth(x, y));  // and is loose no more
@@ -112,6 +117,7 @@ constexpr std::pair<Layer, std::string_view> kLayers[] = {{Layer::kRolling, "rol
                                                           {Layer::kStanding, "standing"}};
 constexpr std::pair<Profile, std::string_view> kProfiles[] = {{Profile::kDisc, "disc"},
                                                               {Profile::kCone, "cone"}};
+constexpr std::pair<Part, std::string_view> kParts[] = {{Part::kUpper, "upper"}, {Part::kLower, "lower"}};
 
 }  // namespace
 
@@ -131,11 +137,17 @@ std::string_view to_string(Layer layer) {
 std::string_view to_string(Profile profile) {
     return kProfiles[static_cast<std::size_t>(profile)].second;
 }
+std::string_view to_string(Part part) {
+    return kParts[static_cast<std::size_t>(part)].second;
+}
 std::optional<Layer> layer_from(std::string_view name) {
     return found<Layer>(kLayers, name);
 }
 std::optional<Profile> profile_from(std::string_view name) {
     return found<Profile>(kProfiles, name);
+}
+std::optional<Part> part_from(std::string_view name) {
+    return found<Part>(kParts, name);
 }
 
 std::optional<std::size_t> param_from(std::string_view name) {
@@ -144,7 +156,7 @@ std::optional<std::size_t> param_from(std::string_view name) {
     return std::nullopt;
 }
 
-std::optional<std::string> fault_of(const Command& command) {
+std::optional<std::string> fault_of(const Command& command, bool has_lower) {
     const CommandInfo& info = info_of(command.kind);
     for (const CommandNumber& number : info.numbers) {
         const double value = command.*number.value;
@@ -153,6 +165,8 @@ std::optional<std::string> fault_of(const Command& command) {
                    std::to_string(value) + " " + std::string(number.unit) + ", outside " +
                    std::to_string(number.least) + " to " + std::to_string(number.most);
     }
+    if (command.of == Part::kLower && !has_lower)
+        return std::string(info.name) + " is of the lower material, and this world has one material";
     if (info.has_param) {
         const ParamInfo& param = kParams[command.param];
         const auto value = static_cast<float>(command.value);  // what it will be
@@ -201,6 +215,7 @@ void apply_commands(State& state, std::span<const Command> commands) {
                 break;
             case CommandKind::kSet:
                 set_number(state.params, c);
+                if (state.mixture) take_choices(state.params, state.mixture->lower);
                 state.tiles.wake_all();  // what held by the old number may start by the new one
                 break;
         }

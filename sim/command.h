@@ -14,6 +14,7 @@ struct State;
 
 enum class CommandKind : std::uint8_t { kPour, kDig, kBlast, kSettle, kSet };
 enum class Layer : std::uint8_t { kRolling, kStanding };
+enum class Part : std::uint8_t { kUpper, kLower };   // which of two materials (mixture.h)
 enum class Profile : std::uint8_t { kDisc, kCone };  // equal depth within the radius; highest in the middle
 
 // One thing a person does to the world, in world units. Which members a kind uses is in kCommands; the others
@@ -27,6 +28,7 @@ struct Command {
     double depth = 0;
     Layer layer = Layer::kRolling;
     Profile profile = Profile::kDisc;
+    Part of = Part::kUpper;
     std::size_t param = 0;  // index in kParams
     double value = 0;
 
@@ -79,18 +81,20 @@ struct CommandInfo {
     std::span<const CommandNumber> numbers;
     bool has_layer;    // "as": "rolling" or "standing"
     bool has_profile;  // "profile": "disc" or "cone"
+    bool has_part;     // "of": "upper", or in a world of two materials "lower"
     bool has_param;    // "param": a name of kParams that is not fixed
     std::string_view meaning;
 };
 
 inline constexpr CommandInfo kCommands[] = {
-    {CommandKind::kPour, "pour", kPourNumbers, true, true, false, "adds material, at rest, for a while"},
-    {CommandKind::kDig, "dig", kDigNumbers, false, false, false, "takes material away, for a while"},
-    {CommandKind::kBlast, "blast", kBlastNumbers, false, false, false,
+    {CommandKind::kPour, "pour", kPourNumbers, true, true, true, false,
+     "adds material, at rest, for a while"},
+    {CommandKind::kDig, "dig", kDigNumbers, false, false, false, false, "takes material away, for a while"},
+    {CommandKind::kBlast, "blast", kBlastNumbers, false, false, false, false,
      "makes the erodible layer roll, at once"},
-    {CommandKind::kSettle, "settle", kSettleNumbers, false, false, false,
+    {CommandKind::kSettle, "settle", kSettleNumbers, false, false, false, false,
      "makes the rolling layer lie, at once"},
-    {CommandKind::kSet, "set", kSetNumbers, false, false, true,
+    {CommandKind::kSet, "set", kSetNumbers, false, false, false, true,
      "gives a parameter of the physics another value"},
 };
 
@@ -98,12 +102,15 @@ const CommandInfo& info_of(CommandKind kind);
 std::optional<CommandInfo> command_from(std::string_view name);
 std::string_view to_string(Layer layer);
 std::string_view to_string(Profile profile);
+std::string_view to_string(Part part);
 std::optional<Layer> layer_from(std::string_view name);
 std::optional<Profile> profile_from(std::string_view name);
+std::optional<Part> part_from(std::string_view name);
 std::optional<std::size_t> param_from(std::string_view name);  // index in kParams; none for a fixed one
 
-// What is wrong with a command, as a sentence; nothing if all its numbers are in range.
-std::optional<std::string> fault_of(const Command& command);
+// What is wrong with a command, as a sentence; nothing if all its numbers are in range, and the world,
+// where it is known, has the material.
+std::optional<std::string> fault_of(const Command& command, bool has_lower = true);
 // Does what a kSet says.
 void set_number(Params& params, const Command& set);
 // What would be wrong with the parameters once these commands have set theirs: thresholds must keep their

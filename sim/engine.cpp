@@ -8,10 +8,12 @@ Engine::Engine(State& state, const How& as) : how(as), workers(as.threads) {
     CHECK(has(how.instruction_set));
     state.tiles = Tiles(state.grid, how.tile_width, how.tile_height);
     state.tiles.may_sleep = how.tiles_may_sleep;
-    if (how.plain)
+    if (how.plain || state.mixture) {  // the sweep knows one material
         scratch.emplace(state, state.params.model);
-    else
+        if (state.mixture) scratch->mixing.emplace(state);
+    } else {
         sweeper.emplace(state, how.threads);
+    }
 }
 
 }  // namespace sim

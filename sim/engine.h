@@ -10,8 +10,8 @@ namespace sim {
 
 // How a step is reckoned; never what comes out.
 struct How {
-    int threads = 1;                                          // ≥ 1
-    bool plain = false;                                       // stage by stage over the fields (bcre/plain.h)
+    int threads = 1;     // ≥ 1
+    bool plain = false;  // stage by stage over the fields (bcre/plain.h), as a mixed world always is
     InstructionSet instruction_set = best_instruction_set();  // of the sweep
     int tile_width = 64, tile_height = 32;                    // vertices; see Tiles
     bool tiles_may_sleep = true;

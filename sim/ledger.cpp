@@ -27,11 +27,18 @@ std::int64_t quanta_in(const Field<float>& field, int x0, int x1, int y0, int y1
     return sum;
 }
 
+void count_mixture(Mixture& m) {
+    const int nx = m.rolling.nx(), ny = m.rolling.ny();
+    m.ledger.standing = quanta_in(m.settled, 0, nx, 0, ny) + quanta_in(m.untouched, 0, nx, 0, ny);
+    m.ledger.rolling = quanta_in(m.rolling, 0, nx, 0, ny);
+}
+
 }  // namespace
 
 void count_mass(State& s) {
     s.ledger.standing = quanta_in(s.depth, 0, s.grid.nx, 0, s.grid.ny);
     s.ledger.rolling = quanta_in(s.rolling, 0, s.grid.nx, 0, s.grid.ny);
+    if (s.mixture) count_mixture(*s.mixture);
 }
 
 void count_changed_mass(State& s) {
@@ -50,6 +57,7 @@ void count_changed_mass(State& s) {
             s.ledger.standing += mass.standing;
             s.ledger.rolling += mass.rolling;
         }
+    if (s.mixture) count_mixture(*s.mixture);
 }
 
 }  // namespace sim

@@ -27,7 +27,8 @@ struct Ledger {
     bool operator==(const Ledger&) const = default;
 };
 
-// Counts standing and rolling layers anew, exactly, in any order.
+// Counts standing and rolling layers anew, and of a mixed world the lower material in them, exactly, in any
+// order.
 void count_mass(State& state);
 // The same, but of tiles that cannot have changed since takes what was counted then. The first time of all.
 void count_changed_mass(State& state);

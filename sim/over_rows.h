@@ -1,53 +1,86 @@
 #pragma once
 
+#include "sim/blend.h"
 #include "sim/rows.h"
 #include "sim/workers.h"
 
 namespace sim {
 
 // A plain step's way: a stage goes over all rows, or all rows of faces, before the next one begins; the rows
-// are shared out among threads.
-template <class Number>
+// are shared out among threads. In a mixed world a stage's constants are those of the vertex, and the stage
+// is made anew where they change.
+template <class Number, class Work>
 class OverRows {
   public:
-    OverRows(Workers& workers, int nx, int ny) : workers_(workers), all_{0, nx}, ny_(ny) {}
+    using Constants = decltype(Work::c);
 
-    Span all() const { return all_; }
+    // `blends`: none in a world of one material.
+    OverRows(Workers& workers, const Work& w, const std::optional<Blends<Constants>>& blends = std::nullopt)
+        : workers_(workers), w_(w), blends_(blends ? &*blends : nullptr) {}
 
-    // `stage(y)` makes it for a row, `end(y)` is what ends the row.
+    Span all() const { return {0, w_.nx}; }
+
+    // `stage(w, y)` makes it for a row, `end(y)` is what ends the row.
     template <class Stage, class End>
     void each_row(Stage&& stage, End&& end) const {
-        each(ny_, [&](int y) { along<Number>(all_, stage(y)), end(y); });
+        each_vertex(blends_ ? blends_->flow : nullptr, stage, end);
     }
     template <class Stage>
     void each_row(Stage&& stage) const {
         each_row(stage, [](int) {});
     }
+    // The same for what goes by the numbers of the bed (mixture.h).
+    template <class Stage>
+    void each_row_of_bed(Stage&& stage) const {
+        each_vertex(blends_ ? blends_->bed : nullptr, stage, [](int) {});
+    }
+    // Faces know no material: what passes is what vertices give.
     template <class Stage, class End>
     void each_face(Stage&& stage, End&& end) const {
-        each(ny_ + 1, [&](int y) { along<Number>(all_.faces(), stage(y)), end(y); });
+        each(w_.ny + 1, [&](int y) { along<Number>(all().faces(), stage(y)), end(y); });
     }
     template <class Stage>
     void each_face(Stage&& stage) const {
         each_face(stage, [](int) {});
     }
     // What is no stage.
-    template <class Work>
-    void each_row_do(Work&& work) const {
-        each(ny_, work);
+    template <class Do>
+    void each_row_do(Do&& work) const {
+        each(w_.ny, work);
     }
 
   private:
-    template <class Work>
-    void each(int rows, Work&& work) const {
+    template <class Do>
+    void each(int rows, Do&& work) const {
         workers_.each_band(rows, [&](int first, int last) {
             for (int y = first; y < last; ++y) work(y);
         });
     }
 
+    template <class Stage, class End>
+    void each_vertex(const Field<std::uint8_t>* blend, Stage&& stage, End&& end) const {
+        if (!blend) {
+            each(w_.ny, [&](int y) { along<Number>(all(), stage(w_, y)), end(y); });
+            return;
+        }
+        workers_.each_band(w_.ny, [&](int first, int last) {
+            Work w = w_;
+            for (int y = first; y < last; ++y) {
+                const std::uint8_t* row = blend->row(y);
+                for (int x = 0; x < w.nx;) {
+                    const int from = x;
+                    while (x < w.nx && row[x] == row[from]) ++x;
+                    w.c = blends_->constants[row[from]];
+                    along<Number>(Span{from, x}, stage(w, y));
+                }
+                end(y);
+            }
+        });
+    }
+
     Workers& workers_;
-    Span all_;
-    int ny_;
+    const Work& w_;
+    const Blends<Constants>* blends_;
 };
 
 }  // namespace sim

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <optional>
+
+#include "sim/blend.h"
 #include "sim/grid.h"
 #include "sim/layers.h"
+#include "sim/mixture.h"
 #include "sim/outlets.h"
 #include "sim/params.h"
 
@@ -34,6 +38,22 @@ struct Scratch {
     Field<Number> share;
     FlowFields<Number> flow_now, flow_then;
     Outlets outlets;
+
+    // Of a mixed world, set by who has its state.
+    const Params* lower = nullptr;
+    std::optional<Mixing> mixing;
 };
+
+// The constants of all blends, `constants_of(Params)` of each; none in a world of one material.
+template <class Constants, class Number, class ConstantsOf>
+std::optional<Blends<Constants>> blends_of(const Scratch<Number>& scratch, const Params& params,
+                                           ConstantsOf&& constants_of) {
+    if (!scratch.lower) return std::nullopt;
+    Blends<Constants> blends{{}, &scratch.mixing->flow, &scratch.mixing->bed};
+    for (int blend = 0; blend < kBlends; ++blend)
+        blends.constants[static_cast<std::size_t>(blend)] =
+            constants_of(blended(params, *scratch.lower, blend));
+    return blends;
+}
 
 }  // namespace sim

@@ -3,8 +3,8 @@
 namespace sim {
 
 Snapshot take_snapshot(const State& s) {
-    return {s.params,      s.depth, s.rolling, s.velocity_x, s.velocity_y,
-            s.first_depth, s.tick,  s.sources, s.seed,       s.ledger};
+    return {s.params, s.depth,   s.rolling, s.velocity_x, s.velocity_y, s.first_depth,
+            s.tick,   s.sources, s.seed,    s.ledger,     s.mixture};
 }
 
 void restore(const Snapshot& snapshot, State& s) {
@@ -19,6 +19,7 @@ void restore(const Snapshot& snapshot, State& s) {
     s.sources = snapshot.sources;
     s.seed = snapshot.seed;
     s.ledger = snapshot.ledger;
+    s.mixture = snapshot.mixture;
     s.tiles.wake_all();
 }
 

@@ -17,6 +17,7 @@ struct Snapshot {
     std::vector<Source> sources;
     std::uint64_t seed = 0;
     Ledger ledger;
+    std::optional<Mixture> mixture;
 };
 
 Snapshot take_snapshot(const State& state);

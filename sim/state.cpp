@@ -24,9 +24,11 @@ State make_state(const World& world, const Params& params) {
             s.depth(x, y) = nearest_quanta(world.depth[i]);
             s.rolling(x, y) = nearest_quanta(world.rolling[i]);
         }
+    if (world.lower) s.mixture = make_mixture(s, world.lower->params, world.lower->depth);
     enclose(s, params);
     count_mass(s);
     s.ledger.initial = s.ledger.standing + s.ledger.rolling;
+    if (s.mixture) s.mixture->ledger.initial = s.mixture->ledger.standing;
     return s;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "sim/grid.h"
 #include "sim/layers.h"
 #include "sim/ledger.h"
+#include "sim/mixture.h"
 #include "sim/params.h"
 #include "sim/tiles.h"
 
@@ -32,6 +34,8 @@ struct State : Layers<float> {
     std::uint64_t seed = 0;       // of randomness, kept and hashed; nothing draws from it yet
     Ledger ledger;                // where the mass is
 
+    std::optional<Mixture> mixture;  // of a world of two materials
+
     Tiles tiles;  // which of it may change; not hashed, for it changes no bit
 };
 
@@ -44,6 +48,13 @@ struct World {
     std::span<const float> rolling;          // m, the same; begins at rest
     std::span<const std::uint8_t> has_data;  // 0 where material leaves the world
     std::uint64_t seed = 0;
+
+    // A second material under the other: how much of `depth`, from bedrock up, is it alone.
+    struct Lower {
+        Params params;                 // model, scheme, law, borders, tick and Courant number are the world's
+        std::span<const float> depth;  // m, 0 to what `depth` is there
+    };
+    std::optional<Lower> lower = std::nullopt;
 };
 State make_state(const World& world, const Params& params);
 
@@ -60,12 +71,15 @@ struct View {
     const Field<float>& velocity_x;  // m/s
     const Field<float>& velocity_y;  // m/s
     const Field<Site>& site;
-    double datum;       // m; height above the terrain's zero is datum + bedrock + depth + rolling
-    std::int64_t tick;  // ticks done
+    const Mixture* mixture;  // null in a world of one material
+    double datum;            // m; height above the terrain's zero is datum + bedrock + depth + rolling
+    std::int64_t tick;       // ticks done
 };
 
 inline View view(const State& s) {
-    return {s.grid, s.bedrock, s.depth, s.rolling, s.velocity_x, s.velocity_y, s.site, s.datum, s.tick};
+    return {s.grid,       s.bedrock,    s.depth, s.rolling,
+            s.velocity_x, s.velocity_y, s.site,  s.mixture ? &*s.mixture : nullptr,
+            s.datum,      s.tick};
 }
 
 }  // namespace sim

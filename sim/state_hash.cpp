@@ -36,6 +36,8 @@ std::uint64_t state_hash(const State& state) {
     for (const Field<float>* field :
          {&state.bedrock, &state.depth, &state.rolling, &state.velocity_x, &state.velocity_y})
         digest.add(*field);
+    if (const auto& m = state.mixture)
+        for (const Field<float>* field : {&m->rolling, &m->settled, &m->untouched}) digest.add(*field);
     digest.add(state.tick);
     for (const Source& source : state.sources) {
         const Command& c = source.command;
@@ -43,6 +45,7 @@ std::uint64_t state_hash(const State& state) {
         for (const double number : {c.x, c.y, c.radius, c.rate, c.duration, c.depth}) digest.add(number);
         digest.add(c.layer);
         digest.add(c.profile);
+        if (c.of != Part::kUpper) digest.add(c.of);
         digest.add(source.first_tick);
     }
     digest.add(state.seed);

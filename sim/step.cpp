@@ -22,23 +22,45 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
 template void substep(Layers<float>&, const Params&, Scratch<float>&, Workers&, Substep<float>);
 template void substep(Layers<double>&, const Params&, Scratch<double>&, Workers&, Substep<double>);
 
+Substeps substeps_of(const State& state) {
+    const Substeps upper = substeps_of(state.params, state.grid.dx);
+    if (!state.mixture) return upper;
+    const Substeps lower = substeps_of(state.mixture->lower, state.grid.dx);
+    return lower.count > upper.count ? lower : upper;
+}
+
+namespace {
+
+void substep_plainly(State& state, Scratch<float>& scratch, Workers& workers, const Substep<float>& sub) {
+    if (state.mixture) {
+        scratch.lower = &state.mixture->lower;
+        begin_mixing(state, *scratch.mixing, workers);
+    }
+    substep(state, state.params, scratch, workers, sub);
+    const bool bcre = state.params.model == Model::kBcre;
+    state.ledger.out +=
+        bcre ? bcre::drained(state, state.params, scratch) : inertial::drained(state, state.params, scratch);
+    if (state.mixture)
+        finish_mixing(state, *scratch.mixing, bcre ? scratch.now.flux_x : scratch.flow_now.flux_x,
+                      bcre ? scratch.now.flux_y : scratch.flow_now.flux_y, scratch.outlets, sub.dither,
+                      workers);
+}
+
+}  // namespace
+
 void step(State& state, std::span<const Command> commands, Engine& engine) {
     // A person's hand first: what is poured in this tick rolls in this tick, by the numbers set for it.
     apply_commands(state, commands);
 
-    const Substeps substeps = substeps_of(state.params, state.grid.dx);
+    const Substeps substeps = substeps_of(state);
     for (int i = 0; i < substeps.count; ++i) {
         const std::int64_t substeps_done = state.tick * substeps.count + i;
         const Substep<float> sub{substeps.dt, dither_of(substeps_done)};
-        if (engine.sweeper) {
+        if (engine.sweeper)
             state.ledger.out +=
                 engine.sweeper->substep(state, engine.workers, engine.how.instruction_set, sub);
-        } else {
-            substep(state, state.params, *engine.scratch, engine.workers, sub);
-            state.ledger.out += state.params.model == Model::kBcre
-                                    ? bcre::drained(state, state.params, *engine.scratch)
-                                    : inertial::drained(state, state.params, *engine.scratch);
-        }
+        else
+            substep_plainly(state, *engine.scratch, engine.workers, sub);
     }
 
     if (!engine.sweeper) state.tiles.wake_all();  // a plain step goes over all of them

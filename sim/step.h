@@ -10,6 +10,7 @@ class Workers;
 struct Engine;
 struct Params;
 struct State;
+struct Substeps;
 template <class Number>
 struct Layers;
 template <class Number>
@@ -22,6 +23,10 @@ struct Substep;
 // instruction set, number of threads or way of reckoning. `engine` is one made for this state's world.
 // Allocates nothing unless more sources run than ever before.
 void step(State& state, std::span<const Command> commands, Engine& engine);
+
+// How many sub-steps a tick of this world has, and how long they are: in a mixed one, as the faster material
+// asks for.
+Substeps substeps_of(const State& state);
 
 // One sub-step of it, without commands and ledger, on the layers alone.
 template <class Number>

@@ -15,6 +15,8 @@ layout(std140, binding = SLOT_FRAME) uniform Frame {
     vec4 meadow;
     vec4 standing;          // w: depth that hides the ground, m
     vec4 rolling;           // w: depth that is drawn, m
+    vec4 lower_standing;    // of the lower material; w: 1 in a world of two
+    vec4 lower_rolling;
     vec4 material;          // roughness 0 to 1; height of a sample at a distance of 1; samples along the edge of a pixel
     vec4 ring;              // centre m, radius m; 1: is drawn
     vec4 ring_colour;       // linear light

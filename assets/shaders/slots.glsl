@@ -18,7 +18,8 @@
 #define SLOT_SCENE_DEPTH 11 // D32F: reversed depth of the surface
 #define SLOT_COLOUR 12    // RGBA16F: the frame in linear light
 #define SLOT_MEASURE 13   // RG32F: what the overlay shows times its weight, weight 0 to 1
-#define SLOT_UNITS 14     // how many texture units there are
+#define SLOT_MIXTURE 14   // RG8: share of the lower material in what lies at the surface, in what rolls; of a world of two
+#define SLOT_UNITS 15     // how many texture units there are
 
 // Image units
 #define IMAGE_RELIEF 0

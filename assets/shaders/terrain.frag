@@ -3,6 +3,7 @@
 layout(binding = SLOT_SCENE_DEPTH) uniform sampler2D scene_depth;
 layout(binding = SLOT_RELIEF) uniform sampler2D relief;
 layout(binding = SLOT_LAYERS) uniform sampler2D layers;
+layout(binding = SLOT_MIXTURE) uniform sampler2D mixture;
 layout(binding = SLOT_DETAIL) uniform sampler2DArray detail_texture;
 
 in vec2 ndc;
@@ -50,18 +51,26 @@ Skin ground(Place p, vec4 broad, vec4 soft, vec4 rock, vec4 fine) {
                 mix(0.80 + 0.4 * soft.z, 0.60 + 0.8 * rock.z, bare));
 }
 
-Skin cover(vec4 broad, vec4 soft, vec4 rock, vec4 fine) {
+// In a world of two materials: what is seen of a mixture, of what lies and of what rolls. It shows as clods of the one in the
+// other, as large as small relief is.
+vec2 lower_shares(Place p, vec4 soft, vec4 clumps) {
+    vec2 share = texture(mixture, (p.at.xy / frame.ground.x + 0.5) / vec2(frame.size.xy)).rg;
+    float lump = (clumps.z - 0.5) + 0.5 * (soft.z - 0.5);
+    return clamp(share + 2.4 * lump * share * (1.0 - share) * frame.haze.w, 0.0, 1.0);
+}
+
+Skin cover(vec3 albedo, vec4 broad, vec4 soft, vec4 rock, vec4 fine) {
     // Dark material shows its patches, snow hardly does.
-    float patchy = 0.08 + 0.9 * max(0.0, 0.7 - frame.standing.g);
+    float patchy = 0.08 + 0.9 * max(0.0, 0.7 - albedo.g);
     float tint = 1.0 + patchy * (0.8 * (broad.w - 0.5) + 0.5 * (soft.z - 0.5) + 0.4 * (rock.z - 0.5));
-    return Skin(frame.standing.rgb * tint, 0.15 * soft.xy + 0.14 * broad.xy + 0.04 * rock.xy + 0.04 * fine.xy, 0.9 + 0.1 * soft.z);
+    return Skin(albedo * tint, 0.15 * soft.xy + 0.14 * broad.xy + 0.04 * rock.xy + 0.04 * fine.xy, 0.9 + 0.1 * soft.z);
 }
 
 // The rolling layer: clumps at two scales; lighter where it moves fast.
-Skin moving(vec4 broad, vec4 soft, vec4 clumps, vec4 crumbs, float speed) {
+Skin moving(vec3 albedo, vec4 broad, vec4 soft, vec4 clumps, vec4 crumbs, float speed) {
     float rough = frame.material.x;
     float lump = 0.45 * clumps.z + 0.25 * crumbs.z + 0.30 * soft.z;
-    return Skin(frame.rolling.rgb * (0.62 + 0.60 * lump + 0.25 * broad.w) * (1.0 + 0.12 * speed),
+    return Skin(albedo * (0.62 + 0.60 * lump + 0.25 * broad.w) * (1.0 + 0.12 * speed),
                 rough * (1.2 * clumps.xy + 0.6 * crumbs.xy + 0.7 * soft.xy + 0.4 * broad.xy),
                 mix(1.0, 0.40 + 1.1 * lump, rough));
 }
@@ -103,13 +112,15 @@ void main() {
     float share = layer.y + 0.5 * (0.5 * (clumps.z - 0.5) + 0.3 * (crumbs.z - 0.5) + (soft.z - 0.5)) * frame.material.x;
     float rolls = clamp((share - 0.5) / (0.7 * pixel + 0.02) + 0.5, 0.0, 1.0);
 
-    Skin skin = blend(ground(p, broad, soft, rock, fine), cover(broad, soft, rock, fine), covered);
+    vec2 lower = frame.lower_standing.w > 0.0 ? lower_shares(p, soft, clumps) : vec2(0.0);
+    vec3 lies = mix(frame.standing.rgb, frame.lower_standing.rgb, lower.x);
+    Skin skin = blend(ground(p, broad, soft, rock, fine), cover(lies, broad, soft, rock, fine), covered);
 
     // From the front, in cells, outside negative: a dark foot before it, a lit lip on it.
     float from_front = (share - 0.5) / max(steepness, 0.15);
     float foot = smoothstep(-0.7, 0.0, from_front) * smoothstep(0.0, 0.2, layer.y) * (1.0 - rolls);
     float lip = smoothstep(0.9, 0.0, from_front) * smoothstep(0.1, 0.3, steepness);
-    Skin debris = moving(broad, soft, clumps, crumbs, layer.z);
+    Skin debris = moving(mix(frame.rolling.rgb, frame.lower_rolling.rgb, lower.y), broad, soft, clumps, crumbs, layer.z);
     debris.rise += lip * 0.9 * along / max(steepness, 1e-4);
     skin = blend(skin, debris, rolls);
     skin.open *= 1.0 - 0.45 * foot;

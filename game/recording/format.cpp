@@ -87,14 +87,20 @@ glm::dvec3 triple(const Json& json, const char* key, double least, double most) 
     return values;
 }
 
+Json numbers_json(const sim::Params& params) {
+    Json json;
+    for (const sim::ParamInfo& info : sim::kParams)
+        json[std::string(info.name)] = shortest(params.*info.value);
+    return json;
+}
+
 Json physics_json(const sim::Params& params) {
     Json json{{"model", sim::to_string(params.model)},
               {"scheme", sim::to_string(params.scheme)},
               {"law", sim::to_string(params.law)}};
     for (std::size_t side = 0; side < kSides.size(); ++side)
         json["borders"][std::string(kSides[side])] = sim::to_string(params.borders[side]);
-    for (const sim::ParamInfo& info : sim::kParams)
-        json[std::string(info.name)] = shortest(params.*info.value);
+    json.update(numbers_json(params));
     return json;
 }
 
@@ -109,6 +115,14 @@ bool is_named_in(int minor, std::string_view name) {
     return true;
 }
 
+void numbers_from(const Json& json, int minor, sim::Params& params) {
+    for (const sim::ParamInfo& info : sim::kParams)
+        if (is_named_in(minor, info.name))
+            params.*info.value =
+                static_cast<float>(number(json, info.name.data(), info.least - 1e-6, info.most + 1e-6));
+    if (const auto wrong = sim::fault_of(params)) refuse(*wrong);
+}
+
 sim::Params physics_from(const Json& json, int minor) {
     sim::Params params;
     params.model = named(json, "model", sim::model_from);
@@ -116,12 +130,15 @@ sim::Params physics_from(const Json& json, int minor) {
     if (is_named_in(minor, "law")) params.law = named(json, "law", sim::law_from);
     for (std::size_t side = 0; side < kSides.size(); ++side)
         params.borders[side] = named(member(json, "borders"), kSides[side].data(), sim::border_from);
-    for (const sim::ParamInfo& info : sim::kParams)
-        if (is_named_in(minor, info.name))
-            params.*info.value =
-                static_cast<float>(number(json, info.name.data(), info.least - 1e-6, info.most + 1e-6));
-    if (const auto wrong = sim::fault_of(params)) refuse(*wrong);
+    numbers_from(json, minor, params);
     return params;
+}
+
+Start::Lower lower_from(const Json& json, int minor, const sim::Params& world) {
+    Start::Lower lower{text(json, "material"), world, {}};
+    numbers_from(member(json, "physics"), minor, lower.params);
+    sim::take_choices(world, lower.params);
+    return lower;
 }
 
 Json ground_json(const Start& start) {
@@ -177,6 +194,10 @@ Json view_json(const Start& start) {
                     {"roughness", shortest(look.roughness)},
                     {"cover_visible_m", shortest(look.cover_visible_m)},
                     {"rolling_visible_m", shortest(look.rolling_visible_m)}};
+    if (start.lower) {
+        json["look"]["lower_standing"] = colour(look.lower_standing);
+        json["look"]["lower_rolling"] = colour(look.lower_rolling);
+    }
     json["light"] = {{"azimuth_deg", start.light.azimuth_deg}, {"elevation_deg", start.light.elevation_deg}};
     if (const auto& camera = start.camera)
         json["camera"] = {{"target", numbers({camera->target.x, camera->target.y, camera->target.z})},
@@ -193,6 +214,10 @@ void view_from(const Json& json, Start& start) {
     start.look.meadow = triple(look, "meadow", 0, 1);
     start.look.standing = triple(look, "standing", 0, 1);
     start.look.rolling = triple(look, "rolling", 0, 1);
+    if (start.lower) {
+        start.look.lower_standing = triple(look, "lower_standing", 0, 1);
+        start.look.lower_rolling = triple(look, "lower_rolling", 0, 1);
+    }
     start.look.roughness = static_cast<float>(number(look, "roughness", 0, 1));
     start.look.cover_visible_m = static_cast<float>(number(look, "cover_visible_m", 0, 10));
     start.look.rolling_visible_m = static_cast<float>(number(look, "rolling_visible_m", 0, 10));
@@ -233,6 +258,7 @@ Header read_header(const Json& json, int minor) {
     start.material = text(json, "material");
     start.seed = hash_of(json, "seed");
     start.params = physics_from(member(json, "physics"), minor);
+    if (json.contains("lower")) start.lower = lower_from(json.at("lower"), minor, start.params);
     view_from(member(json, "view"), start);
     ground_from(member(json, "terrain"), start);
     return header;
@@ -249,6 +275,7 @@ TimedCommand read_command(const Json& json, const sim::CommandInfo& info) {
     if (info.has_param) timed.command.param = named(numbers, "param", sim::param_from);
     if (info.has_layer) timed.command.layer = named(numbers, "as", sim::layer_from);
     if (info.has_profile) timed.command.profile = named(numbers, "profile", sim::profile_from);
+    if (info.has_part && numbers.contains("of")) timed.command.of = named(numbers, "of", sim::part_from);
     if (const auto wrong = sim::fault_of(timed.command)) refuse(*wrong);
     return timed;
 }
@@ -288,6 +315,8 @@ Json to_json(const Header& header) {
               {"ticks_per_state", header.ticks_per_state},
               {"physics", physics_json(start.params)},
               {"view", view_json(start)}};
+    if (start.lower)
+        json["lower"] = {{"material", start.lower->material}, {"physics", numbers_json(start.lower->params)}};
     json["terrain"] = ground_json(start);
     return json;
 }
@@ -328,6 +357,8 @@ void write(const TimedCommand& timed, std::string& line) {
     }
     if (info.has_layer) fmt::format_to(out, R"("as":"{}",)", sim::to_string(timed.command.layer));
     if (info.has_profile) fmt::format_to(out, R"("profile":"{}",)", sim::to_string(timed.command.profile));
+    if (timed.command.of != sim::Part::kUpper)
+        fmt::format_to(out, R"("of":"{}",)", sim::to_string(timed.command.of));
     line.pop_back();  // the last comma
     line += "}}";
 }

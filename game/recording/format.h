@@ -20,7 +20,7 @@ namespace game {
 using Json = nlohmann::ordered_json;
 
 inline constexpr int kFormatMajor = 1;  // a reader refuses a greater one
-inline constexpr int kFormatMinor = 2;  // a greater one may hold fields that this reader leaves alone
+inline constexpr int kFormatMinor = 3;  // a greater one may hold fields that this reader leaves alone
 inline constexpr int kPhysicsVersion =
     3;  // recordings of another one play, but their hashes are not comparable
 inline constexpr int kTicksPerState = 6;  // between two state lines

@@ -14,8 +14,16 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "a recording's ground is little-endian");
 
-std::size_t packed_size(std::size_t vertices) {
-    return vertices * (3 * sizeof(float) + 1);
+// In the order in which they are packed.
+template <class S>
+auto floats_of(S& start) {
+    std::vector<decltype(&start.bedrock)> fields{&start.bedrock, &start.depth, &start.rolling};
+    if (start.lower) fields.push_back(&start.lower->depth);
+    return fields;
+}
+
+std::size_t packed_size(const Start& start) {
+    return start.grid.size() * (floats_of(start).size() * sizeof(float) + 1);
 }
 
 bool all_within(const std::vector<float>& values, float least, float most) {
@@ -28,8 +36,8 @@ bool all_within(const std::vector<float>& values, float least, float most) {
 
 std::string pack_ground(const Start& start) {
     std::string bytes;
-    bytes.reserve(packed_size(start.grid.size()));
-    for (const std::vector<float>* field : {&start.bedrock, &start.depth, &start.rolling})
+    bytes.reserve(packed_size(start));
+    for (const std::vector<float>* field : floats_of(start))
         bytes.append(reinterpret_cast<const char*>(field->data()), field->size() * sizeof(float));
     bytes.append(reinterpret_cast<const char*>(start.has_data.data()), start.has_data.size());
 
@@ -46,14 +54,14 @@ tl::expected<void, std::string> unpack_ground(std::string_view text, Start& star
     std::string packed(text);
     const int decoded = CPLBase64DecodeInPlace(reinterpret_cast<GByte*>(packed.data()));
     const std::size_t vertices = start.grid.size();
-    std::string bytes(packed_size(vertices), '\0');
+    std::string bytes(packed_size(start), '\0');
     const std::size_t size =
         ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), static_cast<std::size_t>(decoded));
     if (ZSTD_isError(size) || size != bytes.size())
         return tl::unexpected(std::string("terrain data that does not unpack"));
 
     const char* at = bytes.data();
-    for (std::vector<float>* field : {&start.bedrock, &start.depth, &start.rolling}) {
+    for (std::vector<float>* field : floats_of(start)) {
         field->resize(vertices);
         std::memcpy(field->data(), at, vertices * sizeof(float));
         at += vertices * sizeof(float);
@@ -63,7 +71,8 @@ tl::expected<void, std::string> unpack_ground(std::string_view text, Start& star
     constexpr float kHighest = 20000;
     const float deepest = sim::kDeepest / 2;
     if (!all_within(start.bedrock, -kHighest, kHighest) || !all_within(start.depth, 0, deepest) ||
-        !all_within(start.rolling, 0, deepest))
+        !all_within(start.rolling, 0, deepest) ||
+        (start.lower && !all_within(start.lower->depth, 0, deepest)))
         return tl::unexpected(std::string("a terrain with impossible heights or depths"));
     return {};
 }

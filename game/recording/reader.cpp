@@ -107,6 +107,8 @@ class Reader {
     }
 
     Outcome<void> keep(const TimedCommand& command) {
+        if (const auto fault = sim::fault_of(command.command, recording_.header.start.lower.has_value()))
+            return wrong(*fault);
         // Given at the start of its tick, so after the state of that tick was written.
         if (command.tick < latest_)
             return wrong(fmt::format("goes back to tick {} from {}", command.tick, latest_));

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "game/ui/panels.h"
-#include "sim/params.h"
+#include "sim/step.h"
 
 namespace game::ui {
 namespace {
@@ -125,7 +125,7 @@ void performance_panel(Desk& desk, const Facts& facts) {
     widgets.fact("Frames", "%.1f per second", times.frames_per_second());
     widgets.fact("Worst tick", "%.1f ms", static_cast<double>(times.worst_tick_ms()));
     widgets.fact("Ticks per frame", "%d", times.size() > 0 ? times[times.size() - 1].ticks : 0);
-    widgets.fact("Sub-steps per tick", "%d", sim::substeps_of(facts.state.params, grid.dx).count);
+    widgets.fact("Sub-steps per tick", "%d", sim::substeps_of(facts.state).count);
     widgets.fact("Grid", "%d × %d squares", grid.nx - 1, grid.ny - 1);
     widgets.dim("Drawn by %.*s", static_cast<int>(facts.renderer.size()), facts.renderer.data());
 }

@@ -33,56 +33,63 @@ Work<Number> work_of(Layers<Number>& layers, const Params& params, Scratch<Numbe
 template <class Number>
 void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch, Workers& workers,
              Substep<Number> sub) {
-    const Work<Number> w = work_of(layers, params, scratch, sub);
+    const Work<Number> world = work_of(layers, params, scratch, sub);
     const Outlets::View outlets = scratch.outlets.view();
-    const OverRows<Number> over(workers, w.nx, w.ny);
+    const auto blends = blends_of<Constants<Number>>(
+        scratch, params, [&](const Params& blend) { return constants_of(blend, layers.grid.dx, sub); });
+    const OverRows<Number, Work<Number>> over(workers, world, blends);
     const Span all = over.all();
     const auto find_drops_of = [&](const Level<Number>& level) {
-        over.each_row_do([&](int y) { fill_halo<Number>(w, level, y, all); });
-        over.each_face([&](int y) { return find_drops<Number>(w, level, y); },
-                       [&](int y) { end_drops<Number>(w, level, y); });
+        over.each_row_do([&](int y) { fill_halo<Number>(world, level, y, all); });
+        over.each_face([&](int y) { return find_drops<Number>(world, level, y); },
+                       [&](int y) { end_drops<Number>(world, level, y); });
     };
     const auto close = [&](const Level<Number>& level) {
-        return [&](int y) { close_walls<Number>(w, level, y, all); };
+        return [&](int y) { close_walls<Number>(world, level, y, all); };
     };
-    const auto end_gift = [&](int y) { end_given<Number>(w, w.now, y, all); };
+    const auto end_gift = [&](int y) { end_given<Number>(world, world.now, y, all); };
     const auto find_rates = [&](const Level<Number>& level) {
-        over.each_face([&](int y) { return find_bends<Number>(w, level, y); });
-        over.each_row([&](int y) { return find_bent_fall<Number>(level, y); });
-        over.each_row([&](int y) { return find_central_velocity<Number>(w, level, y); },
-                      [&](int y) { end_velocity<Number>(w, level, y); });
-        over.each_face([&](int y) { return find_muscl_fluxes<Number>(w, level, y); }, close(level));
-        over.each_row([&](int y) { return find_exchange<Number>(w, level, y); });
+        over.each_face([&](int y) { return find_bends<Number>(world, level, y); });
+        over.each_row([&](const auto&, int y) { return find_bent_fall<Number>(level, y); });
+        over.each_row([&](const auto& w, int y) { return find_central_velocity<Number>(w, level, y); },
+                      [&](int y) { end_velocity<Number>(world, level, y); });
+        over.each_face([&](int y) { return find_muscl_fluxes<Number>(world, level, y); }, close(level));
+        over.each_row_of_bed([&](const auto& w, int y) { return find_exchange<Number>(w, level, y); });
     };
 
-    find_drops_of(w.now);
+    find_drops_of(world.now);
     switch (params.scheme) {
         case Scheme::kLaxFriedrichs:
-            over.each_row([&](int y) { return find_fall<Number>(w.now, y); });
-            over.each_row([&](int y) { return find_quarters<Number>(w, w.now, y); }, end_gift);
-            over.each_face([&](int y) { return find_quarter_fluxes<Number>(w, w.now, y); }, close(w.now));
-            over.each_row([&](int y) { return settle<Number, Scheme::kLaxFriedrichs>(w, y, w.nx); });
+            over.each_row([&](const auto& w, int y) { return find_fall<Number>(w.now, y); });
+            over.each_row([&](const auto& w, int y) { return find_quarters<Number>(w, w.now, y); }, end_gift);
+            over.each_face([&](int y) { return find_quarter_fluxes<Number>(world, world.now, y); },
+                           close(world.now));
+            over.each_row_of_bed(
+                [&](const auto& w, int y) { return settle<Number, Scheme::kLaxFriedrichs>(w, y, w.nx); });
             break;
         case Scheme::kLocalLaxFriedrichs:
-            over.each_row([&](int y) { return find_fall<Number>(w.now, y); });
-            over.each_row([&](int y) { return find_given<Number>(w, w.now, y); }, end_gift);
-            over.each_face([&](int y) { return find_split_fluxes<Number>(w, w.now, y); });
-            over.each_row([&](int y) { return settle<Number, Scheme::kLocalLaxFriedrichs>(w, y, w.nx); });
+            over.each_row([&](const auto& w, int y) { return find_fall<Number>(w.now, y); });
+            over.each_row([&](const auto& w, int y) { return find_given<Number>(w, w.now, y); }, end_gift);
+            over.each_face([&](int y) { return find_split_fluxes<Number>(world, world.now, y); });
+            over.each_row_of_bed([&](const auto& w, int y) {
+                return settle<Number, Scheme::kLocalLaxFriedrichs>(w, y, w.nx);
+            });
             break;
         case Scheme::kMuscl:
-            find_rates(w.now);
-            over.each_row([&](int y) { return predict<Number>(w, y); },
-                          [&](int y) { clear_drains<Number>(w.then, outlets, y, all); });
-            find_drops_of(w.then);
-            find_rates(w.then);
-            over.each_face([&](int y) { return take_mean_fluxes<Number>(w, y); });
-            over.each_row([&](int y) { return find_share<Number>(w, y); },
-                          [&](int y) { end_share<Number>(w, y, all); });
-            over.each_face([&](int y) { return book_fluxes<Number>(w, y); });
-            over.each_row([&](int y) { return settle<Number, Scheme::kMuscl>(w, y, w.nx); });
+            find_rates(world.now);
+            over.each_row([&](const auto& w, int y) { return predict<Number>(w, y); },
+                          [&](int y) { clear_drains<Number>(world.then, outlets, y, all); });
+            find_drops_of(world.then);
+            find_rates(world.then);
+            over.each_face([&](int y) { return take_mean_fluxes<Number>(world, y); });
+            over.each_row([&](const auto& w, int y) { return find_share<Number>(w, y); },
+                          [&](int y) { end_share<Number>(world, y, all); });
+            over.each_face([&](int y) { return book_fluxes<Number>(world, y); });
+            over.each_row_of_bed(
+                [&](const auto& w, int y) { return settle<Number, Scheme::kMuscl>(w, y, w.nx); });
             break;
     }
-    over.each_row_do([&](int y) { clear_drains<Number>(w.now, outlets, y, all); });
+    over.each_row_do([&](int y) { clear_drains<Number>(world.now, outlets, y, all); });
 }
 
 std::int64_t drained(Layers<float>& layers, const Params& params, Scratch<float>& scratch) {
@@ -93,12 +100,16 @@ std::int64_t drained(Layers<float>& layers, const Params& params, Scratch<float>
 }
 
 void find_velocity(Layers<float>& layers, const Params& params, Scratch<float>& scratch, Workers& workers) {
-    Work<float> w = work_of(layers, params, scratch, {});
-    w.now.velocity_x = Rows<float>(layers.velocity_x), w.now.velocity_y = Rows<float>(layers.velocity_y);
-    const OverRows<float> over(workers, w.nx, w.ny);
-    over.each_row_do([&](int y) { fill_halo<float>(w, w.now, y, over.all()); });
-    over.each_face([&](int y) { return find_drops<float>(w, w.now, y); });
-    over.each_row([&](int y) { return find_velocity<float>(w, y, w.nx); });
+    Work<float> world = work_of(layers, params, scratch, {});
+    world.now.velocity_x = Rows<float>(layers.velocity_x),
+    world.now.velocity_y = Rows<float>(layers.velocity_y);
+    const auto blends = blends_of<Constants<float>>(scratch, params, [&](const Params& blend) {
+        return constants_of(blend, layers.grid.dx, Substep<float>{});
+    });
+    const OverRows<float, Work<float>> over(workers, world, blends);
+    over.each_row_do([&](int y) { fill_halo<float>(world, world.now, y, over.all()); });
+    over.each_face([&](int y) { return find_drops<float>(world, world.now, y); });
+    over.each_row([&](const auto& w, int y) { return find_velocity<float>(w, y, w.nx); });
 }
 
 template Work<float> work_of(Layers<float>&, const Params&, Scratch<float>&, Substep<float>);

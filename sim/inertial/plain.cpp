@@ -49,35 +49,38 @@ Work<Number> work_of(Layers<Number>& layers, const Params& params, Scratch<Numbe
 template <class Number>
 void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch, Workers& workers,
              Substep<Number> sub) {
-    const Work<Number> w = work_of(layers, params, scratch, sub);
+    const Work<Number> world = work_of(layers, params, scratch, sub);
     const Outlets::View outlets = scratch.outlets.view();
-    const OverRows<Number> over(workers, w.nx, w.ny);
+    const auto blends = blends_of<Constants<Number>>(
+        scratch, params, [&](const Params& blend) { return constants_of(blend, layers.grid.dx, sub); });
+    const OverRows<Number, Work<Number>> over(workers, world, blends);
     const Span all = over.all();
     // What would be exchanged and carried, as the layers lie and move.
     const auto find_rates = [&](const Level<Number>& level) {
-        over.each_face([&](int y) { return find_drops<Number>(w, level, y); },
-                       [&](int y) { end_drops<Number>(w, level, y); });
-        over.each_face([&](int y) { return find_bends<Number>(w, level, y); });
-        over.each_row([&](int y) { return find_exchange<Number>(w, level, y); });
-        over.each_row([&](int y) { return find_slopes<Number>(level, y); },
-                      [&](int y) { end_slopes<Number>(w, level, y, all); });
-        over.each_face([&](int y) { return find_fluxes<Number>(w, level, y); },
-                       [&](int y) { end_fluxes<Number>(w, level, y, all); });
+        over.each_face([&](int y) { return find_drops<Number>(world, level, y); },
+                       [&](int y) { end_drops<Number>(world, level, y); });
+        over.each_face([&](int y) { return find_bends<Number>(world, level, y); });
+        over.each_row_of_bed([&](const auto& w, int y) { return find_exchange<Number>(w, level, y); });
+        over.each_row([&](const auto&, int y) { return find_slopes<Number>(level, y); },
+                      [&](int y) { end_slopes<Number>(world, level, y, all); });
+        over.each_face([&](int y) { return find_fluxes<Number>(world, level, y); },
+                       [&](int y) { end_fluxes<Number>(world, level, y, all); });
     };
 
-    over.each_row_do([&](int y) { fill_halo<Number>(w, w.now, y, all); });
-    over.each_row([&](int y) { return relax<Number>(w, y, w.nx); },
-                  [&](int y) { end_velocity<Number>(w, w.now, y, all); });
-    find_rates(w.now);
-    over.each_row([&](int y) { return predict<Number>(w, y); },
-                  [&](int y) { clear_drains<Number>(w.then, outlets, y, all); });
-    over.each_row_do(
-        [&](int y) { fill_halo<Number>(w, w.then, y, all), end_velocity<Number>(w, w.then, y, all); });
-    find_rates(w.then);
-    over.each_face([&](int y) { return book_fluxes<Number>(w, y); });
-    over.each_row([&](int y) { return finish<Number>(w, y, w.nx); },
-                  [&](int y) { clear_drains<Number>(w.now, outlets, y, all); });
-    over.each_row([&](int y) { return yield<Number>(w, y, w.nx); });
+    over.each_row_do([&](int y) { fill_halo<Number>(world, world.now, y, all); });
+    over.each_row([&](const auto& w, int y) { return relax<Number>(w, y, w.nx); },
+                  [&](int y) { end_velocity<Number>(world, world.now, y, all); });
+    find_rates(world.now);
+    over.each_row([&](const auto& w, int y) { return predict<Number>(w, y); },
+                  [&](int y) { clear_drains<Number>(world.then, outlets, y, all); });
+    over.each_row_do([&](int y) {
+        fill_halo<Number>(world, world.then, y, all), end_velocity<Number>(world, world.then, y, all);
+    });
+    find_rates(world.then);
+    over.each_face([&](int y) { return book_fluxes<Number>(world, y); });
+    over.each_row([&](const auto& w, int y) { return finish<Number>(w, y, w.nx); },
+                  [&](int y) { clear_drains<Number>(world.now, outlets, y, all); });
+    over.each_row_of_bed([&](const auto& w, int y) { return yield<Number>(w, y, w.nx); });
 }
 
 std::int64_t drained(Layers<float>& layers, const Params& params, Scratch<float>& scratch) {

@@ -8,10 +8,21 @@
 namespace support {
 
 Ground::Ground(const sim::Grid& on)
-    : grid(on), bedrock(on.size()), depth(on.size()), rolling(on.size()), has_data(on.size(), 1) {}
+    : grid(on),
+      bedrock(on.size()),
+      depth(on.size()),
+      rolling(on.size()),
+      has_data(on.size(), 1),
+      lower_depth(on.size()) {}
 
 std::size_t Ground::at(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(x);
+}
+
+sim::World Ground::world() const {
+    sim::World world{grid, 0, bedrock, depth, rolling, has_data, 0};
+    if (lower) world.lower = sim::World::Lower{*lower, lower_depth};
+    return world;
 }
 
 void Ground::set(std::vector<float>& field, const std::function<double(double, double)>& of) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,12 +18,14 @@ struct Ground {
     sim::Grid grid;
     std::vector<float> bedrock, depth, rolling;  // m
     std::vector<std::uint8_t> has_data;
+    std::optional<sim::Params> lower;  // of a world of two materials
+    std::vector<float> lower_depth;    // m
 
     explicit Ground(const sim::Grid& on);
     // Sets a field from a function of x and y in metres.
     void set(std::vector<float>& field, const std::function<double(double, double)>& of);
     std::size_t at(int x, int y) const;
-    sim::World world() const { return {grid, 0, bedrock, depth, rolling, has_data, 0}; }
+    sim::World world() const;
 };
 
 // bedrock = −tangent · y: falls to the north.
