@@ -74,6 +74,7 @@ void Stroke::spread(glm::dvec2 from, glm::dvec2 to, const Brush& brush, double t
     if (deed_ == sim::CommandKind::kPour) {
         command.rate *= 3.14159265358979323846 * brush.radius * brush.radius;  // m³/s
         command.layer = brush.standing ? sim::Layer::kStanding : sim::Layer::kRolling;
+        command.of = brush.of;
     }
     for (int i = 1; i <= discs; ++i) {
         const glm::dvec2 at = from + (static_cast<double>(i) / discs) * (to - from);

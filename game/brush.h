@@ -21,7 +21,8 @@ struct Brush {
     // How much, by tool, so that each keeps its own: metres of depth per second for pour and dig, metres of
     // depth at once for blast; kLeastStrength to kMostStrength.
     std::array<double, kTools> strength{2, 2, 1};
-    bool standing = false;  // pour onto the standing layer; else into the rolling one
+    bool standing = false;             // pour onto the standing layer; else into the rolling one
+    sim::Part of = sim::Part::kUpper;  // which material is poured, in a world of two
 
     static constexpr double kLeastRadius = 0.1, kMostRadius = 1000;
     static constexpr double kLeastStrength = 0.05, kMostStrength = 20;

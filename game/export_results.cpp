@@ -19,6 +19,16 @@ std::vector<float> deposit_of(const Start& start, const sim::State& state) {
     return deposit;
 }
 
+// How much of the lower material has been moved and is there, m; empty in a world of one.
+std::vector<float> lower_material_of(const sim::State& state) {
+    std::vector<float> amounts;
+    if (!state.mixture) return amounts;
+    for (int y = 0; y < state.grid.ny; ++y)
+        for (int x = 0; x < state.grid.nx; ++x)
+            amounts.push_back(state.mixture->settled(x, y) + state.mixture->rolling(x, y));
+    return amounts;
+}
+
 // The rolling layer's peak as a field that can be drawn.
 sim::Field<float> peak_field(const Session& session) {
     const sim::Grid& grid = session.state().grid;
@@ -35,10 +45,12 @@ Outcome<void> export_results(const std::filesystem::path& folder, const Start& s
                              const Summary& summary) {
     if (auto made = make_folder(folder); !made) return made;
     const std::vector<float> deposit = deposit_of(start, session.state());
-    const std::pair<std::string, const std::vector<float>*> fields[] = {
+    const std::vector<float> lower = lower_material_of(session.state());
+    std::vector<std::pair<std::string, const std::vector<float>*>> fields{
         {"deposit", &deposit},
         {"peak_depth", &session.peaks().depth},
         {"peak_speed", &session.peaks().speed}};
+    if (start.lower) fields.emplace_back("lower_material", &lower);
     for (const auto& [name, field] : fields)
         for (const auto& written :
              {terrains::write_geotiff(folder / (name + ".tif"), start.grid, start.georeference, *field),

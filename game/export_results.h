@@ -10,8 +10,9 @@
 
 namespace game {
 
-// What an avalanche left, for a GIS: deposit, peak depth and peak speed as GeoTIFF and ESRI ASCII, the
-// extent's outline as GeoJSON, and summary.json. Errors: a file cannot be written (status 3).
+// What an avalanche left, for a GIS: deposit, peak depth and peak speed, in a world of two materials how much
+// of the lower one was moved, as GeoTIFF and ESRI ASCII, the extent's outline as GeoJSON, and summary.json.
+// Errors: a file cannot be written (status 3).
 Outcome<void> export_results(const std::filesystem::path& folder, const Start& start, const Session& session,
                              const Summary& summary);
 

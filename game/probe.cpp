@@ -64,6 +64,13 @@ std::optional<Reading> Probe::read(const sim::View& world, glm::dvec2 at) {
     if (reading.rolling >= static_cast<double>(Peaks::kVisible))
         reading.speed = std::hypot(between(square, world.velocity_x), between(square, world.velocity_y));
 
+    if (world.mixture) {
+        const int x = square.x + (square.across.x >= 0.5), y = square.y + (square.across.y >= 0.5);
+        reading.lower_share =
+            static_cast<double>(world.rolling(x, y) > 0 ? sim::share_in_rolling(world, x, y)
+                                                        : sim::share_at_surface(world, x, y));
+    }
+
     if (last_ != at) {
         locator_.describe({at.x, at.y}, where_);
         last_ = at;

@@ -20,6 +20,9 @@ struct Reading {
     std::optional<double> aspect_deg;
     double standing = 0, rolling = 0;  // m
     double speed = 0;  // m/s, of the rolling layer; 0 where it is thinner than Peaks::kVisible
+    // Share of the lower material at the nearest vertex, 0 to 1, in what rolls, else at the surface of what
+    // lies; nothing in a world of one material.
+    std::optional<double> lower_share;
     std::array<char, 96>
         where{};  // "47.30012° N 11.43210° E, UTM 32T 683912 5240010"; empty where not placed
 };

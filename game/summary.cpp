@@ -8,8 +8,7 @@
 namespace game {
 namespace {
 
-Json mass_json(const Session& session) {
-    const sim::Ledger& mass = session.state().ledger;
+Json mass_json(const Session& session, const sim::Ledger& mass) {
     const auto m3 = [&](std::int64_t quanta) { return session.cubic_metres(quanta); };
     return {{"initial_m3", m3(mass.initial)},   {"standing_m3", m3(mass.standing)},
             {"rolling_m3", m3(mass.rolling)},   {"out_m3", m3(mass.out)},
@@ -75,6 +74,15 @@ std::string verdict_text(const Verdict& verdict) {
                        verdict.compared, verdict.proven_tick);
 }
 
+std::string mass_text(const Session& session, const std::string& what, const sim::Ledger& mass) {
+    const auto m3 = [&](std::int64_t quanta) { return session.cubic_metres(quanta); };
+    return fmt::format(
+        "{}: standing {:.1f} + rolling {:.1f} + out {:.1f} - poured {:.1f} + dug {:.1f} = initial {:.1f} m3, "
+        "error {} quanta\n",
+        what, m3(mass.standing), m3(mass.rolling), m3(mass.out), m3(mass.poured), m3(mass.dug),
+        m3(mass.initial), mass.mass_error());
+}
+
 }  // namespace
 
 Json to_json(const Summary& summary) {
@@ -91,12 +99,15 @@ Json to_json(const Summary& summary) {
               {"ticks", state.tick},
               {"seconds", summary.session.seconds()},
               {"state_hash", hex(summary.session.state_line().hash)},
-              {"mass", mass_json(summary.session)},
+              {"mass", mass_json(summary.session, state.ledger)},
               {"measures", measures_json(summary)}};
     if (start.params.model == sim::Model::kBcre) {
         json["scheme"] = sim::to_string(start.params.scheme);
         json["law"] = sim::to_string(start.params.law);
     }
+    if (start.lower)
+        json["lower"] = {{"material", start.lower->material},
+                         {"mass", mass_json(summary.session, state.mixture->ledger)}};
     if (summary.at_rest) json["at_rest"] = *summary.at_rest;
     if (summary.verdict) json["verified"] = verdict_json(*summary.verdict);
     if (summary.perf) json["performance"] = summary.perf->to_json();
@@ -106,12 +117,12 @@ Json to_json(const Summary& summary) {
 std::string to_text(const Summary& summary) {
     const Start& start = summary.start;
     const Measures& m = summary.measures;
+    const std::string materials =
+        start.lower ? fmt::format("{} on {}", start.material, start.lower->material) : start.material;
     const Session& session = summary.session;
-    const sim::Ledger& mass = session.state().ledger;
-    const auto m3 = [&](std::int64_t quanta) { return session.cubic_metres(quanta); };
-    std::string text = fmt::format("{}: {} on {}, {}x{} squares of {:.4g} m, {}\n", start.title,
-                                   start.material, start.terrain, start.grid.nx - 1, start.grid.ny - 1,
-                                   start.grid.dx, sim::to_string(start.params.model));
+    std::string text =
+        fmt::format("{}: {} on {}, {}x{} squares of {:.4g} m, {}\n", start.title, materials, start.terrain,
+                    start.grid.nx - 1, start.grid.ny - 1, start.grid.dx, sim::to_string(start.params.model));
     if (!start.licence.empty()) text += fmt::format("terrain: {}\n", start.licence);
     text += fmt::format("{} ticks, {:.1f} s{}\n", session.state().tick, session.seconds(),
                         !summary.at_rest   ? ""
@@ -134,11 +145,9 @@ std::string to_text(const Summary& summary) {
             "{:.0f} m apart; raised {:.0f} m3, observed {:.0f} m3\n",
             m.changes->here.carried, m.changes->observed.carried, m.changes->apart, m.changes->here.raised,
             m.changes->observed.raised);
-    text += fmt::format(
-        "mass: standing {:.1f} + rolling {:.1f} + out {:.1f} - poured {:.1f} + dug {:.1f} = initial {:.1f} "
-        "m3, error {} quanta\n",
-        m3(mass.standing), m3(mass.rolling), m3(mass.out), m3(mass.poured), m3(mass.dug), m3(mass.initial),
-        mass.mass_error());
+    text += mass_text(session, "mass", session.state().ledger);
+    if (start.lower)
+        text += mass_text(session, "of it " + start.lower->material, session.state().mixture->ledger);
     text += fmt::format("eroded {:.0f} m3, deposited {:.0f} m3 (entrainment has no reference)\n", m.eroded,
                         m.deposited);
     text += fmt::format("state hash {}\n", hex(session.state_line().hash));

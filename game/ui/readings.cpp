@@ -50,6 +50,9 @@ void rows(Desk& desk, const Facts& facts, const Reading& reading) {
         widgets.fact("Faces", "level");
     widgets.fact("Standing", "%.2f m", reading.standing);
     widgets.fact("Rolling", "%.2f m", reading.rolling);
+    if (reading.lower_share)
+        widgets.fact("Mixture", "%.0f %% %s", 100 * *reading.lower_share,
+                     title_in(facts.catalogue.materials, facts.start.lower->material));
     widgets.fact("Speed", "%.1f m/s", reading.speed);
 }
 

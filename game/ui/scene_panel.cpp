@@ -39,6 +39,8 @@ void what_is_loaded(Desk& desk, const Facts& facts) {
     widgets.fact("Terrain", "%s", start.terrain.c_str());
     if (!start.licence.empty()) widgets.fact("Licence", "%s", start.licence.c_str());
     widgets.fact("Material", "%s", title_in(facts.catalogue.materials, start.material));
+    if (start.lower)
+        widgets.fact("Under it", "%s", title_in(facts.catalogue.materials, start.lower->material));
     widgets.fact("Model", "%s", name_of(start.params.model));
     widgets.fact("Grid", "%d × %d squares of %.4g m", grid.nx - 1, grid.ny - 1, dx);
     widgets.fact("Extent", "%.4g × %.4g m", (grid.nx - 1) * dx, (grid.ny - 1) * dx);

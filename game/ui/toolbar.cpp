@@ -76,6 +76,23 @@ void sizes(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
     if (changed) actions.emplace_back(SetBrush{brush});
 }
 
+// Which of two materials is poured.
+void parts(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
+    const Start& start = facts.start;
+    const std::array<std::pair<sim::Part, const std::string*>, 2> materials{
+        {{sim::Part::kUpper, &start.material}, {sim::Part::kLower, &start.lower->material}}};
+    for (const auto& [part, material] : materials) {
+        const char* title = title_in(facts.catalogue.materials, *material);
+        const float width = ImGui::CalcTextSize(title).x + desk.em();
+        flow.next(width, part == sim::Part::kUpper ? 0.7f * desk.em() : 0);
+        const bool on = facts.brush.of == part;
+        if (!desk.widgets.button(title, "Which material is poured.", on, width) || on) continue;
+        Brush brush = facts.brush;
+        brush.of = part;
+        actions.emplace_back(SetBrush{brush});
+    }
+}
+
 // Where poured material goes, and what it is.
 void material(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
     struct Way {
@@ -94,7 +111,9 @@ void material(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
         if (desk.widgets.button(way.label, way.tooltip, on, width) && !on)
             actions.emplace_back(Verb::kPourStandingOrRolling);
     }
+    if (facts.start.lower) parts(desk, facts, actions, flow);
     ImGui::EndDisabled();
+    if (facts.start.lower) return;
     const char* title = title_in(facts.catalogue.materials, facts.start.material);
     flow.next(ImGui::CalcTextSize(title).x, 0.7f * em);
     ImGui::AlignTextToFramePadding();

@@ -103,6 +103,21 @@ TEST(Probe, says_where_it_is_on_earth) {
     EXPECT_STREQ(Probe(nowhere()).read(sim::view(state), {50, 60})->where.data(), "");
 }
 
+TEST(Probe, tells_how_much_of_what_rolls_or_else_lies_is_the_lower_material) {
+    support::Ground ground = support::plane(20, 5, 0.6, 2);
+    Probe probe(nowhere());
+    const sim::State single = sim::make_state(ground.world(), {});
+    EXPECT_FALSE(probe.read(sim::view(single), {50, 50})->lower_share);
+
+    ground.lower = sim::Params{};
+    for (float& depth : ground.lower_depth) depth = 1.99f;
+    ground.rolling[ground.at(4, 4)] = 1;
+    sim::State state = sim::make_state(ground.world(), {});
+    state.mixture->rolling(4, 4) = 0.25f;
+    EXPECT_EQ(probe.read(sim::view(state), {20, 20})->lower_share, 0.25);
+    EXPECT_NEAR(*probe.read(sim::view(state), {50, 50})->lower_share, 0.8, 1e-3);  // of the uppermost 5 cm
+}
+
 TEST(Probe, allocates_nothing) {
     const auto state = hillside(0.3, 0.1);
     const auto local = terrains::Georeference::local({47.3, 11.43}, -50, -60);

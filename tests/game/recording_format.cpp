@@ -143,14 +143,17 @@ TEST(RecordingLine, keeps_every_number_of_every_command_to_the_bit) {
             }
 }
 
-TEST(RecordingLine, keeps_layer_and_profile) {
+TEST(RecordingLine, keeps_layer_profile_and_material) {
     TimedCommand pour;
     for (const auto layer : {sim::Layer::kRolling, sim::Layer::kStanding})
-        for (const auto profile : {sim::Profile::kDisc, sim::Profile::kCone}) {
-            pour.command.layer = layer;
-            pour.command.profile = profile;
-            EXPECT_EQ(std::get<TimedCommand>(line_from(through_line(pour)).value()).command, pour.command);
-        }
+        for (const auto profile : {sim::Profile::kDisc, sim::Profile::kCone})
+            for (const auto part : {sim::Part::kUpper, sim::Part::kLower}) {
+                pour.command.layer = layer;
+                pour.command.profile = profile;
+                pour.command.of = part;
+                EXPECT_EQ(std::get<TimedCommand>(line_from(through_line(pour)).value()).command,
+                          pour.command);
+            }
 }
 
 TEST(RecordingLine, keeps_every_parameter_that_can_be_set_and_refuses_fixed_ones_and_values_out_of_range) {

@@ -46,6 +46,24 @@ TEST_F(UiHand, pours_standing_or_rolling_by_the_button_that_is_not_on) {
     EXPECT_EQ(only<Verb>(click("Rolling")), Verb::kPourStandingOrRolling);
 }
 
+TEST_F(UiHand, chooses_which_of_two_materials_is_poured) {
+    EXPECT_FALSE(ui_->find("dry sand"));
+    start_.lower.emplace();
+    start_.lower->material = "sand";
+    settle();
+    EXPECT_TRUE(click("loose dry snow").empty());
+    brush_ = only<SetBrush>(click("dry sand")).brush;
+    EXPECT_EQ(brush_.of, sim::Part::kLower);
+    EXPECT_TRUE(click("dry sand").empty());
+    EXPECT_EQ(only<SetBrush>(click("loose dry snow")).brush.of, sim::Part::kUpper);
+    begin_anew({640, 360, 1});
+    for (const char* label : {"loose dry snow", "dry sand"}) {
+        const auto at = place(label);
+        EXPECT_GE(at.x, 0) << label;
+        EXPECT_LE(at.x + at.width, 640) << label;
+    }
+}
+
 TEST_F(UiHand, sets_radius_and_strength_of_the_brush_by_sliding) {
     const auto at = place("Radius");
     screen_.move(at.x + at.width * 0.75, at.y + at.height / 2);
@@ -135,6 +153,12 @@ TEST_F(UiHand, reads_out_what_is_under_the_cursor_and_nothing_where_there_is_non
     settle();
     for (const char* label : {"Height", "Slope", "Faces", "Standing", "Rolling", "Speed"})
         EXPECT_TRUE(ui_->find(label)) << label;
+    EXPECT_FALSE(ui_->find("Mixture"));
+    start_.lower.emplace();
+    start_.lower->material = "sand";
+    under_cursor_->lower_share = 0.35;
+    settle();
+    EXPECT_TRUE(ui_->find("Mixture"));
 }
 
 TEST_F(UiHand, shows_notices_until_they_have_faded) {

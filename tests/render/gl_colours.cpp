@@ -87,5 +87,35 @@ TEST_F(Colours, a_cover_hides_the_ground_from_its_visible_depth_and_not_below_ha
     EXPECT_GT(colour_distance(shown(0.09f), shown(0.21f)), 20);
 }
 
+// What is wholly the lower material looks as it would alone, and a mixture lies between.
+TEST_F(Colours, of_two_materials_are_those_of_what_is_seen) {
+    Look snow, soil = soil_look();
+    snow.lower_standing = soil.standing, snow.lower_rolling = soil.rolling;
+    const auto drawn = [&](const World& world, const Look& look) {
+        return draw(world, from_above({80, 80, 32}, 120), {180, 35}, look);
+    };
+    World world = half_rolling();
+    const Picture white = drawn(world, snow), brown = drawn(world, soil);
+    world.mixture = sim::Mixture{
+        {}, sim::Field<float>(world.grid), sim::Field<float>(world.grid), sim::Field<float>(world.grid), {}};
+    EXPECT_EQ(drawn(world, snow).pixels, white.pixels);
+    world.mixture->untouched = world.depth;
+    world.mixture->rolling = world.rolling;
+    EXPECT_EQ(drawn(world, snow).pixels, brown.pixels);
+    for (int y = 0; y <= 40; ++y)
+        for (int x = 0; x <= 40; ++x) {
+            world.mixture->untouched(x, y) = 0;
+            world.mixture->settled(x, y) = world.depth(x, y) / 2;
+            world.mixture->rolling(x, y) = world.rolling(x, y) / 2;
+        }
+    const Picture mixed = drawn(world, snow);
+    for (const int x : {20, 76}) {
+        const Colour whites = mean_colour(white, x, 48, 14), browns = mean_colour(brown, x, 48, 14),
+                     both = mean_colour(mixed, x, 48, 14);
+        EXPECT_LT(both[2], whites[2]);
+        EXPECT_GT(both[2], browns[2]);
+    }
+}
+
 }  // namespace
 }  // namespace render::test

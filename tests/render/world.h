@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "render/camera.h"
 #include "sim/state.h"
@@ -12,9 +13,13 @@ struct World {
     sim::Grid grid;
     sim::Field<float> bedrock, depth, rolling, velocity_x, velocity_y;
     sim::Field<sim::Site> site;
+    std::optional<sim::Mixture> mixture;
     double datum = 0;
 
-    sim::View view() const { return {grid, bedrock, depth, rolling, velocity_x, velocity_y, site, datum, 0}; }
+    sim::View view() const {
+        return {grid,  bedrock, depth, rolling, velocity_x, velocity_y, site, mixture ? &*mixture : nullptr,
+                datum, 0};
+    }
     double side() const { return (grid.nx - 1) * static_cast<double>(grid.dx); }  // m
 };
 
