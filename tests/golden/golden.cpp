@@ -31,12 +31,13 @@ constexpr Physics kPhysics[] = {{"lax-friedrichs", Model::kBcre, Scheme::kLaxFri
                                 {"bcre-inertial", Model::kBcreInertial, Scheme::kLocalLaxFriedrichs}};
 
 // By scene, then as in kPhysics. A change of them is a change of the physics.
-constexpr std::array<std::array<std::uint64_t, 4>, 5> kHashes{{
+constexpr std::array<std::array<std::uint64_t, 4>, 6> kHashes{{
     {0x8e73a7e1ecf6669c, 0x843614def0625c29, 0x592f9169f828d264, 0x3997677c0f9f6aa1},
     {0xf7abc19541e3711e, 0xba176131288ad6c0, 0x95b2bbd37bcd3586, 0x65ba9c7f9f944b61},
     {0x963d8848aca88274, 0x0db59bbc2970be70, 0xd31952cd9ec26559, 0xb976d95c5aa44447},
     {0x416748eeeab79bc5, 0xda637070f0c15148, 0x60308a908be6594b, 0xe39e34fedd36901d},
     {0x0d11bb82bd518186, 0x97e13f7aed3cc63f, 0x9b829e715ea9666b, 0xb4bf4a75c571fda3},
+    {0x8ce87894e4e64f20, 0xf31ca08229539f7a, 0x7e2102d35d06e29d, 0x9d36aea6f169d8e2},
 }};
 
 std::uint64_t hash_after(const Scene& scene, const Physics& physics, const How& how) {
@@ -90,6 +91,7 @@ TEST_P(Golden, scene_has_its_hash_however_it_is_reckoned) {
     for (std::size_t i = 0; i < std::size(kPhysics); ++i) {
         const std::uint64_t known = kHashes.at(GetParam()).at(i);
         for (const How& how : ways()) {
+            if (scene.ground.lower && !how.plain) continue;  // two materials go by the plain step
             std::array<char, 32> text{};
             const std::uint64_t hash = hash_after(scene, kPhysics[i], how);
             std::snprintf(text.data(), text.size(), "0x%016" PRIx64, hash);
@@ -99,7 +101,7 @@ TEST_P(Golden, scene_has_its_hash_however_it_is_reckoned) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::Range<std::size_t>(0, 5), [](const auto& of) {
+INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::Range<std::size_t>(0, 6), [](const auto& of) {
     std::string name(golden::scenes()[of.param].name);
     std::replace(name.begin(), name.end(), ' ', '_');
     return name;

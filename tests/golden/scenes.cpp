@@ -98,10 +98,29 @@ Scene rough_ground() {
     return {"rough ground", ground, params, {{30, support::pour_at(20, 60, 9, 300, 0.4)}}};
 }
 
+// Light stuff over heavy; both are poured.
+Scene snow_on_soil() {
+    Ground ground({48, 41, 4});
+    ground.set(ground.bedrock, [](double x, double y) {
+        return -0.66 * y - 0.1 * x + noise(static_cast<int>(x), static_cast<int>(y));
+    });
+    ground.set(ground.depth, [](double, double) { return 1.2; });
+    ground.set(ground.lower_depth, [](double, double y) { return y < 100 ? 0.7 : 1.1; });
+    ground.lower = numbers();
+    ground.lower->exchange_rate = 0.7f;
+    ground.lower->rolling_speed = 3;
+    ground.lower->max_speed = 7;
+    ground.lower->erosion_slope = 0.6f;
+    ground.lower->start_slope = 0.8f;
+    sim::Command lower = support::pour_at(60, 90, 14, 300, 0.5);
+    lower.of = sim::Part::kLower;
+    return {"snow on soil", ground, numbers(), {{1, support::pour_at(100, 24, 16, 900, 0.8)}, {40, lower}}};
+}
+
 }  // namespace
 
 std::vector<Scene> scenes() {
-    return {pile_on_a_table(), gully(), dam(), hill(), rough_ground()};
+    return {pile_on_a_table(), gully(), dam(), hill(), rough_ground(), snow_on_soil()};
 }
 
 }  // namespace golden
