@@ -42,9 +42,9 @@ class Kernel {
         Work<float> w = begun<Work<float>>(g_.bcre);
         WorkRows rows(work, g_.stride);
         Level<float>& now = w.now;
-        for (auto* of : {&now.drop_x, &now.drop_y, &now.fall, &now.given, &now.velocity_x, &now.velocity_y,
-                         &now.flux_x, &now.flux_y})
+        for (auto* of : {&now.drop_x, &now.drop_y, &now.fall, &now.given, &now.velocity_x, &now.velocity_y})
             *of = rows.last(4);
+        now.flux_x = rows.last(2), now.flux_y = rows.last(2);
         const auto given = [&](int y) {
             if constexpr (scheme == Scheme::kLaxFriedrichs)
                 return find_quarters<Lanes>(w, now, y);
@@ -61,13 +61,14 @@ class Kernel {
             if (is_row(t, 2)) fill_halo<Lanes>(w, now, t, wide());
             take_turns(turn(is_face(t, 1), [&] { return find_drops<Lanes>(w, now, t); }),
                        turn(is_row(t - 1, 1), [&] { return find_fall<Lanes>(now, t - 1); }),
-                       turn(is_row(t + 1, 0), [&] { return fetch(w, t + 1); }));
+                       turn(is_row(t + 1, 0), [&] { return fetch(w.bedrock[t + 1]); }));
             take_turns(turn(is_row(t - 2, 1), [&] { return given(t - 2); }),
-                       turn(is_face(t - 3, 0), [&] { return fluxes(t - 3); }));
+                       turn(is_face(t - 3, 0), [&] { return fluxes(t - 3); }),
+                       turn(is_row(t + 1, 0), [&] { return fetch(now.depth[t + 1]); }));
             if (is_near(t - 2, 1)) end_given<Lanes>(w, now, t - 2, wide());
             if (scheme == Scheme::kLaxFriedrichs && is_face(t - 3, 0))
                 close_walls<Lanes>(w, now, t - 3, wide());
-            if (is_row(t - 4, 0)) finish<scheme>(w, t - 4, active);
+            if (is_row(t - 4, 0)) finish<scheme>(w, t - 4, active, fetch(now.rolling[t + 1]));
         }
         return drained_;
     }
@@ -96,7 +97,8 @@ class Kernel {
         for (int t = job_.y0 - 5; t < job_.y1 + 5; ++t) {
             if (is_row(t, 5)) fill_halo<Lanes>(w, now, t, wide());
             find_rates(now, t, 3);
-            take_turns(turn(is_face(t - 1, 3), [&] { return find_muscl_fluxes<Lanes>(w, now, t - 1); }));
+            take_turns(turn(is_face(t - 1, 3), [&] { return find_muscl_fluxes<Lanes>(w, now, t - 1); }),
+                       turn(is_row(t + 1, 0), [&] { return fetch(w.bedrock[t + 1]); }));
             if (is_face(t - 1, 3)) close_walls<Lanes>(w, now, t - 1, wide());
             take_turns(turn(is_row(t - 2, 3), [&] { return find_bent_fall<Lanes>(now, t - 2); }),
                        turn(is_row(t - 2, 3), [&] { return find_exchange<Lanes>(w, now, t - 2); }),
@@ -106,7 +108,8 @@ class Kernel {
                 fill_halo<Lanes>(w, then, t - 2, wide());
             }
             find_rates(then, t - 2, 1);
-            take_turns(turn(is_face(t - 3, 1), [&] { return find_muscl_fluxes<Lanes>(w, then, t - 3); }));
+            take_turns(turn(is_face(t - 3, 1), [&] { return find_muscl_fluxes<Lanes>(w, then, t - 3); }),
+                       turn(is_row(t + 1, 0), [&] { return fetch(now.depth[t + 1]); }));
             if (is_face(t - 3, 1)) close_walls<Lanes>(w, then, t - 3, wide());
             take_turns(turn(is_face(t - 3, 1), [&] { return take_mean_fluxes<Lanes>(w, t - 3); }));
             take_turns(turn(is_row(t - 4, 0), [&] { return find_bent_fall<Lanes>(then, t - 4); }),
@@ -114,7 +117,7 @@ class Kernel {
                        turn(is_row(t - 4, 1), [&] { return find_share<Lanes>(w, t - 4); }));
             if (is_near(t - 4, 1)) end_share<Lanes>(w, t - 4, wide());
             take_turns(turn(is_face(t - 4, 0), [&] { return book_fluxes<Lanes>(w, t - 4); }));
-            if (is_row(t - 5, 0)) finish<Scheme::kMuscl>(w, t - 5, active);
+            if (is_row(t - 5, 0)) finish<Scheme::kMuscl>(w, t - 5, active, fetch(now.rolling[t + 1]));
         }
         return drained_;
     }
@@ -146,7 +149,8 @@ class Kernel {
         };
         for (int t = job_.y0 - 5; t < job_.y1 + 5; ++t) {
             if (is_row(t, 5)) fill_halo<Lanes>(w, now, t, wide());
-            take_turns(turn(is_face(t, 3), [&] { return find_drops<Lanes>(w, now, t); }));
+            take_turns(turn(is_face(t, 3), [&] { return find_drops<Lanes>(w, now, t); }),
+                       turn(is_row(t + 1, 0), [&] { return fetch(now.rolling[t + 1]); }));
             if (is_face(t, 3)) end_drops<Lanes>(w, now, t);
             if (is_row(t - 1, 4)) {
                 along<Lanes>(wide(), relax<Lanes>(w, t - 1, wide().last));
@@ -154,9 +158,11 @@ class Kernel {
             }
             find_rates(now, t, 2);
             find_slopes_of(now, t - 2, 3);
-            take_turns(turn(is_face(t - 2, 2), [&] { return find_fluxes<Lanes>(w, now, t - 2); }));
+            take_turns(turn(is_face(t - 2, 2), [&] { return find_fluxes<Lanes>(w, now, t - 2); }),
+                       turn(is_row(t + 1, 0), [&] { return fetch(w.bedrock[t + 1]); }));
             if (is_face(t - 2, 2)) end_fluxes<Lanes>(w, now, t - 2, wide());
-            take_turns(turn(is_row(t - 3, 2), [&] { return predict<Lanes>(w, t - 3); }));
+            take_turns(turn(is_row(t - 3, 2), [&] { return predict<Lanes>(w, t - 3); }),
+                       turn(is_row(t + 1, 0), [&] { return fetch(now.depth[t + 1]); }));
             if (is_row(t - 3, 2)) {
                 clear_drains<Lanes>(then, g_.outlets, t - 3, wide());
                 fill_halo<Lanes>(w, then, t - 3, wide());
@@ -167,9 +173,11 @@ class Kernel {
             if (is_face(t - 3, 1)) end_drops<Lanes>(w, then, t - 3);
             find_rates(then, t - 3, 0);
             find_slopes_of(then, t - 4, 1);
-            take_turns(turn(is_face(t - 4, 0), [&] { return find_fluxes<Lanes>(w, then, t - 4); }));
+            take_turns(turn(is_face(t - 4, 0), [&] { return find_fluxes<Lanes>(w, then, t - 4); }),
+                       turn(is_row(t, 0), [&] { return fetch(now.velocity_x[t]); }));
             if (is_face(t - 4, 0)) end_fluxes<Lanes>(w, then, t - 4, wide());
-            take_turns(turn(is_face(t - 4, 0), [&] { return book_fluxes<Lanes>(w, t - 4); }));
+            take_turns(turn(is_face(t - 4, 0), [&] { return book_fluxes<Lanes>(w, t - 4); }),
+                       turn(is_row(t, 0), [&] { return fetch(now.velocity_y[t]); }));
             if (is_row(t - 5, 0)) {
                 along<Lanes>(narrow(), sim::inertial::finish<Lanes>(w, t - 5, job_.x1, active));
                 clear_drains<Lanes>(now, g_.outlets, t - 5, narrow());
@@ -219,12 +227,10 @@ class Kernel {
             ((turns.due ? along<Lanes>(all, turns.make()) : void()), ...);
     }
 
-    // Brings the layers' next row near.
-    template <class Work>
-    static auto fetch(const Work& w, int y) {
-        return [b = w.bedrock[y], d = w.now.depth[y], r = w.now.rolling[y]](int i) {
-            __builtin_prefetch(b + i), __builtin_prefetch(d + i), __builtin_prefetch(r + i);
-        };
+    // Brings a row near that will be read next. Each loop fetches one: a core waits for a dozen lines at
+    // most.
+    static auto fetch(const float* row) {
+        return [row](int i) { __builtin_prefetch(row + i); };
     }
 
     // Vertices of the job, and those beside it whose stages its own ones read.
@@ -261,9 +267,9 @@ class Kernel {
                     job_.y1 < g_.ny ? apron.above : field + job_.y1 * g_.stride);
     }
 
-    template <Scheme scheme>
-    void finish(const bcre::Work<float>& w, int y, std::uint8_t* active) {
-        along<Lanes>(narrow(), bcre::settle<Lanes, scheme>(w, y, job_.x1, active));
+    template <Scheme scheme, class Fetch>
+    void finish(const bcre::Work<float>& w, int y, std::uint8_t* active, Fetch fetch) {
+        along<Lanes>(narrow(), bcre::settle<Lanes, scheme>(w, y, job_.x1, active), fetch);
         end_row(w, y, active);
     }
     template <class Work>
