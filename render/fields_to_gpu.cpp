@@ -1,6 +1,7 @@
 #include "render/fields_to_gpu.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "assets/shaders/slots.glsl"
@@ -58,7 +59,7 @@ void FieldsToGpu::send_mixture(const sim::View& world) {
                 if (layer(i, j) > 0) sum += share_at(world, i, j), count += 1;
         return count > 0 ? sum / count : 0.f;
     };
-    const auto byte_of = [](float share) { return static_cast<std::uint8_t>(share * 255 + 0.5f); };
+    const auto byte_of = [](float share) { return static_cast<std::uint8_t>(std::lround(share * 255)); };
     mixture_.resize(2 * world.grid.size());
     auto* to = mixture_.data();
     for (int y = 0; y < ny; ++y)

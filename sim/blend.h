@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -13,7 +14,7 @@ namespace sim {
 inline constexpr int kBlends = 33;
 
 inline int nearest_blend(float share) {
-    return static_cast<int>(share * (kBlends - 1) + 0.5f);
+    return static_cast<int>(std::floor(share * (kBlends - 1) + 0.5f));
 }
 
 // Linear in each number; exactly the one or the other at the ends.
