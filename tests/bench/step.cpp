@@ -51,8 +51,7 @@ void whole_step(benchmark::State& run, Model model, Scheme scheme, const sim::Ho
         run.SetIterationTime(
             std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count());
     }
-    const double cells = static_cast<double>(first.grid.size()) * kTicks *
-                         sim::substeps_of(first).count *
+    const double cells = static_cast<double>(first.grid.size()) * kTicks * sim::substeps_of(first).count *
                          static_cast<double>(run.iterations());
     using Counter = benchmark::Counter;
     run.counters["per_cell"] = Counter(cells, Counter::kIsRate | Counter::kInvert);  // s
