@@ -51,9 +51,9 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
 
     if (!rests) changed_at_ = state_.tick;
-    const std::int64_t lower_error = state_.mixture ? state_.mixture->ledger.mass_error() : 0;
-    if (const auto error = state_.ledger.mass_error() != 0 ? state_.ledger.mass_error() : lower_error;
-        error != 0)
+    std::int64_t error = state_.ledger.mass_error();
+    if (error == 0 && state_.mixture) error = state_.mixture->ledger.mass_error();
+    if (error != 0)
         return tl::unexpected(Failure{
             Failure::kBadAnswer,
             fmt::format("tick {}: {} m3 of mass appeared from nowhere; a layer deeper than {} m cannot be "

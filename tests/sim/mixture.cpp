@@ -13,22 +13,11 @@
 
 namespace {
 
-using sim::Model;
-using sim::Scheme;
 using support::Ground;
 using support::Play;
 
-struct Physics {
-    Model model;
-    Scheme scheme;
-    std::string name() const {
-        return std::string(model == Model::kBcre ? sim::to_string(scheme) : sim::to_string(model));
-    }
-};
-constexpr Physics kPhysics[] = {{Model::kBcre, Scheme::kLaxFriedrichs},
-                                {Model::kBcre, Scheme::kLocalLaxFriedrichs},
-                                {Model::kBcre, Scheme::kMuscl},
-                                {Model::kBcreInertial, Scheme::kLocalLaxFriedrichs}};
+using support::kPhysics;
+using support::Physics;
 
 sim::Params upper_of(const Physics& physics) {
     return support::lively(physics.model, physics.scheme);

@@ -14,7 +14,8 @@ namespace {
 
 using sim::How;
 using sim::Law;
-using sim::Scheme;
+using support::kPhysics;
+using support::Physics;
 using support::Play;
 
 // All ways of reckoning that there are here.
@@ -58,20 +59,6 @@ void expect_same(const support::Ground& ground, const sim::Params& params, int t
 std::vector<sim::Command> nothing(int) {
     return {};
 }
-
-// Each scheme of bcre, and bcre-inertial.
-struct Physics {
-    sim::Model model;
-    Scheme scheme;
-    std::string name() const {
-        return std::string(model == sim::Model::kBcre ? sim::to_string(scheme) : sim::to_string(model));
-    }
-};
-constexpr auto kBcre = sim::Model::kBcre;
-constexpr Physics kPhysics[] = {{kBcre, Scheme::kLaxFriedrichs},
-                                {kBcre, Scheme::kLocalLaxFriedrichs},
-                                {kBcre, Scheme::kMuscl},
-                                {sim::Model::kBcreInertial, Scheme::kLocalLaxFriedrichs}};
 
 TEST(Sweep, is_the_plain_step_to_the_bit_by_every_law_and_border) {
     for (const Physics& physics : kPhysics)

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "sim/engine.h"
@@ -43,6 +44,19 @@ struct Play {
     Play(const Ground& ground, const sim::Params& with, const sim::How& how = {});
     void ticks(int count, std::span<const sim::Command> first = {});
 };
+
+// Each scheme of bcre, and bcre-inertial.
+struct Physics {
+    sim::Model model;
+    sim::Scheme scheme;
+    std::string name() const {
+        return std::string(model == sim::Model::kBcre ? sim::to_string(scheme) : sim::to_string(model));
+    }
+};
+inline constexpr Physics kPhysics[] = {{sim::Model::kBcre, sim::Scheme::kLaxFriedrichs},
+                                       {sim::Model::kBcre, sim::Scheme::kLocalLaxFriedrichs},
+                                       {sim::Model::kBcre, sim::Scheme::kMuscl},
+                                       {sim::Model::kBcreInertial, sim::Scheme::kLocalLaxFriedrichs}};
 
 // Numbers that make both models lively on grounds of a few metres per cell.
 sim::Params lively(sim::Model model, sim::Scheme scheme = sim::Scheme::kLocalLaxFriedrichs);
