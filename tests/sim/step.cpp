@@ -13,21 +13,10 @@ namespace {
 
 using sim::Model;
 using sim::Scheme;
+using support::kPhysics;
 using support::lively;
+using support::Physics;
 using support::Play;
-
-struct Physics {
-    Model model;
-    Scheme scheme;
-};
-constexpr Physics kAll[] = {{Model::kBcre, Scheme::kLaxFriedrichs},
-                            {Model::kBcre, Scheme::kLocalLaxFriedrichs},
-                            {Model::kBcre, Scheme::kMuscl},
-                            {Model::kBcreInertial, Scheme::kLocalLaxFriedrichs}};
-
-std::string name_of(const Physics& p) {
-    return std::string(sim::to_string(p.model)) + " " + std::string(sim::to_string(p.scheme));
-}
 
 // Commands of all kinds, anywhere in and around the world.
 std::vector<sim::Command> any_commands(std::mt19937& random, double extent) {
@@ -67,35 +56,35 @@ sim::Command any_number(std::mt19937& random, const sim::Params& now) {
 }
 
 TEST(Step, keeps_a_pile_between_its_thresholds_bit_identical) {
-    for (const Physics& p : kAll) {
+    for (const Physics& p : kPhysics) {
         Play play(support::pile(40, 1, 0.55, 6), lively(p.model, p.scheme));  // stop .5, start .7
         const sim::Field<float> before = play.state.depth;
         play.ticks(300);
-        EXPECT_TRUE(support::same_bits(before, play.state.depth)) << name_of(p);
-        EXPECT_EQ(play.state.ledger.rolling, 0) << name_of(p);
+        EXPECT_TRUE(support::same_bits(before, play.state.depth)) << p.name();
+        EXPECT_EQ(play.state.ledger.rolling, 0) << p.name();
     }
 }
 
 TEST(Step, lets_a_pile_above_its_start_slope_slide_and_comes_to_rest_near_the_stop_slope) {
-    for (const Physics& p : {kAll[1], kAll[2], kAll[3]}) {
+    for (const Physics& p : {kPhysics[1], kPhysics[2], kPhysics[3]}) {
         sim::Params params = lively(p.model, p.scheme);
         params.anchor_gain = params.anchor_margin = params.anchor_step = 0;  // a heap, not natural ground
         Play play(support::pile(60, 1, 0.9, 9), params);
         const float top = play.state.depth(30, 30);
         for (int second = 0; second < 120 && (second == 0 || !sim::at_rest(play.state)); ++second)
             play.ticks(60);
-        EXPECT_TRUE(sim::at_rest(play.state)) << name_of(p);
-        EXPECT_LT(play.state.depth(30, 30), top - 1) << name_of(p);
+        EXPECT_TRUE(sim::at_rest(play.state)) << p.name();
+        EXPECT_LT(play.state.depth(30, 30), top - 1) << p.name();
         // From 10 m to 4 m beside the middle no side is steeper than what starts, nor all of it gentler than
         // what stops.
         const float fall = play.state.depth(34, 30) - play.state.depth(40, 30);
-        EXPECT_GT(fall / 6, 0.2f) << name_of(p);
-        EXPECT_LT(fall / 6, params.start_slope) << name_of(p);
+        EXPECT_GT(fall / 6, 0.2f) << p.name();
+        EXPECT_LT(fall / 6, params.start_slope) << p.name();
     }
 }
 
 TEST(Step, conserves_mass_to_the_quantum_whatever_is_done) {
-    for (const Physics& p : kAll)
+    for (const Physics& p : kPhysics)
         for (const auto border : {sim::Border::kWall, sim::Border::kOpen, sim::Border::kSink}) {
             sim::Params params = lively(p.model, p.scheme);
             params.borders = {border, sim::Border::kOpen, border, sim::Border::kSink};
@@ -105,7 +94,7 @@ TEST(Step, conserves_mass_to_the_quantum_whatever_is_done) {
             std::mt19937 random(1);
             for (int tick = 0; tick < 1200; ++tick) {
                 play.ticks(1, tick % 20 == 0 ? any_commands(random, 48) : std::vector<sim::Command>{});
-                ASSERT_EQ(play.state.ledger.mass_error(), 0) << name_of(p) << ", tick " << tick;
+                ASSERT_EQ(play.state.ledger.mass_error(), 0) << p.name() << ", tick " << tick;
             }
             EXPECT_GT(play.state.ledger.poured, 0);
             EXPECT_GT(play.state.ledger.dug, 0);
@@ -114,7 +103,7 @@ TEST(Step, conserves_mass_to_the_quantum_whatever_is_done) {
 }
 
 TEST(Step, stays_finite_and_conserves_mass_under_any_numbers_that_its_ranges_allow) {
-    for (const Physics& p : kAll) {
+    for (const Physics& p : kPhysics) {
         Play play(support::rough(16, 2, 11), lively(p.model, p.scheme));
         std::mt19937 random(3);
         for (int tick = 0; tick < 300; ++tick) {
@@ -123,47 +112,45 @@ TEST(Step, stays_finite_and_conserves_mass_under_any_numbers_that_its_ranges_all
             commands.push_back(any_number(random, play.state.params));
             if (sim::fault_after(play.state.params, commands)) continue;
             play.ticks(1, commands);
-            ASSERT_EQ(play.state.ledger.mass_error(), 0) << name_of(p) << ", tick " << tick;
+            ASSERT_EQ(play.state.ledger.mass_error(), 0) << p.name() << ", tick " << tick;
             for (int y = 0; y < play.state.grid.ny; ++y)
                 for (int x = 0; x < play.state.grid.nx; ++x) {
-                    ASSERT_GE(play.state.depth(x, y), 0) << name_of(p) << ", tick " << tick;
-                    ASSERT_GE(play.state.rolling(x, y), 0) << name_of(p) << ", tick " << tick;
+                    ASSERT_GE(play.state.depth(x, y), 0) << p.name() << ", tick " << tick;
+                    ASSERT_GE(play.state.rolling(x, y), 0) << p.name() << ", tick " << tick;
                     ASSERT_TRUE(std::isfinite(play.state.velocity_x(x, y)) &&
                                 std::isfinite(play.state.velocity_y(x, y)))
-                        << name_of(p) << ", tick " << tick;
+                        << p.name() << ", tick " << tick;
                 }
         }
     }
 }
 
 TEST(Step, never_makes_a_negative_depth_or_a_value_that_is_not_finite) {
-    for (const Physics& p : kAll) {
+    for (const Physics& p : kPhysics) {
         Play play(support::rough(24, 2, 3), lively(p.model, p.scheme));
         std::mt19937 random(5);
         for (int tick = 0; tick < 600; ++tick) {
             play.ticks(1, tick % 10 == 0 ? any_commands(random, 48) : std::vector<sim::Command>{});
             for (int y = 0; y < play.state.grid.ny; ++y)
                 for (int x = 0; x < play.state.grid.nx; ++x) {
-                    ASSERT_GE(play.state.depth(x, y), 0) << name_of(p) << ", tick " << tick;
-                    ASSERT_GE(play.state.rolling(x, y), 0) << name_of(p) << ", tick " << tick;
+                    ASSERT_GE(play.state.depth(x, y), 0) << p.name() << ", tick " << tick;
+                    ASSERT_GE(play.state.rolling(x, y), 0) << p.name() << ", tick " << tick;
                     const float speed = std::hypot(play.state.velocity_x(x, y), play.state.velocity_y(x, y));
-                    ASSERT_LE(speed, play.state.params.max_speed * 1.001f) << name_of(p) << ", tick " << tick;
-                    ASSERT_TRUE(play.state.rolling(x, y) > 0 || speed == 0)
-                        << name_of(p) << ", tick " << tick;
+                    ASSERT_LE(speed, play.state.params.max_speed * 1.001f) << p.name() << ", tick " << tick;
+                    ASSERT_TRUE(play.state.rolling(x, y) > 0 || speed == 0) << p.name() << ", tick " << tick;
                 }
         }
     }
 }
 
 TEST(Step, gives_the_same_bits_with_any_number_of_threads) {
-    for (const Physics& p : kAll) {
+    for (const Physics& p : kPhysics) {
         Play one(support::rough(40, 2, 11), lively(p.model, p.scheme));
         one.ticks(200);
         for (const int threads : {2, 3, 5, 8}) {
             Play many(support::rough(40, 2, 11), lively(p.model, p.scheme), {.threads = threads});
             many.ticks(200);
-            EXPECT_EQ(sim::state_hash(one.state), sim::state_hash(many.state))
-                << name_of(p) << ", " << threads;
+            EXPECT_EQ(sim::state_hash(one.state), sim::state_hash(many.state)) << p.name() << ", " << threads;
         }
     }
 }
@@ -228,7 +215,7 @@ TEST(Step, carries_a_film_whose_flux_is_less_than_a_quantum_per_step) {
 }
 
 TEST(Borders, wall_keeps_everything_in_and_open_and_sink_let_it_out) {
-    for (const Physics& p : kAll)
+    for (const Physics& p : kPhysics)
         for (const auto border : {sim::Border::kWall, sim::Border::kOpen, sim::Border::kSink}) {
             sim::Params params = lively(p.model, p.scheme);
             params.borders.fill(border);
@@ -237,9 +224,9 @@ TEST(Borders, wall_keeps_everything_in_and_open_and_sink_let_it_out) {
             Play play(ground, params);
             play.ticks(600);
             if (border == sim::Border::kWall)
-                EXPECT_EQ(play.state.ledger.out, 0) << name_of(p);
+                EXPECT_EQ(play.state.ledger.out, 0) << p.name();
             else
-                EXPECT_GT(play.state.ledger.out, play.state.ledger.initial / 2) << name_of(p);
+                EXPECT_GT(play.state.ledger.out, play.state.ledger.initial / 2) << p.name();
         }
 }
 
