@@ -32,14 +32,20 @@ template <class T, class Abi>
     return stdx::any_of(condition);
 }
 
-// Whether it holds for one of the first `count` lanes, which are at least one.
+// The first `count` lanes, which are at least one.
+template <class Number>
+[[gnu::always_inline]] inline auto first_lanes(int count) {
+    const Number number([](auto lane) { return static_cast<float>(lane); });
+    return number < static_cast<float>(count);
+}
+
+// Whether it holds for one of the first `count` lanes.
 [[gnu::always_inline]] inline bool any_before(int, bool condition) {
     return condition;
 }
 template <class T, class Abi>
 [[gnu::always_inline]] inline bool any_before(int count, const stdx::simd_mask<T, Abi>& condition) {
-    const stdx::simd<T, Abi> number([](auto lane) { return static_cast<T>(lane); });
-    return stdx::any_of(condition && number < static_cast<T>(count));
+    return stdx::any_of(condition && first_lanes<stdx::simd<T, Abi>>(count));
 }
 
 // Lane by lane: `yes` where the condition holds, else `no`.
@@ -123,7 +129,7 @@ template <class Number, class OfMagnitude>
 // neighbours.
 template <class Number>
 [[gnu::always_inline]] inline Number minmod(const Number& a, const Number& b) {
-    return larger(smaller(a, b), Number(0)) + smaller(larger(a, b), Number(0));
+    return larger(smaller(a, b), smaller(larger(a, b), Number(0)));
 }
 
 }  // namespace sim

@@ -59,9 +59,9 @@ template <class T, class Abi>
 inline constexpr int kLanes<stdx::simd<T, Abi>> = static_cast<int>(stdx::simd<T, Abi>::size());
 
 // Has stages do their work on each vertex of a row, as many at once as there are lanes. The last lanes may
-// lie beyond the row, in its padding.
+// lie beyond the row, in its padding. Nothing that they write is part of a stage itself.
 template <class Number, class... Stages>
-[[gnu::flatten, gnu::noinline]] void along(Span x, Stages... stages) {
+[[gnu::flatten, gnu::noinline]] void along(Span x, const Stages& __restrict... stages) {
     for (int i = x.first; i < x.last; i += kLanes<Number>) (stages(i), ...);
 }
 
@@ -91,9 +91,7 @@ template <class Number>
 [[gnu::always_inline]] inline void store_before(int end, const Number& value, Scalar<Number>* row, int x) {
     if constexpr (kIsLanes<Number>) {
         if (x + kLanes < Number >> end) {
-            Scalar<Number> lanes[kLanes<Number>];
-            store(value, lanes);
-            for (int i = 0; x + i < end; ++i) row[x + i] = lanes[i];
+            store(select(first_lanes<Number>(end - x), value, load<Number>(row + x)), row + x);
             return;
         }
     }

@@ -1,5 +1,7 @@
 #include "sim/scratch.h"
 
+#include "sim/stages.h"
+
 namespace sim {
 
 template <class Number>
@@ -17,6 +19,15 @@ Scratch<Number>::Scratch(const Layers<Number>& s, Model model) : outlets(s.grid,
                 f->bend_y, f->exchanged, f->rolling_x, f->u_x, f->v_x, f->rolling_y, f->u_y, f->v_y,
                 f->flux_x, f->flux_y, f->momentum_xu, f->momentum_xv, f->momentum_yu, f->momentum_yv);
     }
+}
+
+std::int64_t drained(Scratch<float>& scratch, Model model) {
+    const auto [x, y] = scratch.fluxes(model);
+    const struct { Rows<float> flux_x, flux_y; } through{Rows<float>(x), Rows<float>(y)};
+    const Outlets::View outlets = scratch.outlets.view();
+    std::int64_t quanta = 0;
+    for (int row = 0; row < x.ny(); ++row) quanta += drained<float>(through, outlets, row, {0, x.nx()});
+    return quanta;
 }
 
 template struct Scratch<float>;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "sim/blend.h"
@@ -39,10 +40,22 @@ struct Scratch {
     FlowFields<Number> flow_now, flow_then;
     Outlets outlets;
 
+    // Through the faces, in the sub-step that was done last, m.
+    struct Fluxes {
+        Field<Number>&x, &y;
+    };
+    Fluxes fluxes(Model model) {
+        if (model == Model::kBcre) return {now.flux_x, now.flux_y};
+        return {flow_now.flux_x, flow_now.flux_y};
+    }
+
     // Of a mixed world, set by who has its state.
     const Params* lower = nullptr;
     std::optional<Mixing> mixing;
 };
+
+// What they carried into drains, in whole quanta.
+std::int64_t drained(Scratch<float>& scratch, Model model);
 
 // The constants of all blends, `constants_of(Params)` of each; none in a world of one material.
 template <class Constants, class Number, class ConstantsOf>

@@ -37,13 +37,11 @@ void substep_plainly(State& state, Scratch<float>& scratch, Workers& workers, co
         begin_mixing(state, *scratch.mixing, workers);
     }
     substep(state, state.params, scratch, workers, sub);
-    const bool bcre = state.params.model == Model::kBcre;
-    state.ledger.out +=
-        bcre ? bcre::drained(state, state.params, scratch) : inertial::drained(state, state.params, scratch);
-    if (state.mixture)
-        finish_mixing(state, *scratch.mixing, bcre ? scratch.now.flux_x : scratch.flow_now.flux_x,
-                      bcre ? scratch.now.flux_y : scratch.flow_now.flux_y, scratch.outlets, sub.dither,
-                      workers);
+    state.ledger.out += drained(scratch, state.params.model);
+    if (state.mixture) {
+        const auto [flux_x, flux_y] = scratch.fluxes(state.params.model);
+        finish_mixing(state, *scratch.mixing, flux_x, flux_y, scratch.outlets, sub.dither, workers);
+    }
 }
 
 }  // namespace

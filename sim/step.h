@@ -3,20 +3,12 @@
 #include <span>
 
 #include "sim/command.h"
+#include "sim/forward.h"
 
 namespace sim {
 
-class Workers;
 struct Engine;
-struct Params;
-struct State;
 struct Substeps;
-template <class Number>
-struct Layers;
-template <class Number>
-struct Scratch;
-template <class Number>
-struct Substep;
 
 // One tick: the commands given for it, then as many sub-steps as the parameters ask for. The only way in
 // which a state changes. Same state and commands: same bits, whatever compiler, level,

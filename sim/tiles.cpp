@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/activity.h"
+
 namespace sim {
 
 Tiles::Tiles(const Grid& grid, int tile_width, int tile_height)
@@ -12,7 +14,7 @@ Tiles::Tiles(const Grid& grid, int tile_width, int tile_height)
       awake(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 1),
       changed(awake),
       mass(awake.size()) {
-    CHECK(width > 0 && height > 0 && width % kRowPadding == 0);
+    CHECK(width > 0 && height > 0 && width % (2 * kRowPadding) == 0);
 }
 
 void Tiles::wake_all() {
@@ -21,8 +23,11 @@ void Tiles::wake_all() {
 }
 
 void Tiles::wake(int x0, int x1, int y0, int y1) {
-    const int first_column = std::max(x0 / width - 1, 0), last_column = std::min(x1 / width + 1, columns - 1);
-    const int first_row = std::max(y0 / height - 1, 0), last_row = std::min(y1 / height + 1, rows - 1);
+    wake_tiles(std::max(x0 - kReach, 0) / width, std::min((x1 + kReach) / width, columns - 1),
+               std::max(y0 - kReach, 0) / height, std::min((y1 + kReach) / height, rows - 1));
+}
+
+void Tiles::wake_tiles(int first_column, int last_column, int first_row, int last_row) {
     for (int row = first_row; row <= last_row; ++row)
         for (int column = first_column; column <= last_column; ++column) {
             const std::size_t tile = number(column, row);
@@ -32,9 +37,16 @@ void Tiles::wake(int x0, int x1, int y0, int y1) {
 
 void Tiles::keep_awake(const std::vector<std::uint8_t>& active) {
     std::fill(awake.begin(), awake.end(), std::uint8_t{!may_sleep});
+    const int beside = (kReach + height - 1) / height;  // rows of tiles; a column is wider than kReach
     for (int row = 0; row < rows; ++row)
-        for (int column = 0; column < columns; ++column)
-            if (active[number(column, row)]) wake(column * width, column * width, row * height, row * height);
+        for (int column = 0; column < columns; ++column) {
+            const std::uint8_t where = active[number(column, row)];
+            if (where == kQuiet) continue;
+            wake_tiles(where & kNearWest ? std::max(column - 1, 0) : column,
+                       where & kNearEast ? std::min(column + 1, columns - 1) : column,
+                       where & kNearSouth ? std::max(row - beside, 0) : row,
+                       where & kNearNorth ? std::min(row + beside, rows - 1) : row);
+        }
 }
 
 }  // namespace sim

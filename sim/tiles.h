@@ -9,11 +9,12 @@
 namespace sim {
 
 // Which parts of a world may change in the next sub-step. A tile falls asleep when nothing rolled and nothing
-// came to rest in it and around it: a sub-step would leave it as it is, to the bit, so it is left out.
+// came to rest in it and near it: a sub-step would leave it as it is, to the bit, so it is left out.
 // Whoever changes a state otherwise than by a step wakes what he changed.
 struct Tiles {
     Tiles() = default;
-    // Tiles of `width` by `height` vertices; width a whole multiple of kRowPadding.
+    // Tiles of `width` by `height` vertices; width a whole multiple of 2 kRowPadding, so that a sweep finds
+    // room between two of them (sweep/sweep.h).
     Tiles(const Grid& grid, int width, int height);
 
     int width = 1, height = 1;
@@ -35,10 +36,14 @@ struct Tiles {
     std::vector<Mass> mass;
 
     void wake_all();
-    void wake(int x0, int x1, int y0, int y1);  // vertices, inclusive; what is changed, and the tiles around
+    void wake(int x0, int x1, int y0, int y1);  // vertices, inclusive: what is changed, and what that reaches
 
-    // After a sub-step: awake is what was active in it, and the tiles around.
+    // After a sub-step: awake is what was active in it, and those around that this reaches. `active`: of each
+    // tile, as Activity.
     void keep_awake(const std::vector<std::uint8_t>& active);
+
+  private:
+    void wake_tiles(int first_column, int last_column, int first_row, int last_row);  // inclusive
 };
 
 }  // namespace sim

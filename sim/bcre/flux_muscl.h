@@ -24,9 +24,10 @@ template <class Number>
                                                 const Constants<Scalar<Number>>& c) {
     using S = Scalar<Number>;
     const Number across = r.ahead - r.back, way = (velocity_back + velocity_ahead) * (S(0.5) * c.courant);
-    const Number of_back = r.back + S(0.5) * minmod<Number>(r.back - r.back2, across);
-    const Number of_ahead = r.ahead - S(0.5) * minmod<Number>(across, r.ahead2 - r.ahead);
-    return way * select(way > 0, of_back, of_ahead);
+    const auto forth = way > S{0};
+    const Number beyond = select(forth, r.back - r.back2, r.ahead2 - r.ahead);
+    const Number half_slope = S(0.5) * minmod<Number>(beyond, across);
+    return way * select(forth, r.back + half_slope, r.ahead - half_slope);
 }
 
 }  // namespace sim::bcre

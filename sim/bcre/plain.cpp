@@ -92,13 +92,6 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
     over.each_row_do([&](int y) { clear_drains<Number>(world.now, outlets, y, all); });
 }
 
-std::int64_t drained(Layers<float>& layers, const Params& params, Scratch<float>& scratch) {
-    const Work<float> w = work_of(layers, params, scratch, {});
-    std::int64_t quanta = 0;
-    for (int y = 0; y < w.ny; ++y) quanta += sim::drained<float>(w.now, scratch.outlets.view(), y, {0, w.nx});
-    return quanta;
-}
-
 void find_velocity(Layers<float>& layers, const Params& params, Scratch<float>& scratch, Workers& workers) {
     Work<float> world = work_of(layers, params, scratch, {});
     world.now.velocity_x = Rows<float>(layers.velocity_x),

@@ -83,13 +83,6 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
     over.each_row_of_bed([&](const auto& w, int y) { return yield<Number>(w, y, w.nx); });
 }
 
-std::int64_t drained(Layers<float>& layers, const Params& params, Scratch<float>& scratch) {
-    const Work<float> w = work_of(layers, params, scratch, {});
-    std::int64_t quanta = 0;
-    for (int y = 0; y < w.ny; ++y) quanta += sim::drained<float>(w.now, scratch.outlets.view(), y, {0, w.nx});
-    return quanta;
-}
-
 template Work<float> work_of(Layers<float>&, const Params&, Scratch<float>&, Substep<float>);
 template void substep(Layers<float>&, const Params&, Scratch<float>&, Workers&, Substep<float>);
 template void substep(Layers<double>&, const Params&, Scratch<double>&, Workers&, Substep<double>);

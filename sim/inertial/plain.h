@@ -1,22 +1,11 @@
 #pragma once
 
-#include <cstdint>
+#include "sim/forward.h"
 
 // A sub-step of `bcre-inertial` stage by stage over whole fields: the step as it reads, beside the sweep that
 // does the same row after row (sweep/).
 
-namespace sim {
-
-class Workers;
-struct Params;
-template <class Number>
-struct Layers;
-template <class Number>
-struct Scratch;
-template <class Number>
-struct Substep;
-
-namespace inertial {
+namespace sim::inertial {
 
 template <class Scalar>
 struct Work;
@@ -30,8 +19,4 @@ template <class Number>
 void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch, Workers& workers,
              Substep<Number> sub);
 
-// What the last sub-step carried into drains, in whole quanta.
-std::int64_t drained(Layers<float>& layers, const Params& params, Scratch<float>& scratch);
-
-}  // namespace inertial
-}  // namespace sim
+}  // namespace sim::inertial

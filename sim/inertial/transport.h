@@ -35,11 +35,10 @@ auto find_slopes(const Level<S>& level, int y) {
         S *to_x, *to_y;
         void operator()(int i) const {
             const Number value = at<Number>(here, i);
-            const Number x =
-                monotonized<Number>(value - at<Number>(here, i - 1), at<Number>(here, i + 1) - value);
-            const Number y_ = monotonized<Number>(value - at<Number>(south, i), at<Number>(north, i) - value);
-            store<Number>(S(0.5) * x, to_x + i);
-            store<Number>(S(0.5) * y_, to_y + i);
+            store(half_monotonized<Number>(value - at<Number>(here, i - 1), at<Number>(here, i + 1) - value),
+                  to_x + i);
+            store(half_monotonized<Number>(value - at<Number>(south, i), at<Number>(north, i) - value),
+                  to_y + i);
         }
     };
     const auto of = [y](const Rows<S>& rows, const Rows<S>& to_x, const Rows<S>& to_y) {

@@ -8,7 +8,7 @@
 // the rows of a job: each stage runs as soon as the rows that it reads are done, and only the last few rows
 // of what it writes are kept, so that they are still in a near cache when the next stage wants them.
 //
-//     drops (t)  ─►  fall (t − 1)  ─►  given (t − 2)  ─►  fluxes (t − 3)  ─►  d, R (t − 4)
+//     drops (t)  ─►  fall (t − 1)  ─►  given (t − 1)  ─►  fluxes (t − 2)  ─►  d, R (t − 3)
 //
 // The layers' rows are overwritten when no stage reads any more what they were. Of what lies beside a job the
 // stages are reckoned too, each on so many rows more (`beside`) as those that read it need: the last on none,
@@ -34,10 +34,11 @@ class WorkRows {
 template <class Lanes>
 class Kernel {
   public:
-    Kernel(const Ground& ground, const Job& job) : g_(ground), job_(job) {}
+    Kernel(const Ground& ground, const Job& job)
+        : g_(ground), job_(job), tile_end_(job.y0 + ground.tile_height) {}
 
     template <Scheme scheme>
-    std::int64_t first_order(float* work, std::uint8_t* active) {
+    [[gnu::flatten]] std::int64_t first_order(float* work, std::uint8_t* active) {
         using namespace bcre;
         Work<float> w = begun<Work<float>>(g_.bcre);
         WorkRows rows(work, g_.stride);
@@ -57,23 +58,21 @@ class Kernel {
             else
                 return find_split_fluxes<Lanes>(w, now, y);
         };
-        for (int t = job_.y0 - 2; t < job_.y1 + 4; ++t) {
+        for (int t = job_.y0 - 1; t < job_.y1 + 3; ++t) {
             if (is_row(t, 2)) fill_halo<Lanes>(w, now, t, wide());
-            take_turns(turn(is_face(t, 1), [&] { return find_drops<Lanes>(w, now, t); }),
-                       turn(is_row(t - 1, 1), [&] { return find_fall<Lanes>(now, t - 1); }),
-                       turn(is_row(t + 1, 0), [&] { return fetch(w.bedrock[t + 1]); }));
-            take_turns(turn(is_row(t - 2, 1), [&] { return given(t - 2); }),
-                       turn(is_face(t - 3, 0), [&] { return fluxes(t - 3); }),
-                       turn(is_row(t + 1, 0), [&] { return fetch(now.depth[t + 1]); }));
-            if (is_near(t - 2, 1)) end_given<Lanes>(w, now, t - 2, wide());
-            if (scheme == Scheme::kLaxFriedrichs && is_face(t - 3, 0))
-                close_walls<Lanes>(w, now, t - 3, wide());
-            if (is_row(t - 4, 0)) finish<scheme>(w, t - 4, active, fetch(now.rolling[t + 1]));
+            if (is_face(t, 1)) run(find_drops<Lanes>(w, now, t));
+            if (is_row(t - 1, 1)) run(find_fall<Lanes>(now, t - 1), fetch(w.bedrock, t + 1));
+            if (is_row(t - 1, 1)) run(given(t - 1));
+            if (is_near(t - 1, 1)) end_given<Lanes>(w, now, t - 1, wide());
+            if (is_face(t - 2, 0)) run(fluxes(t - 2), fetch(now.depth, t + 1));
+            if (scheme == Scheme::kLaxFriedrichs && is_face(t - 2, 0))
+                close_walls<Lanes>(w, now, t - 2, wide());
+            if (is_row(t - 3, 0)) finish<scheme>(w, t - 3, active, fetch(now.rolling, t + 1));
         }
         return drained_;
     }
 
-    std::int64_t second_order(float* work, std::uint8_t* active) {
+    [[gnu::flatten]] std::int64_t second_order(float* work, std::uint8_t* active) {
         using namespace bcre;
         Work<float> w = begun<Work<float>>(g_.bcre);
         WorkRows rows(work, g_.stride);
@@ -87,42 +86,39 @@ class Kernel {
         then.flux_x = rows.last(1), then.flux_y = rows.last(1);
         // What a level leads to, from the drops of row y on.
         const auto find_rates = [&](const Level<float>& level, int y, int beside) {
-            take_turns(turn(is_face(y, beside + 1), [&] { return find_drops<Lanes>(w, level, y); }));
+            if (is_face(y, beside + 1)) run(find_drops<Lanes>(w, level, y));
             if (is_face(y, beside + 1)) end_drops<Lanes>(w, level, y);
-            take_turns(turn(is_face(y - 1, beside), [&] { return find_bends<Lanes>(w, level, y - 1); }),
-                       turn(is_row(y - 1, beside + 1),
-                            [&] { return find_central_velocity<Lanes>(w, level, y - 1); }));
+            if (is_face(y - 1, beside)) run(find_bends<Lanes>(w, level, y - 1));
+            if (is_row(y - 1, beside + 1)) run(find_central_velocity<Lanes>(w, level, y - 1));
             if (is_row(y - 1, beside + 1)) end_velocity<Lanes>(w, level, y - 1);
         };
         for (int t = job_.y0 - 5; t < job_.y1 + 5; ++t) {
             if (is_row(t, 5)) fill_halo<Lanes>(w, now, t, wide());
             find_rates(now, t, 3);
-            take_turns(turn(is_face(t - 1, 3), [&] { return find_muscl_fluxes<Lanes>(w, now, t - 1); }),
-                       turn(is_row(t + 1, 0), [&] { return fetch(w.bedrock[t + 1]); }));
+            if (is_row(t - 2, 3)) run(find_bent_fall<Lanes>(now, t - 2));
+            if (is_row(t - 2, 3)) run(find_exchange<Lanes>(w, now, t - 2));
+            if (is_face(t - 1, 3)) run(find_muscl_fluxes<Lanes>(w, now, t - 1), fetch(w.bedrock, t + 1));
             if (is_face(t - 1, 3)) close_walls<Lanes>(w, now, t - 1, wide());
-            take_turns(turn(is_row(t - 2, 3), [&] { return find_bent_fall<Lanes>(now, t - 2); }),
-                       turn(is_row(t - 2, 3), [&] { return find_exchange<Lanes>(w, now, t - 2); }),
-                       turn(is_row(t - 2, 3), [&] { return predict<Lanes>(w, t - 2); }));
+            if (is_row(t - 2, 3)) run(predict<Lanes>(w, t - 2));
             if (is_row(t - 2, 3)) {
                 clear_drains<Lanes>(then, g_.outlets, t - 2, wide());
                 fill_halo<Lanes>(w, then, t - 2, wide());
             }
             find_rates(then, t - 2, 1);
-            take_turns(turn(is_face(t - 3, 1), [&] { return find_muscl_fluxes<Lanes>(w, then, t - 3); }),
-                       turn(is_row(t + 1, 0), [&] { return fetch(now.depth[t + 1]); }));
+            if (is_row(t - 4, 0)) run(find_bent_fall<Lanes>(then, t - 4));
+            if (is_row(t - 4, 0)) run(find_exchange<Lanes>(w, then, t - 4));
+            if (is_face(t - 3, 1)) run(find_muscl_fluxes<Lanes>(w, then, t - 3), fetch(now.depth, t + 1));
             if (is_face(t - 3, 1)) close_walls<Lanes>(w, then, t - 3, wide());
-            take_turns(turn(is_face(t - 3, 1), [&] { return take_mean_fluxes<Lanes>(w, t - 3); }));
-            take_turns(turn(is_row(t - 4, 0), [&] { return find_bent_fall<Lanes>(then, t - 4); }),
-                       turn(is_row(t - 4, 0), [&] { return find_exchange<Lanes>(w, then, t - 4); }),
-                       turn(is_row(t - 4, 1), [&] { return find_share<Lanes>(w, t - 4); }));
+            if (is_face(t - 3, 1)) run(take_mean_fluxes<Lanes>(w, t - 3));
+            if (is_row(t - 4, 1)) run(find_share<Lanes>(w, t - 4));
             if (is_near(t - 4, 1)) end_share<Lanes>(w, t - 4, wide());
-            take_turns(turn(is_face(t - 4, 0), [&] { return book_fluxes<Lanes>(w, t - 4); }));
-            if (is_row(t - 5, 0)) finish<Scheme::kMuscl>(w, t - 5, active, fetch(now.rolling[t + 1]));
+            if (is_face(t - 4, 0)) run(book_fluxes<Lanes>(w, t - 4));
+            if (is_row(t - 5, 0)) finish<Scheme::kMuscl>(w, t - 5, active, fetch(now.rolling, t + 1));
         }
         return drained_;
     }
 
-    std::int64_t inertial(float* work, std::uint8_t* active) {
+    [[gnu::flatten]] std::int64_t inertial(float* work, std::uint8_t* active) {
         using namespace sim::inertial;
         WorkRows rows(work, g_.stride);
         Work<float> w = begun<Work<float>>(g_.inertial);
@@ -140,17 +136,16 @@ class Kernel {
                   &of->momentum_xu, &of->momentum_xv, &of->momentum_yu, &of->momentum_yv})
                 *field = rows.last(4);
         const auto find_rates = [&](const Level<float>& level, int y, int beside) {
-            take_turns(turn(is_face(y - 1, beside), [&] { return find_bends<Lanes>(w, level, y - 1); }));
-            take_turns(turn(is_row(y - 2, beside), [&] { return find_exchange<Lanes>(w, level, y - 2); }));
+            if (is_face(y - 1, beside)) run(find_bends<Lanes>(w, level, y - 1));
+            if (is_row(y - 2, beside)) run(find_exchange<Lanes>(w, level, y - 2));
         };
         const auto find_slopes_of = [&](const Level<float>& level, int y, int beside) {
-            take_turns(turn(is_row(y, beside), [&] { return find_slopes<Lanes>(level, y); }));
+            if (is_row(y, beside)) run(find_slopes<Lanes>(level, y));
             if (is_near(y, beside)) end_slopes<Lanes>(w, level, y, wide());
         };
         for (int t = job_.y0 - 5; t < job_.y1 + 5; ++t) {
             if (is_row(t, 5)) fill_halo<Lanes>(w, now, t, wide());
-            take_turns(turn(is_face(t, 3), [&] { return find_drops<Lanes>(w, now, t); }),
-                       turn(is_row(t + 1, 0), [&] { return fetch(now.rolling[t + 1]); }));
+            if (is_face(t, 3)) run(find_drops<Lanes>(w, now, t), fetch(now.rolling, t + 1));
             if (is_face(t, 3)) end_drops<Lanes>(w, now, t);
             if (is_row(t - 1, 4)) {
                 along<Lanes>(wide(), relax<Lanes>(w, t - 1, wide().last));
@@ -158,26 +153,22 @@ class Kernel {
             }
             find_rates(now, t, 2);
             find_slopes_of(now, t - 2, 3);
-            take_turns(turn(is_face(t - 2, 2), [&] { return find_fluxes<Lanes>(w, now, t - 2); }),
-                       turn(is_row(t + 1, 0), [&] { return fetch(w.bedrock[t + 1]); }));
+            if (is_face(t - 2, 2)) run(find_fluxes<Lanes>(w, now, t - 2), fetch(w.bedrock, t + 1));
             if (is_face(t - 2, 2)) end_fluxes<Lanes>(w, now, t - 2, wide());
-            take_turns(turn(is_row(t - 3, 2), [&] { return predict<Lanes>(w, t - 3); }),
-                       turn(is_row(t + 1, 0), [&] { return fetch(now.depth[t + 1]); }));
+            if (is_row(t - 3, 2)) run(predict<Lanes>(w, t - 3), fetch(now.depth, t + 1));
             if (is_row(t - 3, 2)) {
                 clear_drains<Lanes>(then, g_.outlets, t - 3, wide());
                 fill_halo<Lanes>(w, then, t - 3, wide());
                 end_velocity<Lanes>(w, then, t - 3, wide());
             }
 
-            take_turns(turn(is_face(t - 3, 1), [&] { return find_drops<Lanes>(w, then, t - 3); }));
+            if (is_face(t - 3, 1)) run(find_drops<Lanes>(w, then, t - 3));
             if (is_face(t - 3, 1)) end_drops<Lanes>(w, then, t - 3);
             find_rates(then, t - 3, 0);
             find_slopes_of(then, t - 4, 1);
-            take_turns(turn(is_face(t - 4, 0), [&] { return find_fluxes<Lanes>(w, then, t - 4); }),
-                       turn(is_row(t, 0), [&] { return fetch(now.velocity_x[t]); }));
+            if (is_face(t - 4, 0)) run(find_fluxes<Lanes>(w, then, t - 4), fetch(now.velocity_x, t));
             if (is_face(t - 4, 0)) end_fluxes<Lanes>(w, then, t - 4, wide());
-            take_turns(turn(is_face(t - 4, 0), [&] { return book_fluxes<Lanes>(w, t - 4); }),
-                       turn(is_row(t, 0), [&] { return fetch(now.velocity_y[t]); }));
+            if (is_face(t - 4, 0)) run(book_fluxes<Lanes>(w, t - 4), fetch(now.velocity_y, t));
             if (is_row(t - 5, 0)) {
                 along<Lanes>(narrow(), sim::inertial::finish<Lanes>(w, t - 5, job_.x1, active));
                 clear_drains<Lanes>(now, g_.outlets, t - 5, narrow());
@@ -204,33 +195,16 @@ class Kernel {
     }
 
   private:
-    // A stage on a row, if it is due there.
-    template <class Make>
-    struct Turn {
-        bool due;
-        Make make;
-    };
-    template <class Make>
-    static Turn<Make> turn(bool due, Make make) {
-        return {due, make};
+    // A stage on all that lies near. Each has a loop of its own: a processor looks ahead over some hundred
+    // operations, which are many vertices of a short stage and hardly two of a long one.
+    template <class... Stages>
+    void run(const Stages&... stages) const {
+        along<Lanes>(wide().faces(), stages...);
     }
-
-    // Stages of rows that do not wait for each other share a loop, so that the one is reckoned while the
-    // other waits for a root or for memory. Each reads of this loop's rows only what the one before it writes
-    // to the same vertices.
-    template <class... Makes>
-    void take_turns(Turn<Makes>... turns) const {
-        const Span all = wide().faces();
-        if ((turns.due && ...))
-            along<Lanes>(all, turns.make()...);
-        else
-            ((turns.due ? along<Lanes>(all, turns.make()) : void()), ...);
-    }
-
-    // Brings a row near that will be read next. Each loop fetches one: a core waits for a dozen lines at
-    // most.
-    static auto fetch(const float* row) {
-        return [row](int i) { __builtin_prefetch(row + i); };
+    // Runs along with a stage and meanwhile brings a row near that will be read next. One with each: a core
+    // waits for a dozen lines at most.
+    auto fetch(const Rows<float>& rows, int y) const {
+        return [row = rows[std::clamp(y, job_.y0, job_.y1 - 1)]](int i) { __builtin_prefetch(row + i); };
     }
 
     // Vertices of the job, and those beside it whose stages its own ones read.
@@ -276,20 +250,36 @@ class Kernel {
     void end_row(const Work& w, int y, std::uint8_t* active) {
         drained_ += drained<Lanes>(w.now, g_.outlets, y, narrow());
         clear_drains<Lanes>(w.now, g_.outlets, y, narrow());
-        if ((y + 1) % g_.tile_height == 0 || y + 1 == job_.y1) tell_active(y, active);
+        const bool ends_tiles = y + 1 == tile_end_ || y + 1 == job_.y1;
+        if (ends_tiles || edges_at(y + 1) != edges_at(y)) tell_active(edges_at(y), y, active);
+        if (ends_tiles) tile_end_ += g_.tile_height;
     }
 
-    // At the end of a row of tiles.
-    void tell_active(int y, std::uint8_t* active) const {
+    // Which edges of its tiles row y lies near, kSomewhere with them.
+    std::uint8_t edges_at(int y) const {
+        return static_cast<std::uint8_t>(kSomewhere |
+                                         (y < tile_end_ - g_.tile_height + kReach ? kNearSouth : 0) |
+                                         (y >= tile_end_ - kReach ? kNearNorth : 0));
+    }
+
+    // After rows up to y that lie near the same edges.
+    void tell_active(std::uint8_t edges, int y, std::uint8_t* active) const {
         std::uint8_t* tiles = g_.active + y / g_.tile_height * g_.tile_columns;
         for (int x = job_.x0; x < job_.x1; x += kLanes<Lanes>) {
-            if (active[x / kLanes<Lanes>]) tiles[x / g_.tile_width] = 1;
-            active[x / kLanes<Lanes>] = 0;
+            std::uint8_t& here = active[x / kLanes<Lanes>];
+            if (!here) continue;
+            here = 0;
+            const int column = x / g_.tile_width, from_west = x - column * g_.tile_width;
+            const int from_east = g_.tile_width - (from_west + kLanes<Lanes>);
+            tiles[column] =
+                static_cast<std::uint8_t>(tiles[column] | edges | (from_west < kReach ? kNearWest : 0) |
+                                          (from_east < kReach ? kNearEast : 0));
         }
     }
 
     const Ground& g_;
     const Job job_;
+    int tile_end_;  // where the tiles of its rows end
     std::int64_t drained_ = 0;
 };
 

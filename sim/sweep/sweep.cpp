@@ -44,7 +44,8 @@ std::string_view to_string(InstructionSet set) {
 namespace sweep {
 namespace {
 
-constexpr int kAproned = 4;  // fields that a job changes while others read beside it
+constexpr int kAproned = 4;             // fields that a job changes while others read beside it
+constexpr int kApronRows = kApron + 1;  // of each, on a side: with the halo, if the world ends there
 
 struct Kernels {
     Sweep sweep;
@@ -62,7 +63,7 @@ const Kernels& kernels_for(InstructionSet set) {
 Sweeper::Sweeper(const State& s, int threads)
     : outlets_(s.grid, s.site),
       stride_(s.depth.stride()),
-      aprons_(static_cast<std::size_t>(s.tiles.rows) * kAproned * 2 * kApron *
+      aprons_(static_cast<std::size_t>(s.tiles.rows) * kAproned * 2 * kApronRows *
               static_cast<std::size_t>(stride_)),
       work_(static_cast<std::size_t>(threads) * kWorkRows * static_cast<std::size_t>(stride_)),
       row_active_(static_cast<std::size_t>(threads) * static_cast<std::size_t>(stride_)),
@@ -84,8 +85,8 @@ void Sweeper::find_jobs(const Grid& grid, const Tiles& tiles, const std::vector<
                std::equal(row_of(row), row_of(row + 1), row_of(end)))
             ++end;
         const auto apron = [&](int field) -> Job::Apron {
-            float* rows = aprons_.data() + (row * kAproned + field) * 2 * kApron * stride_ + kRowPadding;
-            return {rows + kApron * stride_, rows + kApron * stride_};
+            float* rows = aprons_.data() + (row * kAproned + field) * 2 * kApronRows * stride_ + kRowPadding;
+            return {rows + kApronRows * stride_, rows + kApronRows * stride_};
         };
         for (int column = 0; column < tiles.columns; ++column) {
             if (!row_of(row)[column]) continue;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "sim/activity.h"
 #include "sim/bcre/constants.h"
 #include "sim/inertial/work.h"
 #include "sim/outlets.h"
@@ -42,13 +43,14 @@ struct Ground {
     inertial::Constants<float> inertial;
 
     int tile_width, tile_height, tile_columns;
-    std::uint8_t* active;  // of each tile: set where anything rolled or came to rest
+    std::uint8_t* active;  // of each tile, as Activity
 };
 
 // A rectangle of vertices that one thread sweeps, x0 … x1-1 by y0 … y1-1. Its rows change in place while
 // others sweep the rows beside it, so what lies beyond was copied before: kApron rows on each side. Along x
-// only what sleeps lies beside it, of which its stages read less than kBeside vertices.
-inline constexpr int kApron = 5, kBeside = 8;
+// only what sleeps lies beside it, a tile at least: twice kBeside, so that two jobs do not meet in it. Its
+// stages read less than kBeside vertices of it; so many fill a cache line, and lanes keep to theirs.
+inline constexpr int kApron = 5, kBeside = kRowPadding;
 struct Job {
     int x0, x1, y0, y1;
     struct Apron {  // where row y0 would follow on what lies below, and row y1 above; x = 0

@@ -35,10 +35,10 @@ class Sweeper {
 
     Outlets outlets_;
     std::ptrdiff_t stride_;
-    AlignedVector<float> aprons_;           // kApron rows of each field on two sides, for each row of tiles
+    AlignedVector<float> aprons_;           // rows of each field on two sides, for each row of tiles
     AlignedVector<float> work_;             // kWorkRows for each thread
     std::vector<std::uint8_t> row_active_;  // a row for each thread
-    std::vector<std::uint8_t> active_;      // of each tile, in this sub-step
+    std::vector<std::uint8_t> active_;      // of each tile, in this sub-step, as Activity
     std::vector<Job> jobs_;
     std::vector<std::int64_t> drained_;  // by each job
 };

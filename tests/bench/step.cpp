@@ -1,16 +1,23 @@
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include <benchmark/benchmark.h>
 
 #include "sim/quanta.h"
 #include "sim/state_hash.h"
+#include "sim/sweep/sweeper.h"
+#include "sim/workers.h"
 #include "tests/bench/world.h"
 
-// Nanoseconds per cell and sub-step of the whole step, in the worst case: material rolls in every cell. The
-// state hash stands in the same line, because a fast wrong answer is wrong: it must be the same on every
-// machine, and change only with the physics.
+// How long a step takes per cell and sub-step, in the worst case: material rolls in every cell. `solver` is
+// the sub-step alone, `tick` the whole of a tick of one sub-step, with velocity for who looks on and ledger.
+// `of_limit` is the share of it that moving the layers through memory would take by itself. The state hash
+// stands in the same line, because a fast wrong answer is wrong: it must be the same on every machine, and
+// change only with the physics.
 
 using sim::Model;
 using sim::Scheme;
@@ -37,28 +44,73 @@ support::Play world_of(int squares, Model model, Scheme scheme, const sim::How& 
 
 namespace {
 
-constexpr int kTicks = 4;             // of one sub-step each, between two copies of the first state
+constexpr int kSteps = 4;             // between two copies of the first state
 constexpr double kLeastTraffic = 20;  // bytes per cell that any step must move: 12 read, 8 written
 
-void whole_step(benchmark::State& run, Model model, Scheme scheme, const sim::How& how) {
-    const auto squares = static_cast<int>(run.range(0));
-    support::Play play = bench::world_of(squares, model, scheme, how);
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point before) {
+    return std::chrono::duration<double>(Clock::now() - before).count();
+}
+
+// What no step can beat on this machine: to read b, d and R and to write d and R, as the step has them.
+// Seconds per cell, the median of many passes.
+double least_per_cell(const sim::Grid& grid, int threads) {
+    sim::Field<float> bedrock(grid), depth(grid), rolling(grid);
+    sim::Workers workers(threads);
+    const auto pass = [&](int first, int last) {
+        for (int y = first; y < last; ++y) {
+            const float* b = bedrock.row(y);
+            float* __restrict d = depth.row(y), * __restrict r = rolling.row(y);
+            for (int x = 0; x < grid.nx; ++x) d[x] += b[x], r[x] -= b[x];
+        }
+    };
+    constexpr int kPasses = 101;
+    std::vector<double> times(kPasses);
+    for (double& time : times) {
+        const auto before = Clock::now();
+        workers.each_band(grid.ny, pass);
+        benchmark::ClobberMemory();
+        time = seconds_since(before);
+    }
+    std::nth_element(times.begin(), times.begin() + kPasses / 2, times.end());
+    return times[kPasses / 2] / static_cast<double>(grid.size());
+}
+
+// Times kSteps of `step(play, number)`, again and again from the same state.
+template <class Step>
+void time_steps(benchmark::State& run, Model model, Scheme scheme, const sim::How& how, const Step& step) {
+    support::Play play = bench::world_of(static_cast<int>(run.range(0)), model, scheme, how);
     const sim::State first = play.state;
+    double seconds = 0;
     for (auto _ : run) {
         play.state = first;
-        const auto before = std::chrono::steady_clock::now();
-        play.ticks(kTicks);
-        run.SetIterationTime(
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count());
+        const auto before = Clock::now();
+        for (int i = 0; i < kSteps; ++i) step(play, i);
+        const double time = seconds_since(before);
+        run.SetIterationTime(time);
+        seconds += time;
     }
-    const double cells = static_cast<double>(first.grid.size()) * kTicks * sim::substeps_of(first).count *
+    const double cells = static_cast<double>(first.grid.size()) * kSteps * sim::substeps_of(first).count *
                          static_cast<double>(run.iterations());
     using Counter = benchmark::Counter;
     run.counters["per_cell"] = Counter(cells, Counter::kIsRate | Counter::kInvert);  // s
     run.counters["bytes_per_s"] = Counter(cells * kLeastTraffic, Counter::kIsRate, Counter::kIs1024);
+    run.counters["of_limit"] = least_per_cell(first.grid, how.threads) / (seconds / cells);
     char hash[32];
     std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(sim::state_hash(play.state)));
     run.SetLabel(hash);
+}
+
+void solver(benchmark::State& run, Model model, Scheme scheme, const sim::How& how) {
+    time_steps(run, model, scheme, how, [&](support::Play& play, int i) {
+        play.engine.sweeper->substep(play.state, play.engine.workers, how.instruction_set,
+                                     {play.state.params.tick_s, sim::dither_of(i)});
+    });
+}
+
+void tick(benchmark::State& run, Model model, Scheme scheme, const sim::How& how) {
+    time_steps(run, model, scheme, how, [](support::Play& play, int) { play.ticks(1); });
 }
 
 // What sleeps: a patch that rolls on a slope on which the rest lies still, so that a tenth of 1024² is awake.
@@ -91,8 +143,10 @@ void hash_of_state(benchmark::State& run) {
                            benchmark::Counter::kIs1024);
 }
 
-void add(const std::string& name, Model model, Scheme scheme, const sim::How& how) {
-    benchmark::RegisterBenchmark(name.c_str(), whole_step, model, scheme, how)
+using Timed = void (*)(benchmark::State&, Model, Scheme, const sim::How&);
+
+void add(const std::string& name, Timed timed, Model model, Scheme scheme, const sim::How& how) {
+    benchmark::RegisterBenchmark(name.c_str(), timed, model, scheme, how)
         ->Arg(80)
         ->Arg(160)
         ->Arg(512)
@@ -108,9 +162,11 @@ int main(int argc, char** argv) {
     const auto add_ways = [](const std::string& name, Model model, Scheme scheme) {
         for (const auto set : sim::kInstructionSets)
             if (sim::has(set))
-                add(name + ", " + std::string(sim::to_string(set)), model, scheme, {.instruction_set = set});
-        add(name + ", two threads", model, scheme, {.threads = 2});
-        add(name + ", plain", model, scheme, {.plain = true});
+                add(name + ", solver, " + std::string(sim::to_string(set)), solver, model, scheme,
+                    {.instruction_set = set});
+        add(name + ", solver, two threads", solver, model, scheme, {.threads = 2});
+        add(name + ", tick", tick, model, scheme, {});
+        add(name + ", tick, plain", tick, model, scheme, {.plain = true});
     };
     for (const Scheme scheme : {Scheme::kLaxFriedrichs, Scheme::kLocalLaxFriedrichs, Scheme::kMuscl})
         add_ways(std::string(sim::to_string(scheme)), Model::kBcre, scheme);

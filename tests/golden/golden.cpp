@@ -71,7 +71,7 @@ std::vector<How> ways() {
                 all.push_back({.threads = threads, .instruction_set = set});
     if (!kAll) return all;
     for (const auto& [width, height] :
-         {std::pair(16, 1), std::pair(16, 7), std::pair(32, 16), std::pair(256, 256)})
+         {std::pair(32, 1), std::pair(32, 7), std::pair(64, 16), std::pair(256, 256)})
         for (const bool may_sleep : {true, false})
             all.push_back(
                 {.threads = 2, .tile_width = width, .tile_height = height, .tiles_may_sleep = may_sleep});

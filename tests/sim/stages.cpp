@@ -181,7 +181,7 @@ TEST(Fluxes, never_take_more_than_a_vertex_has) {
             stages.substep({0.02f, sim::dither_of(round)});
             for (int y = 0; y < 23; ++y)
                 for (int x = 0; x < 21; ++x) ASSERT_GE(state.rolling(x, y), 0) << sim::to_string(scheme);
-            const auto out = static_cast<double>(sim::bcre::drained(state, params, stages.scratch));
+            const auto out = static_cast<double>(sim::drained(stages.scratch, Model::kBcre));
             ASSERT_EQ(before, volume() + out * static_cast<double>(sim::kQuantum)) << sim::to_string(scheme);
         }
     }
