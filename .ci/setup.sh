@@ -166,11 +166,12 @@ configure() {
         cmake --preset "$preset" "${fresh[@]}" -DCOULOIR_TESTS="$tests"
 }
 
-# build PRESET [TARGET]: everything without a target.
+# build PRESET [TARGET...]: everything without a target.
 build() {
-    local parallel
+    local preset=$1 parallel
+    shift
     parallel=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
-    step "build-$1" "building $1" cmake --build --preset "$1" --parallel "$parallel" ${2:+--target "$2"}
+    step "build-$preset" "building $preset" cmake --build --preset "$preset" --parallel "$parallel" ${1:+--target "$@"}
 }
 
 # run_tests PRESET [CTEST ARGS]: to standard output, closing with ctest's summary.
