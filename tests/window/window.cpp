@@ -88,8 +88,8 @@ TEST_F(Window, tells_keys_by_name_and_what_is_held_with_them) {
     desktop->key_up("Shift_L");
 }
 
-// On a board that has both: for a letter that a board lacks xdotool lays a key anew, and takes it back before a program
-// that is kept waiting has asked what it says.
+// On a board that has both: for a letter that a board lacks xdotool lays a key anew, and takes it back before
+// a program that is kept waiting has asked what it says.
 TEST_F(Window, tells_what_is_typed) {
     desktop->keyboard("fr");
     desktop->type("7é");
