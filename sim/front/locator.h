@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "sim/front/tracker.h"
+
+// How a source of position is asked. For who adds one; everybody else wants tracker.h.
+
+namespace sim::front {
+
+struct Moment {
+    const Detector& detector;
+    const Flow& flow;
+    double time, dt;                  // now, and since the moment before, s
+    std::span<const Point> previous;  // the points of the moment before, as they lay then
+    Workers& workers;
+};
+
+class Locator {
+  public:
+    virtual ~Locator() = default;
+    // `points`: one for each cut edge. Those that stay are as they were, but for their age; those born now
+    // have f = ½, speed 0 and age 0.
+    virtual void locate(const Moment& now, std::span<Point> points) = 0;
+};
+
+std::unique_ptr<Locator> paper_locator(const Mesh& mesh);
+std::unique_ptr<Locator> fit_locator(const Mesh& mesh);
+std::unique_ptr<Locator> level_locator(const Mesh& mesh, float level);
+
+}  // namespace sim::front

@@ -1,0 +1,66 @@
+#include "sim/front/tracker.h"
+
+#include <array>
+
+#include "sim/check.h"
+#include "sim/front/locator.h"
+
+namespace sim::front {
+namespace {
+
+constexpr std::array<std::string_view, 4> kSources{"half", "paper", "fit", "level"};
+
+std::unique_ptr<Locator> locator_of(const Mesh& mesh, const Rule& rule, Source source) {
+    switch (source) {
+        case Source::kHalf:
+            break;
+        case Source::kPaper:
+            return paper_locator(mesh);
+        case Source::kFit:
+            return fit_locator(mesh);
+        case Source::kLevel:
+            return level_locator(mesh, rule.level);
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+std::string_view to_string(Source source) {
+    return kSources[static_cast<std::size_t>(source)];
+}
+
+std::optional<Source> source_named(std::string_view name) {
+    for (std::size_t i = 0; i < kSources.size(); ++i)
+        if (kSources[i] == name) return static_cast<Source>(i);
+    return std::nullopt;
+}
+
+Tracker::Tracker(const Mesh& mesh, const Rule& rule, Source source)
+    : detector_(mesh, rule), source_(source), locator_(locator_of(mesh, rule, source)) {}
+
+Tracker::~Tracker() = default;
+
+void Tracker::advance(const Flow& flow, double dt, Workers& workers) {
+    CHECK(dt > 0);
+    time_ += dt;
+    detector_.update(flow);
+    previous_.swap(points_);
+    points_.clear();
+    for (std::size_t i = 0; i < detector_.cut().size(); ++i) {
+        const int before = detector_.before()[i];
+        Point point{detector_.cut()[i], 0.5f, 0, 0};
+        if (before >= 0) {
+            point = previous_[before];
+            point.age += static_cast<float>(dt);
+        }
+        points_.push_back(point);
+    }
+    if (locator_) locator_->locate({detector_, flow, time_, dt, previous_, workers}, points_);
+}
+
+glm::vec2 Tracker::position(const Point& point) const {
+    return mesh().position[mesh().edge[point.edge].a] + point.f * mesh().along(point.edge);
+}
+
+}  // namespace sim::front

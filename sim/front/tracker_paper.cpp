@@ -1,0 +1,186 @@
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "sim/front/least_squares.h"
+#include "sim/front/locator.h"
+
+// Section 3 of the paper. A front moves steadily while it is on an edge. When it leaves edges (α, j) through
+// vertex j it arrived there at T_j, and had entered them at x_α when it was T_α. The gradient r of its
+// arrival time, its slowness, is the least-squares solution of
+//
+//     (x_j − x_α) · r = T_j − T_α          of all edges α that it left through j                 (3) – (6)
+//
+// with the middle of an edge in place of x_α where it was first seen there. On the edges (j, β) that it
+// enters its speed is then
+//
+//     w = 1 / (r · u)                      u: unit vector from j to β                             (7)
+//
+// Unlike (3), this has no pole where a front arrives everywhere at once.
+
+namespace sim::front {
+namespace {
+
+// r · u is at least this share of |r|, for a front is no faster along an edge than four times its own speed:
+// by chance of rounding the equations give edges that it never crosses.
+constexpr double kLeastShare = 0.25;
+
+constexpr double kNever = -std::numeric_limits<double>::infinity();
+
+class PaperLocator : public Locator {
+  public:
+    explicit PaperLocator(const Mesh& mesh)
+        : mesh_(mesh),
+          passed_(mesh.position.size(), kNever),
+          slowness_(mesh.position.size()),
+          arrived_(mesh.position.size(), 0),
+          entered_(mesh.position.size(), 0) {}
+
+    void locate(const Moment& now, std::span<Point> points) override {
+        crossing_ = now.time - now.dt / 2;  // between this moment and the one before
+        mark_entered(now, 1);
+        find_slowness(now);
+        carry_origins(now);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (now.detector.before()[i] < 0)
+                begin(points[i], origins_[i], now.dt);
+            else
+                go_on(points[i], now.dt);
+        }
+        mark_entered(now, 0);
+        for (const int v : arrivals_) arrived_[v] = 0;
+        for (const int v : now.detector.flipped()) passed_[v] = crossing_;
+    }
+
+  private:
+    // Where and when a front came onto an edge.
+    struct Origin {
+        int vertex = -1;  // through which; -1: it was first seen at `f`
+        float f = 0.5f;
+        double time = 0;  // s
+    };
+
+    // Vertices from which a front enters an edge now.
+    void mark_entered(const Moment& now, std::uint8_t mark) {
+        for (std::size_t i = 0; i < now.detector.cut().size(); ++i)
+            if (now.detector.before()[i] < 0) {
+                const auto [a, b] = mesh_.edge[now.detector.cut()[i]];
+                entered_[a] = entered_[b] = mark;
+            }
+    }
+
+    // The vertex through which a front left an edge, -1 where it cannot be told: the one where it enters
+    // others, and if it does at both ends the one it passed, or was going to.
+    int exit_of(const Moment& now, const Detector::Gone& gone) const {
+        const auto [a, b] = mesh_.edge[gone.edge];
+        if (entered_[a] != entered_[b]) return entered_[a] ? a : b;
+        const auto& flipped = now.detector.flipped();
+        const bool at_a = std::binary_search(flipped.begin(), flipped.end(), a);
+        const bool at_b = std::binary_search(flipped.begin(), flipped.end(), b);
+        if (at_a != at_b) return at_a ? a : b;
+        const float speed = now.previous[gone.before].speed;
+        return speed > 0 ? b : speed < 0 ? a : -1;
+    }
+
+    void find_slowness(const Moment& now) {
+        exits_.clear();
+        for (const Detector::Gone& gone : now.detector.vanished())
+            if (const int vertex = exit_of(now, gone); vertex >= 0) exits_.push_back({vertex, gone});
+        std::stable_sort(exits_.begin(), exits_.end(),
+                         [](const Exit& x, const Exit& y) { return x.vertex < y.vertex; });
+        arrivals_.clear();
+        for (auto exit = exits_.begin(); exit != exits_.end();) {
+            const int vertex = exit->vertex;
+            LeastSquares rows;
+            bool came_back = false;
+            for (; exit != exits_.end() && exit->vertex == vertex; ++exit) {
+                const Origin& origin = origins_[exit->gone.before];
+                if (origin.vertex == vertex) {
+                    came_back = true;
+                    continue;
+                }
+                rows.add(way_from(origin, exit->gone.edge, vertex),
+                         std::max(crossing_ - origin.time, now.dt / 2));
+            }
+            if (rows.xx + rows.yy > 0)
+                slowness_[vertex] = rows.solve();
+            else if (came_back && is_newest(vertex))
+                slowness_[vertex] = -slowness_[vertex];  // steadily decelerated (8)
+            else
+                continue;
+            arrived_[vertex] = 1;
+            arrivals_.push_back(vertex);
+        }
+    }
+
+    glm::dvec2 way_from(const Origin& origin, int edge, int vertex) const {
+        const glm::dvec2 a(mesh_.position[mesh_.edge[edge].a]), along(mesh_.along(edge));
+        const glm::dvec2 start =
+            origin.vertex >= 0 ? glm::dvec2(mesh_.position[origin.vertex]) : a + double{origin.f} * along;
+        return glm::dvec2(mesh_.position[vertex]) - start;
+    }
+
+    // Did a front pass none of its neighbours since it passed here?
+    bool is_newest(int vertex) const {
+        const auto around = mesh_.around(vertex);
+        return passed_[vertex] > kNever && std::all_of(around.begin(), around.end(), [&](const auto& spoke) {
+                   return passed_[spoke.vertex] <= passed_[vertex];
+               });
+    }
+
+    void carry_origins(const Moment& now) {
+        previous_.swap(origins_);
+        origins_.clear();
+        for (const int before : now.detector.before())
+            origins_.push_back(before >= 0 ? previous_[before] : Origin{-1, 0.5f, crossing_});
+    }
+
+    void begin(Point& point, Origin& origin, double dt) {
+        const auto [a, b] = mesh_.edge[point.edge];
+        const glm::dvec2 unit = glm::dvec2(mesh_.along(point.edge)) / double{mesh_.length[point.edge]};
+        // What it takes to go along the edge from either end, s/m; of two ends the one from which it is
+        // slower.
+        const auto slowness_from = [&](int vertex, const glm::dvec2& u) {
+            const glm::dvec2 r = slowness_[vertex];
+            return arrived_[vertex] ? std::max(glm::dot(r, u), kLeastShare * glm::length(r)) : 0;
+        };
+        const double from_a = slowness_from(a, unit), from_b = slowness_from(b, -unit);
+        if (from_a == 0 && from_b == 0) return;  // first seen here: it stays in the middle, at rest
+        const bool at_a = from_a >= from_b;
+        const double speed = 1 / std::max(from_a, from_b);
+        const double run = std::min(speed * dt / 2 / mesh_.length[point.edge], 1.0);
+        origin = {at_a ? a : b, at_a ? 0.f : 1.f, crossing_};
+        point.f = static_cast<float>(at_a ? run : 1 - run);
+        point.speed = static_cast<float>(at_a ? speed : -speed);
+    }
+
+    // At the end of its edge it waits.
+    void go_on(Point& point, double dt) const {
+        const double f = point.f + point.speed * dt / mesh_.length[point.edge];
+        point.f = static_cast<float>(std::clamp(f, 0.0, 1.0));
+    }
+
+    struct Exit {
+        int vertex;
+        Detector::Gone gone;
+    };
+
+    const Mesh& mesh_;
+    double crossing_ = 0;                          // when what changed now did, s
+    std::vector<double> passed_;                   // when a front last passed a vertex, s
+    std::vector<glm::dvec2> slowness_;             // with which it came there, s/m
+    std::vector<std::uint8_t> arrived_, entered_;  // at a vertex, now
+    std::vector<int> arrivals_;
+    std::vector<Exit> exits_;
+    std::vector<Origin> origins_, previous_;  // of each point
+};
+
+}  // namespace
+
+std::unique_ptr<Locator> paper_locator(const Mesh& mesh) {
+    return std::make_unique<PaperLocator>(mesh);
+}
+
+}  // namespace sim::front

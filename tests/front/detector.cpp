@@ -1,0 +1,116 @@
+#include "sim/front/detector.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace {
+
+using sim::front::Detector;
+using sim::front::Mesh;
+using sim::front::mesh_of;
+using sim::front::Rule;
+
+// Five vertices by three, 1 m apart.
+class FrontDetector : public testing::Test {
+  protected:
+    const Mesh mesh = mesh_of(sim::Grid{5, 3, 1});
+    std::vector<glm::vec2> velocity = std::vector<glm::vec2>(15);
+    std::vector<float> scalar = std::vector<float>(15);
+
+    // Everything west of column x moves to the east at `speed`.
+    void move_west_of(int x, float speed) {
+        for (int v = 0; v < 15; ++v) velocity[v] = {v % 5 < x ? speed : 0, 0};
+    }
+    // Edges between columns x-1 and x.
+    std::vector<int> edges_west_of(int x) const {
+        std::vector<int> edges;
+        for (int e = 0; e < mesh.edges(); ++e) {
+            const int a = mesh.edge[e].a % 5, b = mesh.edge[e].b % 5;
+            if (std::min(a, b) == x - 1 && std::max(a, b) == x) edges.push_back(e);
+        }
+        return edges;
+    }
+    static std::vector<int> list(std::span<const int> of) { return {of.begin(), of.end()}; }
+    static std::vector<int> edges_of(std::span<const Detector::Gone> gone) {
+        std::vector<int> edges;
+        for (const auto& one : gone) edges.push_back(one.edge);
+        return edges;
+    }
+};
+
+TEST_F(FrontDetector, lists_what_is_cut_and_what_became_of_it) {
+    Detector detector(mesh, sim::front::gradient_rule(0.5f, 1));
+    move_west_of(2, 1);
+    detector.update({velocity, {}});
+    EXPECT_EQ(list(detector.cut()), edges_west_of(2));
+    EXPECT_EQ(list(detector.before()), std::vector<int>(5, -1));
+    EXPECT_TRUE(detector.flipped().empty());  // nothing is known of the step before
+
+    detector.update({velocity, {}});
+    EXPECT_EQ(list(detector.before()), (std::vector<int>{0, 1, 2, 3, 4}));
+    EXPECT_TRUE(detector.vanished().empty());
+
+    const std::vector<int> were = list(detector.cut());
+    move_west_of(3, 1);
+    detector.update({velocity, {}});
+    EXPECT_EQ(list(detector.cut()), edges_west_of(3));
+    EXPECT_EQ(edges_of(detector.vanished()), were);
+    for (const auto& gone : detector.vanished()) EXPECT_EQ(were[gone.before], gone.edge);
+    EXPECT_EQ(list(detector.flipped()), (std::vector<int>{2, 7, 12}));
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(detector.slot(detector.cut()[i]), i);
+    EXPECT_FALSE(detector.is_cut(were[0]));
+}
+
+// Equation (1): the jump that an edge needs grows with its length.
+TEST_F(FrontDetector, wants_more_of_a_longer_edge) {
+    Detector detector(mesh, {.threshold = 1});
+    move_west_of(2, 1.2f);  // below √2, above 1
+    detector.update({velocity, {}});
+    EXPECT_EQ(detector.cut().size(), 3u);
+    for (const int e : detector.cut()) EXPECT_EQ(mesh.length[e], 1);
+    move_west_of(2, 1.5f);
+    detector.update({velocity, {}});
+    EXPECT_EQ(detector.cut().size(), 5u);
+}
+
+TEST_F(FrontDetector, holds_what_it_has_cut) {
+    Detector detector(mesh, {.jump = 1, .hold = 0.7f});
+    const auto cut_at = [&](float speed) {
+        move_west_of(2, speed);
+        detector.update({velocity, {}});
+        return detector.cut().size();
+    };
+    EXPECT_EQ(cut_at(0.99f), 0u);
+    EXPECT_EQ(cut_at(1.01f), 5u);
+    EXPECT_EQ(cut_at(0.71f), 5u);
+    EXPECT_EQ(cut_at(0.69f), 0u);
+    EXPECT_EQ(cut_at(0.99f), 0u);
+}
+
+// Beside rest a jump is as great as the velocity itself; within a flow it is a small part of it.
+TEST_F(FrontDetector, for_avalanches_cuts_beside_rest_alone) {
+    Detector detector(mesh, sim::front::avalanche_rule());
+    for (int v = 0; v < 15; ++v) velocity[v] = {v % 5 < 3 ? 10.f - 3.f * static_cast<float>(v % 5) : 0, 0};
+    detector.update({velocity, {}});  // 10, 7, 4, 0, 0
+    EXPECT_EQ(list(detector.cut()), edges_west_of(3));
+    move_west_of(3, 0.29f);
+    detector.update({velocity, {}});
+    EXPECT_EQ(detector.cut().size(), 5u) << "held";
+    move_west_of(3, 0.2f);
+    detector.update({velocity, {}});
+    EXPECT_EQ(detector.cut().size(), 0u);
+}
+
+TEST_F(FrontDetector, by_a_level_cuts_where_the_scalar_crosses_it) {
+    Detector detector(mesh, {.kind = Rule::Kind::kLevel, .level = 0.5f});
+    for (int v = 0; v < 15; ++v) scalar[v] = v % 5 < 2 ? 1.f : 0.5f;
+    detector.update({velocity, scalar});
+    EXPECT_EQ(list(detector.cut()), edges_west_of(2));
+    for (int v = 0; v < 15; ++v) scalar[v] = v % 5 < 3 ? 0.51f : 0.f;
+    detector.update({velocity, scalar});
+    EXPECT_EQ(list(detector.cut()), edges_west_of(3));
+    EXPECT_EQ(list(detector.flipped()), (std::vector<int>{2, 7, 12}));
+}
+
+}  // namespace

@@ -1,0 +1,178 @@
+#include "sim/front/tracker.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <functional>
+
+#include <glm/geometric.hpp>
+
+#include "sim/fields/test_flows.h"
+#include "sim/workers.h"
+
+namespace {
+
+using sim::Workers;
+using sim::front::Mesh;
+using sim::front::mesh_of;
+using sim::front::Point;
+using sim::front::Source;
+using sim::front::Tracker;
+
+constexpr double kStep = 1 / 60.0;
+
+Mesh unit_square(int squares) {
+    return mesh_of(sim::Grid{squares + 1, squares + 1, 1 / static_cast<float>(squares)});
+}
+
+std::vector<glm::vec2> velocities(const Mesh& mesh, const std::function<glm::vec2(glm::vec2)>& of) {
+    std::vector<glm::vec2> velocity;
+    for (const glm::vec2& position : mesh.position) velocity.push_back(of(position));
+    return velocity;
+}
+
+// Two ways on either side of a line whose distance from the origin along `normal` grows steadily.
+class SteadyLine {
+  public:
+    SteadyLine(int squares, Source source, glm::vec2 normal, float from, float speed)
+        : mesh(unit_square(squares)),
+          normal_(glm::normalize(normal)),
+          at_(from),
+          speed_(speed),
+          tracker(mesh, sim::front::gradient_rule(0.05f, 1 / static_cast<float>(squares)), source) {}
+
+    void step() {
+        at_ += speed_ * static_cast<float>(kStep);
+        tracker.advance({velocities(mesh,
+                                    [&](glm::vec2 x) {
+                                        return (glm::dot(x, normal_) < at_ ? 0.2f : -0.2f) *
+                                               glm::vec2(-normal_.y, normal_.x);
+                                    }),
+                         {}},
+                        kStep, workers_);
+    }
+    float distance(const Point& point) const { return glm::dot(tracker.position(point), normal_) - at_; }
+
+  private:
+    Workers workers_{1};
+
+  public:
+    const Mesh mesh;
+
+  private:
+    glm::vec2 normal_;
+    float at_, speed_;
+
+  public:
+    Tracker tracker;
+};
+
+// A line that goes steadily cuts edges in proportion to how far they go across it, and each at every place as
+// often: the mean square of the distance of their middles follows.
+TEST(HalfSource, is_as_wrong_as_the_middle_of_an_edge_must_be) {
+    constexpr int kSquares = 20;
+    for (const glm::vec2 normal : {glm::vec2(1, 1), glm::vec2(-1, 1), glm::vec2(0.3f, 1)}) {
+        const glm::vec2 n = glm::normalize(normal);
+        double cut = 0, squares = 0;
+        for (const glm::vec2 edge : {glm::vec2(1, 0), glm::vec2(0, 1), glm::vec2(1, 1)}) {
+            const double across = std::abs(glm::dot(edge, n));
+            cut += across, squares += across * across * across / 12;
+        }
+        const bool rises = normal.x > 0;
+        SteadyLine line(kSquares, Source::kHalf, normal, rises ? 0.4f : -0.3f, 0.1f);
+        double sum = 0, count = 0;
+        for (int i = 0; i < 240; ++i) {
+            line.step();
+            for (const Point& point : line.tracker.points()) {
+                const double cells = line.distance(point) * kSquares;
+                sum += cells * cells, ++count;
+            }
+        }
+        EXPECT_NEAR(std::sqrt(sum / count), std::sqrt(squares / cut), 0.03 * std::sqrt(squares / cut));
+    }
+}
+
+// What velocities at the vertices tell of a line at rest is that it is between them.
+TEST(Sources, know_no_more_of_a_line_at_rest_than_its_edges) {
+    for (const Source source : {Source::kHalf, Source::kPaper, Source::kFit}) {
+        SteadyLine line(10, source, {0, 1}, 0.52f, 0);
+        for (int i = 0; i < 240; ++i) line.step();
+        ASSERT_FALSE(line.tracker.points().empty());
+        for (const Point& point : line.tracker.points()) EXPECT_NEAR(line.distance(point), 0.03, 0.002);
+    }
+}
+
+TEST(Sources, follow_a_steady_line_once_it_has_passed_some_vertices) {
+    for (const auto& [source, allowed] : {std::pair(Source::kPaper, 0.25), std::pair(Source::kFit, 0.08)}) {
+        SteadyLine line(20, source, {0, 1}, 0.1f, 0.2f);
+        for (int i = 0; i < 120; ++i) line.step();
+        for (int i = 0; i < 60; ++i) {
+            line.step();
+            for (const Point& point : line.tracker.points()) {
+                EXPECT_LT(std::abs(line.distance(point)) * 20, allowed) << to_string(source);
+                // Of the edges along y and of the diagonals: what they have to go to keep up.
+                const glm::vec2 along = line.mesh.along(point.edge);
+                const float expected = 0.2f * line.mesh.length[point.edge] / along.y;
+                EXPECT_NEAR(point.speed, expected, 0.1 * expected) << to_string(source);
+            }
+        }
+    }
+}
+
+TEST(LevelSource, is_exact_where_the_scalar_is_linear) {
+    const Mesh mesh = unit_square(8);
+    Tracker tracker(mesh, {.kind = sim::front::Rule::Kind::kLevel, .level = 0.25f}, Source::kLevel);
+    Workers workers(1);
+    const std::vector<glm::vec2> rest(mesh.position.size());
+    const glm::vec2 gradient(0.4f, -0.9f);
+    for (int i = 0; i < 30; ++i) {
+        std::vector<float> scalar;
+        const float rise = 0.3f * static_cast<float>(i * kStep);
+        for (const glm::vec2& x : mesh.position) scalar.push_back(glm::dot(x, gradient) + 0.5f + rise);
+        tracker.advance({rest, scalar}, kStep, workers);
+        ASSERT_FALSE(tracker.points().empty());
+        for (const Point& point : tracker.points()) {
+            EXPECT_NEAR(glm::dot(tracker.position(point), gradient) + 0.5f + rise, 0.25, 1e-5);
+            const float across = glm::dot(mesh.along(point.edge), gradient);
+            if (i > 0 && std::abs(across) > 0.01f) {
+                EXPECT_NEAR(point.speed, -0.3f / across * mesh.length[point.edge], 1e-2);
+            }
+        }
+    }
+}
+
+TEST(Tracker, tells_how_long_a_point_has_been_there) {
+    SteadyLine line(10, Source::kFit, {0, 1}, 0.52f, 0);
+    for (int i = 0; i < 31; ++i) line.step();
+    for (const Point& point : line.tracker.points()) EXPECT_NEAR(point.age, 0.5, 1e-5);
+}
+
+TEST(Tracker, lays_its_points_to_the_same_bits_with_any_number_of_threads) {
+    const Mesh mesh = unit_square(20);
+    const auto flow = sim::fields::pinwheel();
+    for (const Source source : {Source::kPaper, Source::kFit}) {
+        std::vector<Point> one;
+        for (const int threads : {1, 2, 5}) {
+            Tracker tracker(mesh, sim::front::gradient_rule(0.05f, 0.05f), source);
+            Workers workers(threads);
+            for (int i = 1; i <= 200; ++i)
+                tracker.advance(
+                    {velocities(mesh, [&](glm::vec2 x) { return flow.velocity(glm::dvec2(x), i * kStep); }),
+                     {}},
+                    kStep, workers);
+            const std::vector<Point> points(tracker.points().begin(), tracker.points().end());
+            if (threads == 1) one = points;
+            ASSERT_EQ(points.size(), one.size());
+            EXPECT_EQ(std::memcmp(points.data(), one.data(), one.size() * sizeof(Point)), 0)
+                << to_string(source) << ", threads " << threads;
+        }
+    }
+}
+
+TEST(Source, has_a_name_by_which_it_is_found) {
+    for (const Source source : {Source::kHalf, Source::kPaper, Source::kFit, Source::kLevel})
+        EXPECT_EQ(sim::front::source_named(to_string(source)), source);
+    EXPECT_EQ(sim::front::source_named("third"), std::nullopt);
+}
+
+}  // namespace
