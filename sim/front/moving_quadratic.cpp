@@ -50,19 +50,4 @@ void MovingQuadratic::solve() {
     }
 }
 
-double MovingQuadratic::at(double s, double z) const {
-    const auto term = terms(s, z);
-    double sum = 0;
-    for (int i = 0; i < kUnknowns; ++i) sum += solution_[i] * term[i];
-    return sum;
-}
-
-double MovingQuadratic::slope(double s) const {
-    return solution_[1] + solution_[2] * s;
-}
-
-double MovingQuadratic::speed(double s) const {
-    return solution_[3] + solution_[4] * s;
-}
-
 }  // namespace sim::front

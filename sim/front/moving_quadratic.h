@@ -20,9 +20,14 @@ class MovingQuadratic {
     // Solves for what was added until now; may be called again after more rows.
     void solve();
 
-    double at(double s, double z) const;  // of the last solution
-    double slope(double s) const;         // ∂D/∂s now
-    double speed(double s) const;         // ∂D/∂z now
+    // Of the last solution.
+    double at(double s, double z) const {
+        const auto& c = solution_;
+        return c[0] + s * (c[1] + s / 2 * c[2]) + z * (c[3] + s * c[4] + z / 2 * c[5]);
+    }
+    double slope(double s) const { return solution_[1] + solution_[2] * s; }  // ∂D/∂s now
+    double bend() const { return solution_[2]; }                              // ∂²D/∂s²
+    double speed(double s) const { return solution_[3] + solution_[4] * s; }  // ∂D/∂z now
 
   private:
     static std::array<double, kUnknowns> terms(double s, double z) {

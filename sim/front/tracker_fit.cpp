@@ -28,20 +28,25 @@ namespace {
 
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 
-constexpr int kRings = 4;           // of vertices around an edge that are asked
-constexpr int kFlips = 3;           // that a vertex remembers
-constexpr double kReach2 = 24;      // cells² along the front: rows farther away weigh nothing
-constexpr double kOneWay = 0.6;     // cosine: a flip counts whose front went this much along the normal
+constexpr int kRings = 4;       // of vertices around an edge that are asked
+constexpr int kFlips = 3;       // that a vertex remembers
+constexpr double kReach2 = 48;  // cells² along the front: rows farther away weigh nothing
+// Cosine between the way the front went at a flip and the normal: none counts below kOneWay, all above
+// kSurely. Where the front is bent, neighbours go other ways.
+constexpr double kOneWay = 0.6, kSurely = 0.9;
+double one_way_at(double bend) {  // 1/cells
+    return kOneWay - std::clamp(bend - 0.25, 0.0, 0.5);
+}
 constexpr double kLookAhead = 0.7;  // of a flip's direction: weight of where the front went on to
 
 // The window of time: it reaches back to where so many rows span so many cells across the front.
 constexpr int kWindowRows = 8;
 constexpr double kWindowSpan = 1.3, kWindowShare = 0.7, kWindowEnd = 2.5;
-constexpr double kLeastWindow = 4, kUsualWindow = 24;  // steps
+constexpr double kLeastWindow = 4, kUsualWindow = 30;  // steps
 
 // What is shown is led toward what was fitted, at this share per step of 1/60 s, and toward the chord of its
 // neighbours at that share in each of two sweeps.
-constexpr double kLed = 0.39, kSmoothed = 0.3;
+constexpr double kLed = 0.39, kSmoothed = 0.4;
 constexpr int kSweeps = 2;
 constexpr int kTurns = 4;  // an edge far from any flip is fitted in every fourth step
 
@@ -109,6 +114,7 @@ struct Piece {
     float f = 0.5f;          // as fitted
     glm::vec2 normal{1, 0};  // unit, from the side of vertex a to that of b
     float speed = 0;         // along the normal, m/s
+    float bend = 0;          // of the front there: what its slope gains per metre along it, 1/m
     bool is_new = false;
 };
 
@@ -123,6 +129,7 @@ class Fit {
         const auto [a, b] = mesh.edge[edge];
         cell_ = std::min(mesh.cell[a], mesh.cell[b]);
         normal_ = piece.normal;
+        one_way_ = one_way_at(std::abs(double{piece.bend}) * cell_);
         middle_ = 0.5 * (glm::dvec2(mesh.position[a]) + glm::dvec2(mesh.position[b]));
         step_ = std::abs(piece.speed) * now.dt / cell_;
         near_.gather(now.detector, edge);
@@ -146,6 +153,12 @@ class Fit {
         double s, D, side;
     };
 
+    // Much like e^(−s²/10), but nothing from kReach2 on.
+    static double weight_at(double s) {
+        const double share = 1 - s * s / kReach2;
+        return share * share * share;
+    }
+
     // s and D.
     std::pair<double, double> place(const glm::vec2& position) const {
         const glm::dvec2 from = (glm::dvec2(position) - middle_) / cell_;
@@ -158,13 +171,15 @@ class Fit {
             if (flips[vertex][0].time == kNever) continue;
             const auto [s, D] = place(now.detector.mesh().position[vertex]);
             if (s * s >= kReach2) continue;
-            const double share = 1 - s * s / kReach2, weight = share * share * share;
+            const double weight = weight_at(s);
             // The newest went toward B where it left a vertex on A's side; the one before it the other way.
             double way = side;
             for (const Flip& flip : flips[vertex]) {
                 if (flip.time == kNever) break;
-                if (way * glm::dot(glm::dvec2(flip.direction), normal_) > kOneWay)
-                    rows_.push_back({s, D, now.time - flip.time, weight});
+                const double along = way * glm::dot(glm::dvec2(flip.direction), normal_);
+                if (along > one_way_)
+                    rows_.push_back({s, D, now.time - flip.time,
+                                     weight * std::min((along - one_way_) / (kSurely - one_way_), 1.0)});
                 way = -way;
             }
         }
@@ -179,7 +194,7 @@ class Fit {
             const auto [sb, Db] = place(mesh.position[crossing.b]);
             const double s = (sa + sb) / 2, D = (Da + Db) / 2;
             if (s * s + D * D > 9 || Db - Da < 0.05 || s * s >= kReach2) continue;
-            crossings_.push_back({s, D, Db - Da, std::pow(1 - s * s / kReach2, 3)});
+            crossings_.push_back({s, D, Db - Da, weight_at(s)});
             ends_.push_back({sa, Da, 1}), ends_.push_back({sb, Db, -1});
         }
     }
@@ -234,11 +249,12 @@ class Fit {
 
     // What has not flipped yet the front has not passed: the worst that is on the wrong side becomes a row.
     void keep_sides() {
-        for (int round = 0; round < 5 && !ends_.empty(); ++round) {
-            const auto worst = std::max_element(ends_.begin(), ends_.end(), [&](const End& x, const End& y) {
-                return violation(x) < violation(y);
-            });
-            if (violation(*worst) <= 0.02) return;
+        for (int round = 0; round < 5; ++round) {
+            const End* worst = nullptr;
+            double by = 0.02;
+            for (const End& end : ends_)
+                if (const double violated = violation(end); violated > by) worst = &end, by = violated;
+            if (!worst) return;
             front_.add(worst->s, 0, worst->D, 1 / square(0.02));
             front_.solve();
         }
@@ -259,6 +275,7 @@ class Fit {
         piece.f = static_cast<float>(f);
         piece.normal = glm::vec2(glm::normalize(normal_ - front_.slope(s) * tangent));
         piece.speed = static_cast<float>(front_.speed(s) * cell_ / window_);
+        piece.bend = static_cast<float>(front_.bend() / cell_);
         return piece;
     }
 
@@ -267,6 +284,7 @@ class Fit {
     std::vector<Row> rows_, crossings_;  // of crossings `age` is how far they go across
     std::vector<End> ends_;
     glm::dvec2 middle_{0, 0}, normal_{1, 0};  // of the edge, m; across it, unit
+    double one_way_ = 0;                      // cosine, below which a flip does not count
     double cell_ = 1;                         // m
     double step_ = 0;                         // what the front goes in a step, cells
     double window_ = 1, short_window_ = 1;    // s
@@ -371,9 +389,9 @@ class FitLocator : public Locator {
             came.normal = unit(came.normal);
             if (came.normal == glm::vec2(0, 0)) continue;
             const float way = glm::dot(came.normal, u) >= 0 ? 1.f : -1.f;
-            return {v == a ? 0.f : 1.f, way * came.normal, way * came.speed, true};
+            return {v == a ? 0.f : 1.f, way * came.normal, way * came.speed, 0, true};
         }
-        return {0.5f, u, 0, true};
+        return {0.5f, u, 0, 0, true};
     }
 
     // Vertices within two rings of a flip.
