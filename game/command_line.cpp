@@ -3,7 +3,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <optional>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -43,6 +45,12 @@ void add_how(CLI::App& app, sim::How& how) {
            std::string("how the simulation is reckoned, to the same bits: ") + kKernels +
                " [the newest that this machine has]")
         ->type_name("NAME");
+}
+
+std::optional<sim::front::Rule::Kind> rule_named(std::string_view name) {
+    if (name == "paper") return sim::front::Rule::Kind::kGradient;
+    if (name == "relative") return sim::front::Rule::Kind::kRelative;
+    return std::nullopt;
 }
 
 template <class Enum>
@@ -197,6 +205,86 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
     add_how(app, options.how);
 }
 
+CLI::Option* add_positive(CLI::App& app, const char* option, const char* help,
+                          std::function<void(double)> take) {
+    return app
+        .add_option_function<std::string>(
+            option,
+            [option, take = std::move(take)](const std::string& text) {
+                char* end = nullptr;
+                const double value = std::strtod(text.c_str(), &end);
+                if (text.empty() || *end || !std::isfinite(value) || value <= 0)
+                    throw CLI::ValidationError(option, "'" + text + "' is not a number above 0");
+                take(value);
+            },
+            help)
+        ->type_name("NUMBER");
+}
+
+void add_track(CLI::App& app, TrackOptions& options, std::optional<sim::front::Source>& source,
+               std::optional<sim::front::Rule::Kind>& rule) {
+    app.add_option("mesh", options.mesh, "triangles as a Wavefront OBJ file; followed in its x, y plane")
+        ->type_name("MESH.obj")
+        ->required();
+    app.add_option("velocities", options.velocities,
+                   "array of frames × vertices × 2 as numpy.save() writes it, little-endian f4 or f8")
+        ->type_name("VELOCITIES.npy")
+        ->required();
+    add_positive(app, "--dt", "time from frame to frame, s [1/60]",
+                 [&](double value) { options.dt = value; });
+    add_named(app, "--source", source, sim::front::source_named, "half, paper, fit, level",
+              "where on its edge a point lies [fit]");
+    add_named(
+        app, "--rule", rule, rule_named, "paper, relative",
+        "which edges are cut: paper, where velocity changes by --threshold per metre and by --jump; "
+        "relative, by --jump and by 0.7 of both speeds, as beside rest [paper; with --source level where "
+        "the scalar crosses the level]");
+    add_positive(app, "--threshold", "M of the paper, 1/s [jump / 1.5 cells]",
+                 [&](double value) { options.threshold = value; });
+    add_positive(app, "--jump", "least jump of velocity that cuts an edge, m/s [of rule relative 0.3]",
+                 [&](double value) { options.jump = value; });
+    app.add_option("--scalar", options.scalar, "for --source level: array of frames × vertices")
+        ->type_name("R.npy");
+    app.add_option("--level", options.level, "for --source level: the level of the scalar")
+        ->type_name("NUMBER");
+    app.add_option("--out", options.out, "write the points here instead of to standard output")
+        ->type_name("FILE.csv");
+    app.add_option("--frames", options.pictures, "write pictures here")->type_name("DIR");
+    app.add_option("--every", options.every, "frames between two pictures")
+        ->check(CLI::Range(1, 1 << 20))
+        ->type_name("FRAMES")
+        ->capture_default_str();
+    add_size(app, options.size, "of the pictures, in pixels [800x800]");
+    app.add_option("--threads", options.threads, "any number gives the same bits")
+        ->check(CLI::Range(1, kMostThreads))
+        ->capture_default_str();
+    app.footer(
+        "Prints a line for each point of each frame: frame,time_s,i,j,f,x,y,w. The front crosses the edge "
+        "between "
+        "vertices\ni < j, counted from 0, at the share f of the way from i, at x, y; w is its speed along "
+        "the edge "
+        "from i to j, m/s.\n");
+}
+
+// What the options of a track must add up to.
+Outcome<void> check(TrackOptions& options, std::optional<sim::front::Source> source,
+                    std::optional<sim::front::Rule::Kind> rule) {
+    using sim::front::Rule, sim::front::Source;
+    options.source = source.value_or(Source::kFit);
+    const bool by_level = options.source == Source::kLevel;
+    options.rule = rule.value_or(by_level ? Rule::Kind::kLevel : Rule::Kind::kGradient);
+    if (by_level && (!options.scalar || !options.level))
+        return unusable("--source level needs --scalar R.npy and --level NUMBER");
+    if (!by_level && (options.scalar || options.level))
+        return unusable("--scalar and --level are for --source level");
+    if (options.level && !std::isfinite(*options.level)) return unusable("--level must be finite");
+    if (options.rule == Rule::Kind::kGradient && !options.jump && !options.threshold)
+        return unusable("track needs --jump or --threshold: what cuts an edge");
+    if (options.rule != Rule::Kind::kGradient && options.threshold)
+        return unusable("--threshold is for --rule paper");
+    return {};
+}
+
 // What the options of a run must add up to.
 Outcome<void> check(RunOptions& options) {
     if (!options.scene.empty() && options.terrain)
@@ -230,12 +318,18 @@ Outcome<int> run_command_line(int argc, char** argv) {
     RunOptions run_options;
     ReplayOptions replay_options;
     ListOptions list_options;
+    TrackOptions track_options;
+    std::optional<sim::front::Source> source;
+    std::optional<sim::front::Rule::Kind> rule;
     CLI::App* play_app =
         app.add_subcommand("play", "open the sandbox in a window (what couloir does without a subcommand)");
     CLI::App* run_app = app.add_subcommand("run", "run a scene or a real hill without a window");
     CLI::App* replay_app = app.add_subcommand("replay", "run a recording again, bit for bit");
     CLI::App* list_app = app.add_subcommand("list", "what ships: scenes, materials, recordings, terrains");
+    CLI::App* track_app = app.add_subcommand(
+        "track", "follow the fronts in anybody's velocities: where they cross the edges of a mesh, as CSV");
     add_play(*play_app, play_options);
+    add_track(*track_app, track_options, source, rule);
     add_run(*run_app, run_options);
     add_replay(*replay_app, replay_options);
     CLI::App* verify_app = app.add_subcommand(
@@ -256,6 +350,10 @@ Outcome<int> run_command_line(int argc, char** argv) {
     if (run_app->parsed()) {
         if (auto sound = check(run_options); !sound) return tl::unexpected(sound.error());
         return run(run_options);
+    }
+    if (track_app->parsed()) {
+        if (auto sound = check(track_options, source, rule); !sound) return tl::unexpected(sound.error());
+        return track(track_options);
     }
     if (verify_app->parsed()) return verify_physics();
     return replay_app->parsed() ? replay(replay_options) : list(list_options);

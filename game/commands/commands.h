@@ -9,6 +9,7 @@
 #include "game/scene.h"
 #include "game/summary.h"
 #include "sim/engine.h"
+#include "sim/front/tracker.h"
 
 namespace game {
 
@@ -59,6 +60,23 @@ struct ListOptions {
     bool json = false;
 };
 Outcome<int> list(const ListOptions& options);
+
+struct TrackOptions {
+    std::filesystem::path mesh, velocities;
+    double dt = 1.0 / 60;  // s
+    sim::front::Source source = sim::front::Source::kFit;
+    sim::front::Rule::Kind rule = sim::front::Rule::Kind::kGradient;
+    std::optional<double> threshold, jump;  // 1/s, m/s
+    std::optional<std::filesystem::path> scalar;
+    std::optional<double> level;
+    std::optional<std::filesystem::path> out;  // else standard output
+    std::optional<std::filesystem::path> pictures;
+    std::int64_t every = 1;  // frames
+    PictureSize size{800, 800};
+    int threads = 1;
+};
+// Follows the fronts in anybody's velocities on anybody's mesh.
+Outcome<int> track(const TrackOptions& options);
 
 // Prints the table of errors and orders; 1 where one misses its bound.
 Outcome<int> verify_physics();

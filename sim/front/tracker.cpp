@@ -1,6 +1,8 @@
 #include "sim/front/tracker.h"
 
+#include <algorithm>
 #include <array>
+#include <unordered_map>
 
 #include "sim/check.h"
 #include "sim/front/locator.h"
@@ -57,6 +59,21 @@ void Tracker::advance(const Flow& flow, double dt, Workers& workers) {
         points_.push_back(point);
     }
     if (locator_) locator_->locate({detector_, flow, time_, dt, previous_, workers}, points_);
+    outrun_ = count_outrun(dt);
+}
+
+int Tracker::count_outrun(double dt) const {
+    // In each vertex the front's time on the edges that it left there, the longest, in steps.
+    std::unordered_map<int, double> steps;
+    for (const auto& gone : detector_.vanished()) {
+        const auto [a, b] = mesh().edge[gone.edge];
+        const double spent = previous_[gone.before].age / dt + 1;
+        for (const int v : {a, b}) steps[v] = std::max(steps[v], spent);
+    }
+    return static_cast<int>(std::count_if(detector_.flipped().begin(), detector_.flipped().end(), [&](int v) {
+        const auto found = steps.find(v);
+        return found == steps.end() || found->second < 1.5;
+    }));
 }
 
 glm::vec2 Tracker::position(const Point& point) const {

@@ -55,13 +55,20 @@ class Tracker {
     // One for each edge of detector().cut(), in that order.
     std::span<const Point> points() const { return points_; }
     glm::vec2 position(const Point& point) const;  // m
+    // Vertices that a front passed in this step and that it went to at more than about half a cell per step:
+    // none of their edges was cut before, or none longer than one step. There its points are hardly more than
+    // guesses.
+    int outrun() const { return outrun_; }
 
   private:
+    int count_outrun(double dt) const;
+
     Detector detector_;
     Source source_;
     std::vector<Point> points_, previous_;
     std::unique_ptr<Locator> locator_;  // none for kHalf
-    double time_ = 0;
+    double time_ = 0;                   // s
+    int outrun_ = 0;
 };
 
 }  // namespace sim::front

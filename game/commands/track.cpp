@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "game/array_file.h"
+#include "game/commands/commands.h"
+#include "game/mesh_file.h"
+#include "game/progress.h"
+#include "game/text_file.h"
+#include "render/front_picture.h"
+#include "sim/workers.h"
+
+namespace game {
+namespace {
+
+using sim::front::Mesh;
+using sim::front::Rule;
+using sim::front::Source;
+using sim::front::Tracker;
+
+// An array of frames × vertices × `numbers`, or frames × vertices where that is 1.
+Outcome<ArrayFile> open_frames(const std::filesystem::path& path, const Mesh& mesh, std::int64_t numbers) {
+    auto array = ArrayFile::open(path);
+    if (!array) return array;
+    const auto& shape = array->shape();
+    const bool fits = shape.size() == (numbers == 1 ? 2 : 3) && shape[0] > 0 && shape[1] == mesh.vertices() &&
+                      (numbers == 1 || shape[2] == numbers);
+    if (fits) return array;
+    return unusable(fmt::format("{}: its shape is {}; wanted are frames × {} vertices{}", path.string(),
+                                array->shape_text(), mesh.vertices(),
+                                numbers == 1 ? "" : fmt::format(" × {}", numbers)));
+}
+
+float usual_cell(const Mesh& mesh) {
+    std::vector<float> cells;
+    for (const float cell : mesh.cell)
+        if (cell > 0) cells.push_back(cell);
+    const auto middle = cells.begin() + static_cast<std::ptrdiff_t>(cells.size() / 2);
+    std::nth_element(cells.begin(), middle, cells.end());
+    return *middle;
+}
+
+Rule rule_of(const TrackOptions& options, const Mesh& mesh) {
+    Rule rule;
+    if (options.rule == Rule::Kind::kGradient) {
+        if (options.jump)
+            rule = sim::front::gradient_rule(static_cast<float>(*options.jump), usual_cell(mesh));
+        if (options.threshold) rule.threshold = static_cast<float>(*options.threshold);
+    } else if (options.rule == Rule::Kind::kRelative) {
+        rule = sim::front::avalanche_rule();
+        if (options.jump) rule.jump = static_cast<float>(*options.jump);
+    } else {
+        rule.kind = Rule::Kind::kLevel;
+    }
+    if (options.level) rule.level = static_cast<float>(*options.level);
+    return rule;
+}
+
+void add_lines(std::string& csv, const Tracker& tracker, std::int64_t frame, double time) {
+    for (const auto& point : tracker.points()) {
+        const auto [i, j] = tracker.mesh().edge[point.edge];
+        const glm::vec2 at = tracker.position(point);
+        fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{}\n", frame, time, i, j, point.f, at.x,
+                       at.y, point.speed);
+    }
+}
+
+// Closes what is not standard output.
+struct Closed {
+    void operator()(std::FILE* file) const {
+        if (file != stdout) std::fclose(file);
+    }
+};
+
+}  // namespace
+
+Outcome<int> track(const TrackOptions& options) {
+    auto mesh = read_obj(options.mesh);
+    if (!mesh) return tl::unexpected(mesh.error());
+    auto velocities = open_frames(options.velocities, *mesh, 2);
+    if (!velocities) return tl::unexpected(velocities.error());
+    const std::int64_t frames = velocities->shape()[0];
+    std::optional<ArrayFile> scalars;
+    if (options.scalar) {
+        auto opened = open_frames(*options.scalar, *mesh, 1);
+        if (!opened) return tl::unexpected(opened.error());
+        if (opened->shape()[0] != frames)
+            return unusable(fmt::format("{} has {} frames and {} has {}", options.velocities.string(), frames,
+                                        options.scalar->string(), opened->shape()[0]));
+        scalars = std::move(*opened);
+    }
+    if (options.pictures) {
+        if (auto made = make_folder(*options.pictures); !made) return tl::unexpected(made.error());
+    }
+    // Beside its target until it is whole.
+    std::filesystem::path beside;
+    if (options.out) {
+        if (auto place = make_place_for(*options.out); !place) return tl::unexpected(place.error());
+        beside = options.out->string() + ".part";
+    }
+    const std::unique_ptr<std::FILE, Closed> file(options.out ? std::fopen(beside.c_str(), "wb") : stdout);
+    if (!file) return machine_fails(fmt::format("{} cannot be written", beside.string()));
+
+    Tracker tracker(*mesh, rule_of(options, *mesh), options.source);
+    sim::Workers workers(options.threads);
+    std::vector<glm::vec2> velocity(mesh->position.size());
+    std::vector<float> scalar(scalars ? velocity.size() : 0);
+    static_assert(sizeof(glm::vec2) == 2 * sizeof(float));
+    Progress progress("tracking");
+    std::string csv = "frame,time_s,i,j,f,x,y,w\n";
+    std::int64_t points = 0, hasty_frames = 0, outrun = 0;
+    const auto finish = [&](Outcome<int> outcome) {
+        if (!outcome && options.out) std::filesystem::remove(beside);
+        return outcome;
+    };
+    for (std::int64_t frame = 0; frame < frames; ++frame) {
+        auto read = velocities->read_frame({&velocity[0].x, 2 * velocity.size()});
+        if (read && scalars) read = scalars->read_frame(scalar);
+        if (!read) return finish(tl::unexpected(read.error()));
+        tracker.advance({velocity, scalar}, options.dt, workers);
+        points += static_cast<std::int64_t>(tracker.points().size());
+        outrun += tracker.outrun(), hasty_frames += tracker.outrun() > 0;
+        add_lines(csv, tracker, frame, static_cast<double>(frame) * options.dt);
+        if (std::fwrite(csv.data(), 1, csv.size(), file.get()) != csv.size())
+            return finish(machine_fails("the points cannot be written: is the disk full?"));
+        csv.clear();
+        if (options.pictures && frame % options.every == 0) {
+            const auto picture = render::front_picture(tracker, options.size.width, options.size.height);
+            const auto written =
+                render::write_png(picture, *options.pictures / fmt::format("front_{:06}.png", frame));
+            if (!written) return finish(machine_fails(written.error()));
+        }
+        progress.show(static_cast<double>(frame + 1) / static_cast<double>(frames),
+                      fmt::format("frame {}", frame));
+    }
+    if (std::fflush(file.get()) != 0)
+        return finish(machine_fails("the points cannot be written: is the disk full?"));
+    if (options.out) std::filesystem::rename(beside, *options.out);
+    fmt::print(stderr, "{} frames of {} vertices, {:.1f} points in each, by {}\n", frames, mesh->vertices(),
+               static_cast<double>(points) / static_cast<double>(frames), to_string(options.source));
+    if (outrun > 0)
+        fmt::print(
+            stderr,
+            "warning: in {} frames fronts crossed more than half a cell per step, at {} vertices in all: "
+            "there points are guesses; frames that lie closer in time would tell\n",
+            hasty_frames, outrun);
+    return 0;
+}
+
+}  // namespace game

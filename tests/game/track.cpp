@@ -1,0 +1,275 @@
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "game/array_file.h"
+#include "game/mesh_file.h"
+#include "tests/game/program.h"
+#include "tests/support/places.h"
+
+namespace game::test {
+namespace {
+
+constexpr int kSquares = 12, kRow = kSquares + 1, kVertices = kRow * kRow;
+
+// A unit square of squares, each in two triangles.
+std::string square_obj() {
+    std::string text = "# made by a test\nmtllib none.mtl\n";
+    for (int v = 0; v < kVertices; ++v)
+        text += fmt::format("v {:.6f} {:.6f} {}\n", 1.0 * (v % kRow) / kSquares, 1.0 * (v / kRow) / kSquares,
+                            v % 7);
+    for (int y = 0; y < kSquares; ++y)
+        for (int x = 0; x < kSquares; ++x) {
+            const int v = y * kRow + x + 1;
+            text += fmt::format("f {} {}/1 {}//2\r\n", v, v + 1, v + kRow + 1);
+            text += fmt::format("f {} {} {}\n", v - kVertices - 1, v + kRow - kVertices,
+                                v + kRow - 1 - kVertices);
+        }
+    return text;
+}
+
+std::string npy(const std::string& header, const std::string& data) {
+    std::string padded = header;
+    while ((padded.size() + 11) % 64 != 0) padded += ' ';
+    padded += '\n';
+    return std::string("\x93NUMPY\x01\x00", 8) + static_cast<char>(padded.size() & 255) +
+           static_cast<char>(padded.size() >> 8) + padded + data;
+}
+std::string header_of(const std::string& type, const std::string& shape, const char* fortran = "False") {
+    return fmt::format("{{'descr': '{}', 'fortran_order': {}, 'shape': {}, }}", type, fortran, shape);
+}
+template <class Number>
+std::string bytes_of(const std::vector<Number>& numbers) {
+    return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number)};
+}
+
+class Track : public testing::Test {
+  protected:
+    std::string put(const std::string& name, const std::string& bytes) const {
+        write_bytes(folder_.path() / name, bytes);
+        return (folder_.path() / name).string();
+    }
+    std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
+    std::string mesh() const { return put("mesh.obj", square_obj()); }
+
+    // Opposed ways on either side of y = `height(frame)`.
+    std::string lines(int frames, const std::function<double(int)>& height) const {
+        std::vector<double> numbers;
+        for (int frame = 0; frame < frames; ++frame)
+            for (int v = 0; v < kVertices; ++v) {
+                numbers.push_back(1.0 * (v / kRow) / kSquares < height(frame) ? 0.2 : -0.2);
+                numbers.push_back(0);
+            }
+        return put("v.npy",
+                   npy(header_of("<f8", fmt::format("({}, {}, 2)", frames, kVertices)), bytes_of(numbers)));
+    }
+
+  private:
+    support::TemporaryFolder folder_;
+};
+
+struct Line {
+    int frame, i, j;
+    double time, f, x, y, w;
+};
+std::vector<Line> lines_of(const std::string& csv) {
+    std::istringstream text(csv);
+    std::string row;
+    std::getline(text, row);
+    EXPECT_EQ(row, "frame,time_s,i,j,f,x,y,w");
+    std::vector<Line> lines;
+    while (std::getline(text, row)) {
+        Line line{};
+        EXPECT_EQ(std::sscanf(row.c_str(), "%d,%lf,%d,%d,%lf,%lf,%lf,%lf", &line.frame, &line.time, &line.i,
+                              &line.j, &line.f, &line.x, &line.y, &line.w),
+                  8)
+            << row;
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+TEST_F(Track, prints_where_a_front_crosses_the_edges_and_how_fast) {
+    const auto height = [](int frame) { return 0.1 + 0.2 * frame / 60; };
+    const std::string velocities = lines(120, height);
+    const Finished done = couloir({"track", mesh(), velocities, "--jump", "0.1"});
+    ASSERT_EQ(done.status, 0) << done.err;
+    const std::vector<Line> points = lines_of(done.out);
+    ASSERT_GT(points.size(), 120u * kSquares);
+    for (const Line& point : points) {
+        EXPECT_LT(point.i, point.j);
+        EXPECT_NEAR(point.time, point.frame / 60.0, 1e-6);
+        const double from = 1.0 * (point.i / kRow) / kSquares, to = 1.0 * (point.j / kRow) / kSquares;
+        EXPECT_NEAR(point.y, from + point.f * (to - from), 1e-5);
+        if (point.frame < 80) continue;
+        EXPECT_NEAR(point.y, height(point.frame), 0.15 / kSquares);
+        const double length = point.j % kRow == point.i % kRow ? 1 : std::sqrt(2.0);
+        EXPECT_NEAR(point.w, 0.2 * length, 0.03 * length);
+    }
+    EXPECT_NE(done.err.find("120 frames of 169 vertices"), std::string::npos) << done.err;
+    EXPECT_EQ(done.err.find("warning"), std::string::npos) << done.err;
+}
+
+TEST_F(Track, follows_a_level) {
+    std::vector<float> scalar;
+    for (int frame = 0; frame < 10; ++frame)
+        for (int v = 0; v < kVertices; ++v)
+            scalar.push_back(static_cast<float>(1.0 * (v / kRow) / kSquares - 0.31 - 0.01 * frame));
+    const std::string level =
+        put("r.npy", npy(header_of("<f4", fmt::format("(10, {})", kVertices)), bytes_of(scalar)));
+    const Finished done = couloir({"track", mesh(), lines(10, [](int) { return 2.0; }), "--source", "level",
+                                   "--scalar", level, "--level", "0", "--dt", "0.5"});
+    ASSERT_EQ(done.status, 0) << done.err;
+    const std::vector<Line> points = lines_of(done.out);
+    EXPECT_EQ(points.size(), 10u * (kRow + kSquares));
+    for (const Line& point : points) {
+        EXPECT_NEAR(point.y, 0.31 + 0.01 * point.frame, 1e-5);
+        EXPECT_NEAR(point.time, 0.5 * point.frame, 1e-6);
+    }
+}
+
+TEST_F(Track, warns_of_fronts_that_outrun_the_steps) {
+    const std::string velocities = lines(60, [](int frame) { return 0.7 * frame / kSquares; });
+    const Finished fast = couloir({"track", mesh(), velocities, "--jump", "0.1"});
+    EXPECT_EQ(fast.status, 0);
+    EXPECT_NE(fast.err.find("warning: in "), std::string::npos) << fast.err;
+    const std::string slower = lines(60, [](int frame) { return 0.3 * frame / kSquares; });
+    const Finished slow = couloir({"track", mesh(), slower, "--jump", "0.1"});
+    EXPECT_EQ(slow.err.find("warning"), std::string::npos) << slow.err;
+}
+
+TEST_F(Track, writes_a_whole_file_and_pictures) {
+    const Finished done =
+        couloir({"track", mesh(), lines(20, [](int) { return 0.52; }), "--jump", "0.1", "--out",
+                 at("new/points.csv"), "--frames", at("pictures"), "--every", "10", "--size", "64x48"});
+    ASSERT_EQ(done.status, 0) << done.err;
+    EXPECT_EQ(done.out, "");
+    EXPECT_EQ(lines_of(read_bytes(at("new/points.csv"))).size(), 20u * (kRow + kSquares));
+    for (const char* name : {"pictures/front_000000.png", "pictures/front_000010.png"})
+        EXPECT_EQ(read_bytes(at(name)).substr(1, 3), "PNG");
+    EXPECT_EQ(read_bytes(at("pictures/front_000001.png")), "");
+}
+
+TEST_F(Track, leaves_nothing_where_its_input_ends_in_damage) {
+    std::vector<float> numbers(static_cast<std::size_t>(3) * 2 * kVertices, 0.f);
+    numbers[(static_cast<std::size_t>(2) * kVertices + 17) * 2 + 1] = std::numeric_limits<float>::quiet_NaN();
+    const std::string velocities =
+        put("v.npy", npy(header_of("<f4", fmt::format("(3, {}, 2)", kVertices)), bytes_of(numbers)));
+    const Finished done = couloir({"track", mesh(), velocities, "--jump", "0.1", "--out", at("points.csv")});
+    EXPECT_EQ(done.status, 2);
+    EXPECT_EQ(done.err, "couloir: " + velocities + ": frame 2, vertex 17: not a finite number\n");
+    EXPECT_FALSE(std::filesystem::exists(at("points.csv")));
+    EXPECT_FALSE(std::filesystem::exists(at("points.csv.part")));
+}
+
+TEST_F(Track, refuses_what_does_not_fit_together) {
+    const std::string obj = mesh(), velocities = lines(3, [](int) { return 0.5; });
+    const std::string other = put("w.npy", npy(header_of("<f4", "(3, 7, 2)"), std::string(168, '\0')));
+    const std::string scalar = put(
+        "r.npy", npy(header_of("<f4", fmt::format("(4, {})", kVertices)), std::string(16 * kVertices, '\0')));
+    const std::pair<std::vector<std::string>, const char*> wrong[] = {
+        {{obj, velocities}, "--jump or --threshold"},
+        {{obj, velocities, "--jump", "0"}, "--jump"},
+        {{obj, velocities, "--jump", "nan"}, "--jump"},
+        {{obj, velocities, "--jump", "1", "--dt", "-1"}, "--dt"},
+        {{obj, velocities, "--jump", "1", "--dt", "inf"}, "--dt"},
+        {{obj, velocities, "--jump", "1", "--source", "third"}, "--source"},
+        {{obj, velocities, "--jump", "1", "--rule", "level"}, "--rule"},
+        {{obj, velocities, "--rule", "relative", "--threshold", "1"}, "--threshold"},
+        {{obj, velocities, "--jump", "1", "--level", "1"}, "--source level"},
+        {{obj, velocities, "--source", "level", "--level", "1"}, "--scalar"},
+        {{obj, velocities, "--source", "level", "--scalar", scalar}, "--level"},
+        {{obj, velocities, "--source", "level", "--scalar", scalar, "--level", "nan"}, "--level"},
+        {{obj, velocities, "--source", "level", "--scalar", scalar, "--level", "1"}, "has 3 and"},
+        {{obj, other, "--jump", "1"}, "its shape is (3, 7, 2); wanted are frames × 169 vertices × 2"},
+        {{obj, scalar, "--jump", "1"}, "wanted are frames × 169 vertices × 2"},
+        {{obj, at("none.npy"), "--jump", "1"}, "none.npy: cannot be opened"},
+        {{at("none.obj"), velocities, "--jump", "1"}, "none.obj: cannot be opened"},
+    };
+    for (const auto& [arguments, told] : wrong) {
+        std::vector<std::string> all{"track"};
+        all.insert(all.end(), arguments.begin(), arguments.end());
+        const Finished done = couloir(all);
+        EXPECT_EQ(done.status, 2) << told;
+        EXPECT_EQ(done.out, "") << told;
+        EXPECT_NE(done.err.find(told), std::string::npos) << done.err;
+        EXPECT_EQ(std::count(done.err.begin(), done.err.end(), '\n'), 1) << done.err;
+    }
+}
+
+TEST_F(Track, names_the_line_of_a_damaged_mesh) {
+    const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
+    const std::pair<std::string, const char*> wrong[] = {
+        {corners + "f 1 2 4 3\n", ":5: a face of 4 corners"},
+        {corners + "f 1 2\n", ":5: a face of 2 corners"},
+        {corners + "f 1 2 5\n", ":5: a triangle with a vertex that there is not"},
+        {corners + "f 1 2 -5\n", ":5: a triangle with a vertex that there is not"},
+        {corners + "f 1 2 0\n", ":5: '0' is no number of a vertex"},
+        {corners + "f 1 2 x\n", ":5: 'x' is no number of a vertex"},
+        {corners + "f 1 2 99999999999\n", ":5: '99999999999' is no number of a vertex"},
+        {corners + "f 1 2 2\n", ":5: a triangle without area"},
+        {corners + "f 1 2 3\nf 1 2 4\nf 2 1 4\n", ":7: the third triangle on one edge"},
+        {corners + "v 2 nan 0\nf 1 2 3\n", ":5: a vertex that is nowhere"},
+        {corners + "v 2 1e99 0\nf 1 2 3\n", ":5: '1e99' is no coordinate"},
+        {corners + "v 2 two 0\nf 1 2 3\n", ":5: 'two' is no coordinate"},
+        {corners + "v 2 3\nf 1 2 3\n", ":5: a vertex of less than three coordinates"},
+        {corners + "# " + std::string(70000, 'x') + "\nf 1 2 3\n", ":5: longer than 65536 characters"},
+        {corners, ": holds no triangle"},
+        {"", ": holds no triangle"},
+    };
+    for (const auto& [text, told] : wrong) {
+        const auto read = read_obj(put("bad.obj", text));
+        ASSERT_FALSE(read) << told;
+        EXPECT_EQ(read.error().status, Failure::kUnusable);
+        EXPECT_EQ(read.error().sentence.rfind(at("bad.obj") + told, 0), 0u) << read.error().sentence;
+    }
+}
+
+TEST_F(Track, reads_a_mesh_as_it_is_counted_in_its_file) {
+    const auto read = read_obj(mesh());
+    ASSERT_TRUE(read) << read.error().sentence;
+    EXPECT_EQ(read->vertices(), kVertices);
+    EXPECT_EQ(read->triangle.size(), 2u * kSquares * kSquares);
+    EXPECT_EQ(read->position[14], glm::vec2(1.f / kSquares, 1.f / kSquares));
+}
+
+TEST_F(Track, refuses_a_damaged_array) {
+    const std::string data(48, '\0');  // (3, 2, 2) of f4
+    const std::string good = npy(header_of("<f4", "(3, 2, 2)"), data);
+    const std::pair<std::string, const char*> wrong[] = {
+        {"", ": is no array"},
+        {"MATLAB 5.0 MAT-file", ": is no array"},
+        {npy(header_of(">f4", "(3, 2, 2)"), data), ": its numbers are '>f4'"},
+        {npy(header_of("<i4", "(3, 2, 2)"), data), ": its numbers are '<i4'"},
+        {npy(header_of("<f4", "(3, 2, 2)", "True"), data), ": it is in Fortran order"},
+        {npy(header_of("<f4", "(3, -2, 2)"), data), ": its header tells no shape"},
+        {npy(header_of("<f4", "()"), data), ": its header tells no shape"},
+        {npy(header_of("<f4", "(3, 2"), data), ": its header tells no shape"},
+        {npy(header_of("<f4", "(4000000000, 4000000000, 4000000000)"), data), ": its shape"},
+        {npy(header_of("<f4", "(3, 2, 2)"), data + "x"),
+         ": holds 49 bytes of data; its shape (3, 2, 2) wants 48"},
+        {npy("{'descr': '<f4'}", data), ": it is in Fortran order"},
+        {npy("", data), ": its numbers are "},
+        {"\x93NUMPY\x09" + good.substr(7), ": NPY version 9"},
+    };
+    for (const auto& [bytes, told] : wrong) {
+        const auto opened = ArrayFile::open(put("bad.npy", bytes));
+        ASSERT_FALSE(opened) << told;
+        EXPECT_EQ(opened.error().status, Failure::kUnusable);
+        EXPECT_EQ(opened.error().sentence.rfind(at("bad.npy") + told, 0), 0u) << opened.error().sentence;
+    }
+    ASSERT_TRUE(ArrayFile::open(put("good.npy", good)));
+    for (std::size_t length = 0; length < good.size(); ++length)
+        EXPECT_FALSE(ArrayFile::open(put("short.npy", good.substr(0, length)))) << length;
+}
+
+}  // namespace
+}  // namespace game::test
