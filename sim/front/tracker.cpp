@@ -63,7 +63,7 @@ void Tracker::advance(const Flow& flow, double dt, Workers& workers) {
 }
 
 int Tracker::count_outrun(double dt) const {
-    // In each vertex the front's time on the edges that it left there, the longest, in steps.
+    // Of each vertex that the front left edges through, the longest that it was on one of them, in steps.
     std::unordered_map<int, double> steps;
     for (const auto& gone : detector_.vanished()) {
         const auto [a, b] = mesh().edge[gone.edge];
@@ -72,7 +72,7 @@ int Tracker::count_outrun(double dt) const {
     }
     return static_cast<int>(std::count_if(detector_.flipped().begin(), detector_.flipped().end(), [&](int v) {
         const auto found = steps.find(v);
-        return found == steps.end() || found->second < 1.5;
+        return found != steps.end() && found->second < 1.5;
     }));
 }
 

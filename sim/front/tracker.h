@@ -55,9 +55,9 @@ class Tracker {
     // One for each edge of detector().cut(), in that order.
     std::span<const Point> points() const { return points_; }
     glm::vec2 position(const Point& point) const;  // m
-    // Vertices that a front passed in this step and that it went to at more than about half a cell per step:
-    // none of their edges was cut before, or none longer than one step. There its points are hardly more than
-    // guesses.
+    // Vertices that a front passed in this step on its way at more than about half a cell per step: none of
+    // the edges that it left there had been cut for longer than a step. Its points are hardly more than
+    // guesses there.
     int outrun() const { return outrun_; }
 
   private:
