@@ -1,6 +1,7 @@
 #include "sim/front/detector.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -19,21 +20,30 @@ float square(const glm::vec2& v) {
     return v.x * v.x + v.y * v.y;
 }
 
-// Squares are compared, because a root for each edge would cost more than all the rest.
-struct Gradient {
-    const Rule& rule;
-    // `held`: the edge is cut already. Times share².
-    bool operator()(const glm::vec2& a, const glm::vec2& b, float length, float share) const {
-        return square(b - a) >= square(std::max(rule.threshold * length, rule.jump)) * share;
-    }
-};
+// Whether velocity jumps enough from a to b. Squares are compared, because a root for each edge would cost
+// more than all the rest; speeds, which the relative rule wants, have one for each vertex.
+struct Jump {
+    float least;         // m/s
+    float ratio;         // of both speeds
+    float shares[2];     // squared, of what is not cut yet and of what is
+    const float* speed;  // of each vertex, m/s; only of the relative rule
 
-struct Relative {
-    const Rule& rule;
-    bool operator()(const glm::vec2& a, const glm::vec2& b, float, float share) const {
-        const float jump = square(b - a);
-        if (jump < square(rule.jump) * share) return false;
-        return jump >= square(rule.ratio * (glm::length(a) + glm::length(b))) * share;
+    template <bool relative>
+    bool test(const glm::vec2* velocity, int a, int b, std::uint8_t is_cut) const {
+        const float jump = square(velocity[b] - velocity[a]);
+        float limit = least;
+        if constexpr (relative) limit = std::max(limit, ratio * (speed[a] + speed[b]));
+        return jump >= limit * limit * (is_cut ? shares[1] : shares[0]);
+    }
+
+    // Edges that lie side by side in a heightfield: from a, a + 1, … to b, b + 1, …; whether one of them is
+    // cut.
+    template <bool relative>
+    bool test_row(const glm::vec2* velocity, int a, int b, int count, const std::uint8_t* __restrict was,
+                  std::uint8_t* __restrict on) const {
+        std::uint8_t any = 0;
+        for (int i = 0; i < count; ++i) any |= on[i] = test<relative>(velocity, a + i, b + i, was[i]);
+        return any;
     }
 };
 
@@ -54,6 +64,7 @@ Detector::Detector(const Mesh& mesh, const Rule& rule)
       was_on_(mesh.edge.size()),
       velocity_(mesh.position.size()),
       above_(mesh.position.size()),
+      speed_(rule.kind == Rule::Kind::kRelative ? mesh.position.size() : 0),
       slot_(mesh.edge.size(), -1) {}
 
 void Detector::update(const Flow& flow) {
@@ -67,53 +78,96 @@ void Detector::update(const Flow& flow) {
 }
 
 void Detector::find_jumps(const Flow& flow) {
-    const auto by = [&](const auto& test) {
-        const float shares[] = {1, square(rule_.hold)};
+    with_cut_.clear();
+    switch (rule_.kind) {
+        case Rule::Kind::kGradient:
+            return find_jumps<false>(flow.velocity.data());
+        case Rule::Kind::kRelative:
+            for (std::size_t v = 0; v < speed_.size(); ++v) speed_[v] = std::sqrt(square(flow.velocity[v]));
+            return find_jumps<true>(flow.velocity.data());
+        case Rule::Kind::kLevel:
+            for (std::size_t e = 0; e < on_.size(); ++e)
+                on_[e] = above_[mesh_.edge[e].a] ^ above_[mesh_.edge[e].b];
+            with_cut_.push_back({0, on_.size()});
+    }
+}
+
+template <bool relative>
+void Detector::find_jumps(const glm::vec2* velocity) {
+    Jump jump{rule_.jump, rule_.ratio, {1, square(rule_.hold)}, speed_.data()};
+    const auto least_of = [&](std::size_t e) {
+        return relative ? rule_.jump : std::max(rule_.threshold * mesh_.length[e], rule_.jump);
+    };
+    if (mesh_.columns == 0) {
         for (std::size_t e = 0; e < on_.size(); ++e) {
             const auto [a, b] = mesh_.edge[e];
-            on_[e] = test(flow.velocity[a], flow.velocity[b], mesh_.length[e], shares[was_on_[e]]);
+            jump.least = least_of(e);
+            on_[e] = jump.test<relative>(velocity, a, b, was_on_[e]);
         }
-    };
-    if (rule_.kind == Rule::Kind::kGradient) return by(Gradient{rule_});
-    if (rule_.kind == Rule::Kind::kRelative) return by(Relative{rule_});
-    for (std::size_t e = 0; e < on_.size(); ++e) on_[e] = above_[mesh_.edge[e].a] ^ above_[mesh_.edge[e].b];
+        with_cut_.push_back({0, on_.size()});
+        return;
+    }
+    // The three families of a heightfield's edges, each of one length.
+    const int nx = mesh_.columns, ny = mesh_.vertices() / nx;
+    std::size_t e = 0;
+    for (const auto& [columns, rows, step] :
+         {std::array{nx - 1, ny, 1}, std::array{nx, ny - 1, nx}, std::array{nx - 1, ny - 1, nx + 1}}) {
+        jump.least = least_of(e);
+        for (int y = 0; y < rows; ++y, e += static_cast<std::size_t>(columns))
+            if (jump.test_row<relative>(velocity, y * nx, y * nx + step, columns, &was_on_[e], &on_[e]))
+                with_cut_.push_back({e, e + static_cast<std::size_t>(columns)});
+    }
 }
 
 void Detector::find_flips(const Flow& flow) {
     flipped_.clear();
-    const auto where = [&](const auto& flips) {
-        for (int v = 0; v < mesh_.vertices(); ++v)
-            if (flips(v) && !first_) flipped_.push_back(v);
-    };
     if (rule_.kind == Rule::Kind::kLevel) {
-        where([&](int v) {
+        for (int v = 0; v < mesh_.vertices(); ++v) {
             const std::uint8_t above = flow.scalar[v] > rule_.level;
-            return std::exchange(above_[v], above) != above;
-        });
-    } else if (rule_.kind == Rule::Kind::kGradient) {
-        where([&](int v) { return Gradient{rule_}(velocity_[v], flow.velocity[v], mesh_.cell[v] / 2, 1); });
+            if (std::exchange(above_[v], above) != above && !first_) flipped_.push_back(v);
+        }
     } else {
-        where([&](int v) { return Relative{rule_}(velocity_[v], flow.velocity[v], 0, 1); });
+        find_jumps_in_time(flow.velocity.data());
     }
     std::copy(flow.velocity.begin(), flow.velocity.end(), velocity_.begin());
+}
+
+// Few vertices flip: many are looked at together, and one by one only where one of them may have.
+void Detector::find_jumps_in_time(const glm::vec2* velocity) {
+    if (first_) return;
+    const bool relative = rule_.kind == Rule::Kind::kRelative;
+    const float jump2 = square(rule_.jump);
+    constexpr int kTogether = 64;
+    for (int first = 0; first < mesh_.vertices(); first += kTogether) {
+        const int last = std::min(first + kTogether, mesh_.vertices());
+        std::uint32_t any = 0;
+        for (int v = first; v < last; ++v) any |= square(velocity[v] - velocity_[v]) >= jump2;
+        if (!any) continue;
+        for (int v = first; v < last; ++v) {
+            float limit = std::max(rule_.threshold * mesh_.cell[v] / 2, rule_.jump);
+            if (relative)
+                limit = std::max(rule_.jump,
+                                 rule_.ratio * (glm::length(velocity[v]) + glm::length(velocity_[v])));
+            const float jump = square(velocity[v] - velocity_[v]);
+            if (jump > 0 && jump >= limit * limit) flipped_.push_back(v);
+        }
+    }
 }
 
 // Both lists of edges ascend, so that one pass over each tells what was born and what vanished.
 void Detector::list_changes() {
     previous_.swap(cut_);
     cut_.clear(), before_.clear(), vanished_.clear();
-    constexpr std::size_t kWord = 8;
-    for (std::size_t e = 0; e < on_.size();) {
-        std::uint64_t word = 1;
-        if (e + kWord <= on_.size()) std::memcpy(&word, &on_[e], kWord);
-        if (!word) {
-            e += kWord;
-            continue;
+    constexpr std::size_t kWord = 8;  // edges that are looked at together, for few are cut
+    for (const auto& [first, last] : with_cut_)
+        for (std::size_t e = first; e < last;) {
+            std::uint64_t word = 1;
+            if (e + kWord <= last) std::memcpy(&word, &on_[e], kWord);
+            const std::size_t end = std::min(e + kWord, last);
+            if (!word) e = end;
+            for (; e < end; ++e)
+                if (on_[e]) cut_.push_back(static_cast<int>(e));
         }
-        const std::size_t end = std::min(e + kWord, on_.size());
-        for (; e < end; ++e)
-            if (on_[e]) cut_.push_back(static_cast<int>(e));
-    }
     for (std::size_t i = 0; i < previous_.size(); ++i) {
         const int e = previous_[i];
         if (!on_[e]) vanished_.push_back({e, std::exchange(slot_[e], -1)});

@@ -68,6 +68,9 @@ class Detector {
 
   private:
     void find_jumps(const Flow& flow);
+    template <bool relative>
+    void find_jumps(const glm::vec2* velocity);
+    void find_jumps_in_time(const glm::vec2* velocity);
     void find_flips(const Flow& flow);
     void list_changes();
 
@@ -77,8 +80,13 @@ class Detector {
     std::vector<std::uint8_t> on_, was_on_;  // of each edge
     std::vector<glm::vec2> velocity_;        // of the step before
     std::vector<std::uint8_t> above_;        // of each vertex, the level
+    std::vector<float> speed_;               // of each vertex, m/s; of the relative rule alone
     std::vector<int> cut_, previous_, before_, flipped_, slot_;
     std::vector<Gone> vanished_;
+    struct Range {
+        std::size_t first, last;
+    };
+    std::vector<Range> with_cut_;  // edges among which some are cut
 };
 
 }  // namespace sim::front

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
+#include <set>
 
 namespace {
 
@@ -111,6 +113,33 @@ TEST_F(FrontDetector, by_a_level_cuts_where_the_scalar_crosses_it) {
     detector.update({velocity, scalar});
     EXPECT_EQ(list(detector.cut()), edges_west_of(3));
     EXPECT_EQ(list(detector.flipped()), (std::vector<int>{2, 7, 12}));
+}
+
+// A heightfield's edges are looked at row by row: the same as one by one.
+TEST(DetectorOnAHeightfield, finds_what_it_finds_on_the_same_triangles) {
+    const Mesh field = mesh_of(sim::Grid{37, 21, 2});
+    const Mesh any = std::get<Mesh>(mesh_of(field.position, field.triangle));
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> component(-1, 1);
+    for (const Rule& rule : {sim::front::gradient_rule(1.2f, 2), Rule{.threshold = 0.5f},
+                             Rule{.kind = Rule::Kind::kRelative, .jump = 0.4f, .ratio = 0.8f}}) {
+        Detector on_field(field, rule), on_any(any, rule);
+        std::vector<glm::vec2> velocity(field.position.size());
+        for (int step = 0; step < 10; ++step) {
+            for (glm::vec2& v : velocity)
+                if (step == 0 || component(random) > 0.5f) v = {component(random), component(random)};
+            on_field.update({velocity, {}}), on_any.update({velocity, {}});
+            const auto edges = [](const Detector& of) {
+                std::set<std::pair<int, int>> cut;
+                for (const int e : of.cut()) cut.emplace(of.mesh().edge[e].a, of.mesh().edge[e].b);
+                return cut;
+            };
+            EXPECT_GT(edges(on_field).size(), 100u);
+            EXPECT_EQ(edges(on_field), edges(on_any));
+            EXPECT_EQ(std::vector<int>(on_field.flipped().begin(), on_field.flipped().end()),
+                      std::vector<int>(on_any.flipped().begin(), on_any.flipped().end()));
+        }
+    }
 }
 
 }  // namespace
