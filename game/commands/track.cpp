@@ -17,7 +17,6 @@ namespace {
 
 using sim::front::Mesh;
 using sim::front::Rule;
-using sim::front::Source;
 using sim::front::Tracker;
 
 // An array of frames × vertices × `numbers`, or frames × vertices where that is 1.
