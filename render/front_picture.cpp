@@ -19,8 +19,7 @@ namespace {
 using sim::front::Mesh;
 
 // Palette of Okabe and Ito, which colour-blind people can read.
-constexpr glm::vec3 kPaper{255, 255, 255}, kEdge{196, 196, 196}, kCut{253, 231, 196}, kFront{0, 114, 178},
-    kPoint{213, 94, 0};
+constexpr glm::vec3 kEdge{196, 196, 196}, kCut{253, 231, 196}, kFront{0, 114, 178}, kPoint{213, 94, 0};
 constexpr float kMargin = 16;  // pixels
 
 class Sheet {
