@@ -197,13 +197,13 @@ TEST_F(RemeshOfAFlow, has_no_cracks) {
     for (int e = 0; e < mesh.edges(); ++e) {
         const auto [first, second] = mesh.edge_triangle[e];
         if (second < 0) continue;
-        const auto [a, b] = mesh.edge[e];
+        const glm::vec2 from = mesh.position[mesh.edge[e].a], to = mesh.position[mesh.edge[e].b];
         const auto on_edge = [&](int triangle) {
             std::set<std::pair<float, float>> positions;
             for (const CutTriangle& part : cut_triangle(tracker, triangle).all())
                 for (const CutVertex& vertex : part) {
                     const glm::vec2 p = vertex.position;
-                    const float off = std::abs(area(mesh.position[a], mesh.position[b], p)) / mesh.length[e];
+                    const float off = std::abs(area(from, to, p)) / mesh.length[e];
                     if (off < 1e-6f) positions.emplace(p.x, p.y);
                 }
             return positions;
