@@ -15,6 +15,7 @@ constexpr double kSwing = 0.2, kSwingPeriod = 8;                         // m, s
 constexpr double kPinwheelPeriod = 20, kPinwheelAngle = 0.1;             // s, radians
 constexpr double kDiscRadius = 0.15, kDiscOrbit = 0.2, kDiscPeriod = 8;  // m, m, s
 constexpr double kDiscFall = 1.5;                                        // of the flow's speed
+constexpr double kDropRadius = 0.12, kApart = 0.25, kDropPeriod = 10;    // m, m from the middle at most, s
 constexpr double kLane = 0.16, kLaneSwing = 0.05, kLanePeriod = 10;      // m, m, s
 
 glm::dvec2 direction_of(double angle) {
@@ -49,6 +50,13 @@ double from_disc(const TestFlow& flow, const glm::dvec2& x, double time) {
     return glm::length(x - centre) - kDiscRadius;
 }
 
+// Below 0 inside of either; near the front as good as the distance itself.
+double from_drops(const TestFlow& flow, const glm::dvec2& x, double time) {
+    const glm::dvec2 way(kApart * std::cos(kTurn * flow.front_speed * time / kDropPeriod), 0);
+    const glm::dvec2 from = x - flow.through;
+    return std::min(glm::length(from - way), glm::length(from + way)) - kDropRadius;
+}
+
 // Lanes one above the other, which sway together: place in units of lanes.
 double lane_at(const TestFlow& flow, const glm::dvec2& x, double time) {
     const double sway = kLaneSwing * std::sin(kTurn * (x.x + flow.front_speed * time / kLanePeriod));
@@ -68,6 +76,8 @@ int TestFlow::region(const glm::dvec2& x, double time) const {
         }
         case Kind::kDisc:
             return from_disc(*this, x, time) > 0;
+        case Kind::kDrops:
+            return from_drops(*this, x, time) > 0;
         case Kind::kCrowd:
             return static_cast<int>(std::floor(lane_at(*this, x, time))) & 1;
     }
@@ -75,7 +85,11 @@ int TestFlow::region(const glm::dvec2& x, double time) const {
 }
 
 glm::vec2 TestFlow::velocity(const glm::dvec2& x, double time) const {
-    const int where = region(x, time);
+    const glm::dvec2 on_top = smooth * glm::dvec2(std::sin(kTurn * x.y), std::sin(kTurn * x.x));
+    return of_region(region(x, time), time) + glm::vec2(on_top);
+}
+
+glm::vec2 TestFlow::of_region(int where, double time) const {
     switch (kind) {
         case Kind::kOpposed:
         case Kind::kSwinging:
@@ -89,6 +103,8 @@ glm::vec2 TestFlow::velocity(const glm::dvec2& x, double time) const {
             return where ? glm::vec2(0, -kDiscFall * flow_speed)
                          : glm::vec2(speed * left_of(direction_of(disc_angle(*this, time))));
         }
+        case Kind::kDrops:
+            return glm::vec2(0, where ? flow_speed : -flow_speed);
         case Kind::kCrowd:
             return {where ? flow_speed : -flow_speed, 0};
     }
@@ -106,6 +122,8 @@ double TestFlow::distance(const glm::dvec2& x, double time) const {
         }
         case Kind::kDisc:
             return std::abs(from_disc(*this, x, time));
+        case Kind::kDrops:
+            return std::abs(from_drops(*this, x, time));
         case Kind::kCrowd: {
             // To the tangent of the sine above or below: near a front as good as the distance itself.
             const double lane = lane_at(*this, x, time);
@@ -128,6 +146,8 @@ double TestFlow::greatest_front_speed() const {
             return times * kTurn / kPinwheelPeriod * std::numbers::sqrt2 / 2;
         case Kind::kDisc:
             return times * kTurn / kDiscPeriod * kDiscOrbit;
+        case Kind::kDrops:
+            return times * kTurn / kDropPeriod * kApart;
         case Kind::kCrowd:
             return times * kTurn / kLanePeriod * kLaneSwing;
     }
@@ -149,6 +169,10 @@ TestFlow pinwheel() {
 
 TestFlow disc() {
     return {.kind = TestFlow::Kind::kDisc};
+}
+
+TestFlow drops() {
+    return {.kind = TestFlow::Kind::kDrops};
 }
 
 TestFlow crowd() {

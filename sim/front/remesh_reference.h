@@ -2,7 +2,6 @@
 
 #include <array>
 #include <optional>
-#include <span>
 
 #include <glm/vec2.hpp>
 
@@ -25,7 +24,8 @@ struct CutTriangles {
     std::array<CutTriangle, 6> triangle;
     int count = 0;
 
-    std::span<const CutTriangle> all() const { return {triangle.data(), static_cast<std::size_t>(count)}; }
+    const CutTriangle* begin() const { return triangle.data(); }
+    const CutTriangle* end() const { return triangle.data() + count; }
 };
 
 // `corner`: numbers of the vertices A, B, C, at the positions `at`; `crossing`: where the front crosses AB,

@@ -101,6 +101,26 @@ TEST(FitSource, bears_noise_of_a_twentieth_of_the_jump) {
     }
 }
 
+// It asks where velocities jump, and a smooth field on top does not.
+TEST(FitSource, bears_a_smooth_field_on_top) {
+    for (auto flow : {sim::fields::swinging(30), sim::fields::pinwheel(), sim::fields::disc()}) {
+        const double base = score_on(20, Source::kFit, flow, briefly()).rms;
+        flow.smooth = 0.03;
+        const FrontScore got = score_on(20, Source::kFit, flow, briefly());
+        EXPECT_LE(got.rms, 1.05 * base);
+        EXPECT_LE(got.missed, 0.006);
+        EXPECT_EQ(got.false_cuts, 0);
+    }
+}
+
+TEST(FitSource, follows_fronts_that_merge_and_part) {
+    for (const int squares : {20, 80}) {
+        const FrontScore fit = score_on(squares, Source::kFit, sim::fields::drops());
+        EXPECT_LE(fit.rms, 0.65 * score_on(squares, Source::kHalf, sim::fields::drops()).rms);
+        EXPECT_EQ(fit.missed + fit.false_cuts, 0);
+    }
+}
+
 TEST(FitSource, bears_any_triangles) {
     constexpr int kSquares = 20;
     Mesh mesh = mesh_of(sim::Grid{kSquares + 1, kSquares + 1, 1.f / kSquares});

@@ -70,7 +70,7 @@ TEST(Remesh, covers_the_triangle_once_and_keeps_its_turn) {
         const float whole = area(one.at[0], one.at[1], one.at[2]);
         float sum = 0;
         int without_area = 0;
-        for (const CutTriangle& triangle : one.cut().all()) {
+        for (const CutTriangle& triangle : one.cut()) {
             EXPECT_GE(area(triangle) / whole, -1e-6f);
             sum += area(triangle);
             without_area += std::abs(area(triangle)) < 1e-6f;
@@ -94,7 +94,7 @@ std::array<int, 3> sides_of(const Cutting& one) {
 int misplaced(const Cutting& one, const CutTriangles& cut) {
     const std::array<int, 3> side = sides_of(one);
     int wrong = 0;
-    for (const CutTriangle& triangle : cut.all()) {
+    for (const CutTriangle& triangle : cut) {
         if (std::abs(area(triangle)) < 1e-6f) continue;  // the tear
         std::set<int> sides;
         for (const CutVertex& vertex : triangle)
@@ -109,7 +109,7 @@ TEST(Remesh, gives_each_side_its_own_coordinates) {
     for (const Cutting& one : cuttings()) {
         if (one.cuts() == 1) continue;  // a tear that ends: both its sides are one
         EXPECT_EQ(misplaced(one, one.cut()), 0);
-        for (const CutTriangle& triangle : one.cut().all())
+        for (const CutTriangle& triangle : one.cut())
             for (const CutVertex& vertex : triangle) {
                 // A vertex of the mesh is where it was, and its own.
                 const auto k =
@@ -160,7 +160,7 @@ TEST(Remesh, never_mixes_the_sides) {
     for (const Cutting& one : cuttings()) {
         if (one.cuts() != 2) continue;
         const std::array<int, 3> side = sides_of(one);
-        for (const CutTriangle& triangle : one.cut().all()) {
+        for (const CutTriangle& triangle : one.cut()) {
             std::set<int> constants;
             for (const CutVertex& vertex : triangle)
                 constants.insert(
@@ -200,7 +200,7 @@ TEST_F(RemeshOfAFlow, has_no_cracks) {
         const glm::vec2 from = mesh.position[mesh.edge[e].a], to = mesh.position[mesh.edge[e].b];
         const auto on_edge = [&](int triangle) {
             std::set<std::pair<float, float>> positions;
-            for (const CutTriangle& part : cut_triangle(tracker, triangle).all())
+            for (const CutTriangle& part : cut_triangle(tracker, triangle))
                 for (const CutVertex& vertex : part) {
                     const glm::vec2 p = vertex.position;
                     const float off = std::abs(area(from, to, p)) / mesh.length[e];
@@ -240,7 +240,7 @@ TEST_F(RemeshOfAFlow, draws_an_affine_map_of_each_side_as_it_is) {
     };
     int copies = 0;
     for (int t = 0; t < static_cast<int>(mesh.triangle.size()); ++t)
-        for (const CutTriangle& part : cut_triangle(tracker, t).all())
+        for (const CutTriangle& part : cut_triangle(tracker, t))
             for (const CutVertex& vertex : part) {
                 const glm::mat2 gradient = sim::front::gradient_at(tracker.detector(), vertex.side,
                                                                    coordinates, last_at(vertex.side));
