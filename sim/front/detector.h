@@ -55,9 +55,8 @@ class Detector {
     std::span<const int> cut() const { return cut_; }  // edges, ascending
     bool is_cut(int edge) const { return slot_[edge] >= 0; }
     int slot(int edge) const { return slot_[edge]; }  // of a cut edge its place in cut(), else -1
-    std::span<const int> before() const {
-        return before_;
-    }  // of each in cut() the place it had; -1: born now
+    // Of each in cut() the place that it had there a step before; -1: it is cut since now.
+    std::span<const int> before() const { return before_; }
     struct Gone {
         int edge, before;  // and the place it had in cut()
     };

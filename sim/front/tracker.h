@@ -24,10 +24,10 @@ struct Point {
 
 // Where on its edge a point lies is told by one of four sources.
 enum class Source {
-    kHalf,  // always in the middle
-    kPaper,  // Pla-Castells, García-Fernández & Martínez-Durá, section 3: speed from the edges it left before
-    kFit,   // a piece of moving front fitted to the flips of the vertices around (tracker_fit.h)
-    kLevel  // where a scalar that is known at the vertices, linear between them, has its level
+    kHalf,   // always in the middle
+    kPaper,  // Rodríguez-Cerro et al., section 3: speed from the edges that the front left before
+    kFit,    // a piece of moving front fitted to the flips of the vertices around (tracker_fit.cpp)
+    kLevel   // where a scalar that is known at the vertices, linear between them, has its level
 };
 std::string_view to_string(Source source);
 std::optional<Source> source_named(std::string_view name);

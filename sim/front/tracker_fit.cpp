@@ -39,10 +39,32 @@ double one_way_at(double bend) {  // 1/cells
 }
 constexpr double kLookAhead = 0.7;  // of a flip's direction: weight of where the front went on to
 
-// The window of time: it reaches back to where so many rows span so many cells across the front.
+// The window of time: it reaches back to where so many rows span so many cells across the front, but to so
+// many steps at least. A short one does instead where it is this much shorter and the long one misses the
+// newest flips.
 constexpr int kWindowRows = 8;
 constexpr double kWindowSpan = 1.3, kWindowShare = 0.7, kWindowEnd = 2.5;
 constexpr double kLeastWindow = 4, kUsualWindow = 30;  // steps
+constexpr double kMuchShorter = 1.3;
+
+// Deviations, cells: of a flip, to which comes what the front goes in a step; of what a quadratic cannot
+// follow, times the cube of the age in windows; of the newest flips from a window that fits them.
+constexpr double kOfFlip = 0.02, kOfModel = 0.2, kOfNewest = 0.03;
+constexpr double kMostOfStep = 0.1;  // variance that comes of a step at most, cells²
+
+// That the front crosses an edge now says that it is near the middle, give or take this share of the edge;
+// less where flips are fresh. Edges count that lie so near and go so far across.
+constexpr double kOfMiddle = 0.4, kLessWhereFresh = 15;
+constexpr double kNear2 = 9, kLeastAcross = 0.05, kLeastDeviating = 0.2;  // cells², cells, cells
+
+// How far a vertex may lie on the wrong side, cells, and how many are put right at most; beyond the last a
+// front has turned back.
+constexpr double kSideKept = 0.02, kSideLost = 0.1;
+constexpr int kSidesKept = 5;
+
+// Along an edge a front is taken to go at most this many times as fast as across: when a point coasts, when
+// it is shown.
+constexpr float kLeastShareCoasting = 0.15f, kLeastShareShown = 0.3f;
 
 // What is shown is led toward what was fitted, at this share per step of 1/60 s, and toward the chord of its
 // neighbours at that share in each of two sweeps.
@@ -137,7 +159,7 @@ class Fit {
         collect_crossings(mesh);
         choose_window(now.dt);
         solve();
-        if (window_ > 1.3 * short_window_ && misses_newest()) {
+        if (window_ > kMuchShorter * short_window_ && misses_newest()) {
             window_ = short_window_;
             solve();
         }
@@ -153,7 +175,7 @@ class Fit {
         double s, D, side;
     };
 
-    // Much like e^(−s²/10), but nothing from kReach2 on.
+    // Much like e^(−s²/16), but nothing from kReach2 on.
     static double weight_at(double s) {
         const double share = 1 - s * s / kReach2;
         return share * share * share;
@@ -193,7 +215,7 @@ class Fit {
             const auto [sa, Da] = place(mesh.position[crossing.a]);
             const auto [sb, Db] = place(mesh.position[crossing.b]);
             const double s = (sa + sb) / 2, D = (Da + Db) / 2;
-            if (s * s + D * D > 9 || Db - Da < 0.05 || s * s >= kReach2) continue;
+            if (s * s + D * D > kNear2 || Db - Da < kLeastAcross) continue;
             crossings_.push_back({s, D, Db - Da, weight_at(s)});
             ends_.push_back({sa, Da, 1}), ends_.push_back({sb, Db, -1});
         }
@@ -214,16 +236,18 @@ class Fit {
 
     void solve() {
         front_ = {};
-        const double frame = std::min(0.1, square(step_) / 12);  // variance of when a flip was
+        const double frame = std::min(kMostOfStep, square(step_) / 12);  // variance of when a flip was
         for (const Row& row : rows_) {
             const double z = row.age / window_;
             if (z > kWindowEnd) break;
-            front_.add(row.s, -z, row.D, row.weight / (square(0.02) + frame + square(0.2 * z * z * z)));
+            front_.add(row.s, -z, row.D,
+                       row.weight / (square(kOfFlip) + frame + square(kOfModel * z * z * z)));
         }
         const double youngest = rows_.empty() ? window_ : rows_.front().age;
         const double fresh = std::max(0.0, 1 - youngest / window_);
         for (const auto& [s, D, across, weight] : crossings_) {
-            const double deviation = 0.4 * (1 + 15 * fresh * fresh) * std::max(across, 0.2);
+            const double deviation =
+                kOfMiddle * (1 + kLessWhereFresh * fresh * fresh) * std::max(across, kLeastDeviating);
             front_.add(s, 0, D, weight / square(deviation));
         }
         front_.solve();
@@ -241,21 +265,21 @@ class Fit {
                 sum += row.weight * square(row.D - front_.at(row.s, -row.age / window_));
                 weights += row.weight;
             }
-            if (sum > weights * (square(1.5 * step_) / 12 + square(0.03))) return true;
+            if (sum > weights * (square(1.5 * step_) / 12 + square(kOfNewest))) return true;
         }
         return std::any_of(ends_.begin(), ends_.end(),
-                           [&](const End& end) { return violation(end) > 0.1 + step_; });
+                           [&](const End& end) { return violation(end) > kSideLost + step_; });
     }
 
     // What has not flipped yet the front has not passed: the worst that is on the wrong side becomes a row.
     void keep_sides() {
-        for (int round = 0; round < 5; ++round) {
+        for (int round = 0; round < kSidesKept; ++round) {
             const End* worst = nullptr;
-            double by = 0.02;
+            double by = kSideKept;
             for (const End& end : ends_)
                 if (const double violated = violation(end); violated > by) worst = &end, by = violated;
             if (!worst) return;
-            front_.add(worst->s, 0, worst->D, 1 / square(0.02));
+            front_.add(worst->s, 0, worst->D, 1 / square(kSideKept));
             front_.solve();
         }
     }
@@ -418,7 +442,7 @@ class FitLocator : public Locator {
     }
 
     void coast(int edge, Piece& piece, double dt) const {
-        piece.f = std::clamp(piece.f + advance(edge, piece, 0.15f, dt), 0.f, 1.f);
+        piece.f = std::clamp(piece.f + advance(edge, piece, kLeastShareCoasting, dt), 0.f, 1.f);
     }
 
     // Jacobi sweeps toward the chord between the neighbours of a point: for the eye, since fed back into the
@@ -461,7 +485,7 @@ class FitLocator : public Locator {
         for (std::size_t i = 0; i < points.size(); ++i) {
             Point& point = points[i];
             Piece& piece = pieces_[i];
-            const float run = advance(point.edge, piece, 0.3f, dt);
+            const float run = advance(point.edge, piece, kLeastShareShown, dt);
             point.speed = run / static_cast<float>(dt) * mesh_.length[point.edge];
             const float ahead = point.f + run;
             point.f = piece.is_new ? smooth_[i] : std::clamp(ahead + led * (smooth_[i] - ahead), 0.f, 1.f);
