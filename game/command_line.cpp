@@ -5,7 +5,6 @@
 #include <functional>
 #include <optional>
 #include <thread>
-#include <utility>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -205,24 +204,23 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
     add_how(app, options.how);
 }
 
-CLI::Option* add_positive(CLI::App& app, const char* option, const char* help,
-                          std::function<void(double)> take) {
-    return app
-        .add_option_function<std::string>(
-            option,
-            [option, take = std::move(take)](const std::string& text) {
-                char* end = nullptr;
-                const double value = std::strtod(text.c_str(), &end);
-                if (text.empty() || *end || !std::isfinite(value) || value <= 0)
-                    throw CLI::ValidationError(option, "'" + text + "' is not a number above 0");
-                take(value);
-            },
-            help)
+// Into a double, or an optional one.
+template <class Number>
+void add_positive(CLI::App& app, const char* option, Number& number, const char* help) {
+    app.add_option_function<std::string>(
+           option,
+           [option, &number](const std::string& text) {
+               char* end = nullptr;
+               const double value = std::strtod(text.c_str(), &end);
+               if (text.empty() || *end || !std::isfinite(value) || value <= 0)
+                   throw CLI::ValidationError(option, "'" + text + "' is not a number above 0");
+               number = value;
+           },
+           help)
         ->type_name("NUMBER");
 }
 
-void add_track(CLI::App& app, TrackOptions& options, std::optional<sim::front::Source>& source,
-               std::optional<sim::front::Rule::Kind>& rule) {
+void add_track(CLI::App& app, TrackOptions& options) {
     app.add_option("mesh", options.mesh, "triangles as a Wavefront OBJ file; followed in its x, y plane")
         ->type_name("MESH.obj")
         ->required();
@@ -230,19 +228,17 @@ void add_track(CLI::App& app, TrackOptions& options, std::optional<sim::front::S
                    "array of frames × vertices × 2 as numpy.save() writes it, little-endian f4 or f8")
         ->type_name("VELOCITIES.npy")
         ->required();
-    add_positive(app, "--dt", "time from frame to frame, s [1/60]",
-                 [&](double value) { options.dt = value; });
-    add_named(app, "--source", source, sim::front::source_named, "half, paper, fit, level",
+    add_positive(app, "--dt", options.dt, "time from frame to frame, s [1/60]");
+    add_named(app, "--source", options.source, sim::front::source_named, "half, paper, fit, level",
               "where on its edge a point lies [fit]");
     add_named(
-        app, "--rule", rule, rule_named, "paper, relative",
+        app, "--rule", options.rule, rule_named, "paper, relative",
         "which edges are cut: paper, where velocity changes by --threshold per metre and by --jump; "
         "relative, by --jump and by 0.7 of both speeds, as beside rest [paper; with --source level where "
         "the scalar crosses the level]");
-    add_positive(app, "--threshold", "M of the paper, 1/s [jump / 1.5 cells]",
-                 [&](double value) { options.threshold = value; });
-    add_positive(app, "--jump", "least jump of velocity that cuts an edge, m/s [of rule relative 0.3]",
-                 [&](double value) { options.jump = value; });
+    add_positive(app, "--threshold", options.threshold, "M of the paper, 1/s [jump / 1.5 cells]");
+    add_positive(app, "--jump", options.jump,
+                 "least jump of velocity that cuts an edge, m/s [of rule relative 0.3]");
     app.add_option("--scalar", options.scalar, "for --source level: array of frames × vertices")
         ->type_name("R.npy");
     app.add_option("--level", options.level, "for --source level: the level of the scalar")
@@ -260,19 +256,18 @@ void add_track(CLI::App& app, TrackOptions& options, std::optional<sim::front::S
         ->capture_default_str();
     app.footer(
         "Prints a line for each point of each frame: frame,time_s,i,j,f,x,y,w. The front crosses the edge "
-        "between "
-        "vertices\ni < j, counted from 0, at the share f of the way from i, at x, y; w is its speed along "
-        "the edge "
-        "from i to j, m/s.\n");
+        "between vertices\n"
+        "i < j, counted from 0, at the share f of the way from i, at x, y; w is its speed along the edge "
+        "from "
+        "i to j, m/s.\n");
 }
 
-// What the options of a track must add up to.
-Outcome<void> check(TrackOptions& options, std::optional<sim::front::Source> source,
-                    std::optional<sim::front::Rule::Kind> rule) {
+// What the options of a track must add up to; says what was left to us.
+Outcome<void> check(TrackOptions& options) {
     using sim::front::Rule, sim::front::Source;
-    options.source = source.value_or(Source::kFit);
+    options.source = options.source.value_or(Source::kFit);
     const bool by_level = options.source == Source::kLevel;
-    options.rule = rule.value_or(by_level ? Rule::Kind::kLevel : Rule::Kind::kGradient);
+    options.rule = options.rule.value_or(by_level ? Rule::Kind::kLevel : Rule::Kind::kGradient);
     if (by_level && (!options.scalar || !options.level))
         return unusable("--source level needs --scalar R.npy and --level NUMBER");
     if (!by_level && (options.scalar || options.level))
@@ -319,8 +314,6 @@ Outcome<int> run_command_line(int argc, char** argv) {
     ReplayOptions replay_options;
     ListOptions list_options;
     TrackOptions track_options;
-    std::optional<sim::front::Source> source;
-    std::optional<sim::front::Rule::Kind> rule;
     CLI::App* play_app =
         app.add_subcommand("play", "open the sandbox in a window (what couloir does without a subcommand)");
     CLI::App* run_app = app.add_subcommand("run", "run a scene or a real hill without a window");
@@ -329,7 +322,7 @@ Outcome<int> run_command_line(int argc, char** argv) {
     CLI::App* track_app = app.add_subcommand(
         "track", "follow the fronts in anybody's velocities: where they cross the edges of a mesh, as CSV");
     add_play(*play_app, play_options);
-    add_track(*track_app, track_options, source, rule);
+    add_track(*track_app, track_options);
     add_run(*run_app, run_options);
     add_replay(*replay_app, replay_options);
     CLI::App* verify_app = app.add_subcommand(
@@ -352,7 +345,7 @@ Outcome<int> run_command_line(int argc, char** argv) {
         return run(run_options);
     }
     if (track_app->parsed()) {
-        if (auto sound = check(track_options, source, rule); !sound) return tl::unexpected(sound.error());
+        if (auto sound = check(track_options); !sound) return tl::unexpected(sound.error());
         return track(track_options);
     }
     if (verify_app->parsed()) return verify_physics();

@@ -1,5 +1,6 @@
 #include "game/mesh_file.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <fstream>

@@ -63,10 +63,10 @@ Outcome<int> list(const ListOptions& options);
 
 struct TrackOptions {
     std::filesystem::path mesh, velocities;
-    double dt = 1.0 / 60;  // s
-    sim::front::Source source = sim::front::Source::kFit;
-    sim::front::Rule::Kind rule = sim::front::Rule::Kind::kGradient;
-    std::optional<double> threshold, jump;  // 1/s, m/s
+    double dt = 1.0 / 60;                        // s
+    std::optional<sim::front::Source> source;    // the command line sees to it that there is one,
+    std::optional<sim::front::Rule::Kind> rule;  // and one
+    std::optional<double> threshold, jump;       // 1/s, m/s
     std::optional<std::filesystem::path> scalar;
     std::optional<double> level;
     std::optional<std::filesystem::path> out;  // else standard output

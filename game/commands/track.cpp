@@ -1,6 +1,11 @@
 #include <algorithm>
 #include <cstdio>
-#include <memory>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -43,11 +48,11 @@ float usual_cell(const Mesh& mesh) {
 
 Rule rule_of(const TrackOptions& options, const Mesh& mesh) {
     Rule rule;
-    if (options.rule == Rule::Kind::kGradient) {
+    if (*options.rule == Rule::Kind::kGradient) {
         if (options.jump)
             rule = sim::front::gradient_rule(static_cast<float>(*options.jump), usual_cell(mesh));
         if (options.threshold) rule.threshold = static_cast<float>(*options.threshold);
-    } else if (options.rule == Rule::Kind::kRelative) {
+    } else if (*options.rule == Rule::Kind::kRelative) {
         rule = sim::front::avalanche_rule();
         if (options.jump) rule.jump = static_cast<float>(*options.jump);
     } else {
@@ -66,11 +71,31 @@ void add_lines(std::string& csv, const Tracker& tracker, std::int64_t frame, dou
     }
 }
 
-// Closes what is not standard output.
-struct Closed {
-    void operator()(std::FILE* file) const {
-        if (file != stdout) std::fclose(file);
+// To standard output, or into a file that is whole in the end.
+class Output {
+  public:
+    static Outcome<Output> open(const std::optional<std::filesystem::path>& path) {
+        Output output;
+        if (path) {
+            auto file = WholeFile::open(*path);
+            if (!file) return tl::unexpected(file.error());
+            output.file_.emplace(std::move(*file));
+        }
+        return output;
     }
+    Outcome<void> write(std::string_view text) {
+        if (file_) return file_->write(text);
+        if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size()) return {};
+        return machine_fails("the points cannot be written: is the disk full?");
+    }
+    Outcome<void> finish() {
+        if (file_) return file_->finish();
+        if (std::fflush(stdout) == 0) return {};
+        return machine_fails("the points cannot be written: is the disk full?");
+    }
+
+  private:
+    std::optional<WholeFile> file_;
 };
 
 }  // namespace
@@ -93,16 +118,10 @@ Outcome<int> track(const TrackOptions& options) {
     if (options.pictures) {
         if (auto made = make_folder(*options.pictures); !made) return tl::unexpected(made.error());
     }
-    // Beside its target until it is whole.
-    std::filesystem::path beside;
-    if (options.out) {
-        if (auto place = make_place_for(*options.out); !place) return tl::unexpected(place.error());
-        beside = options.out->string() + ".part";
-    }
-    const std::unique_ptr<std::FILE, Closed> file(options.out ? std::fopen(beside.c_str(), "wb") : stdout);
-    if (!file) return machine_fails(fmt::format("{} cannot be written", beside.string()));
+    auto output = Output::open(options.out);
+    if (!output) return tl::unexpected(output.error());
 
-    Tracker tracker(*mesh, rule_of(options, *mesh), options.source);
+    Tracker tracker(*mesh, rule_of(options, *mesh), *options.source);
     sim::Workers workers(options.threads);
     std::vector<glm::vec2> velocity(mesh->position.size());
     std::vector<float> scalar(scalars ? velocity.size() : 0);
@@ -110,35 +129,28 @@ Outcome<int> track(const TrackOptions& options) {
     Progress progress("tracking");
     std::string csv = "frame,time_s,i,j,f,x,y,w\n";
     std::int64_t points = 0, hasty_frames = 0, outrun = 0;
-    const auto finish = [&](Outcome<int> outcome) {
-        if (!outcome && options.out) std::filesystem::remove(beside);
-        return outcome;
-    };
     for (std::int64_t frame = 0; frame < frames; ++frame) {
         auto read = velocities->read_frame({&velocity[0].x, 2 * velocity.size()});
         if (read && scalars) read = scalars->read_frame(scalar);
-        if (!read) return finish(tl::unexpected(read.error()));
+        if (!read) return tl::unexpected(read.error());
         tracker.advance({velocity, scalar}, options.dt, workers);
         points += static_cast<std::int64_t>(tracker.points().size());
         outrun += tracker.outrun(), hasty_frames += tracker.outrun() > 0;
         add_lines(csv, tracker, frame, static_cast<double>(frame) * options.dt);
-        if (std::fwrite(csv.data(), 1, csv.size(), file.get()) != csv.size())
-            return finish(machine_fails("the points cannot be written: is the disk full?"));
+        if (auto written = output->write(csv); !written) return tl::unexpected(written.error());
         csv.clear();
         if (options.pictures && frame % options.every == 0) {
             const auto picture = render::front_picture(tracker, options.size.width, options.size.height);
             const auto written =
                 render::write_png(picture, *options.pictures / fmt::format("front_{:06}.png", frame));
-            if (!written) return finish(machine_fails(written.error()));
+            if (!written) return machine_fails(written.error());
         }
         progress.show(static_cast<double>(frame + 1) / static_cast<double>(frames),
                       fmt::format("frame {}", frame));
     }
-    if (std::fflush(file.get()) != 0)
-        return finish(machine_fails("the points cannot be written: is the disk full?"));
-    if (options.out) std::filesystem::rename(beside, *options.out);
+    if (auto finished = output->finish(); !finished) return tl::unexpected(finished.error());
     fmt::print(stderr, "{} frames of {} vertices, {:.1f} points in each, by {}\n", frames, mesh->vertices(),
-               static_cast<double>(points) / static_cast<double>(frames), to_string(options.source));
+               static_cast<double>(points) / static_cast<double>(frames), to_string(*options.source));
     if (outrun > 0)
         fmt::print(
             stderr,

@@ -74,13 +74,9 @@ class Jumps {
     // From the nearest end that has flipped, as a share of the edge; without one nothing can be said.
     float from_flip(const front::Detector& detector, int edge, float f) const {
         const auto [a, b] = mesh_.edge[edge];
-        const auto flipped = [&](int v) {
-            return std::binary_search(detector.flipped().begin(), detector.flipped().end(), v);
-        };
-        float least = 1;
-        if (flipped(a)) least = std::min(least, f);
-        if (flipped(b)) least = std::min(least, 1 - f);
-        return flipped(a) || flipped(b) ? least : 0;
+        const bool from_a = detector.has_flipped(a), from_b = detector.has_flipped(b);
+        if (from_a && from_b) return std::min(f, 1 - f);
+        return from_a ? f : from_b ? 1 - f : 0;
     }
 
     const front::Mesh& mesh_;
@@ -99,7 +95,7 @@ FrontScore score(const front::Mesh& mesh, const front::Rule& rule, front::Source
     front::Tracker tracker(mesh, rule, source);
     Jumps jumps(mesh, limit), true_jumps(mesh, limit);
     std::mt19937 random(1);
-    std::normal_distribution<float> noise(0, static_cast<float>(std::max(trial.noise, 1e-30)));
+    std::normal_distribution<float> noise;  // of mean 0 and deviation 1
 
     std::vector<glm::vec2> velocity(mesh.position.size());
     std::vector<int> region(mesh.position.size());
@@ -112,7 +108,8 @@ FrontScore score(const front::Mesh& mesh, const front::Rule& rule, front::Source
             const glm::dvec2 at(mesh.position[v]);
             velocity[v] = lie.velocity(at, time);
             region[v] = lie.region(at, time);
-            if (trial.noise > 0) velocity[v] += glm::vec2(noise(random), noise(random));
+            if (trial.noise > 0)
+                velocity[v] += static_cast<float>(trial.noise) * glm::vec2(noise(random), noise(random));
         }
         tracker.advance({velocity, {}}, dt, workers);
 

@@ -77,6 +77,10 @@ void Detector::update(const Flow& flow) {
     first_ = false;
 }
 
+float Detector::least_jump(float length) const {
+    return rule_.kind == Rule::Kind::kRelative ? rule_.jump : std::max(rule_.threshold * length, rule_.jump);
+}
+
 void Detector::find_jumps(const Flow& flow) {
     with_cut_.clear();
     switch (rule_.kind) {
@@ -95,13 +99,10 @@ void Detector::find_jumps(const Flow& flow) {
 template <bool relative>
 void Detector::find_jumps(const glm::vec2* velocity) {
     Jump jump{rule_.jump, rule_.ratio, {1, square(rule_.hold)}, speed_.data()};
-    const auto least_of = [&](std::size_t e) {
-        return relative ? rule_.jump : std::max(rule_.threshold * mesh_.length[e], rule_.jump);
-    };
     if (mesh_.columns == 0) {
         for (std::size_t e = 0; e < on_.size(); ++e) {
             const auto [a, b] = mesh_.edge[e];
-            jump.least = least_of(e);
+            jump.least = least_jump(mesh_.length[e]);
             on_[e] = jump.test<relative>(velocity, a, b, was_on_[e]);
         }
         with_cut_.push_back({0, on_.size()});
@@ -112,7 +113,7 @@ void Detector::find_jumps(const glm::vec2* velocity) {
     std::size_t e = 0;
     for (const auto& [columns, rows, step] :
          {std::array{nx - 1, ny, 1}, std::array{nx, ny - 1, nx}, std::array{nx - 1, ny - 1, nx + 1}}) {
-        jump.least = least_of(e);
+        jump.least = least_jump(mesh_.length[e]);
         for (int y = 0; y < rows; ++y, e += static_cast<std::size_t>(columns))
             if (jump.test_row<relative>(velocity, y * nx, y * nx + step, columns, &was_on_[e], &on_[e]))
                 with_cut_.push_back({e, e + static_cast<std::size_t>(columns)});
@@ -128,8 +129,8 @@ void Detector::find_flips(const Flow& flow) {
         }
     } else {
         find_jumps_in_time(flow.velocity.data());
+        std::copy(flow.velocity.begin(), flow.velocity.end(), velocity_.begin());
     }
-    std::copy(flow.velocity.begin(), flow.velocity.end(), velocity_.begin());
 }
 
 // Few vertices flip: many are looked at together, and one by one only where one of them may have.
@@ -144,10 +145,9 @@ void Detector::find_jumps_in_time(const glm::vec2* velocity) {
         for (int v = first; v < last; ++v) any |= square(velocity[v] - velocity_[v]) >= jump2;
         if (!any) continue;
         for (int v = first; v < last; ++v) {
-            float limit = std::max(rule_.threshold * mesh_.cell[v] / 2, rule_.jump);
+            float limit = least_jump(mesh_.cell[v] / 2);
             if (relative)
-                limit = std::max(rule_.jump,
-                                 rule_.ratio * (glm::length(velocity[v]) + glm::length(velocity_[v])));
+                limit = std::max(limit, rule_.ratio * (glm::length(velocity[v]) + glm::length(velocity_[v])));
             const float jump = square(velocity[v] - velocity_[v]);
             if (jump > 0 && jump >= limit * limit) flipped_.push_back(v);
         }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -64,8 +65,12 @@ class Detector {
     // Vertices that a front passed: their own velocity jumped since the step before by what cuts an edge half
     // as long as the shortest at them, or their scalar crossed the level. Ascending.
     std::span<const int> flipped() const { return flipped_; }
+    bool has_flipped(int vertex) const {
+        return std::binary_search(flipped_.begin(), flipped_.end(), vertex);
+    }
 
   private:
+    float least_jump(float length) const;  // of velocity, that cuts an edge of this length, m/s
     void find_jumps(const Flow& flow);
     template <bool relative>
     void find_jumps(const glm::vec2* velocity);

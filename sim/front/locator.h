@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <span>
 
@@ -8,6 +9,8 @@
 // How a source of position is asked. For who adds one; everybody else wants tracker.h.
 
 namespace sim::front {
+
+inline constexpr double kNever = -std::numeric_limits<double>::infinity();  // a time, s
 
 struct Moment {
     const Detector& detector;

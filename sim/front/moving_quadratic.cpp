@@ -17,7 +17,7 @@ constexpr int row_of(int i) {
 }  // namespace
 
 void MovingQuadratic::add(double s, double z, double D, double weight) {
-    const auto term = terms(s, z);
+    const double term[kUnknowns] = {1, s, s * s / 2, z, z * s, z * z / 2};
     for (int i = 0; i < kUnknowns; ++i) {
         const double weighted = weight * term[i];
         for (int j = 0; j <= i; ++j) matrix_[row_of(i) + j] += weighted * term[j];

@@ -30,10 +30,6 @@ class MovingQuadratic {
     double speed(double s) const { return solution_[3] + solution_[4] * s; }  // ∂D/∂z now
 
   private:
-    static std::array<double, kUnknowns> terms(double s, double z) {
-        return {1, s, s * s / 2, z, z * s, z * z / 2};
-    }
-
     // Lower triangle of the normal equations, row after row, and their right side.
     std::array<double, kUnknowns*(kUnknowns + 1) / 2> matrix_{};
     std::array<double, kUnknowns> right_{}, solution_{};

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <unordered_map>
 
 #include "sim/check.h"
 #include "sim/front/locator.h"
@@ -63,16 +62,23 @@ void Tracker::advance(const Flow& flow, double dt, Workers& workers) {
 }
 
 int Tracker::count_outrun(double dt) const {
-    // Of each vertex that the front left edges through, the longest that it was on one of them, in steps.
-    std::unordered_map<int, double> steps;
-    for (const auto& gone : detector_.vanished()) {
-        const auto [a, b] = mesh().edge[gone.edge];
-        const double spent = previous_[gone.before].age / dt + 1;
-        for (const int v : {a, b}) steps[v] = std::max(steps[v], spent);
-    }
+    const auto vanished = detector_.vanished();
+    // Of the edges that the front left through a vertex, the longest that it was on one, in steps; 0: it left
+    // none.
+    const auto steps_to = [&](int vertex) {
+        double longest = 0;
+        for (const auto& spoke : mesh().around(vertex)) {
+            const auto gone =
+                std::lower_bound(vanished.begin(), vanished.end(), spoke.edge,
+                                 [](const Detector::Gone& one, int edge) { return one.edge < edge; });
+            if (gone != vanished.end() && gone->edge == spoke.edge)
+                longest = std::max(longest, previous_[gone->before].age / dt + 1);
+        }
+        return longest;
+    };
     return static_cast<int>(std::count_if(detector_.flipped().begin(), detector_.flipped().end(), [&](int v) {
-        const auto found = steps.find(v);
-        return found != steps.end() && found->second < 1.5;
+        const double steps = steps_to(v);
+        return steps > 0 && steps < 1.5;
     }));
 }
 

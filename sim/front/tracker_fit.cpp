@@ -26,8 +26,6 @@
 namespace sim::front {
 namespace {
 
-constexpr double kNever = -std::numeric_limits<double>::infinity();
-
 constexpr int kRings = 4;       // of vertices around an edge that are asked
 constexpr int kFlips = 3;       // that a vertex remembers
 constexpr double kReach2 = 48;  // cells² along the front: rows farther away weigh nothing
@@ -86,8 +84,7 @@ class Neighbourhood {
         int side;  // 1: A's, -1: B's
     };
     struct Crossing {
-        int edge;
-        int a, b;  // its ends on A's and on B's side
+        int a, b;  // ends of a cut edge on A's and on B's side
     };
 
     // Within kRings of either end over edges that are not cut. A vertex that both reach is the nearer one's.
@@ -107,7 +104,7 @@ class Neighbourhood {
                 const auto [vertex, side] = vertices[first];
                 for (const auto& spoke : mesh.around(vertex)) {
                     if (detector.is_cut(spoke.edge)) {
-                        if (side > 0) crossings.push_back({spoke.edge, vertex, spoke.vertex});
+                        if (side > 0) crossings.push_back({vertex, spoke.vertex});
                     } else if (ring < kRings && seen_[spoke.vertex] != round_) {
                         add(spoke.vertex, side);
                     }
@@ -171,6 +168,9 @@ class Fit {
     struct Row {
         double s, D, age, weight;
     };
+    struct Middle {  // of an edge that the front crosses now, which goes so far across
+        double s, D, across, weight;
+    };
     struct End {
         double s, D, side;
     };
@@ -210,13 +210,13 @@ class Fit {
 
     // What the front crosses now lies on either side of it.
     void collect_crossings(const Mesh& mesh) {
-        crossings_.clear(), ends_.clear();
+        middles_.clear(), ends_.clear();
         for (const auto& crossing : near_.crossings) {
             const auto [sa, Da] = place(mesh.position[crossing.a]);
             const auto [sb, Db] = place(mesh.position[crossing.b]);
             const double s = (sa + sb) / 2, D = (Da + Db) / 2;
             if (s * s + D * D > kNear2 || Db - Da < kLeastAcross) continue;
-            crossings_.push_back({s, D, Db - Da, weight_at(s)});
+            middles_.push_back({s, D, Db - Da, weight_at(s)});
             ends_.push_back({sa, Da, 1}), ends_.push_back({sb, Db, -1});
         }
     }
@@ -245,7 +245,7 @@ class Fit {
         }
         const double youngest = rows_.empty() ? window_ : rows_.front().age;
         const double fresh = std::max(0.0, 1 - youngest / window_);
-        for (const auto& [s, D, across, weight] : crossings_) {
+        for (const auto& [s, D, across, weight] : middles_) {
             const double deviation =
                 kOfMiddle * (1 + kLessWhereFresh * fresh * fresh) * std::max(across, kLeastDeviating);
             front_.add(s, 0, D, weight / square(deviation));
@@ -305,7 +305,8 @@ class Fit {
 
     Neighbourhood near_;
     MovingQuadratic front_;
-    std::vector<Row> rows_, crossings_;  // of crossings `age` is how far they go across
+    std::vector<Row> rows_;
+    std::vector<Middle> middles_;
     std::vector<End> ends_;
     glm::dvec2 middle_{0, 0}, normal_{1, 0};  // of the edge, m; across it, unit
     double one_way_ = 0;                      // cosine, below which a flip does not count
@@ -346,8 +347,8 @@ class FitLocator : public Locator {
         for (const auto& gone : now.detector.vanished()) {
             const auto [a, b] = mesh_.edge[gone.edge];
             const Piece& piece = pieces_[gone.before];
-            gone_.push_back({a, -piece.normal, -piece.speed}),
-                gone_.push_back({b, piece.normal, piece.speed});
+            gone_.push_back({a, -piece.normal, -piece.speed});
+            gone_.push_back({b, piece.normal, piece.speed});
         }
         std::stable_sort(gone_.begin(), gone_.end(),
                          [](const Gone& x, const Gone& y) { return x.vertex < y.vertex; });
@@ -406,9 +407,8 @@ class FitLocator : public Locator {
     Piece begun(const Moment& now, int edge) const {
         const auto [a, b] = mesh_.edge[edge];
         const glm::vec2 u = unit(mesh_.along(edge));
-        const auto& flipped = now.detector.flipped();
         for (const int v : {a, b}) {
-            if (!std::binary_search(flipped.begin(), flipped.end(), v)) continue;
+            if (!now.detector.has_flipped(v)) continue;
             Gone came = came_to(v);
             came.normal = unit(came.normal);
             if (came.normal == glm::vec2(0, 0)) continue;

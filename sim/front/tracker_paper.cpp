@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -26,8 +25,6 @@ namespace {
 // r · u is at least this share of |r|, for a front is no faster along an edge than four times its own speed:
 // by chance of rounding the equations give edges that it never crosses.
 constexpr double kLeastShare = 0.25;
-
-constexpr double kNever = -std::numeric_limits<double>::infinity();
 
 class PaperLocator : public Locator {
   public:
@@ -76,9 +73,7 @@ class PaperLocator : public Locator {
     int exit_of(const Moment& now, const Detector::Gone& gone) const {
         const auto [a, b] = mesh_.edge[gone.edge];
         if (entered_[a] != entered_[b]) return entered_[a] ? a : b;
-        const auto& flipped = now.detector.flipped();
-        const bool at_a = std::binary_search(flipped.begin(), flipped.end(), a);
-        const bool at_b = std::binary_search(flipped.begin(), flipped.end(), b);
+        const bool at_a = now.detector.has_flipped(a), at_b = now.detector.has_flipped(b);
         if (at_a != at_b) return at_a ? a : b;
         const float speed = now.previous[gone.before].speed;
         return speed > 0 ? b : speed < 0 ? a : -1;

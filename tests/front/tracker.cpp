@@ -32,39 +32,28 @@ std::vector<glm::vec2> velocities(const Mesh& mesh, const std::function<glm::vec
 }
 
 // Two ways on either side of a line whose distance from the origin along `normal` grows steadily.
-class SteadyLine {
-  public:
-    SteadyLine(int squares, Source source, glm::vec2 normal, float from, float speed)
+struct SteadyLine {
+    SteadyLine(int squares, Source source, glm::vec2 across, float from, float its_speed)
         : mesh(unit_square(squares)),
-          normal_(glm::normalize(normal)),
-          at_(from),
-          speed_(speed),
-          tracker(mesh, sim::front::gradient_rule(0.05f, 1 / static_cast<float>(squares)), source) {}
+          tracker(mesh, sim::front::gradient_rule(0.05f, 1 / static_cast<float>(squares)), source),
+          normal(glm::normalize(across)),
+          at(from),
+          speed(its_speed) {}
 
     void step() {
-        at_ += speed_ * static_cast<float>(kStep);
-        tracker.advance({velocities(mesh,
-                                    [&](glm::vec2 x) {
-                                        return (glm::dot(x, normal_) < at_ ? 0.2f : -0.2f) *
-                                               glm::vec2(-normal_.y, normal_.x);
-                                    }),
-                         {}},
-                        kStep, workers_);
+        at += speed * static_cast<float>(kStep);
+        const auto velocity = velocities(mesh, [&](glm::vec2 x) {
+            return (glm::dot(x, normal) < at ? 0.2f : -0.2f) * glm::vec2(-normal.y, normal.x);
+        });
+        tracker.advance({velocity, {}}, kStep, workers);
     }
-    float distance(const Point& point) const { return glm::dot(tracker.position(point), normal_) - at_; }
+    float distance(const Point& point) const { return glm::dot(tracker.position(point), normal) - at; }
 
-  private:
-    Workers workers_{1};
-
-  public:
     const Mesh mesh;
-
-  private:
-    glm::vec2 normal_;
-    float at_, speed_;
-
-  public:
     Tracker tracker;
+    Workers workers{1};
+    glm::vec2 normal;
+    float at, speed;  // m, m/s
 };
 
 // A line that goes steadily cuts edges in proportion to how far they go across it, and each at every place as
