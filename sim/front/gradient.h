@@ -1,21 +1,47 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <span>
 
 #include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
 
 #include "sim/front/detector.h"
+#include "sim/front/least_squares.h"
 
 namespace sim::front {
 
-// How coordinates change around a vertex, from the neighbours that no front separates from it: the
-// least-squares solution of c_k − c_j = G (x_k − x_j) (equations 9 and 10 of the paper). Of what the
-// neighbours leave open, since there is none or they lie on one line, `last` decides: the gradient of the
-// step before, or that of coordinates at rest. Columns: ∂c/∂x and ∂c/∂y, per m. `coordinates`: one for each
-// vertex.
-glm::mat2 gradient_at(const Detector& detector, int vertex, std::span<const glm::vec2> coordinates,
-                      const glm::mat2& last);
+// How N sets of coordinates change around a vertex, from the neighbours that no front separates from it: of
+// each set the least-squares solution of c_k − c_j = G (x_k − x_j) (equations 9 and 10 of the paper).
+// `gradient` holds what decides on what the neighbours leave open, since there is none or they lie on one
+// line: the gradient of the step before, or that of coordinates at rest. Columns: ∂c/∂x and ∂c/∂y, per m.
+// `coordinates`: one array for each vertex.
+template <std::size_t N>
+void find_gradients(const Detector& detector, int vertex,
+                    std::span<const std::array<glm::vec2, N>> coordinates,
+                    std::array<glm::mat2, N>& gradient) {
+    const Mesh& mesh = detector.mesh();
+    LeastSquares rows;  // one matrix for all sets
+    for (const auto& spoke : mesh.around(vertex))
+        if (!detector.is_cut(spoke.edge))
+            rows.add(glm::dvec2(mesh.position[spoke.vertex] - mesh.position[vertex]), 0);
+    const glm::mat2 inverse(rows.inverse());
+
+    // By how much each differs from the last: the shortest solution stays nearest to it.
+    std::array<glm::mat2, N> change{};
+    for (const auto& spoke : mesh.around(vertex)) {
+        if (detector.is_cut(spoke.edge)) continue;
+        const glm::vec2 way = mesh.position[spoke.vertex] - mesh.position[vertex], weight = inverse * way;
+        for (std::size_t i = 0; i < N; ++i) {
+            const glm::vec2 beyond =
+                coordinates[spoke.vertex][i] - coordinates[vertex][i] - gradient[i] * way;
+            change[i][0] += beyond * weight.x;
+            change[i][1] += beyond * weight.y;
+        }
+    }
+    for (std::size_t i = 0; i < N; ++i) gradient[i] += change[i];
+}
 
 // Coordinates carried on from a vertex with its gradient, to the front or beyond.
 inline glm::vec2 carried_on(const glm::vec2& coordinates, const glm::mat2& gradient, const glm::vec2& way) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
 
 namespace sim::front {
@@ -22,20 +23,23 @@ struct LeastSquares {
     // leaves as much.
     static constexpr double kSingular = 1e-10;
 
-    glm::dvec2 solve() const {
+    // What the sums Σ a b are multiplied by, whatever the b: inverse or, for rows on one line, pseudo-inverse
+    // of Σ a aᵀ.
+    glm::dmat2 inverse() const {
         const double mean = (xx + yy) / 2, spread = std::hypot((xx - yy) / 2, xy);
         const double greater = mean + spread;
-        if (!(greater > 0)) return {0, 0};
+        if (!(greater > 0)) return glm::dmat2(0);
         const double determinant = xx * yy - xy * xy;
-        if (determinant > kSingular * greater * greater)
-            return {(yy * xb - xy * yb) / determinant, (xx * yb - xy * xb) / determinant};
+        if (determinant > kSingular * greater * greater) return glm::dmat2(yy, -xy, -xy, xx) / determinant;
         // Only along the eigenvector of the greater eigenvalue: the longer of two ways to write it.
         const glm::dvec2 one(greater - yy, xy), other(xy, greater - xx);
         const double one2 = one.x * one.x + one.y * one.y, other2 = other.x * other.x + other.y * other.y;
         const glm::dvec2 along = one2 > other2 ? one : other;
-        const double scale = (along.x * xb + along.y * yb) / (greater * std::max(one2, other2));
-        return along * scale;
+        const double scale = 1 / (greater * std::max(one2, other2));
+        return glm::dmat2(along * (along.x * scale), along * (along.y * scale));
     }
+
+    glm::dvec2 solve() const { return inverse() * glm::dvec2(xb, yb); }
 };
 
 }  // namespace sim::front

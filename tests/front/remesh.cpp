@@ -220,11 +220,11 @@ TEST_F(RemeshOfAFlow, draws_an_affine_map_of_each_side_as_it_is) {
         return region ? glm::vec2(3 * x.x - x.y + 0.5f, x.x + 2 * x.y)
                       : glm::vec2(-x.x + 4, 2 * x.x + 5 * x.y - 1);
     };
-    std::vector<glm::vec2> coordinates;
+    std::vector<std::array<glm::vec2, 1>> coordinates;
     std::vector<int> region;
     for (const glm::vec2& x : mesh.position) {
         region.push_back(flow.region(glm::dvec2(x), 2));
-        coordinates.push_back(map(region.back(), x));
+        coordinates.push_back({map(region.back(), x)});
     }
     // What a step before has left, for a vertex whose neighbours on its side lie on one line: they tell half
     // of it.
@@ -242,9 +242,9 @@ TEST_F(RemeshOfAFlow, draws_an_affine_map_of_each_side_as_it_is) {
     for (int t = 0; t < static_cast<int>(mesh.triangle.size()); ++t)
         for (const CutTriangle& part : cut_triangle(tracker, t))
             for (const CutVertex& vertex : part) {
-                const glm::mat2 gradient = sim::front::gradient_at(tracker.detector(), vertex.side,
-                                                                   coordinates, last_at(vertex.side));
-                const glm::vec2 got = sim::front::carried_on(coordinates[vertex.side], gradient,
+                std::array gradient{last_at(vertex.side)};
+                sim::front::find_gradients<1>(tracker.detector(), vertex.side, coordinates, gradient);
+                const glm::vec2 got = sim::front::carried_on(coordinates[vertex.side][0], gradient[0],
                                                              vertex.position - mesh.position[vertex.side]);
                 const glm::vec2 right = map(region[vertex.side], vertex.position);
                 EXPECT_NEAR(got.x, right.x, 3e-6);
@@ -255,15 +255,19 @@ TEST_F(RemeshOfAFlow, draws_an_affine_map_of_each_side_as_it_is) {
 }
 
 TEST_F(RemeshOfAFlow, keeps_the_last_gradient_of_a_vertex_that_fronts_surround) {
-    std::vector<glm::vec2> velocity(mesh.position.size(), glm::vec2(0, 0)), coordinates(mesh.position);
+    std::vector<glm::vec2> velocity(mesh.position.size(), glm::vec2(0, 0));
+    std::vector<std::array<glm::vec2, 1>> coordinates;
+    for (const glm::vec2& x : mesh.position) coordinates.push_back({x});
     const int alone = kSquares / 2 * (kSquares + 2);
     velocity[alone] = {1, 0};
     tracker.advance({velocity, {}}, 1 / 60.0, workers);
-    const glm::mat2 last(1, 2, 3, 4);
-    EXPECT_EQ(sim::front::gradient_at(tracker.detector(), alone, coordinates, last), last);
-    EXPECT_NEAR(
-        glm::length(sim::front::gradient_at(tracker.detector(), 0, coordinates, last)[0] - glm::vec2(1, 0)),
-        0, 1e-6);
+    const auto gradient_at = [&](int vertex) {
+        std::array gradient{glm::mat2(1, 2, 3, 4)};
+        sim::front::find_gradients<1>(tracker.detector(), vertex, coordinates, gradient);
+        return gradient[0];
+    };
+    EXPECT_EQ(gradient_at(alone), glm::mat2(1, 2, 3, 4));
+    EXPECT_NEAR(glm::length(gradient_at(0)[0] - glm::vec2(1, 0)), 0, 1e-6);
 }
 
 }  // namespace

@@ -1,0 +1,322 @@
+#include "sim/front/texture_layers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include "sim/check.h"
+#include "sim/front/gradient.h"
+#include "sim/workers.h"
+
+// Coordinates are kept as what they differ by from the place: material keeps its coordinates c = x + o while
+// it travels, so a vertex's offset is that of where the flow comes from, less the way. Where the flow tells
+// nothing, an offset that is the neighbours' mean is a texture without stretch.
+
+namespace sim::front {
+namespace {
+
+// How fast a vertex whose flow comes out of a front follows its neighbours: a fifth of the way in 1/60 s.
+constexpr double kPull = 13.39;  // 1/s; −60 ln 0.8
+// How fast the share of a phase may follow, where ground begins to move.
+constexpr float kFadeRate = 8;  // 1/s
+// Stretch changes slowly: each vertex's is looked at as often as this.
+constexpr double kLookAgain_s = 0.2;
+constexpr double kLatencyFollows_s = 0.3;  // e-fold
+constexpr float kFromNeighbours = 0.5f;    // of a latency: share of those that no front separates
+
+using Offsets = TextureLayers::Offsets;
+using Gradients = TextureLayers::Gradients;
+
+// As plain numbers, which compilers take four at a time.
+void add(Offsets& sum, const Offsets& more, float weight) {
+    float* to = glm::value_ptr(sum[0]);
+    const float* from = glm::value_ptr(more[0]);
+    for (int i = 0; i < 2 * TextureLayers::kSheets; ++i) to[i] += weight * from[i];
+}
+
+// The mean over neighbours that no front separates from a vertex and of which `counts` is true. False: there
+// is none.
+template <class Counts>
+bool mean_around(const Detector& detector, int vertex, std::span<const Offsets> offset, const Counts& counts,
+                 Offsets& mean) {
+    int count = 0;
+    Offsets sum{};
+    for (const auto& spoke : detector.mesh().around(vertex))
+        if (!detector.is_cut(spoke.edge) && counts(spoke.vertex)) {
+            add(sum, offset[spoke.vertex], 1);
+            ++count;
+        }
+    if (count == 0) return false;
+    mean = {};
+    add(mean, sum, 1 / static_cast<float>(count));
+    return true;
+}
+
+// How much coordinates with this gradient are drawn out or pressed together, as a logarithm, ≥ 0.
+float stretch_of(const glm::mat2& g) {
+    const float same = std::hypot(g[0].x + g[1].y, g[0].y - g[1].x) / 2;
+    const float other = std::hypot(g[0].x - g[1].y, g[0].y + g[1].x) / 2;
+    constexpr float kLeast = 1e-3f;  // a texture pressed flat or turned over
+    return std::max(std::abs(std::log(same + other)), std::abs(std::log(std::max(same - other, kLeast))));
+}
+
+// A phase is not seen when it is renewed and most seen halfway between: share of the second, at an age in
+// latencies.
+float share_of_second(double age) {
+    return static_cast<float>(1 - std::abs(1 - 2 * (age - std::floor(age))));
+}
+
+}  // namespace
+
+TextureLayers::TextureLayers(const Mesh& mesh, const LayerRule& rule)
+    : mesh_(mesh),
+      rule_(rule),
+      upstream_(mesh),
+      offset_(mesh.position.size()),
+      mix_(mesh.position.size()),
+      deformation_(mesh.position.size()),
+      torn_(mesh.triangle.size()),
+      place_(mesh.position.size(), -1),
+      slot_(mesh.position.size(), -1) {
+    CHECK(rule.shortest_s > 0 && rule.deformation >= 0);
+}
+
+void TextureLayers::advance(const Tracker& tracker, std::span<const glm::vec2> velocity, double dt,
+                            Workers& workers) {
+    CHECK(dt > 0 && velocity.size() == offset_.size());
+    const Detector& detector = tracker.detector();
+    const double before = time_;
+    time_ += dt;
+    ++steps_;
+
+    for (const int v : moving_) place_[v] = -1;
+    moving_.clear();
+    for (int v = 0; v < mesh_.vertices(); ++v)
+        if (velocity[v] != glm::vec2(0, 0)) {
+            place_[v] = static_cast<int>(moving_.size());
+            moving_.push_back(v);
+        }
+
+    // With the flow first. What it does not tell comes after, from neighbours that were carried just now: to
+    // vertices whose flow comes out of a front, then to those that a front has passed.
+    tear(detector);
+    carry(velocity, dt, workers);
+    if (rule_.reseed) {
+        pull_stranded(detector, dt);
+        reseed(detector);
+    }
+
+    // A phase is renewed once all of it lies where it belongs, for its region's mean is taken up.
+    renew(detector, before);
+
+    // What is seen of it, and how it goes on to the fronts.
+    fade(dt);
+    choose_latency(detector, dt, workers);
+    find_front_gradients(detector, workers);
+}
+
+void TextureLayers::tear(const Detector& detector) {
+    for (const int t : torn_list_) torn_[t] = false;
+    torn_list_.clear();
+    if (!rule_.reseed) return;  // to the letter, what lies across a front is mixed
+    const auto tear_beside = [this](int edge) {
+        for (const int t : mesh_.edge_triangle[edge])
+            if (t >= 0 && !torn_[t]) {
+                torn_[t] = true;
+                torn_list_.push_back(t);
+            }
+    };
+    for (const int edge : detector.cut()) tear_beside(edge);
+    // Where a front has just left, a corner still has the coordinates of the other side.
+    for (const auto& gone : detector.vanished()) tear_beside(gone.edge);
+}
+
+void TextureLayers::carry(std::span<const glm::vec2> velocity, double dt, Workers& workers) {
+    carried_.resize(moving_.size());
+    is_stranded_.assign(moving_.size(), false);
+    workers.each_band(static_cast<int>(moving_.size()), [&](int first, int last) {
+        for (int i = first; i < last; ++i) {
+            const int v = moving_[i];
+            const glm::vec2 way = static_cast<float>(-dt) * velocity[v];
+            const auto from = upstream_.find(v, way, torn_);
+            is_stranded_[i] = !from;
+            Offsets& offset = carried_[i];
+            if (from) {
+                offset = {};
+                for (int k = 0; k < 3; ++k)
+                    add(offset, offset_[mesh_.triangle[from->triangle][k]], from->weight[k]);
+            } else {
+                offset = offset_[v];  // with its surroundings, as if these were rigid
+            }
+            for (glm::vec2& o : offset) o += way;
+        }
+    });
+    stranded_.clear();
+    for (std::size_t i = 0; i < moving_.size(); ++i) {
+        offset_[moving_[i]] = carried_[i];
+        if (is_stranded_[i]) stranded_.push_back(moving_[i]);
+    }
+}
+
+void TextureLayers::pull_stranded(const Detector& detector, double dt) {
+    // By how far it is moved now; all at once, so that the order of vertices does not show.
+    const auto share = static_cast<float>(1 - std::exp(-kPull * dt));
+    carried_.resize(stranded_.size());
+    const auto settled = [&](int v) { return !detector.has_flipped(v); };
+    for (std::size_t i = 0; i < stranded_.size(); ++i) {
+        const int v = stranded_[i];
+        Offsets mean = offset_[v];
+        mean_around(detector, v, offset_, settled, mean);
+        for (int s = 0; s < kSheets; ++s) carried_[i][s] = offset_[v][s] + share * (mean[s] - offset_[v][s]);
+    }
+    for (std::size_t i = 0; i < stranded_.size(); ++i) offset_[stranded_[i]] = carried_[i];
+}
+
+void TextureLayers::reseed(const Detector& detector) {
+    const auto settled = [&](int v) { return !detector.has_flipped(v); };
+    for (const int v : detector.flipped()) mean_around(detector, v, offset_, settled, offset_[v]);
+}
+
+bool TextureLayers::is_renewed(int sheet, double before) const {
+    const double latency = latency_s(sheet / 2), lead = sheet % 2 ? 0 : 0.5;
+    return std::floor(time_ / latency + lead) > std::floor(before / latency + lead);
+}
+
+double TextureLayers::age_s(int sheet) const {
+    const double latency = latency_s(sheet / 2), age = time_ / latency + (sheet % 2 ? 0 : 0.5);
+    return (age - std::floor(age)) * latency;
+}
+
+void TextureLayers::renew(const Detector& detector, double before) {
+    bool any = false;
+    for (int s = 0; s < kSheets; ++s) any = any || is_renewed(s, before);
+    if (!any) return;
+    find_regions(detector);
+    struct Sum {
+        std::array<glm::dvec2, kSheets> offset{};
+        double count = 0;
+    };
+    std::vector<Sum> sum(moving_.size());
+    for (std::size_t i = 0; i < moving_.size(); ++i) {
+        Sum& of_region = sum[region_[i]];
+        ++of_region.count;
+        for (int s = 0; s < kSheets; ++s) of_region.offset[s] += glm::dvec2(offset_[moving_[i]][s]);
+    }
+    for (std::size_t i = 0; i < moving_.size(); ++i) {
+        const Sum& of_region = sum[region_[i]];
+        for (int s = 0; s < kSheets; ++s)
+            if (is_renewed(s, before))
+                offset_[moving_[i]][s] = glm::vec2(of_region.offset[s] / of_region.count);
+    }
+    for (std::size_t i = 0; i < beside_.size(); ++i)
+        for (int s = 0; s < kSheets; ++s)
+            if (place_[beside_[i]] >= 0 && is_renewed(s, before)) gradient_[i][s] = glm::mat2(0);
+}
+
+// Vertices that move, and that edges join which no front cuts.
+void TextureLayers::find_regions(const Detector& detector) {
+    region_.resize(moving_.size());
+    std::iota(region_.begin(), region_.end(), 0);
+    const auto root = [&](int i) {
+        while (region_[i] != i) i = region_[i] = region_[region_[i]];
+        return i;
+    };
+    for (std::size_t i = 0; i < moving_.size(); ++i)
+        for (const auto& spoke : mesh_.around(moving_[i])) {
+            const int other = place_[spoke.vertex];
+            if (other < 0 || other > static_cast<int>(i) || detector.is_cut(spoke.edge)) continue;
+            const int a = root(static_cast<int>(i)), b = root(other);
+            region_[std::max(a, b)] = std::min(a, b);
+        }
+    for (std::size_t i = 0; i < moving_.size(); ++i) region_[i] = root(static_cast<int>(i));
+}
+
+void TextureLayers::fade(double dt) {
+    const float most = kFadeRate * static_cast<float>(dt);
+    for (int k = 0; k < kLatencies; ++k) {
+        const float share = share_of_second(time_ / latency_s(k));
+        for (const int v : moving_) {
+            float& second = mix_[v].second[k];
+            second += std::clamp(share - second, -most, most);
+        }
+    }
+}
+
+void TextureLayers::choose_latency(const Detector& detector, double dt, Workers& workers) {
+    const auto period = std::max<std::int64_t>(1, std::llround(kLookAgain_s / dt));
+    const auto elapsed = static_cast<double>(period) * dt;
+    due_.clear();
+    for (const int v : moving_)
+        if ((v + steps_) % period == 0) due_.push_back(v);
+    latency_.resize(due_.size());
+    const auto follow = static_cast<float>(1 - std::exp(-elapsed / kLatencyFollows_s));
+    workers.each_band(static_cast<int>(due_.size()), [&](int first, int last) {
+        for (int i = first; i < last; ++i) {
+            const int v = due_[i];
+            Gradients gradient{};
+            find_gradients<kSheets>(detector, v, offset_, gradient);
+            std::array<float, kLatencies>& worst = deformation_[v];
+            for (int k = 0; k < kLatencies; ++k) {
+                worst[k] *= static_cast<float>(std::exp(-elapsed / latency_s(k)));
+                // What is hardly seen may be drawn out.
+                const float second = mix_[v].second[k];
+                for (int phase = 0; phase < 2; ++phase)
+                    worst[k] = std::max(worst[k], std::min(1.f, 2 * (phase ? second : 1 - second)) *
+                                                      stretch_of(glm::mat2(1) + gradient[2 * k + phase]));
+            }
+            // The longest that passes, and toward the next as far as it falls short.
+            float latency = 0;
+            for (int k = kLatencies - 1; k >= 0 && latency == 0; --k) {
+                if (worst[k] > rule_.deformation) continue;
+                latency = static_cast<float>(k);
+                if (k + 1 < kLatencies) latency += (rule_.deformation - worst[k]) / (worst[k + 1] - worst[k]);
+            }
+            float around = 0;
+            int count = 0;
+            for (const auto& spoke : mesh_.around(v))
+                if (!detector.is_cut(spoke.edge)) around += mix_[spoke.vertex].latency, ++count;
+            if (count > 0) latency += kFromNeighbours * (around / static_cast<float>(count) - latency);
+            latency_[i] = mix_[v].latency + follow * (latency - mix_[v].latency);
+        }
+    });
+    for (std::size_t i = 0; i < due_.size(); ++i) mix_[due_[i]].latency = latency_[i];
+}
+
+void TextureLayers::find_front_gradients(const Detector& detector, Workers& workers) {
+    const std::vector<int> before = std::move(beside_);
+    const std::vector<Gradients> last = std::move(gradient_);
+    beside_.clear();
+    for (const int edge : detector.cut())
+        for (const int v : {mesh_.edge[edge].a, mesh_.edge[edge].b}) beside_.push_back(v);
+    std::sort(beside_.begin(), beside_.end());
+    beside_.erase(std::unique(beside_.begin(), beside_.end()), beside_.end());
+
+    gradient_.assign(beside_.size(), {});
+    for (std::size_t i = 0; i < beside_.size(); ++i)
+        if (slot_[beside_[i]] >= 0 && !detector.has_flipped(beside_[i]))
+            gradient_[i] = last[slot_[beside_[i]]];
+    for (const int v : before) slot_[v] = -1;
+    for (std::size_t i = 0; i < beside_.size(); ++i) slot_[beside_[i]] = static_cast<int>(i);
+    workers.each_band(static_cast<int>(beside_.size()), [&](int first, int end) {
+        for (int i = first; i < end; ++i)
+            find_gradients<kSheets>(detector, beside_[i], offset_, gradient_[i]);
+    });
+}
+
+glm::vec2 TextureLayers::offset(const CutVertex& vertex, int sheet) const {
+    const glm::vec2 own = offset_[vertex.side][sheet];
+    if (!vertex.on_front) return own;
+    return carried_on(own, gradient_[slot_[vertex.side]][sheet],
+                      vertex.position - mesh_.position[vertex.side]);
+}
+
+float TextureLayers::weight(int vertex, int sheet) const {
+    const int k = sheet / 2;
+    const Mix& mix = mix_[vertex];
+    const float layer = std::max(0.f, 1 - std::abs(mix.latency - static_cast<float>(k)));
+    return layer * (sheet % 2 ? mix.second[k] : 1 - mix.second[k]);
+}
+
+}  // namespace sim::front

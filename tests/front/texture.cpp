@@ -1,0 +1,300 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <functional>
+#include <random>
+
+#include <glm/geometric.hpp>
+
+#include "sim/fields/texture_score.h"
+#include "sim/workers.h"
+
+// Textures that travel: with the flow, on either side of a front, and not drawn out.
+
+namespace {
+
+using sim::fields::Cutting;
+using sim::fields::score_texture;
+using sim::fields::TestFlow;
+using sim::fields::TextureScore;
+using sim::fields::TextureTrial;
+using sim::front::LayerRule;
+using sim::front::Mesh;
+using sim::front::mesh_of;
+using sim::front::Rule;
+using sim::front::Source;
+using sim::front::TextureLayers;
+using sim::front::Tracker;
+
+Mesh mesh_of_squares(int squares) {
+    return mesh_of(sim::Grid{squares + 1, squares + 1, 1.f / static_cast<float>(squares)});
+}
+
+Rule rule_of_squares(int squares) {
+    return sim::front::gradient_rule(0.05f, 1.f / static_cast<float>(squares));
+}
+
+// The paper's fronts, with a field on top that stretches textures as any flow does.
+struct Case {
+    const char* name;
+    TestFlow flow;
+    int squares;
+};
+const TestFlow with_smooth(TestFlow flow) {
+    flow.smooth = 0.03;
+    return flow;
+}
+
+class TextureOf : public testing::TestWithParam<Case> {
+  protected:
+    TextureScore score(Cutting cutting, const TextureTrial& trial = {}) const {
+        const Case& scene = GetParam();
+        return score_texture(mesh_of_squares(scene.squares), rule_of_squares(scene.squares), Source::kFit,
+                             scene.flow, cutting, trial);
+    }
+};
+
+TEST_P(TextureOf, is_no_more_distorted_than_without_a_front_and_moves) {
+    const TextureScore without = score(Cutting::kNone, {.smooth_alone = true});
+    const TextureScore with = score(Cutting::kReseeded);
+    EXPECT_LE(with.stretch_p95, 1.1 * without.stretch_p95);
+    EXPECT_LE(with.stretched, 0.001);
+    EXPECT_LE(with.slip, 0.05);
+    EXPECT_LE(with.slip_near, 0.10);
+    EXPECT_LE(with.drift_p95, 0.26);  // cells in two seconds
+    // What the measure must tell apart: no cuts, cuts without new seeds, and coordinates that stand still.
+    EXPECT_GT(score(Cutting::kNone).stretch_p95, 5 * with.stretch_p95);
+    EXPECT_GT(score(Cutting::kToLetter).stretch_p95, 5 * with.stretch_p95);
+    const TextureScore frozen = score(Cutting::kReseeded, {.frozen = true});
+    EXPECT_NEAR(frozen.slip, 1, 1e-6);
+    EXPECT_NEAR(frozen.slip_near, 1, 1e-6);
+    EXPECT_EQ(frozen.stretch_p95 > 1.01, false);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfThePaper, TextureOf,
+    testing::Values(Case{"line_at_30_degrees", with_smooth(sim::fields::swinging(30)), 20},
+                    Case{"line_at_45_degrees", with_smooth(sim::fields::swinging(45)), 20},
+                    Case{"pinwheel", with_smooth(sim::fields::pinwheel()), 20},
+                    Case{"disc", with_smooth(sim::fields::disc()), 20},
+                    Case{"pinwheel_fine", with_smooth(sim::fields::pinwheel()), 40}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+// A mesh, a tracker and textures that somebody's velocities move.
+class Textures : public testing::Test {
+  protected:
+    static constexpr int kSquares = 16;
+    using Velocity = std::function<glm::vec2(const glm::dvec2&, double)>;
+
+    explicit Textures(Mesh given = mesh_of_squares(kSquares), const LayerRule& rule = {})
+        : mesh(std::move(given)), layers(mesh, rule) {}
+
+    void run(const Velocity& velocity, int steps, double steps_per_second = 60) {
+        std::vector<glm::vec2> v(mesh.position.size());
+        for (int i = 0; i < steps; ++i) {
+            time += 1 / steps_per_second;
+            for (std::size_t k = 0; k < v.size(); ++k) v[k] = velocity(glm::dvec2(mesh.position[k]), time);
+            tracker.advance({v, {}}, 1 / steps_per_second, workers);
+            layers.advance(tracker, v, 1 / steps_per_second, workers);
+        }
+    }
+    bool same_as(const TextureLayers& other) const {
+        const auto same = [](const auto& a, const auto& b) {
+            return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+        };
+        return same(layers.offsets(), other.offsets()) && same(layers.mix(), other.mix()) &&
+               same(layers.gradients(), other.gradients());
+    }
+
+    Mesh mesh;
+    sim::Workers workers{1};
+    Tracker tracker{mesh, rule_of_squares(kSquares), Source::kFit};
+    TextureLayers layers;
+    double time = 0;
+};
+
+TEST_F(Textures, at_rest_keep_their_coordinates_to_the_bit) {
+    // The right half flows; the left never does, while the front stands, layers are renewed and phases fade.
+    run([](const glm::dvec2& x, double) { return x.x > 0.52 ? glm::vec2(0.02f, 0.2f) : glm::vec2(0, 0); },
+        600);
+    int rests = 0, moved = 0;
+    for (int v = 0; v < mesh.vertices(); ++v) {
+        const bool rest = mesh.position[v].x < 0.52f;
+        for (const glm::vec2& o : layers.offsets()[v]) {
+            if (rest)
+                EXPECT_EQ(o, glm::vec2(0, 0));
+            else
+                moved += glm::length(o) > 0.01f;
+        }
+        if (rest) {
+            ++rests;
+            EXPECT_EQ(layers.weight(v, TextureLayers::kSheets - 2), 1);
+        }
+    }
+    EXPECT_GT(rests, 100);
+    EXPECT_GT(moved, 100);
+}
+
+TEST_F(Textures, that_came_to_rest_stay_as_they_are) {
+    const auto burst = [](const glm::dvec2& x, double t) {
+        return t < 1.3 ? glm::vec2(0.2 * x.y, -0.1) : glm::vec2(0, 0);
+    };
+    run(burst, 80);
+    const std::vector<TextureLayers::Offsets> then(layers.offsets().begin(), layers.offsets().end());
+    run(burst, 600);
+    EXPECT_EQ(std::memcmp(then.data(), layers.offsets().data(), layers.offsets().size_bytes()), 0);
+}
+
+TEST_F(Textures, of_what_moves_as_a_whole_are_renewed_without_a_trace) {
+    run([](const glm::dvec2&, double) { return glm::vec2(0.1f, -0.05f); }, 600);
+    for (const auto& offset : layers.offsets())
+        for (const glm::vec2& o : offset) {
+            EXPECT_NEAR(o.x, -1.f, 1e-4f);
+            EXPECT_NEAR(o.y, 0.5f, 1e-4f);
+        }
+}
+
+TEST_F(Textures, of_each_side_travel_with_it) {
+    // Two halves that slide past each other, far enough for many renewals.
+    run([](const glm::dvec2& x, double) { return glm::vec2(x.y > 0.47 ? 0.3f : -0.1f, 0); }, 600);
+    for (int v = 0; v < mesh.vertices(); ++v)
+        for (const glm::vec2& o : layers.offsets()[v]) {
+            EXPECT_NEAR(o.x, mesh.position[v].y > 0.47f ? -3.f : 1.f, 1e-3f);
+            EXPECT_NEAR(o.y, 0, 1e-3f);
+        }
+    // And drawn so up to the cut, by the gradients beside it.
+    int copies = 0;
+    for (int t = 0; t < static_cast<int>(mesh.triangle.size()); ++t)
+        for (const auto& part : cut_triangle(tracker, t))
+            for (const auto& vertex : part) {
+                copies += vertex.on_front;
+                for (int s = 0; s < TextureLayers::kSheets; ++s)
+                    EXPECT_NEAR(layers.offset(vertex, s).x, mesh.position[vertex.side].y > 0.47f ? -3.f : 1.f,
+                                1e-3f);
+            }
+    EXPECT_GT(copies, kSquares);
+}
+
+TEST_F(Textures, of_a_vertex_that_a_front_passed_are_its_neighbours) {
+    const auto flow = sim::fields::swinging(30);
+    const auto velocity = [&](const glm::dvec2& x, double t) { return flow.velocity(x, t); };
+    int flips = 0;
+    for (int step = 0; step < 240; ++step) {
+        run(velocity, 1);
+        for (const int v : tracker.detector().flipped())
+            for (const auto& spoke : mesh.around(v)) {
+                if (tracker.detector().is_cut(spoke.edge)) continue;
+                ++flips;
+                for (int s = 0; s < TextureLayers::kSheets; ++s)
+                    EXPECT_LT(glm::length(layers.offsets()[v][s] - layers.offsets()[spoke.vertex][s]),
+                              0.25f / kSquares);
+            }
+    }
+    EXPECT_GT(flips, 200);
+}
+
+TEST_F(Textures, are_the_same_bits_for_any_number_of_threads) {
+    const auto flow = with_smooth(sim::fields::pinwheel());
+    const auto velocity = [&](const glm::dvec2& x, double t) { return flow.velocity(x, t); };
+    run(velocity, 200);
+    for (const int threads : {2, 3, 5}) {
+        sim::Workers crew(threads);
+        Tracker other_tracker(mesh, rule_of_squares(kSquares), Source::kFit);
+        TextureLayers other(mesh, {});
+        std::vector<glm::vec2> v(mesh.position.size());
+        for (int i = 0; i < 200; ++i) {
+            for (std::size_t k = 0; k < v.size(); ++k)
+                v[k] = velocity(glm::dvec2(mesh.position[k]), (i + 1) / 60.0);
+            other_tracker.advance({v, {}}, 1 / 60.0, crew);
+            other.advance(other_tracker, v, 1 / 60.0, crew);
+        }
+        EXPECT_TRUE(same_as(other)) << threads;
+    }
+}
+
+TEST_F(Textures, lie_where_they_do_at_any_rate_of_steps) {
+    const auto flow = with_smooth(sim::fields::disc());
+    const auto velocity = [&](const glm::dvec2& x, double t) { return flow.velocity(x, t); };
+    run(velocity, 270);
+    const std::vector<TextureLayers::Offsets> at_60(layers.offsets().begin(), layers.offsets().end());
+    Tracker finer_tracker(mesh, rule_of_squares(kSquares), Source::kFit);
+    TextureLayers finer(mesh, {});
+    std::vector<glm::vec2> v(mesh.position.size());
+    for (int i = 1; i <= 540; ++i) {
+        for (std::size_t k = 0; k < v.size(); ++k) v[k] = velocity(glm::dvec2(mesh.position[k]), i / 120.0);
+        finer_tracker.advance({v, {}}, 1 / 120.0, workers);
+        finer.advance(finer_tracker, v, 1 / 120.0, workers);
+    }
+    double sum = 0;
+    for (int k = 0; k < mesh.vertices(); ++k)
+        for (int s = 0; s < TextureLayers::kSheets; ++s) {
+            const glm::vec2 apart = at_60[k][s] - finer.offsets()[k][s];
+            sum += static_cast<double>(glm::dot(apart, apart));
+        }
+    EXPECT_LT(std::sqrt(sum / (mesh.vertices() * TextureLayers::kSheets)) * kSquares, 0.25);  // cells
+}
+
+// A vertex that turns as a rigid wheel does: nothing is drawn out.
+TEST_F(Textures, that_only_turn_stay_in_their_longest_layer) {
+    run([](const glm::dvec2& x, double) { return glm::vec2(0.2 * (0.5 - x.y), 0.2 * (x.x - 0.5)); }, 300);
+    const int middle = kSquares / 2 * (kSquares + 2);
+    EXPECT_NEAR(layers.mix()[middle].latency, TextureLayers::kLatencies - 1, 0.05);
+}
+
+TEST_F(Textures, are_renewed_sooner_the_more_they_are_drawn_out) {
+    std::array<float, 3> latency{};
+    int i = 0;
+    for (const double shear : {0.05, 0.8, 4.0}) {
+        TextureLayers fresh(mesh, {});
+        std::vector<glm::vec2> v(mesh.position.size());
+        for (std::size_t k = 0; k < v.size(); ++k) v[k] = {shear * (mesh.position[k].y - 0.45f), 0};
+        Tracker uncut(mesh, sim::front::gradient_rule(10, 1.f / kSquares), Source::kHalf);
+        for (int step = 0; step < 900; ++step) {
+            uncut.advance({v, {}}, 1 / 60.0, workers);
+            fresh.advance(uncut, v, 1 / 60.0, workers);
+        }
+        latency[i++] = fresh.mix()[kSquares / 2 * (kSquares + 2)].latency;
+        // Shares of what is seen are shares.
+        for (int k = 0; k < mesh.vertices(); ++k) {
+            float sum = 0;
+            for (int s = 0; s < TextureLayers::kSheets; ++s) {
+                EXPECT_GE(fresh.weight(k, s), 0);
+                sum += fresh.weight(k, s);
+            }
+            EXPECT_NEAR(sum, 1, 1e-5f);
+        }
+    }
+    EXPECT_GT(latency[0], 1.9f);
+    EXPECT_GT(latency[1], 0.2f);
+    EXPECT_LT(latency[1], 1.8f);
+    EXPECT_LT(latency[2], 0.1f);
+}
+
+Mesh irregular() {
+    const Mesh regular = mesh_of_squares(16);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> aside(-0.2f / 16, 0.2f / 16);
+    std::vector<glm::vec2> position = regular.position;
+    for (glm::vec2& x : position) x += glm::vec2(aside(random), aside(random));
+    auto triangle = regular.triangle;
+    for (auto& corner : triangle) std::shuffle(corner.begin(), corner.end(), random);
+    return std::get<Mesh>(mesh_of(position, triangle));
+}
+class TexturesAnywhere : public Textures {
+  protected:
+    TexturesAnywhere() : Textures(irregular()) {}
+};
+
+TEST_F(TexturesAnywhere, travel_with_the_sides_of_a_front_that_moves) {
+    const auto flow = sim::fields::swinging(30);
+    run([&](const glm::dvec2& x, double t) { return flow.velocity(x, t); }, 480);
+    // Offsets of a side differ by nothing: neither is drawn out anywhere.
+    for (int e = 0; e < mesh.edges(); ++e) {
+        if (tracker.detector().is_cut(e)) continue;
+        EXPECT_LT(glm::length(layers.offsets()[mesh.edge[e].a][0] - layers.offsets()[mesh.edge[e].b][0]),
+                  0.02f / 16);
+    }
+}
+
+}  // namespace
