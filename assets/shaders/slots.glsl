@@ -21,6 +21,16 @@
 #define SLOT_MIXTURE 14   // RG8: share of the lower material in what lies at the surface, in what rolls; of a world of two
 #define SLOT_UNITS 15     // how many texture units there are
 
+// Storage buffers; the first four are what cut_vertex.glsl reads
+#define SLOT_MESH_POSITIONS 0    // vec2 of each vertex, m
+#define SLOT_MESH_TRIANGLES 1    // of each triangle its corners, and its edges from each corner to the next
+#define SLOT_MESH_EDGES 2        // ivec2 of each edge: its vertices a and b
+#define SLOT_CROSSINGS 3         // float of each edge: where a front crosses it, 0.01 to 0.99 from a to b; below 0: nowhere
+#define SLOT_CHANGED_EDGES 4     // edges that are cut or were so before, with their crossings
+#define SLOT_CHANGED_TRIANGLES 5 // beside those
+#define SLOT_CUT_INDICES 6       // three for each piece
+#define SLOT_CUT_COUNT 7         // how many indices there are
+
 // Image units
 #define IMAGE_RELIEF 0
 #define IMAGE_LAYERS 1
@@ -50,6 +60,6 @@
 #define INDEX_Y_SHIFT 15
 #define INDEX_BASE 0x40000000
 
-// Edge of a compute work group: square for one thread per vertex, a row for one thread per ray
+// Edge of a compute work group: square for one thread per vertex, a row for one thread per ray, edge or triangle
 #define GROUP_SQUARE 8
 #define GROUP_ROW 32

@@ -5,7 +5,8 @@
 namespace sim::front {
 namespace {
 
-constexpr float kNearestToEnd = 0.01f;  // of an edge
+// Multiplied, for what a shader divides need not be rounded well.
+constexpr float kThird = 0.33333334f;
 
 float squared_distance(const glm::vec2& p, const glm::vec2& q) {
     const glm::vec2 way = q - p;
@@ -46,7 +47,7 @@ CutTriangles cut_triangle(const std::array<int, 3>& corner, const std::array<glm
             add(vertex(b), vertex(c), e);
         }
     } else {
-        const glm::vec2 mean = (*crossing[0] + *crossing[1] + *crossing[2]) / 3.f;
+        const glm::vec2 mean = kThird * (*crossing[0] + *crossing[1] + *crossing[2]);
         for (int a = 0; a < 3; ++a) {
             const CutVertex middle{mean, corner[a], true};
             add(vertex(a), copy(a, a), middle);

@@ -12,6 +12,10 @@
 
 namespace sim::front {
 
+// Points are drawn no nearer than this to the ends of their edge, as a share of it, so that no triangle but
+// a tear's is without area.
+constexpr float kNearestToEnd = 0.01f;
+
 struct CutVertex {
     glm::vec2 position;  // m
     int side;  // the vertex of the mesh itself, or the one whose side of the front this copy lies on
@@ -42,8 +46,7 @@ struct CutTriangles {
 CutTriangles cut_triangle(const std::array<int, 3>& corner, const std::array<glm::vec2, 3>& at,
                           const std::array<std::optional<glm::vec2>, 3>& crossing);
 
-// A triangle of a tracker's mesh, cut at its points. Points are kept a hundredth of their edge away from its
-// ends, so that no triangle but the tear's is without area.
+// A triangle of a tracker's mesh, cut at its points, which are kept kNearestToEnd away from the ends.
 CutTriangles cut_triangle(const Tracker& tracker, int triangle);
 
 }  // namespace sim::front

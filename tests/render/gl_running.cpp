@@ -1,47 +1,14 @@
 #include <cmath>
-#include <type_traits>
-
-#include <epoxy/gl.h>
 
 #include "render/overview.h"
 #include "tests/render/gl_scene.h"
+#include "tests/render/watched.h"
 #include "tests/support/allocations.h"
 #include "tests/support/places.h"
 
 // What a window asks of one frame after the other.
-namespace {
-
-int gl_objects = 0;
-
-}  // namespace
-
 namespace render::test {
 namespace {
-
-// Counts the calls of an entry point that makes GL names, while it lives. The loader keeps them in variables.
-template <auto* kEntry>
-class Watched {
-    using Function = std::remove_pointer_t<decltype(kEntry)>;
-
-  public:
-    Watched() {
-        behind_ = *kEntry;
-        *kEntry = counted(behind_);
-    }
-    ~Watched() { *kEntry = behind_; }
-    Watched(const Watched&) = delete;
-    Watched& operator=(const Watched&) = delete;
-
-  private:
-    template <class... Args>
-    static Function counted(void (*)(Args...)) {
-        return [](Args... args) {
-            ++gl_objects;
-            behind_(args...);
-        };
-    }
-    static inline Function behind_ = nullptr;
-};
 
 World hill() {
     World world = make_world(48, 5, [](double x, double y) { return 0.4 * y + 12 * std::sin(x / 30); });
