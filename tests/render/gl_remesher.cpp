@@ -72,6 +72,11 @@ class Remeshing : public Gl {
         remesher = std::move(*made);
     }
 
+    void TearDown() override {
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+        glUseProgram(0);  // a frame would put back the one that goes with this test
+    }
+
     // What the remesher draws, in its order.
     std::vector<CutTriangle> drawn() const {
         std::vector<Captured> captured(remesher.indices().size());
