@@ -6,6 +6,7 @@
 #include "render/fields_to_gpu.h"
 #include "render/frame_block.h"
 #include "render/ground_mesh.h"
+#include "render/passes/flow_pass.h"
 #include "render/passes/fullscreen_pass.h"
 #include "render/passes/scoped_state.h"
 #include "render/passes/shadow_pass.h"
@@ -29,10 +30,18 @@ struct Renderer::Parts {
     SurfacePass surface;
     ShadowPass shadow;
     TerrainPass terrain;
+    FlowPass flow;
     FullscreenPass sky;
     FullscreenPass tone;
     Target target;
     Quality quality;
+    std::filesystem::path assets;
+
+    // What the colours of a flow's texture are multiplied with: a rolling layer keeps its own on the whole.
+    glm::vec3 flow_tint(const Look& look, const Marks& marks) const {
+        if (!look.flow || look.flow->everywhere || marks.overlay == Overlay::kStretch) return glm::vec3(1);
+        return look.rolling / flow.mean_colour(look.flow->pattern);
+    }
 };
 
 tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path& assets, Quality quality) {
@@ -43,6 +52,8 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     if (!shadow) return tl::unexpected(shadow.error());
     auto terrain = TerrainPass::create(shaders);
     if (!terrain) return tl::unexpected(terrain.error());
+    auto flow = FlowPass::create(shaders);
+    if (!flow) return tl::unexpected(flow.error());
     auto sky = FullscreenPass::create(shaders, {"slots.glsl", "frame.glsl", "light.glsl", "sky.frag"});
     if (!sky) return tl::unexpected(sky.error());
     auto tone = FullscreenPass::create(shaders, {"slots.glsl", "tone_curve.glsl", "tone.frag"});
@@ -50,9 +61,9 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
 
     Buffer frame_block = make_buffer();
     glNamedBufferStorage(frame_block.name(), sizeof(FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    return Renderer(std::make_unique<Parts>(Parts{FieldsToGpu(), std::move(frame_block), std::move(*surface),
-                                                  std::move(*shadow), std::move(*terrain), std::move(*sky),
-                                                  std::move(*tone), Target(), quality}));
+    return Renderer(std::make_unique<Parts>(Parts{
+        FieldsToGpu(), std::move(frame_block), std::move(*surface), std::move(*shadow), std::move(*terrain),
+        std::move(*flow), std::move(*sky), std::move(*tone), Target(), quality, assets}));
 }
 
 Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -60,23 +71,29 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
+tl::expected<void, std::string> Renderer::load(FlowPattern pattern) {
+    return parts_->flow.load(parts_->assets, pattern);
+}
+
 void Renderer::set_quality(Quality quality) {
     parts_->quality = quality;
 }
 
 void Renderer::draw(const sim::View& world, const Camera& camera, const Light& light, const Look& look,
-                    const Marks& marks, int width, int height) {
+                    const Marks& marks, int width, int height, const sim::front::FlowView* flow) {
     Parts& p = *parts_;
     const int samples = samples_of(p.quality);
     const ScopedState state;  // whoever shares the context finds it as it was
 
     // The world first: everything below reads these textures, and only they change with the state.
     const bool new_terrain = p.fields.upload(world);
-    const FrameBlock frame =
-        make_frame_block(world, p.fields.heights(), camera, light, look, marks, {width, height, samples});
+    const FrameBlock frame = make_frame_block(world, p.fields.heights(), camera, light, look, marks,
+                                              {width, height, samples}, p.flow_tint(look, marks));
     glNamedBufferSubData(p.frame_block.name(), 0, sizeof frame, &frame);
     glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_FRAME, p.frame_block.name());
     p.fields.bind();
+    const bool flows = look.flow && flow;  // and then what it carries is seen
+    if (flows) p.flow.upload(*flow, world.grid);
 
     // What hangs on the bedrock alone is worked out once, here, because it needs the fields and the frame
     // block.
@@ -95,12 +112,20 @@ void Renderer::draw(const sim::View& world, const Camera& camera, const Light& l
     p.shadow.run(frame);
     p.shadow.bind();
 
-    // Depth before shading, so that the dear shader runs once per pixel however many triangles lie under it.
+    // Depth before shading, which is dear.
     p.target.resize(width, height, samples);
     p.target.begin_scene();
     p.terrain.draw_depth();
+
+    // What a flow carries, where no hill hides it: its colours, not yet lit, so that terrain and flow are lit
+    // as one.
+    if (flows) p.flow.draw(look.flow->pattern, marks.overlay, p.target);
+
+    // Each pixel once, however many triangles lie under it.
     p.target.begin_shading();
     p.terrain.shade(marks);
+
+    if (flows && marks.flow_mesh) p.flow.draw_mesh();
 
     // Walls hide surface behind them, and the sky shows only where neither is.
     p.terrain.draw_walls();

@@ -11,6 +11,7 @@
 #include "render/look.h"
 #include "render/marks.h"
 #include "render/picture.h"
+#include "sim/front/flow_view.h"
 #include "sim/state.h"
 
 namespace render {
@@ -32,15 +33,19 @@ class Renderer {
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
+    // Before a look with this pattern is drawn, once. Errors: its pictures are missing or damaged.
+    tl::expected<void, std::string> load(FlowPattern pattern);
+
     // For the frames to come.
     void set_quality(Quality quality);
 
-    // All passes, in order, into an offscreen target of the given size in pixels, > 0. GL's state is left as
-    // it was found, but for bindings of texture units, which are emptied, and of uniform block and image
-    // units.
-    // Allocates nothing while size, quality and terrain are those of the frame before.
+    // All passes, in order, into an offscreen target of the given size in pixels, > 0. `flow` is drawn as
+    // look.flow says; its mesh is the heightfield of the world's grid. Without either nothing carries a
+    // texture. GL's state is left as it was found, but for bindings of texture units, which are emptied, and
+    // of uniform block and image units. Allocates nothing while size, quality and terrain are those of the
+    // frame before.
     void draw(const sim::View& world, const Camera& camera, const Light& light, const Look& look,
-              const Marks& marks, int width, int height);
+              const Marks& marks, int width, int height, const sim::front::FlowView* flow = nullptr);
 
     // The last drawn frame, top row first, sRGB 8 bit, 3 channels. Waits for the frame.
     Picture read_back() const;

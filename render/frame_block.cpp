@@ -14,6 +14,7 @@ static_assert(OVERLAY_SLOPE == static_cast<int>(Overlay::kSlope));
 static_assert(OVERLAY_STANDING == static_cast<int>(Overlay::kStanding));
 static_assert(OVERLAY_ROLLING == static_cast<int>(Overlay::kRolling));
 static_assert(OVERLAY_SPEED == static_cast<int>(Overlay::kSpeed));
+static_assert(OVERLAY_STRETCH == static_cast<int>(Overlay::kStretch));
 
 constexpr double kDetailTilesPerSide = 9;  // the detail texture repeats so often along the longer side
 constexpr double kHazeBegins = 0.85;       // of the camera's distance
@@ -84,7 +85,8 @@ int most_rows(const sim::Grid& grid) {
 }
 
 FrameBlock make_frame_block(const sim::View& world, HeightRange heights, const Camera& camera,
-                            const Light& light, const Look& look, const Marks& marks, FrameSize size) {
+                            const Light& light, const Look& look, const Marks& marks, FrameSize size,
+                            const glm::vec3& flow_tint) {
     const double side = static_cast<double>(std::max(world.grid.nx, world.grid.ny) - 1) * world.grid.dx;
     FrameBlock block{};
     block.eye.w = static_cast<float>(kDetailTilesPerSide / side);
@@ -101,6 +103,11 @@ FrameBlock make_frame_block(const sim::View& world, HeightRange heights, const C
     block.lower_standing = glm::vec4(look.lower_standing, world.mixture ? 1 : 0);
     block.lower_rolling = glm::vec4(look.lower_rolling, 0);
     const double pixel = 2 * glm::length(glm::dvec3(block.ray_up)) / (size.height * size.samples);
+    if (look.flow) {
+        block.flow = glm::dvec4(look.flow->repeats / side,
+                                look.flow->everywhere ? FLOW_EVERYWHERE : FLOW_ROLLING, 0, 0);
+        block.flow_tint = glm::vec4(flow_tint, 0);
+    }
     block.material = glm::dvec4(look.roughness * look.detail, pixel, size.samples, 0);
     set_marks(block, marks, heights, world.datum);
     return block;

@@ -28,10 +28,11 @@ struct FrameBlock {
     glm::vec4 rock, meadow, standing, rolling, lower_standing, lower_rolling, material;
     glm::vec4 ring, ring_colour;
     glm::vec4 contours;
+    glm::vec4 flow, flow_tint;
     glm::ivec4 overlay;
     std::array<glm::vec4, MOST_STOPS> stops;
 };
-static_assert(sizeof(FrameBlock) == 64 + (20 + MOST_STOPS) * 16);
+static_assert(sizeof(FrameBlock) == 64 + (22 + MOST_STOPS) * 16);
 
 // The largest `size.z` that any light needs on a grid: rays of the sun's sweep.
 int most_rays(const sim::Grid& grid);
@@ -43,7 +44,9 @@ struct FrameSize {
     int width = 0, height = 0, samples = 1;
 };
 
+// `flow_tint`: what the colours of a flow's texture are multiplied with.
 FrameBlock make_frame_block(const sim::View& world, HeightRange heights, const Camera& camera,
-                            const Light& light, const Look& look, const Marks& marks, FrameSize size);
+                            const Light& light, const Look& look, const Marks& marks, FrameSize size,
+                            const glm::vec3& flow_tint);
 
 }  // namespace render

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <optional>
+
 #include <glm/vec3.hpp>
+
+#include "render/flow_pattern.h"
 
 namespace render {
 
@@ -9,6 +13,14 @@ struct Light {
     double azimuth_deg = 135;   // where the sun stands: 0 north, 90 east
     double elevation_deg = 40;  // above the horizon, 1 to 90
     bool operator==(const Light&) const = default;
+};
+
+// How material looks that carries a texture with it.
+struct FlowLook {
+    FlowPattern pattern = FlowPattern::kSnow;
+    double repeats = 9;       // tiles along the longer side of the terrain, > 0
+    bool everywhere = false;  // all ground flows; else what is seen of the rolling layer, in its colour
+    bool operator==(const FlowLook&) const = default;
 };
 
 // How ground and material look: data of a scene and its material, never of the simulation.
@@ -24,6 +36,7 @@ struct Look {
     float rolling_visible_m = 0.05f;  // depth at which the rolling layer is drawn, m, > 0
     float detail =
         1;  // 0 to 1, strength of all small-scale relief and variation of colour; 0 draws plain colours
+    std::optional<FlowLook> flow;  // none: nothing carries a texture
 };
 
 }  // namespace render

@@ -40,7 +40,17 @@ constexpr std::array<LegendStop, 6> kSpeed{{
     {40, {0.940f, 0.975f, 0.131f}},
 }};
 
-static_assert(kSlope.size() <= MOST_STOPS && kDepth.size() <= MOST_STOPS && kSpeed.size() <= MOST_STOPS);
+// Of no stretch at all little is seen; twice as long as wide is seen by everybody.
+constexpr std::array<LegendStop, 5> kStretch{{
+    {1, {0.93f, 0.93f, 0.93f}},
+    {1.25f, {0.98f, 0.87f, 0.55f}},
+    {1.5f, {0.96f, 0.60f, 0.30f}},
+    {2, {0.78f, 0.16f, 0.24f}},
+    {4, {0.25f, 0.04f, 0.28f}},
+}};
+
+static_assert(kSlope.size() <= MOST_STOPS && kDepth.size() <= MOST_STOPS && kSpeed.size() <= MOST_STOPS &&
+              kStretch.size() <= MOST_STOPS);
 
 }  // namespace
 
@@ -53,6 +63,8 @@ Legend legend_of(Overlay overlay) {
             return {kDepth, "m", false};
         case Overlay::kSpeed:
             return {kSpeed, "m/s", false};
+        case Overlay::kStretch:
+            return {kStretch, ": 1", false};
         case Overlay::kNone:
             break;
     }

@@ -17,6 +17,7 @@ enum class Overlay {
     kStanding,  // depth of the standing layer
     kRolling,   // depth of the rolling layer
     kSpeed,     // of the rolling layer
+    kStretch,   // how much textures that a flow carries are drawn out: greatest over least stretch
 };
 
 // A circle around a place, laid onto the surface.
@@ -30,7 +31,8 @@ struct Ring {
 // What is drawn onto the ground for a person and is no part of how it looks.
 struct Marks {
     Overlay overlay = Overlay::kNone;
-    bool contours = false;  // lines of equal height, contour_interval() apart, every fifth of them heavier
+    bool contours = false;   // lines of equal height, contour_interval() apart, every fifth of them heavier
+    bool flow_mesh = false;  // edges of a flow's cut mesh, its fronts and their points
     std::optional<Ring> ring;
     bool operator==(const Marks&) const = default;
 };

@@ -35,7 +35,12 @@ void Target::begin_scene() const {
     glClearNamedFramebufferfv(scene_.name(), GL_DEPTH, 0, &kFarthest);
 }
 
+void Target::lend_depth(GLuint framebuffer) const {
+    glNamedFramebufferTexture(framebuffer, GL_DEPTH_ATTACHMENT, depth_.name(), 0);
+}
+
 void Target::begin_shading() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, scene_.name());
     glTextureBarrier();
     glBindTextureUnit(SLOT_SCENE_DEPTH, depth_.name());
 }

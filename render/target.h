@@ -12,7 +12,11 @@ class Target {
     // Before every frame. Pixels, > 0; samples along the edge of a pixel, 1 or 2.
     void resize(int width, int height, int samples);
 
-    void begin_scene() const;    // depth is cleared; draw depth and linear colour
+    void begin_scene() const;  // depth is cleared; draw depth and linear colour
+    // Of what was drawn into it so far, to draw on; its size in samples goes with it.
+    void lend_depth(GLuint framebuffer) const;
+    int samples_across() const { return width_ * samples_; }
+    int samples_up() const { return height_ * samples_; }
     void begin_shading() const;  // depth can be read at SLOT_SCENE_DEPTH while it is not drawn to
     void begin_picture() const;  // samples are averaged and bound at SLOT_COLOUR; draw the 8-bit picture
 

@@ -21,6 +21,8 @@ layout(std140, binding = SLOT_FRAME) uniform Frame {
     vec4 ring;              // centre m, radius m; 1: is drawn
     vec4 ring_colour;       // linear light
     vec4 contours;          // lines per metre of height, 0: none; line, counted from a heavy one, at z = 0
+    vec4 flow;              // texture tiles per m; where it is drawn: FLOW_*; 0, 0
+    vec4 flow_tint;         // what its colours are multiplied with; 0
     ivec4 overlay;          // OVERLAY_*, 0: none; stops of its legend; 1: they are steps
     vec4 stops[MOST_STOPS]; // colour in sRGB; w: value
 } frame;

@@ -19,7 +19,11 @@
 #define SLOT_COLOUR 12    // RGBA16F: the frame in linear light
 #define SLOT_MEASURE 13   // RG32F: what the overlay shows times its weight, weight 0 to 1
 #define SLOT_MIXTURE 14   // RG8: share of the lower material in what lies at the surface, in what rolls; of a world of two
-#define SLOT_UNITS 15     // how many texture units there are
+#define SLOT_GRAIN 15     // RGBA8: a flow's texture: slopes, height
+#define SLOT_PAINT 16     // SRGB8: its colours; of a stochastic one a row, for each height
+#define SLOT_SKIN_ALBEDO 17 // RGBA16F: what a flow looks like, per sample; alpha 0: there is none
+#define SLOT_SKIN_RELIEF 18 // RGBA16F: slopes that it adds, how much of the sky its hollows leave
+#define SLOT_UNITS 19     // how many texture units there are
 
 // Storage buffers; the first four are what cut_vertex.glsl reads
 #define SLOT_MESH_POSITIONS 0    // vec2 of each vertex, m
@@ -30,6 +34,11 @@
 #define SLOT_CHANGED_TRIANGLES 5 // beside those
 #define SLOT_CUT_INDICES 6       // three for each piece
 #define SLOT_CUT_COUNT 7         // how many indices there are
+// The same again while a flow is drawn, for an OpenGL may have no more than eight
+#define SLOT_FLOW_OFFSETS 4      // six vec2 of each vertex: sim::front::TextureLayers::Offsets, m
+#define SLOT_FLOW_MIX 5          // vec4 of each vertex: shares of the second phases, latency
+#define SLOT_FLOW_BESIDE 6       // int of each vertex: its place among those beside a front; -1: it has none
+#define SLOT_FLOW_GRADIENTS 7    // six mat2 of each vertex beside a front
 
 // Image units
 #define IMAGE_RELIEF 0
@@ -46,6 +55,14 @@
 #define OVERLAY_STANDING 2
 #define OVERLAY_ROLLING 3
 #define OVERLAY_SPEED 4
+#define OVERLAY_STRETCH 5
+
+// Where a flow's texture is drawn
+#define FLOW_NOWHERE 0
+#define FLOW_ROLLING 1     // where the rolling layer is seen
+#define FLOW_EVERYWHERE 2
+
+#define STEEPEST_GRAIN 2.0 // slope of a texture of a flow that its texels can hold
 
 #define MOST_STOPS 8 // of a legend
 

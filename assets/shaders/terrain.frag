@@ -5,6 +5,8 @@ layout(binding = SLOT_RELIEF) uniform sampler2D relief;
 layout(binding = SLOT_LAYERS) uniform sampler2D layers;
 layout(binding = SLOT_MIXTURE) uniform sampler2D mixture;
 layout(binding = SLOT_DETAIL) uniform sampler2DArray detail_texture;
+layout(binding = SLOT_SKIN_ALBEDO) uniform sampler2D skin_albedo;
+layout(binding = SLOT_SKIN_RELIEF) uniform sampler2D skin_relief;
 
 in vec2 ndc;
 out vec4 colour;
@@ -121,6 +123,12 @@ void main() {
     float foot = smoothstep(-0.7, 0.0, from_front) * smoothstep(0.0, 0.2, layer.y) * (1.0 - rolls);
     float lip = smoothstep(0.9, 0.0, from_front) * smoothstep(0.1, 0.3, steepness);
     Skin debris = moving(mix(frame.rolling.rgb, frame.lower_rolling.rgb, lower.y), broad, soft, clumps, crumbs, layer.z);
+    if (int(frame.flow.y) != FLOW_NOWHERE) {
+        // Material with the texture that it carries; what frays out beyond its cut mesh has that of its place.
+        vec4 albedo = texelFetch(skin_albedo, ivec2(gl_FragCoord.xy), 0), rise = texelFetch(skin_relief, ivec2(gl_FragCoord.xy), 0);
+        debris = blend(debris, Skin(albedo.rgb, rise.xy, rise.z), albedo.a);
+        if (int(frame.flow.y) == FLOW_EVERYWHERE) rolls = albedo.a;
+    }
     debris.rise += lip * 0.9 * along / max(steepness, 1e-4);
     skin = blend(skin, debris, rolls);
     skin.open *= 1.0 - 0.45 * foot;

@@ -1,0 +1,44 @@
+// Flow: the textures that a flow carries, once for each sample in which it is seen. Colour and small relief alone; terrain.frag
+// lights them.
+in vec2 at;
+in vec4 offset[3];
+in vec4 mixture;
+layout(location = 0) out vec4 skin_albedo;
+layout(location = 1) out vec4 skin_relief;
+
+const int kSheets = 6;
+
+// One set of coordinates: two phases for each of three latencies.
+struct Sheet {
+    vec2 place;     // tiles
+    mat2 gradient;  // of the place, times the size of a tile
+    float weight;   // those of all sheets add up to 1
+};
+
+struct Paint {
+    vec3 albedo;
+    vec2 rise;   // slope
+    float open;  // share of the sky that small hollows leave
+};
+
+// By files of their own: paint_blended.glsl, paint_chosen.glsl, paint_stretch.glsl. `footprint`: what a sample covers, tiles.
+Paint paint(Sheet sheets[kSheets], float footprint);
+
+void main() {
+    mat2 pixel = mat2(dFdx(at), dFdy(at));
+    float area = determinant(pixel);
+    // A triangle seen edge on has no area; what little is seen of it is drawn without relief.
+    mat2 to_pixel = abs(area) > 1e-12 ? inverse(pixel) : mat2(0.0);
+    Sheet sheets[kSheets];
+    for (int s = 0; s < kSheets; ++s) {
+        int k = s / 2;
+        vec2 place = at + (s % 2 == 0 ? offset[k].xy : offset[k].zw);
+        float layer = max(0.0, 1.0 - abs(mixture.w - float(k)));
+        float share = s % 2 == 0 ? 1.0 - mixture[k] : mixture[k];
+        sheets[s] = Sheet(place * frame.flow.x, mat2(dFdx(place), dFdy(place)) * to_pixel, layer * share);
+    }
+    float footprint = sqrt(length(pixel[0]) * length(pixel[1])) * frame.flow.x;
+    Paint seen = paint(sheets, footprint);
+    skin_albedo = vec4(seen.albedo * frame.flow_tint.rgb, 1.0);
+    skin_relief = vec4(seen.rise, seen.open, 0.0);
+}

@@ -1,0 +1,16 @@
+// A texture of a flow at a sheet's place.
+layout(binding = SLOT_GRAIN) uniform sampler2D grain;
+layout(binding = SLOT_PAINT) uniform sampler2D paint_colours;
+
+struct Grain {
+    vec2 rise;     // slope, as the sheet lies
+    float height;  // 0 to 1
+};
+
+float grain_level(float footprint) { return log2(footprint * float(textureSize(grain, 0).x)) - 0.4; }
+
+Grain grain_at(Sheet sheet, float level) {
+    vec3 t = textureLod(grain, sheet.place, level).xyz;
+    // Slopes are covectors: turned and drawn out as the coordinates are.
+    return Grain(transpose(sheet.gradient) * ((t.xy * 2.0 - 1.0) * STEEPEST_GRAIN), t.z);
+}

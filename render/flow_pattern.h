@@ -1,0 +1,19 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace render {
+
+// What a flow can carry. assets/textures holds one of each name, and tells how they were made.
+enum class FlowPattern { kCheckerboard, kStones, kPerlin, kSnow, kSoil };
+
+inline constexpr std::array<std::string_view, 5> kFlowPatterns{"checkerboard", "stones", "perlin", "snow",
+                                                               "soil"};
+
+constexpr std::string_view to_string(FlowPattern pattern) {
+    return kFlowPatterns[static_cast<std::size_t>(pattern)];
+}
+
+}  // namespace render

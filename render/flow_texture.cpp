@@ -1,0 +1,134 @@
+#include "render/flow_texture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include "assets/shaders/slots.glsl"
+
+namespace render {
+namespace {
+
+constexpr int kLargest = 4096;  // texels along an edge
+
+// 8 bits for each channel, lowest row first, as GL counts them.
+struct Texels {
+    int width = 0, height = 0, channels = 0;
+    std::vector<std::uint8_t> values;
+
+    std::size_t size() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
+};
+
+tl::expected<Texels, std::string> read(const std::filesystem::path& path, int channels) {
+    const auto unusable = [&](const std::string& fact) {
+        return tl::unexpected(fmt::format("{}: {}", path.string(), fact));
+    };
+    auto input = OIIO::ImageInput::open(path.string());
+    if (!input) return unusable(OIIO::geterror());
+    const OIIO::ImageSpec& spec = input->spec();
+    if (spec.nchannels != channels || spec.format != OIIO::TypeDesc::UINT8)
+        return unusable(fmt::format("{} channels of {}; a texture's has {} of uint8", spec.nchannels,
+                                    spec.format.c_str(), channels));
+    if (spec.width > kLargest || spec.height > kLargest)
+        return unusable(fmt::format("{} x {} texels; a texture has at most {} along an edge", spec.width,
+                                    spec.height, kLargest));
+    Texels texels{spec.width, spec.height, channels, {}};
+    texels.values.resize(texels.size() * static_cast<std::size_t>(channels));
+    const auto row = static_cast<OIIO::stride_t>(spec.width) * channels;
+    if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8,
+                           texels.values.data() + row * (spec.height - 1), channels, -row))
+        return unusable(input->geterror());
+    return texels;
+}
+
+std::uint8_t to_byte(float share) {
+    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.f, 1.f)));
+}
+
+// Slopes and height of each texel, from a map of normals and one of heights.
+std::vector<std::uint8_t> grain_of(const Texels& normal, const Texels& height) {
+    std::vector<std::uint8_t> grain(4 * normal.size());
+    for (std::size_t i = 0; i < normal.size(); ++i) {
+        const auto along = [&](int axis) {
+            return static_cast<float>(normal.values[3 * i + static_cast<std::size_t>(axis)]) / 127.5f - 1;
+        };
+        const float up = std::max(along(2), 0.05f);
+        for (const int axis : {0, 1})
+            grain[4 * i + static_cast<std::size_t>(axis)] =
+                to_byte(0.5f - 0.5f * along(axis) / up / static_cast<float>(STEEPEST_GRAIN));
+        grain[4 * i + 2] = height.values[i];
+    }
+    return grain;
+}
+
+// Repeats, and is seen from afar as what it is on average.
+Texture texture_of(GLenum format, GLenum layout, int width, int height,
+                   const std::vector<std::uint8_t>& texels) {
+    const int levels = 1 + static_cast<int>(std::floor(std::log2(std::max(width, height))));
+    GLuint name = 0;
+    glCreateTextures(GL_TEXTURE_2D, 1, &name);
+    Texture texture(name);
+    glTextureStorage2D(name, levels, format, width, height);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage2D(name, 0, 0, 0, width, height, layout, GL_UNSIGNED_BYTE, texels.data());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glGenerateTextureMipmap(name);
+    glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    return texture;
+}
+
+float linear(std::uint8_t srgb) {
+    const float c = static_cast<float>(srgb) / 255;
+    return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
+}
+
+glm::vec3 mean_of(const Texels& albedo) {
+    glm::dvec3 sum(0);
+    for (std::size_t i = 0; i < albedo.size(); ++i)
+        for (int c = 0; c < 3; ++c) sum[c] += linear(albedo.values[3 * i + static_cast<std::size_t>(c)]);
+    return glm::vec3(sum / static_cast<double>(albedo.size()));
+}
+
+}  // namespace
+
+tl::expected<FlowTexture, std::string> FlowTexture::load(const std::filesystem::path& assets,
+                                                         FlowPattern pattern) {
+    const std::filesystem::path folder = assets / "textures";
+    const std::string name(to_string(pattern));
+    const auto albedo = read(folder / (name + ".png"), 3);
+    if (!albedo) return tl::unexpected(albedo.error());
+    const auto normal = read(folder / (name + "-normal.png"), 3);
+    if (!normal) return tl::unexpected(normal.error());
+    const auto height = read(folder / (name + "-height.png"), 1);
+    if (!height) return tl::unexpected(height.error());
+    for (const Texels* texels : {&*normal, &*height})
+        if (texels->width != albedo->width || texels->height != albedo->height)
+            return tl::unexpected(fmt::format("{}: pictures of {} differ in size", folder.string(), name));
+
+    FlowTexture texture;
+    texture.mean = mean_of(*albedo);
+    texture.grain = texture_of(GL_RGBA8, GL_RGBA, normal->width, normal->height, grain_of(*normal, *height));
+    // What has a table of colours for its heights is meant to be blended.
+    const std::filesystem::path table = folder / (name + "-colours.png");
+    texture.stochastic = std::filesystem::exists(table);
+    if (texture.stochastic) {
+        const auto colours = read(table, 3);
+        if (!colours) return tl::unexpected(colours.error());
+        texture.colours = texture_of(GL_SRGB8, GL_RGB, colours->width, colours->height, colours->values);
+        glTextureParameteri(texture.colours.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    } else {
+        texture.colours = texture_of(GL_SRGB8, GL_RGB, albedo->width, albedo->height, albedo->values);
+    }
+    return texture;
+}
+
+void FlowTexture::bind() const {
+    glBindTextureUnit(SLOT_GRAIN, grain.name());
+    glBindTextureUnit(SLOT_PAINT, colours.name());
+}
+
+}  // namespace render

@@ -1,0 +1,61 @@
+#include "render/flow_to_gpu.h"
+
+#include <algorithm>
+
+#include "assets/shaders/slots.glsl"
+
+namespace render {
+namespace {
+
+using sim::front::TextureLayers;
+
+// Laid out as flow.vert has them.
+static_assert(sizeof(TextureLayers::Offsets) == 6 * 2 * sizeof(float));
+static_assert(sizeof(TextureLayers::Mix) == 4 * sizeof(float));
+static_assert(sizeof(TextureLayers::Gradients) == 6 * 4 * sizeof(float));
+
+constexpr std::size_t kLeastGradients = 256;
+
+Buffer make_storage(std::size_t bytes) {
+    Buffer buffer = make_buffer();
+    glNamedBufferStorage(buffer.name(), static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    return buffer;
+}
+
+template <class Values>
+void send(const Buffer& buffer, const Values& values) {
+    glNamedBufferSubData(buffer.name(), 0, static_cast<GLsizeiptr>(values.size() * sizeof(*values.data())),
+                         values.data());
+}
+
+}  // namespace
+
+void FlowToGpu::upload(const TextureLayers& layers) {
+    const std::size_t vertices = layers.offsets().size(), beside = layers.beside_front().size();
+    if (vertices != vertices_) {
+        vertices_ = vertices;
+        offsets_ = make_storage(vertices * sizeof(TextureLayers::Offsets));
+        mixes_ = make_storage(vertices * sizeof(TextureLayers::Mix));
+        beside_ = make_storage(vertices * sizeof(int));
+    }
+    if (beside > gradients_fit_ || gradients_fit_ == 0) {  // with room for fronts to grow
+        gradients_fit_ = std::max(2 * beside, kLeastGradients);
+        gradients_ = make_storage(gradients_fit_ * sizeof(TextureLayers::Gradients));
+    }
+    place_beside_.assign(vertices, -1);
+    for (std::size_t i = 0; i < beside; ++i)
+        place_beside_[static_cast<std::size_t>(layers.beside_front()[i])] = static_cast<int>(i);
+    send(offsets_, layers.offsets());
+    send(mixes_, layers.mix());
+    send(beside_, place_beside_);
+    if (beside > 0) send(gradients_, layers.gradients());
+}
+
+void FlowToGpu::bind() const {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SLOT_FLOW_OFFSETS, offsets_.name());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SLOT_FLOW_MIX, mixes_.name());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SLOT_FLOW_BESIDE, beside_.name());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SLOT_FLOW_GRADIENTS, gradients_.name());
+}
+
+}  // namespace render

@@ -1,0 +1,128 @@
+#include "render/passes/flow_pass.h"
+
+#include <initializer_list>
+#include <utility>
+#include <vector>
+
+#include "assets/shaders/slots.glsl"
+#include "render/passes/scoped_state.h"
+#include "render/program.h"
+#include "sim/check.h"
+
+namespace render {
+namespace {
+
+// Toward the eye, so that the surface, drawn before by other triangles of the same heights, hides nothing of
+// what lies on it. Depth is reversed.
+constexpr float kOffsetBySlope = 1, kOffset = 64;
+
+}  // namespace
+
+tl::expected<FlowPass, std::string> FlowPass::create(const std::filesystem::path& shaders) {
+    auto remesher = Remesher::create(shaders);
+    if (!remesher) return tl::unexpected(remesher.error());
+    FlowPass pass(std::move(*remesher));
+
+    const auto on_surface = [](std::string_view file) {
+        return ShaderStage{GL_VERTEX_SHADER,
+                           {"slots.glsl", "frame.glsl", "cut_vertex.glsl", "triangle_height.glsl", file}};
+    };
+    const auto painted = [&](std::vector<std::string_view> files) {
+        files.insert(files.begin(), {"slots.glsl", "frame.glsl", "flow.frag"});
+        return std::vector<ShaderStage>{on_surface("flow.vert"), {GL_FRAGMENT_SHADER, files}};
+    };
+    for (auto [program, stages] : std::initializer_list<std::pair<ProgramName*, std::vector<ShaderStage>>>{
+             {&pass.blended_, painted({"grain.glsl", "paint_blended.glsl"})},
+             {&pass.chosen_, painted({"grain.glsl", "paint_chosen.glsl"})},
+             {&pass.stretch_, painted({"paint_stretch.glsl"})},
+             {&pass.mesh_program_, {on_surface("flow_mesh.vert"), {GL_FRAGMENT_SHADER, {"flow_mesh.frag"}}}},
+             {&pass.point_program_,
+              {on_surface("flow_points.vert"),
+               {GL_FRAGMENT_SHADER, {"slots.glsl", "frame.glsl", "flow_points.frag"}}}},
+         }) {
+        auto linked = link_program(shaders, stages);
+        if (!linked) return tl::unexpected(linked.error());
+        *program = std::move(*linked);
+    }
+    pass.no_vertices_ = make_vertex_array();
+    return pass;
+}
+
+tl::expected<void, std::string> FlowPass::load(const std::filesystem::path& assets, FlowPattern pattern) {
+    if (has(pattern)) return {};
+    auto loaded = FlowTexture::load(assets, pattern);
+    if (!loaded) return tl::unexpected(loaded.error());
+    textures_[static_cast<std::size_t>(pattern)] = std::move(*loaded);
+    return {};
+}
+
+void FlowPass::upload(const sim::front::FlowView& flow, const sim::Grid& grid) {
+    CHECK(flow.mesh().columns == grid.nx && flow.mesh().position.size() == grid.size());
+    if (grid_ != grid) {
+        grid_ = grid;
+        edges_ = flow.mesh().edges();
+        remesher_.send_mesh(flow.mesh());
+    }
+    remesher_.cut(flow.tracker().points());
+    coordinates_.upload(flow.layers());
+}
+
+void FlowPass::resize(const Target& target) {
+    if (width_ == target.samples_across() && height_ == target.samples_up()) return;
+    width_ = target.samples_across(), height_ = target.samples_up();
+    albedo_ = make_texture(GL_RGBA16F, width_, height_, GL_NEAREST);
+    relief_ = make_texture(GL_RGBA16F, width_, height_, GL_NEAREST);
+    framebuffer_ = make_framebuffer();
+    glNamedFramebufferTexture(framebuffer_.name(), GL_COLOR_ATTACHMENT0, albedo_.name(), 0);
+    glNamedFramebufferTexture(framebuffer_.name(), GL_COLOR_ATTACHMENT1, relief_.name(), 0);
+    constexpr std::array<GLenum, 2> kBoth{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    glNamedFramebufferDrawBuffers(framebuffer_.name(), kBoth.size(), kBoth.data());
+}
+
+void FlowPass::draw(FlowPattern pattern, Overlay overlay, const Target& target) {
+    CHECK(has(pattern));
+    resize(target);
+    target.lend_depth(framebuffer_.name());
+    constexpr std::array<float, 4> kNothing{0, 0, 0, 0};
+    glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 0, kNothing.data());
+    glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 1, kNothing.data());
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+
+    texture(pattern)->bind();
+    glUseProgram((overlay == Overlay::kStretch   ? stretch_
+                  : texture(pattern)->stochastic ? blended_
+                                                 : chosen_)
+                     .name());
+    const Enabled depth_test(GL_DEPTH_TEST), cull_face(GL_CULL_FACE), nearer(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(kOffsetBySlope, kOffset);
+    glDepthMask(GL_FALSE);
+    remesher_.bind();
+    coordinates_.bind();
+    remesher_.draw();
+    glDepthMask(GL_TRUE);
+    glPolygonOffset(0, 0);
+    glBindTextureUnit(SLOT_SKIN_ALBEDO, albedo_.name());
+    glBindTextureUnit(SLOT_SKIN_RELIEF, relief_.name());
+}
+
+void FlowPass::draw_mesh() const {
+    const Enabled depth_test(GL_DEPTH_TEST), blend(GL_BLEND), nearer(GL_POLYGON_OFFSET_LINE),
+        point_size(GL_PROGRAM_POINT_SIZE);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glPolygonOffset(kOffsetBySlope, kOffset);
+    glDepthMask(GL_FALSE);
+    remesher_.bind();
+    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    glUseProgram(mesh_program_.name());
+    remesher_.draw();
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glDisable(GL_DEPTH_TEST);
+    glUseProgram(point_program_.name());
+    glBindVertexArray(no_vertices_.name());
+    glDrawArrays(GL_POINTS, 0, edges_);
+    glDepthMask(GL_TRUE);
+    glPolygonOffset(0, 0);
+    glBlendFunc(GL_ONE, GL_ZERO);
+}
+
+}  // namespace render

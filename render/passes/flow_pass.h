@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "render/flow_texture.h"
+#include "render/flow_to_gpu.h"
+#include "render/gl_handle.h"
+#include "render/marks.h"
+#include "render/remesher.h"
+#include "render/target.h"
+#include "sim/front/flow_view.h"
+#include "sim/grid.h"
+
+namespace render {
+
+// What a flow carries: its mesh, cut along its fronts, with textures on either side. Colour and relief of
+// each sample come first and are lit with the terrain, once per pixel.
+class FlowPass {
+  public:
+    static tl::expected<FlowPass, std::string> create(const std::filesystem::path& shaders);
+
+    // Before a pattern is drawn, once. Errors as in FlowTexture::load.
+    tl::expected<void, std::string> load(const std::filesystem::path& assets, FlowPattern pattern);
+    bool has(FlowPattern pattern) const { return texture(pattern).has_value(); }
+    glm::vec3 mean_colour(FlowPattern pattern) const { return texture(pattern)->mean; }
+
+    // Cuts the mesh and sends coordinates. The flow's mesh is the heightfield of `grid`.
+    void upload(const sim::front::FlowView& flow, const sim::Grid& grid);
+    // Reads SLOT_RELIEF, SLOT_ROLLING and the depth of `target`; writes SLOT_SKIN_ALBEDO and
+    // SLOT_SKIN_RELIEF, which are bound then. Sets the target's framebuffer aside.
+    void draw(FlowPattern pattern, Overlay overlay, const Target& target);
+    // Edges, fronts and points onto the scene.
+    void draw_mesh() const;
+
+  private:
+    const std::optional<FlowTexture>& texture(FlowPattern pattern) const {
+        return textures_[static_cast<std::size_t>(pattern)];
+    }
+    void resize(const Target& target);
+
+    // Three of one kind: what a shader could draw costs time even where it is not drawn.
+    ProgramName blended_, chosen_, stretch_;
+    ProgramName mesh_program_, point_program_;
+    Remesher remesher_;
+    FlowToGpu coordinates_;
+    std::array<std::optional<FlowTexture>, kFlowPatterns.size()> textures_;
+    std::optional<sim::Grid> grid_;  // whose mesh was sent
+    int edges_ = 0;
+    int width_ = 0, height_ = 0;  // samples
+    Texture albedo_, relief_;
+    Framebuffer framebuffer_;
+    VertexArray no_vertices_;
+
+    explicit FlowPass(Remesher remesher) : remesher_(std::move(remesher)) {}
+};
+
+}  // namespace render
