@@ -6,45 +6,17 @@
 #include <functional>
 
 #include "assets/shaders/slots.glsl"
+#include "render/noise.h"
 
 namespace render {
 namespace {
 
 constexpr int kTexels = kDetailSize * kDetailSize;
 
-// 0 to 1 from a cell of a lattice that repeats after `period` cells.
-float hash(int x, int y, int period, std::uint32_t seed) {
-    const auto wrap = [period](int v) { return static_cast<std::uint32_t>((v % period + period) % period); };
-    std::uint32_t h = wrap(x) * 0x9E3779B1u ^ wrap(y) * 0x85EBCA77u ^ seed * 0xC2B2AE3Du;
-    h = (h ^ (h >> 15)) * 0x2C1B3C6Du;
-    h = (h ^ (h >> 12)) * 0x297A2D39u;
-    return static_cast<float>((h ^ (h >> 15)) >> 8) / 16777216.f;
-}
-
-// Value noise with smooth second derivatives; x and y in cells.
-float value_noise(float x, float y, int period, std::uint32_t seed) {
-    const float fx = std::floor(x), fy = std::floor(y);
-    const int ix = static_cast<int>(fx), iy = static_cast<int>(fy);
-    const auto ease = [](float t) { return t * t * t * (t * (6 * t - 15) + 10); };
-    const float u = ease(x - fx), v = ease(y - fy);
-    const float south = std::lerp(hash(ix, iy, period, seed), hash(ix + 1, iy, period, seed), u);
-    const float north = std::lerp(hash(ix, iy + 1, period, seed), hash(ix + 1, iy + 1, period, seed), u);
-    return std::lerp(south, north, v);
-}
-
-// u and v run from 0 to 1 over the tile.
-float soft(float u, float v, int first, std::uint32_t seed) {
-    float sum = 0, weight = 0.5f;
-    for (int octave = 0, period = first; octave < 6; ++octave, period *= 2, weight *= 0.5f)
-        sum +=
-            weight * value_noise(u * period, v * period, period, seed + static_cast<std::uint32_t>(octave));
-    return sum;
-}
-
 // Sharp crests, each octave stronger where the one before is high: fractured stone.
 float rock(float u, float v) {
     float sum = 0, weight = 0.55f, carry = 1;
-    const float bend = 0.06f * soft(u, v, 4, 91), bend_v = 0.06f * soft(u, v, 4, 92);
+    const float bend = 0.06f * fractal_noise(u, v, 4, 91), bend_v = 0.06f * fractal_noise(u, v, 4, 92);
     for (int octave = 0, period = 5; octave < 6; ++octave, period *= 2, weight *= 0.55f) {
         const float n = value_noise((u + bend) * period, (v + bend_v) * period, period,
                                     40 + static_cast<std::uint32_t>(octave));
@@ -74,7 +46,7 @@ float domes(float u, float v, int period, std::uint32_t seed) {
 
 float clumps(float u, float v) {
     return 0.55f * domes(u, v, 14, 7) + 0.32f * domes(u, v, 31, 17) + 0.18f * domes(u, v, 67, 27) +
-           0.2f * soft(u, v, 8, 37);
+           0.2f * fractal_noise(u, v, 8, 37);
 }
 
 // Of a texel; the tile goes on beyond its edges.
@@ -120,10 +92,10 @@ void append_layer(std::vector<std::uint8_t>& texels, const std::vector<float>& h
 
 std::vector<std::uint8_t> make_detail() {
     static_assert(DETAIL_SOFT == 0 && DETAIL_ROCK == 1 && DETAIL_CLUMPS == 2 && DETAIL_LAYERS == 3);
-    const std::vector<float> broad = heights([](float u, float v) { return soft(u, v, 3, 71); });
+    const std::vector<float> broad = heights([](float u, float v) { return fractal_noise(u, v, 3, 71); });
     std::vector<std::uint8_t> texels;
     texels.reserve(4ull * kTexels * DETAIL_LAYERS);
-    append_layer(texels, heights([](float u, float v) { return soft(u, v, 6, 1); }), broad, 12.f);
+    append_layer(texels, heights([](float u, float v) { return fractal_noise(u, v, 6, 1); }), broad, 12.f);
     append_layer(texels, heights(rock), broad, 9.f);
     append_layer(texels, heights(clumps), broad, 9.f);
     return texels;
