@@ -166,6 +166,8 @@ void App::open_or_tell(const std::string& name_or_path, const Wishes& wishes) {
 Outcome<void> App::begin_world(Opening opening, const std::optional<std::filesystem::path>& record) {
     // Reset keeps the hand and the eye as they are; another mountain does not.
     const bool same = sandbox_ && ground_hash(sandbox_->start()) == ground_hash(opening.scene.start);
+    if (const auto& flow = opening.scene.start.look.flow)
+        if (auto loaded = renderer_.load(flow->pattern); !loaded) return machine_fails(loaded.error());
     auto recorder = begin_recording(opening.scene.start, record);
     if (!recorder) return tl::unexpected(recorder.error());
     std::optional<std::filesystem::path> recording;

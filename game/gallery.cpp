@@ -26,9 +26,10 @@ struct Gallery::Parts {
     Parts(render::HeadlessContext&& gl, render::Renderer&& with)
         : context(std::move(gl)), renderer(std::move(with)) {}
 
-    double draw(const sim::View& world, const render::Camera& from, const std::string& name) {
+    double draw(const sim::View& world, const sim::front::FlowView* flow, const render::Camera& from,
+                const std::string& name) {
         const auto before = std::chrono::steady_clock::now();
-        renderer.draw(world, from, light, look, {}, size.width, size.height);
+        renderer.draw(world, from, light, look, {}, size.width, size.height, flow);
         render::Picture picture =
             renderer.read_back();  // waits for the frame, so that the time is the frame's
         const auto after = std::chrono::steady_clock::now();
@@ -72,6 +73,9 @@ Outcome<Gallery> Gallery::open(const std::filesystem::path& folder, PictureSize 
     if (!context) return machine_fails(context.error());
     auto renderer = render::Renderer::create(*assets);
     if (!renderer) return machine_fails(renderer.error());
+    if (start.look.flow)
+        if (auto loaded = renderer->load(start.look.flow->pattern); !loaded)
+            return machine_fails(loaded.error());
 
     auto parts = std::make_unique<Parts>(std::move(*context), std::move(*renderer));
     parts->folder = folder;
@@ -87,14 +91,15 @@ Gallery::~Gallery() = default;
 Gallery::Gallery(Gallery&&) noexcept = default;
 Gallery& Gallery::operator=(Gallery&&) noexcept = default;
 
-double Gallery::draw(const sim::View& world, const std::string& name) {
+double Gallery::draw(const sim::View& world, const sim::front::FlowView* flow, const std::string& name) {
     if (!parts_->camera) parts_->camera = render::overview(world);
-    return parts_->draw(world, *parts_->camera, name);
+    return parts_->draw(world, flow, *parts_->camera, name);
 }
 
 double Gallery::draw_map(const sim::View& world, const std::string& name) {
-    return parts_->draw(
-        world, map_camera(world, static_cast<double>(parts_->size.width) / parts_->size.height), name);
+    return parts_->draw(world, nullptr,
+                        map_camera(world, static_cast<double>(parts_->size.width) / parts_->size.height),
+                        name);
 }
 
 Outcome<void> Gallery::close() {

@@ -6,6 +6,7 @@
 
 #include "game/outcome.h"
 #include "game/start.h"
+#include "sim/front/flow_view.h"
 #include "sim/state.h"
 
 namespace game {
@@ -25,9 +26,9 @@ class Gallery {
     Gallery(Gallery&&) noexcept;
     Gallery& operator=(Gallery&&) noexcept;
 
-    // Draws the world as it is and hands the picture on to be written as NAME.png. Returns the milliseconds
-    // drawing took.
-    double draw(const sim::View& world, const std::string& name);
+    // Draws the world as it is, with the texture that its flow carries, if any, and hands the picture on to
+    // be written as NAME.png. Returns the milliseconds drawing took.
+    double draw(const sim::View& world, const sim::front::FlowView* flow, const std::string& name);
     // Seen straight from above, with north up.
     double draw_map(const sim::View& world, const std::string& name);
     // Waits for the last picture. Errors: one could not be written (status 3).

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "game/progress.h"
+#include "sim/front/remesh_reference.h"
 #include "sim/step.h"
 
 namespace game {
@@ -19,6 +20,11 @@ PerfRow perf_row(const Session& session, std::optional<double> draw_ms, double f
     row.time_s = session.seconds();
     row.substeps = sim::substeps_of(state).count;
     row.solve_ms = session.times().solve_ms;
+    if (const auto* fronts = session.fronts()) {
+        const TickTimes& times = session.times();
+        row.fronts = {times.track_ms, times.gradient_ms, times.advect_ms, fronts->tracker().points().size(),
+                      static_cast<std::size_t>(sim::front::count_cut_triangles(fronts->tracker()))};
+    }
     row.draw_ms = draw_ms;
     row.frame_ms = frame_ms;
     row.active_cells = session.active_cells();
@@ -56,7 +62,7 @@ Outcome<bool> play_headless(Session& session, std::span<const TimedCommand> comm
                (until.rest && tick > 0 && next == commands.size() && sim::at_rest(session.state()));
     };
     const auto draw = [&] {
-        return watchers.gallery->draw(session.view(), picture_name(session.state().tick));
+        return watchers.gallery->draw(session.view(), session.fronts(), picture_name(session.state().tick));
     };
 
     if (watchers.gallery) draw();

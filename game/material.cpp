@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "game/assets.h"
 
@@ -34,6 +35,13 @@ void read_look(TomlTable& table, render::Look& look) {
     set("roughness", look.roughness, 1);
     set("cover_visible", look.cover_visible_m, 10);
     set("rolling_visible", look.rolling_visible_m, 10);
+    if (const auto name = table.text("texture")) {
+        if (const auto pattern = render::flow_pattern_named(*name))
+            look.flow = render::FlowLook{*pattern};
+        else
+            table.blame("texture", fmt::format("names no texture; there are {}",
+                                               fmt::join(render::kFlowPatterns, ", ")));
+    }
     table.finish();
 }
 

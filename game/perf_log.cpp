@@ -27,9 +27,15 @@ std::string processor() {
 
 std::string csv_line(std::size_t frame, const PerfRow& row) {
     const std::string draw = row.draw_ms ? fmt::format("{:.4f}", *row.draw_ms) : "";
-    return fmt::format("{},{},{:.4f},{},{:.4f},,,,,,{},{:.4f},{},,,{:.4f},{:.4f},{:.4f},{:.4f},{}\n", frame,
-                       row.tick, row.time_s, row.substeps, row.solve_ms, draw, row.frame_ms, row.active_cells,
-                       row.standing_m3, row.rolling_m3, row.out_m3, row.error_m3, hex(row.state_hash));
+    const auto& fronts = row.fronts;
+    const std::string followed =
+        fronts ? fmt::format("{:.4f},{:.4f},{:.4f}", fronts->track_ms, fronts->gradient_ms, fronts->advect_ms)
+               : ",,";
+    const std::string found = fronts ? fmt::format("{},{}", fronts->points, fronts->cut_triangles) : ",";
+    return fmt::format("{},{},{:.4f},{},{:.4f},{},,,{},{:.4f},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{}\n", frame,
+                       row.tick, row.time_s, row.substeps, row.solve_ms, followed, draw, row.frame_ms,
+                       row.active_cells, found, row.standing_m3, row.rolling_m3, row.out_m3, row.error_m3,
+                       hex(row.state_hash));
 }
 
 StageFigures figures_of(std::string stage, std::vector<double> ms) {
@@ -70,13 +76,19 @@ Outcome<void> PerfLog::write_csv(const std::filesystem::path& path) const {
 }
 
 std::vector<StageFigures> PerfLog::figures() const {
-    std::vector<double> solve, draw, frame;
+    std::vector<double> solve, track, gradient, advect, draw, frame;
     for (const PerfRow& row : rows_) {
         solve.push_back(row.solve_ms);
+        if (const auto& fronts = row.fronts) {
+            track.push_back(fronts->track_ms);
+            gradient.push_back(fronts->gradient_ms);
+            advect.push_back(fronts->advect_ms);
+        }
         if (row.draw_ms) draw.push_back(*row.draw_ms);
         frame.push_back(row.frame_ms);
     }
-    return {figures_of("solve", solve), figures_of("draw", draw), figures_of("frame", frame)};
+    return {figures_of("solve", solve),   figures_of("track", track), figures_of("gradient", gradient),
+            figures_of("advect", advect), figures_of("draw", draw),   figures_of("frame", frame)};
 }
 
 Json PerfLog::to_json() const {

@@ -17,6 +17,12 @@ struct PerfRow {
     double time_s = 0;
     int substeps = 0;
     double solve_ms = 0;
+    // Of the fronts, where they are followed.
+    struct Fronts {
+        double track_ms = 0, gradient_ms = 0, advect_ms = 0;
+        std::size_t points = 0, cut_triangles = 0;
+    };
+    std::optional<Fronts> fronts;
     std::optional<double> draw_ms;  // uploads included
     double frame_ms = 0;            // all of the above
     std::size_t active_cells = 0;
@@ -47,7 +53,7 @@ class PerfLog {
 
     // Writes beside `path` and renames. Errors: the machine's.
     Outcome<void> write_csv(const std::filesystem::path& path) const;
-    std::vector<StageFigures> figures() const;  // solve, draw, frame
+    std::vector<StageFigures> figures() const;  // solve, track, gradient, advect, draw, frame
     Json to_json() const;                       // figures, shares of the frame, and the paper's beside them
 
   private:

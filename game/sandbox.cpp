@@ -16,7 +16,11 @@ constexpr std::size_t kMostActions = 1000;
 Outcome<Sandbox> Sandbox::begin(Opening opening, const sim::How& how, std::optional<Recorder> recorder) {
     auto session = Session::begin(opening.scene.start, how, std::move(recorder));
     if (!session) return tl::unexpected(session.error());
-    const std::size_t per_moment = 6 * sizeof(float) * opening.scene.start.grid.size();
+    session->follow_fronts(opening.scene.start.look);
+    const std::size_t per_vertex =
+        6 * sizeof(float) +
+        (session->fronts() ? sizeof(sim::front::TextureLayers::Offsets) + 7 * sizeof(float) : 0);
+    const std::size_t per_moment = per_vertex * opening.scene.start.grid.size();
     Sandbox sandbox(std::move(opening), std::move(*session));
     sandbox.most_actions_ = std::clamp<std::size_t>(kMomentBytes / per_moment, 1, kMostActions);
     if (sandbox.opening_.watched) {

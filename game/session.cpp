@@ -11,6 +11,19 @@
 #include "sim/step.h"
 
 namespace game {
+namespace {
+
+// How fast textures are renewed that a rolling layer carries.
+constexpr sim::front::LayerRule kTextures{.shortest_s = 0.75f, .deformation = 0.5f};
+
+template <class Stage>
+double ms_of(const Stage& stage) {
+    const auto before = std::chrono::steady_clock::now();
+    stage();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
+}
+
+}  // namespace
 
 Session::Session(const Start& start, const sim::How& how, std::optional<Recorder> recorder)
     : state_(sim::make_state(world_of(start), start.params)),
@@ -42,15 +55,13 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
         for (const sim::Command& command : commands)
             if (auto written = recorder_->command({state_.tick, command}); !written) return written;
 
-    const auto before = std::chrono::steady_clock::now();
     line_.reset();
     // The first tick may find ground too steep to lie, the others only after a command.
     const bool rests = state_.tick > 0 && commands.empty() && sim::at_rest(state_);
-    sim::step(state_, commands, *engine_);
-    times_.solve_ms =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
+    times_.solve_ms = ms_of([&] { sim::step(state_, commands, *engine_); });
 
     if (!rests) changed_at_ = state_.tick;
+    if (fronts_) advance_fronts();
     std::int64_t error = state_.ledger.mass_error();
     if (error == 0 && state_.mixture) error = state_.mixture->ledger.mass_error();
     if (error != 0)
@@ -73,7 +84,8 @@ Outcome<void> Session::finish() {
 }
 
 Session::Moment Session::moment() const {
-    Moment moment{sim::take_snapshot(state_), peaks_, active_cells_, std::nullopt};
+    Moment moment{sim::take_snapshot(state_), std::nullopt, peaks_, active_cells_, std::nullopt};
+    if (fronts_) moment.textures = fronts_->memory();
     if (recorder_) moment.mark = recorder_->mark();
     return moment;
 }
@@ -81,6 +93,7 @@ Session::Moment Session::moment() const {
 Outcome<void> Session::rewind(const Moment& moment) {
     line_.reset();
     sim::restore(moment.world, state_);
+    if (fronts_ && moment.textures) fronts_->restore(view(), *moment.textures, engine_->workers);
     peaks_ = moment.peaks;
     active_cells_ = moment.active_cells;
     changed_at_ = state_.tick;
@@ -95,6 +108,19 @@ const StateLine& Session::state_line() const {
 
 double Session::cubic_metres(std::int64_t quanta) const {
     return static_cast<double>(quanta) * static_cast<double>(sim::kQuantum) * state_.grid.cell_area();
+}
+
+void Session::follow_fronts(const render::Look& look) {
+    if (!look.flow) return;
+    fronts_ = std::make_unique<sim::front::WorldFronts>(state_.grid, look.rolling_visible_m, kTextures);
+    advance_fronts();
+}
+
+void Session::advance_fronts() {
+    const auto tick_s = static_cast<double>(state_.params.tick_s);
+    times_.track_ms = ms_of([&] { fronts_->track(view(), tick_s, engine_->workers); });
+    times_.advect_ms = ms_of([&] { fronts_->carry(tick_s, engine_->workers); });
+    times_.gradient_ms = ms_of([&] { fronts_->settle(tick_s, engine_->workers); });
 }
 
 void Session::watch() {

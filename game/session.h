@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "game/recording/recorder.h"
 #include "game/start.h"
 #include "sim/engine.h"
+#include "sim/front/world_fronts.h"
 #include "sim/snapshot.h"
 #include "sim/state.h"
 
@@ -16,6 +18,8 @@ namespace game {
 // Milliseconds that the stages of the last tick took. Grows with the stages.
 struct TickTimes {
     double solve_ms = 0;
+    // Of its fronts, where they are followed: finding them, carrying textures, what is seen of these.
+    double track_ms = 0, advect_ms = 0, gradient_ms = 0;
 };
 
 // The greatest values that each vertex has seen, grid.size() each: what an avalanche did, when it is over. A
@@ -30,9 +34,11 @@ struct Peaks {
 // first, if it has a recorder, and then does.
 class Session {
   public:
-    // All of a session at one tick, to come back to: a plain value of some 24 bytes per vertex.
+    // All of a session at one tick, to come back to: a plain value of some 24 bytes per vertex, and 76 more
+    // where fronts are followed.
     struct Moment {
         sim::Snapshot world;
+        std::optional<sim::front::TextureLayers::Memory> textures;
         Peaks peaks;
         std::size_t active_cells = 0;
         std::optional<Recorder::Mark> mark;
@@ -40,6 +46,12 @@ class Session {
 
     // With a recorder, writes the state of tick 0.
     static Outcome<Session> begin(const Start& start, const sim::How& how, std::optional<Recorder> recorder);
+
+    // From here on, for who draws or measures it: fronts and what the rolling layer carries with it, if its
+    // look says that it carries anything.
+    void follow_fronts(const render::Look& look);
+    // Nothing while none are followed.
+    const sim::front::FlowView* fronts() const { return fronts_ ? &fronts_->view() : nullptr; }
 
     // One tick, with the commands given at its start. Errors: a command is out of range or the numbers set do
     // not go together, and then nothing has changed; the recording cannot be written; or mass was lost, which
@@ -73,10 +85,12 @@ class Session {
   private:
     Session(const Start& start, const sim::How& how, std::optional<Recorder> recorder);
     void watch();
+    void advance_fronts();
 
     sim::State state_;
     std::unique_ptr<sim::Engine> engine_;
     std::optional<Recorder> recorder_;
+    std::unique_ptr<sim::front::WorldFronts> fronts_;
     Peaks peaks_;
     TickTimes times_;
     std::size_t active_cells_ = 0;

@@ -15,5 +15,10 @@ inline constexpr std::array<std::string_view, 5> kFlowPatterns{"checkerboard", "
 constexpr std::string_view to_string(FlowPattern pattern) {
     return kFlowPatterns[static_cast<std::size_t>(pattern)];
 }
+constexpr std::optional<FlowPattern> flow_pattern_named(std::string_view name) {
+    for (std::size_t i = 0; i < kFlowPatterns.size(); ++i)
+        if (kFlowPatterns[i] == name) return static_cast<FlowPattern>(i);
+    return std::nullopt;
+}
 
 }  // namespace render

@@ -39,7 +39,7 @@ struct Renderer::Parts {
 
     // What the colours of a flow's texture are multiplied with: a rolling layer keeps its own on the whole.
     glm::vec3 flow_tint(const Look& look, const Marks& marks) const {
-        if (!look.flow || look.flow->everywhere || marks.overlay == Overlay::kStretch) return glm::vec3(1);
+        if (look.flow->everywhere || marks.overlay == Overlay::kStretch) return glm::vec3(1);
         return look.rolling / flow.mean_colour(look.flow->pattern);
     }
 };
@@ -85,14 +85,16 @@ void Renderer::draw(const sim::View& world, const Camera& camera, const Light& l
     const int samples = samples_of(p.quality);
     const ScopedState state;  // whoever shares the context finds it as it was
 
+    const bool flows = look.flow && flow;  // and then what it carries is seen
+
     // The world first: everything below reads these textures, and only they change with the state.
     const bool new_terrain = p.fields.upload(world);
-    const FrameBlock frame = make_frame_block(world, p.fields.heights(), camera, light, look, marks,
-                                              {width, height, samples}, p.flow_tint(look, marks));
+    const FrameBlock frame =
+        make_frame_block(world, p.fields.heights(), camera, light, look, marks, {width, height, samples},
+                         flows ? std::optional(p.flow_tint(look, marks)) : std::nullopt);
     glNamedBufferSubData(p.frame_block.name(), 0, sizeof frame, &frame);
     glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_FRAME, p.frame_block.name());
     p.fields.bind();
-    const bool flows = look.flow && flow;  // and then what it carries is seen
     if (flows) p.flow.upload(*flow, world.grid);
 
     // What hangs on the bedrock alone is worked out once, here, because it needs the fields and the frame

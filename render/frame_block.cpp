@@ -86,7 +86,7 @@ int most_rows(const sim::Grid& grid) {
 
 FrameBlock make_frame_block(const sim::View& world, HeightRange heights, const Camera& camera,
                             const Light& light, const Look& look, const Marks& marks, FrameSize size,
-                            const glm::vec3& flow_tint) {
+                            const std::optional<glm::vec3>& flow_tint) {
     const double side = static_cast<double>(std::max(world.grid.nx, world.grid.ny) - 1) * world.grid.dx;
     FrameBlock block{};
     block.eye.w = static_cast<float>(kDetailTilesPerSide / side);
@@ -103,10 +103,10 @@ FrameBlock make_frame_block(const sim::View& world, HeightRange heights, const C
     block.lower_standing = glm::vec4(look.lower_standing, world.mixture ? 1 : 0);
     block.lower_rolling = glm::vec4(look.lower_rolling, 0);
     const double pixel = 2 * glm::length(glm::dvec3(block.ray_up)) / (size.height * size.samples);
-    if (look.flow) {
+    if (flow_tint) {
         block.flow = glm::dvec4(look.flow->repeats / side,
                                 look.flow->everywhere ? FLOW_EVERYWHERE : FLOW_ROLLING, 0, 0);
-        block.flow_tint = glm::vec4(flow_tint, 0);
+        block.flow_tint = glm::vec4(*flow_tint, 0);
     }
     block.material = glm::dvec4(look.roughness * look.detail, pixel, size.samples, 0);
     set_marks(block, marks, heights, world.datum);

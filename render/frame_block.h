@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
@@ -44,9 +45,9 @@ struct FrameSize {
     int width = 0, height = 0, samples = 1;
 };
 
-// `flow_tint`: what the colours of a flow's texture are multiplied with.
+// `flow_tint`: what the colours of the texture that a flow carries are multiplied with; none: none is seen.
 FrameBlock make_frame_block(const sim::View& world, HeightRange heights, const Camera& camera,
                             const Light& light, const Look& look, const Marks& marks, FrameSize size,
-                            const glm::vec3& flow_tint);
+                            const std::optional<glm::vec3>& flow_tint);
 
 }  // namespace render

@@ -33,7 +33,7 @@ struct Marks {
     Overlay overlay = Overlay::kNone;
     bool contours = false;   // lines of equal height, contour_interval() apart, every fifth of them heavier
     bool flow_mesh = false;  // edges of a flow's cut mesh, its fronts and their points
-    std::optional<Ring> ring;
+    std::optional<Ring> ring = std::nullopt;
     bool operator==(const Marks&) const = default;
 };
 

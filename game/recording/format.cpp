@@ -198,6 +198,7 @@ Json view_json(const Start& start) {
         json["look"]["lower_standing"] = colour(look.lower_standing);
         json["look"]["lower_rolling"] = colour(look.lower_rolling);
     }
+    if (look.flow) json["look"]["texture"] = to_string(look.flow->pattern);
     json["light"] = {{"azimuth_deg", start.light.azimuth_deg}, {"elevation_deg", start.light.elevation_deg}};
     if (const auto& camera = start.camera)
         json["camera"] = {{"target", numbers({camera->target.x, camera->target.y, camera->target.z})},
@@ -221,6 +222,11 @@ void view_from(const Json& json, Start& start) {
     start.look.roughness = static_cast<float>(number(look, "roughness", 0, 1));
     start.look.cover_visible_m = static_cast<float>(number(look, "cover_visible_m", 0, 10));
     start.look.rolling_visible_m = static_cast<float>(number(look, "rolling_visible_m", 0, 10));
+    if (look.contains("texture")) {
+        const auto pattern = render::flow_pattern_named(text(look, "texture"));
+        if (!pattern) refuse(fmt::format("look: no texture is called '{}'", text(look, "texture")));
+        start.look.flow = render::FlowLook{*pattern};
+    }
     const Json& light = member(json, "light");
     start.light = {number(light, "azimuth_deg", -360, 360), number(light, "elevation_deg", 1, 90)};
     if (!json.contains("camera")) return;

@@ -1,6 +1,7 @@
 #include "sim/front/remesh_reference.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace sim::front {
 namespace {
@@ -71,6 +72,15 @@ CutTriangles cut_triangle(const Tracker& tracker, int triangle) {
         crossing[k] = tracker.position(point);
     }
     return cut_triangle(mesh.triangle[triangle], at, crossing);
+}
+
+int count_cut_triangles(const Tracker& tracker) {
+    std::vector<int> beside;
+    for (const int edge : tracker.detector().cut())
+        for (const int t : tracker.mesh().edge_triangle[edge])
+            if (t >= 0) beside.push_back(t);
+    std::sort(beside.begin(), beside.end());
+    return static_cast<int>(std::unique(beside.begin(), beside.end()) - beside.begin());
 }
 
 }  // namespace sim::front

@@ -49,4 +49,7 @@ CutTriangles cut_triangle(const std::array<int, 3>& corner, const std::array<glm
 // A triangle of a tracker's mesh, cut at its points, which are kept kNearestToEnd away from the ends.
 CutTriangles cut_triangle(const Tracker& tracker, int triangle);
 
+// How many triangles are cut.
+int count_cut_triangles(const Tracker& tracker);
+
 }  // namespace sim::front

@@ -74,22 +74,22 @@ TextureLayers::TextureLayers(const Mesh& mesh, const LayerRule& rule)
     : mesh_(mesh),
       rule_(rule),
       upstream_(mesh),
-      offset_(mesh.position.size()),
-      mix_(mesh.position.size()),
-      deformation_(mesh.position.size()),
       torn_(mesh.triangle.size()),
       place_(mesh.position.size(), -1),
       slot_(mesh.position.size(), -1) {
     CHECK(rule.shortest_s > 0 && rule.deformation >= 0);
+    now_.offset.resize(mesh.position.size());
+    now_.mix.resize(mesh.position.size());
+    now_.deformation.resize(mesh.position.size());
 }
 
-void TextureLayers::advance(const Tracker& tracker, std::span<const glm::vec2> velocity, double dt,
-                            Workers& workers) {
-    CHECK(dt > 0 && velocity.size() == offset_.size());
+void TextureLayers::carry(const Tracker& tracker, std::span<const glm::vec2> velocity, double dt,
+                          Workers& workers) {
+    CHECK(dt > 0 && velocity.size() == now_.offset.size());
     const Detector& detector = tracker.detector();
-    const double before = time_;
-    time_ += dt;
-    ++steps_;
+    const double before = now_.time;
+    now_.time += dt;
+    ++now_.steps;
 
     for (const int v : moving_) place_[v] = -1;
     moving_.clear();
@@ -102,7 +102,7 @@ void TextureLayers::advance(const Tracker& tracker, std::span<const glm::vec2> v
     // With the flow first. What it does not tell comes after, from neighbours that were carried just now: to
     // vertices whose flow comes out of a front, then to those that a front has passed.
     tear(detector);
-    carry(velocity, dt, workers);
+    follow(velocity, dt, workers);
     if (rule_.reseed) {
         pull_stranded(detector, dt);
         reseed(detector);
@@ -110,11 +110,19 @@ void TextureLayers::advance(const Tracker& tracker, std::span<const glm::vec2> v
 
     // A phase is renewed once all of it lies where it belongs, for its region's mean is taken up.
     renew(detector, before);
+}
 
-    // What is seen of it, and how it goes on to the fronts.
+void TextureLayers::settle(const Tracker& tracker, double dt, Workers& workers) {
     fade(dt);
-    choose_latency(detector, dt, workers);
-    find_front_gradients(detector, workers);
+    choose_latency(tracker.detector(), dt, workers);
+    find_front_gradients(tracker.detector(), workers);
+}
+
+void TextureLayers::restore(const Memory& memory) {
+    CHECK(memory.offset.size() == now_.offset.size());
+    for (const int v : now_.beside) slot_[v] = -1;
+    now_ = memory;
+    for (std::size_t i = 0; i < now_.beside.size(); ++i) slot_[now_.beside[i]] = static_cast<int>(i);
 }
 
 void TextureLayers::tear(const Detector& detector) {
@@ -133,7 +141,7 @@ void TextureLayers::tear(const Detector& detector) {
     for (const auto& gone : detector.vanished()) tear_beside(gone.edge);
 }
 
-void TextureLayers::carry(std::span<const glm::vec2> velocity, double dt, Workers& workers) {
+void TextureLayers::follow(std::span<const glm::vec2> velocity, double dt, Workers& workers) {
     carried_.resize(moving_.size());
     is_stranded_.assign(moving_.size(), false);
     workers.each_band(static_cast<int>(moving_.size()), [&](int first, int last) {
@@ -146,16 +154,16 @@ void TextureLayers::carry(std::span<const glm::vec2> velocity, double dt, Worker
             if (from) {
                 offset = {};
                 for (int k = 0; k < 3; ++k)
-                    add(offset, offset_[mesh_.triangle[from->triangle][k]], from->weight[k]);
+                    add(offset, now_.offset[mesh_.triangle[from->triangle][k]], from->weight[k]);
             } else {
-                offset = offset_[v];  // with its surroundings, as if these were rigid
+                offset = now_.offset[v];  // with its surroundings, as if these were rigid
             }
             for (glm::vec2& o : offset) o += way;
         }
     });
     stranded_.clear();
     for (std::size_t i = 0; i < moving_.size(); ++i) {
-        offset_[moving_[i]] = carried_[i];
+        now_.offset[moving_[i]] = carried_[i];
         if (is_stranded_[i]) stranded_.push_back(moving_[i]);
     }
 }
@@ -167,25 +175,26 @@ void TextureLayers::pull_stranded(const Detector& detector, double dt) {
     const auto settled = [&](int v) { return !detector.has_flipped(v); };
     for (std::size_t i = 0; i < stranded_.size(); ++i) {
         const int v = stranded_[i];
-        Offsets mean = offset_[v];
-        mean_around(detector, v, offset_, settled, mean);
-        for (int s = 0; s < kSheets; ++s) carried_[i][s] = offset_[v][s] + share * (mean[s] - offset_[v][s]);
+        Offsets mean = now_.offset[v];
+        mean_around(detector, v, now_.offset, settled, mean);
+        for (int s = 0; s < kSheets; ++s)
+            carried_[i][s] = now_.offset[v][s] + share * (mean[s] - now_.offset[v][s]);
     }
-    for (std::size_t i = 0; i < stranded_.size(); ++i) offset_[stranded_[i]] = carried_[i];
+    for (std::size_t i = 0; i < stranded_.size(); ++i) now_.offset[stranded_[i]] = carried_[i];
 }
 
 void TextureLayers::reseed(const Detector& detector) {
     const auto settled = [&](int v) { return !detector.has_flipped(v); };
-    for (const int v : detector.flipped()) mean_around(detector, v, offset_, settled, offset_[v]);
+    for (const int v : detector.flipped()) mean_around(detector, v, now_.offset, settled, now_.offset[v]);
 }
 
 bool TextureLayers::is_renewed(int sheet, double before) const {
     const double latency = latency_s(sheet / 2), lead = sheet % 2 ? 0 : 0.5;
-    return std::floor(time_ / latency + lead) > std::floor(before / latency + lead);
+    return std::floor(now_.time / latency + lead) > std::floor(before / latency + lead);
 }
 
 double TextureLayers::age_s(int sheet) const {
-    const double latency = latency_s(sheet / 2), age = time_ / latency + (sheet % 2 ? 0 : 0.5);
+    const double latency = latency_s(sheet / 2), age = now_.time / latency + (sheet % 2 ? 0 : 0.5);
     return (age - std::floor(age)) * latency;
 }
 
@@ -202,17 +211,17 @@ void TextureLayers::renew(const Detector& detector, double before) {
     for (std::size_t i = 0; i < moving_.size(); ++i) {
         Sum& of_region = sum[region_[i]];
         ++of_region.count;
-        for (int s = 0; s < kSheets; ++s) of_region.offset[s] += glm::dvec2(offset_[moving_[i]][s]);
+        for (int s = 0; s < kSheets; ++s) of_region.offset[s] += glm::dvec2(now_.offset[moving_[i]][s]);
     }
     for (std::size_t i = 0; i < moving_.size(); ++i) {
         const Sum& of_region = sum[region_[i]];
         for (int s = 0; s < kSheets; ++s)
             if (is_renewed(s, before))
-                offset_[moving_[i]][s] = glm::vec2(of_region.offset[s] / of_region.count);
+                now_.offset[moving_[i]][s] = glm::vec2(of_region.offset[s] / of_region.count);
     }
-    for (std::size_t i = 0; i < beside_.size(); ++i)
+    for (std::size_t i = 0; i < now_.beside.size(); ++i)
         for (int s = 0; s < kSheets; ++s)
-            if (place_[beside_[i]] >= 0 && is_renewed(s, before)) gradient_[i][s] = glm::mat2(0);
+            if (place_[now_.beside[i]] >= 0 && is_renewed(s, before)) now_.gradient[i][s] = glm::mat2(0);
 }
 
 // Vertices that move, and that edges join which no front cuts.
@@ -236,9 +245,9 @@ void TextureLayers::find_regions(const Detector& detector) {
 void TextureLayers::fade(double dt) {
     const float most = kFadeRate * static_cast<float>(dt);
     for (int k = 0; k < kLatencies; ++k) {
-        const float share = share_of_second(time_ / latency_s(k));
+        const float share = share_of_second(now_.time / latency_s(k));
         for (const int v : moving_) {
-            float& second = mix_[v].second[k];
+            float& second = now_.mix[v].second[k];
             second += std::clamp(share - second, -most, most);
         }
     }
@@ -249,19 +258,19 @@ void TextureLayers::choose_latency(const Detector& detector, double dt, Workers&
     const auto elapsed = static_cast<double>(period) * dt;
     due_.clear();
     for (const int v : moving_)
-        if ((v + steps_) % period == 0) due_.push_back(v);
+        if ((v + now_.steps) % period == 0) due_.push_back(v);
     latency_.resize(due_.size());
     const auto follow = static_cast<float>(1 - std::exp(-elapsed / kLatencyFollows_s));
     workers.each_band(static_cast<int>(due_.size()), [&](int first, int last) {
         for (int i = first; i < last; ++i) {
             const int v = due_[i];
             Gradients gradient{};
-            find_gradients<kSheets>(detector, v, offset_, gradient);
-            std::array<float, kLatencies>& worst = deformation_[v];
+            find_gradients<kSheets>(detector, v, now_.offset, gradient);
+            std::array<float, kLatencies>& worst = now_.deformation[v];
             for (int k = 0; k < kLatencies; ++k) {
                 worst[k] *= static_cast<float>(std::exp(-elapsed / latency_s(k)));
                 // What is hardly seen may be drawn out.
-                const float second = mix_[v].second[k];
+                const float second = now_.mix[v].second[k];
                 for (int phase = 0; phase < 2; ++phase)
                     worst[k] = std::max(worst[k], std::min(1.f, 2 * (phase ? second : 1 - second)) *
                                                       stretch_of(glm::mat2(1) + gradient[2 * k + phase]));
@@ -276,45 +285,45 @@ void TextureLayers::choose_latency(const Detector& detector, double dt, Workers&
             float around = 0;
             int count = 0;
             for (const auto& spoke : mesh_.around(v))
-                if (!detector.is_cut(spoke.edge)) around += mix_[spoke.vertex].latency, ++count;
+                if (!detector.is_cut(spoke.edge)) around += now_.mix[spoke.vertex].latency, ++count;
             if (count > 0) latency += kFromNeighbours * (around / static_cast<float>(count) - latency);
-            latency_[i] = mix_[v].latency + follow * (latency - mix_[v].latency);
+            latency_[i] = now_.mix[v].latency + follow * (latency - now_.mix[v].latency);
         }
     });
-    for (std::size_t i = 0; i < due_.size(); ++i) mix_[due_[i]].latency = latency_[i];
+    for (std::size_t i = 0; i < due_.size(); ++i) now_.mix[due_[i]].latency = latency_[i];
 }
 
 void TextureLayers::find_front_gradients(const Detector& detector, Workers& workers) {
-    const std::vector<int> before = std::move(beside_);
-    const std::vector<Gradients> last = std::move(gradient_);
-    beside_.clear();
+    const std::vector<int> before = std::move(now_.beside);
+    const std::vector<Gradients> last = std::move(now_.gradient);
+    now_.beside.clear();
     for (const int edge : detector.cut())
-        for (const int v : {mesh_.edge[edge].a, mesh_.edge[edge].b}) beside_.push_back(v);
-    std::sort(beside_.begin(), beside_.end());
-    beside_.erase(std::unique(beside_.begin(), beside_.end()), beside_.end());
+        for (const int v : {mesh_.edge[edge].a, mesh_.edge[edge].b}) now_.beside.push_back(v);
+    std::sort(now_.beside.begin(), now_.beside.end());
+    now_.beside.erase(std::unique(now_.beside.begin(), now_.beside.end()), now_.beside.end());
 
-    gradient_.assign(beside_.size(), {});
-    for (std::size_t i = 0; i < beside_.size(); ++i)
-        if (slot_[beside_[i]] >= 0 && !detector.has_flipped(beside_[i]))
-            gradient_[i] = last[slot_[beside_[i]]];
+    now_.gradient.assign(now_.beside.size(), {});
+    for (std::size_t i = 0; i < now_.beside.size(); ++i)
+        if (slot_[now_.beside[i]] >= 0 && !detector.has_flipped(now_.beside[i]))
+            now_.gradient[i] = last[slot_[now_.beside[i]]];
     for (const int v : before) slot_[v] = -1;
-    for (std::size_t i = 0; i < beside_.size(); ++i) slot_[beside_[i]] = static_cast<int>(i);
-    workers.each_band(static_cast<int>(beside_.size()), [&](int first, int end) {
+    for (std::size_t i = 0; i < now_.beside.size(); ++i) slot_[now_.beside[i]] = static_cast<int>(i);
+    workers.each_band(static_cast<int>(now_.beside.size()), [&](int first, int end) {
         for (int i = first; i < end; ++i)
-            find_gradients<kSheets>(detector, beside_[i], offset_, gradient_[i]);
+            find_gradients<kSheets>(detector, now_.beside[i], now_.offset, now_.gradient[i]);
     });
 }
 
 glm::vec2 TextureLayers::offset(const CutVertex& vertex, int sheet) const {
-    const glm::vec2 own = offset_[vertex.side][sheet];
+    const glm::vec2 own = now_.offset[vertex.side][sheet];
     if (!vertex.on_front) return own;
-    return carried_on(own, gradient_[slot_[vertex.side]][sheet],
+    return carried_on(own, now_.gradient[slot_[vertex.side]][sheet],
                       vertex.position - mesh_.position[vertex.side]);
 }
 
 float TextureLayers::weight(int vertex, int sheet) const {
     const int k = sheet / 2;
-    const Mix& mix = mix_[vertex];
+    const Mix& mix = now_.mix[vertex];
     const float layer = std::max(0.f, 1 - std::abs(mix.latency - static_cast<float>(k)));
     return layer * (sheet % 2 ? mix.second[k] : 1 - mix.second[k]);
 }

@@ -50,20 +50,40 @@ class TextureLayers {
     // The mesh must outlive it.
     TextureLayers(const Mesh& mesh, const LayerRule& rule);
 
-    // To `dt` seconds later, > 0. `tracker` has been advanced to that moment with these velocities, one for
-    // each vertex, m/s. However many workers: the same bits.
-    void advance(const Tracker& tracker, std::span<const glm::vec2> velocity, double dt, Workers& workers);
+    // To `dt` seconds later, > 0, in two stages. `tracker` has been advanced to that moment with these
+    // velocities, one for each vertex, m/s. However many workers: the same bits.
+    void advance(const Tracker& tracker, std::span<const glm::vec2> velocity, double dt, Workers& workers) {
+        carry(tracker, velocity, dt, workers);
+        settle(tracker, dt, workers);
+    }
+    // Coordinates with the flow, to the sides that fronts left them on, and back where they are renewed.
+    void carry(const Tracker& tracker, std::span<const glm::vec2> velocity, double dt, Workers& workers);
+    // What is seen of them, and how they go on to the fronts.
+    void settle(const Tracker& tracker, double dt, Workers& workers);
 
-    std::span<const Offsets> offsets() const { return offset_; }  // of each vertex
-    std::span<const Mix> mix() const { return mix_; }             // of each vertex
+    std::span<const Offsets> offsets() const { return now_.offset; }  // of each vertex
+    std::span<const Mix> mix() const { return now_.mix; }             // of each vertex
     // Vertices beside a front, ascending, and the gradients there.
-    std::span<const int> beside_front() const { return beside_; }
-    std::span<const Gradients> gradients() const { return gradient_; }
+    std::span<const int> beside_front() const { return now_.beside; }
+    std::span<const Gradients> gradients() const { return now_.gradient; }
 
     // Of a vertex of the cut mesh, carried on from its side.
     glm::vec2 offset(const CutVertex& vertex, int sheet) const;
     // Share of a sheet in what is seen at a vertex; those of all sheets add up to 1.
     float weight(int vertex, int sheet) const;
+
+    // All that is not worked out anew in each step: to come back to.
+    struct Memory {
+        double time = 0;         // s
+        std::int64_t steps = 0;  // done
+        std::vector<Offsets> offset;
+        std::vector<Mix> mix;
+        std::vector<std::array<float, kLatencies>> deformation;  // of each vertex and layer, lately at most
+        std::vector<int> beside;
+        std::vector<Gradients> gradient;
+    };
+    const Memory& memory() const { return now_; }
+    void restore(const Memory& memory);
 
     double latency_s(int latency) const { return static_cast<double>(rule_.shortest_s) * (1 << latency); }
     // Since a sheet was renewed, s.
@@ -71,7 +91,7 @@ class TextureLayers {
 
   private:
     void tear(const Detector& detector);
-    void carry(std::span<const glm::vec2> velocity, double dt, Workers& workers);
+    void follow(std::span<const glm::vec2> velocity, double dt, Workers& workers);
     void pull_stranded(const Detector& detector, double dt);
     void reseed(const Detector& detector);
     void renew(const Detector& detector, double before);
@@ -84,11 +104,7 @@ class TextureLayers {
     const Mesh& mesh_;
     LayerRule rule_;
     Upstream upstream_;
-    double time_ = 0;         // s
-    std::int64_t steps_ = 0;  // done
-    std::vector<Offsets> offset_;
-    std::vector<Mix> mix_;
-    std::vector<std::array<float, kLatencies>> deformation_;  // of each vertex and layer, lately at most
+    Memory now_;
 
     std::vector<std::uint8_t> torn_;  // of each triangle: it is cut
     std::vector<int> torn_list_;
@@ -98,9 +114,8 @@ class TextureLayers {
     std::vector<int> stranded_;
     std::vector<int> region_;  // of each that moves; the place of the first of its region
     std::vector<int> due_;
-    std::vector<float> latency_;      // of each that is due
-    std::vector<int> beside_, slot_;  // of each vertex its place in beside_, −1: no front is there
-    std::vector<Gradients> gradient_;
+    std::vector<float> latency_;  // of each that is due
+    std::vector<int> slot_;       // of each vertex its place among those beside a front, −1: it has none
 };
 
 }  // namespace sim::front

@@ -15,28 +15,38 @@ Rule level_rule(float level) {
 }  // namespace
 
 WorldFronts::WorldFronts(const Grid& grid, float visible, const LayerRule& layers)
-    : visible_(visible),
-      mesh_(mesh_of(grid)),
-      view_(mesh_, level_rule(visible), Source::kLevel, layers),
-      velocity_(grid.size()),
-      rolling_(grid.size()) {}
+    : visible_(visible), rule_(layers), mesh_(mesh_of(grid)), velocity_(grid.size()), rolling_(grid.size()) {
+    view_.emplace(mesh_, level_rule(visible_), Source::kLevel, rule_);
+}
 
-void WorldFronts::advance(const View& world, double dt, Workers& workers) {
-    const int columns = world.grid.nx;
+void WorldFronts::track(const View& world, double dt, Workers& workers) {
+    read(world, workers);
+    view_->track(flow(), dt, workers);
+}
+
+void WorldFronts::restore(const View& world, const TextureLayers::Memory& memory, Workers& workers) {
+    // A level has no past: a tracker that begins here finds the same points.
+    view_.emplace(mesh_, level_rule(visible_), Source::kLevel, rule_);
+    track(world, 1, workers);
+    view_->layers().restore(memory);
+}
+
+// Row by row, without the halo.
+void WorldFronts::read(const View& world, Workers& workers) {
+    const auto columns = static_cast<std::size_t>(world.grid.nx);
     workers.each_band(world.grid.ny, [&](int first, int last) {
         for (int y = first; y < last; ++y) {
             const float* r = world.rolling.row(y);
             const float *u = world.velocity_x.row(y), *v = world.velocity_y.row(y);
-            const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(columns);
-            for (int x = 0; x < columns; ++x) {
+            glm::vec2* velocity = velocity_.data() + static_cast<std::size_t>(y) * columns;
+            float* rolling = rolling_.data() + static_cast<std::size_t>(y) * columns;
+            for (std::size_t x = 0; x < columns; ++x) {
                 const bool moves = r[x] >= visible_ && u[x] * u[x] + v[x] * v[x] >= kLeastSpeed * kLeastSpeed;
-                velocity_[row + static_cast<std::size_t>(x)] =
-                    moves ? glm::vec2(u[x], v[x]) : glm::vec2(0, 0);
-                rolling_[row + static_cast<std::size_t>(x)] = r[x];
+                velocity[x] = moves ? glm::vec2(u[x], v[x]) : glm::vec2(0, 0);
+                rolling[x] = r[x];
             }
         }
     });
-    view_.advance({velocity_, rolling_}, dt, workers);
 }
 
 }  // namespace sim::front

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "sim/front/flow_view.h"
@@ -19,15 +20,27 @@ class WorldFronts {
     WorldFronts(const WorldFronts&) = delete;  // what it is made of refers to its mesh
     WorldFronts& operator=(const WorldFronts&) = delete;
 
-    // To the world as it is `dt` seconds later, > 0.
-    void advance(const View& world, double dt, Workers& workers);
+    // To the world as it is `dt` seconds later, > 0, in three stages: where its fronts are; textures with
+    // them; and what is seen of these.
+    void track(const View& world, double dt, Workers& workers);
+    void carry(double dt, Workers& workers) { view_->carry(flow(), dt, workers); }
+    void settle(double dt, Workers& workers) { view_->settle(dt, workers); }
 
-    const FlowView& view() const { return view_; }
+    const FlowView& view() const { return *view_; }
+
+    // How its textures lie, to come back to: fronts follow from the world alone.
+    const TextureLayers::Memory& memory() const { return view_->layers().memory(); }
+    // `world` as it was then; what is seen is what was seen.
+    void restore(const View& world, const TextureLayers::Memory& memory, Workers& workers);
 
   private:
+    void read(const View& world, Workers& workers);
+    Flow flow() const { return {velocity_, rolling_}; }
+
     float visible_;
+    LayerRule rule_;
     Mesh mesh_;
-    FlowView view_;
+    std::optional<FlowView> view_;
     std::vector<glm::vec2> velocity_;  // m/s; 0 where nothing is seen to move
     std::vector<float> rolling_;       // m
 };
