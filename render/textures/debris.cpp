@@ -26,13 +26,13 @@ constexpr std::array kSoilScales{Scale{100, 0.80f, 0.30f, 0.60f}, Scale{66, 0.80
                                  Scale{80, 0.20f, 0.20f, 0.60f}};
 
 constexpr std::array kSnowColours{
-    ColourStop{0.06f, {0.570f, 0.640f, 0.745f}}, ColourStop{0.20f, {0.745f, 0.800f, 0.870f}},
-    ColourStop{0.34f, {0.860f, 0.893f, 0.932f}}, ColourStop{0.55f, {0.935f, 0.950f, 0.967f}},
-    ColourStop{0.90f, {0.990f, 0.990f, 0.985f}}};
+    ColourStop{0.06f, {0.600f, 0.672f, 0.780f}}, ColourStop{0.20f, {0.795f, 0.842f, 0.905f}},
+    ColourStop{0.34f, {0.895f, 0.922f, 0.953f}}, ColourStop{0.55f, {0.953f, 0.964f, 0.977f}},
+    ColourStop{0.90f, {0.990f, 0.990f, 0.987f}}};
 constexpr std::array kSoilColours{
-    ColourStop{0.08f, {0.165f, 0.110f, 0.070f}}, ColourStop{0.24f, {0.330f, 0.232f, 0.150f}},
-    ColourStop{0.40f, {0.470f, 0.345f, 0.230f}}, ColourStop{0.60f, {0.560f, 0.427f, 0.295f}},
-    ColourStop{0.90f, {0.615f, 0.495f, 0.365f}}};
+    ColourStop{0.08f, {0.195f, 0.132f, 0.085f}}, ColourStop{0.24f, {0.390f, 0.281f, 0.188f}},
+    ColourStop{0.40f, {0.545f, 0.412f, 0.290f}}, ColourStop{0.60f, {0.640f, 0.503f, 0.365f}},
+    ColourStop{0.90f, {0.695f, 0.577f, 0.445f}}};
 
 // Lumps of one nature at all scales.
 Tile heap(Lumps lumps, std::span<const Scale> scales) {
@@ -69,7 +69,7 @@ Surface make_snow() {
 
 Surface make_soil() {
     constexpr Lumps kClods{
-        .height = 0.6f, .wall = 1.7f, .tilt = 0.5f, .rounding = 0.3f, .buried = 0.35f, .seed = 930};
+        .height = 0.6f, .wall = 1.7f, .tilt = 0.5f, .rounding = 0.32f, .buried = 0.4f, .seed = 1230};
     Tile tile = heap(kClods, kSoilScales);
     roughen(tile, 0.022f, 22, 880);
     flatten(tile, 64);

@@ -43,8 +43,7 @@ Lump make_lump(const Lumps& lumps, int cx, int cy) {
     for (int side = 1; side <= kSides; ++side) {
         const float turn = (side - 1 + random(5 + side, 0, 0.9f)) / kSides;
         const float wall = lumps.wall * random(12 + side, 0.6f, 1.4f);
-        const float distance =
-            0.6f + 0.4f * hash(cy, cx, lumps.period, lumps.seed + static_cast<std::uint32_t>(side));
+        const float distance = random(19 + side, 0.6f, 1);
         lump.planes[static_cast<std::size_t>(side)] = {wall * direction_of(turn), wall * distance};
     }
     return lump;

@@ -6,7 +6,7 @@
 
 namespace render {
 
-inline constexpr std::uint32_t kSeedsPerScale = 30;
+inline constexpr std::uint32_t kSeedsPerScale = 30;  // two scales this far apart have nothing in common
 
 // Lumps of one scale: at most one to each cell of a lattice over the tile, each bounded by planes of its own.
 struct Lumps {
