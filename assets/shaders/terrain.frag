@@ -77,6 +77,14 @@ Skin moving(vec3 albedo, vec4 broad, vec4 soft, vec4 clumps, vec4 crumbs, float 
                 mix(1.0, 0.40 + 1.1 * lump, rough));
 }
 
+// What a rolling layer carries, less stark than its texture, and as uneven on the whole as ground is.
+Skin worn(Skin carried, vec3 albedo, vec4 broad) {
+    const vec3 kLuminance = vec3(0.21, 0.72, 0.07);
+    float rough = frame.material.x, light = dot(carried.albedo, kLuminance) / max(dot(albedo, kLuminance), 1e-3);
+    return Skin(albedo * (mix(1.0, light, rough) * (0.85 + 0.3 * broad.w)), rough * (carried.rise + 0.2 * broad.xy),
+                mix(1.0, carried.open, rough));
+}
+
 Skin blend(Skin a, Skin b, float share) {
     return Skin(mix(a.albedo, b.albedo, share), mix(a.rise, b.rise, share), mix(a.open, b.open, share));
 }
@@ -126,8 +134,12 @@ void main() {
     if (int(frame.flow.y) != FLOW_NOWHERE) {
         // Material with the texture that it carries; what frays out beyond its cut mesh has that of its place.
         vec4 albedo = texelFetch(skin_albedo, ivec2(gl_FragCoord.xy), 0), rise = texelFetch(skin_relief, ivec2(gl_FragCoord.xy), 0);
-        debris = blend(debris, Skin(albedo.rgb, rise.xy, rise.z), albedo.a);
-        if (int(frame.flow.y) == FLOW_EVERYWHERE) rolls = albedo.a;
+        Skin carried = Skin(albedo.rgb, rise.xy, rise.z);
+        if (int(frame.flow.y) == FLOW_EVERYWHERE)
+            rolls = albedo.a;
+        else
+            carried = worn(carried, mix(frame.rolling.rgb, frame.lower_rolling.rgb, lower.y), broad);
+        debris = blend(debris, carried, albedo.a);
     }
     debris.rise += lip * 0.9 * along / max(steepness, 1e-4);
     skin = blend(skin, debris, rolls);
