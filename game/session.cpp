@@ -14,7 +14,7 @@ namespace game {
 namespace {
 
 // How fast textures are renewed that a rolling layer carries.
-constexpr sim::front::LayerRule kTextures{.shortest_s = 0.75f, .deformation = 0.5f};
+constexpr sim::front::LayerRule kTextures{.shortest_s = 0.5f, .deformation = 0.3f};
 
 template <class Stage>
 double ms_of(const Stage& stage) {

@@ -45,8 +45,9 @@ tl::expected<Texels, std::string> read(const std::filesystem::path& path, int ch
     return texels;
 }
 
+// From −1 … 1, so that 0 is a byte: what is level is level.
 std::uint8_t to_byte(float share) {
-    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.f, 1.f)));
+    return static_cast<std::uint8_t>(128 + std::lround(127 * std::clamp(share, -1.f, 1.f)));
 }
 
 // Slopes and height of each texel, from a map of normals and one of heights.
@@ -54,12 +55,12 @@ std::vector<std::uint8_t> grain_of(const Texels& normal, const Texels& height) {
     std::vector<std::uint8_t> grain(4 * normal.size());
     for (std::size_t i = 0; i < normal.size(); ++i) {
         const auto along = [&](int axis) {
-            return static_cast<float>(normal.values[3 * i + static_cast<std::size_t>(axis)]) / 127.5f - 1;
+            return (static_cast<float>(normal.values[3 * i + static_cast<std::size_t>(axis)]) - 128) / 127;
         };
         const float up = std::max(along(2), 0.05f);
         for (const int axis : {0, 1})
             grain[4 * i + static_cast<std::size_t>(axis)] =
-                to_byte(0.5f - 0.5f * along(axis) / up / static_cast<float>(STEEPEST_GRAIN));
+                to_byte(-along(axis) / up / static_cast<float>(STEEPEST_GRAIN));
         grain[4 * i + 2] = height.values[i];
     }
     return grain;

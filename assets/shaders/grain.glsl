@@ -12,5 +12,5 @@ float grain_level(float footprint) { return log2(footprint * float(textureSize(g
 Grain grain_at(Sheet sheet, float level) {
     vec3 t = textureLod(grain, sheet.place, level).xyz;
     // Slopes are covectors: turned and drawn out as the coordinates are.
-    return Grain(transpose(sheet.gradient) * ((t.xy * 2.0 - 1.0) * STEEPEST_GRAIN), t.z);
+    return Grain(transpose(sheet.gradient) * ((t.xy * 255.0 - 128.0) * (STEEPEST_GRAIN / 127.0)), t.z);
 }

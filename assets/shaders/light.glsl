@@ -24,3 +24,10 @@ vec3 through_air(vec3 colour, vec3 at) {
     float thickness = max(distance_m - frame.haze.x, 0.0) * frame.haze.y;
     return mix(colour, kHorizon + glow(path / distance_m), thickness / (1.0 + thickness));
 }
+
+// How bright colours of a legend are drawn in such a light: 1 where it is that of level ground in the sun, never dark.
+float shade(vec3 light) {
+    const vec3 kLuminance = vec3(0.21, 0.72, 0.07);
+    float full = dot(kSun * frame.sun.z + kSkyLight, kLuminance);
+    return 0.5 + 0.5 * min(dot(light, kLuminance) / full, 1.3);
+}

@@ -13,13 +13,6 @@ vec3 from_srgb(vec3 c) {
     return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));
 }
 
-// 1 where a surface gets as much light as level ground in the sun.
-float shade(vec3 light) {
-    const vec3 kLuminance = vec3(0.21, 0.72, 0.07);
-    float full = dot(kSun * frame.sun.z + kSkyLight, kLuminance);
-    return 0.5 + 0.5 * min(dot(light, kLuminance) / full, 1.3);
-}
-
 vec3 overlaid(vec3 picture, Place p, mat2 pixel, vec3 light) {
     Smooth m = spline(measure, p.at.xy / frame.ground.x);
     float weight = max(m.value.y, 1e-6), value = m.value.x / weight;

@@ -137,7 +137,7 @@ void main() {
         Skin carried = Skin(albedo.rgb, rise.xy, rise.z);
         if (int(frame.flow.y) == FLOW_EVERYWHERE)
             rolls = albedo.a;
-        else
+        else if (frame.overlay.x != OVERLAY_STRETCH)
             carried = worn(carried, mix(frame.rolling.rgb, frame.lower_rolling.rgb, lower.y), broad);
         debris = blend(debris, carried, albedo.a);
     }
@@ -150,5 +150,6 @@ void main() {
     // Small relief must not catch sun on a slope that lies in its own shadow.
     float facing_sun = smoothstep(-0.05, 0.12, dot(vec3(-p.slope, 1.0), frame.sun.xyz));
     vec3 light = lit(vec3(1.0), normal, sunlit(p.at) * facing_sun, p.open * clamp(skin.open, 0.0, 1.2));
-    colour = vec4(marked(through_air(skin.albedo * light, p.at), p, light), 1.0);
+    vec3 seen = frame.overlay.x == OVERLAY_STRETCH && rolls > 0.5 ? light_shown_as(skin.albedo * shade(light)) : through_air(skin.albedo * light, p.at);
+    colour = vec4(marked(seen, p, light), 1.0);
 }

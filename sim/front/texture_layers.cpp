@@ -203,18 +203,14 @@ void TextureLayers::renew(const Detector& detector, double before) {
     for (int s = 0; s < kSheets; ++s) any = any || is_renewed(s, before);
     if (!any) return;
     find_regions(detector);
-    struct Sum {
-        std::array<glm::dvec2, kSheets> offset{};
-        double count = 0;
-    };
-    std::vector<Sum> sum(moving_.size());
+    sum_.assign(moving_.size(), {});
     for (std::size_t i = 0; i < moving_.size(); ++i) {
-        Sum& of_region = sum[region_[i]];
+        Sum& of_region = sum_[region_[i]];
         ++of_region.count;
         for (int s = 0; s < kSheets; ++s) of_region.offset[s] += glm::dvec2(now_.offset[moving_[i]][s]);
     }
     for (std::size_t i = 0; i < moving_.size(); ++i) {
-        const Sum& of_region = sum[region_[i]];
+        const Sum& of_region = sum_[region_[i]];
         for (int s = 0; s < kSheets; ++s)
             if (is_renewed(s, before))
                 now_.offset[moving_[i]][s] = glm::vec2(of_region.offset[s] / of_region.count);
@@ -294,8 +290,8 @@ void TextureLayers::choose_latency(const Detector& detector, double dt, Workers&
 }
 
 void TextureLayers::find_front_gradients(const Detector& detector, Workers& workers) {
-    const std::vector<int> before = std::move(now_.beside);
-    const std::vector<Gradients> last = std::move(now_.gradient);
+    beside_before_.swap(now_.beside);
+    gradient_before_.swap(now_.gradient);
     now_.beside.clear();
     for (const int edge : detector.cut())
         for (const int v : {mesh_.edge[edge].a, mesh_.edge[edge].b}) now_.beside.push_back(v);
@@ -305,8 +301,8 @@ void TextureLayers::find_front_gradients(const Detector& detector, Workers& work
     now_.gradient.assign(now_.beside.size(), {});
     for (std::size_t i = 0; i < now_.beside.size(); ++i)
         if (slot_[now_.beside[i]] >= 0 && !detector.has_flipped(now_.beside[i]))
-            now_.gradient[i] = last[slot_[now_.beside[i]]];
-    for (const int v : before) slot_[v] = -1;
+            now_.gradient[i] = gradient_before_[slot_[now_.beside[i]]];
+    for (const int v : beside_before_) slot_[v] = -1;
     for (std::size_t i = 0; i < now_.beside.size(); ++i) slot_[now_.beside[i]] = static_cast<int>(i);
     workers.each_band(static_cast<int>(now_.beside.size()), [&](int first, int end) {
         for (int i = first; i < end; ++i)

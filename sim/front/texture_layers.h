@@ -113,9 +113,16 @@ class TextureLayers {
     std::vector<std::uint8_t> is_stranded_;
     std::vector<int> stranded_;
     std::vector<int> region_;  // of each that moves; the place of the first of its region
+    struct Sum {
+        std::array<glm::dvec2, kSheets> offset{};
+        double count = 0;
+    };
+    std::vector<Sum> sum_;  // over each region, at the place of its first
     std::vector<int> due_;
     std::vector<float> latency_;  // of each that is due
     std::vector<int> slot_;       // of each vertex its place among those beside a front, −1: it has none
+    std::vector<int> beside_before_;
+    std::vector<Gradients> gradient_before_;
 };
 
 }  // namespace sim::front

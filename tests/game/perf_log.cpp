@@ -34,8 +34,10 @@ TEST(PerfLog, figures_are_nearest_ranks_over_the_ticks_in_which_a_stage_ran) {
     for (const int ms : {20, 3, 1, 19, 18, 2, 17, 4, 16, 5, 15, 6, 14, 7, 13, 8, 12, 9, 11, 10})
         log.add(row(ms, ms, ms % 10 == 0 ? std::optional(100.0 * ms) : std::nullopt));
     const auto figures = log.figures();
-    ASSERT_EQ(figures.size(), 3u);
-    const StageFigures &solve = figures[0], &draw = figures[1], &frame = figures[2];
+    ASSERT_EQ(figures.size(), 6u);
+    const StageFigures &solve = figures[0], &track = figures[1], &draw = figures[4], &frame = figures[5];
+    EXPECT_EQ(track.stage, "track");
+    EXPECT_EQ(track.count, 0u);
     EXPECT_EQ(solve.stage, "solve");
     EXPECT_EQ(solve.count, 20u);
     EXPECT_DOUBLE_EQ(solve.mean, 10.5);
@@ -77,9 +79,22 @@ TEST(PerfLog, csv_has_the_contracts_columns_in_every_row) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "new folder" / "log.csv";
     PerfLog log({"trial, with a comma", "0123456789abcdef", 2, "llvmpipe"});
-    PerfRow full{7, 0.1166667, 3, 1.25, 2.5, 3.75, 42, 100.5, 20.25, 3.125, 0, 0x00000000deadbeefu};
+    PerfRow full{7,
+                 0.1166667,
+                 3,
+                 1.25,
+                 PerfRow::Fronts{0.5, 0.25, 0.125, 12, 34},
+                 2.5,
+                 3.75,
+                 42,
+                 100.5,
+                 20.25,
+                 3.125,
+                 0,
+                 0x00000000deadbeefu};
     log.add(full);
     full.draw_ms.reset();
+    full.fronts.reset();
     log.add(full);
     ASSERT_TRUE(log.write_csv(path));
 
@@ -93,8 +108,12 @@ TEST(PerfLog, csv_has_the_contracts_columns_in_every_row) {
     std::vector<std::string> rows;
     while (std::getline(stream, line)) rows.push_back(line);
     ASSERT_EQ(rows.size(), 2u);
-    EXPECT_EQ(rows[0],
-              "0,7,0.1167,3,1.2500,,,,,,2.5000,3.7500,42,,,100.5000,20.2500,3.1250,0.0000,00000000deadbeef");
+    EXPECT_EQ(
+        rows[0],
+        "0,7,0.1167,3,1.2500,0.5000,0.2500,0.1250,,,2.5000,3.7500,42,12,34,100.5000,20.2500,3.1250,0.0000,"
+        "00000000deadbeef");
+    EXPECT_EQ(rows[1],
+              "1,7,0.1167,3,1.2500,,,,,,,3.7500,42,,,100.5000,20.2500,3.1250,0.0000,00000000deadbeef");
     for (const std::string& each : rows)
         EXPECT_EQ(std::count(each.begin(), each.end(), ','),
                   std::count(kColumns, kColumns + std::string(kColumns).size(), ','));

@@ -1,0 +1,290 @@
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <glm/geometric.hpp>
+
+#include "render/flow_texture.h"
+#include "sim/workers.h"
+#include "tests/render/gl_scene.h"
+#include "tests/render/watched.h"
+#include "tests/support/allocations.h"
+
+// What a flow carries, as it is seen: on the right side of every front, lit as it lies, and nowhere else.
+namespace render::test {
+namespace {
+
+using sim::front::FlowView;
+using sim::front::Source;
+using sim::front::TextureLayers;
+
+constexpr int kSquares = 16;
+constexpr float kCell = 0.5f;
+constexpr double kSide = kSquares * static_cast<double>(kCell);  // m
+constexpr int kPixels = 256;
+constexpr int kChecks = 8;  // along an edge of the pattern's tile
+
+class Flow : public Gl {
+  protected:
+    void SetUp() override {
+        Gl::SetUp();
+        for (const FlowPattern pattern : {FlowPattern::kCheckerboard, FlowPattern::kSnow}) {
+            const auto loaded = renderer_->load(pattern);
+            ASSERT_TRUE(loaded) << loaded.error();
+        }
+    }
+
+    // Everywhere, one tile over the whole ground.
+    static Look flowing(FlowPattern pattern = FlowPattern::kCheckerboard) {
+        Look look = plain_look();
+        look.flow = FlowLook{pattern, 1, true};
+        return look;
+    }
+
+    // Straight down on all of it.
+    Picture seen(const FlowView& of, const Look& look, const Light& light = {135, 60},
+                 const Marks& marks = {}) {
+        renderer_->draw(ground.view(), from_above({kSide / 2, kSide / 2, 0}, kSide), light, look, marks,
+                        kPixels, kPixels, &of);
+        return renderer_->read_back();
+    }
+
+    void run(FlowView& of, const std::function<glm::vec2(const glm::vec2&)>& velocity, int steps) {
+        std::vector<glm::vec2> v;
+        for (const glm::vec2& x : mesh.position) v.push_back(velocity(x));
+        for (int i = 0; i < steps; ++i) of.advance({v, {}}, 1 / 60.0, workers);
+    }
+
+    // Coordinates as one pleases.
+    void lay(FlowView& of, const std::function<glm::vec2(const glm::vec2&)>& coordinates) {
+        TextureLayers::Memory memory = of.layers().memory();
+        for (std::size_t v = 0; v < mesh.position.size(); ++v)
+            memory.offset[v].fill(coordinates(mesh.position[v]) - mesh.position[v]);
+        of.layers().restore(memory);
+    }
+
+    const World ground = make_world(kSquares, kCell, [](double, double) { return 0; });
+    const sim::front::Mesh mesh = sim::front::mesh_of(ground.grid);
+    sim::Workers workers{1};
+    FlowView flow{mesh, sim::front::gradient_rule(0.1f, kCell), Source::kFit, {}};
+};
+
+double luminance(const Picture& picture, int x, int y) {
+    const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                                static_cast<std::size_t>(x));
+    return (picture.pixels[at] + picture.pixels[at + 1] + picture.pixels[at + 2]) / 3.0;
+}
+
+// Of a pixel, from the top left, m.
+glm::dvec2 place_of(int x, int y) {
+    return {(x + 0.5) / kPixels * kSide, (kPixels - y - 0.5) / kPixels * kSide};
+}
+
+// Which of a checkerboard's colours coordinates have, and how far they are from the other, in pixels.
+struct Check {
+    bool odd;
+    double inside;
+};
+Check check_at(const glm::dvec2& coordinates) {
+    const glm::dvec2 c = coordinates / (kSide / kChecks), from_edge = glm::abs(c - glm::round(c));
+    return {((static_cast<int>(std::floor(c.x)) + static_cast<int>(std::floor(c.y))) & 1) != 0,
+            std::min(from_edge.x, from_edge.y) * kPixels / kChecks};
+}
+
+// Share of pixels, well inside a check and off the front at y = `front`, whose colour is that of the
+// coordinates.
+template <class Coordinates>
+double agreement(const Picture& picture, double front, const Coordinates& coordinates) {
+    // Which colour is the odd one is the pattern's business.
+    double agree = 0, all = 0;
+    for (int y = 0; y < kPixels; ++y)
+        for (int x = 0; x < kPixels; ++x) {
+            const glm::dvec2 at = place_of(x, y);
+            const Check check = check_at(coordinates(at));
+            if (check.inside < 5 || std::abs(at.y - front) / kSide * kPixels < 2) continue;
+            agree += (luminance(picture, x, y) > 150) == check.odd, ++all;
+        }
+    return std::max(agree, all - agree) / all;
+}
+
+TEST_F(Flow, is_seen_where_it_was_carried_on_either_side_of_a_front) {
+    // Right above the middle of an edge; below it to the left, in two seconds by a check and a half.
+    const double front = 8.5 * static_cast<double>(kCell), way = 1.5 * kSide / kChecks;
+    const auto speed = static_cast<float>(way / 2);
+    run(
+        flow, [&](const glm::vec2& x) { return glm::vec2(x.y > front ? speed : -speed, 0); }, 120);
+    const Picture picture = seen(flow, flowing());
+    const auto carried = [&](const glm::dvec2& x) {
+        return glm::dvec2(x.x + (x.y > front ? -way : way), x.y);
+    };
+    EXPECT_GT(agreement(picture, front, carried), 0.999);
+    // Sides exchanged by a check in one of them: what the measure must notice.
+    const auto swapped = [&](const glm::dvec2& x) {
+        return carried(x) + glm::dvec2(x.y > front ? kSide / kChecks : 0, 0);
+    };
+    EXPECT_LT(agreement(picture, front, swapped), 0.7);
+    // Without a cut the texture is drawn out across the front.
+    FlowView uncut(mesh, sim::front::gradient_rule(1e6f, kCell), Source::kFit, {});
+    run(
+        uncut, [&](const glm::vec2& x) { return glm::vec2(x.y > front ? speed : -speed, 0); }, 120);
+    EXPECT_LT(agreement(seen(uncut, flowing()), front, carried), 0.99);
+}
+
+TEST_F(Flow, is_lit_as_its_texture_lies) {
+    run(
+        flow, [](const glm::vec2&) { return glm::vec2(0, 0); }, 1);
+    const Picture upright = seen(flow, flowing(FlowPattern::kSnow), {30, 30});
+    lay(flow, [](const glm::vec2& x) { return glm::vec2(kSide, kSide) - x; });
+    const auto turned_back = [&](const Picture& picture) {
+        Picture turned = picture;
+        for (std::size_t p = 0; p < picture.pixels.size(); p += 3)
+            std::copy_n(picture.pixels.end() - static_cast<std::ptrdiff_t>(p) - 3, 3,
+                        turned.pixels.begin() + static_cast<std::ptrdiff_t>(p));
+        return turned;
+    };
+    const auto apart = [](const Picture& a, const Picture& b) {
+        double sum = 0;
+        for (std::size_t i = 0; i < a.pixels.size(); ++i) sum += std::abs(a.pixels[i] - b.pixels[i]);
+        return sum / static_cast<double>(a.pixels.size());
+    };
+    // Turned half way round, and the sun with it: the same picture, turned, but for what the camera lacks of
+    // the vertical. The sun where it was: another.
+    const double same = apart(turned_back(seen(flow, flowing(FlowPattern::kSnow), {210, 30})), upright);
+    const double other = apart(turned_back(seen(flow, flowing(FlowPattern::kSnow), {30, 30})), upright);
+    EXPECT_LT(same, 4);
+    EXPECT_GT(other, 5 * same);
+}
+
+TEST_F(Flow, shows_its_stretch_in_the_colours_of_the_legend) {
+    run(
+        flow, [](const glm::vec2&) { return glm::vec2(0, 0); }, 1);
+    Marks marks;
+    marks.overlay = Overlay::kStretch;
+    const auto stops = legend_of(Overlay::kStretch).stops;
+    // Blown up alike in all directions; twice as much along x; and turned on top.
+    const float c = std::cos(0.7f), s = std::sin(0.7f);
+    const std::vector<std::pair<glm::mat2, std::size_t>> laid{
+        {glm::mat2(3, 0, 0, 3), 0},
+        {glm::mat2(2, 0, 0, 1), 3},
+        {glm::mat2(c, s, -s, c) * glm::mat2(2, 0, 0, 1), 3}};
+    for (const auto& [gradient, stop] : laid) {
+        lay(flow, [&](const glm::vec2& x) { return gradient * x; });
+        const Colour got = mean_colour(seen(flow, flowing(), {180, 89}, marks), kPixels / 2, kPixels / 2, 20);
+        // Light changes how bright they are, so shares of red, green and blue are compared.
+        const auto apart = [&](const LegendStop& other) {
+            const glm::dvec3 a(got[0], got[1], got[2]), b(other.colour);
+            return glm::distance(a / (a.x + a.y + a.z), b / (b.x + b.y + b.z));
+        };
+        const auto nearest = std::min_element(
+            stops.begin(), stops.end(), [&](const auto& a, const auto& b) { return apart(a) < apart(b); });
+        EXPECT_EQ(nearest - stops.begin(), static_cast<std::ptrdiff_t>(stop));
+        EXPECT_LT(apart(stops[stop]), 0.06);
+    }
+}
+
+TEST_F(Flow, shows_its_mesh_and_its_points_where_they_are) {
+    const double front = 8.5 * static_cast<double>(kCell);
+    run(
+        flow, [&](const glm::vec2& x) { return glm::vec2(x.y > front ? 1 : -1, 0); }, 2);
+    const Picture bare = seen(flow, flowing());
+    Marks marks;
+    marks.flow_mesh = true;
+    const Picture marked = seen(flow, flowing(), {135, 60}, marks);
+    const auto changed = [&](int x, int y) {
+        return std::abs(luminance(bare, x, y) - luminance(marked, x, y)) > 4;
+    };
+    for (const auto& point : flow.tracker().points()) {
+        const glm::dvec2 at =
+            glm::dvec2(flow.tracker().position(point)) / kSide * static_cast<double>(kPixels);
+        const int x = static_cast<int>(at.x), y = kPixels - 1 - static_cast<int>(at.y);
+        if (x < 2 || x > kPixels - 3) continue;
+        bool any = false;
+        for (const int dx : {-1, 0, 1})
+            for (const int dy : {-1, 0, 1}) any = any || changed(x + dx, y + dy);
+        EXPECT_TRUE(any) << x << ", " << y;
+    }
+    // Inside a triangle nothing is drawn.
+    const int square = kPixels / kSquares;
+    EXPECT_FALSE(changed(4 * square + square / 4 * 3, 3 * square + square * 5 / 8));
+}
+
+// A ridge from west to east; the rolling layer only on its far side.
+World ridge() {
+    World world = make_world(48, 1, [](double, double y) { return y < 24 ? y : 48 - y; });
+    world.depth.fill(1);
+    for (int y = 30; y < 40; ++y)
+        for (int x = 10; x < 38; ++x) world.rolling(x, y) = 1;
+    return world;
+}
+
+TEST_F(Flow, is_hidden_by_hills_and_seen_only_where_its_layer_is) {
+    const World world = ridge();
+    const sim::front::Mesh its_mesh = sim::front::mesh_of(world.grid);
+    FlowView its_flow(its_mesh, sim::front::gradient_rule(0.1f, 1), Source::kHalf, {});
+    const std::vector<glm::vec2> still(its_mesh.position.size(), glm::vec2(0, 0));
+    its_flow.advance({still, {}}, 1 / 60.0, workers);
+    Look look = plain_look();
+    look.roughness = 1;
+    look.detail = 1;
+    Camera from_south{{24, 24, 12}, 180, 10, 70, 35}, from_north{{24, 24, 12}, 0, 30, 70, 35};
+    const auto drawn = [&](const Camera& camera, bool with) {
+        look.flow.reset();
+        if (with) look.flow = FlowLook{FlowPattern::kSnow, 9, false};
+        renderer_->draw(world.view(), camera, {180, 40}, look, {}, 160, 90, &its_flow);
+        return renderer_->read_back().pixels;
+    };
+    EXPECT_EQ(drawn(from_south, true), drawn(from_south, false));
+    const auto with = drawn(from_north, true), without = drawn(from_north, false);
+    std::size_t changed = 0;
+    for (std::size_t i = 0; i < with.size(); i += 3)
+        changed += !std::equal(with.begin() + static_cast<std::ptrdiff_t>(i),
+                               with.begin() + static_cast<std::ptrdiff_t>(i) + 3,
+                               without.begin() + static_cast<std::ptrdiff_t>(i));
+    EXPECT_GT(changed, with.size() / 3 / 20);
+    EXPECT_LT(changed, with.size() / 3 / 2);
+}
+
+TEST_F(Flow, of_before_leaves_no_trace_in_a_frame) {
+    run(
+        flow, [](const glm::vec2& x) { return glm::vec2(x.y > 3.3f ? 1 : -1, 0); }, 60);
+    const Picture first = seen(flow, flowing());
+    FlowView other(mesh, sim::front::gradient_rule(0.1f, kCell), Source::kHalf, {});
+    run(
+        other, [](const glm::vec2& x) { return glm::vec2(0, x.x > 5.1f ? 1 : -1); }, 40);
+    EXPECT_NE(seen(other, flowing(FlowPattern::kSnow)).pixels, first.pixels);
+    EXPECT_EQ(seen(flow, flowing()).pixels, first.pixels);
+}
+
+TEST_F(Flow, that_runs_makes_no_object_and_draws_without_allocating) {
+    const auto frame = [&](int i) {
+        run(
+            flow,
+            [&](const glm::vec2& x) {
+                return glm::vec2(x.y > 2 + 0.01f * static_cast<float>(i) ? 1 : -1, 0);
+            },
+            1);
+        const std::int64_t before = support::allocations_of_all_threads();
+        renderer_->draw(ground.view(), from_above({kSide / 2, kSide / 2, 0}, kSide), Light(), flowing(), {},
+                        64, 64, &flow);
+        return support::allocations_of_all_threads() - before;
+    };
+    for (int i = 0; i < 60; ++i) frame(i);
+    const Watched<&epoxy_glCreateTextures> textures;
+    const Watched<&epoxy_glCreateFramebuffers> framebuffers;
+    const Watched<&epoxy_glCreateBuffers> buffers;
+    const Watched<&epoxy_glCreateVertexArrays> vertex_arrays;
+    gl_objects = 0;
+    std::int64_t allocations = 0;
+    for (int i = 60; i < 70; ++i) allocations += frame(i);
+    EXPECT_EQ(gl_objects, 0);
+    EXPECT_EQ(allocations, 0);
+}
+
+TEST_F(Gl, says_which_texture_is_missing) {
+    auto elsewhere = FlowTexture::load("/nowhere", FlowPattern::kStones);
+    ASSERT_FALSE(elsewhere);
+    EXPECT_NE(elsewhere.error().find("/nowhere/textures/stones.png"), std::string::npos) << elsewhere.error();
+}
+
+}  // namespace
+}  // namespace render::test
