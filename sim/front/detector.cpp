@@ -65,7 +65,13 @@ Detector::Detector(const Mesh& mesh, const Rule& rule)
       velocity_(mesh.position.size()),
       above_(mesh.position.size()),
       speed_(rule.kind == Rule::Kind::kRelative ? mesh.position.size() : 0),
-      slot_(mesh.edge.size(), -1) {}
+      slot_(mesh.edge.size(), -1) {
+    // Room for more than any flow has, so that fronts that grow allocate nothing.
+    const std::size_t cut = mesh.edge.size() / 8;
+    for (std::vector<int>* list : {&cut_, &previous_, &before_, &flipped_}) list->reserve(cut);
+    vanished_.reserve(cut);
+    with_cut_.reserve(mesh.position.size());
+}
 
 void Detector::update(const Flow& flow) {
     CHECK(flow.velocity.size() == mesh_.position.size());

@@ -81,6 +81,16 @@ TextureLayers::TextureLayers(const Mesh& mesh, const LayerRule& rule)
     now_.offset.resize(mesh.position.size());
     now_.mix.resize(mesh.position.size());
     now_.deformation.resize(mesh.position.size());
+    // Room for as much as there may be, so that a flow that grows allocates nothing; of what lies beside
+    // fronts, for more than any flow has.
+    const std::size_t vertices = mesh.position.size(), beside = vertices / 4;
+    for (std::vector<int>* list : {&moving_, &stranded_, &region_, &number_, &due_}) list->reserve(vertices);
+    carried_.reserve(vertices);
+    is_stranded_.reserve(vertices);
+    latency_.reserve(vertices);
+    torn_list_.reserve(mesh.triangle.size());
+    for (std::vector<int>* list : {&now_.beside, &beside_before_}) list->reserve(4 * beside);
+    for (std::vector<Gradients>* list : {&now_.gradient, &gradient_before_}) list->reserve(beside);
 }
 
 void TextureLayers::carry(const Tracker& tracker, std::span<const glm::vec2> velocity, double dt,
@@ -203,14 +213,14 @@ void TextureLayers::renew(const Detector& detector, double before) {
     for (int s = 0; s < kSheets; ++s) any = any || is_renewed(s, before);
     if (!any) return;
     find_regions(detector);
-    sum_.assign(moving_.size(), {});
+    sum_.assign(static_cast<std::size_t>(regions_), {});
     for (std::size_t i = 0; i < moving_.size(); ++i) {
-        Sum& of_region = sum_[region_[i]];
+        Sum& of_region = sum_[number_[i]];
         ++of_region.count;
         for (int s = 0; s < kSheets; ++s) of_region.offset[s] += glm::dvec2(now_.offset[moving_[i]][s]);
     }
     for (std::size_t i = 0; i < moving_.size(); ++i) {
-        const Sum& of_region = sum_[region_[i]];
+        const Sum& of_region = sum_[number_[i]];
         for (int s = 0; s < kSheets; ++s)
             if (is_renewed(s, before))
                 now_.offset[moving_[i]][s] = glm::vec2(of_region.offset[s] / of_region.count);
@@ -223,6 +233,7 @@ void TextureLayers::renew(const Detector& detector, double before) {
 // Vertices that move, and that edges join which no front cuts.
 void TextureLayers::find_regions(const Detector& detector) {
     region_.resize(moving_.size());
+    number_.resize(moving_.size());
     std::iota(region_.begin(), region_.end(), 0);
     const auto root = [&](int i) {
         while (region_[i] != i) i = region_[i] = region_[region_[i]];
@@ -235,7 +246,12 @@ void TextureLayers::find_regions(const Detector& detector) {
             const int a = root(static_cast<int>(i)), b = root(other);
             region_[std::max(a, b)] = std::min(a, b);
         }
-    for (std::size_t i = 0; i < moving_.size(); ++i) region_[i] = root(static_cast<int>(i));
+    // Each root is the first of its region: numbered before the others are asked.
+    regions_ = 0;
+    for (std::size_t i = 0; i < moving_.size(); ++i) {
+        const int first = root(static_cast<int>(i));
+        number_[i] = first == static_cast<int>(i) ? regions_++ : number_[static_cast<std::size_t>(first)];
+    }
 }
 
 void TextureLayers::fade(double dt) {

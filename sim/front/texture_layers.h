@@ -112,12 +112,15 @@ class TextureLayers {
     std::vector<Offsets> carried_;     // of each that moves
     std::vector<std::uint8_t> is_stranded_;
     std::vector<int> stranded_;
-    std::vector<int> region_;  // of each that moves; the place of the first of its region
+    std::vector<int>
+        region_;  // of each that moves a place of its region, the first at last; while they are joined
+    std::vector<int> number_;  // of each that moves, its region's
+    int regions_ = 0;
     struct Sum {
         std::array<glm::dvec2, kSheets> offset{};
         double count = 0;
     };
-    std::vector<Sum> sum_;  // over each region, at the place of its first
+    std::vector<Sum> sum_;  // over each region
     std::vector<int> due_;
     std::vector<float> latency_;  // of each that is due
     std::vector<int> slot_;       // of each vertex its place among those beside a front, −1: it has none

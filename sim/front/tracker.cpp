@@ -38,7 +38,9 @@ std::optional<Source> source_named(std::string_view name) {
 }
 
 Tracker::Tracker(const Mesh& mesh, const Rule& rule, Source source)
-    : detector_(mesh, rule), source_(source), locator_(locator_of(mesh, rule, source)) {}
+    : detector_(mesh, rule), source_(source), locator_(locator_of(mesh, rule, source)) {
+    for (std::vector<Point>* list : {&points_, &previous_}) list->reserve(mesh.edge.size() / 8);
+}
 
 Tracker::~Tracker() = default;
 
