@@ -64,6 +64,7 @@ Detector::Detector(const Mesh& mesh, const Rule& rule)
       was_on_(mesh.edge.size()),
       velocity_(mesh.position.size()),
       above_(mesh.position.size()),
+      above_before_(mesh.position.size()),
       speed_(rule.kind == Rule::Kind::kRelative ? mesh.position.size() : 0),
       slot_(mesh.edge.size(), -1) {
     // Room for more than any flow has, so that fronts that grow allocate nothing.
@@ -96,43 +97,58 @@ void Detector::find_jumps(const Flow& flow) {
             for (std::size_t v = 0; v < speed_.size(); ++v) speed_[v] = std::sqrt(square(flow.velocity[v]));
             return find_jumps<true>(flow.velocity.data());
         case Rule::Kind::kLevel:
-            for (std::size_t e = 0; e < on_.size(); ++e)
-                on_[e] = above_[mesh_.edge[e].a] ^ above_[mesh_.edge[e].b];
-            with_cut_.push_back({0, on_.size()});
+            return find_crossings();
+    }
+}
+
+// Calls test(length, e, a, b, count) for each row of a heightfield's edges, those of one family side by side,
+// of one length: from e on, from vertices a on to vertices b on. It tells whether one of them is cut.
+template <class Test>
+void Detector::test_rows(const Test& test) {
+    const int nx = mesh_.columns, ny = mesh_.vertices() / nx;
+    std::size_t e = 0;
+    for (const auto& [columns, rows, step] :
+         {std::array{nx - 1, ny, 1}, std::array{nx, ny - 1, nx}, std::array{nx - 1, ny - 1, nx + 1}}) {
+        const float length = mesh_.length[e];
+        for (int y = 0; y < rows; ++y, e += static_cast<std::size_t>(columns))
+            if (test(length, e, y * nx, y * nx + step, columns))
+                with_cut_.push_back({e, e + static_cast<std::size_t>(columns)});
     }
 }
 
 template <bool relative>
 void Detector::find_jumps(const glm::vec2* velocity) {
     Jump jump{rule_.jump, rule_.ratio, {1, square(rule_.hold)}, speed_.data()};
-    if (mesh_.columns == 0) {
-        for (std::size_t e = 0; e < on_.size(); ++e) {
-            const auto [a, b] = mesh_.edge[e];
-            jump.least = least_jump(mesh_.length[e]);
-            on_[e] = jump.test<relative>(velocity, a, b, was_on_[e]);
-        }
-        with_cut_.push_back({0, on_.size()});
-        return;
-    }
-    // The three families of a heightfield's edges, each of one length.
-    const int nx = mesh_.columns, ny = mesh_.vertices() / nx;
-    std::size_t e = 0;
-    for (const auto& [columns, rows, step] :
-         {std::array{nx - 1, ny, 1}, std::array{nx, ny - 1, nx}, std::array{nx - 1, ny - 1, nx + 1}}) {
+    if (mesh_.columns > 0)
+        return test_rows([&](float length, std::size_t e, int a, int b, int count) {
+            jump.least = least_jump(length);
+            return jump.test_row<relative>(velocity, a, b, count, &was_on_[e], &on_[e]);
+        });
+    for (std::size_t e = 0; e < on_.size(); ++e) {
+        const auto [a, b] = mesh_.edge[e];
         jump.least = least_jump(mesh_.length[e]);
-        for (int y = 0; y < rows; ++y, e += static_cast<std::size_t>(columns))
-            if (jump.test_row<relative>(velocity, y * nx, y * nx + step, columns, &was_on_[e], &on_[e]))
-                with_cut_.push_back({e, e + static_cast<std::size_t>(columns)});
+        on_[e] = jump.test<relative>(velocity, a, b, was_on_[e]);
     }
+    with_cut_.push_back({0, on_.size()});
+}
+
+void Detector::find_crossings() {
+    const std::uint8_t* above = above_.data();
+    if (mesh_.columns > 0)
+        return test_rows([&](float, std::size_t first, int a, int b, int count) {
+            std::uint8_t any = 0;
+            std::uint8_t* __restrict on = &on_[first];
+            for (int i = 0; i < count; ++i) any |= on[i] = above[a + i] ^ above[b + i];
+            return any != 0;
+        });
+    for (std::size_t e = 0; e < on_.size(); ++e) on_[e] = above[mesh_.edge[e].a] ^ above[mesh_.edge[e].b];
+    with_cut_.push_back({0, on_.size()});
 }
 
 void Detector::find_flips(const Flow& flow) {
     flipped_.clear();
     if (rule_.kind == Rule::Kind::kLevel) {
-        for (int v = 0; v < mesh_.vertices(); ++v) {
-            const std::uint8_t above = flow.scalar[v] > rule_.level;
-            if (std::exchange(above_[v], above) != above && !first_) flipped_.push_back(v);
-        }
+        find_rises(flow.scalar.data());
     } else {
         find_jumps_in_time(flow.velocity.data());
         std::copy(flow.velocity.begin(), flow.velocity.end(), velocity_.begin());
@@ -140,16 +156,33 @@ void Detector::find_flips(const Flow& flow) {
 }
 
 // Few vertices flip: many are looked at together, and one by one only where one of them may have.
+template <class Look>
+void Detector::look_at_groups(const Look& look) const {
+    constexpr int kTogether = 64;
+    for (int first = 0; first < mesh_.vertices(); first += kTogether)
+        look(first, std::min(first + kTogether, mesh_.vertices()));
+}
+
+void Detector::find_rises(const float* scalar) {
+    above_.swap(above_before_);
+    for (std::size_t v = 0; v < above_.size(); ++v) above_[v] = scalar[v] > rule_.level;
+    if (first_) return;
+    look_at_groups([&](int first, int last) {
+        if (std::memcmp(&above_[first], &above_before_[first], static_cast<std::size_t>(last - first)) == 0)
+            return;
+        for (int v = first; v < last; ++v)
+            if (above_[v] != above_before_[v]) flipped_.push_back(v);
+    });
+}
+
 void Detector::find_jumps_in_time(const glm::vec2* velocity) {
     if (first_) return;
     const bool relative = rule_.kind == Rule::Kind::kRelative;
     const float jump2 = square(rule_.jump);
-    constexpr int kTogether = 64;
-    for (int first = 0; first < mesh_.vertices(); first += kTogether) {
-        const int last = std::min(first + kTogether, mesh_.vertices());
+    look_at_groups([&](int first, int last) {
         std::uint32_t any = 0;
         for (int v = first; v < last; ++v) any |= square(velocity[v] - velocity_[v]) >= jump2;
-        if (!any) continue;
+        if (!any) return;
         for (int v = first; v < last; ++v) {
             float limit = least_jump(mesh_.cell[v] / 2);
             if (relative)
@@ -157,7 +190,7 @@ void Detector::find_jumps_in_time(const glm::vec2* velocity) {
             const float jump = square(velocity[v] - velocity_[v]);
             if (jump > 0 && jump >= limit * limit) flipped_.push_back(v);
         }
-    }
+    });
 }
 
 // Both lists of edges ascend, so that one pass over each tells what was born and what vanished.

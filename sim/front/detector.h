@@ -74,17 +74,23 @@ class Detector {
     void find_jumps(const Flow& flow);
     template <bool relative>
     void find_jumps(const glm::vec2* velocity);
+    void find_crossings();
+    void find_rises(const float* scalar);
     void find_jumps_in_time(const glm::vec2* velocity);
+    template <class Test>
+    void test_rows(const Test& test);
+    template <class Look>
+    void look_at_groups(const Look& look) const;
     void find_flips(const Flow& flow);
     void list_changes();
 
     const Mesh& mesh_;
     Rule rule_;
     bool first_ = true;
-    std::vector<std::uint8_t> on_, was_on_;  // of each edge
-    std::vector<glm::vec2> velocity_;        // of the step before
-    std::vector<std::uint8_t> above_;        // of each vertex, the level
-    std::vector<float> speed_;               // of each vertex, m/s; of the relative rule alone
+    std::vector<std::uint8_t> on_, was_on_;           // of each edge
+    std::vector<glm::vec2> velocity_;                 // of the step before
+    std::vector<std::uint8_t> above_, above_before_;  // of each vertex, the level
+    std::vector<float> speed_;                        // of each vertex, m/s; of the relative rule alone
     std::vector<int> cut_, previous_, before_, flipped_, slot_;
     std::vector<Gone> vanished_;
     struct Range {
