@@ -98,6 +98,7 @@ TEST(Material, with_a_fault_is_refused_with_file_line_and_key) {
         {"[look]\nstanding = [1, 2, 256]\n[bcre]\n", ":2: look.standing"},
         {"[look]\nstanding = [1, 2]\n[bcre]\n", ":2: look.standing"},
         {"[look]\nsparkle = 1\n[bcre]\n", ":2: look.sparkle"},
+        {"[look]\ntexture = \"wood\"\n[bcre]\n", ":2: look.texture"},
         {"[look]\nroughness = 2\n[bcre]\n", ":2: look.roughness"},
         {"price = 1\n[bcre]\n", ":1: price"},
         {"[bcre]\nstop_angle = 40\nstart_angle = 30\n", ": start_slope is below stop_slope"},

@@ -36,6 +36,7 @@ Start small_start() {
     start.georeference = terrains::Georeference::local({47.3, 11.43}, -12.5, 1.0 / 3);
     start.seed = 0xfedcba9876543210u;
     start.look.standing = {0.1f, 1.f / 3.f, 0.7f};
+    start.look.flow = render::FlowLook{render::FlowPattern::kSoil};
     start.light = {255.1, 1.0 / 0.3};
     start.camera = render::Camera{{10.1, 1.0 / 3, 1240}, 205.7, 32.1, 285.3, 35.9};
     return start;

@@ -51,6 +51,10 @@ TEST(RecordingHeader, keeps_the_view_to_the_bit) {
     EXPECT_EQ(after.look.roughness, before.look.roughness);
     EXPECT_EQ(after.look.cover_visible_m, before.look.cover_visible_m);
     EXPECT_EQ(after.look.rolling_visible_m, before.look.rolling_visible_m);
+    EXPECT_EQ(after.look.flow, before.look.flow);
+    Start plain = before;
+    plain.look.flow.reset();
+    EXPECT_EQ(through_header(plain).look.flow, std::nullopt);
     EXPECT_EQ(after.light.azimuth_deg, before.light.azimuth_deg);
     EXPECT_EQ(after.light.elevation_deg, before.light.elevation_deg);
     ASSERT_TRUE(after.camera);
