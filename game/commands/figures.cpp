@@ -98,6 +98,7 @@ const std::vector<std::string>& parts_of_figures() {
         for (const WorldFigure& figure : world_figures()) figures.push_back(figure.number);
         std::sort(figures.begin(), figures.end());
         std::vector<std::string> parts;
+        parts.reserve(figures.size() + 1);
         for (const int number : figures) parts.push_back(fmt::to_string(number));
         parts.emplace_back("numbers");
         return parts;

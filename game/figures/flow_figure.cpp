@@ -7,57 +7,14 @@
 #include <fmt/format.h>
 
 #include "game/assets.h"
+#include "game/figures/level_flow.h"
 #include "game/figures/mosaic.h"
 #include "render/context.h"
 #include "render/frame.h"
 #include "render/front_picture.h"
-#include "sim/front/flow_view.h"
 
 namespace game {
 namespace {
-
-constexpr double kStepsPerSecond = 60;
-constexpr float kJump = 0.05f;  // m/s; across the fronts it is at least 0.14
-constexpr float kNever = 1e9f;  // m/s, is no jump
-
-sim::front::Rule rule_of(float cell, bool cut) {
-    return sim::front::gradient_rule(cut ? kJump : kNever, cell);
-}
-
-// Level ground that flows, and how its textures lie when they have travelled for so long.
-class Carried {
-  public:
-    Carried(const FlowFigure& figure, bool cut, sim::Workers& workers)
-        : grid_{figure.squares + 1, figure.squares + 1, 1.f / static_cast<float>(figure.squares)},
-          mesh_(sim::front::mesh_of(grid_)),
-          view_(mesh_, rule_of(grid_.dx, cut), sim::front::Source::kFit, {}),
-          ground_(level(grid_)) {
-        std::vector<glm::vec2> velocity(mesh_.position.size());
-        const auto steps = std::lround(figure.seconds * kStepsPerSecond);
-        for (int step = 1; step <= steps; ++step) {
-            for (std::size_t v = 0; v < velocity.size(); ++v)
-                velocity[v] = figure.flow.velocity(glm::dvec2(mesh_.position[v]), step / kStepsPerSecond);
-            view_.advance({velocity, {}}, 1 / kStepsPerSecond, workers);
-        }
-    }
-    Carried(const Carried&) = delete;  // the view refers to the mesh
-    Carried& operator=(const Carried&) = delete;
-
-    sim::View ground() const { return sim::view(ground_); }
-    const sim::front::FlowView& view() const { return view_; }
-
-  private:
-    static sim::State level(const sim::Grid& grid) {
-        const std::vector<float> nothing(grid.size(), 0.f);
-        const std::vector<std::uint8_t> has_data(grid.size(), 1);
-        return sim::make_state({grid, 0, nothing, nothing, nothing, has_data}, sim::Params{});
-    }
-
-    sim::Grid grid_;
-    sim::front::Mesh mesh_;
-    sim::front::FlowView view_;
-    sim::State ground_;
-};
 
 // A square of the ground from straight above, north up.
 struct Window {
@@ -80,12 +37,13 @@ render::Camera camera_of(const Window& window) {
 
 // Where the front passes nearest to the middle of the square.
 Window detail_of(const FlowFigure& figure) {
-    constexpr double kSide = 0.3, kStep = 1.0 / 128;
+    constexpr double kSide = 0.3;
+    constexpr int kPlaces = 128;  // along each side of where its middle may be
     Window window{{0.5, 0.5}, kSide};
     double nearest = std::numeric_limits<double>::max();
-    for (double y = kSide / 2; y <= 1 - kSide / 2; y += kStep)
-        for (double x = kSide / 2; x <= 1 - kSide / 2; x += kStep) {
-            const glm::dvec2 at(x, y), from = at - 0.5;
+    for (int y = 0; y <= kPlaces; ++y)
+        for (int x = 0; x <= kPlaces; ++x) {
+            const glm::dvec2 at = kSide / 2 + (1 - kSide) / kPlaces * glm::dvec2(x, y), from = at - 0.5;
             const double worth =
                 figure.flow.distance(at, figure.seconds) + 0.1 * (from.x * from.x + from.y * from.y);
             if (worth < nearest) nearest = worth, window.middle = at;
@@ -125,7 +83,7 @@ struct Studio::Parts {
     Parts(render::HeadlessContext&& gl, render::Renderer&& with)
         : context(std::move(gl)), renderer(std::move(with)) {}
 
-    render::Picture draw(const FlowFigure& figure, const Carried& flow, const render::Marks& marks,
+    render::Picture draw(const FlowFigure& figure, const LevelFlow& flow, const render::Marks& marks,
                          const Window& window, int pixels) {
         render::Look look;
         look.flow = render::FlowLook{figure.pattern, figure.repeats, true};
@@ -155,7 +113,8 @@ Studio& Studio::operator=(Studio&&) noexcept = default;
 Outcome<PageFigure> Studio::draw(const FlowFigure& figure, const std::filesystem::path& folder, int pixels,
                                  sim::Workers& workers) {
     if (auto loaded = parts_->renderer.load(figure.pattern); !loaded) return machine_fails(loaded.error());
-    const Carried without(figure, false, workers), with(figure, true, workers);
+    LevelFlow without(figure.squares, false), with(figure.squares, true);
+    for (LevelFlow* flow : {&without, &with}) flow->advance(figure.flow, figure.seconds, workers);
     render::Marks stretch, mesh;
     stretch.overlay = render::Overlay::kStretch;
     mesh.flow_mesh = true;
@@ -168,7 +127,7 @@ Outcome<PageFigure> Studio::draw(const FlowFigure& figure, const std::filesystem
     };
     std::vector<render::Picture> pictures;
     for (const render::Marks& marks : {render::Marks{}, stretch})
-        for (const Carried* flow : {&without, &with})
+        for (const LevelFlow* flow : {&without, &with})
             pictures.push_back(parts_->draw(figure, *flow, marks, {}, pixels));
     auto written = write(mosaic(pictures, 2), "", "without and with cuts");
     if (written && figure.detail) {

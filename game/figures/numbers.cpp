@@ -83,6 +83,7 @@ void run_all(std::vector<Job>& jobs, int threads) {
         }
     };
     std::vector<std::thread> crew;
+    crew.reserve(static_cast<std::size_t>(threads));
     for (int i = 0; i < threads; ++i) crew.emplace_back(serve);
     Progress progress("measuring");
     {

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "sim/fields/test_flows.h"
+#include "sim/front/flow_view.h"
+#include "sim/state.h"
+#include "sim/workers.h"
+
+namespace game {
+
+// Level ground, a unit square, that flows, and how its textures lie on it.
+class LevelFlow {
+  public:
+    // `squares` along each side. Not `cut`: as if there were no fronts.
+    LevelFlow(int squares, bool cut);
+    LevelFlow(const LevelFlow&) = delete;  // the view refers to the mesh
+    LevelFlow& operator=(const LevelFlow&) = delete;
+
+    // From 0 s on, at 60 steps/s. However many workers: the same bits.
+    void advance(const sim::fields::TestFlow& flow, double seconds, sim::Workers& workers);
+
+    sim::View ground() const { return sim::view(ground_); }
+    const sim::front::FlowView& view() const { return view_; }
+
+  private:
+    sim::Grid grid_;
+    sim::front::Mesh mesh_;
+    sim::front::FlowView view_;
+    sim::State ground_;
+};
+
+}  // namespace game
