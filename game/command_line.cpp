@@ -273,7 +273,7 @@ void add_figures(CLI::App& app, FiguresOptions& options) {
         ->type_name("DIR")
         ->required();
     app.add_flag("--quick", options.quick,
-                 "numbers on grids of 30 squares at most: half a minute instead of some ten");
+                 "numbers on grids of 30 squares at most: half a minute instead of some five");
     app.add_option(
            "--only", options.only,
            fmt::format("make these alone, with commas between: {}", fmt::join(parts_of_figures(), ", ")))

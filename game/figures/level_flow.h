@@ -18,6 +18,10 @@ class LevelFlow {
     // From 0 s on, at 60 steps/s. However many workers: the same bits.
     void advance(const sim::fields::TestFlow& flow, double seconds, sim::Workers& workers);
 
+    // The share of the ground whose texture, as it is seen, is drawn out: greatest over least stretch
+    // above 2.
+    double drawn_out() const;
+
     sim::View ground() const { return sim::view(ground_); }
     const sim::front::FlowView& view() const { return view_; }
 

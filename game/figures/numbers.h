@@ -36,8 +36,9 @@ std::vector<FlowNumbers> measure_flows(std::span<const int> squares, int threads
 
 // The most that fit's root mean square may be, in cells; none for a grid that nobody has measured.
 std::optional<double> fit_bound(int scene, int squares);
-// The first number beyond its bound, as a sentence; none if all hold: fit_bound(), and textures that are cut
-// and re-seeded must be no more drawn out than by the smooth field alone.
+// The first number beyond its bound, as a sentence; none if all hold: fit_bound(); textures that are cut and
+// re-seeded are to be no more drawn out near the front than by the smooth field alone, and hardly anywhere
+// above 2.
 std::optional<std::string> first_miss(std::span<const FlowNumbers> numbers);
 
 std::vector<Table> tables_of(std::span<const FlowNumbers> numbers);
