@@ -1,5 +1,6 @@
 #include "game/command_line.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -7,6 +8,7 @@
 #include <thread>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include "game/commands/commands.h"
@@ -119,14 +121,8 @@ void add_play(CLI::App& app, PlayOptions& options) {
     add_how(app, options.how);
 }
 
-void add_pictures(CLI::App& app, PictureOptions& options, const char* where) {
-    app.add_option("--frames", options.folder, where)->type_name("DIR");
-    app.add_option("--every", options.every, "ticks between two pictures (60 ticks are a second)")
-        ->check(CLI::Range(1, 1 << 20))
-        ->type_name("TICKS")
-        ->capture_default_str();
-    add_size(app, options.size, "of the pictures, in pixels [1280x720]");
-    app.add_option("--gl", options.gl,
+void add_gl(CLI::App& app, std::string& gl) {
+    app.add_option("--gl", gl,
                    "where to draw: auto (a hardware device if there is one), surfaceless (software), device "
                    "or device:N")
         ->check(
@@ -140,6 +136,16 @@ void add_pictures(CLI::App& app, PictureOptions& options, const char* where) {
             },
             "")
         ->capture_default_str();
+}
+
+void add_pictures(CLI::App& app, PictureOptions& options, const char* where) {
+    app.add_option("--frames", options.folder, where)->type_name("DIR");
+    app.add_option("--every", options.every, "ticks between two pictures (60 ticks are a second)")
+        ->check(CLI::Range(1, 1 << 20))
+        ->type_name("TICKS")
+        ->capture_default_str();
+    add_size(app, options.size, "of the pictures, in pixels [1280x720]");
+    add_gl(app, options.gl);
 }
 
 void add_results(CLI::App& app, ResultOptions& options) {
@@ -262,6 +268,34 @@ void add_track(CLI::App& app, TrackOptions& options) {
         "i to j, m/s.\n");
 }
 
+void add_figures(CLI::App& app, FiguresOptions& options) {
+    app.add_option("--out", options.folder, "write pictures, index.html and numbers.csv here")
+        ->type_name("DIR")
+        ->required();
+    app.add_flag("--quick", options.quick,
+                 "numbers on grids of 30 squares at most: half a minute instead of some five");
+    app.add_option(
+           "--only", options.only,
+           fmt::format("make these alone, with commas between: {}", fmt::join(parts_of_figures(), ", ")))
+        ->delimiter(',')
+        ->check(
+            [](const std::string& part) {
+                const auto& parts = parts_of_figures();
+                const bool known = std::find(parts.begin(), parts.end(), part) != parts.end();
+                return known ? "" : fmt::format("'{}' is none of {}", part, fmt::join(parts, ", "));
+            },
+            "")
+        ->type_name("LIST");
+    app.add_option("--pixels", options.pixels, "side of a square picture")
+        ->check(CLI::Range(16, 4096))
+        ->type_name("N")
+        ->capture_default_str();
+    add_gl(app, options.gl);
+    app.add_option("--threads", options.threads,
+                   "any number gives the same figures and numbers [as many as there are]")
+        ->check(CLI::Range(1, kMostThreads));
+}
+
 // What the options of a track must add up to; says what was left to us.
 Outcome<void> check(TrackOptions& options) {
     using sim::front::Rule, sim::front::Source;
@@ -325,6 +359,11 @@ Outcome<int> run_command_line(int argc, char** argv) {
     add_track(*track_app, track_options);
     add_run(*run_app, run_options);
     add_replay(*replay_app, replay_options);
+    FiguresOptions figures_options;
+    CLI::App* figures_app = app.add_subcommand("figures",
+                                               "the paper's figures, without and with its method, and a "
+                                               "table of numbers; 1 where one misses its bound");
+    add_figures(*figures_app, figures_options);
     CLI::App* verify_app = app.add_subcommand(
         "verify-physics",
         "compare the solver with exact answers: errors and orders; 1 where one misses its bound");
@@ -348,6 +387,7 @@ Outcome<int> run_command_line(int argc, char** argv) {
         if (auto sound = check(track_options); !sound) return tl::unexpected(sound.error());
         return track(track_options);
     }
+    if (figures_app->parsed()) return figures(figures_options);
     if (verify_app->parsed()) return verify_physics();
     return replay_app->parsed() ? replay(replay_options) : list(list_options);
 }

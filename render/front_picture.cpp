@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <utility>
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-// Lines, discs and triangles with soft edges: the library that draws such things (cairo) would be a package
-// for this page alone.
+#include "render/sheet.h"
 
 namespace render {
 namespace {
@@ -21,71 +18,6 @@ using sim::front::Mesh;
 // Palette of Okabe and Ito, which colour-blind people can read.
 constexpr glm::vec3 kEdge{196, 196, 196}, kCut{253, 231, 196}, kFront{0, 114, 178}, kPoint{213, 94, 0};
 constexpr float kMargin = 16;  // pixels
-
-class Sheet {
-  public:
-    Sheet(int width, int height) {
-        picture.width = width, picture.height = height;
-        picture.pixels.assign(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 255);
-    }
-
-    // From p to q, or a disc where they are one; pixels.
-    void line(const glm::vec2& p, const glm::vec2& q, float thickness, const glm::vec3& colour) {
-        const float reach = thickness / 2 + 1;
-        const glm::vec2 along = q - p;
-        const float length2 = glm::dot(along, along);
-        each_pixel(
-            glm::min(p, q) - reach, glm::max(p, q) + reach,
-            [&](const glm::vec2& at) {
-                const float share =
-                    length2 > 0 ? std::clamp(glm::dot(at - p, along) / length2, 0.f, 1.f) : 0.f;
-                return thickness / 2 + 0.5f - glm::length(at - p - share * along);
-            },
-            colour);
-    }
-
-    void triangle(const std::array<glm::vec2, 3>& corner, const glm::vec3& colour) {
-        const auto side = [](const glm::vec2& from, const glm::vec2& to, const glm::vec2& at) {
-            const glm::vec2 along = to - from, away = at - from;
-            return (along.x * away.y - along.y * away.x) / glm::length(along);
-        };
-        const float turn = side(corner[0], corner[1], corner[2]) > 0 ? 1.f : -1.f;
-        each_pixel(
-            glm::min(corner[0], glm::min(corner[1], corner[2])) - 1.f,
-            glm::max(corner[0], glm::max(corner[1], corner[2])) + 1.f,
-            [&](const glm::vec2& at) {
-                float least = 1;
-                for (int k = 0; k < 3; ++k)
-                    least = std::min(least, turn * side(corner[k], corner[(k + 1) % 3], at) + 0.5f);
-                return least;
-            },
-            colour);
-    }
-
-    Picture picture;
-
-  private:
-    // Covers each pixel by what `cover` says of its middle, 0 … 1.
-    template <class Cover>
-    void each_pixel(const glm::vec2& from, const glm::vec2& to, const Cover& cover, const glm::vec3& colour) {
-        const int x0 = std::max(static_cast<int>(from.x), 0), y0 = std::max(static_cast<int>(from.y), 0);
-        const int x1 = std::min(static_cast<int>(to.x), picture.width - 1);
-        const int y1 = std::min(static_cast<int>(to.y), picture.height - 1);
-        for (int y = y0; y <= y1; ++y)
-            for (int x = x0; x <= x1; ++x) {
-                const glm::vec2 middle(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-                const float share = std::clamp(cover(middle), 0.f, 1.f);
-                if (share == 0) continue;
-                std::uint8_t* pixel =
-                    &picture
-                         .pixels[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
-                                      static_cast<std::size_t>(x))];
-                for (int c = 0; c < 3; ++c)
-                    pixel[c] = static_cast<std::uint8_t>(
-                        std::lround(static_cast<float>(pixel[c]) * (1 - share) + colour[c] * share));
-            }
-    }
-};
 
 }  // namespace
 

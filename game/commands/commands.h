@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "game/gallery.h"
 #include "game/outcome.h"
@@ -77,6 +78,19 @@ struct TrackOptions {
 };
 // Follows the fronts in anybody's velocities on anybody's mesh.
 Outcome<int> track(const TrackOptions& options);
+
+struct FiguresOptions {
+    std::filesystem::path folder;
+    std::vector<std::string> only;  // of parts_of_figures(); empty: all
+    bool quick = false;             // numbers on grids of 30 squares at most
+    int pixels = 640;               // of a square picture, 16 to 4096
+    std::string gl = "auto";
+    int threads = 0;  // 0: as many as there are
+};
+// What can be made alone: the numbers of the figures, and "numbers".
+const std::vector<std::string>& parts_of_figures();
+// The paper's figures and how they measure, as pictures, a page and a CSV; 1 where a number misses its bound.
+Outcome<int> figures(const FiguresOptions& options);
 
 // Prints the table of errors and orders; 1 where one misses its bound.
 Outcome<int> verify_physics();

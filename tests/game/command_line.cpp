@@ -153,6 +153,7 @@ TEST(CommandLine, help_of_every_subcommand_names_every_option) {
         {"replay",
          {"RECORDING", "--headless", "--until", "--verify", "--frames", "--every", "--size", "--gl",
           "--no-render", "--perf", "--summary", "--json", "--threads"}},
+        {"figures", {"--out", "--quick", "--only", "--pixels", "--gl", "--threads"}},
         {"list", {"--json"}}};
     const Finished all = couloir({"--help"});
     EXPECT_EQ(all.status, 0);

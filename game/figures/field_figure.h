@@ -1,0 +1,12 @@
+#pragma once
+
+#include "render/picture.h"
+#include "sim/fields/test_flows.h"
+
+namespace game {
+
+// The unit square from above with a flow's velocities as arrows and its fronts dashed, as they are at `time`,
+// s. `pixels` along each side.
+render::Picture field_picture(const sim::fields::TestFlow& flow, double time, int pixels);
+
+}  // namespace game

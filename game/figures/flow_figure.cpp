@@ -1,0 +1,152 @@
+#include "game/figures/flow_figure.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "game/assets.h"
+#include "game/figures/level_flow.h"
+#include "game/figures/mosaic.h"
+#include "render/context.h"
+#include "render/frame.h"
+#include "render/front_picture.h"
+
+namespace game {
+namespace {
+
+// A square of the ground from straight above, north up.
+struct Window {
+    glm::dvec2 middle{0.5, 0.5};
+    double side = 1;  // m
+};
+
+render::Camera camera_of(const Window& window) {
+    render::Camera camera;
+    camera.target = {window.middle, 0};
+    camera.azimuth_deg = 180;
+    camera.elevation_deg = 89.9;
+    camera.field_of_view_deg = 30;  // level ground looks the same from anywhere: near enough for no haze
+    const double half = camera.field_of_view_deg / 2 * std::numbers::pi / 180;
+    constexpr double kNearer =
+        0.996;  // so that no border is seen, for it does not stand quite straight above
+    camera.distance_m = kNearer * window.side / 2 / std::tan(half);
+    return camera;
+}
+
+// Where the front passes nearest to the middle of the square.
+Window detail_of(const FlowFigure& figure) {
+    constexpr double kSide = 0.3;
+    constexpr int kPlaces = 128;  // along each side of where its middle may be
+    Window window{{0.5, 0.5}, kSide};
+    double nearest = std::numeric_limits<double>::max();
+    for (int y = 0; y <= kPlaces; ++y)
+        for (int x = 0; x <= kPlaces; ++x) {
+            const glm::dvec2 at = kSide / 2 + (1 - kSide) / kPlaces * glm::dvec2(x, y), from = at - 0.5;
+            const double worth =
+                figure.flow.distance(at, figure.seconds) + 0.1 * (from.x * from.x + from.y * from.y);
+            if (worth < nearest) nearest = worth, window.middle = at;
+        }
+    return window;
+}
+
+std::string caption_of(const FlowFigure& figure) {
+    return fmt::format(
+        "{0}×{0} squares, after {1:g} s at 60 steps per second; texture {2}. Above what is seen, below how "
+        "much it is drawn out. Points by the source fit.",
+        figure.squares, figure.seconds, to_string(figure.pattern));
+}
+
+}  // namespace
+
+std::vector<FlowFigure> flow_figures() {
+    using render::FlowPattern;
+    constexpr int kSquares = 20;
+    const auto line = sim::fields::opposed(1.0 / kSquares, 0.5);
+    return {
+        {1, "a front at rest between opposed flows, stones", line, kSquares, 6, FlowPattern::kStones, 3},
+        {7, "a front at rest between opposed flows", line, kSquares, 6, FlowPattern::kCheckerboard, 2},
+        {8, "opposed flows and a diagonal front that swings", sim::fields::swinging(45), kSquares, 7,
+         FlowPattern::kCheckerboard, 2, true},
+        {9, "four flows and two fronts that spin about their crossing", sim::fields::pinwheel(), kSquares, 6,
+         FlowPattern::kCheckerboard, 2},
+        {10, "a disc that moves round in a flow straight down", sim::fields::disc(), 160, 6,
+         FlowPattern::kPerlin, 3},
+    };
+}
+
+struct Studio::Parts {
+    render::HeadlessContext context;  // first: the renderer's GL names live in it
+    render::Renderer renderer;
+
+    Parts(render::HeadlessContext&& gl, render::Renderer&& with)
+        : context(std::move(gl)), renderer(std::move(with)) {}
+
+    render::Picture draw(const FlowFigure& figure, const LevelFlow& flow, const render::Marks& marks,
+                         const Window& window, int pixels) {
+        render::Look look;
+        look.flow = render::FlowLook{figure.pattern, figure.repeats, true};
+        look.detail = 0;
+        render::Light light;
+        light.azimuth_deg = 315, light.elevation_deg = 50;
+        renderer.draw(flow.ground(), camera_of(window), light, look, marks, pixels, pixels, &flow.view());
+        return renderer.read_back();
+    }
+};
+
+Outcome<Studio> Studio::open(const std::string& gl) {
+    const auto assets = assets_folder();
+    if (!assets) return tl::unexpected(assets.error());
+    auto context = render::HeadlessContext::create(gl);
+    if (!context) return machine_fails(context.error());
+    auto renderer = render::Renderer::create(*assets);
+    if (!renderer) return machine_fails(renderer.error());
+    return Studio(std::make_unique<Parts>(std::move(*context), std::move(*renderer)));
+}
+
+Studio::Studio(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Studio::~Studio() = default;
+Studio::Studio(Studio&&) noexcept = default;
+Studio& Studio::operator=(Studio&&) noexcept = default;
+
+Outcome<PageFigure> Studio::draw(const FlowFigure& figure, const std::filesystem::path& folder, int pixels,
+                                 sim::Workers& workers) {
+    if (auto loaded = parts_->renderer.load(figure.pattern); !loaded) return machine_fails(loaded.error());
+    LevelFlow without(figure.squares, false), with(figure.squares, true);
+    for (LevelFlow* flow : {&without, &with}) flow->advance(figure.flow, figure.seconds, workers);
+    render::Marks stretch, mesh;
+    stretch.overlay = render::Overlay::kStretch;
+    mesh.flow_mesh = true;
+
+    PageFigure shown{figure.number, figure.title, caption_of(figure), {}, true};
+    const auto write = [&](const render::Picture& picture, const char* suffix, const std::string& note) {
+        const std::string file = fmt::format("figure-{:02}{}.png", figure.number, suffix);
+        shown.pictures.push_back({file, note});
+        return render::write_png(picture, folder / file);
+    };
+    std::vector<render::Picture> pictures;
+    for (const render::Marks& marks : {render::Marks{}, stretch})
+        for (const LevelFlow* flow : {&without, &with})
+            pictures.push_back(parts_->draw(figure, *flow, marks, {}, pixels));
+    auto written =
+        write(mosaic(pictures, 2), "",
+              fmt::format("drawn out above 2: without cuts {:.1f} % of the area, with cuts {:.1f} %",
+                          100 * without.drawn_out(), 100 * with.drawn_out()));
+    if (written && figure.detail) {
+        const render::Picture meshes[] = {render::front_picture(with.view().tracker(), pixels, pixels),
+                                          parts_->draw(figure, with, mesh, detail_of(figure), pixels)};
+        written =
+            write(mosaic(meshes, 2), "-mesh",
+                  "the mesh with the triangles that are cut, the front and its points; from near, as it "
+                  "is drawn");
+    }
+    if (!written) return machine_fails(written.error());
+    return shown;
+}
+
+std::string Studio::renderer_name() const {
+    return parts_->context.renderer_name();
+}
+
+}  // namespace game

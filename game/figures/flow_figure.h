@@ -1,0 +1,52 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "game/figures/page.h"
+#include "game/outcome.h"
+#include "render/flow_pattern.h"
+#include "sim/fields/test_flows.h"
+#include "sim/workers.h"
+
+namespace game {
+
+// A flow on the unit square whose front is known, and the texture that it carries: drawn without and with
+// cuts along the front, side by side, and below how much either texture is drawn out.
+struct FlowFigure {
+    int number;  // in the paper
+    std::string title;
+    sim::fields::TestFlow flow;
+    int squares;     // of the mesh, along each side
+    double seconds;  // that textures have travelled
+    render::FlowPattern pattern;
+    double repeats;       // of the pattern, along a side
+    bool detail = false;  // a second picture shows the mesh and its points
+};
+std::vector<FlowFigure> flow_figures();
+
+// Draws them, without a window.
+class Studio {
+  public:
+    // `gl` as in render::HeadlessContext::create. Errors: no GL (status 3).
+    static Outcome<Studio> open(const std::string& gl);
+    ~Studio();
+    Studio(Studio&&) noexcept;
+    Studio& operator=(Studio&&) noexcept;
+
+    // Into `folder`; each square of it `pixels` wide. However many workers: the same bits. Errors: a texture
+    // is missing, or a picture cannot be written (status 3).
+    Outcome<PageFigure> draw(const FlowFigure& figure, const std::filesystem::path& folder, int pixels,
+                             sim::Workers& workers);
+
+    std::string renderer_name() const;
+
+  private:
+    struct Parts;
+    explicit Studio(std::unique_ptr<Parts> parts);
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace game

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <span>
+
+#include "render/picture.h"
+
+namespace game {
+
+// Pictures of one size and three channels in rows of `columns`, the first at the top left, with narrow white
+// gaps. Places that are left over stay white.
+render::Picture mosaic(std::span<const render::Picture> pictures, int columns);
+
+}  // namespace game

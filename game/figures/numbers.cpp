@@ -1,0 +1,213 @@
+#include "game/figures/numbers.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "game/progress.h"
+
+namespace game {
+namespace {
+
+using sim::fields::Cutting;
+using sim::fields::FrontScore;
+using sim::fields::TestFlow;
+using sim::fields::TextureScore;
+using sim::front::Source;
+
+constexpr std::array kSources{Source::kHalf, Source::kPaper, Source::kFit};
+constexpr std::size_t kFit = 2, kSmoothAlone = 0, kReseeded = 3;
+constexpr float kJump = 0.05f;     // m/s, cuts an edge
+constexpr double kSmooth = 0.03;   // m/s, on top of what textures travel with
+constexpr double kAsSmooth = 1.1;  // times what the smooth field alone draws out
+
+struct Bounds {
+    int squares;
+    std::array<double, 4> rms;  // of each scene's points by fit, cells
+    double stretched;           // of textures cut and re-seeded, the share of all area above 2
+};
+// As measured (sim/front/README.md) with about a hundredth of a cell, and a third of the share, to spare.
+constexpr std::array<Bounds, 5> kBounds{{{10, {.112, .050, .086, .197}, .001},
+                                         {20, {.076, .036, .066, .099}, .001},
+                                         {30, {.072, .032, .062, .063}, .001},
+                                         {80, {.069, .035, .049, .054}, .002},
+                                         {160, {.115, .047, .059, .071}, .004}}};
+
+const Bounds* bounds_of(int squares) {
+    const auto* found = std::find_if(kBounds.begin(), kBounds.end(),
+                                     [=](const Bounds& bounds) { return bounds.squares == squares; });
+    return found == kBounds.end() ? nullptr : found;
+}
+
+// One score of one scene on one grid.
+struct Job {
+    FlowNumbers* into;
+    std::size_t way;  // the sources, then the textures
+
+    void run() const {
+        const auto cell = 1.f / static_cast<float>(into->squares);
+        const auto mesh = sim::front::mesh_of(sim::Grid{into->squares + 1, into->squares + 1, cell});
+        const auto rule = sim::front::gradient_rule(kJump, cell);
+        TestFlow flow = flow_scenes()[into->scene].flow;
+        if (way < kSources.size()) {
+            into->front[way] =
+                sim::fields::score(mesh, rule, kSources[way], flow, {.cell = 1.0 / into->squares});
+            return;
+        }
+        constexpr std::array kCuttings{Cutting::kNone, Cutting::kNone, Cutting::kToLetter,
+                                       Cutting::kReseeded};
+        const std::size_t texture = way - kSources.size();
+        flow.smooth = kSmooth;
+        into->texture[texture] =
+            sim::fields::score_texture(mesh, rule, Source::kFit, flow, kCuttings[texture],
+                                       {.reset_s = 2, .smooth_alone = texture == kSmoothAlone});
+    }
+    double cost() const { return 1.0 * into->squares * into->squares; }
+};
+
+// All jobs on so many threads, the dearest first, while the caller shows how far they are.
+void run_all(std::vector<Job>& jobs, int threads) {
+    std::stable_sort(jobs.begin(), jobs.end(),
+                     [](const Job& a, const Job& b) { return a.cost() > b.cost(); });
+    double all = 0, done = 0;
+    for (const Job& job : jobs) all += job.cost();
+    std::atomic<std::size_t> next = 0;
+    std::size_t finished = 0;
+    std::mutex mutex;  // guards done and finished
+    std::condition_variable changed;
+    const auto serve = [&] {
+        for (std::size_t i = next++; i < jobs.size(); i = next++) {
+            jobs[i].run();
+            const std::lock_guard lock(mutex);
+            done += jobs[i].cost(), ++finished;
+            changed.notify_one();
+        }
+    };
+    std::vector<std::thread> crew;
+    crew.reserve(static_cast<std::size_t>(threads));
+    for (int i = 0; i < threads; ++i) crew.emplace_back(serve);
+    Progress progress("measuring");
+    {
+        std::unique_lock lock(mutex);
+        while (finished < jobs.size()) {
+            progress.show(done / all, fmt::format("{} of {} scores", finished, jobs.size()));
+            changed.wait(lock);
+        }
+    }
+    for (std::thread& each : crew) each.join();
+}
+
+std::string name_of(const FlowNumbers& row) {
+    return fmt::format("{}, {} squares", flow_scenes()[row.scene].title, row.squares);
+}
+
+}  // namespace
+
+std::span<const FlowScene> flow_scenes() {
+    static const std::array<FlowScene, 4> kScenes{{{"line_45", "line, 45°", sim::fields::swinging(45)},
+                                                   {"line_30", "line, 30°", sim::fields::swinging(30)},
+                                                   {"pinwheel", "pinwheel", sim::fields::pinwheel()},
+                                                   {"disc", "disc", sim::fields::disc()}}};
+    return kScenes;
+}
+
+std::vector<FlowNumbers> measure_flows(std::span<const int> squares, int threads) {
+    std::vector<FlowNumbers> numbers;
+    for (int scene = 0; scene < static_cast<int>(flow_scenes().size()); ++scene)
+        for (const int n : squares) numbers.push_back({scene, n, {}, {}});
+    std::vector<Job> jobs;
+    for (FlowNumbers& row : numbers)
+        for (std::size_t way = 0; way < row.front.size() + row.texture.size(); ++way)
+            jobs.push_back({&row, way});
+    run_all(jobs, threads);
+    return numbers;
+}
+
+std::optional<double> fit_bound(int scene, int squares) {
+    if (const Bounds* bounds = bounds_of(squares)) return bounds->rms[scene];
+    return std::nullopt;
+}
+
+std::optional<std::string> first_miss(std::span<const FlowNumbers> numbers) {
+    for (const FlowNumbers& row : numbers) {
+        const Bounds* bounds = bounds_of(row.squares);
+        const double rms = row.front[kFit].rms;
+        if (bounds && !(rms <= bounds->rms[row.scene]))
+            return fmt::format("{}: fit misses the front by {:.3f} cells, which may be {:.3f}", name_of(row),
+                               rms, bounds->rms[row.scene]);
+        const TextureScore &reseeded = row.texture[kReseeded], &smooth = row.texture[kSmoothAlone];
+        if (!(reseeded.stretch_p95 <= kAsSmooth * smooth.stretch_p95))
+            return fmt::format("{}: textures near the front are drawn out to {:.2f}, which may be {:.2f}",
+                               name_of(row), reseeded.stretch_p95, kAsSmooth * smooth.stretch_p95);
+        if (bounds && !(reseeded.stretched <= bounds->stretched))
+            return fmt::format("{}: {:.2f} % of textures are drawn out above 2, which may be {:.2f} %",
+                               name_of(row), 100 * reseeded.stretched, 100 * bounds->stretched);
+    }
+    return std::nullopt;
+}
+
+std::vector<Table> tables_of(std::span<const FlowNumbers> numbers) {
+    Table near{
+        "How near the points come to the front, in cells: root mean square, and what 95 % are below",
+        {"scene", "N", "half", "95 %", "paper", "95 %", "fit", "95 %", "fit may", "missed %", "false %"},
+        {}};
+    Table jumps{"Jumps per second: points that move, come or go farther than a front can have carried them",
+                {"scene", "N", "half", "paper", "fit", "the front itself", "points"},
+                {}};
+    Table texture{
+        "How much textures are drawn out near the front: what 95 % are below, and the share of all above 2",
+        {"scene", "N", "smooth alone", "> 2 %", "no cuts", "> 2 %", "to the letter", "> 2 %", "re-seeded",
+         "> 2 %"},
+        {}};
+    for (const FlowNumbers& row : numbers) {
+        const std::vector<std::string> start{flow_scenes()[row.scene].title, fmt::to_string(row.squares)};
+        near.rows.push_back(start), jumps.rows.push_back(start), texture.rows.push_back(start);
+        const auto add = [](Table& table, const std::string& text) { table.rows.back().push_back(text); };
+        for (const FrontScore& score : row.front) {
+            add(near, fmt::format("{:.3f}", score.rms)), add(near, fmt::format("{:.3f}", score.p95));
+            add(jumps, fmt::format("{:.0f}", score.jumps));
+        }
+        const auto bound = fit_bound(row.scene, row.squares);
+        const FrontScore& fit = row.front[kFit];
+        add(near, bound ? fmt::format("{:.3f}", *bound) : "");
+        add(near, fmt::format("{:.2f}", 100 * fit.missed));
+        add(near, fmt::format("{:.2f}", 100 * fit.false_cuts));
+        add(jumps, fmt::format("{:.0f}", fit.true_jumps)), add(jumps, fmt::format("{:.0f}", fit.points));
+        for (const TextureScore& score : row.texture) {
+            add(texture, fmt::format("{:.{}f}", score.stretch_p95, score.stretch_p95 < 100 ? 2 : 0));
+            add(texture, fmt::format("{:.2f}", 100 * score.stretched));
+        }
+    }
+    return {near, jumps, texture};
+}
+
+std::string csv_of(std::span<const FlowNumbers> numbers) {
+    std::string csv = "scene,squares";
+    for (const Source source : kSources)
+        for (const char* what : {"rms_cells", "p95_cells", "jumps_per_s"})
+            csv += fmt::format(",{}_{}", to_string(source), what);
+    csv += ",true_jumps_per_s,missed_share,false_share,points,fit_rms_bound_cells";
+    for (const char* way : {"smooth", "uncut", "letter", "reseeded"})
+        csv += fmt::format(",{0}_stretch_p95,{0}_share_above_2", way);
+    csv += '\n';
+    for (const FlowNumbers& row : numbers) {
+        csv += fmt::format("{},{}", flow_scenes()[row.scene].name, row.squares);
+        for (const FrontScore& score : row.front)
+            csv += fmt::format(",{:.5f},{:.5f},{:.3f}", score.rms, score.p95, score.jumps);
+        const FrontScore& fit = row.front[kFit];
+        const auto bound = fit_bound(row.scene, row.squares);
+        csv += fmt::format(",{:.3f},{:.6f},{:.6f},{:.2f},{}", fit.true_jumps, fit.missed, fit.false_cuts,
+                           fit.points, bound ? fmt::format("{:.3f}", *bound) : "");
+        for (const TextureScore& score : row.texture)
+            csv += fmt::format(",{:.4f},{:.6f}", score.stretch_p95, score.stretched);
+        csv += '\n';
+    }
+    return csv;
+}
+
+}  // namespace game

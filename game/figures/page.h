@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "game/figures/table.h"
+
+namespace game {
+
+// A figure as the page shows it. Texts are plain UTF-8.
+struct PageFigure {
+    struct Shown {
+        std::string file;  // beside the page
+        std::string note;
+    };
+    int number;  // in the paper
+    std::string title, caption;
+    std::vector<Shown> pictures;
+    bool stretch = false;  // pictures have the colours of render::Overlay::kStretch
+};
+
+// All figures and tables as one HTML page, which needs nothing but the pictures beside it. `made_by`: program
+// and renderer.
+std::string page_of(std::span<const PageFigure> figures, std::span<const Table> tables,
+                    const std::string& made_by);
+
+}  // namespace game

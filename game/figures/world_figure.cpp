@@ -1,0 +1,55 @@
+#include "game/figures/world_figure.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "game/assets.h"
+#include "game/headless.h"
+#include "game/recording/reader.h"
+
+namespace game {
+
+std::vector<WorldFigure> world_figures() {
+    const render::Camera slope{{80, 94, -26}, 207, 36, 225, 35};
+    const render::Camera valley{{1000, 1210, 1590}, 158, 32, 1900, 35};
+    return {{11, "a landslide down a slope", "landslide", {420, 780, 1080}, slope},
+            {12, "a snow avalanche down a valley", "snow-avalanche", {1200, 2160}, valley}};
+}
+
+Outcome<PageFigure> draw_world(const WorldFigure& figure, const std::filesystem::path& folder,
+                               PictureSize size, const std::string& gl, const sim::How& how) {
+    const auto path = find_asset(AssetKind::kRecording, figure.recording);
+    if (!path) return tl::unexpected(path.error());
+    auto recording = read_recording(*path);
+    if (!recording) return tl::unexpected(recording.error());
+    Start& start = recording->header.start;
+    start.camera = figure.camera;
+    auto session = Session::begin(start, how, std::nullopt);
+    if (!session) return tl::unexpected(session.error());
+    auto gallery = Gallery::open(folder, size, gl, start);
+    if (!gallery) return tl::unexpected(gallery.error());
+
+    PageFigure shown{figure.number,
+                     figure.title,
+                     fmt::format("{}×{} squares; the recording {} that ships.", start.grid.nx - 1,
+                                 start.grid.ny - 1, figure.recording),
+                     {}};
+    Watchers watchers;
+    watchers.after_tick = [&](const Session& now) {
+        if (!std::binary_search(figure.ticks.begin(), figure.ticks.end(), now.state().tick)) return;
+        const std::string name = fmt::format("figure-{:02}-{}", figure.number, shown.pictures.size() + 1);
+        gallery->draw(now.view(), name);
+        shown.pictures.push_back({name + ".png", fmt::format("after {:.0f} s", now.seconds())});
+    };
+    Until until;
+    until.tick = until.most_ticks = figure.ticks.back();
+    if (auto played = play_headless(*session, recording->commands, until, watchers,
+                                    fmt::format("figure {}", figure.number));
+        !played)
+        return tl::unexpected(played.error());
+    if (auto closed = gallery->close(); !closed) return tl::unexpected(closed.error());
+    return shown;
+}
+
+}  // namespace game

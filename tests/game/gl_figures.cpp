@@ -1,0 +1,108 @@
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include "tests/game/program.h"
+#include "tests/support/places.h"
+
+// The paper's figures, drawn.
+
+namespace game::test {
+namespace {
+
+constexpr int kPixels = 96, kGap = 2;
+
+std::map<std::string, std::string> files_of(const std::filesystem::path& folder) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        files[entry.path().filename().string()] = read_bytes(entry.path());
+    return files;
+}
+
+Finished draw(const std::filesystem::path& folder, const std::string& only, const std::string& threads) {
+    return couloir({"figures", "--only", only, "--pixels", std::to_string(kPixels), "--threads", threads,
+                    "--out", folder.string()});
+}
+
+// The squares of a figure: texture without and with cuts, and how much either is drawn out.
+struct Squares {
+    std::vector<std::uint8_t> pixels;
+    int width = 0;
+    const std::uint8_t* at(int column, int row, int x, int y) const {
+        return &pixels[3ul * static_cast<unsigned>((row * (kPixels + kGap) + y) * width +
+                                                   column * (kPixels + kGap) + x)];
+    }
+    // Of a square, the share in dark red or darker: drawn out above 2.
+    double drawn_out(int column) const {
+        int count = 0;
+        for (int y = 0; y < kPixels; ++y)
+            for (int x = 0; x < kPixels; ++x) {
+                const std::uint8_t* pixel = at(column, 1, x, y);
+                count += pixel[0] < 200 && pixel[1] < 60;
+            }
+        return 1.0 * count / (kPixels * kPixels);
+    }
+    double differ() const {
+        int count = 0;
+        for (int y = 0; y < kPixels; ++y)
+            for (int x = 0; x < kPixels; ++x) count += std::abs(at(0, 0, x, y)[0] - at(1, 0, x, y)[0]) > 32;
+        return 1.0 * count / (kPixels * kPixels);
+    }
+};
+Squares read_squares(const std::filesystem::path& path) {
+    const auto input = OIIO::ImageInput::open(path.string());
+    EXPECT_TRUE(input) << path;
+    if (!input) return {};
+    const auto& spec = input->spec();
+    EXPECT_EQ(spec.width, 2 * kPixels + kGap);
+    EXPECT_EQ(spec.height, 2 * kPixels + kGap);
+    Squares squares;
+    squares.width = spec.width;
+    squares.pixels.resize(3ul * static_cast<unsigned>(spec.width) * static_cast<unsigned>(spec.height));
+    EXPECT_TRUE(input->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, squares.pixels.data()));
+    return squares;
+}
+
+TEST(DrawnFigures, show_textures_drawn_out_without_the_method_and_not_with_it) {
+    const support::TemporaryFolder folder;
+    const Finished done = draw(folder.path(), "1,7,8,9", "1");
+    ASSERT_EQ(done.status, 0) << done.err;
+    for (const char* name : {"figure-01.png", "figure-07.png", "figure-08.png", "figure-09.png"}) {
+        const Squares squares = read_squares(folder.path() / name);
+        EXPECT_GT(squares.differ(), 0.02) << name;
+        EXPECT_GT(squares.drawn_out(0), 0.03) << name;
+        EXPECT_LT(squares.drawn_out(1), 0.01) << name;
+    }
+}
+
+TEST(DrawnFigures, are_the_same_files_again_on_any_number_of_threads) {
+    const support::TemporaryFolder folder;
+    ASSERT_EQ(draw(folder.path() / "a", "6,8", "1").status, 0);
+    ASSERT_EQ(draw(folder.path() / "b", "6,8", "3").status, 0);
+    const auto a = files_of(folder.path() / "a"), b = files_of(folder.path() / "b");
+    EXPECT_EQ(a.size(), 4u);
+    EXPECT_TRUE(a == b);
+}
+
+TEST(DrawnFigures, are_all_on_the_page) {
+    const support::TemporaryFolder folder;
+    ASSERT_EQ(draw(folder.path(), "6,8,11", "2").status, 0);
+    auto files = files_of(folder.path());
+    const std::string page = files["index.html"];
+    files.erase("index.html");
+    std::size_t shown = 0;
+    for (std::size_t at = 0; (at = page.find("src=\"", at)) != std::string::npos; ++shown) {
+        at += 5;
+        const std::string file = page.substr(at, page.find('"', at) - at);
+        EXPECT_EQ(files.count(file), 1u) << file;
+    }
+    EXPECT_EQ(shown, files.size());
+    EXPECT_EQ(shown, 6u);
+}
+
+}  // namespace
+}  // namespace game::test
