@@ -27,6 +27,7 @@ Outcome<PageFigure> draw_world(const WorldFigure& figure, const std::filesystem:
     start.camera = figure.camera;
     auto session = Session::begin(start, how, std::nullopt);
     if (!session) return tl::unexpected(session.error());
+    session->follow_fronts(start.look);
     auto gallery = Gallery::open(folder, size, gl, start);
     if (!gallery) return tl::unexpected(gallery.error());
 
@@ -39,7 +40,7 @@ Outcome<PageFigure> draw_world(const WorldFigure& figure, const std::filesystem:
     watchers.after_tick = [&](const Session& now) {
         if (!std::binary_search(figure.ticks.begin(), figure.ticks.end(), now.state().tick)) return;
         const std::string name = fmt::format("figure-{:02}-{}", figure.number, shown.pictures.size() + 1);
-        gallery->draw(now.view(), name);
+        gallery->draw(now.view(), now.fronts(), name);
         shown.pictures.push_back({name + ".png", fmt::format("after {:.0f} s", now.seconds())});
     };
     Until until;
