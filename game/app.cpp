@@ -242,7 +242,8 @@ void App::draw_world() {
         return std::max(1, static_cast<int>(std::lround(pixels * display_.resolution)));
     };
     const sim::View world = sandbox_->session().view();
-    render::Marks marks{.overlay = display_.overlay, .contours = display_.contours};
+    render::Marks marks{
+        .overlay = display_.overlay, .contours = display_.contours, .flow_mesh = display_.flow_mesh};
     if (ground_ && !sandbox_->watched_until()) {
         const auto deed = stroke_ ? stroke_->deed() : deed_of(brush_, input_.inverted());
         marks.ring = render::Ring{glm::dvec2(*ground_), brush_.radius, ring_colour(deed)};

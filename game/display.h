@@ -9,6 +9,7 @@ namespace game {
 struct Display {
     render::Overlay overlay = render::Overlay::kNone;
     bool contours = false;
+    bool flow_mesh = false;  // edges, fronts and points of what carries a texture
     render::Light light;    // of the scene until the person moves the sun
     float detail = 1;       // 0 to 1, small-scale relief
     double resolution = 1;  // drawn pixels per screen pixel along an edge, 0.25 to 1

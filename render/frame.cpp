@@ -127,7 +127,7 @@ void Renderer::draw(const sim::View& world, const Camera& camera, const Light& l
     p.target.begin_shading();
     p.terrain.shade(marks);
 
-    if (flows && marks.flow_mesh) p.flow.draw_mesh();
+    if (flows && marks.flow_mesh) p.flow.draw_mesh(samples);
 
     // Walls hide surface behind them, and the sky shows only where neither is.
     p.terrain.draw_walls();

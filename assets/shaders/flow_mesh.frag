@@ -1,5 +1,10 @@
-// Flow's mesh as lines: fronts stand out. An edge that only ends at a front is no piece of it.
+// Flow's mesh as lines: its edges, or the pieces of front alone. An edge that only ends at a front is no piece of it.
+layout(location = 0) uniform bool fronts_alone;
+
 in float front;
 out vec4 colour;
 
-void main() { colour = front > 0.995 ? vec4(0.86, 0.10, 0.02, 1.0) : vec4(0.01, 0.02, 0.05, 0.45); }
+void main() {
+    if (fronts_alone && front < 0.995) discard;
+    colour = fronts_alone ? vec4(0.86, 0.10, 0.02, 1.0) : vec4(0.01, 0.02, 0.05, 0.55);
+}

@@ -12,12 +12,13 @@ struct OverlayName {
     render::Overlay overlay;
     const char* name;
 };
-constexpr std::array<OverlayName, 5> kOverlays{{
+constexpr std::array<OverlayName, 6> kOverlays{{
     {render::Overlay::kNone, "what it is made of"},
     {render::Overlay::kSlope, "steepness"},
     {render::Overlay::kStanding, "standing depth"},
     {render::Overlay::kRolling, "rolling depth"},
     {render::Overlay::kSpeed, "speed"},
+    {render::Overlay::kStretch, "stretch of what it carries"},
 }};
 
 bool colours(Desk& desk, Display& display) {
@@ -31,6 +32,8 @@ bool colours(Desk& desk, Display& display) {
     if (changed) display.overlay = kOverlays[static_cast<std::size_t>(chosen)].overlay;
     draw_legend(render::legend_of(display.overlay), desk.em(), *desk.widgets.letters.small);
     changed |= desk.widgets.toggle("Contours", display.contours, "Lines of equal height.");
+    changed |= desk.widgets.toggle("Fronts", display.flow_mesh,
+                                   "The mesh that textures are drawn on, cut along the fronts, and its points.");
     return changed;
 }
 

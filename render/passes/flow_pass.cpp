@@ -1,5 +1,6 @@
 #include "render/passes/flow_pass.h"
 
+#include <algorithm>
 #include <initializer_list>
 #include <utility>
 #include <vector>
@@ -45,6 +46,9 @@ tl::expected<FlowPass, std::string> FlowPass::create(const std::filesystem::path
         *program = std::move(*linked);
     }
     pass.no_vertices_ = make_vertex_array();
+    std::array<float, 2> widths{};
+    glGetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, widths.data());
+    pass.widest_line_ = widths[1];
     return pass;
 }
 
@@ -105,17 +109,26 @@ void FlowPass::draw(FlowPattern pattern, Overlay overlay, const Target& target) 
     glBindTextureUnit(SLOT_SKIN_RELIEF, relief_.name());
 }
 
-void FlowPass::draw_mesh() const {
+void FlowPass::draw_mesh(int samples) const {
     const Enabled depth_test(GL_DEPTH_TEST), blend(GL_BLEND), nearer(GL_POLYGON_OFFSET_LINE),
         point_size(GL_PROGRAM_POINT_SIZE);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glPolygonOffset(kOffsetBySlope, kOffset);
     glDepthMask(GL_FALSE);
     remesher_.bind();
+
+    // Edges a pixel wide, then fronts over them, as wide as this GL draws lines at all.
     glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
     glUseProgram(mesh_program_.name());
-    remesher_.draw();
+    for (const bool fronts_alone : {false, true}) {
+        glUniform1i(0, fronts_alone);
+        glLineWidth(std::min(static_cast<float>(samples * (fronts_alone ? 2 : 1)), widest_line_));
+        remesher_.draw();
+    }
+    glLineWidth(1);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+
+    // Points are seen through hills: a front that runs behind one goes on.
     glDisable(GL_DEPTH_TEST);
     glUseProgram(point_program_.name());
     glBindVertexArray(no_vertices_.name());

@@ -34,8 +34,8 @@ class FlowPass {
     // Reads SLOT_RELIEF, SLOT_ROLLING and the depth of `target`; writes SLOT_SKIN_ALBEDO and
     // SLOT_SKIN_RELIEF, which are bound then. Sets the target's framebuffer aside.
     void draw(FlowPattern pattern, Overlay overlay, const Target& target);
-    // Edges, fronts and points onto the scene.
-    void draw_mesh() const;
+    // Edges, fronts and points onto the scene; `samples` along the edge of a pixel.
+    void draw_mesh(int samples) const;
 
   private:
     const std::optional<FlowTexture>& texture(FlowPattern pattern) const {
@@ -51,6 +51,7 @@ class FlowPass {
     std::array<std::optional<FlowTexture>, kFlowPatterns.size()> textures_;
     std::optional<sim::Grid> grid_;  // whose mesh was sent
     int edges_ = 0;
+    float widest_line_ = 1;       // that this GL draws, samples
     int width_ = 0, height_ = 0;  // samples
     Texture albedo_, relief_;
     Framebuffer framebuffer_;

@@ -178,6 +178,10 @@ TEST_F(UiPanels, change_one_thing_of_the_display_and_leave_the_rest) {
     expected.contours = true;
     EXPECT_EQ(only<SetDisplay>(click("Contours")).display, expected);
 
+    expected = display_;
+    expected.flow_mesh = true;
+    EXPECT_EQ(only<SetDisplay>(click("Fronts")).display, expected);
+
     EXPECT_TRUE(click("Ground shows").empty());
     expected = display_;
     expected.overlay = render::Overlay::kSpeed;
