@@ -38,11 +38,12 @@ double one_way_at(double bend) {  // 1/cells
 constexpr double kLookAhead = 0.7;  // of a flip's direction: weight of where the front went on to
 
 // The window of time: it reaches back to where so many rows span so many cells across the front, but to so
-// many steps at least. A short one does instead where it is this much shorter and the long one misses the
-// newest flips.
+// many steps at least, if that is not too long for a quadratic to follow. A short one does instead where it
+// is this much shorter and the long one misses the newest flips.
 constexpr int kWindowRows = 8;
 constexpr double kWindowSpan = 1.3, kWindowShare = 0.7, kWindowEnd = 2.5;
 constexpr double kLeastWindow = 4, kUsualWindow = 30;  // steps
+constexpr double kUsualWindow_s = 0.8;                 // at most
 constexpr double kMuchShorter = 1.3;
 
 // Deviations, cells: of a flip, to which comes what the front goes in a step; of what a quadratic cannot
@@ -68,7 +69,9 @@ constexpr float kLeastShareCoasting = 0.15f, kLeastShareShown = 0.3f;
 // neighbours at that share in each of two sweeps.
 constexpr double kLed = 0.39, kSmoothed = 0.4;
 constexpr int kSweeps = 2;
-constexpr int kTurns = 4;  // an edge far from any flip is fitted in every fourth step
+// An edge far from any flip is fitted in every fourth step, or as often as this.
+constexpr int kTurns = 4;
+constexpr double kTurns_s = 1 / 15.0;
 
 double square(double x) {
     return x * x;
@@ -231,7 +234,7 @@ class Fit {
             if (++count > kWindowRows && most - least >= kWindowSpan) break;
         }
         short_window_ = std::max(kWindowShare * age, kLeastWindow * dt);
-        window_ = std::max(short_window_, kUsualWindow * dt);
+        window_ = std::max(short_window_, std::min(kUsualWindow * dt, kUsualWindow_s));
     }
 
     void solve() {
@@ -324,6 +327,7 @@ class FitLocator : public Locator {
         remember_flips(now);
         carry_pieces(now, points);
         mark_near_flips(now);
+        turns_ = static_cast<int>(std::clamp(std::round(kTurns_s / now.dt), 1.0, double{kTurns}));
         while (fits_.size() < static_cast<std::size_t>(now.workers.threads()))
             fits_.emplace_back(mesh_.position.size());
         now.workers.each_member(static_cast<int>(points.size()), [&](int member, int first, int last) {
@@ -432,7 +436,7 @@ class FitLocator : public Locator {
 
     bool is_due(int edge, const Piece& piece) const {
         const auto [a, b] = mesh_.edge[edge];
-        return piece.is_new || near_flip_[a] || near_flip_[b] || (edge + step_) % kTurns == 0 ||
+        return piece.is_new || near_flip_[a] || near_flip_[b] || (edge + step_) % turns_ == 0 ||
                piece.f <= 0 || piece.f >= 1;
     }
 
@@ -494,7 +498,7 @@ class FitLocator : public Locator {
     }
 
     const Mesh& mesh_;
-    int step_ = 0;
+    int step_ = 0, turns_ = kTurns;
     std::vector<std::array<Flip, kFlips>> flips_;  // of each vertex, the newest first
     std::vector<std::uint8_t> near_flip_;          // of each vertex, now
     std::vector<int> marked_;
