@@ -120,6 +120,41 @@ TEST(FitSource, bears_noise_of_a_twentieth_of_the_jump) {
     }
 }
 
+// A vertex that is wrong for a step, of a thousand one in each: its edges are cut, or are not, for so long;
+// of the others little may be seen.
+TEST(FitSource, bears_vertices_that_are_wrong_for_a_step) {
+    struct {
+        TestFlow flow;
+        double allowed;
+    } cases[] = {{sim::fields::swinging(45), 0.17},
+                 {sim::fields::swinging(30), 0.065},
+                 {sim::fields::pinwheel(), 0.065},
+                 {sim::fields::disc(), 0.095}};
+    for (const int squares : {20, 30})
+        for (const auto& [flow, allowed] : cases) {
+            const FrontScore got = score_on(squares, Source::kFit, flow, {.salt = 1e-3});
+            EXPECT_LE(got.rms, allowed);
+            EXPECT_LE(got.missed, 0.004);    // two of a thousand edges have such an end
+            EXPECT_LE(got.false_cuts, 0.1);  // six edges of every such vertex
+        }
+}
+
+// Where it fades a front ends within the flow: it is followed until what is left of the jump cuts no edge, as
+// well as one that goes on for ever.
+TEST(FitSource, follows_a_front_to_its_open_end) {
+    struct {
+        double degrees, allowed;
+    } cases[] = {{30, 0.03}, {45, 0.075}, {0, 0.15}};
+    for (const int squares : {20, 30})
+        for (const auto& [degrees, allowed] : cases) {
+            const FrontScore got = score_on(squares, Source::kFit, sim::fields::rift(degrees), briefly());
+            EXPECT_LE(got.rms, allowed) << degrees;
+            EXPECT_LE(got.rms,
+                      1.2 * score_on(squares, Source::kFit, sim::fields::swinging(degrees), briefly()).rms);
+            EXPECT_EQ(got.missed + got.false_cuts, 0);
+        }
+}
+
 // It asks where velocities jump, and a smooth field on top does not.
 TEST(FitSource, bears_a_smooth_field_on_top) {
     for (auto flow : {sim::fields::swinging(30), sim::fields::pinwheel(), sim::fields::disc()}) {
