@@ -47,7 +47,7 @@ constexpr float kFarAway = 0.6f;
 constexpr int kWindowRows = 8;
 constexpr double kWindowSpan = 1.3, kWindowShare = 0.7, kWindowEnd = 2.5;
 constexpr double kLeastWindow = 4, kUsualWindow = 30;  // steps
-constexpr double kUsualWindow_s = 0.8;                 // at most
+constexpr double kMostUsual = 0.8;                     // s
 constexpr double kMuchShorter = 1.3;
 
 // Deviations, cells: of a flip, to which comes what the front goes in a step; of what a quadratic cannot
@@ -73,9 +73,9 @@ constexpr float kLeastShareCoasting = 0.15f, kLeastShareShown = 0.3f;
 // neighbours at that share in each of two sweeps.
 constexpr double kLed = 0.39, kSmoothed = 0.4;
 constexpr int kSweeps = 2;
-// An edge far from any flip is fitted in every fourth step, or as often as this.
+// An edge far from any flip is fitted in every fourth step, but after so many seconds at most.
 constexpr int kTurns = 4;
-constexpr double kTurns_s = 1 / 15.0;
+constexpr double kLongestTurn = 1 / 15.0;  // s
 
 double square(double x) {
     return x * x;
@@ -239,7 +239,7 @@ class Fit {
             if (++count > kWindowRows && most - least >= kWindowSpan) break;
         }
         short_window_ = std::max(kWindowShare * age, kLeastWindow * dt);
-        window_ = std::max(short_window_, std::min(kUsualWindow * dt, kUsualWindow_s));
+        window_ = std::max(short_window_, std::min(kUsualWindow * dt, kMostUsual));
     }
 
     void solve() {
@@ -332,7 +332,7 @@ class FitLocator : public Locator {
         remember_flips(now);
         carry_pieces(now, points);
         mark_near_flips(now);
-        turns_ = static_cast<int>(std::clamp(std::round(kTurns_s / now.dt), 1.0, double{kTurns}));
+        turns_ = static_cast<int>(std::clamp(std::round(kLongestTurn / now.dt), 1.0, double{kTurns}));
         while (fits_.size() < static_cast<std::size_t>(now.workers.threads()))
             fits_.emplace_back(mesh_.position.size());
         now.workers.each_member(static_cast<int>(points.size()), [&](int member, int first, int last) {
