@@ -9,7 +9,7 @@ namespace sim::fields {
 
 // How near a tracker's points come to a front that is known. Lengths in cells of `cell` metres.
 struct FrontScore {
-    double rms = 0, p95 = 0;            // distance of the points from the front
+    double rms = 0, p95 = 0;            // distance of the points from the front, on edges that it crosses
     double missed = 0, false_cuts = 0;  // share of the edges that the front crosses, of the cut ones
     double jumps =
         0;  // per second: points that move, come or go farther than the front can have carried them
@@ -25,6 +25,7 @@ struct Trial {
     double turn = 0;  // radians, about the middle of the unit square
     glm::dvec2 shift{0, 0};
     double noise = 0;  // of each component of each velocity at each step, as a standard deviation, m/s
+    double salt = 0;   // share of the vertices whose velocity is turned round for a step, others in each
 };
 
 // Runs a source through a flow.

@@ -17,6 +17,7 @@ constexpr double kDiscRadius = 0.15, kDiscOrbit = 0.2, kDiscPeriod = 8;  // m, m
 constexpr double kDiscFall = 1.5;                                        // of the flow's speed
 constexpr double kDropRadius = 0.12, kApart = 0.25, kDropPeriod = 10;    // m, m from the middle at most, s
 constexpr double kLane = 0.16, kLaneSwing = 0.05, kLanePeriod = 10;      // m, m, s
+constexpr double kFadeFrom = -0.3, kFadeTo = 0.3;                        // m along the rift
 
 glm::dvec2 direction_of(double angle) {
     return {std::cos(angle), std::sin(angle)};
@@ -28,10 +29,17 @@ glm::dvec2 left_of(const glm::dvec2& direction) {
 
 // Signed distances to the fronts that there are.
 double from_line(const TestFlow& flow, const glm::dvec2& x, double time) {
-    const double swing = flow.kind == TestFlow::Kind::kSwinging
-                             ? kSwing * std::sin(kTurn * flow.front_speed * time / kSwingPeriod)
-                             : 0;
+    const double swing = flow.kind == TestFlow::Kind::kOpposed
+                             ? 0
+                             : kSwing * std::sin(kTurn * flow.front_speed * time / kSwingPeriod);
     return glm::dot(x - flow.through, left_of(direction_of(flow.angle))) - swing;
+}
+
+// Share of the flow's speed that is left at a place beside the rift: 1 … 0, smoothly.
+double fade(const TestFlow& flow, const glm::dvec2& x) {
+    const double along = glm::dot(x - flow.through, direction_of(flow.angle));
+    const double t = std::clamp((along - kFadeFrom) / (kFadeTo - kFadeFrom), 0.0, 1.0);
+    return 1 - t * t * (3 - 2 * t);
 }
 
 // In the frame that turns with the pinwheel.
@@ -69,6 +77,7 @@ int TestFlow::region(const glm::dvec2& x, double time) const {
     switch (kind) {
         case Kind::kOpposed:
         case Kind::kSwinging:
+        case Kind::kRift:
             return from_line(*this, x, time) > 0;
         case Kind::kPinwheel: {
             const glm::dvec2 p = turned(*this, x, time);
@@ -84,15 +93,22 @@ int TestFlow::region(const glm::dvec2& x, double time) const {
     return 0;
 }
 
+bool TestFlow::parts(const glm::dvec2& a, const glm::dvec2& b, double time, double jump) const {
+    if (region(a, time) == region(b, time)) return false;
+    return kind != Kind::kRift || 2 * flow_speed * fade(*this, (a + b) / 2.0) >= jump;
+}
+
 glm::vec2 TestFlow::velocity(const glm::dvec2& x, double time) const {
     const glm::dvec2 on_top = smooth * glm::dvec2(std::sin(kTurn * x.y), std::sin(kTurn * x.x));
-    return of_region(region(x, time), time) + glm::vec2(on_top);
+    const double left = kind == Kind::kRift ? fade(*this, x) : 1;
+    return static_cast<float>(left) * of_region(region(x, time), time) + glm::vec2(on_top);
 }
 
 glm::vec2 TestFlow::of_region(int where, double time) const {
     switch (kind) {
         case Kind::kOpposed:
         case Kind::kSwinging:
+        case Kind::kRift:
             return glm::vec2((where ? flow_speed : -flow_speed) * direction_of(angle));
         case Kind::kPinwheel: {
             const glm::dvec2 ways[] = {{0, 1}, {1, 0}, {-1, 0}, {0, -1}};
@@ -115,6 +131,7 @@ double TestFlow::distance(const glm::dvec2& x, double time) const {
     switch (kind) {
         case Kind::kOpposed:
         case Kind::kSwinging:
+        case Kind::kRift:
             return std::abs(from_line(*this, x, time));
         case Kind::kPinwheel: {
             const glm::dvec2 p = turned(*this, x, time);
@@ -141,6 +158,7 @@ double TestFlow::greatest_front_speed() const {
         case Kind::kOpposed:
             return 0;
         case Kind::kSwinging:
+        case Kind::kRift:
             return times * kTurn / kSwingPeriod * kSwing;
         case Kind::kPinwheel:
             return times * kTurn / kPinwheelPeriod * std::numbers::sqrt2 / 2;
@@ -177,6 +195,12 @@ TestFlow drops() {
 
 TestFlow crowd() {
     return {.kind = TestFlow::Kind::kCrowd};
+}
+
+TestFlow rift(double degrees) {
+    TestFlow flow = swinging(degrees);
+    flow.kind = TestFlow::Kind::kRift;
+    return flow;
 }
 
 }  // namespace sim::fields

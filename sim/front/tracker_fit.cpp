@@ -37,12 +37,17 @@ double one_way_at(double bend) {  // 1/cells
 }
 constexpr double kLookAhead = 0.7;  // of a flip's direction: weight of where the front went on to
 
+// A flip that is undone in the next step was none, if the front was farther away than this, cells. Nearer it
+// may have turned there, and that tells much.
+constexpr float kFarAway = 0.6f;
+
 // The window of time: it reaches back to where so many rows span so many cells across the front, but to so
-// many steps at least. A short one does instead where it is this much shorter and the long one misses the
-// newest flips.
+// many steps at least, if that is not too long for a quadratic to follow. A short one does instead where it
+// is this much shorter and the long one misses the newest flips.
 constexpr int kWindowRows = 8;
 constexpr double kWindowSpan = 1.3, kWindowShare = 0.7, kWindowEnd = 2.5;
 constexpr double kLeastWindow = 4, kUsualWindow = 30;  // steps
+constexpr double kMostUsual = 0.8;                     // s
 constexpr double kMuchShorter = 1.3;
 
 // Deviations, cells: of a flip, to which comes what the front goes in a step; of what a quadratic cannot
@@ -68,7 +73,9 @@ constexpr float kLeastShareCoasting = 0.15f, kLeastShareShown = 0.3f;
 // neighbours at that share in each of two sweeps.
 constexpr double kLed = 0.39, kSmoothed = 0.4;
 constexpr int kSweeps = 2;
-constexpr int kTurns = 4;  // an edge far from any flip is fitted in every fourth step
+// An edge far from any flip is fitted in every fourth step, but after so many seconds at most.
+constexpr int kTurns = 4;
+constexpr double kLongestTurn = 1 / 15.0;  // s
 
 double square(double x) {
     return x * x;
@@ -126,6 +133,7 @@ class Neighbourhood {
 struct Flip {
     double time = kNever;       // s
     glm::vec2 direction{0, 0};  // in which the front went, unit
+    bool expected = true;       // the front was known to be near
 };
 
 // What is known of a front where it crosses an edge.
@@ -231,7 +239,7 @@ class Fit {
             if (++count > kWindowRows && most - least >= kWindowSpan) break;
         }
         short_window_ = std::max(kWindowShare * age, kLeastWindow * dt);
-        window_ = std::max(short_window_, kUsualWindow * dt);
+        window_ = std::max(short_window_, std::min(kUsualWindow * dt, kMostUsual));
     }
 
     void solve() {
@@ -324,6 +332,7 @@ class FitLocator : public Locator {
         remember_flips(now);
         carry_pieces(now, points);
         mark_near_flips(now);
+        turns_ = static_cast<int>(std::clamp(std::round(kLongestTurn / now.dt), 1.0, double{kTurns}));
         while (fits_.size() < static_cast<std::size_t>(now.workers.threads()))
             fits_.emplace_back(mesh_.position.size());
         now.workers.each_member(static_cast<int>(points.size()), [&](int member, int first, int last) {
@@ -336,6 +345,7 @@ class FitLocator : public Locator {
         });
         smooth(now, points);
         show(points, now.dt);
+        last_began_ = now.time - now.dt;
         for (const int v : marked_) near_flip_[v] = 0;
         ++step_;
     }
@@ -347,16 +357,24 @@ class FitLocator : public Locator {
         for (const auto& gone : now.detector.vanished()) {
             const auto [a, b] = mesh_.edge[gone.edge];
             const Piece& piece = pieces_[gone.before];
-            gone_.push_back({a, -piece.normal, -piece.speed});
-            gone_.push_back({b, piece.normal, piece.speed});
+            const float across = glm::dot(piece.normal, mesh_.along(gone.edge));
+            gone_.push_back({a, -piece.normal, -piece.speed, piece.f * across});
+            gone_.push_back({b, piece.normal, piece.speed, (1 - piece.f) * across});
         }
         std::stable_sort(gone_.begin(), gone_.end(),
                          [](const Gone& x, const Gone& y) { return x.vertex < y.vertex; });
         for (const int v : now.detector.flipped()) {
+            auto& flips = flips_[v];
+            if (!flips[0].expected && flips[0].time > last_began_) {
+                std::rotate(flips.begin(), flips.begin() + 1, flips.end());
+                flips.back() = {};
+                continue;
+            }
+            const Gone came = came_to(v);
             const glm::vec2 ahead = ahead_of(now.detector, v);
-            const glm::vec2 sum = unit(came_to(v).normal) + static_cast<float>(kLookAhead) * unit(ahead);
-            std::rotate(flips_[v].begin(), flips_[v].end() - 1, flips_[v].end());
-            flips_[v][0] = {now.time - now.dt / 2, unit(sum)};
+            const glm::vec2 sum = unit(came.normal) + static_cast<float>(kLookAhead) * unit(ahead);
+            std::rotate(flips.begin(), flips.end() - 1, flips.end());
+            flips[0] = {now.time - now.dt / 2, unit(sum), came.away <= kFarAway * mesh_.cell[v]};
         }
     }
 
@@ -370,14 +388,18 @@ class FitLocator : public Locator {
         int vertex;
         glm::vec2 normal;  // toward the vertex
         float speed;       // along it, m/s
+        float away;        // how far it had to go along it, m
     };
-    // The mean of what left its edges through a vertex; a normal of 0 where nothing did.
+    // The mean of what left its edges through a vertex, and the nearest; a normal of 0 where nothing did.
     Gone came_to(int vertex) const {
-        Gone mean{vertex, {0, 0}, 0};
+        Gone mean{vertex, {0, 0}, 0, std::numeric_limits<float>::infinity()};
         const auto [first, last] =
             std::equal_range(gone_.begin(), gone_.end(), mean,
                              [](const Gone& x, const Gone& y) { return x.vertex < y.vertex; });
-        for (auto gone = first; gone != last; ++gone) mean.normal += gone->normal, mean.speed += gone->speed;
+        for (auto gone = first; gone != last; ++gone) {
+            mean.normal += gone->normal, mean.speed += gone->speed;
+            mean.away = std::min(mean.away, gone->away);
+        }
         if (first != last) mean.speed /= static_cast<float>(last - first);
         return mean;
     }
@@ -432,7 +454,7 @@ class FitLocator : public Locator {
 
     bool is_due(int edge, const Piece& piece) const {
         const auto [a, b] = mesh_.edge[edge];
-        return piece.is_new || near_flip_[a] || near_flip_[b] || (edge + step_) % kTurns == 0 ||
+        return piece.is_new || near_flip_[a] || near_flip_[b] || (edge + step_) % turns_ == 0 ||
                piece.f <= 0 || piece.f >= 1;
     }
 
@@ -494,7 +516,8 @@ class FitLocator : public Locator {
     }
 
     const Mesh& mesh_;
-    int step_ = 0;
+    int step_ = 0, turns_ = kTurns;
+    double last_began_ = kNever;                   // when the step before began, s
     std::vector<std::array<Flip, kFlips>> flips_;  // of each vertex, the newest first
     std::vector<std::uint8_t> near_flip_;          // of each vertex, now
     std::vector<int> marked_;

@@ -27,6 +27,8 @@ class WorldFronts {
     void settle(double dt, Workers& workers) { view_->settle(dt, workers); }
 
     const FlowView& view() const { return *view_; }
+    // Of the moment that was tracked last: velocities, 0 where nothing is seen to move, and depths.
+    Flow flow() const { return {velocity_, rolling_}; }
 
     // How its textures lie, to come back to: fronts follow from the world alone.
     const TextureLayers::Memory& memory() const { return view_->layers().memory(); }
@@ -35,7 +37,6 @@ class WorldFronts {
 
   private:
     void read(const View& world, Workers& workers);
-    Flow flow() const { return {velocity_, rolling_}; }
 
     float visible_;
     LayerRule rule_;

@@ -172,6 +172,7 @@ int main(int argc, char** argv) {
         add_ways(std::string(sim::to_string(scheme)), Model::kBcre, scheme);
     add_ways("bcre-inertial", Model::kBcreInertial, Scheme::kLocalLaxFriedrichs);
     bench::add_stages();
+    bench::add_fronts();
     for (const Model model : {Model::kBcre, Model::kBcreInertial})
         for (const bool may_sleep : {false, true})
             benchmark::RegisterBenchmark((std::string(sim::to_string(model)) + ", a patch active, " +

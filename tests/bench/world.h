@@ -10,5 +10,7 @@ support::Play world_of(int squares, sim::Model model, sim::Scheme scheme, const 
 
 // Registers a benchmark for each stage of a step.
 void add_stages();
+// Registers benchmarks of what is seen of a flow: fronts and the textures beside them.
+void add_fronts();
 
 }  // namespace bench

@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <functional>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -34,7 +35,9 @@ std::vector<glm::vec2> velocities(const Mesh& mesh, const std::function<glm::vec
 // Two ways on either side of a line whose distance from the origin along `normal` grows steadily.
 struct SteadyLine {
     SteadyLine(int squares, Source source, glm::vec2 across, float from, float its_speed)
-        : mesh(unit_square(squares)),
+        : SteadyLine(unit_square(squares), squares, source, across, from, its_speed) {}
+    SteadyLine(Mesh of, int squares, Source source, glm::vec2 across, float from, float its_speed)
+        : mesh(std::move(of)),
           tracker(mesh, sim::front::gradient_rule(0.05f, 1 / static_cast<float>(squares)), source),
           normal(glm::normalize(across)),
           at(from),
@@ -56,39 +59,69 @@ struct SteadyLine {
     float at, speed;  // m, m/s
 };
 
-// A line that goes steadily cuts edges in proportion to how far they go across it, and each at every place as
-// often: the mean square of the distance of their middles follows.
-TEST(HalfSource, is_as_wrong_as_the_middle_of_an_edge_must_be) {
-    constexpr int kSquares = 20;
-    for (const glm::vec2 normal : {glm::vec2(1, 1), glm::vec2(-1, 1), glm::vec2(0.3f, 1)}) {
-        const glm::vec2 n = glm::normalize(normal);
-        double cut = 0, squares = 0;
-        for (const glm::vec2 edge : {glm::vec2(1, 0), glm::vec2(0, 1), glm::vec2(1, 1)}) {
-            const double across = std::abs(glm::dot(edge, n));
-            cut += across, squares += across * across * across / 12;
-        }
-        const bool rises = normal.x > 0;
-        SteadyLine line(kSquares, Source::kHalf, normal, rises ? 0.4f : -0.3f, 0.1f);
-        double sum = 0, count = 0;
-        for (int i = 0; i < 240; ++i) {
-            line.step();
-            for (const Point& point : line.tracker.points()) {
-                const double cells = line.distance(point) * kSquares;
-                sum += cells * cells, ++count;
-            }
-        }
-        EXPECT_NEAR(std::sqrt(sum / count), std::sqrt(squares / cut), 0.03 * std::sqrt(squares / cut));
+// How wrong `half` is: a line with unit normal n that goes steadily is between the ends of an edge e while
+// its place along n is in a range of |e·n|; of the time, and of the edges of that kind, that is a share in
+// proportion to |e·n|. Meanwhile it is at each place of the range as often, so that its distance from the
+// edge's middle is uniform from −|e·n|/2 to |e·n|/2, whose mean square is |e·n|²/12. Of edges along x, along
+// y and diagonals a mesh of squares has the same number:
+//
+//     RMS² = Σ |e·n|³ / 12 / Σ |e·n|,    e = (1, 0), (0, 1) and (1, 1) or, mirrored, (−1, 1), in cells
+double rms_of_middles(const glm::vec2& normal, const glm::vec2& diagonal) {
+    double cut = 0, squares = 0;
+    for (const glm::vec2& edge : {glm::vec2(1, 0), glm::vec2(0, 1), diagonal}) {
+        const double across = std::abs(glm::dot(edge, normal));
+        cut += across, squares += across * across * across / 12;
     }
+    return std::sqrt(squares / cut);
 }
 
-// What velocities at the vertices tell of a line at rest is that it is between them.
+// Squares cut by the diagonal from the lower left or, mirrored, by that from the lower right.
+Mesh unit_square_cut_by(const glm::vec2& diagonal, int squares) {
+    Mesh mesh = unit_square(squares);
+    if (diagonal.x > 0) return mesh;
+    auto position = mesh.position;
+    for (glm::vec2& at : position) at.x = 1 - at.x;
+    return std::get<Mesh>(mesh_of(position, mesh.triangle));
+}
+
+constexpr glm::vec2 kDiagonals[] = {{1, 1}, {-1, 1}};
+
+TEST(HalfSource, is_as_wrong_as_the_middle_of_an_edge_must_be) {
+    constexpr int kSquares = 20;
+    for (const glm::vec2& diagonal : kDiagonals)
+        for (const glm::vec2 normal : {glm::vec2(1, 1), glm::vec2(-1, 1), glm::vec2(0.3f, 1),
+                                       glm::vec2(-0.5f, 0.866f), glm::vec2(-2, 1), glm::vec2(0, 1)}) {
+            const bool rises = normal.x >= 0;
+            const glm::vec2 n = glm::normalize(normal);
+            SteadyLine line(unit_square_cut_by(diagonal, kSquares), kSquares, Source::kHalf, n,
+                            rises ? 0.4f : -0.3f, 0.1f);
+            double sum = 0, count = 0;
+            for (int i = 0; i < 240; ++i) {
+                line.step();
+                for (const Point& point : line.tracker.points()) {
+                    const double cells = line.distance(point) * kSquares;
+                    sum += cells * cells, ++count;
+                }
+            }
+            const double expected = rms_of_middles(n, diagonal);
+            EXPECT_NEAR(std::sqrt(sum / count), expected, 0.03 * expected)
+                << "diagonal " << diagonal.x << ", normal " << normal.x << ' ' << normal.y;
+        }
+}
+
+// What velocities at the vertices tell of a line at rest is that it is between them: at a fifth of each edge
+// that it crosses, whichever diagonal there is, all are wrong by 0.3 cells.
 TEST(Sources, know_no_more_of_a_line_at_rest_than_its_edges) {
-    for (const Source source : {Source::kHalf, Source::kPaper, Source::kFit}) {
-        SteadyLine line(10, source, {0, 1}, 0.52f, 0);
-        for (int i = 0; i < 240; ++i) line.step();
-        ASSERT_FALSE(line.tracker.points().empty());
-        for (const Point& point : line.tracker.points()) EXPECT_NEAR(line.distance(point), 0.03, 0.002);
-    }
+    for (const Source source : {Source::kHalf, Source::kPaper, Source::kFit})
+        for (const glm::vec2& diagonal : kDiagonals) {
+            SteadyLine line(unit_square_cut_by(diagonal, 10), 10, source, {0, 1}, 0.52f, 0);
+            for (int i = 0; i < 240; ++i) {
+                line.step();
+                ASSERT_EQ(line.tracker.points().size(), 21u);
+                for (const Point& point : line.tracker.points())
+                    ASSERT_NEAR(line.distance(point) * 10, 0.3, 0.02) << to_string(source);
+            }
+        }
 }
 
 TEST(Sources, follow_a_steady_line_once_it_has_passed_some_vertices) {

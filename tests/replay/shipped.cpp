@@ -2,16 +2,12 @@
 // count. A change of their hashes is a commit of its own that says why, and a new physics version.
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "game/assets.h"
-#include "game/headless.h"
-#include "game/recording/reader.h"
-#include "game/session.h"
+#include "tests/replay/play.h"
 
 namespace game::test {
 namespace {
@@ -27,28 +23,13 @@ constexpr Golden kGoldens[] = {
     {"snow-avalanche", "f1de101071456974"},
 };
 
-Recording open(const std::string& name) {
-    const auto path = find_asset(AssetKind::kRecording, name);
-    if (!path) throw std::runtime_error(path.error().sentence);
-    auto recording = read_recording(*path);
-    if (!recording) throw std::runtime_error(recording.error().sentence);
-    return std::move(*recording);
-}
-
 // Plays a recording again and returns what its state lines would be now, one for each that it has.
 std::vector<StateLine> replayed(const Recording& recording, int threads, std::int64_t ticks) {
-    auto session = Session::begin(recording.header.start, sim::How{.threads = threads}, std::nullopt).value();
     std::vector<StateLine> lines;
-    const auto look = [&](const Session& now) {
+    play(recording, threads, ticks, [&](const Session& now) {
         if (lines.size() < recording.states.size() && recording.states[lines.size()].tick == now.state().tick)
             lines.push_back(now.state_line());
-    };
-    look(session);
-    Until until;
-    until.tick = until.most_ticks = ticks;
-    Watchers watchers;
-    watchers.after_tick = look;
-    play_headless(session, recording.commands, until, watchers, "").value();
+    });
     return lines;
 }
 

@@ -1,0 +1,235 @@
+// The fronts of the avalanches that ship, as velocities tell them: against the depth of the rolling layer,
+// which the rule for avalanches does not look at but to tell what is seen.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "sim/front/world_fronts.h"
+#include "sim/workers.h"
+#include "tests/replay/play.h"
+
+namespace game::test {
+namespace {
+
+using sim::front::Detector;
+using sim::front::Mesh;
+using sim::front::Rule;
+using sim::front::Source;
+using sim::front::Tracker;
+
+struct Avalanche {
+    const char* recording;
+    float visible;  // how deep the rolling layer is to be seen, m
+    double thin;    // share of cuts that may be false where half the depth is less than that
+    double fit;     // root mean square that it may miss the front by, cells
+};
+
+constexpr Avalanche kAvalanches[] = {{"landslide", 0.2f, 0.07, 0.21}, {"snow-avalanche", 0.1f, 0.01, 0.275}};
+
+// Plays one of them. `look(fronts, dt, tick)` sees what is visible of each tick.
+template <class Look>
+void watch(const Avalanche& avalanche, const Look& look) {
+    const Recording recording = open(avalanche.recording);
+    std::optional<sim::front::WorldFronts> fronts;
+    sim::Workers workers(1);
+    play(recording, 1, recording.last_tick(), [&](const Session& now) {
+        if (!fronts) fronts.emplace(now.state().grid, avalanche.visible, sim::front::LayerRule{});
+        const double dt = now.state().params.tick_s;
+        fronts->track(now.view(), dt, workers);
+        look(*fronts, dt, now.state().tick);
+    });
+}
+
+bool moves(const glm::vec2& velocity) {
+    return velocity != glm::vec2(0, 0);
+}
+
+// Of each vertex half the depth of the flow around it: of what moves within kAround cells the mean, or
+// `least` where that is more; without bound where nothing moves.
+//
+// Local, because an avalanche's tongue is ten times as deep as its skirts, and these are fronts too; the
+// mean, because a front rises to its depth within a cell or two. Within three cells, so that what is behind
+// the front counts, and not only the front.
+constexpr int kAround = 3;
+std::vector<float> half_depth(const sim::front::Flow& flow, int columns, float least) {
+    const int rows = static_cast<int>(flow.velocity.size()) / columns;
+    std::vector<float> half(flow.velocity.size(), std::numeric_limits<float>::infinity());
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < columns; ++x) {
+            float sum = 0, count = 0;
+            for (int j = std::max(y - kAround, 0); j <= std::min(y + kAround, rows - 1); ++j)
+                for (int i = std::max(x - kAround, 0); i <= std::min(x + kAround, columns - 1); ++i) {
+                    const int v = j * columns + i;
+                    if (moves(flow.velocity[v])) sum += flow.scalar[v], ++count;
+                }
+            if (count > 0) half[y * columns + x] = std::max(sum / count / 2, least);
+        }
+    return half;
+}
+
+// The edges that the contour at half the depth crosses, where what is deeper moves.
+std::vector<int> crossed_by_half_depth(const Mesh& mesh, const sim::front::Flow& flow, float least) {
+    const auto half = half_depth(flow, mesh.columns, least);
+    std::vector<int> crossed;
+    for (int e = 0; e < mesh.edges(); ++e) {
+        auto [deep, other] = mesh.edge[e];
+        if (flow.scalar[deep] < flow.scalar[other]) std::swap(deep, other);
+        if (!moves(flow.velocity[deep])) continue;
+        const float level = std::min(half[deep], half[other]);  // one for the edge
+        if (flow.scalar[deep] >= level && flow.scalar[other] < level) crossed.push_back(e);
+    }
+    return crossed;
+}
+
+// How many of `edges` have none of `others` within one ring: no end, and no neighbour of an end, is one of
+// theirs. The contour at half the depth lies about a cell behind what is first seen, and a ring is a cell.
+double count_far(const Mesh& mesh, std::span<const int> edges, std::span<const int> others) {
+    std::vector<char> near(mesh.position.size());
+    for (const int e : others)
+        for (const int v : {mesh.edge[e].a, mesh.edge[e].b}) {
+            near[v] = true;
+            for (const auto& spoke : mesh.around(v)) near[spoke.vertex] = true;
+        }
+    return static_cast<double>(std::count_if(
+        edges.begin(), edges.end(), [&](int e) { return !near[mesh.edge[e].a] && !near[mesh.edge[e].b]; }));
+}
+
+struct Verdict {
+    double crossed = 0, missed = 0, cut = 0, wrong = 0;  // edges, over the whole avalanche
+
+    double found() const { return 1 - missed / crossed; }
+    double false_cuts() const { return wrong / cut; }
+};
+
+// Rules judged by the contour at half the depth, or at `least` where that is more, twice a second.
+std::vector<Verdict> judged(const Avalanche& avalanche, const std::vector<Rule>& rules, float least) {
+    constexpr int kTicksBetween = 30;
+    std::vector<Detector> detectors;
+    std::vector<Verdict> verdicts(rules.size());
+    watch(avalanche, [&](const sim::front::WorldFronts& fronts, double, std::int64_t tick) {
+        const Mesh& mesh = fronts.view().mesh();
+        if (detectors.empty())
+            for (const Rule& rule : rules) detectors.emplace_back(mesh, rule);
+        for (Detector& detector : detectors) detector.update(fronts.flow());
+        if (tick % kTicksBetween != 0) return;
+        const auto crossed = crossed_by_half_depth(mesh, fronts.flow(), least);
+        for (std::size_t i = 0; i < rules.size(); ++i) {
+            const auto cut = detectors[i].cut();
+            verdicts[i].crossed += static_cast<double>(crossed.size());
+            verdicts[i].missed += count_far(mesh, crossed, cut);
+            verdicts[i].cut += static_cast<double>(cut.size());
+            verdicts[i].wrong += count_far(mesh, cut, crossed);
+        }
+    });
+    return verdicts;
+}
+
+class AvalancheFronts : public testing::TestWithParam<Avalanche> {};
+
+TEST_P(AvalancheFronts, are_found_where_the_flow_is_half_as_deep_as_around) {
+    const Verdict got = judged(GetParam(), {sim::front::avalanche_rule()}, GetParam().visible).front();
+    EXPECT_GT(got.crossed, 5000);
+    EXPECT_GE(got.found(), 0.98);
+    EXPECT_LE(got.false_cuts(), 0.02);
+}
+
+// Where the flow is less than twice as deep as is seen, half its depth is not seen, and may lie anywhere
+// outside: nothing is missed there, but more is cut.
+TEST_P(AvalancheFronts, are_found_where_half_the_depth_is_too_little_to_be_seen) {
+    const Verdict got = judged(GetParam(), {sim::front::avalanche_rule()}, 0).front();
+    EXPECT_GE(got.found(), 0.98);
+    EXPECT_LE(got.false_cuts(), GetParam().thin);
+}
+
+// The rule without its ratio: within the flow velocities differ from vertex to vertex by far more than its
+// edge moves at where it comes to rest. What lets that pass loses edges.
+TEST_P(AvalancheFronts, are_not_told_by_a_small_jump_alone_nor_by_a_great_one) {
+    const auto got = judged(GetParam(), {{.jump = 0.3f}, {.jump = 6}}, GetParam().visible);
+    EXPECT_GT(got[0].false_cuts(), 0.03);
+    EXPECT_LT(got[1].found(), 0.975);
+}
+
+double distance(const glm::vec2& from, const std::array<glm::vec2, 2>& segment) {
+    const glm::vec2 along = segment[1] - segment[0], way = from - segment[0];
+    const float length2 = glm::dot(along, along);
+    const float share = length2 > 0 ? std::clamp(glm::dot(way, along) / length2, 0.f, 1.f) : 0;
+    return glm::length(way - share * along);
+}
+
+// From a point on an edge that the level's contour crosses to the nearest of that contour, in the triangles
+// around either end.
+double distance_to_level(const Tracker& level, int edge, const glm::vec2& from) {
+    const Mesh& mesh = level.mesh();
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const int end : {mesh.edge[edge].a, mesh.edge[edge].b})
+        for (const auto& spoke : mesh.around(end))
+            for (const int triangle : mesh.edge_triangle[spoke.edge]) {
+                if (triangle < 0) continue;
+                std::array<glm::vec2, 2> crossing;
+                int count = 0;
+                for (const int e : mesh.triangle_edge[triangle])
+                    if (level.detector().is_cut(e))
+                        crossing[count++] = level.position(level.points()[level.detector().slot(e)]);
+                if (count == 2) nearest = std::min(nearest, distance(from, crossing));
+            }
+    return nearest;
+}
+
+// Root mean squares of the distance from the contour at which the layer is seen, in cells.
+struct Distances {
+    double half = 0, paper = 0, fit = 0;
+};
+
+Distances distances_from_level(const Avalanche& avalanche) {
+    constexpr int kTicksBetween = 6;
+    constexpr std::array kSources{Source::kHalf, Source::kPaper, Source::kFit};
+    std::array<std::unique_ptr<Tracker>, 3> trackers;
+    std::array<double, 3> squares{}, counts{};
+    sim::Workers workers(1);
+    watch(avalanche, [&](const sim::front::WorldFronts& fronts, double dt, std::int64_t tick) {
+        const Mesh& mesh = fronts.view().mesh();
+        const Tracker& level = fronts.view().tracker();
+        for (std::size_t i = 0; i < trackers.size(); ++i) {
+            if (!trackers[i])
+                trackers[i] = std::make_unique<Tracker>(mesh, sim::front::avalanche_rule(), kSources[i]);
+            trackers[i]->advance(fronts.flow(), dt, workers);
+            if (tick % kTicksBetween != 0) continue;
+            for (const auto& point : trackers[i]->points()) {
+                if (!level.detector().is_cut(point.edge)) continue;
+                const glm::vec2 at = trackers[i]->position(point);
+                const double cells = distance_to_level(level, point.edge, at) / double{mesh.length[0]};
+                squares[i] += cells * cells, ++counts[i];
+            }
+        }
+    });
+    const auto rms = [&](int i) { return std::sqrt(squares[i] / counts[i]); };
+    return {rms(0), rms(1), rms(2)};
+}
+
+// What velocities tell of a front that goes by fits and starts, frayed and a cell or two wide.
+TEST_P(AvalancheFronts, are_met_by_velocities_alone) {
+    const Distances got = distances_from_level(GetParam());
+    EXPECT_LE(got.fit, GetParam().fit);
+    EXPECT_LE(got.fit, 0.9 * got.half);
+    EXPECT_LE(got.fit, 0.8 * got.paper);
+}
+
+INSTANTIATE_TEST_SUITE_P(Recordings, AvalancheFronts, testing::ValuesIn(kAvalanches),
+                         [](const auto& avalanche) {
+                             std::string name = avalanche.param.recording;
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
+}  // namespace
+}  // namespace game::test

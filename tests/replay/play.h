@@ -1,0 +1,38 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "game/assets.h"
+#include "game/headless.h"
+#include "game/recording/reader.h"
+#include "game/session.h"
+
+// Recordings that ship, played again.
+
+namespace game::test {
+
+inline Recording open(const std::string& name) {
+    const auto path = find_asset(AssetKind::kRecording, name);
+    if (!path) throw std::runtime_error(path.error().sentence);
+    auto recording = read_recording(*path);
+    if (!recording) throw std::runtime_error(recording.error().sentence);
+    return std::move(*recording);
+}
+
+// So many ticks of it. `look` sees its beginning and what came of each tick.
+inline void play(const Recording& recording, int threads, std::int64_t ticks,
+                 const std::function<void(const Session&)>& look) {
+    auto session = Session::begin(recording.header.start, sim::How{.threads = threads}, std::nullopt).value();
+    look(session);
+    Until until;
+    until.tick = until.most_ticks = ticks;
+    Watchers watchers;
+    watchers.after_tick = look;
+    play_headless(session, recording.commands, until, watchers, "").value();
+}
+
+}  // namespace game::test
