@@ -175,6 +175,8 @@ void App::guide_stroke() {
 void App::begin_stroke() {
     if (sandbox_->watched_until())
         return tell("Hands off: the recording goes on. It is yours at its end, and = takes it there faster");
+    if (sandbox_->start().flow)
+        return tell("Nothing to pour on here: this scene shows a flow, and Display has its speeds");
     // Where the button went down: by now the cursor may be far on.
     const auto at = ground_under(input_.drag_from());
     if (!at) return;
@@ -244,7 +246,7 @@ void App::draw_world() {
     const sim::View world = sandbox_->session().view();
     render::Marks marks{
         .overlay = display_.overlay, .contours = display_.contours, .flow_mesh = display_.flow_mesh};
-    if (ground_ && !sandbox_->watched_until()) {
+    if (ground_ && !sandbox_->watched_until() && !sandbox_->start().flow) {
         const auto deed = stroke_ ? stroke_->deed() : deed_of(brush_, input_.inverted());
         marks.ring = render::Ring{glm::dvec2(*ground_), brush_.radius, ring_colour(deed)};
     }

@@ -97,6 +97,7 @@ void App::perform(const SetBrush& set) {
     brush_ = set.brush;
 }
 void App::perform(const SetDisplay& set) {
+    if (!(set.display.flow == display_.flow)) sandbox_->set_flow(set.display.flow);
     display_ = set.display;
 }
 void App::perform(const Open& open) {
@@ -198,6 +199,7 @@ Outcome<void> App::begin_world(Opening opening, const std::optional<std::filesys
         display_.light = start.light;
         camera_.emplace(start.camera.value_or(overview_beside_panels(world)), world);
     }
+    if (start.flow) display_.flow = start.flow->numbers;
     probe_.emplace(start.georeference);
     screen_.show_title(fmt::format("Couloir: {}", start.title));
     tell(first_.told);

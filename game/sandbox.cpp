@@ -16,7 +16,7 @@ constexpr std::size_t kMostActions = 1000;
 Outcome<Sandbox> Sandbox::begin(Opening opening, const sim::How& how, std::optional<Recorder> recorder) {
     auto session = Session::begin(opening.scene.start, how, std::move(recorder));
     if (!session) return tl::unexpected(session.error());
-    session->follow_fronts(opening.scene.start.look);
+    session->follow_fronts(opening.scene.start);
     const std::size_t per_vertex =
         6 * sizeof(float) +
         (session->fronts() ? sizeof(sim::front::TextureLayers::Offsets) + 7 * sizeof(float) : 0);

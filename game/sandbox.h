@@ -23,6 +23,7 @@ class Sandbox {
 
     const Start& start() const { return opening_.scene.start; }
     const Session& session() const { return session_; }
+    void set_flow(const sim::fields::FlowNumbers& numbers) { session_.set_flow(numbers); }
 
     // A recording goes on by itself: hands off until this tick, nothing once it has been reached.
     std::optional<std::int64_t> watched_until() const;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "game/assets.h"
+#include "game/flow_scene.h"
 #include "game/material.h"
 #include "game/scene_ground.h"
 #include "game/toml_table.h"
@@ -167,6 +168,14 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& w
     Start& start = scene.start;
     start.scene = path.stem().string();
     start.title = root.text("title").value_or(start.scene);
+
+    if (auto flow = root.table("flow")) {
+        if (auto read = read_flow(*flow, wishes.squares, start); !read) return tl::unexpected(read.error());
+        read_view(root, start);
+        root.finish();
+        if (fault) return unusable(*fault);
+        return scene;
+    }
 
     auto cover = root.table("cover");
     auto under = root.table("under");

@@ -61,7 +61,7 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
     times_.solve_ms = ms_of([&] { sim::step(state_, commands, *engine_); });
 
     if (!rests) changed_at_ = state_.tick;
-    if (fronts_) advance_fronts();
+    if (fronts_ || stage_) advance_fronts();
     std::int64_t error = state_.ledger.mass_error();
     if (error == 0 && state_.mixture) error = state_.mixture->ledger.mass_error();
     if (error != 0)
@@ -110,14 +110,24 @@ double Session::cubic_metres(std::int64_t quanta) const {
     return static_cast<double>(quanta) * static_cast<double>(sim::kQuantum) * state_.grid.cell_area();
 }
 
-void Session::follow_fronts(const render::Look& look) {
-    if (!look.flow) return;
-    fronts_ = std::make_unique<sim::front::WorldFronts>(state_.grid, look.rolling_visible_m, kTextures);
+void Session::follow_fronts(const Start& start) {
+    if (start.flow)
+        stage_ = std::make_unique<sim::fields::FlowStage>(state_.grid, start.flow->flow, start.flow->numbers);
+    else if (start.look.flow)
+        fronts_ =
+            std::make_unique<sim::front::WorldFronts>(state_.grid, start.look.rolling_visible_m, kTextures);
+    else
+        return;
     advance_fronts();
 }
 
 void Session::advance_fronts() {
     const auto tick_s = static_cast<double>(state_.params.tick_s);
+    if (stage_) {
+        times_.track_ms = ms_of([&] { stage_->advance(tick_s, engine_->workers); });
+        changed_at_ = state_.tick;
+        return;
+    }
     times_.track_ms = ms_of([&] { fronts_->track(view(), tick_s, engine_->workers); });
     times_.advect_ms = ms_of([&] { fronts_->carry(tick_s, engine_->workers); });
     times_.gradient_ms = ms_of([&] { fronts_->settle(tick_s, engine_->workers); });

@@ -47,11 +47,18 @@ class Session {
     // With a recorder, writes the state of tick 0.
     static Outcome<Session> begin(const Start& start, const sim::How& how, std::optional<Recorder> recorder);
 
-    // From here on, for who draws or measures it: fronts and what the rolling layer carries with it, if its
-    // look says that it carries anything.
-    void follow_fronts(const render::Look& look);
+    // From here on, for who draws or measures it: fronts, and what is carried with the flow that `start`
+    // shows or, if its look says that it carries anything, with the rolling layer.
+    void follow_fronts(const Start& start);
     // Nothing while none are followed.
-    const sim::front::FlowView* fronts() const { return fronts_ ? &fronts_->view() : nullptr; }
+    const sim::front::FlowView* fronts() const {
+        return stage_ ? &stage_->view() : fronts_ ? &fronts_->view() : nullptr;
+    }
+    // Of a start's flow that is followed, from the next tick on; without one nothing happens. Not recorded: a
+    // view.
+    void set_flow(const sim::fields::FlowNumbers& numbers) {
+        if (stage_) stage_->set(numbers);
+    }
 
     // One tick, with the commands given at its start. Errors: a command is out of range or the numbers set do
     // not go together, and then nothing has changed; the recording cannot be written; or mass was lost, which
@@ -90,6 +97,7 @@ class Session {
     sim::State state_;
     std::unique_ptr<sim::Engine> engine_;
     std::optional<Recorder> recorder_;
+    std::unique_ptr<sim::fields::FlowStage> stage_;
     std::unique_ptr<sim::front::WorldFronts> fronts_;
     Peaks peaks_;
     TickTimes times_;

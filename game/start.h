@@ -9,6 +9,7 @@
 #include "game/outcome.h"
 #include "render/camera.h"
 #include "render/look.h"
+#include "sim/fields/flow_stage.h"
 #include "sim/params.h"
 #include "sim/state.h"
 #include "terrains/georeference.h"
@@ -41,6 +42,13 @@ struct Start {
         std::vector<float> depth;  // m, how much of `depth` it is alone, from bedrock up
     };
     std::optional<Lower> lower;
+
+    // A scene that shows how the fronts of a flow are met: level ground, on which nothing else happens.
+    struct Flow {
+        sim::fields::TestFlow flow;
+        sim::fields::FlowNumbers numbers;
+    };
+    std::optional<Flow> flow;
 
     render::Look look;
     render::Light light;

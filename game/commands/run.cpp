@@ -76,7 +76,7 @@ Outcome<int> run(const RunOptions& options) {
     auto session = Session::begin(start, options.how, std::move(leavings->recorder));
     if (!session) return tl::unexpected(session.error());
 
-    if (leavings->gallery || options.results.perf) session->follow_fronts(start.look);
+    if (leavings->gallery || options.results.perf) session->follow_fronts(start);
     std::optional<Gallery>& gallery = leavings->gallery;
     PerfLog perf({start.scene, "", options.how.threads, gallery ? gallery->renderer_name() : ""});
     Watchers watchers;

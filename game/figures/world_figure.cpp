@@ -27,7 +27,7 @@ Outcome<PageFigure> draw_world(const WorldFigure& figure, const std::filesystem:
     start.camera = figure.camera;
     auto session = Session::begin(start, how, std::nullopt);
     if (!session) return tl::unexpected(session.error());
-    session->follow_fronts(start.look);
+    session->follow_fronts(start);
     auto gallery = Gallery::open(folder, size, gl, start);
     if (!gallery) return tl::unexpected(gallery.error());
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "game/flow_scene.h"
 #include "game/recording/ground_data.h"
 #include "game/version.h"
 
@@ -181,6 +182,42 @@ void ground_from(const Json& json, Start& start) {
                            start.terrain, hex(ground_hash(start)), text(json, "hash")));
 }
 
+// A flow that is shown: a view as well.
+Json flow_json(const Start::Flow& flow, const render::FlowLook& look) {
+    return {{"kind", kFlowKinds[static_cast<std::size_t>(flow.flow.kind)]},
+            {"angle_rad", flow.flow.angle},
+            {"through", numbers({flow.flow.through.x, flow.flow.through.y})},
+            {"speed", flow.numbers.speed},
+            {"front_speed", flow.numbers.front_speed},
+            {"smooth", flow.numbers.smooth},
+            {"source", sim::front::to_string(flow.numbers.source)},
+            {"repeats", look.repeats}};
+}
+
+void flow_from(const Json& json, Start& start) {
+    const auto kind = std::find(kFlowKinds.begin(), kFlowKinds.end(), text(json, "kind"));
+    const auto source = sim::front::source_named(text(json, "source"));
+    if (kind == kFlowKinds.end()) refuse(fmt::format("flow: no flow is called '{}'", text(json, "kind")));
+    if (!source || *source == sim::front::Source::kLevel)
+        refuse(fmt::format("flow: no source is called '{}'", text(json, "source")));
+    if (!start.look.flow) refuse("flow: the look has no texture");
+    if (start.grid.nx != start.grid.ny) refuse("flow: the ground is not square");
+    const Json& through = member(json, "through");
+    if (!through.is_array() || through.size() != 2 || !through[0].is_number() || !through[1].is_number())
+        refuse("flow: through is not two numbers");
+    Start::Flow flow;
+    flow.flow.kind = static_cast<sim::fields::TestFlow::Kind>(kind - kFlowKinds.begin());
+    flow.flow.angle = number(json, "angle_rad", -10, 10);
+    flow.flow.through = {through[0].get<double>(), through[1].get<double>()};
+    flow.numbers.speed = number(json, "speed", 0, 1);
+    flow.numbers.front_speed = number(json, "front_speed", -4, 4);
+    flow.numbers.smooth = number(json, "smooth", 0, 0.1);
+    flow.numbers.source = *source;
+    start.flow = flow;
+    start.look.flow->everywhere = true;
+    start.look.flow->repeats = number(json, "repeats", 0.1, 100);
+}
+
 Json view_json(const Start& start) {
     const render::Look& look = start.look;
     const auto colour = [](const glm::vec3& c) {
@@ -199,6 +236,7 @@ Json view_json(const Start& start) {
         json["look"]["lower_rolling"] = colour(look.lower_rolling);
     }
     if (look.flow) json["look"]["texture"] = to_string(look.flow->pattern);
+    if (start.flow) json["flow"] = flow_json(*start.flow, *look.flow);
     json["light"] = {{"azimuth_deg", start.light.azimuth_deg}, {"elevation_deg", start.light.elevation_deg}};
     if (const auto& camera = start.camera)
         json["camera"] = {{"target", numbers({camera->target.x, camera->target.y, camera->target.z})},
@@ -227,6 +265,7 @@ void view_from(const Json& json, Start& start) {
         if (!pattern) refuse(fmt::format("look: no texture is called '{}'", text(look, "texture")));
         start.look.flow = render::FlowLook{*pattern};
     }
+    if (json.contains("flow")) flow_from(member(json, "flow"), start);
     const Json& light = member(json, "light");
     start.light = {number(light, "azimuth_deg", -360, 360), number(light, "elevation_deg", 1, 90)};
     if (!json.contains("camera")) return;

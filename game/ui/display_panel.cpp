@@ -32,8 +32,9 @@ bool colours(Desk& desk, Display& display) {
     if (changed) display.overlay = kOverlays[static_cast<std::size_t>(chosen)].overlay;
     draw_legend(render::legend_of(display.overlay), desk.em(), *desk.widgets.letters.small);
     changed |= desk.widgets.toggle("Contours", display.contours, "Lines of equal height.");
-    changed |= desk.widgets.toggle("Fronts", display.flow_mesh,
-                                   "The mesh that textures are drawn on, cut along the fronts, and its points.");
+    changed |=
+        desk.widgets.toggle("Fronts", display.flow_mesh,
+                            "The mesh that textures are drawn on, cut along the fronts, and its points.");
     return changed;
 }
 
@@ -47,6 +48,33 @@ bool sun(Desk& desk, const Facts& facts, Display& display) {
                                    "How high the sun stands; low sun shows the shape of the ground.");
     if (desk.widgets.button("Sun as the scene says", "Puts the sun back where the scene has it.")) {
         display.light = facts.start.light;
+        changed = true;
+    }
+    return changed;
+}
+
+constexpr std::array<const char*, 4> kWays{"no cuts", "half an edge", "the paper's points", "fitted points"};
+
+// What is changed while it runs, of a scene that shows a flow.
+bool flow(Desk& desk, Display& display) {
+    sim::fields::FlowNumbers& numbers = display.flow;
+    desk.widgets.heading("Flow");
+    desk.widgets.row("Flow speed");
+    bool changed = desk.widgets.slider("Flow speed", numbers.speed, {0, 1, "%.2f sides/s"},
+                                       "How fast the ground flows on either side, in sides of the square.");
+    desk.widgets.row("Front speed");
+    changed |= desk.widgets.slider("Front speed", numbers.front_speed, {-4, 4, "%.1f ×"},
+                                   "How fast the front goes: 0 stops it, below 0 it goes back.");
+    desk.widgets.row("Smooth field");
+    changed |= desk.widgets.slider("Smooth field", numbers.smooth, {0, 0.1, "%.3f sides/s"},
+                                   "A field without fronts on top, as any flow has one.");
+    int way = numbers.cut ? 1 + static_cast<int>(numbers.source) : 0;
+    desk.widgets.row("Textures with");
+    if (desk.widgets.choice("Textures with", way, static_cast<int>(kWays.size()),
+                            "Whether textures are cut along fronts, and what tells where these lie.",
+                            [](int i) { return kWays[static_cast<std::size_t>(i)]; })) {
+        numbers.cut = way > 0;
+        if (way > 0) numbers.source = static_cast<sim::front::Source>(way - 1);
         changed = true;
     }
     return changed;
@@ -116,6 +144,7 @@ void camera(Desk& desk, const Facts& facts, Actions& actions) {
 void display_panel(Desk& desk, const Facts& facts, Actions& actions) {
     Display display = facts.display;
     bool changed = colours(desk, display);
+    if (facts.start.flow) changed |= flow(desk, display);
     changed |= sun(desk, facts, display);
     changed |= picture(desk, display);
     if (changed) actions.emplace_back(SetDisplay{display});

@@ -112,10 +112,11 @@ FrontScore score(const front::Mesh& mesh, const front::Rule& rule, front::Source
     double crossed = 0, cut = 0, steps = 0;
     for (int step = 0; step < std::lround(trial.seconds / dt); ++step) {
         const double time = (step + 1) * dt;
+        const double front_time = flow.front_speed * time;
         for (std::size_t v = 0; v < velocity.size(); ++v) {
             const glm::dvec2 at(mesh.position[v]);
-            velocity[v] = lie.velocity(at, time);
-            region[v] = lie.region(at, time);
+            velocity[v] = lie.velocity(at, front_time);
+            region[v] = lie.region(at, front_time);
             if (trial.noise > 0)
                 velocity[v] += static_cast<float>(trial.noise) * glm::vec2(noise(random), noise(random));
             if (trial.salt > 0 && share(random) < trial.salt) velocity[v] = -velocity[v];
@@ -126,7 +127,8 @@ FrontScore score(const front::Mesh& mesh, const front::Rule& rule, front::Source
         for (const front::Point& point : tracker.points()) {
             const auto [a, b] = mesh.edge[point.edge];
             shown.push_back(point.f);
-            exact.push_back(region[a] == region[b] ? point.f : crossing_of(lie, mesh, point.edge, time));
+            exact.push_back(region[a] == region[b] ? point.f
+                                                   : crossing_of(lie, mesh, point.edge, front_time));
         }
         const int jumped = jumps.count(tracker.detector(), shown);
         const int truly = true_jumps.count(tracker.detector(), exact);
@@ -137,7 +139,7 @@ FrontScore score(const front::Mesh& mesh, const front::Rule& rule, front::Source
             const auto [a, b] = mesh.edge[e];
             const auto parts = [&, a = a, b = b](double times) {
                 return region[a] != region[b] &&
-                       lie.parts(glm::dvec2(mesh.position[a]), glm::dvec2(mesh.position[b]), time,
+                       lie.parts(glm::dvec2(mesh.position[a]), glm::dvec2(mesh.position[b]), front_time,
                                  times * rule.jump);
             };
             const bool is_crossed = parts(kSurely), is_cut = tracker.detector().is_cut(e);
@@ -146,7 +148,8 @@ FrontScore score(const front::Mesh& mesh, const front::Rule& rule, front::Source
         }
         for (const front::Point& point : tracker.points())
             if (region[mesh.edge[point.edge].a] != region[mesh.edge[point.edge].b])
-                distances.push_back(lie.distance(glm::dvec2(tracker.position(point)), time) / trial.cell);
+                distances.push_back(lie.distance(glm::dvec2(tracker.position(point)), front_time) /
+                                    trial.cell);
     }
     double sum = 0;
     for (const double distance : distances) sum += distance * distance;

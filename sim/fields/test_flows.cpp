@@ -29,9 +29,8 @@ glm::dvec2 left_of(const glm::dvec2& direction) {
 
 // Signed distances to the fronts that there are.
 double from_line(const TestFlow& flow, const glm::dvec2& x, double time) {
-    const double swing = flow.kind == TestFlow::Kind::kOpposed
-                             ? 0
-                             : kSwing * std::sin(kTurn * flow.front_speed * time / kSwingPeriod);
+    const double swing =
+        flow.kind == TestFlow::Kind::kOpposed ? 0 : kSwing * std::sin(kTurn * time / kSwingPeriod);
     return glm::dot(x - flow.through, left_of(direction_of(flow.angle))) - swing;
 }
 
@@ -44,30 +43,30 @@ double fade(const TestFlow& flow, const glm::dvec2& x) {
 
 // In the frame that turns with the pinwheel.
 glm::dvec2 turned(const TestFlow& flow, const glm::dvec2& x, double time) {
-    const glm::dvec2 u = direction_of(kTurn * flow.front_speed * time / kPinwheelPeriod + kPinwheelAngle);
+    const glm::dvec2 u = direction_of(kTurn * time / kPinwheelPeriod + kPinwheelAngle);
     const glm::dvec2 from = x - flow.through;
     return {glm::dot(from, u), glm::dot(from, left_of(u))};
 }
 
-double disc_angle(const TestFlow& flow, double time) {
-    return kTurn * flow.front_speed * time / kDiscPeriod;
+double disc_angle(double time) {
+    return kTurn * time / kDiscPeriod;
 }
 
 double from_disc(const TestFlow& flow, const glm::dvec2& x, double time) {
-    const glm::dvec2 centre = flow.through + kDiscOrbit * direction_of(disc_angle(flow, time));
+    const glm::dvec2 centre = flow.through + kDiscOrbit * direction_of(disc_angle(time));
     return glm::length(x - centre) - kDiscRadius;
 }
 
 // Below 0 inside of either; near the front as good as the distance itself.
 double from_drops(const TestFlow& flow, const glm::dvec2& x, double time) {
-    const glm::dvec2 way(kApart * std::cos(kTurn * flow.front_speed * time / kDropPeriod), 0);
+    const glm::dvec2 way(kApart * std::cos(kTurn * time / kDropPeriod), 0);
     const glm::dvec2 from = x - flow.through;
     return std::min(glm::length(from - way), glm::length(from + way)) - kDropRadius;
 }
 
 // Lanes one above the other, which sway together: place in units of lanes.
 double lane_at(const TestFlow& flow, const glm::dvec2& x, double time) {
-    const double sway = kLaneSwing * std::sin(kTurn * (x.x + flow.front_speed * time / kLanePeriod));
+    const double sway = kLaneSwing * std::sin(kTurn * (x.x + time / kLanePeriod));
     return (x.y - flow.through.y - sway) / kLane;
 }
 
@@ -117,7 +116,7 @@ glm::vec2 TestFlow::of_region(int where, double time) const {
         case Kind::kDisc: {
             const double speed = kTurn * front_speed / kDiscPeriod * kDiscOrbit;
             return where ? glm::vec2(0, -kDiscFall * flow_speed)
-                         : glm::vec2(speed * left_of(direction_of(disc_angle(*this, time))));
+                         : glm::vec2(speed * left_of(direction_of(disc_angle(time))));
         }
         case Kind::kDrops:
             return glm::vec2(0, where ? flow_speed : -flow_speed);
@@ -144,8 +143,7 @@ double TestFlow::distance(const glm::dvec2& x, double time) const {
         case Kind::kCrowd: {
             // To the tangent of the sine above or below: near a front as good as the distance itself.
             const double lane = lane_at(*this, x, time);
-            const double slope =
-                kLaneSwing * kTurn * std::cos(kTurn * (x.x + front_speed * time / kLanePeriod));
+            const double slope = kLaneSwing * kTurn * std::cos(kTurn * (x.x + time / kLanePeriod));
             return std::abs(lane - std::round(lane)) * kLane / std::sqrt(1 + slope * slope);
         }
     }

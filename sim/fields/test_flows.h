@@ -26,6 +26,9 @@ struct TestFlow {
     double smooth = 0;             // m/s; adds a steady field without jumps, (sin 2πy, sin 2πx) times this
     glm::dvec2 through{0.5, 0.5};  // the middle of all, m: a point of the line, where lines cross, …
 
+    // `time` below is the front's, s: it goes by front_speed times as fast as everybody's, and may do so
+    // while speeds change.
+
     // Parts of the plane that move alike, numbered from 0.
     int region(const glm::dvec2& x, double time) const;
     // Whether a front runs between two places near each other, across which velocities jump by so much, m/s.

@@ -17,7 +17,6 @@ namespace sim::fields {
 namespace {
 
 using front::CutTriangle;
-using front::CutVertex;
 using front::TextureLayers;
 
 constexpr int kSheet = 1;         // the second phase of the shortest latency: renewed at whole periods
@@ -159,9 +158,11 @@ class Texture {
         return rule;
     }
 
+    double front_time(double time) const { return flow_.front_speed * time; }
     glm::dvec2 velocity(const glm::dvec2& x, double time) const {
-        glm::dvec2 v(flow_.velocity(x, time));
-        if (trial_.smooth_alone) v -= glm::dvec2(flow_.of_region(flow_.region(x, time), time));
+        glm::dvec2 v(flow_.velocity(x, front_time(time)));
+        if (trial_.smooth_alone)
+            v -= glm::dvec2(flow_.of_region(flow_.region(x, front_time(time)), front_time(time)));
         return v;
     }
 
@@ -185,7 +186,7 @@ class Texture {
             for (const Piece& piece : pieces_of(tracker_, layers_, t)) {
                 const double stretch = piece.stretch(), area = piece.area();
                 area_ += area, stretched_ += stretch > 2 ? area : 0;
-                if (flow_.distance(piece.middle(), time) < kNearCells * mesh_.cell[0])
+                if (flow_.distance(piece.middle(), front_time(time)) < kNearCells * mesh_.cell[0])
                     near_.add(stretch, area);
             }
     }
@@ -194,8 +195,8 @@ class Texture {
         for (Particle& p : particles_) {
             const glm::dvec2 halfway = p.at + dt / 2 * velocity(p.at, time);
             p.at += dt * velocity(halfway, time);
-            p.counts = p.counts && is_inside(p.at) && flow_.region(p.at, time) == p.region &&
-                       flow_.distance(p.at, time) > mesh_.cell[0] / 2;
+            p.counts = p.counts && is_inside(p.at) && flow_.region(p.at, front_time(time)) == p.region &&
+                       flow_.distance(p.at, front_time(time)) > mesh_.cell[0] / 2;
         }
         if (!renewed) {
             for (Particle& p : particles_)
@@ -209,7 +210,7 @@ class Texture {
         for (const glm::vec2& x : mesh_.position) {
             const glm::dvec2 at = glm::dvec2(x) + 0.37 * static_cast<double>(mesh_.cell[0]);
             if (!is_inside(at)) continue;
-            Particle p{at, {}, flow_.region(at, time)};
+            Particle p{at, {}, flow_.region(at, front_time(time))};
             if (const auto c = coordinates_at(at)) {
                 p.coordinates = *c;
                 particles_.push_back(p);

@@ -22,9 +22,9 @@ constexpr double kPull = 13.39;  // 1/s; −60 ln 0.8
 // How fast the share of a phase may follow, where ground begins to move.
 constexpr float kFadeRate = 8;  // 1/s
 // Stretch changes slowly: each vertex's is looked at as often as this.
-constexpr double kLookAgain_s = 0.2;
-constexpr double kLatencyFollows_s = 0.3;  // e-fold
-constexpr float kFromNeighbours = 0.5f;    // of a latency: share of those that no front separates
+constexpr double kLookAgainAfter = 0.2;  // s
+constexpr double kLatencyFollows = 0.3;  // s, e-fold
+constexpr float kFromNeighbours = 0.5f;  // of a latency: share of those that no front separates
 
 using Offsets = TextureLayers::Offsets;
 using Gradients = TextureLayers::Gradients;
@@ -266,13 +266,13 @@ void TextureLayers::fade(double dt) {
 }
 
 void TextureLayers::choose_latency(const Detector& detector, double dt, Workers& workers) {
-    const auto period = std::max<std::int64_t>(1, std::llround(kLookAgain_s / dt));
+    const auto period = std::max<std::int64_t>(1, std::llround(kLookAgainAfter / dt));
     const auto elapsed = static_cast<double>(period) * dt;
     due_.clear();
     for (const int v : moving_)
         if ((v + now_.steps) % period == 0) due_.push_back(v);
     latency_.resize(due_.size());
-    const auto follow = static_cast<float>(1 - std::exp(-elapsed / kLatencyFollows_s));
+    const auto follow = static_cast<float>(1 - std::exp(-elapsed / kLatencyFollows));
     workers.each_band(static_cast<int>(due_.size()), [&](int first, int last) {
         for (int i = first; i < last; ++i) {
             const int v = due_[i];

@@ -16,7 +16,7 @@ class Fronts : public testing::Test {
   protected:
     Session begin(bool followed, int threads = 1) const {
         auto session = Session::begin(scene.start, sim::How{.threads = threads}, std::nullopt).value();
-        if (followed) session.follow_fronts(scene.start.look);
+        if (followed) session.follow_fronts(scene.start);
         return session;
     }
     // From the tick at which it stands.
@@ -122,7 +122,9 @@ TEST_F(Fronts, go_back_with_the_world_and_come_again_to_the_bit) {
 
 TEST_F(Fronts, of_a_material_that_carries_nothing_are_not_followed) {
     Session session = begin(false);
-    session.follow_fronts(render::Look());
+    Start plain = scene.start;
+    plain.look.flow.reset();
+    session.follow_fronts(plain);
     EXPECT_EQ(session.fronts(), nullptr);
 }
 

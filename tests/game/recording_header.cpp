@@ -150,8 +150,8 @@ TEST_F(ForgedHeader, with_a_number_beyond_all_numbers_is_refused) {
 // Where these stand in a header they are as good as what stood there.
 bool may_stand(const std::string& place, const Json& value) {
     static const std::set<std::string> kNames{
-        "/program",  "/scene",        "/title",          "/terrain/georeference/wkt",
-        "/material", "/terrain/name", "/terrain/licence"};
+        "/program",  "/scene",        "/title",           "/terrain/georeference/wkt",
+        "/material", "/terrain/name", "/terrain/licence", "/view/look/texture"};
     static const std::set<std::string> kSigned{"/terrain/georeference/x",    "/terrain/georeference/y",
                                                "/view/light/azimuth_deg",    "/view/camera/azimuth_deg",
                                                "/view/camera/elevation_deg", "/view/camera/target/0",
@@ -196,7 +196,7 @@ TEST_F(ForgedHeader, without_any_one_member_is_refused) {
             Json header = header_;
             header.at(at).erase(key);
             SCOPED_TRACE(std::string(parent) + "/" + key);
-            const bool optional = key == "camera" || key == "georeference";
+            const bool optional = key == "camera" || key == "georeference" || key == "texture";
             if (!optional) refused(header);
         }
     };

@@ -1,0 +1,61 @@
+#include "sim/fields/flow_stage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "sim/check.h"
+#include "sim/workers.h"
+
+namespace sim::fields {
+namespace {
+
+constexpr double kFarthest = 0.3;    // cells, that a front goes in one part of a step
+constexpr double kJumpShare = 0.25;  // of the speed at which a flow begins: a jump of so much is a front
+
+}  // namespace
+
+FlowStage::FlowStage(const Grid& grid, const TestFlow& flow, const FlowNumbers& numbers)
+    : grid_(grid),
+      side_((grid.nx - 1) * static_cast<double>(grid.dx)),
+      flow_(flow),
+      numbers_(numbers),
+      jump_(static_cast<float>(kJumpShare * numbers.speed * side_)),
+      mesh_(front::mesh_of(grid)),
+      velocity_(grid.size()) {
+    CHECK(grid.nx == grid.ny);
+    begin_view();
+}
+
+void FlowStage::begin_view() {
+    // A jump that no flow has: nothing is cut.
+    const float jump = numbers_.cut ? jump_ : std::numeric_limits<float>::max() / 4;
+    view_.emplace(mesh_, front::gradient_rule(jump, grid_.dx), numbers_.source, front::LayerRule{});
+}
+
+void FlowStage::set(const FlowNumbers& numbers) {
+    const FlowNumbers before = std::exchange(numbers_, numbers);
+    if (before.cut == numbers.cut && before.source == numbers.source) return;
+    const front::TextureLayers::Memory textures = view_->layers().memory();
+    begin_view();
+    view_->layers().restore(textures);
+}
+
+void FlowStage::advance(double dt, Workers& workers) {
+    flow_.flow_speed = numbers_.speed, flow_.front_speed = numbers_.front_speed,
+    flow_.smooth = numbers_.smooth;
+    const double cells = flow_.greatest_front_speed() * side_ / static_cast<double>(grid_.dx) * dt;
+    const int parts = std::max(1, static_cast<int>(std::ceil(cells / kFarthest)));
+    for (int part = 0; part < parts; ++part) {
+        front_time_ += numbers_.front_speed * dt / parts;
+        workers.each_band(mesh_.vertices(), [&](int first, int last) {
+            for (int v = first; v < last; ++v)
+                velocity_[v] = static_cast<float>(side_) *
+                               flow_.velocity(glm::dvec2(mesh_.position[v]) / side_, front_time_);
+        });
+        view_->advance({velocity_, {}}, dt / parts, workers);
+    }
+}
+
+}  // namespace sim::fields

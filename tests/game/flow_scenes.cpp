@@ -1,0 +1,80 @@
+#include <gtest/gtest.h>
+
+#include "game/recording/reader.h"
+#include "game/scene.h"
+#include "game/session.h"
+#include "tests/game/program.h"
+#include "tests/game/recording_files.h"
+#include "tests/support/places.h"
+
+// Scenes that show how the fronts of a flow are met.
+namespace game::test {
+namespace {
+
+class FlowScenes : public testing::TestWithParam<const char*> {};
+
+TEST_P(FlowScenes, that_ship_play_and_are_followed) {
+    const auto scene = load_scene(GetParam(), {});
+    ASSERT_TRUE(scene) << scene.error().sentence;
+    ASSERT_TRUE(scene->start.flow);
+    ASSERT_TRUE(scene->start.look.flow);
+    EXPECT_TRUE(scene->start.look.flow->everywhere);
+    auto session = Session::begin(scene->start, sim::How{}, std::nullopt).value();
+    session.follow_fronts(scene->start);
+    const std::uint64_t before = session.state_line().hash;
+    for (int i = 0; i < 60; ++i) ASSERT_TRUE(session.advance({}));
+    EXPECT_GT(session.fronts()->tracker().points().size(), 20u);
+    EXPECT_EQ(session.changed_at(), 60);  // its picture changes though its world does not
+    EXPECT_EQ(session.state().ledger.mass_error(), 0);
+    EXPECT_NE(session.state_line().hash, before);  // ticks count
+    // Speeds are set while it runs, and no cuts leave no points.
+    sim::fields::FlowNumbers numbers = scene->start.flow->numbers;
+    numbers.cut = false;
+    session.set_flow(numbers);
+    ASSERT_TRUE(session.advance({}));
+    EXPECT_TRUE(session.fronts()->tracker().points().empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FlowScenes,
+                         testing::Values("flow-opposed", "flow-swinging", "flow-pinwheel", "flow-disc",
+                                         "flow-crowd"),
+                         [](const auto& test) { return std::string(test.param + 5); });
+
+TEST(FlowScene, that_is_damaged_is_refused_with_file_and_line) {
+    const support::TemporaryFolder folder;
+    const auto path = folder.path() / "flow.toml";
+    const std::pair<const char*, const char*> faults[] = {
+        {"[flow]\n", ":1: flow needs a kind"},
+        {"[flow]\nkind = \"waterfall\"\n", ":2: flow.kind is none of opposed, swinging"},
+        {"[flow]\nkind = \"disc\"\nspeed = 2\n", ":3: flow.speed"},
+        {"[flow]\nkind = \"disc\"\nsource = \"level\"\n", ":3: flow.source is none of half, paper, fit"},
+        {"[flow]\nkind = \"disc\"\ntexture = \"wood\"\n", ":3: flow.texture names no texture"},
+        {"[flow]\nkind = \"disc\"\ncolour = 3\n", ":3: flow.colour"},
+        {"[flow]\nkind = \"disc\"\n[cover]\nmaterial = \"sand\"\n", ":3: cover"},
+    };
+    for (const auto& [text, expected] : faults) {
+        write_bytes(path, text);
+        const auto scene = load_scene(path.string(), {});
+        ASSERT_FALSE(scene) << text;
+        EXPECT_EQ(scene.error().status, Failure::kUnusable);
+        EXPECT_EQ(scene.error().sentence.rfind(path.string() + expected, 0), 0u) << scene.error().sentence;
+    }
+}
+
+TEST(FlowScene, is_recorded_and_watched_as_it_was_begun) {
+    const support::TemporaryFolder folder;
+    const auto path = folder.path() / "flow.couloir";
+    const Start before = load_scene("flow-disc", {})->start;
+    record(path, before, 20, {});
+    const auto recording = read_recording(path);
+    ASSERT_TRUE(recording) << recording.error().sentence;
+    const Start& after = recording->header.start;
+    ASSERT_TRUE(after.flow);
+    EXPECT_EQ(after.flow->numbers, before.flow->numbers);
+    EXPECT_EQ(after.flow->flow.kind, before.flow->flow.kind);
+    EXPECT_EQ(after.flow->flow.through, before.flow->flow.through);
+    EXPECT_EQ(after.look.flow, before.look.flow);
+}
+
+}  // namespace
+}  // namespace game::test
