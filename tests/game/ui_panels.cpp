@@ -194,6 +194,21 @@ TEST_F(UiPanels, change_one_thing_of_the_display_and_leave_the_rest) {
     EXPECT_EQ(only<Verb>(click("Overview")), Verb::kOverview);
 }
 
+TEST_F(UiPanels, change_a_flow_while_it_runs_where_the_scene_shows_one) {
+    ui_->perform(Verb::kToggleDisplay);
+    settle();
+    start_.flow.emplace();
+    settle();
+    EXPECT_TRUE(click("Textures with").empty());
+    Display expected = display_;
+    expected.flow.cut = false;
+    EXPECT_EQ(only<SetDisplay>(click("no cuts")).display, expected);
+    EXPECT_TRUE(click("Textures with").empty());
+    expected = display_;
+    expected.flow.source = sim::front::Source::kPaper;
+    EXPECT_EQ(only<SetDisplay>(click("the paper's points")).display, expected);
+}
+
 TEST_F(UiPanels, size_letters_only_when_the_slider_is_let_go) {
     begin_anew({2400, 1400, 1});
     ui_->perform(Verb::kToggleDisplay);
