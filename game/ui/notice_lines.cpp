@@ -81,7 +81,8 @@ void hint(Desk& desk, const Facts& facts) {
     std::array<char, 256> text;
     const std::string keys = name_of(Verb::kToggleHelp);
     if (facts.start.flow)
-        std::snprintf(text.data(), text.size(), "A flow and its fronts: %s has its speeds. %s shows all keys.",
+        std::snprintf(text.data(), text.size(),
+                      "A flow and its fronts: %s has its speeds. %s shows all keys.",
                       name_of(Verb::kToggleDisplay).c_str(), keys.c_str());
     else
         std::snprintf(text.data(), text.size(),
