@@ -16,8 +16,7 @@ namespace sim::front {
 
 // How textures are kept from being drawn out.
 struct LayerRule {
-    float shortest_s =
-        1;  // latency of the first layer, s, > 0; each further one has twice that of the one before
+    float shortest_s = 1;      // latency of the first layer, > 0; each further one lasts twice as long
     float deformation = 0.5f;  // d*: the stretch, as a logarithm, that a person lets pass, ≥ 0
     // False: fronts as the paper has them to the letter. A vertex that a front has passed keeps the
     // coordinates of the side on which it was, and what lies across a front is mixed in. To show what it is
@@ -112,8 +111,7 @@ class TextureLayers {
     std::vector<Offsets> carried_;     // of each that moves
     std::vector<std::uint8_t> is_stranded_;
     std::vector<int> stranded_;
-    std::vector<int>
-        region_;  // of each that moves a place of its region, the first at last; while they are joined
+    std::vector<int> region_;  // of each that moves, a place of its region: toward the first
     std::vector<int> number_;  // of each that moves, its region's
     int regions_ = 0;
     struct Sum {
