@@ -203,6 +203,7 @@ Outcome<void> App::begin_world(Opening opening, const std::optional<std::filesys
     probe_.emplace(start.georeference);
     screen_.show_title(fmt::format("Couloir: {}", start.title));
     tell(first_.told);
+    if (start.look.flow && !sandbox_->session().fronts()) tell(Session::kTooFine);
     now_s_ = screen_.seconds();  // loading took time that the new world does not owe
     return {};
 }

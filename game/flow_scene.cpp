@@ -15,6 +15,7 @@ using sim::fields::TestFlow;
 
 constexpr float kSide = 100;  // m
 constexpr int kUsualSquares = 20;
+static_assert(kFlowKinds.size() == static_cast<std::size_t>(TestFlow::Kind::kRift) + 1);
 
 // The kind with the place and the angle that it has in the paper's figures.
 TestFlow usual(TestFlow::Kind kind, int squares) {
@@ -66,14 +67,19 @@ void read_look(TomlTable& table, Start& start) {
 
 }  // namespace
 
-Outcome<void> read_flow(TomlTable& table, std::optional<int> wished, Start& start) {
+Outcome<void> read_flow(TomlTable& table, const Wishes& wishes, Start& start) {
+    if (wishes.material || wishes.model || wishes.scheme || wishes.law)
+        return unusable("A flow has no material and no physics: of the wishes only --grid is for it");
+    if (wishes.squares.value_or(0) > kMostFlowSquares)
+        return unusable(fmt::format("--grid {}: a flow has at most {} squares along a side", *wishes.squares,
+                                    kMostFlowSquares));
     const auto name = table.text("kind");
     const auto kind = std::find(kFlowKinds.begin(), kFlowKinds.end(), name.value_or(""));
     if (kind == kFlowKinds.end())
         table.blame(name ? "kind" : "", fmt::format("{} {}", name ? "is none of" : "needs a kind, one of",
                                                     fmt::join(kFlowKinds, ", ")));
-    const auto grid = table.whole("grid", 8, 512);
-    const int squares = wished.value_or(static_cast<int>(grid.value_or(kUsualSquares)));
+    const auto grid = table.whole("grid", 8, kMostFlowSquares);
+    const int squares = wishes.squares.value_or(static_cast<int>(grid.value_or(kUsualSquares)));
     const auto which = kind == kFlowKinds.end() ? 0 : kind - kFlowKinds.begin();
     start.flow = Start::Flow{usual(static_cast<TestFlow::Kind>(which), squares), {}};
     read_numbers(table, *start.flow);

@@ -34,7 +34,8 @@ void read_look(TomlTable& table, render::Look& look) {
     };
     set("roughness", look.roughness, 1);
     set("cover_visible", look.cover_visible_m, 10);
-    set("rolling_visible", look.rolling_visible_m, 10);
+    if (const auto visible = table.number("rolling_visible", 0.001, 10))
+        look.rolling_visible_m = static_cast<float>(*visible);
     if (const auto name = table.text("texture")) {
         if (const auto pattern = render::flow_pattern_named(*name))
             look.flow = render::FlowLook{*pattern};

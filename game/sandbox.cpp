@@ -18,8 +18,7 @@ Outcome<Sandbox> Sandbox::begin(Opening opening, const sim::How& how, std::optio
     if (!session) return tl::unexpected(session.error());
     session->follow_fronts(opening.scene.start);
     const std::size_t per_vertex =
-        6 * sizeof(float) +
-        (session->fronts() ? sizeof(sim::front::TextureLayers::Offsets) + 7 * sizeof(float) : 0);
+        6 * sizeof(float) + (session->fronts() ? sim::front::TextureLayers::Memory::kBytesPerVertex : 0);
     const std::size_t per_moment = per_vertex * opening.scene.start.grid.size();
     Sandbox sandbox(std::move(opening), std::move(*session));
     sandbox.most_actions_ = std::clamp<std::size_t>(kMomentBytes / per_moment, 1, kMostActions);

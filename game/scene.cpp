@@ -170,7 +170,7 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& w
     start.title = root.text("title").value_or(start.scene);
 
     if (auto flow = root.table("flow")) {
-        if (auto read = read_flow(*flow, wishes.squares, start); !read) return tl::unexpected(read.error());
+        if (auto read = read_flow(*flow, wishes, start); !read) return tl::unexpected(read.error());
         read_view(root, start);
         root.finish();
         if (fault) return unusable(*fault);

@@ -61,7 +61,8 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
     times_.solve_ms = ms_of([&] { sim::step(state_, commands, *engine_); });
 
     if (!rests) changed_at_ = state_.tick;
-    if (fronts_ || stage_) advance_fronts();
+    // At rest nothing of them changes; a flow that is shown never rests.
+    if ((fronts_ && !rests) || stage_) advance_fronts();
     std::int64_t error = state_.ledger.mass_error();
     if (error == 0 && state_.mixture) error = state_.mixture->ledger.mass_error();
     if (error != 0)
@@ -111,6 +112,7 @@ double Session::cubic_metres(std::int64_t quanta) const {
 }
 
 void Session::follow_fronts(const Start& start) {
+    if (state_.grid.size() > kMostFollowed) return;
     if (start.flow)
         stage_ = std::make_unique<sim::fields::FlowStage>(state_.grid, start.flow->flow, start.flow->numbers);
     else if (start.look.flow)

@@ -19,7 +19,7 @@ namespace game {
 struct TickTimes {
     double solve_ms = 0;
     // Of its fronts, where they are followed: finding them, carrying textures, what is seen of these.
-    double track_ms = 0, advect_ms = 0, gradient_ms = 0;
+    double track_ms = 0, advect_ms = 0, gradient_ms = 0;  // of a flow that is shown, all under track_ms
 };
 
 // The greatest values that each vertex has seen, grid.size() each: what an avalanche did, when it is over. A
@@ -49,7 +49,12 @@ class Session {
 
     // From here on, for who draws or measures it: fronts, and what is carried with the flow that `start`
     // shows or, if its look says that it carries anything, with the rolling layer.
+    // Where that is more than kMostFollowed vertices nothing is followed, and whoever asked should say
+    // kTooFine.
     void follow_fronts(const Start& start);
+    static constexpr std::size_t kMostFollowed = 900'000;
+    static constexpr const char* kTooFine =
+        "This grid is too fine for textures to travel with what rolls: they do up to 900,000 vertices";
     // Nothing while none are followed.
     const sim::front::FlowView* fronts() const {
         return stage_ ? &stage_->view() : fronts_ ? &fronts_->view() : nullptr;
@@ -68,7 +73,8 @@ class Session {
     Outcome<void> finish();
 
     Moment moment() const;
-    // Takes back all that came after `moment`, in the world and in the recording, to the bit. Errors: the
+    // Takes back all that came after `moment`, in the world and in the recording, to the bit. A flow that
+    // is shown goes on: nothing that a hand does touches it. Errors: the
     // recording cannot be written.
     Outcome<void> rewind(const Moment& moment);
 

@@ -113,11 +113,9 @@ tl::expected<FlowTexture, std::string> FlowTexture::load(const std::filesystem::
     FlowTexture texture;
     texture.mean = mean_of(*albedo);
     texture.grain = texture_of(GL_RGBA8, GL_RGBA, normal->width, normal->height, grain_of(*normal, *height));
-    // What has a table of colours for its heights is meant to be blended.
-    const std::filesystem::path table = folder / (name + "-colours.png");
-    texture.stochastic = std::filesystem::exists(table);
+    texture.stochastic = is_stochastic(pattern);
     if (texture.stochastic) {
-        const auto colours = read(table, 3);
+        const auto colours = read(folder / (name + "-colours.png"), 3);
         if (!colours) return tl::unexpected(colours.error());
         texture.colours = texture_of(GL_SRGB8, GL_RGB, colours->width, colours->height, colours->values);
         glTextureParameteri(texture.colours.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);

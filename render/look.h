@@ -33,7 +33,7 @@ struct Look {
     glm::vec3 lower_rolling{0.36f, 0.25f, 0.14f};
     float roughness = 0.5f;           // 0 to 1, strength of the rolling layer's small-scale relief
     float cover_visible_m = 0.05f;    // depth at which the standing layer hides the ground, m, > 0
-    float rolling_visible_m = 0.05f;  // depth at which the rolling layer is drawn, m, > 0
+    float rolling_visible_m = 0.05f;  // depth at which the rolling layer is drawn, m, ≥ 0.001
     float detail =
         1;  // 0 to 1, strength of all small-scale relief and variation of colour; 0 draws plain colours
     std::optional<FlowLook> flow;  // none: nothing carries a texture

@@ -74,7 +74,7 @@ tl::expected<Remesher, std::string> Remesher::create(const std::filesystem::path
 
 void Remesher::send_mesh(const sim::front::Mesh& mesh) {
     const std::size_t edges = mesh.edge.size(), triangles = mesh.triangle.size();
-    CHECK(triangles > 0);
+    CHECK(triangles > 0 && triangles <= kMostTriangles);
     edge_triangle_ = mesh.edge_triangle;
     is_listed_.assign(triangles, 0);
     cut_.clear();

@@ -20,10 +20,13 @@ namespace render {
 // gl_VertexID where the vertex lies and on which side of the front.
 class Remesher {
   public:
+    // For which any OpenGL's buffers suffice.
+    static constexpr std::size_t kMostTriangles = 1'800'000;
+
     static tl::expected<Remesher, std::string> create(const std::filesystem::path& shaders);
 
-    // The mesh, cut nowhere yet. At least one triangle, and at most 1.8 million, for which any OpenGL's
-    // buffers suffice. Makes all buffers; nothing after it makes any.
+    // The mesh, cut nowhere yet. At least one triangle, at most kMostTriangles. Makes all buffers; nothing
+    // after it makes any.
     void send_mesh(const sim::front::Mesh& mesh);
     // Cuts the mesh at these points and nowhere else: those of a tracker, or none; edges ascending. What it
     // costs grows with their number, not with the mesh. Leaves a program of its own current.

@@ -19,7 +19,7 @@ vec2 carried_on(int side, int sheet, vec2 way, bool on_front) {
 bool is_seen(int side) {
     int columns = frame.size.x;
     return int(frame.flow.y) == FLOW_EVERYWHERE ||
-           texelFetch(rolling, ivec2(side % columns, side / columns), 0).r >= frame.rolling.w;
+           texelFetch(rolling, ivec2(side % columns, side / columns), 0).r > frame.rolling.w;
 }
 
 void main() {

@@ -39,7 +39,10 @@ Outcome<int> replay(const ReplayOptions& options) {
     if (auto placed = make_places_for(options.results); !placed) return tl::unexpected(placed.error());
     auto session = Session::begin(start, options.how, std::nullopt);
     if (!session) return tl::unexpected(session.error());
-    if (options.pictures.folder || options.results.perf) session->follow_fronts(start);
+    if (options.pictures.folder || options.results.perf) {
+        session->follow_fronts(start);
+        if (start.look.flow && !session->fronts()) fmt::print(stderr, "couloir: {}\n", Session::kTooFine);
+    }
     std::optional<Gallery> gallery;
     if (options.pictures.folder) {
         auto opened =

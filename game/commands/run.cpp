@@ -76,7 +76,10 @@ Outcome<int> run(const RunOptions& options) {
     auto session = Session::begin(start, options.how, std::move(leavings->recorder));
     if (!session) return tl::unexpected(session.error());
 
-    if (leavings->gallery || options.results.perf) session->follow_fronts(start);
+    if (leavings->gallery || options.results.perf) {
+        session->follow_fronts(start);
+        if (start.look.flow && !session->fronts()) fmt::print(stderr, "couloir: {}\n", Session::kTooFine);
+    }
     std::optional<Gallery>& gallery = leavings->gallery;
     PerfLog perf({start.scene, "", options.how.threads, gallery ? gallery->renderer_name() : ""});
     Watchers watchers;

@@ -31,7 +31,8 @@ struct Bounds {
     std::array<double, 4> rms;  // of each scene's points by fit, cells
     double stretched;           // of textures cut and re-seeded, the share of all area above 2
 };
-// As measured (sim/front/README.md) with about a hundredth of a cell, and a third of the share, to spare.
+// As measured (sim/front/README.md), with a hundredth of a cell to spare, a third of one for the coarsest
+// disc; and of the share a third to three times.
 constexpr std::array<Bounds, 5> kBounds{{{10, {.112, .050, .086, .197}, .001},
                                          {20, {.076, .036, .066, .099}, .001},
                                          {30, {.072, .032, .062, .063}, .001},
@@ -46,7 +47,7 @@ const Bounds* bounds_of(int squares) {
 
 // One score of one scene on one grid.
 struct Job {
-    FlowNumbers* into;
+    FlowScores* into;
     std::size_t way;  // the sources, then the textures
 
     void run() const {
@@ -102,26 +103,26 @@ void run_all(std::vector<Job>& jobs, int threads) {
     for (std::thread& each : crew) each.join();
 }
 
-std::string name_of(const FlowNumbers& row) {
+std::string name_of(const FlowScores& row) {
     return fmt::format("{}, {} squares", flow_scenes()[row.scene].title, row.squares);
 }
 
 }  // namespace
 
-std::span<const FlowScene> flow_scenes() {
-    static const std::array<FlowScene, 4> kScenes{{{"line_45", "line, 45°", sim::fields::swinging(45)},
-                                                   {"line_30", "line, 30°", sim::fields::swinging(30)},
-                                                   {"pinwheel", "pinwheel", sim::fields::pinwheel()},
-                                                   {"disc", "disc", sim::fields::disc()}}};
+std::span<const MeasuredFlow> flow_scenes() {
+    static const std::array<MeasuredFlow, 4> kScenes{{{"line_45", "line, 45°", sim::fields::swinging(45)},
+                                                      {"line_30", "line, 30°", sim::fields::swinging(30)},
+                                                      {"pinwheel", "pinwheel", sim::fields::pinwheel()},
+                                                      {"disc", "disc", sim::fields::disc()}}};
     return kScenes;
 }
 
-std::vector<FlowNumbers> measure_flows(std::span<const int> squares, int threads) {
-    std::vector<FlowNumbers> numbers;
+std::vector<FlowScores> measure_flows(std::span<const int> squares, int threads) {
+    std::vector<FlowScores> numbers;
     for (int scene = 0; scene < static_cast<int>(flow_scenes().size()); ++scene)
         for (const int n : squares) numbers.push_back({scene, n, {}, {}});
     std::vector<Job> jobs;
-    for (FlowNumbers& row : numbers)
+    for (FlowScores& row : numbers)
         for (std::size_t way = 0; way < row.front.size() + row.texture.size(); ++way)
             jobs.push_back({&row, way});
     run_all(jobs, threads);
@@ -133,8 +134,8 @@ std::optional<double> fit_bound(int scene, int squares) {
     return std::nullopt;
 }
 
-std::optional<std::string> first_miss(std::span<const FlowNumbers> numbers) {
-    for (const FlowNumbers& row : numbers) {
+std::optional<std::string> first_miss(std::span<const FlowScores> numbers) {
+    for (const FlowScores& row : numbers) {
         const Bounds* bounds = bounds_of(row.squares);
         const double rms = row.front[kFit].rms;
         if (bounds && !(rms <= bounds->rms[row.scene]))
@@ -151,7 +152,7 @@ std::optional<std::string> first_miss(std::span<const FlowNumbers> numbers) {
     return std::nullopt;
 }
 
-std::vector<Table> tables_of(std::span<const FlowNumbers> numbers) {
+std::vector<Table> tables_of(std::span<const FlowScores> numbers) {
     Table near{
         "How near the points come to the front, in cells: root mean square, and what 95 % are below",
         {"scene", "N", "half", "95 %", "paper", "95 %", "fit", "95 %", "fit may", "missed %", "false %"},
@@ -164,7 +165,7 @@ std::vector<Table> tables_of(std::span<const FlowNumbers> numbers) {
         {"scene", "N", "smooth alone", "> 2 %", "no cuts", "> 2 %", "to the letter", "> 2 %", "re-seeded",
          "> 2 %"},
         {}};
-    for (const FlowNumbers& row : numbers) {
+    for (const FlowScores& row : numbers) {
         const std::vector<std::string> start{flow_scenes()[row.scene].title, fmt::to_string(row.squares)};
         near.rows.push_back(start), jumps.rows.push_back(start), texture.rows.push_back(start);
         const auto add = [](Table& table, const std::string& text) { table.rows.back().push_back(text); };
@@ -186,7 +187,7 @@ std::vector<Table> tables_of(std::span<const FlowNumbers> numbers) {
     return {near, jumps, texture};
 }
 
-std::string csv_of(std::span<const FlowNumbers> numbers) {
+std::string csv_of(std::span<const FlowScores> numbers) {
     std::string csv = "scene,squares";
     for (const Source source : kSources)
         for (const char* what : {"rms_cells", "p95_cells", "jumps_per_s"})
@@ -195,7 +196,7 @@ std::string csv_of(std::span<const FlowNumbers> numbers) {
     for (const char* way : {"smooth", "uncut", "letter", "reseeded"})
         csv += fmt::format(",{0}_stretch_p95,{0}_share_above_2", way);
     csv += '\n';
-    for (const FlowNumbers& row : numbers) {
+    for (const FlowScores& row : numbers) {
         csv += fmt::format("{},{}", flow_scenes()[row.scene].name, row.squares);
         for (const FrontScore& score : row.front)
             csv += fmt::format(",{:.5f},{:.5f},{:.3f}", score.rms, score.p95, score.jumps);

@@ -186,7 +186,7 @@ void ground_from(const Json& json, Start& start) {
 Json flow_json(const Start::Flow& flow, const render::FlowLook& look) {
     return {{"kind", kFlowKinds[static_cast<std::size_t>(flow.flow.kind)]},
             {"angle_rad", flow.flow.angle},
-            {"through", numbers({flow.flow.through.x, flow.flow.through.y})},
+            {"through", {{"x", flow.flow.through.x}, {"y", flow.flow.through.y}}},
             {"speed", flow.numbers.speed},
             {"front_speed", flow.numbers.front_speed},
             {"smooth", flow.numbers.smooth},
@@ -201,14 +201,14 @@ void flow_from(const Json& json, Start& start) {
     if (!source || *source == sim::front::Source::kLevel)
         refuse(fmt::format("flow: no source is called '{}'", text(json, "source")));
     if (!start.look.flow) refuse("flow: the look has no texture");
-    if (start.grid.nx != start.grid.ny) refuse("flow: the ground is not square");
-    const Json& through = member(json, "through");
-    if (!through.is_array() || through.size() != 2 || !through[0].is_number() || !through[1].is_number())
-        refuse("flow: through is not two numbers");
+    if (start.grid.nx != start.grid.ny || start.grid.nx > kMostFlowSquares + 1)
+        refuse(fmt::format("flow: the ground is not square, or has more than {} squares along a side",
+                           kMostFlowSquares));
     Start::Flow flow;
     flow.flow.kind = static_cast<sim::fields::TestFlow::Kind>(kind - kFlowKinds.begin());
     flow.flow.angle = number(json, "angle_rad", -10, 10);
-    flow.flow.through = {through[0].get<double>(), through[1].get<double>()};
+    const Json& through = member(json, "through");
+    flow.flow.through = {number(through, "x", 0, 1), number(through, "y", 0, 1)};
     flow.numbers.speed = number(json, "speed", 0, 1);
     flow.numbers.front_speed = number(json, "front_speed", -4, 4);
     flow.numbers.smooth = number(json, "smooth", 0, 0.1);
@@ -259,7 +259,7 @@ void view_from(const Json& json, Start& start) {
     }
     start.look.roughness = static_cast<float>(number(look, "roughness", 0, 1));
     start.look.cover_visible_m = static_cast<float>(number(look, "cover_visible_m", 0, 10));
-    start.look.rolling_visible_m = static_cast<float>(number(look, "rolling_visible_m", 0, 10));
+    start.look.rolling_visible_m = static_cast<float>(number(look, "rolling_visible_m", 0.001, 10));
     if (look.contains("texture")) {
         const auto pattern = render::flow_pattern_named(text(look, "texture"));
         if (!pattern) refuse(fmt::format("look: no texture is called '{}'", text(look, "texture")));

@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kFarthest = 0.3;    // cells, that a front goes in one part of a step
 constexpr double kJumpShare = 0.25;  // of the speed at which a flow begins: a jump of so much is a front
+constexpr double kLeastJump =
+    0.02;  // sides per second, whatever the speed: more than what is smooth jumps by
 
 }  // namespace
 
@@ -21,7 +23,7 @@ FlowStage::FlowStage(const Grid& grid, const TestFlow& flow, const FlowNumbers& 
       side_((grid.nx - 1) * static_cast<double>(grid.dx)),
       flow_(flow),
       numbers_(numbers),
-      jump_(static_cast<float>(kJumpShare * numbers.speed * side_)),
+      jump_(static_cast<float>(std::max(kJumpShare * numbers.speed, kLeastJump) * side_)),
       mesh_(front::mesh_of(grid)),
       velocity_(grid.size()) {
     CHECK(grid.nx == grid.ny);
@@ -29,20 +31,22 @@ FlowStage::FlowStage(const Grid& grid, const TestFlow& flow, const FlowNumbers& 
 }
 
 void FlowStage::begin_view() {
-    // A jump that no flow has: nothing is cut.
+    // Without cuts a jump that no flow has.
     const float jump = numbers_.cut ? jump_ : std::numeric_limits<float>::max() / 4;
     view_.emplace(mesh_, front::gradient_rule(jump, grid_.dx), numbers_.source, front::LayerRule{});
 }
 
 void FlowStage::set(const FlowNumbers& numbers) {
     const FlowNumbers before = std::exchange(numbers_, numbers);
-    if (before.cut == numbers.cut && before.source == numbers.source) return;
-    const front::TextureLayers::Memory textures = view_->layers().memory();
-    begin_view();
-    view_->layers().restore(textures);
+    begins_anew_ = begins_anew_ || before.cut != numbers.cut || before.source != numbers.source;
 }
 
 void FlowStage::advance(double dt, Workers& workers) {
+    if (std::exchange(begins_anew_, false)) {
+        const front::TextureLayers::Memory textures = view_->layers().memory();
+        begin_view();
+        view_->layers().restore(textures);
+    }
     flow_.flow_speed = numbers_.speed, flow_.front_speed = numbers_.front_speed,
     flow_.smooth = numbers_.smooth;
     const double cells = flow_.greatest_front_speed() * side_ / static_cast<double>(grid_.dx) * dt;

@@ -47,6 +47,7 @@ class FlowStage {
     float jump_;  // of velocity, by which an edge is cut, m/s
     front::Mesh mesh_;
     std::optional<front::FlowView> view_;
+    bool begins_anew_ = false;         // the view, in the next step
     double front_time_ = 0;            // s
     std::vector<glm::vec2> velocity_;  // m/s
 };

@@ -10,6 +10,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "sim/check.h"
 #include "sim/front/gradient.h"
 #include "sim/workers.h"
 
@@ -131,6 +132,7 @@ class Texture {
           at_rest_(mesh.position.size()) {}
 
     TextureScore run() {
+        CHECK(mesh_.columns > 0);
         const double dt = 1 / trial_.steps_per_second;
         for (int step = 1; step <= std::lround(trial_.seconds / dt); ++step) {
             const double time = step * dt, age = layers_.age_s(kSheet);

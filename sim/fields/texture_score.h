@@ -16,7 +16,7 @@ struct TextureTrial {
     double seconds = 16, unscored = 2;  // how long, and how much of its beginning does not count
     double steps_per_second = 60;
     double reset_s = 2;
-    bool smooth_alone = false;  // of the flow only what is smooth, to compare with; `near` as with all of it
+    bool smooth_alone = false;  // of the flow only what is smooth, to compare with, near the same fronts
     bool frozen = false;        // coordinates stay where they are: what must be seen as standing still
 };
 
@@ -34,7 +34,7 @@ struct TextureScore {
     double drift_p95 = 0;
 };
 
-// On a heightfield of squares of `cell` m, by a tracker with this rule and source.
+// On a heightfield over the unit square, by a tracker with this rule and source.
 TextureScore score_texture(const front::Mesh& mesh, const front::Rule& rule, front::Source source,
                            const TestFlow& flow, Cutting cutting, const TextureTrial& trial);
 

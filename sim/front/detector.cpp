@@ -33,7 +33,7 @@ struct Jump {
         const float jump = square(velocity[b] - velocity[a]);
         float limit = least;
         if constexpr (relative) limit = std::max(limit, ratio * (speed[a] + speed[b]));
-        return jump >= limit * limit * (is_cut ? shares[1] : shares[0]);
+        return jump > 0 && jump >= limit * limit * (is_cut ? shares[1] : shares[0]);
     }
 
     // Edges that lie side by side in a heightfield: from a, a + 1, … to b, b + 1, …; whether one of them is

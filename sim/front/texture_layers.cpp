@@ -77,7 +77,7 @@ TextureLayers::TextureLayers(const Mesh& mesh, const LayerRule& rule)
       torn_(mesh.triangle.size()),
       place_(mesh.position.size(), -1),
       slot_(mesh.position.size(), -1) {
-    CHECK(rule.shortest_s > 0 && rule.deformation >= 0);
+    CHECK(rule.shortest_s >= 0.25f && rule.deformation >= 0);
     now_.offset.resize(mesh.position.size());
     now_.mix.resize(mesh.position.size());
     now_.deformation.resize(mesh.position.size());

@@ -16,7 +16,7 @@ namespace sim::front {
 
 // How textures are kept from being drawn out.
 struct LayerRule {
-    float shortest_s = 1;      // latency of the first layer, > 0; each further one lasts twice as long
+    float shortest_s = 1;      // latency of the first layer, ≥ 0.25; each further one lasts twice as long
     float deformation = 0.5f;  // d*: the stretch, as a logarithm, that a person lets pass, ≥ 0
     // False: fronts as the paper has them to the letter. A vertex that a front has passed keeps the
     // coordinates of the side on which it was, and what lies across a front is mixed in. To show what it is
@@ -80,6 +80,9 @@ class TextureLayers {
         std::vector<std::array<float, kLatencies>> deformation;  // of each vertex and layer, lately at most
         std::vector<int> beside;
         std::vector<Gradients> gradient;
+
+        static constexpr std::size_t kBytesPerVertex =
+            sizeof(Offsets) + sizeof(Mix) + kLatencies * sizeof(float);
     };
     const Memory& memory() const { return now_; }
     void restore(const Memory& memory);

@@ -35,11 +35,12 @@ Upstream::Upstream(const Mesh& mesh) : mesh_(mesh) {
 
 std::optional<PlaceIn> Upstream::find(int vertex, const glm::vec2& way,
                                       std::span<const std::uint8_t> torn) const {
-    const bool near = std::max(std::abs(way.x), std::abs(way.y)) <= cell_;
+    const bool near = mesh_.columns > 0 && std::max(std::abs(way.x), std::abs(way.y)) <= cell_;
     return near ? find_in_square(vertex, way, torn) : walk(vertex, way, torn);
 }
 
-// A heightfield's square is found by its number, and nothing lies between it and the vertex.
+// A heightfield's square is found by its number. From a corner off its diagonal the way may lead through both
+// triangles.
 std::optional<PlaceIn> Upstream::find_in_square(int vertex, const glm::vec2& way,
                                                 std::span<const std::uint8_t> torn) const {
     const int columns = mesh_.columns, rows = mesh_.vertices() / columns;
@@ -51,7 +52,8 @@ std::optional<PlaceIn> Upstream::find_in_square(int vertex, const glm::vec2& way
     const float fx = (way.x < 0) + way.x / cell_, fy = (way.y < 0) + way.y / cell_;
     const bool lower = fx >= fy;
     const int triangle = 2 * (below * (columns - 1) + left) + !lower;
-    if (torn[triangle]) return std::nullopt;
+    const bool on_diagonal = (way.x < 0) == (way.y < 0), begins_lower = way.x < 0;
+    if (torn[triangle] || (!on_diagonal && begins_lower != lower && torn[triangle ^ 1])) return std::nullopt;
     if (lower) return PlaceIn{triangle, {1 - fx, fx - fy, fy}};
     return PlaceIn{triangle, {1 - fy, fx, fy - fx}};
 }

@@ -41,7 +41,7 @@ void WorldFronts::read(const View& world, Workers& workers) {
             glm::vec2* velocity = velocity_.data() + static_cast<std::size_t>(y) * columns;
             float* rolling = rolling_.data() + static_cast<std::size_t>(y) * columns;
             for (std::size_t x = 0; x < columns; ++x) {
-                const bool moves = r[x] >= visible_ && u[x] * u[x] + v[x] * v[x] >= kLeastSpeed * kLeastSpeed;
+                const bool moves = r[x] > visible_ && u[x] * u[x] + v[x] * v[x] >= kLeastSpeed * kLeastSpeed;
                 velocity[x] = moves ? glm::vec2(u[x], v[x]) : glm::vec2(0, 0);
                 rolling[x] = r[x];
             }

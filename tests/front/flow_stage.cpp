@@ -118,4 +118,16 @@ TEST_F(Stage, has_the_same_bits_for_any_number_of_threads) {
     EXPECT_EQ(std::memcmp(one.data(), three.data(), one.size() * sizeof(one[0])), 0);
 }
 
+TEST_F(Stage, that_stands_still_is_cut_nowhere) {
+    FlowNumbers numbers;
+    numbers.speed = 0;
+    FlowStage stage(grid, sim::fields::pinwheel(), numbers);
+    for (int i = 0; i < 5; ++i) stage.advance(1 / 60.0, workers);
+    EXPECT_TRUE(stage.view().tracker().points().empty());
+    numbers.speed = 0.2;
+    stage.set(numbers);
+    stage.advance(1 / 60.0, workers);
+    EXPECT_GT(stage.view().tracker().points().size(), 30u);
+}
+
 }  // namespace

@@ -116,4 +116,30 @@ TEST(Upstream, tells_nothing_of_what_lies_in_or_beyond_a_torn_triangle) {
     }
 }
 
+// A square is found by its number; on the way there it may lead through the other triangle of the square.
+TEST(Upstream, tells_as_much_of_a_heightfield_as_of_the_same_triangles_in_no_rows) {
+    std::mt19937 random(6);
+    const Mesh mesh = heightfield();
+    Mesh loose = mesh;
+    loose.columns = 0;
+    const Upstream in_rows(mesh), anyhow(loose);
+    std::uniform_real_distribution<float> any(-kCell, kCell);
+    std::bernoulli_distribution is_torn(0.2);
+    int told = 0, kept = 0;
+    for (int round = 0; round < 200; ++round) {
+        std::vector<std::uint8_t> torn(mesh.triangle.size());
+        for (auto& each : torn) each = is_torn(random);
+        for (int v = 0; v < mesh.vertices(); ++v) {
+            const glm::vec2 way = round == 0 ? glm::vec2(0, 0) : glm::vec2(any(random), any(random));
+            const auto one = in_rows.find(v, way, torn), other = anyhow.find(v, way, torn);
+            if (round > 0) {
+                ASSERT_EQ(one.has_value(), other.has_value()) << v << ": " << way.x << ", " << way.y;
+            }
+            ++(one ? told : kept);
+        }
+    }
+    EXPECT_GT(told, 1000);
+    EXPECT_GT(kept, 1000);
+}
+
 }  // namespace

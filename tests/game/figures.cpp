@@ -31,8 +31,8 @@ std::vector<std::string> split(const std::string& text, char at) {
 }
 
 // Of each scene on 10×10 squares, as nobody measured them: all within their bounds.
-std::vector<FlowNumbers> invented() {
-    std::vector<FlowNumbers> numbers;
+std::vector<FlowScores> invented() {
+    std::vector<FlowScores> numbers;
     for (int scene = 0; scene < static_cast<int>(flow_scenes().size()); ++scene) {
         numbers.push_back({scene, 10, {}, {}});
         for (auto& front : numbers.back().front) front.rms = 0.04, front.p95 = 0.08;
@@ -62,7 +62,7 @@ TEST(FigureNumbers, fill_every_cell_of_their_csv) {
 TEST(FigureNumbers, keep_their_bounds_and_show_what_the_method_is_worth) {
     const auto numbers = measure_flows(std::vector{10}, 2);
     EXPECT_EQ(first_miss(numbers), std::nullopt);
-    for (const FlowNumbers& row : numbers) {
+    for (const FlowScores& row : numbers) {
         EXPECT_LT(row.front[2].rms, row.front[0].rms) << row.scene;
         EXPECT_GT(row.texture[1].stretch_p95, 5 * row.texture[3].stretch_p95) << row.scene;
         EXPECT_GT(row.texture[2].stretch_p95, 5 * row.texture[3].stretch_p95) << row.scene;

@@ -76,5 +76,64 @@ TEST(FlowScene, is_recorded_and_watched_as_it_was_begun) {
     EXPECT_EQ(after.look.flow, before.look.flow);
 }
 
+TEST(FlowScene, refuses_wishes_that_it_has_no_use_for) {
+    Wishes material, fine, well;
+    material.material = "sand";
+    fine.squares = 4096;
+    well.squares = 40;
+    for (const Wishes& wishes : {material, fine}) {
+        const auto scene = load_scene("flow-disc", wishes);
+        ASSERT_FALSE(scene);
+        EXPECT_EQ(scene.error().status, Failure::kUnusable);
+        EXPECT_NE(scene.error().sentence.find("--grid"), std::string::npos) << scene.error().sentence;
+    }
+    EXPECT_EQ(load_scene("flow-disc", well)->start.grid.nx, 41);
+}
+
+TEST(FlowScene, whose_recording_was_forged_is_refused) {
+    const support::TemporaryFolder folder;
+    const auto path = folder.path() / "flow.couloir";
+    record(path, load_scene("flow-disc", {})->start, 3, {});
+    const auto bodies = bodies_of(read_bytes(path));
+    const auto accepted = [&](const char* place, const Json& value) {
+        auto forged = bodies;
+        Json header = json_of(forged[0]);
+        header[Json::json_pointer(place)] = value;
+        forged[0] = body_of(header);
+        write_bytes(path, chained(forged));
+        return read_recording(path).has_value();
+    };
+    EXPECT_TRUE(accepted("/view/flow/speed", 0.3));
+    for (const auto& [place, value] :
+         std::vector<std::pair<const char*, Json>>{{"/view/flow/kind", "waterfall"},
+                                                   {"/view/flow/source", "level"},
+                                                   {"/view/flow/speed", 2},
+                                                   {"/view/flow/front_speed", -5},
+                                                   {"/view/flow/smooth", 1},
+                                                   {"/view/flow/repeats", 0},
+                                                   {"/view/flow/angle_rad", 1e300},
+                                                   {"/view/flow/through/x", 1e300},
+                                                   {"/view/flow/through", Json::array({0.5, 0.5})},
+                                                   {"/view/flow", 3},
+                                                   {"/view/look/texture", "wood"}})
+        EXPECT_FALSE(accepted(place, value)) << place;
+}
+
+TEST(FlowScene, and_all_worlds_are_followed_up_to_a_size) {
+    Start start = load_scene("flow-disc", {})->start;
+    const auto resize = [&](int vertices) {
+        start.flow.reset();
+        start.grid = {vertices, vertices, 1};
+        for (auto* field : {&start.bedrock, &start.depth, &start.rolling})
+            field->assign(start.grid.size(), 0.f);
+        start.has_data.assign(start.grid.size(), 1);
+        auto session = Session::begin(start, sim::How{}, std::nullopt).value();
+        session.follow_fronts(start);
+        return session.fronts() != nullptr;
+    };
+    EXPECT_TRUE(resize(100));
+    EXPECT_FALSE(resize(950));
+}
+
 }  // namespace
 }  // namespace game::test
