@@ -168,7 +168,7 @@ TEST_F(Flow, shows_its_stretch_in_the_colours_of_the_legend) {
         {glm::mat2(2, 0, 0, 1), 3},
         {glm::mat2(c, s, -s, c) * glm::mat2(2, 0, 0, 1), 3}};
     for (const auto& [gradient, stop] : laid) {
-        lay(flow, [&](const glm::vec2& x) { return gradient * x; });
+        lay(flow, [&g = gradient](const glm::vec2& x) { return g * x; });
         const Colour got = mean_colour(seen(flow, flowing(), {180, 89}, marks), kPixels / 2, kPixels / 2, 20);
         // Light changes how bright they are, so shares of red, green and blue are compared.
         const auto apart = [&](const LegendStop& other) {
