@@ -118,12 +118,14 @@ void Detector::test_rows(const Test& test) {
 
 template <bool relative>
 void Detector::find_jumps(const glm::vec2* velocity) {
-    Jump jump{rule_.jump, rule_.ratio, {1, square(rule_.hold)}, speed_.data()};
+    const Jump any{rule_.jump, rule_.ratio, {1, square(rule_.hold)}, speed_.data()};
     if (mesh_.columns > 0)
         return test_rows([&](float length, std::size_t e, int a, int b, int count) {
+            Jump jump = any;  // a copy that nothing else can change: bytes written may be anybody's
             jump.least = least_jump(length);
             return jump.test_row<relative>(velocity, a, b, count, &was_on_[e], &on_[e]);
         });
+    Jump jump = any;
     for (std::size_t e = 0; e < on_.size(); ++e) {
         const auto [a, b] = mesh_.edge[e];
         jump.least = least_jump(mesh_.length[e]);
