@@ -33,7 +33,7 @@ struct Jump {
         const float jump = square(velocity[b] - velocity[a]);
         float limit = least;
         if constexpr (relative) limit = std::max(limit, ratio * (speed[a] + speed[b]));
-        return jump > 0 && jump >= limit * limit * (is_cut ? shares[1] : shares[0]);
+        return jump >= limit * limit * (is_cut ? shares[1] : shares[0]);
     }
 
     // Edges that lie side by side in a heightfield: from a, a + 1, … to b, b + 1, …; whether one of them is
@@ -85,7 +85,10 @@ void Detector::update(const Flow& flow) {
 }
 
 float Detector::least_jump(float length) const {
-    return rule_.kind == Rule::Kind::kRelative ? rule_.jump : std::max(rule_.threshold * length, rule_.jump);
+    // Where nothing jumps nothing is cut, whatever the rule; of a speed so low the square is still a number.
+    constexpr float kSomething = 1e-18f;  // m/s
+    const float jump = std::max(rule_.jump, kSomething);
+    return rule_.kind == Rule::Kind::kRelative ? jump : std::max(rule_.threshold * length, jump);
 }
 
 void Detector::find_jumps(const Flow& flow) {
@@ -190,7 +193,7 @@ void Detector::find_jumps_in_time(const glm::vec2* velocity) {
             if (relative)
                 limit = std::max(limit, rule_.ratio * (glm::length(velocity[v]) + glm::length(velocity_[v])));
             const float jump = square(velocity[v] - velocity_[v]);
-            if (jump > 0 && jump >= limit * limit) flipped_.push_back(v);
+            if (jump >= limit * limit) flipped_.push_back(v);
         }
     });
 }
