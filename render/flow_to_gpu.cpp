@@ -16,12 +16,6 @@ static_assert(sizeof(TextureLayers::Gradients) == 6 * 4 * sizeof(float));
 
 constexpr std::size_t kLeastGradients = 256;
 
-Buffer make_storage(std::size_t bytes) {
-    Buffer buffer = make_buffer();
-    glNamedBufferStorage(buffer.name(), static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    return buffer;
-}
-
 template <class Values>
 void send(const Buffer& buffer, const Values& values) {
     glNamedBufferSubData(buffer.name(), 0, static_cast<GLsizeiptr>(values.size() * sizeof(*values.data())),
@@ -52,10 +46,10 @@ void FlowToGpu::upload(const TextureLayers& layers) {
 }
 
 void FlowToGpu::bind() const {
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SLOT_FLOW_OFFSETS, offsets_.name());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SLOT_FLOW_MIX, mixes_.name());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SLOT_FLOW_BESIDE, beside_.name());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SLOT_FLOW_GRADIENTS, gradients_.name());
+    bind_storage(SLOT_FLOW_OFFSETS, offsets_);
+    bind_storage(SLOT_FLOW_MIX, mixes_);
+    bind_storage(SLOT_FLOW_BESIDE, beside_);
+    bind_storage(SLOT_FLOW_GRADIENTS, gradients_);
 }
 
 }  // namespace render

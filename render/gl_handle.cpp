@@ -19,6 +19,16 @@ Buffer make_buffer() {
     return Buffer(name);
 }
 
+Buffer make_storage(std::size_t bytes, const void* data) {
+    Buffer buffer = make_buffer();
+    glNamedBufferStorage(buffer.name(), static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_STORAGE_BIT);
+    return buffer;
+}
+
+void bind_storage(GLuint slot, const Buffer& buffer) {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot, buffer.name());
+}
+
 VertexArray make_vertex_array() {
     GLuint name = 0;
     glCreateVertexArrays(1, &name);

@@ -67,6 +67,9 @@ using ProgramName = GlHandle<DeleteProgram>;
 // A 2D texture of one level, clamped to its edge. `filter` is GL_NEAREST or GL_LINEAR.
 Texture make_texture(GLenum format, int width, int height, GLint filter);
 Buffer make_buffer();
+// Of a size that stays, in bytes, and bound for shaders. Without `data` what it holds is anything.
+Buffer make_storage(std::size_t bytes, const void* data = nullptr);
+void bind_storage(GLuint slot, const Buffer& buffer);
 VertexArray make_vertex_array();
 Framebuffer make_framebuffer();
 

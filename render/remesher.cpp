@@ -32,18 +32,9 @@ GLsizeiptr bytes(const std::vector<T>& values) {
     return static_cast<GLsizeiptr>(sizeof(T) * values.size());
 }
 
-Buffer buffer_of(GLsizeiptr size, const void* data) {
-    Buffer buffer = make_buffer();
-    glNamedBufferStorage(buffer.name(), size, data, GL_DYNAMIC_STORAGE_BIT);
-    return buffer;
-}
 template <class T>
 Buffer buffer_of(const std::vector<T>& values) {
-    return buffer_of(bytes(values), values.data());
-}
-
-void bind_storage(GLuint slot, const Buffer& buffer) {
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot, buffer.name());
+    return make_storage(sizeof(T) * values.size(), values.data());
 }
 
 // Of a buffer as much as is listed: that is how shaders know how much it is.
@@ -89,13 +80,13 @@ void Remesher::send_mesh(const sim::front::Mesh& mesh) {
     triangles_ = buffer_of(corners_and_edges);
     edges_ = buffer_of(mesh.edge);
     crossings_ = buffer_of(std::vector<float>(edges, kNotCut));
-    changed_edge_buffer_ = buffer_of(static_cast<GLsizeiptr>(sizeof(ChangedEdge) * edges), nullptr);
-    changed_triangle_buffer_ = buffer_of(static_cast<GLsizeiptr>(sizeof(std::int32_t) * triangles), nullptr);
+    changed_edge_buffer_ = make_storage(sizeof(ChangedEdge) * edges);
+    changed_triangle_buffer_ = make_storage(sizeof(std::int32_t) * triangles);
 
     uncut_count_ = static_cast<GLuint>(3 * triangles);
     const DrawCommand command{uncut_count_, 1, 0, 0, 0};
-    command_ = buffer_of(sizeof(command), &command);
-    indices_ = buffer_of(kMostPieces * bytes(mesh.triangle), nullptr);
+    command_ = make_storage(sizeof(command), &command);
+    indices_ = make_storage(kMostPieces * sizeof(mesh.triangle[0]) * triangles);
     glNamedBufferSubData(indices_.name(), 0, bytes(mesh.triangle), mesh.triangle.data());
     vertices_ = make_vertex_array();
     glVertexArrayElementBuffer(vertices_.name(), indices_.name());

@@ -9,10 +9,6 @@ float into(int stop, float value, float per_sample) {
     return clamp(along, 0.0, 1.0);
 }
 
-vec3 from_srgb(vec3 c) {
-    return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));
-}
-
 vec3 overlaid(vec3 picture, Place p, mat2 pixel, vec3 light) {
     Smooth m = spline(measure, p.at.xy / frame.ground.x);
     float weight = max(m.value.y, 1e-6), value = m.value.x / weight;

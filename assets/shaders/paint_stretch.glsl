@@ -4,10 +4,6 @@ float stretch_of(mat2 g) {
     return (same + other) / max(abs(same - other), 1e-4);
 }
 
-vec3 from_srgb(vec3 c) {
-    return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));
-}
-
 Paint paint(Sheet sheets[kSheets], float footprint) {
     float stretch = 0.0;
     for (int s = 0; s < kSheets; ++s) stretch += sheets[s].weight * stretch_of(sheets[s].gradient);

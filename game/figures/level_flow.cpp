@@ -8,6 +8,7 @@
 #include <glm/mat2x2.hpp>
 #include <glm/matrix.hpp>
 
+#include "sim/front/gradient.h"
 #include "sim/front/remesh_reference.h"
 
 namespace game {
@@ -15,10 +16,9 @@ namespace {
 
 constexpr double kStepsPerSecond = 60;
 constexpr float kJump = 0.05f;  // m/s; across the fronts it is at least 0.14
-constexpr float kNever = 1e9f;  // m/s, is no jump
 
 sim::front::Rule rule_of(float cell, bool cut) {
-    return sim::front::gradient_rule(cut ? kJump : kNever, cell);
+    return cut ? sim::front::gradient_rule(kJump, cell) : sim::front::uncut_rule();
 }
 
 sim::State level(const sim::Grid& grid) {
@@ -36,9 +36,8 @@ double stretch_of(const sim::front::CutTriangle& piece, const sim::front::Textur
     }
     const glm::dmat2 g = glm::dmat2(coordinates[1] - coordinates[0], coordinates[2] - coordinates[0]) *
                          glm::inverse(glm::dmat2(at[1] - at[0], at[2] - at[0]));
-    const double same = std::hypot(g[0].x + g[1].y, g[0].y - g[1].x);
-    const double other = std::hypot(g[0].x - g[1].y, g[0].y + g[1].x);
-    return (same + other) / std::max(std::abs(same - other), 1e-4);
+    const auto [greatest, least] = sim::front::singular_values(g);
+    return greatest / std::max(std::abs(least), 0.5e-4);
 }
 
 // The mean of all sheets, each as much as it is seen.

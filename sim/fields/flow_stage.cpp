@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "sim/check.h"
@@ -31,9 +30,8 @@ FlowStage::FlowStage(const Grid& grid, const TestFlow& flow, const FlowNumbers& 
 }
 
 void FlowStage::begin_view() {
-    // Without cuts a jump that no flow has.
-    const float jump = numbers_.cut ? jump_ : std::numeric_limits<float>::max() / 4;
-    view_.emplace(mesh_, front::gradient_rule(jump, grid_.dx), numbers_.source, front::LayerRule{});
+    const front::Rule rule = numbers_.cut ? front::gradient_rule(jump_, grid_.dx) : front::uncut_rule();
+    view_.emplace(mesh_, rule, numbers_.source, front::LayerRule{});
 }
 
 void FlowStage::set(const FlowNumbers& numbers) {

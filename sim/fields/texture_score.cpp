@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -40,9 +39,8 @@ struct Piece {
         const glm::dmat2 ways(at[1] - at[0], at[2] - at[0]);
         const glm::dmat2 g =
             glm::dmat2(coordinates[1] - coordinates[0], coordinates[2] - coordinates[0]) * glm::inverse(ways);
-        const double same = std::hypot(g[0].x + g[1].y, g[0].y - g[1].x);
-        const double other = std::hypot(g[0].x - g[1].y, g[0].y + g[1].x);
-        return (same + other) / std::max(std::abs(same - other), 1e-9);
+        const auto [greatest, least] = front::singular_values(g);
+        return greatest / std::max(std::abs(least), 0.5e-9);
     }
 
     // Coordinates at a place, if it lies in the piece.
@@ -125,7 +123,7 @@ class Texture {
         : mesh_(mesh),
           flow_(flow),
           trial_(trial),
-          tracker_(mesh, cutting == Cutting::kNone ? uncut(rule) : rule, source),
+          tracker_(mesh, cutting == Cutting::kNone ? front::uncut_rule() : rule, source),
           layers_(mesh,
                   {.shortest_s = static_cast<float>(trial.reset_s), .reseed = cutting == Cutting::kReseeded}),
           velocity_(mesh.position.size()),
@@ -153,13 +151,6 @@ class Texture {
     }
 
   private:
-    // Nothing is ever cut.
-    static front::Rule uncut(front::Rule rule) {
-        rule.kind = front::Rule::Kind::kGradient;
-        rule.jump = std::numeric_limits<float>::max();
-        return rule;
-    }
-
     double front_time(double time) const { return flow_.front_speed * time; }
     glm::dvec2 velocity(const glm::dvec2& x, double time) const {
         glm::dvec2 v(flow_.velocity(x, front_time(time)));

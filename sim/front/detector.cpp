@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -55,6 +56,10 @@ Rule gradient_rule(float jump, float cell) {
 
 Rule avalanche_rule() {
     return {.kind = Rule::Kind::kRelative, .jump = 0.3f, .ratio = 0.7f, .hold = 0.55f / 0.7f};
+}
+
+Rule uncut_rule() {
+    return {.jump = std::numeric_limits<float>::max()};
 }
 
 Detector::Detector(const Mesh& mesh, const Rule& rule)

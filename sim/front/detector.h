@@ -34,6 +34,8 @@ struct Rule {
 Rule gradient_rule(float jump, float cell);
 // For avalanches: jump 0.3 m/s and ratio 0.7, held to 0.55.
 Rule avalanche_rule();
+// For a flow that is to be taken as having no fronts: nothing is ever cut.
+Rule uncut_rule();
 
 // What is known of a flow at one moment, at each vertex.
 struct Flow {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 
@@ -41,6 +42,18 @@ void find_gradients(const Detector& detector, int vertex,
         }
     }
     for (std::size_t i = 0; i < N; ++i) gradient[i] += change[i];
+}
+
+// By how much a gradient draws out, at most and at least; the least is below 0 where it turns over.
+template <class T>
+struct SingularValues {
+    T greatest, least;
+};
+template <class T>
+SingularValues<T> singular_values(const glm::mat<2, 2, T>& g) {
+    const T same = std::hypot(g[0].x + g[1].y, g[0].y - g[1].x) / 2;
+    const T other = std::hypot(g[0].x - g[1].y, g[0].y + g[1].x) / 2;
+    return {same + other, same - other};
 }
 
 // Coordinates carried on from a vertex with its gradient, to the front or beyond.

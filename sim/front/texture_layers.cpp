@@ -56,10 +56,9 @@ bool mean_around(const Detector& detector, int vertex, std::span<const Offsets> 
 
 // How much coordinates with this gradient are drawn out or pressed together, as a logarithm, ≥ 0.
 float stretch_of(const glm::mat2& g) {
-    const float same = std::hypot(g[0].x + g[1].y, g[0].y - g[1].x) / 2;
-    const float other = std::hypot(g[0].x - g[1].y, g[0].y + g[1].x) / 2;
     constexpr float kLeast = 1e-3f;  // a texture pressed flat or turned over
-    return std::max(std::abs(std::log(same + other)), std::abs(std::log(std::max(same - other, kLeast))));
+    const auto [greatest, least] = singular_values(g);
+    return std::max(std::abs(std::log(greatest)), std::abs(std::log(std::max(least, kLeast))));
 }
 
 // A phase is not seen when it is renewed and most seen halfway between: share of the second, at an age in
