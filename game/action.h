@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -23,6 +24,9 @@ enum class Verb {
     kSlower,      // half the speed
     kFaster,      // twice the speed
     kUsualSpeed,  // 1
+    kStepBack,    // one tick earlier, and stay paused
+    kRunBack,     // time runs back, and forth again
+    kTakeOver,    // hands on again, from this tick
     kUndo,        // rewinds to just before the last action
     kReset,       // begins the scene anew
     kPour,
@@ -51,6 +55,10 @@ inline constexpr std::size_t kVerbs = static_cast<std::size_t>(Verb::kQuit) + 1;
 struct SetSpeed {
     double speed;  // of simulated against real time, 1/8 to 16
 };
+// To another tick that is known, earlier or later.
+struct SeekTick {
+    std::int64_t tick;
+};
 struct SetBrush {
     Brush brush;
 };
@@ -67,7 +75,7 @@ struct Open {
     Wishes wishes;
 };
 
-using Action = std::variant<Verb, SetSpeed, SetBrush, SetNumber, SetDisplay, Open>;
+using Action = std::variant<Verb, SetSpeed, SeekTick, SetBrush, SetNumber, SetDisplay, Open>;
 using Actions = std::vector<Action>;
 
 }  // namespace game

@@ -117,6 +117,7 @@ bool App::frame() {
 }
 
 Outcome<void> App::finish() {
+    if (record_ && sandbox_->watches()) take_over();
     return sandbox_->finish();
 }
 
@@ -173,8 +174,7 @@ void App::guide_stroke() {
 }
 
 void App::begin_stroke() {
-    if (sandbox_->watched_until())
-        return tell("Hands off: the recording goes on. It is yours at its end, and = takes it there faster");
+    if (sandbox_->looks_back()) return tell_hands_off();
     if (sandbox_->start().flow)
         return tell("Nothing to pour on here: this scene shows a flow, and Display has its speeds");
     // Where the button went down: by now the cursor may be far on.
@@ -192,6 +192,8 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
     const double tick_s = static_cast<double>(sandbox_->start().params.tick_s);
     const int due = clock_.ticks_due(elapsed_s, tick_s);
     const double begun = screen_.seconds();
+    if (clock_.runs_back() && !seeking_) seeking_ = sandbox_->session().state().tick - due;
+    if (seeking_) return seek(*seeking_, begun);
     for (double spent = 0; time.ticks < due && (time.ticks == 0 || spent < kTickBudget); ++time.ticks) {
         hand_ = set_numbers_;
         set_numbers_.clear();
@@ -214,25 +216,43 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
         stroke_->arrive(static_cast<double>(time.ticks) / due);
         if (stroke_ends_) stroke_.reset();
     }
-    tell_when_watched();
+    take_over_at_end();
 }
 
-void App::tell_when_watched() {
-    const auto until = sandbox_->watched_until();
-    const auto watched = std::exchange(watched_until_, until);
-    if (!watched || until) return;
+// Toward a tick that is known, as far as a frame's time lets.
+void App::seek(std::int64_t tick, double begun_s) {
+    stroke_.reset();
+    set_numbers_.clear();
+    const std::int64_t before = sandbox_->session().state().tick;
+    const auto there = sandbox_->go_toward(tick, [&] { return screen_.seconds() - begun_s < kTickBudget; });
+    if (!there) warn(there.error().sentence);
+    if (sandbox_->session().state().tick != before) ++epoch_;
+    if (there && !*there && sandbox_->can_go_back()) return;  // goes on in the next frame
+    seeking_.reset();
+    if (clock_.runs_back() && sandbox_->session().state().tick == 0) {
+        clock_.run_back(false);
+        clock_.pause(true);
+    }
+    if (std::exchange(takes_over_there_, false)) take_over();
+}
+
+// What was watched is the person's once it has come to its end.
+void App::take_over_at_end() {
+    if (!sandbox_->watches() || sandbox_->looks_back()) return;
     clock_.set_speed(1);  // whoever hurried through it starts at a pace for hands
     const Verdict verdict = *sandbox_->verdict();
+    const bool proven = verdict.proven_tick == sandbox_->known_until();
+    take_over();
     if (verdict.parted)
         warn(fmt::format("The recording parts from what was played: {}. The world is yours now",
                          *verdict.parted));
-    else if (verdict.comparable && verdict.proven_tick < *watched)
-        tell(
-            "The recording has come to its end; it states nothing to compare with up to there. The world is "
-            "yours");
     else if (!verdict.comparable)
         tell(
             "The recording has come to its end, played by another version of the physics: the world is "
+            "yours");
+    else if (!proven)
+        tell(
+            "The recording has come to its end; it states nothing to compare with up to there. The world is "
             "yours");
     else
         tell("The recording has come to its end, met bit for bit: the world is yours");
@@ -246,7 +266,7 @@ void App::draw_world() {
     const sim::View world = sandbox_->session().view();
     render::Marks marks{
         .overlay = display_.overlay, .contours = display_.contours, .flow_mesh = display_.flow_mesh};
-    if (ground_ && !sandbox_->watched_until() && !sandbox_->start().flow) {
+    if (ground_ && !sandbox_->looks_back() && !sandbox_->start().flow) {
         const auto deed = stroke_ ? stroke_->deed() : deed_of(brush_, input_.inverted());
         marks.ring = render::Ring{glm::dvec2(*ground_), brush_.radius, ring_colour(deed)};
     }
@@ -273,8 +293,9 @@ void App::draw_panels() {
     const Session& session = sandbox_->session();
     std::optional<Reading> reading;
     if (ground_) reading = probe_->read(session.view(), glm::dvec2(*ground_));
-    std::optional<ui::Watching> watching;
-    if (const auto until = sandbox_->watched_until()) watching = ui::Watching{*until};
+    const ui::Timeline timeline{.known_until = sandbox_->known_until(),
+                                .watches = sandbox_->watches(),
+                                .can_go_back = sandbox_->can_go_back()};
     ui_.build(
         {
             .start = sandbox_->start(),
@@ -291,7 +312,7 @@ void App::draw_panels() {
             .times = times_,
             .notices = notices_,
             .catalogue = catalogue_,
-            .watching = watching,
+            .timeline = timeline,
             .recording = recording_ ? std::string_view(recording_->native()) : std::string_view(),
             .renderer = renderer_name_,
             .now_s = now_s_,

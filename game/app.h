@@ -35,6 +35,8 @@ class App {
 
     // One frame, from events to the picture on the screen. False once the person has asked to leave.
     bool frame();
+    // Goes on to this tick of a recording, and takes over there.
+    void take_over_at(std::int64_t tick);
     // Closes the recording. Errors: it cannot be written (3).
     Outcome<void> finish();
 
@@ -57,11 +59,13 @@ class App {
     void move_camera(double elapsed_s);
     void guide_stroke();
     void run_ticks(double elapsed_s, FrameTime& time);
+    void seek(std::int64_t tick, double begun_s);
     void draw_world();
     void draw_panels();
 
     void perform(Verb verb);
     void perform(const SetSpeed& set);
+    void perform(const SeekTick& seek);
     void perform(const SetBrush& set);
     void perform(const SetNumber& set);
     void perform(const SetDisplay& set);
@@ -72,7 +76,11 @@ class App {
     void resize_brush(double steps);
     void begin_stroke();
     std::optional<glm::dvec3> ground_under(glm::dvec2 point) const;  // of the picture
-    void tell_when_watched();
+    void take_over_at_end();
+    void take_over();
+    void step_back();
+    void run_back();
+    void tell_hands_off();
 
     // Begins anew with `opening`, recorded in `record` or else in the recordings folder; the world before it
     // is closed. Errors: `record` cannot be written; nothing has changed then.
@@ -106,7 +114,9 @@ class App {
     std::optional<Sandbox> sandbox_;
     std::optional<std::filesystem::path> recording_;
     std::int64_t epoch_ = 0;  // of the world: grows when it begins anew or goes back in time
-    std::optional<std::int64_t> watched_until_;  // as it was in the last frame
+    std::optional<std::filesystem::path> record_;  // where it was asked to be recorded
+    std::optional<std::int64_t> seeking_;          // tick on the way to which time is
+    bool takes_over_there_ = false;
 
     TickClock clock_;
     Input input_;

@@ -49,6 +49,12 @@ void App::perform(Verb verb) {
             return clock_.set_speed(clock_.speed() * 2);
         case Verb::kUsualSpeed:
             return clock_.set_speed(1);
+        case Verb::kStepBack:
+            return step_back();
+        case Verb::kRunBack:
+            return run_back();
+        case Verb::kTakeOver:
+            return take_over();
         case Verb::kUndo:
             return undo();
         case Verb::kReset:
@@ -105,7 +111,7 @@ void App::perform(const Open& open) {
 }
 
 void App::perform(const SetNumber& set) {
-    if (sandbox_->watched_until()) return tell("Hands off until the recording has come to its end");
+    if (sandbox_->looks_back()) return tell_hands_off();
     sim::Command command;
     command.kind = sim::CommandKind::kSet;
     command.param = set.param;
@@ -135,6 +141,8 @@ void App::resize_brush(double steps) {
 
 void App::undo() {
     stroke_.reset();
+    seeking_.reset();
+    clock_.run_back(false);
     // A number that waits for the next tick has done nothing yet: it goes, and nothing else.
     if (!set_numbers_.empty()) {
         set_numbers_.clear();
@@ -148,6 +156,53 @@ void App::undo() {
     }
     if (!undone) return tell(undone.error().sentence);
     tell(fmt::format("Undone: {}. Back at {:.1f} s", *undone, sandbox_->session().seconds()));
+}
+
+void App::perform(const SeekTick& seek) {
+    if (!sandbox_->can_go_back()) return tell("A flow that is shown has no way back");
+    clock_.run_back(false);
+    seeking_ = seek.tick;
+}
+
+void App::step_back() {
+    clock_.pause(true);
+    perform(SeekTick{sandbox_->session().state().tick - 1});
+}
+
+void App::run_back() {
+    if (!sandbox_->can_go_back()) return tell("A flow that is shown has no way back");
+    clock_.run_back(!clock_.runs_back());
+    clock_.pause(false);
+    seeking_.reset();
+}
+
+void App::take_over_at(std::int64_t tick) {
+    seeking_ = tick;
+    takes_over_there_ = true;
+}
+
+void App::take_over() {
+    if (!sandbox_->watches() && !sandbox_->looks_back()) return tell("The world is yours already");
+    const auto path = record_ && sandbox_->watches() ? Outcome<std::filesystem::path>(*record_)
+                                                     : next_recording(sandbox_->start().scene);
+    clock_.run_back(false);
+    seeking_.reset();
+    ++epoch_;
+    const double seconds = sandbox_->session().seconds();
+    auto taken = sandbox_->take_over(path ? std::optional(*path) : std::nullopt);
+    if (!path) taken = tl::unexpected(path.error());
+    recording_.reset();
+    if (taken && sandbox_->session().recorder()) recording_ = *path;
+    catalogue_.own = own_recordings();
+    if (!taken) return warn(fmt::format("Yours, but it is not recorded: {}", taken.error().sentence));
+    tell(fmt::format(
+        "Yours from here, {:.1f} s, in a recording of its own: what came after stays in the one before",
+        seconds));
+}
+
+void App::tell_hands_off() {
+    tell(fmt::format("Hands off: this is {}. {} takes over here",
+                     sandbox_->watches() ? "being watched" : "the past", name_of(Verb::kTakeOver)));
 }
 
 void App::reset() {
@@ -169,7 +224,9 @@ Outcome<void> App::begin_world(Opening opening, const std::optional<std::filesys
     const bool same = sandbox_ && ground_hash(sandbox_->start()) == ground_hash(opening.scene.start);
     if (const auto& flow = opening.scene.start.look.flow)
         if (auto loaded = renderer_.load(flow->pattern); !loaded) return machine_fails(loaded.error());
-    auto recorder = begin_recording(opening.scene.start, record);
+    // A recording is recorded anew only from where it is taken over.
+    Outcome<std::optional<Recorder>> recorder;
+    if (!opening.watched) recorder = begin_recording(opening.scene.start, record);
     if (!recorder) return tl::unexpected(recorder.error());
     std::optional<std::filesystem::path> recording;
     if (*recorder) recording = (*recorder)->path();
@@ -185,6 +242,7 @@ Outcome<void> App::begin_world(Opening opening, const std::optional<std::filesys
     sandbox_ = std::move(*begun);
     first_ = std::move(opening);
     recording_ = std::move(recording);
+    record_ = record;
     catalogue_.own = own_recordings();
     ++epoch_;
 
@@ -192,7 +250,9 @@ Outcome<void> App::begin_world(Opening opening, const std::optional<std::filesys
     stroke_.reset();
     set_numbers_.clear();
     if (!same) touched_ = false;  // who begins anew knows how
-    watched_until_ = sandbox_->watched_until();
+    seeking_.reset();
+    takes_over_there_ = false;
+    clock_.run_back(false);
     if (!same) {
         const sim::View world = sandbox_->session().view();
         brush_ = brush_for(start.grid);

@@ -15,7 +15,7 @@ Outcome<Opening> open_scene(const std::string& name_or_path, const Wishes& wishe
     auto scene = load_scene(name_or_path, wishes);
     if (!scene) return tl::unexpected(scene.error());
     std::string told = fmt::format("Loaded {}", scene->start.title);
-    return Opening{std::move(*scene), std::nullopt, std::move(told)};
+    return Opening{std::move(*scene), {}, std::nullopt, std::move(told)};
 }
 
 Outcome<Opening> open_recording(const fs::path& path) {
@@ -28,6 +28,7 @@ Outcome<Opening> open_recording(const fs::path& path) {
     auto recording = read_recording(*found);
     if (!recording) return tl::unexpected(recording.error());
     Opening opening;
+    opening.name = found->stem().string();
     opening.scene.start = recording->header.start;
     opening.scene.commands = recording->commands;
     opening.told = recording->warning.value_or(fmt::format("Watching {}", found->filename().string()));
@@ -41,7 +42,7 @@ Outcome<Opening> open_terrain(const fs::path& path, const Wishes& wishes) {
     const sim::Grid& grid = scene->start.grid;
     std::string told = fmt::format("Loaded {}: {} by {} squares of {:.1f} m", path.filename().string(),
                                    grid.nx - 1, grid.ny - 1, grid.dx);
-    return Opening{std::move(*scene), std::nullopt, std::move(told)};
+    return Opening{std::move(*scene), {}, std::nullopt, std::move(told)};
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ namespace game {
 // Something that a sandbox can begin with.
 struct Opening {
     Scene scene;
+    std::string name;  // of a recording: that of its file
     std::optional<Recording>
         watched;       // a recording that goes on by itself up to its end, and then is the person's
     std::string told;  // what was loaded, as a sentence

@@ -8,58 +8,140 @@
 namespace game {
 namespace {
 
-constexpr std::size_t kMomentBytes = std::size_t{256} << 20;  // for all that can be undone
+constexpr std::size_t kUndoBytes = std::size_t{128} << 20;
+constexpr std::size_t kKeyframeBytes = std::size_t{384} << 20;
 constexpr std::size_t kMostActions = 1000;
+constexpr std::size_t kHandMemory = 4096;  // commands, so that a stroke need not ask for memory
+
+// Of a Moment.
+std::size_t bytes_per_moment(const Start& start, bool has_textures) {
+    std::size_t per_vertex = 7 * sizeof(float);
+    if (start.lower) per_vertex += 3 * sizeof(float);
+    if (has_textures) per_vertex += sim::front::TextureLayers::Memory::kBytesPerVertex;
+    return per_vertex * start.grid.size();
+}
+
+bool is_before(const TimedCommand& command, std::int64_t tick) {
+    return command.tick < tick;
+}
+
+void forget_from(std::vector<TimedCommand>& commands, std::int64_t tick) {
+    commands.erase(std::lower_bound(commands.begin(), commands.end(), tick, is_before), commands.end());
+}
 
 }  // namespace
 
-Outcome<Sandbox> Sandbox::begin(Opening opening, const sim::How& how, std::optional<Recorder> recorder) {
-    auto session = Session::begin(opening.scene.start, how, std::move(recorder));
-    if (!session) return tl::unexpected(session.error());
-    session->follow_fronts(opening.scene.start);
-    const std::size_t per_vertex =
-        6 * sizeof(float) + (session->fronts() ? sim::front::TextureLayers::Memory::kBytesPerVertex : 0);
-    const std::size_t per_moment = per_vertex * opening.scene.start.grid.size();
-    Sandbox sandbox(std::move(opening), std::move(*session));
-    sandbox.most_actions_ = std::clamp<std::size_t>(kMomentBytes / per_moment, 1, kMostActions);
-    if (sandbox.opening_.watched) {
-        sandbox.verifier_.emplace(*sandbox.opening_.watched);
-        sandbox.verifier_->look_at(sandbox.session_);
-    }
-    return sandbox;
+Sandbox::Sandbox(Opening opening, Session session, std::size_t bytes_per_moment)
+    : opening_(std::move(opening)),
+      session_(std::move(session)),
+      keyframes_(kKeyframeBytes, bytes_per_moment),
+      most_actions_(std::clamp<std::size_t>(kUndoBytes / bytes_per_moment, 1, kMostActions)) {
+    by_hand_.reserve(kHandMemory);
+    if (can_go_back()) keyframes_.pass(session_);
+    if (!opening_.watched) return;
+    known_until_ = opening_.watched->last_tick();
+    verifier_.emplace(*opening_.watched);
+    verifier_->look_at(session_);
 }
 
-std::optional<std::int64_t> Sandbox::watched_until() const {
-    if (!opening_.watched) return std::nullopt;
-    const std::int64_t last = opening_.watched->last_tick();
-    return session_.state().tick < last ? std::optional(last) : std::nullopt;
+Outcome<Sandbox> Sandbox::begin(Opening opening, const sim::How& how, std::optional<Recorder> recorder) {
+    const Start& start = opening.scene.start;
+    auto session = Session::begin(start, how, std::move(recorder));
+    if (!session) return tl::unexpected(session.error());
+    session->follow_fronts(start);
+    const std::size_t bytes = bytes_per_moment(start, session->fronts() != nullptr);
+    return Sandbox(std::move(opening), std::move(*session), bytes);
 }
 
 std::optional<Verdict> Sandbox::verdict() const {
     return verifier_ ? std::optional(verifier_->verdict()) : std::nullopt;
 }
 
+Outcome<bool> Sandbox::go_toward(std::int64_t tick, const std::function<bool()>& may_go_on) {
+    if (!can_go_back()) return false;
+    tick = std::clamp<std::int64_t>(tick, 0, known_until_);
+    const std::int64_t now = session_.state().tick;
+    const Session::Moment& nearest = keyframes_.before(tick);
+    if (tick < now || now < nearest.world.tick)
+        if (auto gone = session_.go_to(nearest); !gone) return tl::unexpected(gone.error());
+    while (session_.state().tick < tick) {
+        if (!may_go_on()) return false;
+        if (auto done = this->tick({}); !done) return tl::unexpected(done.error());
+    }
+    return true;
+}
+
+Outcome<Recorder> Sandbox::fork_in(const std::filesystem::path& path) const {
+    const std::int64_t tick = session_.state().tick;
+    if (const auto& watched = opening_.watched) return Recorder::fork(path, *watched, opening_.name, tick);
+    const std::filesystem::path own = session_.recorder()->path();
+    const auto recorded = read_recording(own);
+    if (!recorded) return tl::unexpected(recorded.error());
+    return Recorder::fork(path, *recorded, own.stem().string(), tick);
+}
+
+Outcome<void> Sandbox::take_over(const std::optional<std::filesystem::path>& path) {
+    Outcome<void> told;
+    if (opening_.watched || session_.recorder()) {
+        told = session_.finish();
+        auto fork = !told  ? Outcome<Recorder>(tl::unexpected(told.error()))
+                    : path ? fork_in(*path)
+                           : unusable("there is no place for it");
+        if (fork) {
+            session_.record_in(std::move(*fork));
+        } else {
+            session_.stop_recording();
+            told = tl::unexpected(fork.error());
+        }
+    }
+    if (opening_.watched) forget_from(opening_.scene.commands, session_.state().tick);
+    opening_.watched.reset();
+    past_.clear();  // what was done before is the other recording's
+    forget_after(session_.state().tick);
+    return told;
+}
+
+// Of what the hand did, and of what came of it.
+void Sandbox::forget_after(std::int64_t tick) {
+    forget_from(by_hand_, tick);
+    keyframes_.forget_after(tick);
+    known_until_ = tick;
+    new_action_.reset();
+}
+
 void Sandbox::begin_action(std::string name) {
     new_action_ = std::move(name);
 }
 
-Outcome<void> Sandbox::tick(std::span<const sim::Command> hand) {
-    // What is in store comes first: it was there before the hand.
-    const auto& stored = opening_.scene.commands;
+void Sandbox::give_due(const std::vector<TimedCommand>& commands) {
     const std::int64_t tick = session_.state().tick;
-    const auto by_tick = [](const TimedCommand& command, std::int64_t than) { return command.tick < than; };
-    given_.clear();
-    for (auto next = std::lower_bound(stored.begin(), stored.end(), tick, by_tick);
-         next != stored.end() && next->tick == tick; ++next)
+    for (auto next = std::lower_bound(commands.begin(), commands.end(), tick, is_before);
+         next != commands.end() && next->tick == tick; ++next)
         given_.push_back(next->command);
+}
+
+Outcome<void> Sandbox::tick(std::span<const sim::Command> hand) {
+    const std::int64_t tick = session_.state().tick;
+    const bool knows = looks_back();
+    // What is in store comes first: it was there before the hand.
+    given_.clear();
+    give_due(opening_.scene.commands);
     auto refused = leave_out_clashing(0);
     const std::size_t in_store = given_.size();
-    given_.insert(given_.end(), hand.begin(), hand.end());
+    if (knows) give_due(by_hand_);
+    if (!knows) given_.insert(given_.end(), hand.begin(), hand.end());
     if (refused) refused = leave_out_clashing(in_store);
-    if (given_.size() > in_store && new_action_) remember();
+    if (!knows && given_.size() > in_store) {
+        if (new_action_) remember();
+        for (std::size_t i = in_store; i < given_.size(); ++i) by_hand_.push_back({tick, given_[i]});
+    }
 
     auto advanced = advance();
-    if (verifier_ && session_.state().tick > tick) verifier_->look_at(session_);
+    if (session_.state().tick > tick) {
+        known_until_ = std::max(known_until_, session_.state().tick);
+        if (can_go_back()) keyframes_.pass(session_);
+        if (verifier_) verifier_->look_at(session_);
+    }
     return advanced ? refused : advanced;
 }
 
@@ -93,9 +175,12 @@ void Sandbox::remember() {
 Outcome<std::string> Sandbox::undo() {
     new_action_.reset();
     if (past_.empty()) return unusable("Nothing to undo");
+    if (looks_back()) return unusable("Nothing to undo before the present: go there, or take over here");
     const Action action = std::move(past_.back());
     past_.pop_back();
-    if (auto rewound = session_.rewind(action.before); !rewound) {
+    auto rewound = session_.rewind(action.before);
+    forget_after(session_.state().tick);
+    if (!rewound) {
         session_.stop_recording();
         return tl::unexpected(rewound.error());
     }

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "sim/float_environment.h"
-#include "sim/state_hash.h"
 #include "sim/step.h"
 
 namespace game {
@@ -28,17 +27,19 @@ double ms_of(const Stage& stage) {
 Session::Session(const Start& start, const sim::How& how, std::optional<Recorder> recorder)
     : state_(sim::make_state(world_of(start), start.params)),
       engine_(std::make_unique<sim::Engine>(state_, how)),
+      hasher_(state_),
       recorder_(std::move(recorder)) {
     peaks_.depth.assign(state_.grid.size(), 0.f);
     peaks_.speed.assign(state_.grid.size(), 0.f);
+    line_.before.reserve(kTicksPerState);
+    find_hash();
     watch();
 }
 
 Outcome<Session> Session::begin(const Start& start, const sim::How& how, std::optional<Recorder> recorder) {
     Session session(start, how, std::move(recorder));
     if (session.recorder_)
-        if (const auto written = session.recorder_->state(session.state_line()); !written)
-            return tl::unexpected(written.error());
+        if (const auto written = session.write_state(); !written) return tl::unexpected(written.error());
     return session;
 }
 
@@ -51,14 +52,19 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
     if (const auto fault = sim::float_environment_fault())
         return machine_fails(
             fmt::format("tick {}: {}, so no replay could meet these bits", state_.tick, *fault));
-    if (recorder_)
+    const bool records = recorder_ && state_.tick >= recorded_until_;
+    if (records)
         for (const sim::Command& command : commands)
             if (auto written = recorder_->command({state_.tick, command}); !written) return written;
 
-    line_.reset();
+    if (line_.tick % kTicksPerState == 0)
+        line_.before.clear();
+    else
+        line_.before.push_back(line_.hash);
     // The first tick may find ground too steep to lie, the others only after a command.
     const bool rests = state_.tick > 0 && commands.empty() && sim::at_rest(state_);
     times_.solve_ms = ms_of([&] { sim::step(state_, commands, *engine_); });
+    find_hash();
 
     if (!rests) changed_at_ = state_.tick;
     // At rest nothing of them changes; a flow that is shown never rests.
@@ -72,39 +78,65 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
                         "counted exactly",
                         state_.tick, cubic_metres(error), sim::kDeepest)});
     watch();
-    if (recorder_ && state_.tick % kTicksPerState == 0) return recorder_->state(state_line());
-    return {};
+    if (!records) return {};
+    recorded_until_ = state_.tick;
+    return state_.tick % kTicksPerState == 0 ? write_state() : Outcome<void>();
 }
 
 Outcome<void> Session::finish() {
     if (!recorder_) return {};
     // The last state too, so that the whole of a recording is proven.
-    if (state_.tick % kTicksPerState != 0)
-        if (auto written = recorder_->state(state_line()); !written) return written;
-    return recorder_->end(state_.tick);
+    if (auto written = write_state(); !written) return written;
+    return recorder_->end(recorded_until_);
+}
+
+// Of the tick up to which all is recorded, unless its line is there already.
+Outcome<void> Session::write_state() {
+    if (state_.tick != recorded_until_ || recorder_->last_state() == state_.tick) return {};
+    return recorder_->state(line_);
 }
 
 Session::Moment Session::moment() const {
-    Moment moment{sim::take_snapshot(state_), std::nullopt, peaks_, active_cells_, std::nullopt};
+    Moment moment{sim::take_snapshot(state_), std::nullopt, peaks_, active_cells_, line_, std::nullopt};
     if (fronts_) moment.textures = fronts_->memory();
     if (recorder_) moment.mark = recorder_->mark();
     return moment;
 }
 
 Outcome<void> Session::rewind(const Moment& moment) {
-    line_.reset();
-    sim::restore(moment.world, state_);
-    if (fronts_ && moment.textures) fronts_->restore(view(), *moment.textures, engine_->workers);
-    peaks_ = moment.peaks;
-    active_cells_ = moment.active_cells;
-    changed_at_ = state_.tick;
+    put(moment);
+    recorded_until_ = state_.tick;
     if (recorder_ && moment.mark) return recorder_->rewind(*moment.mark);
     return {};
 }
 
-const StateLine& Session::state_line() const {
-    if (!line_) line_ = StateLine{state_.tick, sim::state_hash(state_), state_.ledger};
-    return *line_;
+Outcome<void> Session::go_to(const Moment& moment) {
+    if (recorder_)
+        if (auto written = write_state(); !written) return written;
+    put(moment);
+    return {};
+}
+
+void Session::put(const Moment& moment) {
+    sim::restore(moment.world, state_);
+    if (fronts_ && moment.textures) fronts_->restore(view(), *moment.textures, engine_->workers);
+    peaks_ = moment.peaks;
+    active_cells_ = moment.active_cells;
+    line_ = moment.line;
+    changed_at_ = state_.tick;
+}
+
+void Session::record_in(Recorder recorder) {
+    recorder_ = std::move(recorder);
+    recorded_until_ = state_.tick;
+}
+
+void Session::find_hash() {
+    times_.hash_ms = ms_of([&] {
+        line_.tick = state_.tick;
+        line_.hash = hasher_.hash(state_, engine_->workers);
+        line_.ledger = state_.ledger;
+    });
 }
 
 double Session::cubic_metres(std::int64_t quanta) const {

@@ -12,12 +12,14 @@
 #include "sim/front/world_fronts.h"
 #include "sim/snapshot.h"
 #include "sim/state.h"
+#include "sim/state_hash.h"
 
 namespace game {
 
 // Milliseconds that the stages of the last tick took. Grows with the stages.
 struct TickTimes {
     double solve_ms = 0;
+    double hash_ms = 0;
     // Of its fronts, where they are followed: finding them, carrying textures, what is seen of these.
     double track_ms = 0, advect_ms = 0, gradient_ms = 0;  // of a flow that is shown, all under track_ms
 };
@@ -41,6 +43,7 @@ class Session {
         std::optional<sim::front::TextureLayers::Memory> textures;
         Peaks peaks;
         std::size_t active_cells = 0;
+        StateLine line;
         std::optional<Recorder::Mark> mark;
     };
 
@@ -74,11 +77,16 @@ class Session {
 
     Moment moment() const;
     // Takes back all that came after `moment`, in the world and in the recording, to the bit. A flow that
-    // is shown goes on: nothing that a hand does touches it. Errors: the
-    // recording cannot be written.
+    // is shown goes on: nothing that a hand does touches it. Errors: the recording cannot be written.
     Outcome<void> rewind(const Moment& moment);
+    // To `moment`, earlier or later. The recording stays as it is: what it has already, up to
+    // recorded_until(), is not written again. Errors: it cannot be written.
+    Outcome<void> go_to(const Moment& moment);
 
     const Recorder* recorder() const { return recorder_ ? &*recorder_ : nullptr; }
+    std::int64_t recorded_until() const { return recorded_until_; }  // tick
+    // From here on in this recording, which has all up to this tick.
+    void record_in(Recorder recorder);
     // Leaves the file as it is, without an end, and plays on unrecorded.
     void stop_recording() { recorder_.reset(); }
 
@@ -88,7 +96,8 @@ class Session {
     std::int64_t changed_at() const { return changed_at_; }
     const Peaks& peaks() const { return peaks_; }
     const TickTimes& times() const { return times_; }
-    const StateLine& state_line() const;  // of this tick; the first call computes the hash
+    // Of this tick; `before` goes back to the last tick that a recording has a line of.
+    const StateLine& state_line() const { return line_; }
     std::size_t active_cells() const { return active_cells_; }  // vertices whose rolling layer is not empty
     double seconds() const {
         return static_cast<double>(state_.tick) * static_cast<double>(state_.params.tick_s);
@@ -97,11 +106,15 @@ class Session {
 
   private:
     Session(const Start& start, const sim::How& how, std::optional<Recorder> recorder);
+    void find_hash();
+    void put(const Moment& moment);
+    Outcome<void> write_state();
     void watch();
     void advance_fronts();
 
     sim::State state_;
     std::unique_ptr<sim::Engine> engine_;
+    sim::StateHasher hasher_;
     std::optional<Recorder> recorder_;
     std::unique_ptr<sim::fields::FlowStage> stage_;
     std::unique_ptr<sim::front::WorldFronts> fronts_;
@@ -109,7 +122,8 @@ class Session {
     TickTimes times_;
     std::size_t active_cells_ = 0;
     std::int64_t changed_at_ = 0;
-    mutable std::optional<StateLine> line_;  // of this tick, once somebody has asked for it
+    StateLine line_;
+    std::int64_t recorded_until_ = 0;  // tick
 };
 
 }  // namespace game

@@ -9,6 +9,8 @@ class TickClock {
 
     bool paused() const { return paused_; }
     void pause(bool on) { paused_ = on; }
+    bool runs_back() const { return back_; }  // the ticks due are to be taken back
+    void run_back(bool on) { back_ = on; }
     void step_once() { ++steps_; }  // a tick at the next frame, instead of those that time owes
 
     double speed() const { return speed_; }
@@ -29,6 +31,7 @@ class TickClock {
 
   private:
     bool paused_ = false;
+    bool back_ = false;
     int steps_ = 0;  // asked for one by one
     bool due_are_steps_ = false;
     double speed_ = 1;

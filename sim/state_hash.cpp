@@ -1,14 +1,66 @@
 #include "sim/state_hash.h"
 
+#if defined(__x86_64__)
+#include <xxh_x86dispatch.h>  // the lanes of the machine that it runs on
+#endif
 #define XXH_STATIC_LINKING_ONLY  // for a digest on the stack
 #include <xxhash.h>
 
+#include <algorithm>
 #include <bit>
+#include <initializer_list>
+#include <utility>
 
 #include "sim/state.h"
+#include "sim/workers.h"
 
 namespace sim {
 namespace {
+
+// Of the hash, not of the work: the same whatever tiles a step goes by.
+constexpr int kBlockWidth = 64, kBlockHeight = 32;
+
+struct Blocks {
+    explicit Blocks(const Grid& of)
+        : grid(of),
+          columns((of.nx + kBlockWidth - 1) / kBlockWidth),
+          rows((of.ny + kBlockHeight - 1) / kBlockHeight) {}
+    const Grid& grid;
+    int columns, rows;
+    int count() const { return columns * rows; }
+};
+
+std::uint64_t hash_of(const std::vector<std::uint64_t>& hashes) {
+    return XXH3_64bits(hashes.data(), hashes.size() * sizeof hashes[0]);
+}
+
+// The vertices of a block, field after field.
+std::uint64_t block_hash(const Blocks& blocks, int block, std::initializer_list<const Field<float>*> fields) {
+    constexpr int kMostFields = 7;
+    CHECK(fields.size() <= kMostFields);
+    float values[kMostFields * kBlockWidth * kBlockHeight];
+    const int x0 = block % blocks.columns * kBlockWidth, x1 = std::min(x0 + kBlockWidth, blocks.grid.nx);
+    const int y0 = block / blocks.columns * kBlockHeight, y1 = std::min(y0 + kBlockHeight, blocks.grid.ny);
+    float* end = values;
+    for (const Field<float>* field : fields)
+        for (int y = y0; y < y1; ++y) end = std::copy(field->row(y) + x0, field->row(y) + x1, end);
+    return XXH3_64bits(values, sizeof(float) * static_cast<std::size_t>(end - values));
+}
+
+std::uint64_t moving_hash(const State& s, const Blocks& blocks, int block) {
+    if (const auto& m = s.mixture)
+        return block_hash(
+            blocks, block,
+            {&s.depth, &s.rolling, &s.velocity_x, &s.velocity_y, &m->rolling, &m->settled, &m->untouched});
+    return block_hash(blocks, block, {&s.depth, &s.rolling, &s.velocity_x, &s.velocity_y});
+}
+
+std::uint64_t bedrock_hash(const State& s, const Blocks& blocks) {
+    std::vector<std::uint64_t> hashes;
+    for (int block = 0; block < blocks.count(); ++block)
+        hashes.push_back(block_hash(blocks, block, {&s.bedrock}));
+    return hash_of(hashes);
+}
 
 class Digest {
   public:
@@ -19,27 +71,18 @@ class Digest {
         XXH3_64bits_update(&state_, &value, sizeof value);
     }
     void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
-    void add(const Field<float>& field) {
-        for (int y = 0; y < field.ny(); ++y)
-            XXH3_64bits_update(&state_, field.row(y), sizeof(float) * static_cast<std::size_t>(field.nx()));
-    }
     std::uint64_t value() const { return XXH3_64bits_digest(&state_); }
 
   private:
     XXH3_state_t state_;
 };
 
-}  // namespace
-
-std::uint64_t state_hash(const State& state) {
+std::uint64_t whole_hash(const State& s, std::uint64_t bedrock, const std::vector<std::uint64_t>& moving) {
     Digest digest;
-    for (const Field<float>* field :
-         {&state.bedrock, &state.depth, &state.rolling, &state.velocity_x, &state.velocity_y})
-        digest.add(*field);
-    if (const auto& m = state.mixture)
-        for (const Field<float>* field : {&m->rolling, &m->settled, &m->untouched}) digest.add(*field);
-    digest.add(state.tick);
-    for (const Source& source : state.sources) {
+    digest.add(bedrock);
+    digest.add(hash_of(moving));
+    digest.add(s.tick);
+    for (const Source& source : s.sources) {
         const Command& c = source.command;
         digest.add(c.kind);
         for (const double number : {c.x, c.y, c.radius, c.rate, c.duration, c.depth}) digest.add(number);
@@ -48,8 +91,47 @@ std::uint64_t state_hash(const State& state) {
         if (c.of != Part::kUpper) digest.add(c.of);
         digest.add(source.first_tick);
     }
-    digest.add(state.seed);
+    digest.add(s.seed);
     return digest.value();
+}
+
+// Blocks under what a tile covers.
+void mark(const Tiles& tiles, int column, int row, const Blocks& blocks, std::vector<std::uint8_t>& stale) {
+    const int x0 = column * tiles.width, x1 = std::min(x0 + tiles.width, blocks.grid.nx) - 1;
+    const int y0 = row * tiles.height, y1 = std::min(y0 + tiles.height, blocks.grid.ny) - 1;
+    for (int y = y0 / kBlockHeight; y <= y1 / kBlockHeight; ++y)
+        for (int x = x0 / kBlockWidth; x <= x1 / kBlockWidth; ++x)
+            stale[static_cast<std::size_t>(y * blocks.columns + x)] = 1;
+}
+
+}  // namespace
+
+std::uint64_t state_hash(const State& state) {
+    const Blocks blocks(state.grid);
+    std::vector<std::uint64_t> moving;
+    for (int block = 0; block < blocks.count(); ++block) moving.push_back(moving_hash(state, blocks, block));
+    return whole_hash(state, bedrock_hash(state, blocks), moving);
+}
+
+StateHasher::StateHasher(const State& state)
+    : bedrock_(bedrock_hash(state, Blocks(state.grid))),
+      blocks_(static_cast<std::size_t>(Blocks(state.grid).count())),
+      stale_(blocks_.size(), 1) {}
+
+std::uint64_t StateHasher::hash(State& state, Workers& workers) {
+    const Blocks blocks(state.grid);
+    Tiles& tiles = state.tiles;
+    for (int row = 0; row < tiles.rows; ++row)
+        for (int column = 0; column < tiles.columns; ++column)
+            if (std::exchange(tiles.unhashed[tiles.number(column, row)], std::uint8_t{0}))
+                mark(tiles, column, row, blocks, stale_);
+    workers.each_band(blocks.count(), [&](int first, int last) {
+        for (int block = first; block < last; ++block) {
+            const auto i = static_cast<std::size_t>(block);
+            if (std::exchange(stale_[i], std::uint8_t{0})) blocks_[i] = moving_hash(state, blocks, block);
+        }
+    });
+    return whole_hash(state, bedrock_, blocks_);
 }
 
 }  // namespace sim

@@ -13,13 +13,15 @@ Tiles::Tiles(const Grid& grid, int tile_width, int tile_height)
       rows((grid.ny + height - 1) / height),
       awake(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 1),
       changed(awake),
-      mass(awake.size()) {
+      mass(awake.size()),
+      unhashed(awake) {
     CHECK(width > 0 && height > 0 && width % (2 * kRowPadding) == 0);
 }
 
 void Tiles::wake_all() {
     std::fill(awake.begin(), awake.end(), std::uint8_t{1});
     std::fill(changed.begin(), changed.end(), std::uint8_t{1});
+    std::fill(unhashed.begin(), unhashed.end(), std::uint8_t{1});
 }
 
 void Tiles::wake(int x0, int x1, int y0, int y1) {
@@ -31,7 +33,7 @@ void Tiles::wake_tiles(int first_column, int last_column, int first_row, int las
     for (int row = first_row; row <= last_row; ++row)
         for (int column = first_column; column <= last_column; ++column) {
             const std::size_t tile = number(column, row);
-            awake[tile] = changed[tile] = 1;
+            awake[tile] = changed[tile] = unhashed[tile] = 1;
         }
 }
 

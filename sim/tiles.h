@@ -27,13 +27,14 @@ struct Tiles {
     bool may_sleep = true;
     std::vector<std::uint8_t> awake;  // columns × rows
 
-    // Of each tile: whether anything in it may have changed since mass was counted last; and what it had
-    // then, in quanta.
+    // Of each tile: whether anything in it may have changed since mass was counted last, and what it had
+    // then, in quanta; and whether since the state was hashed last.
     struct Mass {
         std::int64_t standing = 0, rolling = 0;
     };
     std::vector<std::uint8_t> changed;
     std::vector<Mass> mass;
+    std::vector<std::uint8_t> unhashed;
 
     void wake_all();
     void wake(int x0, int x1, int y0, int y1);  // vertices, inclusive: what is changed, and what that reaches

@@ -15,6 +15,7 @@ namespace game {
 namespace {
 
 constexpr std::string_view kFormatName = "couloir recording";
+constexpr std::int64_t kMostTicks = std::int64_t{1} << 40;
 constexpr std::array<std::string_view, 4> kSides{"west", "east", "south", "north"};
 
 // The readers below throw the fact; the public ones turn it into a value.
@@ -297,6 +298,10 @@ Header read_header(const Json& json, int minor) {
     header.program = text(json, "program");
     header.physics_version = static_cast<int>(whole(json, "physics_version", 1, 1 << 20));
     header.ticks_per_state = static_cast<int>(whole(json, "ticks_per_state", 1, 1 << 20));
+    if (json.contains("parent")) {
+        const Json& parent = json.at("parent");
+        header.parent = Parent{text(parent, "name"), whole(parent, "tick", 0, kMostTicks)};
+    }
     Start& start = header.start;
     start.scene = text(json, "scene");
     start.title = text(json, "title");
@@ -308,8 +313,6 @@ Header read_header(const Json& json, int minor) {
     ground_from(member(json, "terrain"), start);
     return header;
 }
-
-constexpr std::int64_t kMostTicks = std::int64_t{1} << 40;
 
 TimedCommand read_command(const Json& json, const sim::CommandInfo& info) {
     const Json& numbers = member(json, info.name.data());
@@ -325,16 +328,31 @@ TimedCommand read_command(const Json& json, const sim::CommandInfo& info) {
     return timed;
 }
 
+std::vector<std::uint64_t> hashes_before(const Json& state) {
+    std::vector<std::uint64_t> hashes;
+    if (!state.contains("before")) return hashes;
+    if (!state.at("before").is_array()) refuse("before is not a list");
+    for (const Json& each : state.at("before")) {
+        const auto hash = each.is_string() ? from_hex(each.get_ref<const std::string&>()) : std::nullopt;
+        if (!hash) refuse("before has what is not 16 hexadecimal digits");
+        hashes.push_back(*hash);
+    }
+    if (static_cast<std::int64_t>(hashes.size()) > whole(state, "tick", 0, kMostTicks))
+        refuse("before goes back beyond tick 0");
+    return hashes;
+}
+
 Line read_line(const Json& json) {
     if (!json.is_object()) refuse("not an object");
     if (json.contains("end")) return EndLine{whole(json, "end", 0, kMostTicks)};
     if (json.contains("hash")) {
         const Json& mass = member(json, "mass");
         const auto quanta = [&](const char* key) { return whole(mass, key, INT64_MIN / 8, INT64_MAX / 8); };
-        StateLine line{whole(json, "tick", 0, kMostTicks), hash_of(json, "hash"), {}};
-        line.ledger = {
-            0, quanta("standing"), quanta("rolling"), quanta("out"), quanta("poured"), quanta("dug")};
-        return line;
+        return StateLine{
+            whole(json, "tick", 0, kMostTicks),
+            hash_of(json, "hash"),
+            hashes_before(json),
+            {0, quanta("standing"), quanta("rolling"), quanta("out"), quanta("poured"), quanta("dug")}};
     }
     for (const sim::CommandInfo& info : sim::kCommands)
         if (json.contains(std::string(info.name))) return read_command(json, info);
@@ -360,6 +378,7 @@ Json to_json(const Header& header) {
               {"ticks_per_state", header.ticks_per_state},
               {"physics", physics_json(start.params)},
               {"view", view_json(start)}};
+    if (const auto& parent = header.parent) json["parent"] = {{"name", parent->name}, {"tick", parent->tick}};
     if (start.lower)
         json["lower"] = {{"material", start.lower->material}, {"physics", numbers_json(start.lower->params)}};
     json["terrain"] = ground_json(start);
@@ -410,10 +429,17 @@ void write(const TimedCommand& timed, std::string& line) {
 
 void write(const StateLine& state, std::string& line) {
     const sim::Ledger& mass = state.ledger;
+    const auto out = std::back_inserter(line);
+    fmt::format_to(out, R"({{"tick":{},)", state.tick);
+    if (!state.before.empty()) {
+        line += R"("before":[)";
+        for (const std::uint64_t hash : state.before) fmt::format_to(out, R"("{:016x}",)", hash);
+        line.back() = ']';
+        line += ',';
+    }
     fmt::format_to(
-        std::back_inserter(line),
-        R"({{"tick":{},"hash":"{:016x}","mass":{{"standing":{},"rolling":{},"out":{},"poured":{},"dug":{}}}}})",
-        state.tick, state.hash, mass.standing, mass.rolling, mass.out, mass.poured, mass.dug);
+        out, R"("hash":"{:016x}","mass":{{"standing":{},"rolling":{},"out":{},"poured":{},"dug":{}}}}})",
+        state.hash, mass.standing, mass.rolling, mass.out, mass.poured, mass.dug);
 }
 
 void write(const EndLine& end, std::string& line) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -20,16 +21,17 @@ namespace game {
 using Json = nlohmann::ordered_json;
 
 inline constexpr int kFormatMajor = 1;  // a reader refuses a greater one
-inline constexpr int kFormatMinor = 3;  // a greater one may hold fields that this reader leaves alone
+inline constexpr int kFormatMinor = 4;  // a greater one may hold fields that this reader leaves alone
 inline constexpr int kPhysicsVersion =
-    3;  // recordings of another one play, but their hashes are not comparable
+    4;  // of the physics and its hash: recordings of another one play, but are not comparable
 inline constexpr int kTicksPerState = 6;  // between two state lines
 
 // The state after `tick` ticks.
 struct StateLine {
     std::int64_t tick = 0;
     std::uint64_t hash = 0;
-    sim::Ledger ledger;  // initial is not written: it follows from the others
+    std::vector<std::uint64_t> before;  // hashes of the ticks that came before it, the oldest first
+    sim::Ledger ledger;                 // initial is not written: it follows from the others
     bool operator==(const StateLine&) const = default;
 };
 
@@ -37,8 +39,16 @@ struct EndLine {
     std::int64_t tick = 0;  // ticks that were done
 };
 
+// What a recording was forked from, and its tick at which the two part.
+struct Parent {
+    std::string name;
+    std::int64_t tick = 0;
+    bool operator==(const Parent&) const = default;
+};
+
 struct Header {
     Start start;
+    std::optional<Parent> parent;
     int physics_version = kPhysicsVersion;
     int ticks_per_state = kTicksPerState;
     std::string program;  // that wrote it, with its version

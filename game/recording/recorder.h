@@ -3,11 +3,13 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "game/outcome.h"
 #include "game/recording/chain.h"
 #include "game/recording/format.h"
+#include "game/recording/reader.h"
 
 namespace game {
 
@@ -16,7 +18,13 @@ namespace game {
 class Recorder {
   public:
     // Begins the file, replacing any that has this name; makes its folder.
-    static Outcome<Recorder> create(const std::filesystem::path& path, const Start& start);
+    static Outcome<Recorder> create(const std::filesystem::path& path, const Start& start,
+                                    std::optional<Parent> parent = std::nullopt);
+
+    // Begins a file that goes on from `of` at `tick`, and has all that `of` tells up to there; states of
+    // another version of the physics left out. `name`: by which `of` is known.
+    static Outcome<Recorder> fork(const std::filesystem::path& path, const Recording& of,
+                                  const std::string& name, std::int64_t tick);
 
     Outcome<void> command(const TimedCommand& command);
     Outcome<void> state(const StateLine& line);
@@ -25,12 +33,15 @@ class Recorder {
     // A place in the file to come back to.
     struct Mark {
         std::int64_t bytes = 0;
+        std::int64_t last_state = -1;
         Chain chain;
     };
-    Mark mark() const { return {bytes_, chain_}; }
+    Mark mark() const { return mark_; }
     // Takes back all lines since `mark`, as if they had never been.
     Outcome<void> rewind(const Mark& mark);
 
+    // Tick of the last state that was written; −1: none yet.
+    std::int64_t last_state() const { return mark_.last_state; }
     const std::filesystem::path& path() const { return path_; }
 
   private:
@@ -42,8 +53,7 @@ class Recorder {
 
     std::filesystem::path path_;
     std::unique_ptr<std::FILE, Close> file_;
-    std::int64_t bytes_ = 0;  // written
-    Chain chain_;
+    Mark mark_;  // after what was written
     std::string line_;  // kept for its memory
 };
 

@@ -13,8 +13,8 @@ namespace game {
 // How a recording's states compared with those of its replay.
 struct Verdict {
     bool comparable = true;             // same physics version
-    std::size_t compared = 0;           // state lines
-    std::int64_t proven_tick = -1;      // every state line up to here was met exactly; −1: none
+    std::size_t compared = 0;           // states; recordings have one for each tick since format 1.4
+    std::int64_t proven_tick = -1;      // every recorded state up to here was met exactly; −1: none
     std::optional<std::string> parted;  // where and how the two first differ
 };
 
@@ -29,8 +29,10 @@ class Verifier {
     const Verdict& verdict() const { return verdict_; }
 
   private:
+    std::optional<std::uint64_t> recorded_at(std::int64_t tick) const;
+
     std::vector<StateLine> states_;
-    std::size_t next_ = 0;
+    std::size_t next_ = 0;  // the first line of this tick or a later one
     Verdict verdict_;
 };
 

@@ -16,9 +16,11 @@
 
 namespace game::ui {
 
-// A recording that is being watched, before the person takes over at its end.
-struct Watching {
-    std::int64_t last_tick = 0;
+// How much of the time before and after this moment is known.
+struct Timeline {
+    std::int64_t known_until = 0;  // tick
+    bool watches = false;          // a recording that has not been taken over
+    bool can_go_back = true;
 };
 
 // All that panels may tell. References are valid for one frame.
@@ -37,7 +39,8 @@ struct Facts {
     const FrameTimes& times;
     const Notices& notices;
     const Catalogue& catalogue;
-    std::optional<Watching> watching;
+    Timeline timeline;
+    bool looks_back() const { return state.tick < timeline.known_until; }  // hands off
     std::string_view recording;  // file that is being written; empty where none is
     std::string_view renderer;   // GL's name
     double now_s = 0;            // screen's clock

@@ -94,6 +94,9 @@ void draw_time(const Pen& pen, Icon icon) {
         case Icon::kStep:
             pen.triangle({-0.75f, -0.75f}, {0.35f, 0}, {-0.75f, 0.75f});
             return pen.box(0.45f, -0.75f, 0.8f, 0.75f);
+        case Icon::kBack:
+            pen.triangle({0.05f, -0.7f}, {-0.85f, 0}, {0.05f, 0.7f});
+            return pen.triangle({0.85f, -0.7f}, {-0.05f, 0}, {0.85f, 0.7f});
         case Icon::kUndo:
             pen.arc(0, 0.15f, 0.7f, -kPi * 0.8f, kPi * 0.65f);
             return pen.triangle({-1, -0.05f}, {-0.75f, -0.85f}, {-0.2f, -0.25f});

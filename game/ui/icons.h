@@ -13,6 +13,7 @@ enum class Icon {
     kPause,
     kPlay,
     kStep,
+    kBack,
     kUndo,
     kReset,
     kScene,

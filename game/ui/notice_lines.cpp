@@ -76,7 +76,7 @@ void notices(Desk& desk, const Facts& facts, bool warnings_only) {
 
 void hint(Desk& desk, const Facts& facts) {
     desk.lower_edge = desk.time_bar_top;
-    if (facts.touched || facts.watching || desk.panels.is_open(Panel::kHelp)) return;
+    if (facts.touched || facts.looks_back() || desk.panels.is_open(Panel::kHelp)) return;
     const bool pours = facts.brush.tool == Tool::kPour;
     std::array<char, 256> text;
     const std::string keys = name_of(Verb::kToggleHelp);

@@ -157,7 +157,7 @@ void all_defaults(Desk& desk, const Facts& facts, Actions& actions) {
 
 void physics_panel(Desk& desk, const Facts& facts, Actions& actions) {
     const sim::Params& params = facts.state.params;
-    ImGui::BeginDisabled(facts.watching.has_value());
+    ImGui::BeginDisabled(facts.looks_back());
     for (std::size_t group = 0; group < kGroups.size(); ++group) {
         desk.widgets.heading(kGroups[group].title);
         if (group + 1 == kGroups.size())

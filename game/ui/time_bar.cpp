@@ -10,15 +10,15 @@
 namespace game::ui {
 namespace {
 
-constexpr float kWidth = 36;  // em
+constexpr float kWidth = 38;  // em
 constexpr std::array<const char*, 8> kSpeeds{"1/8 ×", "1/4 ×", "1/2 ×", "1 ×", "2 ×", "4 ×", "8 ×", "16 ×"};
 constexpr int kUsual = 3;  // index of 1 ×
 
 // A button that does what a verb's key does, and tells the key.
-bool verb_button(Desk& desk, const char* label, Icon icon, Verb verb, const char* text) {
+bool verb_button(Desk& desk, const char* label, Icon icon, Verb verb, const char* text, bool on = false) {
     std::array<char, 128> tooltip;
     std::snprintf(tooltip.data(), tooltip.size(), "%s: %s", name_of(verb).c_str(), text);
-    return desk.widgets.icon_button(label, icon, tooltip.data());
+    return desk.widgets.icon_button(label, icon, tooltip.data(), on);
 }
 
 void speed(Desk& desk, const Facts& facts, Actions& actions) {
@@ -31,6 +31,12 @@ void speed(Desk& desk, const Facts& facts, Actions& actions) {
 }
 
 void controls(Desk& desk, const Facts& facts, Actions& actions) {
+    ImGui::BeginDisabled(!facts.timeline.can_go_back);
+    if (verb_button(desk, "Back in time", Icon::kBack, Verb::kRunBack, "lets time run back, and forth again.",
+                    facts.clock.runs_back()))
+        actions.emplace_back(Verb::kRunBack);
+    ImGui::EndDisabled();
+    ImGui::SameLine();
     const bool paused = facts.clock.paused();
     if (verb_button(desk, paused ? "Go on" : "Pause", paused ? Icon::kPlay : Icon::kPause, Verb::kPauseOrGoOn,
                     paused ? "lets time run." : "stops time."))
@@ -41,7 +47,7 @@ void controls(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::SameLine();
     speed(desk, facts, actions);
     ImGui::SameLine(0, desk.em());
-    ImGui::BeginDisabled(facts.watching.has_value() || facts.actions_to_undo == 0);
+    ImGui::BeginDisabled(facts.looks_back() || facts.actions_to_undo == 0);
     std::array<char, 96> text;
     std::snprintf(text.data(), text.size(), "goes back to just before the last action; there are %zu.",
                   facts.actions_to_undo);
@@ -63,6 +69,9 @@ Pace pace_of(const Facts& facts) {
     if (facts.clock.behind()) {
         std::snprintf(pace.text.data(), pace.text.size(), "only %.1f ×", facts.clock.reached_speed());
         pace.colour = kWarning;
+    } else if (facts.clock.runs_back() && !facts.clock.paused()) {
+        std::snprintf(pace.text.data(), pace.text.size(), "back in time");
+        pace.colour = kAccent;
     } else if (facts.clock.paused()) {
         std::snprintf(pace.text.data(), pace.text.size(), "paused");
     } else if (sim::at_rest(facts.state)) {
@@ -105,6 +114,33 @@ void moment(Desk& desk, const Facts& facts) {
         desk.widgets.tooltip("The machine cannot keep up with the speed that was asked for.");
 }
 
+// All the time that is known, to drag along.
+void timeline(Desk& desk, const Facts& facts, Actions& actions) {
+    if (!facts.timeline.can_go_back) return;
+    const float em = desk.em(), width = ImGui::GetContentRegionAvail().x;
+    const auto known = static_cast<double>(std::max<std::int64_t>(facts.timeline.known_until, 1));
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::InvisibleButton("##timeline", {width, em * 0.9f});
+    desk.widgets.note("Timeline");
+    const bool held = ImGui::IsItemActive(), near = held || ImGui::IsItemHovered();
+    const double pointed = std::clamp((ImGui::GetIO().MousePos.x - corner.x) / width, 0.f, 1.f) * known;
+    if (held) actions.emplace_back(SeekTick{std::llround(pointed)});
+
+    const float knob = corner.x + width * static_cast<float>(static_cast<double>(facts.state.tick) / known);
+    const float middle = corner.y + em * 0.45f, thick = em * 0.11f;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({corner.x, middle - thick}, {corner.x + width, middle + thick}, kControlHeld, thick);
+    list.AddRectFilled({corner.x, middle - thick}, {knob, middle + thick}, kAccent, thick);
+    list.AddCircleFilled({std::clamp(knob, corner.x + em * 0.3f, corner.x + width - em * 0.3f), middle},
+                         em * (near ? 0.36f : 0.28f), near ? kText : kAccent);
+    if (!near) return;
+    std::array<char, 64> text;
+    std::snprintf(text.data(), text.size(), "%.1f s of %.1f s",
+                  pointed * static_cast<double>(facts.state.params.tick_s),
+                  known * static_cast<double>(facts.state.params.tick_s));
+    desk.widgets.tooltip(text.data());
+}
+
 void mass(Desk& desk, const Facts& facts) {
     const sim::Ledger& ledger = facts.state.ledger;
     const double quantum = static_cast<double>(sim::kQuantum) * facts.state.grid.cell_area();
@@ -129,6 +165,7 @@ void time_bar(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::Begin("Time", nullptr, kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize);
     controls(desk, facts, actions);
     moment(desk, facts);
+    timeline(desk, facts, actions);
     mass(desk, facts);
     desk.time_bar_top = ImGui::GetWindowPos().y;
     desk.time_bar_left = ImGui::GetWindowPos().x;

@@ -136,16 +136,16 @@ void panel_buttons(Desk& desk, Flow& flow) {
     }
 }
 
-void watching(Desk& desk, const Facts& facts) {
-    const double tick_s = static_cast<double>(facts.state.params.tick_s);
-    const auto last = static_cast<double>(facts.watching->last_tick),
-               now = static_cast<double>(facts.state.tick);
-    ImGui::Text("Watching a recording: %.1f of %.1f s, then it is yours", now * tick_s, last * tick_s);
+void past(Desk& desk, const Facts& facts, Actions& actions) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(facts.timeline.watches ? "Watching a recording, hands off."
+                                                  : "Looking back, hands off.");
     desk.widgets.note("Watching a recording");
-    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, kAccent);
-    ImGui::ProgressBar(last > 0 ? static_cast<float>(std::min(now / last, 1.0)) : 1.f, {-1, desk.em() * 0.3f},
-                       "");
-    ImGui::PopStyleColor();
+    ImGui::SameLine();
+    std::array<char, 96> text;
+    std::snprintf(text.data(), text.size(), "%s: the world is yours from this tick on.",
+                  name_of(Verb::kTakeOver).c_str());
+    if (desk.widgets.button("Take over here", text.data())) actions.emplace_back(Verb::kTakeOver);
 }
 
 }  // namespace
@@ -156,13 +156,13 @@ void toolbar(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::Begin("Toolbar", nullptr, kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize);
     const float inside = desk.size.x - 2 * margin - 2 * ImGui::GetStyle().WindowPadding.x;
     Flow flow(inside, ImGui::GetStyle().ItemSpacing.x);
-    ImGui::BeginDisabled(facts.watching.has_value());
+    ImGui::BeginDisabled(facts.looks_back());
     tools(desk, facts, actions, flow);
     sizes(desk, facts, actions, flow);
     material(desk, facts, actions, flow);
     ImGui::EndDisabled();
     panel_buttons(desk, flow);
-    if (facts.watching) watching(desk, facts);
+    if (facts.looks_back()) past(desk, facts, actions);
     desk.toolbar_bottom = margin + ImGui::GetWindowSize().y;
     ImGui::End();
 }

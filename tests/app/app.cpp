@@ -352,12 +352,13 @@ TEST_F(Playing, watches_a_recording_hands_off_and_then_takes_over) {
     screen_.release(Button::kLeft);
     frames(1);
     EXPECT_NE(last_notice().find("Hands off"), std::string::npos) << last_notice();
-    const auto until = app_->sandbox().watched_until();
-    ASSERT_TRUE(until);
+    ASSERT_TRUE(app_->sandbox().watches());
+    EXPECT_FALSE(app_->recording());
+    const auto until = app_->sandbox().known_until();
     for (int i = 0; i < 4; ++i) tap(Key::kEqual);
-    while (app_->sandbox().watched_until()) frames(1);
+    while (app_->sandbox().watches()) frames(1);
     EXPECT_NE(last_notice().find("bit for bit"), std::string::npos) << last_notice();
-    EXPECT_GE(state().tick, *until);
+    EXPECT_GE(state().tick, until);
     tap(key('0'));
     const auto poured = mass().poured;
     stroke(5);

@@ -195,8 +195,14 @@ TEST(RecordingLine, refuses_each_command_number_just_outside_its_range) {
 }
 
 TEST(RecordingLine, keeps_hash_and_mass_of_a_state) {
-    const StateLine before{77, 0x00fedcba98765432u, {0, 9007199254740993, 1, 1152921504606846975, 5, -6}};
+    const StateLine before{77,
+                           0x00fedcba98765432u,
+                           {1, 0xffffffffffffffffu},
+                           {0, 9007199254740993, 1, 1152921504606846975, 5, -6}};
     EXPECT_EQ(std::get<StateLine>(line_from(through_line(before)).value()), before);
+    StateLine alone = before;
+    alone.before.clear();
+    EXPECT_EQ(std::get<StateLine>(line_from(through_line(alone)).value()), alone);
     EXPECT_EQ(std::get<EndLine>(line_from(through_line(EndLine{42})).value()).tick, 42);
 }
 

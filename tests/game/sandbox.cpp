@@ -55,7 +55,7 @@ std::uint64_t replayed_hash(const std::filesystem::path& path) {
     opening.scene = {recording.header.start, recording.commands};
     opening.watched = recording;
     Sandbox sandbox = Sandbox::begin(std::move(opening), sim::How{}, std::nullopt).value();
-    while (sandbox.watched_until()) EXPECT_TRUE(sandbox.tick({}));
+    while (sandbox.looks_back()) EXPECT_TRUE(sandbox.tick({}));
     EXPECT_FALSE(sandbox.verdict()->parted) << *sandbox.verdict()->parted;
     EXPECT_EQ(sandbox.verdict()->proven_tick, recording.last_tick());
     return sandbox.session().state_line().hash;
@@ -197,16 +197,18 @@ TEST(Sandbox, lets_a_person_take_over_a_recording_at_its_end_and_records_the_who
     Opening opening;
     Recording recording = read_recording(first).value();
     opening.scene = {recording.header.start, recording.commands};
+    opening.name = "first";
     opening.watched = std::move(recording);
-    auto recorder = Recorder::create(second, opening.scene.start);
-    Sandbox after = Sandbox::begin(std::move(opening), sim::How{}, std::move(*recorder)).value();
-    EXPECT_EQ(after.watched_until(), 45);
-    while (after.watched_until()) ASSERT_TRUE(after.tick({}));
+    Sandbox after = Sandbox::begin(std::move(opening), sim::How{}, std::nullopt).value();
+    EXPECT_EQ(after.known_until(), 45);
+    while (after.looks_back()) ASSERT_TRUE(after.tick({}));
     EXPECT_EQ(after.session().state_line().hash, before.session().state_line().hash);
     EXPECT_EQ(after.verdict()->proven_tick, 45);
+    ASSERT_TRUE(after.take_over(second));
     stroke(after, "pour", 10);
     ASSERT_TRUE(after.finish());
     EXPECT_EQ(read_recording(second).value().last_tick(), 55);
+    EXPECT_EQ(read_recording(second).value().header.parent, (Parent{"first", 45}));
     EXPECT_EQ(replayed_hash(second), after.session().state_line().hash);
 }
 

@@ -19,10 +19,36 @@ TEST_F(UiHand, asks_for_what_the_time_bar_says) {
     EXPECT_EQ(only<Verb>(click("Pause")), Verb::kPauseOrGoOn);
     EXPECT_EQ(only<Verb>(click("One tick")), Verb::kStepOnce);
     EXPECT_EQ(only<Verb>(click("Reset")), Verb::kReset);
+    EXPECT_EQ(only<Verb>(click("Back in time")), Verb::kRunBack);
     clock_.pause(true);
     frame();
     EXPECT_FALSE(ui_->find("Pause"));
     EXPECT_EQ(only<Verb>(click("Go on")), Verb::kPauseOrGoOn);
+}
+
+TEST_F(UiHand, seeks_along_the_timeline_for_as_long_as_it_is_held) {
+    timeline_ = {.known_until = 600};
+    settle();
+    const ui::Ui::Place bar = place("Timeline");
+    point_at("Timeline");
+    frame();
+    screen_.press(Button::kLeft);
+    frame();
+    const auto tick = only<SeekTick>(frame()).tick;
+    EXPECT_NEAR(static_cast<double>(tick), 300, 3);
+    screen_.move(bar.x + 0.7 * bar.width, bar.y + 5);
+    frame();
+    EXPECT_GT(only<SeekTick>(frame()).tick, tick);
+    screen_.move(bar.x + 3 * bar.width, bar.y + 5);
+    frame();
+    EXPECT_EQ(only<SeekTick>(frame()).tick, 600);
+    screen_.release(Button::kLeft);
+    frame();
+    EXPECT_TRUE(frame().empty());
+    timeline_.can_go_back = false;
+    settle();
+    EXPECT_FALSE(ui_->find("Timeline"));
+    EXPECT_TRUE(click("Back in time").empty());
 }
 
 TEST_F(UiHand, asks_for_each_speed_that_is_chosen) {
@@ -98,13 +124,14 @@ TEST_F(UiHand, says_what_a_tool_does_while_control_is_held) {
 
 TEST_F(UiHand, greys_the_tools_while_a_recording_is_watched) {
     EXPECT_FALSE(ui_->find("Watching a recording"));
-    watching_ = ui::Watching{600};
+    timeline_ = {.known_until = 600, .watches = true};
     actions_to_undo_ = 2;
     settle();
     EXPECT_TRUE(ui_->find("Watching a recording"));
     for (const char* label : {"Dig", "Standing", "Radius", "Undo"})
         EXPECT_TRUE(click(label).empty()) << label;
     EXPECT_EQ(only<Verb>(click("Pause")), Verb::kPauseOrGoOn);
+    EXPECT_EQ(only<Verb>(click("Take over here")), Verb::kTakeOver);
 }
 
 TEST_F(UiHand, says_when_the_machine_cannot_keep_up) {

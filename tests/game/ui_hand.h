@@ -47,7 +47,7 @@ class UiHand : public testing::Test {
     std::size_t actions_to_undo_ = 0;
     std::optional<Reading> under_cursor_;
     CameraMode camera_mode_ = CameraMode::kOrbit;
-    std::optional<ui::Watching> watching_;
+    ui::Timeline timeline_;
     std::string recording_ = "/tmp/valley.couloir";
     std::optional<ui::Ui> ui_;
 };

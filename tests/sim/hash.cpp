@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/snapshot.h"
 #include "tests/support/worlds.h"
 
 namespace {
@@ -72,6 +73,60 @@ TEST(StateHash, sees_tick_sources_and_seed_but_not_the_halo) {
     --play.state.seed;
     play.state.depth(-1, 3) = 99;
     EXPECT_EQ(sim::state_hash(play.state), before);
+}
+
+// What a person does on the way.
+std::vector<sim::Command> hand_at(int tick) {
+    if (tick == 20) return {support::pour_at(30, 40, 9, 60, 0.5)};
+    if (tick != 90) return {};
+    sim::Command blast = support::pour_at(150, 150, 20, 0, 0);
+    blast.kind = sim::CommandKind::kBlast;
+    blast.depth = 1;
+    return {blast};
+}
+
+TEST(StateHasher, meets_the_whole_hash_at_every_tick_whatever_the_work) {
+    const support::Ground ground = support::rough(130, 2, 5);
+    for (const support::Physics& physics : support::kPhysics)
+        for (const sim::How& how :
+             {sim::How{}, sim::How{.plain = true}, sim::How{.threads = 3, .tile_width = 32, .tile_height = 7},
+              sim::How{.tile_width = 256, .tile_height = 50},
+              sim::How{.tile_width = 32, .tile_height = 1, .tiles_may_sleep = false}}) {
+            Play play(ground, support::lively(physics.model, physics.scheme), how);
+            sim::StateHasher hasher(play.state);
+            for (int tick = 0; tick < 150; ++tick) {
+                play.ticks(1, hand_at(tick));
+                ASSERT_EQ(hasher.hash(play.state, play.engine.workers), sim::state_hash(play.state))
+                    << physics.name() << ", tiles " << how.tile_width << " by " << how.tile_height
+                    << ", tick " << tick;
+            }
+        }
+}
+
+TEST(StateHasher, reckons_anew_only_what_was_woken) {
+    Play play(support::rough(200, 2, 5), support::lively(sim::Model::kBcreInertial));
+    sim::StateHasher hasher(play.state);
+    const auto hash = [&] { return hasher.hash(play.state, play.engine.workers); };
+    const std::uint64_t before = hash();
+    play.state.depth(150, 150) += 1;
+    EXPECT_EQ(hash(), before) << "nobody was told";
+    EXPECT_NE(sim::state_hash(play.state), before);
+    play.state.tiles.wake(10, 11, 10, 11);
+    EXPECT_EQ(hash(), before) << "another place was woken";
+    play.state.tiles.wake(150, 150, 150, 150);
+    EXPECT_EQ(hash(), sim::state_hash(play.state));
+}
+
+TEST(StateHasher, follows_a_world_back_in_time) {
+    Play play(support::rough(70, 2, 5), support::lively(sim::Model::kBcreInertial));
+    sim::StateHasher hasher(play.state);
+    play.ticks(30);
+    const std::uint64_t then = hasher.hash(play.state, play.engine.workers);
+    const sim::Snapshot snapshot = sim::take_snapshot(play.state);
+    play.ticks(30);
+    EXPECT_NE(hasher.hash(play.state, play.engine.workers), then);
+    sim::restore(snapshot, play.state);
+    EXPECT_EQ(hasher.hash(play.state, play.engine.workers), then);
 }
 
 }  // namespace
