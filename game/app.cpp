@@ -194,9 +194,12 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
     const double begun = screen_.seconds();
     if (clock_.runs_back() && !seeking_) seeking_ = sandbox_->session().state().tick - due;
     if (seeking_) return seek(*seeking_, begun);
-    for (double spent = 0; time.ticks < due && (time.ticks == 0 || spent < kTickBudget); ++time.ticks) {
-        hand_ = set_numbers_;
-        set_numbers_.clear();
+    const auto may_go_on = [&](double spent) {
+        return !sandbox_->watched_to_end() && (time.ticks == 0 || spent < kTickBudget);
+    };
+    for (double spent = 0; time.ticks < due && may_go_on(spent); ++time.ticks) {
+        hand_.clear();
+        if (!sandbox_->looks_back()) std::swap(hand_, set_numbers_);
         if (stroke_) stroke_->commands_of(time.ticks, due, brush_, tick_s, hand_);
         touched_ |= !hand_.empty();
         if (const auto done = sandbox_->tick(hand_); !done) {
@@ -222,7 +225,6 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
 // Toward a tick that is known, as far as a frame's time lets.
 void App::seek(std::int64_t tick, double begun_s) {
     stroke_.reset();
-    set_numbers_.clear();
     const std::int64_t before = sandbox_->session().state().tick;
     const auto there = sandbox_->go_toward(tick, [&] { return screen_.seconds() - begun_s < kTickBudget; });
     if (!there) warn(there.error().sentence);
@@ -238,7 +240,7 @@ void App::seek(std::int64_t tick, double begun_s) {
 
 // What was watched is the person's once it has come to its end.
 void App::take_over_at_end() {
-    if (!sandbox_->watches() || sandbox_->looks_back()) return;
+    if (!sandbox_->watched_to_end()) return;
     clock_.set_speed(1);  // whoever hurried through it starts at a pace for hands
     const Verdict verdict = *sandbox_->verdict();
     const bool proven = verdict.proven_tick == sandbox_->known_until();

@@ -110,9 +110,12 @@ void add_material_and_model(CLI::App& app, Wishes& wishes) {
 void add_play(CLI::App& app, PlayOptions& options) {
     app.add_option(
            "what", options.what,
-           "a scene by name, or a file: scene (.toml), recording to take over at its end (.couloir), or "
+           "a scene by name, or a file: scene (.toml), recording to watch and take over (.couloir), or "
            "elevation raster [alpine-valley]")
         ->type_name("SCENE");
+    app.add_option("--until", options.until, "of a recording: take over at this tick instead of at its end")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("TICK");
     app.add_option("--record", options.record,
                    "record the session here [a new file in couloir/recordings in the XDG data folder]")
         ->type_name("FILE.couloir");

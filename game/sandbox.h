@@ -35,6 +35,7 @@ class Sandbox {
     bool looks_back() const { return session_.state().tick < known_until_; }
     // A recording that somebody made is being watched, or was until just now and has not been taken over.
     bool watches() const { return opening_.watched.has_value(); }
+    bool watched_to_end() const { return watches() && !looks_back(); }
     // How the watched recording compared so far.
     std::optional<Verdict> verdict() const;
 

@@ -48,8 +48,9 @@ struct ReplayOptions {
 Outcome<int> replay(const ReplayOptions& options);
 
 struct PlayOptions {
-    std::string program;  // as it was called
-    std::string what;     // scene, terrain file or recording; empty: the first scene
+    std::string program;                // as it was called
+    std::string what;                   // scene, terrain file or recording; empty: the first scene
+    std::optional<std::int64_t> until;  // tick at which a recording is taken over
     Wishes wishes;
     std::optional<std::filesystem::path> record;
     PictureSize size;

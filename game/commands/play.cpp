@@ -26,10 +26,17 @@ Outcome<int> play(const PlayOptions& options) {
     std::error_code error;
     if (options.record && std::filesystem::equivalent(options.what, *options.record, error))
         return unusable(fmt::format("{}: cannot be watched and recorded at once", options.what));
+    if (options.until && !opening->watched)
+        return unusable(fmt::format("{}: is no recording, so there is nothing to take over at tick {}",
+                                    options.what, *options.until));
+    if (options.until && *options.until > opening->watched->last_tick())
+        return unusable(fmt::format("{}: ends at tick {}, before {}", options.what,
+                                    opening->watched->last_tick(), *options.until));
     auto window = Window::open("Couloir", options.size.width, options.size.height);
     if (!window) return tl::unexpected(window.error());
     auto app = App::begin(**window, std::move(*opening), options.how, options.record);
     if (!app) return tl::unexpected(app.error());
+    if (options.until) (*app)->take_over_at(*options.until);
     while ((*app)->frame()) {
     }
     if (auto finished = (*app)->finish(); !finished) return tl::unexpected(finished.error());
