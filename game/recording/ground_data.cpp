@@ -54,6 +54,9 @@ tl::expected<void, std::string> unpack_ground(std::string_view text, Start& star
     std::string packed(text);
     const int decoded = CPLBase64DecodeInPlace(reinterpret_cast<GByte*>(packed.data()));
     const std::size_t vertices = start.grid.size();
+    // Before that much memory is asked for.
+    if (ZSTD_getFrameContentSize(packed.data(), static_cast<std::size_t>(decoded)) != packed_size(start))
+        return tl::unexpected(std::string("terrain data that does not unpack"));
     std::string bytes(packed_size(start), '\0');
     const std::size_t size =
         ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), static_cast<std::size_t>(decoded));

@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t kLongestHeader = std::size_t{256} << 20;
 constexpr std::size_t kLongestLine = std::size_t{64} << 10;
 constexpr int kDeepestNesting = 8;
+constexpr std::string_view kBeginning = R"({"format":"couloir recording",)";
 
 enum class Read { kLine, kTorn, kEnd, kTooLong };
 
@@ -60,12 +61,13 @@ class Reader {
             if (got == Read::kEnd) break;
             if (got == Read::kTooLong) return wrong(fmt::format("longer than {} bytes", kLongestLine));
             if (got == Read::kTorn) {
-                recording_.warning =
-                    fmt::format("{}:{}: torn off after {} bytes; the lines before it are whole",
-                                path_.string(), line_number_, line_.size());
+                recording_.warning = fmt::format(
+                    "{}:{}: torn off: bytes {} to {} are lost, and the lines before them are whole",
+                    path_.string(), line_number_, whole_bytes_, whole_bytes_ + line_.size() - 1);
                 break;
             }
             if (const auto taken = take_line(); !taken) return tl::unexpected(taken.error());
+            whole_bytes_ += line_.size() + 1;
         }
         if (const auto fault = fault_of_sets(recording_.header.start.params, recording_.commands))
             return unusable(fmt::format("{}: {}", path_.string(), *fault));
@@ -76,15 +78,35 @@ class Reader {
     }
 
   private:
+    // What is wrong with this line, and how far those before it go.
     tl::unexpected<Failure> wrong(const std::string& fact) const {
-        return unusable(fmt::format("{}:{}: {}", path_.string(), line_number_, fact));
+        const std::string before =
+            line_number_ == 1
+                ? ""
+                : fmt::format("; the {} bytes before it are whole, up to tick {}", whole_bytes_, latest_);
+        return unusable(fmt::format("{}:{}: {}{}", path_.string(), line_number_, fact, before));
+    }
+
+    // Of what is no recording, or has a line without end, nothing is taken into memory.
+    Outcome<void> look_at_header() {
+        std::string beginning(kBeginning.size(), ' ');
+        stream_.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+        beginning.resize(static_cast<std::size_t>(stream_.gcount()));
+        if (beginning.empty()) return unusable(fmt::format("{}: empty", path_.string()));
+        if (beginning != kBeginning.substr(0, beginning.size())) return wrong("not a couloir recording");
+        stream_.ignore(kLongestHeader, '\n');
+        const auto length = beginning.size() + static_cast<std::size_t>(stream_.gcount());
+        if (length > kLongestHeader) return wrong("longer than any header");
+        line_.reserve(length);
+        stream_.clear();
+        stream_.seekg(0);
+        return {};
     }
 
     Outcome<void> read_header() {
         line_number_ = 1;
+        if (const auto begun = look_at_header(); !begun) return begun;
         const Read got = next_line(stream_, line_, kLongestHeader);
-        if (got == Read::kEnd) return unusable(fmt::format("{}: empty", path_.string()));
-        if (got == Read::kTooLong) return wrong("longer than any header");
         const auto json = parse(line_);
         if (!json) return wrong(got == Read::kTorn ? "torn off within the header" : json.error());
         if (const auto known = check_format(*json); !known) return wrong(known.error());
@@ -93,6 +115,7 @@ class Reader {
         if (!header) return wrong(header.error());
         if (got == Read::kTorn) return wrong("torn off within the header");
         recording_.header = std::move(*header);
+        whole_bytes_ = line_.size() + 1;
         return {};
     }
 
@@ -136,6 +159,7 @@ class Reader {
     std::ifstream stream_;
     std::string line_;
     std::size_t line_number_ = 0;
+    std::size_t whole_bytes_ = 0;  // of the lines taken
     std::int64_t latest_ = 0;
     Chain chain_;
     Recording recording_;

@@ -176,7 +176,7 @@ TEST_F(DamagedRecording, with_lines_of_nonsense_is_refused) {
 }
 
 TEST_F(DamagedRecording, nested_deeper_than_any_recording_is_refused) {
-    std::string nested = "{\"a\":";
+    std::string nested = R"({"format":"couloir recording","a":)";
     for (int depth = 0; depth < 10000; ++depth) nested += "{\"a\":";
     nested += "1" + std::string(10000, '}');
     auto bodies = bodies_of(whole_);
@@ -210,13 +210,27 @@ TEST_F(DamagedRecording, with_an_endless_line_is_refused_before_it_is_read) {
     }
 }
 
-TEST_F(DamagedRecording, of_a_hundred_megabytes_of_opening_brackets_stays_within_its_size) {
-    const std::string brackets(100u << 20, '[');
-    write_bytes(path_, brackets);
+TEST_F(DamagedRecording, that_begins_with_a_line_of_a_gigabyte_takes_no_memory) {
+    for (const std::string beginning : {"", "[[[[[[[[", R"({"format":"couloir recording","a":")"}) {
+        write_bytes(path_, beginning);
+        std::filesystem::resize_file(path_, 1u << 30);  // zeros, and none of them a line break
+        const std::size_t before = most_memory();
+        refused_at(1, read_recording(path_));
+        if (kMemoryIsOurs) {
+            EXPECT_LT(most_memory() - before, 4u << 20) << beginning;
+        }
+    }
+}
+
+TEST_F(DamagedRecording, of_a_small_file_that_claims_a_vast_ground_takes_no_memory) {
+    auto bodies = bodies_of(whole_);
+    Json header = json_of(bodies[0]);
+    header["terrain"]["nx"] = header["terrain"]["ny"] = 4097;
+    bodies[0] = body_of(header);
     const std::size_t before = most_memory();
-    refused_at(1, read_recording(path_));
+    refused_at(1, read(chained(bodies)));
     if (kMemoryIsOurs) {
-        EXPECT_LT(most_memory() - before, 4 * brackets.size());
+        EXPECT_LT(most_memory() - before, 16u << 20);
     }
 }
 
