@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -48,12 +50,9 @@ tl::expected<Json, std::string> parse(const std::string& line) {
 
 class Reader {
   public:
-    explicit Reader(const std::filesystem::path& path) : path_(path), stream_(path, std::ios::binary) {}
+    Reader(std::istream& stream, std::string name) : stream_(stream), name_(std::move(name)) {}
 
     Outcome<Recording> read() {
-        std::error_code error;
-        if (!stream_ || std::filesystem::is_directory(path_, error))
-            return unusable(fmt::format("{}: no such file, or not readable", path_.string()));
         if (const auto header = read_header(); !header) return tl::unexpected(header.error());
         for (;;) {
             ++line_number_;
@@ -62,18 +61,18 @@ class Reader {
             if (got == Read::kTooLong) return wrong(fmt::format("longer than {} bytes", kLongestLine));
             if (got == Read::kTorn) {
                 recording_.warning = fmt::format(
-                    "{}:{}: torn off: bytes {} to {} are lost, and the lines before them are whole",
-                    path_.string(), line_number_, whole_bytes_, whole_bytes_ + line_.size() - 1);
+                    "{}:{}: torn off: bytes {} to {} are lost, and the lines before them are whole", name_,
+                    line_number_, whole_bytes_, whole_bytes_ + line_.size() - 1);
                 break;
             }
             if (const auto taken = take_line(); !taken) return tl::unexpected(taken.error());
             whole_bytes_ += line_.size() + 1;
         }
         if (const auto fault = fault_of_sets(recording_.header.start.params, recording_.commands))
-            return unusable(fmt::format("{}: {}", path_.string(), *fault));
+            return unusable(fmt::format("{}: {}", name_, *fault));
         if (!recording_.end && !recording_.warning)
-            recording_.warning = fmt::format("{}: has no end line; it was cut off after line {}",
-                                             path_.string(), line_number_ - 1);
+            recording_.warning =
+                fmt::format("{}: has no end line; it was cut off after line {}", name_, line_number_ - 1);
         return std::move(recording_);
     }
 
@@ -84,7 +83,7 @@ class Reader {
             line_number_ == 1
                 ? ""
                 : fmt::format("; the {} bytes before it are whole, up to tick {}", whole_bytes_, latest_);
-        return unusable(fmt::format("{}:{}: {}{}", path_.string(), line_number_, fact, before));
+        return unusable(fmt::format("{}:{}: {}{}", name_, line_number_, fact, before));
     }
 
     // Of what is no recording, or has a line without end, nothing is taken into memory.
@@ -92,7 +91,7 @@ class Reader {
         std::string beginning(kBeginning.size(), ' ');
         stream_.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
         beginning.resize(static_cast<std::size_t>(stream_.gcount()));
-        if (beginning.empty()) return unusable(fmt::format("{}: empty", path_.string()));
+        if (beginning.empty()) return unusable(fmt::format("{}: empty", name_));
         if (beginning != kBeginning.substr(0, beginning.size())) return wrong("not a couloir recording");
         stream_.ignore(kLongestHeader, '\n');
         const auto length = beginning.size() + static_cast<std::size_t>(stream_.gcount());
@@ -155,8 +154,8 @@ class Reader {
         return {};
     }
 
-    std::filesystem::path path_;
-    std::ifstream stream_;
+    std::istream& stream_;
+    std::string name_;
     std::string line_;
     std::size_t line_number_ = 0;
     std::size_t whole_bytes_ = 0;  // of the lines taken
@@ -173,8 +172,16 @@ std::int64_t Recording::last_tick() const {
     return std::max(commanded, states.empty() ? 0 : states.back().tick);
 }
 
+Outcome<Recording> read_recording(std::istream& stream, const std::string& name) {
+    return Reader(stream, name).read();
+}
+
 Outcome<Recording> read_recording(const std::filesystem::path& path) {
-    return Reader(path).read();
+    std::ifstream file(path, std::ios::binary);
+    std::error_code error;
+    if (!file || std::filesystem::is_directory(path, error))
+        return unusable(fmt::format("{}: no such file, or not readable", path.string()));
+    return read_recording(file, path.string());
 }
 
 }  // namespace game

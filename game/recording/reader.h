@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "game/outcome.h"
@@ -24,5 +26,7 @@ struct Recording {
 // an error that names the line. Memory is bounded by the file: no line but the header may be longer than 64
 // KiB, the header no longer than 256 MiB.
 Outcome<Recording> read_recording(const std::filesystem::path& path);
+// The same from what can be gone back in; `name` is what complaints begin with.
+Outcome<Recording> read_recording(std::istream& stream, const std::string& name);
 
 }  // namespace game
