@@ -53,7 +53,7 @@ class Recorder {
 
     std::filesystem::path path_;
     std::unique_ptr<std::FILE, Close> file_;
-    Mark mark_;  // after what was written
+    Mark mark_;         // after what was written
     std::string line_;  // kept for its memory
 };
 
