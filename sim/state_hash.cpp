@@ -27,7 +27,12 @@ struct Blocks {
           rows((of.ny + kBlockHeight - 1) / kBlockHeight) {}
     const Grid& grid;
     int columns, rows;
-    int count() const { return columns * rows; }
+    // Where a block stands in what follows.
+    std::size_t number(int column, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+               static_cast<std::size_t>(column);
+    }
+    std::size_t count() const { return number(0, rows); }
 };
 
 std::uint64_t hash_of(const std::vector<std::uint64_t>& hashes) {
@@ -35,19 +40,23 @@ std::uint64_t hash_of(const std::vector<std::uint64_t>& hashes) {
 }
 
 // The vertices of a block, field after field.
-std::uint64_t block_hash(const Blocks& blocks, int block, std::initializer_list<const Field<float>*> fields) {
+std::uint64_t block_hash(const Blocks& blocks, std::size_t block,
+                         std::initializer_list<const Field<float>*> fields) {
     constexpr int kMostFields = 7;
     CHECK(fields.size() <= kMostFields);
     float values[kMostFields * kBlockWidth * kBlockHeight];
-    const int x0 = block % blocks.columns * kBlockWidth, x1 = std::min(x0 + kBlockWidth, blocks.grid.nx);
-    const int y0 = block / blocks.columns * kBlockHeight, y1 = std::min(y0 + kBlockHeight, blocks.grid.ny);
+    const auto columns = static_cast<std::size_t>(blocks.columns);
+    const int x0 = static_cast<int>(block % columns) * kBlockWidth,
+              x1 = std::min(x0 + kBlockWidth, blocks.grid.nx);
+    const int y0 = static_cast<int>(block / columns) * kBlockHeight,
+              y1 = std::min(y0 + kBlockHeight, blocks.grid.ny);
     float* end = values;
     for (const Field<float>* field : fields)
         for (int y = y0; y < y1; ++y) end = std::copy(field->row(y) + x0, field->row(y) + x1, end);
     return XXH3_64bits(values, sizeof(float) * static_cast<std::size_t>(end - values));
 }
 
-std::uint64_t moving_hash(const State& s, const Blocks& blocks, int block) {
+std::uint64_t moving_hash(const State& s, const Blocks& blocks, std::size_t block) {
     if (const auto& m = s.mixture)
         return block_hash(
             blocks, block,
@@ -56,9 +65,8 @@ std::uint64_t moving_hash(const State& s, const Blocks& blocks, int block) {
 }
 
 std::uint64_t bedrock_hash(const State& s, const Blocks& blocks) {
-    std::vector<std::uint64_t> hashes;
-    for (int block = 0; block < blocks.count(); ++block)
-        hashes.push_back(block_hash(blocks, block, {&s.bedrock}));
+    std::vector<std::uint64_t> hashes(blocks.count());
+    for (std::size_t i = 0; i < hashes.size(); ++i) hashes[i] = block_hash(blocks, i, {&s.bedrock});
     return hash_of(hashes);
 }
 
@@ -100,22 +108,21 @@ void mark(const Tiles& tiles, int column, int row, const Blocks& blocks, std::ve
     const int x0 = column * tiles.width, x1 = std::min(x0 + tiles.width, blocks.grid.nx) - 1;
     const int y0 = row * tiles.height, y1 = std::min(y0 + tiles.height, blocks.grid.ny) - 1;
     for (int y = y0 / kBlockHeight; y <= y1 / kBlockHeight; ++y)
-        for (int x = x0 / kBlockWidth; x <= x1 / kBlockWidth; ++x)
-            stale[static_cast<std::size_t>(y * blocks.columns + x)] = 1;
+        for (int x = x0 / kBlockWidth; x <= x1 / kBlockWidth; ++x) stale[blocks.number(x, y)] = 1;
 }
 
 }  // namespace
 
 std::uint64_t state_hash(const State& state) {
     const Blocks blocks(state.grid);
-    std::vector<std::uint64_t> moving;
-    for (int block = 0; block < blocks.count(); ++block) moving.push_back(moving_hash(state, blocks, block));
+    std::vector<std::uint64_t> moving(blocks.count());
+    for (std::size_t i = 0; i < moving.size(); ++i) moving[i] = moving_hash(state, blocks, i);
     return whole_hash(state, bedrock_hash(state, blocks), moving);
 }
 
 StateHasher::StateHasher(const State& state)
     : bedrock_(bedrock_hash(state, Blocks(state.grid))),
-      blocks_(static_cast<std::size_t>(Blocks(state.grid).count())),
+      blocks_(Blocks(state.grid).count()),
       stale_(blocks_.size(), 1) {}
 
 std::uint64_t StateHasher::hash(State& state, Workers& workers) {
@@ -125,11 +132,9 @@ std::uint64_t StateHasher::hash(State& state, Workers& workers) {
         for (int column = 0; column < tiles.columns; ++column)
             if (std::exchange(tiles.unhashed[tiles.number(column, row)], std::uint8_t{0}))
                 mark(tiles, column, row, blocks, stale_);
-    workers.each_band(blocks.count(), [&](int first, int last) {
-        for (int block = first; block < last; ++block) {
-            const auto i = static_cast<std::size_t>(block);
-            if (std::exchange(stale_[i], std::uint8_t{0})) blocks_[i] = moving_hash(state, blocks, block);
-        }
+    workers.each_band(blocks.rows, [&](int first, int last) {
+        for (std::size_t i = blocks.number(0, first); i < blocks.number(0, last); ++i)
+            if (std::exchange(stale_[i], std::uint8_t{0})) blocks_[i] = moving_hash(state, blocks, i);
     });
     return whole_hash(state, bedrock_, blocks_);
 }

@@ -104,7 +104,7 @@ class Reader {
 
     Outcome<void> read_header() {
         line_number_ = 1;
-        if (const auto begun = look_at_header(); !begun) return begun;
+        if (auto begun = look_at_header(); !begun) return begun;
         const Read got = next_line(stream_, line_, kLongestHeader);
         const auto json = parse(line_);
         if (!json) return wrong(got == Read::kTorn ? "torn off within the header" : json.error());
