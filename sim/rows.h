@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "sim/grid.h"
 #include "sim/numbers.h"
@@ -78,12 +79,39 @@ template <class Number>
     }
 }
 
+// What lies `aside` of it. Sixteen lanes fill a cache line, and those that lie across two lines cost several
+// times as much: so they are put together from whole lines.
+template <class Number, int aside>
+[[gnu::always_inline]] inline Number load_aside(const Scalar<Number>* from) {
+    if constexpr (aside != 0 && kLanes<Number> * sizeof(float) == kCacheLine) {
+        using Vector [[gnu::vector_size(kCacheLine)]] = float;
+        constexpr int kFirst = aside < 0 ? -kLanes<Number> : 0;
+        const auto low = static_cast<Vector>(load<Number>(from + kFirst));
+        const auto high = static_cast<Vector>(load<Number>(from + kFirst + kLanes<Number>));
+        return [&]<int... lane>(std::integer_sequence<int, lane...>) {
+            return Number(Vector(__builtin_shufflevector(low, high, (lane + aside - kFirst)...)));
+        }
+        (std::make_integer_sequence<int, kLanes<Number>>{});
+    } else {
+        return load<Number>(from + aside);
+    }
+}
+
 template <class Number>
 [[gnu::always_inline]] inline void store(const Number& value, Scalar<Number>* to) {
     if constexpr (kIsLanes<Number>)
         value.copy_to(to, stdx::element_aligned);
     else
         *to = value;
+}
+
+// 0 in the lanes from `end` on, so that none of them asks for more work than those before it.
+template <class Number>
+[[gnu::always_inline]] inline Number only_before(int end, const Number& value, int x) {
+    if constexpr (kIsLanes<Number>) {
+        if (x + kLanes < Number >> end) return select(first_lanes<Number>(end - x), value, Number(0));
+    }
+    return value;
 }
 
 // Only the lanes before `end`: for rows that others read beyond it.

@@ -56,9 +56,8 @@ auto find_exchange(const Work<S>& w, const Level<S>& level, int y) {
             return;
         }
         const bcre::Drops<Number> drop = outward<Number>(drop_x, south, north, i);
-        const Number spread = slope_of(drop, c.per_cell).spread;
         const Number slope =
-            bcre::fall_of<Number>({drop.east + at<Number>(bend_x, i + 1), drop.west + at<Number>(bend_x, i),
+            bcre::fall_of<Number>({drop.east + at<Number, 1>(bend_x, i), drop.west + at<Number>(bend_x, i),
                                    drop.north + at<Number>(bend_north, i),
                                    drop.south + at<Number>(bend_south, i)}) *
             c.per_cell;
@@ -66,16 +65,21 @@ auto find_exchange(const Work<S>& w, const Level<S>& level, int y) {
             c.stop_slope_thick + c.stop_slope_more * exponential<Number>(-r * c.per_fold_depth);
         const Number steep = larger(slope - c.erosion_slope, none), gentle = larger(stop - slope, none);
 
-        const Number u = at<Number>(to_u, i), v = at<Number>(to_v, i);
-        const Number gate = larger(Number(1) - square_root(u * u + v * v) * c.per_deposit_speed, none);
-        const Number above = larger(r - c.erosion_depth, none);
-        const Number erodes = smaller(above * above / select(rolls, r, Number(1)), Number(c.exchange_depth));
-
-        constexpr S kGreatestSpread = S(1.41421356237309505);
-        const Number eroded =
-            smaller(c.pace * erodes * steep, smaller(at<Number>(depth, i), steep * c.dx / spread));
-        const Number laid = smaller(c.pace * gate * smaller(r, Number(c.exchange_depth)) * gentle,
-                                    gentle * (c.dx / kGreatestSpread));
+        Number eroded = none, laid = none;
+        if (any(steep > S{0})) {
+            const Number above = larger(r - c.erosion_depth, none);
+            const Number erodes =
+                smaller(above * above / select(rolls, r, Number(1)), Number(c.exchange_depth));
+            const Number spread = slope_of(drop, c.per_cell).spread;
+            eroded = smaller(c.pace * erodes * steep, smaller(at<Number>(depth, i), steep * c.dx / spread));
+        }
+        if (any(gentle > S{0})) {
+            constexpr S kGreatestSpread = S(1.41421356237309505);
+            const Number u = at<Number>(to_u, i), v = at<Number>(to_v, i);
+            const Number gate = larger(Number(1) - square_root(u * u + v * v) * c.per_deposit_speed, none);
+            laid = smaller(c.pace * gate * smaller(r, Number(c.exchange_depth)) * gentle,
+                           gentle * (c.dx / kGreatestSpread));
+        }
         store(select(rolls, eroded - smaller(laid, r), none), to + i);
     };
 }

@@ -35,7 +35,7 @@ auto find_slopes(const Level<S>& level, int y) {
         S *to_x, *to_y;
         void operator()(int i) const {
             const Number value = at<Number>(here, i);
-            store(half_monotonized<Number>(value - at<Number>(here, i - 1), at<Number>(here, i + 1) - value),
+            store(half_monotonized<Number>(value - at<Number, -1>(here, i), at<Number, 1>(here, i) - value),
                   to_x + i);
             store(half_monotonized<Number>(value - at<Number>(south, i), at<Number>(north, i) - value),
                   to_y + i);
@@ -101,7 +101,7 @@ auto find_fluxes(const Work<S>& w, const Level<S>& level, int y) {
     struct Value {
         const S *south, *here, *x, *y_south, *y_here;
         Sides<Number> along_x(int i) const {
-            return {at<Number>(here, i - 1) + at<Number>(x, i - 1), at<Number>(here, i) - at<Number>(x, i)};
+            return {at<Number, -1>(here, i) + at<Number, -1>(x, i), at<Number>(here, i) - at<Number>(x, i)};
         }
         Sides<Number> along_y(int i) const {
             return {at<Number>(south, i) + at<Number>(y_south, i),
@@ -119,12 +119,12 @@ auto find_fluxes(const Work<S>& w, const Level<S>& level, int y) {
             yv = level.momentum_yv[y]](int i) {
         constexpr S kThin = 10 * kGrain<Number>;
         const Number here = at<Number>(rolling.here, i);
-        const Number west = at<Number>(rolling.here, i - 1), south = at<Number>(rolling.south, i);
+        const Number west = at<Number, -1>(rolling.here, i), south = at<Number>(rolling.south, i);
         if (!any(larger(here, larger(west, south)) > S{0})) {  // as it is nearly everywhere
             for (S* row : {flux_x, flux_y, xu, xv, yu, yv}) store(Number(0), row + i);
             return;
         }
-        const auto may = at<Number>(begun_here, i) > kThin, may_west = at<Number>(begun_here, i - 1) > kThin,
+        const auto may = at<Number>(begun_here, i) > kThin, may_west = at<Number, -1>(begun_here, i) > kThin,
                    may_south = at<Number>(begun_south, i) > kThin;
         using Condition = std::remove_cv_t<decltype(may)>;
         const Flux<Number> in_x = flux_of<Number, Condition>({west, here}, rolling.along_x(i), u.along_x(i),

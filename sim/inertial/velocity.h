@@ -27,16 +27,16 @@ struct Velocity {
     Number u, v;  // m/s
 };
 
-// z on a row, and what it falls from one vertex to another.
+// z on a row, and by how much it is higher at one vertex than at another, each so far aside of i.
 template <class S>
 struct SurfaceRow {
     const S *bedrock, *depth, *rolling;
 };
-template <class Number, class S = Scalar<Number>>
-[[gnu::always_inline]] inline Number rise(const SurfaceRow<S>& from, int i, const SurfaceRow<S>& to, int j) {
-    return (at<Number>(to.bedrock, j) - at<Number>(from.bedrock, i)) +
-           ((at<Number>(to.depth, j) + at<Number>(to.rolling, j)) -
-            (at<Number>(from.depth, i) + at<Number>(from.rolling, i)));
+template <class Number, int aside_from, int aside_to, class S = Scalar<Number>>
+[[gnu::always_inline]] inline Number rise(const SurfaceRow<S>& from, const SurfaceRow<S>& to, int i) {
+    return (at<Number, aside_to>(to.bedrock, i) - at<Number, aside_from>(from.bedrock, i)) +
+           ((at<Number, aside_to>(to.depth, i) + at<Number, aside_to>(to.rolling, i)) -
+            (at<Number, aside_from>(from.depth, i) + at<Number, aside_from>(from.rolling, i)));
 }
 
 // Of vertex i of `here`.
@@ -45,12 +45,13 @@ template <class Number, class S = Scalar<Number>>
                                                         const SurfaceRow<S>& north, int i,
                                                         const Constants<S>& c) {
     const S per_step = S(0.5) * c.per_cell;
-    const Number gx = rise<Number>(here, i - 1, here, i + 1) * per_step;
-    const Number gy = rise<Number>(south, i, north, i) * per_step;
+    const Number gx = rise<Number, -1, 1>(here, here, i) * per_step;
+    const Number gy = rise<Number, 0, 0>(south, north, i) * per_step;
     const Number steepness = square_root(gx * gx + gy * gy), r = at<Number>(here.rolling, i);
     const auto fastest = steepness * c.speed_per_slope > c.max_speed;
-    const Number per_slope =
-        select(fastest, c.max_speed / select(fastest, steepness, Number(1)), Number(c.speed_per_slope));
+    Number per_slope(c.speed_per_slope);
+    if (any(fastest))
+        per_slope = select(fastest, c.max_speed / select(fastest, steepness, Number(1)), per_slope);
     const auto rolls = r > S{0};
     const Number along =
         select(rolls, -per_slope * (r / select(rolls, r + c.half_speed_depth, Number(1))), Number(0));

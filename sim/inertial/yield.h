@@ -35,12 +35,19 @@ inline constexpr float kStandsStill = 1e-3f;  // m/s; a grain on a slope is fast
 // `end`. `active`, if there is one: a byte for each run of lanes, set where anything rolls.
 template <class Number, class S = Scalar<Number>>
 auto yield(const Work<S>& w, int y, int end, std::uint8_t* active = nullptr) {
+    const auto tell = [end, active](const Number& rolls, int i) {
+        if (active && any_before(end - i, rolls > S{0}))
+            active[static_cast<unsigned>(i) / kLanes<Number>] = 1;
+    };
     return [c = w.c, drop_x = w.then.drop_x[y], south = w.then.drop_y[y], north = w.then.drop_y[y + 1],
             first_slope = w.first_slope[y], first_depth = w.first_depth[y], depth = w.now.depth[y],
             rolling = w.now.rolling[y], to_u = w.now.velocity_x[y], to_v = w.now.velocity_y[y], end,
-            active](int i) {
+            tell](int i) {
         const Number none(0), d = at<Number>(depth, i), before = at<Number>(rolling, i);
         const Number u = at<Number>(to_u, i), v = at<Number>(to_v, i), speed_squared = u * u + v * v;
+        const auto thin = before < c.freeze_depth;
+        const auto slow = speed_squared < S(kStandsStill * kStandsStill);
+        if (!any(thin || slow)) return tell(before, i);
         const Slope<Number> slope = slope_of(outward<Number>(drop_x, south, north, i), c.per_cell);
 
         const Number loose = d - at<Number>(first_depth, i);
@@ -48,9 +55,8 @@ auto yield(const Work<S>& w, int y, int end, std::uint8_t* active = nullptr) {
             larger(c.anchor_gain * at<Number>(first_slope, i) + c.anchor_margin, Number(c.start_slope));
         const auto lies_loose = loose > S{0} && loose + before >= c.freeze_depth;
         const Number start_slope = select(lies_loose, smaller(holds, Number(c.erosion_slope)), holds);
-        const auto stands = speed_squared < S(kStandsStill * kStandsStill) &&
-                            slope.tangent + slope.spread * before * c.per_cell <= start_slope;
-        const auto at_rest = before < c.freeze_depth || stands;
+        const auto stands = slow && slope.tangent + slope.spread * before * c.per_cell <= start_slope;
+        const auto at_rest = thin || stands;
         const auto starts = slope.tangent > start_slope && d + before >= c.freeze_depth;
         const auto freezes = before > S{0} && speed_squared <= c.slow_squared;
         const auto changes = at_rest && (starts || freezes);
@@ -59,16 +65,16 @@ auto yield(const Work<S>& w, int y, int end, std::uint8_t* active = nullptr) {
         const Number moved =
             select(changes, select(starts, smaller(can_start, Number(c.start_depth)), -before), none);
         const Number rolls = before + moved;
-        const auto left = rolls > S{0};
-        const Number kept =
-            select(left, before / select(left, rolls, Number(1)), none);  // what starts is at rest
         if (any_before(end - i, changes)) {
+            const auto left = rolls > S{0};
+            const Number kept =
+                select(left, before / select(left, rolls, Number(1)), none);  // what starts is at rest
             store_before<Number>(end, d - moved, depth, i);
             store_before(end, rolls, rolling, i);
             store_before<Number>(end, select(changes, u * kept, u), to_u, i);
             store_before<Number>(end, select(changes, v * kept, v), to_v, i);
         }
-        if (active && any_before(end - i, left)) active[static_cast<unsigned>(i) / kLanes<Number>] = 1;
+        tell(rolls, i);
     };
 }
 

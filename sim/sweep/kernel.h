@@ -8,7 +8,7 @@
 // the rows of a job: each stage runs as soon as the rows that it reads are done, and only the last few rows
 // of what it writes are kept, so that they are still in a near cache when the next stage wants them.
 //
-//     drops (t)  ─►  fall (t − 1)  ─►  given (t − 1)  ─►  fluxes (t − 2)  ─►  d, R (t − 3)
+//     drops (t)  ─►  fall (t − 1)  ─►  given (t − 1)  ─►  fluxes (t − 1)  ─►  d, R (t − 2)
 //
 // The layers' rows are overwritten when no stage reads any more what they were. Of what lies beside a job the
 // stages are reckoned too, each on so many rows more (`beside`) as those that read it need: the last on none,
@@ -44,7 +44,7 @@ class Kernel {
         WorkRows rows(work, g_.stride);
         Level<float>& now = w.now;
         for (auto* of : {&now.drop_x, &now.drop_y, &now.fall, &now.given, &now.velocity_x, &now.velocity_y})
-            *of = rows.last(4);
+            *of = rows.last(2);
         now.flux_x = rows.last(2), now.flux_y = rows.last(2);
         const auto given = [&](int y) {
             if constexpr (scheme == Scheme::kLaxFriedrichs)
@@ -58,16 +58,16 @@ class Kernel {
             else
                 return find_split_fluxes<Lanes>(w, now, y);
         };
-        for (int t = job_.y0 - 1; t < job_.y1 + 3; ++t) {
+        for (int t = job_.y0 - 1; t < job_.y1 + 2; ++t) {
             if (is_row(t, 2)) fill_halo<Lanes>(w, now, t, wide());
             if (is_face(t, 1)) run(find_drops<Lanes>(w, now, t));
             if (is_row(t - 1, 1)) run(find_fall<Lanes>(now, t - 1), fetch(w.bedrock, t + 1));
             if (is_row(t - 1, 1)) run(given(t - 1));
             if (is_near(t - 1, 1)) end_given<Lanes>(w, now, t - 1, wide());
-            if (is_face(t - 2, 0)) run(fluxes(t - 2), fetch(now.depth, t + 1));
-            if (scheme == Scheme::kLaxFriedrichs && is_face(t - 2, 0))
-                close_walls<Lanes>(w, now, t - 2, wide());
-            if (is_row(t - 3, 0)) finish<scheme>(w, t - 3, active, fetch(now.rolling, t + 1));
+            if (is_face(t - 1, 0)) run(fluxes(t - 1), fetch(now.depth, t + 1));
+            if (scheme == Scheme::kLaxFriedrichs && is_face(t - 1, 0))
+                close_walls<Lanes>(w, now, t - 1, wide());
+            if (is_row(t - 2, 0)) finish<scheme>(w, t - 2, active, fetch(now.rolling, t + 1));
         }
         return drained_;
     }
@@ -88,27 +88,29 @@ class Kernel {
         const auto find_rates = [&](const Level<float>& level, int y, int beside) {
             if (is_face(y, beside + 1)) run(find_drops<Lanes>(w, level, y));
             if (is_face(y, beside + 1)) end_drops<Lanes>(w, level, y);
-            if (is_face(y - 1, beside)) run(find_bends<Lanes>(w, level, y - 1));
-            if (is_row(y - 1, beside + 1)) run(find_central_velocity<Lanes>(w, level, y - 1));
+            if (is_face(y - 1, beside + 1))
+                run(find_central_velocity<Lanes>(w, level, y - 1), find_bends<Lanes>(w, level, y - 1));
             if (is_row(y - 1, beside + 1)) end_velocity<Lanes>(w, level, y - 1);
         };
         for (int t = job_.y0 - 5; t < job_.y1 + 5; ++t) {
             if (is_row(t, 5)) fill_halo<Lanes>(w, now, t, wide());
             find_rates(now, t, 3);
-            if (is_row(t - 2, 3)) run(find_bent_fall<Lanes>(now, t - 2));
-            if (is_row(t - 2, 3)) run(find_exchange<Lanes>(w, now, t - 2));
-            if (is_face(t - 1, 3)) run(find_muscl_fluxes<Lanes>(w, now, t - 1), fetch(w.bedrock, t + 1));
+            if (is_face(t - 1, 3))
+                run(find_bent_fall<Lanes>(now, t - 2), find_muscl_fluxes<Lanes>(w, now, t - 1),
+                    fetch(w.bedrock, t + 1));
             if (is_face(t - 1, 3)) close_walls<Lanes>(w, now, t - 1, wide());
+            if (is_row(t - 2, 3)) run(find_exchange<Lanes>(w, now, t - 2));
             if (is_row(t - 2, 3)) run(predict<Lanes>(w, t - 2));
             if (is_row(t - 2, 3)) {
                 clear_drains<Lanes>(then, g_.outlets, t - 2, wide());
                 fill_halo<Lanes>(w, then, t - 2, wide());
             }
             find_rates(then, t - 2, 1);
-            if (is_row(t - 4, 0)) run(find_bent_fall<Lanes>(then, t - 4));
-            if (is_row(t - 4, 0)) run(find_exchange<Lanes>(w, then, t - 4));
-            if (is_face(t - 3, 1)) run(find_muscl_fluxes<Lanes>(w, then, t - 3), fetch(now.depth, t + 1));
+            if (is_face(t - 3, 1))
+                run(find_bent_fall<Lanes>(then, t - 4), find_muscl_fluxes<Lanes>(w, then, t - 3),
+                    fetch(now.depth, t + 1));
             if (is_face(t - 3, 1)) close_walls<Lanes>(w, then, t - 3, wide());
+            if (is_row(t - 4, 0)) run(find_exchange<Lanes>(w, then, t - 4));
             if (is_face(t - 3, 1)) run(take_mean_fluxes<Lanes>(w, t - 3));
             if (is_row(t - 4, 1)) run(find_share<Lanes>(w, t - 4));
             if (is_near(t - 4, 1)) end_share<Lanes>(w, t - 4, wide());
@@ -189,17 +191,23 @@ class Kernel {
         w.now.velocity_y = Rows<float>(g_.velocity_y, g_.stride);
         for (int t = job_.y0; t <= job_.y1; ++t) {
             if (t < job_.y1) fill_halo<Lanes>(w, w.now, t, narrow());
-            along<Lanes>(narrow().faces(), find_drops<Lanes>(w, w.now, t));
-            if (t > job_.y0) along<Lanes>(narrow(), bcre::find_velocity<Lanes>(w, t - 1, job_.x1));
+            along<Lanes>(narrow().faces(), find_drops<Lanes>(w, w.now, t), fetch(w.bedrock, t + 1),
+                         fetch(w.now.depth, t + 1));
+            if (t > job_.y0)
+                along<Lanes>(narrow(), bcre::find_velocity<Lanes>(w, t - 1, job_.x1),
+                             fetch(w.now.velocity_x, t), fetch(w.now.velocity_y, t));
         }
     }
 
   private:
     // A stage on all that lies near. Each has a loop of its own: a processor looks ahead over some hundred
-    // operations, which are many vertices of a short stage and hardly two of a long one.
+    // operations, which are many vertices of a short stage and hardly two of a long one. But one that waits
+    // for the divider goes together with one that has no use for it and none for what the other writes; both
+    // on the rows that either needs.
     template <class... Stages>
     void run(const Stages&... stages) const {
-        along<Lanes>(wide().faces(), stages...);
+        const bool at_border = wide().last == g_.nx;  // elsewhere nobody reads so far
+        along<Lanes>(at_border ? wide().faces() : wide(), stages...);
     }
     // Runs along with a stage and meanwhile brings a row near that will be read next. One with each: a core
     // waits for a dozen lines at most.
