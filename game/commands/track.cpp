@@ -121,7 +121,7 @@ Outcome<int> track(const TrackOptions& options) {
     auto output = Output::open(options.out);
     if (!output) return tl::unexpected(output.error());
 
-    Tracker tracker(*mesh, rule_of(options, *mesh), *options.source);
+    Tracker tracker(*mesh, rule_of(options, *mesh), *options.source, options.hold);
     sim::Workers workers(options.threads);
     std::vector<glm::vec2> velocity(mesh->position.size());
     std::vector<float> scalar(scalars ? velocity.size() : 0);
