@@ -14,10 +14,17 @@ namespace {
 constexpr double kLongest = 1 / 15.0;  // s
 constexpr double kMostOfCrossing = 0.3;
 
-// A point that is late goes at so many times its speed, but not faster than this: it would jump again. In
-// kLongest that is a little more than a cell. Where one cannot come in time none is held.
+// A point that is late goes at so many times its speed, but no farther in a step than this: it would jump
+// again. At 60 steps/s or more that takes it a little more than a cell in kLongest. Where one cannot come in
+// time none is held.
 constexpr double kHaste = 2;
-constexpr double kFastest = 16;  // cells/s
+constexpr double kFastest = 16;     // cells/s
+constexpr double kFarthest = 0.27;  // cells
+
+// m
+double farthest_step(double cell, double dt) {
+    return std::min(kFastest * dt, kFarthest) * cell;
+}
 
 }  // namespace
 
@@ -41,7 +48,7 @@ Flow Hold::delay(const Flow& flow, double time, double dt, const Detector& seen,
         if (came_back || !late.any) continue;
         const double longest = std::min(kLongest, kMostOfCrossing * late.age);
         const int steps = static_cast<int>(longest / dt + 1e-6);
-        if (late.way > steps * dt * kFastest * mesh_.cell[v]) continue;
+        if (late.way > steps * farthest_step(mesh_.cell[v], dt)) continue;
         steps_left_[v] = steps;
         held_.push_back(v);
     }
@@ -61,7 +68,7 @@ int Hold::left_through(int edge) const {
 double Hold::hurried(const Point& point, double dt) const {
     const auto [a, b] = mesh_.edge[point.edge];
     const double run = std::abs(point.speed) * dt;
-    return std::max(run, std::min(kHaste * run, kFastest * dt * std::min(mesh_.cell[a], mesh_.cell[b])));
+    return std::max(run, std::min(kHaste * run, farthest_step(std::min(mesh_.cell[a], mesh_.cell[b]), dt)));
 }
 
 Hold::Late Hold::late_at(int vertex, double dt, const Detector& seen, std::span<const Point> points) const {
