@@ -12,13 +12,19 @@ namespace sim::front::scan {
 template <class Lanes>
 struct Scan {
     static constexpr int kLanes = static_cast<int>(Lanes::size());
-    static constexpr int kTogether = 4 * kLanes;
-    static constexpr float kComponent = 0.707f;  // < 1/√2, by more than rounding
+    static constexpr int kTogether = 32, kVectors = kTogether / kLanes;  // numbers, and lanes of them
+    static constexpr float kComponent = 0.707f;                          // < 1/√2, by more than rounding
     using Mask = typename Lanes::mask_type;
     static_assert(2 * kWord % kTogether == 0);
 
     [[gnu::always_inline]] static Lanes load(const float* from) { return Lanes(from, stdx::element_aligned); }
     [[gnu::always_inline]] static int least_of(int a, int b) { return a < b ? a : b; }
+
+    [[gnu::always_inline]] static bool any_of(const Mask (&masks)[kVectors]) {
+        Mask any = masks[0];
+        for (int k = 1; k < kVectors; ++k) any = any || masks[k];
+        return stdx::any_of(any);
+    }
 
     // Lane i as bit i: their sum is exact, in whatever order.
     [[gnu::always_inline]] static Word bits_of(const Mask& mask) {
@@ -52,11 +58,11 @@ struct Scan {
                       whole = numbers / kTogether * kTogether;
             Word word = 0;
             for (int i = 0; i < whole; i += kTogether) {
-                Mask mask[4];
-                for (int k = 0; k < 4; ++k)
+                Mask mask[kVectors];
+                for (int k = 0; k < kVectors; ++k)
                     mask[k] = lie_apart(at + i + k * kLanes, up + i + k * kLanes, least);
-                if (stdx::none_of((mask[0] || mask[1]) || (mask[2] || mask[3]))) continue;
-                for (int k = 0; k < 4; ++k) word |= pairs_of(mask[k]) << (i + k * kLanes) / 2;
+                if (!any_of(mask)) continue;
+                for (int k = 0; k < kVectors; ++k) word |= pairs_of(mask[k]) << (i + k * kLanes) / 2;
             }
             int i = whole;
             for (; i + kLanes <= numbers; i += kLanes)
@@ -86,20 +92,22 @@ struct Scan {
             const int numbers = 2 * least_of(count - first, kWord), whole = numbers / kTogether * kTogether;
             Word others = 0, jumps = 0;
             for (int i = 0; i < whole; i += kTogether) {
-                Lanes now[4], change[4];
-                for (int k = 0; k < 4; ++k) {
+                Lanes now[kVectors], change[kVectors];
+                Mask differs[kVectors];
+                for (int k = 0; k < kVectors; ++k) {
                     now[k] = load(at + i + k * kLanes);
                     change[k] = now[k] - load(then + i + k * kLanes);
+                    differs[k] = change[k] != 0;
                 }
-                if (stdx::none_of((change[0] != 0 || change[1] != 0) || (change[2] != 0 || change[3] != 0)))
-                    continue;
-                others |= ((Word{1} << kTogether / 4 << kTogether / 4) - 1) << i / 2;
-                Mask jump[4];
-                for (int k = 0; k < 4; ++k) jump[k] = stdx::max(change[k], -change[k]) >= least;
-                if (stdx::any_of((jump[0] || jump[1]) || (jump[2] || jump[3])))
-                    for (int k = 0; k < 4; ++k) jumps |= pairs_of(jump[k]) << (i + k * kLanes) / 2;
+                if (!any_of(differs)) continue;
+                others |= ((Word{1} << kTogether / 2) - 1) << i / 2;
+                Mask jump[kVectors];
+                for (int k = 0; k < kVectors; ++k) jump[k] = stdx::max(change[k], -change[k]) >= least;
+                if (any_of(jump))
+                    for (int k = 0; k < kVectors; ++k) jumps |= pairs_of(jump[k]) << (i + k * kLanes) / 2;
                 else
-                    for (int k = 0; k < 4; ++k) now[k].copy_to(then + i + k * kLanes, stdx::element_aligned);
+                    for (int k = 0; k < kVectors; ++k)
+                        now[k].copy_to(then + i + k * kLanes, stdx::element_aligned);
             }
             for (int i = whole; i < numbers; i += 2) {
                 const float x = at[i] - then[i], y = at[i + 1] - then[i + 1];
