@@ -240,6 +240,9 @@ void add_track(CLI::App& app, TrackOptions& options) {
     add_positive(app, "--dt", options.dt, "time from frame to frame, s [1/60]");
     add_named(app, "--source", options.source, sim::front::source_named, "half, paper, fit, level",
               "where on its edge a point lies [fit]");
+    app.add_flag("--hold", options.hold,
+                 "of --source paper: points whose front is ahead of them go on to the vertex that it left "
+                 "through (Section 3.3)");
     add_named(
         app, "--rule", options.rule, rule_named, "paper, relative",
         "which edges are cut: paper, where velocity changes by --threshold per metre and by --jump; "
@@ -309,6 +312,7 @@ Outcome<void> check(TrackOptions& options) {
         return unusable("--source level needs --scalar R.npy and --level NUMBER");
     if (!by_level && (options.scalar || options.level))
         return unusable("--scalar and --level are for --source level");
+    if (options.hold && options.source != Source::kPaper) return unusable("--hold is for --source paper");
     if (options.level && !std::isfinite(*options.level)) return unusable("--level must be finite");
     if (options.rule == Rule::Kind::kGradient && !options.jump && !options.threshold)
         return unusable("track needs --jump or --threshold: what cuts an edge");

@@ -68,6 +68,7 @@ struct TrackOptions {
     double dt = 1.0 / 60;                        // s
     std::optional<sim::front::Source> source;    // the command line sees to it that there is one,
     std::optional<sim::front::Rule::Kind> rule;  // and one
+    bool hold = false;                           // of source paper
     std::optional<double> threshold, jump;       // 1/s, m/s
     std::optional<std::filesystem::path> scalar;
     std::optional<double> level;

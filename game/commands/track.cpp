@@ -98,65 +98,105 @@ class Output {
     std::optional<WholeFile> file_;
 };
 
+// The arrays of one flow, frame by frame.
+class Frames {
+  public:
+    static Outcome<Frames> open(const TrackOptions& options, const Mesh& mesh) {
+        auto velocities = open_frames(options.velocities, mesh, 2);
+        if (!velocities) return tl::unexpected(velocities.error());
+        Frames frames(std::move(*velocities), mesh);
+        if (!options.scalar) return frames;
+        auto scalars = open_frames(*options.scalar, mesh, 1);
+        if (!scalars) return tl::unexpected(scalars.error());
+        if (scalars->shape()[0] != frames.count())
+            return unusable(fmt::format("{} has {} frames and {} has {}", options.velocities.string(),
+                                        frames.count(), options.scalar->string(), scalars->shape()[0]));
+        frames.scalars_ = std::move(*scalars);
+        frames.scalar_.resize(frames.velocity_.size());
+        return frames;
+    }
+    std::int64_t count() const { return velocities_.shape()[0]; }
+    // Valid until the next.
+    Outcome<sim::front::Flow> next() {
+        static_assert(sizeof(glm::vec2) == 2 * sizeof(float));
+        auto read = velocities_.read_frame({&velocity_[0].x, 2 * velocity_.size()});
+        if (read && scalars_) read = scalars_->read_frame(scalar_);
+        if (!read) return tl::unexpected(read.error());
+        return sim::front::Flow{velocity_, scalar_};
+    }
+
+  private:
+    Frames(ArrayFile velocities, const Mesh& mesh)
+        : velocities_(std::move(velocities)), velocity_(mesh.position.size()) {}
+
+    ArrayFile velocities_;
+    std::optional<ArrayFile> scalars_;
+    std::vector<glm::vec2> velocity_;
+    std::vector<float> scalar_;
+};
+
+Outcome<void> write_picture(const TrackOptions& options, const Tracker& tracker, std::int64_t frame) {
+    if (!options.pictures || frame % options.every != 0) return {};
+    const auto picture = render::front_picture(tracker, options.size.width, options.size.height);
+    const auto written =
+        render::write_png(picture, *options.pictures / fmt::format("front_{:06}.png", frame));
+    if (!written) return machine_fails(written.error());
+    return {};
+}
+
+// What is told in the end.
+struct Tally {
+    std::int64_t points = 0, hasty_frames = 0, outrun = 0;
+
+    void add(const Tracker& tracker) {
+        points += static_cast<std::int64_t>(tracker.points().size());
+        outrun += tracker.outrun(), hasty_frames += tracker.outrun() > 0;
+    }
+    void tell(std::int64_t frames, const Tracker& tracker) const {
+        fmt::print(stderr, "{} frames of {} vertices, {:.1f} points in each, by {}\n", frames,
+                   tracker.mesh().vertices(), static_cast<double>(points) / static_cast<double>(frames),
+                   to_string(tracker.source()));
+        if (outrun > 0)
+            fmt::print(stderr,
+                       "warning: in {} frames fronts crossed more than half a cell per step, at {} vertices "
+                       "in all: there points are guesses; frames that lie closer in time would tell\n",
+                       hasty_frames, outrun);
+    }
+};
+
 }  // namespace
 
 Outcome<int> track(const TrackOptions& options) {
-    auto mesh = read_obj(options.mesh);
+    const auto mesh = read_obj(options.mesh);
     if (!mesh) return tl::unexpected(mesh.error());
-    auto velocities = open_frames(options.velocities, *mesh, 2);
-    if (!velocities) return tl::unexpected(velocities.error());
-    const std::int64_t frames = velocities->shape()[0];
-    std::optional<ArrayFile> scalars;
-    if (options.scalar) {
-        auto opened = open_frames(*options.scalar, *mesh, 1);
-        if (!opened) return tl::unexpected(opened.error());
-        if (opened->shape()[0] != frames)
-            return unusable(fmt::format("{} has {} frames and {} has {}", options.velocities.string(), frames,
-                                        options.scalar->string(), opened->shape()[0]));
-        scalars = std::move(*opened);
-    }
+    auto frames = Frames::open(options, *mesh);
+    if (!frames) return tl::unexpected(frames.error());
     if (options.pictures) {
         if (auto made = make_folder(*options.pictures); !made) return tl::unexpected(made.error());
     }
     auto output = Output::open(options.out);
     if (!output) return tl::unexpected(output.error());
 
-    Tracker tracker(*mesh, rule_of(options, *mesh), *options.source);
+    Tracker tracker(*mesh, rule_of(options, *mesh), *options.source, options.hold);
     sim::Workers workers(options.threads);
-    std::vector<glm::vec2> velocity(mesh->position.size());
-    std::vector<float> scalar(scalars ? velocity.size() : 0);
-    static_assert(sizeof(glm::vec2) == 2 * sizeof(float));
     Progress progress("tracking");
+    Tally tally;
     std::string csv = "frame,time_s,i,j,f,x,y,w\n";
-    std::int64_t points = 0, hasty_frames = 0, outrun = 0;
-    for (std::int64_t frame = 0; frame < frames; ++frame) {
-        auto read = velocities->read_frame({&velocity[0].x, 2 * velocity.size()});
-        if (read && scalars) read = scalars->read_frame(scalar);
-        if (!read) return tl::unexpected(read.error());
-        tracker.advance({velocity, scalar}, options.dt, workers);
-        points += static_cast<std::int64_t>(tracker.points().size());
-        outrun += tracker.outrun(), hasty_frames += tracker.outrun() > 0;
+    for (std::int64_t frame = 0; frame < frames->count(); ++frame) {
+        const auto flow = frames->next();
+        if (!flow) return tl::unexpected(flow.error());
+        tracker.advance(*flow, options.dt, workers);
+        tally.add(tracker);
         add_lines(csv, tracker, frame, static_cast<double>(frame) * options.dt);
         if (auto written = output->write(csv); !written) return tl::unexpected(written.error());
         csv.clear();
-        if (options.pictures && frame % options.every == 0) {
-            const auto picture = render::front_picture(tracker, options.size.width, options.size.height);
-            const auto written =
-                render::write_png(picture, *options.pictures / fmt::format("front_{:06}.png", frame));
-            if (!written) return machine_fails(written.error());
-        }
-        progress.show(static_cast<double>(frame + 1) / static_cast<double>(frames),
+        if (auto written = write_picture(options, tracker, frame); !written)
+            return tl::unexpected(written.error());
+        progress.show(static_cast<double>(frame + 1) / static_cast<double>(frames->count()),
                       fmt::format("frame {}", frame));
     }
     if (auto finished = output->finish(); !finished) return tl::unexpected(finished.error());
-    fmt::print(stderr, "{} frames of {} vertices, {:.1f} points in each, by {}\n", frames, mesh->vertices(),
-               static_cast<double>(points) / static_cast<double>(frames), to_string(*options.source));
-    if (outrun > 0)
-        fmt::print(
-            stderr,
-            "warning: in {} frames fronts crossed more than half a cell per step, at {} vertices in all: "
-            "there points are guesses; frames that lie closer in time would tell\n",
-            hasty_frames, outrun);
+    tally.tell(frames->count(), tracker);
     return 0;
 }
 

@@ -99,7 +99,7 @@ FrontScore score(const front::Mesh& mesh, const front::Rule& rule, front::Source
     const double dt = 1 / trial.steps_per_second;
     const auto limit = static_cast<float>(0.25 * trial.cell + flow.greatest_front_speed() * dt);
     Workers workers(1);
-    front::Tracker tracker(mesh, rule, source);
+    front::Tracker tracker(mesh, rule, source, trial.hold);
     Jumps jumps(mesh, limit), true_jumps(mesh, limit);
     std::mt19937 random(1);
     std::normal_distribution<float> noise;  // of mean 0 and deviation 1

@@ -24,8 +24,9 @@ struct Trial {
     // Where the flow's coordinates lie on the mesh: flow = turn · mesh + shift.
     double turn = 0;  // radians, about the middle of the unit square
     glm::dvec2 shift{0, 0};
-    double noise = 0;  // of each component of each velocity at each step, as a standard deviation, m/s
-    double salt = 0;   // share of the vertices whose velocity is turned round for a step, others in each
+    double noise = 0;   // of each component of each velocity at each step, as a standard deviation, m/s
+    double salt = 0;    // share of the vertices whose velocity is turned round for a step, others in each
+    bool hold = false;  // of Section 3.3
 };
 
 // Runs a source through a flow.

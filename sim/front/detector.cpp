@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -11,8 +11,15 @@
 
 #include "sim/check.h"
 
+// All vertices and edges are looked at by the scan (scan.h), for the least that the rule may take for a jump.
+// What it finds, which is little, is looked at again by the rule itself. Squares of jumps are compared,
+// because a root for each edge would cost more than all the rest.
+
 namespace sim::front {
 namespace {
+
+using scan::kWord;
+using scan::Word;
 
 float square(float x) {
     return x * x;
@@ -21,32 +28,15 @@ float square(const glm::vec2& v) {
     return v.x * v.x + v.y * v.y;
 }
 
-// Whether velocity jumps enough from a to b. Squares are compared, because a root for each edge would cost
-// more than all the rest; speeds, which the relative rule wants, have one for each vertex.
-struct Jump {
-    float least;         // m/s
-    float ratio;         // of both speeds
-    float shares[2];     // squared, of what is not cut yet and of what is
-    const float* speed;  // of each vertex, m/s; only of the relative rule
+// Calls look(number) for each bit of a word, ascending.
+template <class Look>
+void each_bit(Word word, const Look& look) {
+    for (; word; word &= word - 1) look(std::countr_zero(word));
+}
 
-    template <bool relative>
-    bool test(const glm::vec2* velocity, int a, int b, std::uint8_t is_cut) const {
-        const float jump = square(velocity[b] - velocity[a]);
-        float limit = least;
-        if constexpr (relative) limit = std::max(limit, ratio * (speed[a] + speed[b]));
-        return jump >= limit * limit * (is_cut ? shares[1] : shares[0]);
-    }
-
-    // Edges that lie side by side in a heightfield: from a, a + 1, … to b, b + 1, …; whether one of them is
-    // cut.
-    template <bool relative>
-    bool test_row(const glm::vec2* velocity, int a, int b, int count, const std::uint8_t* __restrict was,
-                  std::uint8_t* __restrict on) const {
-        std::uint8_t any = 0;
-        for (int i = 0; i < count; ++i) any |= on[i] = test<relative>(velocity, a + i, b + i, was[i]);
-        return any;
-    }
-};
+std::size_t words_for(int count) {
+    return static_cast<std::size_t>((count + kWord - 1) / kWord);
+}
 
 }  // namespace
 
@@ -62,31 +52,46 @@ Rule uncut_rule() {
     return {.jump = std::numeric_limits<float>::max()};
 }
 
-Detector::Detector(const Mesh& mesh, const Rule& rule)
+Detector::Detector(const Mesh& mesh, const Rule& rule, InstructionSet set)
     : mesh_(mesh),
       rule_(rule),
-      on_(mesh.edge.size()),
-      was_on_(mesh.edge.size()),
+      kernels_(scan::kernels_for(set)),
+      columns_(mesh.columns > 0 ? mesh.columns : mesh.vertices()),
+      rows_(columns_ > 0 ? mesh.vertices() / columns_ : 0),
       velocity_(mesh.position.size()),
-      above_(mesh.position.size()),
-      above_before_(mesh.position.size()),
-      speed_(rule.kind == Rule::Kind::kRelative ? mesh.position.size() : 0),
       slot_(mesh.edge.size(), -1) {
+    lay_families();
+    const std::size_t words = static_cast<std::size_t>(rows_) * words_for(columns_);
+    for (auto* bits : {&above_, &above_before_, &jumps_, &changes_, &others_}) bits->resize(words);
     // Room for more than any flow has, so that fronts that grow allocate nothing.
     const std::size_t cut = mesh.edge.size() / 8;
-    for (std::vector<int>* list : {&cut_, &previous_, &before_, &flipped_}) list->reserve(cut);
+    for (std::vector<int>* list : {&cut_, &before_, &flipped_}) list->reserve(cut);
     vanished_.reserve(cut);
-    with_cut_.reserve(mesh.position.size());
 }
 
-void Detector::update(const Flow& flow) {
-    CHECK(flow.velocity.size() == mesh_.position.size());
-    CHECK(rule_.kind != Rule::Kind::kLevel || flow.scalar.size() == mesh_.position.size());
-    on_.swap(was_on_);
-    find_flips(flow);  // compares with the step before, and keeps this one
-    find_jumps(flow);
-    list_changes();
-    first_ = false;
+void Detector::lay_families() {
+    int edge = 0;
+    std::size_t word = 0;
+    const auto add = [&](int columns, int rows, int step) {
+        const int end = edge + columns * rows;
+        if (end == edge) return;
+        const auto length = mesh_.length.begin();
+        const float shortest =
+            mesh_.columns > 0 ? length[edge] : *std::min_element(length + edge, length + end);
+        families_.push_back({edge, columns, rows, step, word, words_for(columns), least_jump(shortest)});
+        word += families_.back().words * static_cast<std::size_t>(rows);
+        edge = end;
+    };
+    if (const int nx = columns_; mesh_.columns > 0)
+        add(nx - 1, rows_, 1), add(nx, rows_ - 1, nx), add(nx - 1, rows_ - 1, nx + 1);
+    else
+        add(mesh_.edges(), 1, 0);
+    on_.resize(word), was_on_.resize(word);
+    constexpr float kAny = std::numeric_limits<float>::max();
+    least_jump_ = least_change_ = kAny;
+    for (const Family& family : families_)
+        least_jump_ = std::min(least_jump_, family.least * std::min(rule_.hold, 1.f));
+    for (const float cell : mesh_.cell) least_change_ = std::min(least_change_, least_jump(cell / 2));
 }
 
 float Detector::least_jump(float length) const {
@@ -96,135 +101,169 @@ float Detector::least_jump(float length) const {
     return rule_.kind == Rule::Kind::kRelative ? jump : std::max(rule_.threshold * length, jump);
 }
 
-void Detector::find_jumps(const Flow& flow) {
-    with_cut_.clear();
-    switch (rule_.kind) {
-        case Rule::Kind::kGradient:
-            return find_jumps<false>(flow.velocity.data());
-        case Rule::Kind::kRelative:
-            for (std::size_t v = 0; v < speed_.size(); ++v) speed_[v] = std::sqrt(square(flow.velocity[v]));
-            return find_jumps<true>(flow.velocity.data());
-        case Rule::Kind::kLevel:
-            return find_crossings();
+void Detector::update(const Flow& flow) {
+    CHECK(flow.velocity.size() == mesh_.position.size());
+    CHECK(rule_.kind != Rule::Kind::kLevel || flow.scalar.size() == mesh_.position.size());
+    on_.swap(was_on_);
+    std::fill(on_.begin(), on_.end(), 0);
+    flipped_.clear();
+    if (rule_.kind == Rule::Kind::kLevel) {
+        find_above(flow.scalar.data());
+        find_crossings();
+    } else {
+        scan(flow.velocity.data());
+        find_jumps(flow.velocity.data());
+        find_flips(flow.velocity.data());
+    }
+    list_changes();
+    first_ = false;
+}
+
+// What may have jumped since the step before; and to the vertices beside, where any has changed at all.
+void Detector::scan(const glm::vec2* velocity) {
+    static_assert(sizeof(glm::vec2) == 2 * sizeof(float));
+    const std::size_t words = words_for(columns_);
+    for (int y = 0; y < rows_; ++y) {
+        const std::size_t first = static_cast<std::size_t>(y) * words;
+        kernels_.find_changes(&velocity[y * columns_].x, &velocity_[y * columns_].x, columns_, least_change_,
+                              &others_[first], &changes_[first]);
+        if (mesh_.columns == 0) continue;
+        if (y > 0) scan_row(velocity, y - 1);
+        if (y + 1 == rows_) scan_row(velocity, y);
     }
 }
 
-// Calls test(length, e, a, b, count) for each row of a heightfield's edges, those of one family side by side,
-// of one length: from e on, from vertices a on to vertices b on. It tells whether one of them is cut.
-template <class Test>
-void Detector::test_rows(const Test& test) {
-    const int nx = mesh_.columns, ny = mesh_.vertices() / nx;
-    std::size_t e = 0;
-    for (const auto& [columns, rows, step] :
-         {std::array{nx - 1, ny, 1}, std::array{nx, ny - 1, nx}, std::array{nx - 1, ny - 1, nx + 1}}) {
-        const float length = mesh_.length[e];
-        for (int y = 0; y < rows; ++y, e += static_cast<std::size_t>(columns))
-            if (test(length, e, y * nx, y * nx + step, columns))
-                with_cut_.push_back({e, e + static_cast<std::size_t>(columns)});
+void Detector::scan_row(const glm::vec2* velocity, int y) {
+    const glm::vec2* row = velocity + y * columns_;
+    const glm::vec2* above = y + 1 < rows_ ? row + columns_ : row;
+    const std::size_t words = words_for(columns_), first = static_cast<std::size_t>(y) * words;
+    const Word *others = &others_[first], *others_above = y + 1 < rows_ ? others + words : others;
+    const auto has_changed = [&](std::size_t w) { return w < words && (others[w] | others_above[w]); };
+    for (std::size_t w = 0; w < words; ++w) {
+        if (!has_changed(w) && !has_changed(w + 1)) continue;
+        const int x = static_cast<int>(w) * kWord, count = std::min(columns_ - x, kWord);
+        kernels_.find_jumps(&row[x].x, &above[x].x, count, std::min(columns_ - 1 - x, kWord), least_jump_,
+                            &jumps_[first + w]);
     }
 }
 
-template <bool relative>
 void Detector::find_jumps(const glm::vec2* velocity) {
-    const Jump any{rule_.jump, rule_.ratio, {1, square(rule_.hold)}, speed_.data()};
-    if (mesh_.columns > 0)
-        return test_rows([&](float length, std::size_t e, int a, int b, int count) {
-            Jump jump = any;  // a copy that nothing else can change: bytes written may be anybody's
-            jump.least = least_jump(length);
-            return jump.test_row<relative>(velocity, a, b, count, &was_on_[e], &on_[e]);
-        });
-    Jump jump = any;
-    for (std::size_t e = 0; e < on_.size(); ++e) {
+    if (mesh_.columns == 0) return find_jumps_one_by_one(velocity);
+    each_vertex(jumps_, [&](int x, int y) {
+        const int a = y * columns_ + x;
+        for (const Family& family : families_)
+            if (x < family.columns && y < family.rows) {
+                const std::size_t at = family.word_at(x, y);
+                const bool was_cut = was_on_[at] >> x % kWord & 1;
+                const bool is_cut =
+                    jumps_enough(velocity[a], velocity[a + family.step], family.least, was_cut);
+                on_[at] |= Word{is_cut} << x % kWord;
+            }
+    });
+}
+
+void Detector::find_jumps_one_by_one(const glm::vec2* velocity) {
+    const float least2 = square(least_jump_);
+    for (int e = 0; e < mesh_.edges(); ++e) {
         const auto [a, b] = mesh_.edge[e];
-        jump.least = least_jump(mesh_.length[e]);
-        on_[e] = jump.test<relative>(velocity, a, b, was_on_[e]);
+        if (square(velocity[b] - velocity[a]) < least2) continue;
+        const auto at = static_cast<std::size_t>(e / kWord);
+        const bool was_cut = was_on_[at] >> e % kWord & 1;
+        const bool is_cut = jumps_enough(velocity[a], velocity[b], least_jump(mesh_.length[e]), was_cut);
+        on_[at] |= Word{is_cut} << e % kWord;
     }
-    with_cut_.push_back({0, on_.size()});
+}
+
+bool Detector::jumps_enough(const glm::vec2& a, const glm::vec2& b, float least, bool was_cut) const {
+    float limit = least;
+    if (rule_.kind == Rule::Kind::kRelative)
+        limit = std::max(limit, rule_.ratio * (std::sqrt(square(a)) + std::sqrt(square(b))));
+    return square(b - a) >= limit * limit * (was_cut ? square(rule_.hold) : 1);
+}
+
+void Detector::find_flips(const glm::vec2* velocity) {
+    if (!first_)
+        each_vertex(changes_, [&](int x, int y) {
+            const int v = y * columns_ + x;
+            if (jumps_enough(velocity_[v], velocity[v], least_jump(mesh_.cell[v] / 2), false))
+                flipped_.push_back(v);
+        });
+    // The scan has kept what was wherever something may have jumped.
+    each_word(changes_, [&](Word word, int x, int y) {
+        const int first = y * columns_ + x;
+        if (word || first_) std::copy_n(velocity + first, std::min(columns_ - x, kWord), &velocity_[first]);
+    });
+}
+
+// Calls look(word, x, y) for each word of all rows of vertices, with the place of its first.
+template <class Look>
+void Detector::each_word(const std::vector<Word>& words, const Look& look) const {
+    const Word* word = words.data();
+    for (int y = 0; y < rows_; ++y)
+        for (int x = 0; x < columns_; x += kWord) look(*word++, x, y);
+}
+
+// Calls look(x, y) for each vertex whose bit is set.
+template <class Look>
+void Detector::each_vertex(const std::vector<Word>& words, const Look& look) const {
+    each_word(words,
+              [&](Word word, int first, int y) { each_bit(word, [&](int i) { look(first + i, y); }); });
+}
+
+void Detector::find_above(const float* scalar) {
+    above_.swap(above_before_);
+    for (int y = 0; y < rows_; ++y)
+        kernels_.find_above(scalar + y * columns_, columns_, rule_.level, &above_[y * words_for(columns_)]);
+    if (first_) return;
+    for (std::size_t w = 0; w < above_.size(); ++w) changes_[w] = above_[w] ^ above_before_[w];
+    each_vertex(changes_, [&](int x, int y) { flipped_.push_back(y * columns_ + x); });
 }
 
 void Detector::find_crossings() {
-    const std::uint8_t* above = above_.data();
-    if (mesh_.columns > 0)
-        return test_rows([&](float, std::size_t first, int a, int b, int count) {
-            std::uint8_t any = 0;
-            std::uint8_t* __restrict on = &on_[first];
-            for (int i = 0; i < count; ++i) any |= on[i] = above[a + i] ^ above[b + i];
-            return any != 0;
-        });
-    for (std::size_t e = 0; e < on_.size(); ++e) on_[e] = above[mesh_.edge[e].a] ^ above[mesh_.edge[e].b];
-    with_cut_.push_back({0, on_.size()});
-}
-
-void Detector::find_flips(const Flow& flow) {
-    flipped_.clear();
-    if (rule_.kind == Rule::Kind::kLevel) {
-        find_rises(flow.scalar.data());
-    } else {
-        find_jumps_in_time(flow.velocity.data());
-        std::copy(flow.velocity.begin(), flow.velocity.end(), velocity_.begin());
+    if (mesh_.columns == 0) return find_crossings_one_by_one();
+    const std::size_t words = words_for(columns_);
+    for (const Family& family : families_) {
+        // From the first bit of a row to that of the row where its edges end, and whether they end at the
+        // next.
+        const std::size_t up = family.step >= columns_ ? words : 0;
+        const bool to_next = family.step % columns_ == 1;
+        for (int y = 0; y < family.rows; ++y) {
+            const Word* row = &above_[static_cast<std::size_t>(y) * words];
+            for (int x = 0; x < family.columns; x += kWord) {
+                const std::size_t w = static_cast<std::size_t>(x) / kWord;
+                Word other = row[up + w];
+                if (to_next) other = other >> 1 | (w + 1 < words ? row[up + w + 1] << (kWord - 1) : 0);
+                const int left = family.columns - x;
+                const Word there_are = left < kWord ? (Word{1} << left) - 1 : ~Word{0};
+                on_[family.word_at(x, y)] = (row[w] ^ other) & there_are;
+            }
+        }
     }
 }
 
-// Few vertices flip: many are looked at together, and one by one only where one of them may have.
-template <class Look>
-void Detector::look_at_groups(const Look& look) const {
-    constexpr int kTogether = 64;
-    for (int first = 0; first < mesh_.vertices(); first += kTogether)
-        look(first, std::min(first + kTogether, mesh_.vertices()));
+void Detector::find_crossings_one_by_one() {
+    const auto is_above = [&](int v) { return above_[static_cast<std::size_t>(v / kWord)] >> v % kWord & 1; };
+    for (int e = 0; e < mesh_.edges(); ++e)
+        on_[static_cast<std::size_t>(e / kWord)] |= (is_above(mesh_.edge[e].a) ^ is_above(mesh_.edge[e].b))
+                                                    << e % kWord;
 }
 
-void Detector::find_rises(const float* scalar) {
-    above_.swap(above_before_);
-    for (std::size_t v = 0; v < above_.size(); ++v) above_[v] = scalar[v] > rule_.level;
-    if (first_) return;
-    look_at_groups([&](int first, int last) {
-        if (std::memcmp(&above_[first], &above_before_[first], static_cast<std::size_t>(last - first)) == 0)
-            return;
-        for (int v = first; v < last; ++v)
-            if (above_[v] != above_before_[v]) flipped_.push_back(v);
-    });
-}
-
-void Detector::find_jumps_in_time(const glm::vec2* velocity) {
-    if (first_) return;
-    const bool relative = rule_.kind == Rule::Kind::kRelative;
-    const float jump2 = square(rule_.jump);
-    look_at_groups([&](int first, int last) {
-        std::uint32_t any = 0;
-        for (int v = first; v < last; ++v) any |= square(velocity[v] - velocity_[v]) >= jump2;
-        if (!any) return;
-        for (int v = first; v < last; ++v) {
-            float limit = least_jump(mesh_.cell[v] / 2);
-            if (relative)
-                limit = std::max(limit, rule_.ratio * (glm::length(velocity[v]) + glm::length(velocity_[v])));
-            const float jump = square(velocity[v] - velocity_[v]);
-            if (jump >= limit * limit) flipped_.push_back(v);
-        }
-    });
-}
-
-// Both lists of edges ascend, so that one pass over each tells what was born and what vanished.
 void Detector::list_changes() {
-    previous_.swap(cut_);
     cut_.clear(), before_.clear(), vanished_.clear();
-    constexpr std::size_t kWord = 8;  // edges that are looked at together, for few are cut
-    for (const auto& [first, last] : with_cut_)
-        for (std::size_t e = first; e < last;) {
-            std::uint64_t word = 1;
-            if (e + kWord <= last) std::memcpy(&word, &on_[e], kWord);
-            const std::size_t end = std::min(e + kWord, last);
-            if (!word) e = end;
-            for (; e < end; ++e)
-                if (on_[e]) cut_.push_back(static_cast<int>(e));
-        }
-    for (std::size_t i = 0; i < previous_.size(); ++i) {
-        const int e = previous_[i];
-        if (!on_[e]) vanished_.push_back({e, std::exchange(slot_[e], -1)});
-    }
-    for (std::size_t i = 0; i < cut_.size(); ++i) {
-        before_.push_back(slot_[cut_[i]]);
-        slot_[cut_[i]] = static_cast<int>(i);
-    }
+    const Word *on = on_.data(), *was_on = was_on_.data();
+    for (const Family& family : families_)
+        for (int y = 0; y < family.rows; ++y)
+            for (int x = 0; x < family.columns; x += kWord, ++on, ++was_on) {
+                if (!(*on | *was_on)) continue;
+                const int first = family.first_edge + y * family.columns + x;
+                each_bit(*was_on & ~*on, [&](int i) {
+                    vanished_.push_back({first + i, std::exchange(slot_[first + i], -1)});
+                });
+                each_bit(*on, [&](int i) {
+                    before_.push_back(std::exchange(slot_[first + i], static_cast<int>(cut_.size())));
+                    cut_.push_back(first + i);
+                });
+            }
 }
 
 }  // namespace sim::front

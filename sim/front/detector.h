@@ -8,6 +8,7 @@
 #include <glm/vec2.hpp>
 
 #include "sim/front/mesh.h"
+#include "sim/front/scan.h"
 
 namespace sim::front {
 
@@ -39,15 +40,15 @@ Rule uncut_rule();
 
 // What is known of a flow at one moment, at each vertex.
 struct Flow {
-    std::span<const glm::vec2> velocity;  // m/s
+    std::span<const glm::vec2> velocity;  // m/s, finite
     std::span<const float> scalar;        // thickness of a rolling layer, say; may be empty but for kLevel
 };
 
 // Finds the edges that are cut, step after step, and what became of them since the step before.
 class Detector {
   public:
-    // The mesh must outlive it.
-    Detector(const Mesh& mesh, const Rule& rule);
+    // The mesh must outlive it. Lists do not depend on the instruction set, which the machine must have.
+    Detector(const Mesh& mesh, const Rule& rule, InstructionSet set = best_instruction_set());
 
     // Looks at every edge once. Fields must have a value for each vertex of the mesh.
     void update(const Flow& flow);
@@ -72,33 +73,50 @@ class Detector {
     }
 
   private:
+    using Word = scan::Word;
+    // Edges of one kind: in a heightfield those along x, along y and the diagonals, from vertex (x, y) on,
+    // whose bits lie as those of vertices do; in an irregular mesh all, in one row.
+    struct Family {
+        int first_edge, columns, rows;
+        int step;                 // from a to b
+        std::size_t word, words;  // where its bits begin, and of a row
+        float least;  // jump of velocity that cuts one of them, or of an irregular mesh's the shortest, m/s
+        std::size_t word_at(int x, int y) const {
+            return word + static_cast<std::size_t>(y) * words + static_cast<std::size_t>(x / scan::kWord);
+        }
+    };
+
+    void lay_families();
     float least_jump(float length) const;  // of velocity, that cuts an edge of this length, m/s
-    void find_jumps(const Flow& flow);
-    template <bool relative>
+    void scan(const glm::vec2* velocity);
+    void scan_row(const glm::vec2* velocity, int y);
     void find_jumps(const glm::vec2* velocity);
+    void find_jumps_one_by_one(const glm::vec2* velocity);
+    bool jumps_enough(const glm::vec2& a, const glm::vec2& b, float least, bool was_cut) const;
+    void find_flips(const glm::vec2* velocity);
+    void find_above(const float* scalar);
     void find_crossings();
-    void find_rises(const float* scalar);
-    void find_jumps_in_time(const glm::vec2* velocity);
-    template <class Test>
-    void test_rows(const Test& test);
+    void find_crossings_one_by_one();
     template <class Look>
-    void look_at_groups(const Look& look) const;
-    void find_flips(const Flow& flow);
+    void each_word(const std::vector<Word>& words, const Look& look) const;
+    template <class Look>
+    void each_vertex(const std::vector<Word>& words, const Look& look) const;
     void list_changes();
 
     const Mesh& mesh_;
     Rule rule_;
+    const scan::Kernels& kernels_;
     bool first_ = true;
-    std::vector<std::uint8_t> on_, was_on_;           // of each edge
-    std::vector<glm::vec2> velocity_;                 // of the step before
-    std::vector<std::uint8_t> above_, above_before_;  // of each vertex, the level
-    std::vector<float> speed_;                        // of each vertex, m/s; of the relative rule alone
-    std::vector<int> cut_, previous_, before_, flipped_, slot_;
+    int columns_, rows_;  // of vertices; an irregular mesh's are one row
+    std::vector<Family> families_;
+    float least_jump_ = 0, least_change_ = 0;  // of velocity, that may cut an edge, that may be a flip, m/s
+    std::vector<Word> on_, was_on_;            // of edges: which are cut
+    std::vector<glm::vec2> velocity_;          // of the step before, m/s
+    std::vector<Word> above_, above_before_;   // of vertices, the level
+    // Of vertices: from which velocity may jump, whose has since the step before, whose is another at all.
+    std::vector<Word> jumps_, changes_, others_;
+    std::vector<int> cut_, before_, flipped_, slot_;
     std::vector<Gone> vanished_;
-    struct Range {
-        std::size_t first, last;
-    };
-    std::vector<Range> with_cut_;  // edges among which some are cut
 };
 
 }  // namespace sim::front

@@ -17,6 +17,7 @@ struct Moment {
     const Flow& flow;
     double time, dt;                  // now, and since the moment before, s
     std::span<const Point> previous;  // the points of the moment before, as they lay then
+    const Hold* hold;                 // none: a vertex is passed when the front passes it
     Workers& workers;
 };
 

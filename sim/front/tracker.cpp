@@ -4,6 +4,7 @@
 #include <array>
 
 #include "sim/check.h"
+#include "sim/front/hold.h"
 #include "sim/front/locator.h"
 
 namespace sim::front {
@@ -37,8 +38,11 @@ std::optional<Source> source_named(std::string_view name) {
     return std::nullopt;
 }
 
-Tracker::Tracker(const Mesh& mesh, const Rule& rule, Source source)
-    : detector_(mesh, rule), source_(source), locator_(locator_of(mesh, rule, source)) {
+Tracker::Tracker(const Mesh& mesh, const Rule& rule, Source source, bool hold)
+    : detector_(mesh, rule),
+      hold_(hold ? std::make_unique<Hold>(mesh, rule) : nullptr),
+      source_(source),
+      locator_(locator_of(mesh, rule, source)) {
     for (std::vector<Point>* list : {&points_, &previous_}) list->reserve(mesh.edge.size() / 8);
 }
 
@@ -47,7 +51,7 @@ Tracker::~Tracker() = default;
 void Tracker::advance(const Flow& flow, double dt, Workers& workers) {
     CHECK(dt > 0);
     time_ += dt;
-    detector_.update(flow);
+    detector_.update(hold_ ? hold_->delay(flow, time_, dt, detector_, points_) : flow);
     previous_.swap(points_);
     points_.clear();
     for (std::size_t i = 0; i < detector_.cut().size(); ++i) {
@@ -59,7 +63,7 @@ void Tracker::advance(const Flow& flow, double dt, Workers& workers) {
         }
         points_.push_back(point);
     }
-    if (locator_) locator_->locate({detector_, flow, time_, dt, previous_, workers}, points_);
+    if (locator_) locator_->locate({detector_, flow, time_, dt, previous_, hold_.get(), workers}, points_);
     outrun_ = count_outrun(dt);
 }
 

@@ -32,6 +32,7 @@ enum class Source {
 std::string_view to_string(Source source);
 std::optional<Source> source_named(std::string_view name);
 
+class Hold;
 class Locator;
 
 // Follows fronts through a flow, step after step: a view, which changes nothing of the flow. Its cost grows
@@ -39,8 +40,9 @@ class Locator;
 class Tracker {
   public:
     // The mesh must outlive it. kLevel wants a scalar with every flow, and takes its level from the rule
-    // whatever kind that is.
-    Tracker(const Mesh& mesh, const Rule& rule, Source source);
+    // whatever kind that is. Of kPaper alone, and with no rule by level, `hold` keeps points that are late
+    // (hold.h).
+    Tracker(const Mesh& mesh, const Rule& rule, Source source, bool hold = false);
     ~Tracker();
     Tracker(const Tracker&) = delete;
     Tracker& operator=(const Tracker&) = delete;
@@ -64,6 +66,7 @@ class Tracker {
     int count_outrun(double dt) const;
 
     Detector detector_;
+    std::unique_ptr<Hold> hold_;  // none unless it was asked for
     Source source_;
     std::vector<Point> points_, previous_;
     std::unique_ptr<Locator> locator_;  // none for kHalf

@@ -3,6 +3,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "sim/front/hold.h"
 #include "sim/front/least_squares.h"
 #include "sim/front/locator.h"
 
@@ -42,13 +43,13 @@ class PaperLocator : public Locator {
         carry_origins(now);
         for (std::size_t i = 0; i < points.size(); ++i) {
             if (now.detector.before()[i] < 0)
-                begin(points[i], origins_[i], now.dt);
+                begin(points[i], origins_[i], now);
             else
-                go_on(points[i], now.dt);
+                go_on(points[i], origins_[i], now);
         }
         mark_entered(now, 0);
         for (const int v : arrivals_) arrived_[v] = 0;
-        for (const int v : now.detector.flipped()) passed_[v] = crossing_;
+        for (const int v : now.detector.flipped()) passed_[v] = passed(now, v);
     }
 
   private:
@@ -58,6 +59,11 @@ class PaperLocator : public Locator {
         float f = 0.5f;
         double time = 0;  // s
     };
+
+    // When the front passed a vertex that is seen to flip now, s.
+    double passed(const Moment& now, int vertex) const {
+        return now.hold && now.detector.has_flipped(vertex) ? now.hold->passed(vertex) : crossing_;
+    }
 
     // Vertices from which a front enters an edge now.
     void mark_entered(const Moment& now, std::uint8_t mark) {
@@ -97,7 +103,7 @@ class PaperLocator : public Locator {
                     continue;
                 }
                 rows.add(way_from(origin, exit->gone.edge, vertex),
-                         std::max(crossing_ - origin.time, now.dt / 2));
+                         std::max(passed(now, vertex) - origin.time, now.dt / 2));
             }
             if (rows.xx + rows.yy > 0)
                 slowness_[vertex] = rows.solve();
@@ -132,7 +138,7 @@ class PaperLocator : public Locator {
             origins_.push_back(before >= 0 ? previous_[before] : Origin{-1, 0.5f, crossing_});
     }
 
-    void begin(Point& point, Origin& origin, double dt) {
+    void begin(Point& point, Origin& origin, const Moment& now) {
         const auto [a, b] = mesh_.edge[point.edge];
         const glm::dvec2 unit = glm::dvec2(mesh_.along(point.edge)) / double{mesh_.length[point.edge]};
         // What it takes to go along the edge from either end, s/m; of two ends the one from which it is
@@ -145,16 +151,32 @@ class PaperLocator : public Locator {
         if (from_a == 0 && from_b == 0) return;  // first seen here: it stays in the middle, at rest
         const bool at_a = from_a >= from_b;
         const double speed = 1 / std::max(from_a, from_b);
-        const double run = std::min(speed * dt / 2 / mesh_.length[point.edge], 1.0);
-        origin = {at_a ? a : b, at_a ? 0.f : 1.f, crossing_};
+        const double run = std::min(speed * now.dt / 2 / mesh_.length[point.edge], 1.0);
+        origin = {at_a ? a : b, at_a ? 0.f : 1.f, passed(now, at_a ? a : b)};
         point.f = static_cast<float>(at_a ? run : 1 - run);
         point.speed = static_cast<float>(at_a ? speed : -speed);
     }
 
     // At the end of its edge it waits.
-    void go_on(Point& point, double dt) const {
-        const double f = point.f + point.speed * dt / mesh_.length[point.edge];
-        point.f = static_cast<float>(std::clamp(f, 0.0, 1.0));
+    void go_on(Point& point, const Origin& origin, const Moment& now) const {
+        const double length = mesh_.length[point.edge];
+        const double run = now.hold ? hurry(point, origin, now) : point.speed * now.dt;
+        point.f = static_cast<float>(std::clamp(point.f + run / length, 0.0, 1.0));
+    }
+
+    // What a point goes that may be late, m: since the front has left its edge, or because it was led onto it
+    // after the front.
+    double hurry(const Point& point, const Origin& origin, const Moment& now) const {
+        const double length = mesh_.length[point.edge], most = now.hold->hurried(point, now.dt);
+        if (const int end = now.hold->left_through(point.edge); end >= 0) {
+            const double way = ((end == mesh_.edge[point.edge].a ? 0 : 1) - point.f) * length;
+            const double step = std::max(most, std::abs(way) / now.hold->steps_left(end));
+            return std::clamp(way, -step, step);
+        }
+        const double run = point.speed * now.dt;
+        if (origin.vertex < 0) return run;
+        const double behind = (origin.f - point.f) * length + (now.time - origin.time) * point.speed;
+        return std::copysign(std::clamp(std::copysign(1.0, run) * behind, std::abs(run), most), run);
     }
 
     struct Exit {

@@ -77,6 +77,23 @@ TEST(Source, knows_of_a_line_at_rest_what_velocities_tell) {
         }
 }
 
+// What is held does not jump, and is late: half the jumps, for edges that are wrong meanwhile.
+TEST(PaperSource, jumps_less_where_it_holds_vertices_and_is_late_there) {
+    for (const int squares : {10, 20, 30})
+        for (const auto& flow : {sim::fields::swinging(45), sim::fields::swinging(30),
+                                 sim::fields::pinwheel(), sim::fields::disc(), sim::fields::crowd()}) {
+            Trial trial = briefly();
+            const FrontScore loose = score_on(squares, Source::kPaper, flow, trial);
+            trial.hold = true;
+            const FrontScore held = score_on(squares, Source::kPaper, flow, trial);
+            EXPECT_EQ(loose.missed + loose.false_cuts, 0);
+            EXPECT_LT(held.jumps, 0.75 * loose.jumps);
+            EXPECT_LT(held.rms, 1.08 * loose.rms);
+            EXPECT_LT(std::max(held.missed, held.false_cuts), 0.1);
+            EXPECT_GT(std::min(held.missed, held.false_cuts), 0.005);
+        }
+}
+
 // What was not tuned on: however the flow lies on the mesh, and however often one looks.
 TEST(FitSource, is_as_good_at_any_rate_on_a_mesh_that_is_turned_and_shifted) {
     constexpr int kSquares = 20;

@@ -142,4 +142,71 @@ TEST(DetectorOnAHeightfield, finds_what_it_finds_on_the_same_triangles) {
     }
 }
 
+// Word by word and lane by lane: rows that end before, at and after the end of a word, of which little
+// changes from step to step, by every instruction set that the machine has, and by the rule as it is written.
+TEST(DetectorOnAHeightfield, finds_with_every_instruction_set_what_the_rule_says) {
+    std::mt19937 random(9);
+    std::uniform_real_distribution<float> component(-1, 1);
+    for (const int columns : {2, 17, 63, 64, 65, 66, 129, 130}) {
+        const Mesh mesh = mesh_of(sim::Grid{columns, 7, 1});
+        const auto vertices = mesh.position.size();
+        const Rule rule{.threshold = 0.4f, .jump = 0.3f};
+        for (const sim::InstructionSet set : sim::kInstructionSets) {
+            if (!sim::has(set)) continue;
+            Detector detector(mesh, rule, set);
+            std::vector<glm::vec2> velocity(vertices), before;
+            std::vector<bool> was_cut(mesh.edge.size());
+            for (int step = 0; step < 30; ++step) {
+                before = velocity;
+                for (int changes = step % 10 == 0 ? columns : 3; changes > 0; --changes)
+                    velocity[random() % vertices] = {component(random), component(random)};
+                detector.update({velocity, {}});
+                std::vector<int> cut, flipped;
+                for (int e = 0; e < mesh.edges(); ++e) {
+                    const glm::vec2 jump = velocity[mesh.edge[e].b] - velocity[mesh.edge[e].a];
+                    const float limit = std::max(0.4f * mesh.length[e], 0.3f);
+                    const float share = was_cut[e] ? 0.7f * 0.7f : 1;
+                    was_cut[e] = jump.x * jump.x + jump.y * jump.y >= limit * limit * share;
+                    if (was_cut[e]) cut.push_back(e);
+                }
+                for (std::size_t v = 0; step > 0 && v < vertices; ++v) {
+                    const glm::vec2 jump = velocity[v] - before[v];
+                    const float limit = std::max(0.2f, 0.3f);
+                    if (jump.x * jump.x + jump.y * jump.y >= limit * limit)
+                        flipped.push_back(static_cast<int>(v));
+                }
+                ASSERT_EQ(std::vector<int>(detector.cut().begin(), detector.cut().end()), cut)
+                    << columns << " columns, " << to_string(set) << ", step " << step;
+                ASSERT_EQ(std::vector<int>(detector.flipped().begin(), detector.flipped().end()), flipped);
+            }
+        }
+    }
+}
+
+TEST(DetectorOnAHeightfield, finds_with_every_instruction_set_where_a_scalar_crosses_a_level) {
+    std::mt19937 random(9);
+    std::uniform_real_distribution<float> height(-1, 1);
+    for (const int columns : {2, 17, 63, 64, 65, 66, 129, 130}) {
+        const Mesh mesh = mesh_of(sim::Grid{columns, 5, 1});
+        std::vector<float> scalar(mesh.position.size()), before;
+        const std::vector<glm::vec2> rest(mesh.position.size());
+        for (const sim::InstructionSet set : sim::kInstructionSets) {
+            if (!sim::has(set)) continue;
+            Detector detector(mesh, Rule{.kind = Rule::Kind::kLevel, .level = 0.3f}, set);
+            for (int step = 0; step < 5; ++step) {
+                before = scalar;
+                for (float& s : scalar) s = height(random);
+                detector.update({rest, scalar});
+                std::vector<int> cut, flipped;
+                for (int e = 0; e < mesh.edges(); ++e)
+                    if ((scalar[mesh.edge[e].a] > 0.3f) != (scalar[mesh.edge[e].b] > 0.3f)) cut.push_back(e);
+                for (std::size_t v = 0; step > 0 && v < scalar.size(); ++v)
+                    if ((scalar[v] > 0.3f) != (before[v] > 0.3f)) flipped.push_back(static_cast<int>(v));
+                ASSERT_EQ(std::vector<int>(detector.cut().begin(), detector.cut().end()), cut) << columns;
+                ASSERT_EQ(std::vector<int>(detector.flipped().begin(), detector.flipped().end()), flipped);
+            }
+        }
+    }
+}
+
 }  // namespace

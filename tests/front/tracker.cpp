@@ -34,11 +34,12 @@ std::vector<glm::vec2> velocities(const Mesh& mesh, const std::function<glm::vec
 
 // Two ways on either side of a line whose distance from the origin along `normal` grows steadily.
 struct SteadyLine {
-    SteadyLine(int squares, Source source, glm::vec2 across, float from, float its_speed)
-        : SteadyLine(unit_square(squares), squares, source, across, from, its_speed) {}
-    SteadyLine(Mesh of, int squares, Source source, glm::vec2 across, float from, float its_speed)
+    SteadyLine(int squares, Source source, glm::vec2 across, float from, float its_speed, bool hold = false)
+        : SteadyLine(unit_square(squares), squares, source, across, from, its_speed, hold) {}
+    SteadyLine(Mesh of, int squares, Source source, glm::vec2 across, float from, float its_speed,
+               bool hold = false)
         : mesh(std::move(of)),
-          tracker(mesh, sim::front::gradient_rule(0.05f, 1 / static_cast<float>(squares)), source),
+          tracker(mesh, sim::front::gradient_rule(0.05f, 1 / static_cast<float>(squares)), source, hold),
           normal(glm::normalize(across)),
           at(from),
           speed(its_speed) {}
@@ -138,6 +139,55 @@ TEST(Sources, follow_a_steady_line_once_it_has_passed_some_vertices) {
                 EXPECT_NEAR(point.speed, expected, 0.1 * expected) << to_string(source);
             }
         }
+    }
+}
+
+// A front that is twice as fast all of a sudden: its points believe what it was when it came onto their
+// edges.
+TEST(PaperSource, leads_points_that_are_late_to_the_vertex_that_they_were_going_to) {
+    constexpr int kSquares = 20;
+    constexpr double kMost = 16 * kStep;  // that one which is late may go in a step, cells
+    for (const bool hold : {false, true}) {
+        SteadyLine line(kSquares, Source::kPaper, {0, 1}, 0.11f, 0.05f, hold);
+        for (int i = 0; i < 180; ++i) line.step();
+        line.speed = 0.1f;
+        double farthest = 0, fastest = 0;  // from its vertex where one vanishes; in a step; cells
+        for (int i = 0; i < 60; ++i) {
+            const std::vector<Point> before(line.tracker.points().begin(), line.tracker.points().end());
+            line.step();
+            const auto& detector = line.tracker.detector();
+            for (const auto& gone : detector.vanished()) {
+                EXPECT_TRUE(detector.has_flipped(line.mesh.edge[gone.edge].b));
+                const float length = line.mesh.length[gone.edge];
+                farthest = std::max(farthest, double{(1 - before[gone.before].f) * length * kSquares});
+            }
+            for (const Point& point : line.tracker.points()) {
+                const int at = detector.before()[detector.slot(point.edge)];
+                const float moved = at < 0 ? 0 : std::abs(point.f - before[at].f);
+                fastest = std::max(fastest, double{moved * line.mesh.length[point.edge] * kSquares});
+            }
+        }
+        EXPECT_LT(fastest, kMost + 1e-4);
+        if (hold) {
+            EXPECT_LT(farthest, kMost);
+        } else {
+            EXPECT_GT(farthest, 0.4);
+        }
+    }
+}
+
+// It passes a row of vertices, and turns back before the points have come there.
+TEST(PaperSource, shows_nothing_of_a_front_that_comes_back_while_it_is_held) {
+    for (const bool hold : {false, true}) {
+        SteadyLine line(10, Source::kPaper, {0, 1}, 0.52f, 0, hold);
+        for (int i = 0; i < 60; ++i) line.step();
+        std::size_t changes = 0;
+        for (const float at : {0.59f, 0.61f, 0.61f, 0.59f, 0.59f, 0.59f, 0.59f}) {
+            line.at = at;
+            line.step();
+            changes += line.tracker.detector().vanished().size();
+        }
+        EXPECT_EQ(changes, hold ? 0 : 2 * 21);
     }
 }
 

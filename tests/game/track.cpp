@@ -118,6 +118,24 @@ TEST_F(Track, prints_where_a_front_crosses_the_edges_and_how_fast) {
     EXPECT_EQ(done.err.find("warning"), std::string::npos) << done.err;
 }
 
+TEST_F(Track, holds_points_whose_front_is_ahead_of_them_where_it_is_asked_to) {
+    // From frame 90 on twice as fast, so that its points are late at the next vertices.
+    const auto height = [](int frame) { return 0.1 + 0.1 * (frame + std::max(0, frame - 90)) / 60; };
+    const std::string obj = mesh(), velocities = lines(120, height);
+    const auto edges_left_behind = [&](const std::vector<std::string>& options) {
+        std::vector<std::string> all{"track", obj, velocities, "--jump", "0.1", "--source", "paper"};
+        all.insert(all.end(), options.begin(), options.end());
+        const Finished done = couloir(all);
+        EXPECT_EQ(done.status, 0) << done.err;
+        const std::vector<Line> points = lines_of(done.out);
+        return std::count_if(points.begin(), points.end(), [&](const Line& point) {
+            return 1.0 * (point.j / kRow) / kSquares < height(point.frame);
+        });
+    };
+    EXPECT_EQ(edges_left_behind({}), 0);
+    EXPECT_GT(edges_left_behind({"--hold"}), kSquares);
+}
+
 TEST_F(Track, follows_a_level) {
     std::vector<float> scalar;
     for (int frame = 0; frame < 10; ++frame)
@@ -184,6 +202,7 @@ TEST_F(Track, refuses_what_does_not_fit_together) {
         {{obj, velocities, "--jump", "1", "--source", "third"}, "--source"},
         {{obj, velocities, "--jump", "1", "--rule", "level"}, "--rule"},
         {{obj, velocities, "--rule", "relative", "--threshold", "1"}, "--threshold"},
+        {{obj, velocities, "--jump", "1", "--hold"}, "--hold"},
         {{obj, velocities, "--jump", "1", "--level", "1"}, "--source level"},
         {{obj, velocities, "--source", "level", "--level", "1"}, "--scalar"},
         {{obj, velocities, "--source", "level", "--scalar", scalar}, "--level"},

@@ -1,0 +1,88 @@
+#include "sim/front/hold.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sim/check.h"
+
+namespace sim::front {
+namespace {
+
+// A vertex is held for so long at most, and for no longer than this share of the time that the front took for
+// an edge: beyond, what is seen lags more than it would jump.
+constexpr double kLongest = 1 / 15.0;  // s
+constexpr double kMostOfCrossing = 0.3;
+
+// A point that is late goes at so many times its speed, but no farther in a step than this: it would jump
+// again. At 60 steps/s or more that takes it a little more than a cell in kLongest. Where one cannot come in
+// time none is held.
+constexpr double kHaste = 2;
+constexpr double kFastest = 16;     // cells/s
+constexpr double kFarthest = 0.27;  // cells
+
+// m
+double farthest_step(double cell, double dt) {
+    return std::min(kFastest * dt, kFarthest) * cell;
+}
+
+}  // namespace
+
+Hold::Hold(const Mesh& mesh, const Rule& rule)
+    : mesh_(mesh),
+      actual_(mesh, rule),
+      velocity_(mesh.position.size()),
+      passed_(mesh.position.size(), 0),
+      steps_left_(mesh.position.size(), 0) {
+    CHECK(rule.kind != Rule::Kind::kLevel);
+}
+
+Flow Hold::delay(const Flow& flow, double time, double dt, const Detector& seen,
+                 std::span<const Point> points) {
+    actual_.update(flow);
+    for (const int v : held_) steps_left_[v] = late_at(v, dt, seen, points).any ? steps_left_[v] - 1 : 0;
+    for (const int v : actual_.flipped()) {
+        passed_[v] = time - dt / 2;
+        const bool came_back = std::exchange(steps_left_[v], 0) > 0;  // and nobody saw that it was away
+        const Late late = late_at(v, dt, seen, points);
+        if (came_back || !late.any) continue;
+        const double longest = std::min(kLongest, kMostOfCrossing * late.age);
+        const int steps = static_cast<int>(longest / dt + 1e-6);
+        if (late.way > steps * farthest_step(mesh_.cell[v], dt)) continue;
+        steps_left_[v] = steps;
+        held_.push_back(v);
+    }
+    std::erase_if(held_, [&](int v) { return steps_left_[v] == 0; });
+    before_.swap(velocity_);
+    velocity_.assign(flow.velocity.begin(), flow.velocity.end());
+    for (const int v : held_) velocity_[v] = before_[v];
+    return {velocity_, flow.scalar};
+}
+
+int Hold::left_through(int edge) const {
+    if (actual_.is_cut(edge)) return -1;
+    const auto [a, b] = mesh_.edge[edge];
+    return steps_left_[a] > 0 ? a : steps_left_[b] > 0 ? b : -1;
+}
+
+double Hold::hurried(const Point& point, double dt) const {
+    const auto [a, b] = mesh_.edge[point.edge];
+    const double run = std::abs(point.speed) * dt;
+    return std::max(run, std::min(kHaste * run, farthest_step(std::min(mesh_.cell[a], mesh_.cell[b]), dt)));
+}
+
+Hold::Late Hold::late_at(int vertex, double dt, const Detector& seen, std::span<const Point> points) const {
+    Late late{0, 0, false};
+    for (const auto& spoke : mesh_.around(vertex)) {
+        if (!seen.is_cut(spoke.edge) || actual_.is_cut(spoke.edge)) continue;
+        const Point& point = points[seen.slot(spoke.edge)];
+        const double share = mesh_.edge[spoke.edge].a == vertex ? point.f : 1 - point.f;
+        const double way = share * mesh_.length[spoke.edge];
+        late.way = std::max(late.way, way);
+        late.age = std::max(late.age, point.age + dt);
+        late.any = late.any || way > hurried(point, dt);
+    }
+    return late;
+}
+
+}  // namespace sim::front
