@@ -205,11 +205,95 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
         ->type_name("TICK");
     app.add_flag("--verify", options.verify,
                  "compare every recorded state hash and mass ledger; status 1 if one differs");
+    app.add_flag("--paranoid", options.paranoid,
+                 "do every tick twice, with other threads and tiles, and compare; status 1 with a report of "
+                 "where they "
+                 "part, and with --frames its picture, desync.png");
     add_pictures(app, options.pictures, "write pictures here");
     app.add_flag_callback(
         "--no-render", [&options] { options.pictures.folder.reset(); },
         "draw nothing, whatever else is said");
     add_results(app, options.results);
+    add_how(app, options.how);
+}
+
+// Where the maps of a comparison go, and how it is told.
+template <class Options>
+void add_telling(CLI::App& app, Options& options, const char* maps) {
+    app.add_option(
+           maps, options.maps,
+           "write difference.tif and .png here: deposit, the second less the first; the same of peak depth; "
+           "and desync.png, where they part")
+        ->type_name("DIR");
+    app.add_flag("--json", options.json, "print it as JSON");
+    add_how(app, options.how);
+}
+
+void add_compare(CLI::App& app, CompareOptions& options) {
+    app.add_option("first", options.first, "a name from `couloir list`, or a file")
+        ->type_name("A")
+        ->required();
+    app.add_option("second", options.second, "the same")->type_name("B")->required();
+    app.add_option("--tick", options.tick, "compare them after so many ticks [where each ends]")
+        ->check(CLI::Range(0, 1 << 30))
+        ->type_name("TICK");
+    add_telling(app, options, "--out");
+}
+
+// Two numbers, "20,-5".
+std::optional<glm::dvec2> pair_from(const std::string& text) {
+    glm::dvec2 pair;
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%lf,%lf%c", &pair.x, &pair.y, &rest) != 2) return std::nullopt;
+    if (!std::isfinite(pair.x) || !std::isfinite(pair.y)) return std::nullopt;
+    return pair;
+}
+
+void add_edit(CLI::App& app, EditOptions& options) {
+    app.add_option("recording", options.recording, "a name from `couloir list`, or a file")
+        ->type_name("RECORDING")
+        ->required();
+    app.add_option("--tick", options.edit.tick, "that the command was given in")
+        ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40))
+        ->type_name("TICK")
+        ->required();
+    app.add_option("--command", options.edit.which, "which of several commands in that tick, from 1")
+        ->type_name("K");
+    auto* change = app.add_option_group("change", "one of these");
+    change
+        ->add_option_function<std::string>(
+            "--set", [&](const std::string& text) { options.edit.change = Edit::Set{text}; },
+            "members of the command, as the recording names them: x=80,rate=400,as=standing")
+        ->type_name("NAME=VALUE,...");
+    change->add_flag_callback(
+        "--delete", [&] { options.edit.change = Edit::Delete{}; }, "leave the command out");
+    change
+        ->add_option_function<std::string>(
+            "--move",
+            [&](const std::string& text) {
+                const auto by = pair_from(text);
+                if (!by) throw CLI::ValidationError("--move", "'" + text + "' is not EAST,NORTH in metres");
+                options.edit.change = Edit::Move{*by};
+            },
+            "metres to the east and to the north")
+        ->type_name("EAST,NORTH");
+    change
+        ->add_option_function<double>(
+            "--delay", [&](const double& seconds) { options.edit.change = Edit::Delay{seconds}; },
+            "seconds later, earlier where negative, to whole ticks")
+        ->type_name("S");
+    change->require_option(1);
+    app.add_option("--out", options.out, "record what comes of it here")
+        ->type_name("NEW.couloir")
+        ->required();
+    add_telling(app, options, "--maps");
+}
+
+void add_normalise(CLI::App& app, NormaliseOptions& options) {
+    app.add_option("recording", options.recording, "a name from `couloir list`, or a file")
+        ->type_name("RECORDING")
+        ->required();
+    app.add_option("--out", options.out, "write it here")->type_name("NEW.couloir")->required();
     add_how(app, options.how);
 }
 
@@ -371,6 +455,21 @@ Outcome<int> run_command_line(int argc, char** argv) {
                                                "the paper's figures, without and with its method, and a "
                                                "table of numbers; 1 where one misses its bound");
     add_figures(*figures_app, figures_options);
+    CompareOptions compare_options;
+    CLI::App* compare_app = app.add_subcommand(
+        "compare",
+        "two recordings on one ground: what differs in the end, and the first tick, stage, field and cell in "
+        "which they part");
+    add_compare(*compare_app, compare_options);
+    EditOptions edit_options;
+    CLI::App* edit_app = app.add_subcommand(
+        "edit", "change one command of a recording, run it again, and compare what comes of it");
+    add_edit(*edit_app, edit_options);
+    NormaliseOptions normalise_options;
+    CLI::App* normalise_app = app.add_subcommand(
+        "normalise",
+        "rewrite a recording in the newest format, with the states of this version of the physics");
+    add_normalise(*normalise_app, normalise_options);
     CLI::App* verify_app = app.add_subcommand(
         "verify-physics",
         "compare the solver with exact answers: errors and orders; 1 where one misses its bound");
@@ -395,6 +494,9 @@ Outcome<int> run_command_line(int argc, char** argv) {
         return track(track_options);
     }
     if (figures_app->parsed()) return figures(figures_options);
+    if (compare_app->parsed()) return compare(compare_options);
+    if (edit_app->parsed()) return edit(edit_options);
+    if (normalise_app->parsed()) return normalise(normalise_options);
     if (verify_app->parsed()) return verify_physics();
     return replay_app->parsed() ? replay(replay_options) : list(list_options);
 }

@@ -9,16 +9,6 @@
 namespace game {
 namespace {
 
-// What has come to lie on the first ground, m; negative where it was eroded.
-std::vector<float> deposit_of(const Start& start, const sim::State& state) {
-    std::vector<float> deposit(start.grid.size());
-    std::size_t i = 0;
-    for (int y = 0; y < start.grid.ny; ++y)
-        for (int x = 0; x < start.grid.nx; ++x, ++i)
-            deposit[i] = state.depth(x, y) + state.rolling(x, y) - start.depth[i];
-    return deposit;
-}
-
 // How much of the lower material has been moved and is there, m; empty in a world of one.
 std::vector<float> lower_material_of(const sim::State& state) {
     std::vector<float> amounts;
@@ -40,6 +30,15 @@ sim::Field<float> peak_field(const Session& session) {
 }
 
 }  // namespace
+
+std::vector<float> deposit_of(const Start& start, const sim::State& state) {
+    std::vector<float> deposit(start.grid.size());
+    std::size_t i = 0;
+    for (int y = 0; y < start.grid.ny; ++y)
+        for (int x = 0; x < start.grid.nx; ++x, ++i)
+            deposit[i] = state.depth(x, y) + state.rolling(x, y) - start.depth[i];
+    return deposit;
+}
 
 Outcome<void> export_results(const std::filesystem::path& folder, const Start& start, const Session& session,
                              const Summary& summary) {

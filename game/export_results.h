@@ -16,6 +16,9 @@ namespace game {
 Outcome<void> export_results(const std::filesystem::path& folder, const Start& start, const Session& session,
                              const Summary& summary);
 
+// What has come to lie on the first ground, m, grid.size() values; negative where it was eroded.
+std::vector<float> deposit_of(const Start& start, const sim::State& state);
+
 // Two maps with north up: map_extent shows all that the rolling layer ever covered, map_end the world as it
 // is.
 void draw_results(Gallery& gallery, const Session& session);

@@ -77,7 +77,15 @@ Measures::Change measure_change(const sim::Grid& grid, const std::vector<float>&
     return {raised.volume, from, to, std::hypot(to.x - from.x, to.y - from.y)};
 }
 
-// Intersection over union; nothing of nothing.
+std::vector<std::uint8_t> changed(const std::vector<float>& change) {
+    std::vector<std::uint8_t> flags(change.size());
+    std::transform(change.begin(), change.end(), flags.begin(),
+                   [](float metres) { return std::fabs(metres) >= Measures::kChanged; });
+    return flags;
+}
+
+}  // namespace
+
 std::optional<double> overlap_of(const std::vector<std::uint8_t>& one,
                                  const std::vector<std::uint8_t>& other) {
     std::size_t both = 0, either = 0;
@@ -88,15 +96,6 @@ std::optional<double> overlap_of(const std::vector<std::uint8_t>& one,
     if (either == 0) return std::nullopt;
     return static_cast<double>(both) / static_cast<double>(either);
 }
-
-std::vector<std::uint8_t> changed(const std::vector<float>& change) {
-    std::vector<std::uint8_t> flags(change.size());
-    std::transform(change.begin(), change.end(), flags.begin(),
-                   [](float metres) { return std::fabs(metres) >= Measures::kChanged; });
-    return flags;
-}
-
-}  // namespace
 
 Measures measure(const Start& start, const Session& session, const std::vector<std::uint8_t>& released,
                  const terrains::Reference& reference) {

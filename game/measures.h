@@ -52,4 +52,8 @@ Measures measure(const Start& start, const Session& session, const std::vector<s
 // 1 at each vertex of the start's release and under each command that adds or frees material.
 std::vector<std::uint8_t> release_area(const Start& start, std::span<const TimedCommand> commands);
 
+// Intersection over union of two areas, 1 where they are; nothing of nothing.
+std::optional<double> overlap_of(const std::vector<std::uint8_t>& one,
+                                 const std::vector<std::uint8_t>& other);
+
 }  // namespace game

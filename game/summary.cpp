@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "game/recording/divergence_report.h"
 #include "game/text_file.h"
 #include "game/version.h"
 
@@ -66,12 +67,17 @@ std::string placed(const Start& start, terrains::LocalPoint point) {
     return where.empty() ? fmt::format("{:.0f} m east, {:.0f} m north", point.x, point.y) : where;
 }
 
-std::string verdict_text(const Verdict& verdict) {
-    if (!verdict.comparable) return "not comparable: recorded with another version of the physics\n";
-    if (verdict.parted) return fmt::format("NOT the same: {}\n", *verdict.parted);
-    if (verdict.compared == 0) return "nothing is proven: no state was recorded up to here\n";
-    return fmt::format("exact: all {} recorded states met, bit for bit; proven up to tick {}\n",
-                       verdict.compared, verdict.proven_tick);
+std::string paranoid_text(const Paranoia& paranoia, const Start& start) {
+    const std::string how = fmt::format("{}, and {}", paranoia.names[0], paranoia.names[1]);
+    if (paranoia.parted)
+        return fmt::format("NOT the same: {}\n{}", how, to_text(*paranoia.parted, start, paranoia.names));
+    return fmt::format("every tick twice, the same bits in all {}: {}\n", paranoia.ticks, how);
+}
+
+Json paranoid_json(const Paranoia& paranoia, const Start& start) {
+    Json json{{"ticks", paranoia.ticks}, {"ways", paranoia.names}, {"same", !paranoia.parted}};
+    if (paranoia.parted) json["parted"] = to_json(*paranoia.parted, start);
+    return json;
 }
 
 std::string mass_text(const Session& session, const std::string& what, const sim::Ledger& mass) {
@@ -84,6 +90,14 @@ std::string mass_text(const Session& session, const std::string& what, const sim
 }
 
 }  // namespace
+
+std::string to_text(const Verdict& verdict) {
+    if (!verdict.comparable) return "not comparable: recorded with another version of the physics\n";
+    if (verdict.parted) return fmt::format("NOT the same: {}\n", *verdict.parted);
+    if (verdict.compared == 0) return "nothing is proven: no state was recorded up to here\n";
+    return fmt::format("exact: all {} recorded states met, bit for bit; proven up to tick {}\n",
+                       verdict.compared, verdict.proven_tick);
+}
 
 Json to_json(const Summary& summary) {
     const Start& start = summary.start;
@@ -110,6 +124,7 @@ Json to_json(const Summary& summary) {
                          {"mass", mass_json(summary.session, state.mixture->ledger)}};
     if (summary.at_rest) json["at_rest"] = *summary.at_rest;
     if (summary.verdict) json["verified"] = verdict_json(*summary.verdict);
+    if (summary.paranoid) json["paranoid"] = paranoid_json(*summary.paranoid, start);
     if (summary.perf) json["performance"] = summary.perf->to_json();
     return json;
 }
@@ -151,7 +166,8 @@ std::string to_text(const Summary& summary) {
     text += fmt::format("eroded {:.0f} m3, deposited {:.0f} m3 (entrainment has no reference)\n", m.eroded,
                         m.deposited);
     text += fmt::format("state hash {}\n", hex(session.state_line().hash));
-    if (summary.verdict) text += verdict_text(*summary.verdict);
+    if (summary.verdict) text += to_text(*summary.verdict);
+    if (summary.paranoid) text += paranoid_text(*summary.paranoid, start);
     if (summary.perf)
         for (const StageFigures& stage : summary.perf->figures())
             if (stage.count > 0)

@@ -1,15 +1,24 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
 #include "game/measures.h"
 #include "game/perf_log.h"
+#include "game/recording/divergence.h"
 #include "game/recording/verifier.h"
 #include "game/session.h"
 #include "game/start.h"
 
 namespace game {
+
+// What came of doing every tick twice.
+struct Paranoia {
+    std::array<std::string, 2> names;  // the two ways
+    std::int64_t ticks = 0;
+    std::optional<Divergence> parted;
+};
 
 // What is told of a finished run or replay, as JSON and as text for people.
 struct Summary {
@@ -19,10 +28,12 @@ struct Summary {
     const PerfLog* perf = nullptr;  // none: no timing
     std::optional<bool> at_rest;    // asked for and reached, or not
     std::optional<Verdict> verdict;
+    std::optional<Paranoia> paranoid = std::nullopt;
 };
 
 Json to_json(const Summary& summary);
 std::string to_text(const Summary& summary);
+std::string to_text(const Verdict& verdict);  // a sentence and a line break
 
 // Where a run's or a replay's results go besides standard output.
 struct ResultOptions {

@@ -10,9 +10,10 @@ Engine::Engine(State& state, const How& as) : how(as), workers(as.threads) {
     state.tiles.may_sleep = how.tiles_may_sleep;
     if (how.plain || state.mixture) {  // the sweep knows one material
         scratch.emplace(state, state.params.model);
+        scratch->watch = &watch;
         if (state.mixture) scratch->mixing.emplace(state);
     } else {
-        sweeper.emplace(state, how.threads);
+        sweeper.emplace(state, how.threads, how.last_tile_first);
     }
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "sim/scratch.h"
+#include "sim/stage_watch.h"
 #include "sim/sweep/sweeper.h"
 #include "sim/workers.h"
 
@@ -15,6 +16,7 @@ struct How {
     InstructionSet instruction_set = best_instruction_set();  // of the sweep
     int tile_width = 64, tile_height = 32;                    // vertices; see Tiles
     bool tiles_may_sleep = true;
+    bool last_tile_first = false;  // the order in which a thread sweeps its tiles
 };
 
 // What a step works with: made once for a world, so that a step allocates nothing; holds nothing of it from
@@ -24,7 +26,8 @@ struct Engine {
 
     How how;
     Workers workers;
-    std::optional<Scratch<float>> scratch;  // of the plain step
+    StageWatch watch;                       // of the plain step
+    std::optional<Scratch<float>> scratch;  // of it
     std::optional<sweep::Sweeper> sweeper;
 };
 

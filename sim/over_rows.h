@@ -2,54 +2,64 @@
 
 #include "sim/blend.h"
 #include "sim/rows.h"
+#include "sim/stage_watch.h"
 #include "sim/workers.h"
 
 namespace sim {
 
 // A plain step's way: a stage goes over all rows, or all rows of faces, before the next one begins; the rows
 // are shared out among threads. In a mixed world a stage's constants are those of the vertex, and the stage
-// is made anew where they change.
+// is made anew where they change. Each stage has a name, for who watches.
 template <class Number, class Work>
 class OverRows {
   public:
     using Constants = decltype(Work::c);
 
     // `blends`: none in a world of one material.
-    OverRows(Workers& workers, const Work& w, const std::optional<Blends<Constants>>& blends = std::nullopt)
-        : workers_(workers), w_(w), blends_(blends ? &*blends : nullptr) {}
+    OverRows(Workers& workers, const Work& w, const std::optional<Blends<Constants>>& blends,
+             StageWatch* watch)
+        : workers_(workers), w_(w), blends_(blends ? &*blends : nullptr), watch_(watch) {}
 
     Span all() const { return {0, w_.nx}; }
 
     // `stage(w, y)` makes it for a row, `end(y)` is what ends the row.
     template <class Stage, class End>
-    void each_row(Stage&& stage, End&& end) const {
+    void each_row(std::string_view name, Stage&& stage, End&& end) const {
         each_vertex(blends_ ? blends_->flow : nullptr, stage, end);
+        done(name);
     }
     template <class Stage>
-    void each_row(Stage&& stage) const {
-        each_row(stage, [](int) {});
+    void each_row(std::string_view name, Stage&& stage) const {
+        each_row(name, stage, [](int) {});
     }
     // The same for what goes by the numbers of the bed (mixture.h).
     template <class Stage>
-    void each_row_of_bed(Stage&& stage) const {
+    void each_row_of_bed(std::string_view name, Stage&& stage) const {
         each_vertex(blends_ ? blends_->bed : nullptr, stage, [](int) {});
+        done(name);
     }
     // Faces know no material: what passes is what vertices give.
     template <class Stage, class End>
-    void each_face(Stage&& stage, End&& end) const {
+    void each_face(std::string_view name, Stage&& stage, End&& end) const {
         each(w_.ny + 1, [&](int y) { along<Number>(all().faces(), stage(y)), end(y); });
+        done(name);
     }
     template <class Stage>
-    void each_face(Stage&& stage) const {
-        each_face(stage, [](int) {});
+    void each_face(std::string_view name, Stage&& stage) const {
+        each_face(name, stage, [](int) {});
     }
     // What is no stage.
     template <class Do>
-    void each_row_do(Do&& work) const {
+    void each_row_do(std::string_view name, Do&& work) const {
         each(w_.ny, work);
+        done(name);
     }
 
   private:
+    void done(std::string_view name) const {
+        if (watch_) watch_->done(name);
+    }
+
     template <class Do>
     void each(int rows, Do&& work) const {
         workers_.each_band(rows, [&](int first, int last) {
@@ -81,6 +91,7 @@ class OverRows {
     Workers& workers_;
     const Work& w_;
     const Blends<Constants>* blends_;
+    StageWatch* watch_;
 };
 
 }  // namespace sim

@@ -9,6 +9,7 @@
 #include "sim/mixture.h"
 #include "sim/outlets.h"
 #include "sim/params.h"
+#include "sim/stage_watch.h"
 
 namespace sim {
 
@@ -52,6 +53,8 @@ struct Scratch {
     // Of a mixed world, set by who has its state.
     const Params* lower = nullptr;
     std::optional<Mixing> mixing;
+
+    StageWatch* watch = nullptr;  // of who wants to know, set by the same
 };
 
 // What they carried into drains, in whole quanta.

@@ -31,16 +31,20 @@ Substeps substeps_of(const State& state) {
 
 namespace {
 
-void substep_plainly(State& state, Scratch<float>& scratch, Workers& workers, const Substep<float>& sub) {
+void substep_plainly(State& state, Engine& engine, const Substep<float>& sub) {
+    Scratch<float>& scratch = *engine.scratch;
+    Workers& workers = engine.workers;
     if (state.mixture) {
         scratch.lower = &state.mixture->lower;
         begin_mixing(state, *scratch.mixing, workers);
+        engine.watch.done("begin_mixing");
     }
     substep(state, state.params, scratch, workers, sub);
     state.ledger.out += drained(scratch, state.params.model);
     if (state.mixture) {
         const auto [flux_x, flux_y] = scratch.fluxes(state.params.model);
         finish_mixing(state, *scratch.mixing, flux_x, flux_y, scratch.outlets, sub.dither, workers);
+        engine.watch.done("finish_mixing");
     }
 }
 
@@ -48,22 +52,26 @@ void substep_plainly(State& state, Scratch<float>& scratch, Workers& workers, co
 
 void step(State& state, std::span<const Command> commands, Engine& engine) {
     // A person's hand first: what is poured in this tick rolls in this tick, by the numbers set for it.
+    engine.watch.begin(StageWatch::kCommands);
     apply_commands(state, commands);
+    engine.watch.done("commands");
 
     const Substeps substeps = substeps_of(state);
     for (int i = 0; i < substeps.count; ++i) {
         const std::int64_t substeps_done = state.tick * substeps.count + i;
         const Substep<float> sub{substeps.dt, dither_of(substeps_done)};
+        engine.watch.begin(i);
         if (engine.sweeper)
             state.ledger.out +=
                 engine.sweeper->substep(state, engine.workers, engine.how.instruction_set, sub);
         else
-            substep_plainly(state, *engine.scratch, engine.workers, sub);
+            substep_plainly(state, engine, sub);
     }
 
     if (!engine.sweeper) state.tiles.wake_all();  // a plain step goes over all of them
 
     // bcre's velocity follows from the layers; who looks on wants it where they are now.
+    engine.watch.begin(substeps.count);
     if (engine.sweeper) {
         engine.sweeper->find_velocity(state, engine.workers, engine.how.instruction_set);
     } else if (state.params.model == Model::kBcre) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "game/compare/edit.h"
 #include "game/gallery.h"
 #include "game/outcome.h"
 #include "game/scene.h"
@@ -40,12 +41,42 @@ Outcome<int> run(const RunOptions& options);
 struct ReplayOptions {
     std::string recording;  // name or file
     std::optional<std::int64_t> until;
-    bool verify = false;
+    bool verify = false, paranoid = false;
     PictureOptions pictures;
     ResultOptions results;
     sim::How how;
 };
 Outcome<int> replay(const ReplayOptions& options);
+
+struct CompareOptions {
+    std::string first, second;         // names or files
+    std::optional<std::int64_t> tick;  // none: where each ends
+    std::optional<std::filesystem::path> maps;
+    bool json = false;
+    sim::How how;
+};
+// Two recordings on one ground: what differs in the end, and where they part.
+Outcome<int> compare(const CompareOptions& options);
+
+struct EditOptions {
+    std::string recording;  // name or file
+    Edit edit;
+    std::filesystem::path out;
+    std::optional<std::filesystem::path> maps;
+    bool json = false;
+    sim::How how;
+};
+// One command changed, and run again; compared with what it was.
+Outcome<int> edit(const EditOptions& options);
+
+struct NormaliseOptions {
+    std::string recording;  // name or file
+    std::filesystem::path out;
+    sim::How how;
+};
+// A recording rewritten in the newest format, with the states of this version of the physics; 1 where it is
+// of this version and they are others.
+Outcome<int> normalise(const NormaliseOptions& options);
 
 struct PlayOptions {
     std::string program;                // as it was called

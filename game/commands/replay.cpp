@@ -7,6 +7,7 @@
 
 #include "game/assets.h"
 #include "game/commands/commands.h"
+#include "game/compare/desync_picture.h"
 #include "game/headless.h"
 #include "game/measures.h"
 #include "game/recording/verifier.h"
@@ -24,6 +25,21 @@ std::string file_hash(const std::filesystem::path& path) {
     while (stream.read(block.data(), static_cast<std::streamsize>(block.size())), stream.gcount() > 0)
         XXH3_64bits_update(&digest, block.data(), static_cast<std::size_t>(stream.gcount()));
     return hex(XXH3_64bits_digest(&digest));
+}
+
+// As unlike the way that was asked for as it can be.
+sim::How other_way(sim::How how) {
+    how.threads = how.threads == 1 ? 3 : 1;
+    how.tile_width = 32, how.tile_height = 8;
+    how.last_tile_first = true;
+    return how;
+}
+
+std::string name_of(const sim::How& how, bool swept) {
+    const std::string threads = fmt::format("{} thread{}", how.threads, how.threads > 1 ? "s" : "");
+    if (!swept) return threads;
+    return fmt::format("{}, tiles of {}x{}{}", threads, how.tile_width, how.tile_height,
+                       how.last_tile_first ? " from the last to the first" : "");
 }
 
 }  // namespace
@@ -61,10 +77,22 @@ Outcome<int> replay(const ReplayOptions& options) {
     watchers.gallery = gallery ? &*gallery : nullptr;
     watchers.ticks_per_picture = options.pictures.every;
     watchers.perf = &perf;
-    if (options.verify) {
-        verifier.look_at(*session);
-        watchers.after_tick = [&](const Session& now) { verifier.look_at(now); };
+    if (options.verify) verifier.look_at(*session);
+    const Side way{start, recording->commands, options.how},
+        other{start, recording->commands, other_way(options.how)};
+    std::optional<Twin> twin;
+    Paranoia paranoia;
+    if (options.paranoid) {
+        const bool swept = !options.how.plain && !start.lower;
+        paranoia.names = {name_of(way.how, swept), name_of(other.how, swept)};
+        paranoia.parted = twin.emplace(way, other).follow(session->state());
     }
+    watchers.after_tick = [&](const Session& now) {
+        if (options.verify) verifier.look_at(now);
+        if (!twin || paranoia.parted) return;
+        paranoia.parted = twin->follow(now.state());
+        paranoia.ticks = now.state().tick;
+    };
     if (auto played = play_headless(*session, recording->commands, until, watchers, "replaying"); !played)
         return tl::unexpected(played.error());
     if (gallery)
@@ -73,8 +101,15 @@ Outcome<int> replay(const ReplayOptions& options) {
     const Measures measures = measure(start, *session, release_area(start, recording->commands), {});
     Summary summary{start, *session, measures, &perf, std::nullopt, std::nullopt};
     if (options.verify) summary.verdict = verifier.verdict();
+    if (options.paranoid) summary.paranoid = paranoia;
+    if (paranoia.parted && options.pictures.folder)
+        if (auto drawn = render::write_png(desync_picture(*paranoia.parted, start, paranoia.names),
+                                           *options.pictures.folder / "desync.png");
+            !drawn)
+            return machine_fails(drawn.error());
     if (auto told = tell(summary, options.results); !told) return tl::unexpected(told.error());
-    return options.verify && verifier.verdict().parted ? Failure::kBadAnswer : 0;
+    const bool bad = (options.verify && verifier.verdict().parted) || paranoia.parted;
+    return bad ? Failure::kBadAnswer : 0;
 }
 
 }  // namespace game

@@ -278,9 +278,7 @@ void view_from(const Json& json, Start& start) {
 }
 
 // The minor version.
-int read_version(const Json& json) {
-    if (!json.is_object() || !json.contains("format") || json.at("format") != kFormatName)
-        refuse("not a couloir recording");
+int version_from(const Json& json) {
     const Json& version = member(json, "version");
     if (!version.is_array() || version.size() != 2 || !version[0].is_number_integer() ||
         !version[1].is_number_integer())
@@ -290,18 +288,33 @@ int read_version(const Json& json) {
         refuse(fmt::format("recorded in format {}.{}, and this program reads up to {}.x: use a newer couloir",
                            major, minor, kFormatMajor));
     if (major < 1 || minor < 0) refuse(fmt::format("format {}.{} never was", major, minor));
-    return static_cast<int>(std::min<std::int64_t>(minor, kFormatMinor));
+    return static_cast<int>(std::min<std::int64_t>(minor, 1 << 20));
+}
+
+int read_version(const Json& json) {
+    if (!json.is_object() || !json.contains("format") || json.at("format") != kFormatName)
+        refuse("not a couloir recording");
+    return version_from(json);
+}
+
+Parent parent_from(const Json& json) {
+    return {text(json, "name"), whole(json, "tick", 0, kMostTicks),
+            json.contains("change") ? text(json, "change") : ""};
+}
+
+Origin origin_from(const Json& json) {
+    return {version_from(json), static_cast<int>(whole(json, "physics_version", 1, 1 << 20)),
+            text(json, "program")};
 }
 
 Header read_header(const Json& json, int minor) {
     Header header;
+    header.minor = minor;
+    if (json.contains("parent")) header.parent = parent_from(json.at("parent"));
+    if (json.contains("rewritten_from")) header.rewritten_from = origin_from(json.at("rewritten_from"));
     header.program = text(json, "program");
     header.physics_version = static_cast<int>(whole(json, "physics_version", 1, 1 << 20));
     header.ticks_per_state = static_cast<int>(whole(json, "ticks_per_state", 1, 1 << 20));
-    if (json.contains("parent")) {
-        const Json& parent = json.at("parent");
-        header.parent = Parent{text(parent, "name"), whole(parent, "tick", 0, kMostTicks)};
-    }
     Start& start = header.start;
     start.scene = text(json, "scene");
     start.title = text(json, "title");
@@ -378,7 +391,14 @@ Json to_json(const Header& header) {
               {"ticks_per_state", header.ticks_per_state},
               {"physics", physics_json(start.params)},
               {"view", view_json(start)}};
-    if (const auto& parent = header.parent) json["parent"] = {{"name", parent->name}, {"tick", parent->tick}};
+    if (const auto& parent = header.parent) {
+        json["parent"] = {{"name", parent->name}, {"tick", parent->tick}};
+        if (!parent->change.empty()) json["parent"]["change"] = parent->change;
+    }
+    if (const auto& origin = header.rewritten_from)
+        json["rewritten_from"] = {{"version", {kFormatMajor, origin->minor}},
+                                  {"physics_version", origin->physics_version},
+                                  {"program", origin->program}};
     if (start.lower)
         json["lower"] = {{"material", start.lower->material}, {"physics", numbers_json(start.lower->params)}};
     json["terrain"] = ground_json(start);

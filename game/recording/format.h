@@ -39,19 +39,30 @@ struct EndLine {
     std::int64_t tick = 0;  // ticks that were done
 };
 
-// What a recording was forked from, and its tick at which the two part.
+// What a recording was forked from.
 struct Parent {
-    std::string name;
-    std::int64_t tick = 0;
+    std::string name;         // of its file, without extension
+    std::int64_t tick = 0;    // from which on this one goes its own way
+    std::string change = {};  // what was changed there, for people; empty where somebody played on
     bool operator==(const Parent&) const = default;
+};
+
+// What a recording was, before it was rewritten in a newer format.
+struct Origin {
+    int minor = 0;  // of its format
+    int physics_version = 0;
+    std::string program;
+    bool operator==(const Origin&) const = default;
 };
 
 struct Header {
     Start start;
-    std::optional<Parent> parent;
+    int minor = kFormatMinor;  // as it was read; it is written as kFormatMinor
     int physics_version = kPhysicsVersion;
     int ticks_per_state = kTicksPerState;
     std::string program;  // that wrote it, with its version
+    std::optional<Parent> parent;
+    std::optional<Origin> rewritten_from;
 };
 
 // Readers' errors are a fact without file and line, which the caller knows.

@@ -19,14 +19,18 @@ tl::unexpected<Failure> cannot_write(const std::filesystem::path& path) {
 
 Outcome<Recorder> Recorder::create(const std::filesystem::path& path, const Start& start,
                                    std::optional<Parent> parent) {
+    Header header;
+    header.start = start;
+    header.parent = std::move(parent);
+    return create(path, header);
+}
+
+Outcome<Recorder> Recorder::create(const std::filesystem::path& path, const Header& header) {
     std::error_code error;
     if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
     std::FILE* file = std::fopen(path.c_str(), "wb");
     if (!file) return cannot_write(path);
     Recorder recorder(path, file);
-    Header header;
-    header.start = start;
-    header.parent = std::move(parent);
     // A file's name need not be UTF-8, and a recording is.
     recorder.line_ = to_json(header).dump(-1, ' ', false, Json::error_handler_t::replace);
     if (const auto written = recorder.write_line(); !written) return tl::unexpected(written.error());

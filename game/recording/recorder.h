@@ -20,6 +20,7 @@ class Recorder {
     // Begins the file, replacing any that has this name; makes its folder.
     static Outcome<Recorder> create(const std::filesystem::path& path, const Start& start,
                                     std::optional<Parent> parent = std::nullopt);
+    static Outcome<Recorder> create(const std::filesystem::path& path, const Header& header);
 
     // Begins a file that goes on from `of` at `tick`, and has all that `of` tells up to there; states of
     // another version of the physics left out. `name`: by which `of` is known.

@@ -37,59 +37,74 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
     const Outlets::View outlets = scratch.outlets.view();
     const auto blends = blends_of<Constants<Number>>(
         scratch, params, [&](const Params& blend) { return constants_of(blend, layers.grid.dx, sub); });
-    const OverRows<Number, Work<Number>> over(workers, world, blends);
+    const OverRows<Number, Work<Number>> over(workers, world, blends, scratch.watch);
     const Span all = over.all();
     const auto find_drops_of = [&](const Level<Number>& level) {
-        over.each_row_do([&](int y) { fill_halo<Number>(world, level, y, all); });
-        over.each_face([&](int y) { return find_drops<Number>(world, level, y); },
-                       [&](int y) { end_drops<Number>(world, level, y); });
+        over.each_row_do("fill_halo", [&](int y) { fill_halo<Number>(world, level, y, all); });
+        over.each_face(
+            "find_drops", [&](int y) { return find_drops<Number>(world, level, y); },
+            [&](int y) { end_drops<Number>(world, level, y); });
     };
     const auto close = [&](const Level<Number>& level) {
         return [&](int y) { close_walls<Number>(world, level, y, all); };
     };
     const auto end_gift = [&](int y) { end_given<Number>(world, world.now, y, all); };
     const auto find_rates = [&](const Level<Number>& level) {
-        over.each_face([&](int y) { return find_bends<Number>(world, level, y); });
-        over.each_row([&](const auto&, int y) { return find_bent_fall<Number>(level, y); });
-        over.each_row([&](const auto& w, int y) { return find_central_velocity<Number>(w, level, y); },
-                      [&](int y) { end_velocity<Number>(world, level, y); });
-        over.each_face([&](int y) { return find_muscl_fluxes<Number>(world, level, y); }, close(level));
-        over.each_row_of_bed([&](const auto& w, int y) { return find_exchange<Number>(w, level, y); });
+        over.each_face("find_bends", [&](int y) { return find_bends<Number>(world, level, y); });
+        over.each_row("find_bent_fall", [&](const auto&, int y) { return find_bent_fall<Number>(level, y); });
+        over.each_row(
+            "find_central_velocity",
+            [&](const auto& w, int y) { return find_central_velocity<Number>(w, level, y); },
+            [&](int y) { end_velocity<Number>(world, level, y); });
+        over.each_face(
+            "find_muscl_fluxes", [&](int y) { return find_muscl_fluxes<Number>(world, level, y); },
+            close(level));
+        over.each_row_of_bed("find_exchange",
+                             [&](const auto& w, int y) { return find_exchange<Number>(w, level, y); });
     };
 
     find_drops_of(world.now);
     switch (params.scheme) {
         case Scheme::kLaxFriedrichs:
-            over.each_row([&](const auto& w, int y) { return find_fall<Number>(w.now, y); });
-            over.each_row([&](const auto& w, int y) { return find_quarters<Number>(w, w.now, y); }, end_gift);
-            over.each_face([&](int y) { return find_quarter_fluxes<Number>(world, world.now, y); },
-                           close(world.now));
-            over.each_row_of_bed(
-                [&](const auto& w, int y) { return settle<Number, Scheme::kLaxFriedrichs>(w, y, w.nx); });
+            over.each_row("find_fall", [&](const auto& w, int y) { return find_fall<Number>(w.now, y); });
+            over.each_row(
+                "find_quarters", [&](const auto& w, int y) { return find_quarters<Number>(w, w.now, y); },
+                end_gift);
+            over.each_face(
+                "find_quarter_fluxes",
+                [&](int y) { return find_quarter_fluxes<Number>(world, world.now, y); }, close(world.now));
+            over.each_row_of_bed("settle", [&](const auto& w, int y) {
+                return settle<Number, Scheme::kLaxFriedrichs>(w, y, w.nx);
+            });
             break;
         case Scheme::kLocalLaxFriedrichs:
-            over.each_row([&](const auto& w, int y) { return find_fall<Number>(w.now, y); });
-            over.each_row([&](const auto& w, int y) { return find_given<Number>(w, w.now, y); }, end_gift);
-            over.each_face([&](int y) { return find_split_fluxes<Number>(world, world.now, y); });
-            over.each_row_of_bed([&](const auto& w, int y) {
+            over.each_row("find_fall", [&](const auto& w, int y) { return find_fall<Number>(w.now, y); });
+            over.each_row(
+                "find_given", [&](const auto& w, int y) { return find_given<Number>(w, w.now, y); },
+                end_gift);
+            over.each_face("find_split_fluxes",
+                           [&](int y) { return find_split_fluxes<Number>(world, world.now, y); });
+            over.each_row_of_bed("settle", [&](const auto& w, int y) {
                 return settle<Number, Scheme::kLocalLaxFriedrichs>(w, y, w.nx);
             });
             break;
         case Scheme::kMuscl:
             find_rates(world.now);
-            over.each_row([&](const auto& w, int y) { return predict<Number>(w, y); },
-                          [&](int y) { clear_drains<Number>(world.then, outlets, y, all); });
+            over.each_row(
+                "predict", [&](const auto& w, int y) { return predict<Number>(w, y); },
+                [&](int y) { clear_drains<Number>(world.then, outlets, y, all); });
             find_drops_of(world.then);
             find_rates(world.then);
-            over.each_face([&](int y) { return take_mean_fluxes<Number>(world, y); });
-            over.each_row([&](const auto& w, int y) { return find_share<Number>(w, y); },
-                          [&](int y) { end_share<Number>(world, y, all); });
-            over.each_face([&](int y) { return book_fluxes<Number>(world, y); });
+            over.each_face("take_mean_fluxes", [&](int y) { return take_mean_fluxes<Number>(world, y); });
+            over.each_row(
+                "find_share", [&](const auto& w, int y) { return find_share<Number>(w, y); },
+                [&](int y) { end_share<Number>(world, y, all); });
+            over.each_face("book_fluxes", [&](int y) { return book_fluxes<Number>(world, y); });
             over.each_row_of_bed(
-                [&](const auto& w, int y) { return settle<Number, Scheme::kMuscl>(w, y, w.nx); });
+                "settle", [&](const auto& w, int y) { return settle<Number, Scheme::kMuscl>(w, y, w.nx); });
             break;
     }
-    over.each_row_do([&](int y) { clear_drains<Number>(world.now, outlets, y, all); });
+    over.each_row_do("clear_drains", [&](int y) { clear_drains<Number>(world.now, outlets, y, all); });
 }
 
 void find_velocity(Layers<float>& layers, const Params& params, Scratch<float>& scratch, Workers& workers) {
@@ -99,10 +114,10 @@ void find_velocity(Layers<float>& layers, const Params& params, Scratch<float>& 
     const auto blends = blends_of<Constants<float>>(scratch, params, [&](const Params& blend) {
         return constants_of(blend, layers.grid.dx, Substep<float>{});
     });
-    const OverRows<float, Work<float>> over(workers, world, blends);
-    over.each_row_do([&](int y) { fill_halo<float>(world, world.now, y, over.all()); });
-    over.each_face([&](int y) { return find_drops<float>(world, world.now, y); });
-    over.each_row([&](const auto& w, int y) { return find_velocity<float>(w, y, w.nx); });
+    const OverRows<float, Work<float>> over(workers, world, blends, scratch.watch);
+    over.each_row_do("fill_halo", [&](int y) { fill_halo<float>(world, world.now, y, over.all()); });
+    over.each_face("find_drops", [&](int y) { return find_drops<float>(world, world.now, y); });
+    over.each_row("find_velocity", [&](const auto& w, int y) { return find_velocity<float>(w, y, w.nx); });
 }
 
 template Work<float> work_of(Layers<float>&, const Params&, Scratch<float>&, Substep<float>);

@@ -53,34 +53,41 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
     const Outlets::View outlets = scratch.outlets.view();
     const auto blends = blends_of<Constants<Number>>(
         scratch, params, [&](const Params& blend) { return constants_of(blend, layers.grid.dx, sub); });
-    const OverRows<Number, Work<Number>> over(workers, world, blends);
+    const OverRows<Number, Work<Number>> over(workers, world, blends, scratch.watch);
     const Span all = over.all();
     // What would be exchanged and carried, as the layers lie and move.
     const auto find_rates = [&](const Level<Number>& level) {
-        over.each_face([&](int y) { return find_drops<Number>(world, level, y); },
-                       [&](int y) { end_drops<Number>(world, level, y); });
-        over.each_face([&](int y) { return find_bends<Number>(world, level, y); });
-        over.each_row_of_bed([&](const auto& w, int y) { return find_exchange<Number>(w, level, y); });
-        over.each_row([&](const auto&, int y) { return find_slopes<Number>(level, y); },
-                      [&](int y) { end_slopes<Number>(world, level, y, all); });
-        over.each_face([&](int y) { return find_fluxes<Number>(world, level, y); },
-                       [&](int y) { end_fluxes<Number>(world, level, y, all); });
+        over.each_face(
+            "find_drops", [&](int y) { return find_drops<Number>(world, level, y); },
+            [&](int y) { end_drops<Number>(world, level, y); });
+        over.each_face("find_bends", [&](int y) { return find_bends<Number>(world, level, y); });
+        over.each_row_of_bed("find_exchange",
+                             [&](const auto& w, int y) { return find_exchange<Number>(w, level, y); });
+        over.each_row(
+            "find_slopes", [&](const auto&, int y) { return find_slopes<Number>(level, y); },
+            [&](int y) { end_slopes<Number>(world, level, y, all); });
+        over.each_face(
+            "find_fluxes", [&](int y) { return find_fluxes<Number>(world, level, y); },
+            [&](int y) { end_fluxes<Number>(world, level, y, all); });
     };
 
-    over.each_row_do([&](int y) { fill_halo<Number>(world, world.now, y, all); });
-    over.each_row([&](const auto& w, int y) { return relax<Number>(w, y, w.nx); },
-                  [&](int y) { end_velocity<Number>(world, world.now, y, all); });
+    over.each_row_do("fill_halo", [&](int y) { fill_halo<Number>(world, world.now, y, all); });
+    over.each_row(
+        "relax", [&](const auto& w, int y) { return relax<Number>(w, y, w.nx); },
+        [&](int y) { end_velocity<Number>(world, world.now, y, all); });
     find_rates(world.now);
-    over.each_row([&](const auto& w, int y) { return predict<Number>(w, y); },
-                  [&](int y) { clear_drains<Number>(world.then, outlets, y, all); });
-    over.each_row_do([&](int y) {
+    over.each_row(
+        "predict", [&](const auto& w, int y) { return predict<Number>(w, y); },
+        [&](int y) { clear_drains<Number>(world.then, outlets, y, all); });
+    over.each_row_do("fill_halo", [&](int y) {
         fill_halo<Number>(world, world.then, y, all), end_velocity<Number>(world, world.then, y, all);
     });
     find_rates(world.then);
-    over.each_face([&](int y) { return book_fluxes<Number>(world, y); });
-    over.each_row([&](const auto& w, int y) { return finish<Number>(w, y, w.nx); },
-                  [&](int y) { clear_drains<Number>(world.now, outlets, y, all); });
-    over.each_row_of_bed([&](const auto& w, int y) { return yield<Number>(w, y, w.nx); });
+    over.each_face("book_fluxes", [&](int y) { return book_fluxes<Number>(world, y); });
+    over.each_row(
+        "finish", [&](const auto& w, int y) { return finish<Number>(w, y, w.nx); },
+        [&](int y) { clear_drains<Number>(world.now, outlets, y, all); });
+    over.each_row_of_bed("yield", [&](const auto& w, int y) { return yield<Number>(w, y, w.nx); });
 }
 
 template Work<float> work_of(Layers<float>&, const Params&, Scratch<float>&, Substep<float>);

@@ -60,8 +60,9 @@ const Kernels& kernels_for(InstructionSet set) {
 
 }  // namespace
 
-Sweeper::Sweeper(const State& s, int threads)
-    : outlets_(s.grid, s.site),
+Sweeper::Sweeper(const State& s, int threads, bool last_tile_first)
+    : last_tile_first_(last_tile_first),
+      outlets_(s.grid, s.site),
       stride_(s.depth.stride()),
       aprons_(static_cast<std::size_t>(s.tiles.rows) * kAproned * 2 * kApronRows *
               static_cast<std::size_t>(stride_)),
@@ -97,6 +98,7 @@ void Sweeper::find_jobs(const Grid& grid, const Tiles& tiles, const std::vector<
         }
         row = end;
     }
+    if (last_tile_first_) std::reverse(jobs_.begin(), jobs_.end());
     drained_.assign(jobs_.size(), 0);
 }
 

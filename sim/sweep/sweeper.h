@@ -18,7 +18,7 @@ namespace sweep {
 // afterwards. Holds nothing from one sub-step to the next.
 class Sweeper {
   public:
-    Sweeper(const State& state, int threads);
+    Sweeper(const State& state, int threads, bool last_tile_first);
 
     // One sub-step, without commands; returns what left the world, in quanta.
     std::int64_t substep(State& state, Workers& workers, InstructionSet set, Substep<float> sub);
@@ -33,6 +33,7 @@ class Sweeper {
     Ground ground_of(State& state, Substep<float> sub);
     float* work_of(int member);
 
+    bool last_tile_first_;
     Outlets outlets_;
     std::ptrdiff_t stride_;
     AlignedVector<float> aprons_;           // rows of each field on two sides, for each row of tiles

@@ -92,6 +92,33 @@ TEST_F(ForgedHeader, of_a_newer_minor_version_may_hold_fields_that_nobody_knows)
     EXPECT_EQ(recording->header.start.params, small_start().params);
 }
 
+TEST_F(ForgedHeader, tells_what_it_was_forked_or_rewritten_from_and_is_refused_where_that_is_nonsense) {
+    EXPECT_FALSE(read(header_)->header.parent || read(header_)->header.rewritten_from);
+    Json told = header_;
+    told["parent"] = {{"name", "valley"}, {"tick", 60}, {"change", "the pour is left out"}};
+    told["rewritten_from"] = {{"version", {1, 2}}, {"physics_version", 2}, {"program", "couloir 0.0.9"}};
+    const auto recording = read(told);
+    ASSERT_TRUE(recording) << recording.error().sentence;
+    EXPECT_EQ(recording->header.parent, (Parent{"valley", 60, "the pour is left out"}));
+    EXPECT_EQ(recording->header.rewritten_from, (Origin{2, 2, "couloir 0.0.9"}));
+    EXPECT_EQ(to_json(recording->header)["parent"], told["parent"]);
+    EXPECT_EQ(to_json(recording->header)["rewritten_from"], told["rewritten_from"]);
+
+    const std::pair<const char*, Json> nonsense[] = {{"/parent", "valley"},
+                                                     {"/parent/name", 7},
+                                                     {"/parent/tick", -1},
+                                                     {"/parent/change", Json::array()},
+                                                     {"/rewritten_from", 2},
+                                                     {"/rewritten_from/version", "1.2"},
+                                                     {"/rewritten_from/version", {9, 0}},
+                                                     {"/rewritten_from/physics_version", 0.5}};
+    for (const auto& [where, what] : nonsense) {
+        Json wrong = told;
+        wrong[Json::json_pointer(where)] = what;
+        EXPECT_FALSE(refused(wrong).empty()) << where;
+    }
+}
+
 TEST_F(ForgedHeader, with_the_ground_of_another_recording_is_not_the_terrain_recorded_on) {
     Start other = small_start();
     other.bedrock[40] += 0.5f;

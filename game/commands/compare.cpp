@@ -1,0 +1,24 @@
+#include "game/commands/commands.h"
+#include "game/compare/comparison.h"
+#include "game/text_file.h"
+
+namespace game {
+
+Outcome<int> compare(const CompareOptions& options) {
+    const auto a = open_recording(options.first), b = open_recording(options.second);
+    for (const auto* each : {&a, &b})
+        if (!*each) return tl::unexpected(each->error());
+    if (auto comparable = check_ground(*a, *b); !comparable) return tl::unexpected(comparable.error());
+    if (options.maps)
+        if (auto made = make_folder(*options.maps); !made) return tl::unexpected(made.error());
+
+    const auto one = played(*a, until(options.tick, a->recording), options.how, std::nullopt);
+    if (!one) return tl::unexpected(one.error());
+    const auto other = played(*b, until(options.tick, b->recording), options.how, std::nullopt);
+    if (!other) return tl::unexpected(other.error());
+    if (auto told = tell(comparison_of(*one, *other, options.how), options.maps, options.json); !told)
+        return tl::unexpected(told.error());
+    return 0;
+}
+
+}  // namespace game

@@ -1,0 +1,51 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "game/commands/commands.h"
+#include "game/compare/comparison.h"
+#include "game/text_file.h"
+
+namespace game {
+namespace {
+
+// Until nothing moves, if that is where the old one ended.
+Until until_as(const Played& old, const std::vector<TimedCommand>& commands) {
+    Until until;
+    if (old.at_rest) {
+        until.rest = true;
+    } else {
+        const std::int64_t given = commands.empty() ? 0 : commands.back().tick + 1;
+        until.tick = until.most_ticks = std::max(old.session.state().tick, given);
+    }
+    return until;
+}
+
+}  // namespace
+
+Outcome<int> edit(const EditOptions& options) {
+    const auto old = open_recording(options.recording);
+    if (!old) return tl::unexpected(old.error());
+    auto changed = edited(old->recording, options.edit);
+    if (!changed) return unusable(fmt::format("{}: {}", options.recording, changed.error().sentence));
+    if (options.maps)
+        if (auto made = make_folder(*options.maps); !made) return tl::unexpected(made.error());
+
+    Named made{options.out.stem().string(), options.out, {}};
+    made.recording.header.start = old->recording.header.start;
+    made.recording.header.parent = Parent{old->name, options.edit.tick, changed->change};
+    made.recording.commands = std::move(changed->commands);
+    auto recorder = new_recording(*old, options.out, made.recording.header);
+    if (!recorder) return tl::unexpected(recorder.error());
+
+    const auto before = played(*old, until(std::nullopt, old->recording), options.how, std::nullopt);
+    if (!before) return tl::unexpected(before.error());
+    const auto after =
+        played(made, until_as(*before, made.recording.commands), options.how, std::move(*recorder));
+    if (!after) return tl::unexpected(after.error());
+    if (auto told = tell(comparison_of(*before, *after, options.how), options.maps, options.json); !told)
+        return tl::unexpected(told.error());
+    return 0;
+}
+
+}  // namespace game

@@ -1,0 +1,45 @@
+#include <fmt/format.h>
+
+#include "game/commands/commands.h"
+#include "game/compare/comparison.h"
+#include "game/recording/verifier.h"
+#include "game/summary.h"
+
+namespace game {
+
+Outcome<int> normalise(const NormaliseOptions& options) {
+    const auto old = open_recording(options.recording);
+    if (!old) return tl::unexpected(old.error());
+    const Header& header = old->recording.header;
+    if (header.minor > kFormatMinor)
+        return unusable(
+            fmt::format("{}: recorded in format {}.{}, newer than this program's {}.{}: what it does not "
+                        "know would be lost",
+                        options.recording, kFormatMajor, header.minor, kFormatMajor, kFormatMinor));
+    Header rewritten = header;
+    rewritten.physics_version = kPhysicsVersion;
+    rewritten.ticks_per_state = kTicksPerState;
+    rewritten.rewritten_from = Origin{header.minor, header.physics_version, header.program};
+    auto recorder = new_recording(*old, options.out, rewritten);
+    if (!recorder) return tl::unexpected(recorder.error());
+
+    auto session = Session::begin(header.start, options.how, std::move(*recorder));
+    if (!session) return tl::unexpected(session.error());
+    Verifier verifier(old->recording);
+    verifier.look_at(*session);
+    Watchers watchers;
+    watchers.after_tick = [&](const Session& now) { verifier.look_at(now); };
+    if (auto done = play_headless(*session, old->recording.commands, until(std::nullopt, old->recording),
+                                  watchers, "rewriting");
+        !done)
+        return tl::unexpected(done.error());
+    if (auto closed = session->finish(); !closed) return tl::unexpected(closed.error());
+
+    fmt::print("{}: format {}.{}, physics {} → {}: format {}.{}, physics {}; {} commands, {} ticks\n{}",
+               options.recording, kFormatMajor, header.minor, header.physics_version, options.out.string(),
+               kFormatMajor, kFormatMinor, kPhysicsVersion, old->recording.commands.size(),
+               session->state().tick, to_text(verifier.verdict()));
+    return verifier.verdict().parted ? Failure::kBadAnswer : 0;
+}
+
+}  // namespace game

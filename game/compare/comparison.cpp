@@ -1,0 +1,248 @@
+#include "game/compare/comparison.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "game/assets.h"
+#include "game/compare/desync_picture.h"
+#include "game/compare/difference_map.h"
+#include "game/export_results.h"
+#include "game/progress.h"
+#include "game/recording/divergence_report.h"
+#include "game/recording/start_difference.h"
+#include "game/text_file.h"
+#include "terrains/export.h"
+
+namespace game {
+namespace {
+
+constexpr std::size_t kMostSaid = 8;  // of what was told them differently
+
+std::vector<std::uint8_t> extent_of(const Played& played) {
+    const std::vector<float>& depth = played.session.peaks().depth;
+    std::vector<std::uint8_t> extent(depth.size());
+    std::transform(depth.begin(), depth.end(), extent.begin(),
+                   [](float metres) { return metres >= Measures::kExtentDepth; });
+    return extent;
+}
+
+std::vector<float> less(const std::vector<float>& one, const std::vector<float>& other) {
+    std::vector<float> difference(one.size());
+    std::transform(one.begin(), one.end(), other.begin(), difference.begin(), std::minus<>());
+    return difference;
+}
+
+// A line of the table: what both measure, in how many digits.
+struct Row {
+    const char *what, *key;
+    double a, b;
+    int digits;
+};
+
+std::vector<Row> rows_of(const Comparison& comparison) {
+    const Measures &a = comparison.a.measures, &b = comparison.b.measures;
+    const Session &one = comparison.a.session, &other = comparison.b.session;
+    const auto out = [](const Session& session) { return session.cubic_metres(session.state().ledger.out); };
+    return {{"time, s", "seconds", one.seconds(), other.seconds(), 1},
+            {"run-out, m", "run_out_m", a.run_out, b.run_out, 1},
+            {"fall, m", "fall_m", a.fall, b.fall, 1},
+            {"reach, deg", "reach_deg", a.reach_deg, b.reach_deg, 2},
+            {"extent, ha", "extent_ha", a.extent_area / 1e4, b.extent_area / 1e4, 3},
+            {"eroded, m3", "eroded_m3", a.eroded, b.eroded, 0},
+            {"deposited, m3", "deposited_m3", a.deposited, b.deposited, 0},
+            {"left the world, m3", "out_m3", out(one), out(other), 0},
+            {"peak depth, m", "peak_depth_m", a.peak_depth, b.peak_depth, 2},
+            {"peak speed, m/s", "peak_speed_m_s", a.peak_speed, b.peak_speed, 2}};
+}
+
+// With a sign, and none where nothing is left to be seen of it.
+std::string signed_text(double value, int digits) {
+    const std::string text = fmt::format("{:+.{}f}", value, digits);
+    return text.find_first_of("123456789") == std::string::npos ? "0" : text;
+}
+
+std::string extremes(const std::vector<float>& field) {
+    const auto [least, most] = std::minmax_element(field.begin(), field.end());
+    return fmt::format("{} to {} m", signed_text(*least, 2), signed_text(*most, 2));
+}
+
+std::array<std::string, 2> names_of(const Comparison& comparison) {
+    return {comparison.a.of.name, comparison.b.of.name};
+}
+
+}  // namespace
+
+Outcome<Named> open_recording(const std::string& name_or_path) {
+    const auto path = find_asset(AssetKind::kRecording, name_or_path);
+    if (!path) return tl::unexpected(path.error());
+    auto recording = read_recording(*path);
+    if (!recording) return tl::unexpected(recording.error());
+    if (recording->warning) fmt::print(stderr, "couloir: warning: {}\n", *recording->warning);
+    if (recording->header.physics_version != kPhysicsVersion)
+        fmt::print(
+            stderr,
+            "couloir: {}: recorded with version {} of the physics, played with version {}: its states are "
+            "not comparable with the recorded ones\n",
+            path->string(), recording->header.physics_version, kPhysicsVersion);
+    return Named{path->stem().string(), *path, std::move(*recording)};
+}
+
+Outcome<Recorder> new_recording(const Named& original, const std::filesystem::path& out,
+                                const Header& header) {
+    std::error_code error;
+    if (std::filesystem::equivalent(original.path, out, error))
+        return unusable(
+            fmt::format("{}: is the recording that is read; --out must be another file", out.string()));
+    return Recorder::create(out, header);
+}
+
+Outcome<Played> played(const Named& of, const Until& until, const sim::How& how,
+                       std::optional<Recorder> recorder) {
+    const Start& start = of.recording.header.start;
+    auto session = Session::begin(start, how, std::move(recorder));
+    if (!session) return tl::unexpected(session.error());
+    if (auto done = play_headless(*session, of.recording.commands, until, {}, of.name); !done)
+        return tl::unexpected(done.error());
+    if (auto closed = session->finish(); !closed) return tl::unexpected(closed.error());
+    const Measures measures = measure(start, *session, release_area(start, of.recording.commands), {});
+    const bool rests = sim::at_rest(session->state());
+    return Played{of, std::move(*session), measures, rests};
+}
+
+Until until(std::optional<std::int64_t> tick, const Recording& recording) {
+    Until until;
+    until.tick = until.most_ticks = std::min(tick.value_or(recording.last_tick()), recording.last_tick());
+    return until;
+}
+
+Outcome<void> check_ground(const Named& a, const Named& b) {
+    const auto differences = differences_of_ground(a.recording.header.start, b.recording.header.start);
+    if (differences.empty()) return {};
+    return unusable(
+        fmt::format("{} and {} are not on one ground: {}", a.name, b.name, fmt::join(differences, "; ")));
+}
+
+Comparison comparison_of(const Played& a, const Played& b, const sim::How& how) {
+    const Recording &one = a.of.recording, &other = b.of.recording;
+    const Start &start = one.header.start, &other_start = other.header.start;
+    Comparison comparison{.a = a, .b = b};
+    comparison.said = differences_of(start, other_start);
+    for (std::string& difference : differences_of(one.commands, other.commands))
+        comparison.said.push_back(std::move(difference));
+
+    comparison.deposit =
+        less(deposit_of(other_start, b.session.state()), deposit_of(start, a.session.state()));
+    comparison.peak_depth = less(b.session.peaks().depth, a.session.peaks().depth);
+    for (const float metres : comparison.deposit)
+        (metres > 0 ? comparison.more : comparison.less) +=
+            std::fabs(static_cast<double>(metres)) * start.grid.cell_area();
+    comparison.overlap = overlap_of(extent_of(a), extent_of(b));
+
+    comparison.followed = std::min(a.session.state().tick, b.session.state().tick);
+    Progress progress("side by side");
+    comparison.parted = first_divergence(
+        {start, one.commands, how, nullptr}, {other_start, other.commands, how, nullptr}, comparison.followed,
+        [&](std::int64_t tick) {
+            progress.show(static_cast<double>(tick) /
+                              static_cast<double>(std::max<std::int64_t>(comparison.followed, 1)),
+                          "alike so far");
+        });
+    return comparison;
+}
+
+std::string to_text(const Comparison& comparison) {
+    const auto names = names_of(comparison);
+    const std::size_t width = std::max({names[0].size(), names[1].size(), std::size_t{12}});
+    std::string text;
+    if (comparison.said.empty()) {
+        text += "told the same: start and commands\n";
+    } else {
+        text += "told differently:\n";
+        for (std::size_t i = 0; i < std::min(comparison.said.size(), kMostSaid); ++i)
+            text += fmt::format("  {}\n", comparison.said[i]);
+        if (comparison.said.size() > kMostSaid)
+            text += fmt::format("  and {} more\n", comparison.said.size() - kMostSaid);
+    }
+    text +=
+        fmt::format("\n{:<20}{:>{}}  {:>{}}  {:>12}\n", "", names[0], width, names[1], width, "difference");
+    for (const Row& row : rows_of(comparison))
+        text += fmt::format("{:<20}{:>{}.{}f}  {:>{}.{}f}  {:>12}\n", row.what, row.a, width, row.digits,
+                            row.b, width, row.digits, signed_text(row.b - row.a, row.digits));
+    const auto rests = [](const Played& played) { return played.at_rest ? "yes" : "no"; };
+    text += fmt::format("{:<20}{:>{}}  {:>{}}\n\n", "at rest", rests(comparison.a), width,
+                        rests(comparison.b), width);
+    if (comparison.overlap)
+        text += fmt::format("extents overlap by {:.3f} (intersection over union)\n", *comparison.overlap);
+    text +=
+        fmt::format("deposit, second less first: {}; {:.0f} m3 more in places, {:.0f} m3 less in others\n",
+                    extremes(comparison.deposit), comparison.more, comparison.less);
+    text += fmt::format("peak depth, second less first: {}\n\n", extremes(comparison.peak_depth));
+    text += comparison.parted ? to_text(*comparison.parted, comparison.a.of.recording.header.start, names)
+                              : fmt::format("the same bits in all {} ticks\n", comparison.followed);
+    return text;
+}
+
+Json to_json(const Comparison& comparison) {
+    Json json;
+    const auto side = [&](const Played& played) {
+        return Json{{"name", played.of.name},
+                    {"scene", played.of.recording.header.start.scene},
+                    {"ticks", played.session.state().tick},
+                    {"at_rest", played.at_rest},
+                    {"state_hash", hex(played.session.state_line().hash)}};
+    };
+    json["first"] = side(comparison.a), json["second"] = side(comparison.b);
+    for (const Row& row : rows_of(comparison)) {
+        json["first"][row.key] = row.a, json["second"][row.key] = row.b;
+        json["difference"][row.key] = row.b - row.a;
+    }
+    const auto extreme = [](const std::vector<float>& field) {
+        const auto [least, most] = std::minmax_element(field.begin(), field.end());
+        return Json{{"least_m", shortest(*least)}, {"greatest_m", shortest(*most)}};
+    };
+    json["deposit"] = extreme(comparison.deposit);
+    json["deposit"].update(Json{{"more_m3", comparison.more}, {"less_m3", comparison.less}});
+    json["peak_depth"] = extreme(comparison.peak_depth);
+    if (comparison.overlap) json["overlap"] = *comparison.overlap;
+    json["told_differently"] = comparison.said;
+    json["ticks_side_by_side"] = comparison.parted ? comparison.parted->tick : comparison.followed;
+    json["same"] = !comparison.parted;
+    if (comparison.parted)
+        json["parted"] = to_json(*comparison.parted, comparison.a.of.recording.header.start);
+    return json;
+}
+
+Outcome<void> write_maps(const std::filesystem::path& folder, const Comparison& comparison) {
+    if (auto made = make_folder(folder); !made) return made;
+    const Start& start = comparison.a.of.recording.header.start;
+    for (const auto& [name, field] : {std::pair{"difference.tif", &comparison.deposit},
+                                      std::pair{"peak_difference.tif", &comparison.peak_depth}})
+        if (auto written = terrains::write_geotiff(folder / name, start.grid, start.georeference, *field);
+            !written)
+            return machine_fails(written.error());
+    const auto draw = [&](const render::Picture& picture, const char* name) -> Outcome<void> {
+        if (auto written = render::write_png(picture, folder / name, render::kSmallestPngCompression);
+            !written)
+            return machine_fails(written.error());
+        return {};
+    };
+    if (auto drawn = draw(difference_map(comparison, MapOf::kDeposit), "difference.png"); !drawn)
+        return drawn;
+    if (auto drawn = draw(difference_map(comparison, MapOf::kPeakDepth), "peak_difference.png"); !drawn)
+        return drawn;
+    if (!comparison.parted) return {};
+    return draw(desync_picture(*comparison.parted, start, names_of(comparison)), "desync.png");
+}
+
+Outcome<void> tell(const Comparison& comparison, const std::optional<std::filesystem::path>& maps,
+                   bool json) {
+    if (maps)
+        if (auto written = write_maps(*maps, comparison); !written) return written;
+    fmt::print("{}", json ? printed(to_json(comparison)) : to_text(comparison));
+    return {};
+}
+
+}  // namespace game

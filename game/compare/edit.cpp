@@ -1,0 +1,171 @@
+#include "game/compare/edit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "game/recording/start_difference.h"
+
+namespace game {
+namespace {
+
+using Commands = std::vector<TimedCommand>;
+
+std::string_view name_of(const TimedCommand& timed) {
+    return sim::info_of(timed.command.kind).name;
+}
+
+std::string ticks_with_commands(const Commands& commands) {
+    constexpr std::size_t kMost = 8;
+    std::set<std::int64_t> ticks;
+    for (const TimedCommand& each : commands) ticks.insert(each.tick);
+    std::vector<std::int64_t> first(ticks.begin(), ticks.end());
+    if (first.empty()) return "it has no commands";
+    const bool more = first.size() > kMost;
+    if (more) first.resize(kMost);
+    return fmt::format("there are some in ticks {}{}", fmt::join(first, ", "), more ? ", …" : "");
+}
+
+// The place of the command that is meant.
+Outcome<std::size_t> find(const Commands& commands, const Edit& edit) {
+    std::vector<std::size_t> there;
+    for (std::size_t i = 0; i < commands.size(); ++i)
+        if (commands[i].tick == edit.tick) there.push_back(i);
+    if (there.empty())
+        return unusable(
+            fmt::format("no command stands in tick {}; {}", edit.tick, ticks_with_commands(commands)));
+    if (!edit.which && there.size() > 1) {
+        std::vector<std::string> names;
+        for (std::size_t i = 0; i < there.size(); ++i)
+            names.push_back(fmt::format("{} {}", i + 1, to_text(commands[there[i]].command)));
+        return unusable(fmt::format("{} commands stand in tick {}; --command says which one: {}",
+                                    there.size(), edit.tick, fmt::join(names, "; ")));
+    }
+    const int which = edit.which.value_or(1);
+    if (which < 1 || static_cast<std::size_t>(which) > there.size())
+        return unusable(fmt::format("--command {}: {} stand{} in tick {}", which, there.size(),
+                                    there.size() == 1 ? "s" : "", edit.tick));
+    return there[static_cast<std::size_t>(which) - 1];
+}
+
+std::vector<std::string> members_of(const sim::CommandInfo& info) {
+    std::vector<std::string> names;
+    for (const sim::CommandNumber& number : info.numbers) names.emplace_back(number.name);
+    if (info.has_param) names.emplace_back("param");
+    if (info.has_layer) names.emplace_back("as");
+    if (info.has_profile) names.emplace_back("profile");
+    if (info.has_part) names.emplace_back("of");
+    return names;
+}
+
+template <class Value>
+Outcome<void> take(const std::string& name, const std::string& text, const std::optional<Value>& value,
+                   Value& into) {
+    if (!value) return unusable(fmt::format("--set {}: '{}' is no value for it", name, text));
+    into = *value;
+    return {};
+}
+
+Outcome<void> set_member(sim::Command& command, const std::string& name, const std::string& text) {
+    const sim::CommandInfo& info = sim::info_of(command.kind);
+    for (const sim::CommandNumber& number : info.numbers) {
+        if (name != number.name) continue;
+        char* end = nullptr;
+        const double value = std::strtod(text.c_str(), &end);
+        const bool whole = !text.empty() && *end == '\0' && std::isfinite(value);
+        return take(name, text, whole ? std::optional(value) : std::nullopt, command.*number.value);
+    }
+    if (info.has_param && name == "param") return take(name, text, sim::param_from(text), command.param);
+    if (info.has_layer && name == "as") return take(name, text, sim::layer_from(text), command.layer);
+    if (info.has_profile && name == "profile")
+        return take(name, text, sim::profile_from(text), command.profile);
+    if (info.has_part && name == "of") return take(name, text, sim::part_from(text), command.of);
+    return unusable(fmt::format("--set {}: a {} has no such member; it has {}", name, info.name,
+                                fmt::join(members_of(info), ", ")));
+}
+
+Outcome<void> set_members(sim::Command& command, const std::string& members) {
+    for (std::size_t from = 0; from <= members.size();) {
+        const std::size_t to = std::min(members.find(',', from), members.size());
+        const std::string member = members.substr(from, to - from);
+        const std::size_t equals = member.find('=');
+        if (equals == std::string::npos)
+            return unusable(fmt::format("--set {}: '{}' is not NAME=VALUE", members, member));
+        if (auto set = set_member(command, member.substr(0, equals), member.substr(equals + 1)); !set)
+            return set;
+        from = to + 1;
+    }
+    return {};
+}
+
+bool has_place(const sim::Command& command) {
+    return command.kind != sim::CommandKind::kSet;
+}
+
+// What it becomes; nothing if it goes.
+struct Change {
+    float tick_s;
+    TimedCommand command;
+
+    using Result = Outcome<std::optional<TimedCommand>>;
+    Result operator()(const Edit::Delete&) const { return std::nullopt; }
+    Result operator()(const Edit::Set& set) const {
+        TimedCommand changed = command;
+        if (auto done = set_members(changed.command, set.members); !done) return tl::unexpected(done.error());
+        return changed;
+    }
+    Result operator()(const Edit::Move& move) const {
+        if (!has_place(command.command)) return unusable("--move: a set has no place");
+        TimedCommand changed = command;
+        changed.command.x += move.by.x, changed.command.y += move.by.y;
+        return changed;
+    }
+    Result operator()(const Edit::Delay& delay) const {
+        TimedCommand changed = command;
+        const double ticks = std::round(delay.seconds / static_cast<double>(tick_s));
+        if (!(std::fabs(ticks) < 1e9) || static_cast<double>(command.tick) + ticks < 0)
+            return unusable(
+                fmt::format("--delay {}: the {} would come {}", delay.seconds, name_of(command),
+                            ticks < 0 ? "before the first tick" : "later than anything is played"));
+        changed.tick += static_cast<std::int64_t>(ticks);
+        return changed;
+    }
+};
+
+}  // namespace
+
+Outcome<Edited> edited(const Recording& recording, const Edit& edit) {
+    Edited result{recording.commands, {}};
+    const auto place = find(result.commands, edit);
+    if (!place) return tl::unexpected(place.error());
+    const auto at = result.commands.begin() + static_cast<std::ptrdiff_t>(*place);
+    const TimedCommand before = *at;
+    const Start& start = recording.header.start;
+    const auto after = std::visit(Change{start.params.tick_s, before}, edit.change);
+    if (!after) return tl::unexpected(after.error());
+
+    result.change = fmt::format("tick {}: {}", before.tick, to_text(before.command));
+    result.commands.erase(at);
+    if (*after) {
+        if (const auto fault = sim::fault_of((*after)->command, start.lower.has_value()))
+            return unusable(*fault);
+        const auto later = [](std::int64_t tick, const TimedCommand& than) { return tick < than.tick; };
+        // Where it stood if it stays in its tick, else after those that were there.
+        const auto into =
+            (*after)->tick == before.tick
+                ? result.commands.begin() + static_cast<std::ptrdiff_t>(*place)
+                : std::upper_bound(result.commands.begin(), result.commands.end(), (*after)->tick, later);
+        result.commands.insert(into, **after);
+        result.change += fmt::format(" becomes tick {}: {}", (*after)->tick, to_text((*after)->command));
+    } else {
+        result.change += " is left out";
+    }
+    if (const auto fault = fault_of_sets(start.params, result.commands)) return unusable(*fault);
+    return result;
+}
+
+}  // namespace game

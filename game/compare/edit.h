@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "game/outcome.h"
+#include "game/recording/reader.h"
+
+namespace game {
+
+// One command of a recording, and what becomes of it.
+struct Edit {
+    struct Set {
+        std::string members;  // "x=80,rate=400,as=standing", named as in the recording
+    };
+    struct Delete {};
+    struct Move {
+        glm::dvec2 by{0};  // m, to the east and to the north
+    };
+    struct Delay {
+        double seconds = 0;  // earlier where negative; whole ticks are made of it
+    };
+
+    std::int64_t tick = 0;
+    std::optional<int> which;  // of those in that tick, from 1; none: the only one
+    std::variant<Set, Delete, Move, Delay> change;
+};
+
+struct Edited {
+    std::vector<TimedCommand> commands;  // in order of their ticks
+    std::string change;                  // for people: "pour of tick 60: x=80 becomes x=100"
+};
+// Errors, without the file's name: there is no such command, or it cannot be so.
+Outcome<Edited> edited(const Recording& recording, const Edit& edit);
+
+}  // namespace game

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "render/sheet.h"
+
+namespace game {
+
+// Letters on a sheet, without GL: those that the panels have (ui_font.h).
+class Lettering {
+  public:
+    explicit Lettering(float height_px);
+    ~Lettering();
+    Lettering(Lettering&&) noexcept;
+
+    float height() const { return height_; }   // px, from line to line
+    float width(std::string_view text) const;  // px; one line of UTF-8
+    // From its top left corner on. `colour` as in Sheet, sRGB 0 to 255.
+    void write(render::Sheet& sheet, glm::vec2 at, std::string_view text, const glm::vec3& colour) const;
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+    float height_;
+};
+
+}  // namespace game

@@ -1,0 +1,131 @@
+#include "game/compare/map_page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+namespace game {
+namespace {
+
+constexpr float kMargin = 28, kGap = 34, kMap = 760;  // px
+constexpr float kLeastHeight = 720;
+constexpr float kIndent = 38;  // of what a colour means
+const glm::vec3 kText{38, 40, 46}, kDim{110, 114, 122};
+
+Relief relief_for(const Start& start, glm::ivec2 first, glm::ivec2 last) {
+    const glm::ivec2 cells = last - first + 1;
+    return {start, first, last, {kMargin, kMargin}, kMap / static_cast<float>(std::max(cells.x, cells.y))};
+}
+
+render::Sheet sheet_for(const Relief& relief) {
+    const glm::vec2 map = relief.size();
+    return {static_cast<int>(std::ceil(map.x + 2 * kMargin + kGap + MapPage::kColumn)),
+            static_cast<int>(std::ceil(std::max(map.y + 2 * kMargin, kLeastHeight)))};
+}
+
+}  // namespace
+
+MapPage::MapPage(const Start& start) : MapPage(start, {0, 0}, {start.grid.nx - 1, start.grid.ny - 1}) {}
+
+MapPage::MapPage(const Start& start, glm::ivec2 first, glm::ivec2 last)
+    : start_(start),
+      relief_(relief_for(start, first, last)),
+      sheet_(sheet_for(relief_)),
+      large_(26),
+      usual_(17),
+      small_(14),
+      pen_(kMargin + relief_.size().x + kGap, kMargin - 4) {}
+
+void MapPage::write(const Lettering& letters, const std::string& text, const glm::vec3& colour) {
+    std::istringstream words(text);
+    std::string line;
+    const float room = static_cast<float>(sheet_.picture.width) - kMargin / 2 - pen_.x;
+    const auto end_line = [&] {
+        letters.write(sheet_, pen_, line, colour);
+        pen_.y += std::round(letters.height() * 1.25f);
+        line.clear();
+    };
+    for (std::string word; words >> word;) {
+        if (!line.empty() && letters.width(line + " " + word) > room) end_line();
+        line += (line.empty() ? "" : " ") + word;
+    }
+    end_line();
+}
+
+void MapPage::title(const std::string& text) {
+    write(large_, text, kText);
+}
+void MapPage::say(const std::string& text) {
+    write(usual_, text, kText);
+}
+void MapPage::whisper(const std::string& text) {
+    write(small_, text, kDim);
+}
+
+void MapPage::swatch(const glm::vec3& colour, const std::string& meaning) {
+    const float middle = pen_.y + usual_.height() / 2 + 1;
+    sheet_.paint(
+        {pen_.x, pen_.y - 2}, {pen_.x + 25, pen_.y + usual_.height() + 2},
+        [](const glm::vec2&) { return 1.f; }, colour);
+    usual_.write(sheet_, {pen_.x + kIndent, middle - usual_.height() / 2 - 1}, meaning, kText);
+    pen_.y += usual_.height() + 5;
+}
+
+void MapPage::stroke(float width, float dash, const glm::vec3& colour, const std::string& meaning) {
+    const float middle = std::round(pen_.y + usual_.height() / 2) + 0.5f;
+    const float step = dash > 0 ? 2 * dash : 26;
+    for (float x = 0; x < 25; x += step)
+        sheet_.line({pen_.x + x, middle}, {pen_.x + std::min(x + (dash > 0 ? dash : 26), 26.f), middle},
+                    width, colour);
+    usual_.write(sheet_, {pen_.x + kIndent, pen_.y}, meaning, kText);
+    pen_.y += usual_.height() + 6;
+}
+
+void MapPage::ring(const glm::vec3& colour, const std::string& meaning) {
+    draw_ring(pen_ + glm::vec2(13, usual_.height() / 2), 8, colour);
+    usual_.write(sheet_, {pen_.x + kIndent, pen_.y}, meaning, kText);
+    pen_.y += usual_.height() + 6;
+}
+
+void MapPage::scale_bar() {
+    const double metres_per_pixel = static_cast<double>(start_.grid.dx / relief_.pixels_per_cell());
+    const double most = 0.55 * static_cast<double>(kColumn) * metres_per_pixel;
+    double metres = std::pow(10, std::floor(std::log10(most)));
+    for (const double times : {5.0, 2.0})
+        if (times * metres <= most) {
+            metres *= times;
+            break;
+        }
+    const auto length = static_cast<float>(metres / metres_per_pixel);
+    const float y =
+        std::round(std::max(pen_.y + 40, static_cast<float>(sheet_.picture.height) - kMargin)) - 2.5f;
+    const glm::vec2 left(pen_.x, y), right(pen_.x + length, y);
+    sheet_.line(left, right, 2, kText);
+    for (const glm::vec2& end : {left, right}) sheet_.line(end - glm::vec2(0, 6), end, 2, kText);
+    usual_.write(sheet_, left - glm::vec2(-2, 27), fmt::format("{:g} m", metres), kText);
+
+    const glm::vec2 foot(pen_.x + kColumn - 26, y);
+    sheet_.triangle({foot + glm::vec2(-8, 0), foot + glm::vec2(8, 0), foot - glm::vec2(0, 26)}, kText);
+    usual_.write(sheet_, foot - glm::vec2(usual_.width("N") / 2, 46), "N", kText);
+}
+
+void MapPage::draw_ring(glm::vec2 at, float radius, const glm::vec3& colour) {
+    const glm::vec3 kHalo{255, 255, 255};
+    for (const auto& [width, ink] : {std::pair{5.f, kHalo}, std::pair{2.2f, colour}})
+        sheet_.paint(
+            at - radius - 4.f, at + radius + 4.f,
+            [&, half = width / 2](const glm::vec2& pixel) {
+                return half + 0.5f - std::fabs(glm::length(pixel - at) - radius);
+            },
+            ink);
+}
+
+void MapPage::draw_box(glm::vec2 from, glm::vec2 to, float thickness, const glm::vec3& colour) {
+    const glm::vec2 corners[] = {from, {to.x, from.y}, to, {from.x, to.y}};
+    for (int i = 0; i < 4; ++i) sheet_.line(corners[i], corners[(i + 1) % 4], thickness, colour);
+}
+
+}  // namespace game

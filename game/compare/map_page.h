@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+
+#include "game/compare/lettering.h"
+#include "game/compare/relief.h"
+
+namespace game {
+
+// A sheet with a world's relief on the left and a column beside it that is filled from the top: titles, what
+// colours mean, sentences.
+class MapPage {
+  public:
+    // All of the world, or the vertices from `first` to `last`, which lie in it.
+    explicit MapPage(const Start& start);
+    MapPage(const Start& start, glm::ivec2 first, glm::ivec2 last);
+
+    render::Sheet& sheet() { return sheet_; }
+    const Relief& relief() const { return relief_; }
+    glm::vec2 pen() const { return pen_; }  // where the column goes on, px
+    static constexpr float kColumn = 340;   // px wide
+
+    void title(const std::string& text);
+    void say(const std::string& text);      // a paragraph, broken where it must be
+    void whisper(const std::string& text);  // the same, smaller
+    void skip(float px) { pen_.y += px; }
+    // What a colour, a line, a ring on the map means.
+    void swatch(const glm::vec3& colour, const std::string& meaning);
+    void stroke(float width, float dash, const glm::vec3& colour, const std::string& meaning);
+    void ring(const glm::vec3& colour, const std::string& meaning);
+    // At the foot of the column: how long metres are, and where north is.
+    void scale_bar();
+
+    void draw_ring(glm::vec2 at, float radius, const glm::vec3& colour);
+    void draw_box(glm::vec2 from, glm::vec2 to, float thickness, const glm::vec3& colour);
+
+  private:
+    void write(const Lettering& letters, const std::string& text, const glm::vec3& colour);
+
+    const Start& start_;
+    Relief relief_;
+    render::Sheet sheet_;
+    Lettering large_, usual_, small_;
+    glm::vec2 pen_;
+};
+
+}  // namespace game

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "game/start.h"
+#include "render/sheet.h"
+
+namespace game {
+
+// Part of a world's first surface from above as a shaded relief in grey, with contours and north at the top,
+// without GL: paper for what is to be shown on it. A vertex's cell reaches half a cell beyond it.
+class Relief {
+  public:
+    // Vertices first to last, inclusive and fractions too, in a rectangle of a sheet whose top left corner is
+    // `corner`, `pixels_per_cell` > 0.
+    Relief(const Start& start, glm::vec2 first, glm::vec2 last, glm::vec2 corner, float pixels_per_cell);
+
+    glm::vec2 size() const;                  // px
+    glm::vec2 place(glm::vec2 cells) const;  // of a vertex, on the sheet
+    glm::vec2 cells(glm::vec2 place) const;  // and back
+    bool covers(glm::vec2 place) const;      // of the sheet
+    float pixels_per_cell() const { return scale_; }
+
+    // `tint(cells)` colours the ground, sRGB 0 to 255, and says how much of it is seen, 0 to 1; the relief
+    // shades it too.
+    struct Tint {
+        glm::vec3 colour{0};
+        float share = 0;
+    };
+    void draw(render::Sheet& sheet, const std::function<Tint(glm::vec2)>& tint) const;
+
+    // The line around where a field is at least `level`, `width` px wide; dashed where `dash` > 0, px.
+    void outline(render::Sheet& sheet, std::span<const float> field, float level, float width, float dash,
+                 const glm::vec3& colour) const;
+
+  private:
+    struct Ground {
+        float height;    // m above datum
+        glm::vec2 fall;  // its slope to the east and to the north
+    };
+    Ground ground(glm::vec2 cells) const;
+    bool has_ground(glm::vec2 cells) const;
+
+    const Start& start_;
+    glm::vec2 first_, last_, corner_;
+    float scale_;
+    float contours_;  // m between two
+};
+
+// A field between vertices, bilinear; beyond the border as at it.
+float between(const sim::Grid& grid, std::span<const float> field, glm::vec2 cells);
+
+}  // namespace game

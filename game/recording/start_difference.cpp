@@ -1,0 +1,147 @@
+#include "game/recording/start_difference.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "sim/params.h"
+
+namespace game {
+namespace {
+
+template <class A, class B>
+std::string differs(std::string_view what, const A& a, const B& b) {
+    return fmt::format("{} is {} in the first and {} in the second", what, a, b);
+}
+
+constexpr std::string_view kSides[] = {"west", "east", "south", "north"};
+
+void add_choices(const sim::Params& a, const sim::Params& b, std::vector<std::string>& found) {
+    const auto add = [&](std::string_view what, auto one, auto other) {
+        if (one != other) found.push_back(differs(what, sim::to_string(one), sim::to_string(other)));
+    };
+    add("the model", a.model, b.model);
+    add("the scheme", a.scheme, b.scheme);
+    add("the law", a.law, b.law);
+    for (std::size_t side = 0; side < a.borders.size(); ++side)
+        add(fmt::format("the {} border", kSides[side]), a.borders[side], b.borders[side]);
+}
+
+void add_numbers(const std::string& of, const sim::Params& a, const sim::Params& b,
+                 std::vector<std::string>& found) {
+    for (const sim::ParamInfo& info : sim::kParams)
+        if (a.*info.value != b.*info.value)
+            found.push_back(differs(fmt::format("{}{}", of, info.name), a.*info.value, b.*info.value));
+}
+
+void add_field(const char* what, const std::vector<float>& a, const std::vector<float>& b,
+               std::vector<std::string>& found) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) count += a[i] != b[i];
+    if (count > 0) found.push_back(fmt::format("{} is another at {} vertices", what, count));
+}
+
+struct Choice {
+    std::string_view name, value;
+};
+// Those members of a command that are no numbers.
+std::vector<Choice> choices_of(const sim::Command& command) {
+    const sim::CommandInfo& info = sim::info_of(command.kind);
+    std::vector<Choice> choices;
+    if (info.has_param) choices.push_back({"param", sim::kParams[command.param].name});
+    if (info.has_layer) choices.push_back({"as", sim::to_string(command.layer)});
+    if (info.has_profile) choices.push_back({"profile", sim::to_string(command.profile)});
+    if (info.has_part) choices.push_back({"of", sim::to_string(command.of)});
+    return choices;
+}
+
+void add_members(const TimedCommand& a, const TimedCommand& b, std::vector<std::string>& found) {
+    const sim::CommandInfo& info = sim::info_of(a.command.kind);
+    if (a.tick != b.tick)
+        found.push_back(differs(fmt::format("the tick of a {}", info.name), a.tick, b.tick));
+    const auto what = [&](std::string_view member) {
+        return fmt::format("at tick {} the {}'s {}", a.tick, info.name, member);
+    };
+    for (const sim::CommandNumber& number : info.numbers)
+        if (a.command.*number.value != b.command.*number.value)
+            found.push_back(differs(what(number.name), a.command.*number.value, b.command.*number.value));
+    const auto choices = choices_of(a.command), others = choices_of(b.command);
+    for (std::size_t i = 0; i < choices.size(); ++i)
+        if (choices[i].value != others[i].value)
+            found.push_back(differs(what(choices[i].name), choices[i].value, others[i].value));
+}
+
+}  // namespace
+
+std::vector<std::string> differences_of_ground(const Start& a, const Start& b) {
+    std::vector<std::string> found;
+    if (a.grid != b.grid) {
+        const auto text = [](const sim::Grid& grid) {
+            return fmt::format("{}x{} squares of {:.4g} m", grid.nx - 1, grid.ny - 1, grid.dx);
+        };
+        found.push_back(differs("the grid", text(a.grid), text(b.grid)));
+        return found;
+    }
+    const std::size_t before = found.size();
+    if (a.datum != b.datum) found.push_back(differs("the datum", a.datum, b.datum));
+    add_field("bedrock", a.bedrock, b.bedrock, found);
+    if (a.has_data != b.has_data) found.emplace_back("no-data lies elsewhere");
+    if (found.size() > before && a.terrain != b.terrain)
+        found.insert(found.begin(), differs("the terrain", a.terrain, b.terrain));
+    return found;
+}
+
+std::vector<std::string> differences_of(const Start& a, const Start& b) {
+    std::vector<std::string> found = differences_of_ground(a, b);
+    add_choices(a.params, b.params, found);
+    add_numbers("", a.params, b.params, found);
+    if (a.lower.has_value() != b.lower.has_value())
+        found.push_back(
+            fmt::format("only the {} has a second material", a.lower.has_value() ? "first" : "second"));
+    else if (a.lower)
+        add_numbers("the lower material's ", a.lower->params, b.lower->params, found);
+    if (a.grid != b.grid) return found;
+    add_field("the cover's depth", a.depth, b.depth, found);
+    add_field("what rolls at first", a.rolling, b.rolling, found);
+    if (a.lower && b.lower) add_field("the lower material's depth", a.lower->depth, b.lower->depth, found);
+    return found;
+}
+
+std::vector<std::string> differences_of(std::span<const TimedCommand> a, std::span<const TimedCommand> b) {
+    const auto same = [](const TimedCommand& one, const TimedCommand& other) {
+        return one.tick == other.tick && one.command == other.command;
+    };
+    while (!a.empty() && !b.empty() && same(a.front(), b.front())) a = a.subspan(1), b = b.subspan(1);
+    while (!a.empty() && !b.empty() && same(a.back(), b.back()))
+        a = a.first(a.size() - 1), b = b.first(b.size() - 1);
+
+    std::vector<std::string> found;
+    const auto same_kinds = [&] {
+        return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
+            return one.command.kind == other.command.kind;
+        });
+    };
+    if (same_kinds()) {
+        for (std::size_t i = 0; i < a.size(); ++i) add_members(a[i], b[i], found);
+        return found;
+    }
+    const auto only = [&](const char* which, std::span<const TimedCommand> commands) {
+        for (const TimedCommand& each : commands)
+            found.push_back(
+                fmt::format("only the {} has, at tick {}: {}", which, each.tick, to_text(each.command)));
+    };
+    only("first", a), only("second", b);
+    return found;
+}
+
+std::string to_text(const sim::Command& command) {
+    std::string text(sim::info_of(command.kind).name);
+    for (const sim::CommandNumber& number : sim::info_of(command.kind).numbers)
+        text += fmt::format(" {}={}", number.name, command.*number.value);
+    for (const Choice& choice : choices_of(command))
+        if (choice.name != "of" || command.of != sim::Part::kUpper)
+            text += fmt::format(" {}={}", choice.name, choice.value);
+    return text;
+}
+
+}  // namespace game

@@ -1,0 +1,81 @@
+// Recordings that ship, done twice: with other threads and tiles they are the same, and a fault that is
+// planted in one of both is found where it was planted.
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+
+#include <gtest/gtest.h>
+
+#include "game/compare/desync_picture.h"
+#include "game/recording/divergence.h"
+#include "game/recording/divergence_report.h"
+#include "render/picture.h"
+#include "sim/scratch.h"
+#include "tests/replay/play.h"
+
+namespace game::test {
+namespace {
+
+class Paranoid : public testing::TestWithParam<const char*> {};
+
+TEST_P(Paranoid, first_200_ticks_are_the_same_with_other_threads_tiles_and_order) {
+    const Recording recording = open(GetParam());
+    const Start& start = recording.header.start;
+    const sim::How other{.threads = 3, .tile_width = 32, .tile_height = 8, .last_tile_first = true};
+    const auto parted = first_divergence({start, recording.commands, {}, nullptr},
+                                         {start, recording.commands, other, nullptr}, 200);
+    EXPECT_FALSE(parted) << to_text(*parted, start, {"one", "other"});
+}
+
+INSTANTIATE_TEST_SUITE_P(Recordings, Paranoid,
+                         testing::Values("landslide", "landslide-bcre", "snow-avalanche"),
+                         [](const auto& name) {
+                             std::string text = name.param;
+                             std::replace(text.begin(), text.end(), '-', '_');
+                             return text;
+                         });
+
+// COULOIR_DESYNC names a file for the picture.
+TEST(PlantedFault, in_the_snow_avalanche_is_found_at_its_stage_and_cell) {
+    constexpr std::int64_t kTick = 420;
+    const Recording recording = open("snow-avalanche");
+    const Start& start = recording.header.start;
+    int x = 0, y = 0;
+    float most = 0;
+    const auto fault = [&](const Side::Moment& at) {
+        if (at.tick != kTick || at.substep != 0 || at.stage != "predict") return;
+        // Where most is on its way, so that it shows.
+        if (most == 0)
+            for (int j = 0; j < start.grid.ny; ++j)
+                for (int i = 0; i < start.grid.nx; ++i)
+                    if (const float flow = at.state.rolling(i, j) * std::fabs(at.state.velocity_y(i, j));
+                        flow > most)
+                        most = flow, x = i, y = j;
+        float& value = at.scratch->flow_then.velocity_x(x, y);
+        value = std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) + 4096);
+    };
+    const sim::How plainly{.plain = true};
+    const auto parted = first_divergence({start, recording.commands, plainly, nullptr},
+                                         {start, recording.commands, plainly, fault}, kTick + 1);
+    ASSERT_TRUE(parted);
+    EXPECT_EQ(parted->where, Divergence::Where::kStage);
+    EXPECT_EQ(parted->tick, kTick);
+    EXPECT_EQ(parted->substep, 0);
+    EXPECT_EQ(parted->name, "predict");
+    ASSERT_EQ(parted->fields.size(), 1u);
+    EXPECT_EQ(parted->fields[0].field, "then.velocity_x");
+    EXPECT_EQ(parted->fields[0].x, x);
+    EXPECT_EQ(parted->fields[0].y, y);
+    EXPECT_EQ(parted->fields[0].ulps, 4096u);
+
+    const std::array<std::string, 2> names{"sound", "planted"};
+    if (const char* file = std::getenv("COULOIR_DESYNC")) {
+        std::cout << to_text(*parted, start, names);
+        ASSERT_TRUE(
+            render::write_png(desync_picture(*parted, start, names), file, render::kSmallestPngCompression));
+    }
+}
+
+}  // namespace
+}  // namespace game::test
