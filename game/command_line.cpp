@@ -154,6 +154,9 @@ void add_pictures(CLI::App& app, PictureOptions& options, const char* where) {
 void add_results(CLI::App& app, ResultOptions& options) {
     app.add_option("--perf", options.perf, "write the performance log, a line per tick")
         ->type_name("FILE.csv");
+    app.add_option("--trace", options.trace,
+                   "write what each frame did, for ui.perfetto.dev or chrome://tracing")
+        ->type_name("FILE.json");
     app.add_option("--summary", options.summary, "write what is printed in the end, and more, as JSON")
         ->type_name("FILE.json");
     app.add_flag("--json", options.json, "print the summary as JSON");
@@ -386,6 +389,70 @@ void add_figures(CLI::App& app, FiguresOptions& options) {
         ->check(CLI::Range(1, kMostThreads));
 }
 
+void add_bench(CLI::App& app, BenchOptions& options) {
+    app.add_option("recordings", options.recordings,
+                   "names from `couloir list`, or files [all that ship; with --scaling snow-avalanche]")
+        ->type_name("RECORDING");
+    app.add_option(
+           "--grid", options.squares,
+           "squares along the longer side, several with commas between [80,160; with --scaling 40 to 2048]")
+        ->delimiter(',')
+        ->check(CLI::Range(8, 4096))
+        ->type_name("N");
+    app.add_option("--physics", options.physics,
+                   fmt::format("several with commas between: {} [all; with --scaling the recording's own]",
+                               bench_physics_names()))
+        ->delimiter(',')
+        ->check(
+            [](const std::string& name) {
+                return bench_physics_named(name)
+                           ? ""
+                           : fmt::format("'{}' is none of {}", name, bench_physics_names());
+            },
+            "")
+        ->type_name("NAME");
+    app.add_flag(
+        "--scaling", options.scaling,
+        "how the cost of every part grows with the grid and with the length of the front: one avalanche "
+        "on grid after grid");
+    app.add_option("--repeats", options.how.repeats, "of each recording, after a warm-up; not of --scaling")
+        ->check(CLI::Range(1, 1000))
+        ->type_name("N")
+        ->capture_default_str();
+    app.add_option("--ticks", options.how.ticks, "of each recording at most [all]")
+        ->check(CLI::Range(1, 1 << 30))
+        ->type_name("N");
+    app.add_option("--every", options.how.every,
+                   "ticks from one drawn frame to the next (60 ticks are a second)")
+        ->check(CLI::Range(1, 1 << 20))
+        ->type_name("TICKS")
+        ->capture_default_str();
+    add_size(app, options.size, "of the frames, in pixels [640x360]");
+    add_gl(app, options.gl);
+    app.add_flag_callback(
+        "--no-render", [&options] { options.draws = false; }, "draw nothing");
+    app.add_option("--perf", options.perf, "write a line per tick, or per row of --scaling")
+        ->type_name("FILE.csv");
+    app.add_option("--summary", options.summary, "write the report as JSON, to compare with later")
+        ->type_name("FILE.json");
+    app.add_flag("--json", options.json, "print the report as JSON instead of tables");
+    app.add_option("--page", options.page, "write tables and plots as one page that needs nothing else")
+        ->type_name("FILE.html");
+    app.add_option("--trace", options.trace,
+                   "write the last repeats, for ui.perfetto.dev or chrome://tracing")
+        ->type_name("FILE.json");
+    app.add_option(
+           "--against", options.against,
+           "compare with an earlier report; status 1 where a stage takes longer by more than --tolerance")
+        ->type_name("FILE.json");
+    add_positive(app, "--tolerance", options.tolerance, "as a share [0.25]");
+    add_how(app, options.how.how);
+    app.footer(
+        "Status 1 too where a recording does not end in its golden states, or repeats differ: such times "
+        "count for "
+        "nothing.\n");
+}
+
 // What the options of a track must add up to; says what was left to us.
 Outcome<void> check(TrackOptions& options) {
     using sim::front::Rule, sim::front::Source;
@@ -470,6 +537,10 @@ Outcome<int> run_command_line(int argc, char** argv) {
         "normalise",
         "rewrite a recording in the newest format, with the states of this version of the physics");
     add_normalise(*normalise_app, normalise_options);
+    BenchOptions bench_options;
+    CLI::App* bench_app = app.add_subcommand(
+        "bench", "what recordings cost, stage by stage, on several grids and in several physics");
+    add_bench(*bench_app, bench_options);
     CLI::App* verify_app = app.add_subcommand(
         "verify-physics",
         "compare the solver with exact answers: errors and orders; 1 where one misses its bound");
@@ -497,6 +568,10 @@ Outcome<int> run_command_line(int argc, char** argv) {
     if (compare_app->parsed()) return compare(compare_options);
     if (edit_app->parsed()) return edit(edit_options);
     if (normalise_app->parsed()) return normalise(normalise_options);
+    if (bench_app->parsed()) {
+        if (bench_options.scaling && bench_options.trace) return unusable("--trace is not for --scaling");
+        return bench(bench_options);
+    }
     if (verify_app->parsed()) return verify_physics();
     return replay_app->parsed() ? replay(replay_options) : list(list_options);
 }

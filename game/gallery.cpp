@@ -1,7 +1,8 @@
 #include "game/gallery.h"
 
-#include <chrono>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "game/assets.h"
 #include "game/text_file.h"
@@ -26,16 +27,12 @@ struct Gallery::Parts {
     Parts(render::HeadlessContext&& gl, render::Renderer&& with)
         : context(std::move(gl)), renderer(std::move(with)) {}
 
-    double draw(const sim::View& world, const sim::front::FlowView* flow, const render::Camera& from,
-                const std::string& name) {
-        const auto before = std::chrono::steady_clock::now();
+    render::DrawTimes draw(const sim::View& world, const sim::front::FlowView* flow,
+                           const render::Camera& from, const std::string& name) {
         renderer.draw(world, from, light, look, {}, size.width, size.height, flow);
-        render::Picture picture =
-            renderer.read_back();  // waits for the frame, so that the time is the frame's
-        const auto after = std::chrono::steady_clock::now();
-        writer.submit(std::move(picture), folder / (name + ".png"));
+        writer.submit(renderer.read_back(), folder / (name + ".png"));
         ++pictures;
-        return std::chrono::duration<double, std::milli>(after - before).count();
+        return *renderer.stage_times();
     }
 };
 
@@ -77,6 +74,7 @@ Outcome<Gallery> Gallery::open(const std::filesystem::path& folder, PictureSize 
         if (auto loaded = renderer->load(start.look.flow->pattern); !loaded)
             return machine_fails(loaded.error());
 
+    renderer->time_stages(render::suitable_timing());
     auto parts = std::make_unique<Parts>(std::move(*context), std::move(*renderer));
     parts->folder = folder;
     parts->size = size;
@@ -91,12 +89,13 @@ Gallery::~Gallery() = default;
 Gallery::Gallery(Gallery&&) noexcept = default;
 Gallery& Gallery::operator=(Gallery&&) noexcept = default;
 
-double Gallery::draw(const sim::View& world, const sim::front::FlowView* flow, const std::string& name) {
+render::DrawTimes Gallery::draw(const sim::View& world, const sim::front::FlowView* flow,
+                                const std::string& name) {
     if (!parts_->camera) parts_->camera = render::overview(world);
     return parts_->draw(world, flow, *parts_->camera, name);
 }
 
-double Gallery::draw_map(const sim::View& world, const std::string& name) {
+render::DrawTimes Gallery::draw_map(const sim::View& world, const std::string& name) {
     return parts_->draw(world, nullptr,
                         map_camera(world, static_cast<double>(parts_->size.width) / parts_->size.height),
                         name);
@@ -109,6 +108,11 @@ Outcome<void> Gallery::close() {
 
 std::string Gallery::renderer_name() const {
     return parts_->context.renderer_name();
+}
+render::DrawnBy Gallery::drawn_by() const {
+    return {renderer_name(),
+            fmt::format("{}x{} pixels, four samples each", parts_->size.width, parts_->size.height),
+            render::suitable_timing()};
 }
 int Gallery::pictures() const {
     return parts_->pictures;

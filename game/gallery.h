@@ -6,6 +6,7 @@
 
 #include "game/outcome.h"
 #include "game/start.h"
+#include "render/draw_times.h"
 #include "sim/front/flow_view.h"
 #include "sim/state.h"
 
@@ -27,14 +28,15 @@ class Gallery {
     Gallery& operator=(Gallery&&) noexcept;
 
     // Draws the world as it is, with the texture that its flow carries, if any, and hands the picture on to
-    // be written as NAME.png. Returns the milliseconds drawing took.
-    double draw(const sim::View& world, const sim::front::FlowView* flow, const std::string& name);
+    // be written as NAME.png. Returns what its stages took, reading it back not among them.
+    render::DrawTimes draw(const sim::View& world, const sim::front::FlowView* flow, const std::string& name);
     // Seen straight from above, with north up.
-    double draw_map(const sim::View& world, const std::string& name);
+    render::DrawTimes draw_map(const sim::View& world, const std::string& name);
     // Waits for the last picture. Errors: one could not be written (status 3).
     Outcome<void> close();
 
     std::string renderer_name() const;
+    render::DrawnBy drawn_by() const;
     int pictures() const;
 
   private:

@@ -6,35 +6,10 @@
 #include <fmt/format.h>
 
 #include "game/progress.h"
-#include "sim/front/remesh_reference.h"
 #include "sim/step.h"
 
 namespace game {
 namespace {
-
-PerfRow perf_row(const Session& session, std::optional<double> draw_ms, double frame_ms) {
-    const sim::State& state = session.state();
-    const sim::Ledger& mass = state.ledger;
-    PerfRow row;
-    row.tick = state.tick;
-    row.time_s = session.seconds();
-    row.substeps = sim::substeps_of(state).count;
-    row.solve_ms = session.times().solve_ms;
-    if (const auto* fronts = session.fronts()) {
-        const TickTimes& times = session.times();
-        row.fronts = {times.track_ms, times.gradient_ms, times.advect_ms, fronts->tracker().points().size(),
-                      static_cast<std::size_t>(sim::front::count_cut_triangles(fronts->tracker()))};
-    }
-    row.draw_ms = draw_ms;
-    row.frame_ms = frame_ms;
-    row.active_cells = session.active_cells();
-    row.standing_m3 = session.cubic_metres(mass.standing);
-    row.rolling_m3 = session.cubic_metres(mass.rolling);
-    row.out_m3 = session.cubic_metres(mass.out);
-    row.error_m3 = session.cubic_metres(mass.mass_error());
-    row.state_hash = session.state_line().hash;
-    return row;
-}
 
 std::string picture_name(std::int64_t tick) {
     return fmt::format("tick_{:06}", tick);
@@ -61,10 +36,13 @@ Outcome<bool> play_headless(Session& session, std::span<const TimedCommand> comm
         return (until.tick && tick >= *until.tick) ||
                (until.rest && tick > 0 && next == commands.size() && sim::at_rest(session.state()));
     };
-    const auto draw = [&] {
+    const auto draw = [&]() -> render::DrawTimes {
         return watchers.gallery->draw(session.view(), session.fronts(), picture_name(session.state().tick));
     };
 
+    using Clock = std::chrono::steady_clock;
+    using Milliseconds = std::chrono::duration<double, std::milli>;
+    const auto began = Clock::now();
     if (watchers.gallery) draw();
     while (!done()) {
         const std::int64_t tick = session.state().tick;
@@ -74,14 +52,20 @@ Outcome<bool> play_headless(Session& session, std::span<const TimedCommand> comm
         for (; next < commands.size() && commands[next].tick == tick; ++next)
             due.push_back(commands[next].command);
 
-        const auto before = std::chrono::steady_clock::now();
+        const auto before = Clock::now();
         if (auto advanced = session.advance(due); !advanced) return tl::unexpected(advanced.error());
-        std::optional<double> draw_ms;
-        const bool last = done();
-        if (watchers.gallery && (last || (tick + 1) % watchers.ticks_per_picture == 0)) draw_ms = draw();
-        const std::chrono::duration<double, std::milli> frame = std::chrono::steady_clock::now() - before;
-
-        if (watchers.perf) watchers.perf->add(perf_row(session, draw_ms, frame.count()));
+        std::optional<PerfRow> row;
+        if (watchers.perf) row = perf_row(session);
+        if (watchers.gallery && (done() || (tick + 1) % watchers.ticks_per_picture == 0)) {
+            const render::DrawTimes times = draw();
+            if (row) row->ms.add(times);
+        }
+        if (row) {
+            row->begin_ms = Milliseconds(before - began).count();
+            row->frame_ms = Milliseconds(Clock::now() - before).count();
+            row->cut_triangles = cut_triangles(session);
+            watchers.perf->add(*row);
+        }
         if (watchers.after_tick) watchers.after_tick(session);
         report(progress, session, until);
     }

@@ -1,42 +1,67 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "game/outcome.h"
 #include "game/recording/format.h"
 #include "game/session.h"
+#include "render/draw_times.h"
 
 namespace game {
 
-// One tick's line of the performance log. A stage that did not run in this tick has no value.
+// What of a frame is timed, in the order in which it happens.
+enum class Part { kSolve, kHash, kTrack, kAdvect, kGradient, kPeaks, kUpload, kRemesh, kDraw };
+inline constexpr std::size_t kPartCount = 9;
+inline constexpr std::array<const char*, kPartCount> kPartNames{
+    "solve", "hash", "track", "advect", "gradient", "peaks", "upload", "remesh", "draw"};
+inline constexpr std::size_t kTickParts = 6;  // the first, which need no picture
+
+// Milliseconds of each; none where it did not run.
+struct PartTimes : std::array<std::optional<double>, kPartCount> {
+    std::optional<double>& operator()(Part part) { return (*this)[static_cast<std::size_t>(part)]; }
+    const std::optional<double>& operator()(Part part) const {
+        return (*this)[static_cast<std::size_t>(part)];
+    }
+    double tick() const;  // all that need no picture
+    double sum() const;   // all
+    bool drawn() const { return (*this)(Part::kDraw).has_value(); }
+    void add(const render::DrawTimes& times);
+};
+
+// One tick's line of the performance log.
 struct PerfRow {
     std::int64_t tick = 0;
     double time_s = 0;
     int substeps = 0;
-    double solve_ms = 0;
-    // Of the fronts, where they are followed.
-    struct Fronts {
-        double track_ms = 0, gradient_ms = 0, advect_ms = 0;
-        std::size_t points = 0, cut_triangles = 0;
-    };
-    std::optional<Fronts> fronts;
-    std::optional<double> draw_ms;  // uploads included
-    double frame_ms = 0;            // all of the above
+    PartTimes ms;
+    double begin_ms = 0;  // since the log began
+    double frame_ms = 0;  // all of the tick
     std::size_t active_cells = 0;
+    std::optional<std::size_t> points, cut_triangles;  // of the fronts, where they are followed
     double standing_m3 = 0, rolling_m3 = 0, out_m3 = 0, error_m3 = 0;
     std::uint64_t state_hash = 0;
 };
+// What a session tells of its last tick, but for begin, frame and cut triangles.
+PerfRow perf_row(const Session& session);
+// None where no fronts are followed. Looks at every triangle: for after the frame.
+std::optional<std::size_t> cut_triangles(const Session& session);
 
 // What of the surroundings a measurement depends on; the log's first lines.
 struct PerfSurroundings {
     std::string what;       // scene or recording
     std::string file_hash;  // of the recording; empty without one
     int threads = 1;
-    std::string gl_renderer;  // empty without pictures
+    std::optional<render::DrawnBy> drawn;
 };
+// Program, commit, compiler, processor, and what is given: as lines that begin with #, and as JSON.
+std::string to_text(const PerfSurroundings& surroundings);
+Json to_json(const PerfSurroundings& surroundings);
 
 // Milliseconds of a stage over the ticks in which it ran.
 struct StageFigures {
@@ -44,6 +69,28 @@ struct StageFigures {
     std::size_t count = 0;
     double mean = 0, median = 0, p95 = 0, p99 = 0, most = 0, total = 0;
 };
+StageFigures figures_of(std::string stage, std::vector<double> ms);
+// Each part, then "frame".
+std::vector<StageFigures> figures_of(std::span<const PerfRow> rows);
+// By the names of its stages; `whole`: of what share is told, ms.
+Json to_json(std::span<const StageFigures> figures, double whole_ms);
+
+// What the paper reports of its own scenes (Section 5.1).
+struct PaperScene {
+    const char* name;       // in JSON
+    const char* recording;  // of ours
+    int squares;
+    double frames_per_s, solve_share;
+    const char* fronts_share;  // of velocities, textures and least squares; empty where it does not say
+};
+inline constexpr const char* kPaperMachine = "Intel i7-3770K, NVIDIA GTX 660";
+inline constexpr std::array<PaperScene, 2> kPaperScenes{
+    {{"landslide_80x80", "landslide", 80, 25, 0.10, ""},
+     {"snow_avalanche_160x160", "snow-avalanche", 160, 7, 0.14, "25-50 %"}}};
+
+// The columns of the log, and a line below them, without line breaks.
+std::string_view perf_columns();
+std::string csv_line(std::size_t frame, const PerfRow& row);
 
 // Collects ticks; tells of them as CSV and as figures.
 class PerfLog {
@@ -53,8 +100,9 @@ class PerfLog {
 
     // Writes beside `path` and renames. Errors: the machine's.
     Outcome<void> write_csv(const std::filesystem::path& path) const;
-    std::vector<StageFigures> figures() const;  // solve, track, gradient, advect, draw, frame
-    Json to_json() const;                       // figures, shares of the frame, and the paper's beside them
+    std::span<const PerfRow> rows() const { return rows_; }
+    std::vector<StageFigures> figures() const { return figures_of(rows_); }
+    Json to_json() const;  // figures, shares of the frame, and the paper's beside them
 
   private:
     PerfSurroundings surroundings_;

@@ -63,6 +63,7 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
         line_.before.push_back(line_.hash);
     // The first tick may find ground too steep to lie, the others only after a command.
     const bool rests = state_.tick > 0 && commands.empty() && sim::at_rest(state_);
+    times_ = {};
     times_.solve_ms = ms_of([&] { sim::step(state_, commands, *engine_); });
     find_hash();
 
@@ -77,7 +78,7 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
             fmt::format("tick {}: {} m3 of mass appeared from nowhere; a layer deeper than {} m cannot be "
                         "counted exactly",
                         state_.tick, cubic_metres(error), sim::kDeepest)});
-    watch();
+    times_.peaks_ms = ms_of([&] { watch(); });
     if (!records) return {};
     recorded_until_ = state_.tick;
     return state_.tick % kTicksPerState == 0 ? write_state() : Outcome<void>();
@@ -143,8 +144,8 @@ double Session::cubic_metres(std::int64_t quanta) const {
     return static_cast<double>(quanta) * static_cast<double>(sim::kQuantum) * state_.grid.cell_area();
 }
 
-void Session::follow_fronts(const Start& start) {
-    if (state_.grid.size() > kMostFollowed) return;
+void Session::follow_fronts(const Start& start, std::size_t most_vertices) {
+    if (state_.grid.size() > most_vertices) return;
     if (start.flow)
         stage_ = std::make_unique<sim::fields::FlowStage>(state_.grid, start.flow->flow, start.flow->numbers);
     else if (start.look.flow)

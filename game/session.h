@@ -22,6 +22,7 @@ struct TickTimes {
     double hash_ms = 0;
     // Of its fronts, where they are followed: finding them, carrying textures, what is seen of these.
     double track_ms = 0, advect_ms = 0, gradient_ms = 0;  // of a flow that is shown, all under track_ms
+    double peaks_ms = 0;  // what each vertex has seen at most, and how many move
 };
 
 // The greatest values that each vertex has seen, grid.size() each: what an avalanche did, when it is over. A
@@ -52,12 +53,13 @@ class Session {
 
     // From here on, for who draws or measures it: fronts, and what is carried with the flow that `start`
     // shows or, if its look says that it carries anything, with the rolling layer.
-    // Where that is more than kMostFollowed vertices nothing is followed, and whoever asked should say
-    // kTooFine.
-    void follow_fronts(const Start& start);
+    // Where there are more vertices than that nothing is followed, and whoever asked should say kTooFine: no
+    // GL need be able to draw more than kMostFollowed.
     static constexpr std::size_t kMostFollowed = 900'000;
+    void follow_fronts(const Start& start, std::size_t most_vertices = kMostFollowed);
     static constexpr const char* kTooFine =
         "This grid is too fine for textures to travel with what rolls: they do up to 900,000 vertices";
+    void follow_nothing() { stage_.reset(), fronts_.reset(); }
     // Nothing while none are followed.
     const sim::front::FlowView* fronts() const {
         return stage_ ? &stage_->view() : fronts_ ? &fronts_->view() : nullptr;

@@ -4,6 +4,7 @@
 
 #include "game/recording/divergence_report.h"
 #include "game/text_file.h"
+#include "game/trace.h"
 #include "game/version.h"
 
 namespace game {
@@ -178,7 +179,7 @@ std::string to_text(const Summary& summary) {
 }
 
 Outcome<void> make_places_for(const ResultOptions& options) {
-    for (const auto& file : {options.perf, options.summary})
+    for (const auto& file : {options.perf, options.summary, options.trace})
         if (file)
             if (auto placed = make_place_for(*file); !placed) return placed;
     return {};
@@ -189,6 +190,10 @@ Outcome<void> tell(const Summary& summary, const ResultOptions& options) {
         if (auto written = summary.perf->write_csv(*options.perf); !written) return written;
     if (options.summary)
         if (auto written = write_text(*options.summary, printed(to_json(summary))); !written) return written;
+    if (options.trace) {
+        const TracedRun run{summary.start.scene, summary.perf->rows()};
+        if (auto written = write_text(*options.trace, trace_of(std::span(&run, 1))); !written) return written;
+    }
     fmt::print("{}", options.json ? printed(to_json(summary)) : to_text(summary));
     return {};
 }

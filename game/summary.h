@@ -37,7 +37,7 @@ std::string to_text(const Verdict& verdict);  // a sentence and a line break
 
 // Where a run's or a replay's results go besides standard output.
 struct ResultOptions {
-    std::optional<std::filesystem::path> perf, summary;
+    std::optional<std::filesystem::path> perf, summary, trace;
     bool json = false;  // on standard output
 };
 // To be asked before the work begins. Errors: a file there could not be written (status 3).

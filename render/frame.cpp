@@ -12,6 +12,7 @@
 #include "render/passes/shadow_pass.h"
 #include "render/passes/surface_pass.h"
 #include "render/passes/terrain_pass.h"
+#include "render/stage_clock.h"
 #include "render/target.h"
 #include "sim/check.h"
 
@@ -36,6 +37,7 @@ struct Renderer::Parts {
     Target target;
     Quality quality;
     std::filesystem::path assets;
+    StageClock clock;
 
     // What the colours of a flow's texture are multiplied with: a rolling layer keeps its own on the whole.
     glm::vec3 flow_tint(const Look& look, const Marks& marks) const {
@@ -63,7 +65,7 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     glNamedBufferStorage(frame_block.name(), sizeof(FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
     return Renderer(std::make_unique<Parts>(Parts{
         FieldsToGpu(), std::move(frame_block), std::move(*surface), std::move(*shadow), std::move(*terrain),
-        std::move(*flow), std::move(*sky), std::move(*tone), Target(), quality, assets}));
+        std::move(*flow), std::move(*sky), std::move(*tone), Target(), quality, assets, StageClock()}));
 }
 
 Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -79,6 +81,14 @@ void Renderer::set_quality(Quality quality) {
     parts_->quality = quality;
 }
 
+void Renderer::time_stages(Timing timing) {
+    parts_->clock = StageClock(timing);
+}
+
+std::optional<DrawTimes> Renderer::stage_times() const {
+    return parts_->clock.times();
+}
+
 void Renderer::draw(const sim::View& world, const Camera& camera, const Light& light, const Look& look,
                     const Marks& marks, int width, int height, const sim::front::FlowView* flow) {
     Parts& p = *parts_;
@@ -86,6 +96,7 @@ void Renderer::draw(const sim::View& world, const Camera& camera, const Light& l
     const ScopedState state;  // whoever shares the context finds it as it was
 
     const bool flows = look.flow && flow;  // and then what it carries is seen
+    p.clock.begin();
 
     // The world first: everything below reads these textures, and only they change with the state.
     const bool new_terrain = p.fields.upload(world);
@@ -95,7 +106,12 @@ void Renderer::draw(const sim::View& world, const Camera& camera, const Light& l
     glNamedBufferSubData(p.frame_block.name(), 0, sizeof frame, &frame);
     glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_FRAME, p.frame_block.name());
     p.fields.bind();
-    if (flows) p.flow.upload(*flow, world.grid);
+    if (flows) p.flow.send(*flow);
+    p.clock.mark();
+
+    // What changed along the fronts since the frame before.
+    if (flows) p.flow.cut(*flow, world.grid);
+    p.clock.mark();
 
     // What hangs on the bedrock alone is worked out once, here, because it needs the fields and the frame
     // block.
@@ -136,6 +152,7 @@ void Renderer::draw(const sim::View& world, const Camera& camera, const Light& l
     // Last, because light adds up only while it is linear.
     p.target.begin_picture();
     p.tone.draw_encoded();
+    p.clock.mark();
     CHECK(glGetError() == GL_NO_ERROR);
 }
 

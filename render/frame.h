@@ -2,12 +2,14 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <tl/expected.hpp>
 
 #include "render/camera.h"
 #include "render/context.h"
+#include "render/draw_times.h"
 #include "render/look.h"
 #include "render/marks.h"
 #include "render/picture.h"
@@ -53,6 +55,11 @@ class Renderer {
     // The last drawn frame, stretched over a framebuffer (0 is the window's) of the given size in pixels,
     // which is left bound for what is drawn on top.
     void show_on(unsigned framebuffer, int width, int height) const;
+
+    // From the next frame on, or no longer. Costs what it waits for.
+    void time_stages(Timing timing);
+    // Of the last frame, for which it waits. Nothing where none was timed.
+    std::optional<DrawTimes> stage_times() const;
 
     // Until GL has done all that it was told.
     void wait() const;

@@ -41,4 +41,10 @@ Framebuffer make_framebuffer() {
     return Framebuffer(name);
 }
 
+Query make_time_stamp() {
+    GLuint name = 0;
+    glCreateQueries(GL_TIMESTAMP, 1, &name);
+    return Query(name);
+}
+
 }  // namespace render

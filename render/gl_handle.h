@@ -52,10 +52,14 @@ struct DeleteRenderbuffer {
 struct DeleteShader {
     void operator()(GLuint name) const { glDeleteShader(name); }
 };
+struct DeleteQuery {
+    void operator()(GLuint name) const { glDeleteQueries(1, &name); }
+};
 struct DeleteProgram {
     void operator()(GLuint name) const { glDeleteProgram(name); }
 };
 
+using Query = GlHandle<DeleteQuery>;
 using Texture = GlHandle<DeleteTexture>;
 using Buffer = GlHandle<DeleteBuffer>;
 using VertexArray = GlHandle<DeleteVertexArray>;
@@ -72,5 +76,6 @@ Buffer make_storage(std::size_t bytes, const void* data = nullptr);
 void bind_storage(GLuint slot, const Buffer& buffer);
 VertexArray make_vertex_array();
 Framebuffer make_framebuffer();
+Query make_time_stamp();
 
 }  // namespace render

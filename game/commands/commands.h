@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "game/bench/measure.h"
 #include "game/compare/edit.h"
 #include "game/gallery.h"
 #include "game/outcome.h"
@@ -124,6 +125,23 @@ struct FiguresOptions {
 const std::vector<std::string>& parts_of_figures();
 // The paper's figures and how they measure, as pictures, a page and a CSV; 1 where a number misses its bound.
 Outcome<int> figures(const FiguresOptions& options);
+
+struct BenchOptions {
+    std::vector<std::string> recordings;  // names or files; empty: all that ship, or one to scale
+    std::vector<int> squares;             // empty: 80 and 160, or those of the scaling study
+    std::vector<std::string> physics;     // of kBenchPhysics; empty: all, or the recording's own to scale
+    bool scaling = false;
+    BenchHow how;
+    bool draws = true;
+    PictureSize size{640, 360};
+    std::string gl = "auto";
+    std::optional<std::filesystem::path> perf, summary, page, trace, against;
+    double tolerance = 0.25;  // share by which a stage may take longer than then
+    bool json = false;        // instead of tables
+};
+// What recordings cost, stage by stage; 1 where a state is not the one recorded, or a stage is slower than
+// `against` by more than the tolerance.
+Outcome<int> bench(const BenchOptions& options);
 
 // Prints the table of errors and orders; 1 where one misses its bound.
 Outcome<int> verify_physics();

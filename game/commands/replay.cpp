@@ -1,31 +1,19 @@
 #include <algorithm>
-#include <fstream>
 
 #include <fmt/format.h>
-#define XXH_STATIC_LINKING_ONLY  // for a digest on the stack
-#include <xxhash.h>
 
 #include "game/assets.h"
 #include "game/commands/commands.h"
 #include "game/compare/desync_picture.h"
 #include "game/headless.h"
 #include "game/measures.h"
+#include "game/recording/file_hash.h"
 #include "game/recording/verifier.h"
 #include "game/summary.h"
 #include "game/text_file.h"
 
 namespace game {
 namespace {
-
-std::string file_hash(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    XXH3_state_t digest;
-    XXH3_64bits_reset(&digest);
-    std::vector<char> block(1 << 16);
-    while (stream.read(block.data(), static_cast<std::streamsize>(block.size())), stream.gcount() > 0)
-        XXH3_64bits_update(&digest, block.data(), static_cast<std::size_t>(stream.gcount()));
-    return hex(XXH3_64bits_digest(&digest));
-}
 
 // As unlike the way that was asked for as it can be.
 sim::How other_way(sim::How how) {
@@ -55,7 +43,7 @@ Outcome<int> replay(const ReplayOptions& options) {
     if (auto placed = make_places_for(options.results); !placed) return tl::unexpected(placed.error());
     auto session = Session::begin(start, options.how, std::nullopt);
     if (!session) return tl::unexpected(session.error());
-    if (options.pictures.folder || options.results.perf) {
+    if (options.pictures.folder || options.results.perf || options.results.trace) {
         session->follow_fronts(start);
         if (start.look.flow && !session->fronts()) fmt::print(stderr, "couloir: {}\n", Session::kTooFine);
     }
@@ -66,8 +54,8 @@ Outcome<int> replay(const ReplayOptions& options) {
         if (!opened) return tl::unexpected(opened.error());
         gallery = std::move(*opened);
     }
-    PerfLog perf(
-        {start.scene, file_hash(*path), options.how.threads, gallery ? gallery->renderer_name() : ""});
+    PerfLog perf({start.scene, file_hash(*path), options.how.threads,
+                  gallery ? std::optional(gallery->drawn_by()) : std::nullopt});
     Verifier verifier(*recording);
 
     Until until;

@@ -76,12 +76,13 @@ Outcome<int> run(const RunOptions& options) {
     auto session = Session::begin(start, options.how, std::move(leavings->recorder));
     if (!session) return tl::unexpected(session.error());
 
-    if (leavings->gallery || options.results.perf) {
+    if (leavings->gallery || options.results.perf || options.results.trace) {
         session->follow_fronts(start);
         if (start.look.flow && !session->fronts()) fmt::print(stderr, "couloir: {}\n", Session::kTooFine);
     }
     std::optional<Gallery>& gallery = leavings->gallery;
-    PerfLog perf({start.scene, "", options.how.threads, gallery ? gallery->renderer_name() : ""});
+    PerfLog perf(
+        {start.scene, "", options.how.threads, gallery ? std::optional(gallery->drawn_by()) : std::nullopt});
     Watchers watchers;
     watchers.gallery = gallery ? &*gallery : nullptr;
     watchers.ticks_per_picture = options.pictures.every;

@@ -14,9 +14,10 @@ std::size_t width_of(const std::string& text) {
         std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
 }
 
-std::string html_row(const std::vector<std::string>& cells, const char* tag) {
+std::string html_row(const std::vector<std::string>& cells, std::size_t left, const char* tag) {
     std::string row = "<tr>";
-    for (const std::string& cell : cells) row += fmt::format("<{0}>{1}</{0}>", tag, html_text(cell));
+    for (std::size_t c = 0; c < cells.size(); ++c)
+        row += fmt::format("<{0}{1}>{2}</{0}>", tag, c < left ? " class=\"left\"" : "", html_text(cells[c]));
     return row + "</tr>\n";
 }
 
@@ -44,8 +45,8 @@ std::string as_text(const Table& table) {
 
 std::string as_html(const Table& table) {
     std::string html = fmt::format("<h3>{}</h3>\n<div class=\"wide\"><table>\n<thead>{}</thead>\n<tbody>\n",
-                                   html_text(table.title), html_row(table.head, "th"));
-    for (const auto& row : table.rows) html += html_row(row, "td");
+                                   html_text(table.title), html_row(table.head, table.left, "th"));
+    for (const auto& row : table.rows) html += html_row(row, table.left, "td");
     return html + "</tbody></table></div>\n";
 }
 

@@ -60,7 +60,7 @@ tl::expected<void, std::string> FlowPass::load(const std::filesystem::path& asse
     return {};
 }
 
-void FlowPass::upload(const sim::front::FlowView& flow, const sim::Grid& grid) {
+void FlowPass::cut(const sim::front::FlowView& flow, const sim::Grid& grid) {
     CHECK(flow.mesh().columns == grid.nx && flow.mesh().position.size() == grid.size());
     if (grid_ != grid) {
         grid_ = grid;
@@ -68,7 +68,6 @@ void FlowPass::upload(const sim::front::FlowView& flow, const sim::Grid& grid) {
         remesher_.send_mesh(flow.mesh());
     }
     remesher_.cut(flow.tracker().points());
-    coordinates_.upload(flow.layers());
 }
 
 void FlowPass::resize(const Target& target) {

@@ -29,8 +29,10 @@ class FlowPass {
     bool has(FlowPattern pattern) const { return texture(pattern).has_value(); }
     glm::vec3 mean_colour(FlowPattern pattern) const { return texture(pattern)->mean; }
 
-    // Cuts the mesh and sends coordinates. The flow's mesh is the heightfield of `grid`.
-    void upload(const sim::front::FlowView& flow, const sim::Grid& grid);
+    // Its coordinates.
+    void send(const sim::front::FlowView& flow) { coordinates_.upload(flow.layers()); }
+    // Cuts the mesh along its fronts. The flow's mesh is the heightfield of `grid`.
+    void cut(const sim::front::FlowView& flow, const sim::Grid& grid);
     // Reads SLOT_RELIEF, SLOT_ROLLING and the depth of `target`; writes SLOT_SKIN_ALBEDO and
     // SLOT_SKIN_RELIEF, which are bound then. Sets the target's framebuffer aside.
     void draw(FlowPattern pattern, Overlay overlay, const Target& target);

@@ -123,8 +123,9 @@ TEST(FigureTables, have_a_cell_under_every_head_and_lines_of_one_width) {
               "  45°    1\n"
               "  x    333\n");
     EXPECT_EQ(as_html({"<", {"a"}, {{"&"}}}),
-              "<h3>&lt;</h3>\n<div class=\"wide\"><table>\n<thead><tr><th>a</th></tr>\n</thead>\n<tbody>\n"
-              "<tr><td>&amp;</td></tr>\n</tbody></table></div>\n");
+              "<h3>&lt;</h3>\n<div class=\"wide\"><table>\n<thead><tr><th "
+              "class=\"left\">a</th></tr>\n</thead>\n<tbody>\n"
+              "<tr><td class=\"left\">&amp;</td></tr>\n</tbody></table></div>\n");
 }
 
 TEST(FigurePage, shows_what_it_is_given_and_nothing_from_elsewhere) {

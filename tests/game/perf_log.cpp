@@ -23,19 +23,19 @@ constexpr const char* kColumns =
 PerfRow row(std::int64_t tick, double solve_ms, std::optional<double> draw_ms) {
     PerfRow row;
     row.tick = tick;
-    row.solve_ms = solve_ms;
-    row.draw_ms = draw_ms;
-    row.frame_ms = solve_ms + draw_ms.value_or(0);
+    row.ms(Part::kSolve) = solve_ms;
+    row.ms(Part::kDraw) = draw_ms;
+    row.frame_ms = row.ms.sum();
     return row;
 }
 
 TEST(PerfLog, figures_are_nearest_ranks_over_the_ticks_in_which_a_stage_ran) {
-    PerfLog log({"trial", "", 1, ""});
+    PerfLog log({"trial", "", 1, std::nullopt});
     for (const int ms : {20, 3, 1, 19, 18, 2, 17, 4, 16, 5, 15, 6, 14, 7, 13, 8, 12, 9, 11, 10})
         log.add(row(ms, ms, ms % 10 == 0 ? std::optional(100.0 * ms) : std::nullopt));
     const auto figures = log.figures();
-    ASSERT_EQ(figures.size(), 6u);
-    const StageFigures &solve = figures[0], &track = figures[1], &draw = figures[4], &frame = figures[5];
+    ASSERT_EQ(figures.size(), kPartCount + 1);
+    const StageFigures &solve = figures[0], &track = figures[2], &draw = figures[8], &frame = figures[9];
     EXPECT_EQ(track.stage, "track");
     EXPECT_EQ(track.count, 0u);
     EXPECT_EQ(solve.stage, "solve");
@@ -56,7 +56,7 @@ TEST(PerfLog, figures_are_nearest_ranks_over_the_ticks_in_which_a_stage_ran) {
 }
 
 TEST(PerfLog, of_nothing_has_no_figures_and_divides_by_nothing) {
-    const PerfLog log({"trial", "", 1, ""});
+    const PerfLog log({"trial", "", 1, std::nullopt});
     for (const StageFigures& stage : log.figures()) {
         EXPECT_EQ(stage.count, 0u);
         EXPECT_EQ(stage.mean, 0);
@@ -65,7 +65,7 @@ TEST(PerfLog, of_nothing_has_no_figures_and_divides_by_nothing) {
 }
 
 TEST(PerfLog, json_gives_each_stage_its_share_of_the_frame) {
-    PerfLog log({"trial", "", 3, ""});
+    PerfLog log({"trial", "", 3, std::nullopt});
     log.add(row(1, 10, 30));
     log.add(row(2, 10, std::nullopt));
     const Json json = log.to_json();
@@ -78,40 +78,49 @@ TEST(PerfLog, json_gives_each_stage_its_share_of_the_frame) {
 TEST(PerfLog, csv_has_the_contracts_columns_in_every_row) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "new folder" / "log.csv";
-    PerfLog log({"trial, with a comma", "0123456789abcdef", 2, "llvmpipe"});
-    PerfRow full{7,
-                 0.1166667,
-                 3,
-                 1.25,
-                 PerfRow::Fronts{0.5, 0.25, 0.125, 12, 34},
-                 2.5,
-                 3.75,
-                 42,
-                 100.5,
-                 20.25,
-                 3.125,
-                 0,
-                 0x00000000deadbeefu};
+    PerfLog log({"trial, with a comma", "0123456789abcdef", 2,
+                 render::DrawnBy{"llvmpipe", "64x36", render::Timing::kFinish}});
+    PerfRow full;
+    full.tick = 7;
+    full.time_s = 0.1166667;
+    full.substeps = 3;
+    full.ms(Part::kSolve) = 1.25;
+    full.ms(Part::kTrack) = 0.5;
+    full.ms(Part::kGradient) = 0.25;
+    full.ms(Part::kAdvect) = 0.125;
+    full.ms(Part::kHash) = 7;  // in JSON alone
+    full.ms.add({0.75, 0.875, 2.5});
+    full.frame_ms = 3.75;
+    full.active_cells = 42;
+    full.points = 12;
+    full.cut_triangles = 34;
+    full.standing_m3 = 100.5;
+    full.rolling_m3 = 20.25;
+    full.out_m3 = 3.125;
+    full.state_hash = 0x00000000deadbeefu;
     log.add(full);
-    full.draw_ms.reset();
-    full.fronts.reset();
+    const double solve_ms = *full.ms(Part::kSolve);
+    full.ms = {};
+    full.ms(Part::kSolve) = solve_ms;
+    full.points.reset(), full.cut_triangles.reset();
     log.add(full);
     ASSERT_TRUE(log.write_csv(path));
 
     std::istringstream stream(read_bytes(path));
     std::string line, heading;
     while (std::getline(stream, line) && line.rfind('#', 0) == 0) heading += line + "\n";
-    for (const char* told : {"couloir ", "commit ", "-march=", "processor: ", "threads: 2", "GL: llvmpipe",
+    for (const char* told : {"couloir ", "commit ", "-march=", "processor: ", "threads: 2",
+                             "GL: llvmpipe; quality: 64x36; drawing timed by wall time around glFinish",
                              "trial, with a comma", "file hash 0123456789abcdef"})
         EXPECT_NE(heading.find(told), std::string::npos) << told << " is not in\n" << heading;
     EXPECT_EQ(line, kColumns);
     std::vector<std::string> rows;
     while (std::getline(stream, line)) rows.push_back(line);
     ASSERT_EQ(rows.size(), 2u);
-    EXPECT_EQ(
-        rows[0],
-        "0,7,0.1167,3,1.2500,0.5000,0.2500,0.1250,,,2.5000,3.7500,42,12,34,100.5000,20.2500,3.1250,0.0000,"
-        "00000000deadbeef");
+    EXPECT_EQ(rows[0],
+              "0,7,0.1167,3,1.2500,0.5000,0.2500,0.1250,0.7500,0.8750,2.5000,3.7500,42,12,34,100.5000,20."
+              "2500,3.1250,0.0000,"
+              "00000000deadbeef");
     EXPECT_EQ(rows[1],
               "1,7,0.1167,3,1.2500,,,,,,,3.7500,42,,,100.5000,20.2500,3.1250,0.0000,00000000deadbeef");
     for (const std::string& each : rows)

@@ -1,0 +1,148 @@
+#include "game/bench/against.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "game/bench/report.h"
+
+namespace game {
+namespace {
+
+constexpr double kLeastMs = 0.01;     // below it a clock tells little
+constexpr double kLeastShare = 0.05;  // of the tick
+
+using Fault = std::runtime_error;
+
+// A member that must be there; throws Fault, which entries_of() catches.
+const Json& member(const Json& json, const char* name) {
+    if (!json.is_object() || !json.contains(name))
+        throw Fault(fmt::format("has no \"{}\" where it should", name));
+    return json[name];
+}
+double number(const Json& json, const char* name) {
+    const Json& value = member(json, name);
+    if (!value.is_number() || !(value.get<double>() >= 0) || !std::isfinite(value.get<double>()))
+        throw Fault(fmt::format("has a \"{}\" that is no number above 0", name));
+    return value.get<double>();
+}
+std::string text(const Json& json, const char* name) {
+    const Json& value = member(json, name);
+    if (!value.is_string()) throw Fault(fmt::format("has a \"{}\" that is no text", name));
+    return value.get<std::string>();
+}
+
+// Parts that matter, of any that are told.
+void keep_great(BenchEntry& entry) {
+    double whole = 0;
+    for (const auto& stage : entry.stages)
+        if (stage.name == "tick") whole = stage.ms;
+    std::erase_if(entry.stages, [&](const BenchEntry::Stage& stage) {
+        return stage.ms < kLeastMs || stage.ms < kLeastShare * whole;
+    });
+}
+
+BenchEntry entry_of_case(const Json& json) {
+    BenchEntry entry{
+        fmt::format("{} {} {}", text(json, "recording"), number(json, "squares"), text(json, "physics")),
+        text(json, "end_hash"),
+        {}};
+    const Json& stages = member(json, "stages");
+    if (!stages.is_object()) throw Fault("has \"stages\" that are no object");
+    const bool drawn = number(member(stages, "draw"), "count") > 0;  // else a frame is but a tick
+    for (const auto& [name, figures] : stages.items())
+        if (number(figures, "count") > 0 && (name != "frame" || drawn))
+            entry.stages.push_back({name, number(figures, "median_ms")});
+    keep_great(entry);
+    return entry;
+}
+
+BenchEntry entry_of_row(const Json& scaling, const Json& row) {
+    BenchEntry entry{fmt::format("{} {} {} at {:.0f} s", text(scaling, "recording"), number(row, "squares"),
+                                 text(scaling, "physics"), number(row, "time_s")),
+                     "",
+                     {}};
+    const Json& ms = member(row, "ms");
+    if (!ms.is_object()) throw Fault("has \"ms\" that are no object");
+    for (const auto& [name, value] : ms.items()) entry.stages.push_back({name, number(ms, name.c_str())});
+    keep_great(entry);
+    return entry;
+}
+
+const Json& list(const Json& json, const char* name) {
+    const Json& value = member(json, name);
+    if (!value.is_array()) throw Fault(fmt::format("has \"{}\" that are no list", name));
+    return value;
+}
+
+}  // namespace
+
+Outcome<Json> read_report(const std::filesystem::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) return unusable(fmt::format("{}: cannot be read", path.string()));
+    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    Json json = Json::parse(bytes, nullptr, false);
+    if (json.is_discarded()) return unusable(fmt::format("{}: is no JSON, or not all of it", path.string()));
+    if (!json.is_object() || json.value("format", Json()) != kBenchFormat)
+        return unusable(fmt::format("{}: is no report that bench wrote with --summary", path.string()));
+    if (json.value("version", Json()) != kBenchVersion)
+        return unusable(fmt::format("{}: is of another version than {}", path.string(), kBenchVersion));
+    if (const auto entries = entries_of(json); !entries)
+        return unusable(fmt::format("{}: {}", path.string(), entries.error()));
+    return json;
+}
+
+tl::expected<std::vector<BenchEntry>, std::string> entries_of(const Json& report) try {
+    std::vector<BenchEntry> entries;
+    for (const Json& each : list(report, "cases")) entries.push_back(entry_of_case(each));
+    if (report.contains("scaling")) {
+        const Json& scaling = report["scaling"];
+        for (const Json& row : list(scaling, "rows")) entries.push_back(entry_of_row(scaling, row));
+    }
+    return entries;
+} catch (const Fault& fault) {
+    return tl::unexpected(std::string(fault.what()));
+}
+
+BenchComparison compare_entries(const std::vector<BenchEntry>& now, const std::vector<BenchEntry>& then,
+                                double tolerance) {
+    BenchComparison comparison{
+        {"Against the earlier run: medians, ms", {"what", "stage", "then", "now", "ratio", ""}, {}, 2},
+        {},
+        std::nullopt,
+        0};
+    double worst = 1 + tolerance;
+    for (const BenchEntry& entry : now) {
+        const auto earlier = std::find_if(then.begin(), then.end(),
+                                          [&](const BenchEntry& each) { return each.key == entry.key; });
+        if (earlier == then.end()) {
+            comparison.remarks.push_back(fmt::format("{} is not in the earlier run", entry.key));
+            continue;
+        }
+        if (earlier->end_hash != entry.end_hash)
+            comparison.remarks.push_back(
+                fmt::format("{} ended in another state then: it is not the same work", entry.key));
+        for (const auto& stage : entry.stages) {
+            const auto before = std::find_if(earlier->stages.begin(), earlier->stages.end(),
+                                             [&](const auto& each) { return each.name == stage.name; });
+            if (before == earlier->stages.end()) continue;
+            const double ratio = stage.ms / before->ms;
+            ++comparison.compared;
+            comparison.table.rows.push_back({entry.key, stage.name, fmt::format("{:.4f}", before->ms),
+                                             fmt::format("{:.4f}", stage.ms), fmt::format("{:.2f}", ratio),
+                                             ratio > 1 + tolerance ? "slower" : ""});
+            if (ratio <= worst) continue;
+            worst = ratio;
+            comparison.too_slow =
+                fmt::format("{} of {} takes {:.2f} times as long as then, which may be {:.2f}", stage.name,
+                            entry.key, ratio, 1 + tolerance);
+        }
+    }
+    return comparison;
+}
+
+}  // namespace game

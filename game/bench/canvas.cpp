@@ -1,0 +1,60 @@
+#include "game/bench/canvas.h"
+
+#include <fmt/format.h>
+
+#include "game/assets.h"
+#include "render/context.h"
+#include "render/frame.h"
+#include "render/overview.h"
+
+namespace game {
+
+struct Canvas::Parts {
+    render::HeadlessContext context;  // first: the renderer's GL names live in it
+    render::Renderer renderer;
+    PictureSize size;
+    std::optional<render::Camera> camera = std::nullopt;
+    render::Light light = {};
+    render::Look look = {};
+};
+
+Outcome<Canvas> Canvas::open(PictureSize size, const std::string& gl) {
+    const auto assets = assets_folder();
+    if (!assets) return tl::unexpected(assets.error());
+    auto context = render::HeadlessContext::create(gl);
+    if (!context) return machine_fails(context.error());
+    auto renderer = render::Renderer::create(*assets, render::Quality::kFast);
+    if (!renderer) return machine_fails(renderer.error());
+    renderer->time_stages(render::suitable_timing());
+    return Canvas(std::make_unique<Parts>(Parts{std::move(*context), std::move(*renderer), size}));
+}
+
+Canvas::Canvas(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Canvas::~Canvas() = default;
+Canvas::Canvas(Canvas&&) noexcept = default;
+Canvas& Canvas::operator=(Canvas&&) noexcept = default;
+
+Outcome<void> Canvas::show(const Start& start) {
+    if (start.look.flow)
+        if (auto loaded = parts_->renderer.load(start.look.flow->pattern); !loaded)
+            return machine_fails(loaded.error());
+    parts_->camera = start.camera;
+    parts_->light = start.light;
+    parts_->look = start.look;
+    return {};
+}
+
+render::DrawTimes Canvas::draw(const sim::View& world, const sim::front::FlowView* flow) {
+    Parts& p = *parts_;
+    if (!p.camera) p.camera = render::overview(world);
+    p.renderer.draw(world, *p.camera, p.light, p.look, {}, p.size.width, p.size.height, flow);
+    return *p.renderer.stage_times();
+}
+
+render::DrawnBy Canvas::drawn_by() const {
+    return {parts_->context.renderer_name(),
+            fmt::format("{}x{} pixels, one sample each", parts_->size.width, parts_->size.height),
+            render::suitable_timing()};
+}
+
+}  // namespace game

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "game/gallery.h"
+#include "game/outcome.h"
+#include "game/start.h"
+#include "render/draw_times.h"
+#include "sim/front/flow_view.h"
+#include "sim/state.h"
+
+namespace game {
+
+// Draws frames that nobody sees, as fast as can be, one sample per pixel, and times them.
+class Canvas {
+  public:
+    // `gl` as in render::HeadlessContext::create. Errors: no GL (status 3).
+    static Outcome<Canvas> open(PictureSize size, const std::string& gl);
+    ~Canvas();
+    Canvas(Canvas&&) noexcept;
+    Canvas& operator=(Canvas&&) noexcept;
+
+    // For the frames to come: camera, light and look of a start. Errors: a texture is missing (status 3).
+    Outcome<void> show(const Start& start);
+    // One frame; waits for it.
+    render::DrawTimes draw(const sim::View& world, const sim::front::FlowView* flow);
+
+    render::DrawnBy drawn_by() const;
+
+  private:
+    struct Parts;
+    explicit Canvas(std::unique_ptr<Parts> parts);
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace game

@@ -1,0 +1,156 @@
+#include "game/bench/scaling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "game/bench/memory.h"
+#include "game/headless.h"
+#include "game/recording/verifier.h"
+
+namespace game {
+namespace {
+
+constexpr std::int64_t kTicksBefore = 4;  // to warm up what follows the fronts
+constexpr std::int64_t kTicksEach = 15;
+
+// The state of one grid's session while it plays on from moment to moment.
+struct Player {
+    Session& session;
+    const Recording& recording;
+    Verifier* verifier;  // null where nothing was recorded of this grid
+    Canvas* canvas;      // null where nothing is drawn
+    std::string what;
+
+    // Commands before the session's tick were given already.
+    std::span<const TimedCommand> commands_left() const {
+        const auto& all = recording.commands;
+        const auto next = std::find_if(all.begin(), all.end(), [&](const TimedCommand& command) {
+            return command.tick >= session.state().tick;
+        });
+        return {next, all.end()};
+    }
+
+    Outcome<void> play(std::int64_t until_tick, std::vector<PerfRow>* rows) {
+        Until until;
+        until.tick = until.most_ticks = until_tick;
+        Watchers watchers;
+        watchers.after_tick = [&](const Session& now) {
+            if (rows) {
+                PerfRow row = perf_row(now);
+                if (canvas) row.ms.add(canvas->draw(now.view(), now.fronts()));
+                rows->push_back(row);
+            }
+            if (verifier) verifier->look_at(now);
+        };
+        if (auto played = play_headless(session, commands_left(), until, watchers, what); !played)
+            return tl::unexpected(played.error());
+        return {};
+    }
+};
+
+ScalingRow row_of(std::vector<PerfRow> rows) {
+    // As if each tick were a repeat of the same one: what rolls changes little in so few.
+    std::vector<std::vector<PerfRow>> repeats;
+    for (PerfRow& row : rows) repeats.push_back({std::move(row)});
+    const PerfRow middle = medians_of(repeats)[0];
+    ScalingRow found;
+    found.time_s = middle.time_s;
+    found.substeps = middle.substeps;
+    found.moving = middle.active_cells;
+    found.points = middle.points.value_or(0);
+    found.ms = middle.ms;
+    return found;
+}
+
+Outcome<void> measure_grid(const BenchRecording& named, int squares, const BenchPhysics& physics,
+                           const BenchHow& how, Canvas* canvas, Scaling& scaling) {
+    const Header& header = named.recording.header;
+    auto start = in_physics(header.start, physics);
+    if (start) start = on_grid(std::move(*start), squares);
+    if (!start) return tl::unexpected(start.error());
+    const bool drawn = canvas && start->grid.size() <= Session::kMostFollowed;
+    if (drawn)
+        if (auto shown = canvas->show(*start); !shown) return shown;
+
+    forget_peak();
+    const std::size_t before = resident_bytes();
+    auto session = Session::begin(*start, how.how, std::nullopt);
+    if (!session) return tl::unexpected(session.error());
+    std::optional<Verifier> verifier;
+    if (squares == squares_of(header.start) && is_own(header.start, physics) &&
+        header.physics_version == kPhysicsVersion)
+        verifier.emplace(named.recording), verifier->look_at(*session);
+    Player player{*session, named.recording, verifier ? &*verifier : nullptr, drawn ? canvas : nullptr,
+                  fmt::format("{} on {} squares", named.name, squares)};
+    const std::int64_t last =
+        std::min(how.ticks.value_or(named.recording.last_tick()), named.recording.last_tick());
+    const std::size_t first_row = scaling.rows.size();
+    double bytes = 0;
+    for (const int seconds : kScalingSeconds) {
+        const std::int64_t from = std::llrint(seconds / static_cast<double>(start->params.tick_s));
+        if (from + kTicksBefore + kTicksEach > last) break;
+        std::vector<PerfRow> unused, rows;
+        if (auto played = player.play(from, nullptr); !played) return played;
+        session->follow_fronts(*start, std::numeric_limits<std::size_t>::max());
+        if (bytes == 0) bytes = static_cast<double>(peak_bytes()) - static_cast<double>(before);
+        if (auto played = player.play(from + kTicksBefore, &unused); !played) return played;
+        if (auto played = player.play(from + kTicksBefore + kTicksEach, &rows); !played) return played;
+        session->follow_nothing();
+        scaling.rows.push_back(row_of(std::move(rows)));
+        scaling.rows.back().squares = squares;
+        scaling.rows.back().vertices = start->grid.size();
+    }
+    for (std::size_t i = first_row; i < scaling.rows.size(); ++i) scaling.rows[i].session_bytes = bytes;
+    if (!verifier) return {};
+    const bool met = !verifier->verdict().parted;
+    scaling.proof = met ? Proof::kGolden : Proof::kInvalid;
+    if (!met) scaling.why = *verifier->verdict().parted;
+    return {};
+}
+
+}  // namespace
+
+Outcome<Scaling> measure_scaling(const BenchRecording& recording, std::span<const int> squares,
+                                 const BenchPhysics& physics, const BenchHow& how, Canvas* canvas) {
+    Scaling scaling;
+    scaling.recording = recording.name;
+    scaling.file_hash = recording.file_hash;
+    scaling.physics = physics.name;
+    scaling.ticks_each = static_cast<int>(kTicksEach);
+    for (const int each : squares)
+        if (auto measured = measure_grid(recording, each, physics, how, canvas, scaling); !measured)
+            return tl::unexpected(measured.error());
+    if (scaling.rows.empty())
+        return unusable(fmt::format("{} is over before its {}th second, where the study begins",
+                                    recording.name, kScalingSeconds.front()));
+    return scaling;
+}
+
+std::vector<Exponents> exponents_of(std::span<const ScalingRow> rows) {
+    std::vector<double> vertices, points;
+    for (const ScalingRow& row : rows) {
+        vertices.push_back(static_cast<double>(row.vertices));
+        points.push_back(static_cast<double>(row.points));
+    }
+    const auto fit = [&](std::string part, const std::vector<double>& costs) {
+        const std::vector<std::vector<double>> by_vertices{vertices}, by_points{points},
+            by_both{vertices, points};
+        return Exponents{std::move(part), fit_power_law(costs, by_vertices), fit_power_law(costs, by_points),
+                         fit_power_law(costs, by_both)};
+    };
+    std::vector<Exponents> all;
+    for (std::size_t part = 0; part < kPartCount; ++part) {
+        std::vector<double> costs;
+        for (const ScalingRow& row : rows) costs.push_back(row.ms[part].value_or(0));
+        all.push_back(fit(kPartNames[part], costs));
+    }
+    std::vector<double> ticks;
+    for (const ScalingRow& row : rows) ticks.push_back(row.ms.tick());
+    all.push_back(fit("tick", ticks));
+    return all;
+}
+
+}  // namespace game

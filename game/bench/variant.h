@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "game/outcome.h"
+#include "game/start.h"
+
+namespace game {
+
+// The physics in which recordings are measured; a name holds no space.
+struct BenchPhysics {
+    std::string_view name;
+    sim::Model model;
+    sim::Scheme scheme;  // of bcre
+};
+inline constexpr std::array<BenchPhysics, 3> kBenchPhysics{
+    {{"bcre-inertial", sim::Model::kBcreInertial, sim::Scheme::kLocalLaxFriedrichs},
+     {"lax-friedrichs", sim::Model::kBcre, sim::Scheme::kLaxFriedrichs},
+     {"local-lax-friedrichs", sim::Model::kBcre, sim::Scheme::kLocalLaxFriedrichs}}};
+std::optional<BenchPhysics> bench_physics_named(std::string_view name);
+std::string bench_physics_names();  // with commas between
+
+// Whether this is how `start` is reckoned anyway.
+bool is_own(const Start& start, const BenchPhysics& physics);
+// The start reckoned so: another scheme alone, or the numbers that its materials have for the other model.
+// Tick and borders stay. Errors: a material ships no such numbers.
+Outcome<Start> in_physics(Start start, const BenchPhysics& physics);
+
+int squares_of(const Start& start);  // along the longer side
+// Its ground on another grid over the same rectangle, 8 to 4096 squares along the longer side: bedrock and
+// layers averaged where the grid is coarser, interpolated where it is finer. Errors: fewer than two squares
+// would fit across.
+Outcome<Start> on_grid(Start start, int squares);
+
+}  // namespace game

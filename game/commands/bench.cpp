@@ -1,0 +1,177 @@
+#include <fmt/format.h>
+
+#include "game/assets.h"
+#include "game/bench/against.h"
+#include "game/bench/page.h"
+#include "game/bench/report.h"
+#include "game/commands/commands.h"
+#include "game/recording/file_hash.h"
+#include "game/text_file.h"
+#include "game/trace.h"
+
+namespace game {
+namespace {
+
+Outcome<std::vector<BenchRecording>> read_all(const std::vector<std::string>& names) {
+    std::vector<BenchRecording> recordings;
+    for (const std::string& name : names) {
+        const auto path = find_asset(AssetKind::kRecording, name);
+        if (!path) return tl::unexpected(path.error());
+        auto recording = read_recording(*path);
+        if (!recording) return tl::unexpected(recording.error());
+        if (recording->warning) fmt::print(stderr, "couloir: warning: {}\n", *recording->warning);
+        if (recording->header.start.flow)
+            return unusable(fmt::format("{}: shows a flow, and bench measures avalanches", path->string()));
+        if (recording->last_tick() < 1) return unusable(fmt::format("{}: holds no tick", path->string()));
+        recordings.push_back({path->stem().string(), file_hash(*path), std::move(*recording)});
+    }
+    return recordings;
+}
+
+Outcome<std::vector<BenchRecording>> recordings_of(const BenchOptions& options) {
+    if (!options.recordings.empty()) return read_all(options.recordings);
+    if (options.scaling) return read_all({"snow-avalanche"});
+    const auto names = asset_names(AssetKind::kRecording);
+    if (!names) return tl::unexpected(names.error());
+    return read_all(*names);
+}
+
+std::vector<BenchPhysics> physics_of(const BenchOptions& options) {
+    std::vector<BenchPhysics> all;
+    for (const std::string& name : options.physics) all.push_back(*bench_physics_named(name));
+    if (all.empty()) all.assign(kBenchPhysics.begin(), kBenchPhysics.end());
+    return all;
+}
+
+Outcome<std::vector<Measured>> measure_cases(const std::vector<BenchRecording>& recordings,
+                                             const BenchOptions& options, Canvas* canvas) {
+    const std::vector<int> squares = options.squares.empty() ? std::vector{80, 160} : options.squares;
+    const auto physics = physics_of(options);
+    const std::size_t count = recordings.size() * squares.size() * physics.size();
+    std::vector<Measured> cases;
+    for (const BenchRecording& recording : recordings)
+        for (const int each : squares)
+            for (const BenchPhysics& way : physics) {
+                auto measured = measure(recording, each, way, options.how, canvas,
+                                        fmt::format("{} of {}: {}, {} squares, {}", cases.size() + 1, count,
+                                                    recording.name, each, way.name));
+                if (!measured) return tl::unexpected(measured.error());
+                if (!options.trace) measured->last = {};
+                cases.push_back(std::move(*measured));
+            }
+    return cases;
+}
+
+Outcome<Scaling> scale(const std::vector<BenchRecording>& recordings, const BenchOptions& options,
+                       Canvas* canvas) {
+    const BenchRecording& recording = recordings.front();
+    const Start& start = recording.recording.header.start;
+    const auto physics = physics_of(options);
+    // In its own, unless another is asked for.
+    auto way = physics.front();
+    if (options.physics.empty())
+        for (const BenchPhysics& each : physics)
+            if (is_own(start, each)) way = each;
+    const std::vector<int> usual(kScalingSquares.begin(), kScalingSquares.end());
+    return measure_scaling(recording, options.squares.empty() ? usual : options.squares, way, options.how,
+                           canvas);
+}
+
+Outcome<void> write_all(const BenchReport& report, const std::vector<Table>& tables,
+                        const BenchOptions& options) {
+    const auto write = [](const auto& path, const auto& make) -> Outcome<void> {
+        return path ? write_text(*path, make()) : Outcome<void>();
+    };
+    auto written = write(options.perf, [&] { return csv_of(report); });
+    if (written) written = write(options.summary, [&] { return printed(to_json(report)); });
+    if (written) written = write(options.page, [&] { return page_of(report, tables); });
+    if (written)
+        written = write(options.trace, [&] {
+            std::vector<TracedRun> runs;
+            for (const Measured& each : report.cases)
+                runs.push_back({fmt::format("{}, {} squares, {}", each.recording, each.squares, each.physics),
+                                each.last});
+            return trace_of(runs);
+        });
+    return written;
+}
+
+// What another run of this program wrote; whatever is wrong with it is known before anything is measured.
+struct Earlier {
+    std::vector<BenchEntry> entries;
+    std::string processor;
+};
+Outcome<Earlier> read_earlier(const std::filesystem::path& path) {
+    const auto json = read_report(path);
+    if (!json) return tl::unexpected(json.error());
+    return Earlier{*entries_of(*json), json->value("/surroundings/processor"_json_pointer, std::string())};
+}
+
+Outcome<BenchComparison> compare_with(const Earlier& earlier, const BenchReport& report,
+                                      const BenchOptions& options) {
+    const Json json = to_json(report);
+    BenchComparison comparison = compare_entries(*entries_of(json), earlier.entries, options.tolerance);
+    if (comparison.compared == 0)
+        return unusable(fmt::format("{}: measured nothing that this run did", options.against->string()));
+    if (const auto here = json.value("/surroundings/processor"_json_pointer, std::string());
+        here != earlier.processor)
+        comparison.remarks.push_back(
+            fmt::format("the earlier run was on another processor: {}, here {}", earlier.processor, here));
+    for (const std::string& remark : comparison.remarks) fmt::print(stderr, "couloir: {}\n", remark);
+    return comparison;
+}
+
+}  // namespace
+
+Outcome<int> bench(const BenchOptions& options) {
+    std::optional<Earlier> earlier;
+    if (options.against) {
+        auto read = read_earlier(*options.against);
+        if (!read) return tl::unexpected(read.error());
+        earlier = std::move(*read);
+    }
+    const auto recordings = recordings_of(options);
+    if (!recordings) return tl::unexpected(recordings.error());
+    for (const auto& file : {options.perf, options.summary, options.page, options.trace})
+        if (file)
+            if (auto placed = make_place_for(*file); !placed) return tl::unexpected(placed.error());
+    std::optional<Canvas> canvas;
+    if (options.draws) {
+        auto opened = Canvas::open(options.size, options.gl);
+        if (!opened) return tl::unexpected(opened.error());
+        canvas = std::move(*opened);
+    }
+
+    BenchReport report;
+    report.around = {options.scaling ? "bench --scaling" : "bench", "", options.how.how.threads,
+                     canvas ? std::optional(canvas->drawn_by()) : std::nullopt};
+    if (options.scaling) {
+        auto scaling = scale(*recordings, options, canvas ? &*canvas : nullptr);
+        if (!scaling) return tl::unexpected(scaling.error());
+        report.scaling = std::move(*scaling);
+    } else {
+        auto cases = measure_cases(*recordings, options, canvas ? &*canvas : nullptr);
+        if (!cases) return tl::unexpected(cases.error());
+        report.cases = std::move(*cases);
+    }
+
+    auto tables = tables_of(report);
+    std::optional<BenchComparison> comparison;
+    if (earlier) {
+        auto compared = compare_with(*earlier, report, options);
+        if (!compared) return tl::unexpected(compared.error());
+        comparison = std::move(*compared);
+        tables.push_back(comparison->table);
+    }
+    if (auto written = write_all(report, tables, options); !written) return tl::unexpected(written.error());
+    if (options.json)
+        fmt::print("{}", printed(to_json(report)));
+    else
+        for (const Table& table : tables) fmt::print("{}\n", as_text(table));
+    if (const auto fault = report.invalid()) return tl::unexpected(Failure{Failure::kBadAnswer, *fault});
+    if (comparison && comparison->too_slow)
+        return tl::unexpected(Failure{Failure::kBadAnswer, *comparison->too_slow});
+    return 0;
+}
+
+}  // namespace game
