@@ -23,7 +23,7 @@ std::string chained(std::string_view bytes) {
         const std::size_t end = std::min(bytes.find('\n'), bytes.size());
         std::string line(bytes.substr(0, end));
         bytes.remove_prefix(std::min(end + 1, bytes.size()));
-        if (line.empty()) line = "}";
+        if (line.empty()) line.push_back('}');
         chain.close(line);
         text += line + "\n";
     }

@@ -25,7 +25,7 @@ const std::array<Room, 5>& rooms() {
     static const std::array<Room, 5> kRooms{{
         {.name = "sim",
          .rooms = {"sim/"},
-         .libraries = {"glm/", "xxhash.h", "experimental/simd"},
+         .libraries = {"glm/", "xxhash.h", "xxh_x86dispatch.h", "experimental/simd"},
          .not_standard = {"filesystem", "fstream", "chrono", "ctime"}},
         {.name = "terrains",
          .rooms = {"terrains/", "sim/grid.h", "sim/check.h"},
