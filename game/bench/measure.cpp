@@ -165,6 +165,7 @@ Outcome<Measured> measure(const BenchRecording& named, int squares, const BenchP
         measured.why = fmt::format("its repeats part at tick {}", *tick);
     if (measured.why.empty()) measured.proof = run.is_recorded ? Proof::kGolden : Proof::kUnverified;
     std::vector<double> totals;
+    totals.reserve(repeats.size());
     for (const auto& rows : repeats) totals.push_back(total_ms(rows));
     const auto [fastest, slowest] = std::minmax_element(totals.begin(), totals.end());
     if (*fastest > 0) measured.slowest_by_fastest = *slowest / *fastest;
