@@ -74,11 +74,12 @@ std::string line(double x1, double y1, double x2, double y2, const char* kind) {
 std::vector<double> marks_of(const Axis& axis, int count) {
     if (!axis.logarithmic) return round_numbers(axis.least, axis.most, count);
     std::vector<double> marks;
-    for (double power = std::pow(10, std::floor(std::log10(axis.least))); power <= axis.most * 1.001;
-         power *= 10)
+    const int last = static_cast<int>(std::floor(std::log10(axis.most * 1.001)));
+    for (int exponent = static_cast<int>(std::floor(std::log10(axis.least))); exponent <= last; ++exponent)
         for (const double step : {1.0, 2.0, 5.0})
-            if (power * step >= axis.least * 0.999 && power * step <= axis.most * 1.001)
-                marks.push_back(power * step);
+            if (const double mark = step * std::pow(10, exponent);
+                mark >= axis.least * 0.999 && mark <= axis.most * 1.001)
+                marks.push_back(mark);
     if (static_cast<int>(marks.size()) <= count) return marks;
     // Powers of ten alone.
     std::erase_if(marks, [](double mark) {
