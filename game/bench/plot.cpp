@@ -169,9 +169,10 @@ std::string svg_of(const StackedPlot& plot) {
     std::vector<double> base(count, 0.0);
     for (const auto& layer : plot.layers) {
         std::string there, back;
-        for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t i = 0; i < count; ++i)
             there += fmt::format("{:.1f} {:.1f} ", x.at(plot.x[i]), y.at(base[i] + layer.y[i]));
-            back = fmt::format("{:.1f} {:.1f} ", x.at(plot.x[i]), y.at(base[i])) + back;
+        for (std::size_t i = count; i-- > 0;) {
+            back += fmt::format("{:.1f} {:.1f} ", x.at(plot.x[i]), y.at(base[i]));
             base[i] += layer.y[i];
         }
         svg += fmt::format("<polygon class=\"f{}\" points=\"{}{}\">{}</polygon>\n", layer.colour, there, back,

@@ -54,6 +54,7 @@ struct Player {
 ScalingRow row_of(std::vector<PerfRow> rows) {
     // As if each tick were a repeat of the same one: what rolls changes little in so few.
     std::vector<std::vector<PerfRow>> repeats;
+    repeats.reserve(rows.size());
     for (PerfRow& row : rows) repeats.push_back({std::move(row)});
     const PerfRow middle = medians_of(repeats)[0];
     ScalingRow found;
