@@ -24,7 +24,7 @@ sim::How other_way(sim::How how) {
 }
 
 std::string name_of(const sim::How& how, bool swept) {
-    const std::string threads = fmt::format("{} thread{}", how.threads, how.threads > 1 ? "s" : "");
+    std::string threads = fmt::format("{} thread{}", how.threads, how.threads > 1 ? "s" : "");
     if (!swept) return threads;
     return fmt::format("{}, tiles of {}x{}{}", threads, how.tile_width, how.tile_height,
                        how.last_tile_first ? " from the last to the first" : "");

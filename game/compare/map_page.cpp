@@ -49,8 +49,14 @@ void MapPage::write(const Lettering& letters, const std::string& text, const glm
         line.clear();
     };
     for (std::string word; words >> word;) {
-        if (!line.empty() && letters.width(line + " " + word) > room) end_line();
-        line += (line.empty() ? "" : " ") + word;
+        std::string longer = line;
+        if (!line.empty()) longer += ' ';
+        longer += word;
+        if (!line.empty() && letters.width(longer) > room) {
+            end_line();
+            longer = word;
+        }
+        line = longer;
     }
     end_line();
 }
@@ -77,9 +83,11 @@ void MapPage::swatch(const glm::vec3& colour, const std::string& meaning) {
 void MapPage::stroke(float width, float dash, const glm::vec3& colour, const std::string& meaning) {
     const float middle = std::round(pen_.y + usual_.height() / 2) + 0.5f;
     const float step = dash > 0 ? 2 * dash : 26;
-    for (float x = 0; x < 25; x += step)
+    for (int i = 0; static_cast<float>(i) * step < 25; ++i) {
+        const float x = static_cast<float>(i) * step;
         sheet_.line({pen_.x + x, middle}, {pen_.x + std::min(x + (dash > 0 ? dash : 26), 26.f), middle},
                     width, colour);
+    }
     usual_.write(sheet_, {pen_.x + kIndent, pen_.y}, meaning, kText);
     pen_.y += usual_.height() + 6;
 }

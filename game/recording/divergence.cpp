@@ -79,7 +79,8 @@ std::vector<std::uint8_t> cells_that_differ(const sim::State& a, const sim::Stat
         std::size_t cell = 0;
         for (int y = 0; y < a.grid.ny; ++y)
             for (int x = 0; x < a.grid.nx; ++x, ++cell)
-                if (std::memcmp(&(*fields[i].values)(x, y), &(*others[i].values)(x, y), sizeof(float)) != 0)
+                if (std::bit_cast<std::uint32_t>((*fields[i].values)(x, y)) !=
+                    std::bit_cast<std::uint32_t>((*others[i].values)(x, y)))
                     cells[cell] = 1;
     }
     return cells;
