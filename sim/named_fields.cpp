@@ -21,8 +21,8 @@ std::vector<NamedField> fields_of(const State& s) {
 
 std::vector<NamedField> fields_of(const Scratch<float>& s) {
     std::vector<NamedField> fields;
-    const auto add = [&](const std::string& of, std::vector<NamedField> named) {
-        for (NamedField& field : named)
+    const auto add = [&](const std::string& of, const std::vector<NamedField>& named) {
+        for (const NamedField& field : named)
             if (field.values->nx() > 0) fields.push_back({of + field.name, field.values});
     };
     for (auto* level : {&s.now, &s.then}) {

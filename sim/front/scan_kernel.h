@@ -138,7 +138,7 @@ struct Scan {
         }
     }
 
-    static constexpr Kernels kernels{find_changes, find_jumps, find_above};
+    static constexpr Kernels kAll{find_changes, find_jumps, find_above};
 };
 
 }  // namespace sim::front::scan

@@ -4,6 +4,6 @@
 
 namespace sim::front::scan {
 
-const Kernels kKernels_v2 = Scan<stdx::simd<float, stdx::simd_abi::deduce_t<float, 4>>>::kernels;
+const Kernels kKernels_v2 = Scan<stdx::simd<float, stdx::simd_abi::deduce_t<float, 4>>>::kAll;
 
 }  // namespace sim::front::scan

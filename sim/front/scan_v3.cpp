@@ -4,6 +4,6 @@
 
 namespace sim::front::scan {
 
-const Kernels kKernels_v3 = Scan<stdx::simd<float, stdx::simd_abi::deduce_t<float, 8>>>::kernels;
+const Kernels kKernels_v3 = Scan<stdx::simd<float, stdx::simd_abi::deduce_t<float, 8>>>::kAll;
 
 }  // namespace sim::front::scan
