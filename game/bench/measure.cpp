@@ -98,15 +98,6 @@ double total_ms(const std::vector<PerfRow>& rows) {
     return ms;
 }
 
-Outcome<Start> start_of(const Recording& recording, int squares, const BenchPhysics& physics) {
-    auto start = in_physics(recording.header.start, physics);
-    if (start) start = on_grid(std::move(*start), squares);
-    if (!start) return start;
-    if (const auto fault = fault_of_sets(start->params, recording.commands))
-        return unusable(fmt::format("{} in {}: {}", start->scene, physics.name, *fault));
-    return start;
-}
-
 }  // namespace
 
 std::string_view to_string(Proof proof) {
@@ -132,8 +123,7 @@ Outcome<Measured> measure(const BenchRecording& named, int squares, const BenchP
                   how,
                   canvas,
                   std::min(how.ticks.value_or(last), last),
-                  squares == squares_of(recording.header.start) && is_own(recording.header.start, physics) &&
-                      recording.header.physics_version == kPhysicsVersion};
+                  has_states_of(recording, squares, physics)};
     if (canvas)
         if (auto shown = canvas->show(*start); !shown) return tl::unexpected(shown.error());
 

@@ -68,9 +68,7 @@ ScalingRow row_of(std::vector<PerfRow> rows) {
 
 Outcome<void> measure_grid(const BenchRecording& named, int squares, const BenchPhysics& physics,
                            const BenchHow& how, Canvas* canvas, Scaling& scaling) {
-    const Header& header = named.recording.header;
-    auto start = in_physics(header.start, physics);
-    if (start) start = on_grid(std::move(*start), squares);
+    const auto start = start_of(named.recording, squares, physics);
     if (!start) return tl::unexpected(start.error());
     const bool drawn = canvas && start->grid.size() <= Session::kMostFollowed;
     if (drawn)
@@ -81,8 +79,7 @@ Outcome<void> measure_grid(const BenchRecording& named, int squares, const Bench
     auto session = Session::begin(*start, how.how, std::nullopt);
     if (!session) return tl::unexpected(session.error());
     std::optional<Verifier> verifier;
-    if (squares == squares_of(header.start) && is_own(header.start, physics) &&
-        header.physics_version == kPhysicsVersion)
+    if (has_states_of(named.recording, squares, physics))
         verifier.emplace(named.recording), verifier->look_at(*session);
     Player player{*session, named.recording, verifier ? &*verifier : nullptr, drawn ? canvas : nullptr,
                   fmt::format("{} on {} squares", named.name, squares)};

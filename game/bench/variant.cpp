@@ -123,4 +123,19 @@ Outcome<Start> on_grid(Start start, int squares) {
     return start;
 }
 
+Outcome<Start> start_of(const Recording& recording, int squares, const BenchPhysics& physics) {
+    auto start = in_physics(recording.header.start, physics);
+    if (start) start = on_grid(std::move(*start), squares);
+    if (!start) return start;
+    if (const auto fault = fault_of_sets(start->params, recording.commands))
+        return unusable(fmt::format("{} in {}: {}", start->scene, physics.name, *fault));
+    return start;
+}
+
+bool has_states_of(const Recording& recording, int squares, const BenchPhysics& physics) {
+    const Header& header = recording.header;
+    return squares == squares_of(header.start) && is_own(header.start, physics) &&
+           header.physics_version == kPhysicsVersion;
+}
+
 }  // namespace game

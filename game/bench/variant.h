@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "game/outcome.h"
+#include "game/recording/reader.h"
 #include "game/start.h"
 
 namespace game {
@@ -34,5 +35,11 @@ int squares_of(const Start& start);  // along the longer side
 // layers averaged where the grid is coarser, interpolated where it is finer. Errors: fewer than two squares
 // would fit across.
 Outcome<Start> on_grid(Start start, int squares);
+
+// What of a recording is measured: its start in this physics on that grid. Errors: as above, or its commands
+// set numbers that do not go together there.
+Outcome<Start> start_of(const Recording& recording, int squares, const BenchPhysics& physics);
+// Whether the states that it recorded are of that start.
+bool has_states_of(const Recording& recording, int squares, const BenchPhysics& physics);
 
 }  // namespace game
