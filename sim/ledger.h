@@ -6,6 +6,7 @@ namespace sim {
 
 struct Params;
 struct State;
+enum class InstructionSet;
 
 // The grain of mass: depth and rolling layer are whole multiples of it, exact in float32 up to kDeepest. m of
 // depth.
@@ -31,6 +32,6 @@ struct Ledger {
 // order.
 void count_mass(State& state);
 // The same, but of tiles that cannot have changed since takes what was counted then. The first time of all.
-void count_changed_mass(State& state);
+void count_changed_mass(State& state, InstructionSet set);
 
 }  // namespace sim

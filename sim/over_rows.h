@@ -33,10 +33,14 @@ class OverRows {
         each_row(name, stage, [](int) {});
     }
     // The same for what goes by the numbers of the bed (mixture.h).
+    template <class Stage, class End>
+    void each_row_of_bed(std::string_view name, Stage&& stage, End&& end) const {
+        each_vertex(blends_ ? blends_->bed : nullptr, stage, end);
+        done(name);
+    }
     template <class Stage>
     void each_row_of_bed(std::string_view name, Stage&& stage) const {
-        each_vertex(blends_ ? blends_->bed : nullptr, stage, [](int) {});
-        done(name);
+        each_row_of_bed(name, stage, [](int) {});
     }
     // Faces know no material: what passes is what vertices give.
     template <class Stage, class End>

@@ -79,7 +79,7 @@ void step(State& state, std::span<const Command> commands, Engine& engine) {
     }
 
     ++state.tick;
-    count_changed_mass(state);
+    count_changed_mass(state, engine.how.instruction_set);
 }
 
 }  // namespace sim

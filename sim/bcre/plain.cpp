@@ -45,22 +45,15 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
             "find_drops", [&](int y) { return find_drops<Number>(world, level, y); },
             [&](int y) { end_drops<Number>(world, level, y); });
     };
-    const auto close = [&](const Level<Number>& level) {
-        return [&](int y) { close_walls<Number>(world, level, y, all); };
-    };
+    const auto close = [&](int y) { close_walls<Number>(world, world.now, y, all); };
     const auto end_gift = [&](int y) { end_given<Number>(world, world.now, y, all); };
-    const auto find_rates = [&](const Level<Number>& level) {
+    const auto find_motion = [&](const Level<Number>& level) {
         over.each_face("find_bends", [&](int y) { return find_bends<Number>(world, level, y); });
         over.each_row("find_bent_fall", [&](const auto&, int y) { return find_bent_fall<Number>(level, y); });
         over.each_row(
             "find_central_velocity",
             [&](const auto& w, int y) { return find_central_velocity<Number>(w, level, y); },
             [&](int y) { end_velocity<Number>(world, level, y); });
-        over.each_face(
-            "find_muscl_fluxes", [&](int y) { return find_muscl_fluxes<Number>(world, level, y); },
-            close(level));
-        over.each_row_of_bed("find_exchange",
-                             [&](const auto& w, int y) { return find_exchange<Number>(w, level, y); });
     };
 
     find_drops_of(world.now);
@@ -72,7 +65,7 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
                 end_gift);
             over.each_face(
                 "find_quarter_fluxes",
-                [&](int y) { return find_quarter_fluxes<Number>(world, world.now, y); }, close(world.now));
+                [&](int y) { return find_quarter_fluxes<Number>(world, world.now, y); }, close);
             over.each_row_of_bed("settle", [&](const auto& w, int y) {
                 return settle<Number, Scheme::kLaxFriedrichs>(w, y, w.nx);
             });
@@ -89,13 +82,18 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
             });
             break;
         case Scheme::kMuscl:
-            find_rates(world.now);
-            over.each_row(
+            find_motion(world.now);
+            over.each_face(
+                "find_muscl_fluxes",
+                [&](int y) { return find_muscl_fluxes<Number, RkStage::kFirst>(world, y); }, close);
+            over.each_row_of_bed(
                 "predict", [&](const auto& w, int y) { return predict<Number>(w, y); },
                 [&](int y) { clear_drains<Number>(world.then, outlets, y, all); });
             find_drops_of(world.then);
-            find_rates(world.then);
-            over.each_face("take_mean_fluxes", [&](int y) { return take_mean_fluxes<Number>(world, y); });
+            find_motion(world.then);
+            over.each_face(
+                "find_muscl_fluxes",
+                [&](int y) { return find_muscl_fluxes<Number, RkStage::kSecond>(world, y); }, close);
             over.each_row(
                 "find_share", [&](const auto& w, int y) { return find_share<Number>(w, y); },
                 [&](int y) { end_share<Number>(world, y, all); });

@@ -13,6 +13,9 @@
 
 namespace sim::bcre {
 
+// What is reckoned with u₀, and what with u₁.
+enum class RkStage { kFirst, kSecond };
+
 template <class Number>
 [[gnu::always_inline]] inline Number mean(const Number& first, const Number& second) {
     return Scalar<Number>(0.5) * (first + second);

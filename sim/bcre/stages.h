@@ -121,22 +121,26 @@ void end_velocity(const Work<S>& w, const Level<S>& level, int y) {
     S* u = level.velocity_x[y];
     u[-1] = u[0], u[w.nx] = u[w.nx - 1];
 }
-// Then faces y = 0 … ny. Reads R, velocity_x, velocity_y; writes flux_x, flux_y, as much as is wanted.
-template <class Number, class S = Scalar<Number>>
-auto find_muscl_fluxes(const Work<S>& w, const Level<S>& level, int y) {
+// Then faces y = 0 … ny. Reads R, velocity_x, velocity_y of a level; writes flux_x, flux_y of `now`, as much
+// as is wanted: first by `now` itself, then as the mean of that and what `then` wants.
+template <class Number, RkStage stage, class S = Scalar<Number>>
+auto find_muscl_fluxes(const Work<S>& w, int y) {
+    constexpr bool kSecond = stage == RkStage::kSecond;
+    const Level<S>& level = kSecond ? w.then : w.now;
     return [c = w.c, r = level.rolling[y], r_south = level.rolling[y - 1],
             r_north = level.rolling[std::min(y + 1, w.ny)], r_south2 = level.rolling[std::max(y - 2, -1)],
             u = level.velocity_x[y], v = level.velocity_y[std::min(y, w.ny - 1)],
-            v_south = level.velocity_y[std::max(y - 1, 0)], flux_x = level.flux_x[y],
-            flux_y = level.flux_y[y]](int i) {
+            v_south = level.velocity_y[std::max(y - 1, 0)], flux_x = w.now.flux_x[y],
+            flux_y = w.now.flux_y[y]](int i) {
         const Number here = at<Number>(r, i);
-        store(flux_muscl<Number>({at<Number, -2>(r, i), at<Number, -1>(r, i), here, at<Number, 1>(r, i)},
-                                 at<Number, -1>(u, i), at<Number>(u, i), c),
-              flux_x + i);
-        store(flux_muscl<Number>(
-                  {at<Number>(r_south2, i), at<Number>(r_south, i), here, at<Number>(r_north, i)},
-                  at<Number>(v_south, i), at<Number>(v, i), c),
-              flux_y + i);
+        const Number in_x =
+            flux_muscl<Number>({at<Number, -2>(r, i), at<Number, -1>(r, i), here, at<Number, 1>(r, i)},
+                               at<Number, -1>(u, i), at<Number>(u, i), c);
+        const Number in_y = flux_muscl<Number>(
+            {at<Number>(r_south2, i), at<Number>(r_south, i), here, at<Number>(r_north, i)},
+            at<Number>(v_south, i), at<Number>(v, i), c);
+        store(kSecond ? mean(at<Number>(flux_x, i), in_x) : in_x, flux_x + i);
+        store(kSecond ? mean(at<Number>(flux_y, i), in_y) : in_y, flux_y + i);
     };
 }
 
@@ -157,40 +161,30 @@ template <class Number, class S = Scalar<Number>>
                    at<Number>(flux_south, i), at<Number>(flux_north, i));
 }
 
-// Of muscl: rows y = 0 … ny-1. Reads d, R, fall; writes exchanged, at the rate of this moment.
+// Of muscl: what vertex i of a row would erode at the rate of a level.
 template <class Number, class S = Scalar<Number>>
-auto find_exchange(const Work<S>& w, const Level<S>& level, int y) {
-    return [c = w.c, depth = level.depth[y], rolling = level.rolling[y], fall = level.fall[y],
-            exchanged = level.exchanged[y]](int i) {
-        store(exchanged_at_rate(at<Number>(rolling, i), at<Number>(depth, i),
-                                growth_of(at<Number>(fall, i), c), c),
-              exchanged + i);
-    };
+[[gnu::always_inline]] inline Number exchanged_at(const S* depth, const S* rolling, const S* fall, int i,
+                                                  const Constants<S>& c) {
+    return exchanged_at_rate(at<Number>(rolling, i), at<Number>(depth, i), growth_of(at<Number>(fall, i), c),
+                             c);
 }
 
 // Of muscl: rows y = 0 … ny-1. Where fluxes and exchange lead, unrounded, and never stored: it only serves to
-// find fluxes and exchange there. Reads all of `now`; writes depth and rolling of `then`.
+// find fluxes and exchange there. Reads d, R, fall, flux_x, flux_y of `now`; writes its exchanged, and d, R
+// of `then`.
 template <class Number, class S = Scalar<Number>>
 auto predict(const Work<S>& w, int y) {
-    return [depth = w.now.depth[y], rolling = w.now.rolling[y], exchanged = w.now.exchanged[y],
-            flux_x = w.now.flux_x[y], south = w.now.flux_y[y], north = w.now.flux_y[y + 1],
-            d = w.then.depth[y], r = w.then.rolling[y]](int i) {
-        const Number taken = at<Number>(exchanged, i);
+    return [c = w.c, depth = w.now.depth[y], rolling = w.now.rolling[y], fall = w.now.fall[y],
+            exchanged = w.now.exchanged[y], flux_x = w.now.flux_x[y], south = w.now.flux_y[y],
+            north = w.now.flux_y[y + 1], d = w.then.depth[y], r = w.then.rolling[y]](int i) {
+        const Number taken = exchanged_at<Number>(depth, rolling, fall, i, c);
+        store(taken, exchanged + i);
         store(predicted_rolling(carried_at<Number>(rolling, flux_x, south, north, i), taken), r + i);
         store<Number>(at<Number>(depth, i) - taken, d + i);
     };
 }
 
-// Of muscl: faces y = 0 … ny. Reads flux_x, flux_y of both levels; makes those of `now` the mean.
-template <class Number, class S = Scalar<Number>>
-auto take_mean_fluxes(const Work<S>& w, int y) {
-    return [flux_x = w.now.flux_x[y], flux_y = w.now.flux_y[y], then_x = w.then.flux_x[y],
-            then_y = w.then.flux_y[y]](int i) {
-        store(mean(at<Number>(flux_x, i), at<Number>(then_x, i)), flux_x + i);
-        store(mean(at<Number>(flux_y, i), at<Number>(then_y, i)), flux_y + i);
-    };
-}
-// Rows y = 0 … ny-1. Reads R, flux_x, flux_y; writes share.
+// Of muscl: rows y = 0 … ny-1. Reads R, flux_x, flux_y; writes share.
 template <class Number, class S = Scalar<Number>>
 auto find_share(const Work<S>& w, int y) {
     return [rolling = w.now.rolling[y], flux_x = w.now.flux_x[y], south = w.now.flux_y[y],
@@ -220,20 +214,22 @@ auto book_fluxes(const Work<S>& w, int y) {
 }
 
 // Rows y = 0 … ny-1: carries the fluxes, books the exchange, starts what is too steep to lie and stops what
-// is too thin to roll. Reads fall and, of muscl, exchanged of both levels; writes d, R, up to vertex `end`.
+// is too thin to roll. Reads fall and, of muscl, exchanged and what was predicted; writes d, R, up to vertex
+// `end`.
 // `active`, if there is one: a byte for each run of lanes, set where anything rolled or came to rest.
 template <class Number, Scheme scheme, class S = Scalar<Number>>
 auto settle(const Work<S>& w, int y, int end, std::uint8_t* active = nullptr) {
     constexpr bool kSecond = scheme == Scheme::kMuscl;
     return [c = w.c, depth = w.now.depth[y], rolling = w.now.rolling[y], flux_x = w.now.flux_x[y],
             south = w.now.flux_y[y], north = w.now.flux_y[y + 1],
-            falls = kSecond ? w.then.fall[y] : w.now.fall[y], first = w.now.exchanged[y],
-            second = w.then.exchanged[y], end, active](int i) {
+            falls = kSecond ? w.then.fall[y] : w.now.fall[y], taken = w.now.exchanged[y],
+            then_depth = w.then.depth[y], then_rolling = w.then.rolling[y], end, active](int i) {
         const Number fall = only_before(end, at<Number>(falls, i), i);
         const Number carried = carried_at<Number>(rolling, flux_x, south, north, i);
         Number lies = at<Number>(depth, i), rolls = carried;
         if constexpr (kSecond) {
-            const Number wanted = mean(at<Number>(first, i), at<Number>(second, i));
+            const Number next = exchanged_at<Number>(then_depth, then_rolling, falls, i, c);
+            const Number wanted = mean(at<Number>(taken, i), next);
             transfer(larger(in_quanta(wanted, c.dither), -carried), lies, rolls);
         } else {
             transfer(exchanged(carried, fall, grown_little(growth_of(fall, c)), c), lies, rolls);

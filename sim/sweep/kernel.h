@@ -80,10 +80,9 @@ class Kernel {
         then.depth = rows.last(8), then.rolling = rows.last(8), w.share = rows.last(2);
         for (auto* of : {&now, &then})
             for (auto* field : {&of->drop_x, &of->drop_y, &of->bend_x, &of->bend_y, &of->fall,
-                                &of->velocity_x, &of->velocity_y, &of->exchanged})
+                                &of->velocity_x, &of->velocity_y})
                 *field = rows.last(4);
-        now.flux_x = rows.last(8), now.flux_y = rows.last(8);
-        then.flux_x = rows.last(1), then.flux_y = rows.last(1);
+        now.flux_x = rows.last(8), now.flux_y = rows.last(8), now.exchanged = rows.last(4);
         // What a level leads to, from the drops of row y on.
         const auto find_rates = [&](const Level<float>& level, int y, int beside) {
             if (is_face(y, beside + 1)) run(find_drops<Lanes>(w, level, y));
@@ -96,10 +95,9 @@ class Kernel {
             if (is_row(t, 5)) fill_halo<Lanes>(w, now, t, wide());
             find_rates(now, t, 3);
             if (is_face(t - 1, 3))
-                run(find_bent_fall<Lanes>(now, t - 2), find_muscl_fluxes<Lanes>(w, now, t - 1),
+                run(find_bent_fall<Lanes>(now, t - 2), find_muscl_fluxes<Lanes, RkStage::kFirst>(w, t - 1),
                     fetch(w.bedrock, t + 1));
             if (is_face(t - 1, 3)) close_walls<Lanes>(w, now, t - 1, wide());
-            if (is_row(t - 2, 3)) run(find_exchange<Lanes>(w, now, t - 2));
             if (is_row(t - 2, 3)) run(predict<Lanes>(w, t - 2));
             if (is_row(t - 2, 3)) {
                 clear_drains<Lanes>(then, g_.outlets, t - 2, wide());
@@ -107,11 +105,9 @@ class Kernel {
             }
             find_rates(then, t - 2, 1);
             if (is_face(t - 3, 1))
-                run(find_bent_fall<Lanes>(then, t - 4), find_muscl_fluxes<Lanes>(w, then, t - 3),
+                run(find_bent_fall<Lanes>(then, t - 4), find_muscl_fluxes<Lanes, RkStage::kSecond>(w, t - 3),
                     fetch(now.depth, t + 1));
-            if (is_face(t - 3, 1)) close_walls<Lanes>(w, then, t - 3, wide());
-            if (is_row(t - 4, 0)) run(find_exchange<Lanes>(w, then, t - 4));
-            if (is_face(t - 3, 1)) run(take_mean_fluxes<Lanes>(w, t - 3));
+            if (is_face(t - 3, 1)) close_walls<Lanes>(w, now, t - 3, wide());
             if (is_row(t - 4, 1)) run(find_share<Lanes>(w, t - 4));
             if (is_near(t - 4, 1)) end_share<Lanes>(w, t - 4, wide());
             if (is_face(t - 4, 0)) run(book_fluxes<Lanes>(w, t - 4));
@@ -294,6 +290,28 @@ class Kernel {
 template <class Lanes>
 void run_velocity(const Ground& ground, const Job& job, float* work) {
     Kernel<Lanes>(ground, job).find_velocity(work);
+}
+
+// A layer is at most 2²⁴ quanta thick, so that many fit in 32 bits, in which they are added faster.
+template <class Lanes>
+std::int64_t quanta(const float* first, std::ptrdiff_t stride, int width, int height) {
+    using Whole = stdx::rebind_simd_t<std::int32_t, Lanes>;
+    constexpr int kTogether = 64;
+    std::int64_t sum = 0;
+    Whole part = 0;
+    int added = 0;
+    const auto take_part = [&] {
+        for (int lane = 0; lane < kLanes<Lanes>; ++lane) sum += part[lane];
+        part = 0, added = 0;
+    };
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; x += kLanes<Lanes>) {
+            const Lanes metres = only_before(width, at<Lanes>(first + y * stride, x), x);
+            part += stdx::static_simd_cast<Whole>(metres * (1 / kQuantum));
+            if (++added == kTogether) take_part();
+        }
+    take_part();
+    return sum;
 }
 
 template <class Lanes>

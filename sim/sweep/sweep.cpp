@@ -50,15 +50,22 @@ constexpr int kApronRows = kApron + 1;  // of each, on a side: with the halo, if
 struct Kernels {
     Sweep sweep;
     Velocity velocity;
+    Quanta quanta;
 };
 // By InstructionSet.
-constexpr Kernels kKernels[] = {{sweep_v2, velocity_v2}, {sweep_v3, velocity_v3}, {sweep_v4, velocity_v4}};
+constexpr Kernels kKernels[] = {{sweep_v2, velocity_v2, quanta_v2},
+                                {sweep_v3, velocity_v3, quanta_v3},
+                                {sweep_v4, velocity_v4, quanta_v4}};
 
 const Kernels& kernels_for(InstructionSet set) {
     return kKernels[static_cast<std::size_t>(set)];
 }
 
 }  // namespace
+
+Quanta quanta_for(InstructionSet set) {
+    return kernels_for(set).quanta;
+}
 
 Sweeper::Sweeper(const State& s, int threads, bool last_tile_first)
     : last_tile_first_(last_tile_first),

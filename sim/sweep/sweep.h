@@ -75,5 +75,14 @@ void velocity_v2(const Ground& ground, const Job& job, float* work);
 void velocity_v3(const Ground& ground, const Job& job, float* work);
 void velocity_v4(const Ground& ground, const Job& job, float* work);
 
+// What a layer holds on `width` by `height` vertices from `first` on, rows `stride` apart, in quanta: exact.
+using Quanta = std::int64_t (*)(const float* first, std::ptrdiff_t stride, int width, int height);
+std::int64_t quanta_v2(const float* first, std::ptrdiff_t stride, int width, int height);
+std::int64_t quanta_v3(const float* first, std::ptrdiff_t stride, int width, int height);
+std::int64_t quanta_v4(const float* first, std::ptrdiff_t stride, int width, int height);
+
+// By the kernel of an instruction set that this machine has.
+Quanta quanta_for(InstructionSet set);
+
 }  // namespace sweep
 }  // namespace sim

@@ -14,4 +14,8 @@ void velocity_v2(const Ground& ground, const Job& job, float* work) {
     run_velocity<Lanes4>(ground, job, work);
 }
 
+std::int64_t quanta_v2(const float* first, std::ptrdiff_t stride, int width, int height) {
+    return quanta<Lanes4>(first, stride, width, height);
+}
+
 }  // namespace sim::sweep

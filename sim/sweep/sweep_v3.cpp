@@ -14,4 +14,8 @@ void velocity_v3(const Ground& ground, const Job& job, float* work) {
     run_velocity<Lanes8>(ground, job, work);
 }
 
+std::int64_t quanta_v3(const float* first, std::ptrdiff_t stride, int width, int height) {
+    return quanta<Lanes8>(first, stride, width, height);
+}
+
 }  // namespace sim::sweep

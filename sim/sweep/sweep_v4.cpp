@@ -14,4 +14,8 @@ void velocity_v4(const Ground& ground, const Job& job, float* work) {
     run_velocity<Lanes16>(ground, job, work);
 }
 
+std::int64_t quanta_v4(const float* first, std::ptrdiff_t stride, int width, int height) {
+    return quanta<Lanes16>(first, stride, width, height);
+}
+
 }  // namespace sim::sweep

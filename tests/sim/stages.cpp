@@ -147,7 +147,7 @@ TEST(Fluxes, of_muscl_take_layer_and_velocity_at_the_face) {
         sim::bcre::work_of(stages.play.state, stages.play.state.params, stages.scratch, kHalfQuantum);
     for (int y = 0; y < 5; ++y) sim::fill_halo<float>(w, w.now, y, {0, 7});
     for (int x = 0; x < 7; ++x) stages.now.velocity_x(x, 2) = x == 3 ? 4 : 2;
-    sim::along<float>({0, 8}, sim::bcre::find_muscl_fluxes<float>(w, w.now, 2));
+    sim::along<float>({0, 8}, sim::bcre::find_muscl_fluxes<float, sim::bcre::RkStage::kFirst>(w, 2));
     EXPECT_NEAR(stages.now.flux_x(3, 2), 3 * 0.01 * (0.3 + 0.05), 1e-7);  // minmod(.2, .1) = .1
     EXPECT_NEAR(stages.now.flux_x(6, 2), 2 * 0.01 * 0.6, 1e-7);           // a maximum keeps its own
     EXPECT_EQ(stages.now.flux_y(2, 2), 0);
