@@ -251,12 +251,16 @@ template <class Number, class S = Scalar<Number>>
 auto find_velocity(const Work<S>& w, int y, int end) {
     return [c = w.c, rolling = w.now.rolling[y], drop_x = w.now.drop_x[y], south = w.now.drop_y[y],
             north = w.now.drop_y[y + 1], u = w.now.velocity_x[y], v = w.now.velocity_y[y], end](int i) {
-        const Number r = at<Number>(rolling, i);
+        const Number r = at<Number>(rolling, i), none(0);
+        const auto moves = r > S{0};
+        if (!any(moves)) {  // as it is in most places
+            store_before(end, none, u, i), store_before(end, none, v, i);
+            return;
+        }
         const Drops<Number> drop = outward<Number>(drop_x, south, north, i);
         const Vector<Number> velocity = net_velocity(drop, pace_of(fall_of(drop), r, c));
-        const auto moves = r > S{0};
-        store_before(end, select(moves, velocity.x, Number(0)), u, i);
-        store_before(end, select(moves, velocity.y, Number(0)), v, i);
+        store_before(end, select(moves, velocity.x, none), u, i);
+        store_before(end, select(moves, velocity.y, none), v, i);
     };
 }
 

@@ -306,7 +306,9 @@ std::int64_t quanta(const float* first, std::ptrdiff_t stride, int width, int he
     };
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; x += kLanes<Lanes>) {
-            const Lanes metres = only_before(width, at<Lanes>(first + y * stride, x), x);
+            const float* row = first + y * stride;
+            __builtin_prefetch(row + 2 * stride + x);  // rows of a tile are too short to be foreseen
+            const Lanes metres = only_before(width, at<Lanes>(row, x), x);
             part += stdx::static_simd_cast<Whole>(metres * (1 / kQuantum));
             if (++added == kTogether) take_part();
         }
