@@ -78,6 +78,7 @@ class App {
     std::optional<glm::dvec3> ground_under(glm::dvec2 point) const;  // of the picture
     void take_over_at_end();
     void take_over();
+    bool may_go_back();  // else tells why not
     void step_back();
     void run_back();
     void tell_hands_off();

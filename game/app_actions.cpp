@@ -158,8 +158,13 @@ void App::undo() {
     tell(fmt::format("Undone: {}. Back at {:.1f} s", *undone, sandbox_->session().seconds()));
 }
 
+bool App::may_go_back() {
+    if (!sandbox_->can_go_back()) tell("A flow that is shown has no way back");
+    return sandbox_->can_go_back();
+}
+
 void App::perform(const SeekTick& seek) {
-    if (!sandbox_->can_go_back()) return tell("A flow that is shown has no way back");
+    if (!may_go_back()) return;
     clock_.run_back(false);
     seeking_ = seek.tick;
 }
@@ -170,7 +175,7 @@ void App::step_back() {
 }
 
 void App::run_back() {
-    if (!sandbox_->can_go_back()) return tell("A flow that is shown has no way back");
+    if (!may_go_back()) return;
     clock_.run_back(!clock_.runs_back());
     clock_.pause(false);
     seeking_.reset();

@@ -30,11 +30,11 @@ Outcome<bool> play_headless(Session& session, std::span<const TimedCommand> comm
                             const Watchers& watchers, const std::string& what) {
     Progress progress(what);
     std::vector<sim::Command> due;
-    std::size_t next = 0;
     const auto done = [&] {
         const std::int64_t tick = session.state().tick;
         return (until.tick && tick >= *until.tick) ||
-               (until.rest && tick > 0 && next == commands.size() && sim::at_rest(session.state()));
+               (until.rest && tick > 0 && commands_from(commands, tick).empty() &&
+                sim::at_rest(session.state()));
     };
     const auto draw = [&]() -> render::DrawTimes {
         return watchers.gallery->draw(session.view(), session.fronts(), picture_name(session.state().tick));
@@ -49,8 +49,7 @@ Outcome<bool> play_headless(Session& session, std::span<const TimedCommand> comm
         if (tick >= until.most_ticks) return false;
 
         due.clear();
-        for (; next < commands.size() && commands[next].tick == tick; ++next)
-            due.push_back(commands[next].command);
+        for (const TimedCommand& given : commands_at(commands, tick)) due.push_back(given.command);
 
         const auto before = Clock::now();
         if (auto advanced = session.advance(due); !advanced) return tl::unexpected(advanced.error());

@@ -29,7 +29,7 @@ struct Watchers {
     std::function<void(const Session&)> after_tick;
 };
 
-// Plays a session: commands at their ticks, one tick after the other. Returns whether it stopped for the
+// Plays a session, with the commands from its tick on, at their ticks. Returns whether it stopped for the
 // reason that was asked for, false where most_ticks came first.
 Outcome<bool> play_headless(Session& session, std::span<const TimedCommand> commands, const Until& until,
                             const Watchers& watchers, const std::string& what);

@@ -21,12 +21,8 @@ std::size_t bytes_per_moment(const Start& start, bool has_textures) {
     return per_vertex * start.grid.size();
 }
 
-bool is_before(const TimedCommand& command, std::int64_t tick) {
-    return command.tick < tick;
-}
-
 void forget_from(std::vector<TimedCommand>& commands, std::int64_t tick) {
-    commands.erase(std::lower_bound(commands.begin(), commands.end(), tick, is_before), commands.end());
+    commands.resize(commands.size() - commands_from(commands, tick).size());
 }
 
 }  // namespace
@@ -114,10 +110,8 @@ void Sandbox::begin_action(std::string name) {
 }
 
 void Sandbox::give_due(const std::vector<TimedCommand>& commands) {
-    const std::int64_t tick = session_.state().tick;
-    for (auto next = std::lower_bound(commands.begin(), commands.end(), tick, is_before);
-         next != commands.end() && next->tick == tick; ++next)
-        given_.push_back(next->command);
+    for (const TimedCommand& due : commands_at(commands, session_.state().tick))
+        given_.push_back(due.command);
 }
 
 Outcome<void> Sandbox::tick(std::span<const sim::Command> hand) {

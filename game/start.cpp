@@ -10,6 +10,15 @@
 
 namespace game {
 
+std::span<const TimedCommand> commands_from(std::span<const TimedCommand> commands, std::int64_t tick) {
+    return {std::ranges::lower_bound(commands, tick, {}, &TimedCommand::tick), commands.end()};
+}
+
+std::span<const TimedCommand> commands_at(std::span<const TimedCommand> commands, std::int64_t tick) {
+    const auto from = commands_from(commands, tick);
+    return from.first(from.size() - commands_from(from, tick + 1).size());
+}
+
 std::optional<std::string> fault_of_sets(sim::Params params, std::span<const TimedCommand> commands) {
     std::vector<sim::Command> sets;  // of one tick, which may go together only as a whole
     for (std::size_t i = 0; i < commands.size(); ++i) {

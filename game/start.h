@@ -61,6 +61,10 @@ struct TimedCommand {
     sim::Command command;
 };
 
+// Of commands in order of their ticks, those from a tick on, and those given at its start.
+std::span<const TimedCommand> commands_from(std::span<const TimedCommand> commands, std::int64_t tick);
+std::span<const TimedCommand> commands_at(std::span<const TimedCommand> commands, std::int64_t tick);
+
 // What is wrong with the numbers that these commands, in order of their ticks, set one after the other: "at
 // tick 6: start_slope is below stop_slope". Nothing if all is well.
 std::optional<std::string> fault_of_sets(sim::Params params, std::span<const TimedCommand> commands);

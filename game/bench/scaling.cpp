@@ -24,15 +24,6 @@ struct Player {
     Canvas* canvas;      // null where nothing is drawn
     std::string what;
 
-    // Commands before the session's tick were given already.
-    std::span<const TimedCommand> commands_left() const {
-        const auto& all = recording.commands;
-        const auto next = std::find_if(all.begin(), all.end(), [&](const TimedCommand& command) {
-            return command.tick >= session.state().tick;
-        });
-        return {next, all.end()};
-    }
-
     Outcome<void> play(std::int64_t until_tick, std::vector<PerfRow>* rows) {
         Until until;
         until.tick = until.most_ticks = until_tick;
@@ -45,7 +36,7 @@ struct Player {
             }
             if (verifier) verifier->look_at(now);
         };
-        if (auto played = play_headless(session, commands_left(), until, watchers, what); !played)
+        if (auto played = play_headless(session, recording.commands, until, watchers, what); !played)
             return tl::unexpected(played.error());
         return {};
     }

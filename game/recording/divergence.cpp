@@ -120,11 +120,8 @@ Run::Run(const Side& side)
 }
 
 std::span<const sim::Command> Run::due() {
-    const auto by_tick = [](const TimedCommand& command, std::int64_t than) { return command.tick < than; };
     due_.clear();
-    for (auto next = std::lower_bound(side_.commands.begin(), side_.commands.end(), state_.tick, by_tick);
-         next != side_.commands.end() && next->tick == state_.tick; ++next)
-        due_.push_back(next->command);
+    for (const TimedCommand& due : commands_at(side_.commands, state_.tick)) due_.push_back(due.command);
     return due_;
 }
 
