@@ -93,11 +93,14 @@ class TextureLayers {
 
   private:
     void tear(const Detector& detector);
+    void find_slopes(const Detector& detector, Workers& workers);
     void follow(std::span<const glm::vec2> velocity, double dt, Workers& workers);
-    void pull_stranded(const Detector& detector, double dt);
+    void pull_stranded(const Detector& detector, std::span<const glm::vec2> velocity, double dt);
     void reseed(const Detector& detector);
     void renew(const Detector& detector, double before);
     void find_regions(const Detector& detector);
+    // Adds how far a vertex that moves has its offsets change on the way from it.
+    void add_slope(int vertex, const glm::vec2& way, Offsets& sum) const;
     void fade(double dt);
     void choose_latency(const Detector& detector, double dt, Workers& workers);
     void find_front_gradients(const Detector& detector, Workers& workers);
@@ -110,8 +113,15 @@ class TextureLayers {
 
     std::vector<std::uint8_t> torn_;  // of each triangle: it is cut
     std::vector<int> torn_list_;
+    std::vector<std::uint8_t> at_tear_;  // of each vertex: an edge there is cut, or was a step ago
+    std::vector<int> torn_vertices_;
     std::vector<int> moving_, place_;  // vertices that move; of each vertex its place there, −1: it rests
-    std::vector<Offsets> carried_;     // of each that moves
+    struct Slope {
+        Offsets x, y;  // by how much offsets change along x and y, per m
+    };
+    std::vector<Slope> slope_;        // of each that moves
+    std::vector<glm::mat2> inverse_;  // of each vertex its whole fan's, for the slope
+    std::vector<Offsets> carried_;    // of each that moves
     std::vector<std::uint8_t> is_stranded_;
     std::vector<int> stranded_;
     std::vector<int> region_;  // of each that moves, a place of its region: toward the first
