@@ -111,7 +111,8 @@ TextureLayers::TextureLayers(const Mesh& mesh, const LayerRule& rule)
     // Room for as much as there may be, so that a flow that grows allocates nothing; of what lies beside
     // fronts, for more than any flow has.
     const std::size_t vertices = mesh.position.size(), beside = vertices / 4;
-    for (std::vector<int>* list : {&moving_, &stranded_, &region_, &number_, &due_}) list->reserve(vertices);
+    for (std::vector<int>* list : {&now_.moving, &came_to_rest_, &stranded_, &region_, &number_, &due_})
+        list->reserve(vertices);
     carried_.reserve(vertices);
     is_stranded_.reserve(vertices);
     latency_.reserve(vertices);
@@ -133,13 +134,15 @@ void TextureLayers::carry(const Tracker& tracker, std::span<const glm::vec2> vel
     now_.time += dt;
     ++now_.steps;
 
-    for (const int v : moving_) place_[v] = -1;
-    moving_.clear();
+    for (const int v : now_.moving) place_[v] = -1;
+    came_to_rest_.swap(now_.moving);
+    now_.moving.clear();
     for (int v = 0; v < mesh_.vertices(); ++v)
         if (velocity[v] != glm::vec2(0, 0)) {
-            place_[v] = static_cast<int>(moving_.size());
-            moving_.push_back(v);
+            place_[v] = static_cast<int>(now_.moving.size());
+            now_.moving.push_back(v);
         }
+    std::erase_if(came_to_rest_, [this](int v) { return place_[v] >= 0; });
 
     // With the flow first. What it does not tell comes after, from neighbours that were carried just now: to
     // vertices whose flow comes out of a front, then to those that a front has passed.
@@ -149,6 +152,7 @@ void TextureLayers::carry(const Tracker& tracker, std::span<const glm::vec2> vel
     if (rule_.reseed) {
         pull_stranded(detector, velocity, dt);
         reseed(detector);
+        lay_down(detector);
     }
 
     // A phase is renewed once all of it lies where it belongs, for its region's mean is taken up.
@@ -164,7 +168,9 @@ void TextureLayers::settle(const Tracker& tracker, double dt, Workers& workers) 
 void TextureLayers::restore(const Memory& memory) {
     CHECK(memory.offset.size() == now_.offset.size());
     for (const int v : now_.beside) slot_[v] = -1;
+    for (const int v : now_.moving) place_[v] = -1;
     now_ = memory;
+    for (std::size_t i = 0; i < now_.moving.size(); ++i) place_[now_.moving[i]] = static_cast<int>(i);
     for (std::size_t i = 0; i < now_.beside.size(); ++i) slot_[now_.beside[i]] = static_cast<int>(i);
 }
 
@@ -193,10 +199,10 @@ void TextureLayers::tear(const Detector& detector) {
 
 // How offsets change around each vertex that moves, on its side.
 void TextureLayers::find_slopes(const Detector& detector, Workers& workers) {
-    slope_.resize(moving_.size());
-    workers.each_band(static_cast<int>(moving_.size()), [&](int first, int last) {
+    slope_.resize(now_.moving.size());
+    workers.each_band(static_cast<int>(now_.moving.size()), [&](int first, int last) {
         for (int i = first; i < last; ++i) {
-            const int v = moving_[i];
+            const int v = now_.moving[i];
             // A vertex that a front has just passed still has the coordinates of the other side.
             const bool flipped = at_tear_[v] && detector.has_flipped(v);
             const auto counts = [&](const Mesh::Spoke& spoke) {
@@ -224,11 +230,11 @@ void TextureLayers::add_slope(int vertex, const glm::vec2& way, Offsets& sum) co
 }
 
 void TextureLayers::follow(std::span<const glm::vec2> velocity, double dt, Workers& workers) {
-    carried_.resize(moving_.size());
-    is_stranded_.assign(moving_.size(), false);
-    workers.each_band(static_cast<int>(moving_.size()), [&](int first, int last) {
+    carried_.resize(now_.moving.size());
+    is_stranded_.assign(now_.moving.size(), false);
+    workers.each_band(static_cast<int>(now_.moving.size()), [&](int first, int last) {
         for (int i = first; i < last; ++i) {
-            const int v = moving_[i];
+            const int v = now_.moving[i];
             const glm::vec2 way = static_cast<float>(-dt) * velocity[v];
             const auto from = upstream_.find(v, way, torn_);
             is_stranded_[i] = !from;
@@ -251,9 +257,9 @@ void TextureLayers::follow(std::span<const glm::vec2> velocity, double dt, Worke
         }
     });
     stranded_.clear();
-    for (std::size_t i = 0; i < moving_.size(); ++i) {
-        now_.offset[moving_[i]] = carried_[i];
-        if (is_stranded_[i]) stranded_.push_back(moving_[i]);
+    for (std::size_t i = 0; i < now_.moving.size(); ++i) {
+        now_.offset[now_.moving[i]] = carried_[i];
+        if (is_stranded_[i]) stranded_.push_back(now_.moving[i]);
     }
 }
 
@@ -281,7 +287,18 @@ void TextureLayers::pull_stranded(const Detector& detector, std::span<const glm:
 void TextureLayers::reseed(const Detector& detector) {
     const auto settled = [&](int v) { return !detector.has_flipped(v); };
     const auto tell = [&](int neighbour, Offsets& sum) { add(sum, now_.offset[neighbour], 1); };
-    for (const int v : detector.flipped()) mean_around(detector, v, settled, tell, now_.offset[v]);
+    for (const int v : detector.flipped())
+        if (place_[v] >= 0) mean_around(detector, v, settled, tell, now_.offset[v]);
+}
+
+// What comes to rest goes on as what came to lie beside it; the first to do so stays as it is.
+void TextureLayers::lay_down(const Detector& detector) {
+    const auto lies = [&](int v) {
+        return place_[v] < 0 && has_moved(v) &&
+               !std::binary_search(came_to_rest_.begin(), came_to_rest_.end(), v);
+    };
+    const auto tell = [&](int neighbour, Offsets& sum) { add(sum, now_.offset[neighbour], 1); };
+    for (const int v : came_to_rest_) mean_around(detector, v, lies, tell, now_.offset[v]);
 }
 
 bool TextureLayers::is_renewed(int sheet, double before) const {
@@ -300,16 +317,16 @@ void TextureLayers::renew(const Detector& detector, double before) {
     if (!any) return;
     find_regions(detector);
     sum_.assign(static_cast<std::size_t>(regions_), {});
-    for (std::size_t i = 0; i < moving_.size(); ++i) {
+    for (std::size_t i = 0; i < now_.moving.size(); ++i) {
         Sum& of_region = sum_[number_[i]];
         ++of_region.count;
-        for (int s = 0; s < kSheets; ++s) of_region.offset[s] += glm::dvec2(now_.offset[moving_[i]][s]);
+        for (int s = 0; s < kSheets; ++s) of_region.offset[s] += glm::dvec2(now_.offset[now_.moving[i]][s]);
     }
-    for (std::size_t i = 0; i < moving_.size(); ++i) {
+    for (std::size_t i = 0; i < now_.moving.size(); ++i) {
         const Sum& of_region = sum_[number_[i]];
         for (int s = 0; s < kSheets; ++s)
             if (is_renewed(s, before))
-                now_.offset[moving_[i]][s] = glm::vec2(of_region.offset[s] / of_region.count);
+                now_.offset[now_.moving[i]][s] = glm::vec2(of_region.offset[s] / of_region.count);
     }
     for (std::size_t i = 0; i < now_.beside.size(); ++i)
         for (int s = 0; s < kSheets; ++s)
@@ -318,15 +335,15 @@ void TextureLayers::renew(const Detector& detector, double before) {
 
 // Vertices that move, and that edges join which no front cuts.
 void TextureLayers::find_regions(const Detector& detector) {
-    region_.resize(moving_.size());
-    number_.resize(moving_.size());
+    region_.resize(now_.moving.size());
+    number_.resize(now_.moving.size());
     std::iota(region_.begin(), region_.end(), 0);
     const auto root = [&](int i) {
         while (region_[i] != i) i = region_[i] = region_[region_[i]];
         return i;
     };
-    for (std::size_t i = 0; i < moving_.size(); ++i)
-        for (const auto& spoke : mesh_.around(moving_[i])) {
+    for (std::size_t i = 0; i < now_.moving.size(); ++i)
+        for (const auto& spoke : mesh_.around(now_.moving[i])) {
             const int other = place_[spoke.vertex];
             if (other < 0 || other > static_cast<int>(i) || detector.is_cut(spoke.edge)) continue;
             const int a = root(static_cast<int>(i)), b = root(other);
@@ -334,7 +351,7 @@ void TextureLayers::find_regions(const Detector& detector) {
         }
     // Each root is the first of its region: numbered before the others are asked.
     regions_ = 0;
-    for (std::size_t i = 0; i < moving_.size(); ++i) {
+    for (std::size_t i = 0; i < now_.moving.size(); ++i) {
         const int first = root(static_cast<int>(i));
         number_[i] = first == static_cast<int>(i) ? regions_++ : number_[static_cast<std::size_t>(first)];
     }
@@ -344,7 +361,7 @@ void TextureLayers::fade(double dt) {
     const float most = kFadeRate * static_cast<float>(dt);
     for (int k = 0; k < kLatencies; ++k) {
         const float share = share_of_second(now_.time / latency_s(k));
-        for (const int v : moving_) {
+        for (const int v : now_.moving) {
             float& second = now_.mix[v].second[k];
             second += std::clamp(share - second, -most, most);
         }
@@ -355,7 +372,7 @@ void TextureLayers::choose_latency(const Detector& detector, double dt, Workers&
     const auto period = std::max<std::int64_t>(1, std::llround(kLookAgainAfter / dt));
     const auto elapsed = static_cast<double>(period) * dt;
     due_.clear();
-    for (const int v : moving_)
+    for (const int v : now_.moving)
         if ((v + now_.steps) % period == 0) due_.push_back(v);
     latency_.resize(due_.size());
     const auto follow = static_cast<float>(1 - std::exp(-elapsed / kLatencyFollows));

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/fields/texture_score.h"
+#include "sim/front/flow_view.h"
 #include "sim/workers.h"
 
 // Textures that travel: with the flow, on either side of a front, and not drawn out.
@@ -149,6 +150,61 @@ TEST_F(Textures, that_came_to_rest_stay_as_they_are) {
     const std::vector<TextureLayers::Offsets> then(layers.offsets().begin(), layers.offsets().end());
     run(burst, 600);
     EXPECT_EQ(std::memcmp(then.data(), layers.offsets().data(), layers.offsets().size_bytes()), 0);
+}
+
+// A flow that comes to rest from its right end on, as a heap does that grows up the slope.
+TEST_F(Textures, of_what_comes_to_rest_are_not_drawn_out_and_stay) {
+    const auto halting = [](const glm::dvec2& x, double t) {
+        return x.x < 0.9 - 0.3 * t ? glm::vec2(0.2f, 0) : glm::vec2(0, 0);
+    };
+    run(halting, 110);
+    const std::vector<TextureLayers::Offsets> then(layers.offsets().begin(), layers.offsets().end());
+    run(halting, 90);
+    int lying = 0;
+    for (int v = 0; v < mesh.vertices(); ++v) {
+        const float x = mesh.position[v].x;
+        if (x > 0.9f) {
+            EXPECT_FALSE(layers.has_moved(v));
+            continue;
+        }
+        EXPECT_TRUE(layers.has_moved(v));
+        if (x < 0.4f || x > 0.8f) continue;
+        ++lying;
+        EXPECT_EQ(then[v], layers.offsets()[v]);
+        // Each for itself would have gone the further the later it stopped: by two thirds of a cell a cell.
+        EXPECT_LT(glm::length(layers.offsets()[v][0] - layers.offsets()[v - 1][0]), 0.1f / kSquares);
+    }
+    EXPECT_GT(lying, 80);
+}
+
+TEST_F(Textures, go_on_from_a_memory_to_the_same_bits_while_something_comes_to_rest) {
+    const auto halting = [](const glm::dvec2& x, double t) {
+        return x.x < 0.9 - 0.3 * t ? glm::vec2(0.2f, 0) : glm::vec2(0, 0);
+    };
+    run(halting, 60);
+    TextureLayers other(mesh, {});
+    other.restore(layers.memory());
+    std::vector<glm::vec2> v(mesh.position.size());
+    for (int i = 0; i < 60; ++i) {
+        run(halting, 1);
+        for (std::size_t k = 0; k < v.size(); ++k) v[k] = halting(glm::dvec2(mesh.position[k]), time);
+        other.advance(tracker, v, 1 / 60.0, workers);
+        ASSERT_TRUE(same_as(other)) << i;
+    }
+}
+
+TEST_F(Textures, stay_with_what_has_come_to_lie_and_not_with_what_was_laid) {
+    sim::front::FlowView view(mesh, rule_of_squares(kSquares), Source::kHalf, {});
+    std::vector<glm::vec2> v(mesh.position.size(), glm::vec2(0, 0));
+    for (std::size_t k = 0; k < v.size(); ++k)
+        if (mesh.position[k].x > 0.52f) v[k] = {0, 0.2f};
+    for (int i = 0; i < 30; ++i) view.advance({v, {}}, 1 / 60.0, workers);
+    EXPECT_EQ(view.deposit(mesh.vertices() - 1), 0);  // nothing is known
+    std::vector<float> rise(v.size());
+    for (std::size_t k = 0; k < v.size(); ++k) rise[k] = mesh.position[k].y > 0.52f ? 0.5f : -0.5f;
+    view.set_rise(rise);
+    for (int k = 0; k < mesh.vertices(); ++k)
+        EXPECT_EQ(view.deposit(k), mesh.position[k].x > 0.52f && mesh.position[k].y > 0.52f ? 0.5f : 0);
 }
 
 TEST_F(Textures, of_what_moves_as_a_whole_are_renewed_without_a_trace) {
