@@ -149,8 +149,8 @@ void Session::follow_fronts(const Start& start, std::size_t most_vertices) {
     if (start.flow)
         stage_ = std::make_unique<sim::fields::FlowStage>(state_.grid, start.flow->flow, start.flow->numbers);
     else if (start.look.flow)
-        fronts_ =
-            std::make_unique<sim::front::WorldFronts>(state_.grid, start.look.rolling_visible_m, kTextures);
+        fronts_ = std::make_unique<sim::front::WorldFronts>(state_.grid, start.look.rolling_visible_m,
+                                                            kTextures, start.depth);
     else
         return;
     advance_fronts();

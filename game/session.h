@@ -37,7 +37,7 @@ struct Peaks {
 // first, if it has a recorder, and then does.
 class Session {
   public:
-    // All of a session at one tick, to come back to: a plain value of some 24 bytes per vertex, and 76 more
+    // All of a session at one tick, to come back to: a plain value of some 24 bytes per vertex, and 80 more
     // where fronts are followed.
     struct Moment {
         sim::Snapshot world;

@@ -24,31 +24,40 @@ void send(const Buffer& buffer, const Values& values) {
 
 }  // namespace
 
-void FlowToGpu::upload(const TextureLayers& layers) {
+void FlowToGpu::upload(const sim::front::FlowView& flow) {
+    const TextureLayers& layers = flow.layers();
     const std::size_t vertices = layers.offsets().size(), beside = layers.beside_front().size();
     if (vertices != vertices_) {
         vertices_ = vertices;
         offsets_ = make_storage(vertices * sizeof(TextureLayers::Offsets));
         mixes_ = make_storage(vertices * sizeof(TextureLayers::Mix));
-        beside_ = make_storage(vertices * sizeof(int));
+        vertex_buffer_ = make_storage(vertices * sizeof(OfVertex));
+        of_vertex_.resize(vertices);
     }
     if (beside > gradients_fit_ || gradients_fit_ == 0) {  // with room for fronts to grow
         gradients_fit_ = std::max(2 * beside, kLeastGradients);
         gradients_ = make_storage(gradients_fit_ * sizeof(TextureLayers::Gradients));
     }
-    place_beside_.assign(vertices, -1);
+    const int count = static_cast<int>(vertices);
+    for (int v = 0; v < count; ++v) of_vertex_[v] = {-1, flow.deposit(v), v};
+    // What has come to lie goes on by a vertex, or its texture would be drawn out to that of untouched
+    // ground.
+    for (int v = 0; v < count; ++v)
+        if (of_vertex_[v].deposit > 0)
+            for (const auto& spoke : flow.mesh().around(v))
+                if (!layers.has_moved(spoke.vertex)) of_vertex_[spoke.vertex].shows = v;
     for (std::size_t i = 0; i < beside; ++i)
-        place_beside_[static_cast<std::size_t>(layers.beside_front()[i])] = static_cast<int>(i);
+        of_vertex_[layers.beside_front()[i]].beside = static_cast<int>(i);
     send(offsets_, layers.offsets());
     send(mixes_, layers.mix());
-    send(beside_, place_beside_);
+    send(vertex_buffer_, of_vertex_);
     if (beside > 0) send(gradients_, layers.gradients());
 }
 
 void FlowToGpu::bind() const {
     bind_storage(SLOT_FLOW_OFFSETS, offsets_);
     bind_storage(SLOT_FLOW_MIX, mixes_);
-    bind_storage(SLOT_FLOW_BESIDE, beside_);
+    bind_storage(SLOT_FLOW_VERTICES, vertex_buffer_);
     bind_storage(SLOT_FLOW_GRADIENTS, gradients_);
 }
 

@@ -3,6 +3,7 @@
 in vec2 at;
 in vec4 offset[3];
 in vec4 mixture;
+in float lies;
 layout(location = 0) out vec4 skin_albedo;
 layout(location = 1) out vec4 skin_relief;
 
@@ -30,15 +31,19 @@ void main() {
     // A triangle seen edge on has no area; what little is seen of it is drawn without relief.
     mat2 to_pixel = abs(area) > 1e-12 ? inverse(pixel) : mat2(0.0);
     Sheet sheets[kSheets];
+    float drawn_out = 0.0;  // 0: as it was made
     for (int s = 0; s < kSheets; ++s) {
         int k = s / 2;
         vec2 place = at + (s % 2 == 0 ? offset[k].xy : offset[k].zw);
         float layer = max(0.0, 1.0 - abs(mixture.w - float(k)));
         float share = s % 2 == 0 ? 1.0 - mixture[k] : mixture[k];
         sheets[s] = Sheet(place * frame.flow.x, mat2(dFdx(place), dFdy(place)) * to_pixel, layer * share);
+        mat2 apart = sheets[s].gradient - mat2(1.0);
+        drawn_out += sheets[s].weight * sqrt(dot(apart[0], apart[0]) + dot(apart[1], apart[1]));
     }
     float footprint = sqrt(length(pixel[0]) * length(pixel[1])) * frame.flow.x;
     Paint seen = paint(sheets, footprint);
     skin_albedo = vec4(seen.albedo * frame.flow_tint.rgb, 1.0);
-    skin_relief = vec4(seen.rise, seen.open, 0.0);
+    // What came to lie apart from what lies beside it would be drawn out between: there it shows no texture.
+    skin_relief = vec4(seen.rise, seen.open, lies * smoothstep(2.0, 1.0, drawn_out));
 }

@@ -3,23 +3,29 @@ layout(binding = SLOT_RELIEF) uniform sampler2D relief;
 layout(binding = SLOT_ROLLING) uniform sampler2D rolling;
 layout(std430, binding = SLOT_FLOW_OFFSETS) readonly buffer FlowOffsets { vec2 offsets[]; };
 layout(std430, binding = SLOT_FLOW_MIX) readonly buffer FlowMix { vec4 mixes[]; };
-layout(std430, binding = SLOT_FLOW_BESIDE) readonly buffer FlowBeside { int beside[]; };
+struct OfVertex {
+    int beside;     // its place among the gradients
+    float deposit;  // m
+    int shows;      // vertex whose offsets are drawn
+};
+layout(std430, binding = SLOT_FLOW_VERTICES) readonly buffer FlowVertices { OfVertex vertices[]; };
 layout(std430, binding = SLOT_FLOW_GRADIENTS) readonly buffer FlowGradients { mat2 gradients[]; };
 
 out vec2 at;          // m
 out vec4 offset[3];   // of each latency, m: xy the first phase's, zw the second's
 out vec4 mixture;     // shares of the second phases; latency
+out float lies;       // how much has come to lie, half at the depth that is drawn; 0 to 1
 out float gl_CullDistance[1];
 
 vec2 carried_on(int side, int sheet, vec2 way, bool on_front) {
-    vec2 own = offsets[6 * side + sheet];
-    return on_front ? own + gradients[6 * beside[side] + sheet] * way : own;
+    vec2 own = offsets[6 * vertices[side].shows + sheet];
+    return on_front ? own + gradients[6 * vertices[side].beside + sheet] * way : own;
 }
 
 bool is_seen(int side) {
     int columns = frame.size.x;
     return int(frame.flow.y) == FLOW_EVERYWHERE ||
-           texelFetch(rolling, ivec2(side % columns, side / columns), 0).r > frame.rolling.w;
+           texelFetch(rolling, ivec2(side % columns, side / columns), 0).r > frame.rolling.w || vertices[side].deposit > 0.0;
 }
 
 void main() {
@@ -29,6 +35,7 @@ void main() {
     for (int k = 0; k < 3; ++k)
         offset[k] = vec4(carried_on(v.side, 2 * k, way, v.on_front), carried_on(v.side, 2 * k + 1, way, v.on_front));
     mixture = mixes[v.side];
+    lies = clamp(0.5 * vertices[v.side].deposit / frame.rolling.w, 0.0, 1.0);
     gl_CullDistance[0] = is_seen(v.side) ? 1.0 : -1.0;
     gl_Position = frame.clip_from_world * vec4(at, height_at(relief, at), 1.0);
 }

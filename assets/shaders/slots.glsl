@@ -22,7 +22,7 @@
 #define SLOT_GRAIN 15     // RGBA8: a flow's texture: slopes, height
 #define SLOT_PAINT 16     // SRGB8: its colours; of a stochastic one a row, for each height
 #define SLOT_SKIN_ALBEDO 17 // RGBA16F: what a flow looks like, per sample; alpha 0: there is none
-#define SLOT_SKIN_RELIEF 18 // RGBA16F: slopes that it adds, how much of the sky its hollows leave
+#define SLOT_SKIN_RELIEF 18 // RGBA16F: slopes that it adds, how much of the sky its hollows leave, how much of it lies there (half at the visible depth)
 #define SLOT_UNITS 19     // how many texture units there are
 
 // Storage buffers; the first four are what cut_vertex.glsl reads
@@ -37,7 +37,7 @@
 // The same again while a flow is drawn, for an OpenGL may have no more than eight
 #define SLOT_FLOW_OFFSETS 4      // six vec2 of each vertex: sim::front::TextureLayers::Offsets, m
 #define SLOT_FLOW_MIX 5          // vec4 of each vertex: shares of the second phases, latency
-#define SLOT_FLOW_BESIDE 6       // int of each vertex: its place among those beside a front; -1: it has none
+#define SLOT_FLOW_VERTICES 6     // of each vertex: its place among those beside a front, -1: it has none; how much came to lie there, m; whose offsets are drawn
 #define SLOT_FLOW_GRADIENTS 7    // six mat2 of each vertex beside a front
 
 // Image units

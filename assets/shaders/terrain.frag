@@ -85,6 +85,12 @@ Skin worn(Skin carried, vec3 albedo, vec4 broad) {
                 mix(1.0, carried.open, rough));
 }
 
+// The same once it has come to lie: nearly in the colour of what lies, as what is crushed is darker.
+Skin at_rest(Skin carried, vec3 rolls, vec3 lies) {
+    carried.albedo *= mix(lies, rolls, 0.35) / max(rolls, 1e-3);
+    return carried;
+}
+
 Skin blend(Skin a, Skin b, float share) {
     return Skin(mix(a.albedo, b.albedo, share), mix(a.rise, b.rise, share), mix(a.open, b.open, share));
 }
@@ -130,15 +136,18 @@ void main() {
     float from_front = (share - 0.5) / max(steepness, 0.15);
     float foot = smoothstep(-0.7, 0.0, from_front) * smoothstep(0.0, 0.2, layer.y) * (1.0 - rolls);
     float lip = smoothstep(0.9, 0.0, from_front) * smoothstep(0.1, 0.3, steepness);
-    Skin debris = moving(mix(frame.rolling.rgb, frame.lower_rolling.rgb, lower.y), broad, soft, clumps, crumbs, layer.z);
+    vec3 rolling_colour = mix(frame.rolling.rgb, frame.lower_rolling.rgb, lower.y);
+    Skin debris = moving(rolling_colour, broad, soft, clumps, crumbs, layer.z);
     if (int(frame.flow.y) != FLOW_NOWHERE) {
         // Material with the texture that it carries; what frays out beyond its cut mesh has that of its place.
         vec4 albedo = texelFetch(skin_albedo, ivec2(gl_FragCoord.xy), 0), rise = texelFetch(skin_relief, ivec2(gl_FragCoord.xy), 0);
         Skin carried = Skin(albedo.rgb, rise.xy, rise.z);
         if (int(frame.flow.y) == FLOW_EVERYWHERE)
             rolls = albedo.a;
-        else if (frame.overlay.x != OVERLAY_STRETCH)
-            carried = worn(carried, mix(frame.rolling.rgb, frame.lower_rolling.rgb, lower.y), broad);
+        else if (frame.overlay.x != OVERLAY_STRETCH) {
+            carried = worn(carried, rolling_colour, broad);
+            skin = blend(skin, at_rest(carried, rolling_colour, lies), covered * smoothstep(0.1, 0.5, rise.w));
+        }
         debris = blend(debris, carried, albedo.a);
     }
     debris.rise += lip * 0.9 * along / max(steepness, 1e-4);

@@ -25,6 +25,8 @@ constexpr std::size_t kFit = 2, kSmoothAlone = 0, kReseeded = 3;
 constexpr float kJump = 0.05f;     // m/s, cuts an edge
 constexpr double kSmooth = 0.03;   // m/s, on top of what textures travel with
 constexpr double kAsSmooth = 1.1;  // times what the smooth field alone draws out
+// Of textures that travel: see TextureScore.
+constexpr double kSlip = 0.05, kSlipNear = 0.10, kDrift = 0.25;
 
 struct Bounds {
     int squares;
@@ -32,12 +34,12 @@ struct Bounds {
     double stretched;           // of textures cut and re-seeded, the share of all area above 2
 };
 // As measured (sim/front/README.md), with a hundredth of a cell to spare, a third of one for the coarsest
-// disc; and of the share a third to three times.
+// disc; and of the share a tenth at least.
 constexpr std::array<Bounds, 5> kBounds{{{10, {.112, .050, .086, .197}, .001},
                                          {20, {.076, .036, .066, .099}, .001},
                                          {30, {.072, .032, .062, .063}, .001},
                                          {80, {.069, .035, .049, .054}, .002},
-                                         {160, {.115, .047, .059, .071}, .004}}};
+                                         {160, {.115, .047, .059, .071}, .002}}};
 
 const Bounds* bounds_of(int squares) {
     const auto* found = std::find_if(kBounds.begin(), kBounds.end(),
@@ -148,6 +150,13 @@ std::optional<std::string> first_miss(std::span<const FlowScores> numbers) {
         if (bounds && !(reseeded.stretched <= bounds->stretched))
             return fmt::format("{}: {:.2f} % of textures are drawn out above 2, which may be {:.2f} %",
                                name_of(row), 100 * reseeded.stretched, 100 * bounds->stretched);
+        if (bounds && !(reseeded.slip <= kSlip && reseeded.slip_near <= kSlipNear))
+            return fmt::format(
+                "{}: textures slip by {:.3f} and near the front by {:.3f}, which may be {:.2f} and {:.2f}",
+                name_of(row), reseeded.slip, reseeded.slip_near, kSlip, kSlipNear);
+        if (bounds && !(reseeded.drift_p95 <= kDrift))
+            return fmt::format("{}: the flow leaves textures behind by {:.2f} cells, which may be {:.2f}",
+                               name_of(row), reseeded.drift_p95, kDrift);
     }
     return std::nullopt;
 }
@@ -165,9 +174,15 @@ std::vector<Table> tables_of(std::span<const FlowScores> numbers) {
         {"scene", "N", "smooth alone", "> 2 %", "no cuts", "> 2 %", "to the letter", "> 2 %", "re-seeded",
          "> 2 %"},
         {}};
+    Table travel{
+        "How well cut and re-seeded textures travel: the share of the way by which they slip, and how many "
+        "cells the flow leaves 95 % of them behind until they are renewed",
+        {"scene", "N", "slip", "may", "near the front", "may", "left behind", "may"},
+        {}};
     for (const FlowScores& row : numbers) {
         const std::vector<std::string> start{flow_scenes()[row.scene].title, fmt::to_string(row.squares)};
-        near.rows.push_back(start), jumps.rows.push_back(start), texture.rows.push_back(start);
+        near.rows.push_back(start), jumps.rows.push_back(start);
+        texture.rows.push_back(start), travel.rows.push_back(start);
         const auto add = [](Table& table, const std::string& text) { table.rows.back().push_back(text); };
         for (const FrontScore& score : row.front) {
             add(near, fmt::format("{:.3f}", score.rms)), add(near, fmt::format("{:.3f}", score.p95));
@@ -183,8 +198,13 @@ std::vector<Table> tables_of(std::span<const FlowScores> numbers) {
             add(texture, fmt::format("{:.{}f}", score.stretch_p95, score.stretch_p95 < 100 ? 2 : 0));
             add(texture, fmt::format("{:.2f}", 100 * score.stretched));
         }
+        const TextureScore& reseeded = row.texture[kReseeded];
+        const double share[][2] = {
+            {reseeded.slip, kSlip}, {reseeded.slip_near, kSlipNear}, {reseeded.drift_p95, kDrift}};
+        for (const auto& [is, may] : share)
+            add(travel, fmt::format("{:.3f}", is)), add(travel, fmt::format("{:.2f}", may));
     }
-    return {near, jumps, texture};
+    return {near, jumps, texture, travel};
 }
 
 std::string csv_of(std::span<const FlowScores> numbers) {
@@ -195,6 +215,7 @@ std::string csv_of(std::span<const FlowScores> numbers) {
     csv += ",true_jumps_per_s,missed_share,false_share,points,fit_rms_bound_cells";
     for (const char* way : {"smooth", "uncut", "letter", "reseeded"})
         csv += fmt::format(",{0}_stretch_p95,{0}_share_above_2", way);
+    csv += ",reseeded_slip,reseeded_slip_near,reseeded_drift_p95_cells";
     csv += '\n';
     for (const FlowScores& row : numbers) {
         csv += fmt::format("{},{}", flow_scenes()[row.scene].name, row.squares);
@@ -206,6 +227,8 @@ std::string csv_of(std::span<const FlowScores> numbers) {
                            fit.points, bound ? fmt::format("{:.3f}", *bound) : "");
         for (const TextureScore& score : row.texture)
             csv += fmt::format(",{:.4f},{:.6f}", score.stretch_p95, score.stretched);
+        const TextureScore& reseeded = row.texture[kReseeded];
+        csv += fmt::format(",{:.5f},{:.5f},{:.4f}", reseeded.slip, reseeded.slip_near, reseeded.drift_p95);
         csv += '\n';
     }
     return csv;

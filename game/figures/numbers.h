@@ -37,8 +37,8 @@ std::vector<FlowScores> measure_flows(std::span<const int> squares, int threads)
 // The most that fit's root mean square may be, in cells; none for a grid that nobody has measured.
 std::optional<double> fit_bound(int scene, int squares);
 // The first number beyond its bound, as a sentence; none if all hold: fit_bound(); textures that are cut and
-// re-seeded are to be no more drawn out near the front than by the smooth field alone, and hardly anywhere
-// above 2.
+// re-seeded are to be no more drawn out near the front than by the smooth field alone, hardly anywhere above
+// 2, and to travel with the flow.
 std::optional<std::string> first_miss(std::span<const FlowScores> numbers);
 
 std::vector<Table> tables_of(std::span<const FlowScores> numbers);

@@ -30,7 +30,7 @@ class FlowPass {
     glm::vec3 mean_colour(FlowPattern pattern) const { return texture(pattern)->mean; }
 
     // Its coordinates.
-    void send(const sim::front::FlowView& flow) { coordinates_.upload(flow.layers()); }
+    void send(const sim::front::FlowView& flow) { coordinates_.upload(flow); }
     // Cuts the mesh along its fronts. The flow's mesh is the heightfield of `grid`.
     void cut(const sim::front::FlowView& flow, const sim::Grid& grid);
     // Reads SLOT_RELIEF, SLOT_ROLLING and the depth of `target`; writes SLOT_SKIN_ALBEDO and

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "sim/front/texture_layers.h"
 #include "sim/front/tracker.h"
 
@@ -29,9 +31,19 @@ class FlowView {
     const TextureLayers& layers() const { return layers_; }
     TextureLayers& layers() { return layers_; }
 
+    // By how much what lies at each vertex is deeper than before anything moved, m; kept by whoever sets it.
+    // Without it nothing is known to have come to lie.
+    void set_rise(std::span<const float> rise) { rise_ = rise; }
+    // How deep a vertex lies under what has come to lie there and still has the texture with which it came,
+    // m, ≥ 0. A place where nothing ever moved has none, however much is laid there.
+    float deposit(int vertex) const {
+        return !rise_.empty() && rise_[vertex] > 0 && layers_.has_moved(vertex) ? rise_[vertex] : 0;
+    }
+
   private:
     Tracker tracker_;
     TextureLayers layers_;
+    std::span<const float> rise_;
 };
 
 }  // namespace sim::front

@@ -62,6 +62,8 @@ class TextureLayers {
 
     std::span<const Offsets> offsets() const { return now_.offset; }  // of each vertex
     std::span<const Mix> mix() const { return now_.mix; }             // of each vertex
+    // Whether anything ever moved at a vertex.
+    bool has_moved(int vertex) const { return now_.offset[vertex] != Offsets{}; }
     // Vertices beside a front, ascending, and the gradients there.
     std::span<const int> beside_front() const { return now_.beside; }
     std::span<const Gradients> gradients() const { return now_.gradient; }
@@ -78,11 +80,12 @@ class TextureLayers {
         std::vector<Offsets> offset;
         std::vector<Mix> mix;
         std::vector<std::array<float, kLatencies>> deformation;  // of each vertex and layer, lately at most
+        std::vector<int> moving;  // vertices that did in the step before, ascending
         std::vector<int> beside;
         std::vector<Gradients> gradient;
 
         static constexpr std::size_t kBytesPerVertex =
-            sizeof(Offsets) + sizeof(Mix) + kLatencies * sizeof(float);
+            sizeof(Offsets) + sizeof(Mix) + kLatencies * sizeof(float) + sizeof(int);
     };
     const Memory& memory() const { return now_; }
     void restore(const Memory& memory);
@@ -93,11 +96,15 @@ class TextureLayers {
 
   private:
     void tear(const Detector& detector);
+    void find_slopes(const Detector& detector, Workers& workers);
     void follow(std::span<const glm::vec2> velocity, double dt, Workers& workers);
-    void pull_stranded(const Detector& detector, double dt);
+    void pull_stranded(const Detector& detector, std::span<const glm::vec2> velocity, double dt);
     void reseed(const Detector& detector);
+    void lay_down(const Detector& detector);
     void renew(const Detector& detector, double before);
     void find_regions(const Detector& detector);
+    // Adds how far a vertex that moves has its offsets change on the way from it.
+    void add_slope(int vertex, const glm::vec2& way, Offsets& sum) const;
     void fade(double dt);
     void choose_latency(const Detector& detector, double dt, Workers& workers);
     void find_front_gradients(const Detector& detector, Workers& workers);
@@ -110,8 +117,16 @@ class TextureLayers {
 
     std::vector<std::uint8_t> torn_;  // of each triangle: it is cut
     std::vector<int> torn_list_;
-    std::vector<int> moving_, place_;  // vertices that move; of each vertex its place there, −1: it rests
-    std::vector<Offsets> carried_;     // of each that moves
+    std::vector<std::uint8_t> at_tear_;  // of each vertex: an edge there is cut, or was a step ago
+    std::vector<int> torn_vertices_;
+    std::vector<int> place_;         // of each vertex its place among those that move, −1: it rests
+    std::vector<int> came_to_rest_;  // since the step before, ascending
+    struct Slope {
+        Offsets x, y;  // by how much offsets change along x and y, per m
+    };
+    std::vector<Slope> slope_;        // of each that moves
+    std::vector<glm::mat2> inverse_;  // of each vertex its whole fan's, for the slope
+    std::vector<Offsets> carried_;    // of each that moves
     std::vector<std::uint8_t> is_stranded_;
     std::vector<int> stranded_;
     std::vector<int> region_;  // of each that moves, a place of its region: toward the first

@@ -1,5 +1,8 @@
 #include "sim/front/world_fronts.h"
 
+#include <utility>
+
+#include "sim/check.h"
 #include "sim/workers.h"
 
 namespace sim::front {
@@ -14,9 +17,22 @@ Rule level_rule(float level) {
 
 }  // namespace
 
-WorldFronts::WorldFronts(const Grid& grid, float visible, const LayerRule& layers)
-    : visible_(visible), rule_(layers), mesh_(mesh_of(grid)), velocity_(grid.size()), rolling_(grid.size()) {
+WorldFronts::WorldFronts(const Grid& grid, float visible, const LayerRule& layers,
+                         std::vector<float> first_depth)
+    : visible_(visible),
+      rule_(layers),
+      mesh_(mesh_of(grid)),
+      velocity_(grid.size()),
+      rolling_(grid.size()),
+      first_depth_(std::move(first_depth)),
+      rise_(first_depth_.size()) {
+    CHECK(first_depth_.empty() || first_depth_.size() == grid.size());
+    begin();
+}
+
+void WorldFronts::begin() {
     view_.emplace(mesh_, level_rule(visible_), Source::kLevel, rule_);
+    view_->set_rise(rise_);
 }
 
 void WorldFronts::track(const View& world, double dt, Workers& workers) {
@@ -26,7 +42,7 @@ void WorldFronts::track(const View& world, double dt, Workers& workers) {
 
 void WorldFronts::restore(const View& world, const TextureLayers::Memory& memory, Workers& workers) {
     // A level has no past: a tracker that begins here finds the same points.
-    view_.emplace(mesh_, level_rule(visible_), Source::kLevel, rule_);
+    begin();
     track(world, 1, workers);
     view_->layers().restore(memory);
 }
@@ -34,8 +50,8 @@ void WorldFronts::restore(const View& world, const TextureLayers::Memory& memory
 // Row by row, without the halo.
 void WorldFronts::read(const View& world, Workers& workers) {
     const auto columns = static_cast<std::size_t>(world.grid.nx);
-    workers.each_band(world.grid.ny, [&](int first, int last) {
-        for (int y = first; y < last; ++y) {
+    workers.each_band(world.grid.ny, [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
             const float* r = world.rolling.row(y);
             const float *u = world.velocity_x.row(y), *v = world.velocity_y.row(y);
             glm::vec2* velocity = velocity_.data() + static_cast<std::size_t>(y) * columns;
@@ -45,6 +61,11 @@ void WorldFronts::read(const View& world, Workers& workers) {
                 velocity[x] = moves ? glm::vec2(u[x], v[x]) : glm::vec2(0, 0);
                 rolling[x] = r[x];
             }
+            if (rise_.empty()) continue;
+            const float *depth = world.depth.row(y),
+                        *first_depth = first_depth_.data() + static_cast<std::size_t>(y) * columns;
+            float* rise = rise_.data() + static_cast<std::size_t>(y) * columns;
+            for (std::size_t x = 0; x < columns; ++x) rise[x] = depth[x] - first_depth[x];
         }
     });
 }

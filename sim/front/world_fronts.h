@@ -15,8 +15,10 @@ class WorldFronts {
     // What is slower than this rests, m/s: its texture stays where it is.
     static constexpr float kLeastSpeed = 0.3f;
 
-    // `visible`: how deep a rolling layer is to be seen, m, > 0.
-    WorldFronts(const Grid& grid, float visible, const LayerRule& layers);
+    // `visible`: how deep a rolling layer is to be seen, m, > 0. `first_depth`: how deep what lies was before
+    // anything moved, m, grid.size() values; without them nothing is known to have come to lie.
+    WorldFronts(const Grid& grid, float visible, const LayerRule& layers,
+                std::vector<float> first_depth = {});
     WorldFronts(const WorldFronts&) = delete;  // what it is made of refers to its mesh
     WorldFronts& operator=(const WorldFronts&) = delete;
 
@@ -36,14 +38,16 @@ class WorldFronts {
     void restore(const View& world, const TextureLayers::Memory& memory, Workers& workers);
 
   private:
+    void begin();
     void read(const View& world, Workers& workers);
 
     float visible_;
     LayerRule rule_;
     Mesh mesh_;
     std::optional<FlowView> view_;
-    std::vector<glm::vec2> velocity_;  // m/s; 0 where nothing is seen to move
-    std::vector<float> rolling_;       // m
+    std::vector<glm::vec2> velocity_;        // m/s; 0 where nothing is seen to move
+    std::vector<float> rolling_;             // m
+    std::vector<float> first_depth_, rise_;  // m; empty: unknown
 };
 
 }  // namespace sim::front

@@ -98,6 +98,16 @@ TEST(FigureNumbers, name_the_first_that_misses_its_bound) {
     EXPECT_EQ(first_miss(worse),
               "disc, 10 squares: 1.23 % of textures are drawn out above 2, which may be 0.10 %");
     worse = invented();
+    worse[2].texture[3].slip_near = 0.12;
+    EXPECT_EQ(
+        first_miss(worse),
+        "pinwheel, 10 squares: textures slip by 0.000 and near the front by 0.120, which may be 0.05 and "
+        "0.10");
+    worse = invented();
+    worse[3].texture[3].drift_p95 = 0.26;
+    EXPECT_EQ(first_miss(worse),
+              "disc, 10 squares: the flow leaves textures behind by 0.26 cells, which may be 0.25");
+    worse = invented();
     worse[0].front[2].rms = std::nan("");
     EXPECT_NE(first_miss(worse), std::nullopt);
 }

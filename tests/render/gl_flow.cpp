@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <span>
 
 #include <glm/geometric.hpp>
 
@@ -242,6 +243,44 @@ TEST_F(Flow, is_hidden_by_hills_and_seen_only_where_its_layer_is) {
                                without.begin() + static_cast<std::ptrdiff_t>(i));
     EXPECT_GT(changed, with.size() / 3 / 20);
     EXPECT_LT(changed, with.size() / 3 / 2);
+}
+
+TEST_F(Flow, that_came_to_rest_keeps_its_texture_where_it_came_to_lie) {
+    World world = make_world(kSquares, kCell, [](double, double) { return 0; });
+    world.depth.fill(1);
+    run(
+        flow, [](const glm::vec2& x) { return glm::vec2(0, x.x > 4.1f ? 0.5f : 0); }, 90);
+    run(
+        flow, [](const glm::vec2&) { return glm::vec2(0, 0); }, 1);
+    std::vector<float> rise;  // also where nothing ever moved
+    for (const glm::vec2& x : mesh.position) rise.push_back(x.y > 1.9f && x.y < 6.1f ? 0.5f : 0);
+    Look look = plain_look();
+    look.roughness = look.detail = 1;
+    look.flow = FlowLook{FlowPattern::kSnow, 1, false};
+    const auto drawn = [&](bool known) {
+        flow.set_rise(known ? std::span<const float>(rise) : std::span<const float>());
+        renderer_->draw(world.view(), from_above({kSide / 2, kSide / 2, 0}, kSide), {135, 40}, look, {},
+                        kPixels, kPixels, &flow);
+        return renderer_->read_back();
+    };
+    // Of a part of the ground, the share of pixels that are another colour.
+    const auto changed = [](const Picture& a, const Picture& b, const auto& counts) {
+        double differ = 0, all = 0;
+        for (int y = 0; y < kPixels; ++y)
+            for (int x = 0; x < kPixels; ++x) {
+                if (!counts(place_of(x, y))) continue;
+                differ += std::abs(luminance(a, x, y) - luminance(b, x, y)) > 3, ++all;
+            }
+        return differ / all;
+    };
+    const auto within = [](const glm::dvec2& x) { return x.x > 4.6 && x.y > 2.1 && x.y < 5.9; };
+    const auto without = [](const glm::dvec2& x) { return x.x < 3.9 || x.y < 1.4 || x.y > 6.6; };
+    const Picture plain = drawn(false), kept = drawn(true);
+    EXPECT_GT(changed(plain, kept, within), 0.5);
+    EXPECT_EQ(changed(plain, kept, without), 0);
+    // It is the texture that was carried there: laid elsewhere it is another picture.
+    lay(flow, [](const glm::vec2& x) { return glm::vec2(x.x + (x.x > 4.1f ? 1.3f : 0), x.y); });
+    EXPECT_GT(changed(kept, drawn(true), within), 0.3);
 }
 
 TEST_F(Flow, of_before_leaves_no_trace_in_a_frame) {
