@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 namespace sim::front {
 
@@ -14,10 +15,44 @@ class MovingQuadratic {
   public:
     static constexpr int kUnknowns = 6;
 
-    // The front was at D(s, z), give or take σ: weight 1/σ².
-    void add(double s, double z, double D, double weight);
+    // Sums over rows, of which Number is one or several side by side: weight times the powers of s and z that
+    // products of the terms above have, and times D and those terms. Which is where: moving_quadratic.cpp.
+    template <class Number>
+    struct Sums {
+        std::array<Number, 15> power{};
+        std::array<Number, kUnknowns> with_D{};
 
-    // Solves for what was added until now; may be called again after more rows.
+        // The front was at D(s, z), give or take σ: weight 1/σ².
+        void add(const Number& s, const Number& z, const Number& D, const Number& weight) {
+            const Number ws = weight * s, wss = ws * s, wz = weight * z, wzz = wz * z;
+            add_now(s, D, weight, ws, wss);
+            power[5] += wz, power[6] += wz * s, power[7] += wss * z, power[8] += wss * s * z;
+            power[9] += wzz, power[10] += wzz * s, power[11] += wss * z * z;
+            power[12] += wzz * z, power[13] += wzz * z * s, power[14] += wzz * z * z;
+            with_D[3] += wz * D, with_D[4] += wz * s * D, with_D[5] += wzz * D;
+        }
+        // The same at z = 0.
+        void add_now(const Number& s, const Number& D, const Number& weight) {
+            const Number ws = weight * s;
+            add_now(s, D, weight, ws, ws * s);
+        }
+        // Rows that were added up elsewhere, each weight times so much.
+        void add(const Sums& more, const Number& times = 1) {
+            for (std::size_t i = 0; i < power.size(); ++i) power[i] += times * more.power[i];
+            for (std::size_t i = 0; i < with_D.size(); ++i) with_D[i] += times * more.with_D[i];
+        }
+
+      private:
+        void add_now(const Number& s, const Number& D, const Number& weight, const Number& ws,
+                     const Number& wss) {
+            power[0] += weight, power[1] += ws, power[2] += wss, power[3] += wss * s, power[4] += wss * s * s;
+            with_D[0] += weight * D, with_D[1] += ws * D, with_D[2] += wss * D;
+        }
+    };
+
+    Sums<double> sums;  // of all rows until now
+
+    // Solves for them; may be called again after more rows.
     void solve();
 
     // Of the last solution.
@@ -30,9 +65,7 @@ class MovingQuadratic {
     double speed(double s) const { return solution_[3] + solution_[4] * s; }  // ∂D/∂z now
 
   private:
-    // Lower triangle of the normal equations, row after row, and their right side.
-    std::array<double, kUnknowns*(kUnknowns + 1) / 2> matrix_{};
-    std::array<double, kUnknowns> right_{}, solution_{};
+    std::array<double, kUnknowns> solution_{};
 };
 
 }  // namespace sim::front

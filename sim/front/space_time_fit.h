@@ -8,24 +8,11 @@
 
 #include <glm/vec2.hpp>
 
-#include "sim/aligned.h"
 #include "sim/front/locator.h"
 #include "sim/front/moving_quadratic.h"
-#include "sim/front/neighbourhood.h"
+#include "sim/front/shores.h"
 
 namespace sim::front {
-
-// When a front passed a vertex, and which way.
-struct Flip {
-    double time = kNever;       // s
-    glm::vec2 direction{0, 0};  // in which the front went, unit
-};
-
-// The last that a vertex remembers, the newest first, in a cache line: they are asked for all over the place.
-struct alignas(kCacheLine) Flips {
-    std::array<Flip, 3> last;
-    std::array<bool, 3> expected{true, true, true};  // the front was known to be near
-};
 
 // What is known of a front where it crosses an edge.
 struct Piece {
@@ -41,7 +28,10 @@ struct Piece {
 // times in windows. Sides are those of one edge, so any number of regions may meet.
 class SpaceTimeFit {
   public:
-    explicit SpaceTimeFit(std::size_t vertices) : near_(vertices) {}
+    explicit SpaceTimeFit(std::size_t vertices) : shores_(vertices), beyond_(vertices, 0) {}
+
+    // Before the first edge of each moment.
+    void begin_moment() { shores_.clear(); }
 
     // `piece` is what was known of the front there until now. Of each vertex of the mesh: its flips, and how
     // many of its edges are cut.
@@ -49,35 +39,50 @@ class SpaceTimeFit {
                      Piece piece);
 
   private:
-    struct Row {
-        double s, D, age, weight;
-    };
-    struct Middle {  // of an edge that the front crosses now, which goes so far across
-        double s, D, across, weight;
+    // Flips of both sides as rows: those of a's side, newest first, then those of b's; each side's filled up
+    // with such as weigh nothing.
+    struct Rows {
+        std::vector<double> s, D, age, weight;
+        std::array<std::size_t, 3> begin{};  // of either side, and the end
+        void resize(std::size_t count) {
+            for (auto* of : {&s, &D, &age, &weight}) of->resize(count);
+        }
     };
     struct End {
         double s, D, side;
     };
 
     std::pair<double, double> place(const glm::vec2& position) const;  // s and D
-    void collect_flips(const Moment& now, std::span<const Flips> flips);
-    void collect_crossings(const Mesh& mesh);
+    void claim(const Shore& here, const Shore& beyond);
+    bool is_beyond(int vertex) const { return beyond_[vertex] / kRingsOf == round_; }
+    void collect_flips(const Shore& here, const Shore& beyond);
+    void collect_flips(const Shore& shore, double side, std::size_t first);
+    void collect_crossings(const Mesh& mesh, const Shore& here);
     void choose_window(double dt);
     void solve();
+    void add_flips();
     double violation(const End& end) const;
     bool misses_newest() const;
     void keep_sides();
     Piece met(const Mesh& mesh, int edge, Piece piece) const;
 
-    Neighbourhood near_;
+    static constexpr std::uint64_t kRingsOf = 8;  // more than a shore has
+
+    Shores shores_;
+    std::vector<std::uint64_t>
+        beyond_;  // of each vertex: when it last lay on b's side, times 8, and its ring
+    std::uint64_t round_ = 0;
+    bool meet_ = false;  // whether a vertex is on both shores
+
     MovingQuadratic front_;
-    std::vector<Row> rows_;
-    std::vector<Middle> middles_;
-    std::vector<End> ends_;
+    Rows rows_;
+    MovingQuadratic::Sums<double> crossed_;   // of edges that the front crosses now
+    std::vector<End> ends_;                   // of those edges
     glm::dvec2 middle_{0, 0}, normal_{1, 0};  // of the edge, m; across it, unit
     double one_way_ = 0;                      // cosine, below which a flip does not count
-    double cell_ = 1;                         // m
+    double cell_ = 1, per_cell_ = 1;          // m, 1/m
     double step_ = 0;                         // what the front goes in a step, cells
+    double youngest_ = 0;                     // age of the newest row, s; without one infinite
     double window_ = 1, short_window_ = 1;    // s
 };
 

@@ -1,0 +1,141 @@
+#include "sim/front/shores.h"
+
+#include <bit>
+
+namespace sim::front {
+
+void Shores::clear() {
+    extents_.clear(), crossings_.clear(), flipped_.clear(), numbers_.clear();
+    count_ = 0;
+    ++moment_;
+}
+
+int Shores::find(const Detector& detector, std::span<const int> cuts, std::span<const Flips> flips,
+                 double time, int vertex) {
+    Found& found = found_[vertex];
+    if (found.moment == moment_) return found.number;
+    found = {moment_, static_cast<int>(extents_.size())};
+    Extent extent{count_, flipped_.size(), numbers_.size(), crossings_.size(), {}, 0, 0};
+    make_room(1);
+    vertices_[count_++] = vertex;
+    seen_[vertex] = ++round_;
+    gather(detector, cuts, extent);
+    add_flips(detector.mesh(), flips, time, extent);
+    extents_.push_back(extent);
+    return found.number;
+}
+
+Shore Shores::operator[](int number) const {
+    const Extent& extent = extents_[number];
+    const auto flips = static_cast<std::size_t>(extent.flips);
+    const auto numbers = [&](std::size_t which) {
+        return numbers_.data() + extent.number + which * Shore::filled_up(flips);
+    };
+    return {.vertices = {vertices_.data() + extent.vertex, static_cast<std::size_t>(extent.ring_end.back())},
+            .ring_end = extent.ring_end,
+            .flipped = {flipped_.data() + extent.flip, flips},
+            .x = numbers(0),
+            .y = numbers(1),
+            .age = numbers(2),
+            .east = numbers(3),
+            .north = numbers(4),
+            .crossings = {crossings_.data() + extent.crossing, static_cast<std::size_t>(extent.crossings)}};
+}
+
+void Shores::make_room(std::size_t more) {
+    if (count_ + more > vertices_.size()) vertices_.resize(2 * (count_ + more));
+}
+
+void Shores::gather(const Detector& detector, std::span<const int> cuts, Extent& extent) {
+    std::size_t next = extent.vertex;
+    for (int ring = 0; ring <= Shore::kRings; ++ring) {
+        const std::size_t last = count_;
+        extent.ring_end[ring] = static_cast<int>(last - extent.vertex);
+        for (; next < last; ++next) {
+            const int from = vertices_[next];
+            if (cuts[from] > 0)
+                add_beside_front(detector, from, ring < Shore::kRings);
+            else if (ring < Shore::kRings)
+                add_all(detector.mesh(), from);
+        }
+    }
+    extent.crossings = static_cast<int>(crossings_.size() - extent.crossing);
+}
+
+void Shores::add_beside_front(const Detector& detector, int from, bool goes_on) {
+    const auto around = detector.mesh().around(from);
+    make_room(around.size());
+    for (const auto& spoke : around)
+        if (detector.is_cut(spoke.edge)) {
+            crossings_.push_back({from, spoke.vertex});
+        } else if (goes_on && seen_[spoke.vertex] != round_) {
+            seen_[spoke.vertex] = round_;
+            vertices_[count_++] = spoke.vertex;
+        }
+}
+
+// Where no edge is cut, which is nearly everywhere. Each is written, and kept if it is new: a branch, which
+// nobody could foretell, would cost more.
+void Shores::add_all(const Mesh& mesh, int from) {
+    const auto around = mesh.around(from);
+    make_room(around.size());
+    int* next = vertices_.data() + count_;
+    std::uint32_t* const all_seen = seen_.data();
+    const std::uint32_t now = round_;
+    for (const auto& spoke : around) {
+        std::uint32_t& seen = all_seen[spoke.vertex];
+        const bool is_new = seen != now;
+        *next = spoke.vertex;
+        seen = now;
+        next += is_new;
+    }
+    count_ = static_cast<std::size_t>(next - vertices_.data());
+}
+
+void Shores::add_flips(const Mesh& mesh, std::span<const Flips> flips, double time, Extent& extent) {
+    those_.clear(), order_.clear();
+    for (std::size_t i = extent.vertex; i < count_; ++i) {
+        const int vertex = vertices_[i];
+        const auto& last = flips[vertex].last;
+        for (std::size_t which = 0; which < last.size() && last[which].time != kNever; ++which)
+            those_.push_back({vertex, which % 2 == 0 ? 1.f : -1.f, &last[which]});
+    }
+    const std::size_t count = those_.size();
+    extent.flips = static_cast<int>(count);
+    find_order(time);
+    flipped_.resize(flipped_.size() + count);
+    const std::size_t filled_up = Shore::filled_up(count);
+    numbers_.resize(numbers_.size() + kNumbers * filled_up);
+    int* const flipped = flipped_.data() + extent.flip;
+    double* const numbers = numbers_.data() + extent.number;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto& [vertex, way, flip] = those_[i];
+        const auto at = static_cast<std::size_t>(order_[i]);
+        flipped[at] = vertex;
+        double* const number = numbers + at;
+        number[0] = mesh.position[vertex].x, number[filled_up] = mesh.position[vertex].y;
+        number[2 * filled_up] = time - flip->time;
+        number[3 * filled_up] = way * flip->direction.x, number[4 * filled_up] = way * flip->direction.y;
+    }
+}
+
+// Of each of those_ its place by age. A few dozen are fastest compared with all others, without a branch.
+// Keys are ages, with the number in their last bits, so that no two are the same: ages so near each other
+// that only those bits would tell are as good as equal.
+void Shores::find_order(double time) {
+    const std::size_t count = those_.size();
+    const std::uint32_t numbers = std::bit_ceil(static_cast<std::uint32_t>(count)) - 1;
+    keys_.resize(count), order_.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto age = std::bit_cast<std::uint32_t>(static_cast<float>(time - those_[i].flip->time));
+        keys_[i] = static_cast<int>((age & ~numbers) | static_cast<std::uint32_t>(i));
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const int key = keys_[i];
+        int before = 0;
+        for (std::size_t j = 0; j < count; ++j) before += keys_[j] < key;
+        order_[i] = before;
+    }
+}
+
+}  // namespace sim::front
