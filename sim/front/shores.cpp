@@ -5,8 +5,8 @@
 namespace sim::front {
 
 void Shores::clear() {
-    extents_.clear(), crossings_.clear(), flipped_.clear(), numbers_.clear();
-    count_ = 0;
+    extents_.clear(), flipped_.clear(), numbers_.clear();
+    count_ = crossing_count_ = 0;
     ++moment_;
 }
 
@@ -15,7 +15,7 @@ int Shores::find(const Detector& detector, std::span<const int> cuts, std::span<
     Found& found = found_[vertex];
     if (found.moment == moment_) return found.number;
     found = {moment_, static_cast<int>(extents_.size())};
-    Extent extent{count_, flipped_.size(), numbers_.size(), crossings_.size(), {}, 0, 0};
+    Extent extent{count_, flipped_.size(), numbers_.size(), crossing_count_, {}, 0, 0};
     make_room(1);
     vertices_[count_++] = vertex;
     seen_[vertex] = ++round_;
@@ -44,6 +44,7 @@ Shore Shores::operator[](int number) const {
 
 void Shores::make_room(std::size_t more) {
     if (count_ + more > vertices_.size()) vertices_.resize(2 * (count_ + more));
+    if (crossing_count_ + more > crossings_.size()) crossings_.resize(2 * (crossing_count_ + more));
 }
 
 void Shores::gather(const Detector& detector, std::span<const int> cuts, Extent& extent) {
@@ -59,23 +60,31 @@ void Shores::gather(const Detector& detector, std::span<const int> cuts, Extent&
                 add_all(detector.mesh(), from);
         }
     }
-    extent.crossings = static_cast<int>(crossings_.size() - extent.crossing);
+    extent.crossings = static_cast<int>(crossing_count_ - extent.crossing);
 }
 
+// Each neighbour is written to both lists and kept where it belongs: branches, which nobody could foretell,
+// would cost more.
 void Shores::add_beside_front(const Detector& detector, int from, bool goes_on) {
     const auto around = detector.mesh().around(from);
     make_room(around.size());
-    for (const auto& spoke : around)
-        if (detector.is_cut(spoke.edge)) {
-            crossings_.push_back({from, spoke.vertex});
-        } else if (goes_on && seen_[spoke.vertex] != round_) {
-            seen_[spoke.vertex] = round_;
-            vertices_[count_++] = spoke.vertex;
-        }
+    int* next = vertices_.data() + count_;
+    Shore::Crossing* crossing = crossings_.data() + crossing_count_;
+    std::uint32_t* const all_seen = seen_.data();
+    const std::uint32_t now = round_;
+    for (const auto& spoke : around) {
+        const bool is_cut = detector.is_cut(spoke.edge);
+        std::uint32_t& seen = all_seen[spoke.vertex];
+        const bool is_new = goes_on && !is_cut && seen != now;
+        *crossing = {from, spoke.vertex}, *next = spoke.vertex;
+        seen = is_new ? now : seen;
+        crossing += is_cut, next += is_new;
+    }
+    count_ = static_cast<std::size_t>(next - vertices_.data());
+    crossing_count_ = static_cast<std::size_t>(crossing - crossings_.data());
 }
 
-// Where no edge is cut, which is nearly everywhere. Each is written, and kept if it is new: a branch, which
-// nobody could foretell, would cost more.
+// Where no edge is cut, which is nearly everywhere.
 void Shores::add_all(const Mesh& mesh, int from) {
     const auto around = mesh.around(from);
     make_room(around.size());
@@ -93,16 +102,17 @@ void Shores::add_all(const Mesh& mesh, int from) {
 }
 
 void Shores::add_flips(const Mesh& mesh, std::span<const Flips> flips, double time, Extent& extent) {
-    those_.clear(), order_.clear();
+    those_.resize(std::tuple_size_v<decltype(Flips::last)> * (count_ - extent.vertex));
+    Known* next = those_.data();
     for (std::size_t i = extent.vertex; i < count_; ++i) {
         const int vertex = vertices_[i];
         const auto& last = flips[vertex].last;
         for (std::size_t which = 0; which < last.size() && last[which].time != kNever; ++which)
-            those_.push_back({vertex, which % 2 == 0 ? 1.f : -1.f, &last[which]});
+            *next++ = {vertex, which % 2 == 0 ? 1.f : -1.f, &last[which]};
     }
-    const std::size_t count = those_.size();
+    const auto count = static_cast<std::size_t>(next - those_.data());
     extent.flips = static_cast<int>(count);
-    find_order(time);
+    find_order(time, count);
     flipped_.resize(flipped_.size() + count);
     const std::size_t filled_up = Shore::filled_up(count);
     numbers_.resize(numbers_.size() + kNumbers * filled_up);
@@ -122,8 +132,7 @@ void Shores::add_flips(const Mesh& mesh, std::span<const Flips> flips, double ti
 // Of each of those_ its place by age. A few dozen are fastest compared with all others, without a branch.
 // Keys are ages, with the number in their last bits, so that no two are the same: ages so near each other
 // that only those bits would tell are as good as equal.
-void Shores::find_order(double time) {
-    const std::size_t count = those_.size();
+void Shores::find_order(double time, std::size_t count) {
     const std::uint32_t numbers = std::bit_ceil(static_cast<std::uint32_t>(count)) - 1;
     keys_.resize(count), order_.resize(count);
     for (std::size_t i = 0; i < count; ++i) {

@@ -90,13 +90,13 @@ class Shores {
     void add_beside_front(const Detector& detector, int from, bool goes_on);
     void add_all(const Mesh& mesh, int from);
     void add_flips(const Mesh& mesh, std::span<const Flips> flips, double time, Extent& extent);
-    void find_order(double time);
+    void find_order(double time, std::size_t count);
 
     static constexpr int kNumbers = 5;  // of a flip
 
     std::vector<Extent> extents_;
     std::vector<int> vertices_;
-    std::size_t count_ = 0;  // of vertices_: how many are
+    std::size_t count_ = 0, crossing_count_ = 0;  // how many of the next two are filled
     std::vector<Shore::Crossing> crossings_;
     std::vector<int> flipped_;
     std::vector<double> numbers_;

@@ -157,7 +157,7 @@ void SpaceTimeFit::collect_flips(const Shore& shore, double side, std::size_t fi
 void SpaceTimeFit::collect_crossings(const Mesh& mesh, const Shore& here) {
     crossed_ = {}, ends_.clear();
     for (const auto& crossing : here.crossings) {
-        if (!is_beyond(crossing.beyond) || is_beyond(crossing.here)) continue;
+        if (!is_beyond(crossing.beyond) || (meet_ && is_beyond(crossing.here))) continue;
         const auto [sa, Da] = place(mesh.position[crossing.here]);
         const auto [sb, Db] = place(mesh.position[crossing.beyond]);
         const double s = (sa + sb) / 2, D = (Da + Db) / 2;
