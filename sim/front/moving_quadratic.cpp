@@ -10,7 +10,7 @@ constexpr int kUnknowns = MovingQuadratic::kUnknowns;
 constexpr std::array<double, kUnknowns> kPrior{
     1e-6, 1, 1 / (0.5 * 0.5), 1 / (50.0 * 50.0), 1, 1 / (10.0 * 10.0)};
 
-// Of Sums::power, by the power of s and that of z; of Sums::with_D it is the order of the unknowns.
+// Of Sums, by the power of s and that of z; those with D follow in the order of the unknowns.
 enum Power { k1, kS, kSS, kSSS, kSSSS, kZ, kSZ, kSSZ, kSSSZ, kZZ, kSZZ, kSSZZ, kZZZ, kSZZZ, kZZZZ };
 
 // The lower triangle of the normal equations: which sum, and by what it is to be multiplied for the halves in
@@ -33,11 +33,11 @@ constexpr Entry kMatrix[kUnknowns][kUnknowns] = {
 void MovingQuadratic::solve() {
     double factor[kUnknowns][kUnknowns], reciprocal[kUnknowns];  // L below its diagonal of 1; of D
     auto& c = solution_;
-    c = sums.with_D;
+    for (int i = 0; i < kUnknowns; ++i) c[i] = sums.of[Sums<double>::kPowers + i];
     c[2] *= 0.5, c[5] *= 0.5;
     for (int i = 0; i < kUnknowns; ++i) {
         double* row = factor[i];
-        const auto entry = [&](int j) { return sums.power[kMatrix[i][j].power] * kMatrix[i][j].times; };
+        const auto entry = [&](int j) { return sums.of[kMatrix[i][j].power] * kMatrix[i][j].times; };
         double diagonal = entry(i) + kPrior[i];
         for (int j = 0; j < i; ++j) {
             row[j] = entry(j);

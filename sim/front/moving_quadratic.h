@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 
 namespace sim::front {
 
@@ -16,41 +15,37 @@ class MovingQuadratic {
     static constexpr int kUnknowns = 6;
 
     // Sums over rows, of which Number is one or several side by side: weight times the powers of s and z that
-    // products of the terms above have, and times D and those terms. Which is where: moving_quadratic.cpp.
+    // products of the terms above have, then weight times D and those terms without their halves. Which is
+    // where: moving_quadratic.cpp.
     template <class Number>
     struct Sums {
-        std::array<Number, 15> power{};
-        std::array<Number, kUnknowns> with_D{};
+        static constexpr int kPowers = 15, kAll = kPowers + kUnknowns;
+        Number of[kAll]{};
 
         // The front was at D(s, z), give or take σ: weight 1/σ².
-        void add(const Number& s, const Number& z, const Number& D, const Number& weight) {
+        [[gnu::always_inline]] void add(const Number& s, const Number& z, const Number& D,
+                                        const Number& weight) {
             const Number ws = weight * s, wss = ws * s, wz = weight * z, wzz = wz * z;
-            add_now(s, D, weight, ws, wss);
-            power[5] += wz, power[6] += wz * s, power[7] += wss * z, power[8] += wss * s * z;
-            power[9] += wzz, power[10] += wzz * s, power[11] += wss * z * z;
-            power[12] += wzz * z, power[13] += wzz * z * s, power[14] += wzz * z * z;
-            with_D[3] += wz * D, with_D[4] += wz * s * D, with_D[5] += wzz * D;
+            add_now(s, D, weight);
+            of[5] += wz, of[6] += wz * s, of[7] += wss * z, of[8] += wss * s * z;
+            of[9] += wzz, of[10] += wzz * s, of[11] += wss * z * z;
+            of[12] += wzz * z, of[13] += wzz * z * s, of[14] += wzz * z * z;
+            of[kPowers + 3] += wz * D, of[kPowers + 4] += wz * s * D, of[kPowers + 5] += wzz * D;
         }
         // The same at z = 0.
-        void add_now(const Number& s, const Number& D, const Number& weight) {
-            const Number ws = weight * s;
-            add_now(s, D, weight, ws, ws * s);
+        [[gnu::always_inline]] void add_now(const Number& s, const Number& D, const Number& weight) {
+            const Number ws = weight * s, wss = ws * s;
+            of[0] += weight, of[1] += ws, of[2] += wss, of[3] += wss * s, of[4] += wss * s * s;
+            of[kPowers] += weight * D, of[kPowers + 1] += ws * D, of[kPowers + 2] += wss * D;
         }
         // Rows that were added up elsewhere, each weight times so much.
-        void add(const Sums& more, const Number& times = 1) {
-            for (std::size_t i = 0; i < power.size(); ++i) power[i] += times * more.power[i];
-            for (std::size_t i = 0; i < with_D.size(); ++i) with_D[i] += times * more.with_D[i];
-        }
-
-      private:
-        void add_now(const Number& s, const Number& D, const Number& weight, const Number& ws,
-                     const Number& wss) {
-            power[0] += weight, power[1] += ws, power[2] += wss, power[3] += wss * s, power[4] += wss * s * s;
-            with_D[0] += weight * D, with_D[1] += ws * D, with_D[2] += wss * D;
+        [[gnu::always_inline]] void add(const Sums& more, const Number& times) {
+            for (int i = 0; i < kAll; ++i) of[i] += times * more.of[i];
         }
     };
 
-    Sums<double> sums;  // of all rows until now
+    Sums<double> sums;
+    // of all rows until now
 
     // Solves for them; may be called again after more rows.
     void solve();

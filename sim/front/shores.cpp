@@ -27,18 +27,13 @@ int Shores::find(const Detector& detector, std::span<const int> cuts, std::span<
 
 Shore Shores::operator[](int number) const {
     const Extent& extent = extents_[number];
-    const auto flips = static_cast<std::size_t>(extent.flips);
-    const auto numbers = [&](std::size_t which) {
-        return numbers_.data() + extent.number + which * Shore::filled_up(flips);
+    const auto numbers = [&](int which) {
+        return numbers_.data() + extent.number + which * fit::filled_up(extent.flips);
     };
     return {.vertices = {vertices_.data() + extent.vertex, static_cast<std::size_t>(extent.ring_end.back())},
             .ring_end = extent.ring_end,
-            .flipped = {flipped_.data() + extent.flip, flips},
-            .x = numbers(0),
-            .y = numbers(1),
-            .age = numbers(2),
-            .east = numbers(3),
-            .north = numbers(4),
+            .flipped = {flipped_.data() + extent.flip, static_cast<std::size_t>(extent.flips)},
+            .flips = {numbers(0), numbers(1), numbers(2), numbers(3), numbers(4)},
             .crossings = {crossings_.data() + extent.crossing, static_cast<std::size_t>(extent.crossings)}};
 }
 
@@ -107,44 +102,41 @@ void Shores::add_flips(const Mesh& mesh, std::span<const Flips> flips, double ti
     for (std::size_t i = extent.vertex; i < count_; ++i) {
         const int vertex = vertices_[i];
         const auto& last = flips[vertex].last;
-        for (std::size_t which = 0; which < last.size() && last[which].time != kNever; ++which)
-            *next++ = {vertex, which % 2 == 0 ? 1.f : -1.f, &last[which]};
+        for (std::size_t which = 0; which < last.size(); ++which) {  // kept if it was ever
+            *next = {vertex, which % 2 == 0 ? 1.f : -1.f, &last[which]};
+            next += last[which].time != kNever;
+        }
     }
-    const auto count = static_cast<std::size_t>(next - those_.data());
-    extent.flips = static_cast<int>(count);
+    const auto count = static_cast<int>(next - those_.data()), filled_up = fit::filled_up(count);
+    extent.flips = count;
     find_order(time, count);
-    flipped_.resize(flipped_.size() + count);
-    const std::size_t filled_up = Shore::filled_up(count);
-    numbers_.resize(numbers_.size() + kNumbers * filled_up);
+    flipped_.resize(extent.flip + static_cast<std::size_t>(count));
+    numbers_.resize(extent.number + 5 * static_cast<std::size_t>(filled_up));
     int* const flipped = flipped_.data() + extent.flip;
-    double* const numbers = numbers_.data() + extent.number;
-    for (std::size_t i = 0; i < count; ++i) {
+    double* const x = numbers_.data() + extent.number;
+    double *const y = x + filled_up, *const age = y + filled_up, *const east = age + filled_up;
+    double* const north = east + filled_up;
+    for (int i = 0; i < count; ++i) {
         const auto& [vertex, way, flip] = those_[i];
-        const auto at = static_cast<std::size_t>(order_[i]);
+        const int at = order_[i];
         flipped[at] = vertex;
-        double* const number = numbers + at;
-        number[0] = mesh.position[vertex].x, number[filled_up] = mesh.position[vertex].y;
-        number[2 * filled_up] = time - flip->time;
-        number[3 * filled_up] = way * flip->direction.x, number[4 * filled_up] = way * flip->direction.y;
+        x[at] = mesh.position[vertex].x, y[at] = mesh.position[vertex].y;
+        age[at] = time - flip->time;
+        east[at] = way * flip->direction.x, north[at] = way * flip->direction.y;
     }
 }
 
 // Of each of those_ its place by age. A few dozen are fastest compared with all others, without a branch.
 // Keys are ages, with the number in their last bits, so that no two are the same: ages so near each other
 // that only those bits would tell are as good as equal.
-void Shores::find_order(double time, std::size_t count) {
+void Shores::find_order(double time, int count) {
     const std::uint32_t numbers = std::bit_ceil(static_cast<std::uint32_t>(count)) - 1;
     keys_.resize(count), order_.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
+    for (int i = 0; i < count; ++i) {
         const auto age = std::bit_cast<std::uint32_t>(static_cast<float>(time - those_[i].flip->time));
         keys_[i] = static_cast<int>((age & ~numbers) | static_cast<std::uint32_t>(i));
     }
-    for (std::size_t i = 0; i < count; ++i) {
-        const int key = keys_[i];
-        int before = 0;
-        for (std::size_t j = 0; j < count; ++j) before += keys_[j] < key;
-        order_[i] = before;
-    }
+    kernels_.find_order(keys_.data(), count, order_.data());
 }
 
 }  // namespace sim::front

@@ -9,6 +9,7 @@
 
 #include "sim/aligned.h"
 #include "sim/front/detector.h"
+#include "sim/front/fit_lanes.h"
 #include "sim/front/locator.h"
 
 namespace sim::front {
@@ -28,37 +29,32 @@ struct alignas(kCacheLine) Flips {
 // What lies around a vertex beside a front, on its own side of all fronts.
 //
 //           A ── A ── A        A: reached from the vertex a without crossing a front, within kRings.
-//            \  / \  / \
+//            \  / \  / \         (each edge drawn is uncut)
 //     ········\/···\/···\····
 struct Shore {
     static constexpr int kRings = 4;
-    static constexpr std::size_t kLanes = 2;  // on any machine, so that sums over them have the same bits
-    static constexpr std::size_t filled_up(std::size_t flips) {
-        return (flips + kLanes - 1) / kLanes * kLanes;
-    }
 
     std::span<const int> vertices;         // a first, then ring after ring
     std::array<int, kRings + 1> ring_end;  // where each ring ends there; the first is a alone
 
-    // Their flips, the newest first: arrays as long as `flipped`, filled up to whole lanes by such as went
-    // nowhere.
-    std::span<const int> flipped;  // which of them
-    const double *x, *y;           // where it lies, m
-    const double* age;             // s
-    // Which way the front went, if that was away from this side: unit; of each flip before another of the
-    // same vertex the opposite, for in between it was on the other side.
-    const double *east, *north;
+    // Their flips, the newest first: of which vertex, and what is known of it; lists are filled up to whole
+    // lanes with zeros. Which way the front went is turned round at each flip before another of the same
+    // vertex, which was on the other side in between.
+    std::span<const int> flipped;
+    fit::Flipped flips;
 
+    // Edges from there that a front crosses.
     struct Crossing {
-        int here, beyond;  // ends of a cut edge
+        int here, beyond;  // vertices
     };
-    std::span<const Crossing> crossings;  // from those vertices on
+    std::span<const Crossing> crossings;
 };
 
 // The shores of one moment. Each is looked at once, however many edges are cut at its vertex.
 class Shores {
   public:
-    explicit Shores(std::size_t vertices) : found_(vertices), seen_(vertices, 0) {}
+    Shores(std::size_t vertices, const fit::Kernels& kernels)
+        : kernels_(kernels), found_(vertices), seen_(vertices, 0) {}
 
     // Forgets all: another moment begins.
     void clear();
@@ -85,22 +81,21 @@ class Shores {
         const Flip* flip;
     };
 
-    void gather(const Detector& detector, std::span<const int> cuts, Extent& extent);
     void make_room(std::size_t more);
+    void gather(const Detector& detector, std::span<const int> cuts, Extent& extent);
     void add_beside_front(const Detector& detector, int from, bool goes_on);
     void add_all(const Mesh& mesh, int from);
     void add_flips(const Mesh& mesh, std::span<const Flips> flips, double time, Extent& extent);
-    void find_order(double time, std::size_t count);
+    void find_order(double time, int count);
 
-    static constexpr int kNumbers = 5;  // of a flip
-
+    const fit::Kernels& kernels_;
     std::vector<Extent> extents_;
-    std::vector<int> vertices_;
     std::size_t count_ = 0, crossing_count_ = 0;  // how many of the next two are filled
+    std::vector<int> vertices_;
     std::vector<Shore::Crossing> crossings_;
     std::vector<int> flipped_;
-    std::vector<double> numbers_;
-    std::vector<Known> those_;  // flips of the shore that is looked at
+    std::vector<double> numbers_;  // of flips
+    std::vector<Known> those_;     // flips of the shore that is looked at
     std::vector<int> keys_, order_;
 
     std::vector<Found> found_;  // of each vertex of the mesh

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <glm/geometric.hpp>
-
-#include "sim/numbers.h"
 
 namespace sim::front {
 namespace {
@@ -43,27 +42,23 @@ constexpr double kNear2 = 9, kLeastAcross = 0.05, kLeastDeviating = 0.2;  // cel
 constexpr double kSideKept = 0.02, kSideLost = 0.1;
 constexpr int kSidesKept = 5;
 
-// Rows that are reckoned with at once: so many on any machine, so that sums have the same bits.
-using Lanes = stdx::simd<double, stdx::simd_abi::deduce_t<double, Shore::kLanes>>;
-constexpr std::size_t kLanes = Shore::kLanes;
-
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
 double square(double x) {
     return x * x;
 }
 
-// Much like e^(−s²/16), but nothing from kReach2 on.
-double weight_at(double s) {
-    const double share = 1 - s * s / kReach2;
-    return share * share * share;
+MovingQuadratic::Sums<double> total(const fit::LaneSums& lanes) {
+    static_assert(fit::kLanes == 4);
+    MovingQuadratic::Sums<double> sums;
+    for (int i = 0; i < sums.kAll; ++i)
+        sums.of[i] = (lanes[i][0] + lanes[i][2]) + (lanes[i][1] + lanes[i][3]);
+    return sums;
 }
 
-MovingQuadratic::Sums<double> total(const MovingQuadratic::Sums<Lanes>& lanes) {
-    MovingQuadratic::Sums<double> sums;
-    for (std::size_t i = 0; i < sums.power.size(); ++i) sums.power[i] = stdx::reduce(lanes.power[i]);
-    for (std::size_t i = 0; i < sums.with_D.size(); ++i) sums.with_D[i] = stdx::reduce(lanes.with_D[i]);
-    return sums;
+// The next list of so many numbers.
+double* take(double*& from, int count) {
+    return std::exchange(from, from + count);
 }
 
 }  // namespace
@@ -73,10 +68,9 @@ Piece SpaceTimeFit::operator()(const Moment& now, std::span<const Flips> flips, 
     const Mesh& mesh = now.detector.mesh();
     const auto [a, b] = mesh.edge[edge];
     cell_ = std::min(mesh.cell[a], mesh.cell[b]);
-    per_cell_ = 1 / cell_;
-    normal_ = piece.normal;
+    const glm::dvec2 middle = 0.5 * (glm::dvec2(mesh.position[a]) + glm::dvec2(mesh.position[b]));
+    frame_ = {middle.x, middle.y, piece.normal.x / cell_, piece.normal.y / cell_};
     one_way_ = one_way_at(std::abs(double{piece.bend}) * cell_);
-    middle_ = 0.5 * (glm::dvec2(mesh.position[a]) + glm::dvec2(mesh.position[b]));
     step_ = std::abs(piece.speed) * now.dt / cell_;
     const int here = shores_.find(now.detector, cuts, flips, now.time, a);
     const int beyond = shores_.find(now.detector, cuts, flips, now.time, b);
@@ -91,12 +85,6 @@ Piece SpaceTimeFit::operator()(const Moment& now, std::span<const Flips> flips, 
     }
     keep_sides();
     return met(mesh, edge, piece);
-}
-
-// s and D.
-std::pair<double, double> SpaceTimeFit::place(const glm::vec2& position) const {
-    const glm::dvec2 from = (glm::dvec2(position) - middle_) * per_cell_;
-    return {-normal_.y * from.x + normal_.x * from.y, glm::dot(normal_, from)};
 }
 
 // Which vertices are beyond the front. One that lies on both shores is the nearer one's.
@@ -118,66 +106,74 @@ void SpaceTimeFit::claim(const Shore& here, const Shore& beyond) {
 }
 
 void SpaceTimeFit::collect_flips(const Shore& here, const Shore& beyond) {
-    rows_.begin[1] = Shore::filled_up(here.flipped.size());
-    rows_.begin[2] = rows_.begin[1] + Shore::filled_up(beyond.flipped.size());
-    if (rows_.s.size() < rows_.begin[2]) rows_.resize(2 * rows_.begin[2]);
-    collect_flips(here, 1, rows_.begin[0]);
-    collect_flips(beyond, -1, rows_.begin[1]);
+    const Shore* const shores[] = {&here, &beyond};
+    int length[2];
+    for (const int side : {0, 1}) {
+        sides_[side].count = static_cast<int>(shores[side]->flipped.size());
+        length[side] = fit::filled_up(sides_[side].count);
+    }
+    flip_numbers_.resize(
+        std::max(flip_numbers_.size(), static_cast<std::size_t>(4 * (length[0] + length[1]))));
+    double* next = flip_numbers_.data();
     youngest_ = kNone;
-    for (const int side : {0, 1})
-        for (std::size_t i = rows_.begin[side]; i < rows_.begin[side + 1]; ++i)
-            if (rows_.weight[i] > 0) {
-                youngest_ = std::min(youngest_, rows_.age[i]);
-                break;
-            }
+    for (const int side : {0, 1}) {
+        auto& [count, rows] = sides_[side];
+        rows = {take(next, length[side]), take(next, length[side]), take(next, length[side]),
+                take(next, length[side])};
+        // On this side a front went as the normal points, beyond it against it.
+        const double way = side == 0 ? cell_ : -cell_;
+        kernels_.place_flips(frame_, {way * frame_.u, way * frame_.v, one_way_, kSurely, kReach2},
+                             shores[side]->flips, count, rows);
+        if (meet_) forget_flips(*shores[side], side == 0, rows);
+        const double* newest = std::find_if(rows.weight, rows.weight + count, [](double w) { return w > 0; });
+        if (newest < rows.weight + count) youngest_ = std::min(youngest_, rows.age[newest - rows.weight]);
+    }
 }
 
-void SpaceTimeFit::collect_flips(const Shore& shore, double side, std::size_t first) {
-    const std::size_t count = shore.flipped.size();
-    double* __restrict s = &rows_.s[first], * __restrict D = &rows_.D[first];
-    double* __restrict age = &rows_.age[first], * __restrict weight = &rows_.weight[first];
-    const double *x = shore.x, *y = shore.y, *then = shore.age, *east = shore.east, *north = shore.north;
-    const double u = normal_.x / cell_, v = normal_.y / cell_, from_x = middle_.x, from_y = middle_.y;
-    const double way_x = side * normal_.x, way_y = side * normal_.y, one_way = one_way_;
-    const double per_way = 1 / (kSurely - one_way);
-    for (std::size_t i = 0; i < count; ++i) {
-        const double dx = x[i] - from_x, dy = y[i] - from_y;
-        s[i] = u * dy - v * dx, D[i] = u * dx + v * dy, age[i] = then[i];
-        const double far = std::max(0.0, 1 - s[i] * s[i] / kReach2);
-        const double along = (way_x * east[i] + way_y * north[i] - one_way) * per_way;
-        weight[i] = far * far * far * std::min(std::max(along, 0.0), 1.0);
-    }
-    if (meet_)
-        for (std::size_t i = 0; i < count; ++i)
-            if (is_beyond(shore.flipped[i]) == side > 0) weight[i] = 0;
-    for (std::size_t i = count; i % kLanes != 0; ++i) s[i] = D[i] = age[i] = weight[i] = 0;
+// Of vertices that are on both shores and belong to the other.
+void SpaceTimeFit::forget_flips(const Shore& shore, bool of_here, const fit::FlipRows& rows) {
+    for (std::size_t i = 0; i < shore.flipped.size(); ++i)
+        if (is_beyond(shore.flipped[i]) == of_here) rows.weight[i] = 0;
 }
 
 // What the front crosses now lies on either side of it, and near the middle of its edge.
 void SpaceTimeFit::collect_crossings(const Mesh& mesh, const Shore& here) {
-    crossed_ = {}, ends_.clear();
+    const int length = fit::filled_up(static_cast<int>(here.crossings.size()));
+    crossing_numbers_.resize(std::max(crossing_numbers_.size(), static_cast<std::size_t>(11 * length)));
+    double* next = crossing_numbers_.data();
+    double *const x = take(next, length), *const y = take(next, length);
+    double *const beyond_x = take(next, length), *const beyond_y = take(next, length);
+    crossing_rows_ = {take(next, length), take(next, length), take(next, length), take(next, length),
+                      take(next, length)};
+    wrong_ = take(next, length), wrong_beyond_ = next;
+    crossings_ = 0;
     for (const auto& crossing : here.crossings) {
         if (!is_beyond(crossing.beyond) || (meet_ && is_beyond(crossing.here))) continue;
-        const auto [sa, Da] = place(mesh.position[crossing.here]);
-        const auto [sb, Db] = place(mesh.position[crossing.beyond]);
-        const double s = (sa + sb) / 2, D = (Da + Db) / 2;
-        if (s * s + D * D > kNear2 || Db - Da < kLeastAcross) continue;
-        crossed_.add_now(s, D, weight_at(s) / square(std::max(Db - Da, kLeastDeviating)));
-        ends_.push_back({sa, Da, 1}), ends_.push_back({sb, Db, -1});
+        const glm::vec2 from = mesh.position[crossing.here], to = mesh.position[crossing.beyond];
+        x[crossings_] = from.x, y[crossings_] = from.y;
+        beyond_x[crossings_] = to.x, beyond_y[crossings_] = to.y;
+        crossing_rows_.counts[crossings_++] = 1;
     }
+    for (int i = crossings_; i < fit::filled_up(crossings_); ++i)
+        x[i] = y[i] = beyond_x[i] = beyond_y[i] = crossing_rows_.counts[i] = 0;
+    fit::LaneSums lanes{};
+    kernels_.place_crossings(frame_, {kNear2, kLeastAcross, kLeastDeviating, kReach2},
+                             {x, y, beyond_x, beyond_y}, crossings_, crossing_rows_, lanes);
+    crossed_ = total(lanes);
 }
 
 void SpaceTimeFit::choose_window(double dt) {
-    double least = kNone, most = -kNone;
-    double age = 0;
+    double least = kNone, most = -kNone, age = 0;
     int count = 0;
-    std::size_t a = rows_.begin[0], b = rows_.begin[1];
-    while (a < rows_.begin[1] || b < rows_.begin[2]) {
-        const bool is_b = a == rows_.begin[1] || (b < rows_.begin[2] && rows_.age[b] < rows_.age[a]);
-        const std::size_t i = is_b ? b++ : a++;
-        if (rows_.weight[i] <= 0) continue;
-        age = rows_.age[i];
-        least = std::min(least, rows_.D[i]), most = std::max(most, rows_.D[i]);
+    const auto& [here, beyond] = sides_;
+    int a = 0, b = 0;
+    while (a < here.count || b < beyond.count) {
+        const bool is_b = a == here.count || (b < beyond.count && beyond.rows.age[b] < here.rows.age[a]);
+        const fit::FlipRows& rows = is_b ? beyond.rows : here.rows;
+        const int i = is_b ? b++ : a++;
+        if (rows.weight[i] <= 0) continue;
+        age = rows.age[i];
+        least = std::min(least, rows.D[i]), most = std::max(most, rows.D[i]);
         if (++count > kWindowRows && most - least >= kWindowSpan) break;
     }
     short_window_ = std::max(kWindowShare * age, kLeastWindow * dt);
@@ -185,78 +181,66 @@ void SpaceTimeFit::choose_window(double dt) {
 }
 
 void SpaceTimeFit::solve() {
-    front_.sums = {};
-    add_flips();
+    const double frame = std::min(kMostOfStep, square(step_) / 12);  // variance of when a flip was
+    const fit::Deviation deviation{window_, kWindowEnd, square(kOfFlip) + frame, kOfModel};
+    fit::LaneSums lanes{};
+    for (const Side& side : sides_) kernels_.add_flips(deviation, side.rows, side.count, lanes);
+    front_.sums = total(lanes);
     const double fresh = std::max(0.0, 1 - std::min(youngest_, window_) / window_);
     front_.sums.add(crossed_, 1 / square(kOfMiddle * (1 + kLessWhereFresh * fresh * fresh)));
     front_.solve();
 }
 
-void SpaceTimeFit::add_flips() {
-    MovingQuadratic::Sums<Lanes> sums;
-    const Lanes variance = square(kOfFlip) + std::min(kMostOfStep, square(step_) / 12);
-    const Lanes per_window = 1 / window_;
-    for (const int side : {0, 1})
-        for (std::size_t i = rows_.begin[side]; i < rows_.begin[side + 1]; i += kLanes) {
-            const auto load = [i](const std::vector<double>& of) {
-                return Lanes(&of[i], stdx::element_aligned);
-            };
-            const Lanes z = load(rows_.age) * per_window, far = kOfModel * z * z * z;
-            const auto counts = z <= kWindowEnd;
-            if (stdx::none_of(counts)) break;
-            Lanes weight = load(rows_.weight) / (variance + far * far);
-            where(!counts, weight) = 0;
-            sums.add(load(rows_.s), -z, load(rows_.D), weight);
-        }
-    front_.sums.add(total(sums));
-}
-
-// By how much a vertex lies on the wrong side, cells.
-double SpaceTimeFit::violation(const End& end) const {
-    return end.side * (end.D - front_.at(end.s, 0));
+// By how much a vertex beside a crossed edge lies on the wrong side now, cells: the most, and all in wrong_.
+double SpaceTimeFit::find_wrong() {
+    const double now[] = {front_.at(0, 0), front_.slope(0), front_.bend()};
+    return kernels_.find_wrong(now, crossing_rows_, crossings_, wrong_, wrong_beyond_);
 }
 
 // A front that has just turned back does not fit a long window.
-bool SpaceTimeFit::misses_newest() const {
+bool SpaceTimeFit::misses_newest() {
     double sum = 0, weights = 0;
-    for (const int side : {0, 1})
-        for (std::size_t i = rows_.begin[side]; i < rows_.begin[side + 1]; ++i) {
-            if (rows_.age[i] > youngest_) break;
-            sum += rows_.weight[i] * square(rows_.D[i] - front_.at(rows_.s[i], -rows_.age[i] / window_));
-            weights += rows_.weight[i];
+    for (const auto& [count, rows] : sides_)
+        for (int i = 0; i < count && rows.age[i] <= youngest_; ++i) {
+            sum += rows.weight[i] * square(rows.D[i] - front_.at(rows.s[i], -rows.age[i] / window_));
+            weights += rows.weight[i];
         }
     if (sum > weights * (square(1.5 * step_) / 12 + square(kOfNewest))) return true;
-    return std::any_of(ends_.begin(), ends_.end(),
-                       [&](const End& end) { return violation(end) > kSideLost + step_; });
+    return find_wrong() > kSideLost + step_;
 }
 
 // What has not flipped yet the front has not passed: the worst that is on the wrong side becomes a row.
 void SpaceTimeFit::keep_sides() {
     for (int round = 0; round < kSidesKept; ++round) {
-        const End* worst = nullptr;
-        double by = kSideKept;
-        for (const End& end : ends_)
-            if (const double violated = violation(end); violated > by) worst = &end, by = violated;
-        if (!worst) return;
-        front_.sums.add_now(worst->s, worst->D, 1 / square(kSideKept));
+        const double most = find_wrong();
+        if (most <= kSideKept) return;
+        const auto worst_of = [&](const double* wrong) {
+            return static_cast<int>(std::find(wrong, wrong + crossings_, most) - wrong);
+        };
+        const int here = worst_of(wrong_), beyond = worst_of(wrong_beyond_);
+        const auto& rows = crossing_rows_;
+        if (here <= beyond)
+            front_.sums.add_now(rows.s[here], rows.D[here], 1 / square(kSideKept));
+        else
+            front_.sums.add_now(rows.beyond_s[beyond], rows.beyond_D[beyond], 1 / square(kSideKept));
         front_.solve();
     }
 }
 
 Piece SpaceTimeFit::met(const Mesh& mesh, int edge, Piece piece) const {
-    const auto [sa, Da] = place(mesh.position[mesh.edge[edge].a]);
-    const auto [sb, Db] = place(mesh.position[mesh.edge[edge].b]);
+    const auto [u, v] = std::pair(frame_.u, frame_.v);
+    const glm::dvec2 along = mesh.along(edge);  // its middle is where s and D are 0
+    const double ds = u * along.y - v * along.x, dD = u * along.x + v * along.y;
     double f = 0.5;
     for (int round = 0; round < 3; ++round) {
-        const double s = sa + f * (sb - sa);
-        const double rise = Db - Da - front_.slope(s) * (sb - sa);
-        f -= (Da + f * (Db - Da) - front_.at(s, 0)) / std::max(rise, 0.05);
+        const double s = (f - 0.5) * ds;
+        f -= ((f - 0.5) * dD - front_.at(s, 0)) / std::max(dD - front_.slope(s) * ds, 0.05);
         f = std::clamp(f, 0.0, 1.0);
     }
-    const double s = sa + f * (sb - sa);
-    const glm::dvec2 tangent(-normal_.y, normal_.x);
+    const double s = (f - 0.5) * ds;
+    const glm::dvec2 normal(piece.normal), tangent(-normal.y, normal.x);
     piece.f = static_cast<float>(f);
-    piece.normal = glm::vec2(glm::normalize(normal_ - front_.slope(s) * tangent));
+    piece.normal = glm::vec2(glm::normalize(normal - front_.slope(s) * tangent));
     piece.speed = static_cast<float>(front_.speed(s) * cell_ / window_);
     piece.bend = static_cast<float>(front_.bend() / cell_);
     return piece;

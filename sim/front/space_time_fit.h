@@ -3,11 +3,11 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
 
+#include "sim/front/fit_lanes.h"
 #include "sim/front/locator.h"
 #include "sim/front/moving_quadratic.h"
 #include "sim/front/shores.h"
@@ -28,7 +28,8 @@ struct Piece {
 // times in windows. Sides are those of one edge, so any number of regions may meet.
 class SpaceTimeFit {
   public:
-    explicit SpaceTimeFit(std::size_t vertices) : shores_(vertices), beyond_(vertices, 0) {}
+    SpaceTimeFit(std::size_t vertices, const fit::Kernels& kernels)
+        : kernels_(kernels), shores_(vertices, kernels), beyond_(vertices, 0) {}
 
     // Before the first edge of each moment.
     void begin_moment() { shores_.clear(); }
@@ -39,35 +40,21 @@ class SpaceTimeFit {
                      Piece piece);
 
   private:
-    // Flips of both sides as rows: those of a's side, newest first, then those of b's; each side's filled up
-    // with such as weigh nothing.
-    struct Rows {
-        std::vector<double> s, D, age, weight;
-        std::array<std::size_t, 3> begin{};  // of either side, and the end
-        void resize(std::size_t count) {
-            for (auto* of : {&s, &D, &age, &weight}) of->resize(count);
-        }
-    };
-    struct End {
-        double s, D, side;
-    };
-
-    std::pair<double, double> place(const glm::vec2& position) const;  // s and D
     void claim(const Shore& here, const Shore& beyond);
     bool is_beyond(int vertex) const { return beyond_[vertex] / kRingsOf == round_; }
     void collect_flips(const Shore& here, const Shore& beyond);
-    void collect_flips(const Shore& shore, double side, std::size_t first);
+    void forget_flips(const Shore& shore, bool of_here, const fit::FlipRows& rows);
     void collect_crossings(const Mesh& mesh, const Shore& here);
     void choose_window(double dt);
     void solve();
-    void add_flips();
-    double violation(const End& end) const;
-    bool misses_newest() const;
+    bool misses_newest();
     void keep_sides();
+    double find_wrong();
     Piece met(const Mesh& mesh, int edge, Piece piece) const;
 
     static constexpr std::uint64_t kRingsOf = 8;  // more than a shore has
 
+    const fit::Kernels& kernels_;
     Shores shores_;
     std::vector<std::uint64_t>
         beyond_;  // of each vertex: when it last lay on b's side, times 8, and its ring
@@ -75,15 +62,23 @@ class SpaceTimeFit {
     bool meet_ = false;  // whether a vertex is on both shores
 
     MovingQuadratic front_;
-    Rows rows_;
-    MovingQuadratic::Sums<double> crossed_;   // of edges that the front crosses now
-    std::vector<End> ends_;                   // of those edges
-    glm::dvec2 middle_{0, 0}, normal_{1, 0};  // of the edge, m; across it, unit
-    double one_way_ = 0;                      // cosine, below which a flip does not count
-    double cell_ = 1, per_cell_ = 1;          // m, 1/m
-    double step_ = 0;                         // what the front goes in a step, cells
-    double youngest_ = 0;                     // age of the newest row, s; without one infinite
-    double window_ = 1, short_window_ = 1;    // s
+    fit::Frame frame_{};
+    // Flips on a's side and on b's, the newest first.
+    struct Side {
+        int count = 0;
+        fit::FlipRows rows{};
+    };
+    std::array<Side, 2> sides_;
+    std::vector<double> flip_numbers_, crossing_numbers_;
+    int crossings_ = 0;
+    double *wrong_ = nullptr, *wrong_beyond_ = nullptr;
+    fit::CrossingRows crossing_rows_{};      // how far either end is on the wrong side: wrong_, wrong_beyond_
+    MovingQuadratic::Sums<double> crossed_;  // of edges that the front crosses now
+    double one_way_ = 0;                     // cosine, below which a flip does not count
+    double cell_ = 1;                        // m
+    double step_ = 0;                        // what the front goes in a step, cells
+    double youngest_ = 0;                    // age of the newest flip that counts, s; without one infinite
+    double window_ = 1, short_window_ = 1;   // s
 };
 
 }  // namespace sim::front

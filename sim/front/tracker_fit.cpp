@@ -56,7 +56,7 @@ class FitLocator : public Locator {
         mark_near_flips(now);
         turns_ = static_cast<int>(std::clamp(std::round(kLongestTurn / now.dt), 1.0, double{kTurns}));
         while (fits_.size() < static_cast<std::size_t>(now.workers.threads()))
-            fits_.emplace_back(mesh_.position.size());
+            fits_.emplace_back(mesh_.position.size(), fit::kernels_for(best_instruction_set()));
         for (SpaceTimeFit& fit : fits_) fit.begin_moment();
         now.workers.each_member(static_cast<int>(points.size()), [&](int member, int first, int last) {
             for (int i = first; i < last; ++i) {
