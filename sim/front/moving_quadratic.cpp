@@ -6,9 +6,9 @@ namespace {
 constexpr int kUnknowns = MovingQuadratic::kUnknowns;
 
 // 1/σ² of what is known of each unknown beforehand, in cells and windows of time (docs of the class give
-// their order): a front is straight and steady unless rows say otherwise; of its place nothing is known.
-constexpr std::array<double, kUnknowns> kPrior{
-    1e-6, 1, 1 / (0.5 * 0.5), 1 / (50.0 * 50.0), 1, 1 / (10.0 * 10.0)};
+// their order), but for the last: a front is straight and steady unless rows say otherwise; of its place
+// nothing is known.
+constexpr std::array<double, kUnknowns - 1> kPrior{1e-6, 1, 1 / (0.5 * 0.5), 1 / (50.0 * 50.0), 1};
 
 // Of Sums, by the power of s and that of z; those with D follow in the order of the unknowns.
 enum Power { k1, kS, kSS, kSSS, kSSSS, kZ, kSZ, kSSZ, kSSSZ, kZZ, kSZZ, kSSZZ, kZZZ, kSZZZ, kZZZZ };
@@ -38,7 +38,7 @@ void MovingQuadratic::solve() {
     for (int i = 0; i < kUnknowns; ++i) {
         double* row = factor[i];
         const auto entry = [&](int j) { return sums.of[kMatrix[i][j].power] * kMatrix[i][j].times; };
-        double diagonal = entry(i) + kPrior[i];
+        double diagonal = entry(i) + (i < kUnknowns - 1 ? kPrior[i] : 1 / (gain * gain));
         for (int j = 0; j < i; ++j) {
             row[j] = entry(j);
             for (int k = 0; k < j; ++k) row[j] -= row[k] * factor[j][k];

@@ -44,8 +44,8 @@ class MovingQuadratic {
         }
     };
 
-    Sums<double> sums;
-    // of all rows until now
+    Sums<double> sums;  // of all rows until now
+    double gain = 10;   // σ of a as far as it is known beforehand, > 0
 
     // Solves for them; may be called again after more rows.
     void solve();

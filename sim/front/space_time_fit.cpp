@@ -27,6 +27,10 @@ constexpr double kLeastWindow = 4, kUsualWindow = 30;  // steps
 constexpr double kMostUsual = 0.8;                     // s
 constexpr double kMuchShorter = 1.3;
 
+// How much speed a front may gain in a window, cells per window²; but less where it goes so many cells in a
+// step or more, for there the times of flips hardly tell.
+constexpr double kGain = 10, kLongStep = 0.2;
+
 // Deviations, cells: of a flip, to which comes what the front goes in a step; of what a quadratic cannot
 // follow, times the cube of the age in windows; of the newest flips from a window that fits them.
 constexpr double kOfFlip = 0.02, kOfModel = 0.2, kOfNewest = 0.03;
@@ -186,6 +190,7 @@ void SpaceTimeFit::solve() {
     fit::LaneSums lanes{};
     for (const Side& side : sides_) kernels_.add_flips(deviation, side.rows, side.count, lanes);
     front_.sums = total(lanes);
+    front_.gain = step_ > kLongStep ? kGain * std::sqrt(kLongStep / step_) : kGain;
     const double fresh = std::max(0.0, 1 - std::min(youngest_, window_) / window_);
     front_.sums.add(crossed_, 1 / square(kOfMiddle * (1 + kLessWhereFresh * fresh * fresh)));
     front_.solve();

@@ -20,6 +20,7 @@ struct Piece {
     glm::vec2 normal{1, 0};  // unit, from the side of vertex a to that of b
     float speed = 0;         // along the normal, m/s
     float bend = 0;          // of the front there: what its slope gains per metre along it, 1/m
+    float entered = -1;      // f where a new one came in, going on as it was shown before; -1: nobody knows
     bool is_new = false;
 };
 
