@@ -138,12 +138,13 @@ void Detector::scan_row(const glm::vec2* velocity, int y) {
     const glm::vec2* above = y + 1 < rows_ ? row + columns_ : row;
     const std::size_t words = words_for(columns_), first = static_cast<std::size_t>(y) * words;
     const Word *others = &others_[first], *others_above = y + 1 < rows_ ? others + words : others;
-    const auto has_changed = [&](std::size_t w) { return w < words && (others[w] | others_above[w]); };
+    const auto changed_at = [&](std::size_t w) { return w < words ? others[w] | others_above[w] : 0; };
     for (std::size_t w = 0; w < words; ++w) {
-        if (!has_changed(w) && !has_changed(w + 1)) continue;
+        const Word at = changed_at(w), changed = at | at >> 1 | changed_at(w + 1) << (kWord - 1);
+        if (!changed) continue;
         const int x = static_cast<int>(w) * kWord, count = std::min(columns_ - x, kWord);
         kernels_.find_jumps(&row[x].x, &above[x].x, count, std::min(columns_ - 1 - x, kWord), least_jump_,
-                            &jumps_[first + w]);
+                            &changed, &jumps_[first + w]);
     }
 }
 

@@ -1,52 +1,59 @@
 #include "sim/front/moving_quadratic.h"
 
-#include <cmath>
-
 namespace sim::front {
 namespace {
 
-// 1/σ² of what is known of each unknown beforehand, in cells and windows of time (docs of the class give
-// their order): a front is straight and steady unless rows say otherwise; of its place nothing is known.
-constexpr std::array<double, MovingQuadratic::kUnknowns> kPrior{
-    1e-6, 1, 1 / (0.5 * 0.5), 1 / (50.0 * 50.0), 1, 1 / (10.0 * 10.0)};
+constexpr int kUnknowns = MovingQuadratic::kUnknowns;
 
-constexpr int row_of(int i) {
-    return i * (i + 1) / 2;
-}
+// 1/σ² of what is known of each unknown beforehand, in cells and windows of time (docs of the class give
+// their order), but for the last: a front is straight and steady unless rows say otherwise; of its place
+// nothing is known.
+constexpr std::array<double, kUnknowns - 1> kPrior{1e-6, 1, 1 / (0.5 * 0.5), 1 / (50.0 * 50.0), 1};
+
+// Of Sums, by the power of s and that of z; those with D follow in the order of the unknowns.
+enum Power { k1, kS, kSS, kSSS, kSSSS, kZ, kSZ, kSSZ, kSSSZ, kZZ, kSZZ, kSSZZ, kZZZ, kSZZZ, kZZZZ };
+
+// The lower triangle of the normal equations: which sum, and by what it is to be multiplied for the halves in
+// the terms s²/2 and z²/2.
+struct Entry {
+    Power power;
+    double times;
+};
+constexpr Entry kMatrix[kUnknowns][kUnknowns] = {
+    {{k1, 1}},
+    {{kS, 1}, {kSS, 1}},
+    {{kSS, 0.5}, {kSSS, 0.5}, {kSSSS, 0.25}},
+    {{kZ, 1}, {kSZ, 1}, {kSSZ, 0.5}, {kZZ, 1}},
+    {{kSZ, 1}, {kSSZ, 1}, {kSSSZ, 0.5}, {kSZZ, 1}, {kSSZZ, 1}},
+    {{kZZ, 0.5}, {kSZZ, 0.5}, {kSSZZ, 0.25}, {kZZZ, 0.5}, {kSZZZ, 0.5}, {kZZZZ, 0.25}}};
 
 }  // namespace
 
-void MovingQuadratic::add(double s, double z, double D, double weight) {
-    const double term[kUnknowns] = {1, s, s * s / 2, z, z * s, z * z / 2};
-    for (int i = 0; i < kUnknowns; ++i) {
-        const double weighted = weight * term[i];
-        for (int j = 0; j <= i; ++j) matrix_[row_of(i) + j] += weighted * term[j];
-        right_[i] += weighted * D;
-    }
-}
-
-// By Cholesky's factors: the prior makes the matrix positive definite.
+// By the factors L D Lᵀ: the prior makes the matrix positive definite.
 void MovingQuadratic::solve() {
-    auto factor = matrix_;
+    double factor[kUnknowns][kUnknowns], reciprocal[kUnknowns];  // L below its diagonal of 1; of D
+    auto& c = solution_;
+    for (int i = 0; i < kUnknowns; ++i) c[i] = sums.of[Sums<double>::kPowers + i];
+    c[2] *= 0.5, c[5] *= 0.5;
     for (int i = 0; i < kUnknowns; ++i) {
-        double* row = &factor[row_of(i)];
-        row[i] += kPrior[i];
+        double* row = factor[i];
+        const auto entry = [&](int j) { return sums.of[kMatrix[i][j].power] * kMatrix[i][j].times; };
+        double diagonal = entry(i) + (i < kUnknowns - 1 ? kPrior[i] : 1 / (gain * gain));
         for (int j = 0; j < i; ++j) {
-            const double* above = &factor[row_of(j)];
-            for (int k = 0; k < j; ++k) row[j] -= row[k] * above[k];
-            row[j] *= above[j];  // the reciprocal of the diagonal
-            row[i] -= row[j] * row[j];
+            row[j] = entry(j);
+            for (int k = 0; k < j; ++k) row[j] -= row[k] * factor[j][k];
         }
-        row[i] = 1 / std::sqrt(row[i]);
-    }
-    solution_ = right_;
-    for (int i = 0; i < kUnknowns; ++i) {
-        for (int k = 0; k < i; ++k) solution_[i] -= factor[row_of(i) + k] * solution_[k];
-        solution_[i] *= factor[row_of(i) + i];
+        for (int j = 0; j < i; ++j) {
+            const double times_D = row[j];
+            row[j] *= reciprocal[j];
+            diagonal -= times_D * row[j];
+            c[i] -= row[j] * c[j];
+        }
+        reciprocal[i] = 1 / diagonal;
     }
     for (int i = kUnknowns - 1; i >= 0; --i) {
-        for (int k = i + 1; k < kUnknowns; ++k) solution_[i] -= factor[row_of(k) + i] * solution_[k];
-        solution_[i] *= factor[row_of(i) + i];
+        c[i] *= reciprocal[i];
+        for (int k = i + 1; k < kUnknowns; ++k) c[i] -= factor[k][i] * c[k];
     }
 }
 

@@ -14,10 +14,40 @@ class MovingQuadratic {
   public:
     static constexpr int kUnknowns = 6;
 
-    // The front was at D(s, z), give or take σ: weight 1/σ².
-    void add(double s, double z, double D, double weight);
+    // Sums over rows, of which Number is one or several side by side: weight times the powers of s and z that
+    // products of the terms above have, then weight times D and those terms without their halves. Which is
+    // where: moving_quadratic.cpp.
+    template <class Number>
+    struct Sums {
+        static constexpr int kPowers = 15, kAll = kPowers + kUnknowns;
+        Number of[kAll]{};
 
-    // Solves for what was added until now; may be called again after more rows.
+        // The front was at D(s, z), give or take σ: weight 1/σ².
+        [[gnu::always_inline]] void add(const Number& s, const Number& z, const Number& D,
+                                        const Number& weight) {
+            const Number ws = weight * s, wss = ws * s, wz = weight * z, wzz = wz * z;
+            add_now(s, D, weight);
+            of[5] += wz, of[6] += wz * s, of[7] += wss * z, of[8] += wss * s * z;
+            of[9] += wzz, of[10] += wzz * s, of[11] += wss * z * z;
+            of[12] += wzz * z, of[13] += wzz * z * s, of[14] += wzz * z * z;
+            of[kPowers + 3] += wz * D, of[kPowers + 4] += wz * s * D, of[kPowers + 5] += wzz * D;
+        }
+        // The same at z = 0.
+        [[gnu::always_inline]] void add_now(const Number& s, const Number& D, const Number& weight) {
+            const Number ws = weight * s, wss = ws * s;
+            of[0] += weight, of[1] += ws, of[2] += wss, of[3] += wss * s, of[4] += wss * s * s;
+            of[kPowers] += weight * D, of[kPowers + 1] += ws * D, of[kPowers + 2] += wss * D;
+        }
+        // Rows that were added up elsewhere, each weight times so much.
+        [[gnu::always_inline]] void add(const Sums& more, const Number& times) {
+            for (int i = 0; i < kAll; ++i) of[i] += times * more.of[i];
+        }
+    };
+
+    Sums<double> sums;  // of all rows until now
+    double gain = 10;   // σ of a as far as it is known beforehand, > 0
+
+    // Solves for them; may be called again after more rows.
     void solve();
 
     // Of the last solution.
@@ -30,9 +60,7 @@ class MovingQuadratic {
     double speed(double s) const { return solution_[3] + solution_[4] * s; }  // ∂D/∂z now
 
   private:
-    // Lower triangle of the normal equations, row after row, and their right side.
-    std::array<double, kUnknowns*(kUnknowns + 1) / 2> matrix_{};
-    std::array<double, kUnknowns> right_{}, solution_{};
+    std::array<double, kUnknowns> solution_{};
 };
 
 }  // namespace sim::front

@@ -22,9 +22,10 @@ struct Kernels {
     // or more, m/s. Of the others `before` becomes what they are now, but for some that lie beside those.
     void (*find_changes)(const float* row, float* before, int count, float least, Word* other, Word* jumped);
     // From which of `count` vertices, the first `with_next` of which have one beside them, velocity jumps by
-    // `least` or more, m/s, to that, to the one in the row `above`, or to the one beside that.
+    // `least` or more, m/s, to that, to the one in the row `above`, or to the one beside that. Only where
+    // one of those four may have `changed` is looked at all; of others the answer is to stand there already.
     void (*find_jumps)(const float* row, const float* above, int count, int with_next, float least,
-                       Word* jumps);
+                       const Word* changed, Word* jumps);
     // Which lie above the level: these and no others.
     void (*find_above)(const float* scalar, int count, float level, Word* above);
 };

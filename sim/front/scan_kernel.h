@@ -13,6 +13,7 @@ template <class Lanes>
 struct Scan {
     static constexpr int kLanes = static_cast<int>(Lanes::size());
     static constexpr int kTogether = 32, kVectors = kTogether / kLanes;  // numbers, and lanes of them
+    static constexpr Word kGroup = (Word{1} << kTogether / 2) - 1;       // bits of their vertices
     static constexpr float kComponent = 0.707f;                          // < 1/√2, by more than rounding
     using Mask = typename Lanes::mask_type;
     static_assert(2 * kWord % kTogether == 0);
@@ -50,14 +51,18 @@ struct Scan {
     }
 
     [[gnu::flatten]] static void find_jumps(const float* row, const float* above, int count, int with_next,
-                                            float least, Word* jumps) {
+                                            float least, const Word* changed, Word* jumps) {
         least *= kComponent;
-        for (int first = 0; first < count; first += kWord, ++jumps) {
+        for (int first = 0; first < count; first += kWord, ++changed, ++jumps) {
             const float *at = row + 2 * first, *up = above + 2 * first;
             const int numbers = 2 * least_of(with_next - first, kWord),
                       whole = numbers / kTogether * kTogether;
-            Word word = 0;
+            Word word = 0, kept = 0;
             for (int i = 0; i < whole; i += kTogether) {
+                if (const Word those = kGroup << i / 2; !(*changed & those)) {
+                    kept |= those;
+                    continue;
+                }
                 Mask mask[kVectors];
                 for (int k = 0; k < kVectors; ++k)
                     mask[k] = lie_apart(at + i + k * kLanes, up + i + k * kLanes, least);
@@ -79,7 +84,7 @@ struct Scan {
                 const float x = up[last] - at[last], y = up[last + 1] - at[last + 1];
                 word |= Word{x >= least || -x >= least || y >= least || -y >= least} << last / 2;
             }
-            *jumps = word;
+            *jumps = word | (*jumps & kept);
         }
     }
 
@@ -100,7 +105,7 @@ struct Scan {
                     differs[k] = change[k] != 0;
                 }
                 if (!any_of(differs)) continue;
-                others |= ((Word{1} << kTogether / 2) - 1) << i / 2;
+                others |= kGroup << i / 2;
                 Mask jump[kVectors];
                 for (int k = 0; k < kVectors; ++k) jump[k] = stdx::max(change[k], -change[k]) >= least;
                 if (any_of(jump))

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -26,6 +27,10 @@ constexpr double kLeastWindow = 4, kUsualWindow = 30;  // steps
 constexpr double kMostUsual = 0.8;                     // s
 constexpr double kMuchShorter = 1.3;
 
+// How much speed a front may gain in a window, cells per window²; but less where it goes so many cells in a
+// step or more, for there the times of flips hardly tell.
+constexpr double kGain = 10, kLongStep = 0.2;
+
 // Deviations, cells: of a flip, to which comes what the front goes in a step; of what a quadratic cannot
 // follow, times the cube of the age in windows; of the newest flips from a window that fits them.
 constexpr double kOfFlip = 0.02, kOfModel = 0.2, kOfNewest = 0.03;
@@ -41,14 +46,23 @@ constexpr double kNear2 = 9, kLeastAcross = 0.05, kLeastDeviating = 0.2;  // cel
 constexpr double kSideKept = 0.02, kSideLost = 0.1;
 constexpr int kSidesKept = 5;
 
+constexpr double kNone = std::numeric_limits<double>::infinity();
+
 double square(double x) {
     return x * x;
 }
 
-// Much like e^(−s²/16), but nothing from kReach2 on.
-double weight_at(double s) {
-    const double share = 1 - s * s / kReach2;
-    return share * share * share;
+MovingQuadratic::Sums<double> total(const fit::LaneSums& lanes) {
+    static_assert(fit::kLanes == 4);
+    MovingQuadratic::Sums<double> sums;
+    for (int i = 0; i < sums.kAll; ++i)
+        sums.of[i] = (lanes[i][0] + lanes[i][2]) + (lanes[i][1] + lanes[i][3]);
+    return sums;
+}
+
+// The next list of so many numbers.
+double* take(double*& from, int count) {
+    return std::exchange(from, from + count);
 }
 
 }  // namespace
@@ -58,13 +72,15 @@ Piece SpaceTimeFit::operator()(const Moment& now, std::span<const Flips> flips, 
     const Mesh& mesh = now.detector.mesh();
     const auto [a, b] = mesh.edge[edge];
     cell_ = std::min(mesh.cell[a], mesh.cell[b]);
-    normal_ = piece.normal;
+    const glm::dvec2 middle = 0.5 * (glm::dvec2(mesh.position[a]) + glm::dvec2(mesh.position[b]));
+    frame_ = {middle.x, middle.y, piece.normal.x / cell_, piece.normal.y / cell_};
     one_way_ = one_way_at(std::abs(double{piece.bend}) * cell_);
-    middle_ = 0.5 * (glm::dvec2(mesh.position[a]) + glm::dvec2(mesh.position[b]));
     step_ = std::abs(piece.speed) * now.dt / cell_;
-    near_.gather(now.detector, cuts, edge);
-    collect_flips(now, flips);
-    collect_crossings(mesh);
+    const int here = shores_.find(now.detector, cuts, flips, now.time, a);
+    const int beyond = shores_.find(now.detector, cuts, flips, now.time, b);
+    claim(shores_[here], shores_[beyond]);
+    collect_flips(shores_[here], shores_[beyond]);
+    collect_crossings(mesh, shores_[here]);
     choose_window(now.dt);
     solve();
     if (window_ > kMuchShorter * short_window_ && misses_newest()) {
@@ -75,53 +91,93 @@ Piece SpaceTimeFit::operator()(const Moment& now, std::span<const Flips> flips, 
     return met(mesh, edge, piece);
 }
 
-// s and D.
-std::pair<double, double> SpaceTimeFit::place(const glm::vec2& position) const {
-    const glm::dvec2 from = (glm::dvec2(position) - middle_) / cell_;
-    return {-normal_.y * from.x + normal_.x * from.y, glm::dot(normal_, from)};
-}
-
-void SpaceTimeFit::collect_flips(const Moment& now, std::span<const Flips> flips) {
-    rows_.clear();
-    for (const auto& [vertex, side] : near_.vertices()) {
-        if (flips[vertex].last[0].time == kNever) continue;
-        const auto [s, D] = place(now.detector.mesh().position[vertex]);
-        if (s * s >= kReach2) continue;
-        const double weight = weight_at(s);
-        // The newest went toward B where it left a vertex on A's side; the one before it the other way.
-        double way = side;
-        for (const Flip& flip : flips[vertex].last) {
-            if (flip.time == kNever) break;
-            const double along = way * glm::dot(glm::dvec2(flip.direction), normal_);
-            if (along > one_way_)
-                rows_.push_back({s, D, now.time - flip.time,
-                                 weight * std::min((along - one_way_) / (kSurely - one_way_), 1.0)});
-            way = -way;
+// Which vertices are beyond the front. One that lies on both shores is the nearer one's.
+void SpaceTimeFit::claim(const Shore& here, const Shore& beyond) {
+    ++round_;
+    int next = 0;
+    for (std::uint64_t ring = 0; ring < beyond.ring_end.size(); ++ring)
+        for (; next < beyond.ring_end[ring]; ++next)
+            beyond_[beyond.vertices[next]] = round_ * kRingsOf + ring;
+    meet_ = false;
+    for (const int vertex : here.vertices) meet_ |= is_beyond(vertex);
+    if (!meet_) return;
+    next = 0;
+    for (std::uint64_t ring = 0; ring < here.ring_end.size(); ++ring)
+        for (; next < here.ring_end[ring]; ++next) {
+            std::uint64_t& that = beyond_[here.vertices[next]];
+            if (that >= round_ * kRingsOf + ring) that = 0;
         }
-    }
-    std::sort(rows_.begin(), rows_.end(), [](const Row& x, const Row& y) { return x.age < y.age; });
 }
 
-// What the front crosses now lies on either side of it.
-void SpaceTimeFit::collect_crossings(const Mesh& mesh) {
-    middles_.clear(), ends_.clear();
-    for (const auto& crossing : near_.crossings()) {
-        const auto [sa, Da] = place(mesh.position[crossing.a]);
-        const auto [sb, Db] = place(mesh.position[crossing.b]);
-        const double s = (sa + sb) / 2, D = (Da + Db) / 2;
-        if (s * s + D * D > kNear2 || Db - Da < kLeastAcross) continue;
-        middles_.push_back({s, D, Db - Da, weight_at(s)});
-        ends_.push_back({sa, Da, 1}), ends_.push_back({sb, Db, -1});
+void SpaceTimeFit::collect_flips(const Shore& here, const Shore& beyond) {
+    const Shore* const shores[] = {&here, &beyond};
+    int length[2];
+    for (const int side : {0, 1}) {
+        sides_[side].count = static_cast<int>(shores[side]->flipped.size());
+        length[side] = fit::filled_up(sides_[side].count);
     }
+    flip_numbers_.resize(
+        std::max(flip_numbers_.size(), static_cast<std::size_t>(4 * (length[0] + length[1]))));
+    double* next = flip_numbers_.data();
+    youngest_ = kNone;
+    for (const int side : {0, 1}) {
+        auto& [count, rows] = sides_[side];
+        rows = {take(next, length[side]), take(next, length[side]), take(next, length[side]),
+                take(next, length[side])};
+        // On this side a front went as the normal points, beyond it against it.
+        const double way = side == 0 ? cell_ : -cell_;
+        kernels_.place_flips(frame_, {way * frame_.u, way * frame_.v, one_way_, kSurely, kReach2},
+                             shores[side]->flips, count, rows);
+        if (meet_) forget_flips(*shores[side], side == 0, rows);
+        const double* newest = std::find_if(rows.weight, rows.weight + count, [](double w) { return w > 0; });
+        if (newest < rows.weight + count) youngest_ = std::min(youngest_, rows.age[newest - rows.weight]);
+    }
+}
+
+// Of vertices that are on both shores and belong to the other.
+void SpaceTimeFit::forget_flips(const Shore& shore, bool of_here, const fit::FlipRows& rows) {
+    for (std::size_t i = 0; i < shore.flipped.size(); ++i)
+        if (is_beyond(shore.flipped[i]) == of_here) rows.weight[i] = 0;
+}
+
+// What the front crosses now lies on either side of it, and near the middle of its edge.
+void SpaceTimeFit::collect_crossings(const Mesh& mesh, const Shore& here) {
+    const int length = fit::filled_up(static_cast<int>(here.crossings.size()));
+    crossing_numbers_.resize(std::max(crossing_numbers_.size(), static_cast<std::size_t>(11 * length)));
+    double* next = crossing_numbers_.data();
+    double *const x = take(next, length), *const y = take(next, length);
+    double *const beyond_x = take(next, length), *const beyond_y = take(next, length);
+    crossing_rows_ = {take(next, length), take(next, length), take(next, length), take(next, length),
+                      take(next, length)};
+    wrong_ = take(next, length), wrong_beyond_ = next;
+    crossings_ = 0;
+    for (const auto& crossing : here.crossings) {
+        if (!is_beyond(crossing.beyond) || (meet_ && is_beyond(crossing.here))) continue;
+        const glm::vec2 from = mesh.position[crossing.here], to = mesh.position[crossing.beyond];
+        x[crossings_] = from.x, y[crossings_] = from.y;
+        beyond_x[crossings_] = to.x, beyond_y[crossings_] = to.y;
+        crossing_rows_.counts[crossings_++] = 1;
+    }
+    for (int i = crossings_; i < fit::filled_up(crossings_); ++i)
+        x[i] = y[i] = beyond_x[i] = beyond_y[i] = crossing_rows_.counts[i] = 0;
+    fit::LaneSums lanes{};
+    kernels_.place_crossings(frame_, {kNear2, kLeastAcross, kLeastDeviating, kReach2},
+                             {x, y, beyond_x, beyond_y}, crossings_, crossing_rows_, lanes);
+    crossed_ = total(lanes);
 }
 
 void SpaceTimeFit::choose_window(double dt) {
-    double least = std::numeric_limits<double>::infinity(), most = -least;
-    double age = 0;
+    double least = kNone, most = -kNone, age = 0;
     int count = 0;
-    for (const Row& row : rows_) {
-        age = row.age;
-        least = std::min(least, row.D), most = std::max(most, row.D);
+    const auto& [here, beyond] = sides_;
+    int a = 0, b = 0;
+    while (a < here.count || b < beyond.count) {
+        const bool is_b = a == here.count || (b < beyond.count && beyond.rows.age[b] < here.rows.age[a]);
+        const fit::FlipRows& rows = is_b ? beyond.rows : here.rows;
+        const int i = is_b ? b++ : a++;
+        if (rows.weight[i] <= 0) continue;
+        age = rows.age[i];
+        least = std::min(least, rows.D[i]), most = std::max(most, rows.D[i]);
         if (++count > kWindowRows && most - least >= kWindowSpan) break;
     }
     short_window_ = std::max(kWindowShare * age, kLeastWindow * dt);
@@ -129,70 +185,67 @@ void SpaceTimeFit::choose_window(double dt) {
 }
 
 void SpaceTimeFit::solve() {
-    front_ = {};
     const double frame = std::min(kMostOfStep, square(step_) / 12);  // variance of when a flip was
-    for (const Row& row : rows_) {
-        const double z = row.age / window_;
-        if (z > kWindowEnd) break;
-        front_.add(row.s, -z, row.D, row.weight / (square(kOfFlip) + frame + square(kOfModel * z * z * z)));
-    }
-    const double youngest = rows_.empty() ? window_ : rows_.front().age;
-    const double fresh = std::max(0.0, 1 - youngest / window_);
-    for (const auto& [s, D, across, weight] : middles_) {
-        const double deviation =
-            kOfMiddle * (1 + kLessWhereFresh * fresh * fresh) * std::max(across, kLeastDeviating);
-        front_.add(s, 0, D, weight / square(deviation));
-    }
+    const fit::Deviation deviation{window_, kWindowEnd, square(kOfFlip) + frame, kOfModel};
+    fit::LaneSums lanes{};
+    for (const Side& side : sides_) kernels_.add_flips(deviation, side.rows, side.count, lanes);
+    front_.sums = total(lanes);
+    front_.gain = step_ > kLongStep ? kGain * std::sqrt(kLongStep / step_) : kGain;
+    const double fresh = std::max(0.0, 1 - std::min(youngest_, window_) / window_);
+    front_.sums.add(crossed_, 1 / square(kOfMiddle * (1 + kLessWhereFresh * fresh * fresh)));
     front_.solve();
 }
 
-// By how much a vertex lies on the wrong side, cells.
-double SpaceTimeFit::violation(const End& end) const {
-    return end.side * (end.D - front_.at(end.s, 0));
+// By how much a vertex beside a crossed edge lies on the wrong side now, cells: the most, and all in wrong_.
+double SpaceTimeFit::find_wrong() {
+    const double now[] = {front_.at(0, 0), front_.slope(0), front_.bend()};
+    return kernels_.find_wrong(now, crossing_rows_, crossings_, wrong_, wrong_beyond_);
 }
 
 // A front that has just turned back does not fit a long window.
-bool SpaceTimeFit::misses_newest() const {
-    if (!rows_.empty()) {
-        double sum = 0, weights = 0;
-        for (const Row& row : rows_) {
-            if (row.age > rows_.front().age) break;
-            sum += row.weight * square(row.D - front_.at(row.s, -row.age / window_));
-            weights += row.weight;
+bool SpaceTimeFit::misses_newest() {
+    double sum = 0, weights = 0;
+    for (const auto& [count, rows] : sides_)
+        for (int i = 0; i < count && rows.age[i] <= youngest_; ++i) {
+            sum += rows.weight[i] * square(rows.D[i] - front_.at(rows.s[i], -rows.age[i] / window_));
+            weights += rows.weight[i];
         }
-        if (sum > weights * (square(1.5 * step_) / 12 + square(kOfNewest))) return true;
-    }
-    return std::any_of(ends_.begin(), ends_.end(),
-                       [&](const End& end) { return violation(end) > kSideLost + step_; });
+    if (sum > weights * (square(1.5 * step_) / 12 + square(kOfNewest))) return true;
+    return find_wrong() > kSideLost + step_;
 }
 
 // What has not flipped yet the front has not passed: the worst that is on the wrong side becomes a row.
 void SpaceTimeFit::keep_sides() {
     for (int round = 0; round < kSidesKept; ++round) {
-        const End* worst = nullptr;
-        double by = kSideKept;
-        for (const End& end : ends_)
-            if (const double violated = violation(end); violated > by) worst = &end, by = violated;
-        if (!worst) return;
-        front_.add(worst->s, 0, worst->D, 1 / square(kSideKept));
+        const double most = find_wrong();
+        if (most <= kSideKept) return;
+        const auto worst_of = [&](const double* wrong) {
+            return static_cast<int>(std::find(wrong, wrong + crossings_, most) - wrong);
+        };
+        const int here = worst_of(wrong_), beyond = worst_of(wrong_beyond_);
+        const auto& rows = crossing_rows_;
+        if (here <= beyond)
+            front_.sums.add_now(rows.s[here], rows.D[here], 1 / square(kSideKept));
+        else
+            front_.sums.add_now(rows.beyond_s[beyond], rows.beyond_D[beyond], 1 / square(kSideKept));
         front_.solve();
     }
 }
 
 Piece SpaceTimeFit::met(const Mesh& mesh, int edge, Piece piece) const {
-    const auto [sa, Da] = place(mesh.position[mesh.edge[edge].a]);
-    const auto [sb, Db] = place(mesh.position[mesh.edge[edge].b]);
+    const auto [u, v] = std::pair(frame_.u, frame_.v);
+    const glm::dvec2 along = mesh.along(edge);  // its middle is where s and D are 0
+    const double ds = u * along.y - v * along.x, dD = u * along.x + v * along.y;
     double f = 0.5;
     for (int round = 0; round < 3; ++round) {
-        const double s = sa + f * (sb - sa);
-        const double rise = Db - Da - front_.slope(s) * (sb - sa);
-        f -= (Da + f * (Db - Da) - front_.at(s, 0)) / std::max(rise, 0.05);
+        const double s = (f - 0.5) * ds;
+        f -= ((f - 0.5) * dD - front_.at(s, 0)) / std::max(dD - front_.slope(s) * ds, 0.05);
         f = std::clamp(f, 0.0, 1.0);
     }
-    const double s = sa + f * (sb - sa);
-    const glm::dvec2 tangent(-normal_.y, normal_.x);
+    const double s = (f - 0.5) * ds;
+    const glm::dvec2 normal(piece.normal), tangent(-normal.y, normal.x);
     piece.f = static_cast<float>(f);
-    piece.normal = glm::vec2(glm::normalize(normal_ - front_.slope(s) * tangent));
+    piece.normal = glm::vec2(glm::normalize(normal - front_.slope(s) * tangent));
     piece.speed = static_cast<float>(front_.speed(s) * cell_ / window_);
     piece.bend = static_cast<float>(front_.bend() / cell_);
     return piece;

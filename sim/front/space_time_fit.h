@@ -3,29 +3,16 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
 
-#include "sim/aligned.h"
+#include "sim/front/fit_lanes.h"
 #include "sim/front/locator.h"
 #include "sim/front/moving_quadratic.h"
-#include "sim/front/neighbourhood.h"
+#include "sim/front/shores.h"
 
 namespace sim::front {
-
-// When a front passed a vertex, and which way.
-struct Flip {
-    double time = kNever;       // s
-    glm::vec2 direction{0, 0};  // in which the front went, unit
-};
-
-// The last that a vertex remembers, the newest first, in a cache line: they are asked for all over the place.
-struct alignas(kCacheLine) Flips {
-    std::array<Flip, 3> last;
-    std::array<bool, 3> expected{true, true, true};  // the front was known to be near
-};
 
 // What is known of a front where it crosses an edge.
 struct Piece {
@@ -33,6 +20,7 @@ struct Piece {
     glm::vec2 normal{1, 0};  // unit, from the side of vertex a to that of b
     float speed = 0;         // along the normal, m/s
     float bend = 0;          // of the front there: what its slope gains per metre along it, 1/m
+    float entered = -1;      // f where a new one came in, going on as it was shown before; -1: nobody knows
     bool is_new = false;
 };
 
@@ -41,7 +29,11 @@ struct Piece {
 // times in windows. Sides are those of one edge, so any number of regions may meet.
 class SpaceTimeFit {
   public:
-    explicit SpaceTimeFit(std::size_t vertices) : near_(vertices) {}
+    SpaceTimeFit(std::size_t vertices, const fit::Kernels& kernels)
+        : kernels_(kernels), shores_(vertices, kernels), beyond_(vertices, 0) {}
+
+    // Before the first edge of each moment.
+    void begin_moment() { shores_.clear(); }
 
     // `piece` is what was known of the front there until now. Of each vertex of the mesh: its flips, and how
     // many of its edges are cut.
@@ -49,36 +41,45 @@ class SpaceTimeFit {
                      Piece piece);
 
   private:
-    struct Row {
-        double s, D, age, weight;
-    };
-    struct Middle {  // of an edge that the front crosses now, which goes so far across
-        double s, D, across, weight;
-    };
-    struct End {
-        double s, D, side;
-    };
-
-    std::pair<double, double> place(const glm::vec2& position) const;  // s and D
-    void collect_flips(const Moment& now, std::span<const Flips> flips);
-    void collect_crossings(const Mesh& mesh);
+    void claim(const Shore& here, const Shore& beyond);
+    bool is_beyond(int vertex) const { return beyond_[vertex] / kRingsOf == round_; }
+    void collect_flips(const Shore& here, const Shore& beyond);
+    void forget_flips(const Shore& shore, bool of_here, const fit::FlipRows& rows);
+    void collect_crossings(const Mesh& mesh, const Shore& here);
     void choose_window(double dt);
     void solve();
-    double violation(const End& end) const;
-    bool misses_newest() const;
+    bool misses_newest();
     void keep_sides();
+    double find_wrong();
     Piece met(const Mesh& mesh, int edge, Piece piece) const;
 
-    Neighbourhood near_;
+    static constexpr std::uint64_t kRingsOf = 8;  // more than a shore has
+
+    const fit::Kernels& kernels_;
+    Shores shores_;
+    std::vector<std::uint64_t>
+        beyond_;  // of each vertex: when it last lay on b's side, times 8, and its ring
+    std::uint64_t round_ = 0;
+    bool meet_ = false;  // whether a vertex is on both shores
+
     MovingQuadratic front_;
-    std::vector<Row> rows_;
-    std::vector<Middle> middles_;
-    std::vector<End> ends_;
-    glm::dvec2 middle_{0, 0}, normal_{1, 0};  // of the edge, m; across it, unit
-    double one_way_ = 0;                      // cosine, below which a flip does not count
-    double cell_ = 1;                         // m
-    double step_ = 0;                         // what the front goes in a step, cells
-    double window_ = 1, short_window_ = 1;    // s
+    fit::Frame frame_{};
+    // Flips on a's side and on b's, the newest first.
+    struct Side {
+        int count = 0;
+        fit::FlipRows rows{};
+    };
+    std::array<Side, 2> sides_;
+    std::vector<double> flip_numbers_, crossing_numbers_;
+    int crossings_ = 0;
+    double *wrong_ = nullptr, *wrong_beyond_ = nullptr;
+    fit::CrossingRows crossing_rows_{};      // how far either end is on the wrong side: wrong_, wrong_beyond_
+    MovingQuadratic::Sums<double> crossed_;  // of edges that the front crosses now
+    double one_way_ = 0;                     // cosine, below which a flip does not count
+    double cell_ = 1;                        // m
+    double step_ = 0;                        // what the front goes in a step, cells
+    double youngest_ = 0;                    // age of the newest flip that counts, s; without one infinite
+    double window_ = 1, short_window_ = 1;   // s
 };
 
 }  // namespace sim::front

@@ -33,9 +33,9 @@ constexpr float kFarAway = 0.6f;
 // it is shown.
 constexpr float kLeastShareCoasting = 0.15f, kLeastShareShown = 0.3f;
 
-// What is shown is led toward what was fitted, at this share per step of 1/60 s, and toward the chord of its
-// neighbours at that share in each of two sweeps.
-constexpr double kLed = 0.39, kSmoothed = 0.4;
+// What is shown is led toward what was fitted, at this share per step of 1/60 s, or at another where a front
+// has just passed a vertex; and toward the chord of its neighbours at that share in each of two sweeps.
+constexpr double kLed = 0.39, kLedAtFirst = 0.5, kSmoothed = 0.4;
 constexpr int kSweeps = 2;
 // An edge far from any flip is fitted in every fourth step, but after so many seconds at most.
 constexpr int kTurns = 4;
@@ -56,7 +56,8 @@ class FitLocator : public Locator {
         mark_near_flips(now);
         turns_ = static_cast<int>(std::clamp(std::round(kLongestTurn / now.dt), 1.0, double{kTurns}));
         while (fits_.size() < static_cast<std::size_t>(now.workers.threads()))
-            fits_.emplace_back(mesh_.position.size());
+            fits_.emplace_back(mesh_.position.size(), fit::kernels_for(best_instruction_set()));
+        for (SpaceTimeFit& fit : fits_) fit.begin_moment();
         now.workers.each_member(static_cast<int>(points.size()), [&](int member, int first, int last) {
             for (int i = first; i < last; ++i) {
                 if (is_due(points[i].edge, pieces_[i]))
@@ -80,8 +81,9 @@ class FitLocator : public Locator {
             const auto [a, b] = mesh_.edge[gone.edge];
             const Piece& piece = pieces_[gone.before];
             const float across = glm::dot(piece.normal, mesh_.along(gone.edge));
-            gone_.push_back({a, -piece.normal, -piece.speed, piece.f * across});
-            gone_.push_back({b, piece.normal, piece.speed, (1 - piece.f) * across});
+            const float shown = now.previous[gone.before].f;
+            gone_.push_back({a, -piece.normal, -piece.speed, piece.f * across, shown * across});
+            gone_.push_back({b, piece.normal, piece.speed, (1 - piece.f) * across, (1 - shown) * across});
         }
         std::stable_sort(gone_.begin(), gone_.end(),
                          [](const Gone& x, const Gone& y) { return x.vertex < y.vertex; });
@@ -114,18 +116,20 @@ class FitLocator : public Locator {
         glm::vec2 normal;  // toward the vertex
         float speed;       // along it, m/s
         float away;        // how far it had to go along it, m
+        float left;        // the same from where it was shown, m
     };
     // The mean of what left its edges through a vertex, and the nearest; a normal of 0 where nothing did.
     Gone came_to(int vertex) const {
-        Gone mean{vertex, {0, 0}, 0, std::numeric_limits<float>::infinity()};
+        Gone mean{vertex, {0, 0}, 0, std::numeric_limits<float>::infinity(), 0};
         const auto [first, last] =
             std::equal_range(gone_.begin(), gone_.end(), mean,
                              [](const Gone& x, const Gone& y) { return x.vertex < y.vertex; });
         for (auto gone = first; gone != last; ++gone) {
-            mean.normal += gone->normal, mean.speed += gone->speed;
+            mean.normal += gone->normal, mean.speed += gone->speed, mean.left += gone->left;
             mean.away = std::min(mean.away, gone->away);
         }
-        if (first != last) mean.speed /= static_cast<float>(last - first);
+        if (const auto count = static_cast<float>(last - first); count > 0)
+            mean.speed /= count, mean.left /= count;
         return mean;
     }
 
@@ -160,9 +164,22 @@ class FitLocator : public Locator {
             came.normal = unit(came.normal);
             if (came.normal == glm::vec2(0, 0)) continue;
             const float way = glm::dot(came.normal, u) >= 0 ? 1.f : -1.f;
-            return {v == a ? 0.f : 1.f, way * came.normal, way * came.speed, 0, true};
+            const float in = beyond(came, edge, now.dt);
+            return {.f = v == a ? 0.f : 1.f,
+                    .normal = way * came.normal,
+                    .speed = way * came.speed,
+                    .entered = v == a ? in : 1 - in,
+                    .is_new = true};
         }
-        return {0.5f, u, 0, 0, true};
+        return {.normal = u, .is_new = true};
+    }
+
+    // How far it has come on the edge, as a share, since it passed the vertex in this step.
+    float beyond(const Gone& came, int edge, double dt) const {
+        const float run = std::max(0.f, came.speed * static_cast<float>(dt));
+        const float across = std::abs(glm::dot(came.normal, mesh_.along(edge)));
+        const float way = std::max(across, kLeastShareShown * mesh_.length[edge]);
+        return std::min(std::clamp(run - came.left, 0.f, run) / way, 1.f);
     }
 
     void count_cuts(const Moment& now) {
@@ -238,14 +255,20 @@ class FitLocator : public Locator {
     }
 
     void show(std::span<Point> points, double dt) {
-        const auto led = static_cast<float>(1 - std::pow(1 - kLed, 60 * dt));
+        const auto share = [&](double of) { return static_cast<float>(1 - std::pow(1 - of, 60 * dt)); };
+        const float led = share(kLed), led_at_first = share(kLedAtFirst);
         for (std::size_t i = 0; i < points.size(); ++i) {
             Point& point = points[i];
             Piece& piece = pieces_[i];
             const float run = advance(point.edge, piece, kLeastShareShown, dt);
             point.speed = run / static_cast<float>(dt) * mesh_.length[point.edge];
-            const float ahead = point.f + run;
-            point.f = piece.is_new ? smooth_[i] : std::clamp(ahead + led * (smooth_[i] - ahead), 0.f, 1.f);
+            const bool goes_on = !piece.is_new;
+            if (goes_on || piece.entered >= 0) {
+                const float ahead = goes_on ? point.f + run : piece.entered;
+                point.f = std::clamp(ahead + (goes_on ? led : led_at_first) * (smooth_[i] - ahead), 0.f, 1.f);
+            } else {
+                point.f = smooth_[i];
+            }
             piece.is_new = false;
         }
     }

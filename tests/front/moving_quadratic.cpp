@@ -12,7 +12,7 @@ TEST(MovingQuadratic, finds_the_front_that_rows_lie_on) {
     };
     MovingQuadratic fit;
     for (double s = -2; s <= 2; s += 0.5)
-        for (double z = -2; z <= 0; z += 0.25) fit.add(s, z, front(s, z), 1e6);
+        for (double z = -2; z <= 0; z += 0.25) fit.sums.add(s, z, front(s, z), 1e6);
     fit.solve();
     for (const double s : {-1.5, 0.0, 0.7}) {
         EXPECT_NEAR(fit.at(s, 0), front(s, 0), 1e-4);
@@ -24,7 +24,7 @@ TEST(MovingQuadratic, finds_the_front_that_rows_lie_on) {
 
 TEST(MovingQuadratic, is_straight_and_steady_where_rows_do_not_tell) {
     MovingQuadratic fit;
-    fit.add(0, 0, 0.25, 100);
+    fit.sums.add(0, 0, 0.25, 100);
     fit.solve();
     EXPECT_NEAR(fit.at(0, 0), 0.25, 1e-3);
     EXPECT_NEAR(fit.slope(0), 0, 1e-9);
@@ -33,10 +33,10 @@ TEST(MovingQuadratic, is_straight_and_steady_where_rows_do_not_tell) {
 
 TEST(MovingQuadratic, goes_over_to_rows_that_weigh_more) {
     MovingQuadratic fit;
-    fit.add(0, 0, 0, 1);
+    fit.sums.add(0, 0, 0, 1);
     fit.solve();
     EXPECT_NEAR(fit.at(0, 0), 0, 1e-6);
-    fit.add(0, 0, 1, 99);
+    fit.sums.add(0, 0, 1, 99);
     fit.solve();
     EXPECT_NEAR(fit.at(0, 0), 0.99, 1e-3);
 }
