@@ -73,7 +73,7 @@ const Plant kPlants[] = {
     {"given", kBcre, kLocal, 5, 0, 4, "find_given", "now.given", 6, 7, kMany},
     {"settle", kBcre, kLocal, 9, 0, 6, "settle", "depth", 0, 10, 1},
     {"velocity", kBcre, kLocal, 9, 1, 3, "find_velocity", "velocity_x", 6, 7, 1},
-    {"share", kBcre, sim::Scheme::kMuscl, 4, 0, 17, "find_share", "share", 6, 7, -kMany},
+    {"share", kBcre, sim::Scheme::kMuscl, 4, 0, 14, "find_share", "share", 6, 7, -kMany},
     {"lax_flux", kBcre, sim::Scheme::kLaxFriedrichs, 4, 0, 5, "find_quarter_fluxes", "now.flux_y", 6, 7,
      kMany},
 };
