@@ -1,17 +1,11 @@
 #include "sim/front/scan.h"
 
+#include "sim/sweep/for_set.h"
+
 namespace sim::front::scan {
 
 const Kernels& kernels_for(InstructionSet set) {
-    switch (set) {
-        case InstructionSet::kX86_64_v2:
-            break;
-        case InstructionSet::kX86_64_v3:
-            return kKernels_v3;
-        case InstructionSet::kX86_64_v4:
-            return kKernels_v4;
-    }
-    return kKernels_v2;
+    return for_set(set, kKernels_v2, kKernels_v3, kKernels_v4);
 }
 
 }  // namespace sim::front::scan

@@ -153,10 +153,11 @@ TEST_F(Textures, that_came_to_rest_stay_as_they_are) {
 }
 
 // A flow that comes to rest from its right end on, as a heap does that grows up the slope.
+glm::vec2 halting(const glm::dvec2& x, double t) {
+    return x.x < 0.9 - 0.3 * t ? glm::vec2(0.2f, 0) : glm::vec2(0, 0);
+}
+
 TEST_F(Textures, of_what_comes_to_rest_are_not_drawn_out_and_stay) {
-    const auto halting = [](const glm::dvec2& x, double t) {
-        return x.x < 0.9 - 0.3 * t ? glm::vec2(0.2f, 0) : glm::vec2(0, 0);
-    };
     run(halting, 110);
     const std::vector<TextureLayers::Offsets> then(layers.offsets().begin(), layers.offsets().end());
     run(halting, 90);
@@ -178,9 +179,6 @@ TEST_F(Textures, of_what_comes_to_rest_are_not_drawn_out_and_stay) {
 }
 
 TEST_F(Textures, go_on_from_a_memory_to_the_same_bits_while_something_comes_to_rest) {
-    const auto halting = [](const glm::dvec2& x, double t) {
-        return x.x < 0.9 - 0.3 * t ? glm::vec2(0.2f, 0) : glm::vec2(0, 0);
-    };
     run(halting, 60);
     TextureLayers other(mesh, {});
     other.restore(layers.memory());
