@@ -62,7 +62,7 @@ inline constexpr int kLanes<stdx::simd<T, Abi>> = static_cast<int>(stdx::simd<T,
 // Has stages do their work on each vertex of a row, as many at once as there are lanes. The last lanes may
 // lie beyond the row, in its padding. Nothing that they write is part of a stage itself.
 template <class Number, class... Stages>
-[[gnu::flatten, gnu::noinline]] void along(Span x, const Stages& __restrict... stages) {
+[[gnu::flatten, gnu::noinline]] void along(Span x, Stages... stages) {
     for (int i = x.first; i < x.last; i += kLanes<Number>) (stages(i), ...);
 }
 

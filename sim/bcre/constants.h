@@ -29,6 +29,7 @@ struct Constants {
     Scalar room_per_growth;     // Δx / (κ γ Δt), m
     Scalar strong_pace;         // γ κ Δt/Δx, 1/m
     Scalar exchange_depth;      // R_c, m
+    Scalar rate_depth;          // R_c, or less: from which layer on a rate takes S to the threshold, m
     Scalar thick_exchange;      // m per growth, of a layer thicker than it
     Scalar little_per_rolling;  // 1/m: kLittle by the layer from which on the exchange is not the exponential
 
@@ -60,6 +61,7 @@ Constants<Scalar> constants_of(const Params& p, float cell, Substep<Scalar> sub)
             .room_per_growth = room,
             .strong_pace = strong_pace,
             .exchange_depth = p.exchange_depth,
+            .rate_depth = std::min(room, Scalar{p.exchange_depth}),
             .thick_exchange = p.exchange_depth < weak ? Scalar{p.exchange_depth} : room * thick_share,
             .little_per_rolling =
                 decays_much ? Scalar(1e30) : Scalar(kLittle) / std::min(weak, Scalar{p.exchange_depth}),

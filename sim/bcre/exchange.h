@@ -62,10 +62,9 @@ template <class Number>
 [[gnu::always_inline]] inline Number exchanged_at_rate(const Number& rolling, const Number& depth,
                                                        const Number& growth,
                                                        const Constants<Scalar<Number>>& c) {
-    const Number room = magnitude(growth) * c.room_per_growth;
-    const Number wanted = growth * smaller(rolling, Number(c.exchange_depth));
-    const Number most_deposited = larger(-smaller(room, rolling), Number(Scalar<Number>(kMostDeposited)));
-    return larger(smaller(wanted, smaller(room, depth)), most_deposited);
+    const Number wanted = growth * smaller(rolling, Number(c.rate_depth));
+    const Number most_deposited = larger(-rolling, Number(Scalar<Number>(kMostDeposited)));
+    return larger(smaller(wanted, depth), most_deposited);
 }
 
 // Moves `amount`, whole quanta and at least −R, from the standing to the rolling layer, as far as there is
