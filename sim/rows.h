@@ -62,8 +62,10 @@ inline constexpr int kLanes<stdx::simd<T, Abi>> = static_cast<int>(stdx::simd<T,
 // Has stages do their work on each vertex of a row, as many at once as there are lanes. The last lanes may
 // lie beyond the row, in its padding. Nothing that they write is part of a stage itself.
 template <class Number, class... Stages>
-[[gnu::flatten, gnu::noinline]] void along(Span x, Stages... stages) {
-    for (int i = x.first; i < x.last; i += kLanes<Number>) (stages(i), ...);
+[[gnu::flatten, gnu::noinline]] void along(Span x, const Stages&... stages) {
+    [x](Stages... own) {
+        for (int i = x.first; i < x.last; i += kLanes<Number>) (own(i), ...);
+    }(stages...);
 }
 
 // The analyser takes a row that a stage has, and does not read, for one that it reads.

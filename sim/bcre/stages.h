@@ -189,7 +189,9 @@ template <class Number, class S = Scalar<Number>>
 auto find_share(const Work<S>& w, int y) {
     return [rolling = w.now.rolling[y], flux_x = w.now.flux_x[y], south = w.now.flux_y[y],
             north = w.now.flux_y[y + 1], share = w.share[y]](int i) {
-        const Number all = sum_down(outward<Number>(flux_x, south, north, i));
+        const Number none(0);
+        const Number all = (larger(at<Number, 1>(flux_x, i), none) - smaller(at<Number>(flux_x, i), none)) +
+                           (larger(at<Number>(north, i), none) - smaller(at<Number>(south, i), none));
         store(share_given(all, at<Number>(rolling, i)), share + i);
     };
 }

@@ -61,9 +61,10 @@ template <class Number>
 [[gnu::always_inline]] inline Vector<Number> central_velocity(const Number& fall_x, const Number& fall_y,
                                                               const Number& rolling,
                                                               const Constants<Scalar<Number>>& c) {
-    const Number x = fall_x * Scalar<Number>(0.5), y = fall_y * Scalar<Number>(0.5);
-    const Number pace = pace_of(square_root(x * x + y * y), rolling, c);
-    return {pace * x, pace * y};
+    constexpr auto kFlat = Scalar<Number>(2e-12);
+    const Number twice = square_root(fall_x * fall_x + fall_y * fall_y);
+    const Number pace = law_speed(twice * Scalar<Number>(0.5), rolling, c) / larger(twice, Number(kFlat));
+    return {pace * fall_x, pace * fall_y};
 }
 
 }  // namespace sim::bcre
