@@ -52,11 +52,10 @@ auto find_slopes(const Level<S>& level, int y) {
 template <class Number, class S = Scalar<Number>>
 void end_slopes(const Work<S>& w, const Level<S>& level, int y, Span x) {
     if (w.is_ground(y))
-        for (const auto* rows : {&level.rolling_x, &level.u_x, &level.v_x})
-            (*rows)[y][-1] = (*rows)[y][w.nx] = 0;
+        for (S* row : {level.rolling_x[y], level.u_x[y], level.v_x[y]}) row[-1] = row[w.nx] = 0;
     else
-        for (const auto* rows : {&level.rolling_y, &level.u_y, &level.v_y})
-            std::fill((*rows)[y] + x.first, (*rows)[y] + x.last, S{0});
+        for (S* row : {level.rolling_y[y], level.u_y[y], level.v_y[y]})
+            std::fill(row + x.first, row + x.last, S{0});
 }
 
 // A value on both sides of a face.
@@ -139,13 +138,13 @@ auto find_fluxes(const Work<S>& w, const Level<S>& level, int y) {
 // Through a wall nothing passes. Faces y = 0 … ny.
 template <class Number, class S = Scalar<Number>>
 void end_fluxes(const Work<S>& w, const Level<S>& level, int y, Span x) {
-    for (const auto* rows : {&level.flux_x, &level.momentum_xu, &level.momentum_xv}) {
-        if (w.is_wall(kWest)) (*rows)[y][0] = 0;
-        if (w.is_wall(kEast)) (*rows)[y][w.nx] = 0;
+    for (S* row : {level.flux_x[y], level.momentum_xu[y], level.momentum_xv[y]}) {
+        if (w.is_wall(kWest)) row[0] = 0;
+        if (w.is_wall(kEast)) row[w.nx] = 0;
     }
     if ((y == 0 && w.is_wall(kSouth)) || (y == w.ny && w.is_wall(kNorth)))
-        for (const auto* rows : {&level.flux_y, &level.momentum_yu, &level.momentum_yv})
-            std::fill((*rows)[y] + x.first, (*rows)[y] + x.last, S{0});
+        for (S* row : {level.flux_y[y], level.momentum_yu[y], level.momentum_yv[y]})
+            std::fill(row + x.first, row + x.last, S{0});
 }
 
 }  // namespace sim::inertial

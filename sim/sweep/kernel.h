@@ -20,6 +20,11 @@ namespace sim::sweep {
 class WorkRows {
   public:
     WorkRows(float* first, std::ptrdiff_t stride) : next_(first), stride_(stride) {}
+    // The last `count` of each.
+    template <class... Of>
+    [[gnu::always_inline]] void keep(int count, Of&... rows) {
+        ((rows = last(count)), ...);
+    }
     [[gnu::always_inline]] Rows<float> last(int count) {
         float* first = next_;
         next_ += count * stride_;
@@ -43,9 +48,8 @@ class Kernel {
         Work<float> w = begun<Work<float>>(g_.bcre);
         WorkRows rows(work, g_.stride);
         Level<float>& now = w.now;
-        for (auto* of : {&now.drop_x, &now.drop_y, &now.fall, &now.given, &now.velocity_x, &now.velocity_y})
-            *of = rows.last(2);
-        now.flux_x = rows.last(2), now.flux_y = rows.last(2);
+        rows.keep(2, now.drop_x, now.drop_y, now.fall, now.given, now.velocity_x, now.velocity_y, now.flux_x,
+                  now.flux_y);
         const auto given = [&](int y) {
             if constexpr (scheme == Scheme::kLaxFriedrichs)
                 return find_quarters<Lanes>(w, now, y);
@@ -77,12 +81,12 @@ class Kernel {
         Work<float> w = begun<Work<float>>(g_.bcre);
         WorkRows rows(work, g_.stride);
         Level<float>&now = w.now, &then = w.then;
-        then.depth = rows.last(8), then.rolling = rows.last(8), w.share = rows.last(2);
-        for (auto* of : {&now, &then})
-            for (auto* field : {&of->drop_x, &of->drop_y, &of->bend_x, &of->bend_y, &of->fall,
-                                &of->velocity_x, &of->velocity_y})
-                *field = rows.last(4);
-        now.flux_x = rows.last(8), now.flux_y = rows.last(8), now.exchanged = rows.last(4);
+        rows.keep(8, then.depth, then.rolling, now.flux_x, now.flux_y);
+        rows.keep(4, now.drop_x, now.drop_y, now.bend_x, now.bend_y, now.fall, now.velocity_x, now.velocity_y);
+        rows.keep(4, then.drop_x, then.drop_y, then.bend_x, then.bend_y, then.fall, then.velocity_x,
+                  then.velocity_y);
+        rows.keep(4, now.exchanged);
+        rows.keep(2, w.share);
         // What a level leads to, from the drops of row y on.
         const auto find_rates = [&](const Level<float>& level, int y, int beside) {
             if (is_face(y, beside + 1)) run(find_drops<Lanes>(w, level, y));
@@ -125,14 +129,13 @@ class Kernel {
         w.first_depth = Rows<float>(g_.first_depth, g_.stride);
         now.velocity_x = beside_job(g_.velocity_x, job_.velocity_x);
         now.velocity_y = beside_job(g_.velocity_y, job_.velocity_y);
-        for (auto* field : {&then.depth, &then.rolling, &then.velocity_x, &then.velocity_y})
-            *field = rows.last(8);
-        for (auto* of : {&now, &then})
-            for (auto* field :
-                 {&of->drop_x, &of->drop_y, &of->bend_x, &of->bend_y, &of->exchanged, &of->flux_x,
-                  &of->rolling_x, &of->u_x, &of->v_x, &of->rolling_y, &of->u_y, &of->v_y, &of->flux_y,
-                  &of->momentum_xu, &of->momentum_xv, &of->momentum_yu, &of->momentum_yv})
-                *field = rows.last(4);
+        rows.keep(8, then.depth, then.rolling, then.velocity_x, then.velocity_y);
+        const auto keep_rates = [&](Level<float>& of) {
+            rows.keep(4, of.drop_x, of.drop_y, of.bend_x, of.bend_y, of.exchanged, of.rolling_x, of.rolling_y,
+                      of.u_x, of.u_y, of.v_x, of.v_y);
+            rows.keep(4, of.flux_x, of.flux_y, of.momentum_xu, of.momentum_xv, of.momentum_yu, of.momentum_yv);
+        };
+        keep_rates(now), keep_rates(then);
         const auto find_rates = [&](const Level<float>& level, int y, int beside) {
             if (is_face(y - 1, beside)) run(find_bends<Lanes>(w, level, y - 1));
             if (is_row(y - 2, beside)) run(find_exchange<Lanes>(w, level, y - 2));
