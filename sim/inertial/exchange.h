@@ -45,13 +45,13 @@ template <class Number>
 // the rate of this moment.
 template <class Number, class S = Scalar<Number>>
 auto find_exchange(const Work<S>& w, const Level<S>& level, int y) {
+    constexpr S kGreatestSpread = S(1.41421356237309505);
     return [c = w.c, drop_x = level.drop_x[y], south = level.drop_y[y], north = level.drop_y[y + 1],
             bend_x = level.bend_x[y], bend_south = level.bend_y[y], bend_north = level.bend_y[y + 1],
             depth = level.depth[y], rolling = level.rolling[y], to_u = level.velocity_x[y],
             to_v = level.velocity_y[y], to = level.exchanged[y]](int i) {
         const Number none(0), r = at<Number>(rolling, i);
-        const auto rolls = r > S{0};
-        if (!any(rolls)) {
+        if (!any(r > S{0})) {
             store(none, to + i);
             return;
         }
@@ -61,26 +61,27 @@ auto find_exchange(const Work<S>& w, const Level<S>& level, int y) {
                                    drop.north + at<Number>(bend_north, i),
                                    drop.south + at<Number>(bend_south, i)}) *
             c.per_cell;
-        const Number stop =
-            c.stop_slope_thick + c.stop_slope_more * exponential<Number>(-r * c.per_fold_depth);
-        const Number steep = larger(slope - c.erosion_slope, none), gentle = larger(stop - slope, none);
-
+        const Number steep = larger(slope - c.erosion_slope, none);
         Number eroded = none, laid = none;
         if (any(steep > S{0})) {
             const Number above = larger(r - c.erosion_depth, none);
             const Number erodes =
-                smaller(above * above / select(rolls, r, Number(1)), Number(c.exchange_depth));
-            const Number spread = slope_of(drop, c.per_cell).spread;
-            eroded = smaller(c.pace * erodes * steep, smaller(at<Number>(depth, i), steep * c.dx / spread));
+                smaller(above * above / larger(r, Number(S(kNothing))), Number(c.exchange_depth));
+            const Number pace = c.pace * erodes;
+            eroded = smaller(pace * steep, at<Number>(depth, i));
+            if (any(pace > S(0.99) / kGreatestSpread * c.dx))  // else it stays above its threshold
+                eroded = smaller(eroded, steep * c.dx / slope_of(drop, c.per_cell).spread);
         }
-        if (any(gentle > S{0})) {
-            constexpr S kGreatestSpread = S(1.41421356237309505);
+        if (any(slope < c.greatest_stop_slope)) {
+            const Number stop =
+                c.stop_slope_thick + c.stop_slope_more * exponential<Number>(-r * c.per_fold_depth);
+            const Number gentle = larger(stop - slope, none);
             const Number u = at<Number>(to_u, i), v = at<Number>(to_v, i);
             const Number gate = larger(Number(1) - square_root(u * u + v * v) * c.per_deposit_speed, none);
             laid = smaller(c.pace * gate * smaller(r, Number(c.exchange_depth)) * gentle,
                            gentle * (c.dx / kGreatestSpread));
         }
-        store(select(rolls, eroded - smaller(laid, r), none), to + i);
+        store<Number>(eroded - smaller(laid, r), to + i);
     };
 }
 

@@ -24,9 +24,8 @@
 namespace sim::inertial {
 
 // Of a vertex that gave nearly all it had a residue of rounding is left, and so of its momentum; their
-// quotient means nothing and must not grow. Thinner than this a layer is none (m; a quantum is 7.6e-6), and
-// no velocity passes this (m/s; no numbers allow half of it).
-inline constexpr float kNothing = 1e-12f, kFastest = 400;
+// quotient means nothing and must not grow. No velocity passes this (m/s; no numbers allow half of it).
+inline constexpr float kFastest = 400;
 
 // What rolls at a vertex at the end of a stage, and how much of what it would exchange it can.
 template <class Number>
@@ -115,8 +114,7 @@ auto finish(const Work<S>& w, int y, int end, std::uint8_t* active = nullptr) {
         const Number none(0), d = at<Number>(depth, i), r = at<Number>(rolling, i);
         const Rolling<Number> led = after_stage<Number>(second, i);
         const Number both = r + led.depth;
-        const auto rolled = both > S{0};
-        const Number per_depth = select(rolled, Number(1) / select(rolled, both, Number(1)), none);
+        const Number per_depth = Number(1) / larger(both, Number(S(kNothing)));
         const Number mean_u = (r * at<Number>(to_u, i) + led.depth * led.u) * per_depth;
         const Number mean_v = (r * at<Number>(to_v, i) + led.depth * led.v) * per_depth;
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <type_traits>
-
 #include "sim/inertial/limiter.h"
 #include "sim/inertial/work.h"
 #include "sim/stages.h"
@@ -69,29 +67,24 @@ struct Flux {
     Number depth, across, along;  // m, and of both velocities the momentum that it takes along, m²/s
 };
 
-// `rolls` at the vertices beside the face, the rest at the face: `across` is the velocity through it, `along`
-// the other. `may`: whether that side has anything to give.
-template <class Number, class Condition>
-[[gnu::always_inline]] inline Flux<Number> flux_of(const Sides<Number>& rolls, const Sides<Number>& rolling,
-                                                   const Sides<Number>& across, const Sides<Number>& along,
-                                                   const Sides<Condition>& may,
-                                                   const Constants<Scalar<Number>>& c) {
+// `begun` and `rolls` at the vertices beside the face, the rest at the face: `across` is the velocity through
+// it, `along` the other.
+template <class Number>
+[[gnu::always_inline]] inline Flux<Number> flux_of(const Sides<Number>& begun, const Sides<Number>& rolls,
+                                                   const Sides<Number>& rolling, const Sides<Number>& across,
+                                                   const Sides<Number>& along, const Constants<Scalar<Number>>& c) {
     using S = Scalar<Number>;
-    constexpr S kMost = S(0.25);
+    constexpr S kMost = S(0.25), kThin = 10 * kGrain<Number>;
     const Number none(0);
     // Rounding may leave a face of nothing a hair below it, and w no mean any more.
-    const Number r_l = larger(rolling.left, none), r_r = larger(rolling.right, none), both = r_l + r_r;
-    const auto any_rolls = both > S{0};
-    const Number w = select(
-        any_rolls, (r_l * across.left + r_r * across.right) / select(any_rolls, both, Number(1)), none);
-    const Number from_left = select(may.left, kMost * rolls.left, none);
-    const Number from_right = select(may.right, kMost * rolls.right, none);
-    const Number toward = smaller(c.courant * r_l * larger(w, none), from_left);
-    const Number away = smaller(c.courant * r_r * larger(-w, none), from_right);
-    const Number f = toward - away;
-    const auto forth = f > S{0}, back = f < S{0};
-    return {f, select(forth, f * across.left, select(back, f * across.right, none)),
-            select(forth, f * along.left, select(back, f * along.right, none))};
+    const Number r_l = larger(rolling.left, none), r_r = larger(rolling.right, none);
+    const Number both = larger(r_l + r_r, Number(S(1e-30)));  // of nothing, 0 of anything
+    const Number w = (r_l * across.left + r_r * across.right) / both;
+    const auto forth = w > S{0};
+    const auto may = select(forth, begun.left, begun.right) > kThin;
+    const Number most = select(may, kMost * select(forth, rolls.left, rolls.right), none);
+    const Number f = larger(smaller(c.courant * select(forth, r_l, r_r) * w, most), -most);
+    return {f, f * select(forth, across.left, across.right), f * select(forth, along.left, along.right)};
 }
 
 // Faces y = 0 … ny. Reads R, velocity and their slopes, and R of `now`; writes fluxes and momentum.
@@ -116,21 +109,18 @@ auto find_fluxes(const Work<S>& w, const Level<S>& level, int y) {
             begun_here = w.now.rolling[y], flux_x = level.flux_x[y], flux_y = level.flux_y[y],
             xu = level.momentum_xu[y], xv = level.momentum_xv[y], yu = level.momentum_yu[y],
             yv = level.momentum_yv[y]](int i) {
-        constexpr S kThin = 10 * kGrain<Number>;
         const Number here = at<Number>(rolling.here, i);
         const Number west = at<Number, -1>(rolling.here, i), south = at<Number>(rolling.south, i);
         if (!any(larger(here, larger(west, south)) > S{0})) {  // as it is nearly everywhere
             for (S* row : {flux_x, flux_y, xu, xv, yu, yv}) store(Number(0), row + i);
             return;
         }
-        const auto may = at<Number>(begun_here, i) > kThin, may_west = at<Number, -1>(begun_here, i) > kThin,
-                   may_south = at<Number>(begun_south, i) > kThin;
-        using Condition = std::remove_cv_t<decltype(may)>;
-        const Flux<Number> in_x = flux_of<Number, Condition>({west, here}, rolling.along_x(i), u.along_x(i),
-                                                             v.along_x(i), {may_west, may}, c);
+        const Number begun = at<Number>(begun_here, i);
+        const Flux<Number> in_x = flux_of<Number>({at<Number, -1>(begun_here, i), begun}, {west, here},
+                                                  rolling.along_x(i), u.along_x(i), v.along_x(i), c);
         store(in_x.depth, flux_x + i), store(in_x.across, xu + i), store(in_x.along, xv + i);
-        const Flux<Number> in_y = flux_of<Number, Condition>({south, here}, rolling.along_y(i), v.along_y(i),
-                                                             u.along_y(i), {may_south, may}, c);
+        const Flux<Number> in_y = flux_of<Number>({at<Number>(begun_south, i), begun}, {south, here},
+                                                  rolling.along_y(i), v.along_y(i), u.along_y(i), c);
         store(in_y.depth, flux_y + i), store(in_y.across, yv + i), store(in_y.along, yu + i);
     };
 }

@@ -47,14 +47,14 @@ template <class Number, class S = Scalar<Number>>
     const S per_step = S(0.5) * c.per_cell;
     const Number gx = rise<Number, -1, 1>(here, here, i) * per_step;
     const Number gy = rise<Number, 0, 0>(south, north, i) * per_step;
-    const Number steepness = square_root(gx * gx + gy * gy), r = at<Number>(here.rolling, i);
-    const auto fastest = steepness * c.speed_per_slope > c.max_speed;
+    const Number squared = gx * gx + gy * gy, r = at<Number>(here.rolling, i);
     Number per_slope(c.speed_per_slope);
-    if (any(fastest))
+    if (any(squared > c.nearly_capped_squared)) {
+        const Number steepness = square_root(squared);
+        const auto fastest = steepness * c.speed_per_slope > c.max_speed;
         per_slope = select(fastest, c.max_speed / select(fastest, steepness, Number(1)), per_slope);
-    const auto rolls = r > S{0};
-    const Number along =
-        select(rolls, -per_slope * (r / select(rolls, r + c.half_speed_depth, Number(1))), Number(0));
+    }
+    const Number along = -per_slope * (r / larger(r + c.half_speed_depth, Number(S(kNothing))));
     return {along * gx, along * gy};
 }
 

@@ -11,6 +11,9 @@
 
 namespace sim::inertial {
 
+// Thinner than this a layer is none, m; a quantum is 7.6e-6.
+inline constexpr float kNothing = 1e-12f;
+
 // What the formulas take from parameters, cell and sub-step: the same for all vertices.
 template <class Scalar>
 struct Constants {
@@ -19,10 +22,12 @@ struct Constants {
     Scalar dx, per_cell;    // m, 1/m
 
     Scalar speed_per_slope, max_speed, half_speed_depth;
+    Scalar nearly_capped_squared;  // of a slope, a hair below the one that makes it as fast as may be
     Scalar relaxed;  // share of the way to the terminal velocity in half a sub-step
 
     Scalar pace;  // γ Δt
     Scalar exchange_depth, stop_slope_thick, stop_slope_more, per_fold_depth;
+    Scalar greatest_stop_slope;  // a hair above what any layer stops at
     Scalar per_deposit_speed, erosion_slope, erosion_depth;
 
     Scalar start_slope, start_depth, freeze_depth, slow_squared, anchor_gain, anchor_margin;
@@ -31,6 +36,7 @@ struct Constants {
 template <class Scalar>
 Constants<Scalar> constants_of(const Params& p, float cell, Substep<Scalar> sub) {
     const Scalar dx = cell, deposit_speed = p.deposit_speed;
+    const Scalar capped = Scalar{p.max_speed} / Scalar{p.speed_per_slope};
     return {.courant = sub.dt / dx,
             .dither = {sub.dither},
             .dx = dx,
@@ -38,12 +44,14 @@ Constants<Scalar> constants_of(const Params& p, float cell, Substep<Scalar> sub)
             .speed_per_slope = p.speed_per_slope,
             .max_speed = p.max_speed,
             .half_speed_depth = p.half_speed_depth,
+            .nearly_capped_squared = capped * capped * Scalar(0.9999),
             .relaxed = 1 - exponential(Scalar(-0.5) * sub.dt / Scalar{p.relaxation_time}),
             .pace = p.exchange_rate * sub.dt,
             .exchange_depth = p.exchange_depth,
             .stop_slope_thick = p.stop_slope_thick,
             .stop_slope_more = Scalar{p.stop_slope} - Scalar{p.stop_slope_thick},
             .per_fold_depth = 1 / Scalar{p.stop_fold_depth},
+            .greatest_stop_slope = std::max(p.stop_slope, p.stop_slope_thick) * Scalar(1.0001),
             .per_deposit_speed = 1 / deposit_speed,
             .erosion_slope = p.erosion_slope,
             .erosion_depth = p.erosion_depth,

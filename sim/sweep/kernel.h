@@ -92,7 +92,7 @@ class Kernel {
             if (is_face(y, beside + 1)) run(find_drops<Lanes>(w, level, y));
             if (is_face(y, beside + 1)) end_drops<Lanes>(w, level, y);
             if (is_face(y - 1, beside + 1))
-                run(find_central_velocity<Lanes>(w, level, y - 1), find_bends<Lanes>(w, level, y - 1));
+                run(find_bends<Lanes>(w, level, y - 1), find_central_velocity<Lanes>(w, level, y - 1));
             if (is_row(y - 1, beside + 1)) end_velocity<Lanes>(w, level, y - 1);
         };
         for (int t = job_.y0 - 5; t < job_.y1 + 5; ++t) {
