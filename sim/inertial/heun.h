@@ -101,16 +101,15 @@ auto book_fluxes(const Work<S>& w, int y) {
     };
 }
 
-// The end of the sub-step: the layers become the mean of themselves and of where `then` leads; and the other
-// half of relaxation. Rows y = 0 … ny-1. Reads all of both levels; writes the layers of `now`, up to vertex
-// `end`. `active`, if there is one: a byte for each run of lanes, set where anything rolled.
+// The layers become the mean of themselves and of where `then` leads: rows y = 0 … ny-1. Reads all of both
+// levels; writes the layers of `now`, up to vertex `end`. `active`, if there is one: a byte for each run of
+// lanes, set where anything rolled.
 template <class Number, class S = Scalar<Number>>
 auto finish(const Work<S>& w, int y, int end, std::uint8_t* active = nullptr) {
-    return [c = w.c, second = flow_row(w.then, y), south = surface_row(w, w.then, y - 1),
-            here = surface_row(w, w.then, y), north = surface_row(w, w.then, y + 1), flux_x = w.now.flux_x[y],
-            flux_south = w.now.flux_y[y], flux_north = w.now.flux_y[y + 1],
-            first_exchanged = w.now.exchanged[y], depth = w.now.depth[y], rolling = w.now.rolling[y],
-            to_u = w.now.velocity_x[y], to_v = w.now.velocity_y[y], end, active](int i) {
+    return [c = w.c, second = flow_row(w.then, y), flux_x = w.now.flux_x[y], flux_south = w.now.flux_y[y],
+            flux_north = w.now.flux_y[y + 1], first_exchanged = w.now.exchanged[y], depth = w.now.depth[y],
+            rolling = w.now.rolling[y], to_u = w.now.velocity_x[y], to_v = w.now.velocity_y[y], end,
+            active](int i) {
         const Number none(0), d = at<Number>(depth, i), r = at<Number>(rolling, i);
         const Rolling<Number> led = after_stage<Number>(second, i);
         const Number both = r + led.depth;
@@ -124,14 +123,13 @@ auto finish(const Work<S>& w, int y, int end, std::uint8_t* active = nullptr) {
         const Number moved = smaller(larger(whole, -carried), d);
         const Number rolls = carried + moved;
 
-        const Velocity<Number> limit = terminal<Number>(south, here, north, i, c);
         const auto moves = rolls > S{0};
         if (active && any_before(end - i, r > S{0} || carried > S{0}))
             active[static_cast<unsigned>(i) / kLanes<Number>] = 1;
         store_before<Number>(end, d - moved, depth, i);
         store_before(end, rolls, rolling, i);
-        store_before<Number>(end, select(moves, mean_u + c.relaxed * (limit.u - mean_u), none), to_u, i);
-        store_before<Number>(end, select(moves, mean_v + c.relaxed * (limit.v - mean_v), none), to_v, i);
+        store_before<Number>(end, select(moves, mean_u, none), to_u, i);
+        store_before<Number>(end, select(moves, mean_v, none), to_v, i);
     };
 }
 

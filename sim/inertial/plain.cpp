@@ -66,14 +66,15 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
         over.each_row(
             "find_slopes", [&](const auto&, int y) { return find_slopes<Number>(level, y); },
             [&](int y) { end_slopes<Number>(world, level, y, all); });
+        over.each_face("find_fluxes_x", [&](int y) { return find_fluxes_x<Number>(world, level, y); });
         over.each_face(
-            "find_fluxes", [&](int y) { return find_fluxes<Number>(world, level, y); },
+            "find_fluxes_y", [&](int y) { return find_fluxes_y<Number>(world, level, y); },
             [&](int y) { end_fluxes<Number>(world, level, y, all); });
     };
 
     over.each_row_do("fill_halo", [&](int y) { fill_halo<Number>(world, world.now, y, all); });
     over.each_row(
-        "relax", [&](const auto& w, int y) { return relax<Number>(w, y, w.nx); },
+        "relax", [&](const auto& w, int y) { return relax<Number>(w, w.now, y, w.nx); },
         [&](int y) { end_velocity<Number>(world, world.now, y, all); });
     find_rates(world.now);
     over.each_row(
@@ -87,6 +88,7 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
     over.each_row(
         "finish", [&](const auto& w, int y) { return finish<Number>(w, y, w.nx); },
         [&](int y) { clear_drains<Number>(world.now, outlets, y, all); });
+    over.each_row("relax", [&](const auto& w, int y) { return relax<Number>(w, w.then, y, w.nx); });
     over.each_row_of_bed("yield", [&](const auto& w, int y) { return yield<Number>(w, y, w.nx); });
 }
 

@@ -61,6 +61,12 @@ template <class Number>
 struct Sides {
     Number left, right;
 };
+// From values and half slopes at the vertices.
+template <class Number>
+[[gnu::always_inline]] inline Sides<Number> at_face(const Sides<Number>& value,
+                                                    const Sides<Number>& half_slope) {
+    return {value.left + half_slope.left, value.right - half_slope.right};
+}
 
 template <class Number>
 struct Flux {
@@ -72,7 +78,8 @@ struct Flux {
 template <class Number>
 [[gnu::always_inline]] inline Flux<Number> flux_of(const Sides<Number>& begun, const Sides<Number>& rolls,
                                                    const Sides<Number>& rolling, const Sides<Number>& across,
-                                                   const Sides<Number>& along, const Constants<Scalar<Number>>& c) {
+                                                   const Sides<Number>& along,
+                                                   const Constants<Scalar<Number>>& c) {
     using S = Scalar<Number>;
     constexpr S kMost = S(0.25), kThin = 10 * kGrain<Number>;
     const Number none(0);
@@ -87,41 +94,48 @@ template <class Number>
     return {f, f * select(forth, across.left, across.right), f * select(forth, along.left, along.right)};
 }
 
-// Faces y = 0 … ny. Reads R, velocity and their slopes, and R of `now`; writes fluxes and momentum.
+// Along x, faces y = 0 … ny. Reads R, velocity and their slopes, and R of `now`; writes fluxes and momentum.
 template <class Number, class S = Scalar<Number>>
-auto find_fluxes(const Work<S>& w, const Level<S>& level, int y) {
-    struct Value {
-        const S *south, *here, *x, *y_south, *y_here;
-        Sides<Number> along_x(int i) const {
-            return {at<Number, -1>(here, i) + at<Number, -1>(x, i), at<Number>(here, i) - at<Number>(x, i)};
-        }
-        Sides<Number> along_y(int i) const {
-            return {at<Number>(south, i) + at<Number>(y_south, i),
-                    at<Number>(here, i) - at<Number>(y_here, i)};
-        }
-    };
-    const auto value = [&](const Rows<S>& rows, const Rows<S>& x, const Rows<S>& y_) {
-        return Value{rows[y - 1], rows[y], x[y], y_[y - 1], y_[y]};
-    };
-    return [c = w.c, rolling = value(level.rolling, level.rolling_x, level.rolling_y),
-            u = value(level.velocity_x, level.u_x, level.u_y),
-            v = value(level.velocity_y, level.v_x, level.v_y), begun_south = w.now.rolling[y - 1],
-            begun_here = w.now.rolling[y], flux_x = level.flux_x[y], flux_y = level.flux_y[y],
-            xu = level.momentum_xu[y], xv = level.momentum_xv[y], yu = level.momentum_yu[y],
-            yv = level.momentum_yv[y]](int i) {
-        const Number here = at<Number>(rolling.here, i);
-        const Number west = at<Number, -1>(rolling.here, i), south = at<Number>(rolling.south, i);
-        if (!any(larger(here, larger(west, south)) > S{0})) {  // as it is nearly everywhere
-            for (S* row : {flux_x, flux_y, xu, xv, yu, yv}) store(Number(0), row + i);
+auto find_fluxes_x(const Work<S>& w, const Level<S>& level, int y) {
+    return [c = w.c, begun = w.now.rolling[y], rolling = level.rolling[y], u = level.velocity_x[y],
+            v = level.velocity_y[y], slope = level.rolling_x[y], slope_u = level.u_x[y],
+            slope_v = level.v_x[y], flux = level.flux_x[y], to_u = level.momentum_xu[y],
+            to_v = level.momentum_xv[y]](int i) {
+        const auto beside = [i](const S* row) {
+            return Sides<Number>{at<Number, -1>(row, i), at<Number>(row, i)};
+        };
+        const Sides<Number> rolls = beside(rolling);
+        if (!any(larger(rolls.left, rolls.right) > S{0})) {  // as it is nearly everywhere
+            for (S* row : {flux, to_u, to_v}) store(Number(0), row + i);
             return;
         }
-        const Number begun = at<Number>(begun_here, i);
-        const Flux<Number> in_x = flux_of<Number>({at<Number, -1>(begun_here, i), begun}, {west, here},
-                                                  rolling.along_x(i), u.along_x(i), v.along_x(i), c);
-        store(in_x.depth, flux_x + i), store(in_x.across, xu + i), store(in_x.along, xv + i);
-        const Flux<Number> in_y = flux_of<Number>({at<Number>(begun_south, i), begun}, {south, here},
-                                                  rolling.along_y(i), v.along_y(i), u.along_y(i), c);
-        store(in_y.depth, flux_y + i), store(in_y.across, yv + i), store(in_y.along, yu + i);
+        const Flux<Number> in = flux_of<Number>(beside(begun), rolls, at_face<Number>(rolls, beside(slope)),
+                                                at_face<Number>(beside(u), beside(slope_u)),
+                                                at_face<Number>(beside(v), beside(slope_v)), c);
+        store(in.depth, flux + i), store(in.across, to_u + i), store(in.along, to_v + i);
+    };
+}
+// Along y.
+template <class Number, class S = Scalar<Number>>
+auto find_fluxes_y(const Work<S>& w, const Level<S>& level, int y) {
+    struct Pair {
+        const S *south, *here;
+        Sides<Number> operator()(int i) const { return {at<Number>(south, i), at<Number>(here, i)}; }
+    };
+    const auto pair = [y](const Rows<S>& rows) { return Pair{rows[y - 1], rows[y]}; };
+    return [c = w.c, begun = pair(w.now.rolling), rolling = pair(level.rolling), u = pair(level.velocity_x),
+            v = pair(level.velocity_y), slope = pair(level.rolling_y), slope_u = pair(level.u_y),
+            slope_v = pair(level.v_y), flux = level.flux_y[y], to_u = level.momentum_yu[y],
+            to_v = level.momentum_yv[y]](int i) {
+        const Sides<Number> rolls = rolling(i);
+        if (!any(larger(rolls.left, rolls.right) > S{0})) {
+            for (S* row : {flux, to_u, to_v}) store(Number(0), row + i);
+            return;
+        }
+        const Flux<Number> in =
+            flux_of<Number>(begun(i), rolls, at_face<Number>(rolls, slope(i)),
+                            at_face<Number>(v(i), slope_v(i)), at_face<Number>(u(i), slope_u(i)), c);
+        store(in.depth, flux + i), store(in.across, to_v + i), store(in.along, to_u + i);
     };
 }
 

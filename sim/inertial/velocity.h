@@ -63,15 +63,16 @@ template <class S, template <class> class Work>
     return {w.bedrock[y], level.depth[y], level.rolling[y]};
 }
 
-// Rows y = 0 … ny-1. Reads b, d, R; writes velocity, up to vertex `end`.
+// Half of a sub-step's relaxation, toward the terminal velocity of a level: rows y = 0 … ny-1. Reads b and
+// that level's d, R, and R of `now`; writes velocity of `now`, up to vertex `end`.
 template <class Number, class S = Scalar<Number>>
-auto relax(const Work<S>& w, int y, int end) {
-    return [c = w.c, south = surface_row(w, w.now, y - 1), here = surface_row(w, w.now, y),
-            north = surface_row(w, w.now, y + 1), to_u = w.now.velocity_x[y], to_v = w.now.velocity_y[y],
-            end](int i) {
+auto relax(const Work<S>& w, const Level<S>& toward, int y, int end) {
+    return [c = w.c, south = surface_row(w, toward, y - 1), here = surface_row(w, toward, y),
+            north = surface_row(w, toward, y + 1), rolling = w.now.rolling[y], to_u = w.now.velocity_x[y],
+            to_v = w.now.velocity_y[y], end](int i) {
         const Velocity<Number> limit = terminal<Number>(south, here, north, i, c);
         const Number u = at<Number>(to_u, i), v = at<Number>(to_v, i);
-        const auto rolls = at<Number>(here.rolling, i) > S{0};
+        const auto rolls = at<Number>(rolling, i) > S{0};
         store_before<Number>(end, select(rolls, u + c.relaxed * (limit.u - u), Number(0)), to_u, i);
         store_before<Number>(end, select(rolls, v + c.relaxed * (limit.v - v), Number(0)), to_v, i);
     };

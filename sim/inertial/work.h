@@ -23,7 +23,7 @@ struct Constants {
 
     Scalar speed_per_slope, max_speed, half_speed_depth;
     Scalar nearly_capped_squared;  // of a slope, a hair below the one that makes it as fast as may be
-    Scalar relaxed;  // share of the way to the terminal velocity in half a sub-step
+    Scalar relaxed;                // share of the way to the terminal velocity in half a sub-step
 
     Scalar pace;  // γ Δt
     Scalar exchange_depth, stop_slope_thick, stop_slope_more, per_fold_depth;

@@ -82,7 +82,8 @@ class Kernel {
         WorkRows rows(work, g_.stride);
         Level<float>&now = w.now, &then = w.then;
         rows.keep(8, then.depth, then.rolling, now.flux_x, now.flux_y);
-        rows.keep(4, now.drop_x, now.drop_y, now.bend_x, now.bend_y, now.fall, now.velocity_x, now.velocity_y);
+        rows.keep(4, now.drop_x, now.drop_y, now.bend_x, now.bend_y, now.fall, now.velocity_x,
+                  now.velocity_y);
         rows.keep(4, then.drop_x, then.drop_y, then.bend_x, then.bend_y, then.fall, then.velocity_x,
                   then.velocity_y);
         rows.keep(4, now.exchanged);
@@ -133,7 +134,8 @@ class Kernel {
         const auto keep_rates = [&](Level<float>& of) {
             rows.keep(4, of.drop_x, of.drop_y, of.bend_x, of.bend_y, of.exchanged, of.rolling_x, of.rolling_y,
                       of.u_x, of.u_y, of.v_x, of.v_y);
-            rows.keep(4, of.flux_x, of.flux_y, of.momentum_xu, of.momentum_xv, of.momentum_yu, of.momentum_yv);
+            rows.keep(4, of.flux_x, of.flux_y, of.momentum_xu, of.momentum_xv, of.momentum_yu,
+                      of.momentum_yv);
         };
         keep_rates(now), keep_rates(then);
         const auto find_rates = [&](const Level<float>& level, int y, int beside) {
@@ -149,12 +151,13 @@ class Kernel {
             if (is_face(t, 3)) run(find_drops<Lanes>(w, now, t), fetch(now.rolling, t + 1));
             if (is_face(t, 3)) end_drops<Lanes>(w, now, t);
             if (is_row(t - 1, 4)) {
-                along<Lanes>(wide(), relax<Lanes>(w, t - 1, wide().last));
+                along<Lanes>(wide(), relax<Lanes>(w, now, t - 1, wide().last));
                 end_velocity<Lanes>(w, now, t - 1, wide());
             }
             find_rates(now, t, 2);
             find_slopes_of(now, t - 2, 3);
-            if (is_face(t - 2, 2)) run(find_fluxes<Lanes>(w, now, t - 2), fetch(w.bedrock, t + 1));
+            if (is_face(t - 2, 2)) run(find_fluxes_x<Lanes>(w, now, t - 2), fetch(w.bedrock, t + 1));
+            if (is_face(t - 2, 2)) run(find_fluxes_y<Lanes>(w, now, t - 2));
             if (is_face(t - 2, 2)) end_fluxes<Lanes>(w, now, t - 2, wide());
             if (is_row(t - 3, 2)) run(predict<Lanes>(w, t - 3), fetch(now.depth, t + 1));
             if (is_row(t - 3, 2)) {
@@ -167,11 +170,13 @@ class Kernel {
             if (is_face(t - 3, 1)) end_drops<Lanes>(w, then, t - 3);
             find_rates(then, t - 3, 0);
             find_slopes_of(then, t - 4, 1);
-            if (is_face(t - 4, 0)) run(find_fluxes<Lanes>(w, then, t - 4), fetch(now.velocity_x, t));
+            if (is_face(t - 4, 0)) run(find_fluxes_x<Lanes>(w, then, t - 4), fetch(now.velocity_x, t));
+            if (is_face(t - 4, 0)) run(find_fluxes_y<Lanes>(w, then, t - 4));
             if (is_face(t - 4, 0)) end_fluxes<Lanes>(w, then, t - 4, wide());
             if (is_face(t - 4, 0)) run(book_fluxes<Lanes>(w, t - 4), fetch(now.velocity_y, t));
             if (is_row(t - 5, 0)) {
                 along<Lanes>(narrow(), sim::inertial::finish<Lanes>(w, t - 5, job_.x1, active));
+                along<Lanes>(narrow(), relax<Lanes>(w, then, t - 5, job_.x1));
                 clear_drains<Lanes>(now, g_.outlets, t - 5, narrow());
                 along<Lanes>(narrow(), yield<Lanes>(w, t - 5, job_.x1, active));
                 end_row(w, t - 5, active);

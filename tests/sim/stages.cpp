@@ -97,7 +97,7 @@ TEST(Velocity, of_the_inertial_model_relaxes_toward_the_terminal_one_for_half_of
     Play play(ground, lively(Model::kBcreInertial), {.plain = true});
     play.state.velocity_x(2, 2) = 1;
     const auto w = work_of(play);
-    sim::along<float>({0, 5}, sim::inertial::relax<float>(w, 2, 5));
+    sim::along<float>({0, 5}, sim::inertial::relax<float>(w, w.now, 2, 5));
     const double terminal = 15 * 0.5 * (0.3 / (0.3 + 0.1));  // k_v |∇z| R/(R + R_h)
     const double gained = 1 - std::exp(-0.01 / 1.5);
     EXPECT_NEAR(play.state.velocity_x(2, 2), 1 + gained * (0.6 * terminal - 1), 1e-5);
@@ -243,7 +243,8 @@ void find_fluxes(const sim::inertial::Work<float>& w) {
         sim::along<float>({0, w.nx}, sim::inertial::find_slopes<float>(w.now, y));
         sim::inertial::end_slopes<float>(w, w.now, y, {0, w.nx});
     }
-    sim::along<float>({0, w.nx + 1}, sim::inertial::find_fluxes<float>(w, w.now, 2));
+    sim::along<float>({0, w.nx + 1}, sim::inertial::find_fluxes_x<float>(w, w.now, 2),
+                      sim::inertial::find_fluxes_y<float>(w, w.now, 2));
 }
 
 TEST(InertialTransport, takes_layer_and_momentum_at_the_face) {
