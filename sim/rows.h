@@ -60,7 +60,8 @@ template <class T, class Abi>
 inline constexpr int kLanes<stdx::simd<T, Abi>> = static_cast<int>(stdx::simd<T, Abi>::size());
 
 // Has stages do their work on each vertex of a row, as many at once as there are lanes. The last lanes may
-// lie beyond the row, in its padding. Nothing that they write is part of a stage itself.
+// lie beyond the row, in its padding. The loop has stages of its own: what they write cannot be a number that
+// they reckon with, so those stay in registers.
 template <class Number, class... Stages>
 [[gnu::flatten, gnu::noinline]] void along(Span x, const Stages&... stages) {
     [x](Stages... own) {

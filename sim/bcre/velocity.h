@@ -56,12 +56,12 @@ template <class Number>
             (larger(drop.north, none) - larger(drop.south, none)) * pace};
 }
 
-// For muscl. `fall_x` = h_W − h_E and `fall_y` = h_S − h_N, m.
+// For muscl. `fall_x` = h_W − h_E and `fall_y` = h_S − h_N, m: over two cells.
 template <class Number>
 [[gnu::always_inline]] inline Vector<Number> central_velocity(const Number& fall_x, const Number& fall_y,
                                                               const Number& rolling,
                                                               const Constants<Scalar<Number>>& c) {
-    constexpr auto kFlat = Scalar<Number>(2e-12);
+    constexpr auto kFlat = Scalar<Number>(2e-12);  // as in pace_of
     const Number twice = square_root(fall_x * fall_x + fall_y * fall_y);
     const Number pace = law_speed(twice * Scalar<Number>(0.5), rolling, c) / larger(twice, Number(kFlat));
     return {pace * fall_x, pace * fall_y};
