@@ -34,12 +34,8 @@ std::vector<NamedField> fields_of(const Scratch<float>& s) {
                                                  {"bend_x", &f.bend_x},
                                                  {"bend_y", &f.bend_y},
                                                  {"fall", &f.fall},
-                                                 {"given", &f.given},
                                                  {"velocity_x", &f.velocity_x},
-                                                 {"velocity_y", &f.velocity_y},
-                                                 {"flux_x", &f.flux_x},
-                                                 {"flux_y", &f.flux_y},
-                                                 {"exchanged", &f.exchanged}});
+                                                 {"velocity_y", &f.velocity_y}});
     }
     for (auto* level : {&s.flow_now, &s.flow_then}) {
         const FlowFields<float>& f = *level;
@@ -65,7 +61,11 @@ std::vector<NamedField> fields_of(const Scratch<float>& s) {
                                                       {"momentum_yu", &f.momentum_yu},
                                                       {"momentum_yv", &f.momentum_yv}});
     }
-    add("", {{"share", &s.share}});
+    add("", {{"given", &s.given},
+             {"flux_x", &s.flux_x},
+             {"flux_y", &s.flux_y},
+             {"exchanged", &s.exchanged},
+             {"share", &s.share}});
     if (s.mixing)
         add("mixing.", {{"depth", &s.mixing->depth},
                         {"rolling", &s.mixing->rolling},

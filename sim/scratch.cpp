@@ -10,9 +10,9 @@ Scratch<Number>::Scratch(const Layers<Number>& s, Model model) : outlets(s.grid,
     const auto set = [&](auto&... fields) { ((fields = empty), ...); };
     if (model == Model::kBcre) {
         for (auto* f : {&now, &then})
-            set(f->depth, f->rolling, f->drop_x, f->drop_y, f->bend_x, f->bend_y, f->fall, f->given,
-                f->velocity_x, f->velocity_y, f->flux_x, f->flux_y, f->exchanged);
-        set(share);
+            set(f->depth, f->rolling, f->drop_x, f->drop_y, f->bend_x, f->bend_y, f->fall, f->velocity_x,
+                f->velocity_y);
+        set(given, flux_x, flux_y, exchanged, share);
     } else {
         for (auto* f : {&flow_now, &flow_then})
             set(f->depth, f->rolling, f->velocity_x, f->velocity_y, f->drop_x, f->drop_y, f->bend_x,

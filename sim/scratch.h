@@ -17,8 +17,7 @@ namespace sim {
 template <class Number>
 struct LevelFields {
     Field<Number> depth, rolling;  // of what is predicted; else they are the layers'
-    Field<Number> drop_x, drop_y, bend_x, bend_y, fall, given, velocity_x, velocity_y, flux_x, flux_y,
-        exchanged;
+    Field<Number> drop_x, drop_y, bend_x, bend_y, fall, velocity_x, velocity_y;
 };
 
 // What those of `bcre-inertial` write (inertial/work.h).
@@ -37,7 +36,7 @@ struct Scratch {
     Scratch(const Layers<Number>& layers, Model model);
 
     LevelFields<Number> now, then;
-    Field<Number> share;
+    Field<Number> given, flux_x, flux_y, exchanged, share;  // of `bcre`
     FlowFields<Number> flow_now, flow_then;
     Outlets outlets;
 
@@ -46,7 +45,7 @@ struct Scratch {
         Field<Number>&x, &y;
     };
     Fluxes fluxes(Model model) {
-        if (model == Model::kBcre) return {now.flux_x, now.flux_y};
+        if (model == Model::kBcre) return {flux_x, flux_y};
         return {flow_now.flux_x, flow_now.flux_y};
     }
 

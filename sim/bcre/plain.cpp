@@ -10,9 +10,8 @@ namespace {
 template <class Number>
 Level<Number> level_of(LevelFields<Number>& f, Field<Number>& depth, Field<Number>& rolling) {
     const auto rows = [](Field<Number>& field) { return Rows<Number>(field); };
-    return {rows(depth),    rows(rolling),  rows(f.drop_x),   rows(f.drop_y),     rows(f.bend_x),
-            rows(f.bend_y), rows(f.fall),   rows(f.given),    rows(f.velocity_x), rows(f.velocity_y),
-            rows(f.flux_x), rows(f.flux_y), rows(f.exchanged)};
+    return {rows(depth),    rows(rolling), rows(f.drop_x),     rows(f.drop_y),    rows(f.bend_x),
+            rows(f.bend_y), rows(f.fall),  rows(f.velocity_x), rows(f.velocity_y)};
 }
 
 }  // namespace
@@ -27,6 +26,10 @@ Work<Number> work_of(Layers<Number>& layers, const Params& params, Scratch<Numbe
             Rows<Number>(layers.bedrock),
             level_of(scratch.now, layers.depth, layers.rolling),
             level_of(scratch.then, scratch.then.depth, scratch.then.rolling),
+            Rows<Number>(scratch.given),
+            Rows<Number>(scratch.flux_x),
+            Rows<Number>(scratch.flux_y),
+            Rows<Number>(scratch.exchanged),
             Rows<Number>(scratch.share)};
 }
 
@@ -45,8 +48,8 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
             "find_drops", [&](int y) { return find_drops<Number>(world, level, y); },
             [&](int y) { end_drops<Number>(world, level, y); });
     };
-    const auto close = [&](int y) { close_walls<Number>(world, world.now, y, all); };
-    const auto end_gift = [&](int y) { end_given<Number>(world, world.now, y, all); };
+    const auto close = [&](int y) { close_walls<Number>(world, y, all); };
+    const auto end_gift = [&](int y) { end_given<Number>(world, y, all); };
     const auto find_motion = [&](const Level<Number>& level) {
         over.each_face("find_bends", [&](int y) { return find_bends<Number>(world, level, y); });
         over.each_row("find_bent_fall", [&](const auto&, int y) { return find_bent_fall<Number>(level, y); });
@@ -61,11 +64,9 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
         case Scheme::kLaxFriedrichs:
             over.each_row("find_fall", [&](const auto& w, int y) { return find_fall<Number>(w.now, y); });
             over.each_row(
-                "find_quarters", [&](const auto& w, int y) { return find_quarters<Number>(w, w.now, y); },
-                end_gift);
+                "find_quarters", [&](const auto& w, int y) { return find_quarters<Number>(w, y); }, end_gift);
             over.each_face(
-                "find_quarter_fluxes",
-                [&](int y) { return find_quarter_fluxes<Number>(world, world.now, y); }, close);
+                "find_quarter_fluxes", [&](int y) { return find_quarter_fluxes<Number>(world, y); }, close);
             over.each_row_of_bed("settle", [&](const auto& w, int y) {
                 return settle<Number, Scheme::kLaxFriedrichs>(w, y, w.nx);
             });
@@ -73,10 +74,8 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
         case Scheme::kLocalLaxFriedrichs:
             over.each_row("find_fall", [&](const auto& w, int y) { return find_fall<Number>(w.now, y); });
             over.each_row(
-                "find_given", [&](const auto& w, int y) { return find_given<Number>(w, w.now, y); },
-                end_gift);
-            over.each_face("find_split_fluxes",
-                           [&](int y) { return find_split_fluxes<Number>(world, world.now, y); });
+                "find_given", [&](const auto& w, int y) { return find_given<Number>(w, y); }, end_gift);
+            over.each_face("find_split_fluxes", [&](int y) { return find_split_fluxes<Number>(world, y); });
             over.each_row_of_bed("settle", [&](const auto& w, int y) {
                 return settle<Number, Scheme::kLocalLaxFriedrichs>(w, y, w.nx);
             });

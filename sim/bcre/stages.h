@@ -41,9 +41,9 @@ auto find_bent_fall(const Level<S>& level, int y) {
 
 // Of local-lax-friedrichs: rows y = 0 … ny-1. Reads R, drop_x, drop_y, fall; writes given.
 template <class Number, class S = Scalar<Number>>
-auto find_given(const Work<S>& w, const Level<S>& level, int y) {
-    return [c = w.c, rolling = level.rolling[y], fall = level.fall[y], drop_x = level.drop_x[y],
-            south = level.drop_y[y], north = level.drop_y[y + 1], given = level.given[y]](int i) {
+auto find_given(const Work<S>& w, int y) {
+    return [c = w.c, rolling = w.now.rolling[y], fall = w.now.fall[y], drop_x = w.now.drop_x[y],
+            south = w.now.drop_y[y], north = w.now.drop_y[y + 1], given = w.given[y]](int i) {
         const Number r = at<Number>(rolling, i);
         const Number wanted = given_per_drop(r, pace_of(at<Number>(fall, i), r, c), c);
         if (c.may_give_too_much) {
@@ -56,8 +56,8 @@ auto find_given(const Work<S>& w, const Level<S>& level, int y) {
 }
 // The halo gives nothing: rows y = -1 … ny.
 template <class Number, class S = Scalar<Number>>
-void end_given(const Work<S>& w, const Level<S>& level, int y, Span x) {
-    for (S* row : {level.given[y], level.velocity_x[y], level.velocity_y[y]}) {
+void end_given(const Work<S>& w, int y, Span x) {
+    for (S* row : {w.given[y], w.now.velocity_x[y], w.now.velocity_y[y]}) {
         if (w.is_ground(y))
             row[-1] = row[w.nx] = 0;
         else
@@ -66,9 +66,9 @@ void end_given(const Work<S>& w, const Level<S>& level, int y, Span x) {
 }
 // Then faces y = 0 … ny. Reads drop_x, drop_y, given; writes flux_x, flux_y, in whole quanta.
 template <class Number, class S = Scalar<Number>>
-auto find_split_fluxes(const Work<S>& w, const Level<S>& level, int y) {
-    return [c = w.c, drop_x = level.drop_x[y], drop_y = level.drop_y[y], given = level.given[y],
-            south = level.given[y - 1], flux_x = level.flux_x[y], flux_y = level.flux_y[y]](int i) {
+auto find_split_fluxes(const Work<S>& w, int y) {
+    return [c = w.c, drop_x = w.now.drop_x[y], drop_y = w.now.drop_y[y], given = w.given[y],
+            south = w.given[y - 1], flux_x = w.flux_x[y], flux_y = w.flux_y[y]](int i) {
         const Number here = at<Number>(given, i), west = at<Number, -1>(given, i);
         const Number in_x = flux_local_lax_friedrichs(at<Number>(drop_x, i), west, here);
         const Number in_y = flux_local_lax_friedrichs(at<Number>(drop_y, i), at<Number>(south, i), here);
@@ -79,10 +79,10 @@ auto find_split_fluxes(const Work<S>& w, const Level<S>& level, int y) {
 
 // Of lax-friedrichs: rows y = 0 … ny-1. Reads R, drop_x, drop_y, fall; writes given, velocity_x, velocity_y.
 template <class Number, class S = Scalar<Number>>
-auto find_quarters(const Work<S>& w, const Level<S>& level, int y) {
-    return [c = w.c, rolling = level.rolling[y], fall = level.fall[y], drop_x = level.drop_x[y],
-            south = level.drop_y[y], north = level.drop_y[y + 1], given = level.given[y],
-            more_x = level.velocity_x[y], more_y = level.velocity_y[y]](int i) {
+auto find_quarters(const Work<S>& w, int y) {
+    return [c = w.c, rolling = w.now.rolling[y], fall = w.now.fall[y], drop_x = w.now.drop_x[y],
+            south = w.now.drop_y[y], north = w.now.drop_y[y + 1], given = w.given[y],
+            more_x = w.now.velocity_x[y], more_y = w.now.velocity_y[y]](int i) {
         const Number r = at<Number>(rolling, i), pace = pace_of(at<Number>(fall, i), r, c);
         const Quarters<Number> gives =
             quarters(r, net_velocity(outward<Number>(drop_x, south, north, i), pace), c);
@@ -91,10 +91,10 @@ auto find_quarters(const Work<S>& w, const Level<S>& level, int y) {
 }
 // Then faces y = 0 … ny. Reads given, velocity_x, velocity_y; writes flux_x, flux_y, in whole quanta.
 template <class Number, class S = Scalar<Number>>
-auto find_quarter_fluxes(const Work<S>& w, const Level<S>& level, int y) {
-    return [c = w.c, given = level.given[y], given_south = level.given[y - 1], more_x = level.velocity_x[y],
-            more_y = level.velocity_y[y], more_south = level.velocity_y[y - 1], flux_x = level.flux_x[y],
-            flux_y = level.flux_y[y]](int i) {
+auto find_quarter_fluxes(const Work<S>& w, int y) {
+    return [c = w.c, given = w.given[y], given_south = w.given[y - 1], more_x = w.now.velocity_x[y],
+            more_y = w.now.velocity_y[y], more_south = w.now.velocity_y[y - 1], flux_x = w.flux_x[y],
+            flux_y = w.flux_y[y]](int i) {
         const Number here = at<Number>(given, i), west = at<Number, -1>(given, i);
         const Number in_x = flux_lax_friedrichs(west, at<Number, -1>(more_x, i), here, at<Number>(more_x, i));
         const Number in_y = flux_lax_friedrichs(at<Number>(given_south, i), at<Number>(more_south, i), here,
@@ -121,36 +121,36 @@ void end_velocity(const Work<S>& w, const Level<S>& level, int y) {
     S* u = level.velocity_x[y];
     u[-1] = u[0], u[w.nx] = u[w.nx - 1];
 }
-// Then faces y = 0 … ny. Reads R, velocity_x, velocity_y of a level; writes flux_x, flux_y of `now`, as much
-// as is wanted: first by `now` itself, then as the mean of that and what `then` wants.
+// Then faces y = 0 … ny. Reads R, velocity_x, velocity_y of a level; writes flux_x, flux_y, as much as is
+// wanted: first by `now` itself, then as the mean of that and what `then` wants.
 template <class Number, RkStage stage, class S = Scalar<Number>>
 auto find_muscl_fluxes(const Work<S>& w, int y) {
     constexpr bool kSecond = stage == RkStage::kSecond;
     const Level<S>& level = kSecond ? w.then : w.now;
-    return [c = w.c, r = level.rolling[y], r_south = level.rolling[y - 1],
-            r_north = level.rolling[std::min(y + 1, w.ny)], r_south2 = level.rolling[std::max(y - 2, -1)],
-            u = level.velocity_x[y], v = level.velocity_y[std::min(y, w.ny - 1)],
-            v_south = level.velocity_y[std::max(y - 1, 0)], flux_x = w.now.flux_x[y],
-            flux_y = w.now.flux_y[y]](int i) {
-        const Number here = at<Number>(r, i);
-        const Number in_x =
-            flux_muscl<Number>({at<Number, -2>(r, i), at<Number, -1>(r, i), here, at<Number, 1>(r, i)},
-                               at<Number, -1>(u, i), at<Number>(u, i), c);
-        const Number in_y = flux_muscl<Number>(
-            {at<Number>(r_south2, i), at<Number>(r_south, i), here, at<Number>(r_north, i)},
-            at<Number>(v_south, i), at<Number>(v, i), c);
-        store(kSecond ? mean(at<Number>(flux_x, i), in_x) : in_x, flux_x + i);
-        store(kSecond ? mean(at<Number>(flux_y, i), in_y) : in_y, flux_y + i);
-    };
+    return
+        [c = w.c, r = level.rolling[y], r_south = level.rolling[y - 1],
+         r_north = level.rolling[std::min(y + 1, w.ny)], r_south2 = level.rolling[std::max(y - 2, -1)],
+         u = level.velocity_x[y], v = level.velocity_y[std::min(y, w.ny - 1)],
+         v_south = level.velocity_y[std::max(y - 1, 0)], flux_x = w.flux_x[y], flux_y = w.flux_y[y]](int i) {
+            const Number here = at<Number>(r, i);
+            const Number in_x =
+                flux_muscl<Number>({at<Number, -2>(r, i), at<Number, -1>(r, i), here, at<Number, 1>(r, i)},
+                                   at<Number, -1>(u, i), at<Number>(u, i), c);
+            const Number in_y = flux_muscl<Number>(
+                {at<Number>(r_south2, i), at<Number>(r_south, i), here, at<Number>(r_north, i)},
+                at<Number>(v_south, i), at<Number>(v, i), c);
+            store(kSecond ? mean(at<Number>(flux_x, i), in_x) : in_x, flux_x + i);
+            store(kSecond ? mean(at<Number>(flux_y, i), in_y) : in_y, flux_y + i);
+        };
 }
 
 // Through a wall nothing passes. Faces y = 0 … ny.
 template <class Number, class S = Scalar<Number>>
-void close_walls(const Work<S>& w, const Level<S>& level, int y, Span x) {
-    if (w.is_wall(kWest)) level.flux_x[y][0] = 0;
-    if (w.is_wall(kEast)) level.flux_x[y][w.nx] = 0;
+void close_walls(const Work<S>& w, int y, Span x) {
+    if (w.is_wall(kWest)) w.flux_x[y][0] = 0;
+    if (w.is_wall(kEast)) w.flux_x[y][w.nx] = 0;
     if ((y == 0 && w.is_wall(kSouth)) || (y == w.ny && w.is_wall(kNorth)))
-        std::fill(level.flux_y[y] + x.first, level.flux_y[y] + x.last, S{0});
+        std::fill(w.flux_y[y] + x.first, w.flux_y[y] + x.last, S{0});
 }
 
 // What rolls at vertex i of row y when the fluxes have passed.
@@ -170,13 +170,13 @@ template <class Number, class S = Scalar<Number>>
 }
 
 // Of muscl: rows y = 0 … ny-1. Where fluxes and exchange lead, unrounded, and never stored: it only serves to
-// find fluxes and exchange there. Reads d, R, fall, flux_x, flux_y of `now`; writes its exchanged, and d, R
-// of `then`.
+// find fluxes and exchange there. Reads d, R, fall of `now`, flux_x, flux_y; writes exchanged, and d, R of
+// `then`.
 template <class Number, class S = Scalar<Number>>
 auto predict(const Work<S>& w, int y) {
     return [c = w.c, depth = w.now.depth[y], rolling = w.now.rolling[y], fall = w.now.fall[y],
-            exchanged = w.now.exchanged[y], flux_x = w.now.flux_x[y], south = w.now.flux_y[y],
-            north = w.now.flux_y[y + 1], d = w.then.depth[y], r = w.then.rolling[y]](int i) {
+            exchanged = w.exchanged[y], flux_x = w.flux_x[y], south = w.flux_y[y], north = w.flux_y[y + 1],
+            d = w.then.depth[y], r = w.then.rolling[y]](int i) {
         const Number taken = exchanged_at<Number>(depth, rolling, fall, i, c);
         store(taken, exchanged + i);
         store(predicted_rolling(carried_at<Number>(rolling, flux_x, south, north, i), taken), r + i);
@@ -187,8 +187,8 @@ auto predict(const Work<S>& w, int y) {
 // Of muscl: rows y = 0 … ny-1. Reads R, flux_x, flux_y; writes share.
 template <class Number, class S = Scalar<Number>>
 auto find_share(const Work<S>& w, int y) {
-    return [rolling = w.now.rolling[y], flux_x = w.now.flux_x[y], south = w.now.flux_y[y],
-            north = w.now.flux_y[y + 1], share = w.share[y]](int i) {
+    return [rolling = w.now.rolling[y], flux_x = w.flux_x[y], south = w.flux_y[y], north = w.flux_y[y + 1],
+            share = w.share[y]](int i) {
         const Number none(0);
         const Number all = (larger(at<Number, 1>(flux_x, i), none) - smaller(at<Number>(flux_x, i), none)) +
                            (larger(at<Number>(north, i), none) - smaller(at<Number>(south, i), none));
@@ -207,8 +207,8 @@ void end_share(const Work<S>& w, int y, Span x) {
 // Faces y = 0 … ny. Reads share; makes flux_x, flux_y no more than there is to give, in whole quanta.
 template <class Number, class S = Scalar<Number>>
 auto book_fluxes(const Work<S>& w, int y) {
-    return [c = w.c, share = w.share[y], share_south = w.share[y - 1], flux_x = w.now.flux_x[y],
-            flux_y = w.now.flux_y[y]](int i) {
+    return [c = w.c, share = w.share[y], share_south = w.share[y - 1], flux_x = w.flux_x[y],
+            flux_y = w.flux_y[y]](int i) {
         const Number here = at<Number>(share, i), in_x = at<Number>(flux_x, i), in_y = at<Number>(flux_y, i);
         store(booked<Number>(in_x * select(in_x > S{0}, at<Number, -1>(share, i), here), c), flux_x + i);
         store(booked<Number>(in_y * select(in_y > S{0}, at<Number>(share_south, i), here), c), flux_y + i);
@@ -222,10 +222,10 @@ auto book_fluxes(const Work<S>& w, int y) {
 template <class Number, Scheme scheme, class S = Scalar<Number>>
 auto settle(const Work<S>& w, int y, int end, std::uint8_t* active = nullptr) {
     constexpr bool kSecond = scheme == Scheme::kMuscl;
-    return [c = w.c, depth = w.now.depth[y], rolling = w.now.rolling[y], flux_x = w.now.flux_x[y],
-            south = w.now.flux_y[y], north = w.now.flux_y[y + 1],
-            falls = kSecond ? w.then.fall[y] : w.now.fall[y], taken = w.now.exchanged[y],
-            then_depth = w.then.depth[y], then_rolling = w.then.rolling[y], end, active](int i) {
+    return [c = w.c, depth = w.now.depth[y], rolling = w.now.rolling[y], flux_x = w.flux_x[y],
+            south = w.flux_y[y], north = w.flux_y[y + 1], falls = kSecond ? w.then.fall[y] : w.now.fall[y],
+            taken = w.exchanged[y], then_depth = w.then.depth[y], then_rolling = w.then.rolling[y], end,
+            active](int i) {
         const Number fall = only_before(end, at<Number>(falls, i), i);
         const Number carried = carried_at<Number>(rolling, flux_x, south, north, i);
         Number lies = at<Number>(depth, i), rolls = carried;

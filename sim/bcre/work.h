@@ -10,17 +10,14 @@
 
 namespace sim::bcre {
 
-// A state of the two layers, and what it leads to. A face lies west (x) or south (y) of its vertex.
+// A state of the two layers, and how it lies and moves. A face lies west (x) or south (y) of its vertex.
 template <class Scalar>
 struct Level {
     Rows<Scalar> depth, rolling;          // m
     Rows<Scalar> drop_x, drop_y;          // m through each face, that h falls to the east, to the north
     Rows<Scalar> bend_x, bend_y;          // of muscl: what makes a drop of second order, m
     Rows<Scalar> fall;                    // m over a cell, slope times Δx
-    Rows<Scalar> given;                   // per metre of drop; of lax-friedrichs, m to each side
     Rows<Scalar> velocity_x, velocity_y;  // of muscl, m/s; of lax-friedrichs, m more forth and less back
-    Rows<Scalar> flux_x, flux_y;          // m through each face in the sub-step, to the east, to the north
-    Rows<Scalar> exchanged;               // of muscl: m that the sub-step erodes
 };
 
 template <class Scalar>
@@ -31,7 +28,12 @@ struct Work {
     Rows<Scalar> bedrock;
     Level<Scalar> now;   // as the sub-step finds the layers, and leaves them
     Level<Scalar> then;  // of muscl: where they would be at its end
-    Rows<Scalar> share;  // of muscl: how much of what it wants to give a vertex can
+
+    // What the sub-step moves.
+    Rows<Scalar> given;           // per metre of drop; of lax-friedrichs, m to each side
+    Rows<Scalar> flux_x, flux_y;  // m through each face, to the east, to the north
+    Rows<Scalar> exchanged;       // of muscl: m that its first half erodes
+    Rows<Scalar> share;           // of muscl: how much of what it wants to give a vertex can
 
     bool is_ground(int y) const { return y >= 0 && y < ny; }
     bool is_wall(Side side) const { return borders[side] == Border::kWall; }

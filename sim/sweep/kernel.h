@@ -50,29 +50,28 @@ class Kernel {
         Work<float> w = begun<Work<float>>(g_.bcre);
         WorkRows rows(work, g_.stride);
         Level<float>& now = w.now;
-        rows.keep(2, now.drop_x, now.drop_y, now.fall, now.given, now.velocity_x, now.velocity_y, now.flux_x,
-                  now.flux_y);
+        rows.keep(2, now.drop_x, now.drop_y, now.fall, w.given, now.velocity_x, now.velocity_y, w.flux_x,
+                  w.flux_y);
         const auto given = [&](int y) {
             if constexpr (scheme == Scheme::kLaxFriedrichs)
-                return find_quarters<Lanes>(w, now, y);
+                return find_quarters<Lanes>(w, y);
             else
-                return find_given<Lanes>(w, now, y);
+                return find_given<Lanes>(w, y);
         };
         const auto fluxes = [&](int y) {
             if constexpr (scheme == Scheme::kLaxFriedrichs)
-                return find_quarter_fluxes<Lanes>(w, now, y);
+                return find_quarter_fluxes<Lanes>(w, y);
             else
-                return find_split_fluxes<Lanes>(w, now, y);
+                return find_split_fluxes<Lanes>(w, y);
         };
         for (int t = job_.y0 - 1; t < job_.y1 + 2; ++t) {
             if (is_row(t, 2)) fill_halo<Lanes>(w, now, t, wide());
             if (is_face(t, 1)) run(find_drops<Lanes>(w, now, t));
             if (is_row(t - 1, 1)) run(find_fall<Lanes>(now, t - 1), fetch(w.bedrock, t + 1));
             if (is_row(t - 1, 1)) run(given(t - 1));
-            if (is_near(t - 1, 1)) end_given<Lanes>(w, now, t - 1, wide());
+            if (is_near(t - 1, 1)) end_given<Lanes>(w, t - 1, wide());
             if (is_face(t - 1, 0)) run(fluxes(t - 1), fetch(now.depth, t + 1));
-            if (scheme == Scheme::kLaxFriedrichs && is_face(t - 1, 0))
-                close_walls<Lanes>(w, now, t - 1, wide());
+            if (scheme == Scheme::kLaxFriedrichs && is_face(t - 1, 0)) close_walls<Lanes>(w, t - 1, wide());
             if (is_row(t - 2, 0)) finish<scheme>(w, t - 2, active, fetch(now.rolling, t + 1));
         }
         return drained_;
@@ -83,12 +82,12 @@ class Kernel {
         Work<float> w = begun<Work<float>>(g_.bcre);
         WorkRows rows(work, g_.stride);
         Level<float>&now = w.now, &then = w.then;
-        rows.keep(8, then.depth, then.rolling, now.flux_x, now.flux_y);
+        rows.keep(8, then.depth, then.rolling, w.flux_x, w.flux_y);
         const auto keep_rates = [&](Level<float>& of) {
             rows.keep(4, of.drop_x, of.drop_y, of.bend_x, of.bend_y, of.fall, of.velocity_x, of.velocity_y);
         };
         keep_rates(now), keep_rates(then);
-        rows.keep(4, now.exchanged);
+        rows.keep(4, w.exchanged);
         rows.keep(2, w.share);
         // What a level leads to, from the drops of row y on.
         const auto find_rates = [&](const Level<float>& level, int y, int beside) {
@@ -104,7 +103,7 @@ class Kernel {
             if (is_face(t - 1, 3))
                 run(find_bent_fall<Lanes>(now, t - 2), find_muscl_fluxes<Lanes, RkStage::kFirst>(w, t - 1),
                     fetch(w.bedrock, t + 1));
-            if (is_face(t - 1, 3)) close_walls<Lanes>(w, now, t - 1, wide());
+            if (is_face(t - 1, 3)) close_walls<Lanes>(w, t - 1, wide());
             if (is_row(t - 2, 3)) run(predict<Lanes>(w, t - 2));
             if (is_row(t - 2, 3)) {
                 clear_drains<Lanes>(then, g_.outlets, t - 2, wide());
@@ -114,7 +113,7 @@ class Kernel {
             if (is_face(t - 3, 1))
                 run(find_bent_fall<Lanes>(then, t - 4), find_muscl_fluxes<Lanes, RkStage::kSecond>(w, t - 3),
                     fetch(now.depth, t + 1));
-            if (is_face(t - 3, 1)) close_walls<Lanes>(w, now, t - 3, wide());
+            if (is_face(t - 3, 1)) close_walls<Lanes>(w, t - 3, wide());
             if (is_row(t - 4, 1)) run(find_share<Lanes>(w, t - 4));
             if (is_near(t - 4, 1)) end_share<Lanes>(w, t - 4, wide());
             if (is_face(t - 4, 0)) run(book_fluxes<Lanes>(w, t - 4));
@@ -181,7 +180,7 @@ class Kernel {
                 clear_drains<Lanes>(now, g_.outlets, t - 5, narrow());
                 along<Lanes>(narrow(), relax<Lanes>(w, then, t - 5, job_.x1));
                 along<Lanes>(narrow(), yield<Lanes>(w, t - 5, job_.x1, active));
-                end_row(w, t - 5, active);
+                end_row(now, now, t - 5, active);
             }
         }
         return drained_;
@@ -258,12 +257,13 @@ class Kernel {
     template <Scheme scheme, class Fetch>
     void finish(const bcre::Work<float>& w, int y, std::uint8_t* active, Fetch fetch) {
         along<Lanes>(narrow(), bcre::settle<Lanes, scheme>(w, y, job_.x1, active), fetch);
-        end_row(w, y, active);
+        end_row(w.now, w, y, active);
     }
-    template <class Work>
-    void end_row(const Work& w, int y, std::uint8_t* active) {
-        drained_ += drained<Lanes>(w.now, g_.outlets, y, narrow());
-        clear_drains<Lanes>(w.now, g_.outlets, y, narrow());
+    // `through`: who has the fluxes.
+    template <class Level, class Fluxes>
+    void end_row(const Level& now, const Fluxes& through, int y, std::uint8_t* active) {
+        drained_ += drained<Lanes>(through, g_.outlets, y, narrow());
+        clear_drains<Lanes>(now, g_.outlets, y, narrow());
         const bool ends_tiles = y + 1 == tile_end_ || y + 1 == job_.y1;
         if (ends_tiles || edges_at(y + 1) != edges_at(y)) tell_active(edges_at(y), y, active);
         if (ends_tiles) tile_end_ += g_.tile_height;

@@ -70,12 +70,11 @@ const Plant kPlants[] = {
     {"flux_then", kInertial, kLocal, 2, 0, 16, "find_fluxes_y", "then.flux_y", 6, 7, kMany},
     {"yield", kInertial, kLocal, 7, 0, 20, "yield", "rolling", 6, 6, 1},
     {"first_drop", kBcre, kLocal, 1, 0, 2, "find_drops", "now.drop_y", 6, 7, kMany},
-    {"given", kBcre, kLocal, 5, 0, 4, "find_given", "now.given", 6, 7, kMany},
+    {"given", kBcre, kLocal, 5, 0, 4, "find_given", "given", 6, 7, kMany},
     {"settle", kBcre, kLocal, 9, 0, 6, "settle", "depth", 0, 10, 1},
     {"velocity", kBcre, kLocal, 9, 1, 3, "find_velocity", "velocity_x", 6, 7, 1},
     {"share", kBcre, sim::Scheme::kMuscl, 4, 0, 14, "find_share", "share", 6, 7, -kMany},
-    {"lax_flux", kBcre, sim::Scheme::kLaxFriedrichs, 4, 0, 5, "find_quarter_fluxes", "now.flux_y", 6, 7,
-     kMany},
+    {"lax_flux", kBcre, sim::Scheme::kLaxFriedrichs, 4, 0, 5, "find_quarter_fluxes", "flux_y", 6, 7, kMany},
 };
 
 class PlantedFault : public testing::TestWithParam<Plant> {};
