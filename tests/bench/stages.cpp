@@ -79,12 +79,10 @@ void add_stages() {
         {"find_fall", kBcre, kLocal,
          [](const Place& p) { each_row(p, [&](int y) { return sim::bcre::find_fall<float>(p.w.now, y); }); }},
         {"find_given", kBcre, kLocal,
-         [](const Place& p) {
-             each_row(p, [&](int y) { return sim::bcre::find_given<float>(p.w, p.w.now, y); });
-         }},
+         [](const Place& p) { each_row(p, [&](int y) { return sim::bcre::find_given<float>(p.w, y); }); }},
         {"find_split_fluxes", kBcre, kLocal,
          [](const Place& p) {
-             each_face(p, [&](int y) { return sim::bcre::find_split_fluxes<float>(p.w, p.w.now, y); });
+             each_face(p, [&](int y) { return sim::bcre::find_split_fluxes<float>(p.w, y); });
          }},
         {"settle", kBcre, kLocal,
          [](const Place& p) {
