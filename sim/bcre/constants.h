@@ -20,6 +20,7 @@ struct Constants {
     Scalar courant;          // Δt/Δx, s/m
     Dither<Scalar> dither;   // of the sub-step
     bool may_give_too_much;  // at this Courant number a peak might give more than it has
+    Scalar most_given;       // of muscl: of R of both levels, to all sides (flux_muscl.h)
 
     Law law;
     Scalar rolling_speed, half_shear_rate, speed_per_fall, max_speed;
@@ -41,6 +42,7 @@ Constants<Scalar> constants_of(const Params& p, float cell, Substep<Scalar> sub)
     constexpr Scalar kSpread = Scalar(1.41421356237309505);                               // κ
     constexpr Scalar kNotZero = Scalar(1e-30);                                            // under a rate of 0
     constexpr Scalar kPeakGives = Scalar(2 * 1.41421356237309505), kMost = Scalar(0.75);  // of R
+    constexpr Scalar kMostGiven = Scalar(1.5 * 1.0001);                                   // and for rounding
     const Scalar dx = cell, courant = sub.dt / dx, growth = p.exchange_rate * sub.dt;
     const Scalar speed = p.law == Law::kConstant ? p.rolling_speed : p.max_speed;
     const Scalar weak = Scalar(kWeakExchange) / std::max(growth / dx, kNotZero);
@@ -51,6 +53,7 @@ Constants<Scalar> constants_of(const Params& p, float cell, Substep<Scalar> sub)
     return {.courant = courant,
             .dither = {sub.dither},
             .may_give_too_much = kPeakGives * courant * speed > kMost,
+            .most_given = kMostGiven * courant * speed,
             .law = p.law,
             .rolling_speed = p.rolling_speed,
             .half_shear_rate = p.shear_rate / 2,

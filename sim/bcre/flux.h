@@ -19,13 +19,18 @@ namespace sim::bcre {
 template <class Number>
 inline constexpr Scalar<Number> kInHand = 4 * kGrain<Number>;
 
-// By which share a vertex has to give less than the `all` that it wants to give, so that what it keeps in
-// hand is left.
+// What a vertex can give to all sides together, m.
+template <class Number>
+[[gnu::always_inline]] inline Number spare_of(const Number& rolling) {
+    return larger(rolling - kInHand<Number>, Number(0));
+}
+
+// By which share a vertex has to give less than the `all` that it wants to give, to give what it can spare.
 template <class Number>
 [[gnu::always_inline]] inline Number share_given(const Number& all, const Number& rolling) {
     using S = Scalar<Number>;
     constexpr S kLess = kHasQuanta<Number> ? S(1 - 1e-6) : S(1);  // for the rounding of the products
-    const Number had = larger(rolling - kInHand<Number>, Number(0));
+    const Number had = spare_of(rolling);
     const auto too_much = all > had;
     if (!any(too_much)) return Number(1);
     return select(too_much, had * kLess / select(too_much, all, Number(1)), Number(1));

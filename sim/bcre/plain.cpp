@@ -96,6 +96,7 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
             over.each_row(
                 "find_share", [&](const auto& w, int y) { return find_share<Number>(w, y); },
                 [&](int y) { end_share<Number>(world, y, all); });
+            over.each_face("share_fluxes", [&](int y) { return share_fluxes<Number>(world, y); });
             over.each_face("book_fluxes", [&](int y) { return book_fluxes<Number>(world, y); });
             over.each_row_of_bed(
                 "settle", [&](const auto& w, int y) { return settle<Number, Scheme::kMuscl>(w, y, w.nx); });

@@ -31,14 +31,6 @@ template <class Number>
     return square_root(x * x + y * y);
 }
 
-// Σ max(0, D), m.
-template <class Number>
-[[gnu::always_inline]] inline Number sum_down(const Drops<Number>& drop) {
-    const Number none(0);
-    return (larger(drop.east, none) + larger(drop.west, none)) +
-           (larger(drop.north, none) + larger(drop.south, none));
-}
-
 // ½ minmod of the bends on both sides of a face, which make its drop one of second order, either way.
 // `drop` through the face, and through those before and behind it.
 template <class Number>

@@ -39,6 +39,14 @@ auto find_bent_fall(const Level<S>& level, int y) {
     };
 }
 
+// What goes from vertex i to any side, of values on faces: Σ max(0, outward).
+template <class Number, class S = Scalar<Number>>
+[[gnu::always_inline]] inline Number sum_outward(const S* in_x, const S* south, const S* north, int i) {
+    const Number none(0);
+    return (larger(at<Number, 1>(in_x, i), none) - smaller(at<Number>(in_x, i), none)) +
+           (larger(at<Number>(north, i), none) - smaller(at<Number>(south, i), none));
+}
+
 // Of local-lax-friedrichs: rows y = 0 … ny-1. Reads R, drop_x, drop_y, fall; writes given.
 template <class Number, class S = Scalar<Number>>
 auto find_given(const Work<S>& w, int y) {
@@ -47,7 +55,7 @@ auto find_given(const Work<S>& w, int y) {
         const Number r = at<Number>(rolling, i);
         const Number wanted = given_per_drop(r, pace_of(at<Number>(fall, i), r, c), c);
         if (c.may_give_too_much) {
-            const Number all = wanted * sum_down(outward<Number>(drop_x, south, north, i));
+            const Number all = wanted * sum_outward<Number>(drop_x, south, north, i);
             store<Number>(wanted * share_given(all, r), given + i);
         } else {
             store(wanted, given + i);
@@ -185,14 +193,19 @@ auto predict(const Work<S>& w, int y) {
 }
 
 // Of muscl: rows y = 0 … ny-1. Reads R, flux_x, flux_y; writes share.
+// `less`, if there is one: set where a vertex may give less than it wants. Only of a world of one material:
+// there the layers of both levels say where to look at all.
 template <class Number, class S = Scalar<Number>>
-auto find_share(const Work<S>& w, int y) {
-    return [rolling = w.now.rolling[y], flux_x = w.flux_x[y], south = w.flux_y[y], north = w.flux_y[y + 1],
-            share = w.share[y]](int i) {
-        const Number none(0);
-        const Number all = (larger(at<Number, 1>(flux_x, i), none) - smaller(at<Number>(flux_x, i), none)) +
-                           (larger(at<Number>(north, i), none) - smaller(at<Number>(south, i), none));
-        store(share_given(all, at<Number>(rolling, i)), share + i);
+auto find_share(const Work<S>& w, int y, bool* less = nullptr) {
+    return [c = w.c, rolling = w.now.rolling[y], next = w.then.rolling[y], flux_x = w.flux_x[y],
+            south = w.flux_y[y], north = w.flux_y[y + 1], share = w.share[y], less](int i) {
+        const Number r = at<Number>(rolling, i);
+        if (less && !any(most_given(r, at<Number>(next, i), c) > spare_of(r))) {
+            store(Number(1), share + i);
+            return;
+        }
+        store(share_given(sum_outward<Number>(flux_x, south, north, i), r), share + i);
+        if (less) *less = true;
     };
 }
 // The halo gives nothing: rows y = -1 … ny.
@@ -204,14 +217,22 @@ void end_share(const Work<S>& w, int y, Span x) {
     else
         std::fill(share + x.first, share + x.last, S{0});
 }
-// Faces y = 0 … ny. Reads share; makes flux_x, flux_y no more than there is to give, in whole quanta.
+// Faces y = 0 … ny. Reads share; makes flux_x, flux_y no more than there is to give.
 template <class Number, class S = Scalar<Number>>
-auto book_fluxes(const Work<S>& w, int y) {
-    return [c = w.c, share = w.share[y], share_south = w.share[y - 1], flux_x = w.flux_x[y],
+auto share_fluxes(const Work<S>& w, int y) {
+    return [share = w.share[y], share_south = w.share[y - 1], flux_x = w.flux_x[y],
             flux_y = w.flux_y[y]](int i) {
         const Number here = at<Number>(share, i), in_x = at<Number>(flux_x, i), in_y = at<Number>(flux_y, i);
-        store(booked<Number>(in_x * select(in_x > S{0}, at<Number, -1>(share, i), here), c), flux_x + i);
-        store(booked<Number>(in_y * select(in_y > S{0}, at<Number>(share_south, i), here), c), flux_y + i);
+        store<Number>(in_x * select(in_x > S{0}, at<Number, -1>(share, i), here), flux_x + i);
+        store<Number>(in_y * select(in_y > S{0}, at<Number>(share_south, i), here), flux_y + i);
+    };
+}
+// Then in whole quanta. Faces y = 0 … ny.
+template <class Number, class S = Scalar<Number>>
+auto book_fluxes(const Work<S>& w, int y) {
+    return [c = w.c, flux_x = w.flux_x[y], flux_y = w.flux_y[y]](int i) {
+        store(booked(at<Number>(flux_x, i), c), flux_x + i);
+        store(booked(at<Number>(flux_y, i), c), flux_y + i);
     };
 }
 

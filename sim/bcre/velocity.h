@@ -40,12 +40,15 @@ template <class Number>
     return Number(c.rolling_speed);
 }
 
+// A fall that is none, m: what the pace is reckoned with on level ground.
+template <class Number>
+inline constexpr auto kFlat = Scalar<Number>(1e-12);
+
 // k, the pace: speed per drop, 1/s. On level ground nothing moves, and the pace only has to be finite.
 template <class Number>
 [[gnu::always_inline]] inline Number pace_of(const Number& fall, const Number& rolling,
                                              const Constants<Scalar<Number>>& c) {
-    constexpr auto kFlat = Scalar<Number>(1e-12);
-    return law_speed(fall, rolling, c) / larger(fall, Number(kFlat));
+    return law_speed(fall, rolling, c) / larger(fall, Number(kFlat<Number>));
 }
 
 // Of what goes to either side.
@@ -61,9 +64,9 @@ template <class Number>
 [[gnu::always_inline]] inline Vector<Number> central_velocity(const Number& fall_x, const Number& fall_y,
                                                               const Number& rolling,
                                                               const Constants<Scalar<Number>>& c) {
-    constexpr auto kFlat = Scalar<Number>(2e-12);  // as in pace_of
     const Number twice = square_root(fall_x * fall_x + fall_y * fall_y);
-    const Number pace = law_speed(twice * Scalar<Number>(0.5), rolling, c) / larger(twice, Number(kFlat));
+    const Number pace =
+        law_speed(twice * Scalar<Number>(0.5), rolling, c) / larger(twice, Number(2 * kFlat<Number>));
     return {pace * fall_x, pace * fall_y};
 }
 

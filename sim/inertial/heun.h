@@ -2,7 +2,6 @@
 
 #include <cstdint>
 
-#include "sim/inertial/velocity.h"
 #include "sim/inertial/work.h"
 #include "sim/stages.h"
 

@@ -89,6 +89,7 @@ class Kernel {
         keep_rates(now), keep_rates(then);
         rows.keep(4, w.exchanged);
         rows.keep(2, w.share);
+        bool gives_less[2] = {};  // whether a vertex of the last two rows may
         // What a level leads to, from the drops of row y on.
         const auto find_rates = [&](const Level<float>& level, int y, int beside) {
             if (is_face(y, beside + 1)) run(find_drops<Lanes>(w, level, y));
@@ -114,8 +115,12 @@ class Kernel {
                 run(find_bent_fall<Lanes>(then, t - 4), find_muscl_fluxes<Lanes, RkStage::kSecond>(w, t - 3),
                     fetch(now.depth, t + 1));
             if (is_face(t - 3, 1)) close_walls<Lanes>(w, t - 3, wide());
-            if (is_row(t - 4, 1)) run(find_share<Lanes>(w, t - 4));
+            if (is_row(t - 4, 1)) {
+                gives_less[t & 1] = false;
+                run(find_share<Lanes>(w, t - 4, &gives_less[t & 1]));
+            }
             if (is_near(t - 4, 1)) end_share<Lanes>(w, t - 4, wide());
+            if (is_face(t - 4, 0) && (gives_less[0] || gives_less[1])) run(share_fluxes<Lanes>(w, t - 4));
             if (is_face(t - 4, 0)) run(book_fluxes<Lanes>(w, t - 4));
             if (is_row(t - 5, 0)) finish<Scheme::kMuscl>(w, t - 5, active, fetch(now.rolling, t + 1));
         }

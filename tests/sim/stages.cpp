@@ -153,6 +153,43 @@ TEST(Fluxes, of_muscl_take_layer_and_velocity_at_the_face) {
     EXPECT_EQ(stages.scratch.flux_y(2, 2), 0);
 }
 
+TEST(Fluxes, of_muscl_to_all_sides_are_no_more_than_the_layers_say) {
+    constexpr int kSide = 12;
+    constexpr sim::Span kAll{0, kSide};
+    std::mt19937 random(5);
+    const auto portion = [&] { return static_cast<float>(random() % 1001) * 1e-3f; };
+    Stages stages(support::plane(kSide - 1, 2, 0.1), lively(Model::kBcre, sim::Scheme::kMuscl));
+    const auto w =
+        sim::bcre::work_of(stages.play.state, stages.play.state.params, stages.scratch, kHalfQuantum);
+    float most = 0;
+    for (int round = 0; round < 500; ++round) {
+        for (const auto* level : {&w.now, &w.then})
+            for (int y = 0; y < kSide; ++y) {
+                for (int x = 0; x < kSide; ++x) {
+                    level->rolling[y][x] = random() % 3 ? portion() : 0;
+                    const float speed = w.c.rolling_speed * (random() % 3 ? 1 : portion()),
+                                turn = 6.2832f * portion();
+                    level->velocity_x[y][x] = speed * std::cos(turn);
+                    level->velocity_y[y][x] = speed * std::sin(turn);
+                }
+                sim::fill_halo<float>(w, *level, y, kAll);
+                sim::bcre::end_velocity<float>(w, *level, y);
+            }
+        for (int y = 0; y <= kSide; ++y)
+            sim::along<float>(kAll.faces(),
+                              sim::bcre::find_muscl_fluxes<float, sim::bcre::RkStage::kFirst>(w, y),
+                              sim::bcre::find_muscl_fluxes<float, sim::bcre::RkStage::kSecond>(w, y));
+        for (int y = 0; y < kSide; ++y)
+            for (int x = 0; x < kSide; ++x) {
+                const float all = sim::bcre::sum_outward<float>(w.flux_x[y], w.flux_y[y], w.flux_y[y + 1], x);
+                const float bound = sim::bcre::most_given(w.now.rolling[y][x], w.then.rolling[y][x], w.c);
+                ASSERT_LE(all, bound);
+                if (bound > 0) most = std::max(most, all / bound);
+            }
+    }
+    EXPECT_GT(most, 0.7f);  // nor is it far from what there can be
+}
+
 TEST(Fluxes, never_take_more_than_a_vertex_has) {
     std::mt19937 random(3);
     for (const auto scheme :
