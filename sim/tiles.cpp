@@ -38,7 +38,11 @@ void Tiles::wake_tiles(int first_column, int last_column, int first_row, int las
 }
 
 void Tiles::keep_awake(const std::vector<std::uint8_t>& active) {
-    std::fill(awake.begin(), awake.end(), std::uint8_t{!may_sleep});
+    if (!may_sleep) {
+        wake_all();
+        return;
+    }
+    std::fill(awake.begin(), awake.end(), std::uint8_t{0});
     const int beside = (kReach + height - 1) / height;  // rows of tiles; a column is wider than kReach
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column) {

@@ -24,7 +24,7 @@ struct Tiles {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
                static_cast<std::size_t>(column);
     }
-    bool may_sleep = true;
+    bool may_sleep = true;            // else all is reckoned, counted and hashed anew each time
     std::vector<std::uint8_t> awake;  // columns × rows
 
     // Of each tile: whether anything in it may have changed since mass was counted last, and what it had

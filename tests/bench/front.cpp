@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstdio>
 #include <functional>
 #include <optional>
 #include <span>
@@ -47,9 +46,7 @@ void set_hash(benchmark::State& run, std::span<const T> of) {
     std::uint64_t hash = 0xcbf29ce484222325;
     for (const std::byte byte : std::as_bytes(of))
         hash = (hash ^ std::to_integer<std::uint64_t>(byte)) * 0x100000001b3;
-    char text[32];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-    run.SetLabel(text);
+    bench::tell_hash(run, hash);
 }
 
 void count(benchmark::State& run, const char* name, double things) {

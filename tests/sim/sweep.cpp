@@ -126,6 +126,19 @@ TEST(Sweep, lets_what_is_at_rest_sleep) {
     EXPECT_EQ(awake(), 1);
 }
 
+TEST(Sweep, counts_and_hashes_all_anew_where_tiles_may_not_sleep) {
+    Play play(support::plane(150, 2, 0.62, 2), support::lively(sim::Model::kBcre),
+              {.tiles_may_sleep = false});
+    sim::StateHasher hasher(play.state);
+    for (int tick = 0; tick < 3; ++tick) {
+        hasher.hash(play.state, play.engine.workers);
+        play.ticks(1);
+        const sim::Tiles& tiles = play.state.tiles;
+        EXPECT_EQ(std::count(tiles.awake.begin(), tiles.awake.end(), 0), 0);
+        EXPECT_EQ(std::count(tiles.unhashed.begin(), tiles.unhashed.end(), 0), 0);
+    }
+}
+
 // Tiles are 64 by 32 vertices, which lie 2 m apart.
 TEST(Sweep, wakes_only_the_tiles_that_what_rolls_is_near) {
     const auto awake_after_pouring_at = [](double x, double y) {
