@@ -237,7 +237,8 @@ void add_compare(CLI::App& app, CompareOptions& options) {
         ->type_name("A")
         ->required();
     app.add_option("second", options.second, "the same")->type_name("B")->required();
-    app.add_option("--tick", options.tick, "compare them after so many ticks [where each ends]")
+    app.add_option("--tick", options.tick,
+                   "compare them after so many ticks, which both must have [where each ends]")
         ->check(CLI::Range(0, 1 << 30))
         ->type_name("TICK");
     add_telling(app, options, "--out");

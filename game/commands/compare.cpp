@@ -9,6 +9,10 @@ Outcome<int> compare(const CompareOptions& options) {
     for (const auto* each : {&a, &b})
         if (!*each) return tl::unexpected(each->error());
     if (auto comparable = check_ground(*a, *b); !comparable) return tl::unexpected(comparable.error());
+    if (options.tick)
+        for (const auto* each : {&*a, &*b})
+            if (auto has = check_tick(each->recording, *options.tick, each->name); !has)
+                return tl::unexpected(has.error());
     if (options.maps)
         if (auto made = make_folder(*options.maps); !made) return tl::unexpected(made.error());
 

@@ -2,6 +2,7 @@
 
 #include "game/app.h"
 #include "game/commands/commands.h"
+#include "game/recording/reader.h"
 #include "game/window.h"
 
 namespace game {
@@ -29,9 +30,13 @@ Outcome<int> play(const PlayOptions& options) {
     if (options.until && !opening->watched)
         return unusable(fmt::format("{}: is no recording, so there is nothing to take over at tick {}",
                                     options.what, *options.until));
-    if (options.until && *options.until > opening->watched->last_tick())
-        return unusable(fmt::format("{}: ends at tick {}, before {}", options.what,
-                                    opening->watched->last_tick(), *options.until));
+    if (options.until && opening->scene.start.flow)
+        return unusable(
+            fmt::format("{}: shows a flow, which nothing can be done to, so there is nothing to take over",
+                        options.what));
+    if (options.until)
+        if (auto has = check_tick(*opening->watched, *options.until, options.what); !has)
+            return tl::unexpected(has.error());
     auto window = Window::open("Couloir", options.size.width, options.size.height);
     if (!window) return tl::unexpected(window.error());
     auto app = App::begin(**window, std::move(*opening), options.how, options.record);

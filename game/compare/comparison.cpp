@@ -114,7 +114,7 @@ Outcome<Played> played(const Named& of, const Until& until, const sim::How& how,
 
 Until until(std::optional<std::int64_t> tick, const Recording& recording) {
     Until until;
-    until.tick = until.most_ticks = std::min(tick.value_or(recording.last_tick()), recording.last_tick());
+    until.tick = until.most_ticks = tick.value_or(recording.last_tick());
     return until;
 }
 

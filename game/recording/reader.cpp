@@ -172,6 +172,11 @@ std::int64_t Recording::last_tick() const {
     return std::max(commanded, states.empty() ? 0 : states.back().tick);
 }
 
+Outcome<void> check_tick(const Recording& recording, std::int64_t tick, const std::string& name) {
+    if (tick <= recording.last_tick()) return {};
+    return unusable(fmt::format("{}: ends at tick {}, before {}", name, recording.last_tick(), tick));
+}
+
 Outcome<Recording> read_recording(std::istream& stream, const std::string& name) {
     return Reader(stream, name).read();
 }

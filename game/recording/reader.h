@@ -21,6 +21,8 @@ struct Recording {
     // Up to where the file says anything: its end, or the last tick that it names.
     std::int64_t last_tick() const;
 };
+// Whether the file says anything about a tick. Errors: it ends earlier (status 2).
+Outcome<void> check_tick(const Recording& recording, std::int64_t tick, const std::string& name);
 
 // Reads and checks a whole recording. A torn last line and a missing end are a warning; any other damage is
 // an error that names the line. Memory is bounded by the file: no line but the header may be longer than 64

@@ -104,6 +104,17 @@ TEST(CommandLine, finds_out_that_a_file_cannot_be_written_before_it_runs) {
     }
 }
 
+TEST(CommandLine, takes_over_only_from_what_somebody_did_in_a_recording) {
+    const support::TemporaryFolder folder;
+    const std::string small = (folder.path() / "small.couloir").string();
+    const std::string flow = (folder.path() / "flow.couloir").string();
+    record(small, small_start(), 20, {});
+    EXPECT_EQ(couloir({"run", "flow-disc", "--grid", "16", "--seconds", "0.5", "--record", flow}).status, 0);
+    expect_failure({"play", "landslide", "--until", "3"}, 2, "is no recording");
+    expect_failure({"play", small, "--until", "21"}, 2, "ends at tick 20, before 21");
+    expect_failure({"play", flow, "--until", "3"}, 2, "shows a flow");
+}
+
 TEST(CommandLine, refuses_a_recording_with_a_changed_byte) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "small.couloir";

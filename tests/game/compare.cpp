@@ -102,6 +102,14 @@ TEST_F(Compared, before_they_part_two_recordings_are_the_same) {
     EXPECT_EQ(json_of({"compare", first_, file("second.couloir"), "--json", "--tick", "21"})["same"], false);
 }
 
+TEST_F(Compared, a_tick_after_the_end_of_one_is_refused) {
+    record(file("shorter.couloir"), small_start(), kTicks - 10, some_commands());
+    EXPECT_EQ(json_of({"compare", first_, file("shorter.couloir"), "--json", "--tick", "30"})["same"], true);
+    refused({"compare", first_, file("shorter.couloir"), "--tick", "31", "--out", file("maps")},
+            "shorter: ends at tick 30, before 31");
+    EXPECT_FALSE(std::filesystem::exists(file("maps")));
+}
+
 TEST_F(Compared, differences_are_the_second_less_the_first_and_add_up) {
     auto commands = some_commands();
     commands[2].command.rate *= 3;
