@@ -19,7 +19,6 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "numbers of the file are those of the machine");
 
 constexpr std::string_view kMagic = "\x93NUMPY";
-constexpr std::size_t kLongestHeader = 65536;  // bytes
 constexpr std::size_t kMostAxes = 8;
 
 // What stands behind 'key': in a header, such as {'descr': '<f4', 'fortran_order': False, 'shape': (3, 4), }
@@ -69,6 +68,7 @@ Outcome<ArrayFile> ArrayFile::open(const std::filesystem::path& path) {
     if (!is_array) return bad("is no array: numpy.save() writes files that begin with \\x93NUMPY");
     const int version = static_cast<unsigned char>(head[6]), wide = version == 1 ? 2 : 4;
     if (version < 1 || version > 3) return bad(fmt::format("NPY version {} is not known", version));
+    constexpr std::uint32_t kLongestHeader = 65536;  // bytes
     std::uint32_t length = 0;
     array.file_.read(head, wide);
     std::memcpy(&length, head, static_cast<std::size_t>(wide));

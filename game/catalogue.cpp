@@ -30,7 +30,7 @@ Outcome<std::string> title_of_recording(const Catalogue::Entry& entry) {
     return title != json.end() && title->is_string() ? title->get<std::string>() : entry.name;
 }
 
-Outcome<std::vector<Catalogue::Entry>> entries_of(AssetKind kind) {
+Outcome<std::vector<Catalogue::Entry>> read_entries(AssetKind kind) {
     const auto names = asset_names(kind);
     if (!names) return tl::unexpected(names.error());
     std::vector<Catalogue::Entry> entries;
@@ -53,7 +53,7 @@ Outcome<Catalogue> read_catalogue() {
     for (const auto& [kind, entries] : {std::pair{AssetKind::kScene, &catalogue.scenes},
                                         std::pair{AssetKind::kMaterial, &catalogue.materials},
                                         std::pair{AssetKind::kRecording, &catalogue.recordings}}) {
-        auto found = entries_of(kind);
+        auto found = read_entries(kind);
         if (!found) return tl::unexpected(found.error());
         *entries = std::move(*found);
     }

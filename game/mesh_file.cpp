@@ -19,8 +19,8 @@
 namespace game {
 namespace {
 
-constexpr std::size_t kLongestLine = 65536;  // characters
-constexpr std::size_t kMost = 20'000'000;    // vertices, and as many triangles: some 3 GB
+constexpr std::size_t kLongestMeshLine = 65536;  // characters
+constexpr std::size_t kMost = 20'000'000;        // vertices, and as many triangles: some 3 GB
 
 using sim::front::Mesh;
 using sim::front::MeshFault;
@@ -115,10 +115,10 @@ Outcome<Mesh> read_obj(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     if (!file || std::filesystem::is_directory(path)) return bad("cannot be opened");
     Triangles triangles;
-    std::string line(kLongestLine + 1, '\0');
+    std::string line(kLongestMeshLine + 1, '\0');
     for (int number = 1; file.peek() != std::ifstream::traits_type::eof(); ++number) {
         file.getline(line.data(), static_cast<std::streamsize>(line.size()));
-        if (file.fail()) return bad_line(number, fmt::format("longer than {} characters", kLongestLine));
+        if (file.fail()) return bad_line(number, fmt::format("longer than {} characters", kLongestMeshLine));
         std::string_view rest(line.data());
         const std::string_view keyword = take_word(rest);
         std::optional<std::string> wrong;

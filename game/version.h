@@ -2,8 +2,8 @@
 
 namespace game {
 
-inline constexpr const char* kProgram = "couloir " COULOIR_VERSION;
-inline constexpr const char* kCommit = COULOIR_COMMIT;      // "unknown" outside a checkout
-inline constexpr const char* kCompiler = COULOIR_COMPILER;  // name, version and flags
+extern const char* const kProgram;
+extern const char* const kCommit;    // "unknown" outside a checkout
+extern const char* const kCompiler;  // name, version and flags
 
 }  // namespace game

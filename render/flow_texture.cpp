@@ -46,7 +46,7 @@ tl::expected<Texels, std::string> read(const std::filesystem::path& path, int ch
 }
 
 // From −1 … 1, so that 0 is a byte: what is level is level.
-std::uint8_t to_byte(float share) {
+std::uint8_t slope_to_byte(float share) {
     return static_cast<std::uint8_t>(128 + std::lround(127 * std::clamp(share, -1.f, 1.f)));
 }
 
@@ -60,7 +60,7 @@ std::vector<std::uint8_t> grain_of(const Texels& normal, const Texels& height) {
         const float up = std::max(along(2), 0.05f);
         for (const int axis : {0, 1})
             grain[4 * i + static_cast<std::size_t>(axis)] =
-                to_byte(-along(axis) / up / static_cast<float>(STEEPEST_GRAIN));
+                slope_to_byte(-along(axis) / up / static_cast<float>(STEEPEST_GRAIN));
         grain[4 * i + 2] = height.values[i];
     }
     return grain;

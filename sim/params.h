@@ -14,6 +14,7 @@ enum class Law { kConstant, kSlope, kShear };  // speed in kBcre: (C), (HK), (T)
 enum class Border { kWall, kOpen, kSink };     // stages.h
 
 enum Side { kWest, kEast, kSouth, kNorth };
+inline constexpr std::array<std::string_view, 4> kSides{"west", "east", "south", "north"};
 
 // Every number of the physics, in SI; slopes are tangents. Defaults make a slow dry sand; the presets in
 // assets/materials are what scenes use. kParams below gives unit, range and meaning of each.

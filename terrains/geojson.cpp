@@ -19,7 +19,7 @@ using Done = tl::expected<void, std::string>;
 
 constexpr std::size_t kLargestFile = 64u << 20;  // bytes
 constexpr std::size_t kMostPoints = 1'000'000;
-constexpr int kDeepest = 12;            // levels of nesting; a multipolygon in a collection needs 8
+constexpr int kDeepestNesting = 12;     // levels of nesting; a multipolygon in a collection needs 8
 constexpr double kMostThickness = 100;  // m
 
 tl::expected<Json, std::string> parse(const std::filesystem::path& path) {
@@ -32,12 +32,12 @@ tl::expected<Json, std::string> parse(const std::filesystem::path& path) {
     if (!file) return tl::unexpected<std::string>("cannot be read");
     bool too_deep = false;
     const auto shallow = [&too_deep](int depth, Json::parse_event_t, const Json&) {
-        too_deep = too_deep || depth > kDeepest;
-        return depth <= kDeepest;  // what is deeper is dropped while it is read
+        too_deep = too_deep || depth > kDeepestNesting;
+        return depth <= kDeepestNesting;  // what is deeper is dropped while it is read
     };
     try {
         Json root = Json::parse(text, shallow);
-        if (too_deep) return tl::unexpected(fmt::format("nested deeper than {} levels", kDeepest));
+        if (too_deep) return tl::unexpected(fmt::format("nested deeper than {} levels", kDeepestNesting));
         return root;
     } catch (const Json::parse_error& error) {
         return tl::unexpected(fmt::format("byte {}: not JSON", error.byte));

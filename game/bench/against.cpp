@@ -19,19 +19,19 @@ constexpr double kLeastShare = 0.05;  // of the tick
 using Fault = std::runtime_error;
 
 // A member that must be there; throws Fault, which entries_of() catches.
-const Json& member(const Json& json, const char* name) {
+const Json& required(const Json& json, const char* name) {
     if (!json.is_object() || !json.contains(name))
         throw Fault(fmt::format("has no \"{}\" where it should", name));
     return json[name];
 }
-double number(const Json& json, const char* name) {
-    const Json& value = member(json, name);
+double required_number(const Json& json, const char* name) {
+    const Json& value = required(json, name);
     if (!value.is_number() || !(value.get<double>() >= 0) || !std::isfinite(value.get<double>()))
         throw Fault(fmt::format("has a \"{}\" that is no number above 0", name));
     return value.get<double>();
 }
-std::string text(const Json& json, const char* name) {
-    const Json& value = member(json, name);
+std::string required_text(const Json& json, const char* name) {
+    const Json& value = required(json, name);
     if (!value.is_string()) throw Fault(fmt::format("has a \"{}\" that is no text", name));
     return value.get<std::string>();
 }
@@ -47,34 +47,36 @@ void keep_great(BenchEntry& entry) {
 }
 
 BenchEntry entry_of_case(const Json& json) {
-    BenchEntry entry{
-        fmt::format("{} {} {}", text(json, "recording"), number(json, "squares"), text(json, "physics")),
-        text(json, "end_hash"),
-        {}};
-    const Json& stages = member(json, "stages");
+    BenchEntry entry{fmt::format("{} {} {}", required_text(json, "recording"),
+                                 required_number(json, "squares"), required_text(json, "physics")),
+                     required_text(json, "end_hash"),
+                     {}};
+    const Json& stages = required(json, "stages");
     if (!stages.is_object()) throw Fault("has \"stages\" that are no object");
-    const bool drawn = number(member(stages, "draw"), "count") > 0;  // else a frame is but a tick
+    const bool drawn = required_number(required(stages, "draw"), "count") > 0;  // else a frame is but a tick
     for (const auto& [name, figures] : stages.items())
-        if (number(figures, "count") > 0 && (name != "frame" || drawn))
-            entry.stages.push_back({name, number(figures, "median_ms")});
+        if (required_number(figures, "count") > 0 && (name != "frame" || drawn))
+            entry.stages.push_back({name, required_number(figures, "median_ms")});
     keep_great(entry);
     return entry;
 }
 
 BenchEntry entry_of_row(const Json& scaling, const Json& row) {
-    BenchEntry entry{fmt::format("{} {} {} at {:.0f} s", text(scaling, "recording"), number(row, "squares"),
-                                 text(scaling, "physics"), number(row, "time_s")),
+    BenchEntry entry{fmt::format("{} {} {} at {:.0f} s", required_text(scaling, "recording"),
+                                 required_number(row, "squares"), required_text(scaling, "physics"),
+                                 required_number(row, "time_s")),
                      "",
                      {}};
-    const Json& ms = member(row, "ms");
+    const Json& ms = required(row, "ms");
     if (!ms.is_object()) throw Fault("has \"ms\" that are no object");
-    for (const auto& [name, value] : ms.items()) entry.stages.push_back({name, number(ms, name.c_str())});
+    for (const auto& [name, value] : ms.items())
+        entry.stages.push_back({name, required_number(ms, name.c_str())});
     keep_great(entry);
     return entry;
 }
 
 const Json& list(const Json& json, const char* name) {
-    const Json& value = member(json, name);
+    const Json& value = required(json, name);
     if (!value.is_array()) throw Fault(fmt::format("has \"{}\" that are no list", name));
     return value;
 }

@@ -9,13 +9,13 @@
 namespace game {
 namespace {
 
-using Row = std::vector<double>;
+using Numbers = std::vector<double>;
 
 // Solves a·x = b in place, a symmetric and not negative. False where it has no single answer.
-bool solve(std::vector<Row>& a, Row& b) {
+bool solve(std::vector<Numbers>& a, Numbers& b) {
     constexpr double kNothing = 1e-9;  // of what stood on the diagonal
     const std::size_t n = b.size();
-    Row diagonal(n);
+    Numbers diagonal(n);
     for (std::size_t i = 0; i < n; ++i) diagonal[i] = a[i][i];
     for (std::size_t i = 0; i < n; ++i) {
         if (!(a[i][i] > kNothing * diagonal[i])) return false;
@@ -32,15 +32,15 @@ bool solve(std::vector<Row>& a, Row& b) {
     return true;
 }
 
-void subtract_means(std::vector<Row>& columns) {
-    for (Row& column : columns) {
+void subtract_means(std::vector<Numbers>& columns) {
+    for (Numbers& column : columns) {
         double sum = 0;
         for (const double value : column) sum += value;
         for (double& value : column) value -= sum / static_cast<double>(column.size());
     }
 }
 
-double dot(const Row& a, const Row& b) {
+double dot(const Numbers& a, const Numbers& b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
     return sum;
@@ -48,12 +48,12 @@ double dot(const Row& a, const Row& b) {
 
 }  // namespace
 
-std::optional<PowerLaw> fit_power_law(std::span<const double> costs, std::span<const Row> factors) {
+std::optional<PowerLaw> fit_power_law(std::span<const double> costs, std::span<const Numbers> factors) {
     // Logarithms: the factors' columns, then the costs'.
-    std::vector<Row> columns(factors.size() + 1);
+    std::vector<Numbers> columns(factors.size() + 1);
     for (std::size_t i = 0; i < costs.size(); ++i) {
         bool counts = costs[i] > 0;
-        for (const Row& factor : factors) {
+        for (const Numbers& factor : factors) {
             CHECK(factor.size() == costs.size());
             counts &= factor[i] > 0;
         }
@@ -64,14 +64,14 @@ std::optional<PowerLaw> fit_power_law(std::span<const double> costs, std::span<c
     if (columns.back().size() < factors.size() + 2) return std::nullopt;
     subtract_means(columns);
 
-    const Row& cost = columns.back();
-    std::vector<Row> normal(factors.size(), Row(factors.size()));
-    Row right(factors.size());
+    const Numbers& cost = columns.back();
+    std::vector<Numbers> normal(factors.size(), Numbers(factors.size()));
+    Numbers right(factors.size());
     for (std::size_t f = 0; f < factors.size(); ++f) {
         for (std::size_t g = 0; g < factors.size(); ++g) normal[f][g] = dot(columns[f], columns[g]);
         right[f] = dot(columns[f], cost);
     }
-    const Row projected = right;
+    const Numbers projected = right;
     if (!solve(normal, right)) return std::nullopt;
     const double all = dot(cost, cost), explained = dot(right, projected);
     return PowerLaw{right, all > 0 ? std::clamp(explained / all, 0.0, 1.0) : 1};

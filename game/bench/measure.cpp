@@ -15,7 +15,7 @@ namespace {
 constexpr std::int64_t kWarmUpTicks = 60;
 
 // What a run is made of, whichever repeat.
-struct Run {
+struct BenchRun {
     const Start& start;
     const Recording& recording;
     const BenchHow& how;
@@ -32,7 +32,7 @@ struct Run {
 
 // A frame is drawn every so many ticks, and one right before it: what is cut anew grows with the ticks since
 // the last.
-void draw_if_due(const Run& run, const Session& session, PerfRow& row) {
+void draw_if_due(const BenchRun& run, const Session& session, PerfRow& row) {
     if (!run.canvas) return;
     const std::int64_t tick = session.state().tick, every = run.how.every;
     if (tick % every == 0)
@@ -42,7 +42,7 @@ void draw_if_due(const Run& run, const Session& session, PerfRow& row) {
 }
 
 // Once before it counts: memory of the session, and then shaders and buffers of a frame.
-Outcome<double> warm_up(const Run& run, const std::string& what) {
+Outcome<double> warm_up(const BenchRun& run, const std::string& what) {
     forget_peak();
     const std::size_t before = resident_bytes();
     auto session = run.begin();
@@ -57,7 +57,7 @@ Outcome<double> warm_up(const Run& run, const std::string& what) {
     return std::max(bytes, 0.0);
 }
 
-Outcome<std::vector<PerfRow>> play_once(const Run& run, const std::string& what, Measured& measured) {
+Outcome<std::vector<PerfRow>> play_once(const BenchRun& run, const std::string& what, Measured& measured) {
     auto session = run.begin();
     if (!session) return tl::unexpected(session.error());
     std::vector<PerfRow> rows;
@@ -118,12 +118,12 @@ Outcome<Measured> measure(const BenchRecording& named, int squares, const BenchP
     const auto start = start_of(recording, squares, physics);
     if (!start) return tl::unexpected(start.error());
     const std::int64_t last = recording.last_tick();
-    const Run run{*start,
-                  recording,
-                  how,
-                  canvas,
-                  std::min(how.ticks.value_or(last), last),
-                  has_states_of(recording, squares, physics)};
+    const BenchRun run{*start,
+                       recording,
+                       how,
+                       canvas,
+                       std::min(how.ticks.value_or(last), last),
+                       has_states_of(recording, squares, physics)};
     if (canvas)
         if (auto shown = canvas->show(*start); !shown) return tl::unexpected(shown.error());
 

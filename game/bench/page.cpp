@@ -11,7 +11,7 @@ namespace game {
 namespace {
 
 // Okabe and Ito's colours, which people without one kind of cone tell apart, and greys; in the order of Part.
-constexpr const char* kStyle =
+constexpr const char* kChartStyle =
     R"(:root { --p0: #0072b2; --p1: #e8d820; --p2: #e69f00; --p3: #009e73; --p4: #cc79a7; --p5: #9a9a9a; --p6: #56b4e9; --p7: #d55e00; --p8: #505050; --p9: #222; }
 @media (prefers-color-scheme: dark) { :root { --p0: #3d9be0; --p8: #c8c8c8; --p9: #e4e4e4; } }
 .row > figure { flex: 1 1 340px; max-width: 560px; }
@@ -23,7 +23,7 @@ svg polygon { stroke: var(--paper); stroke-width: .4; } svg polyline { fill: non
 )";
 
 std::string colours() {
-    std::string style = kStyle;
+    std::string style = kChartStyle;
     for (std::size_t i = 0; i <= kPartCount; ++i)
         style += fmt::format(
             "svg .f{0} {{ fill: var(--p{0}); }} svg .l{0} {{ stroke: var(--p{0}); }} svg text.c{0} {{ fill: "

@@ -11,7 +11,7 @@ namespace game {
 namespace {
 
 constexpr float kMargin = 28, kGap = 34, kMap = 760;  // px
-constexpr float kLeastHeight = 720;
+constexpr float kLeastPageHeight = 720;
 constexpr float kIndent = 38;  // of what a colour means
 const glm::vec3 kText{38, 40, 46}, kDim{110, 114, 122};
 
@@ -23,7 +23,7 @@ Relief relief_for(const Start& start, glm::ivec2 first, glm::ivec2 last) {
 render::Sheet sheet_for(const Relief& relief) {
     const glm::vec2 map = relief.size();
     return {static_cast<int>(std::ceil(map.x + 2 * kMargin + kGap + MapPage::kColumn)),
-            static_cast<int>(std::ceil(std::max(map.y + 2 * kMargin, kLeastHeight)))};
+            static_cast<int>(std::ceil(std::max(map.y + 2 * kMargin, kLeastPageHeight)))};
 }
 
 }  // namespace

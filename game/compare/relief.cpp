@@ -13,9 +13,9 @@ namespace game {
 namespace {
 
 const glm::vec3 kLit{252, 251, 247}, kShade{126, 134, 150};
-const glm::vec3 kInk{60, 58, 62};
+const glm::vec3 kContour{60, 58, 62};
 
-std::size_t index(const sim::Grid& grid, int x, int y) {
+std::size_t clamped_index(const sim::Grid& grid, int x, int y) {
     return static_cast<std::size_t>(std::clamp(y, 0, grid.ny - 1)) * static_cast<std::size_t>(grid.nx) +
            static_cast<std::size_t>(std::clamp(x, 0, grid.nx - 1));
 }
@@ -56,7 +56,7 @@ float lightness(glm::vec2 fall) {
 float between(const sim::Grid& grid, std::span<const float> field, glm::vec2 cells) {
     const glm::vec2 base = glm::floor(cells), t = cells - base;
     const int x = static_cast<int>(base.x), y = static_cast<int>(base.y);
-    const auto at = [&](int i, int j) { return field[index(grid, i, j)]; };
+    const auto at = [&](int i, int j) { return field[clamped_index(grid, i, j)]; };
     return glm::mix(glm::mix(at(x, y), at(x + 1, y), t.x), glm::mix(at(x, y + 1), at(x + 1, y + 1), t.x),
                     t.y);
 }
@@ -87,7 +87,7 @@ bool Relief::covers(glm::vec2 place) const {
 
 bool Relief::has_ground(glm::vec2 cells) const {
     const int x = static_cast<int>(std::lround(cells.x)), y = static_cast<int>(std::lround(cells.y));
-    return start_.grid.contains(x, y) && start_.has_data[index(start_.grid, x, y)];
+    return start_.grid.contains(x, y) && start_.has_data[clamped_index(start_.grid, x, y)];
 }
 
 Relief::Ground Relief::ground(glm::vec2 cells) const {
@@ -97,7 +97,7 @@ Relief::Ground Relief::ground(glm::vec2 cells) const {
     Ground ground{0, {0, 0}};
     for (int j = 0; j < 4; ++j)
         for (int i = 0; i < 4; ++i) {
-            const std::size_t at = index(start_.grid, x + i, y + j);
+            const std::size_t at = clamped_index(start_.grid, x + i, y + j);
             const float height = start_.bedrock[at] + start_.depth[at];
             const auto ii = static_cast<std::size_t>(i), jj = static_cast<std::size_t>(j);
             ground.height += along_x.value[ii] * along_y.value[jj] * height;
@@ -127,7 +127,7 @@ void Relief::draw(render::Sheet& sheet, const std::function<Tint(glm::vec2)>& ti
             const float there =
                 std::clamp((heavy ? 0.85f : 0.5f) - away / std::max(per_pixel, 1e-4f) + 0.5f, 0.f, 1.f);
             const float level = std::clamp(glm::length(here.fall) / 0.03f, 0.f, 1.f);
-            colour = glm::mix(colour, kInk, there * level * (heavy ? 0.42f : 0.22f));
+            colour = glm::mix(colour, kContour, there * level * (heavy ? 0.42f : 0.22f));
 
             std::uint8_t* pixel =
                 &sheet.picture.pixels[3 * (static_cast<std::size_t>(y) *

@@ -17,38 +17,38 @@ namespace game {
 namespace {
 
 // A square of the ground from straight above, north up.
-struct Window {
+struct Cutout {
     glm::dvec2 middle{0.5, 0.5};
     double side = 1;  // m
 };
 
-render::Camera camera_of(const Window& window) {
+render::Camera camera_of(const Cutout& cutout) {
     render::Camera camera;
-    camera.target = {window.middle, 0};
+    camera.target = {cutout.middle, 0};
     camera.azimuth_deg = 180;
     camera.elevation_deg = 89.9;
     camera.field_of_view_deg = 30;  // level ground looks the same from anywhere: near enough for no haze
     const double half = camera.field_of_view_deg / 2 * std::numbers::pi / 180;
     constexpr double kNearer =
         0.996;  // so that no border is seen, for it does not stand quite straight above
-    camera.distance_m = kNearer * window.side / 2 / std::tan(half);
+    camera.distance_m = kNearer * cutout.side / 2 / std::tan(half);
     return camera;
 }
 
 // Where the front passes nearest to the middle of the square.
-Window detail_of(const FlowFigure& figure) {
+Cutout detail_of(const FlowFigure& figure) {
     constexpr double kSide = 0.3;
     constexpr int kPlaces = 128;  // along each side of where its middle may be
-    Window window{{0.5, 0.5}, kSide};
+    Cutout cutout{{0.5, 0.5}, kSide};
     double nearest = std::numeric_limits<double>::max();
     for (int y = 0; y <= kPlaces; ++y)
         for (int x = 0; x <= kPlaces; ++x) {
             const glm::dvec2 at = kSide / 2 + (1 - kSide) / kPlaces * glm::dvec2(x, y), from = at - 0.5;
             const double worth =
                 figure.flow.distance(at, figure.seconds) + 0.1 * (from.x * from.x + from.y * from.y);
-            if (worth < nearest) nearest = worth, window.middle = at;
+            if (worth < nearest) nearest = worth, cutout.middle = at;
         }
-    return window;
+    return cutout;
 }
 
 std::string caption_of(const FlowFigure& figure) {
@@ -84,13 +84,13 @@ struct Studio::Parts {
         : context(std::move(gl)), renderer(std::move(with)) {}
 
     render::Picture draw(const FlowFigure& figure, const LevelFlow& flow, const render::Marks& marks,
-                         const Window& window, int pixels) {
+                         const Cutout& cutout, int pixels) {
         render::Look look;
         look.flow = render::FlowLook{figure.pattern, figure.repeats, true};
         look.detail = 0;
         render::Light light;
         light.azimuth_deg = 315, light.elevation_deg = 50;
-        renderer.draw(flow.ground(), camera_of(window), light, look, marks, pixels, pixels, &flow.view());
+        renderer.draw(flow.ground(), camera_of(cutout), light, look, marks, pixels, pixels, &flow.view());
         return renderer.read_back();
     }
 };

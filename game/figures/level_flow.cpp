@@ -15,7 +15,6 @@ namespace game {
 namespace {
 
 constexpr double kStepsPerSecond = 60;
-constexpr float kJump = 0.05f;  // m/s; across the fronts it is at least 0.14
 
 sim::front::Rule rule_of(float cell, bool cut) {
     return cut ? sim::front::gradient_rule(kJump, cell) : sim::front::uncut_rule();

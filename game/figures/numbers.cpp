@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "game/figures/level_flow.h"
 #include "game/progress.h"
 
 namespace game {
@@ -22,7 +23,6 @@ using sim::front::Source;
 
 constexpr std::array kSources{Source::kHalf, Source::kPaper, Source::kFit};
 constexpr std::size_t kFit = 2, kSmoothAlone = 0, kReseeded = 3;
-constexpr float kJump = 0.05f;     // m/s, cuts an edge
 constexpr double kSmooth = 0.03;   // m/s, on top of what textures travel with
 constexpr double kAsSmooth = 1.1;  // times what the smooth field alone draws out
 // Of textures that travel: see TextureScore.

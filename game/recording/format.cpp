@@ -16,7 +16,6 @@ namespace {
 
 constexpr std::string_view kFormatName = "couloir recording";
 constexpr std::int64_t kMostTicks = std::int64_t{1} << 40;
-constexpr std::array<std::string_view, 4> kSides{"west", "east", "south", "north"};
 
 // The readers below throw the fact; the public ones turn it into a value.
 [[noreturn]] void refuse(const std::string& fact) {
@@ -100,8 +99,8 @@ Json physics_json(const sim::Params& params) {
     Json json{{"model", sim::to_string(params.model)},
               {"scheme", sim::to_string(params.scheme)},
               {"law", sim::to_string(params.law)}};
-    for (std::size_t side = 0; side < kSides.size(); ++side)
-        json["borders"][std::string(kSides[side])] = sim::to_string(params.borders[side]);
+    for (std::size_t side = 0; side < sim::kSides.size(); ++side)
+        json["borders"][std::string(sim::kSides[side])] = sim::to_string(params.borders[side]);
     json.update(numbers_json(params));
     return json;
 }
@@ -130,8 +129,8 @@ sim::Params physics_from(const Json& json, int minor) {
     params.model = named(json, "model", sim::model_from);
     params.scheme = named(json, "scheme", sim::scheme_from);
     if (is_named_in(minor, "law")) params.law = named(json, "law", sim::law_from);
-    for (std::size_t side = 0; side < kSides.size(); ++side)
-        params.borders[side] = named(member(json, "borders"), kSides[side].data(), sim::border_from);
+    for (std::size_t side = 0; side < sim::kSides.size(); ++side)
+        params.borders[side] = named(member(json, "borders"), sim::kSides[side].data(), sim::border_from);
     numbers_from(json, minor, params);
     return params;
 }

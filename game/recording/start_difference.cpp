@@ -14,8 +14,6 @@ std::string differs(std::string_view what, const A& a, const B& b) {
     return fmt::format("{} is {} in the first and {} in the second", what, a, b);
 }
 
-constexpr std::string_view kSides[] = {"west", "east", "south", "north"};
-
 void add_choices(const sim::Params& a, const sim::Params& b, std::vector<std::string>& found) {
     const auto add = [&](std::string_view what, auto one, auto other) {
         if (one != other) found.push_back(differs(what, sim::to_string(one), sim::to_string(other)));
@@ -24,7 +22,7 @@ void add_choices(const sim::Params& a, const sim::Params& b, std::vector<std::st
     add("the scheme", a.scheme, b.scheme);
     add("the law", a.law, b.law);
     for (std::size_t side = 0; side < a.borders.size(); ++side)
-        add(fmt::format("the {} border", kSides[side]), a.borders[side], b.borders[side]);
+        add(fmt::format("the {} border", sim::kSides[side]), a.borders[side], b.borders[side]);
 }
 
 void add_numbers(const std::string& of, const sim::Params& a, const sim::Params& b,

@@ -42,8 +42,8 @@ constexpr std::array kSizes{Size{0.050f, 60},   Size{0.043f, 160},  Size{0.036f,
                             Size{0.028f, 1500}, Size{0.020f, 3000}, Size{0.013f, 4000}};
 constexpr float kOverlap = 0.90f;  // of the sum of two radii: how near stones may lie
 constexpr float kHalfGap = 0.0026f;
-constexpr float kCorner = 0.014f;  // rounding of corners
-constexpr float kReach = 0.16f;    // stones farther off than this bound nobody here
+constexpr float kCorner = 0.014f;        // rounding of corners
+constexpr float kNeighbourhood = 0.16f;  // stones farther off than this bound nobody here
 
 // The shortest way from one place to another over the repeating tile.
 glm::vec2 way(glm::vec2 from, glm::vec2 to) {
@@ -85,7 +85,7 @@ Place place_on(const std::vector<Stone>& stones, glm::vec2 place) {
     float edge = 1.30f * mine.radius - glm::length(way(mine.middle, place));
     for (const Stone& other : stones) {
         const float apart = glm::length(way(mine.middle, other.middle));
-        if (&other == &mine || apart > kReach) continue;
+        if (&other == &mine || apart > kNeighbourhood) continue;
         edge = smooth_min(edge, (power(other, place) - own) / (2 * apart), kCorner);
     }
     return {&mine, edge - kHalfGap};

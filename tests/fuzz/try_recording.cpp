@@ -16,7 +16,7 @@ Outcome<Recording> read(const std::string& bytes) {
     return read_recording(stream, kName);
 }
 
-std::string chained(std::string_view bytes) {
+std::string chained_anew(std::string_view bytes) {
     std::string text;
     Chain chain;
     while (!bytes.empty()) {
@@ -87,7 +87,7 @@ std::string_view fault_of(const std::string& bytes) {
 
 std::string_view fault_of_reading(std::string_view bytes) {
     const std::string_view fault = fault_of(std::string(bytes));
-    return fault.empty() ? fault_of(chained(bytes)) : fault;
+    return fault.empty() ? fault_of(chained_anew(bytes)) : fault;
 }
 
 }  // namespace game::test

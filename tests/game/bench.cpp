@@ -22,12 +22,12 @@
 namespace game::test {
 namespace {
 
-constexpr double kTick = 1 / 60.0;  // s
+constexpr double kSecondsPerTick = 1 / 60.0;  // s
 
 PerfRow row_of(std::int64_t tick, double solve_ms, double track_ms, std::optional<double> draw_ms) {
     PerfRow row;
     row.tick = tick;
-    row.time_s = static_cast<double>(tick) * kTick;
+    row.time_s = static_cast<double>(tick) * kSecondsPerTick;
     row.substeps = 2;
     row.active_cells = static_cast<std::size_t>(100 * tick);
     row.points = 10;
@@ -47,7 +47,7 @@ Measured measured_of(const std::string& recording, int squares, double slower = 
     each.physics = "bcre-inertial";
     each.squares = squares;
     each.grid = {squares + 1, squares + 1, 2};
-    each.tick_s = kTick;
+    each.tick_s = kSecondsPerTick;
     each.repeats = 3;
     for (int tick = 1; tick <= 10; ++tick)
         each.rows.push_back(

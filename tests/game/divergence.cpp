@@ -16,7 +16,7 @@
 namespace game::test {
 namespace {
 
-constexpr std::int64_t kTicks = 12;
+constexpr std::int64_t kComparedTicks = 12;
 
 Start start_of(sim::Model model, sim::Scheme scheme) {
     Start start = small_start();
@@ -86,8 +86,8 @@ TEST_P(PlantedFault, is_found_at_its_tick_stage_field_and_cell) {
     const Side sound{start, commands, plainly(2), nullptr};
     const Side faulty{start, commands, plainly(), [&](const Side::Moment& at) { plant(fault, at); }};
     for (const bool second : {true, false}) {
-        const auto parted =
-            second ? first_divergence(sound, faulty, kTicks) : first_divergence(faulty, sound, kTicks);
+        const auto parted = second ? first_divergence(sound, faulty, kComparedTicks)
+                                   : first_divergence(faulty, sound, kComparedTicks);
         ASSERT_TRUE(parted);
         EXPECT_EQ(parted->where, Divergence::Where::kStage);
         EXPECT_EQ(parted->tick, fault.tick);
@@ -135,8 +135,8 @@ TEST(Divergence, of_a_sweep_is_told_as_the_sweeps_and_whose) {
             at.state.velocity_x(5, 9) = std::nextafter(at.state.velocity_x(5, 9), 1e9f);
     };
     const Side sound{start, commands, {}, nullptr}, faulty{start, commands, {}, fault};
-    const auto second = first_divergence(sound, faulty, kTicks),
-               first = first_divergence(faulty, sound, kTicks);
+    const auto second = first_divergence(sound, faulty, kComparedTicks),
+               first = first_divergence(faulty, sound, kComparedTicks);
     for (const auto& [parted, side] : {std::pair{second, 1}, std::pair{first, 0}}) {
         ASSERT_TRUE(parted);
         EXPECT_EQ(parted->where, Divergence::Where::kSweep);
@@ -159,8 +159,8 @@ TEST(Divergence, that_does_not_come_back_is_told_so) {
         done = true;
         at.state.depth(4, 5) += 1;
     };
-    const auto parted =
-        first_divergence({start, commands, plainly(), nullptr}, {start, commands, plainly(), once}, kTicks);
+    const auto parted = first_divergence({start, commands, plainly(), nullptr},
+                                         {start, commands, plainly(), once}, kComparedTicks);
     ASSERT_TRUE(parted);
     EXPECT_EQ(parted->where, Divergence::Where::kLost);
     EXPECT_EQ(parted->tick, 4);
@@ -172,7 +172,8 @@ TEST(Divergence, of_another_command_stands_at_the_commands_of_its_tick) {
     const auto commands = some_commands();
     auto moved = commands;
     moved[1].command.x += 2;
-    const auto parted = first_divergence({start, commands, {}, nullptr}, {start, moved, {}, nullptr}, kTicks);
+    const auto parted =
+        first_divergence({start, commands, {}, nullptr}, {start, moved, {}, nullptr}, kComparedTicks);
     ASSERT_TRUE(parted);
     EXPECT_EQ(parted->where, Divergence::Where::kStage);
     EXPECT_EQ(parted->tick, 3);
@@ -189,7 +190,7 @@ TEST(Divergence, of_a_source_that_runs_on_for_longer_is_found_before_any_field_h
     auto longer = commands;
     longer[0].command.duration *= 2;
     const auto parted =
-        first_divergence({start, commands, {}, nullptr}, {start, longer, {}, nullptr}, kTicks);
+        first_divergence({start, commands, {}, nullptr}, {start, longer, {}, nullptr}, kComparedTicks);
     ASSERT_TRUE(parted);
     EXPECT_EQ(parted->tick, 0);
     EXPECT_EQ(parted->name, "commands");
@@ -200,7 +201,7 @@ TEST(Divergence, of_the_start_is_told_before_any_tick) {
     const Start start = small_start();
     Start deeper = start;
     deeper.depth[deeper.depth.size() - 1] += 0.5f;
-    const auto parted = first_divergence({start, {}, {}, nullptr}, {deeper, {}, {}, nullptr}, kTicks);
+    const auto parted = first_divergence({start, {}, {}, nullptr}, {deeper, {}, {}, nullptr}, kComparedTicks);
     ASSERT_TRUE(parted);
     EXPECT_EQ(parted->where, Divergence::Where::kStart);
     EXPECT_EQ(parted->tick, 0);
@@ -215,7 +216,8 @@ TEST(Divergence, of_other_numbers_is_found_at_the_stage_that_uses_them) {
     const Start start = start_of(kInertial, kLocal);
     Start quicker = start;
     quicker.params.relaxation_time *= 0.5f;
-    const auto parted = first_divergence({start, {}, {}, nullptr}, {quicker, {}, {}, nullptr}, kTicks);
+    const auto parted =
+        first_divergence({start, {}, {}, nullptr}, {quicker, {}, {}, nullptr}, kComparedTicks);
     ASSERT_TRUE(parted);
     EXPECT_EQ(parted->name, "relax");
     EXPECT_EQ(differences_of(start, quicker),
@@ -224,7 +226,7 @@ TEST(Divergence, of_other_numbers_is_found_at_the_stage_that_uses_them) {
 
 TEST(Divergence, of_other_stages_is_told_without_one) {
     const Start start = start_of(kBcre, kLocal), other = start_of(kBcre, sim::Scheme::kMuscl);
-    const auto parted = first_divergence({start, {}, {}, nullptr}, {other, {}, {}, nullptr}, kTicks);
+    const auto parted = first_divergence({start, {}, {}, nullptr}, {other, {}, {}, nullptr}, kComparedTicks);
     ASSERT_TRUE(parted);
     EXPECT_EQ(parted->where, Divergence::Where::kElse);
     EXPECT_FALSE(parted->fields.empty());
@@ -261,9 +263,9 @@ TEST(Ulps, count_the_floats_between) {
 TEST(DivergenceReport, names_tick_stage_field_tile_cell_bits_and_distance) {
     const Plant fault = kPlants[0];
     const Start start = start_of(fault.model, fault.scheme);
-    const auto parted =
-        first_divergence({start, {}, plainly(), nullptr},
-                         {start, {}, plainly(), [&](const Side::Moment& at) { plant(fault, at); }}, kTicks);
+    const auto parted = first_divergence(
+        {start, {}, plainly(), nullptr},
+        {start, {}, plainly(), [&](const Side::Moment& at) { plant(fault, at); }}, kComparedTicks);
     ASSERT_TRUE(parted);
     const std::string text = to_text(*parted, start, {"sound", "faulty"});
     for (const char* told :

@@ -5,13 +5,13 @@
 namespace game::test {
 namespace {
 
-constexpr double kTick = 1.0 / 60;
+constexpr double kClockTick = 1.0 / 60;
 
 // Ticks of `seconds` at so many frames a second, all of them done.
 int ticks_of(TickClock& clock, double seconds, double frames_per_second) {
     int ticks = 0;
     for (int frame = 0; frame < static_cast<int>(seconds * frames_per_second + 0.5); ++frame)
-        ticks += clock.ticks_due(1 / frames_per_second, kTick);
+        ticks += clock.ticks_due(1 / frames_per_second, kClockTick);
     return ticks;
 }
 
@@ -32,12 +32,12 @@ TEST(TickClock, owes_nothing_while_paused_and_one_tick_per_step) {
     clock.pause(true);
     EXPECT_EQ(ticks_of(clock, 5, 60), 0);
     clock.step_once();
-    EXPECT_EQ(clock.ticks_due(0.001, kTick), 1);
+    EXPECT_EQ(clock.ticks_due(0.001, kClockTick), 1);
     for (int i = 0; i < 3; ++i) clock.step_once();  // pressed faster than frames come
-    EXPECT_EQ(clock.ticks_due(0.001, kTick), 3);
+    EXPECT_EQ(clock.ticks_due(0.001, kClockTick), 3);
     clock.ticks_undone(2);  // too slow for all of them in one frame
-    EXPECT_EQ(clock.ticks_due(0.001, kTick), 2);
-    EXPECT_EQ(clock.ticks_due(0.001, kTick), 0);
+    EXPECT_EQ(clock.ticks_due(0.001, kClockTick), 2);
+    EXPECT_EQ(clock.ticks_due(0.001, kClockTick), 0);
     EXPECT_EQ(ticks_of(clock, 5, 60), 0);
     clock.pause(false);
     EXPECT_NEAR(ticks_of(clock, 1, 60), 60, 1);
@@ -54,18 +54,18 @@ TEST(TickClock, keeps_its_speed_to_powers_of_two_in_its_range) {
 TEST(TickClock, slows_the_world_and_says_so_where_the_machine_cannot_keep_up) {
     TickClock clock;
     clock.set_speed(16);
-    for (int frame = 0; frame < 120; ++frame) clock.ticks_undone(clock.ticks_due(1.0 / 60, kTick) - 4);
+    for (int frame = 0; frame < 120; ++frame) clock.ticks_undone(clock.ticks_due(1.0 / 60, kClockTick) - 4);
     EXPECT_TRUE(clock.behind());
     EXPECT_NEAR(clock.reached_speed(), 4, 0.1);
     // Ticks that were left undone do not come back later.
-    EXPECT_EQ(clock.ticks_due(1.0 / 60, kTick), 16);
-    for (int frame = 0; frame < 300; ++frame) clock.ticks_due(1.0 / 60, kTick);
+    EXPECT_EQ(clock.ticks_due(1.0 / 60, kClockTick), 16);
+    for (int frame = 0; frame < 300; ++frame) clock.ticks_due(1.0 / 60, kClockTick);
     EXPECT_FALSE(clock.behind());
 }
 
 TEST(TickClock, takes_a_long_sleep_for_a_quarter_second_and_says_that_time_was_lost) {
     TickClock clock;
-    EXPECT_EQ(clock.ticks_due(100, kTick), 15);
+    EXPECT_EQ(clock.ticks_due(100, kClockTick), 15);
     EXPECT_TRUE(clock.behind());
 }
 

@@ -54,7 +54,7 @@ std::vector<std::uint64_t> hashes_of(Sandbox& sandbox, std::int64_t ticks) {
     return hashes;
 }
 
-Sandbox recorded(const std::filesystem::path& path) {
+Sandbox begun(const std::filesystem::path& path) {
     auto recorder = Recorder::create(path, opening().scene.start);
     return Sandbox::begin(opening(), sim::How{}, std::move(*recorder)).value();
 }
@@ -134,7 +134,7 @@ TEST(Timeline, goes_no_farther_than_it_may_in_one_go) {
 TEST(Timeline, records_nothing_twice) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "back.couloir";
-    Sandbox sandbox = recorded(path);
+    Sandbox sandbox = begun(path);
     hashes_of(sandbox, 100);
     go(sandbox, 31);
     go(sandbox, 99);
@@ -153,7 +153,7 @@ TEST(Timeline, records_nothing_twice) {
 TEST(Timeline, forks_a_session_where_its_past_is_taken_over) {
     const support::TemporaryFolder folder;
     const auto first = folder.path() / "first.couloir", second = folder.path() / "second.couloir";
-    Sandbox sandbox = recorded(first);
+    Sandbox sandbox = begun(first);
     const auto hashes = hashes_of(sandbox, 100);
     go(sandbox, 45);
     EXPECT_EQ(sandbox.undo().error().status, Failure::kUnusable) << "in the past";
@@ -182,7 +182,7 @@ TEST(Timeline, forks_a_recording_where_it_is_taken_over_in_the_middle) {
     const auto first = folder.path() / "first.couloir", second = folder.path() / "second.couloir";
     std::vector<std::uint64_t> hashes;
     {
-        Sandbox sandbox = recorded(first);
+        Sandbox sandbox = begun(first);
         hashes = hashes_of(sandbox, 100);
         ASSERT_TRUE(sandbox.finish());
     }
@@ -206,7 +206,7 @@ TEST(Timeline, forks_a_recording_where_it_is_taken_over_in_the_middle) {
 
 TEST(Timeline, goes_on_unrecorded_where_a_fork_cannot_be_written) {
     const support::TemporaryFolder folder;
-    Sandbox sandbox = recorded(folder.path() / "first.couloir");
+    Sandbox sandbox = begun(folder.path() / "first.couloir");
     hashes_of(sandbox, 40);
     go(sandbox, 10);
     const auto taken = sandbox.take_over(folder.path() / "first.couloir" / "no.couloir");

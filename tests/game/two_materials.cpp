@@ -16,7 +16,7 @@
 namespace game::test {
 namespace {
 
-constexpr const char* kScene = R"(title = "Snow on soil"
+constexpr const char* kSnowOnSoil = R"(title = "Snow on soil"
 [terrain]
 generator = "slope-of-soil"
 grid = 24
@@ -48,7 +48,7 @@ class SnowOnSoil : public testing::Test {
         return load_scene(scene_.string(), {});
     }
     Scene loaded() {
-        auto scene = load(kScene);
+        auto scene = load(kSnowOnSoil);
         if (!scene) throw std::runtime_error(scene.error().sentence);
         return std::move(*scene);
     }
@@ -91,14 +91,14 @@ TEST_F(SnowOnSoil, with_a_fault_is_refused_with_line_and_fact) {
                   {"depth = 0.25", "depth = 51", 10, "under.depth"}};
     for (const auto& fault : faults) {
         SCOPED_TRACE(fault.new_text);
-        const auto scene = load(kScene, fault.old_text, fault.new_text);
+        const auto scene = load(kSnowOnSoil, fault.old_text, fault.new_text);
         ASSERT_FALSE(scene);
         EXPECT_EQ(scene.error().status, Failure::kUnusable);
         const std::string start = scene_.string() + ":" + std::to_string(fault.line) + ": " + fault.fact;
         EXPECT_EQ(scene.error().sentence.rfind(start, 0), 0u) << scene.error().sentence;
     }
     // Both may be as deep as is allowed, but not together.
-    std::string deep = kScene;
+    std::string deep = kSnowOnSoil;
     deep.replace(deep.find("depth = 0.5"), 11, "depth = 40 ");
     const auto scene = load(deep, "depth = 0.25", "depth = 40");
     ASSERT_FALSE(scene);

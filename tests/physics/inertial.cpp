@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -17,10 +18,10 @@ using sim::Model;
 using support::Ground;
 using support::Play;
 
-constexpr double kPi = 3.14159265358979323846;
-
 sim::Params loose_dry_snow() {
-    const auto tangent = [](double angle_deg) { return static_cast<float>(std::tan(angle_deg * kPi / 180)); };
+    const auto tangent = [](double angle_deg) {
+        return static_cast<float>(std::tan(angle_deg * std::numbers::pi / 180));
+    };
     sim::Params params;
     params.speed_per_slope = 41;
     params.max_speed = 45;
@@ -164,15 +165,15 @@ Outlines release_on_a_hill(double azimuth_deg, double cover) {
     constexpr int kSide = 95;
     constexpr double kDx = 10, kMiddle = (kSide - 1) / 2. * kDx, kFoot = 230, kEase = 50, kOut = 100,
                      kRadius = 36;
-    const double azimuth = azimuth_deg * kPi / 180;
+    const double azimuth = azimuth_deg * std::numbers::pi / 180;
     const auto from_top = [&](double x, double y) { return std::hypot(x - kMiddle, y - kMiddle); };
     Ground ground({kSide, kSide, static_cast<float>(kDx)});
     ground.set(ground.depth, [&](double x, double y) {
         return cover * (1 - std::tanh((from_top(x, y) - kFoot) / 30)) / 2;
     });
     ground.set(ground.bedrock, [&](double x, double y) {
-        const double r = std::hypot(from_top(x, y), 20), steep = std::tan(36 * kPi / 180),
-                     flat = std::tan(5 * kPi / 180);
+        const double r = std::hypot(from_top(x, y), 20), steep = std::tan(36 * std::numbers::pi / 180),
+                     flat = std::tan(5 * std::numbers::pi / 180);
         const double fall =
             flat * r + (steep - flat) / 2 * (r - kEase * std::log(std::cosh((r - kFoot) / kEase)));
         return 300 - fall -

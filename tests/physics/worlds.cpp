@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -13,8 +14,6 @@ namespace {
 using sim::Model;
 using sim::Scheme;
 using support::Play;
-
-constexpr double kPi = 3.14159265358979323846;
 
 TEST(World, closes_its_mass_exactly_over_a_hundred_thousand_ticks) {
     for (const auto& [model, scheme] : {std::pair(Model::kBcre, Scheme::kMuscl),
@@ -66,7 +65,8 @@ constexpr double kCell = 7.5;  // m
 double run_out(double turned_deg) {
     constexpr int kSquares = 110;
     constexpr double kDx = kCell, kMiddle = kSquares * kDx / 2;
-    const double down_x = std::sin(turned_deg * kPi / 180), down_y = std::cos(turned_deg * kPi / 180);
+    const double down_x = std::sin(turned_deg * std::numbers::pi / 180),
+                 down_y = std::cos(turned_deg * std::numbers::pi / 180);
     const auto along = [&](double x, double y) { return (x - kMiddle) * down_x + (y - kMiddle) * down_y; };
     const auto across = [&](double x, double y) { return (x - kMiddle) * down_y - (y - kMiddle) * down_x; };
     support::Ground ground({kSquares + 1, kSquares + 1, static_cast<float>(kDx)});

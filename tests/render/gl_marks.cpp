@@ -1,4 +1,5 @@
 #include <cmath>
+#include <numbers>
 
 #include <glm/vec4.hpp>
 
@@ -8,7 +9,6 @@ namespace render::test {
 namespace {
 
 constexpr int kSize = 300;  // pixels along an edge
-constexpr double kPi = 3.14159265358979;
 
 Marks with_ring(glm::dvec2 centre, double radius) {
     Marks marks;
@@ -41,7 +41,8 @@ class MarksOnGround : public Gl {
 
 // A plane that rises to the north at 40° from a height of 1203.7 m, and a camera that sees it slantwise.
 struct Slope {
-    World world = make_world(40, 4, [](double, double y) { return std::tan(40 * kPi / 180) * y; });
+    World world =
+        make_world(40, 4, [](double, double y) { return std::tan(40 * std::numbers::pi / 180) * y; });
     Camera camera;
 
     Slope() {
@@ -51,7 +52,9 @@ struct Slope {
         camera.elevation_deg = 20;
         camera.distance_m = 150;
     }
-    glm::dvec3 at(double x, double y) const { return {x, y, world.datum + std::tan(40 * kPi / 180) * y}; }
+    glm::dvec3 at(double x, double y) const {
+        return {x, y, world.datum + std::tan(40 * std::numbers::pi / 180) * y};
+    }
 };
 
 TEST_F(MarksOnGround, ring_is_drawn_on_its_circle_and_follows_a_slope) {
@@ -59,7 +62,7 @@ TEST_F(MarksOnGround, ring_is_drawn_on_its_circle_and_follows_a_slope) {
     const Picture plain = shot(slope.world, slope.camera, {});
     const Picture ringed = shot(slope.world, slope.camera, with_ring({84, 78}, 25));
     for (int i = 0; i < 72; ++i) {
-        const double x = std::cos(i * kPi / 36), y = std::sin(i * kPi / 36);
+        const double x = std::cos(i * std::numbers::pi / 36), y = std::sin(i * std::numbers::pi / 36);
         const auto change = [&](double radius) {
             const glm::dvec2 at = seen_at(slope.camera, slope.at(84 + radius * x, 78 + radius * y));
             return colour_distance(pixel(plain, at), pixel(ringed, at));

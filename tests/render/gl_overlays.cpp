@@ -1,11 +1,10 @@
 #include <cmath>
+#include <numbers>
 
 #include "tests/render/gl_scene.h"
 
 namespace render::test {
 namespace {
-
-constexpr double kPi = 3.14159265358979;
 
 Colour of_legend(const LegendStop& stop) {
     return {255.0 * stop.colour.r, 255.0 * stop.colour.g, 255.0 * stop.colour.b};
@@ -24,7 +23,8 @@ class Overlays : public Gl {
     }
 
     static World tilted(double slope_deg) {
-        return make_world(40, 4, [=](double, double y) { return std::tan(slope_deg * kPi / 180) * y; });
+        return make_world(40, 4,
+                          [=](double, double y) { return std::tan(slope_deg * std::numbers::pi / 180) * y; });
     }
 
     Picture shot(const World& world, Overlay overlay, const Light& light = {}) {

@@ -10,7 +10,7 @@
 namespace render::test {
 namespace {
 
-World hill() {
+World covered_hill() {
     World world = make_world(48, 5, [](double x, double y) { return 0.4 * y + 12 * std::sin(x / 30); });
     world.depth.fill(0.7f);
     return world;
@@ -25,7 +25,7 @@ Marks all_marks(Overlay overlay) {
 }
 
 TEST_F(Gl, allocates_nothing_and_makes_no_object_in_a_running_frame) {
-    World world = hill();
+    World world = covered_hill();
     Camera camera = overview(world.view());
     const auto frame = [&](int i) {
         world.rolling(20 + i, 20) = 1;  // the world goes on
@@ -54,7 +54,7 @@ TEST_F(Gl, allocates_nothing_and_makes_no_object_in_a_running_frame) {
 }
 
 TEST_F(Gl, changes_its_quality_between_frames) {
-    const World world = hill();
+    const World world = covered_hill();
     const Camera camera = overview(world.view());
     auto fine = Renderer::create(support::source_dir() / "assets", Quality::kFine);
     ASSERT_TRUE(fine) << fine.error();

@@ -9,8 +9,6 @@
 namespace game::test {
 namespace {
 
-constexpr int kX = PlaySession::kMiddleX, kY = PlaySession::kMiddleY;
-
 class Play : public testing::Test {
   protected:
     void SetUp() override {
@@ -48,7 +46,7 @@ TEST_F(Play, pours_where_the_button_is_held_and_dragged) {
     const auto held = session->commands("pour");
     // The hand does not move; but as the heap rises, it meets the ground a little nearer to the eye.
     EXPECT_LT(most(held, "x") - least(held, "x"), 2) << "m";
-    hand().drag(kX + 60, kY + 20);
+    hand().drag(PlaySession::kMiddleX + 60, PlaySession::kMiddleY + 20);
     ASSERT_TRUE(session->comes_to("pour", held.size() + 10));
     hand().release(Mouse::kLeft);
     const auto poured = session->commands("pour");
@@ -78,7 +76,7 @@ TEST_F(Play, blasts_at_the_press_and_again_along_a_drag) {
     ASSERT_TRUE(session->comes_to("blast", 1));
     ASSERT_TRUE(session->runs(30));
     EXPECT_EQ(session->commands("blast").size(), 1u) << "the hand did not move";
-    hand().drag(kX + 100, kY, 20);
+    hand().drag(PlaySession::kMiddleX + 100, PlaySession::kMiddleY, 20);
     EXPECT_TRUE(session->comes_to("blast", 3));
     hand().release(Mouse::kLeft);
     EXPECT_EQ(session->commands("blast").size(), session->commands());
