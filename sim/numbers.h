@@ -125,11 +125,35 @@ template <class Number, class OfMagnitude>
     }
 }
 
+// Of two with the same sign the one that is nearer to 0. As whole numbers their bits are in that order,
+// whichever the sign.
+template <class Number>
+[[gnu::always_inline]] inline Number gentler(const Number& a, const Number& b) {
+    if constexpr (kIsLanes<Number>) {
+        using Bits = stdx::rebind_simd_t<std::int32_t, Number>;
+        return std::bit_cast<Number>(Bits(stdx::min(std::bit_cast<Bits>(a), std::bit_cast<Bits>(b))));
+    } else {
+        return std::fabs(b) < std::fabs(a) ? b : a;
+    }
+}
+
+// `value` where a and b have the same sign, else 0.
+template <class Number>
+[[gnu::always_inline]] inline Number if_alike(const Number& a, const Number& b, const Number& value) {
+    if constexpr (kIsLanes<Number>) {
+        using Bits = stdx::rebind_simd_t<std::int32_t, Number>;
+        const Bits differ = (std::bit_cast<Bits>(a) ^ std::bit_cast<Bits>(b)) >> 31;  // all bits or none
+        return std::bit_cast<Number>(Bits(std::bit_cast<Bits>(value) & ~differ));
+    } else {
+        return std::signbit(a) == std::signbit(b) ? value : Number(0);
+    }
+}
+
 // The gentler of two slopes of the same sign, else 0 (Roe 1986): what keeps a reconstruction between its
 // neighbours.
 template <class Number>
 [[gnu::always_inline]] inline Number minmod(const Number& a, const Number& b) {
-    return larger(smaller(a, b), smaller(larger(a, b), Number(0)));
+    return if_alike(a, b, gentler(a, b));
 }
 
 }  // namespace sim

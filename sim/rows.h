@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <limits>
-#include <utility>
 
 #include "sim/grid.h"
 #include "sim/numbers.h"
@@ -79,24 +78,6 @@ template <class Number>
         return Number(static_cast<Vector>(*reinterpret_cast<const Unaligned*>(from)));
     } else {
         return *from;  // NOLINT(clang-analyzer-core.NullDereference)
-    }
-}
-
-// What lies `aside` of it. Sixteen lanes fill a cache line, and those that lie across two lines cost several
-// times as much: so they are put together from whole lines.
-template <class Number, int aside>
-[[gnu::always_inline]] inline Number load_aside(const Scalar<Number>* from) {
-    if constexpr (aside != 0 && kLanes<Number> * sizeof(float) == kCacheLine) {
-        using Vector [[gnu::vector_size(kCacheLine)]] = float;
-        constexpr int kFirst = aside < 0 ? -kLanes<Number> : 0;
-        const auto low = static_cast<Vector>(load<Number>(from + kFirst));
-        const auto high = static_cast<Vector>(load<Number>(from + kFirst + kLanes<Number>));
-        return [&]<int... lane>(std::integer_sequence<int, lane...>) {
-            return Number(Vector(__builtin_shufflevector(low, high, (lane + aside - kFirst)...)));
-        }
-        (std::make_integer_sequence<int, kLanes<Number>>{});
-    } else {
-        return load<Number>(from + aside);
     }
 }
 

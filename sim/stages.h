@@ -26,17 +26,12 @@ template <class Number, class S = Scalar<Number>>
 [[gnu::always_inline]] inline Number at(const S* row, int i) {
     return load<Number>(row + i);
 }
-// Of vertex i + aside.
-template <class Number, int aside, class S = Scalar<Number>>
-[[gnu::always_inline]] inline Number at(const S* row, int i) {
-    return load_aside<Number, aside>(row + i);
-}
 
 // What is east and west, north and south of vertex i, of values on faces.
 template <class Number, class S = Scalar<Number>>
 [[gnu::always_inline]] inline bcre::Drops<Number> outward(const S* in_x, const S* south, const S* north,
                                                           int i) {
-    return {at<Number, 1>(in_x, i), -at<Number>(in_x, i), at<Number>(north, i), -at<Number>(south, i)};
+    return {at<Number>(in_x, i + 1), -at<Number>(in_x, i), at<Number>(north, i), -at<Number>(south, i)};
 }
 
 // Rows y = 0 … ny-1, the first and the last for the halo beside them too: what lies beyond the border. Reads
@@ -75,7 +70,7 @@ auto find_drops(const Work& w, const Level& level, int y) {
     return [b = w.bedrock[y], b_south = w.bedrock[y - 1], d = level.depth[y], d_south = level.depth[y - 1],
             drop_x = level.drop_x[y], drop_y = level.drop_y[y]](int i) {
         const Number bed = at<Number>(b, i), lies = at<Number>(d, i);
-        store<Number>((at<Number, -1>(b, i) - bed) + (at<Number, -1>(d, i) - lies), drop_x + i);
+        store<Number>((at<Number>(b, i - 1) - bed) + (at<Number>(d, i - 1) - lies), drop_x + i);
         store<Number>((at<Number>(b_south, i) - bed) + (at<Number>(d_south, i) - lies), drop_y + i);
     };
 }
@@ -92,7 +87,7 @@ auto find_bends(const Work& w, const Level& level, int y) {
     return [drop_x = level.drop_x[y], drop_y = level.drop_y[y], south = level.drop_y[std::max(y - 1, 0)],
             north = level.drop_y[std::min(y + 1, w.ny)], bend_x = level.bend_x[y],
             bend_y = level.bend_y[y]](int i) {
-        store(bcre::correction(at<Number, -1>(drop_x, i), at<Number>(drop_x, i), at<Number, 1>(drop_x, i)),
+        store(bcre::correction(at<Number>(drop_x, i - 1), at<Number>(drop_x, i), at<Number>(drop_x, i + 1)),
               bend_x + i);
         store(bcre::correction(at<Number>(south, i), at<Number>(drop_y, i), at<Number>(north, i)),
               bend_y + i);

@@ -33,7 +33,7 @@ auto find_bent_fall(const Level<S>& level, int y) {
             fall = level.fall[y]](int i) {
         const Drops<Number> drop = outward<Number>(drop_x, south, north, i);
         store(
-            fall_of<Number>({drop.east + at<Number, 1>(bend_x, i), drop.west + at<Number>(bend_x, i),
+            fall_of<Number>({drop.east + at<Number>(bend_x, i + 1), drop.west + at<Number>(bend_x, i),
                              drop.north + at<Number>(bend_north, i), drop.south + at<Number>(bend_south, i)}),
             fall + i);
     };
@@ -43,7 +43,7 @@ auto find_bent_fall(const Level<S>& level, int y) {
 template <class Number, class S = Scalar<Number>>
 [[gnu::always_inline]] inline Number sum_outward(const S* in_x, const S* south, const S* north, int i) {
     const Number none(0);
-    return (larger(at<Number, 1>(in_x, i), none) - smaller(at<Number>(in_x, i), none)) +
+    return (larger(at<Number>(in_x, i + 1), none) - smaller(at<Number>(in_x, i), none)) +
            (larger(at<Number>(north, i), none) - smaller(at<Number>(south, i), none));
 }
 
@@ -77,7 +77,7 @@ template <class Number, class S = Scalar<Number>>
 auto find_split_fluxes(const Work<S>& w, int y) {
     return [c = w.c, drop_x = w.now.drop_x[y], drop_y = w.now.drop_y[y], given = w.given[y],
             south = w.given[y - 1], flux_x = w.flux_x[y], flux_y = w.flux_y[y]](int i) {
-        const Number here = at<Number>(given, i), west = at<Number, -1>(given, i);
+        const Number here = at<Number>(given, i), west = at<Number>(given, i - 1);
         const Number in_x = flux_local_lax_friedrichs(at<Number>(drop_x, i), west, here);
         const Number in_y = flux_local_lax_friedrichs(at<Number>(drop_y, i), at<Number>(south, i), here);
         store(booked(in_x, c), flux_x + i);
@@ -103,8 +103,8 @@ auto find_quarter_fluxes(const Work<S>& w, int y) {
     return [c = w.c, given = w.given[y], given_south = w.given[y - 1], more_x = w.now.velocity_x[y],
             more_y = w.now.velocity_y[y], more_south = w.now.velocity_y[y - 1], flux_x = w.flux_x[y],
             flux_y = w.flux_y[y]](int i) {
-        const Number here = at<Number>(given, i), west = at<Number, -1>(given, i);
-        const Number in_x = flux_lax_friedrichs(west, at<Number, -1>(more_x, i), here, at<Number>(more_x, i));
+        const Number here = at<Number>(given, i), west = at<Number>(given, i - 1);
+        const Number in_x = flux_lax_friedrichs(west, at<Number>(more_x, i - 1), here, at<Number>(more_x, i));
         const Number in_y = flux_lax_friedrichs(at<Number>(given_south, i), at<Number>(more_south, i), here,
                                                 at<Number>(more_y, i));
         store(booked(in_x, c), flux_x + i);
@@ -118,7 +118,7 @@ auto find_central_velocity(const Work<S>& w, const Level<S>& level, int y) {
     return [c = w.c, rolling = level.rolling[y], drop_x = level.drop_x[y], south = level.drop_y[y],
             north = level.drop_y[y + 1], u = level.velocity_x[y], v = level.velocity_y[y]](int i) {
         const Vector<Number> velocity =
-            central_velocity<Number>(at<Number>(drop_x, i) + at<Number, 1>(drop_x, i),
+            central_velocity<Number>(at<Number>(drop_x, i) + at<Number>(drop_x, i + 1),
                                      at<Number>(south, i) + at<Number>(north, i), at<Number>(rolling, i), c);
         store(velocity.x, u + i), store(velocity.y, v + i);
     };
@@ -142,8 +142,8 @@ auto find_muscl_fluxes(const Work<S>& w, int y) {
          v_south = level.velocity_y[std::max(y - 1, 0)], flux_x = w.flux_x[y], flux_y = w.flux_y[y]](int i) {
             const Number here = at<Number>(r, i);
             const Number in_x =
-                flux_muscl<Number>({at<Number, -2>(r, i), at<Number, -1>(r, i), here, at<Number, 1>(r, i)},
-                                   at<Number, -1>(u, i), at<Number>(u, i), c);
+                flux_muscl<Number>({at<Number>(r, i - 2), at<Number>(r, i - 1), here, at<Number>(r, i + 1)},
+                                   at<Number>(u, i - 1), at<Number>(u, i), c);
             const Number in_y = flux_muscl<Number>(
                 {at<Number>(r_south2, i), at<Number>(r_south, i), here, at<Number>(r_north, i)},
                 at<Number>(v_south, i), at<Number>(v, i), c);
@@ -165,7 +165,7 @@ void close_walls(const Work<S>& w, int y, Span x) {
 template <class Number, class S = Scalar<Number>>
 [[gnu::always_inline]] inline Number carried_at(const S* rolling, const S* flux_x, const S* flux_south,
                                                 const S* flux_north, int i) {
-    return carried(at<Number>(rolling, i), at<Number>(flux_x, i), at<Number, 1>(flux_x, i),
+    return carried(at<Number>(rolling, i), at<Number>(flux_x, i), at<Number>(flux_x, i + 1),
                    at<Number>(flux_south, i), at<Number>(flux_north, i));
 }
 
@@ -223,7 +223,7 @@ auto share_fluxes(const Work<S>& w, int y) {
     return [share = w.share[y], share_south = w.share[y - 1], flux_x = w.flux_x[y],
             flux_y = w.flux_y[y]](int i) {
         const Number here = at<Number>(share, i), in_x = at<Number>(flux_x, i), in_y = at<Number>(flux_y, i);
-        store<Number>(in_x * select(in_x > S{0}, at<Number, -1>(share, i), here), flux_x + i);
+        store<Number>(in_x * select(in_x > S{0}, at<Number>(share, i - 1), here), flux_x + i);
         store<Number>(in_y * select(in_y > S{0}, at<Number>(share_south, i), here), flux_y + i);
     };
 }

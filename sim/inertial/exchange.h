@@ -57,7 +57,7 @@ auto find_exchange(const Work<S>& w, const Level<S>& level, int y) {
         }
         const bcre::Drops<Number> drop = outward<Number>(drop_x, south, north, i);
         const Number slope =
-            bcre::fall_of<Number>({drop.east + at<Number, 1>(bend_x, i), drop.west + at<Number>(bend_x, i),
+            bcre::fall_of<Number>({drop.east + at<Number>(bend_x, i + 1), drop.west + at<Number>(bend_x, i),
                                    drop.north + at<Number>(bend_north, i),
                                    drop.south + at<Number>(bend_south, i)}) *
             c.per_cell;

@@ -48,7 +48,7 @@ template <class S>
 
 template <class Number, class S = Scalar<Number>>
 [[gnu::always_inline]] inline Number leaving(const S* in_x, const S* south, const S* north, int i) {
-    return (at<Number, 1>(in_x, i) - at<Number>(in_x, i)) + (at<Number>(north, i) - at<Number>(south, i));
+    return (at<Number>(in_x, i + 1) - at<Number>(in_x, i)) + (at<Number>(north, i) - at<Number>(south, i));
 }
 
 template <class Number, class S = Scalar<Number>>

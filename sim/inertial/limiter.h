@@ -11,9 +11,7 @@ namespace sim::inertial {
 template <class Number>
 [[gnu::always_inline]] inline Number half_monotonized(const Number& back, const Number& ahead) {
     const Number half_mean = Scalar<Number>(0.25) * (back + ahead);
-    const Number least = smaller(smaller(back, ahead), half_mean);
-    const Number most = larger(larger(back, ahead), half_mean);
-    return larger(least, smaller(most, Number(0)));
+    return if_alike(back, ahead, gentler(gentler(back, ahead), half_mean));
 }
 
 }  // namespace sim::inertial

@@ -33,7 +33,7 @@ auto find_slopes(const Level<S>& level, int y) {
         S *to_x, *to_y;
         void operator()(int i) const {
             const Number value = at<Number>(here, i);
-            store(half_monotonized<Number>(value - at<Number, -1>(here, i), at<Number, 1>(here, i) - value),
+            store(half_monotonized<Number>(value - at<Number>(here, i - 1), at<Number>(here, i + 1) - value),
                   to_x + i);
             store(half_monotonized<Number>(value - at<Number>(south, i), at<Number>(north, i) - value),
                   to_y + i);
@@ -102,7 +102,7 @@ auto find_fluxes_x(const Work<S>& w, const Level<S>& level, int y) {
             slope_v = level.v_x[y], flux = level.flux_x[y], to_u = level.momentum_xu[y],
             to_v = level.momentum_xv[y]](int i) {
         const auto beside = [i](const S* row) {
-            return Sides<Number>{at<Number, -1>(row, i), at<Number>(row, i)};
+            return Sides<Number>{at<Number>(row, i - 1), at<Number>(row, i)};
         };
         const Sides<Number> rolls = beside(rolling);
         if (!any(larger(rolls.left, rolls.right) > S{0})) {  // as it is nearly everywhere

@@ -34,9 +34,9 @@ struct SurfaceRow {
 };
 template <class Number, int aside_from, int aside_to, class S = Scalar<Number>>
 [[gnu::always_inline]] inline Number rise(const SurfaceRow<S>& from, const SurfaceRow<S>& to, int i) {
-    return (at<Number, aside_to>(to.bedrock, i) - at<Number, aside_from>(from.bedrock, i)) +
-           ((at<Number, aside_to>(to.depth, i) + at<Number, aside_to>(to.rolling, i)) -
-            (at<Number, aside_from>(from.depth, i) + at<Number, aside_from>(from.rolling, i)));
+    return (at<Number>(to.bedrock, i + aside_to) - at<Number>(from.bedrock, i + aside_from)) +
+           ((at<Number>(to.depth, i + aside_to) + at<Number>(to.rolling, i + aside_to)) -
+            (at<Number>(from.depth, i + aside_from) + at<Number>(from.rolling, i + aside_from)));
 }
 
 // Of vertex i of `here`.

@@ -1,9 +1,13 @@
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include <gtest/gtest.h>
 
 #include "sim/exponential.h"
+#include "sim/inertial/limiter.h"
 #include "sim/params.h"
 #include "sim/quanta.h"
 
@@ -25,6 +29,26 @@ TEST(Exponential, of_little_less_one_keeps_its_digits) {
         const double grown = static_cast<double>(sim::grown_little(static_cast<float>(x)));
         ASSERT_LE(std::fabs(grown - std::expm1(static_cast<float>(x))), 2.2e-6 * std::fabs(x)) << x;
     }
+}
+
+TEST(Limiters, choose_as_in_the_books_and_lanes_have_the_bits_of_one_number) {
+    using Lanes = sim::stdx::native_simd<float>;
+    constexpr float kTiny = std::numeric_limits<float>::denorm_min();
+    const auto same = [](float one, const Lanes& many) {
+        return std::bit_cast<std::uint32_t>(one) == std::bit_cast<std::uint32_t>(float{many[0]});
+    };
+    for (const float a : {0.f, -0.f, kTiny, -kTiny, 1.f, -1.f, 1.5f, -1.5f, 7.f, -7.f, 1e30f, -1e30f})
+        for (const float b : {0.f, -0.f, kTiny, -kTiny, 1.f, -1.f, 1.5f, -1.5f, 7.f, -7.f, 1e30f, -1e30f}) {
+            const float mean = 0.25f * (a + b), sign = a > 0 && b > 0 ? 1 : a < 0 && b < 0 ? -1 : 0;
+            const float least = std::min(std::fabs(a), std::fabs(b));
+            ASSERT_EQ(sim::minmod(a, b), sign * least) << a << ' ' << b;
+            ASSERT_EQ(sim::inertial::half_monotonized(a, b), sign * std::min(least, std::fabs(mean)))
+                << a << ' ' << b;
+            ASSERT_TRUE(same(sim::minmod(a, b), sim::minmod(Lanes(a), Lanes(b)))) << a << ' ' << b;
+            ASSERT_TRUE(same(sim::inertial::half_monotonized(a, b),
+                             sim::inertial::half_monotonized(Lanes(a), Lanes(b))))
+                << a << ' ' << b;
+        }
 }
 
 TEST(Quanta, round_right_on_average_and_alike_for_both_signs) {
