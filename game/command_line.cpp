@@ -203,7 +203,7 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
         ->required();
     app.add_flag_callback(
         "--headless", [] {}, "without a window (replay never opens one)");
-    app.add_option("--until", options.until, "stop after this many ticks")
+    app.add_option("--until", options.until, "stop after this many ticks [where it ends]")
         ->check(CLI::Range(0, 1 << 30))
         ->type_name("TICK");
     app.add_flag("--verify", options.verify,

@@ -19,6 +19,9 @@ struct Until {
     std::optional<std::int64_t> tick;        // after so many ticks
     bool rest = false;                       // or when nothing moves and no command is left
     std::int64_t most_ticks = 60 * 60 * 60;  // in any case
+
+    static Until after(std::int64_t ticks) { return {ticks, false, ticks}; }
+    static Until at_rest() { return {std::nullopt, true}; }
 };
 
 // What is watched on the way; each may be missing. None of it changes the world.

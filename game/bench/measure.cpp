@@ -47,8 +47,7 @@ Outcome<double> warm_up(const BenchRun& run, const std::string& what) {
     const std::size_t before = resident_bytes();
     auto session = run.begin();
     if (!session) return tl::unexpected(session.error());
-    Until until;
-    until.tick = until.most_ticks = std::min(kWarmUpTicks, run.ticks);
+    const auto until = Until::after(std::min(kWarmUpTicks, run.ticks));
     if (auto played = play_headless(*session, run.recording.commands, until, {}, what); !played)
         return tl::unexpected(played.error());
     const double bytes = static_cast<double>(peak_bytes()) - static_cast<double>(before);
@@ -65,8 +64,7 @@ Outcome<std::vector<PerfRow>> play_once(const BenchRun& run, const std::string& 
     Verifier verifier(run.recording);
     if (run.is_recorded) verifier.look_at(*session);
     double begin_ms = 0;
-    Until until;
-    until.tick = until.most_ticks = run.ticks;
+    const auto until = Until::after(run.ticks);
     Watchers watchers;
     watchers.after_tick = [&](const Session& now) {
         PerfRow row = perf_row(now);

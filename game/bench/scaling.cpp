@@ -25,8 +25,7 @@ struct Player {
     std::string what;
 
     Outcome<void> play(std::int64_t until_tick, std::vector<PerfRow>* rows) {
-        Until until;
-        until.tick = until.most_ticks = until_tick;
+        const auto until = Until::after(until_tick);
         Watchers watchers;
         watchers.after_tick = [&](const Session& now) {
             if (rows) {

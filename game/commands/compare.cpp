@@ -16,9 +16,13 @@ Outcome<int> compare(const CompareOptions& options) {
     if (options.maps)
         if (auto made = make_folder(*options.maps); !made) return tl::unexpected(made.error());
 
-    const auto one = played(*a, until(options.tick, a->recording), options.how, std::nullopt);
+    const auto play = [&](const Named& each) {
+        const std::int64_t end = options.tick.value_or(each.recording.last_tick());
+        return played(each, Until::after(end), options.how, std::nullopt);
+    };
+    const auto one = play(*a);
     if (!one) return tl::unexpected(one.error());
-    const auto other = played(*b, until(options.tick, b->recording), options.how, std::nullopt);
+    const auto other = play(*b);
     if (!other) return tl::unexpected(other.error());
     if (auto told = tell(comparison_of(*one, *other, options.how), options.maps, options.json); !told)
         return tl::unexpected(told.error());

@@ -11,14 +11,9 @@ namespace {
 
 // Until nothing moves, if that is where the old one ended.
 Until until_as(const Played& old, const std::vector<TimedCommand>& commands) {
-    Until until;
-    if (old.at_rest) {
-        until.rest = true;
-    } else {
-        const std::int64_t given = commands.empty() ? 0 : commands.back().tick + 1;
-        until.tick = until.most_ticks = std::max(old.session.state().tick, given);
-    }
-    return until;
+    if (old.at_rest) return Until::at_rest();
+    const std::int64_t given = commands.empty() ? 0 : commands.back().tick + 1;
+    return Until::after(std::max(old.session.state().tick, given));
 }
 
 }  // namespace
@@ -38,7 +33,7 @@ Outcome<int> edit(const EditOptions& options) {
     auto recorder = new_recording(*old, options.out, made.recording.header);
     if (!recorder) return tl::unexpected(recorder.error());
 
-    const auto before = played(*old, until(std::nullopt, old->recording), options.how, std::nullopt);
+    const auto before = played(*old, Until::after(old->recording.last_tick()), options.how, std::nullopt);
     if (!before) return tl::unexpected(before.error());
     const auto after =
         played(made, until_as(*before, made.recording.commands), options.how, std::move(*recorder));

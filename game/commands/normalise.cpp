@@ -29,7 +29,7 @@ Outcome<int> normalise(const NormaliseOptions& options) {
     verifier.look_at(*session);
     Watchers watchers;
     watchers.after_tick = [&](const Session& now) { verifier.look_at(now); };
-    if (auto done = play_headless(*session, old->recording.commands, until(std::nullopt, old->recording),
+    if (auto done = play_headless(*session, old->recording.commands, Until::after(old->recording.last_tick()),
                                   watchers, "rewriting");
         !done)
         return tl::unexpected(done.error());

@@ -38,6 +38,9 @@ Outcome<int> replay(const ReplayOptions& options) {
     const auto recording = read_recording(*path);
     if (!recording) return tl::unexpected(recording.error());
     if (recording->warning) fmt::print(stderr, "couloir: warning: {}\n", *recording->warning);
+    if (options.until)
+        if (auto has = check_tick(*recording, *options.until, options.recording); !has)
+            return tl::unexpected(has.error());
     const Start& start = recording->header.start;
 
     if (auto placed = make_places_for(options.results); !placed) return tl::unexpected(placed.error());
@@ -58,9 +61,7 @@ Outcome<int> replay(const ReplayOptions& options) {
                   gallery ? std::optional(gallery->drawn_by()) : std::nullopt});
     Verifier verifier(*recording);
 
-    Until until;
-    until.tick = until.most_ticks =
-        std::min(options.until.value_or(recording->last_tick()), recording->last_tick());
+    const auto until = Until::after(options.until.value_or(recording->last_tick()));
     Watchers watchers;
     watchers.gallery = gallery ? &*gallery : nullptr;
     watchers.ticks_per_picture = options.pictures.every;

@@ -112,12 +112,6 @@ Outcome<Played> played(const Named& of, const Until& until, const sim::How& how,
     return Played{of, std::move(*session), measures, rests};
 }
 
-Until until(std::optional<std::int64_t> tick, const Recording& recording) {
-    Until until;
-    until.tick = until.most_ticks = tick.value_or(recording.last_tick());
-    return until;
-}
-
 Outcome<void> check_ground(const Named& a, const Named& b) {
     const auto differences = differences_of_ground(a.recording.header.start, b.recording.header.start);
     if (differences.empty()) return {};

@@ -41,8 +41,6 @@ struct Played {
 // `recorder`: none, or where this run is recorded; it is closed.
 Outcome<Played> played(const Named& of, const Until& until, const sim::How& how,
                        std::optional<Recorder> recorder);
-// Up to a tick that the file has, or to where it ends if nothing is said.
-Until until(std::optional<std::int64_t> tick, const Recording& recording);
 
 // Two worlds on one ground. All differences are the second less the first.
 struct Comparison {

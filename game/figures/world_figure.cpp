@@ -43,8 +43,7 @@ Outcome<PageFigure> draw_world(const WorldFigure& figure, const std::filesystem:
         gallery->draw(now.view(), now.fronts(), name);
         shown.pictures.push_back({name + ".png", fmt::format("after {:.0f} s", now.seconds())});
     };
-    Until until;
-    until.tick = until.most_ticks = figure.ticks.back();
+    const auto until = Until::after(figure.ticks.back());
     if (auto played = play_headless(*session, recording->commands, until, watchers,
                                     fmt::format("figure {}", figure.number));
         !played)

@@ -115,6 +115,16 @@ TEST(CommandLine, takes_over_only_from_what_somebody_did_in_a_recording) {
     expect_failure({"play", flow, "--until", "3"}, 2, "shows a flow");
 }
 
+TEST(CommandLine, replays_up_to_any_tick_of_a_recording_and_no_further) {
+    const support::TemporaryFolder folder;
+    const std::string small = (folder.path() / "small.couloir").string();
+    record(small, small_start(), 20, {});
+    EXPECT_EQ(couloir({"replay", small, "--until", "20"}).status, 0);
+    expect_failure({"replay", small, "--until", "21", "--frames", (folder.path() / "pictures").string()}, 2,
+                   "ends at tick 20, before 21");
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "pictures"));
+}
+
 TEST(CommandLine, refuses_a_recording_with_a_changed_byte) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "small.couloir";

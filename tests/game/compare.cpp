@@ -115,8 +115,8 @@ TEST_F(Compared, differences_are_the_second_less_the_first_and_add_up) {
     commands[2].command.rate *= 3;
     const Named one{"first", first_, recording_of(some_commands())};
     const Named other{"second", "", recording_of(commands)};
-    const auto a = played(one, until({}, one.recording), {}, {}).value();
-    const auto b = played(other, until({}, other.recording), {}, {}).value();
+    const auto a = played(one, Until::after(one.recording.last_tick()), {}, {}).value();
+    const auto b = played(other, Until::after(other.recording.last_tick()), {}, {}).value();
     const Comparison forth = comparison_of(a, b, {}), back = comparison_of(b, a, {});
     double sum = 0;
     for (std::size_t i = 0; i < forth.deposit.size(); ++i) {
@@ -253,7 +253,7 @@ std::pair<int, int> reds_and_blues(const render::Picture& picture) {
 
 TEST_F(Compared, maps_are_red_where_there_is_more_and_blue_where_there_is_less) {
     const Named one{"first", first_, recording_of(some_commands())};
-    const auto a = played(one, until({}, one.recording), {}, {}).value();
+    const auto a = played(one, Until::after(one.recording.last_tick()), {}, {}).value();
     Comparison comparison{.a = a, .b = a};
     comparison.deposit.assign(small_start().grid.size(), 0);
     comparison.peak_depth = comparison.deposit;
