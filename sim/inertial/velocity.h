@@ -32,11 +32,11 @@ template <class S>
 struct SurfaceRow {
     const S *bedrock, *depth, *rolling;
 };
-template <class Number, int aside_from, int aside_to, class S = Scalar<Number>>
-[[gnu::always_inline]] inline Number rise(const SurfaceRow<S>& from, const SurfaceRow<S>& to, int i) {
-    return (at<Number>(to.bedrock, i + aside_to) - at<Number>(from.bedrock, i + aside_from)) +
-           ((at<Number>(to.depth, i + aside_to) + at<Number>(to.rolling, i + aside_to)) -
-            (at<Number>(from.depth, i + aside_from) + at<Number>(from.rolling, i + aside_from)));
+template <class Number, class S = Scalar<Number>>
+[[gnu::always_inline]] inline Number rise(const SurfaceRow<S>& from, int i, const SurfaceRow<S>& to, int j) {
+    return (at<Number>(to.bedrock, j) - at<Number>(from.bedrock, i)) +
+           ((at<Number>(to.depth, j) + at<Number>(to.rolling, j)) -
+            (at<Number>(from.depth, i) + at<Number>(from.rolling, i)));
 }
 
 // Of vertex i of `here`.
@@ -45,8 +45,8 @@ template <class Number, class S = Scalar<Number>>
                                                         const SurfaceRow<S>& north, int i,
                                                         const Constants<S>& c) {
     const S per_step = S(0.5) * c.per_cell;
-    const Number gx = rise<Number, -1, 1>(here, here, i) * per_step;
-    const Number gy = rise<Number, 0, 0>(south, north, i) * per_step;
+    const Number gx = rise<Number>(here, i - 1, here, i + 1) * per_step;
+    const Number gy = rise<Number>(south, i, north, i) * per_step;
     const Number squared = gx * gx + gy * gy, r = at<Number>(here.rolling, i);
     Number per_slope(c.speed_per_slope);
     if (any(squared > c.nearly_capped_squared)) {

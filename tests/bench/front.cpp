@@ -46,7 +46,7 @@ void set_hash(benchmark::State& run, std::span<const T> of) {
     std::uint64_t hash = 0xcbf29ce484222325;
     for (const std::byte byte : std::as_bytes(of))
         hash = (hash ^ std::to_integer<std::uint64_t>(byte)) * 0x100000001b3;
-    bench::tell_hash(run, hash);
+    run.SetLabel(game::hex(hash));
 }
 
 void count(benchmark::State& run, const char* name, double things) {

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
 #include <benchmark/benchmark.h>
 
+#include "game/recording/format.h"
 #include "sim/quanta.h"
 #include "sim/state_hash.h"
 #include "sim/sweep/sweeper.h"
@@ -38,12 +38,6 @@ support::Play world_of(int squares, Model model, Scheme scheme, const sim::How& 
     params.speed_per_slope = 41;
     params.rolling_speed = 15;
     return {ground, params, how};
-}
-
-void tell_hash(benchmark::State& run, std::uint64_t hash) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-    run.SetLabel(text);
 }
 
 }  // namespace bench
@@ -104,7 +98,7 @@ void time_steps(benchmark::State& run, Model model, Scheme scheme, const sim::Ho
     run.counters["per_cell"] = Counter(cells, Counter::kIsRate | Counter::kInvert);  // s
     run.counters["bytes_per_s"] = Counter(cells * kLeastTraffic, Counter::kIsRate, Counter::kIs1024);
     run.counters["of_limit"] = least_per_cell(first.grid, how.threads) / (seconds / cells);
-    bench::tell_hash(run, sim::state_hash(play.state));
+    run.SetLabel(game::hex(sim::state_hash(play.state)));
 }
 
 void solver(benchmark::State& run, Model model, Scheme scheme, const sim::How& how) {
@@ -137,7 +131,7 @@ void patch_active(benchmark::State& run, Model model, Scheme scheme, bool may_sl
     double awake = 0;
     for (const auto tile : play.state.tiles.awake) awake += tile;
     run.counters["awake"] = awake / static_cast<double>(play.state.tiles.awake.size());
-    bench::tell_hash(run, sim::state_hash(play.state));
+    run.SetLabel(game::hex(sim::state_hash(play.state)));
 }
 
 void hash_of_state(benchmark::State& run) {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
-#include <benchmark/benchmark.h>
-
 #include "tests/support/worlds.h"
 
 namespace bench {
@@ -11,9 +7,6 @@ namespace bench {
 // The worst case for a step: a rough slope between walls, so that nothing leaves, with half a metre rolling
 // everywhere; one sub-step per tick.
 support::Play world_of(int squares, sim::Model model, sim::Scheme scheme, const sim::How& how = {});
-
-// Puts the hash of what came of a run into its line.
-void tell_hash(benchmark::State& run, std::uint64_t hash);
 
 // Registers a benchmark for each stage of a step.
 void add_stages();
