@@ -9,8 +9,9 @@
 namespace game::ui {
 namespace {
 
-// What ImGui's text fields act on; every other key reaches them as text.
-constexpr std::pair<ImGuiKey_, Key> kEditing[] = {
+// The keys that ImGui's text fields act on; every other key reaches them as text. An int is what an
+// ImGuiKey_… constant converts to in every version: the name of its type has changed.
+constexpr std::pair<int, Key> kEditing[] = {
     {ImGuiKey_Tab, Key::kTab},
     {ImGuiKey_LeftArrow, Key::kLeft},
     {ImGuiKey_RightArrow, Key::kRight},

@@ -35,8 +35,9 @@ XSession::XSession(int width, int height) {
     const std::string number = server_->read_pipe(kToStart);
     if (number.empty()) throw std::runtime_error("no X server: " + read_bytes(file("server.err")));
     environment_ = {
-        {"DISPLAY", ":" + number}, {"WAYLAND_DISPLAY", std::nullopt}, {"HOME", home},
-        {"XDG_DATA_HOME", home},   {"XDG_CONFIG_HOME", home},         {"XAUTHORITY", std::nullopt}};
+        // xdotool types, and the window receives, only the letters of the locale.
+        {"LC_ALL", "C.UTF-8"},   {"DISPLAY", ":" + number}, {"WAYLAND_DISPLAY", std::nullopt}, {"HOME", home},
+        {"XDG_DATA_HOME", home}, {"XDG_CONFIG_HOME", home}, {"XAUTHORITY", std::nullopt}};
     manager_ = std::make_unique<Child>(std::vector<std::string>{"blackbox"}, environment_,
                                        file("manager.out"), file("manager.err"));
     // It answers once it manages.
