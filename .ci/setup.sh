@@ -1,8 +1,9 @@
 # Set-up for ./play, ./check and .ci/run, which source this file from the top of the checkout: what Couloir needs on a
-# machine, and the steps from a bare Debian 12 to a configured build folder. Nothing is done twice.
+# machine, and the steps from a bare Debian 12 or 13 to a configured build folder. Nothing is done twice.
 # Progress goes to standard error, one line per step; a step that fails ends the script with status 3.
 
-# Needed by whom | Debian 12's package | what for | how to see on another system that it is there
+# Needed by whom | package, of one name in Debian 12 and 13 | what for | how to see on another system that it is there
+# Only the maintainer's are of Debian 12 alone: the code is laid out by clang-format 14.
 packages='
 program|g++|a C++20 compiler|program g++
 program|cmake|CMake 3.24 or later|program cmake
@@ -60,14 +61,16 @@ step() {
     exit 3
 }
 
-# Debian 12, or a derivative that says it is built on it.
-on_debian_12() {
-    [ -r /etc/os-release ] && [ -n "$(command -v apt-get)" ] && [ -n "$(command -v dpkg-query)" ] || return 1
+# Prints 12 or 13 on that Debian, or on a derivative that says it is built on it; else nothing.
+debian_release() {
+    [ -r /etc/os-release ] && [ -n "$(command -v apt-get)" ] && [ -n "$(command -v dpkg-query)" ] || return 0
     (
         . /etc/os-release
-        case " ${ID:-} ${ID_LIKE:-} " in *' debian '*) ;; *) exit 1 ;; esac
-        [ "${ID:-} ${VERSION_ID:-}" = 'debian 12' ] ||
-            [ "${DEBIAN_CODENAME:-${VERSION_CODENAME:-}}" = bookworm ]
+        case " ${ID:-} ${ID_LIKE:-} " in *' debian '*) ;; *) exit 0 ;; esac
+        case "${ID:-} ${VERSION_ID:-} ${DEBIAN_CODENAME:-${VERSION_CODENAME:-}}" in
+        'debian 12 '* | *' bookworm') echo 12 ;;
+        'debian 13 '* | *' trixie') echo 13 ;;
+        esac
     )
 }
 
@@ -90,17 +93,19 @@ found() {
     return 1
 }
 
-# Ends with status 3 and a list where something is missing.
+# Ends with status 3, a list and an install line if something is missing.
 require_found() {
-    local for_whom=$1 who package purpose probe list=''
+    local for_whom=$1 who package purpose probe list='' names=''
     while IFS='|' read -r who package purpose probe; do
-        [[ " $for_whom " == *" $who "* ]] && ! found "$probe" &&
-            list+="  $purpose (Debian 12 calls it $package)"$'\n'
+        [[ " $for_whom " == *" $who "* ]] && ! found "$probe" || continue
+        list+="  $purpose ($package)"$'\n'
+        names+=" $package"
     done <<<"$packages"
-    [ -z "$list" ] && return
-    say 'only on Debian 12 does this script install what it needs by itself. Missing here:'
+    [ -n "$list" ] || return 0
+    say 'only on Debian 12 and 13 does this script install packages. Missing here, with the names that Debian uses:'
     printf '%s' "$list" >&2
-    say 'install these and start again'
+    say 'install these and start again. A line to adapt to this system (untested):'
+    printf '  sudo apt-get install --no-install-recommends%s\n' "$names" >&2
     exit 3
 }
 
@@ -133,11 +138,16 @@ update_and_install() {
 # install_packages 'program tests': needed by whom. dpkg answers in a few hundredths of a second, so it is asked every time:
 # a stamp would be wrong after a package is removed.
 install_packages() {
-    if ! on_debian_12; then
+    local release missing
+    release=$(debian_release)
+    if [ -z "$release" ]; then
         require_found "$1"
         return
     fi
-    local missing
+    if [ "$release" != 12 ] && [[ " $1 " == *' maintainer '* ]]; then
+        say "the maintainer's packages, clang 14 and its tools, are of Debian 12; this is Debian $release"
+        exit 3
+    fi
     mapfile -t missing < <(missing_packages "$1")
     [ ${#missing[@]} -gt 0 ] || return 0
     if [ "$(id -u)" != 0 ] && [ -z "$(command -v sudo)" ]; then
