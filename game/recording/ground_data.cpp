@@ -3,11 +3,10 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <memory>
 
-#include <cpl_conv.h>
-#include <cpl_string.h>
 #include <zstd.h>
+
+#include "game/recording/base64.h"
 
 namespace game {
 namespace {
@@ -44,22 +43,17 @@ std::string pack_ground(const Start& start) {
     constexpr int kBrisk = 6;  // a person waits for it at every reset; 19 would take twenty times as long
     std::string packed(ZSTD_compressBound(bytes.size()), '\0');
     packed.resize(ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), kBrisk));
-    const std::unique_ptr<char, decltype(&VSIFree)> text(
-        CPLBase64Encode(static_cast<int>(packed.size()), reinterpret_cast<const GByte*>(packed.data())),
-        &VSIFree);
-    return text.get();
+    return to_base64(packed);
 }
 
 tl::expected<void, std::string> unpack_ground(std::string_view text, Start& start) {
-    std::string packed(text);
-    const int decoded = CPLBase64DecodeInPlace(reinterpret_cast<GByte*>(packed.data()));
+    const auto packed = from_base64(text);
     const std::size_t vertices = start.grid.size();
     // Before that much memory is asked for.
-    if (ZSTD_getFrameContentSize(packed.data(), static_cast<std::size_t>(decoded)) != packed_size(start))
+    if (!packed || ZSTD_getFrameContentSize(packed->data(), packed->size()) != packed_size(start))
         return tl::unexpected(std::string("terrain data that does not unpack"));
     std::string bytes(packed_size(start), '\0');
-    const std::size_t size =
-        ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), static_cast<std::size_t>(decoded));
+    const std::size_t size = ZSTD_decompress(bytes.data(), bytes.size(), packed->data(), packed->size());
     if (ZSTD_isError(size) || size != bytes.size())
         return tl::unexpected(std::string("terrain data that does not unpack"));
 
