@@ -1,7 +1,6 @@
 #include "game/array_file.h"
 
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <optional>
@@ -10,6 +9,8 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "game/number.h"
 
 // Its own reader: cnpy, the usual one, asserts where a header is damaged and allocates what it asks for.
 
@@ -40,11 +41,11 @@ std::optional<std::vector<std::int64_t>> shape_of(std::string_view header) {
         const auto begin = text.find_first_not_of(" ,");
         if (begin == std::string_view::npos) return shape;
         text.remove_prefix(begin);
-        std::int64_t axis = 0;
-        const auto [next, error] = std::from_chars(text.data(), text.data() + text.size(), axis);
-        if (error != std::errc() || axis < 0 || shape.size() == kMostAxes) return std::nullopt;
-        shape.push_back(axis);
-        text.remove_prefix(static_cast<std::size_t>(next - text.data()));
+        const std::string_view word = text.substr(0, text.find_first_of(" ,"));
+        const auto axis = number_from<std::int64_t>(word);
+        if (!axis || *axis < 0 || shape.size() == kMostAxes) return std::nullopt;
+        shape.push_back(*axis);
+        text.remove_prefix(word.size());
     }
 }
 

@@ -1,17 +1,20 @@
 #include "game/command_line.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <optional>
-#include <thread>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include "game/commands/commands.h"
+#include "game/number.h"
 #include "game/version.h"
 #include "sim/command.h"
 #include "sim/params.h"
@@ -21,14 +24,76 @@ namespace {
 
 // CLI11 costs seconds per translation unit: this is the only one.
 
-constexpr int kMostThreads = 64;
+constexpr Range<int> kThreads{1, 64};
+constexpr Range<int> kSquares{8, 4096, "squares"};
+constexpr Range<int> kPixels{16, 8192, "pixels"};
+constexpr Range<int> kDevices{0, 255};
+constexpr Range<std::int64_t> kTicks{0, 1'000'000'000, "ticks"};
+constexpr Range<std::int64_t> kStride{1, 1'000'000, "ticks"};
+constexpr Range<double> kSeconds{0, 86'400, "s"}, kDelay{-1e7, 1e7, "s"};
+constexpr Range<double> kMove{-2 * sim::kFarthest, 2 * sim::kFarthest, "m"};
+
+// What --help says of a number: what it is, its range, and in brackets what it is without the option.
+template <class Number>
+std::string described(std::string_view help, const Range<Number>& range, std::string_view usually) {
+    return fmt::format("{}, {}{}", help, to_text(range),
+                       usually.empty() ? "" : fmt::format(" [{}]", usually));
+}
+
+// The number in `text`. Throws the sentence as CLI11 wants it.
+template <class Number>
+Number number_of(const char* option, std::string_view text, const Range<Number>& range) {
+    const auto number = number_from(text, range);
+    if (!number) throw CLI::ValidationError(option, number.error());
+    return *number;
+}
+
+// An option that is one number, kept in a number or an optional one. Every number comes through here or
+// number_of(): what CLI11 itself takes for a number may be hexadecimal, octal, or cut to the bits of its
+// type.
+template <class Number, class Value>
+CLI::Option* add_number(CLI::App& app, const char* option, const char* type, Value& value,
+                        const Range<Number>& range, std::string_view help, std::string_view usually = {}) {
+    return app
+        .add_option_function<std::string>(
+            option,
+            [option, &value, range](const std::string& text) { value = number_of(option, text, range); },
+            described(help, range, usually))
+        ->type_name(type);
+}
+
+// The numbers of lists with commas between; at least one.
+template <class Number>
+std::vector<Number> numbers_of(const char* option, const std::vector<std::string>& lists,
+                               const Range<Number>& range) {
+    std::vector<Number> numbers;
+    for (std::string_view rest : lists) {
+        for (auto comma = rest.find(','); comma != rest.npos; comma = rest.find(',')) {
+            numbers.push_back(number_of(option, rest.substr(0, comma), range));
+            rest.remove_prefix(comma + 1);
+        }
+        numbers.push_back(number_of(option, rest, range));
+    }
+    if (numbers.empty()) number_of(option, "", range);  // throws
+    return numbers;
+}
+
+// Two numbers with `between` in the middle.
+template <class Number>
+std::pair<Number, Number> pair_of(const char* option, std::string_view text, char between,
+                                  const Range<Number>& range) {
+    const std::size_t at = text.find(between);
+    if (at == std::string_view::npos)
+        throw CLI::ValidationError(
+            option, fmt::format("'{}' is not two numbers with '{}' between them", text, between));
+    return {number_of(option, text.substr(0, at), range), number_of(option, text.substr(at + 1), range)};
+}
 
 constexpr const char* kKernels = "plain, x86-64-v2, x86-64-v3, x86-64-v4";
 
 void add_how(CLI::App& app, sim::How& how) {
-    app.add_option("--threads", how.threads, "for the simulation; any number gives the same bits")
-        ->check(CLI::Range(1, kMostThreads))
-        ->capture_default_str();
+    add_number(app, "--threads", "N", how.threads, kThreads,
+               "for the simulation; any number gives the same bits", "1");
     app.add_option_function<std::string>(
            "--kernel",
            [&how](const std::string& text) {
@@ -67,33 +132,18 @@ void add_named(CLI::App& app, const char* option, std::optional<Enum>& value,
         ->type_name("NAME");
 }
 
-void add_size(CLI::App& app, PictureSize& size, const char* of_what) {
+void add_size(CLI::App& app, PictureSize& size, const char* of_what, const char* usually) {
     app.add_option_function<std::string>(
            "--size",
            [&size](const std::string& text) {
-               char rest = 0;
-               if (std::sscanf(text.c_str(), "%dx%d%c", &size.width, &size.height, &rest) != 2 ||
-                   size.width < 16 || size.height < 16 || size.width > 8192 || size.height > 8192)
-                   throw CLI::ValidationError("--size",
-                                              "'" + text + "' is not WIDTHxHEIGHT, each 16 to 8192 pixels");
+               std::tie(size.width, size.height) = pair_of("--size", text, 'x', kPixels);
            },
-           of_what)
+           described(of_what, kPixels, usually))
         ->type_name("WxH");
 }
 
 void add_grid(CLI::App& app, Wishes& wishes) {
-    app.add_option_function<std::string>(
-           "--grid",
-           [&wishes](const std::string& text) {
-               int squares = 0;
-               char rest = 0;
-               if (std::sscanf(text.c_str(), "%d%c", &squares, &rest) != 1 || squares < 8 || squares > 4096)
-                   throw CLI::ValidationError("--grid",
-                                              "'" + text + "' is not a number of squares, 8 to 4096");
-               wishes.squares = squares;
-           },
-           "squares along the longer side")
-        ->type_name("N");
+    add_number(app, "--grid", "N", wishes.squares, kSquares, "along the longer side");
 }
 
 void add_material_and_model(CLI::App& app, Wishes& wishes) {
@@ -113,41 +163,38 @@ void add_play(CLI::App& app, PlayOptions& options) {
            "a scene by name, or a file: scene (.toml), recording to watch and take over (.couloir), or "
            "elevation raster [alpine-valley]")
         ->type_name("SCENE");
-    app.add_option("--until", options.until, "of a recording: take over at this tick instead of at its end")
-        ->check(CLI::NonNegativeNumber)
-        ->type_name("TICK");
+    add_number(app, "--until", "TICK", options.until, kTicks,
+               "of a recording: take over at this tick instead of at its end");
     app.add_option("--record", options.record,
                    "record the session here [a new file in couloir/recordings in the XDG data folder]")
         ->type_name("FILE.couloir");
     add_material_and_model(app, options.wishes);
-    add_size(app, options.size, "of the window, in pixels [1280x720]");
+    add_size(app, options.size, "of the window", "1280x720");
     add_how(app, options.how);
 }
 
 void add_gl(CLI::App& app, std::string& gl) {
-    app.add_option("--gl", gl,
-                   "where to draw: auto (a hardware device if there is one), surfaceless (software), device "
-                   "or device:N")
-        ->check(
-            [](const std::string& way) {
-                int number = 0;
-                char rest = 0;
-                const bool numbered =
-                    std::sscanf(way.c_str(), "device:%d%c", &number, &rest) == 1 && number >= 0;
-                const bool known = way == "auto" || way == "surfaceless" || way == "device" || numbered;
-                return known ? "" : "'" + way + "' is none of auto, surfaceless, device, device:N";
-            },
-            "")
-        ->capture_default_str();
+    app.add_option_function<std::string>(
+           "--gl",
+           [&gl](const std::string& way) {
+               constexpr std::string_view kNumbered = "device:";
+               if (std::string_view(way).starts_with(kNumbered))
+                   number_of("--gl", std::string_view(way).substr(kNumbered.size()), kDevices);
+               else if (way != "auto" && way != "surfaceless" && way != "device")
+                   throw CLI::ValidationError("--gl",
+                                              "'" + way + "' is none of auto, surfaceless, device, device:N");
+               gl = way;
+           },
+           described("where to draw: auto (a hardware device if there is one), surfaceless (software), or a "
+                     "device by its number: device, device:N",
+                     kDevices, gl))
+        ->type_name("WAY");
 }
 
 void add_pictures(CLI::App& app, PictureOptions& options, const char* where) {
     app.add_option("--frames", options.folder, where)->type_name("DIR");
-    app.add_option("--every", options.every, "ticks between two pictures (60 ticks are a second)")
-        ->check(CLI::Range(1, 1 << 20))
-        ->type_name("TICKS")
-        ->capture_default_str();
-    add_size(app, options.size, "of the pictures, in pixels [1280x720]");
+    add_number(app, "--every", "TICKS", options.every, kStride, "between two pictures, 60 in a second", "60");
+    add_size(app, options.size, "of the pictures", "1280x720");
     add_gl(app, options.gl);
 }
 
@@ -180,14 +227,7 @@ void add_run(CLI::App& app, RunOptions& options) {
     add_material_and_model(app, options.wishes);
     app.add_flag("--until-rest", options.until_rest,
                  "stop when nothing moves; with --seconds, by then at the latest [3600]");
-    app.add_option("--seconds", options.seconds, "simulated time")
-        ->check(CLI::Range(0.0, 86400.0))
-        ->check(
-            [](const std::string& text) {
-                return std::isnan(std::strtod(text.c_str(), nullptr)) ? "not a number" : "";
-            },
-            "")
-        ->type_name("S");
+    add_number(app, "--seconds", "S", options.seconds, kSeconds, "simulated time");
     app.add_option("--record", options.record, "write the recording here")->type_name("FILE.couloir");
     app.add_option("--export", options.export_folder,
                    "write deposit, peak depth and speed, extent, summary, and pictures into DIR/frames")
@@ -203,9 +243,7 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
         ->required();
     app.add_flag_callback(
         "--headless", [] {}, "without a window (replay never opens one)");
-    app.add_option("--until", options.until, "stop after this many ticks [where it ends]")
-        ->check(CLI::Range(0, 1 << 30))
-        ->type_name("TICK");
+    add_number(app, "--until", "TICK", options.until, kTicks, "stop after so many", "where it ends");
     app.add_flag("--verify", options.verify,
                  "compare every recorded state hash and mass ledger; status 1 if one differs");
     app.add_flag("--paranoid", options.paranoid,
@@ -237,32 +275,18 @@ void add_compare(CLI::App& app, CompareOptions& options) {
         ->type_name("A")
         ->required();
     app.add_option("second", options.second, "the same")->type_name("B")->required();
-    app.add_option("--tick", options.tick,
-                   "compare them after so many ticks, which both must have [where each ends]")
-        ->check(CLI::Range(0, 1 << 30))
-        ->type_name("TICK");
+    add_number(app, "--tick", "TICK", options.tick, kTicks,
+               "compare them after so many, which both must have", "where each ends");
     add_telling(app, options, "--out");
-}
-
-// Two numbers, "20,-5".
-std::optional<glm::dvec2> pair_from(const std::string& text) {
-    glm::dvec2 pair;
-    char rest = 0;
-    if (std::sscanf(text.c_str(), "%lf,%lf%c", &pair.x, &pair.y, &rest) != 2) return std::nullopt;
-    if (!std::isfinite(pair.x) || !std::isfinite(pair.y)) return std::nullopt;
-    return pair;
 }
 
 void add_edit(CLI::App& app, EditOptions& options) {
     app.add_option("recording", options.recording, "a name from `couloir list`, or a file")
         ->type_name("RECORDING")
         ->required();
-    app.add_option("--tick", options.edit.tick, "that the command was given in")
-        ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40))
-        ->type_name("TICK")
-        ->required();
-    app.add_option("--command", options.edit.which, "which of several commands in that tick, from 1")
-        ->type_name("K");
+    add_number(app, "--tick", "TICK", options.edit.tick, kTicks, "that the command was given in")->required();
+    add_number(app, "--command", "K", options.edit.which, Range<int>{1, 1'000'000},
+               "which of several commands in that tick");
     auto* change = app.add_option_group("change", "one of these");
     change
         ->add_option_function<std::string>(
@@ -275,16 +299,18 @@ void add_edit(CLI::App& app, EditOptions& options) {
         ->add_option_function<std::string>(
             "--move",
             [&](const std::string& text) {
-                const auto by = pair_from(text);
-                if (!by) throw CLI::ValidationError("--move", "'" + text + "' is not EAST,NORTH in metres");
-                options.edit.change = Edit::Move{*by};
+                const auto [east, north] = pair_of("--move", text, ',', kMove);
+                options.edit.change = Edit::Move{{east, north}};
             },
-            "metres to the east and to the north")
+            described("to the east and to the north", kMove, ""))
         ->type_name("EAST,NORTH");
     change
-        ->add_option_function<double>(
-            "--delay", [&](const double& seconds) { options.edit.change = Edit::Delay{seconds}; },
-            "seconds later, earlier where negative, to whole ticks")
+        ->add_option_function<std::string>(
+            "--delay",
+            [&](const std::string& text) {
+                options.edit.change = Edit::Delay{number_of("--delay", text, kDelay)};
+            },
+            described("later, or earlier if negative, to whole ticks", kDelay, ""))
         ->type_name("S");
     change->require_option(1);
     app.add_option("--out", options.out, "record what comes of it here")
@@ -301,22 +327,6 @@ void add_normalise(CLI::App& app, NormaliseOptions& options) {
     add_how(app, options.how);
 }
 
-// Into a double, or an optional one.
-template <class Number>
-void add_positive(CLI::App& app, const char* option, Number& number, const char* help) {
-    app.add_option_function<std::string>(
-           option,
-           [option, &number](const std::string& text) {
-               char* end = nullptr;
-               const double value = std::strtod(text.c_str(), &end);
-               if (text.empty() || *end || !std::isfinite(value) || value <= 0)
-                   throw CLI::ValidationError(option, "'" + text + "' is not a number above 0");
-               number = value;
-           },
-           help)
-        ->type_name("NUMBER");
-}
-
 void add_track(CLI::App& app, TrackOptions& options) {
     app.add_option("mesh", options.mesh, "triangles as a Wavefront OBJ file; followed in its x, y plane")
         ->type_name("MESH.obj")
@@ -325,7 +335,8 @@ void add_track(CLI::App& app, TrackOptions& options) {
                    "array of frames × vertices × 2 as numpy.save() writes it, little-endian f4 or f8")
         ->type_name("VELOCITIES.npy")
         ->required();
-    add_positive(app, "--dt", options.dt, "time from frame to frame, s [1/60]");
+    add_number(app, "--dt", "S", options.dt, Range<double>{1e-6, 1e6, "s"}, "time from frame to frame",
+               "1/60");
     add_named(app, "--source", options.source, sim::front::source_named, "half, paper, fit, level",
               "where on its edge a point lies [fit]");
     app.add_flag("--hold", options.hold,
@@ -336,24 +347,21 @@ void add_track(CLI::App& app, TrackOptions& options) {
         "which edges are cut: paper, where velocity changes by --threshold per metre and by --jump; "
         "relative, by --jump and by 0.7 of both speeds, as beside rest [paper; with --source level where "
         "the scalar crosses the level]");
-    add_positive(app, "--threshold", options.threshold, "M of the paper, 1/s [jump / 1.5 cells]");
-    add_positive(app, "--jump", options.jump,
-                 "least jump of velocity that cuts an edge, m/s [of rule relative 0.3]");
+    add_number(app, "--threshold", "NUMBER", options.threshold, Range<double>{1e-9, 1e9, "1/s"},
+               "M of the paper", "jump / 1.5 cells");
+    add_number(app, "--jump", "NUMBER", options.jump, Range<double>{1e-9, 1e9, "m/s"},
+               "least jump of velocity that cuts an edge", "of rule relative 0.3");
     app.add_option("--scalar", options.scalar, "for --source level: array of frames × vertices")
         ->type_name("R.npy");
-    app.add_option("--level", options.level, "for --source level: the level of the scalar")
-        ->type_name("NUMBER");
+    add_number(app, "--level", "NUMBER", options.level, Range<double>{-1e30, 1e30},
+               "for --source level: the level of the scalar");
     app.add_option("--out", options.out, "write the points here instead of to standard output")
         ->type_name("FILE.csv");
     app.add_option("--frames", options.pictures, "write pictures here")->type_name("DIR");
-    app.add_option("--every", options.every, "frames between two pictures")
-        ->check(CLI::Range(1, 1 << 20))
-        ->type_name("FRAMES")
-        ->capture_default_str();
-    add_size(app, options.size, "of the pictures, in pixels [800x800]");
-    app.add_option("--threads", options.threads, "any number gives the same bits")
-        ->check(CLI::Range(1, kMostThreads))
-        ->capture_default_str();
+    add_number(app, "--every", "FRAMES", options.every, Range<std::int64_t>{1, 1'000'000, "frames"},
+               "between two pictures", "1");
+    add_size(app, options.size, "of the pictures", "800x800");
+    add_number(app, "--threads", "N", options.threads, kThreads, "any number gives the same bits", "1");
     app.footer(
         "Prints a line for each point of each frame: frame,time_s,i,j,f,x,y,w. The front crosses the edge "
         "between vertices\n"
@@ -380,25 +388,24 @@ void add_figures(CLI::App& app, FiguresOptions& options) {
             },
             "")
         ->type_name("LIST");
-    app.add_option("--pixels", options.pixels, "side of a square picture")
-        ->check(CLI::Range(16, 4096))
-        ->type_name("N")
-        ->capture_default_str();
+    add_number(app, "--pixels", "N", options.pixels, Range<int>{16, 4096, "pixels"},
+               "side of a square picture", "640");
     add_gl(app, options.gl);
-    app.add_option("--threads", options.threads,
-                   "any number gives the same figures and numbers [as many as there are]")
-        ->check(CLI::Range(1, kMostThreads));
+    add_number(app, "--threads", "N", options.threads, kThreads,
+               "any number gives the same figures and numbers", "as many as there are");
 }
 
 void add_bench(CLI::App& app, BenchOptions& options) {
     app.add_option("recordings", options.recordings,
                    "names from `couloir list`, or files [all that ship; with --scaling snow-avalanche]")
         ->type_name("RECORDING");
-    app.add_option(
-           "--grid", options.squares,
-           "squares along the longer side, several with commas between [80,160; with --scaling 40 to 2048]")
-        ->delimiter(',')
-        ->check(CLI::Range(8, 4096))
+    app.add_option_function<std::vector<std::string>>(
+           "--grid",
+           [&options](const std::vector<std::string>& lists) {
+               options.squares = numbers_of("--grid", lists, kSquares);
+           },
+           described("along the longer side, several with commas between", kSquares,
+                     "80,160; with --scaling 40 to 2048"))
         ->type_name("N");
     app.add_option("--physics", options.physics,
                    fmt::format("several with commas between: {} [all; with --scaling the recording's own]",
@@ -416,19 +423,13 @@ void add_bench(CLI::App& app, BenchOptions& options) {
         "--scaling", options.scaling,
         "how the cost of every part grows with the grid and with the length of the front: one avalanche "
         "on grid after grid");
-    app.add_option("--repeats", options.how.repeats, "of each recording, after a warm-up; not of --scaling")
-        ->check(CLI::Range(1, 1000))
-        ->type_name("N")
-        ->capture_default_str();
-    app.add_option("--ticks", options.how.ticks, "of each recording at most [all]")
-        ->check(CLI::Range(1, 1 << 30))
-        ->type_name("N");
-    app.add_option("--every", options.how.every,
-                   "ticks from one drawn frame to the next (60 ticks are a second)")
-        ->check(CLI::Range(1, 1 << 20))
-        ->type_name("TICKS")
-        ->capture_default_str();
-    add_size(app, options.size, "of the frames, in pixels [640x360]");
+    add_number(app, "--repeats", "N", options.how.repeats, Range<int>{1, 1000},
+               "of each recording, after a warm-up; not of --scaling", "3");
+    add_number(app, "--ticks", "N", options.how.ticks, Range<std::int64_t>{1, kTicks.most, "ticks"},
+               "of each recording at most", "all");
+    add_number(app, "--every", "TICKS", options.how.every, kStride,
+               "from one drawn frame to the next, 60 in a second", "120");
+    add_size(app, options.size, "of the frames", "640x360");
     add_gl(app, options.gl);
     app.add_flag_callback(
         "--no-render", [&options] { options.draws = false; }, "draw nothing");
@@ -446,7 +447,8 @@ void add_bench(CLI::App& app, BenchOptions& options) {
            "--against", options.against,
            "compare with an earlier report; status 1 where a stage takes longer by more than --tolerance")
         ->type_name("FILE.json");
-    add_positive(app, "--tolerance", options.tolerance, "as a share [0.25]");
+    add_number(app, "--tolerance", "NUMBER", options.tolerance, Range<double>{1e-6, 1e6}, "as a share",
+               "0.25");
     add_how(app, options.how.how);
     app.footer(
         "Status 1 too where a recording does not end in its golden states, or repeats differ: such times "
@@ -465,7 +467,6 @@ Outcome<void> check(TrackOptions& options) {
     if (!by_level && (options.scalar || options.level))
         return unusable("--scalar and --level are for --source level");
     if (options.hold && options.source != Source::kPaper) return unusable("--hold is for --source paper");
-    if (options.level && !std::isfinite(*options.level)) return unusable("--level must be finite");
     if (options.rule == Rule::Kind::kGradient && !options.jump && !options.threshold)
         return unusable("track needs --jump or --threshold: what cuts an edge");
     if (options.rule != Rule::Kind::kGradient && options.threshold)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <fstream>
 #include <optional>
 #include <string>
@@ -12,6 +11,8 @@
 #include <vector>
 
 #include <fmt/format.h>
+
+#include "game/number.h"
 
 // Its own reader: tinyobjloader, the usual one, makes triangles of polygons and numbers of nonsense, and
 // keeps no line.
@@ -34,14 +35,6 @@ std::string_view take_word(std::string_view& line) {
     return word;
 }
 
-template <class Number>
-std::optional<Number> number_of(std::string_view word) {
-    Number number{};
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-    return number;
-}
-
 // Gathers what the lines say; each takes a line without its keyword and returns what is wrong with it.
 class Triangles {
   public:
@@ -49,7 +42,7 @@ class Triangles {
         float xyz[3];
         for (float& coordinate : xyz) {
             const std::string_view word = take_word(line);
-            const auto value = number_of<float>(word);
+            const auto value = number_from<float>(word);
             if (word.empty()) return "a vertex of less than three coordinates";
             if (!value) return fmt::format("'{}' is no coordinate", word);
             coordinate = *value;
@@ -65,7 +58,7 @@ class Triangles {
         std::size_t count = 0;
         for (std::string_view word = take_word(line); !word.empty(); word = take_word(line), ++count) {
             const std::string_view index = word.substr(0, word.find('/'));
-            const auto value = number_of<int>(index);
+            const auto value = number_from<int>(index);
             if (!value || *value == 0) return fmt::format("'{}' is no number of a vertex", word);
             // From 1, or from the last one backward.
             if (count < 3)

@@ -2,10 +2,11 @@
 
 #include <malloc.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <string>
 #include <string_view>
+
+#include "game/number.h"
 
 namespace game {
 namespace {
@@ -13,8 +14,8 @@ namespace {
 // A line of /proc/self/status, "VmHWM:     51234 kB".
 std::size_t bytes_of(std::string_view key) {
     std::ifstream status("/proc/self/status");
-    for (std::string line; std::getline(status, line);)
-        if (line.rfind(key, 0) == 0) return 1024 * std::strtoull(line.c_str() + key.size(), nullptr, 10);
+    for (std::string word; status >> word;)
+        if (word == key && status >> word) return 1024 * number_from<std::size_t>(word).value_or(0);
     return 0;
 }
 

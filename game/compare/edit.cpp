@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "game/number.h"
 #include "game/recording/start_difference.h"
 
 namespace game {
@@ -74,10 +74,10 @@ Outcome<void> set_member(sim::Command& command, const std::string& name, const s
     const sim::CommandInfo& info = sim::info_of(command.kind);
     for (const sim::CommandNumber& number : info.numbers) {
         if (name != number.name) continue;
-        char* end = nullptr;
-        const double value = std::strtod(text.c_str(), &end);
-        const bool whole = !text.empty() && *end == '\0' && std::isfinite(value);
-        return take(name, text, whole ? std::optional(value) : std::nullopt, command.*number.value);
+        const auto value = number_from(text, Range<double>{number.least, number.most, number.unit});
+        if (!value) return unusable(fmt::format("--set {}: {}", name, value.error()));
+        command.*number.value = *value;
+        return {};
     }
     if (info.has_param && name == "param") return take(name, text, sim::param_from(text), command.param);
     if (info.has_layer && name == "as") return take(name, text, sim::layer_from(text), command.layer);

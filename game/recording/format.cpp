@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "game/flow_scene.h"
+#include "game/number.h"
 #include "game/recording/ground_data.h"
 #include "game/version.h"
 
@@ -374,7 +375,7 @@ Line read_line(const Json& json) {
 }  // namespace
 
 double shortest(float value) {
-    return std::stod(fmt::format("{}", value));
+    return number_from<double>(fmt::format("{}", value)).value_or(static_cast<double>(value));
 }
 
 Json to_json(const Header& header) {

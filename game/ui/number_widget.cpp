@@ -1,8 +1,7 @@
-#include <charconv>
-#include <cmath>
+#include <array>
 #include <cstdio>
-#include <cstring>
 
+#include "game/number.h"
 #include "game/ui/widgets.h"
 
 // The typed number, a page of its own.
@@ -16,11 +15,8 @@ std::optional<double> number_from(std::string_view text) {
     std::size_t length = 0;
     for (const char c : text)
         if (c != ' ' && length < plain.size()) plain[length++] = c == ',' ? '.' : c;
-    const char* from = plain.data() + (length > 0 && plain[0] == '+' ? 1 : 0);
-    double value = 0;
-    const auto [end, error] = std::from_chars(from, plain.data() + length, value);
-    if (error != std::errc() || end != plain.data() + length || !std::isfinite(value)) return {};
-    return value;
+    const std::size_t sign = length > 0 && plain[0] == '+' ? 1 : 0;
+    return game::number_from<double>({plain.data() + sign, length - sign});
 }
 
 }  // namespace

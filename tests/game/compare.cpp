@@ -216,10 +216,10 @@ TEST_F(Compared, an_edit_that_cannot_be_done_is_refused_in_a_sentence) {
     edit_refused({"--tick", "20", "--set", "rate=3"},
                  "a blast has no such member; it has x, y, radius, depth");
     edit_refused({"--tick", "20", "--set", "depth"}, "'depth' is not NAME=VALUE");
-    edit_refused({"--tick", "20", "--set", "depth=deep"}, "'deep' is no value for it");
+    edit_refused({"--tick", "20", "--set", "depth=deep"}, "'deep' is not a number from 0 to 100 m");
     edit_refused({"--tick", "20", "--set", "depth=1000"}, "depth");
     edit_refused({"--tick", "0", "--set", "of=lower"}, "lower");
-    edit_refused({"--tick", "20", "--move", "5"}, "'5' is not EAST,NORTH in metres");
+    edit_refused({"--tick", "20", "--move", "5"}, "'5' is not two numbers");
     edit_refused({"--tick", "20", "--delay", "-1"}, "before the first tick");
     edit_refused({"--tick", "20"}, "is required");
     edit_refused({"--tick", "20", "--delete", "--move", "1,1"}, "");

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "game/assets.h"
+#include "game/number.h"
 #include "tests/game/program.h"
 #include "tests/support/places.h"
 
@@ -52,8 +53,11 @@ TEST(ShippedMaterials, tell_of_each_number_its_unit_its_range_and_where_it_comes
             std::smatch part;
             ASSERT_TRUE(std::regex_match(line, part, number)) << name << ": " << line;
             EXPECT_EQ(part[3], unit_of(part[1])) << name << ": " << line;
-            EXPECT_GE(std::stod(part[2]), std::stod(part[4])) << name << ": " << line;
-            EXPECT_LE(std::stod(part[2]), std::stod(part[5])) << name << ": " << line;
+            const auto told_as = [&](std::size_t i) { return number_from<double>(part[i].str()); };
+            const auto value = told_as(2), least = told_as(4), most = told_as(5);
+            ASSERT_TRUE(value && least && most) << name << ": " << line;
+            EXPECT_GE(*value, *least) << name << ": " << line;
+            EXPECT_LE(*value, *most) << name << ": " << line;
             ++told;
         }
         EXPECT_GE(told, 20) << name;

@@ -12,6 +12,7 @@
 
 #include "game/array_file.h"
 #include "game/mesh_file.h"
+#include "game/number.h"
 #include "tests/game/program.h"
 #include "tests/support/places.h"
 
@@ -87,12 +88,17 @@ std::vector<Line> lines_of(const std::string& csv) {
     EXPECT_EQ(row, "frame,time_s,i,j,f,x,y,w");
     std::vector<Line> lines;
     while (std::getline(text, row)) {
-        Line line{};
-        EXPECT_EQ(std::sscanf(row.c_str(), "%d,%lf,%d,%d,%lf,%lf,%lf,%lf", &line.frame, &line.time, &line.i,
-                              &line.j, &line.f, &line.x, &line.y, &line.w),
-                  8)
-            << row;
-        lines.push_back(line);
+        std::vector<double> cells;
+        std::istringstream texts(row);
+        for (std::string cell; std::getline(texts, cell, ',');) {
+            const auto number = number_from<double>(cell);
+            EXPECT_TRUE(number) << cell << " in " << row;
+            cells.push_back(number.value_or(-1));
+        }
+        EXPECT_EQ(cells.size(), 8u) << row;
+        cells.resize(8);
+        lines.push_back({static_cast<int>(cells[0]), static_cast<int>(cells[2]), static_cast<int>(cells[3]),
+                         cells[1], cells[4], cells[5], cells[6], cells[7]});
     }
     return lines;
 }
@@ -236,7 +242,7 @@ TEST_F(Track, names_the_line_of_a_damaged_mesh) {
         {corners + "f 1 2 99999999999\n", ":5: '99999999999' is no number of a vertex"},
         {corners + "f 1 2 2\n", ":5: a triangle without area"},
         {corners + "f 1 2 3\nf 1 2 4\nf 2 1 4\n", ":7: the third triangle on one edge"},
-        {corners + "v 2 nan 0\nf 1 2 3\n", ":5: a vertex that is nowhere"},
+        {corners + "v 2 nan 0\nf 1 2 3\n", ":5: 'nan' is no coordinate"},
         {corners + "v 2 1e99 0\nf 1 2 3\n", ":5: '1e99' is no coordinate"},
         {corners + "v 2 two 0\nf 1 2 3\n", ":5: 'two' is no coordinate"},
         {corners + "v 2 3\nf 1 2 3\n", ":5: a vertex of less than three coordinates"},

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "game/number.h"
 #include "tests/window/screenshot.h"
 
 namespace game::test {
@@ -149,7 +150,7 @@ XSession::Place XSession::place() {
         const auto split = line.find('=');
         if (split == std::string::npos) continue;
         const std::string name = line.substr(0, split);
-        const int value = std::atoi(line.c_str() + split + 1);
+        const int value = game::number_from<int>(std::string_view(line).substr(split + 1)).value_or(0);
         if (name == "X") place.x = value;
         if (name == "Y") place.y = value;
         if (name == "WIDTH") place.width = value;
