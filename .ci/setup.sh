@@ -184,9 +184,18 @@ build() {
     step "build-$preset" "building $preset" cmake --build --preset "$preset" --parallel "$parallel" ${1:+--target "$@"}
 }
 
-# run_tests PRESET [CTEST ARGS]: to standard output, closing with ctest's summary.
+# run_tests PRESET [CTEST ARGS]: to standard output. Of a program that fails, prints what its failing tests printed, without
+# the tests that passed; closes with ctest's summary and how many tests that were.
 run_tests() {
-    local preset=$1
+    local folder=build/$1 status=0
     shift
-    ctest --test-dir "build/$preset" --parallel "$(nproc)" --output-on-failure --no-tests=error --no-label-summary "$@"
+    ctest --test-dir "$folder" --parallel "$(nproc)" --output-on-failure --no-tests=error --no-label-summary "$@" |
+        sed -u '/^\[-*\]/d; /^\[ RUN      \]/{N; /\n\[       OK \]/d}' || status=$?
+    awk '/^\[       OK \]/ { ++passed }
+        /^\[  SKIPPED \] .* ms\)$/ { skipped[$4]; ++count }
+        END {
+            printf "%d tests passed, %d skipped\n", passed, count
+            for (name in skipped) print "  skipped: " name
+        }' "$folder/Testing/Temporary/LastTest.log"
+    return $status
 }
