@@ -27,7 +27,6 @@ double ms_of(const Stage& stage) {
 Session::Session(const Start& start, const sim::How& how, std::optional<Recorder> recorder)
     : state_(sim::make_state(world_of(start), start.params)),
       engine_(std::make_unique<sim::Engine>(state_, how)),
-      hasher_(state_),
       recorder_(std::move(recorder)) {
     peaks_.depth.assign(state_.grid.size(), 0.f);
     peaks_.speed.assign(state_.grid.size(), 0.f);
@@ -135,9 +134,10 @@ void Session::record_in(Recorder recorder) {
 void Session::find_hash() {
     times_.hash_ms = ms_of([&] {
         line_.tick = state_.tick;
-        line_.hash = hasher_.hash(state_, engine_->workers);
+        line_.hash = sim::update_state_hash(state_, engine_->workers);
         line_.ledger = state_.ledger;
     });
+    CHECK(line_.hash == sim::state_hash(state_));
 }
 
 double Session::cubic_metres(std::int64_t quanta) const {

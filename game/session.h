@@ -12,7 +12,6 @@
 #include "sim/front/world_fronts.h"
 #include "sim/snapshot.h"
 #include "sim/state.h"
-#include "sim/state_hash.h"
 
 namespace game {
 
@@ -116,7 +115,6 @@ class Session {
 
     sim::State state_;
     std::unique_ptr<sim::Engine> engine_;
-    sim::StateHasher hasher_;
     std::optional<Recorder> recorder_;
     std::unique_ptr<sim::fields::FlowStage> stage_;
     std::unique_ptr<sim::front::WorldFronts> fronts_;

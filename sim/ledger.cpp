@@ -37,11 +37,11 @@ void count_changed_mass(State& s, InstructionSet set) {
         for (int column = 0; column < tiles.columns; ++column) {
             const std::size_t tile = tiles.number(column, row);
             Tiles::Mass& mass = tiles.mass[tile];
-            if (tiles.changed[tile]) {
+            if (tiles.uncounted[tile]) {
                 const int x0 = column * tiles.width, x1 = std::min(x0 + tiles.width, s.grid.nx);
                 const int y0 = row * tiles.height, y1 = std::min(y0 + tiles.height, s.grid.ny);
                 mass = {quanta_in(s.depth, set, x0, x1, y0, y1), quanta_in(s.rolling, set, x0, x1, y0, y1)};
-                tiles.changed[tile] = 0;
+                tiles.uncounted[tile] = 0;
             }
             s.ledger.standing += mass.standing;
             s.ledger.rolling += mass.rolling;

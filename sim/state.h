@@ -11,6 +11,7 @@
 #include "sim/ledger.h"
 #include "sim/mixture.h"
 #include "sim/params.h"
+#include "sim/state_hash.h"
 #include "sim/tiles.h"
 
 namespace sim {
@@ -36,7 +37,9 @@ struct State : Layers<float> {
 
     std::optional<Mixture> mixture;  // of a world of two materials
 
-    Tiles tiles;  // which of it may change; not hashed, for it changes no bit
+    // What is known about the above; never part of the hash, because it changes no bit.
+    Tiles tiles;
+    BlockHashes block_hashes;
 };
 
 // What a world begins with: grid.size() values each, row-major, without a halo.

@@ -120,23 +120,23 @@ std::uint64_t state_hash(const State& state) {
     return whole_hash(state, bedrock_hash(state, blocks), moving);
 }
 
-StateHasher::StateHasher(const State& state)
-    : bedrock_(bedrock_hash(state, Blocks(state.grid))),
-      blocks_(Blocks(state.grid).count()),
-      stale_(blocks_.size(), 1) {}
-
-std::uint64_t StateHasher::hash(State& state, Workers& workers) {
+std::uint64_t update_state_hash(State& state, Workers& workers) {
     const Blocks blocks(state.grid);
+    BlockHashes& known = state.block_hashes;
+    if (known.moving.empty())
+        known = {bedrock_hash(state, blocks), std::vector<std::uint64_t>(blocks.count()),
+                 std::vector<std::uint8_t>(blocks.count(), 1)};
     Tiles& tiles = state.tiles;
     for (int row = 0; row < tiles.rows; ++row)
         for (int column = 0; column < tiles.columns; ++column)
             if (std::exchange(tiles.unhashed[tiles.number(column, row)], std::uint8_t{0}))
-                mark(tiles, column, row, blocks, stale_);
+                mark(tiles, column, row, blocks, known.stale);
     workers.each_band(blocks.rows, [&](int first, int last) {
         for (std::size_t i = blocks.number(0, first); i < blocks.number(0, last); ++i)
-            if (std::exchange(stale_[i], std::uint8_t{0})) blocks_[i] = moving_hash(state, blocks, i);
+            if (std::exchange(known.stale[i], std::uint8_t{0}))
+                known.moving[i] = moving_hash(state, blocks, i);
     });
-    return whole_hash(state, bedrock_, blocks_);
+    return whole_hash(state, known.bedrock, known.moving);
 }
 
 }  // namespace sim

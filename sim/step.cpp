@@ -34,6 +34,7 @@ namespace {
 void substep_plainly(State& state, Engine& engine, const Substep<float>& sub) {
     Scratch<float>& scratch = *engine.scratch;
     Workers& workers = engine.workers;
+    state.tiles.open_all();
     if (state.mixture) {
         scratch.lower = &state.mixture->lower;
         begin_mixing(state, *scratch.mixing, workers);
@@ -67,8 +68,6 @@ void step(State& state, std::span<const Command> commands, Engine& engine) {
         else
             substep_plainly(state, engine, sub);
     }
-
-    if (!engine.sweeper) state.tiles.wake_all();  // a plain step goes over all of them
 
     // bcre's velocity follows from the layers; who looks on wants it where they are now.
     engine.watch.begin(substeps.count);

@@ -12,36 +12,40 @@ Tiles::Tiles(const Grid& grid, int tile_width, int tile_height)
       columns((grid.nx + width - 1) / width),
       rows((grid.ny + height - 1) / height),
       awake(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 1),
-      changed(awake),
+      uncounted(awake),
       mass(awake.size()),
       unhashed(awake) {
     CHECK(width > 0 && height > 0 && width % (2 * kRowPadding) == 0);
 }
 
+void Tiles::open(int first_column, int last_column, int first_row, int last_row) {
+    for (int row = first_row; row <= last_row; ++row)
+        for (int column = first_column; column <= last_column; ++column)
+            uncounted[number(column, row)] = unhashed[number(column, row)] = 1;
+}
+
+void Tiles::open_all() {
+    open(0, columns - 1, 0, rows - 1);
+}
+
 void Tiles::wake_all() {
+    open_all();
     std::fill(awake.begin(), awake.end(), std::uint8_t{1});
-    std::fill(changed.begin(), changed.end(), std::uint8_t{1});
-    std::fill(unhashed.begin(), unhashed.end(), std::uint8_t{1});
 }
 
 void Tiles::wake(int x0, int x1, int y0, int y1) {
+    open(x0 / width, x1 / width, y0 / height, y1 / height);
     wake_tiles(std::max(x0 - kReach, 0) / width, std::min((x1 + kReach) / width, columns - 1),
                std::max(y0 - kReach, 0) / height, std::min((y1 + kReach) / height, rows - 1));
 }
 
 void Tiles::wake_tiles(int first_column, int last_column, int first_row, int last_row) {
     for (int row = first_row; row <= last_row; ++row)
-        for (int column = first_column; column <= last_column; ++column) {
-            const std::size_t tile = number(column, row);
-            awake[tile] = changed[tile] = unhashed[tile] = 1;
-        }
+        for (int column = first_column; column <= last_column; ++column) awake[number(column, row)] = 1;
 }
 
 void Tiles::keep_awake(const std::vector<std::uint8_t>& active) {
-    if (!may_sleep) {
-        wake_all();
-        return;
-    }
+    if (!may_sleep) return;
     std::fill(awake.begin(), awake.end(), std::uint8_t{0});
     const int beside = (kReach + height - 1) / height;  // rows of tiles; a column is wider than kReach
     for (int row = 0; row < rows; ++row)

@@ -18,6 +18,11 @@ Workers::~Workers() {
 }
 
 void Workers::run(int rows, Call call, void* callable) {
+    // What cannot be shared out is the caller's: to wake the crew would take longer than most stages.
+    if (rows <= 1) {
+        if (rows == 1) call(callable, 0, 0, 1);
+        return;
+    }
     call_ = call;
     callable_ = callable;
     rows_ = rows;

@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 inline constexpr int kFormatMajor = 1;  // a reader refuses a greater one
 inline constexpr int kFormatMinor = 4;  // a greater one may hold fields that this reader leaves alone
 inline constexpr int kPhysicsVersion =
-    4;  // of the physics and its hash: recordings of another one play, but are not comparable
+    5;  // of the physics and its hash: recordings of another one play, but are not comparable
 inline constexpr int kTicksPerState = 6;  // between two state lines
 
 // The state after `tick` ticks.

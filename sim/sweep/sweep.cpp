@@ -75,14 +75,15 @@ Sweeper::Sweeper(const State& s, int threads, bool last_tile_first)
               static_cast<std::size_t>(stride_)),
       work_(static_cast<std::size_t>(threads) * kWorkRows * static_cast<std::size_t>(stride_)),
       row_active_(static_cast<std::size_t>(threads) * static_cast<std::size_t>(stride_)),
-      active_(s.tiles.awake.size()) {
+      active_(s.tiles.awake.size()),
+      stale_(active_.size()) {
     jobs_.reserve(active_.size());
     drained_.reserve(active_.size());
 }
 
 // Marked tiles as rectangles: runs of them along x, and as many rows of them as have the same runs, but so
 // that each thread gets some.
-void Sweeper::find_jobs(const Grid& grid, const Tiles& tiles, const std::vector<std::uint8_t>& marked,
+void Sweeper::find_jobs(const Grid& grid, Tiles& tiles, const std::vector<std::uint8_t>& marked,
                         int threads) {
     jobs_.clear();
     const int most_rows = std::max(1, (tiles.rows + threads - 1) / threads);
@@ -102,6 +103,7 @@ void Sweeper::find_jobs(const Grid& grid, const Tiles& tiles, const std::vector<
             while (column < tiles.columns && row_of(row)[column]) ++column;
             jobs_.push_back({first * tiles.width, std::min(column * tiles.width, grid.nx), row * tiles.height,
                              std::min(end * tiles.height, grid.ny), apron(0), apron(1), apron(2), apron(3)});
+            tiles.open(first, column - 1, row, end - 1);
         }
         row = end;
     }
@@ -154,11 +156,15 @@ Ground Sweeper::ground_of(State& s, Substep<float> sub) {
             .active = active_.data()};
 }
 
+Ground Sweeper::open(State& s, const std::vector<std::uint8_t>& marked, int threads, Substep<float> sub) {
+    find_jobs(s.grid, s.tiles, marked, threads);
+    return ground_of(s, sub);
+}
+
 std::int64_t Sweeper::substep(State& s, Workers& workers, InstructionSet set, Substep<float> sub) {
-    find_jobs(s.grid, s.tiles, s.tiles.awake, workers.threads());
+    const Ground ground = open(s, s.tiles.awake, workers.threads(), sub);
     if (jobs_.empty()) return 0;
 
-    const Ground ground = ground_of(s, sub);
     const Sweep sweep = kernels_for(set).sweep;
     const int count = static_cast<int>(jobs_.size());
     workers.each_band(count, [&](int first, int last) {
@@ -177,9 +183,11 @@ std::int64_t Sweeper::substep(State& s, Workers& workers, InstructionSet set, Su
 
 void Sweeper::find_velocity(State& s, Workers& workers, InstructionSet set) {
     if (s.params.model != Model::kBcre) return;  // it is state, and there already
-    find_jobs(s.grid, s.tiles, s.tiles.changed, workers.threads());
+    // What was written in this tick, and what lies beside it: a velocity follows from the slope there.
+    std::transform(s.tiles.awake.begin(), s.tiles.awake.end(), s.tiles.uncounted.begin(), stale_.begin(),
+                   [](std::uint8_t awake, std::uint8_t written) { return std::uint8_t(awake | written); });
+    const Ground ground = open(s, stale_, workers.threads(), {});
     if (jobs_.empty()) return;
-    const Ground ground = ground_of(s, {});
     const Velocity velocity = kernels_for(set).velocity;
     workers.each_member(static_cast<int>(jobs_.size()), [&](int member, int first, int last) {
         for (int i = first; i < last; ++i)

@@ -27,8 +27,9 @@ class Sweeper {
     void find_velocity(State& state, Workers& workers, InstructionSet set);
 
   private:
-    void find_jobs(const Grid& grid, const Tiles& tiles, const std::vector<std::uint8_t>& marked,
-                   int threads);
+    // The only way to pointers that a kernel writes through: makes jobs of the marked tiles and opens these.
+    Ground open(State& state, const std::vector<std::uint8_t>& marked, int threads, Substep<float> sub);
+    void find_jobs(const Grid& grid, Tiles& tiles, const std::vector<std::uint8_t>& marked, int threads);
     void copy_aprons(const State& state, const Job& job) const;
     Ground ground_of(State& state, Substep<float> sub);
     float* work_of(int member);
@@ -40,6 +41,7 @@ class Sweeper {
     AlignedVector<float> work_;             // kWorkRows for each thread
     std::vector<std::uint8_t> row_active_;  // a row for each thread
     std::vector<std::uint8_t> active_;      // of each tile, in this sub-step, as Activity
+    std::vector<std::uint8_t> stale_;       // of each tile: whether its velocity is to be computed
     std::vector<Job> jobs_;
     std::vector<std::int64_t> drained_;  // by each job
 };

@@ -126,12 +126,11 @@ TEST(Sweep, lets_what_is_at_rest_sleep) {
     EXPECT_EQ(awake(), 1);
 }
 
-TEST(Sweep, counts_and_hashes_all_anew_where_tiles_may_not_sleep) {
+TEST(Sweep, opens_all_tiles_in_each_tick_where_tiles_may_not_sleep) {
     Play play(support::plane(150, 2, 0.62, 2), support::lively(sim::Model::kBcre),
               {.tiles_may_sleep = false});
-    sim::StateHasher hasher(play.state);
     for (int tick = 0; tick < 3; ++tick) {
-        hasher.hash(play.state, play.engine.workers);
+        sim::update_state_hash(play.state, play.engine.workers);
         play.ticks(1);
         const sim::Tiles& tiles = play.state.tiles;
         EXPECT_EQ(std::count(tiles.awake.begin(), tiles.awake.end(), 0), 0);

@@ -1,0 +1,400 @@
+#include "tests/replay/random_session.h"
+
+#include <algorithm>
+#include <random>
+
+#include <fmt/format.h>
+
+#include "game/recording/format.h"
+#include "game/recording/verifier.h"
+#include "game/sandbox.h"
+#include "sim/state_hash.h"
+#include "tests/support/worlds.h"
+
+namespace game::test {
+namespace {
+
+constexpr int kLongestWait = 900;  // ticks, for a world to come to rest
+constexpr int kThreads[] = {1, 2, 3, 8};
+
+// Draws from one generator by whole numbers alone, so that a seed means the same with every library.
+class Dice {
+  public:
+    explicit Dice(std::uint64_t seed) : random_(seed) {}
+    int below(int n) { return static_cast<int>(random_() % static_cast<std::uint64_t>(n)); }
+    bool one_in(int n) { return below(n) == 0; }
+    int between(int least, int most) { return least + below(most - least + 1); }
+    double real(double least, double most) {
+        return least + (most - least) * static_cast<double>(random_() >> 11) * 0x1p-53;
+    }
+
+  private:
+    std::mt19937_64 random_;
+};
+
+sim::Border random_border(Dice& dice) {
+    constexpr sim::Border kAll[] = {sim::Border::kWall, sim::Border::kOpen, sim::Border::kSink};
+    return kAll[dice.below(3)];
+}
+
+support::Ground random_ground(Dice& dice) {
+    const int squares = dice.one_in(4) ? dice.between(33, 62) : dice.between(16, 32);
+    switch (dice.below(3)) {
+        case 0:
+            return support::rough(squares, 2, static_cast<unsigned>(dice.below(1 << 20)));
+        case 1:
+            return support::plane(squares, 2, dice.real(0.3, 0.68), 2);
+        default:
+            return support::pile(squares, 2, dice.real(0.4, 0.8), dice.real(2, 8));
+    }
+}
+
+Start random_start(Dice& dice) {
+    support::Ground ground = random_ground(dice);
+    if (dice.one_in(3)) {
+        const int x0 = dice.below(ground.grid.nx - 3), y0 = dice.below(ground.grid.ny - 3);
+        for (int y = y0; y < y0 + 3; ++y)
+            for (int x = x0; x < x0 + 3; ++x) ground.has_data[ground.at(x, y)] = 0;
+    }
+    Start start;
+    start.scene = start.terrain = "random";
+    start.title = "A random session";
+    start.material = "snow-dry";
+    const support::Physics physics = support::kPhysics[dice.below(4)];
+    start.params = support::lively(physics.model, physics.scheme);
+    constexpr sim::Law kLaws[] = {sim::Law::kConstant, sim::Law::kSlope, sim::Law::kShear};
+    start.params.law = kLaws[dice.below(3)];
+    start.params.speed_per_slope = 7;
+    start.params.max_speed = 8;
+    for (sim::Border& border : start.params.borders) border = random_border(dice);
+    start.grid = ground.grid;
+    start.bedrock = ground.bedrock;
+    start.depth = ground.depth;
+    start.rolling = ground.rolling;
+    start.has_data = ground.has_data;
+    if (dice.one_in(8)) {
+        sim::Params lower = start.params;
+        lower.exchange_rate = 1;
+        lower.stop_slope = 0.55f;
+        std::vector<float> depth = ground.depth;
+        for (float& d : depth) d *= 0.5f;
+        start.lower = Start::Lower{"soil", lower, std::move(depth)};
+    }
+    if (dice.one_in(6)) start.look.flow = render::FlowLook{render::FlowPattern::kSoil};  // follows fronts
+    return start;
+}
+
+// One of the manifest, with numbers a person might choose for this world.
+sim::Command random_command(Dice& dice, const Start& start) {
+    const sim::CommandInfo& info = sim::kCommands[dice.below(std::size(sim::kCommands))];
+    const double dx = static_cast<double>(start.grid.dx);
+    sim::Command command;
+    command.kind = info.kind;
+    if (info.kind != sim::CommandKind::kSet) {
+        command.x = dice.real(-4, start.grid.nx + 3) * dx;
+        command.y = dice.real(-4, start.grid.ny + 3) * dx;
+        command.radius = dice.one_in(5) ? dice.real(0, 1) : dice.real(1, 0.4 * start.grid.nx * dx);
+    }
+    for (const sim::CommandNumber& number : info.numbers) {
+        if (number.name == "rate")
+            command.rate = info.kind == sim::CommandKind::kDig ? dice.real(0, 5) : dice.real(0, 40) * dx * dx;
+        if (number.name == "duration") command.duration = dice.one_in(2) ? 0 : dice.real(0, 2);
+        if (number.name == "depth") command.depth = dice.real(0, 3);
+    }
+    if (info.has_layer && dice.one_in(3)) command.layer = sim::Layer::kStanding;
+    if (info.has_profile && dice.one_in(3)) command.profile = sim::Profile::kCone;
+    if (info.has_part && start.lower && dice.one_in(2)) command.of = sim::Part::kLower;
+    if (info.has_param) {
+        do command.param = static_cast<std::size_t>(dice.below(std::size(sim::kParams)));
+        while (sim::kParams[command.param].fixed);
+        const sim::ParamInfo& param = sim::kParams[command.param];
+        const double now = static_cast<double>(start.params.*param.value);
+        command.value = std::clamp(now * dice.real(0.6, 1.5), static_cast<double>(param.least),
+                                   static_cast<double>(param.most));
+    }
+    return command;
+}
+
+Act random_act(Dice& dice, const Start& start) {
+    Act act;
+    const int which = dice.below(20);
+    if (which < 10) {
+        act.kind = Act::kHand;
+        act.command = random_command(dice, start);
+    } else if (which < 14) {
+        act.kind = Act::kTicks;
+        act.ticks = dice.between(1, 90);
+    } else if (which < 15) {
+        act.kind = Act::kRest;
+        act.ticks = dice.between(300, 400);
+    } else if (which < 18) {
+        act.kind = Act::kGo;
+        act.where = dice.one_in(2) ? 1 : dice.real(0, 1);
+    } else {
+        act.kind = which == 18 ? Act::kUndo : Act::kBranch;
+    }
+    return act;
+}
+
+std::string kernel_name(const sim::How& how) {
+    return fmt::format("{}, threads {}", how.plain ? "plain" : sim::to_string(how.instruction_set),
+                       how.threads);
+}
+
+// The newest kernel by every number of threads, the others by one.
+std::vector<sim::How> replay_options() {
+    std::vector<sim::How> all;
+    for (const int threads : kThreads) all.push_back({.threads = threads});
+    all.push_back({.plain = true});
+    for (const auto set : sim::kInstructionSets)
+        if (sim::has(set) && set != sim::best_instruction_set()) all.push_back({.instruction_set = set});
+    return all;
+}
+
+// Two sandboxes that do the same: one by the sweep, with a recorder and whatever it shows, and a plain one.
+class Lockstep {
+  public:
+    Lockstep(const RandomSession& session, std::filesystem::path folder, Tally& tally)
+        : folder_(std::move(folder)), tally_(tally), files_{folder_ / "0.couloir"} {
+        Opening opening, plain;
+        opening.scene.start = plain.scene.start = session.start;
+        plain.scene.start.look.flow.reset();
+        auto recorder = Recorder::create(files_.back(), session.start);
+        played_.emplace(
+            Sandbox::begin(std::move(opening), {.threads = session.threads}, std::move(*recorder)).value());
+        plain_.emplace(Sandbox::begin(std::move(plain), {.plain = true}, std::nullopt).value());
+    }
+
+    std::optional<std::string> play(const std::vector<Act>& acts) {
+        if (auto fault = difference()) return fault;
+        for (const Act& act : acts)
+            if (auto fault = play(act)) return fault;
+        if (const auto done = played_->finish(); !done) return done.error().sentence;
+        for (const auto& file : files_)
+            if (auto fault = fault_of_file(file)) return fault;
+        return std::nullopt;
+    }
+
+  private:
+    std::optional<std::string> play(const Act& act) {
+        switch (act.kind) {
+            case Act::kTicks:
+                return pass(act.ticks);
+            case Act::kRest:
+                for (int i = 0; i < kLongestWait && !sim::at_rest(played_->session().state()); ++i)
+                    if (auto fault = tick({})) return fault;
+                return pass(act.ticks);
+            case Act::kHand:
+                played_->begin_action("act"), plain_->begin_action("act");
+                return tick({&act.command, 1});
+            case Act::kGo:
+                return go(act.where);
+            case Act::kUndo:
+                if (played_->undo().has_value() != plain_->undo().has_value())
+                    return "undo is refused for one of both";
+                return difference();
+            case Act::kBranch:
+                return branch();
+        }
+        return std::nullopt;
+    }
+
+    std::optional<std::string> pass(int ticks) {
+        for (int i = 0; i < ticks; ++i)
+            if (auto fault = tick({})) return fault;
+        return std::nullopt;
+    }
+
+    std::optional<std::string> tick(std::span<const sim::Command> hand) {
+        // Parameters that clash are refused, and the tick is done all the same: for both, or neither.
+        const auto one = played_->tick(hand), other = plain_->tick(hand);
+        if (one.has_value() != other.has_value())
+            return "only one of both refuses: " + (one ? other : one).error().sentence;
+        if (!one && one.error().status != Failure::kUnusable) return one.error().sentence;
+        return difference();
+    }
+
+    // A tick at a time, to look at each.
+    std::optional<std::string> go(double where) {
+        const auto target =
+            static_cast<std::int64_t>(where * static_cast<double>(played_->known_until()) + 0.5);
+        for (bool there = false; !there;) {
+            const auto toward = [&](Sandbox& sandbox) {
+                bool may = true;
+                return sandbox.go_toward(target, [&] { return std::exchange(may, false); });
+            };
+            const auto one = toward(*played_), other = toward(*plain_);
+            for (const auto& gone : {one, other})
+                if (!gone && gone.error().status != Failure::kUnusable) return gone.error().sentence;
+            if (one.has_value() != other.has_value() || (one && *one != *other))
+                return fmt::format("only one of both arrives at tick {}", target);
+            if (auto fault = difference()) return fault;
+            there = played_->session().state().tick == target;
+        }
+        return std::nullopt;
+    }
+
+    std::optional<std::string> branch() {
+        files_.push_back(folder_ / fmt::format("{}.couloir", files_.size()));
+        if (const auto taken = played_->take_over(files_.back()); !taken) return taken.error().sentence;
+        if (const auto taken = plain_->take_over(std::nullopt); !taken) return taken.error().sentence;
+        return difference();
+    }
+
+    std::optional<std::string> difference() {
+        ++tally_.ticks;
+        const sim::State &a = played_->session().state(), &b = plain_->session().state();
+        const auto wrong = [&](const std::string& what) { return fmt::format("tick {}: {}", a.tick, what); };
+        if (a.tick != b.tick) return wrong(fmt::format("the plain kernel is at tick {}", b.tick));
+        if (a.params != b.params) return wrong("other parameters");
+        for (const auto& [name, field] : kFields)
+            if (!support::same_bits(a.*field, b.*field)) return wrong(std::string(name) + " differs");
+        if (a.mixture)
+            for (const auto& [name, field] : kLowerFields)
+                if (!support::same_bits((*a.mixture).*field, (*b.mixture).*field))
+                    return wrong(fmt::format("{} of the lower material differs", name));
+        if (a.sources != b.sources) return wrong("other running commands");
+        if (a.ledger != b.ledger) return wrong("another ledger");
+        for (const Sandbox* each : {&*played_, &*plain_}) {
+            const Session& session = each->session();
+            if (session.state_line().hash != sim::state_hash(session.state()))
+                return wrong(each == &*played_ ? "the hash is not the state's"
+                                               : "the hash of the plain world is not its state's");
+        }
+        if (played_->session().state_line() != plain_->session().state_line())
+            return wrong("other hashes of earlier ticks");
+        return std::nullopt;
+    }
+
+    std::optional<std::string> fault_of_file(const std::filesystem::path& file) {
+        const auto recording = read_recording(file);
+        if (!recording) return recording.error().sentence;
+        if (recording->warning) return *recording->warning;
+        ++tally_.files;
+        for (const sim::How& how : replay_options()) {
+            auto session = Session::begin(recording->header.start, how, std::nullopt);
+            Verifier verifier(*recording);
+            verifier.look_at(*session);
+            std::vector<sim::Command> due;
+            while (session->state().tick < recording->last_tick()) {
+                due.clear();
+                for (const auto& given : commands_at(recording->commands, session->state().tick))
+                    due.push_back(given.command);
+                if (const auto done = session->advance(due); !done) return done.error().sentence;
+                verifier.look_at(*session);
+            }
+            const Verdict& verdict = verifier.verdict();
+            const std::string where = fmt::format("{} by {}: ", file.filename().string(), kernel_name(how));
+            if (verdict.parted) return where + *verdict.parted;
+            if (verdict.proven_tick != recording->last_tick())
+                return where +
+                       fmt::format("proven up to tick {} of {}", verdict.proven_tick, recording->last_tick());
+            ++tally_.replays;
+            tally_.replayed += verdict.compared;
+        }
+        return std::nullopt;
+    }
+
+    using StateField = sim::Field<float> sim::State::*;
+    static constexpr std::pair<const char*, StateField> kFields[] = {
+        {"bedrock", &sim::State::bedrock},       {"depth", &sim::State::depth},
+        {"rolling", &sim::State::rolling},       {"velocity_x", &sim::State::velocity_x},
+        {"velocity_y", &sim::State::velocity_y}, {"first_depth", &sim::State::first_depth}};
+    static constexpr std::pair<const char*, sim::Field<float> sim::Mixture::*> kLowerFields[] = {
+        {"rolling", &sim::Mixture::rolling},
+        {"settled", &sim::Mixture::settled},
+        {"untouched", &sim::Mixture::untouched}};
+
+    std::filesystem::path folder_;
+    Tally& tally_;
+    std::vector<std::filesystem::path> files_;
+    std::optional<Sandbox> played_, plain_;
+};
+
+std::string to_text(const Act& act) {
+    switch (act.kind) {
+        case Act::kTicks:
+            return fmt::format("ticks {}", act.ticks);
+        case Act::kRest:
+            return fmt::format("rest {}", act.ticks);
+        case Act::kHand: {
+            std::string line;
+            write(TimedCommand{0, act.command}, line);
+            return "hand " + line;
+        }
+        case Act::kGo:
+            return fmt::format("go {}", act.where);
+        case Act::kUndo:
+            return "undo";
+        case Act::kBranch:
+            return "branch";
+    }
+    return "";
+}
+
+}  // namespace
+
+void Tally::add(const Tally& other) {
+    ticks += other.ticks, files += other.files, replays += other.replays, replayed += other.replayed;
+}
+
+RandomSession random_session(std::uint64_t seed) {
+    Dice dice(seed);
+    RandomSession session{seed, random_start(dice), kThreads[dice.below(3)], {}};
+    const int count = dice.between(6, 14);
+    for (int i = 0; i < count; ++i) session.acts.push_back(random_act(dice, session.start));
+    // Each comes to rest somewhere, goes back from there, returns and plays on.
+    session.acts.push_back({Act::kRest, 300, 1, {}});
+    session.acts.push_back({Act::kGo, 0, dice.real(0.5, 1), {}});
+    session.acts.push_back({Act::kGo, 0, 1, {}});
+    session.acts.push_back({Act::kTicks, dice.between(5, 60), 1, {}});
+    return session;
+}
+
+std::string to_text(const RandomSession& session) {
+    const Start& start = session.start;
+    std::string text = fmt::format("seed {}: {} x {} vertices, {}, {}, {} material{}, {} threads\n",
+                                   session.seed, start.grid.nx, start.grid.ny,
+                                   sim::to_string(start.params.model), sim::to_string(start.params.scheme),
+                                   start.lower ? 2 : 1, start.lower ? "s" : "", session.threads);
+    for (const Act& act : session.acts) text += "  " + to_text(act) + "\n";
+    return text;
+}
+
+std::optional<std::string> fault_of(const RandomSession& session, const std::filesystem::path& folder,
+                                    Tally& tally) {
+    return Lockstep(session, folder, tally).play(session.acts);
+}
+
+RandomSession shrunk(RandomSession session, const std::function<bool(const RandomSession&)>& fails) {
+    const auto replace_if_fails = [&](std::vector<Act> acts) {
+        RandomSession shorter = session;
+        shorter.acts = std::move(acts);
+        if (!fails(shorter)) return false;
+        session = std::move(shorter);
+        return true;
+    };
+    for (bool shorter = true; shorter;) {
+        shorter = false;
+        for (std::size_t run = session.acts.size(); run > 0; run /= 2)
+            for (std::size_t first = 0; first + run <= session.acts.size();) {
+                std::vector<Act> acts = session.acts;
+                const auto from = acts.begin() + static_cast<std::ptrdiff_t>(first);
+                acts.erase(from, from + static_cast<std::ptrdiff_t>(run));
+                if (replace_if_fails(std::move(acts)))
+                    shorter = true;
+                else
+                    ++first;
+            }
+        for (std::size_t i = 0; i < session.acts.size(); ++i)
+            while (session.acts[i].ticks > 0) {
+                std::vector<Act> acts = session.acts;
+                acts[i].ticks /= 2;
+                if (!replace_if_fails(std::move(acts))) break;
+                shorter = true;
+            }
+    }
+    return session;
+}
+
+}  // namespace game::test
