@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -41,6 +42,15 @@ struct Player {
     }
 };
 
+// The tick in which the study of a moment begins; none if the recording is over before it ends.
+std::optional<std::int64_t> first_tick(const Recording& recording, const BenchHow& how, int seconds) {
+    const std::int64_t last = std::min(how.ticks.value_or(recording.last_tick()), recording.last_tick());
+    const std::int64_t from =
+        std::llrint(seconds / static_cast<double>(recording.header.start.params.tick_s));
+    if (from + kTicksBefore + kTicksEach > last) return std::nullopt;
+    return from;
+}
+
 ScalingRow row_of(std::vector<PerfRow> rows) {
     // As if each tick were a repeat of the same one: what rolls changes little in so few.
     std::vector<std::vector<PerfRow>> repeats;
@@ -73,13 +83,12 @@ Outcome<void> measure_grid(const BenchRecording& named, int squares, const Bench
         verifier.emplace(named.recording), verifier->look_at(*session);
     Player player{*session, named.recording, verifier ? &*verifier : nullptr, drawn ? canvas : nullptr,
                   fmt::format("{} on {} squares", named.name, squares)};
-    const std::int64_t last =
-        std::min(how.ticks.value_or(named.recording.last_tick()), named.recording.last_tick());
     const std::size_t first_row = scaling.rows.size();
     double bytes = 0;
     for (const int seconds : kScalingSeconds) {
-        const std::int64_t from = std::llrint(seconds / static_cast<double>(start->params.tick_s));
-        if (from + kTicksBefore + kTicksEach > last) break;
+        const auto begins = first_tick(named.recording, how, seconds);
+        if (!begins) break;
+        const std::int64_t from = *begins;
         std::vector<PerfRow> unused, rows;
         if (auto played = player.play(from, nullptr); !played) return played;
         session->follow_fronts(*start, std::numeric_limits<std::size_t>::max());
@@ -103,6 +112,9 @@ Outcome<void> measure_grid(const BenchRecording& named, int squares, const Bench
 
 Outcome<Scaling> measure_scaling(const BenchRecording& recording, std::span<const int> squares,
                                  const BenchPhysics& physics, const BenchHow& how, Canvas* canvas) {
+    if (!first_tick(recording.recording, how, kScalingSeconds.front()))
+        return unusable(fmt::format("{} is over before its {}th second, where the study begins",
+                                    recording.name, kScalingSeconds.front()));
     Scaling scaling;
     scaling.recording = recording.name;
     scaling.file_hash = recording.file_hash;
@@ -111,9 +123,6 @@ Outcome<Scaling> measure_scaling(const BenchRecording& recording, std::span<cons
     for (const int each : squares)
         if (auto measured = measure_grid(recording, each, physics, how, canvas, scaling); !measured)
             return tl::unexpected(measured.error());
-    if (scaling.rows.empty())
-        return unusable(fmt::format("{} is over before its {}th second, where the study begins",
-                                    recording.name, kScalingSeconds.front()));
     return scaling;
 }
 
