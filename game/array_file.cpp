@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "game/number.h"
+#include "terrains/input_file.h"
 
 // Its own reader: cnpy, the usual one, asserts where a header is damaged and allocates what it asks for.
 
@@ -57,10 +58,12 @@ Outcome<ArrayFile> ArrayFile::open(const std::filesystem::path& path) {
     };
     ArrayFile array;
     array.path_ = path;
-    array.file_.open(path, std::ios::binary);
+    auto file = terrains::open_input(path);
+    if (!file) return unusable(file.error());
+    array.file_ = std::move(*file);
     std::error_code status;
     const auto size = std::filesystem::file_size(path, status);
-    if (!array.file_ || status) return bad("cannot be opened");
+    if (status) return bad(status.message());
 
     // Magic, version, length of the header in two bytes or, from version 2 on, four.
     char head[12] = {};

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "terrains/input_file.h"
+
 namespace game {
 namespace {
 
@@ -68,10 +70,9 @@ Outcome<fs::path> find_asset(AssetKind kind, std::string_view name_or_path) {
     // What ships comes first: a folder or file that happens to be called so must not hide it.
     if (!is_path && is_asset(kind, name_or_path))
         return *assets_folder() / drawer.folder / fmt::format("{}{}", name_or_path, drawer.extension);
-    if (fs::is_regular_file(given, error)) return given;
-    if (fs::is_directory(given, error))
-        return unusable(fmt::format("{}: is a folder, not a file", name_or_path));
-    if (is_path) return unusable(fmt::format("{}: no such file", name_or_path));
+    const auto is_file = terrains::check_input(given);
+    if (is_file) return given;
+    if (is_path || fs::exists(given, error)) return unusable(is_file.error());
 
     const auto names = asset_names(kind);
     if (!names) return tl::unexpected(names.error());

@@ -146,6 +146,13 @@ void add_grid(CLI::App& app, Wishes& wishes) {
     add_number(app, "--grid", "N", wishes.squares, kSquares, "along the longer side");
 }
 
+void add_references(CLI::App& app, Wishes& wishes) {
+    app.add_flag_callback(
+        "--allow-references", [&wishes] { wishes.references = terrains::References::kAllowed; },
+        "let virtual rasters (VRT) read the files they name, and a scene a terrain outside its folder; never "
+        "the network");
+}
+
 void add_material_and_model(CLI::App& app, Wishes& wishes) {
     app.add_option("--material", wishes.material, "a name from `couloir list`, or a material file")
         ->type_name("NAME");
@@ -169,6 +176,7 @@ void add_play(CLI::App& app, PlayOptions& options) {
                    "record the session here [a new file in couloir/recordings in the XDG data folder]")
         ->type_name("FILE.couloir");
     add_material_and_model(app, options.wishes);
+    add_references(app, options.wishes);
     add_size(app, options.size, "of the window", "1280x720");
     add_how(app, options.how);
 }
@@ -225,6 +233,7 @@ void add_run(CLI::App& app, RunOptions& options) {
                    "tells the overlap, and how far material was carried")
         ->type_name("FILE");
     add_material_and_model(app, options.wishes);
+    add_references(app, options.wishes);
     app.add_flag("--until-rest", options.until_rest,
                  "stop when nothing moves; with --seconds, by then at the latest [3600]");
     add_number(app, "--seconds", "S", options.seconds, kSeconds, "simulated time");

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "game/number.h"
+#include "terrains/input_file.h"
 
 // Its own reader: tinyobjloader, the usual one, makes triangles of polygons and numbers of nonsense, and
 // keeps no line.
@@ -105,8 +106,9 @@ Outcome<Mesh> read_obj(const std::filesystem::path& path) {
     const auto bad_line = [&](int number, const std::string& what) {
         return unusable(fmt::format("{}:{}: {}", path.string(), number, what));
     };
-    std::ifstream file(path, std::ios::binary);
-    if (!file || std::filesystem::is_directory(path)) return bad("cannot be opened");
+    auto opened = terrains::open_input(path);
+    if (!opened) return unusable(opened.error());
+    std::ifstream& file = *opened;
     Triangles triangles;
     std::string line(kLongestMeshLine + 1, '\0');
     for (int number = 1; file.peek() != std::ifstream::traits_type::eof(); ++number) {

@@ -230,7 +230,7 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& w
     if (const auto wrong = fault_of_sets(params, scene.commands))
         return unusable(fmt::format("{}: {}", path.string(), *wrong));
 
-    auto terrain = read_terrain(*ground, path.parent_path(), wishes.squares);
+    auto terrain = read_terrain(*ground, path.parent_path(), wishes.squares, wishes.references);
     if (fault) return unusable(*fault);
     if (!terrain) return unusable(terrain.error());
     if (rule) terrain->cover = depth_by(*rule, *terrain);
@@ -261,8 +261,9 @@ Outcome<Scene> load_scene(std::string_view name_or_path, const Wishes& wishes) {
 
 namespace {
 
-Outcome<std::vector<float>> read_release_on(const Terrain& terrain, const fs::path& release) {
-    auto rolling = terrains::read_release(release, terrain);
+Outcome<std::vector<float>> read_release_on(const Terrain& terrain, const fs::path& release,
+                                            terrains::References references) {
+    auto rolling = terrains::read_release(release, terrain, std::nullopt, references);
     if (!rolling) return unusable(rolling.error());
     constexpr float kDeepestRelease = sim::kDeepest / 2;
     if (const float most = *std::max_element(rolling->begin(), rolling->end()); most > kDeepestRelease)
@@ -280,7 +281,7 @@ Outcome<Scene> scene_of_terrain(const fs::path& dem, const std::optional<fs::pat
     if (const auto sound = check_choices(wishes, model); !sound) return tl::unexpected(sound.error());
     const auto material = load_material(wishes.material.value_or("snow-dry"), model);
     if (!material) return tl::unexpected(material.error());
-    const auto terrain = terrains::read_dem(dem, wishes.squares.value_or(kUsualSquares));
+    const auto terrain = terrains::read_dem(dem, wishes.squares.value_or(kUsualSquares), wishes.references);
     if (!terrain) return unusable(terrain.error());
 
     Scene scene;
@@ -291,7 +292,7 @@ Outcome<Scene> scene_of_terrain(const fs::path& dem, const std::optional<fs::pat
     take_material(scene.start, *material, params);
     set_ground(scene.start, *terrain);
     if (release) {
-        auto rolling = read_release_on(*terrain, *release);
+        auto rolling = read_release_on(*terrain, *release, wishes.references);
         if (!rolling) return tl::unexpected(rolling.error());
         scene.start.rolling = std::move(*rolling);
     }

@@ -7,6 +7,7 @@
 
 #include "game/outcome.h"
 #include "game/start.h"
+#include "terrains/input_file.h"
 
 namespace game {
 
@@ -17,6 +18,8 @@ struct Wishes {
     std::optional<sim::Model> model;
     std::optional<sim::Scheme> scheme;
     std::optional<sim::Law> law;
+    // Of virtual rasters to their sources, and of a scene to a terrain outside its folder.
+    terrains::References references = terrains::References::kRefused;
 };
 
 // A start, and what is done to it at which tick.

@@ -40,11 +40,20 @@ MaybeTerrain generate(TomlTable& table, const std::string& generator, int square
     return tl::unexpected(std::string());
 }
 
-MaybeTerrain read_file(TomlTable& table, const fs::path& file, int squares) {
+// Whether a file lies in a folder or below it, links followed.
+bool is_within(const fs::path& folder, const fs::path& file) {
+    std::error_code error;
+    const fs::path real =
+        fs::weakly_canonical(file, error)
+            .lexically_relative(fs::canonical(folder.empty() ? fs::path(".") : folder, error));
+    return !error && !real.empty() && *real.begin() != "..";
+}
+
+MaybeTerrain read_file(TomlTable& table, const fs::path& file, int squares, terrains::References references) {
     const auto pixel = table.number("pixel", 1e-3, 1e5);
     const auto lowest = table.number("lowest", -12000, 9000), highest = table.number("highest", -12000, 9000);
     table.finish();
-    if (!pixel) return terrains::read_dem(file, squares);
+    if (!pixel) return terrains::read_dem(file, squares, references);
     if (!lowest || !highest) {
         table.blame("pixel", "makes the file a picture, which also needs lowest and highest");
         return tl::unexpected(std::string());
@@ -54,14 +63,20 @@ MaybeTerrain read_file(TomlTable& table, const fs::path& file, int squares) {
 
 }  // namespace
 
-MaybeTerrain read_terrain(TomlTable& table, const fs::path& folder, std::optional<int> wished) {
+MaybeTerrain read_terrain(TomlTable& table, const fs::path& folder, std::optional<int> wished,
+                          terrains::References references) {
     const auto grid = table.whole("grid", kFewestSquares, kMostSquares);
     const auto generator = table.text("generator"), file = table.text("file");
     if (!grid) table.blame("grid", "is missing: the number of squares along the longer side");
     if (generator.has_value() == file.has_value()) table.blame("", "needs either a generator or a file");
     if (!grid || generator.has_value() == file.has_value()) return tl::unexpected(std::string());
     const int squares = wished.value_or(static_cast<int>(*grid));
-    return generator ? generate(table, *generator, squares) : read_file(table, folder / *file, squares);
+    if (generator) return generate(table, *generator, squares);
+    if (references != terrains::References::kAllowed && !is_within(folder, folder / *file)) {
+        table.blame("file", "lies outside the scene's folder; add --allow-references if you trust the scene");
+        return tl::unexpected(std::string());
+    }
+    return read_file(table, folder / *file, squares, references);
 }
 
 std::optional<CoverRule> read_cover_rule(TomlTable& table) {

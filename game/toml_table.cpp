@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "terrains/input_file.h"
+
 namespace game {
 
 TomlTable::TomlTable(const toml::table& table, std::string name, std::string file, TomlFault& fault)
@@ -107,15 +109,16 @@ void TomlTable::finish() {
 
 Outcome<toml::table> parse_toml(const std::filesystem::path& file) {
     constexpr std::uintmax_t kMostBytes = 1 << 20;
+    auto stream = terrains::open_input(file);
+    if (!stream) return unusable(stream.error());
     std::error_code error;
     const auto bytes = std::filesystem::file_size(file, error);
     if (error) return unusable(fmt::format("{}: {}", file.string(), error.message()));
     if (bytes > kMostBytes)
         return unusable(fmt::format("{}: {} bytes, and the most is {}", file.string(), bytes, kMostBytes));
-    std::ifstream stream(file, std::ios::binary);
     std::stringstream content;
-    content << stream.rdbuf();
-    if (!stream) return unusable(fmt::format("{}: cannot be read", file.string()));
+    content << stream->rdbuf();
+    if (!*stream) return unusable(fmt::format("{}: cannot be read", file.string()));
     try {
         return toml::parse(content.str());
     } catch (const toml::parse_error& wrong) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "terrains/gdal_support.h"
+#include "terrains/pixel_blocks.h"
 #include "terrains/raster_place.h"
 #include "terrains/resample.h"
 
@@ -29,7 +31,7 @@ class HeightRows {
     tl::expected<void, std::string> read(int row, std::vector<double>& heights);
 
   private:
-    GDALRasterBandH band_ = nullptr, mask_ = nullptr;
+    GDALRasterBandH band_ = nullptr, mask_ = nullptr;  // mask_: none where every pixel counts
     double scale_ = 1, offset_ = 0;
     std::vector<std::uint8_t> known_;
 };
@@ -48,14 +50,14 @@ tl::expected<double, std::string> metres_per_unit(const std::string& unit) {
 tl::expected<HeightRows, std::string> HeightRows::open(GDALDatasetH dataset) {
     HeightRows rows;
     rows.band_ = GDALGetRasterBand(dataset, 1);
-    rows.mask_ = GDALGetMaskBand(rows.band_);
+    if ((GDALGetMaskFlags(rows.band_) & GMF_ALL_VALID) == 0) rows.mask_ = GDALGetMaskBand(rows.band_);
     if (GDALDataTypeIsComplex(GDALGetRasterDataType(rows.band_)) != 0)
         return tl::unexpected<std::string>("its values are complex numbers, not heights");
     const auto unit = metres_per_unit(GDALGetRasterUnitType(rows.band_));
     if (!unit) return tl::unexpected(unit.error());
     rows.scale_ = GDALGetRasterScale(rows.band_, nullptr) * *unit;
     rows.offset_ = GDALGetRasterOffset(rows.band_, nullptr) * *unit;
-    rows.known_.resize(static_cast<std::size_t>(GDALGetRasterXSize(dataset)));
+    rows.known_.resize(static_cast<std::size_t>(GDALGetRasterXSize(dataset)), 255);
     return rows;
 }
 
@@ -63,10 +65,10 @@ tl::expected<void, std::string> HeightRows::read(int row, std::vector<double>& h
     const GdalErrors errors;
     const int width = static_cast<int>(known_.size());
     heights.resize(known_.size());
-    const bool done =
-        GDALRasterIO(band_, GF_Read, 0, row, width, 1, heights.data(), width, 1, GDT_Float64, 0, 0) ==
-            CE_None &&
-        GDALRasterIO(mask_, GF_Read, 0, row, width, 1, known_.data(), width, 1, GDT_Byte, 0, 0) == CE_None;
+    const bool done = GDALRasterIO(band_, GF_Read, 0, row, width, 1, heights.data(), width, 1, GDT_Float64, 0,
+                                   0) == CE_None &&
+                      (mask_ == nullptr || GDALRasterIO(mask_, GF_Read, 0, row, width, 1, known_.data(),
+                                                        width, 1, GDT_Byte, 0, 0) == CE_None);
     if (!done || errors.any())
         return tl::unexpected(fmt::format("damaged or cut short at row {} ({})", row + 1, errors.first()));
     for (int column = 0; column < width; ++column) {
@@ -114,24 +116,38 @@ std::string licence_of(GDALDatasetH dataset) {
     return {};
 }
 
+// Adds each pixel of a row.
+void fit_row(const RasterPlace& place, int row, const std::vector<double>& heights, PlaneFit& fit) {
+    std::vector<double> x, y;
+    place.positions(row, x, y);
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        if (std::isnan(x[i])) continue;
+        const double from_origin_x = x[i] - place.min_x, from_origin_y = y[i] - place.min_y;
+        if (std::isnan(heights[i]))
+            fit.add_void(from_origin_x, from_origin_y);
+        else
+            fit.add(from_origin_x, from_origin_y, heights[i]);
+    }
+}
+
 // Streams the raster from its first row to its last on to the terrain's grid.
 tl::expected<void, std::string> fill(GDALDatasetH dataset, const RasterPlace& place, Terrain& terrain) {
+    constexpr double kFinest = 16;  // pixels along a cell that are told apart
     auto rows = HeightRows::open(dataset);
     if (!rows) return tl::unexpected(rows.error());
     const double dx = terrain.grid.dx;
     PlaneFit fit(terrain.grid, std::max(dx, place.reach_x), std::max(dx, place.reach_y), place.pixel_area);
-    std::vector<double> heights, x, y;
-    for (int row = 0; row < GDALGetRasterYSize(dataset); ++row) {
+    const int columns = GDALGetRasterXSize(dataset), row_count = GDALGetRasterYSize(dataset);
+    const int side = static_cast<int>(dx / (kFinest * std::max(place.reach_x, place.reach_y)));
+    std::optional<PixelBlocks> blocks;
+    if (side > 1) blocks.emplace(place, columns, row_count, side, fit);
+    std::vector<double> heights;
+    for (int row = 0; row < row_count; ++row) {
         if (auto read = rows->read(row, heights); !read) return read;
-        place.positions(row, x, y);
-        for (std::size_t i = 0; i < heights.size(); ++i) {
-            if (std::isnan(x[i])) continue;
-            const double from_origin_x = x[i] - place.min_x, from_origin_y = y[i] - place.min_y;
-            if (std::isnan(heights[i]))
-                fit.add_void(from_origin_x, from_origin_y);
-            else
-                fit.add(from_origin_x, from_origin_y, heights[i]);
-        }
+        if (blocks)
+            blocks->add_row(row, heights);
+        else
+            fit_row(place, row, heights, fit);
     }
     auto fitted = fit.finish();
     if (std::find(fitted.has_data.begin(), fitted.has_data.end(), 1) == fitted.has_data.end())
@@ -161,9 +177,10 @@ tl::expected<Terrain, std::string> read(GDALDatasetH dataset, const std::filesys
 
 }  // namespace
 
-tl::expected<Terrain, std::string> read_dem(const std::filesystem::path& path, int squares) {
+tl::expected<Terrain, std::string> read_dem(const std::filesystem::path& path, int squares,
+                                            References references) {
     const GdalErrors errors;
-    const auto dataset = open_raster(path);
+    const auto dataset = Raster::open(path, references);
     if (!dataset) return tl::unexpected(dataset.error());
     auto terrain = read(dataset->get(), path, squares);
     if (!terrain) return tl::unexpected(fmt::format("{}: {}", path.string(), terrain.error()));

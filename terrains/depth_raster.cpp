@@ -172,9 +172,9 @@ tl::expected<std::vector<float>, std::string> read(GDALDatasetH dataset, Meaning
 }
 
 tl::expected<std::vector<float>, std::string> read(const std::filesystem::path& path, Meaning meaning,
-                                                   const Terrain& terrain) {
+                                                   const Terrain& terrain, References references) {
     const GdalErrors errors;
-    const auto dataset = open_raster(path);
+    const auto dataset = Raster::open(path, references);
     if (!dataset) return tl::unexpected(dataset.error());
     auto values = read(dataset->get(), meaning, terrain);
     if (!values) return tl::unexpected(fmt::format("{}: {}", path.string(), values.error()));
@@ -184,13 +184,15 @@ tl::expected<std::vector<float>, std::string> read(const std::filesystem::path& 
 }  // namespace
 
 tl::expected<std::vector<float>, std::string> read_depth_raster(const std::filesystem::path& path,
-                                                                const Terrain& terrain) {
-    return read(path, Meaning::kAmount, terrain);
+                                                                const Terrain& terrain,
+                                                                References references) {
+    return read(path, Meaning::kAmount, terrain, references);
 }
 
 tl::expected<std::vector<float>, std::string> read_signed_raster(const std::filesystem::path& path,
-                                                                 const Terrain& terrain) {
-    return read(path, Meaning::kSigned, terrain);
+                                                                 const Terrain& terrain,
+                                                                 References references) {
+    return read(path, Meaning::kSigned, terrain, references);
 }
 
 }  // namespace terrains

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <cpl_conv.h>
+#include <cpl_vsi.h>
 #include <fmt/format.h>
 #include <ogr_srs_api.h>
 
@@ -50,6 +51,25 @@ Written write_text(const std::filesystem::path& path, const std::string& text) {
     });
 }
 
+// A file in memory that GDAL writes by name: GDAL may write no other, and does not report every failed write.
+class MemoryFile {
+  public:
+    MemoryFile() : name_(fmt::format("/vsimem/couloir/{}.tif", fmt::ptr(this))) {}
+    ~MemoryFile() { VSIUnlink(name_.c_str()); }
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
+
+    const char* name() const { return name_.c_str(); }
+    std::string bytes() const {
+        vsi_l_offset size = 0;
+        const GByte* bytes = VSIGetMemFileBuffer(name_.c_str(), &size, FALSE);
+        return bytes ? std::string(reinterpret_cast<const char*>(bytes), size) : std::string();
+    }
+
+  private:
+    std::string name_;
+};
+
 // The raster's rows as files have them: the north first, NaN as no data.
 std::vector<float> north_first(const sim::Grid& grid, std::span<const float> field) {
     std::vector<float> rows;
@@ -77,7 +97,9 @@ Written fill_geotiff(GDALDatasetH dataset, const sim::Grid& grid, const Georefer
     GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
     const GdalErrors errors;
     GDALSetGeoTransform(dataset, pixels.data());
-    if (place.placed()) GDALSetProjection(dataset, place.wkt().c_str());
+    if (place.placed())
+        if (const SpatialReference system = SpatialReference::from_wkt(place.wkt()))
+            GDALSetSpatialRef(dataset, system.get());
     GDALSetRasterNoDataValue(band, kNoData);
     if (GDALRasterIO(band, GF_Write, 0, 0, grid.nx, grid.ny, rows.data(), grid.nx, grid.ny, GDT_Float32, 0,
                      0) != CE_None ||
@@ -104,13 +126,14 @@ std::string to_prj(const std::string& wkt) {
 Written write_geotiff(const std::filesystem::path& path, const sim::Grid& grid,
                       const Georeference& georeference, std::span<const float> field) {
     CHECK(field.size() == grid.size());
-    return replace(path, [&](const std::filesystem::path& beside) -> Written {
+    const MemoryFile file;
+    const auto fill = [&]() -> Written {
         const GdalErrors errors;
         std::array<const char*, 3> options{"COMPRESS=DEFLATE", "PREDICTOR=3", nullptr};
         std::array<char*, 3> writable{};
         std::transform(options.begin(), options.end(), writable.begin(),
                        [](auto o) { return const_cast<char*>(o); });
-        Dataset dataset(GDALCreate(GDALGetDriverByName("GTiff"), beside.c_str(), grid.nx, grid.ny, 1,
+        Dataset dataset(GDALCreate(GDALGetDriverByName("GTiff"), file.name(), grid.nx, grid.ny, 1,
                                    GDT_Float32, writable.data()));
         if (dataset == nullptr) return tl::unexpected(errors.first());
         if (auto filled = fill_geotiff(dataset.get(), grid, georeference, north_first(grid, field)); !filled)
@@ -118,7 +141,10 @@ Written write_geotiff(const std::filesystem::path& path, const sim::Grid& grid,
         dataset.reset();  // much is written only now
         if (errors.any()) return tl::unexpected(errors.first());
         return {};
-    });
+    };
+    if (auto filled = fill(); !filled)
+        return tl::unexpected(fmt::format("{}: cannot be written ({})", path.string(), filled.error()));
+    return write_text(path, file.bytes());
 }
 
 Written write_ascii(const std::filesystem::path& path, const sim::Grid& grid,

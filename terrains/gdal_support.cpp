@@ -1,11 +1,16 @@
 #include "terrains/gdal_support.h"
 
 #include <algorithm>
+#include <array>
+#include <fstream>
+#include <regex>
 #include <string>
 
 #include <cpl_error.h>
 #include <fmt/format.h>
+#include <gdal_frmts.h>
 #include <ogr_srs_api.h>
+#include <ogrsf_frmts.h>
 
 namespace terrains {
 namespace {
@@ -17,11 +22,71 @@ void CPL_STDCALL keep_first_failure(CPLErr severity, CPLErrorNum, const char* me
     std::replace(first->begin(), first->end(), '\n', ' ');
 }
 
+// Formats of elevation, none of which refers to other files or to servers. Nothing else is registered, so a
+// raster that is opened on behalf of another (an overview, a mask, a tile) is one of these, too. Drivers are
+// registered one by one because GDALAllRegister() would load plugins that the environment names.
+struct Format {
+    const char* driver;
+    void (*register_it)();
+};
+constexpr std::array kFormats{
+    Format{"GTiff", GDALRegister_GTiff},
+    Format{"COG", GDALRegister_COG},
+    Format{"AAIGrid", GDALRegister_AAIGrid},
+    Format{"GRASSASCIIGrid", GDALRegister_GRASSASCIIGrid},
+    Format{"AIG", GDALRegister_AIGrid},
+    Format{"EHdr", GDALRegister_EHdr},
+    Format{"ENVI", GDALRegister_ENVI},
+    Format{"SRTMHGT", GDALRegister_SRTMHGT},
+    Format{"HFA", GDALRegister_HFA},
+    Format{"DTED", GDALRegister_DTED},
+    Format{"USGSDEM", GDALRegister_USGSDEM},
+    Format{"XYZ", GDALRegister_XYZ},
+    Format{"SAGA", GDALRegister_SAGA},
+    Format{"GSAG", GDALRegister_GSAG},
+    Format{"GSBG", GDALRegister_GSBG},
+    Format{"GS7BG", GDALRegister_GS7BG},
+    Format{"JP2OpenJPEG", GDALRegister_JP2OpenJPEG},
+    Format{"GPKG", RegisterOGRGeoPackage},
+    Format{"PNG", GDALRegister_PNG},  // these two for the tiles of a GeoPackage
+    Format{"JPEG", GDALRegister_JPEG},
+};
+
+bool prepare_gdal() {
+    for (const Format& format : kFormats) format.register_it();
+    OSRSetPROJEnableNetwork(0);
+    return close_file_system_to_gdal();
+}
+
+bool is_prepared() {
+    static const bool prepared = prepare_gdal();
+    return prepared;
+}
+
+// Why a file that GDAL does not take may lead elsewhere; empty where it does not.
+std::string reference_in(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::string beginning(1024, '\0');
+    file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+    if (beginning.find("<VRTDataset") != std::string::npos)
+        return "is a virtual raster, which reads other files; add --allow-references if you trust it";
+    for (const char* service : {"<GDAL_WMS", "<WCS_GDAL", "<GDAL_WMTS"})
+        if (beginning.find(service) != std::string::npos)
+            return "asks a server, and nothing is read from the network; download the raster and open that";
+    return {};
+}
+
+// PROJ opens grids of corrections by the names in the WKT; a path among them is the author's, not the user's.
+bool names_a_path(const std::string& wkt) {
+    static const std::regex path_of_grid(R"((grids|parameterfile|catalog)[^\]]*/)", std::regex::icase);
+    return std::regex_search(wkt, path_of_grid);
+}
+
 }  // namespace
 
 GdalErrors::GdalErrors() {
-    [[maybe_unused]] static const bool registered = (GDALAllRegister(), true);
     CPLPushErrorHandlerEx(keep_first_failure, &first_);
+    is_prepared();
 }
 
 GdalErrors::~GdalErrors() {
@@ -32,17 +97,41 @@ std::string GdalErrors::first() const {
     return first_.empty() ? "no reason given" : first_;
 }
 
-tl::expected<Dataset, std::string> open_raster(const std::filesystem::path& path) {
+VirtualRasters::VirtualRasters(References references) {
+    if (references != References::kAllowed || GDALGetDriverByName("VRT") != nullptr) return;
+    GDALRegister_VRT();
+    registered_ = true;
+}
+
+VirtualRasters::~VirtualRasters() {
+    if (!registered_) return;
+    GDALDriverH driver = GDALGetDriverByName("VRT");
+    GDALDeregisterDriver(driver);
+    GDALDestroyDriver(driver);
+}
+
+tl::expected<Raster, std::string> Raster::open(const std::filesystem::path& path, References references) {
     const GdalErrors errors;
-    std::error_code status;
-    if (!std::filesystem::exists(path, status))
-        return tl::unexpected(fmt::format("{}: there is no such file", path.string()));
-    Dataset dataset(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-                               nullptr, nullptr, nullptr));
-    if (dataset == nullptr || GDALGetRasterCount(dataset.get()) < 1)
-        return tl::unexpected(
-            fmt::format("{}: not a raster that can be read ({})", path.string(), errors.first()));
-    return dataset;
+    const auto bad = [&path](const std::string& fact) {
+        return tl::unexpected(fmt::format("{}: {}", path.string(), fact));
+    };
+    if (!is_prepared())
+        return bad("not opened, because this version of GDAL cannot be kept from other files");
+    std::error_code error;
+    const bool is_binary_grid =
+        std::filesystem::is_regular_file(path / "hdr.adf", error);  // named by its folder
+    if (auto is_file = check_input(path); !is_file && !is_binary_grid) return tl::unexpected(is_file.error());
+    Raster raster;
+    raster.files_ = std::make_unique<RasterFiles>(path, references);
+    raster.virtual_rasters_ = std::make_unique<VirtualRasters>(references);
+    // Absolute, so that no name is taken for one of GDAL's own kinds of names.
+    const std::filesystem::path absolute = std::filesystem::absolute(path, error);
+    raster.dataset_.reset(GDALOpenEx(absolute.c_str(),
+                                     GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr,
+                                     nullptr, nullptr));
+    if (raster.get() != nullptr && GDALGetRasterCount(raster.get()) >= 1) return raster;
+    if (const std::string reference = reference_in(path); !reference.empty()) return bad(reference);
+    return bad(fmt::format("not a raster that can be read ({})", errors.first()));
 }
 
 void SpatialReference::Destroy::operator()(void* handle) const {
@@ -50,8 +139,11 @@ void SpatialReference::Destroy::operator()(void* handle) const {
 }
 
 SpatialReference SpatialReference::from_wkt(const std::string& wkt) {
+    if (names_a_path(wkt)) return SpatialReference(nullptr);
     SpatialReference made(OSRNewSpatialReference(nullptr));
-    if (OSRSetFromUserInput(made.get(), wkt.c_str()) != OGRERR_NONE) return SpatialReference(nullptr);
+    std::string text = wkt;
+    char* rest = text.data();
+    if (OSRImportFromWkt(made.get(), &rest) != OGRERR_NONE) return SpatialReference(nullptr);
     OSRSetAxisMappingStrategy(made.get(), OAMS_TRADITIONAL_GIS_ORDER);
     return made;
 }

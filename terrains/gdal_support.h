@@ -7,6 +7,8 @@
 #include <gdal.h>
 #include <tl/expected.hpp>
 
+#include "terrains/gdal_files.h"
+
 // What every reader and writer here needs of GDAL. Include it from sources only, never from a header of a
 // format: GDAL's names stay in this folder's .cpp files.
 namespace terrains {
@@ -35,10 +37,38 @@ struct CloseDataset {
 };
 using Dataset = std::unique_ptr<void, CloseDataset>;
 
-// Opens a raster for reading. Errors: missing, not a raster, damaged; one sentence that names the file.
-tl::expected<Dataset, std::string> open_raster(const std::filesystem::path& path);
+// Makes VRT known to GDAL while one lives that allows references, and unknown again.
+class VirtualRasters {
+  public:
+    explicit VirtualRasters(References references);
+    ~VirtualRasters();
+    VirtualRasters(const VirtualRasters&) = delete;
+    VirtualRasters& operator=(const VirtualRasters&) = delete;
 
-// A coordinate system with x east-like and y north-like. Empty where the WKT could not be read.
+  private:
+    bool registered_ = false;
+};
+
+// A raster that is open for reading, and the files that GDAL may read for it.
+class Raster {
+  public:
+    // Opens one of the formats in kFormats (gdal_support.cpp), and VRT where references are allowed; never
+    // anything from the network. Errors: missing, no file, not a raster, damaged, a raster that refers to
+    // other files or servers; one sentence that names the file.
+    static tl::expected<Raster, std::string> open(const std::filesystem::path& path, References references);
+
+    GDALDatasetH get() const { return dataset_.get(); }
+
+  private:
+    Raster() = default;
+
+    std::unique_ptr<RasterFiles> files_;  // outlive the dataset
+    std::unique_ptr<VirtualRasters> virtual_rasters_;
+    Dataset dataset_;
+};
+
+// A coordinate system with x east-like and y north-like. Empty where the WKT could not be read, and where it
+// names a file of its own to be read (a grid of corrections with a path).
 class SpatialReference {
   public:
     static SpatialReference from_wkt(const std::string& wkt);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "terrains/input_file.h"
 #include "terrains/plane_transform.h"
 
 namespace terrains {
@@ -188,6 +189,7 @@ bool looks_like_json(const std::filesystem::path& path) {
 tl::expected<std::vector<Area>, std::string> read_areas(const std::filesystem::path& path,
                                                         const Georeference& georeference,
                                                         const ThicknessRule& rule) {
+    if (auto is_file = check_input(path); !is_file) return tl::unexpected(is_file.error());
     auto areas =
         parse(path)
             .and_then([&](const Json& root) { return collect(root, rule); })

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -46,6 +47,23 @@ std::string to_wkt(OGRSpatialReferenceH system) {
     return wkt;
 }
 
+// GDAL unpacks whole blocks, and a row of the raster needs all that it crosses. Gives GDAL room for them.
+tl::expected<void, std::string> check_blocks(GDALDatasetH dataset) {
+    constexpr std::int64_t kMostBytes = std::int64_t{512} << 20;
+    constexpr std::int64_t kUsualBytes = std::int64_t{64} << 20;
+    GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
+    int across = 0, down = 0;
+    GDALGetBlockSize(band, &across, &down);
+    const auto blocks = (GDALGetRasterXSize(dataset) + std::int64_t{across} - 1) / across;
+    const std::int64_t most = blocks * across * down * GDALGetDataTypeSizeBytes(GDALGetRasterDataType(band));
+    if (most > kMostBytes)
+        return tl::unexpected(fmt::format(
+            "one row of its blocks takes {} MiB, and the most is {}; rewrite it in tiles of 512 pixels",
+            most >> 20, kMostBytes >> 20));
+    GDALSetCacheMax64(kUsualBytes + most + most / 2);  // and their masks
+    return {};
+}
+
 }  // namespace
 
 tl::expected<void, std::string> check_size(GDALDatasetH dataset) {
@@ -57,7 +75,7 @@ tl::expected<void, std::string> check_size(GDALDatasetH dataset) {
         return tl::unexpected(fmt::format(
             "{} × {} pixels: a raster has 2 to {} along each side and at most {:.0f} million in all", width,
             height, kLongestSide, kMostPixels / 1e6));
-    return {};
+    return check_blocks(dataset);
 }
 
 RasterSystem system_of(GDALDatasetH dataset) {
@@ -220,14 +238,19 @@ void RasterPlace::centres(const std::vector<double>& columns, const std::vector<
     }
 }
 
+void RasterPlace::places(const std::vector<double>& columns, double row, std::vector<double>& x,
+                         std::vector<double>& y) const {
+    centres(columns, std::vector<double>(columns.size(), row), x, y);
+    project(x, y);
+}
+
 void RasterPlace::positions(int row, std::vector<double>& x, std::vector<double>& y) const {
     const int stride = warp_ ? 8 : 1;
     std::vector<double> columns;
     for (int column = 0; column < columns_ - 1; column += stride) columns.push_back(column);
     columns.push_back(columns_ - 1);
     std::vector<double> knots_x, knots_y;
-    centres(columns, std::vector<double>(columns.size(), row), knots_x, knots_y);
-    project(knots_x, knots_y);
+    places(columns, row, knots_x, knots_y);
     x.resize(columns_);
     y.resize(columns_);
     for (std::size_t k = 0; k + 1 < columns.size(); ++k) {

@@ -13,7 +13,8 @@
 
 namespace terrains {
 
-// Errors: over 100,000 pixels along a side, over 400 million in all, fewer than 2 along a side.
+// Asked before pixels are read. Errors: over 100,000 pixels along a side, over 400 million in all, fewer than
+// 2 along a side, a row of blocks (tiles, strips) over 512 MiB.
 tl::expected<void, std::string> check_size(GDALDatasetH dataset);
 
 // Where a raster's pixels lie on the plane on which its terrain will be played; the choice of that plane is
@@ -29,6 +30,11 @@ class RasterPlace {
     // warped raster every eighth is exact and those between lie straight between: under 2 mm off for pixels
     // up to 30 m.
     void positions(int row, std::vector<double>& x, std::vector<double>& y) const;
+
+    // The same of any places in one row, which are counted in pixels from the centre of the first one; each
+    // exact.
+    void places(const std::vector<double>& columns, double row, std::vector<double>& x,
+                std::vector<double>& y) const;
 
     Georeference georeference;                          // its origin is (min_x, min_y)
     double min_x = 0, min_y = 0, max_x = 0, max_y = 0;  // m, plane coordinates of the rectangle to be played

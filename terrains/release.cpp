@@ -29,9 +29,11 @@ bool empty(const std::vector<float>& thickness) {
 
 tl::expected<std::vector<float>, std::string> read_release(const std::filesystem::path& path,
                                                            const Terrain& terrain,
-                                                           std::optional<double> default_thickness) {
-    auto thickness =
-        looks_like_json(path) ? of_areas(path, terrain, default_thickness) : read_depth_raster(path, terrain);
+                                                           std::optional<double> default_thickness,
+                                                           References references) {
+    if (auto is_file = check_input(path); !is_file) return tl::unexpected(is_file.error());
+    auto thickness = looks_like_json(path) ? of_areas(path, terrain, default_thickness)
+                                           : read_depth_raster(path, terrain, references);
     if (!thickness) return thickness;
     for (std::size_t i = 0; i < thickness->size(); ++i)
         if (terrain.has_data[i] == 0) (*thickness)[i] = 0;
@@ -55,15 +57,16 @@ tl::expected<std::vector<std::uint8_t>, std::string> read_extent(const std::file
     return mask;
 }
 
-tl::expected<Reference, std::string> read_reference(const std::filesystem::path& path,
-                                                    const Terrain& terrain) {
+tl::expected<Reference, std::string> read_reference(const std::filesystem::path& path, const Terrain& terrain,
+                                                    References references) {
+    if (auto is_file = check_input(path); !is_file) return tl::unexpected(is_file.error());
     Reference reference;
     if (looks_like_json(path)) {
         auto extent = read_extent(path, terrain);
         if (!extent) return tl::unexpected(extent.error());
         reference.extent = std::move(*extent);
     } else {
-        auto change = read_signed_raster(path, terrain);
+        auto change = read_signed_raster(path, terrain, references);
         if (!change) return tl::unexpected(change.error());
         if (std::all_of(change->begin(), change->end(), [](float metres) { return metres == 0; }))
             return tl::unexpected(fmt::format("{}: it has no change on {}", path.string(), terrain.name));

@@ -55,8 +55,9 @@ void PlaneFit::for_vertices_near(double x, double y, Visit visit) {
         }
 }
 
-void PlaneFit::add(double x, double y, double height) {
-    for_vertices_near(x, y, [height](Sums& s, double u, double v, double weight) {
+void PlaneFit::add(double x, double y, double height, double count) {
+    for_vertices_near(x, y, [height, count](Sums& s, double u, double v, double tent) {
+        const double weight = tent * count;
         s.all += weight;
         s.w += weight;
         s.x += weight * u;
@@ -70,8 +71,8 @@ void PlaneFit::add(double x, double y, double height) {
     });
 }
 
-void PlaneFit::add_void(double x, double y) {
-    for_vertices_near(x, y, [](Sums& s, double, double, double weight) { s.all += weight; });
+void PlaneFit::add_void(double x, double y, double count) {
+    for_vertices_near(x, y, [count](Sums& s, double, double, double tent) { s.all += tent * count; });
 }
 
 // height = mean − slope · (where the points' centre lies). Where the centre is the vertex itself, as on every

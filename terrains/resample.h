@@ -28,8 +28,9 @@ class PlaneFit {
     // axis. point_area: m² of ground per point, to tell a vertex in the raster from one beyond its edge.
     PlaneFit(const sim::Grid& grid, double reach_x, double reach_y, double point_area);
 
-    void add(double x, double y, double height);  // m from vertex (0, 0); z in m
-    void add_void(double x, double y);            // a point whose height nobody knows
+    // A point, m from vertex (0, 0), and its height, m; or `count` of them, with their mean place and height.
+    void add(double x, double y, double height, double count = 1);
+    void add_void(double x, double y, double count = 1);  // whose heights nobody knows
 
     // 1 where the vertex lies among the points, at least half of its weight is known, and a plane is
     // determined. Elsewhere surface is 0: fill_voids() carries it on.

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "game/bench/report.h"
+#include "terrains/input_file.h"
 
 namespace game {
 namespace {
@@ -84,9 +85,9 @@ const Json& list(const Json& json, const char* name) {
 }  // namespace
 
 Outcome<Json> read_report(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) return unusable(fmt::format("{}: cannot be read", path.string()));
-    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    auto stream = terrains::open_input(path);
+    if (!stream) return unusable(stream.error());
+    const std::string bytes{std::istreambuf_iterator<char>(*stream), {}};
     Json json = Json::parse(bytes, nullptr, false);
     if (json.is_discarded()) return unusable(fmt::format("{}: is no JSON, or not all of it", path.string()));
     if (!json.is_object() || json.value("format", Json()) != kBenchFormat)

@@ -30,7 +30,7 @@ Outcome<Leavings> open_leavings(const RunOptions& options, const Start& start,
                                 const terrains::Terrain& ground) {
     Leavings leavings;
     if (options.reference) {
-        auto reference = terrains::read_reference(*options.reference, ground);
+        auto reference = terrains::read_reference(*options.reference, ground, options.wishes.references);
         if (!reference) return unusable(reference.error());
         leavings.reference = std::move(*reference);
     }

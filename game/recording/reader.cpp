@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "game/recording/chain.h"
+#include "terrains/input_file.h"
 
 namespace game {
 namespace {
@@ -182,11 +183,9 @@ Outcome<Recording> read_recording(std::istream& stream, const std::string& name)
 }
 
 Outcome<Recording> read_recording(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::error_code error;
-    if (!file || std::filesystem::is_directory(path, error))
-        return unusable(fmt::format("{}: no such file, or not readable", path.string()));
-    return read_recording(file, path.string());
+    auto file = terrains::open_input(path);
+    if (!file) return unusable(file.error());
+    return read_recording(*file, path.string());
 }
 
 }  // namespace game

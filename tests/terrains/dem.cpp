@@ -134,7 +134,7 @@ TEST(Dem, reads_feet_scale_and_offset_of_heights) {
                 band +
                 "<SimpleSource><SourceFilename relativeToVRT=\"1\">hill.asc</SourceFilename></SimpleSource>"
                 "</VRTRasterBand></VRTDataset>");
-        return read_dem(folder.path() / "hill.vrt", 20);
+        return read_dem(folder.path() / "hill.vrt", 20, References::kAllowed);
     };
     const auto feet = wrapped("<UnitType>ft</UnitType>");
     ASSERT_TRUE(feet) << feet.error();
@@ -155,7 +155,7 @@ TEST(Dem, plays_the_metres_of_a_raster_whose_rows_run_to_the_north) {
         "<VRTDataset rasterXSize=\"21\" rasterYSize=\"17\"><GeoTransform>-5,10,0,-5,0,10</GeoTransform>"
         "<VRTRasterBand dataType=\"Float32\" band=\"1\"><SimpleSource><SourceFilename relativeToVRT=\"1\">"
         "hill.asc</SourceFilename></SimpleSource></VRTRasterBand></VRTDataset>");
-    const auto terrain = read_dem(folder.path() / "hill.vrt", 20);
+    const auto terrain = read_dem(folder.path() / "hill.vrt", 20, References::kAllowed);
     ASSERT_TRUE(terrain) << terrain.error();
     EXPECT_NEAR(terrain->surface.front(), 1160, 1e-3);  // the file's first row is the south one now
     EXPECT_NEAR(terrain->surface.back(), 1000, 1e-3);

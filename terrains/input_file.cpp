@@ -1,0 +1,40 @@
+#include "terrains/input_file.h"
+
+#include <cerrno>
+#include <cstring>
+
+#include <fmt/format.h>
+
+namespace terrains {
+
+namespace fs = std::filesystem;
+
+tl::expected<void, std::string> check_input(const fs::path& path) {
+    const auto bad = [&path](const std::string& fact) {
+        return tl::unexpected(fmt::format("{}: {}", path.string(), fact));
+    };
+    std::error_code error;
+    switch (fs::status(path, error).type()) {
+        case fs::file_type::regular:
+            return {};
+        case fs::file_type::not_found:
+            return bad("there is no such file");
+        case fs::file_type::directory:
+            return bad("is a folder, not a file");
+        case fs::file_type::none:
+        case fs::file_type::unknown:
+            return bad(fmt::format("cannot be opened ({})", error.message()));
+        default:
+            return bad("is a pipe or a device, not a file; copy its contents into a file first");
+    }
+}
+
+tl::expected<std::ifstream, std::string> open_input(const fs::path& path) {
+    if (auto is_file = check_input(path); !is_file) return tl::unexpected(is_file.error());
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
+        return tl::unexpected(fmt::format("{}: cannot be opened ({})", path.string(), std::strerror(errno)));
+    return file;
+}
+
+}  // namespace terrains

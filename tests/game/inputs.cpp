@@ -1,0 +1,120 @@
+// A file that cannot be read to an end, or that leads out of its folder, is refused at once.
+
+#include <sys/stat.h>
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "game/array_file.h"
+#include "game/bench/against.h"
+#include "game/mesh_file.h"
+#include "game/opening.h"
+#include "game/recording/reader.h"
+#include "game/toml_table.h"
+#include "tests/game/program.h"
+#include "tests/support/places.h"
+
+namespace game::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path pipe_in(const support::TemporaryFolder& folder, const char* name) {
+    const fs::path path = folder.path() / name;
+    EXPECT_EQ(mkfifo(path.c_str(), 0600), 0);
+    return path;
+}
+
+template <class T>
+void expect_unusable(const Outcome<T>& outcome, const fs::path& path) {
+    ASSERT_FALSE(outcome) << path;
+    EXPECT_EQ(outcome.error().status, Failure::kUnusable);
+    EXPECT_EQ(outcome.error().sentence.rfind(path.string() + ": ", 0), 0u) << outcome.error().sentence;
+}
+
+TEST(Inputs, that_are_pipes_devices_or_folders_keep_no_reader_waiting) {
+    const support::TemporaryFolder folder;
+    for (const fs::path& path : {pipe_in(folder, "pipe"), fs::path("/dev/zero"), folder.path()}) {
+        expect_unusable(read_recording(path), path);
+        expect_unusable(parse_toml(path), path);
+        expect_unusable(read_obj(path), path);
+        expect_unusable(ArrayFile::open(path), path);
+        expect_unusable(read_report(path), path);
+        expect_unusable(open_anything(path.string(), {}), path);
+    }
+    for (const char* name : {"pipe.toml", "pipe.couloir", "pipe.tif"})
+        expect_unusable(open_anything(pipe_in(folder, name).string(), {}), folder.path() / name);
+}
+
+TEST(Inputs, that_are_pipes_end_every_command_with_status_2) {
+    const support::TemporaryFolder folder;
+    const std::string pipe = pipe_in(folder, "pipe").string(), out = (folder.path() / "out").string();
+    const std::string hill = (folder.path() / "hill.asc").string();
+    write_bytes(hill, "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 10\n1 2\n3 4\n");
+    for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+             {"run", pipe, "--seconds", "1"},
+             {"run", "landslide", "--seconds", "1", "--material", pipe},
+             {"run", "--terrain", pipe, "--release", hill, "--seconds", "1"},
+             {"run", "--terrain", hill, "--release", pipe, "--seconds", "1"},
+             {"run", "landslide", "--reference", pipe, "--seconds", "1"},
+             {"play", pipe},
+             {"replay", pipe, "--no-render"},
+             {"compare", pipe, "landslide"},
+             {"edit", pipe, "--tick", "1", "--delete", "--out", out},
+             {"normalise", pipe, "--out", out},
+             {"track", pipe, hill, "--jump", "1"},
+             {"bench", "--against", pipe},
+         })
+        EXPECT_EQ(couloir(arguments).status, Failure::kUnusable) << arguments.front();
+}
+
+class SceneOfStranger : public testing::Test {
+  protected:
+    SceneOfStranger() {
+        fs::create_directories(folder_.path() / "scenes" / "hills");
+        for (const fs::path& hill :
+             {folder_.path() / "hill.asc", scene_.parent_path() / "hills" / "hill.asc"}) {
+            std::string asc = "ncols 9\nnrows 9\nxllcorner 0\nyllcorner 0\ncellsize 10\n";
+            for (int i = 0; i < 81; ++i) asc += std::to_string(1000 + i % 9) + ' ';
+            write_bytes(hill, asc);
+        }
+        fs::create_symlink(folder_.path() / "hill.asc", scene_.parent_path() / "link.asc");
+    }
+
+    Outcome<Scene> load(const std::string& file, terrains::References references) {
+        write_bytes(scene_, "[terrain]\nfile = \"" + file +
+                                "\"\ngrid = 8\n[cover]\nmaterial = \"soil\"\ndepth = 1\n[physics]\n");
+        Wishes wishes;
+        wishes.references = references;
+        return load_scene(scene_.string(), wishes);
+    }
+
+    support::TemporaryFolder folder_;
+    fs::path scene_ = folder_.path() / "scenes" / "hill.toml";
+};
+
+TEST_F(SceneOfStranger, reads_terrain_in_its_folder_and_other_only_where_references_are_allowed) {
+    using terrains::References;
+    for (const auto& [file, is_inside] : std::vector<std::pair<std::string, bool>>{
+             {"hills/hill.asc", true},
+             {"hills/../hills/hill.asc", true},
+             {"../hill.asc", false},
+             {"link.asc", false},
+             {(folder_.path() / "hill.asc").string(), false},
+         }) {
+        const auto refused = load(file, References::kRefused);
+        EXPECT_EQ(refused.has_value(), is_inside) << file;
+        if (!is_inside) {
+            EXPECT_EQ(refused.error().status, Failure::kUnusable);
+        }
+        const auto allowed = load(file, References::kAllowed);
+        EXPECT_TRUE(allowed) << file << ": " << allowed.error().sentence;
+    }
+}
+
+}  // namespace
+}  // namespace game::test
