@@ -80,4 +80,15 @@ Outcome<fs::path> find_asset(AssetKind kind, std::string_view name_or_path) {
         fmt::format("no {} is named '{}'; there are {}", drawer.noun, name_or_path, fmt::join(*names, ", ")));
 }
 
+std::vector<fs::path> drawing_assets() {
+    std::vector<fs::path> files;
+    const auto assets = assets_folder();
+    if (!assets) return files;
+    std::error_code error;
+    for (const char* folder : {"shaders", "textures"})
+        for (const auto& entry : fs::recursive_directory_iterator(*assets / folder, error))
+            if (entry.is_regular_file(error)) files.push_back(entry.path());
+    return files;
+}
+
 }  // namespace game

@@ -23,4 +23,7 @@ bool is_asset(AssetKind kind, std::string_view name);
 // A shipped thing by its name, or a file by its path. Errors: neither; lists the names there are.
 Outcome<std::filesystem::path> find_asset(AssetKind kind, std::string_view name_or_path);
 
+// The shaders and textures that every picture is drawn with.
+std::vector<std::filesystem::path> drawing_assets();
+
 }  // namespace game

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "game/gallery.h"
 #include "game/outcome.h"
@@ -9,6 +11,10 @@
 #include "game/summary.h"
 
 namespace game {
+
+// Names of what export_results() writes, with * for any characters.
+inline const std::vector<std::string> kExportedNames{"deposit.*",        "peak_depth.*",   "peak_speed.*",
+                                                     "lower_material.*", "extent.geojson", "summary.json"};
 
 // What an avalanche left, for a GIS: deposit, peak depth and peak speed, in a world of two materials how much
 // of the lower one was moved, as GeoTIFF and ESRI ASCII, the extent's outline as GeoJSON, and summary.json.

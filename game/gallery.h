@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "game/outcome.h"
 #include "game/start.h"
@@ -15,6 +16,9 @@ namespace game {
 struct PictureSize {
     int width = 1280, height = 720;  // pixels, 16 to 8192
 };
+
+// Names of the pictures of a run or a replay, with * for any characters: ticks, maps, where two runs part.
+inline const std::vector<std::string> kFrameNames{"tick_*.png", "map_*.png", "desync.png"};
 
 // Draws a world into numbered pictures without a window, and writes them while the world goes on.
 class Gallery {

@@ -75,6 +75,7 @@ Outcome<Material> load_material(std::string_view name_or_path, sim::Model model)
     if (!document) return tl::unexpected(document.error());
 
     Material material;
+    material.file = *path;
     material.name = path->stem().string();
     material.params.model = model;
     TomlFault fault;

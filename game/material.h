@@ -12,6 +12,7 @@ namespace game {
 
 // What rolls and lies: how it looks, and its numbers for one model.
 struct Material {
+    std::filesystem::path file;
     std::string name;   // of its file
     std::string title;  // "loose dry snow"
     render::Look look;

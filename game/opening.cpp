@@ -31,6 +31,7 @@ Outcome<Opening> open_recording(const fs::path& path) {
     opening.name = found->stem().string();
     opening.scene.start = recording->header.start;
     opening.scene.commands = recording->commands;
+    opening.scene.files = {*found};
     opening.told = recording->warning.value_or(fmt::format("Watching {}", found->filename().string()));
     opening.watched = std::move(*recording);
     return opening;

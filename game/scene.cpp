@@ -166,6 +166,7 @@ void take_material(Start& start, const Material& material, const sim::Params& ov
 Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& wishes, TomlFault& fault) {
     Scene scene;
     Start& start = scene.start;
+    scene.files.push_back(path);
     start.scene = path.stem().string();
     start.title = root.text("title").value_or(start.scene);
 
@@ -202,6 +203,7 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& w
     if (!material && !wishes.material)
         cover->blame("material", "cannot be used: " + material.error().sentence);
     if (!material) return fault ? unusable(*fault) : tl::unexpected(material.error());
+    scene.files.push_back(material->file);
     sim::Params params = material->params;
     read_choices(*physics, wishes, params);
     read_borders(*physics, params);
@@ -216,6 +218,7 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& w
         const auto lower = load_material(*under_named, model);
         if (!lower) under->blame("material", "cannot be used: " + lower.error().sentence);
         if (!lower) return unusable(*fault);
+        scene.files.push_back(lower->file);
         take_lower(start, *lower);
         read_physics_numbers(*under, own, own == model ? start.lower->params : unused);
         if (const auto wrong = sim::fault_of(start.lower->params)) under->blame("", *wrong);
@@ -230,6 +233,7 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& w
     if (const auto wrong = fault_of_sets(params, scene.commands))
         return unusable(fmt::format("{}: {}", path.string(), *wrong));
 
+    if (const auto file = ground->text("file")) scene.files.push_back(path.parent_path() / *file);
     auto terrain = read_terrain(*ground, path.parent_path(), wishes.squares, wishes.references);
     if (fault) return unusable(*fault);
     if (!terrain) return unusable(terrain.error());
@@ -285,6 +289,7 @@ Outcome<Scene> scene_of_terrain(const fs::path& dem, const std::optional<fs::pat
     if (!terrain) return unusable(terrain.error());
 
     Scene scene;
+    scene.files = {dem, material->file};
     scene.start.scene = scene.start.title = terrain->name;
     sim::Params params = material->params;
     take_choices(wishes, params);
@@ -295,6 +300,7 @@ Outcome<Scene> scene_of_terrain(const fs::path& dem, const std::optional<fs::pat
         auto rolling = read_release_on(*terrain, *release, wishes.references);
         if (!rolling) return tl::unexpected(rolling.error());
         scene.start.rolling = std::move(*rolling);
+        scene.files.push_back(*release);
     }
     return scene;
 }

@@ -25,7 +25,8 @@ struct Wishes {
 // A start, and what is done to it at which tick.
 struct Scene {
     Start start;
-    std::vector<TimedCommand> commands;  // in order of their ticks
+    std::vector<TimedCommand> commands;             // in order of their ticks
+    std::vector<std::filesystem::path> files = {};  // that it was read from
 };
 
 // Reads a scene by name or file (README.md has every key), its material and its terrain. Errors: damage, told

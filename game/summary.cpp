@@ -178,6 +178,12 @@ std::string to_text(const Summary& summary) {
     return text;
 }
 
+void add_outputs(const ResultOptions& options, FileUse& use) {
+    use.writes("--perf", options.perf);
+    use.writes("--trace", options.trace);
+    use.writes("--summary", options.summary);
+}
+
 Outcome<void> make_places_for(const ResultOptions& options) {
     for (const auto& file : {options.perf, options.summary, options.trace})
         if (file)

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "game/file_use.h"
 #include "game/measures.h"
 #include "game/perf_log.h"
 #include "game/recording/divergence.h"
@@ -40,6 +41,7 @@ struct ResultOptions {
     std::optional<std::filesystem::path> perf, summary, trace;
     bool json = false;  // on standard output
 };
+void add_outputs(const ResultOptions& options, FileUse& use);
 // To be asked before the work begins. Errors: a file there could not be written (status 3).
 Outcome<void> make_places_for(const ResultOptions& options);
 // Writes the files and prints the summary. Needs summary.perf. Errors: status 3.

@@ -4,61 +4,19 @@
 
 #include <cerrno>
 #include <cstring>
-#include <utility>
 
 #include <fmt/format.h>
+
+#include "files/whole_file.h"
 
 namespace game {
 
 namespace fs = std::filesystem;
 
-WholeFile::WholeFile(const fs::path& path) : path_(path), beside_(path) {
-    beside_ += ".part";
-    stream_.open(beside_, std::ios::binary);
-}
-
-WholeFile::WholeFile(WholeFile&& other) noexcept
-    : path_(std::move(other.path_)),
-      beside_(std::exchange(other.beside_, {})),
-      stream_(std::move(other.stream_)) {}
-
-WholeFile::~WholeFile() {
-    std::error_code ignored;
-    if (!beside_.empty()) fs::remove(beside_, ignored);
-}
-
-Outcome<WholeFile> WholeFile::open(const fs::path& path) {
-    if (auto placed = make_place_for(path); !placed) return tl::unexpected(placed.error());
-    WholeFile file(path);
-    if (!file.stream_) return file.failed(std::strerror(errno));
-    return file;
-}
-
-Outcome<void> WholeFile::write(std::string_view text) {
-    stream_.write(text.data(), static_cast<std::streamsize>(text.size()));
-    if (!stream_) return failed(std::strerror(errno));
-    return {};
-}
-
-Outcome<void> WholeFile::finish() {
-    stream_.close();
-    if (!stream_) return failed(std::strerror(errno));
-    std::error_code error;
-    fs::rename(beside_, path_, error);
-    if (error) return failed(error.message());
-    beside_.clear();
-    return {};
-}
-
-tl::unexpected<Failure> WholeFile::failed(const std::string& reason) const {
-    return machine_fails(fmt::format("{}: cannot be written: {}", path_.string(), reason));
-}
-
 Outcome<void> write_text(const fs::path& path, std::string_view text) {
-    auto file = WholeFile::open(path);
-    if (!file) return tl::unexpected(file.error());
-    if (auto written = file->write(text); !written) return written;
-    return file->finish();
+    if (auto placed = make_place_for(path); !placed) return placed;
+    if (auto written = files::write(path, text); !written) return machine_fails(written.error());
+    return {};
 }
 
 Outcome<void> make_place_for(const fs::path& path) {

@@ -1,5 +1,6 @@
 #include "render/frame_writer.h"
 
+#include <exception>
 #include <utility>
 
 #include "sim/check.h"
@@ -34,6 +35,15 @@ tl::expected<void, std::string> FrameWriter::finish() {
     return {};
 }
 
+// An exception must not leave the thread.
+tl::expected<void, std::string> FrameWriter::write(const Job& job) {
+    try {
+        return write_png(job.picture, job.path);
+    } catch (const std::exception& thrown) {  // such as no memory
+        return tl::unexpected(job.path.string() + ": cannot be written: " + thrown.what());
+    }
+}
+
 void FrameWriter::write_all() {
     std::unique_lock lock(mutex_);
     while (true) {
@@ -44,7 +54,7 @@ void FrameWriter::write_all() {
         changed_.notify_all();
         if (error_) continue;
         lock.unlock();
-        auto written = write_png(job.picture, job.path);
+        const auto written = write(job);
         lock.lock();
         if (!written) error_ = written.error();
     }

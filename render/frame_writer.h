@@ -38,6 +38,7 @@ class FrameWriter {
         std::filesystem::path path;
     };
 
+    static tl::expected<void, std::string> write(const Job& job);
     void write_all();
 
     std::size_t capacity_;

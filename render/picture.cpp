@@ -1,30 +1,30 @@
 #include "render/picture.h"
 
-#include <system_error>
+#include <string_view>
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
+#include "files/whole_file.h"
 #include "sim/check.h"
 
 namespace render {
 namespace {
 
-// Errors name `path`; the picture goes to `beside`.
-tl::expected<void, std::string> write_beside(const Picture& picture, const std::filesystem::path& path,
-                                             const std::filesystem::path& beside, int compression) {
-    const auto failed = [&](const std::string& fact) {
-        return tl::unexpected(fmt::format("{}: cannot be written: {}", path.string(), fact));
-    };
+// In memory: OpenImageIO does not say when the last bytes of a file could not be written.
+tl::expected<std::vector<unsigned char>, std::string> encode_png(const Picture& picture, int compression) {
     auto output = OIIO::ImageOutput::create("png");
-    if (!output) return failed(OIIO::geterror());
+    if (!output) return tl::unexpected(OIIO::geterror());
     OIIO::ImageSpec spec(picture.width, picture.height, picture.channels, OIIO::TypeDesc::UINT8);
     spec.attribute("oiio:ColorSpace", "sRGB");
     spec.attribute("png:compressionLevel", compression);
-    if (!output->open(beside.string(), spec)) return failed(output->geterror());
-    if (!output->write_image(OIIO::TypeDesc::UINT8, picture.pixels.data())) return failed(output->geterror());
-    if (!output->close()) return failed(output->geterror());
-    return {};
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    if (!output->set_ioproxy(&memory) || !output->open("picture.png", spec) ||
+        !output->write_image(OIIO::TypeDesc::UINT8, picture.pixels.data()) || !output->close())
+        return tl::unexpected(output->geterror());
+    return bytes;
 }
 
 }  // namespace
@@ -36,17 +36,9 @@ tl::expected<void, std::string> write_png(const Picture& picture, const std::fil
     CHECK(picture.pixels.size() == 1ull * static_cast<unsigned>(picture.channels) *
                                        static_cast<unsigned>(picture.width) *
                                        static_cast<unsigned>(picture.height));
-    std::filesystem::path beside = path;
-    beside += ".part";
-    std::error_code error;
-    if (auto written = write_beside(picture, path, beside, compression); !written) {
-        std::filesystem::remove(beside, error);
-        return written;
-    }
-    std::filesystem::rename(beside, path, error);
-    if (error)
-        return tl::unexpected(fmt::format("{}: cannot be written: {}", path.string(), error.message()));
-    return {};
+    const auto bytes = encode_png(picture, compression);
+    if (!bytes) return tl::unexpected(fmt::format("{}: cannot be written: {}", path.string(), bytes.error()));
+    return files::write(path, {reinterpret_cast<const char*>(bytes->data()), bytes->size()});
 }
 
 }  // namespace render

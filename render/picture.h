@@ -21,7 +21,7 @@ struct Picture {
 inline constexpr int kFastPngCompression = 1;
 inline constexpr int kSmallestPngCompression = 9;
 
-// Writes a PNG beside `path` and renames it. Errors: one sentence that names the file.
+// Writes a PNG as a whole file (files/whole_file.h). Errors: one sentence that names the file.
 tl::expected<void, std::string> write_png(const Picture& picture, const std::filesystem::path& path,
                                           int compression = kFastPngCompression);
 

@@ -7,10 +7,20 @@ namespace sim {
 Workers::Workers(int threads) {
     CHECK(threads >= 1);
     crew_.reserve(static_cast<std::size_t>(threads - 1));
-    for (int member = 1; member < threads; ++member) crew_.emplace_back([this, member] { serve(member); });
+    try {
+        for (int member = 1; member < threads; ++member)
+            crew_.emplace_back([this, member] { serve(member); });
+    } catch (...) {  // the system has no more threads
+        leave();
+        throw;
+    }
 }
 
 Workers::~Workers() {
+    leave();
+}
+
+void Workers::leave() {
     leaving_ = true;
     round_.fetch_add(1, std::memory_order_release);
     round_.notify_all();

@@ -12,7 +12,7 @@ namespace sim {
 // reads what an earlier stage finished, so the number of threads never shows in the result.
 class Workers {
   public:
-    explicit Workers(int threads);  // ≥ 1; 1 starts none
+    explicit Workers(int threads);  // ≥ 1; 1 starts none. Throws std::system_error if there are no more
     ~Workers();
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;
@@ -40,6 +40,7 @@ class Workers {
   private:
     using Call = void (*)(void*, int, int, int);
     void run(int rows, Call call, void* callable);
+    void leave();
     void serve(int member);
     void do_band(int member) const;
 

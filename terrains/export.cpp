@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
 #include <iterator>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -15,6 +13,7 @@
 #include <fmt/format.h>
 #include <ogr_srs_api.h>
 
+#include "files/whole_file.h"
 #include "sim/check.h"
 #include "terrains/gdal_support.h"
 #include "terrains/outlines.h"
@@ -24,31 +23,8 @@ namespace {
 
 constexpr float kNoData = -9999;
 
-// Lets `write` fill a file beside `path`, then puts it in its place; leaves nothing behind on failure.
-template <class Write>
-Written replace(const std::filesystem::path& path, Write write) {
-    const std::filesystem::path beside = path.string() + ".part";
-    std::error_code failed;
-    Written written = write(beside);
-    if (written) {
-        std::filesystem::rename(beside, path, failed);
-        if (!failed) return {};
-        written = tl::unexpected(failed.message());
-    }
-    std::filesystem::remove(beside, failed);
-    return tl::unexpected(fmt::format("{}: cannot be written ({})", path.string(), written.error()));
-}
-
-Written write_text(const std::filesystem::path& path, const std::string& text) {
-    return replace(path, [&text](const std::filesystem::path& beside) -> Written {
-        std::FILE* file = std::fopen(beside.c_str(), "wb");
-        if (file == nullptr) return tl::unexpected<std::string>(std::strerror(errno));
-        const bool whole = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-        const int after_write = errno;
-        const bool closed = std::fclose(file) == 0;
-        if (!whole || !closed) return tl::unexpected<std::string>(std::strerror(whole ? errno : after_write));
-        return {};
-    });
+Written write_text(const std::filesystem::path& path, std::string_view text) {
+    return files::write(path, text);
 }
 
 // A file in memory that GDAL writes by name: GDAL may write no other, and does not report every failed write.
@@ -60,10 +36,10 @@ class MemoryFile {
     MemoryFile& operator=(const MemoryFile&) = delete;
 
     const char* name() const { return name_.c_str(); }
-    std::string bytes() const {
+    std::string_view bytes() const {
         vsi_l_offset size = 0;
         const GByte* bytes = VSIGetMemFileBuffer(name_.c_str(), &size, FALSE);
-        return bytes ? std::string(reinterpret_cast<const char*>(bytes), size) : std::string();
+        return {reinterpret_cast<const char*>(bytes), bytes ? static_cast<std::size_t>(size) : 0};
     }
 
   private:

@@ -12,8 +12,8 @@
 
 namespace terrains {
 
-// Fields taken away again, grid.nx × grid.ny values each, row-major, row 0 the south. Every file is written
-// beside its target and renamed, so that a reader sees a whole one or none. A vertex becomes the pixel around
+// Fields taken away again, grid.nx × grid.ny values each, row-major, row 0 the south. Every file is a
+// whole one (files/whole_file.h). A vertex becomes the pixel around
 // it: the raster reaches half a cell beyond the outer vertices. NaN is written as no data, −9999. The
 // coordinate system is the georeference's; a grid without one is written in its metres, and no system is
 // named. Errors: one sentence that names the file and what the machine said.

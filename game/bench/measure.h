@@ -18,6 +18,7 @@ namespace game {
 struct BenchRecording {
     std::string name, file_hash;
     Recording recording;
+    std::filesystem::path file = {};
 };
 
 struct BenchHow {

@@ -5,6 +5,7 @@
 #include "game/bench/page.h"
 #include "game/bench/report.h"
 #include "game/commands/commands.h"
+#include "game/file_use.h"
 #include "game/recording/file_hash.h"
 #include "game/text_file.h"
 #include "game/trace.h"
@@ -23,7 +24,7 @@ Outcome<std::vector<BenchRecording>> read_all(const std::vector<std::string>& na
         if (recording->header.start.flow)
             return unusable(fmt::format("{}: shows a flow, and bench measures avalanches", path->string()));
         if (recording->last_tick() < 1) return unusable(fmt::format("{}: holds no tick", path->string()));
-        recordings.push_back({path->stem().string(), file_hash(*path), std::move(*recording)});
+        recordings.push_back({path->stem().string(), file_hash(*path), std::move(*recording), *path});
     }
     return recordings;
 }
@@ -34,6 +35,16 @@ Outcome<std::vector<BenchRecording>> recordings_of(const BenchOptions& options) 
     const auto names = asset_names(AssetKind::kRecording);
     if (!names) return tl::unexpected(names.error());
     return read_all(*names);
+}
+
+FileUse files_of(const BenchOptions& options, const std::vector<BenchRecording>& recordings) {
+    FileUse use;
+    use.reads(options.against);
+    for (const BenchRecording& each : recordings) use.reads(each.file);
+    if (options.draws) use.reads(drawing_assets());
+    use.writes("--perf", options.perf).writes("--summary", options.summary);
+    use.writes("--page", options.page).writes("--trace", options.trace);
+    return use;
 }
 
 std::vector<BenchPhysics> physics_of(const BenchOptions& options) {
@@ -132,6 +143,7 @@ Outcome<int> bench(const BenchOptions& options) {
     }
     const auto recordings = recordings_of(options);
     if (!recordings) return tl::unexpected(recordings.error());
+    if (auto sound = files_of(options, *recordings).check(); !sound) return tl::unexpected(sound.error());
     for (const auto& file : {options.perf, options.summary, options.page, options.trace})
         if (file)
             if (auto placed = make_place_for(*file); !placed) return tl::unexpected(placed.error());

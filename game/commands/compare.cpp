@@ -1,5 +1,6 @@
 #include "game/commands/commands.h"
 #include "game/compare/comparison.h"
+#include "game/file_use.h"
 #include "game/text_file.h"
 
 namespace game {
@@ -13,6 +14,9 @@ Outcome<int> compare(const CompareOptions& options) {
         for (const auto* each : {&*a, &*b})
             if (auto has = check_tick(each->recording, *options.tick, each->name); !has)
                 return tl::unexpected(has.error());
+    FileUse use;
+    use.reads(a->path).reads(b->path).writes_into("--out", options.maps, kMapNames);
+    if (auto sound = use.check(); !sound) return tl::unexpected(sound.error());
     if (options.maps)
         if (auto made = make_folder(*options.maps); !made) return tl::unexpected(made.error());
 

@@ -4,6 +4,7 @@
 
 #include "game/commands/commands.h"
 #include "game/compare/comparison.h"
+#include "game/file_use.h"
 #include "game/text_file.h"
 
 namespace game {
@@ -23,6 +24,9 @@ Outcome<int> edit(const EditOptions& options) {
     if (!old) return tl::unexpected(old.error());
     auto changed = edited(old->recording, options.edit);
     if (!changed) return unusable(fmt::format("{}: {}", options.recording, changed.error().sentence));
+    FileUse use;
+    use.reads(old->path).writes("--out", options.out).writes_into("--maps", options.maps, kMapNames);
+    if (auto sound = use.check(); !sound) return tl::unexpected(sound.error());
     if (options.maps)
         if (auto made = make_folder(*options.maps); !made) return tl::unexpected(made.error());
 
@@ -30,7 +34,7 @@ Outcome<int> edit(const EditOptions& options) {
     made.recording.header.start = old->recording.header.start;
     made.recording.header.parent = Parent{old->name, options.edit.tick, changed->change};
     made.recording.commands = std::move(changed->commands);
-    auto recorder = new_recording(*old, options.out, made.recording.header);
+    auto recorder = Recorder::create(options.out, made.recording.header);
     if (!recorder) return tl::unexpected(recorder.error());
 
     const auto before = played(*old, Until::after(old->recording.last_tick()), options.how, std::nullopt);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "game/assets.h"
 #include "game/commands/commands.h"
 #include "game/figures/field_figure.h"
 #include "game/figures/flow_figure.h"
@@ -10,6 +11,7 @@
 #include "game/figures/numbers.h"
 #include "game/figures/page.h"
 #include "game/figures/world_figure.h"
+#include "game/file_use.h"
 #include "game/progress.h"
 #include "game/text_file.h"
 #include "game/version.h"
@@ -107,6 +109,12 @@ const std::vector<std::string>& parts_of_figures() {
 }
 
 Outcome<int> figures(const FiguresOptions& options) {
+    FileUse use;
+    use.reads(drawing_assets());
+    use.writes_into("--out", options.folder, {"figure-*.png", "index.html", "numbers.csv"});
+    for (const WorldFigure& figure : world_figures())
+        if (const auto path = find_asset(AssetKind::kRecording, figure.recording)) use.reads(*path);
+    if (auto sound = use.check(); !sound) return tl::unexpected(sound.error());
     if (auto made = make_folder(options.folder); !made) return tl::unexpected(made.error());
     const int threads = options.threads > 0
                             ? options.threads

@@ -2,6 +2,7 @@
 
 #include "game/commands/commands.h"
 #include "game/compare/comparison.h"
+#include "game/file_use.h"
 #include "game/recording/verifier.h"
 #include "game/summary.h"
 
@@ -20,7 +21,10 @@ Outcome<int> normalise(const NormaliseOptions& options) {
     rewritten.physics_version = kPhysicsVersion;
     rewritten.ticks_per_state = kTicksPerState;
     rewritten.rewritten_from = Origin{header.minor, header.physics_version, header.program};
-    auto recorder = new_recording(*old, options.out, rewritten);
+    FileUse use;
+    if (auto sound = use.reads(old->path).writes("--out", options.out).check(); !sound)
+        return tl::unexpected(sound.error());
+    auto recorder = Recorder::create(options.out, rewritten);
     if (!recorder) return tl::unexpected(recorder.error());
 
     auto session = Session::begin(header.start, options.how, std::move(*recorder));

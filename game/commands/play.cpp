@@ -2,6 +2,7 @@
 
 #include "game/app.h"
 #include "game/commands/commands.h"
+#include "game/file_use.h"
 #include "game/recording/reader.h"
 #include "game/window.h"
 
@@ -24,9 +25,9 @@ Outcome<int> play(const PlayOptions& options) {
     // Before there is a window: a mistake on the command line should not flash one.
     auto opening = open_anything(options.what.empty() ? kFirstScene : options.what, options.wishes);
     if (!opening) return tl::unexpected(opening.error());
-    std::error_code error;
-    if (options.record && std::filesystem::equivalent(options.what, *options.record, error))
-        return unusable(fmt::format("{}: cannot be watched and recorded at once", options.what));
+    FileUse use;
+    if (auto sound = use.reads(opening->scene.files).writes("--record", options.record).check(); !sound)
+        return tl::unexpected(sound.error());
     if (options.until && !opening->watched)
         return unusable(fmt::format("{}: is no recording, so there is nothing to take over at tick {}",
                                     options.what, *options.until));

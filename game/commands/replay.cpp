@@ -5,6 +5,7 @@
 #include "game/assets.h"
 #include "game/commands/commands.h"
 #include "game/compare/desync_picture.h"
+#include "game/file_use.h"
 #include "game/headless.h"
 #include "game/measures.h"
 #include "game/recording/file_hash.h"
@@ -43,6 +44,12 @@ Outcome<int> replay(const ReplayOptions& options) {
             return tl::unexpected(has.error());
     const Start& start = recording->header.start;
 
+    FileUse use;
+    use.reads(*path);
+    if (options.pictures.folder) use.reads(drawing_assets());
+    add_outputs(options.results, use);
+    use.writes_into("--frames", options.pictures.folder, kFrameNames);
+    if (auto sound = use.check(); !sound) return tl::unexpected(sound.error());
     if (auto placed = make_places_for(options.results); !placed) return tl::unexpected(placed.error());
     auto session = Session::begin(start, options.how, std::nullopt);
     if (!session) return tl::unexpected(session.error());

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "game/assets.h"
 #include "game/commands/commands.h"
 #include "game/export_results.h"
+#include "game/file_use.h"
 #include "game/headless.h"
 #include "game/measures.h"
 #include "game/summary.h"
@@ -16,6 +18,17 @@ namespace {
 Outcome<Scene> scene_of(const RunOptions& options) {
     if (!options.terrain) return load_scene(options.scene, options.wishes);
     return scene_of_terrain(*options.terrain, *options.release, options.wishes);
+}
+
+FileUse files_of(const RunOptions& options, const Scene& scene) {
+    FileUse use;
+    use.reads(scene.files).reads(options.reference);
+    if (options.pictures.folder) use.reads(drawing_assets());
+    use.writes("--record", options.record);
+    add_outputs(options.results, use);
+    use.writes_into("--export", options.export_folder, kExportedNames);
+    use.writes_into(options.export_folder ? "--export" : "--frames", options.pictures.folder, kFrameNames);
+    return use;
 }
 
 // Whatever the run is to leave behind is opened before it begins: a folder that cannot be written should not
@@ -69,6 +82,7 @@ Until until_of(const RunOptions& options, const sim::Params& params) {
 Outcome<int> run(const RunOptions& options) {
     const auto scene = scene_of(options);
     if (!scene) return tl::unexpected(scene.error());
+    if (auto sound = files_of(options, *scene).check(); !sound) return tl::unexpected(sound.error());
     const Start& start = scene->start;
     const terrains::Terrain ground = ground_of(start);
     auto leavings = open_leavings(options, start, ground);

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -9,8 +11,10 @@
 
 #include <fmt/format.h>
 
+#include "files/whole_file.h"
 #include "game/array_file.h"
 #include "game/commands/commands.h"
+#include "game/file_use.h"
 #include "game/mesh_file.h"
 #include "game/progress.h"
 #include "game/text_file.h"
@@ -76,26 +80,26 @@ class Output {
   public:
     static Outcome<Output> open(const std::optional<std::filesystem::path>& path) {
         Output output;
-        if (path) {
-            auto file = WholeFile::open(*path);
-            if (!file) return tl::unexpected(file.error());
-            output.file_.emplace(std::move(*file));
-        }
+        if (!path) return output;
+        if (auto placed = make_place_for(*path); !placed) return tl::unexpected(placed.error());
+        auto file = files::WholeFile::open(*path);
+        if (!file) return machine_fails(file.error());
+        output.file_.emplace(std::move(*file));
         return output;
     }
     Outcome<void> write(std::string_view text) {
-        if (file_) return file_->write(text);
+        if (file_) return of_machine(file_->write(text));
         if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size()) return {};
-        return machine_fails("the points cannot be written: is the disk full?");
+        return machine_fails(fmt::format("standard output: cannot be written: {}", std::strerror(errno)));
     }
-    Outcome<void> finish() {
-        if (file_) return file_->finish();
-        if (std::fflush(stdout) == 0) return {};
-        return machine_fails("the points cannot be written: is the disk full?");
-    }
+    Outcome<void> finish() { return file_ ? of_machine(file_->finish()) : Outcome<void>(); }
 
   private:
-    std::optional<WholeFile> file_;
+    static Outcome<void> of_machine(files::Written written) {
+        if (!written) return machine_fails(written.error());
+        return {};
+    }
+    std::optional<files::WholeFile> file_;
 };
 
 // The arrays of one flow, frame by frame.
@@ -171,6 +175,10 @@ Outcome<int> track(const TrackOptions& options) {
     if (!mesh) return tl::unexpected(mesh.error());
     auto frames = Frames::open(options, *mesh);
     if (!frames) return tl::unexpected(frames.error());
+    FileUse use;
+    use.reads(options.mesh).reads(options.velocities).reads(options.scalar);
+    use.writes("--out", options.out).writes_into("--frames", options.pictures, {"front_*.png"});
+    if (auto sound = use.check(); !sound) return tl::unexpected(sound.error());
     if (options.pictures) {
         if (auto made = make_folder(*options.pictures); !made) return tl::unexpected(made.error());
     }

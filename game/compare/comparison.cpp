@@ -90,15 +90,6 @@ Outcome<Named> open_recording(const std::string& name_or_path) {
     return Named{path->stem().string(), *path, std::move(*recording)};
 }
 
-Outcome<Recorder> new_recording(const Named& original, const std::filesystem::path& out,
-                                const Header& header) {
-    std::error_code error;
-    if (std::filesystem::equivalent(original.path, out, error))
-        return unusable(
-            fmt::format("{}: is the recording that is read; --out must be another file", out.string()));
-    return Recorder::create(out, header);
-}
-
 Outcome<Played> played(const Named& of, const Until& until, const sim::How& how,
                        std::optional<Recorder> recorder) {
     const Start& start = of.recording.header.start;

@@ -15,6 +15,10 @@
 
 namespace game {
 
+// Names of the maps that tell() writes.
+inline const std::vector<std::string> kMapNames{"difference.tif", "peak_difference.tif", "difference.png",
+                                                "peak_difference.png", "desync.png"};
+
 // A recording, and what to call it.
 struct Named {
     std::string name;
@@ -25,11 +29,6 @@ struct Named {
 // on standard error what is to be said of it: where it was cut off, that it is of another version of the
 // physics.
 Outcome<Named> open_recording(const std::string& name_or_path);
-
-// Begins a recording that is made from another one. Errors: `out` is that one (status 2), or cannot be
-// written.
-Outcome<Recorder> new_recording(const Named& original, const std::filesystem::path& out,
-                                const Header& header);
 
 // One of them, played to where both are compared.
 struct Played {

@@ -91,7 +91,7 @@ void run_all(std::vector<Job>& jobs, int threads) {
             changed.notify_one();
         }
     };
-    std::vector<std::thread> crew;
+    std::vector<std::jthread> crew;  // joined if the system has no more threads
     crew.reserve(static_cast<std::size_t>(threads));
     for (int i = 0; i < threads; ++i) crew.emplace_back(serve);
     Progress progress("measuring");
@@ -102,7 +102,6 @@ void run_all(std::vector<Job>& jobs, int threads) {
             changed.wait(lock);
         }
     }
-    for (std::thread& each : crew) each.join();
 }
 
 std::string name_of(const FlowScores& row) {

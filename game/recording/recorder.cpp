@@ -1,12 +1,18 @@
 #include "game/recording/recorder.h"
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <utility>
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <fmt/format.h>
+
+#include "files/destination.h"
+#include "files/lock.h"
 
 namespace game {
 namespace {
@@ -15,7 +21,40 @@ tl::unexpected<Failure> cannot_write(const std::filesystem::path& path) {
     return machine_fails(fmt::format("{}: cannot be written: {}", path.string(), std::strerror(errno)));
 }
 
+// The file that was opened is still the one of that name.
+bool is_in_place(int file, const std::filesystem::path& path) {
+    struct stat opened {
+    }, named{};
+    return fstat(file, &opened) == 0 && stat(path.c_str(), &named) == 0 && opened.st_dev == named.st_dev &&
+           opened.st_ino == named.st_ino;
+}
+
 }  // namespace
+
+// An empty file that this process alone writes; a device or a pipe as it is. What was in a file is lost only
+// once nobody else writes it.
+Outcome<Recorder::Opened> Recorder::open_alone(const std::filesystem::path& path) {
+    using Kind = files::Destination::Kind;
+    const files::Destination to = files::destination_of(path);
+    if (to.kind == Kind::kDescriptor) {
+        std::fflush(nullptr);  // what was printed so far comes first
+        files::Descriptor file(fcntl(to.descriptor, F_DUPFD_CLOEXEC, 3));
+        if (!file) return cannot_write(path);
+        return Opened{std::move(file), false};
+    }
+    while (true) {
+        files::Descriptor file(open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOCTTY, 0666));
+        if (!file) return cannot_write(path);
+        if (to.kind == Kind::kThrough) return Opened{std::move(file), false};
+        if (!files::lock(file.number()))
+            return machine_fails(
+                fmt::format("{}: another program is recording into it; close that one, or give another file",
+                            path.string()));
+        if (!is_in_place(file.number(), path)) continue;  // it was replaced before it was locked
+        if (!file.cut(0)) return cannot_write(path);
+        return Opened{std::move(file), true};
+    }
+}
 
 Outcome<Recorder> Recorder::create(const std::filesystem::path& path, const Start& start,
                                    std::optional<Parent> parent) {
@@ -28,12 +67,16 @@ Outcome<Recorder> Recorder::create(const std::filesystem::path& path, const Star
 Outcome<Recorder> Recorder::create(const std::filesystem::path& path, const Header& header) {
     std::error_code error;
     if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
-    std::FILE* file = std::fopen(path.c_str(), "wb");
-    if (!file) return cannot_write(path);
-    Recorder recorder(path, file);
+    auto opened = open_alone(path);
+    if (!opened) return tl::unexpected(opened.error());
+    Recorder recorder(path, std::move(*opened));
     // A file's name need not be UTF-8, and a recording is.
     recorder.line_ = to_json(header).dump(-1, ' ', false, Json::error_handler_t::replace);
-    if (const auto written = recorder.write_line(); !written) return tl::unexpected(written.error());
+    if (const auto written = recorder.write_line(); !written) {
+        // A recording without its first line is none.
+        if (recorder.to_.regular) unlink(files::destination_of(path).path.c_str());
+        return tl::unexpected(written.error());
+    }
     recorder.line_ = {};  // the header's memory is not needed again
     return recorder;
 }
@@ -65,32 +108,37 @@ Outcome<void> Recorder::command(const TimedCommand& command) {
     return write_line();
 }
 Outcome<void> Recorder::state(const StateLine& line) {
-    mark_.last_state = line.tick;
     write(line, line_);
-    return write_line();
+    if (auto written = write_line(); !written) return written;
+    mark_.last_state = line.tick;
+    return {};
 }
 Outcome<void> Recorder::end(std::int64_t tick) {
     write(EndLine{tick}, line_);
-    return write_line();
+    if (auto written = write_line(); !written) return written;
+    if (!to_.file.settle()) return cannot_write(path_);
+    return {};
 }
 
 Outcome<void> Recorder::rewind(const Mark& mark) {
-    // Every line was flushed, so nothing of it is left in the stream.
-    if (ftruncate(fileno(file_.get()), static_cast<off_t>(mark.bytes)) != 0 ||
-        std::fseek(file_.get(), static_cast<long>(mark.bytes), SEEK_SET) != 0)
-        return cannot_write(path_);
+    if (!to_.file.cut(static_cast<off_t>(mark.bytes))) return cannot_write(path_);
     mark_ = mark;
     return {};
 }
 
 Outcome<void> Recorder::write_line() {
-    mark_.chain.close(line_);
+    Mark after = mark_;
+    after.chain.close(line_);
     line_ += '\n';
-    const std::size_t written = std::fwrite(line_.data(), 1, line_.size(), file_.get());
-    const bool whole = written == line_.size() && std::fflush(file_.get()) == 0;
-    mark_.bytes += static_cast<std::int64_t>(line_.size());
+    after.bytes += static_cast<std::int64_t>(line_.size());
+    const bool whole = to_.file.write(line_);
     line_.clear();
-    if (!whole) return cannot_write(path_);
+    if (!whole) {
+        const auto failed = cannot_write(path_);
+        if (to_.regular) static_cast<void>(to_.file.cut(static_cast<off_t>(mark_.bytes)));
+        return failed;
+    }
+    mark_ = after;
     return {};
 }
 

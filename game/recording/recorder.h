@@ -1,11 +1,10 @@
 #pragma once
 
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 
+#include "files/descriptor.h"
 #include "game/outcome.h"
 #include "game/recording/chain.h"
 #include "game/recording/format.h"
@@ -13,8 +12,9 @@
 
 namespace game {
 
-// Writes a recording as it happens: every line is flushed before the world goes on, so that what was done
-// survives a `kill -9` up to its last whole line. Errors of all calls: the file cannot be written (status 3).
+// Writes a recording as it happens: every line is handed to the system before the world goes on, so that what
+// was done survives a `kill -9` up to its last whole line. The file is locked: nobody else records into it.
+// Errors of all calls: the file cannot be written (status 3); whole lines stay.
 class Recorder {
   public:
     // Begins the file, replacing any that has this name; makes its folder.
@@ -46,14 +46,16 @@ class Recorder {
     const std::filesystem::path& path() const { return path_; }
 
   private:
-    struct Close {
-        void operator()(std::FILE* file) const { std::fclose(file); }
+    struct Opened {
+        files::Descriptor file;
+        bool regular = false;  // else a device or a pipe, of which nothing can be taken back
     };
-    Recorder(std::filesystem::path path, std::FILE* file) : path_(std::move(path)), file_(file) {}
+    static Outcome<Opened> open_alone(const std::filesystem::path& path);
+    Recorder(std::filesystem::path path, Opened&& to) : path_(std::move(path)), to_(std::move(to)) {}
     Outcome<void> write_line();  // closes line_, writes and empties it
 
     std::filesystem::path path_;
-    std::unique_ptr<std::FILE, Close> file_;
+    Opened to_;
     Mark mark_;         // after what was written
     std::string line_;  // kept for its memory
 };

@@ -21,7 +21,7 @@ void redirect(const std::filesystem::path& path, int flags, int descriptor) {
 }
 
 pid_t start(const std::vector<std::string>& arguments, const std::filesystem::path& out,
-            const std::filesystem::path& err) {
+            const std::filesystem::path& err, const Surroundings& around = {}) {
     const std::string program = support::program().string();
     std::vector<char*> argv{const_cast<char*>(program.c_str())};
     for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
@@ -32,20 +32,25 @@ pid_t start(const std::vector<std::string>& arguments, const std::filesystem::pa
     redirect("/dev/null", O_RDONLY, STDIN_FILENO);
     redirect(out, O_WRONLY | O_CREAT | O_TRUNC, STDOUT_FILENO);
     redirect(err, O_WRONLY | O_CREAT | O_TRUNC, STDERR_FILENO);
+    for (const int descriptor : around.closed) close(descriptor);
+    for (const auto& [resource, most] : around.limits) {
+        const rlimit limit{most, most};
+        setrlimit(static_cast<__rlimit_resource>(resource), &limit);
+    }
     execv(program.c_str(), argv.data());
     std::_Exit(127);
 }
 
 }  // namespace
 
-Finished couloir(const std::vector<std::string>& arguments) {
+Finished couloir(const std::vector<std::string>& arguments, const Surroundings& around) {
     const support::TemporaryFolder folder;
-    const auto out = folder.path() / "out", err = folder.path() / "err";
+    const auto out = around.out.empty() ? folder.path() / "out" : around.out, err = folder.path() / "err";
     int how = 0;
-    if (waitpid(start(arguments, out, err), &how, 0) < 0)
+    if (waitpid(start(arguments, out, err, around), &how, 0) < 0)
         throw std::runtime_error("a child process was lost");
     const int status = WIFEXITED(how) ? WEXITSTATUS(how) : 128 + WTERMSIG(how);
-    return {status, read_bytes(out), read_bytes(err)};
+    return {status, around.out.empty() ? read_bytes(out) : "", read_bytes(err)};
 }
 
 pid_t start_couloir(const std::vector<std::string>& arguments) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <sys/resource.h>
 #include <sys/types.h>
 
 #include <filesystem>
@@ -14,8 +15,19 @@ struct Finished {
     std::string out, err;
 };
 
+// What a process is given by whoever starts it.
+struct Surroundings {
+    std::filesystem::path out = {};  // standard output goes here; empty: is kept
+    std::vector<int> closed = {};    // descriptors
+    struct Limit {
+        int resource;  // RLIMIT_FSIZE
+        rlim_t most;
+    };
+    std::vector<Limit> limits = {};
+};
+
 // Runs `couloir ARGUMENT...` to its end, with nothing on its standard input.
-Finished couloir(const std::vector<std::string>& arguments);
+Finished couloir(const std::vector<std::string>& arguments, const Surroundings& around = {});
 
 // Starts it and returns at once; what it prints is lost. The caller waits for it.
 pid_t start_couloir(const std::vector<std::string>& arguments);

@@ -21,29 +21,33 @@ struct Room {
     std::vector<std::string_view> not_standard;  // standard headers it does without
 };
 
-const std::array<Room, 5>& rooms() {
-    static const std::array<Room, 5> kRooms{{
+const std::array<Room, 6>& rooms() {
+    static const std::array<Room, 6> kRooms{{
+        {.name = "files",
+         .rooms = {"files/"},
+         .libraries = {"fcntl.h", "unistd.h", "sys/", "fmt/", "tl/"},
+         .not_standard = {}},
         {.name = "sim",
          .rooms = {"sim/"},
          .libraries = {"glm/", "xxhash.h", "xxh_x86dispatch.h", "experimental/simd"},
          .not_standard = {"filesystem", "fstream", "chrono", "ctime"}},
         {.name = "terrains",
-         .rooms = {"terrains/", "sim/grid.h", "sim/check.h"},
+         .rooms = {"terrains/", "files/", "sim/grid.h", "sim/check.h"},
          .libraries = {"gdal", "ogr_", "ogrsf_", "fcntl.h", "unistd.h", "sys/stat.h", "cpl_", "OpenImageIO/",
                        "GeographicLib/", "nlohmann/", "fmt/", "tl/"},
          .not_standard = {}},
         {.name = "render",
-         .rooms = {"render/", "sim/", "assets/"},
+         .rooms = {"render/", "files/", "sim/", "assets/"},
          .libraries = {"glm/", "epoxy/", "EGL/", "OpenImageIO/", "fmt/", "tl/"},
          .not_standard = {}},
         {.name = "game",
          .anything = true,
-         .rooms = {"game/", "render/", "terrains/", "sim/", "assets/"},
+         .rooms = {"game/", "render/", "terrains/", "files/", "sim/", "assets/"},
          .libraries = {},
          .not_standard = {}},
         {.name = "tests",
          .anything = true,
-         .rooms = {"tests/", "game/", "render/", "terrains/", "sim/", "assets/"},
+         .rooms = {"tests/", "game/", "render/", "terrains/", "files/", "sim/", "assets/"},
          .libraries = {},
          .not_standard = {}},
     }};

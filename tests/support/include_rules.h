@@ -7,10 +7,11 @@
 
 // The arrows between the rooms of the house, read off #include lines:
 //
+//   files/     ──► standard headers and those of the system
 //   sim/       ──► standard headers without files and clock; GLM, xxHash
-//   terrains/  ──► sim's grid; GDAL, OpenImageIO, GeographicLib, JSON (for GeoJSON)
-//   render/    ──► sim; GLM, epoxy, EGL, OpenImageIO; the headers that C++ shares with shaders
-//   game/      ──► all three and any library
+//   terrains/  ──► files; sim's grid; GDAL, OpenImageIO, GeographicLib, JSON (for GeoJSON)
+//   render/    ──► files; sim; GLM, epoxy, EGL, OpenImageIO; the headers that C++ shares with shaders
+//   game/      ──► all four and any library
 //   tests/     ──► anything
 //
 // Two libraries are one file's alone: GLFW game/window.cpp's, CLI11 game/command_line.cpp's.

@@ -86,5 +86,39 @@ TEST(Heightmap, names_file_and_fact_of_what_it_refuses) {
     EXPECT_FALSE(read_heightmap(folder.path() / "none.png", kScale, 10));
 }
 
+// Whatever the library does at them, an exception too.
+TEST(Heightmap, refuses_files_that_only_begin_like_a_picture) {
+    const support::TemporaryFolder folder;
+    using namespace std::string_literals;
+    const std::string beginnings[]{"GIF87a",
+                                   "GIF89a",
+                                   "\x89PNG\r\n\x1a\n",
+                                   "BM",
+                                   "II*\0"s,
+                                   "MM\0*"s,
+                                   "\xff\xd8\xff\xe0",
+                                   "P5\n",
+                                   "P6\n",
+                                   "Pf\n",
+                                   "8BPS\0\1"s,
+                                   "#?RADIANCE\n",
+                                   "\x01\xda\0"s,
+                                   "DDS |\0\0\0"s,
+                                   "SDPX",
+                                   "qoif",
+                                   "\0\0\1\0"s,
+                                   "RIFF\0\0\0\0WEBP"s,
+                                   "\x76\x2f\x31\x01",
+                                   "SIMPLE  =",
+                                   "\0\0\0\x0cjP  \r\n\x87\n"s};
+    for (const std::string& beginning : beginnings)
+        for (const char fill : {'\0', '\xff', '1'})
+            for (const std::size_t length : {0u, 1u, 7u, 20u, 100u}) {
+                const auto path = folder.path() / "short.gif";
+                test::write_text(path, beginning + std::string(length, fill));
+                EXPECT_FALSE(read_heightmap(path, kScale, 10)) << beginning << " and " << length;
+            }
+}
+
 }  // namespace
 }  // namespace terrains

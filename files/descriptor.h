@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string_view>
+#include <utility>
+
+#include <sys/types.h>
+
+namespace files {
+
+// Owns an open file of the system. Whatever fails leaves its reason in errno.
+class Descriptor {
+  public:
+    explicit Descriptor(int number = -1) : number_(number) {}
+    Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+    Descriptor& operator=(Descriptor&& other) noexcept {
+        std::swap(number_, other.number_);
+        return *this;
+    }
+    ~Descriptor() { static_cast<void>(close()); }
+
+    int number() const { return number_; }
+    explicit operator bool() const { return number_ >= 0; }
+    // Every byte; on failure some may be written.
+    bool write(std::string_view bytes) const;
+    // Whether the system has taken all that was written; some report that only when a file is closed. This
+    // one stays open.
+    bool settle() const;
+    // Cuts a regular file to this length and goes on there.
+    bool cut(off_t length) const;
+    bool close();
+
+  private:
+    int number_;
+};
+
+}  // namespace files

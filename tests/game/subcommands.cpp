@@ -1,0 +1,160 @@
+#include "tests/game/subcommands.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "game/bench/report.h"
+#include "game/scene.h"
+#include "tests/game/program.h"
+#include "tests/game/recording_files.h"
+#include "tests/support/places.h"
+
+namespace game::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kRows = 17;
+
+template <class Height>
+std::string raster(Height height) {
+    std::string text = fmt::format(
+        "ncols {0}\nnrows {0}\nxllcorner 500000\nyllcorner 5200000\ncellsize 5\nNODATA_value -9999\n", kRows);
+    for (int row = 0; row < kRows; ++row)
+        for (int column = 0; column < kRows; ++column) text += fmt::format("{} ", height(column, row));
+    return text;
+}
+
+constexpr const char* kUtm32 =
+    R"(PROJCS["WGS_1984_UTM_Zone_32N",GEOGCS["GCS_WGS_1984",DATUM["D_WGS_1984",)"
+    R"(SPHEROID["WGS_1984",6378137.0,298.257223563]],PRIMEM["Greenwich",0.0],UNIT["Degree",0.0174532925199433]],)"
+    R"(PROJECTION["Transverse_Mercator"],PARAMETER["False_Easting",500000.0],PARAMETER["False_Northing",0.0],)"
+    R"(PARAMETER["Central_Meridian",9.0],PARAMETER["Scale_Factor",0.9996],PARAMETER["Latitude_Of_Origin",0.0],)"
+    R"(UNIT["Meter",1.0]])";
+
+std::string array(const std::string& shape, std::size_t bytes) {
+    std::string header = fmt::format("{{'descr': '<f4', 'fortran_order': False, 'shape': {}, }}", shape);
+    while ((header.size() + 11) % 64 != 0) header += ' ';
+    header += '\n';
+    return std::string("\x93NUMPY\x01\x00", 8) + static_cast<char>(header.size()) + '\0' + header +
+           std::string(bytes, '\0');
+}
+
+}  // namespace
+
+std::vector<std::string> Subcommand::with(const std::vector<std::pair<std::string, fs::path>>& given,
+                                          const fs::path& folder) const {
+    std::vector<std::string> all = arguments;
+    const auto add = [&all](const std::string& option, const fs::path& path) {
+        all.push_back(option);
+        all.push_back(path.string());
+    };
+    for (const auto& [option, path] : given) add(option, path);
+    for (const std::string& option : needed)
+        if (std::none_of(given.begin(), given.end(), [&](const auto& each) { return each.first == option; }))
+            add(option, folder / ("needed" + option));
+    return all;
+}
+
+std::vector<Subcommand> writing_subcommands(const fs::path& folder) {
+    const auto put = [&folder](const char* name, const std::string& bytes) {
+        write_bytes(folder / name, bytes);
+        return (folder / name).string();
+    };
+    const std::string hill = put("hill.asc", raster([](int, int row) { return 1000 + 3 * (kRows - row); }));
+    const std::string prj = put("hill.prj", kUtm32);
+    const auto patch = [](int column, int row) {
+        return column > 5 && column < 11 && row > 3 && row < 9 ? 1 : 0;
+    };
+    const std::string release = put("release.asc", raster(patch)),
+                      reference = put("reference.asc", raster(patch));
+    const std::string material =
+        put("own.toml", read_bytes(support::source_dir() / "assets/materials/soil.toml"));
+    const std::string scene =
+        put("scene.toml",
+            fmt::format("[terrain]\nfile = \"hill.asc\"\ngrid = 8\n[cover]\nmaterial = \"{}\"\ndepth = 1\n"
+                        "[physics]\nmodel = \"bcre\"\n[[command]]\nat = 0\n"
+                        "pour = {{ x = 40, y = 60, radius = 10, rate = 20, duration = 1 }}\n",
+                        material));
+    const std::string recording = (folder / "a.couloir").string(), other = (folder / "b.couloir").string();
+    const Scene loaded = load_scene(scene, {}).value();
+    for (const std::string& each : {recording, other}) record(each, loaded.start, 18, loaded.commands);
+    const std::string then = put(
+        "then.json",
+        fmt::format(
+            R"({{"format":"{}","version":{},"cases":[{{"recording":"a","squares":8,"physics":"local-lax-friedrichs",)"
+            R"("end_hash":"0","stages":{{"draw":{{"count":0}},"tick":{{"count":1,"median_ms":1}}}}}}]}})",
+            kBenchFormat, kBenchVersion));
+    const std::string mesh = put("mesh.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
+    const std::string velocities = put("v.npy", array("(2, 4, 2)", 64)),
+                      scalar = put("r.npy", array("(2, 4)", 32));
+
+    const std::vector<std::string> results{"--summary", "--perf", "--trace"};
+    return {
+        {.name = "run a scene",
+         .arguments = {"run", scene, "--seconds", "0.3"},
+         .inputs = {scene, material, hill, prj},
+         .outputs = {"--record", "--summary", "--perf", "--trace"},
+         .drawn = {"--frames", "--export"}},
+        {.name = "run a terrain",
+         .arguments = {"run", "--terrain", hill, "--release", release, "--reference", reference, "--material",
+                       material, "--grid", "8", "--seconds", "0.3"},
+         .inputs = {hill, prj, release, reference, material},
+         .outputs = {"--record", "--summary", "--perf", "--trace"},
+         .drawn = {"--frames", "--export"}},
+        {.name = "replay",
+         .arguments = {"replay", recording},
+         .inputs = {recording},
+         .outputs = results,
+         .drawn = {"--frames"}},
+        {.name = "compare",
+         .arguments = {"compare", recording, other},
+         .inputs = {recording, other},
+         .folders = {"--out"}},
+        {.name = "edit",
+         .arguments = {"edit", recording, "--tick", "0", "--set", "rate=10"},
+         .inputs = {recording},
+         .outputs = {"--out"},
+         .folders = {"--maps"},
+         .needed = {"--out"}},
+        {.name = "normalise",
+         .arguments = {"normalise", recording},
+         .inputs = {recording},
+         .outputs = {"--out"},
+         .needed = {"--out"}},
+        {.name = "bench",
+         .arguments = {"bench", recording, "--grid", "8", "--physics", "local-lax-friedrichs", "--repeats",
+                       "1", "--no-render"},
+         .inputs = {recording},
+         .outputs = {"--summary", "--perf", "--page", "--trace"}},
+        {.name = "bench against an earlier one",
+         .arguments = {"bench", recording, "--grid", "8", "--physics", "local-lax-friedrichs", "--against",
+                       then},
+         .inputs = {then},
+         .outputs = {"--summary", "--perf", "--page", "--trace"},
+         .only_refused = true},
+        {.name = "track",
+         .arguments = {"track", mesh, velocities, "--source", "level", "--scalar", scalar, "--level", "0"},
+         .inputs = {mesh, velocities, scalar},
+         .outputs = {"--out"},
+         .folders = {"--frames"}},
+        {.name = "figures",
+         .arguments = {"figures", "--only", "6", "--pixels", "16"},
+         .inputs = {},
+         .folders = {"--out"},
+         .needed = {"--out"}},
+        {.name = "play a scene",
+         .arguments = {"play", scene},
+         .inputs = {scene, material, hill, prj},
+         .outputs = {"--record"},
+         .only_refused = true},
+        {.name = "play a recording",
+         .arguments = {"play", recording},
+         .inputs = {recording},
+         .outputs = {"--record"},
+         .only_refused = true},
+    };
+}
+
+}  // namespace game::test
