@@ -17,23 +17,23 @@ using sim::Field, sim::NamedField;
 
 // Vertices from and to which a field is compared: what a step leaves in a state's halo means nothing, and a
 // stage's fields have faces there.
-struct Range {
+struct Vertices {
     int x0, x1, y0, y1;
 };
-Range inside(const Field<float>& field) {
+Vertices inside(const Field<float>& field) {
     return {0, field.nx(), 0, field.ny()};
 }
-Range with_halo(const Field<float>& field) {
+Vertices with_halo(const Field<float>& field) {
     return {-1, field.nx() + 1, -1, field.ny() + 1};
 }
 
-bool same_row(const Field<float>& a, const Field<float>& b, const Range& range, int y) {
+bool same_row(const Field<float>& a, const Field<float>& b, const Vertices& range, int y) {
     return std::memcmp(a.row(y) + range.x0, b.row(y) + range.x0,
                        sizeof(float) * static_cast<std::size_t>(range.x1 - range.x0)) == 0;
 }
 
 std::optional<FieldDifference> difference(const std::string& name, const Field<float>& a,
-                                          const Field<float>& b, const Range& range) {
+                                          const Field<float>& b, const Vertices& range) {
     FieldDifference found;
     for (int y = range.y0; y < range.y1; ++y) {
         if (same_row(a, b, range, y)) continue;
