@@ -19,9 +19,9 @@ using files::Identity;
 using files::identity_of;
 
 // What GDAL reads beside a raster or a shapefile: HILL.prj of HILL.asc, HILL.tif.aux.xml of HILL.tif.
-constexpr std::array kBeside{".prj", ".hdr", ".tfw", ".wld", ".aux", ".rrd", ".ige", ".stx",
-                             ".clr", ".shp", ".shx", ".dbf", ".cpg", ".qpj", ".imd", ".rpb"};
-constexpr std::array kBehind{".aux.xml", ".ovr", ".msk"};
+constexpr std::array kCompanionExtensions{".prj", ".hdr", ".tfw", ".wld", ".aux", ".rrd", ".ige", ".stx",
+                                          ".clr", ".shp", ".shx", ".dbf", ".cpg", ".qpj", ".imd", ".rpb"};
+constexpr std::array kCompanionSuffixes{".aux.xml", ".ovr", ".msk"};
 
 std::string upper(std::string text) {
     for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
@@ -34,11 +34,11 @@ std::vector<fs::path> with_companions(const fs::path& file) {
     const auto add = [&](const fs::path& each) {
         if (fs::exists(each, error)) all.push_back(each);
     };
-    for (const std::string extension : kBeside) {
+    for (const std::string extension : kCompanionExtensions) {
         add(fs::path(file).replace_extension(extension));
         add(fs::path(file).replace_extension(upper(extension)));
     }
-    for (const char* extension : kBehind) add(fs::path(file) += extension);
+    for (const char* extension : kCompanionSuffixes) add(fs::path(file) += extension);
     return all;
 }
 

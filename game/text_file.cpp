@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "files/destination.h"
 #include "files/whole_file.h"
 
 namespace game {
@@ -20,10 +21,12 @@ Outcome<void> write_text(const fs::path& path, std::string_view text) {
 }
 
 Outcome<void> make_place_for(const fs::path& path) {
-    std::error_code error;
-    if (fs::is_directory(path, error))
+    const files::Destination to = files::destination_of(path);
+    if (to.kind == files::Destination::Kind::kFolder)
         return machine_fails(fmt::format("{}: is a folder, not a file", path.string()));
-    return path.has_parent_path() ? make_folder(path.parent_path()) : Outcome<void>();
+    // A device has its place, in a folder that few may write into.
+    if (to.kind != files::Destination::Kind::kFile || !to.path.has_parent_path()) return {};
+    return make_folder(to.path.parent_path());
 }
 
 Outcome<void> make_folder(const fs::path& path) {

@@ -64,9 +64,10 @@ TEST(DrawnOutputs, that_do_not_fit_the_disk_leave_no_half_picture) {
                 for (const std::string& name : names_below(made)) {
                     EXPECT_EQ(name.find(".part"), std::string::npos) << name;
                     EXPECT_GT(fs::file_size(made / name), 0u) << name;
-                    if (name.ends_with(".png"))
+                    if (name.ends_with(".png")) {
                         EXPECT_EQ(read_bytes(made / name).substr(read_bytes(made / name).size() - 8, 4),
                                   "IEND");
+                    }
                 }
                 fs::remove_all(made);
             }

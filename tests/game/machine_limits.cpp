@@ -70,7 +70,7 @@ TEST(FullDisk, is_told_by_every_writer_and_leaves_no_half_file) {
             ASSERT_EQ(couloir(each.with({{option, made}}, in.path())).status, 0) << each.name << option;
             const auto size = largest_in(made);
             fs::remove_all(made);
-            for (const std::uintmax_t limit : {std::uintmax_t{0}, size / 2, size - 1}) {
+            for (const std::uintmax_t limit : {std::uintmax_t{0}, size / 2, size * 7 / 8}) {
                 SCOPED_TRACE(each.name + " " + option + " " + std::to_string(limit) + " of " +
                              std::to_string(size));
                 const Finished full = couloir(each.with({{option, made}}, in.path()),
@@ -95,7 +95,7 @@ TEST(StandardOutput, that_cannot_be_written_is_the_machines_failure) {
     const support::TemporaryFolder in;
     std::vector<Arguments> calls{{"--help"}, {"--version"}, {"list"}, {"list", "--json"}, {"run", "--help"}};
     for (const Subcommand& each : writing_subcommands(in.path()))
-        if (!each.only_refused) calls.push_back(each.with({}, in.path()));
+        if (!each.only_refused) calls.push_back(each.with({}, in.path() / each.name));
     for (const Arguments& call : calls) {
         SCOPED_TRACE(call[0]);
         expect_machine_fails(couloir(call, {.out = "/dev/full"}), "standard output: cannot be written");
@@ -126,11 +126,16 @@ TEST(Memory, that_is_not_given_is_the_machines_failure) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     GTEST_SKIP() << "a sanitizer needs terabytes of addresses";
 #endif
+    const auto with = [](const Arguments& call, rlim_t megabytes) {
+        return couloir(call, {.limits = {{RLIMIT_AS, megabytes << 20}}});
+    };
+    rlim_t least = 50;  // MB in which the libraries can be loaded
+    while (with({"--version"}, least).status != 0) ASSERT_LT(least += 50, 4000u);
     const Arguments call{"run", "landslide", "--grid", "256", "--seconds", "0.1", "--threads", "8"};
     int failed = 0, done = 0;
-    for (rlim_t megabytes = 100; megabytes <= 1600; megabytes += 100) {
-        const Finished finished = couloir(call, {.limits = {{RLIMIT_AS, megabytes << 20}}});
-        if (finished.status == 127) continue;  // too little for the libraries to be loaded
+    for (rlim_t megabytes = least; done < 2; megabytes += 25) {
+        ASSERT_LT(megabytes, 8000u);
+        const Finished finished = with(call, megabytes);
         EXPECT_TRUE(finished.status == 0 || finished.status == 3)
             << megabytes << ": " << finished.status << finished.err;
         ++(finished.status == 0 ? done : failed);
@@ -139,7 +144,6 @@ TEST(Memory, that_is_not_given_is_the_machines_failure) {
         }
     }
     EXPECT_GT(failed, 0);
-    EXPECT_GT(done, 0);
 }
 
 TEST(Stack, that_is_too_small_is_the_machines_failure) {
