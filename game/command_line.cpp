@@ -253,8 +253,10 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
     app.add_flag_callback(
         "--headless", [] {}, "without a window (replay never opens one)");
     add_number(app, "--until", "TICK", options.until, kTicks, "stop after so many", "where it ends");
-    app.add_flag("--verify", options.verify,
-                 "compare every recorded state hash and mass ledger; status 1 if one differs");
+    app.add_flag(
+        "--verify", options.verify,
+        "compare every recorded state hash and mass ledger; status 0 only if there is one and all are "
+        "equal, else 1");
     app.add_flag("--paranoid", options.paranoid,
                  "do every tick twice, with other threads and tiles, and compare; status 1 with a report of "
                  "where they "

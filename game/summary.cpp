@@ -55,10 +55,11 @@ Json measures_json(const Summary& summary) {
 }
 
 Json verdict_json(const Verdict& verdict) {
-    Json json{{"comparable", verdict.comparable},
+    Json json{{"outcome", to_string(verdict.kind())},
+              {"comparable", verdict.comparable},
               {"states_compared", verdict.compared},
               {"proven_tick", verdict.proven_tick}};
-    json["exact"] = verdict.comparable && !verdict.parted && verdict.compared > 0;
+    json["exact"] = verdict.kind() == Verdict::Kind::kExact;
     if (verdict.parted) json["parted"] = *verdict.parted;
     return json;
 }
@@ -93,9 +94,16 @@ std::string mass_text(const Session& session, const std::string& what, const sim
 }  // namespace
 
 std::string to_text(const Verdict& verdict) {
-    if (!verdict.comparable) return "not comparable: recorded with another version of the physics\n";
-    if (verdict.parted) return fmt::format("NOT the same: {}\n", *verdict.parted);
-    if (verdict.compared == 0) return "nothing is proven: no state was recorded up to here\n";
+    switch (verdict.kind()) {
+        case Verdict::Kind::kNotComparable:
+            return "not comparable: recorded with another version of the physics, so nothing is proven\n";
+        case Verdict::Kind::kDiffers:
+            return fmt::format("NOT the same: {}\n", *verdict.parted);
+        case Verdict::Kind::kNothingProven:
+            return "nothing is proven: no state was recorded up to here\n";
+        case Verdict::Kind::kExact:
+            break;
+    }
     return fmt::format("exact: all {} recorded states met, bit for bit; proven up to tick {}\n",
                        verdict.compared, verdict.proven_tick);
 }

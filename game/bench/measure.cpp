@@ -79,6 +79,7 @@ Outcome<std::vector<PerfRow>> play_once(const BenchRun& run, const std::string& 
     if (auto played = play_headless(*session, run.recording.commands, until, watchers, what); !played)
         return tl::unexpected(played.error());
     if (verifier.verdict().parted) measured.why = *verifier.verdict().parted;
+    measured.proof = verifier.verdict().kind() == Verdict::Kind::kExact ? Proof::kGolden : Proof::kUnverified;
     return rows;
 }
 
@@ -151,7 +152,7 @@ Outcome<Measured> measure(const BenchRecording& named, int squares, const BenchP
     measured.peak_bytes = peak_bytes();
     if (const auto tick = first_parting(repeats); tick && measured.why.empty())
         measured.why = fmt::format("its repeats part at tick {}", *tick);
-    if (measured.why.empty()) measured.proof = run.is_recorded ? Proof::kGolden : Proof::kUnverified;
+    if (!measured.why.empty()) measured.proof = Proof::kInvalid;
     std::vector<double> totals;
     totals.reserve(repeats.size());
     for (const auto& rows : repeats) totals.push_back(total_ms(rows));

@@ -102,9 +102,9 @@ Outcome<void> measure_grid(const BenchRecording& named, int squares, const Bench
     }
     for (std::size_t i = first_row; i < scaling.rows.size(); ++i) scaling.rows[i].session_bytes = bytes;
     if (!verifier) return {};
-    const bool met = !verifier->verdict().parted;
-    scaling.proof = met ? Proof::kGolden : Proof::kInvalid;
-    if (!met) scaling.why = *verifier->verdict().parted;
+    const Verdict& verdict = verifier->verdict();
+    if (verdict.kind() == Verdict::Kind::kExact) scaling.proof = Proof::kGolden;
+    if (verdict.parted) scaling.proof = Proof::kInvalid, scaling.why = *verdict.parted;
     return {};
 }
 

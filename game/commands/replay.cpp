@@ -104,7 +104,8 @@ Outcome<int> replay(const ReplayOptions& options) {
             !drawn)
             return machine_fails(drawn.error());
     if (auto told = tell(summary, options.results); !told) return tl::unexpected(told.error());
-    const bool bad = (options.verify && verifier.verdict().parted) || paranoia.parted;
+    const bool proven = verifier.verdict().kind() == Verdict::Kind::kExact;
+    const bool bad = (options.verify && !proven) || paranoia.parted;
     return bad ? Failure::kBadAnswer : 0;
 }
 

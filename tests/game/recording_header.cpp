@@ -156,7 +156,7 @@ TEST_F(ForgedHeader, of_another_physics_version_plays_but_is_not_comparable) {
     ASSERT_TRUE(recording) << recording.error().sentence;
     EXPECT_EQ(recording->header.physics_version, kPhysicsVersion + 1);
     const Finished replayed = couloir({"replay", path_.string(), "--verify", "--json"});
-    EXPECT_EQ(replayed.status, 0) << replayed.err;
+    EXPECT_EQ(replayed.status, 1) << replayed.err;
     const Json summary = Json::parse(replayed.out);
     EXPECT_EQ(summary["ticks"], 20);
     EXPECT_EQ(summary["verified"]["comparable"], false);
@@ -210,7 +210,7 @@ TEST_F(ForgedHeader, with_no_line_behind_it_plays_and_proves_nothing) {
     bodies_.resize(1);
     ASSERT_TRUE(read(header_));
     const Finished replayed = couloir({"replay", path_.string(), "--verify"});
-    EXPECT_EQ(replayed.status, 0) << replayed.err;
+    EXPECT_EQ(replayed.status, 1) << replayed.err;
     EXPECT_NE(replayed.out.find("nothing is proven"), std::string::npos) << replayed.out;
     const Json summary = Json::parse(couloir({"replay", path_.string(), "--verify", "--json"}).out);
     EXPECT_EQ(summary["verified"]["exact"], false);
