@@ -1,9 +1,11 @@
 #include "sim/command.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <iterator>
 
+#include "sim/check.h"
 #include "sim/disc.h"
 #include "sim/params.h"
 #include "sim/quanta.h"
@@ -113,6 +115,30 @@ std::optional<Value> found(const Infos& names, std::string_view name) {
     return std::nullopt;
 }
 
+// Every real member of a command.
+constexpr double Command::*kNumbers[] = {&Command::x,    &Command::y,        &Command::radius,
+                                         &Command::rate, &Command::duration, &Command::depth,
+                                         &Command::value};
+
+// What is wrong with the members that a kind does not use. Compared as bits: -0 is hashed as another number
+// than 0.
+std::optional<std::string> fault_of_unused(const Command& command, const CommandInfo& info) {
+    const Command defaults;
+    const auto is_used = [&](double Command::*member) {
+        return std::any_of(info.numbers.begin(), info.numbers.end(),
+                           [&](const CommandNumber& number) { return number.value == member; });
+    };
+    bool kept = (info.has_layer || command.layer == defaults.layer) &&
+                (info.has_profile || command.profile == defaults.profile) &&
+                (info.has_part || command.of == defaults.of) &&
+                (info.has_param || command.param == defaults.param);
+    for (const auto member : kNumbers)
+        kept = kept && (is_used(member) || std::bit_cast<std::uint64_t>(command.*member) ==
+                                               std::bit_cast<std::uint64_t>(defaults.*member));
+    if (kept) return std::nullopt;
+    return std::string(info.name) + " has a member that only other commands have";
+}
+
 constexpr std::pair<Layer, std::string_view> kLayers[] = {{Layer::kRolling, "rolling"},
                                                           {Layer::kStanding, "standing"}};
 constexpr std::pair<Profile, std::string_view> kProfiles[] = {{Profile::kDisc, "disc"},
@@ -157,7 +183,10 @@ std::optional<std::size_t> param_from(std::string_view name) {
 }
 
 std::optional<std::string> fault_of(const Command& command, bool has_lower) {
+    if (static_cast<std::size_t>(command.kind) >= std::size(kCommands))
+        return "a command of kind " + std::to_string(static_cast<int>(command.kind)) + ", which there is not";
     const CommandInfo& info = info_of(command.kind);
+    if (const auto unused = fault_of_unused(command, info)) return unused;
     for (const CommandNumber& number : info.numbers) {
         const double value = command.*number.value;
         if (!(value >= number.least && value <= number.most))  // NaN too
@@ -168,6 +197,8 @@ std::optional<std::string> fault_of(const Command& command, bool has_lower) {
     if (command.of == Part::kLower && !has_lower)
         return std::string(info.name) + " is of the lower material, and this world has one material";
     if (info.has_param) {
+        if (command.param >= std::size(kParams) || kParams[command.param].fixed)
+            return "set is of parameter " + std::to_string(command.param) + ", which cannot be set";
         const ParamInfo& param = kParams[command.param];
         const auto value = static_cast<float>(command.value);  // what it will be
         if (!(value >= param.least && value <= param.most))
@@ -190,7 +221,10 @@ std::optional<std::string> fault_after(const Params& params, std::span<const Com
 }
 
 void apply_commands(State& state, std::span<const Command> commands) {
-    for (const Command& command : commands) state.sources.push_back({command, state.tick});
+    for (const Command& command : commands) {
+        CHECK(!fault_of_unused(command, info_of(command.kind)));
+        state.sources.push_back({command, state.tick});
+    }
 
     const double tick_s = state.params.tick_s;
     const auto ticks_of = [&](const Command& c) {

@@ -5,6 +5,8 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -145,6 +147,35 @@ TEST(RecordingLine, keeps_every_number_of_every_command_to_the_bit) {
                           std::bit_cast<std::uint64_t>(value))
                     << info.name << " " << number.name;
             }
+}
+
+// What the state hash covers of a command, and no line would hold, would be another state in the replay.
+TEST(RecordingLine, keeps_every_member_of_any_command_that_a_world_takes) {
+    constexpr double sim::Command::*kMembers[] = {
+        &sim::Command::x,        &sim::Command::y,     &sim::Command::radius, &sim::Command::rate,
+        &sim::Command::duration, &sim::Command::depth, &sim::Command::value};
+    std::mt19937 random(7);
+    const auto maybe = [&](auto usual, auto other) { return random() % 4 == 0 ? other : usual; };
+    int taken = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const sim::Command usual;
+        TimedCommand before{i, usual};
+        sim::Command& c = before.command;
+        c.kind = sim::kCommands[random() % std::size(sim::kCommands)].kind;
+        for (const auto member : kMembers) c.*member = maybe(usual.*member, maybe(0.5, -0.0));
+        c.layer = maybe(usual.layer, sim::Layer::kStanding);
+        c.profile = maybe(usual.profile, sim::Profile::kCone);
+        c.of = maybe(usual.of, sim::Part::kLower);
+        c.param = maybe(usual.param, kAnyParam);
+        if (sim::fault_of(c)) continue;
+        ++taken;
+        const auto line = line_from(through_line(before));
+        ASSERT_TRUE(line) << line.error();
+        const sim::Command& after = std::get<TimedCommand>(*line).command;
+        EXPECT_EQ(after, c);
+        for (const auto member : kMembers) EXPECT_EQ(std::signbit(after.*member), std::signbit(c.*member));
+    }
+    EXPECT_GE(taken, 1000);
 }
 
 TEST(RecordingLine, keeps_layer_profile_and_material) {

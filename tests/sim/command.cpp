@@ -1,6 +1,8 @@
 #include "sim/command.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <gtest/gtest.h>
 
@@ -224,6 +226,47 @@ TEST(Set, is_judged_by_what_all_of_a_tick_come_to) {
     const Command both[] = {low_start, low_stop};
     EXPECT_FALSE(sim::fault_after(params, both));
     EXPECT_FALSE(sim::fault_after(params, {}));
+}
+
+// A command of this kind whose members may hold anything that the kind uses.
+Command sound(const sim::CommandInfo& info) {
+    Command command;
+    command.kind = info.kind;
+    for (const sim::CommandNumber& number : info.numbers) command.*number.value = 0.25;
+    if (info.has_param) command.param = sim::param_from("start_depth").value();
+    return command;
+}
+
+TEST(Command, is_refused_with_a_member_that_its_kind_does_not_use) {
+    constexpr double Command::*kNumbers[] = {&Command::x,    &Command::y,        &Command::radius,
+                                             &Command::rate, &Command::duration, &Command::depth,
+                                             &Command::value};
+    for (const sim::CommandInfo& info : sim::kCommands) {
+        const Command command = sound(info);
+        ASSERT_FALSE(sim::fault_of(command)) << *sim::fault_of(command);
+        const auto refused = [&](auto Command::*member, auto value) {
+            Command changed = command;
+            changed.*member = value;
+            return sim::fault_of(changed).has_value();
+        };
+        for (const auto member : kNumbers) {
+            const bool is_used = std::any_of(info.numbers.begin(), info.numbers.end(),
+                                             [&](const auto& number) { return number.value == member; });
+            EXPECT_EQ(refused(member, 0.5), !is_used) << info.name;
+            // -0 has other bits than 0, and the state hash sees them.
+            if (Command{}.*member == 0) {
+                EXPECT_EQ(refused(member, -0.0), !is_used) << info.name;
+            }
+        }
+        EXPECT_EQ(refused(&Command::layer, sim::Layer::kStanding), !info.has_layer) << info.name;
+        EXPECT_EQ(refused(&Command::profile, sim::Profile::kCone), !info.has_profile) << info.name;
+        EXPECT_EQ(refused(&Command::of, sim::Part::kLower), !info.has_part) << info.name;
+        EXPECT_EQ(refused(&Command::param, sim::param_from("stop_slope").value()), !info.has_param)
+            << info.name;
+        EXPECT_TRUE(refused(&Command::kind, static_cast<CommandKind>(std::size(sim::kCommands))))
+            << info.name;
+        EXPECT_TRUE(refused(&Command::param, std::size(sim::kParams))) << info.name;
+    }
 }
 
 }  // namespace
