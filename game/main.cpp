@@ -2,6 +2,7 @@
 #include <exception>
 
 #include "game/command_line.h"
+#include "game/one_line.h"
 #include "game/process.h"
 
 namespace {
@@ -20,7 +21,7 @@ game::Outcome<int> run(int argc, char** argv) try {
 int main(int argc, char** argv) {
     const auto status = run(argc, argv);
     const auto printed = game::finish_standard_output();
-    if (!status) std::fprintf(stderr, "couloir: %s\n", status.error().sentence.c_str());
-    if (!printed) std::fprintf(stderr, "couloir: %s\n", printed.error().sentence.c_str());
+    if (!status) std::fprintf(stderr, "couloir: %s\n", game::one_line(status.error().sentence).c_str());
+    if (!printed) std::fprintf(stderr, "couloir: %s\n", game::one_line(printed.error().sentence).c_str());
     return !status ? status.error().status : !printed ? printed.error().status : *status;
 }

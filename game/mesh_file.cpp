@@ -90,7 +90,7 @@ const char* told(MeshFault::Kind kind) {
         case MeshFault::Kind::kNoSuchVertex:
             return "a triangle with a vertex that there is not";
         case MeshFault::Kind::kDegenerate:
-            return "a triangle without area, seen from above";
+            return "a triangle without area, seen from above, or with an edge outside 1e-6 to 1e9 m";
         case MeshFault::Kind::kTooManyTriangles:
             return "the third triangle on one edge";
     }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <iterator>
@@ -66,13 +67,20 @@ Rule rule_of(const TrackOptions& options, const Mesh& mesh) {
     return rule;
 }
 
-void add_lines(std::string& csv, const Tracker& tracker, std::int64_t frame, double time) {
+// Errors: a point that is nowhere, because of velocities near the end of a float's range.
+Outcome<void> add_lines(std::string& csv, const Tracker& tracker, std::int64_t frame, double time) {
     for (const auto& point : tracker.points()) {
         const auto [i, j] = tracker.mesh().edge[point.edge];
         const glm::vec2 at = tracker.position(point);
+        if (!std::isfinite(point.f + at.x + at.y + point.speed))
+            return unusable(
+                fmt::format("frame {}: the front between vertices {} and {} has no finite place or "
+                            "speed; scale the velocities",
+                            frame, i, j));
         fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{}\n", frame, time, i, j, point.f, at.x,
                        at.y, point.speed);
     }
+    return {};
 }
 
 // To standard output, or into a file that is whole in the end.
@@ -195,7 +203,8 @@ Outcome<int> track(const TrackOptions& options) {
         if (!flow) return tl::unexpected(flow.error());
         tracker.advance(*flow, options.dt, workers);
         tally.add(tracker);
-        add_lines(csv, tracker, frame, static_cast<double>(frame) * options.dt);
+        const auto added = add_lines(csv, tracker, frame, static_cast<double>(frame) * options.dt);
+        if (!added) return unusable(options.velocities.string() + ": " + added.error().sentence);
         if (auto written = output->write(csv); !written) return tl::unexpected(written.error());
         csv.clear();
         if (auto written = write_picture(options, tracker, frame); !written)

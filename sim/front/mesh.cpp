@@ -14,6 +14,8 @@ namespace {
 // Least height of a triangle as a share of its longest edge, below which rounding decides on which side a
 // corner lies.
 constexpr double kLeastHeight = 1e-6;
+// m. Within these the fourth power of a length and its inverse are floats.
+constexpr double kShortestEdge = 1e-6, kLongestEdge = 1e9;
 
 std::optional<MeshFault> fault_of(const std::vector<glm::vec2>& position,
                                   const std::vector<std::array<int, 3>>& triangle) {
@@ -28,8 +30,10 @@ std::optional<MeshFault> fault_of(const std::vector<glm::vec2>& position,
             return MeshFault{MeshFault::Kind::kNoSuchVertex, number};
         const glm::dvec2 p(position[corner[0]]), q(position[corner[1]]), r(position[corner[2]]);
         const glm::dvec2 u = q - p, w = r - p;
-        const double longest = std::max({glm::length(u), glm::length(w), glm::length(r - q)});
+        const auto [shortest, longest] = std::minmax({glm::length(u), glm::length(w), glm::length(r - q)});
         if (!(std::abs(u.x * w.y - u.y * w.x) > kLeastHeight * longest * longest))
+            return MeshFault{MeshFault::Kind::kDegenerate, number};
+        if (!(shortest >= kShortestEdge && longest <= kLongestEdge))
             return MeshFault{MeshFault::Kind::kDegenerate, number};
     }
     return std::nullopt;

@@ -49,7 +49,7 @@ struct MeshFault {
     enum class Kind {
         kNotFinite,        // vertex: a coordinate is infinite or no number
         kNoSuchVertex,     // triangle: a corner that there is not
-        kDegenerate,       // triangle: two corners in one place, or all three on a line
+        kDegenerate,       // triangle: no area, or a side too short or too long
         kTooManyTriangles  // triangle: the third on one of its edges
     };
     Kind kind;

@@ -106,6 +106,9 @@ TEST(Mesh, is_refused_where_it_is_none) {
     EXPECT_EQ(fault_of(kSquare, {{0, 1, 1}}).kind, Kind::kDegenerate);
     EXPECT_EQ(fault_of({{0, 0}, {1, 1}, {2, 2}}, {{0, 1, 2}}).kind, Kind::kDegenerate);
     EXPECT_EQ(fault_of({{0, 0}, {0, 0}, {2, 2}}, {{0, 1, 2}}).kind, Kind::kDegenerate);
+    // The squares of such lengths are no floats.
+    for (const float side : {1e-31f, 1e-23f, 1e-7f, 1e10f, 1e30f})
+        EXPECT_EQ(fault_of({{0, 0}, {side, 0}, {0, side}}, {{0, 1, 2}}).kind, Kind::kDegenerate) << side;
     const MeshFault fan =
         fault_of({{0, 0}, {1, 0}, {0, 1}, {0, 2}, {0, 3}}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
     EXPECT_EQ(fan.kind, Kind::kTooManyTriangles);

@@ -19,6 +19,8 @@
 namespace game::test {
 namespace {
 
+using namespace std::string_literals;
+
 constexpr int kSquares = 12, kRow = kSquares + 1, kVertices = kRow * kRow;
 
 // A unit square of squares, each in two triangles.
@@ -230,6 +232,36 @@ TEST_F(Track, refuses_what_does_not_fit_together) {
     }
 }
 
+TEST_F(Track, quotes_a_file_in_one_line_whatever_it_holds) {
+    const std::string velocities = put("v.npy", npy("{'descr': '\n\x1b[31m\r\0<f4', 'fortran_order'"s, ""));
+    const Finished done = couloir({"track", mesh(), velocities, "--jump", "1"});
+    EXPECT_EQ(done.status, 2);
+    EXPECT_EQ(std::count(done.err.begin(), done.err.end(), '\n'), 1) << done.err;
+    EXPECT_EQ(std::count_if(done.err.begin(), done.err.end(), [](char c) { return c >= 0 && c < ' '; }), 1);
+    EXPECT_NE(done.err.find("<f4"), std::string::npos) << done.err;
+}
+
+TEST_F(Track, prints_finite_numbers_only_whatever_the_velocities_and_times) {
+    std::size_t printed = 0;
+    for (const char* dt : {"1e-6", "1", "1e6"})
+        for (const char* jump : {"1e-9", "0.1", "1e9"})
+            for (const double speed : {1e-38, 1e-9, 1.0, 1e9, 1e18, 3e38}) {
+                std::vector<float> numbers;
+                for (int frame = 0; frame < 3; ++frame)
+                    for (int v = 0; v < kVertices; ++v) {
+                        numbers.push_back(static_cast<float>(v / kRow < 5 + frame ? speed : -speed));
+                        numbers.push_back(0);
+                    }
+                const std::string velocities = put(
+                    "v.npy", npy(header_of("<f4", fmt::format("(3, {}, 2)", kVertices)), bytes_of(numbers)));
+                const Finished done = couloir({"track", mesh(), velocities, "--jump", jump, "--dt", dt});
+                SCOPED_TRACE(fmt::format("speed {}, dt {}, jump {}: {}", speed, dt, jump, done.err));
+                ASSERT_TRUE(done.status == 0 || done.status == 2);
+                if (done.status == 0) printed += lines_of(done.out).size();
+            }
+    EXPECT_GT(printed, 0u);
+}
+
 TEST_F(Track, names_the_line_of_a_damaged_mesh) {
     const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
     const std::pair<std::string, const char*> wrong[] = {
@@ -242,6 +274,9 @@ TEST_F(Track, names_the_line_of_a_damaged_mesh) {
         {corners + "f 1 2 99999999999\n", ":5: '99999999999' is no number of a vertex"},
         {corners + "f 1 2 2\n", ":5: a triangle without area"},
         {corners + "f 1 2 3\nf 1 2 4\nf 2 1 4\n", ":7: the third triangle on one edge"},
+        {corners + "v 1e-31 0 0\nv 0 1e-31 0\nf 1 5 6\n",
+         ":7: a triangle without area, seen from above, or with an edge outside 1e-6 to 1e9 m"},
+        {corners + "v 1e30 0 0\nf 1 5 3\n", ":6: a triangle without area"},
         {corners + "v 2 nan 0\nf 1 2 3\n", ":5: 'nan' is no coordinate"},
         {corners + "v 2 1e99 0\nf 1 2 3\n", ":5: '1e99' is no coordinate"},
         {corners + "v 2 two 0\nf 1 2 3\n", ":5: 'two' is no coordinate"},
