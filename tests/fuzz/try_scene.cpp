@@ -1,0 +1,31 @@
+#include "tests/fuzz/try_reader.h"
+
+#include <algorithm>
+
+#include "game/scene.h"
+#include "sim/params.h"
+
+namespace game::test {
+namespace {
+
+Outcome<void> try_scene(const std::filesystem::path& file) {
+    Wishes wishes;
+    wishes.squares = kTriedSquares;
+    const auto scene = load_scene(file.string(), wishes);
+    if (!scene) return tl::unexpected(scene.error());
+    const Start& start = scene->start;
+    if (const auto fault = sim::fault_of(start.params)) return broken(*fault);
+    for (const TimedCommand& timed : scene->commands)
+        if (const auto fault = sim::fault_of(timed.command, start.lower.has_value())) return broken(*fault);
+    if (!std::ranges::is_sorted(scene->commands, {}, &TimedCommand::tick))
+        return broken("commands out of order");
+    return check_numbers(start.bedrock, -1e5f, 1e5f, "bedrock")
+        .and_then([&] { return check_numbers(start.depth, 0, 1000, "a depth"); })
+        .and_then([&] { return check_numbers(start.rolling, 0, 1000, "a release"); });
+}
+
+}  // namespace
+
+const TriedReader kTriedScene{"scene", "x.toml", try_scene};
+
+}  // namespace game::test

@@ -1,0 +1,97 @@
+// Every reader of strangers' files, with files that are whole, cut off, and changed in a few bytes: what
+// libFuzzer does for longer (tests/fuzz).
+#include <algorithm>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "game/assets.h"
+#include "tests/fuzz/try_reader.h"
+#include "tests/game/program.h"
+#include "tests/support/places.h"
+
+namespace game::test {
+namespace {
+
+std::vector<std::string> shipped(AssetKind kind) {
+    std::vector<std::string> all;
+    const auto names = asset_names(kind).value();
+    for (const std::string& name : names) all.push_back(read_bytes(find_asset(kind, name).value()));
+    return all;
+}
+
+// Whole files of this reader's kind, by name.
+std::vector<std::string> seeds(const TriedReader& reader) {
+    if (reader.name == "scene") return shipped(AssetKind::kScene);
+    if (reader.name == "material") return shipped(AssetKind::kMaterial);
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(support::source_dir() / "tests/fuzz/seeds" / reader.name))
+        files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    std::vector<std::string> all;
+    for (const auto& file : files) all.push_back(read_bytes(file));
+    return all;
+}
+
+class EveryReader : public testing::TestWithParam<TriedReader> {
+  protected:
+    void expect_sound(std::string_view bytes, const std::string& how) const {
+        const std::string fault = fault_of_reading(GetParam(), folder_.path(), bytes);
+        EXPECT_EQ(fault, "") << how;
+    }
+    support::TemporaryFolder folder_;
+};
+
+TEST_P(EveryReader, accepts_whole_files) {
+    const auto all = seeds(GetParam());
+    ASSERT_FALSE(all.empty());
+    const auto file = folder_.path() / GetParam().file_name;
+    for (const std::string& bytes : all) {
+        write_bytes(file, bytes);
+        const auto read = GetParam().read(file);
+        EXPECT_TRUE(read) << read.error().sentence;
+    }
+}
+
+TEST_P(EveryReader, accepts_or_refuses_in_one_line_what_was_cut_off) {
+    for (const std::string& bytes : seeds(GetParam()))
+        for (std::size_t i = 0; i < 40; ++i) {
+            const std::size_t length = bytes.size() * i / 40;
+            expect_sound(bytes.substr(0, length), "cut off after " + std::to_string(length));
+        }
+}
+
+TEST_P(EveryReader, accepts_or_refuses_in_one_line_what_was_changed) {
+    std::mt19937 random(11);
+    const auto all = seeds(GetParam());
+    for (int i = 0; i < 300; ++i) {
+        std::string bytes = all[random() % all.size()];
+        const auto somewhere = [&] { return random() % bytes.size(); };
+        for (auto changes = 1 + random() % 4; changes > 0; --changes) switch (random() % 4) {
+                case 0:
+                    bytes[somewhere()] = static_cast<char>(random());
+                    break;
+                case 1:
+                    bytes[somewhere()] ^= static_cast<char>(1u << random() % 8);
+                    break;
+                case 2:
+                    bytes.insert(somewhere(), bytes.substr(somewhere(), random() % 32));
+                    break;
+                default:
+                    bytes.erase(somewhere(), random() % 8);
+                    if (bytes.empty()) bytes = "x";
+            }
+        expect_sound(bytes, "change " + std::to_string(i));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EveryReader,
+                         testing::Values(kTriedScene, kTriedMaterial, kTriedObj, kTriedNpy, kTriedGeojson,
+                                         kTriedDem, kTriedPicture),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+}  // namespace
+}  // namespace game::test
