@@ -218,7 +218,10 @@ void App::reset() {
 }
 
 void App::open_or_tell(const std::string& name_or_path, const Wishes& wishes) {
-    auto opening = open_anything(name_or_path, wishes);
+    Wishes within = wishes;
+    within.memory = first_.memory;
+    within.memory.use.sessions = 2;  // the world that is left stands until the other one is there
+    auto opening = open_anything(name_or_path, within);
     if (!opening) return warn(opening.error().sentence);
     if (const auto begun = begin_world(std::move(*opening), std::nullopt); !begun)
         warn(begun.error().sentence);

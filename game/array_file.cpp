@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "game/limits.h"
 #include "game/number.h"
 #include "terrains/input_file.h"
 
@@ -21,7 +22,6 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "numbers of the file are those of the machine");
 
 constexpr std::string_view kMagic = "\x93NUMPY";
-constexpr std::size_t kMostAxes = 8;
 
 // What stands behind 'key': in a header, such as {'descr': '<f4', 'fortran_order': False, 'shape': (3, 4), }
 std::string_view value_of(std::string_view header, std::string_view key) {
@@ -72,11 +72,10 @@ Outcome<ArrayFile> ArrayFile::open(const std::filesystem::path& path) {
     if (!is_array) return bad("is no array: numpy.save() writes files that begin with \\x93NUMPY");
     const int version = static_cast<unsigned char>(head[6]), wide = version == 1 ? 2 : 4;
     if (version < 1 || version > 3) return bad(fmt::format("NPY version {} is not known", version));
-    constexpr std::uint32_t kLongestHeader = 65536;  // bytes
     std::uint32_t length = 0;
     array.file_.read(head, wide);
     std::memcpy(&length, head, static_cast<std::size_t>(wide));
-    if (!array.file_ || length > kLongestHeader) return bad("byte 8: the header is cut off or too long");
+    if (!array.file_ || length > kLongestArrayHeader) return bad("byte 8: the header is cut off or too long");
     std::string header(length, '\0');
     array.file_.read(header.data(), length);
     if (!array.file_) return bad(fmt::format("ends in its header, which should have {} bytes", length));

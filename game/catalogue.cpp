@@ -6,9 +6,11 @@
 #include <fmt/format.h>
 
 #include "game/assets.h"
+#include "game/limits.h"
 #include "game/recording/format.h"
 #include "game/recordings_folder.h"
 #include "game/toml_table.h"
+#include "terrains/json_reader.h"
 
 namespace game {
 namespace {
@@ -24,10 +26,11 @@ Outcome<std::string> title_of_recording(const Catalogue::Entry& entry) {
     std::ifstream file(entry.file, std::ios::binary);
     std::string line;
     if (!std::getline(file, line)) return unusable(fmt::format("{}: cannot be read", entry.file.string()));
-    const Json json = Json::parse(line, nullptr, false);
-    if (!json.is_object()) return unusable(fmt::format("{}:1: not JSON", entry.file.string()));
-    const auto title = json.find("title");
-    return title != json.end() && title->is_string() ? title->get<std::string>() : entry.name;
+    const auto json = terrains::read_json<Json>(line, kHeaderLimits);
+    if (!json) return unusable(fmt::format("{}:1: {}", entry.file.string(), json.error()));
+    if (!json->is_object()) return unusable(fmt::format("{}:1: not an object", entry.file.string()));
+    const auto title = json->find("title");
+    return title != json->end() && title->is_string() ? title->get<std::string>() : entry.name;
 }
 
 Outcome<std::vector<Catalogue::Entry>> read_entries(AssetKind kind) {

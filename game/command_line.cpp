@@ -132,6 +132,23 @@ void add_named(CLI::App& app, const char* option, std::optional<Enum>& value,
         ->type_name("NAME");
 }
 
+// Of every subcommand that builds a world.
+void add_memory(CLI::App& app, Memory& memory) {
+    app.add_option_function<std::string>(
+           "--max-memory",
+           [&memory](const std::string& text) {
+               const auto bytes = bytes_from(text);
+               if (!bytes)
+                   throw CLI::ValidationError("--max-memory",
+                                              "'" + text + "' is not bytes, as 4G, 512M or 1073741824");
+               memory.most = *bytes;
+           },
+           "refuse a grid that is expected to take more memory than this: bytes, or with K, M, G or T [half "
+           "of "
+           "the machine's]")
+        ->type_name("BYTES");
+}
+
 void add_size(CLI::App& app, PictureSize& size, const char* of_what, const char* usually) {
     app.add_option_function<std::string>(
            "--size",
@@ -178,6 +195,7 @@ void add_play(CLI::App& app, PlayOptions& options) {
     add_material_and_model(app, options.wishes);
     add_references(app, options.wishes);
     add_size(app, options.size, "of the window", "1280x720");
+    add_memory(app, options.wishes.memory);
     add_how(app, options.how);
 }
 
@@ -243,6 +261,7 @@ void add_run(CLI::App& app, RunOptions& options) {
         ->type_name("DIR");
     add_pictures(app, options.pictures, "write pictures here, and maps of extent and end");
     add_results(app, options.results);
+    add_memory(app, options.wishes.memory);
     add_how(app, options.how);
 }
 
@@ -266,6 +285,7 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
         "--no-render", [&options] { options.pictures.folder.reset(); },
         "draw nothing, whatever else is said");
     add_results(app, options.results);
+    add_memory(app, options.memory);
     add_how(app, options.how);
 }
 
@@ -278,6 +298,7 @@ void add_telling(CLI::App& app, Options& options, const char* maps) {
            "and desync.png, where they part")
         ->type_name("DIR");
     app.add_flag("--json", options.json, "print it as JSON");
+    add_memory(app, options.memory);
     add_how(app, options.how);
 }
 
@@ -335,6 +356,7 @@ void add_normalise(CLI::App& app, NormaliseOptions& options) {
         ->type_name("RECORDING")
         ->required();
     app.add_option("--out", options.out, "write it here")->type_name("NEW.couloir")->required();
+    add_memory(app, options.memory);
     add_how(app, options.how);
 }
 
@@ -460,6 +482,7 @@ void add_bench(CLI::App& app, BenchOptions& options) {
         ->type_name("FILE.json");
     add_number(app, "--tolerance", "NUMBER", options.tolerance, Range<double>{1e-6, 1e6}, "as a share",
                "0.25");
+    add_memory(app, options.how.memory);
     add_how(app, options.how.how);
     app.footer(
         "Status 1 too where a recording does not end in its golden states, or repeats differ: such times "

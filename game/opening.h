@@ -16,6 +16,7 @@ struct Opening {
     std::optional<Recording>
         watched;       // a recording that goes on by itself up to its end, and then is the person's
     std::string told;  // what was loaded, as a sentence
+    Memory memory;     // under which it was opened
 };
 
 // Opens a scene by its name, or a file: a scene (.toml), a recording (.couloir) or else an elevation raster.

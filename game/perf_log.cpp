@@ -126,6 +126,39 @@ StageFigures figures_of(std::string stage, std::vector<double> ms) {
     return figures;
 }
 
+void StageDigest::add(double ms) {
+    const double bucket = std::floor(std::log(std::max(ms, kLeastMs) / kLeastMs) / std::log(kRatio));
+    ++in_bucket_[static_cast<std::size_t>(std::min(bucket, static_cast<double>(kBuckets - 1)))];
+    least_ = count_ == 0 ? ms : std::min(least_, ms);
+    most_ = count_ == 0 ? ms : std::max(most_, ms);
+    ++count_;
+    total_ += ms;
+}
+
+// Nearest rank, as figures_of() has it: the middle of its bucket.
+double StageDigest::rank(double share) const {
+    const auto wanted = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(count_)));
+    std::uint64_t below = 0;
+    for (std::size_t i = 0; i < kBuckets; ++i) {
+        below += in_bucket_[i];
+        if (below >= wanted)
+            return std::clamp(kLeastMs * std::pow(kRatio, static_cast<double>(i) + 0.5), least_, most_);
+    }
+    return most_;
+}
+
+StageFigures StageDigest::figures(std::string stage) const {
+    StageFigures figures{std::move(stage), count_};
+    if (count_ == 0) return figures;
+    figures.total = total_;
+    figures.mean = total_ / static_cast<double>(count_);
+    figures.median = rank(0.5);
+    figures.p95 = rank(0.95);
+    figures.p99 = rank(0.99);
+    figures.most = most_;
+    return figures;
+}
+
 std::vector<StageFigures> figures_of(std::span<const PerfRow> rows) {
     std::vector<StageFigures> figures;
     for (std::size_t part = 0; part < kPartCount; ++part) {
@@ -168,6 +201,23 @@ std::string csv_line(std::size_t frame, const PerfRow& row) {
                        row.rolling_m3, row.out_m3, row.error_m3, hex(row.state_hash));
 }
 
+void PerfLog::add(const PerfRow& row) {
+    ++ticks_;
+    if (keeps_ == Keeps::kRows) return rows_.push_back(row);
+    for (std::size_t part = 0; part < kPartCount; ++part)
+        if (row.ms[part]) digests_[part].add(*row.ms[part]);
+    digests_.back().add(row.frame_ms);
+}
+
+std::vector<StageFigures> PerfLog::figures() const {
+    if (keeps_ == Keeps::kRows) return figures_of(rows_);
+    std::vector<StageFigures> figures;
+    for (std::size_t part = 0; part < kPartCount; ++part)
+        figures.push_back(digests_[part].figures(kPartNames[part]));
+    figures.push_back(digests_.back().figures("frame"));
+    return figures;
+}
+
 Outcome<void> PerfLog::write_csv(const std::filesystem::path& path) const {
     std::string text = to_text(surroundings_);
     text += fmt::format("{}\n", kColumns);
@@ -179,7 +229,7 @@ Json PerfLog::to_json() const {
     const auto all = figures();
     const double frame_total = all.back().total;
     Json json = game::to_json(surroundings_);
-    json["ticks_per_s"] = frame_total > 0 ? 1000.0 * static_cast<double>(rows_.size()) / frame_total : 0;
+    json["ticks_per_s"] = frame_total > 0 ? 1000.0 * static_cast<double>(ticks_) / frame_total : 0;
     json["stages"] = game::to_json(all, frame_total);
     json["paper"] = paper_figures();
     return json;

@@ -8,8 +8,6 @@
 namespace game {
 namespace {
 
-constexpr std::size_t kUndoBytes = std::size_t{128} << 20;
-constexpr std::size_t kKeyframeBytes = std::size_t{384} << 20;
 constexpr std::size_t kMostActions = 1000;
 constexpr std::size_t kHandMemory = 4096;  // commands, so that a stroke need not ask for memory
 
@@ -30,8 +28,8 @@ void forget_from(std::vector<TimedCommand>& commands, std::int64_t tick) {
 Sandbox::Sandbox(Opening opening, Session session, std::size_t bytes_per_moment)
     : opening_(std::move(opening)),
       session_(std::move(session)),
-      keyframes_(kKeyframeBytes, bytes_per_moment),
-      most_actions_(std::clamp<std::size_t>(kUndoBytes / bytes_per_moment, 1, kMostActions)) {
+      keyframes_(opening_.memory.for_keyframes(), bytes_per_moment),
+      most_actions_(std::clamp<std::size_t>(opening_.memory.for_undo() / bytes_per_moment, 1, kMostActions)) {
     by_hand_.reserve(kHandMemory);
     if (can_go_back()) keyframes_.pass(session_);
     if (!opening_.watched) return;
@@ -71,7 +69,7 @@ Outcome<Recorder> Sandbox::fork_in(const std::filesystem::path& path) const {
     const std::int64_t tick = session_.state().tick;
     if (const auto& watched = opening_.watched) return Recorder::fork(path, *watched, opening_.name, tick);
     const std::filesystem::path own = session_.recorder()->path();
-    const auto recorded = read_recording(own);
+    const auto recorded = read_recording(own, opening_.memory);
     if (!recorded) return tl::unexpected(recorded.error());
     return Recorder::fork(path, *recorded, own.stem().string(), tick);
 }
@@ -123,7 +121,14 @@ Outcome<void> Sandbox::tick(std::span<const sim::Command> hand) {
     auto refused = leave_out_clashing(0);
     const std::size_t in_store = given_.size();
     if (knows) give_due(by_hand_);
-    if (!knows) given_.insert(given_.end(), hand.begin(), hand.end());
+    if (!knows) {
+        const std::size_t running = session_.state().sources.size() + in_store;
+        const std::size_t room =
+            std::min(sim::kMostCommandsPerTick - std::min(in_store, sim::kMostCommandsPerTick),
+                     sim::kMostSources - std::min(running, sim::kMostSources));
+        hand = hand.first(std::min(hand.size(), room));  // the rest of a stroke that no tick could do
+        given_.insert(given_.end(), hand.begin(), hand.end());
+    }
     if (refused) refused = leave_out_clashing(in_store);
     if (!knows && given_.size() > in_store) {
         if (new_action_) remember();

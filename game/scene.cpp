@@ -230,11 +230,13 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& w
     if (fault) return unusable(*fault);
     if (const auto wrong = sim::fault_of(params))
         return unusable(fmt::format("{}: {}", path.string(), *wrong));
-    if (const auto wrong = fault_of_sets(params, scene.commands))
+    if (const auto wrong = fault_of_commands(params, scene.commands))
         return unusable(fmt::format("{}: {}", path.string(), *wrong));
 
     if (const auto file = ground->text("file")) scene.files.push_back(path.parent_path() / *file);
-    auto terrain = read_terrain(*ground, path.parent_path(), wishes.squares, wishes.references);
+    auto terrain = read_terrain(
+        *ground, path.parent_path(), wishes.squares, wishes.references,
+        [&](const sim::Grid& grid) { return wishes.memory.allows(grid, start.lower.has_value()); });
     if (fault) return unusable(*fault);
     if (!terrain) return unusable(terrain.error());
     if (rule) terrain->cover = depth_by(*rule, *terrain);
@@ -285,7 +287,11 @@ Outcome<Scene> scene_of_terrain(const fs::path& dem, const std::optional<fs::pat
     if (const auto sound = check_choices(wishes, model); !sound) return tl::unexpected(sound.error());
     const auto material = load_material(wishes.material.value_or("snow-dry"), model);
     if (!material) return tl::unexpected(material.error());
-    const auto terrain = terrains::read_dem(dem, wishes.squares.value_or(kUsualSquares), wishes.references);
+    const auto terrain =
+        terrains::read_dem(dem,
+                           {wishes.squares.value_or(kUsualSquares),
+                            [&](const sim::Grid& grid) { return wishes.memory.allows(grid, false); }},
+                           wishes.references);
     if (!terrain) return unusable(terrain.error());
 
     Scene scene;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "game/memory.h"
 #include "game/outcome.h"
 #include "game/start.h"
 #include "terrains/input_file.h"
@@ -20,6 +21,7 @@ struct Wishes {
     std::optional<sim::Law> law;
     // Of virtual rasters to their sources, and of a scene to a terrain outside its folder.
     terrains::References references = terrains::References::kRefused;
+    Memory memory;  // what the world may take
 };
 
 // A start, and what is done to it at which tick.

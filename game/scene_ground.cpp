@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "terrains/dem_gdal.h"
 #include "terrains/generate.h"
@@ -11,10 +12,9 @@ namespace game {
 namespace {
 
 namespace fs = std::filesystem;
+using terrains::GridChoice;
 using terrains::Terrain;
 using MaybeTerrain = tl::expected<Terrain, std::string>;
-
-constexpr int kFewestSquares = 8, kMostSquares = 4096;
 
 template <class Recipe, class Numbers>
 Recipe read_recipe(TomlTable& table, const Numbers& numbers) {
@@ -25,16 +25,16 @@ Recipe read_recipe(TomlTable& table, const Numbers& numbers) {
     return recipe;
 }
 
-MaybeTerrain generate(TomlTable& table, const std::string& generator, int squares) {
+MaybeTerrain generate(TomlTable& table, const std::string& generator, const GridChoice& choice) {
     if (generator == "slope-of-soil") {
         const auto recipe = read_recipe<terrains::SoilSlope>(table, terrains::kSoilSlopeNumbers);
         table.finish();
-        return terrains::generate_soil_slope(recipe, squares);
+        return terrains::generate_soil_slope(recipe, choice);
     }
     if (generator == "alpine-valley") {
         const auto recipe = read_recipe<terrains::AlpineValley>(table, terrains::kAlpineValleyNumbers);
         table.finish();
-        return terrains::generate_alpine_valley(recipe, squares);
+        return terrains::generate_alpine_valley(recipe, choice);
     }
     table.blame("generator", "is neither \"slope-of-soil\" nor \"alpine-valley\"");
     return tl::unexpected(std::string());
@@ -49,34 +49,35 @@ bool is_within(const fs::path& folder, const fs::path& file) {
     return !error && !real.empty() && *real.begin() != "..";
 }
 
-MaybeTerrain read_file(TomlTable& table, const fs::path& file, int squares, terrains::References references) {
+MaybeTerrain read_file(TomlTable& table, const fs::path& file, const GridChoice& choice,
+                       terrains::References references) {
     const auto pixel = table.number("pixel", 1e-3, 1e5);
     const auto lowest = table.number("lowest", -12000, 9000), highest = table.number("highest", -12000, 9000);
     table.finish();
-    if (!pixel) return terrains::read_dem(file, squares, references);
+    if (!pixel) return terrains::read_dem(file, choice, references);
     if (!lowest || !highest) {
         table.blame("pixel", "makes the file a picture, which also needs lowest and highest");
         return tl::unexpected(std::string());
     }
-    return terrains::read_heightmap(file, {*pixel, *lowest, *highest}, squares);
+    return terrains::read_heightmap(file, {*pixel, *lowest, *highest}, choice);
 }
 
 }  // namespace
 
 MaybeTerrain read_terrain(TomlTable& table, const fs::path& folder, std::optional<int> wished,
-                          terrains::References references) {
-    const auto grid = table.whole("grid", kFewestSquares, kMostSquares);
+                          terrains::References references, GridChoice::Allowed allowed) {
+    const auto grid = table.whole("grid", terrains::kFewestSquares, terrains::kMostSquares);
     const auto generator = table.text("generator"), file = table.text("file");
     if (!grid) table.blame("grid", "is missing: the number of squares along the longer side");
     if (generator.has_value() == file.has_value()) table.blame("", "needs either a generator or a file");
     if (!grid || generator.has_value() == file.has_value()) return tl::unexpected(std::string());
-    const int squares = wished.value_or(static_cast<int>(*grid));
-    if (generator) return generate(table, *generator, squares);
+    const GridChoice choice(wished.value_or(static_cast<int>(*grid)), std::move(allowed));
+    if (generator) return generate(table, *generator, choice);
     if (references != terrains::References::kAllowed && !is_within(folder, folder / *file)) {
         table.blame("file", "lies outside the scene's folder; add --allow-references if you trust the scene");
         return tl::unexpected(std::string());
     }
-    return read_file(table, folder / *file, squares, references);
+    return read_file(table, folder / *file, choice, references);
 }
 
 std::optional<CoverRule> read_cover_rule(TomlTable& table) {

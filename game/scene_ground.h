@@ -9,6 +9,7 @@
 
 #include "game/toml_table.h"
 #include "terrains/input_file.h"
+#include "terrains/resample.h"
 #include "terrains/terrain.h"
 
 namespace game {
@@ -16,12 +17,14 @@ namespace game {
 // The ground of a scene file: its [terrain], and how deep [cover] lies on it.
 
 // Reads [terrain]; a file's path is relative to `folder`, the scene's, and leads out of it only if references
-// are allowed. `wished`: squares along the longer side, instead of those the file says. Errors: the table is
-// to blame and says so itself, the sentence is empty then; or what is wrong with the terrain's file.
+// are allowed. `wished`: squares along the longer side, instead of those the file says; `allowed` may refuse
+// the grid. Errors: the table is to blame and says so itself, the sentence is empty then; or what is wrong
+// with the terrain's file.
 tl::expected<terrains::Terrain, std::string> read_terrain(TomlTable& table,
                                                           const std::filesystem::path& folder,
                                                           std::optional<int> wished,
-                                                          terrains::References references);
+                                                          terrains::References references,
+                                                          terrains::GridChoice::Allowed allowed);
 
 // How deep the cover lies on a ground that has none of its own: `depth` where the
 // ground is above `above` + `fade` and gentler than `bare` − 10°, none below `above` or where steeper than

@@ -46,6 +46,8 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
     for (const sim::Command& command : commands)
         if (const auto fault = sim::fault_of(command, state_.mixture.has_value()))
             return unusable(fmt::format("tick {}: {}", state_.tick, *fault));
+    if (const auto fault = sim::fault_of_counts(commands.size(), state_.sources.size() + commands.size()))
+        return unusable(fmt::format("tick {}: {}", state_.tick, *fault));
     if (const auto fault = sim::fault_after(state_.params, commands))
         return unusable(fmt::format("tick {}: {}", state_.tick, *fault));
     if (const auto fault = sim::float_environment_fault())

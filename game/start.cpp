@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <queue>
 
 #include <fmt/format.h>
 
@@ -19,9 +21,37 @@ std::span<const TimedCommand> commands_at(std::span<const TimedCommand> commands
     return from.first(from.size() - commands_from(from, tick + 1).size());
 }
 
-std::optional<std::string> fault_of_sets(sim::Params params, std::span<const TimedCommand> commands) {
+namespace {
+
+// Counts the commands of a tick, and those that still run in it.
+class CommandCount {
+  public:
+    explicit CommandCount(float tick_s) : tick_s_(tick_s) {}
+
+    // Takes the commands in order of their ticks.
+    std::optional<std::string> add(const TimedCommand& timed) {
+        if (timed.tick != tick_) in_tick_ = 0;
+        tick_ = timed.tick;
+        while (!ends_.empty() && ends_.top() <= tick_) ends_.pop();
+        ends_.push(tick_ + sim::ticks_of(timed.command, tick_s_));
+        return sim::fault_of_counts(++in_tick_, ends_.size());
+    }
+
+  private:
+    float tick_s_;
+    std::int64_t tick_ = -1;
+    std::size_t in_tick_ = 0;
+    std::priority_queue<std::int64_t, std::vector<std::int64_t>, std::greater<>> ends_;  // earliest first
+};
+
+}  // namespace
+
+std::optional<std::string> fault_of_commands(sim::Params params, std::span<const TimedCommand> commands) {
     std::vector<sim::Command> sets;  // of one tick, which may go together only as a whole
+    CommandCount count(params.tick_s);
     for (std::size_t i = 0; i < commands.size(); ++i) {
+        if (const auto fault = count.add(commands[i]))
+            return fmt::format("at tick {}: {}", commands[i].tick, *fault);
         if (commands[i].command.kind == sim::CommandKind::kSet) sets.push_back(commands[i].command);
         const bool last_of_tick = i + 1 == commands.size() || commands[i + 1].tick != commands[i].tick;
         if (!last_of_tick || sets.empty()) continue;

@@ -67,7 +67,7 @@ std::span<const TimedCommand> commands_at(std::span<const TimedCommand> commands
 
 // What is wrong with the numbers that these commands, in order of their ticks, set one after the other: "at
 // tick 6: start_slope is below stop_slope". Nothing if all is well.
-std::optional<std::string> fault_of_sets(sim::Params params, std::span<const TimedCommand> commands);
+std::optional<std::string> fault_of_commands(sim::Params params, std::span<const TimedCommand> commands);
 
 // The ground of `terrain` as a start's: bedrock under its cover, above a whole-metre datum near its lowest
 // point.

@@ -40,6 +40,10 @@ std::string to_text(const Verdict& verdict);  // a sentence and a line break
 struct ResultOptions {
     std::optional<std::filesystem::path> perf, summary, trace;
     bool json = false;  // on standard output
+
+    PerfLog::Keeps log_keeps() const {
+        return perf || trace ? PerfLog::Keeps::kRows : PerfLog::Keeps::kFigures;
+    }
 };
 void add_outputs(const ResultOptions& options, FileUse& use);
 // To be asked before the work begins. Errors: a file there could not be written (status 3).

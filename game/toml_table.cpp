@@ -2,10 +2,11 @@
 
 #include <cmath>
 #include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
 
+#include "game/limits.h"
+#include "game/toml_limits.h"
 #include "terrains/input_file.h"
 
 namespace game {
@@ -108,19 +109,21 @@ void TomlTable::finish() {
 }
 
 Outcome<toml::table> parse_toml(const std::filesystem::path& file) {
-    constexpr std::uintmax_t kMostBytes = 1 << 20;
     auto stream = terrains::open_input(file);
     if (!stream) return unusable(stream.error());
     std::error_code error;
     const auto bytes = std::filesystem::file_size(file, error);
     if (error) return unusable(fmt::format("{}: {}", file.string(), error.message()));
-    if (bytes > kMostBytes)
-        return unusable(fmt::format("{}: {} bytes, and the most is {}", file.string(), bytes, kMostBytes));
-    std::stringstream content;
-    content << stream->rdbuf();
+    if (bytes > kMostTomlBytes)
+        return unusable(
+            fmt::format("{}: {} bytes, and the most is {}", file.string(), bytes, kMostTomlBytes));
+    std::string text(static_cast<std::size_t>(bytes), '\0');
+    stream->read(text.data(), static_cast<std::streamsize>(text.size()));
     if (!*stream) return unusable(fmt::format("{}: cannot be read", file.string()));
+    if (const auto excess = excess_of(text))
+        return unusable(fmt::format("{}:{}: {}", file.string(), excess->line, excess->fact));
     try {
-        return toml::parse(content.str());
+        return toml::parse(text);
     } catch (const toml::parse_error& wrong) {
         return unusable(
             fmt::format("{}:{}: {}", file.string(), wrong.source().begin.line, wrong.description()));

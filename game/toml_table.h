@@ -46,7 +46,7 @@ class TomlTable {
     std::set<std::string, std::less<>> known_;
 };
 
-// A parsed file. Errors: unreadable, over 1 MiB, or not TOML, with its line.
+// A parsed file. Errors: unreadable, beyond game/limits.h, or not TOML, with its line.
 Outcome<toml::table> parse_toml(const std::filesystem::path& file);
 
 }  // namespace game

@@ -220,6 +220,18 @@ std::optional<std::string> fault_after(const Params& params, std::span<const Com
     return after == params ? std::nullopt : fault_of(after);
 }
 
+std::optional<std::string> fault_of_counts(std::size_t given, std::size_t running) {
+    if (given > kMostCommandsPerTick)
+        return "over " + std::to_string(kMostCommandsPerTick) + " commands in one tick";
+    if (running > kMostSources) return "over " + std::to_string(kMostSources) + " commands run at once";
+    return std::nullopt;
+}
+
+std::int64_t ticks_of(const Command& command, float tick_s) {
+    const bool lasts = command.kind == CommandKind::kPour || command.kind == CommandKind::kDig;
+    return lasts ? std::max<std::int64_t>(1, std::llrint(command.duration / static_cast<double>(tick_s))) : 1;
+}
+
 void apply_commands(State& state, std::span<const Command> commands) {
     for (const Command& command : commands) {
         CHECK(!fault_of_unused(command, info_of(command.kind)));
@@ -227,19 +239,15 @@ void apply_commands(State& state, std::span<const Command> commands) {
     }
 
     const double tick_s = state.params.tick_s;
-    const auto ticks_of = [&](const Command& c) {
-        const bool lasts = c.kind == CommandKind::kPour || c.kind == CommandKind::kDig;
-        return lasts ? std::max<std::int64_t>(1, std::llrint(c.duration / tick_s)) : 1;
-    };
     for (const Source& source : state.sources) {
         const Command& c = source.command;
         const std::int64_t tick = state.tick - source.first_tick;
         switch (c.kind) {
             case CommandKind::kPour:
-                pour(state, c, tick, ticks_of(c), tick_s);
+                pour(state, c, tick, ticks_of(c, state.params.tick_s), tick_s);
                 break;
             case CommandKind::kDig:
-                dig(state, c, tick, ticks_of(c), tick_s);
+                dig(state, c, tick, ticks_of(c, state.params.tick_s), tick_s);
                 break;
             case CommandKind::kBlast:
                 blast(state, c);
@@ -255,7 +263,7 @@ void apply_commands(State& state, std::span<const Command> commands) {
         }
     }
     std::erase_if(state.sources, [&](const Source& source) {
-        return state.tick + 1 - source.first_tick >= ticks_of(source.command);
+        return state.tick + 1 - source.first_tick >= ticks_of(source.command, state.params.tick_s);
     });
 }
 

@@ -44,6 +44,10 @@ struct CommandNumber {
 
 inline constexpr double kFarthest = 1e7;  // m, any coordinate
 
+// Each command that runs costs a tick up to the whole grid: a stroke of the brush gives 16 in a tick.
+inline constexpr std::size_t kMostCommandsPerTick = 256;
+inline constexpr std::size_t kMostSources = 1024;  // that run at once
+
 inline constexpr CommandNumber kPourNumbers[] = {
     {"x", "m", &Command::x, -kFarthest, kFarthest, "centre, east of the south-west vertex"},
     {"y", "m", &Command::y, -kFarthest, kFarthest, "centre, north of the south-west vertex"},
@@ -116,6 +120,10 @@ void set_number(Params& params, const Command& set);
 // What would be wrong with the parameters once these commands have set theirs: thresholds must keep their
 // order.
 std::optional<std::string> fault_after(const Params& params, std::span<const Command> commands);
+// Whether a tick has too many commands: those given in it, and those that run in it, the given ones included.
+std::optional<std::string> fault_of_counts(std::size_t given, std::size_t running);
+// How many ticks a command runs for, at least one.
+std::int64_t ticks_of(const Command& command, float tick_s);
 
 // Begins these commands at the state's tick and does this tick's share of all that run. Reads grid, site,
 // tick; writes params, depth, rolling, velocity (material is added and eroded at rest), sources, ledger. A

@@ -159,12 +159,12 @@ tl::expected<void, std::string> fill(GDALDatasetH dataset, const RasterPlace& pl
 }
 
 tl::expected<Terrain, std::string> read(GDALDatasetH dataset, const std::filesystem::path& path,
-                                        int squares) {
+                                        const GridChoice& choice) {
     if (auto bounded = check_size(dataset); !bounded) return tl::unexpected(bounded.error());
     if (auto whole = check_ascii_count(dataset, path); !whole) return tl::unexpected(whole.error());
     const auto place = RasterPlace::of_dem(dataset);
     if (!place) return tl::unexpected(place.error());
-    const auto grid = grid_over(place->max_x - place->min_x, place->max_y - place->min_y, squares);
+    const auto grid = grid_over(place->max_x - place->min_x, place->max_y - place->min_y, choice);
     if (!grid) return tl::unexpected(grid.error());
     Terrain terrain;
     terrain.licence = licence_of(dataset);
@@ -177,12 +177,12 @@ tl::expected<Terrain, std::string> read(GDALDatasetH dataset, const std::filesys
 
 }  // namespace
 
-tl::expected<Terrain, std::string> read_dem(const std::filesystem::path& path, int squares,
+tl::expected<Terrain, std::string> read_dem(const std::filesystem::path& path, const GridChoice& choice,
                                             References references) {
     const GdalErrors errors;
     const auto dataset = Raster::open(path, references);
     if (!dataset) return tl::unexpected(dataset.error());
-    auto terrain = read(dataset->get(), path, squares);
+    auto terrain = read(dataset->get(), path, choice);
     if (!terrain) return tl::unexpected(fmt::format("{}: {}", path.string(), terrain.error()));
     terrain->name = path.filename().string();
     return terrain;

@@ -6,6 +6,7 @@
 #include <tl/expected.hpp>
 
 #include "terrains/input_file.h"
+#include "terrains/resample.h"
 #include "terrains/terrain.h"
 
 namespace terrains {
@@ -30,9 +31,9 @@ namespace terrains {
 // Errors, in one sentence that names file and fact: missing, not a raster, a raster that refers elsewhere,
 // damaged or cut short, nothing but no data, over 400 million pixels or 100,000 along a side, a height that
 // is infinite or outside −12,000 to 9,000 m, a vertical unit nobody knows, no position of its pixels, degrees
-// that span more than 2°, squares out of range. A text file cut within its very last number cannot be told
-// from a whole one.
-tl::expected<Terrain, std::string> read_dem(const std::filesystem::path& path, int squares,
+// that span more than 2°, squares out of range, a grid that is not allowed. A text file cut within its very
+// last number cannot be told from a whole one.
+tl::expected<Terrain, std::string> read_dem(const std::filesystem::path& path, const GridChoice& choice,
                                             References references = References::kRefused);
 
 }  // namespace terrains

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "terrains/gdal_support.h"
+#include "terrains/limits.h"
 #include "terrains/plane_transform.h"
 #include "terrains/raster_place.h"
 
@@ -59,13 +60,14 @@ tl::expected<void, std::string> read_values(GDALDatasetH dataset, Meaning meanin
 }
 
 tl::expected<Depths, std::string> read(GDALDatasetH dataset, Meaning meaning) {
-    constexpr double kMostPixels = 100e6;
     if (auto bounded = check_size(dataset); !bounded) return tl::unexpected(bounded.error());
     Depths depths;
     depths.columns = GDALGetRasterXSize(dataset);
     depths.rows = GDALGetRasterYSize(dataset);
-    if (static_cast<double>(depths.columns) * depths.rows > kMostPixels)
-        return tl::unexpected<std::string>("over 100 million pixels, more than a release needs");
+    if (static_cast<std::uint64_t>(depths.columns) * static_cast<std::uint64_t>(depths.rows) >
+        kMostDepthPixels)
+        return tl::unexpected(
+            fmt::format("over {} million pixels, more than a release needs", kMostDepthPixels / 1'000'000));
     std::array<double, 6> from_pixels{};
     if (GDALGetGeoTransform(dataset, from_pixels.data()) != CE_None ||
         GDALInvGeoTransform(from_pixels.data(), depths.to_pixels.data()) == 0)

@@ -42,9 +42,10 @@ tl::expected<void, std::string> check_numbers(const Recipe& recipe, const Number
 
 // Samples a mountain: height(x, downhill) and cover(x, downhill) in metres on a square of `length`.
 template <class Height, class Cover>
-tl::expected<Terrain, std::string> sample(const char* name, double length, int squares, Height height,
-                                          Cover cover) {
-    const auto grid = grid_over(length, length, squares);
+tl::expected<Terrain, std::string> sample(const char* name, double length, const GridChoice& choice,
+                                          Height height, Cover cover) {
+    const auto grid = grid_over(length, length, choice);
+    const int squares = choice.squares;
     if (!grid) return tl::unexpected(grid.error());
     Terrain terrain;
     terrain.name = name;
@@ -171,7 +172,7 @@ class Valley {
 
 }  // namespace
 
-tl::expected<Terrain, std::string> generate_soil_slope(const SoilSlope& recipe, int squares) {
+tl::expected<Terrain, std::string> generate_soil_slope(const SoilSlope& recipe, const GridChoice& choice) {
     if (auto right = check_numbers(recipe, kSoilSlopeNumbers); !right) return tl::unexpected(right.error());
     const double steep = tangent(recipe.steep), flat = tangent(recipe.flat), middle = 0.5 * recipe.length;
     // Contours swing about x = middle, where the heap stands and the fall line stays the recipe's.
@@ -192,15 +193,16 @@ tl::expected<Terrain, std::string> generate_soil_slope(const SoilSlope& recipe, 
         const double beyond = swung(x, downhill) - recipe.break_at - 6;
         return recipe.soil / 2 * (1 - std::tanh(beyond / 6)) + recipe.soil_at_foot;
     };
-    return sample("slope-of-soil", recipe.length, squares, height, soil);
+    return sample("slope-of-soil", recipe.length, choice, height, soil);
 }
 
-tl::expected<Terrain, std::string> generate_alpine_valley(const AlpineValley& recipe, int squares) {
+tl::expected<Terrain, std::string> generate_alpine_valley(const AlpineValley& recipe,
+                                                          const GridChoice& choice) {
     if (auto right = check_numbers(recipe, kAlpineValleyNumbers); !right)
         return tl::unexpected(right.error());
     const Valley valley(recipe);
     return sample(
-        "alpine-valley", Valley::kLength, squares, [&](double x, double y) { return valley.height(x, y); },
+        "alpine-valley", Valley::kLength, choice, [&](double x, double y) { return valley.height(x, y); },
         [&](double x, double y) { return valley.snow(x, y); });
 }
 

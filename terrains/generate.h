@@ -5,6 +5,7 @@
 
 #include <tl/expected.hpp>
 
+#include "terrains/resample.h"
 #include "terrains/terrain.h"
 
 namespace terrains {
@@ -56,7 +57,7 @@ inline constexpr std::array<RecipeNumber<SoilSlope>, 10> kSoilSlopeNumbers{{
     {"soil_at_foot", &SoilSlope::soil_at_foot, 0, 1, "m", "soil everywhere, vertically"},
 }};
 tl::expected<Terrain, std::string> generate_soil_slope(const SoilSlope& recipe = {},
-                                                       int squares = kSoilSlopeSquares);
+                                                       const GridChoice& choice = kSoilSlopeSquares);
 
 // "alpine-valley": two sides of a valley with gullies, ribs and summits, a floor that falls gently to the
 // east, debris fans where gullies end, and snow above the snow line wherever it holds. x and y 0 to 2000. The
@@ -96,6 +97,6 @@ inline constexpr std::array<RecipeNumber<AlpineValley>, 13> kAlpineValleyNumbers
     {"bare", &AlpineValley::bare, 30, 80, "°", "slope at which no snow holds; full where 10° gentler"},
 }};
 tl::expected<Terrain, std::string> generate_alpine_valley(const AlpineValley& recipe = {},
-                                                          int squares = kAlpineValleySquares);
+                                                          const GridChoice& choice = kAlpineValleySquares);
 
 }  // namespace terrains

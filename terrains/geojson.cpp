@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <utility>
 
@@ -10,6 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "terrains/input_file.h"
+#include "terrains/json_reader.h"
+#include "terrains/limits.h"
 #include "terrains/plane_transform.h"
 
 namespace terrains {
@@ -18,33 +19,19 @@ namespace {
 using Json = nlohmann::json;
 using Done = tl::expected<void, std::string>;
 
-constexpr std::size_t kLargestFile = 64u << 20;  // bytes
-constexpr std::size_t kMostPoints = 1'000'000;
-constexpr int kDeepestNesting = 12;     // levels of nesting; a multipolygon in a collection needs 8
 constexpr double kMostThickness = 100;  // m
 
 tl::expected<Json, std::string> parse(const std::filesystem::path& path) {
     std::error_code status;
     const auto size = std::filesystem::file_size(path, status);
     if (status) return tl::unexpected(fmt::format("cannot be opened ({})", status.message()));
-    if (size > kLargestFile) return tl::unexpected<std::string>("over 64 MiB, which no outline needs");
+    if (size > kMostGeoJsonBytes)
+        return tl::unexpected(fmt::format("over {} MiB, which no outline needs", kMostGeoJsonBytes >> 20));
     std::ifstream file(path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    std::string text(static_cast<std::size_t>(size), '\0');
+    file.read(text.data(), static_cast<std::streamsize>(text.size()));
     if (!file) return tl::unexpected<std::string>("cannot be read");
-    bool too_deep = false;
-    const auto shallow = [&too_deep](int depth, Json::parse_event_t, const Json&) {
-        too_deep = too_deep || depth > kDeepestNesting;
-        return depth <= kDeepestNesting;  // what is deeper is dropped while it is read
-    };
-    try {
-        Json root = Json::parse(text, shallow);
-        if (too_deep) return tl::unexpected(fmt::format("nested deeper than {} levels", kDeepestNesting));
-        return root;
-    } catch (const Json::parse_error& error) {
-        return tl::unexpected(fmt::format("byte {}: not JSON", error.byte));
-    } catch (const Json::exception& error) {
-        return tl::unexpected(fmt::format("not JSON ({})", error.what()));
-    }
+    return read_json<Json>(text, kGeoJsonLimits);
 }
 
 // A member of an object, or null where there is none.
@@ -78,8 +65,8 @@ struct Outlines {
 Done add_ring(const Json& ring, Outlines& outlines) {
     if (!ring.is_array() || ring.size() < 4)
         return tl::unexpected<std::string>("a ring has fewer than 4 points");
-    if (outlines.x.size() + ring.size() > kMostPoints)
-        return tl::unexpected(fmt::format("over {} points, which no outline needs", kMostPoints));
+    if (outlines.x.size() + ring.size() > kMostGeoJsonPoints)
+        return tl::unexpected(fmt::format("over {} points, which no outline needs", kMostGeoJsonPoints));
     for (const Json& point : ring) {
         if (!point.is_array() || point.size() < 2 || !point[0].is_number() || !point[1].is_number())
             return tl::unexpected<std::string>("a point is not two numbers");

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "terrains/input_file.h"
+#include "terrains/limits.h"
 
 namespace terrains {
 namespace {
@@ -49,7 +50,7 @@ const char* format_of(std::string_view beginning) {
 }
 
 Done check_picture(const OIIO::ImageSpec& spec) {
-    constexpr double kMostPixels = 100e6;
+    constexpr auto kMostPixels = static_cast<double>(kMostHeightmapPixels);
     if (spec.width < 2 || spec.height < 2 || static_cast<double>(spec.width) * spec.height > kMostPixels)
         return tl::unexpected(
             fmt::format("{} × {} pixels: a heightmap has at least 2 each way and at most 100 million",
@@ -58,7 +59,7 @@ Done check_picture(const OIIO::ImageSpec& spec) {
     if (static_cast<double>(spec.tile_width) * spec.tile_height > kMostPixels || spec.depth > 1)
         return tl::unexpected(fmt::format("tiles of {} × {} pixels, which no heightmap needs",
                                           spec.tile_width, spec.tile_height));
-    if (spec.nchannels > 2)
+    if (spec.nchannels > kMostHeightmapChannels)
         return tl::unexpected(fmt::format("{} channels; a heightmap is grey", spec.nchannels));
     if (spec.format == OIIO::TypeDesc::HALF)
         return tl::unexpected<std::string>("half floats, which are metres off at a mountain's height");

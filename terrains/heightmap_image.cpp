@@ -24,9 +24,9 @@ Done check_scale(const HeightmapScale& scale) {
 }
 
 tl::expected<Terrain, std::string> terrain_of(const GreyPicture& picture, const HeightmapScale& scale,
-                                              int squares) {
+                                              const GridChoice& choice) {
     const int width = picture.width, height = picture.height;
-    const auto grid = grid_over((width - 1) * scale.cell, (height - 1) * scale.cell, squares);
+    const auto grid = grid_over((width - 1) * scale.cell, (height - 1) * scale.cell, choice);
     if (!grid) return tl::unexpected(grid.error());
     const double reach = std::max<double>(grid->dx, scale.cell);
     PlaneFit fit(*grid, reach, reach, scale.cell * scale.cell);
@@ -49,14 +49,14 @@ tl::expected<Terrain, std::string> terrain_of(const GreyPicture& picture, const 
 }  // namespace
 
 tl::expected<Terrain, std::string> read_heightmap(const std::filesystem::path& path,
-                                                  const HeightmapScale& scale, int squares) {
+                                                  const HeightmapScale& scale, const GridChoice& choice) {
     const auto said = [&path](const std::string& fact) {
         return tl::unexpected(fmt::format("{}: {}", path.string(), fact));
     };
     if (auto right = check_scale(scale); !right) return said(right.error());
     const auto picture = read_grey_picture(path);
     if (!picture) return tl::unexpected(picture.error());
-    auto terrain = terrain_of(*picture, scale, squares);
+    auto terrain = terrain_of(*picture, scale, choice);
     if (!terrain) return said(terrain.error());
     terrain->name = path.filename().string();
     return terrain;

@@ -5,6 +5,7 @@
 
 #include <tl/expected.hpp>
 
+#include "terrains/resample.h"
 #include "terrains/terrain.h"
 
 namespace terrains {
@@ -21,8 +22,8 @@ struct HeightmapScale {
 // to 4096) along the longer side as read_dem() does; not placed on Earth, has_data 1 and cover 0 everywhere.
 // 8 bits make steps of 1/255 of the whole height: terraces, where the hill is high. Errors, in one sentence
 // that names the file: missing, not a picture, damaged, over 100 million pixels, in colour, half floats (they
-// would be metres off), a float outside 0 to 1, a scale or squares out of range.
+// would be metres off), a float outside 0 to 1, a scale or squares out of range, a grid that is not allowed.
 tl::expected<Terrain, std::string> read_heightmap(const std::filesystem::path& path,
-                                                  const HeightmapScale& scale, int squares);
+                                                  const HeightmapScale& scale, const GridChoice& choice);
 
 }  // namespace terrains

@@ -14,6 +14,7 @@
 #include <GeographicLib/Geodesic.hpp>
 
 #include "terrains/gdal_support.h"
+#include "terrains/limits.h"
 
 namespace terrains {
 namespace {
@@ -67,14 +68,12 @@ tl::expected<void, std::string> check_blocks(GDALDatasetH dataset) {
 }  // namespace
 
 tl::expected<void, std::string> check_size(GDALDatasetH dataset) {
-    constexpr int kLongestSide = 100'000;
-    constexpr double kMostPixels = 400e6;
     const int width = GDALGetRasterXSize(dataset), height = GDALGetRasterYSize(dataset);
-    if (width < 2 || height < 2 || width > kLongestSide || height > kLongestSide ||
-        static_cast<double>(width) * height > kMostPixels)
-        return tl::unexpected(fmt::format(
-            "{} × {} pixels: a raster has 2 to {} along each side and at most {:.0f} million in all", width,
-            height, kLongestSide, kMostPixels / 1e6));
+    if (width < 2 || height < 2 || width > kMostDemSide || height > kMostDemSide ||
+        static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) > kMostDemPixels)
+        return tl::unexpected(
+            fmt::format("{} × {} pixels: a raster has 2 to {} along each side and at most {} million in all",
+                        width, height, kMostDemSide, kMostDemPixels / 1'000'000));
     return check_blocks(dataset);
 }
 

@@ -12,7 +12,8 @@
 
 namespace terrains {
 
-tl::expected<sim::Grid, std::string> grid_over(double width, double height, int squares) {
+tl::expected<sim::Grid, std::string> grid_over(double width, double height, const GridChoice& choice) {
+    const int squares = choice.squares;
     if (squares < kFewestSquares || squares > kMostSquares)
         return tl::unexpected(fmt::format("a grid has {} to {} squares along its longer side, not {}",
                                           kFewestSquares, kMostSquares, squares));
@@ -28,7 +29,10 @@ tl::expected<sim::Grid, std::string> grid_over(double width, double height, int 
                         "than 2 fit across",
                         width, height, squares));
     const int along_x = width >= height ? squares : across, along_y = width >= height ? across : squares;
-    return sim::Grid{along_x + 1, along_y + 1, dx};
+    const sim::Grid grid{along_x + 1, along_y + 1, dx};
+    if (choice.allowed)
+        if (auto allowed = choice.allowed(grid); !allowed) return tl::unexpected(allowed.error());
+    return grid;
 }
 
 PlaneFit::PlaneFit(const sim::Grid& grid, double reach_x, double reach_y, double point_area)

@@ -1,21 +1,34 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <tl/expected.hpp>
 
 #include "sim/grid.h"
+#include "terrains/limits.h"
 
 namespace terrains {
 
-inline constexpr int kFewestSquares = 8, kMostSquares = 4096;  // along a terrain's longer side
+// How fine a grid a caller wants, and what it has to say of the one that this becomes.
+struct GridChoice {
+    // May refuse a grid, with a reason. Asked before memory is taken for it.
+    using Allowed = std::function<tl::expected<void, std::string>(const sim::Grid&)>;
+    GridChoice(int along_longer, Allowed may_have = nullptr)
+        : squares(along_longer), allowed(std::move(may_have)) {}
+
+    int squares;  // along the longer side, 8 to 4096
+    Allowed allowed;
+};
 
 // Square cells over a rectangle of width × height metres: `squares` along the longer side, as many whole ones
 // as fit along the shorter. dx is rounded down to float32, so that no vertex lies outside the rectangle.
-// Errors: squares outside 8 to 4096, or a rectangle so narrow that fewer than 2 squares fit across.
-tl::expected<sim::Grid, std::string> grid_over(double width, double height, int squares);
+// Errors: squares outside 8 to 4096, a rectangle so narrow that fewer than 2 squares fit across, or a grid
+// that is not allowed.
+tl::expected<sim::Grid, std::string> grid_over(double width, double height, const GridChoice& choice);
 
 // Heights of scattered points brought on to a grid, by a plane fitted around every vertex with tent weights.
 // Where the points form a regular raster finer than the grid this is the tent filter (antialiased), where

@@ -9,7 +9,9 @@
 #include <fmt/format.h>
 
 #include "game/bench/report.h"
+#include "game/limits.h"
 #include "terrains/input_file.h"
+#include "terrains/json_reader.h"
 
 namespace game {
 namespace {
@@ -87,16 +89,21 @@ const Json& list(const Json& json, const char* name) {
 Outcome<Json> read_report(const std::filesystem::path& path) {
     auto stream = terrains::open_input(path);
     if (!stream) return unusable(stream.error());
+    std::error_code error;
+    const auto size = std::filesystem::file_size(path, error);
+    if (error || size > kMostReportBytes)
+        return unusable(fmt::format("{}: over {} bytes", path.string(), kMostReportBytes));
     const std::string bytes{std::istreambuf_iterator<char>(*stream), {}};
-    Json json = Json::parse(bytes, nullptr, false);
-    if (json.is_discarded()) return unusable(fmt::format("{}: is no JSON, or not all of it", path.string()));
+    auto read = terrains::read_json<Json>(bytes, kReportLimits);
+    if (!read) return unusable(fmt::format("{}: {}", path.string(), read.error()));
+    Json& json = *read;
     if (!json.is_object() || json.value("format", Json()) != kBenchFormat)
         return unusable(fmt::format("{}: is no report that bench wrote with --summary", path.string()));
     if (json.value("version", Json()) != kBenchVersion)
         return unusable(fmt::format("{}: is of another version than {}", path.string(), kBenchVersion));
     if (const auto entries = entries_of(json); !entries)
         return unusable(fmt::format("{}: {}", path.string(), entries.error()));
-    return json;
+    return std::move(json);
 }
 
 tl::expected<std::vector<BenchEntry>, std::string> entries_of(const Json& report) try {

@@ -114,7 +114,7 @@ std::string_view to_string(Proof proof) {
 Outcome<Measured> measure(const BenchRecording& named, int squares, const BenchPhysics& physics,
                           const BenchHow& how, Canvas* canvas, const std::string& what) {
     const Recording& recording = named.recording;
-    const auto start = start_of(recording, squares, physics);
+    const auto start = start_of(recording, squares, physics, how.memory);
     if (!start) return tl::unexpected(start.error());
     const std::int64_t last = recording.last_tick();
     const BenchRun run{*start,

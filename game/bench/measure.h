@@ -8,6 +8,7 @@
 
 #include "game/bench/canvas.h"
 #include "game/bench/variant.h"
+#include "game/memory.h"
 #include "game/perf_log.h"
 #include "game/recording/reader.h"
 #include "sim/engine.h"
@@ -26,6 +27,7 @@ struct BenchHow {
     std::optional<std::int64_t> ticks;  // measured at most; none: to the recording's end
     std::int64_t every = 120;           // ticks from a drawn frame to the next, ≥ 1
     sim::How how;
+    Memory memory;  // of one grid's world
 };
 
 // What the states of a run are proven by.

@@ -68,7 +68,7 @@ ScalingRow row_of(std::vector<PerfRow> rows) {
 
 Outcome<void> measure_grid(const BenchRecording& named, int squares, const BenchPhysics& physics,
                            const BenchHow& how, Canvas* canvas, Scaling& scaling) {
-    const auto start = start_of(named.recording, squares, physics);
+    const auto start = start_of(named.recording, squares, physics, how.memory);
     if (!start) return tl::unexpected(start.error());
     const bool drawn = canvas && start->grid.size() <= Session::kMostFollowed;
     if (drawn)

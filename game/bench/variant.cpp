@@ -99,10 +99,12 @@ int squares_of(const Start& start) {
     return std::max(start.grid.nx, start.grid.ny) - 1;
 }
 
-Outcome<Start> on_grid(Start start, int squares) {
+Outcome<Start> on_grid(Start start, int squares, const Memory& memory) {
     if (squares == squares_of(start)) return start;
     const double dx = start.grid.dx;
-    const auto grid = terrains::grid_over((start.grid.nx - 1) * dx, (start.grid.ny - 1) * dx, squares);
+    const auto grid = terrains::grid_over(
+        (start.grid.nx - 1) * dx, (start.grid.ny - 1) * dx,
+        {squares, [&](const sim::Grid& wanted) { return memory.allows(wanted, start.lower.has_value()); }});
     if (!grid) return unusable(fmt::format("{}: {}", start.title, grid.error()));
     const Resampler to(start, *grid);
     auto bedrock = to.fit(start.bedrock);
@@ -123,11 +125,12 @@ Outcome<Start> on_grid(Start start, int squares) {
     return start;
 }
 
-Outcome<Start> start_of(const Recording& recording, int squares, const BenchPhysics& physics) {
+Outcome<Start> start_of(const Recording& recording, int squares, const BenchPhysics& physics,
+                        const Memory& memory) {
     auto start = in_physics(recording.header.start, physics);
-    if (start) start = on_grid(std::move(*start), squares);
+    if (start) start = on_grid(std::move(*start), squares, memory);
     if (!start) return start;
-    if (const auto fault = fault_of_sets(start->params, recording.commands))
+    if (const auto fault = fault_of_commands(start->params, recording.commands))
         return unusable(fmt::format("{} in {}: {}", start->scene, physics.name, *fault));
     return start;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "game/memory.h"
 #include "game/outcome.h"
 #include "game/recording/reader.h"
 #include "game/start.h"
@@ -33,12 +34,13 @@ Outcome<Start> in_physics(Start start, const BenchPhysics& physics);
 int squares_of(const Start& start);  // along the longer side
 // Its ground on another grid over the same rectangle, 8 to 4096 squares along the longer side: bedrock and
 // layers averaged where the grid is coarser, interpolated where it is finer. Errors: fewer than two squares
-// would fit across.
-Outcome<Start> on_grid(Start start, int squares);
+// would fit across, or `memory` does not allow the grid.
+Outcome<Start> on_grid(Start start, int squares, const Memory& memory = {});
 
 // What of a recording is measured: its start in this physics on that grid. Errors: as above, or its commands
 // set numbers that do not go together there.
-Outcome<Start> start_of(const Recording& recording, int squares, const BenchPhysics& physics);
+Outcome<Start> start_of(const Recording& recording, int squares, const BenchPhysics& physics,
+                        const Memory& memory);
 // Whether the states that it recorded are of that start.
 bool has_states_of(const Recording& recording, int squares, const BenchPhysics& physics);
 

@@ -13,12 +13,12 @@
 namespace game {
 namespace {
 
-Outcome<std::vector<BenchRecording>> read_all(const std::vector<std::string>& names) {
+Outcome<std::vector<BenchRecording>> read_all(const std::vector<std::string>& names, const Memory& memory) {
     std::vector<BenchRecording> recordings;
     for (const std::string& name : names) {
         const auto path = find_asset(AssetKind::kRecording, name);
         if (!path) return tl::unexpected(path.error());
-        auto recording = read_recording(*path);
+        auto recording = read_recording(*path, memory);
         if (!recording) return tl::unexpected(recording.error());
         if (recording->warning) fmt::print(stderr, "couloir: warning: {}\n", *recording->warning);
         if (recording->header.start.flow)
@@ -30,11 +30,11 @@ Outcome<std::vector<BenchRecording>> read_all(const std::vector<std::string>& na
 }
 
 Outcome<std::vector<BenchRecording>> recordings_of(const BenchOptions& options) {
-    if (!options.recordings.empty()) return read_all(options.recordings);
-    if (options.scaling) return read_all({"snow-avalanche"});
+    if (!options.recordings.empty()) return read_all(options.recordings, options.how.memory);
+    if (options.scaling) return read_all({"snow-avalanche"}, options.how.memory);
     const auto names = asset_names(AssetKind::kRecording);
     if (!names) return tl::unexpected(names.error());
-    return read_all(*names);
+    return read_all(*names, options.how.memory);
 }
 
 FileUse files_of(const BenchOptions& options, const std::vector<BenchRecording>& recordings) {
@@ -54,6 +54,12 @@ std::vector<BenchPhysics> physics_of(const BenchOptions& options) {
     return all;
 }
 
+BenchHow how_of(const BenchOptions& options) {
+    BenchHow how = options.how;
+    how.memory.use.draws = options.draws;
+    return how;
+}
+
 Outcome<std::vector<Measured>> measure_cases(const std::vector<BenchRecording>& recordings,
                                              const BenchOptions& options, Canvas* canvas) {
     const std::vector<int> squares = options.squares.empty() ? std::vector{80, 160} : options.squares;
@@ -63,7 +69,7 @@ Outcome<std::vector<Measured>> measure_cases(const std::vector<BenchRecording>& 
     for (const BenchRecording& recording : recordings)
         for (const int each : squares)
             for (const BenchPhysics& way : physics) {
-                auto measured = measure(recording, each, way, options.how, canvas,
+                auto measured = measure(recording, each, way, how_of(options), canvas,
                                         fmt::format("{} of {}: {}, {} squares, {}", cases.size() + 1, count,
                                                     recording.name, each, way.name));
                 if (!measured) return tl::unexpected(measured.error());
@@ -84,7 +90,7 @@ Outcome<Scaling> scale(const std::vector<BenchRecording>& recordings, const Benc
         for (const BenchPhysics& each : physics)
             if (is_own(start, each)) way = each;
     const std::vector<int> usual(kScalingSquares.begin(), kScalingSquares.end());
-    return measure_scaling(recording, options.squares.empty() ? usual : options.squares, way, options.how,
+    return measure_scaling(recording, options.squares.empty() ? usual : options.squares, way, how_of(options),
                            canvas);
 }
 

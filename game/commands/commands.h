@@ -8,6 +8,7 @@
 #include "game/bench/measure.h"
 #include "game/compare/edit.h"
 #include "game/gallery.h"
+#include "game/memory.h"
 #include "game/outcome.h"
 #include "game/scene.h"
 #include "game/summary.h"
@@ -46,6 +47,7 @@ struct ReplayOptions {
     PictureOptions pictures;
     ResultOptions results;
     sim::How how;
+    Memory memory;
 };
 Outcome<int> replay(const ReplayOptions& options);
 
@@ -55,6 +57,7 @@ struct CompareOptions {
     std::optional<std::filesystem::path> maps;
     bool json = false;
     sim::How how;
+    Memory memory;
 };
 // Two recordings on one ground: what differs in the end, and where they part.
 Outcome<int> compare(const CompareOptions& options);
@@ -66,6 +69,7 @@ struct EditOptions {
     std::optional<std::filesystem::path> maps;
     bool json = false;
     sim::How how;
+    Memory memory;
 };
 // One command changed, and run again; compared with what it was.
 Outcome<int> edit(const EditOptions& options);
@@ -74,6 +78,7 @@ struct NormaliseOptions {
     std::string recording;  // name or file
     std::filesystem::path out;
     sim::How how;
+    Memory memory;
 };
 // A recording rewritten in the newest format, with the states of this version of the physics; 1 where it is
 // of this version and they are others.

@@ -6,7 +6,10 @@
 namespace game {
 
 Outcome<int> compare(const CompareOptions& options) {
-    const auto a = open_recording(options.first), b = open_recording(options.second);
+    // Both are played, and then followed side by side.
+    Memory memory = options.memory;
+    memory.use = {.sessions = 2, .runs = 2};
+    const auto a = open_recording(options.first, memory), b = open_recording(options.second, memory);
     for (const auto* each : {&a, &b})
         if (!*each) return tl::unexpected(each->error());
     if (auto comparable = check_ground(*a, *b); !comparable) return tl::unexpected(comparable.error());

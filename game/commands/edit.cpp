@@ -20,7 +20,10 @@ Until until_as(const Played& old, const std::vector<TimedCommand>& commands) {
 }  // namespace
 
 Outcome<int> edit(const EditOptions& options) {
-    const auto old = open_recording(options.recording);
+    // Both are played, and then followed side by side.
+    Memory memory = options.memory;
+    memory.use = {.sessions = 2, .runs = 2};
+    const auto old = open_recording(options.recording, memory);
     if (!old) return tl::unexpected(old.error());
     auto changed = edited(old->recording, options.edit);
     if (!changed) return unusable(fmt::format("{}: {}", options.recording, changed.error().sentence));

@@ -9,7 +9,7 @@
 namespace game {
 
 Outcome<int> normalise(const NormaliseOptions& options) {
-    const auto old = open_recording(options.recording);
+    const auto old = open_recording(options.recording, options.memory);
     if (!old) return tl::unexpected(old.error());
     const Header& header = old->recording.header;
     if (header.minor > kFormatMinor)

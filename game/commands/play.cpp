@@ -23,7 +23,9 @@ void tell_times(const FrameTimes& times) {
 
 Outcome<int> play(const PlayOptions& options) {
     // Before there is a window: a mistake on the command line should not flash one.
-    auto opening = open_anything(options.what.empty() ? kFirstScene : options.what, options.wishes);
+    Wishes wishes = options.wishes;
+    wishes.memory.use = {.draws = true, .goes_back = true};
+    auto opening = open_anything(options.what.empty() ? kFirstScene : options.what, wishes);
     if (!opening) return tl::unexpected(opening.error());
     FileUse use;
     if (auto sound = use.reads(opening->scene.files).writes("--record", options.record).check(); !sound)

@@ -36,7 +36,10 @@ std::string name_of(const sim::How& how, bool swept) {
 Outcome<int> replay(const ReplayOptions& options) {
     const auto path = find_asset(AssetKind::kRecording, options.recording);
     if (!path) return tl::unexpected(path.error());
-    const auto recording = read_recording(*path);
+    Memory memory = options.memory;
+    memory.use.runs = options.paranoid ? 2 : 0;
+    memory.use.draws = options.pictures.folder || options.results.perf || options.results.trace;
+    const auto recording = read_recording(*path, memory);
     if (!recording) return tl::unexpected(recording.error());
     if (recording->warning) fmt::print(stderr, "couloir: warning: {}\n", *recording->warning);
     if (options.until)
@@ -65,7 +68,8 @@ Outcome<int> replay(const ReplayOptions& options) {
         gallery = std::move(*opened);
     }
     PerfLog perf({start.scene, file_hash(*path), options.how.threads,
-                  gallery ? std::optional(gallery->drawn_by()) : std::nullopt});
+                  gallery ? std::optional(gallery->drawn_by()) : std::nullopt},
+                 options.results.log_keeps());
     Verifier verifier(*recording);
 
     const auto until = Until::after(options.until.value_or(recording->last_tick()));

@@ -16,8 +16,10 @@ namespace game {
 namespace {
 
 Outcome<Scene> scene_of(const RunOptions& options) {
-    if (!options.terrain) return load_scene(options.scene, options.wishes);
-    return scene_of_terrain(*options.terrain, *options.release, options.wishes);
+    Wishes wishes = options.wishes;
+    wishes.memory.use.draws = options.pictures.folder || options.results.perf || options.results.trace;
+    if (!options.terrain) return load_scene(options.scene, wishes);
+    return scene_of_terrain(*options.terrain, *options.release, wishes);
 }
 
 FileUse files_of(const RunOptions& options, const Scene& scene) {
@@ -96,7 +98,8 @@ Outcome<int> run(const RunOptions& options) {
     }
     std::optional<Gallery>& gallery = leavings->gallery;
     PerfLog perf(
-        {start.scene, "", options.how.threads, gallery ? std::optional(gallery->drawn_by()) : std::nullopt});
+        {start.scene, "", options.how.threads, gallery ? std::optional(gallery->drawn_by()) : std::nullopt},
+        options.results.log_keeps());
     Watchers watchers;
     watchers.gallery = gallery ? &*gallery : nullptr;
     watchers.ticks_per_picture = options.pictures.every;

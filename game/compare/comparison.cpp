@@ -75,10 +75,10 @@ std::array<std::string, 2> names_of(const Comparison& comparison) {
 
 }  // namespace
 
-Outcome<Named> open_recording(const std::string& name_or_path) {
+Outcome<Named> open_recording(const std::string& name_or_path, const Memory& memory) {
     const auto path = find_asset(AssetKind::kRecording, name_or_path);
     if (!path) return tl::unexpected(path.error());
-    auto recording = read_recording(*path);
+    auto recording = read_recording(*path, memory);
     if (!recording) return tl::unexpected(recording.error());
     if (recording->warning) fmt::print(stderr, "couloir: warning: {}\n", *recording->warning);
     if (recording->header.physics_version != kPhysicsVersion)

@@ -8,6 +8,7 @@
 
 #include "game/headless.h"
 #include "game/measures.h"
+#include "game/memory.h"
 #include "game/outcome.h"
 #include "game/recording/divergence.h"
 #include "game/recording/reader.h"
@@ -28,7 +29,7 @@ struct Named {
 // Reads what find_asset() knows under this name, or a file; its name is the file's, without extension. Says
 // on standard error what is to be said of it: where it was cut off, that it is of another version of the
 // physics.
-Outcome<Named> open_recording(const std::string& name_or_path);
+Outcome<Named> open_recording(const std::string& name_or_path, const Memory& memory);
 
 // One of them, played to where both are compared.
 struct Played {

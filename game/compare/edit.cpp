@@ -164,7 +164,7 @@ Outcome<Edited> edited(const Recording& recording, const Edit& edit) {
     } else {
         result.change += " is left out";
     }
-    if (const auto fault = fault_of_sets(start.params, result.commands)) return unusable(*fault);
+    if (const auto fault = fault_of_commands(start.params, result.commands)) return unusable(*fault);
     return result;
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "game/flow_scene.h"
+#include "game/limits.h"
 #include "game/number.h"
 #include "game/recording/ground_data.h"
 #include "game/version.h"
@@ -159,13 +160,14 @@ Json ground_json(const Start& start) {
     return json;
 }
 
-void ground_from(const Json& json, Start& start) {
-    constexpr std::int64_t kMostVertices = 4097;
+void ground_from(const Json& json, const Memory& memory, Start& start) {
     start.terrain = text(json, "name");
     start.licence = text(json, "licence");
     start.grid.nx = static_cast<int>(whole(json, "nx", 3, kMostVertices));
     start.grid.ny = static_cast<int>(whole(json, "ny", 3, kMostVertices));
     start.grid.dx = static_cast<float>(number(json, "dx", 1e-3, 1e5));
+    if (const auto allowed = memory.allows(start.grid, start.lower.has_value()); !allowed)
+        refuse(allowed.error());
     start.datum = number(json, "datum", -2e4, 2e4);
     if (json.contains("georeference")) {
         const Json& place = member(json, "georeference");
@@ -298,7 +300,7 @@ int read_version(const Json& json) {
 }
 
 Parent parent_from(const Json& json) {
-    return {text(json, "name"), whole(json, "tick", 0, kMostTicks),
+    return {text(json, "name"), whole(json, "tick", 0, kMostTicksOfParent),
             json.contains("change") ? text(json, "change") : ""};
 }
 
@@ -307,14 +309,14 @@ Origin origin_from(const Json& json) {
             text(json, "program")};
 }
 
-Header read_header(const Json& json, int minor) {
+Header read_header(const Json& json, int minor, const Memory& memory) {
     Header header;
     header.minor = minor;
     if (json.contains("parent")) header.parent = parent_from(json.at("parent"));
     if (json.contains("rewritten_from")) header.rewritten_from = origin_from(json.at("rewritten_from"));
     header.program = text(json, "program");
     header.physics_version = static_cast<int>(whole(json, "physics_version", 1, 1 << 20));
-    header.ticks_per_state = static_cast<int>(whole(json, "ticks_per_state", 1, 1 << 20));
+    header.ticks_per_state = static_cast<int>(whole(json, "ticks_per_state", 1, kMostTicksPerState));
     Start& start = header.start;
     start.scene = text(json, "scene");
     start.title = text(json, "title");
@@ -323,7 +325,7 @@ Header read_header(const Json& json, int minor) {
     start.params = physics_from(member(json, "physics"), minor);
     if (json.contains("lower")) start.lower = lower_from(json.at("lower"), minor, start.params);
     view_from(member(json, "view"), start);
-    ground_from(member(json, "terrain"), start);
+    ground_from(member(json, "terrain"), memory, start);
     return header;
 }
 
@@ -412,8 +414,8 @@ tl::expected<void, std::string> check_format(const Json& json) try {
     return tl::unexpected(std::string(wrong.what()));
 }
 
-tl::expected<Header, std::string> header_from(const Json& json) try {
-    return read_header(json, read_version(json));
+tl::expected<Header, std::string> header_from(const Json& json, const Memory& memory) try {
+    return read_header(json, read_version(json), memory);
 } catch (const std::exception& wrong) {
     return tl::unexpected(std::string(wrong.what()));
 }

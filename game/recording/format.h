@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "game/memory.h"
 #include "game/start.h"
 #include "sim/ledger.h"
 
@@ -67,7 +68,8 @@ struct Header {
 
 // Readers' errors are a fact without file and line, which the caller knows.
 Json to_json(const Header& header);
-tl::expected<Header, std::string> header_from(const Json& json);
+// Its terrain is unpacked only if `memory` allows such a world.
+tl::expected<Header, std::string> header_from(const Json& json, const Memory& memory = {});
 // Whether this is a header of a format that this program reads. To be asked first, of the chain too: nothing
 // else need be the same in another format.
 tl::expected<void, std::string> check_format(const Json& json);

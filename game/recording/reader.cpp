@@ -7,15 +7,16 @@
 
 #include <fmt/format.h>
 
+#include "game/limits.h"
 #include "game/recording/chain.h"
 #include "terrains/input_file.h"
+#include "terrains/json_reader.h"
 
 namespace game {
 namespace {
 
-constexpr std::size_t kLongestHeader = std::size_t{256} << 20;
-constexpr std::size_t kLongestLine = std::size_t{64} << 10;
-constexpr int kDeepestNesting = 8;
+using terrains::read_json;
+
 constexpr std::string_view kBeginning = R"({"format":"couloir recording",)";
 
 enum class Read { kLine, kTorn, kEnd, kTooLong };
@@ -32,26 +33,10 @@ Read next_line(std::istream& stream, std::string& line, std::size_t longest) {
     return line.empty() ? Read::kEnd : Read::kTorn;
 }
 
-// JSON no deeper than a recording ever is. Errors: the parser's, shortened to the fact.
-tl::expected<Json, std::string> parse(const std::string& line) {
-    struct TooDeep {};
-    // Thrown, so that the parser stops there: it keeps a pointer for every level that it merely skips.
-    const auto watch = [](int depth, Json::parse_event_t, Json&) {
-        if (depth > kDeepestNesting) throw TooDeep{};
-        return true;
-    };
-    try {
-        Json json = Json::parse(line, watch, false);
-        if (json.is_discarded()) return tl::unexpected(std::string("not JSON"));
-        return json;
-    } catch (const TooDeep&) {
-        return tl::unexpected(std::string("nested deeper than any recording"));
-    }
-}
-
 class Reader {
   public:
-    Reader(std::istream& stream, std::string name) : stream_(stream), name_(std::move(name)) {}
+    Reader(std::istream& stream, std::string name, const Memory& memory)
+        : stream_(stream), name_(std::move(name)), memory_(memory) {}
 
     Outcome<Recording> read() {
         if (const auto header = read_header(); !header) return tl::unexpected(header.error());
@@ -69,7 +54,7 @@ class Reader {
             if (const auto taken = take_line(); !taken) return tl::unexpected(taken.error());
             whole_bytes_ += line_.size() + 1;
         }
-        if (const auto fault = fault_of_sets(recording_.header.start.params, recording_.commands))
+        if (const auto fault = fault_of_commands(recording_.header.start.params, recording_.commands))
             return unusable(fmt::format("{}: {}", name_, *fault));
         if (!recording_.end && !recording_.warning)
             recording_.warning =
@@ -107,14 +92,15 @@ class Reader {
         line_number_ = 1;
         if (auto begun = look_at_header(); !begun) return begun;
         const Read got = next_line(stream_, line_, kLongestHeader);
-        const auto json = parse(line_);
+        auto json = read_json<Json>(line_, kHeaderLimits);
         if (!json) return wrong(got == Read::kTorn ? "torn off within the header" : json.error());
         if (const auto known = check_format(*json); !known) return wrong(known.error());
         if (const auto linked = chain_.read(line_); !linked) return wrong(linked.error());
-        auto header = header_from(*json);
+        auto header = header_from(*json, memory_);
         if (!header) return wrong(header.error());
         if (got == Read::kTorn) return wrong("torn off within the header");
         recording_.header = std::move(*header);
+        if (const auto& parent = recording_.header.parent) proven_until_ = parent->tick;
         whole_bytes_ = line_.size() + 1;
         return {};
     }
@@ -122,7 +108,7 @@ class Reader {
     Outcome<void> take_line() {
         if (recording_.end) return wrong("stands after the end line");
         if (const auto linked = chain_.read(line_); !linked) return wrong(linked.error());
-        const auto json = parse(line_);
+        const auto json = read_json<Json>(line_, kLineLimits);
         if (!json) return wrong(json.error());
         const auto line = line_from(*json);
         if (!line) return wrong(line.error());
@@ -135,6 +121,9 @@ class Reader {
         // Given at the start of its tick, so after the state of that tick was written.
         if (command.tick < latest_)
             return wrong(fmt::format("goes back to tick {} from {}", command.tick, latest_));
+        if (auto proven = check_states(command.tick); !proven) return proven;
+        if (recording_.commands.size() == kMostCommands)
+            return wrong(fmt::format("over {} commands", kMostCommands));
         latest_ = command.tick;
         recording_.commands.push_back(command);
         return {};
@@ -144,15 +133,26 @@ class Reader {
         if (state.tick < latest_ ||
             (!recording_.states.empty() && state.tick <= recording_.states.back().tick))
             return wrong(fmt::format("goes back to tick {} from {}", state.tick, latest_));
-        latest_ = state.tick;
+        if (auto proven = check_states(state.tick); !proven) return proven;
+        latest_ = proven_until_ = state.tick;
         recording_.states.push_back(state);
         return {};
     }
 
     Outcome<void> keep(const EndLine& end) {
         if (end.tick < latest_) return wrong(fmt::format("ends at tick {}, before {}", end.tick, latest_));
+        if (auto proven = check_states(end.tick); !proven) return proven;
         recording_.end = end.tick;
         return {};
+    }
+
+    // Every tick lies at most ticks_per_state after a state line: so long a file has no fewer ticks than
+    // lines.
+    Outcome<void> check_states(std::int64_t tick) const {
+        const std::int64_t until = proven_until_ + recording_.header.ticks_per_state;
+        if (tick <= until) return {};
+        return wrong(fmt::format("names tick {}, and the state lines after tick {} are missing", tick,
+                                 std::max<std::int64_t>(proven_until_, 0)));
     }
 
     std::istream& stream_;
@@ -161,6 +161,9 @@ class Reader {
     std::size_t line_number_ = 0;
     std::size_t whole_bytes_ = 0;  // of the lines taken
     std::int64_t latest_ = 0;
+    std::int64_t proven_until_ =
+        0;  // tick of the last state line; before it those of the start or the parent
+    const Memory& memory_;
     Chain chain_;
     Recording recording_;
 };
@@ -178,14 +181,14 @@ Outcome<void> check_tick(const Recording& recording, std::int64_t tick, const st
     return unusable(fmt::format("{}: ends at tick {}, before {}", name, recording.last_tick(), tick));
 }
 
-Outcome<Recording> read_recording(std::istream& stream, const std::string& name) {
-    return Reader(stream, name).read();
+Outcome<Recording> read_recording(std::istream& stream, const std::string& name, const Memory& memory) {
+    return Reader(stream, name, memory).read();
 }
 
-Outcome<Recording> read_recording(const std::filesystem::path& path) {
+Outcome<Recording> read_recording(const std::filesystem::path& path, const Memory& memory) {
     auto file = terrains::open_input(path);
     if (!file) return unusable(file.error());
-    return read_recording(*file, path.string());
+    return read_recording(*file, path.string(), memory);
 }
 
 }  // namespace game

@@ -1,6 +1,7 @@
 #include "game/perf_log.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/game/program.h"
+#include "tests/support/allocations.h"
 #include "tests/support/places.h"
 
 namespace game::test {
@@ -30,7 +32,7 @@ PerfRow row(std::int64_t tick, double solve_ms, std::optional<double> draw_ms) {
 }
 
 TEST(PerfLog, figures_are_nearest_ranks_over_the_ticks_in_which_a_stage_ran) {
-    PerfLog log({"trial", "", 1, std::nullopt});
+    PerfLog log({"trial", "", 1, std::nullopt}, PerfLog::Keeps::kRows);
     for (const int ms : {20, 3, 1, 19, 18, 2, 17, 4, 16, 5, 15, 6, 14, 7, 13, 8, 12, 9, 11, 10})
         log.add(row(ms, ms, ms % 10 == 0 ? std::optional(100.0 * ms) : std::nullopt));
     const auto figures = log.figures();
@@ -55,8 +57,39 @@ TEST(PerfLog, figures_are_nearest_ranks_over_the_ticks_in_which_a_stage_ran) {
     EXPECT_DOUBLE_EQ(frame.total, 3210);
 }
 
+TEST(PerfLog, without_rows_takes_no_more_memory_and_has_the_same_figures_to_a_hundredth) {
+    PerfLog rows({"trial", "", 1, std::nullopt}, PerfLog::Keeps::kRows);
+    PerfLog figures({"trial", "", 1, std::nullopt}, PerfLog::Keeps::kFigures);
+    std::int64_t most_allocations = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        // From a nanosecond to some minutes, and none in between in which the stage did not run.
+        const double ms = std::exp(std::fmod(i * 0.618, 1.0) * 27 - 14);
+        const PerfRow each = row(i, ms, i % 7 == 0 ? std::optional(3 * ms) : std::nullopt);
+        rows.add(each);
+        const std::int64_t before = support::allocations();
+        figures.add(each);
+        most_allocations = std::max(most_allocations, support::allocations() - before);
+    }
+    EXPECT_EQ(most_allocations, 0);
+    EXPECT_TRUE(figures.rows().empty());
+    const auto exact = rows.figures(), close = figures.figures();
+    ASSERT_EQ(exact.size(), close.size());
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        EXPECT_EQ(exact[i].stage, close[i].stage);
+        EXPECT_EQ(exact[i].count, close[i].count);
+        EXPECT_DOUBLE_EQ(exact[i].most, close[i].most);
+        EXPECT_NEAR(exact[i].total, close[i].total, 1e-9 * exact[i].total);
+        for (const auto& [one, other] : {std::pair{exact[i].median, close[i].median},
+                                         {exact[i].p95, close[i].p95},
+                                         {exact[i].p99, close[i].p99}})
+            EXPECT_NEAR(one, other, 0.01 * one) << exact[i].stage;
+    }
+    EXPECT_NEAR(rows.to_json()["ticks_per_s"].get<double>(), figures.to_json()["ticks_per_s"].get<double>(),
+                1e-6);
+}
+
 TEST(PerfLog, of_nothing_has_no_figures_and_divides_by_nothing) {
-    const PerfLog log({"trial", "", 1, std::nullopt});
+    const PerfLog log({"trial", "", 1, std::nullopt}, PerfLog::Keeps::kRows);
     for (const StageFigures& stage : log.figures()) {
         EXPECT_EQ(stage.count, 0u);
         EXPECT_EQ(stage.mean, 0);
@@ -65,7 +98,7 @@ TEST(PerfLog, of_nothing_has_no_figures_and_divides_by_nothing) {
 }
 
 TEST(PerfLog, json_gives_each_stage_its_share_of_the_frame) {
-    PerfLog log({"trial", "", 3, std::nullopt});
+    PerfLog log({"trial", "", 3, std::nullopt}, PerfLog::Keeps::kRows);
     log.add(row(1, 10, 30));
     log.add(row(2, 10, std::nullopt));
     const Json json = log.to_json();
@@ -79,7 +112,8 @@ TEST(PerfLog, csv_has_the_contracts_columns_in_every_row) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "new folder" / "log.csv";
     PerfLog log({"trial, with a comma", "0123456789abcdef", 2,
-                 render::DrawnBy{"llvmpipe", "64x36", render::Timing::kFinish}});
+                 render::DrawnBy{"llvmpipe", "64x36", render::Timing::kFinish}},
+                PerfLog::Keeps::kRows);
     PerfRow full;
     full.tick = 7;
     full.time_s = 0.1166667;

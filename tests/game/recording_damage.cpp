@@ -162,6 +162,66 @@ TEST_F(DamagedRecording, that_goes_back_in_time_is_refused) {
     EXPECT_NE(refused_at(bodies.size(), read(chained(bodies))).find("after the end line"), std::string::npos);
 }
 
+TEST_F(DamagedRecording, without_the_state_lines_that_lead_to_a_tick_is_refused) {
+    const auto whole = bodies_of(whole_);
+    const auto is_state = [](const std::string& body) {
+        return body.find("\"hash\":\"") != std::string::npos;
+    };
+    // Any one state line but the first: some tick is then further from a state than ticks_per_state, unless
+    // the next line is the end's.
+    for (std::size_t i = 2; i < whole.size(); ++i) {
+        if (!is_state(whole[i]) || !is_state(whole[i - 1])) continue;
+        auto bodies = whole;
+        bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(i));
+        if (i + 2 == whole.size())
+            EXPECT_TRUE(read(chained(bodies))) << i;
+        else
+            refused_at(i + 1, read(chained(bodies)));
+    }
+    for (const char* end : {"{\"end\":47", "{\"end\":1099511627776"}) {
+        auto bodies = whole;
+        bodies.back() = end;
+        refused_at(bodies.size(), read(chained(bodies)));
+        refused_at(2, read(chained({whole[0], end})));
+    }
+    Json forked = json_of(whole[0]);
+    forked["parent"] = {{"name", "it"}, {"tick", 1000}};
+    EXPECT_TRUE(read(chained({body_of(forked), "{\"end\":1006"})));
+    refused_at(2, read(chained({body_of(forked), "{\"end\":1007"})));
+    forked["parent"]["tick"] = std::int64_t{1} << 40;
+    refused_at(1, read(chained({body_of(forked), "{\"end\":1099511627776"})));
+}
+
+TEST_F(DamagedRecording, with_more_commands_than_a_tick_can_do_is_refused) {
+    const auto whole = bodies_of(whole_);
+    const auto with = [&](std::size_t count, std::int64_t apart, const sim::Command& command) {
+        std::vector<std::string> bodies{whole[0]};
+        std::string line;
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::int64_t tick = static_cast<std::int64_t>(i) * apart / 256;
+            if (i == 0 || (apart > 0 && i % (256 * 6) == 0)) {
+                write(StateLine{.tick = tick}, line);
+                line.pop_back();
+                bodies.push_back(std::exchange(line, {}));
+            }
+            write(TimedCommand{tick, command}, line);
+            line.pop_back();
+            bodies.push_back(std::exchange(line, {}));
+        }
+        return read(chained(bodies));
+    };
+    const sim::Command settle{.kind = sim::CommandKind::kSettle, .radius = 1e5};
+    EXPECT_TRUE(with(sim::kMostCommandsPerTick, 0, settle));
+    EXPECT_FALSE(with(sim::kMostCommandsPerTick + 1, 0, settle));
+    EXPECT_TRUE(with(20 * sim::kMostCommandsPerTick, 1, settle));
+    sim::Command pour = some_commands()[0].command;
+    pour.duration = 1000;
+    EXPECT_TRUE(with(sim::kMostSources, 1, pour));
+    EXPECT_FALSE(with(sim::kMostSources + 1, 1, pour));
+    pour.duration = 0;
+    EXPECT_TRUE(with(2 * sim::kMostSources, 1, pour));
+}
+
 TEST_F(DamagedRecording, with_lines_of_nonsense_is_refused) {
     for (const char* nonsense :
          {"{\"snow\":1", "[1", "{\"tick\":1,\"pour\":{}", "{\"tick\":1e999,\"end\":1e999", "{\"end\":-1",

@@ -293,6 +293,49 @@ TEST_F(Track, names_the_line_of_a_damaged_mesh) {
     }
 }
 
+// Every mesh that is read has cells that floats can measure, whatever its unit.
+TEST_F(Track, takes_a_mesh_of_any_scale_or_refuses_it) {
+    for (int power = -45; power <= 38; ++power) {
+        const std::string side = fmt::format("1e{}", power);
+        const std::string obj =
+            put("scaled.obj", fmt::format("v 0 0 0\nv {0} 0 0\nv 0 {0} 0\nf 1 2 3\n", side));
+        const std::string still =
+            put("still.npy", npy(header_of("<f4", "(3, 3, 2)"), std::string(3 * 3 * 2 * 4, '\0')));
+        const auto mesh = read_obj(obj);
+        EXPECT_EQ(mesh.has_value(), power >= -9 && power < 9) << side;
+        if (mesh)
+            for (const float cell : mesh->cell) EXPECT_TRUE(cell > 0 && std::isfinite(cell)) << side;
+        if (power % 10 == 0) {
+            const int status = couloir({"track", obj, still, "--jump", "0.1"}).status;
+            EXPECT_EQ(status, mesh ? 0 : 2) << side;
+        }
+    }
+}
+
+TEST_F(Track, writes_no_number_that_is_not_finite) {
+    // A step of a hundred metres per second that goes from left to right.
+    std::vector<float> moving;
+    for (int frame = 0; frame < 6; ++frame)
+        for (int v = 0; v < kVertices; ++v) {
+            moving.push_back(v % kRow < 3 + frame ? 100.f : 0.f);
+            moving.push_back(0.f);
+        }
+    const std::string velocities =
+        put("moving.npy", npy(header_of("<f4", fmt::format("(6, {}, 2)", kVertices)), bytes_of(moving)));
+    for (const char* dt : {"1e-300", "1e-40", "1e-7", "1e7", "1e300"})
+        EXPECT_EQ(couloir({"track", mesh(), velocities, "--jump", "0.1", "--dt", dt}).status, 2) << dt;
+    for (const char* source : {"half", "paper", "fit"})
+        for (const char* dt : {"1e-6", "0.01", "1e6"})
+            for (const char* jump : {"1e-300", "0.1", "1e300"}) {
+                const Finished done =
+                    couloir({"track", mesh(), velocities, "--jump", jump, "--dt", dt, "--source", source});
+                EXPECT_TRUE(done.status == 0 || done.status == 2) << done.status;
+                if (done.status != 0) continue;
+                EXPECT_EQ(done.out.find("inf"), std::string::npos) << source << dt << jump;
+                EXPECT_EQ(done.out.find("nan"), std::string::npos) << source << dt << jump;
+            }
+}
+
 TEST_F(Track, reads_a_mesh_as_it_is_counted_in_its_file) {
     const auto read = read_obj(mesh());
     ASSERT_TRUE(read) << read.error().sentence;

@@ -1,0 +1,139 @@
+#include "game/memory.h"
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+#include <gtest/gtest.h>
+
+#include "game/recording/reader.h"
+#include "game/scene.h"
+#include "tests/game/program.h"
+#include "tests/game/recording_files.h"
+#include "tests/readers/work.h"
+#include "tests/support/places.h"
+
+namespace game::test {
+namespace {
+
+using ::test::work;
+
+Start even_ground(int side, bool two_materials) {
+    Start start = small_start();
+    start.grid = {side, side, 2.f};
+    const std::size_t vertices = start.grid.size();
+    start.bedrock.assign(vertices, 0.f), start.depth.assign(vertices, 1.f);
+    start.rolling.assign(vertices, 0.f), start.has_data.assign(vertices, 1);
+    if (two_materials) start.lower = Start::Lower{"soil", start.params, std::vector<float>(vertices, 0.5f)};
+    return start;
+}
+
+// Plays for six ticks, which need no state line.
+void write_recording(const std::filesystem::path& path, int side, bool two_materials) {
+    Header header;
+    header.start = even_ground(side, two_materials);
+    write_bytes(path, chained({body_of(to_json(header)), "{\"end\":6"}));
+}
+
+TEST(Memory, is_read_from_the_text_of_an_option) {
+    EXPECT_EQ(bytes_from("1"), 1u);
+    EXPECT_EQ(bytes_from("3K"), 3u << 10);
+    EXPECT_EQ(bytes_from("512M"), 512u << 20);
+    EXPECT_EQ(bytes_from("4G"), std::uint64_t{4} << 30);
+    EXPECT_EQ(bytes_from("2T"), std::uint64_t{2} << 40);
+    for (const char* wrong : {"", "0", "-1", "M", "1.5G", "4 G", "4GB", "4g", "0x10", "99999999999999999999",
+                              "18446744073709551615K", "nan"})
+        EXPECT_FALSE(bytes_from(wrong)) << wrong;
+}
+
+TEST(Memory, of_a_vast_ground_in_a_small_recording_is_refused_before_it_is_taken) {
+    const support::TemporaryFolder folder;
+    const auto path = folder.path() / "vast.couloir";
+    write_recording(path, 4097, false);
+    ASSERT_LT(std::filesystem::file_size(path), 40'000u);
+    Memory memory;
+    memory.most = std::uint64_t{1} << 30;
+    const auto before = work();
+    const auto refused = read_recording(path, memory);
+    const auto taken = work() - before;
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().status, Failure::kUnusable);
+    EXPECT_LT(taken.bytes, 1 << 20);
+}
+
+TEST(Memory, of_a_fine_grid_is_refused_before_it_is_taken) {
+    Wishes wishes;
+    wishes.squares = 4096;
+    wishes.memory.most = std::uint64_t{1} << 30;
+    for (const char* scene : {"landslide", "snow-avalanche", "alpine-valley"}) {
+        const auto before = work();
+        const auto refused = load_scene(scene, wishes);
+        ASSERT_FALSE(refused) << scene;
+        EXPECT_EQ(refused.error().status, Failure::kUnusable);
+        EXPECT_LT((work() - before).bytes, 1 << 20) << scene;
+    }
+}
+
+TEST(Memory, is_an_option_of_every_subcommand_that_builds_a_world) {
+    const support::TemporaryFolder folder;
+    const std::string out = (folder.path() / "out.couloir").string();
+    const std::vector<std::vector<std::string>> commands{
+        {"play", "alpine-valley"},
+        {"play", "landslide.couloir"},
+        {"run", "landslide", "--seconds", "1"},
+        {"replay", "landslide"},
+        {"compare", "landslide", "landslide-bcre"},
+        {"edit", "landslide", "--tick", "60", "--delete", "--out", out},
+        {"normalise", "landslide", "--out", out},
+        {"bench", "landslide", "--ticks", "10", "--no-render"}};
+    for (std::vector<std::string> arguments : commands) {
+        arguments.insert(arguments.end(), {"--max-memory", "20M"});
+        EXPECT_EQ(couloir(arguments).status, 2) << arguments[0];
+    }
+    EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+// The peak of a run of the program, bytes.
+std::uint64_t peak_of(const std::vector<std::string>& arguments) {
+    const pid_t child = start_couloir(arguments);
+    int status = 0;
+    rusage usage{};
+    EXPECT_EQ(wait4(child, &status, 0, &usage), child);
+    EXPECT_EQ(status, 0) << arguments[0];
+    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+struct Use {
+    const char* name;
+    std::vector<std::string> before, after;  // of the recording
+    WorldUse use;
+};
+
+TEST(Memory, that_is_expected_is_no_less_than_is_taken) {
+    const support::TemporaryFolder folder;
+    const std::vector<Use> uses{
+        {"replay", {"replay"}, {}, {}},
+        {"paranoid", {"replay", "--paranoid"}, {}, {.runs = 2}},
+        {"compare", {"compare"}, {}, {.sessions = 2, .runs = 2}},
+    };
+    constexpr int kSide = 901;
+    for (const bool two_materials : {false, true}) {
+        const std::string path = (folder.path() / (two_materials ? "two.couloir" : "one.couloir")).string();
+        write_recording(path, kSide, two_materials);
+        for (const Use& each : uses) {
+            std::vector<std::string> arguments = each.before;
+            arguments.push_back(path);
+            if (each.before[0] == "compare") arguments.push_back(path);
+            Memory memory;
+            memory.use = each.use;
+            const std::uint64_t expected = expected_bytes({kSide, kSide, 2.f}, two_materials, memory);
+            const std::uint64_t taken = peak_of(arguments);
+            RecordProperty(each.name + std::to_string(two_materials),
+                           bytes_text(expected) + " " + bytes_text(taken));
+            EXPECT_LE(taken, expected) << each.name << two_materials;
+            EXPECT_LE(expected, 2 * taken) << each.name << two_materials;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace game::test

@@ -1,0 +1,50 @@
+#include "tests/readers/work.h"
+
+#include <cstddef>
+
+namespace {
+
+thread_local std::int64_t steps = 0, bytes = 0;
+
+}  // namespace
+
+test::Work test::work() {
+    return {steps, bytes};
+}
+
+// The compiler calls this in every basic block of the sources that CMakeLists.txt names.
+extern "C" void __sanitizer_cov_trace_pc() {
+    ++steps;
+}
+
+// The sanitizers bring a malloc of their own.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define COULOIR_OTHER_MALLOC
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define COULOIR_OTHER_MALLOC
+#endif
+#endif
+
+#ifndef COULOIR_OTHER_MALLOC
+// What these hand out comes from the C library's heap, so its own free() takes it back.
+extern "C" {
+
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* memory, std::size_t size);
+
+void* malloc(std::size_t size) noexcept {
+    bytes += static_cast<std::int64_t>(size);
+    return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) noexcept {
+    bytes += static_cast<std::int64_t>(count * size);
+    return __libc_calloc(count, size);
+}
+void* realloc(void* memory, std::size_t size) noexcept {
+    bytes += static_cast<std::int64_t>(size);
+    return __libc_realloc(memory, size);
+}
+}
+#endif
