@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "files/input.h"
 #include "game/limits.h"
 #include "game/number.h"
-#include "terrains/input_file.h"
 
 // Its own reader: cnpy, the usual one, asserts where a header is damaged and allocates what it asks for.
 
@@ -58,7 +58,7 @@ Outcome<ArrayFile> ArrayFile::open(const std::filesystem::path& path) {
     };
     ArrayFile array;
     array.path_ = path;
-    auto file = terrains::open_input(path);
+    auto file = files::open_input(path);
     if (!file) return unusable(file.error());
     array.file_ = std::move(*file);
     std::error_code status;

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "terrains/input_file.h"
+#include "files/input.h"
 
 namespace game {
 namespace {
@@ -70,7 +70,7 @@ Outcome<fs::path> find_asset(AssetKind kind, std::string_view name_or_path) {
     // What ships comes first: a folder or file that happens to be called so must not hide it.
     if (!is_path && is_asset(kind, name_or_path))
         return *assets_folder() / drawer.folder / fmt::format("{}{}", name_or_path, drawer.extension);
-    const auto is_file = terrains::check_input(given);
+    const auto is_file = files::check_input(given);
     if (is_file) return given;
     if (is_path || fs::exists(given, error)) return unusable(is_file.error());
 

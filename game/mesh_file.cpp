@@ -12,8 +12,8 @@
 
 #include <fmt/format.h>
 
+#include "files/input.h"
 #include "game/number.h"
-#include "terrains/input_file.h"
 
 // Its own reader: tinyobjloader, the usual one, makes triangles of polygons and numbers of nonsense, and
 // keeps no line.
@@ -106,7 +106,7 @@ Outcome<Mesh> read_obj(const std::filesystem::path& path) {
     const auto bad_line = [&](int number, const std::string& what) {
         return unusable(fmt::format("{}:{}: {}", path.string(), number, what));
     };
-    auto opened = terrains::open_input(path);
+    auto opened = files::open_input(path);
     if (!opened) return unusable(opened.error());
     std::ifstream& file = *opened;
     Triangles triangles;

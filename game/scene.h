@@ -8,7 +8,7 @@
 #include "game/memory.h"
 #include "game/outcome.h"
 #include "game/start.h"
-#include "terrains/input_file.h"
+#include "terrains/references.h"
 
 namespace game {
 

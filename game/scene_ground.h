@@ -8,7 +8,7 @@
 #include <tl/expected.hpp>
 
 #include "game/toml_table.h"
-#include "terrains/input_file.h"
+#include "terrains/references.h"
 #include "terrains/resample.h"
 #include "terrains/terrain.h"
 

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "files/input.h"
 #include "game/limits.h"
 #include "game/toml_limits.h"
-#include "terrains/input_file.h"
 
 namespace game {
 
@@ -109,7 +109,7 @@ void TomlTable::finish() {
 }
 
 Outcome<toml::table> parse_toml(const std::filesystem::path& file) {
-    auto stream = terrains::open_input(file);
+    auto stream = files::open_input(file);
     if (!stream) return unusable(stream.error());
     std::error_code error;
     const auto bytes = std::filesystem::file_size(file, error);

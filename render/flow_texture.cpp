@@ -5,45 +5,13 @@
 #include <cstdint>
 #include <vector>
 
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include "assets/shaders/slots.glsl"
+#include "render/png.h"
 
 namespace render {
 namespace {
-
-constexpr int kLargest = 4096;  // texels along an edge
-
-// 8 bits for each channel, lowest row first, as GL counts them.
-struct Texels {
-    int width = 0, height = 0, channels = 0;
-    std::vector<std::uint8_t> values;
-
-    std::size_t size() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
-};
-
-tl::expected<Texels, std::string> read(const std::filesystem::path& path, int channels) {
-    const auto unusable = [&](const std::string& fact) {
-        return tl::unexpected(fmt::format("{}: {}", path.string(), fact));
-    };
-    auto input = OIIO::ImageInput::open(path.string());
-    if (!input) return unusable(OIIO::geterror());
-    const OIIO::ImageSpec& spec = input->spec();
-    if (spec.nchannels != channels || spec.format != OIIO::TypeDesc::UINT8)
-        return unusable(fmt::format("{} channels of {}; a texture's has {} of uint8", spec.nchannels,
-                                    spec.format.c_str(), channels));
-    if (spec.width > kLargest || spec.height > kLargest)
-        return unusable(fmt::format("{} x {} texels; a texture has at most {} along an edge", spec.width,
-                                    spec.height, kLargest));
-    Texels texels{spec.width, spec.height, channels, {}};
-    texels.values.resize(texels.size() * static_cast<std::size_t>(channels));
-    const auto row = static_cast<OIIO::stride_t>(spec.width) * channels;
-    if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8,
-                           texels.values.data() + row * (spec.height - 1), channels, -row))
-        return unusable(input->geterror());
-    return texels;
-}
 
 // From −1 … 1, so that 0 is a byte: what is level is level.
 std::uint8_t slope_to_byte(float share) {
@@ -100,11 +68,11 @@ tl::expected<FlowTexture, std::string> FlowTexture::load(const std::filesystem::
                                                          FlowPattern pattern) {
     const std::filesystem::path folder = assets / "textures";
     const std::string name(to_string(pattern));
-    const auto albedo = read(folder / (name + ".png"), 3);
+    const auto albedo = read_png(folder / (name + ".png"), 3);
     if (!albedo) return tl::unexpected(albedo.error());
-    const auto normal = read(folder / (name + "-normal.png"), 3);
+    const auto normal = read_png(folder / (name + "-normal.png"), 3);
     if (!normal) return tl::unexpected(normal.error());
-    const auto height = read(folder / (name + "-height.png"), 1);
+    const auto height = read_png(folder / (name + "-height.png"), 1);
     if (!height) return tl::unexpected(height.error());
     for (const Texels* texels : {&*normal, &*height})
         if (texels->width != albedo->width || texels->height != albedo->height)
@@ -115,7 +83,7 @@ tl::expected<FlowTexture, std::string> FlowTexture::load(const std::filesystem::
     texture.grain = texture_of(GL_RGBA8, GL_RGBA, normal->width, normal->height, grain_of(*normal, *height));
     texture.stochastic = is_stochastic(pattern);
     if (texture.stochastic) {
-        const auto colours = read(folder / (name + "-colours.png"), 3);
+        const auto colours = read_png(folder / (name + "-colours.png"), 3);
         if (!colours) return tl::unexpected(colours.error());
         texture.colours = texture_of(GL_SRGB8, GL_RGB, colours->width, colours->height, colours->values);
         glTextureParameteri(texture.colours.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);

@@ -2,33 +2,13 @@
 
 #include <string_view>
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include "files/whole_file.h"
+#include "render/png.h"
 #include "sim/check.h"
 
 namespace render {
-namespace {
-
-// In memory: OpenImageIO does not say when the last bytes of a file could not be written.
-tl::expected<std::vector<unsigned char>, std::string> encode_png(const Picture& picture, int compression) {
-    auto output = OIIO::ImageOutput::create("png");
-    if (!output) return tl::unexpected(OIIO::geterror());
-    OIIO::ImageSpec spec(picture.width, picture.height, picture.channels, OIIO::TypeDesc::UINT8);
-    spec.attribute("oiio:ColorSpace", "sRGB");
-    spec.attribute("png:compressionLevel", compression);
-    std::vector<unsigned char> bytes;
-    OIIO::Filesystem::IOVecOutput memory(bytes);
-    if (!output->set_ioproxy(&memory) || !output->open("picture.png", spec) ||
-        !output->write_image(OIIO::TypeDesc::UINT8, picture.pixels.data()) || !output->close())
-        return tl::unexpected(output->geterror());
-    return bytes;
-}
-
-}  // namespace
-
 tl::expected<void, std::string> write_png(const Picture& picture, const std::filesystem::path& path,
                                           int compression) {
     CHECK(picture.width > 0 && picture.height > 0);

@@ -5,7 +5,7 @@
 
 #include <tl/expected.hpp>
 
-#include "terrains/input_file.h"
+#include "terrains/references.h"
 #include "terrains/resample.h"
 #include "terrains/terrain.h"
 

@@ -6,7 +6,7 @@
 
 #include <tl/expected.hpp>
 
-#include "terrains/input_file.h"
+#include "terrains/references.h"
 #include "terrains/terrain.h"
 
 namespace terrains {

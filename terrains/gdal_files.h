@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "terrains/input_file.h"
+#include "terrains/references.h"
 
 // Which files GDAL may open. GDAL asks these functions for every file, so that a raster made by a stranger
 // reaches nothing that the user did not name: no other file, no server, no pipe.

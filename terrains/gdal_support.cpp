@@ -12,6 +12,8 @@
 #include <ogr_srs_api.h>
 #include <ogrsf_frmts.h>
 
+#include "files/input.h"
+
 namespace terrains {
 namespace {
 
@@ -120,7 +122,8 @@ tl::expected<Raster, std::string> Raster::open(const std::filesystem::path& path
     std::error_code error;
     const bool is_binary_grid =
         std::filesystem::is_regular_file(path / "hdr.adf", error);  // named by its folder
-    if (auto is_file = check_input(path); !is_file && !is_binary_grid) return tl::unexpected(is_file.error());
+    if (auto is_file = files::check_input(path); !is_file && !is_binary_grid)
+        return tl::unexpected(is_file.error());
     Raster raster;
     raster.files_ = std::make_unique<RasterFiles>(path, references);
     raster.virtual_rasters_ = std::make_unique<VirtualRasters>(references);

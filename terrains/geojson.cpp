@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "terrains/input_file.h"
+#include "files/input.h"
 #include "terrains/json_reader.h"
 #include "terrains/limits.h"
 #include "terrains/plane_transform.h"
@@ -176,7 +176,7 @@ bool looks_like_json(const std::filesystem::path& path) {
 tl::expected<std::vector<Area>, std::string> read_areas(const std::filesystem::path& path,
                                                         const Georeference& georeference,
                                                         const ThicknessRule& rule) {
-    if (auto is_file = check_input(path); !is_file) return tl::unexpected(is_file.error());
+    if (auto is_file = files::check_input(path); !is_file) return tl::unexpected(is_file.error());
     auto areas =
         parse(path)
             .and_then([&](const Json& root) { return collect(root, rule); })

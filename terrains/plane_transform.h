@@ -27,9 +27,11 @@ class PlaneTransform {
     // In place. False where at least one point could not be expressed; such points become NaN.
     bool apply(std::span<double> x, std::span<double> y) const;
 
+    static void destroy(void* transform);  // what a PlaneTransform holds
+
   private:
     struct Destroy {
-        void operator()(void* transform) const;
+        void operator()(void* transform) const { destroy(transform); }
     };
     explicit PlaneTransform(void* transform) : transform_(transform) {}
     std::unique_ptr<void, Destroy> transform_;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "files/input.h"
 #include "terrains/coverage.h"
 #include "terrains/depth_raster.h"
 #include "terrains/geojson.h"
@@ -31,7 +32,7 @@ tl::expected<std::vector<float>, std::string> read_release(const std::filesystem
                                                            const Terrain& terrain,
                                                            std::optional<double> default_thickness,
                                                            References references) {
-    if (auto is_file = check_input(path); !is_file) return tl::unexpected(is_file.error());
+    if (auto is_file = files::check_input(path); !is_file) return tl::unexpected(is_file.error());
     auto thickness = looks_like_json(path) ? of_areas(path, terrain, default_thickness)
                                            : read_depth_raster(path, terrain, references);
     if (!thickness) return thickness;
@@ -59,7 +60,7 @@ tl::expected<std::vector<std::uint8_t>, std::string> read_extent(const std::file
 
 tl::expected<Reference, std::string> read_reference(const std::filesystem::path& path, const Terrain& terrain,
                                                     References references) {
-    if (auto is_file = check_input(path); !is_file) return tl::unexpected(is_file.error());
+    if (auto is_file = files::check_input(path); !is_file) return tl::unexpected(is_file.error());
     Reference reference;
     if (looks_like_json(path)) {
         auto extent = read_extent(path, terrain);

@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "files/input.h"
 #include "game/bench/report.h"
 #include "game/limits.h"
-#include "terrains/input_file.h"
 #include "terrains/json_reader.h"
 
 namespace game {
@@ -87,7 +87,7 @@ const Json& list(const Json& json, const char* name) {
 }  // namespace
 
 Outcome<Json> read_report(const std::filesystem::path& path) {
-    auto stream = terrains::open_input(path);
+    auto stream = files::open_input(path);
     if (!stream) return unusable(stream.error());
     std::error_code error;
     const auto size = std::filesystem::file_size(path, error);

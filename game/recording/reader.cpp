@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "files/input.h"
 #include "game/limits.h"
 #include "game/recording/chain.h"
-#include "terrains/input_file.h"
 #include "terrains/json_reader.h"
 
 namespace game {
@@ -186,7 +186,7 @@ Outcome<Recording> read_recording(std::istream& stream, const std::string& name,
 }
 
 Outcome<Recording> read_recording(const std::filesystem::path& path, const Memory& memory) {
-    auto file = terrains::open_input(path);
+    auto file = files::open_input(path);
     if (!file) return unusable(file.error());
     return read_recording(*file, path.string(), memory);
 }

@@ -25,7 +25,7 @@ const std::array<Room, 6>& rooms() {
     static const std::array<Room, 6> kRooms{{
         {.name = "files",
          .rooms = {"files/"},
-         .libraries = {"fcntl.h", "unistd.h", "sys/", "fmt/", "tl/"},
+         .libraries = {"dlfcn.h", "fcntl.h", "unistd.h", "sys/", "fmt/", "tl/"},
          .not_standard = {}},
         {.name = "sim",
          .rooms = {"sim/"},

@@ -1,11 +1,11 @@
-#include "terrains/input_file.h"
+#include "files/input.h"
 
 #include <cerrno>
 #include <cstring>
 
 #include <fmt/format.h>
 
-namespace terrains {
+namespace files {
 
 namespace fs = std::filesystem;
 
@@ -37,4 +37,4 @@ tl::expected<std::ifstream, std::string> open_input(const fs::path& path) {
     return file;
 }
 
-}  // namespace terrains
+}  // namespace files

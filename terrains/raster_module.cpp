@@ -1,0 +1,14 @@
+#include "terrains/raster_door.h"
+
+// Found by its name (raster_door.cpp).
+extern "C" {
+[[gnu::visibility("default")]] extern const terrains::RasterDoor couloir_rasters;
+const terrains::RasterDoor couloir_rasters{terrains::read_dem,
+                                           terrains::read_depth_raster,
+                                           terrains::read_signed_raster,
+                                           terrains::encode_geotiff,
+                                           terrains::esri_wkt,
+                                           terrains::PlaneTransform::between,
+                                           &terrains::PlaneTransform::apply,
+                                           terrains::PlaneTransform::destroy};
+}
