@@ -40,7 +40,7 @@ std::uint64_t expected_bytes(const sim::Grid& grid, bool two_materials, const Me
     std::uint64_t using_it = start + session * static_cast<std::uint64_t>(use.sessions) +
                              run * static_cast<std::uint64_t>(use.runs);
     if (use.draws) using_it += grid.size() <= Session::kMostFollowed ? 950 : 250;
-    std::uint64_t bytes = 140 * kMiB + std::max(reading, using_it) * grid.size();
+    std::uint64_t bytes = 60 * kMiB + std::max(reading, using_it) * grid.size();
     if (use.draws) bytes += 240 * kMiB;
     if (use.goes_back) bytes += memory.for_keyframes() + memory.for_undo();
     return bytes;

@@ -112,8 +112,8 @@ std::optional<Profile> profile_from(std::string_view name);
 std::optional<Part> part_from(std::string_view name);
 std::optional<std::size_t> param_from(std::string_view name);  // index in kParams; none for a fixed one
 
-// What is wrong with a command: a number out of range, a material that the world, where it is known, lacks, or
-// a member that its kind does not use and that is not its default, to the bit: the state hash covers it.
+// What is wrong with a command: a number out of range, a material that the world, where it is known, lacks,
+// or a member that its kind does not use and that is not its default, to the bit: the state hash covers it.
 std::optional<std::string> fault_of(const Command& command, bool has_lower = true);
 // Does what a kSet says.
 void set_number(Params& params, const Command& set);

@@ -13,9 +13,9 @@ const RasterDoor& door() {
 
 }  // namespace
 
-tl::expected<Terrain, std::string> read_dem(const std::filesystem::path& path, int squares,
+tl::expected<Terrain, std::string> read_dem(const std::filesystem::path& path, const GridChoice& choice,
                                             References references) {
-    return door().read_dem(path, squares, references);
+    return door().read_dem(path, choice, references);
 }
 
 tl::expected<std::vector<float>, std::string> read_depth_raster(const std::filesystem::path& path,

@@ -155,7 +155,7 @@ TEST_F(Compared, files_that_are_damaged_or_missing_are_refused_in_a_sentence) {
     refused({"compare", bad, first_}, "bad.couloir:1: damaged");
     refused({"edit", bad, "--tick", "0", "--delete", "--out", out}, "bad.couloir:1: damaged");
     refused({"normalise", bad, "--out", out}, "bad.couloir:1: damaged");
-    refused({"compare", first_, "nothing.couloir"}, "nothing.couloir: no such file");
+    refused({"compare", first_, "nothing.couloir"}, "nothing.couloir: there is no such file");
     refused({"compare", first_}, "second is required");
 }
 
@@ -224,7 +224,7 @@ TEST_F(Compared, an_edit_that_cannot_be_done_is_refused_in_a_sentence) {
     edit_refused({"--tick", "20"}, "is required");
     edit_refused({"--tick", "20", "--delete", "--move", "1,1"}, "");
     const std::string before = read_bytes(first_);
-    refused({"edit", first_, "--tick", "20", "--delete", "--out", first_}, "--out must be another file");
+    refused({"edit", first_, "--tick", "20", "--delete", "--out", first_}, "that is read; give another one");
     EXPECT_EQ(read_bytes(first_), before);
 }
 

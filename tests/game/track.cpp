@@ -218,8 +218,8 @@ TEST_F(Track, refuses_what_does_not_fit_together) {
         {{obj, velocities, "--source", "level", "--scalar", scalar, "--level", "1"}, "has 3 frames and"},
         {{obj, other, "--jump", "1"}, "its shape is (3, 7, 2); wanted are frames × 169 vertices × 2"},
         {{obj, scalar, "--jump", "1"}, "wanted are frames × 169 vertices × 2"},
-        {{obj, at("none.npy"), "--jump", "1"}, "none.npy: cannot be opened"},
-        {{at("none.obj"), velocities, "--jump", "1"}, "none.obj: cannot be opened"},
+        {{obj, at("none.npy"), "--jump", "1"}, "none.npy: there is no such file"},
+        {{at("none.obj"), velocities, "--jump", "1"}, "none.obj: there is no such file"},
     };
     for (const auto& [arguments, told] : wrong) {
         std::vector<std::string> all{"track"};
@@ -302,9 +302,10 @@ TEST_F(Track, takes_a_mesh_of_any_scale_or_refuses_it) {
         const std::string still =
             put("still.npy", npy(header_of("<f4", "(3, 3, 2)"), std::string(3 * 3 * 2 * 4, '\0')));
         const auto mesh = read_obj(obj);
-        EXPECT_EQ(mesh.has_value(), power >= -9 && power < 9) << side;
-        if (mesh)
+        EXPECT_EQ(mesh.has_value(), power > -6 && power < 9) << side;
+        if (mesh) {
             for (const float cell : mesh->cell) EXPECT_TRUE(cell > 0 && std::isfinite(cell)) << side;
+        }
         if (power % 10 == 0) {
             const int status = couloir({"track", obj, still, "--jump", "0.1"}).status;
             EXPECT_EQ(status, mesh ? 0 : 2) << side;

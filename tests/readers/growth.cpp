@@ -32,7 +32,10 @@ using ::test::Work;
 
 std::string repeated(int n, const std::function<std::string(int)>& each, const char* between = ",") {
     std::string text;
-    for (int i = 0; i < n; ++i) text += (i == 0 ? "" : between) + each(i);
+    for (int i = 0; i < n; ++i) {
+        if (i > 0) text += between;
+        text += each(i);
+    }
     return text;
 }
 
@@ -387,15 +390,18 @@ class Growth : public testing::TestWithParam<int> {
     support::TemporaryFolder folder_;
 };
 
-// Ten times the input: at most eleven times the steps and the bytes. Steps are the basic blocks of our own
+constexpr double kMostGrowth = 11 * 1.15;
+
+// Ten times the input: at most eleven times the steps and the bytes, and a seventh more for the logarithm of
+// what is kept sorted and for arrays that double. Steps are the basic blocks of our own
 // sources and of the header-only parsers in them; what a library does within itself is seen by its bytes
 // alone.
 TEST_P(Growth, is_at_most_linear_in_steps_and_in_bytes) {
     const Growing& growing = all_growing()[static_cast<std::size_t>(GetParam())];
     const Work small = work_of(growing, growing.n), large = work_of(growing, 10 * growing.n);
     EXPECT_GT(small.steps, 0);
-    EXPECT_LE(large.steps, 11 * small.steps) << small.steps;
-    EXPECT_LE(large.bytes, 11 * small.bytes) << small.bytes;
+    EXPECT_LE(large.steps, kMostGrowth * static_cast<double>(small.steps)) << small.steps;
+    EXPECT_LE(large.bytes, kMostGrowth * static_cast<double>(small.bytes)) << small.bytes;
     RecordProperty("steps", fmt::format("{} {}", small.steps, large.steps));
     RecordProperty("bytes", fmt::format("{} {}", small.bytes, large.bytes));
 }

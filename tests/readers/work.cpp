@@ -17,16 +17,6 @@ extern "C" void __sanitizer_cov_trace_pc() {
     ++steps;
 }
 
-// The sanitizers bring a malloc of their own.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define COULOIR_OTHER_MALLOC
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define COULOIR_OTHER_MALLOC
-#endif
-#endif
-
-#ifndef COULOIR_OTHER_MALLOC
 // What these hand out comes from the C library's heap, so its own free() takes it back.
 extern "C" {
 
@@ -47,4 +37,3 @@ void* realloc(void* memory, std::size_t size) noexcept {
     return __libc_realloc(memory, size);
 }
 }
-#endif

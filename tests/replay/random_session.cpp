@@ -283,7 +283,7 @@ class Lockstep {
                 if (const auto done = session->advance(due); !done) return done.error().sentence;
                 verifier.look_at(*session);
             }
-            const Verdict& verdict = verifier.verdict();
+            const game::Verdict& verdict = verifier.verdict();
             const std::string where = fmt::format("{} by {}: ", file.filename().string(), kernel_name(how));
             if (verdict.parted) return where + *verdict.parted;
             if (verdict.proven_tick != recording->last_tick())

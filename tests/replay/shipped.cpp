@@ -28,8 +28,9 @@ constexpr Golden kGoldens[] = {
 std::vector<StateLine> replayed(const Recording& recording, int threads, std::int64_t ticks) {
     std::vector<StateLine> lines;
     play(recording, threads, ticks, [&](const Session& now) {
-        if (now.state().tick > recording.last_tick())
+        if (now.state().tick > recording.last_tick()) {
             ASSERT_EQ(now.state_line().hash, sim::state_hash(now.state())) << "tick " << now.state().tick;
+        }
         if (lines.size() < recording.states.size() && recording.states[lines.size()].tick == now.state().tick)
             lines.push_back(now.state_line());
     });

@@ -135,8 +135,8 @@ TEST(Commands, refuse_every_number_out_of_its_range_and_name_it) {
                  {std::nextafter(number.least, -1e300) - 1, number.most * 1.001 + 1, std::nan("")}) {
                 Command command;
                 command.kind = info.kind;
-                command.depth = command.radius = command.value = 1;
-                command.param = sim::param_from("start_depth").value();
+                for (const sim::CommandNumber& each : info.numbers) command.*each.value = 1;
+                if (info.has_param) command.param = sim::param_from("start_depth").value();
                 ASSERT_FALSE(sim::fault_of(command));
                 command.*number.value = bad;
                 const auto fault = sim::fault_of(command);
