@@ -35,10 +35,6 @@ struct Blocks {
     std::size_t count() const { return number(0, rows); }
 };
 
-std::uint64_t hash_of(const std::vector<std::uint64_t>& hashes) {
-    return XXH3_64bits(hashes.data(), hashes.size() * sizeof hashes[0]);
-}
-
 // The vertices of a block, field after field.
 std::uint64_t block_hash(const Blocks& blocks, std::size_t block,
                          std::initializer_list<const Field<float>*> fields) {
@@ -64,12 +60,6 @@ std::uint64_t moving_hash(const State& s, const Blocks& blocks, std::size_t bloc
     return block_hash(blocks, block, {&s.depth, &s.rolling, &s.velocity_x, &s.velocity_y});
 }
 
-std::uint64_t bedrock_hash(const State& s, const Blocks& blocks) {
-    std::vector<std::uint64_t> hashes(blocks.count());
-    for (std::size_t i = 0; i < hashes.size(); ++i) hashes[i] = block_hash(blocks, i, {&s.bedrock});
-    return hash_of(hashes);
-}
-
 class Digest {
   public:
     Digest() { XXH3_64bits_reset(&state_); }
@@ -85,10 +75,22 @@ class Digest {
     XXH3_state_t state_;
 };
 
-std::uint64_t whole_hash(const State& s, std::uint64_t bedrock, const std::vector<std::uint64_t>& moving) {
+// Of the hashes of all blocks, row by row: hash(i) is that of block i.
+template <class Hash>
+std::uint64_t hash_of_blocks(const Blocks& blocks, const Hash& hash) {
+    Digest digest;
+    for (std::size_t i = 0; i < blocks.count(); ++i) digest.add(hash(i));
+    return digest.value();
+}
+
+std::uint64_t bedrock_hash(const State& s, const Blocks& blocks) {
+    return hash_of_blocks(blocks, [&](std::size_t i) { return block_hash(blocks, i, {&s.bedrock}); });
+}
+
+std::uint64_t whole_hash(const State& s, std::uint64_t bedrock, std::uint64_t moving) {
     Digest digest;
     digest.add(bedrock);
-    digest.add(hash_of(moving));
+    digest.add(moving);
     digest.add(s.tick);
     for (const Source& source : s.sources) {
         const Command& c = source.command;
@@ -115,9 +117,8 @@ void mark(const Tiles& tiles, int column, int row, const Blocks& blocks, std::ve
 
 std::uint64_t state_hash(const State& state) {
     const Blocks blocks(state.grid);
-    std::vector<std::uint64_t> moving(blocks.count());
-    for (std::size_t i = 0; i < moving.size(); ++i) moving[i] = moving_hash(state, blocks, i);
-    return whole_hash(state, bedrock_hash(state, blocks), moving);
+    const auto moving = [&](std::size_t i) { return moving_hash(state, blocks, i); };
+    return whole_hash(state, bedrock_hash(state, blocks), hash_of_blocks(blocks, moving));
 }
 
 std::uint64_t update_state_hash(State& state, Workers& workers) {
@@ -136,7 +137,8 @@ std::uint64_t update_state_hash(State& state, Workers& workers) {
             if (std::exchange(known.stale[i], std::uint8_t{0}))
                 known.moving[i] = moving_hash(state, blocks, i);
     });
-    return whole_hash(state, known.bedrock, known.moving);
+    return whole_hash(state, known.bedrock,
+                      hash_of_blocks(blocks, [&](std::size_t i) { return known.moving[i]; }));
 }
 
 }  // namespace sim

@@ -174,10 +174,9 @@ bool close_file_system_to_gdal() {
     callbacks->stat = refuse_stat;
     callbacks->open = refuse_open;
     // Servers, archives, pipes, and whatever else a name can begin with.
-    char** prefixes = VSIGetFileSystemsPrefixes();
+    static char** const prefixes = VSIGetFileSystemsPrefixes();  // GDAL keeps pointers to them
     for (int i = 0; prefixes[i] != nullptr; ++i)
         if (prefixes[i] != std::string_view("/vsimem/")) VSIInstallPluginHandler(prefixes[i], callbacks);
-    CSLDestroy(prefixes);
     VSIInstallPluginHandler("/vsicurl?", callbacks);  // which is not among them
     callbacks->stat = stat_file;
     callbacks->open = open_file;

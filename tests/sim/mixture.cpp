@@ -75,7 +75,7 @@ sim::Command command_of(std::mt19937& random, const sim::Grid& grid) {
     c.depth = number(0, 2);
     c.layer = random() % 2 ? sim::Layer::kRolling : sim::Layer::kStanding;
     c.of = random() % 2 ? sim::Part::kUpper : sim::Part::kLower;
-    return c;
+    return support::of_its_kind(c);
 }
 
 TEST(Mixture, loses_nothing_and_stays_within_its_layers_whatever_is_done) {

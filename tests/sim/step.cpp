@@ -36,7 +36,7 @@ std::vector<sim::Command> any_commands(std::mt19937& random, double extent) {
         c.depth = within(0, 2);
         c.layer = random() % 2 ? sim::Layer::kRolling : sim::Layer::kStanding;
         c.profile = random() % 2 ? sim::Profile::kDisc : sim::Profile::kCone;
-        commands.push_back(c);
+        commands.push_back(support::of_its_kind(c));
     }
     return commands;
 }

@@ -107,7 +107,7 @@ TEST(Sweep, is_the_plain_step_to_the_bit_under_any_hand_while_most_of_the_world_
                 command.kind = sim::CommandKind::kBlast;
                 command.depth = 1;
             }
-            return {command};
+            return {support::of_its_kind(command)};
         };
         expect_same(ground, support::lively(physics.model, physics.scheme), 200, hand, physics.name());
     }

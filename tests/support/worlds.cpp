@@ -90,6 +90,18 @@ bool same_bits(const sim::Field<float>& a, const sim::Field<float>& b) {
     return true;
 }
 
+sim::Command of_its_kind(const sim::Command& command) {
+    const sim::CommandInfo& info = sim::info_of(command.kind);
+    sim::Command kept;
+    kept.kind = command.kind;
+    for (const sim::CommandNumber& number : info.numbers) kept.*number.value = command.*number.value;
+    if (info.has_layer) kept.layer = command.layer;
+    if (info.has_profile) kept.profile = command.profile;
+    if (info.has_part) kept.of = command.of;
+    if (info.has_param) kept.param = command.param;
+    return kept;
+}
+
 sim::Command pour_at(double x, double y, double radius, double rate, double duration) {
     sim::Command command;
     command.x = x;

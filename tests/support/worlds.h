@@ -64,6 +64,9 @@ sim::Params lively(sim::Model model, sim::Scheme scheme = sim::Scheme::kLocalLax
 // Whether two fields are equal to the bit, halo left out.
 bool same_bits(const sim::Field<float>& a, const sim::Field<float>& b);
 
+// The same with its default for each member that its kind does not use.
+sim::Command of_its_kind(const sim::Command& command);
+
 sim::Command pour_at(double x, double y, double radius, double rate, double duration);
 
 }  // namespace support
