@@ -186,7 +186,7 @@ std::optional<std::string> fault_of(const Command& command, bool has_lower) {
     if (static_cast<std::size_t>(command.kind) >= std::size(kCommands))
         return "a command of kind " + std::to_string(static_cast<int>(command.kind)) + ", which there is not";
     const CommandInfo& info = info_of(command.kind);
-    if (const auto unused = fault_of_unused(command, info)) return unused;
+    if (auto unused = fault_of_unused(command, info)) return unused;
     for (const CommandNumber& number : info.numbers) {
         const double value = command.*number.value;
         if (!(value >= number.least && value <= number.most))  // NaN too
