@@ -7,8 +7,8 @@ extern "C" int dlclose(void* /*handle*/) noexcept {
     return 0;
 }
 
-// GDAL forgets a file system of its own that another replaces (terrains/gdal_files.cpp), once in a process, and
-// OpenImageIO the text of an error.
+// GDAL forgets a file system of its own that another replaces (terrains/gdal_files.cpp), once in a process,
+// and OpenImageIO the text of an error.
 extern "C" const char* __lsan_default_suppressions() {
     return "leak:libgdal\nleak:libOpenImageIO\n";
 }
