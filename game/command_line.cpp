@@ -89,7 +89,12 @@ std::pair<Number, Number> pair_of(const char* option, std::string_view text, cha
     return {number_of(option, text.substr(0, at), range), number_of(option, text.substr(at + 1), range)};
 }
 
-constexpr const char* kKernels = "plain, x86-64-v2, x86-64-v3, x86-64-v4";
+// "plain", and what kernels there are on this processor.
+std::string kernel_names() {
+    std::string names = "plain";
+    for (const auto set : sim::kInstructionSets) names += fmt::format(", {}", sim::to_string(set));
+    return names;
+}
 
 void add_how(CLI::App& app, sim::How& how) {
     add_number(app, "--threads", "N", how.threads, kThreads,
@@ -106,9 +111,9 @@ void add_how(CLI::App& app, sim::How& how) {
                        how.instruction_set = set;
                        return;
                    }
-               throw CLI::ValidationError("--kernel", "'" + text + "' is none of " + kKernels);
+               throw CLI::ValidationError("--kernel", "'" + text + "' is none of " + kernel_names());
            },
-           std::string("how the simulation is reckoned, to the same bits: ") + kKernels +
+           std::string("how the simulation is reckoned, to the same bits: ") + kernel_names() +
                " [the newest that this machine has]")
         ->type_name("NAME");
 }

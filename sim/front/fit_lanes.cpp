@@ -1,11 +1,13 @@
 #include "sim/front/fit_lanes.h"
 
-#include "sim/sweep/for_set.h"
-
 namespace sim::front::fit {
 
 const Kernels& kernels_for(InstructionSet set) {
-    return for_set(set, kKernels_v2, kKernels_v3, kKernels_v4);
+    if constexpr (kMoreThanBaseline) {
+        if (set == InstructionSet::kX86_64_v4) return kKernels_v4;
+        if (set == InstructionSet::kX86_64_v3) return kKernels_v3;
+    }
+    return kKernels_baseline;
 }
 
 }  // namespace sim::front::fit

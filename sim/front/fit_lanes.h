@@ -81,7 +81,7 @@ struct Kernels {
     // those that do not count are right. The most.
     double (*find_wrong)(const double (&c)[3], const CrossingRows&, int count, double* here, double* beyond);
 };
-extern const Kernels kKernels_v2, kKernels_v3, kKernels_v4;
+extern const Kernels kKernels_baseline, kKernels_v3, kKernels_v4;
 const Kernels& kernels_for(InstructionSet set);
 
 }  // namespace sim::front::fit

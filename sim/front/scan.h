@@ -29,7 +29,7 @@ struct Kernels {
     // Which lie above the level: these and no others.
     void (*find_above)(const float* scalar, int count, float level, Word* above);
 };
-extern const Kernels kKernels_v2, kKernels_v3, kKernels_v4;
+extern const Kernels kKernels_baseline, kKernels_v3, kKernels_v4;
 const Kernels& kernels_for(InstructionSet set);
 
 }  // namespace sim::front::scan

@@ -16,7 +16,7 @@ bool has(InstructionSet set) {
 #endif
 #if defined(__x86_64__)
     switch (set) {
-        case InstructionSet::kX86_64_v2:
+        case InstructionSet::kBaseline:
             break;
         case InstructionSet::kX86_64_v3:
             return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi2") &&
@@ -27,17 +27,24 @@ bool has(InstructionSet set) {
                    __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd");
     }
 #endif
-    return set == InstructionSet::kX86_64_v2;
+    return set == InstructionSet::kBaseline;
 }
 
 InstructionSet best_instruction_set() {
     for (const auto set : {InstructionSet::kX86_64_v4, InstructionSet::kX86_64_v3})
         if (has(set)) return set;
-    return InstructionSet::kX86_64_v2;
+    return InstructionSet::kBaseline;
 }
 
 std::string_view to_string(InstructionSet set) {
-    constexpr std::string_view kNames[] = {"x86-64-v2", "x86-64-v3", "x86-64-v4"};
+#if defined(__x86_64__)
+    constexpr std::string_view kBaseline = "x86-64-v2";
+#elif defined(__aarch64__)
+    constexpr std::string_view kBaseline = "aarch64-neon";
+#else
+    constexpr std::string_view kBaseline = "baseline";
+#endif
+    constexpr std::string_view kNames[] = {kBaseline, "x86-64-v3", "x86-64-v4"};
     return kNames[static_cast<std::size_t>(set)];
 }
 
@@ -52,13 +59,12 @@ struct Kernels {
     Velocity velocity;
     Quanta quanta;
 };
-// By InstructionSet.
-constexpr Kernels kKernels[] = {{sweep_v2, velocity_v2, quanta_v2},
-                                {sweep_v3, velocity_v3, quanta_v3},
-                                {sweep_v4, velocity_v4, quanta_v4}};
-
-const Kernels& kernels_for(InstructionSet set) {
-    return kKernels[static_cast<std::size_t>(set)];
+Kernels kernels_for(InstructionSet set) {
+    if constexpr (kMoreThanBaseline) {
+        if (set == InstructionSet::kX86_64_v4) return {sweep_v4, velocity_v4, quanta_v4};
+        if (set == InstructionSet::kX86_64_v3) return {sweep_v3, velocity_v3, quanta_v3};
+    }
+    return {sweep_baseline, velocity_baseline, quanta_baseline};
 }
 
 }  // namespace

@@ -18,10 +18,16 @@
 
 namespace sim {
 
-// Oldest first. The bits do not depend on it.
-enum class InstructionSet { kX86_64_v2, kX86_64_v3, kX86_64_v4 };
-inline constexpr InstructionSet kInstructionSets[] = {InstructionSet::kX86_64_v2, InstructionSet::kX86_64_v3,
-                                                      InstructionSet::kX86_64_v4};
+// What a kernel is compiled for, plainest first. The bits do not depend on it. The baseline is what every
+// processor of a kind has: x86-64-v2, or the NEON of aarch64; only x86-64 has more.
+enum class InstructionSet { kBaseline, kX86_64_v3, kX86_64_v4 };
+#if defined(__x86_64__)
+inline constexpr std::array kInstructionSets{InstructionSet::kBaseline, InstructionSet::kX86_64_v3,
+                                             InstructionSet::kX86_64_v4};
+#else
+inline constexpr std::array kInstructionSets{InstructionSet::kBaseline};
+#endif
+inline constexpr bool kMoreThanBaseline = kInstructionSets.size() > 1;
 
 // The newest that this machine has and this program was built with.
 InstructionSet best_instruction_set();
@@ -65,19 +71,19 @@ inline constexpr int kWorkRows = 192;
 // Returns what left the world, in quanta. `work` points to x = 0 of the first work row, `active` to a byte
 // for each run of lanes in a row, all 0.
 using Sweep = std::int64_t (*)(const Ground& ground, const Job& job, float* work, std::uint8_t* active);
-std::int64_t sweep_v2(const Ground& ground, const Job& job, float* work, std::uint8_t* active);
+std::int64_t sweep_baseline(const Ground& ground, const Job& job, float* work, std::uint8_t* active);
 std::int64_t sweep_v3(const Ground& ground, const Job& job, float* work, std::uint8_t* active);
 std::int64_t sweep_v4(const Ground& ground, const Job& job, float* work, std::uint8_t* active);
 
 // The velocity at the end of a tick, for who looks on; 0 where nothing rolls.
 using Velocity = void (*)(const Ground& ground, const Job& job, float* work);
-void velocity_v2(const Ground& ground, const Job& job, float* work);
+void velocity_baseline(const Ground& ground, const Job& job, float* work);
 void velocity_v3(const Ground& ground, const Job& job, float* work);
 void velocity_v4(const Ground& ground, const Job& job, float* work);
 
 // What a layer holds on `width` by `height` vertices from `first` on, rows `stride` apart, in quanta: exact.
 using Quanta = std::int64_t (*)(const float* first, std::ptrdiff_t stride, int width, int height);
-std::int64_t quanta_v2(const float* first, std::ptrdiff_t stride, int width, int height);
+std::int64_t quanta_baseline(const float* first, std::ptrdiff_t stride, int width, int height);
 std::int64_t quanta_v3(const float* first, std::ptrdiff_t stride, int width, int height);
 std::int64_t quanta_v4(const float* first, std::ptrdiff_t stride, int width, int height);
 

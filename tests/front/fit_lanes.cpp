@@ -53,7 +53,7 @@ std::vector<double> answers(const Kernels& kernels) {
 }
 
 TEST(FitLanes, have_the_same_bits_by_every_instruction_set) {
-    const auto expected = answers(kernels_for(sim::InstructionSet::kX86_64_v2));
+    const auto expected = answers(kernels_for(sim::InstructionSet::kBaseline));
     for (const sim::InstructionSet set : sim::kInstructionSets) {
         if (!sim::has(set)) continue;
         const auto got = answers(kernels_for(set));
@@ -78,7 +78,7 @@ TEST(FitLanes, weigh_a_flip_by_where_when_and_which_way) {
         const double x[kLanes]{1}, y[kLanes]{}, then[kLanes]{age}, way[kLanes]{east}, north[kLanes]{};
         double s[kLanes], D[kLanes], ages[kLanes], weights[kLanes];
         const FlipRows rows{s, D, ages, weights};
-        const Kernels& kernels = kernels_for(sim::InstructionSet::kX86_64_v2);
+        const Kernels& kernels = kernels_for(sim::InstructionSet::kBaseline);
         kernels.place_flips({0, 0, 1, 0}, {1, 0, 0.6, 0.9, 48}, {x, y, then, way, north}, 1, rows);
         EXPECT_EQ(D[0], 1);
         LaneSums sums{};

@@ -39,6 +39,15 @@ TEST(FloatEnvironment, that_takes_denormals_for_zero_is_told) {
         EXPECT_EQ(fault, "denormal numbers are taken for zero") << bit;
     }
 }
+#elif defined(__aarch64__) && defined(__GNUC__) && !defined(__clang__)
+TEST(FloatEnvironment, that_takes_denormals_for_zero_is_told) {
+    constexpr unsigned kFlushToZero = 1u << 24;  // of the register FPCR
+    const unsigned usual = __builtin_aarch64_get_fpcr();
+    __builtin_aarch64_set_fpcr(usual | kFlushToZero);
+    const auto fault = sim::float_environment_fault();
+    __builtin_aarch64_set_fpcr(usual);
+    EXPECT_EQ(fault, "denormal numbers are taken for zero");
+}
 #endif
 
 }  // namespace
