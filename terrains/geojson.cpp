@@ -12,6 +12,7 @@
 #include "terrains/json_reader.h"
 #include "terrains/limits.h"
 #include "terrains/plane_transform.h"
+#include "terrains/well_known_text.h"
 
 namespace terrains {
 namespace {

@@ -9,6 +9,7 @@
 #include <GeographicLib/UTMUPS.hpp>
 
 #include "terrains/local_plane.h"
+#include "terrains/well_known_text.h"
 
 namespace terrains {
 namespace {

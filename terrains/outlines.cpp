@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "terrains/plane_transform.h"
+#include "terrains/well_known_text.h"
 
 namespace terrains {
 namespace {

@@ -8,13 +8,6 @@
 
 namespace terrains {
 
-// WKT of WGS 84 in degrees, as PlaneTransform takes it: x is the longitude, y the latitude.
-const std::string& wgs84_wkt();
-
-// WKT of the transverse Mercator plane through a point: WGS 84, scale 1 at the centre meridian, origin there,
-// metres.
-std::string local_plane_wkt(double latitude, double longitude);
-
 // The way between two coordinate systems for many points at once, through PROJ. x is always the east-like
 // axis (longitude, easting) and y the north-like one, whatever order the systems declare. Offline: no grid is
 // downloaded. Move-only; not to be shared between threads.

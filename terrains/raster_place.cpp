@@ -15,6 +15,7 @@
 
 #include "terrains/gdal_support.h"
 #include "terrains/limits.h"
+#include "terrains/well_known_text.h"
 
 namespace terrains {
 namespace {

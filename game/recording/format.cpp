@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "game/flow_scene.h"
+#include "game/flow_kinds.h"
 #include "game/limits.h"
 #include "game/number.h"
 #include "game/recording/ground_data.h"

@@ -1,8 +1,6 @@
-#include <string>
+#include "terrains/well_known_text.h"
 
 #include <fmt/format.h>
-
-#include "terrains/plane_transform.h"
 
 namespace terrains {
 

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace game {
+
+// Names of the flows that a scene may show, for files; sim/fields/test_flows.h tells what they are.
+inline constexpr std::array<std::string_view, 7> kFlowKinds{"opposed", "swinging", "pinwheel", "disc",
+                                                            "drops",   "crowd",    "rift"};
+inline constexpr int kMostFlowSquares = 512;  // along a side
+
+}  // namespace game

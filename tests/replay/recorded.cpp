@@ -1,0 +1,87 @@
+// The recordings that ship, played, verified and recorded again by what every processor can build: no window,
+// no picture, no GDAL. Prints the hash of the end, to be laid beside that of another processor.
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "game/recording/reader.h"
+#include "game/recording/recorder.h"
+#include "game/recording/verifier.h"
+#include "game/session.h"
+#include "tests/support/places.h"
+
+namespace game {
+namespace {
+
+struct Played {
+    Verdict verdict;
+    std::uint64_t hash;  // of the state at the end
+};
+
+void expect_done(const Outcome<void>& outcome) {
+    if (!outcome) throw std::runtime_error(outcome.error().sentence);
+}
+
+// Plays all of it into the file `again`.
+Played play_into(const std::filesystem::path& again, const Recording& recording, const sim::How& how) {
+    auto session =
+        Session::begin(recording.header.start, how, Recorder::create(again, recording.header.start).value())
+            .value();
+    Verifier verifier(recording);
+    verifier.look_at(session);
+    std::vector<sim::Command> due;
+    while (session.state().tick < recording.last_tick()) {
+        due.clear();
+        for (const TimedCommand& each : commands_at(recording.commands, session.state().tick))
+            due.push_back(each.command);
+        expect_done(session.advance(due));
+        verifier.look_at(session);
+    }
+    expect_done(session.finish());
+    return {verifier.verdict(), session.state_line().hash};
+}
+
+class Recorded : public testing::TestWithParam<const char*> {
+  protected:
+    void expect_the_same(const sim::How& how) const {
+        const std::string name = GetParam();
+        const auto recording =
+            read_recording(support::source_dir() / "assets" / "recordings" / (name + ".couloir")).value();
+        const support::TemporaryFolder folder;
+        const auto again = folder.path() / "again.couloir";
+        const auto [verdict, hash] = play_into(again, recording, how);
+        EXPECT_TRUE(verdict.comparable);
+        EXPECT_EQ(verdict.parted.value_or(""), "");
+        EXPECT_EQ(verdict.compared, static_cast<std::size_t>(recording.last_tick()) + 1);
+        EXPECT_EQ(verdict.proven_tick, recording.last_tick());
+        EXPECT_EQ(read_recording(again).value().states, recording.states);
+        const auto kernel = how.plain ? "plain" : sim::to_string(how.instruction_set);
+        std::printf("%s %.*s %s\n", name.c_str(), static_cast<int>(kernel.size()), kernel.data(),
+                    hex(hash).c_str());
+    }
+};
+
+TEST_P(Recorded, again_is_the_same_by_the_kernels_of_this_processor) {
+    for (const auto set : sim::kInstructionSets)
+        if (sim::has(set)) expect_the_same({.instruction_set = set});
+}
+
+TEST_P(Recorded, again_is_the_same_by_the_plain_kernel) {
+    expect_the_same({.threads = 2, .plain = true});
+}
+
+INSTANTIATE_TEST_SUITE_P(Recordings, Recorded,
+                         testing::Values("landslide", "landslide-bcre", "snow-avalanche"),
+                         [](const auto& name) {
+                             std::string text = name.param;
+                             std::replace(text.begin(), text.end(), '-', '_');
+                             return text;
+                         });
+
+}  // namespace
+}  // namespace game
