@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
+#include <span>
 #include <tuple>
 
 namespace terrains {
@@ -49,6 +51,55 @@ bool add_crossings(const sim::Grid& grid, const std::vector<Area>& areas, std::v
     return true;
 }
 
+// Samples of one line, from `first` up to `last`, at most as many as the line has.
+struct Span {
+    std::size_t first, last;
+    double thickness;
+};
+
+// Rings are closed, so crossings of one area on one line come in pairs: inside between the two.
+void add_spans(std::span<const Crossing> crossings, const std::vector<Area>& areas, std::size_t samples,
+               std::vector<Span>& spans) {
+    const double most = static_cast<double>(samples);
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+        const double first = std::clamp(std::ceil(crossings[i].x), 0.0, most);
+        const double last = std::clamp(std::ceil(crossings[i + 1].x), 0.0, most);
+        spans.push_back({static_cast<std::size_t>(first), static_cast<std::size_t>(last),
+                         areas[static_cast<std::size_t>(crossings[i].area)].thickness});
+    }
+}
+
+// A line of samples that spans fill, each with the thickest that holds it. Every sample is written once,
+// however many spans lie on each other.
+class Line {
+  public:
+    explicit Line(std::size_t samples) : thickness_(samples), free_(samples + 1) {}
+
+    // Sorts the spans.
+    const std::vector<double>& fill(std::vector<Span>& spans) {
+        std::fill(thickness_.begin(), thickness_.end(), 0.0);
+        std::iota(free_.begin(), free_.end(), std::size_t{0});
+        std::sort(spans.begin(), spans.end(),
+                  [](const Span& a, const Span& b) { return a.thickness > b.thickness; });
+        for (const Span& span : spans)
+            for (std::size_t i = first_free(span.first); i < span.last; i = first_free(i)) {
+                thickness_[i] = span.thickness;
+                free_[i] = i + 1;
+            }
+        return thickness_;
+    }
+
+  private:
+    // The first sample from i on that no span has filled; one past the end if there is none.
+    std::size_t first_free(std::size_t i) {
+        while (free_[i] != i) i = free_[i] = free_[free_[i]];
+        return i;
+    }
+
+    std::vector<double> thickness_;
+    std::vector<std::size_t> free_;  // of a filled sample: one beyond it on the way to the first free one
+};
+
 }  // namespace
 
 tl::expected<std::vector<float>, std::string> mean_thickness(const sim::Grid& grid,
@@ -57,22 +108,19 @@ tl::expected<std::vector<float>, std::string> mean_thickness(const sim::Grid& gr
     if (!add_crossings(grid, areas, crossings))
         return tl::unexpected<std::string>("its outlines are too intricate for this grid");
     std::sort(crossings.begin(), crossings.end());
-    std::vector<double> line(static_cast<std::size_t>(grid.nx) * kSamples), sum(grid.size());
-    std::size_t next = 0;
-    while (next < crossings.size()) {
-        const std::int32_t at = crossings[next].line;
-        std::fill(line.begin(), line.end(), 0.0);
-        // Rings are closed, so crossings of one area on one line come in pairs: inside between the two.
-        for (; next + 1 < crossings.size() && crossings[next].line == at; next += 2) {
-            const double most = static_cast<double>(line.size()),
-                         thickness = areas[crossings[next].area].thickness;
-            const double first = std::clamp(std::ceil(crossings[next].x), 0.0, most);
-            const double last = std::clamp(std::ceil(crossings[next + 1].x), 0.0, most);
-            for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
-                line[i] = std::max(line[i], thickness);
-        }
-        double* row = sum.data() + static_cast<std::size_t>(at / kSamples) * grid.nx;
-        for (std::size_t i = 0; i < line.size(); ++i) row[i / kSamples] += line[i];
+    const std::size_t samples = static_cast<std::size_t>(grid.nx) * kSamples;
+    Line line(samples);
+    std::vector<Span> spans;
+    std::vector<double> sum(grid.size());
+    for (std::size_t first = 0, last = 0; first < crossings.size(); first = last) {
+        const std::int32_t at = crossings[first].line;
+        while (last < crossings.size() && crossings[last].line == at) ++last;
+        spans.clear();
+        add_spans(std::span(crossings).subspan(first, last - first), areas, samples, spans);
+        const std::vector<double>& thickness = line.fill(spans);
+        double* row =
+            sum.data() + static_cast<std::size_t>(at / kSamples) * static_cast<std::size_t>(grid.nx);
+        for (std::size_t i = 0; i < samples; ++i) row[i / kSamples] += thickness[i];
     }
     std::vector<float> mean(sum.size());
     for (std::size_t i = 0; i < sum.size(); ++i) mean[i] = static_cast<float>(sum[i] / (kSamples * kSamples));

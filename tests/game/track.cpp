@@ -243,22 +243,26 @@ TEST_F(Track, quotes_a_file_in_one_line_whatever_it_holds) {
 
 TEST_F(Track, prints_finite_numbers_only_whatever_the_velocities_and_times) {
     std::size_t printed = 0;
-    for (const char* dt : {"1e-6", "1", "1e6"})
-        for (const char* jump : {"1e-9", "0.1", "1e9"})
-            for (const double speed : {1e-38, 1e-9, 1.0, 1e9, 1e18, 3e38}) {
-                std::vector<float> numbers;
-                for (int frame = 0; frame < 3; ++frame)
-                    for (int v = 0; v < kVertices; ++v) {
-                        numbers.push_back(static_cast<float>(v / kRow < 5 + frame ? speed : -speed));
-                        numbers.push_back(0);
-                    }
-                const std::string velocities = put(
-                    "v.npy", npy(header_of("<f4", fmt::format("(3, {}, 2)", kVertices)), bytes_of(numbers)));
-                const Finished done = couloir({"track", mesh(), velocities, "--jump", jump, "--dt", dt});
-                SCOPED_TRACE(fmt::format("speed {}, dt {}, jump {}: {}", speed, dt, jump, done.err));
-                ASSERT_TRUE(done.status == 0 || done.status == 2);
-                if (done.status == 0) printed += lines_of(done.out).size();
+    for (const double speed : {1e-38, 1e-9, 1.0, 1e9, 1e18, 3e38}) {
+        std::vector<float> numbers;
+        for (int frame = 0; frame < 3; ++frame)
+            for (int v = 0; v < kVertices; ++v) {
+                numbers.push_back(static_cast<float>(v / kRow < 5 + frame ? speed : -speed));
+                numbers.push_back(0);
             }
+        const std::string velocities =
+            put("v.npy", npy(header_of("<f4", fmt::format("(3, {}, 2)", kVertices)), bytes_of(numbers)));
+        for (const char* source : {"half", "paper", "fit"})
+            for (const char* dt : {"1e-6", "1", "1e6"})
+                for (const char* jump : {"1e-300", "1e-9", "0.1", "1e9", "1e300"}) {
+                    const Finished done = couloir(
+                        {"track", mesh(), velocities, "--jump", jump, "--dt", dt, "--source", source});
+                    SCOPED_TRACE(
+                        fmt::format("{}, speed {}, dt {}, jump {}: {}", source, speed, dt, jump, done.err));
+                    ASSERT_TRUE(done.status == 0 || done.status == 2);
+                    if (done.status == 0) printed += lines_of(done.out).size();
+                }
+    }
     EXPECT_GT(printed, 0u);
 }
 
@@ -313,28 +317,12 @@ TEST_F(Track, takes_a_mesh_of_any_scale_or_refuses_it) {
     }
 }
 
-TEST_F(Track, writes_no_number_that_is_not_finite) {
-    // A step of a hundred metres per second that goes from left to right.
-    std::vector<float> moving;
-    for (int frame = 0; frame < 6; ++frame)
-        for (int v = 0; v < kVertices; ++v) {
-            moving.push_back(v % kRow < 3 + frame ? 100.f : 0.f);
-            moving.push_back(0.f);
-        }
-    const std::string velocities =
-        put("moving.npy", npy(header_of("<f4", fmt::format("(6, {}, 2)", kVertices)), bytes_of(moving)));
+TEST_F(Track, refuses_a_time_between_frames_that_floats_cannot_measure) {
+    const std::string still =
+        put("still.npy", npy(header_of("<f4", fmt::format("(3, {}, 2)", kVertices)),
+                             std::string(static_cast<std::size_t>(3 * kVertices) * 2 * sizeof(float), '\0')));
     for (const char* dt : {"1e-300", "1e-40", "1e-7", "1e7", "1e300"})
-        EXPECT_EQ(couloir({"track", mesh(), velocities, "--jump", "0.1", "--dt", dt}).status, 2) << dt;
-    for (const char* source : {"half", "paper", "fit"})
-        for (const char* dt : {"1e-6", "0.01", "1e6"})
-            for (const char* jump : {"1e-300", "0.1", "1e300"}) {
-                const Finished done =
-                    couloir({"track", mesh(), velocities, "--jump", jump, "--dt", dt, "--source", source});
-                EXPECT_TRUE(done.status == 0 || done.status == 2) << done.status;
-                if (done.status != 0) continue;
-                EXPECT_EQ(done.out.find("inf"), std::string::npos) << source << dt << jump;
-                EXPECT_EQ(done.out.find("nan"), std::string::npos) << source << dt << jump;
-            }
+        EXPECT_EQ(couloir({"track", mesh(), still, "--jump", "0.1", "--dt", dt}).status, 2) << dt;
 }
 
 TEST_F(Track, reads_a_mesh_as_it_is_counted_in_its_file) {

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "game/number.h"
 #include "tests/support/places.h"
 
 namespace game::test {
@@ -68,11 +69,18 @@ TEST(RandomSessions, of_which_there_are_50_replay_bit_for_bit) {
     expect_none(play_sessions(1, 50, 1));
 }
 
+// A whole number that the environment gives; `otherwise` without one.
+std::uint64_t number_of(const char* variable, std::uint64_t otherwise) {
+    const char* text = std::getenv(variable);
+    return text == nullptr ? otherwise : number_from<std::uint64_t>(text).value();
+}
+
 // COULOIR_SESSIONS=N plays another number of them, COULOIR_SEED=S begins with another seed.
 TEST(RandomSessions, of_which_there_are_1000_replay_bit_for_bit) {
-    const char *count = std::getenv("COULOIR_SESSIONS"), *seed = std::getenv("COULOIR_SEED");
-    if (!std::getenv("COULOIR_LONG") && !count) GTEST_SKIP() << "runs with COULOIR_LONG=1: ctest -L long";
-    expect_none(play_sessions(seed ? std::strtoull(seed, nullptr, 10) : 1000, count ? std::atoi(count) : 1000,
+    if (!std::getenv("COULOIR_LONG") && !std::getenv("COULOIR_SESSIONS"))
+        GTEST_SKIP() << "runs with COULOIR_LONG=1: ctest -L long";
+    expect_none(play_sessions(number_of("COULOIR_SEED", 1000),
+                              static_cast<int>(number_of("COULOIR_SESSIONS", 1000)),
                               std::max(1u, std::thread::hardware_concurrency())));
 }
 
