@@ -22,6 +22,7 @@
 #include "terrains/grey_picture.h"
 #include "terrains/plane_transform.h"
 #include "terrains/release.h"
+#include "terrains/well_known_text.h"
 #include "tests/support/places.h"
 #include "tests/terrains/files.h"
 
