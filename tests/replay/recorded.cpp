@@ -72,7 +72,7 @@ TEST_P(Recorded, again_is_the_same_by_the_kernels_of_this_processor) {
 }
 
 TEST_P(Recorded, again_is_the_same_by_the_plain_kernel) {
-    expect_the_same({.threads = 2, .plain = true});
+    expect_the_same({.plain = true});
 }
 
 INSTANTIATE_TEST_SUITE_P(Recordings, Recorded,
