@@ -242,6 +242,10 @@ struct Window::Callbacks {
 };
 
 Outcome<std::unique_ptr<Window>> Window::open(const std::string& title, int width, int height) {
+#ifdef GLFW_PLATFORM  // since GLFW 3.4, which asks Wayland first
+    // Where it has no folder for its sockets, Wayland's library prints a line of its own.
+    if (std::getenv("XDG_RUNTIME_DIR") == nullptr) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
     if (glfwInit() == GLFW_FALSE)
         return no_window("there is no display to open it on", "GLFW: " + last_words());
     set_hints();

@@ -23,7 +23,9 @@ namespace {
 constexpr double kTrueScale = 0.005;  // a plane whose metres are off by more is not played on
 constexpr double kWidestDegrees =
     2;  // one transverse Mercator plane is true to 0.02 % so far from its centre
-constexpr double kWidestMetres = 250e3;  // the same for systems that are not in degrees
+constexpr double kLeastPixel = 1e-3, kMostPixel = 1e6;  // m
+constexpr double kFarthest = 1e9;                       // m
+constexpr double kWidestMetres = 250e3;                 // the same for systems that are not in degrees
 
 // Plane metres per true metre around a point, the worse of the two axes; 0 where the point is off the Earth.
 double scale_at(const PlaneTransform& to_degrees, double x, double y) {
@@ -153,6 +155,20 @@ tl::expected<void, std::string> RasterPlace::keep_axes() {
             fmt::format("its cells are {:.3g} wide, which looks like degrees, but it names no "
                         "coordinate system; put a .prj beside it",
                         reach_x));
+    return check_lengths();
+}
+
+// Beyond these, numbers cannot tell one pixel from the next.
+tl::expected<void, std::string> RasterPlace::check_lengths() const {
+    for (const double reach : {reach_x, reach_y})
+        if (!(reach >= kLeastPixel && reach <= kMostPixel))
+            return tl::unexpected(fmt::format("its pixels are {:.3g} m by {:.3g} m, not {} to {} m", reach_x,
+                                              reach_y, kLeastPixel, kMostPixel));
+    for (const double side : {min_x, max_x, min_y, max_y})
+        if (!(std::abs(side) <= kFarthest))
+            return tl::unexpected(
+                fmt::format("it lies {:.3g} m from the origin of its coordinates, not up to {:.0g} m",
+                            std::abs(side), kFarthest));
     return {};
 }
 
@@ -174,7 +190,7 @@ tl::expected<void, std::string> RasterPlace::lay_on_local_plane(const std::strin
                                           std::max(max_x - min_x, max_y - min_y) / 1e3, kWidestMetres / 1e3));
     measure_pixels();
     georeference = Georeference::local(centre, min_x, min_y);
-    return {};
+    return check_lengths();
 }
 
 // The largest rectangle inside the warped border, where warping is slight; the rectangle around it where rows

@@ -23,7 +23,7 @@ class RasterPlace {
   public:
     // Errors: no geotransform, degrees over more than 2° (other warped systems: 250 km), pixels off the
     // Earth, a raster that seems to be in degrees but names no coordinate system, a rotated raster without
-    // one.
+    // one, pixels or coordinates of a length that no terrain has.
     static tl::expected<RasterPlace, std::string> of_dem(GDALDatasetH dataset);
 
     // Plane coordinates of the pixel centres of one row, m; NaN where the plane cannot express them. On a
@@ -44,6 +44,7 @@ class RasterPlace {
   private:
     tl::expected<void, std::string> keep_axes();
     tl::expected<void, std::string> lay_on_local_plane(const std::string& wkt);
+    tl::expected<void, std::string> check_lengths() const;
     void measure_rectangle();
     void measure_pixels();
     bool rotated() const { return geotransform_[2] != 0 || geotransform_[4] != 0; }

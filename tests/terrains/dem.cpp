@@ -300,6 +300,23 @@ TEST(Dem, names_file_and_fact_of_what_it_refuses) {
     EXPECT_EQ(missing.error(), (folder.path() / "none.asc").string() + ": there is no such file");
 }
 
+TEST(Dem, refuses_pixels_and_places_of_a_length_that_no_terrain_has) {
+    const support::TemporaryFolder folder;
+    const auto refusal = [&](double west, double cell) {
+        const auto terrain =
+            read_dem(test::write_ascii_grid(folder.path(), "odd", {.west = west, .south = 5e6, .cell = cell},
+                                            [](double, double) { return 5.0; }),
+                     20);
+        return terrain ? "it was read" : terrain.error();
+    };
+    for (const double cell : {1e-150, 1e-12, 9e-4, 2e6, 1e150})
+        EXPECT_NE(refusal(6e5, cell).find("its pixels are"), std::string::npos) << refusal(6e5, cell);
+    for (const double west : {2e9, -2e9, 1e300})
+        EXPECT_NE(refusal(west, 5).find("m from the origin of its coordinates"), std::string::npos)
+            << refusal(west, 5);
+    EXPECT_EQ(refusal(6e5, 0.01), "it was read");
+}
+
 TEST(Dem, refuses_degrees_that_span_too_much_or_are_not_declared) {
     const support::TemporaryFolder folder;
     const auto flat = [](double, double) { return 5.0; };
