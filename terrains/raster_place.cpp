@@ -164,6 +164,9 @@ tl::expected<void, std::string> RasterPlace::check_lengths() const {
         if (!(reach >= kLeastPixel && reach <= kMostPixel))
             return tl::unexpected(fmt::format("its pixels are {:.3g} m by {:.3g} m, not {} to {} m", reach_x,
                                               reach_y, kLeastPixel, kMostPixel));
+    if (!(pixel_area >= kLeastPixel * kLeastPixel))
+        return tl::unexpected(fmt::format("its pixels are {:.3g} m2 large, not {} and more", pixel_area,
+                                          kLeastPixel * kLeastPixel));
     for (const double side : {min_x, max_x, min_y, max_y})
         if (!(std::abs(side) <= kFarthest))
             return tl::unexpected(

@@ -23,17 +23,23 @@ std::vector<std::string> shipped(AssetKind kind) {
     return all;
 }
 
+// In a folder that need not be there.
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+        files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
 // Whole files of this reader's kind, by name.
 std::vector<std::string> seeds(const TriedReader& reader) {
     if (reader.name == "scene") return shipped(AssetKind::kScene);
     if (reader.name == "material") return shipped(AssetKind::kMaterial);
-    std::vector<std::filesystem::path> files;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(support::source_dir() / "tests/fuzz/seeds" / reader.name))
-        files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
     std::vector<std::string> all;
-    for (const auto& file : files) all.push_back(read_bytes(file));
+    for (const auto& file : files_in(support::source_dir() / "tests/fuzz/seeds" / reader.name))
+        all.push_back(read_bytes(file));
     return all;
 }
 
@@ -55,6 +61,11 @@ TEST_P(EveryReader, accepts_whole_files) {
         const auto read = GetParam().read(file);
         EXPECT_TRUE(read) << read.error().sentence;
     }
+}
+
+TEST_P(EveryReader, accepts_or_refuses_in_one_line_what_fuzzing_has_found) {
+    for (const auto& file : files_in(support::source_dir() / "tests/fuzz/found" / GetParam().name))
+        expect_sound(read_bytes(file), file.filename().string());
 }
 
 TEST_P(EveryReader, accepts_or_refuses_in_one_line_what_was_cut_off) {
