@@ -11,6 +11,7 @@
 #include <gdal_frmts.h>
 #include <ogr_srs_api.h>
 #include <ogrsf_frmts.h>
+#include <proj.h>
 
 #include "files/input.h"
 
@@ -57,6 +58,9 @@ constexpr std::array kFormats{
 bool prepare_gdal() {
     for (const Format& format : kFormats) format.register_it();
     OSRSetPROJEnableNetwork(0);
+    // PROJ is also called by libgeotiff, which leaves it to print what it does not find; its contexts are
+    // copies of this one.
+    proj_log_level(PJ_DEFAULT_CTX, PJ_LOG_NONE);
     return close_file_system_to_gdal();
 }
 
