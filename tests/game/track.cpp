@@ -243,7 +243,7 @@ TEST_F(Track, quotes_a_file_in_one_line_whatever_it_holds) {
 
 TEST_F(Track, prints_finite_numbers_only_whatever_the_velocities_and_times) {
     std::size_t printed = 0;
-    for (const double speed : {1e-38, 1e-9, 1.0, 1e9, 1e18, 3e38}) {
+    for (const double speed : {1e-38, 1e-9, 1.0, 1e18, 3e38}) {
         std::vector<float> numbers;
         for (int frame = 0; frame < 3; ++frame)
             for (int v = 0; v < kVertices; ++v) {
@@ -254,7 +254,7 @@ TEST_F(Track, prints_finite_numbers_only_whatever_the_velocities_and_times) {
             put("v.npy", npy(header_of("<f4", fmt::format("(3, {}, 2)", kVertices)), bytes_of(numbers)));
         for (const char* source : {"half", "paper", "fit"})
             for (const char* dt : {"1e-6", "1", "1e6"})
-                for (const char* jump : {"1e-300", "1e-9", "0.1", "1e9", "1e300"}) {
+                for (const char* jump : {"1e-300", "0.1", "1e300"}) {
                     const Finished done = couloir(
                         {"track", mesh(), velocities, "--jump", jump, "--dt", dt, "--source", source});
                     SCOPED_TRACE(
