@@ -13,8 +13,12 @@ fs::path source_dir() {
     return COULOIR_SOURCE_DIR;
 }
 
+fs::path build_dir() {
+    return COULOIR_BINARY_DIR;
+}
+
 fs::path program() {
-    return fs::path(COULOIR_BINARY_DIR) / "bin" / "couloir";
+    return build_dir() / "bin" / "couloir";
 }
 
 std::optional<fs::path> dem_dir() {

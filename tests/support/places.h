@@ -9,6 +9,9 @@ namespace support {
 // The checkout that the tests were built from.
 std::filesystem::path source_dir();
 
+// The folder that this build writes into.
+std::filesystem::path build_dir();
+
 // The program of the same build.
 std::filesystem::path program();
 
