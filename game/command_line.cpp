@@ -13,11 +13,11 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include "game/base/number.h"
+#include "game/base/version.h"
 #include "game/commands/commands.h"
-#include "game/number.h"
-#include "game/version.h"
-#include "sim/command.h"
-#include "sim/params.h"
+#include "sim/world/command.h"
+#include "sim/world/params.h"
 
 namespace game {
 namespace {

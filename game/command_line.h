@@ -1,6 +1,6 @@
 #pragma once
 
-#include "game/outcome.h"
+#include "game/base/outcome.h"
 
 namespace game {
 

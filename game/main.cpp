@@ -1,9 +1,9 @@
 #include <cstdio>
 #include <exception>
 
+#include "game/base/one_line.h"
+#include "game/base/process.h"
 #include "game/command_line.h"
-#include "game/one_line.h"
-#include "game/process.h"
 
 namespace {
 

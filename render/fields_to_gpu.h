@@ -5,7 +5,7 @@
 
 #include "render/gl_handle.h"
 #include "render/height_range.h"
-#include "sim/state.h"
+#include "sim/world/state.h"
 
 namespace render {
 

@@ -14,7 +14,7 @@
 #include "render/passes/terrain_pass.h"
 #include "render/stage_clock.h"
 #include "render/target.h"
-#include "sim/check.h"
+#include "sim/core/check.h"
 
 namespace render {
 namespace {

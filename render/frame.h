@@ -14,7 +14,7 @@
 #include "render/marks.h"
 #include "render/picture.h"
 #include "sim/front/flow_view.h"
-#include "sim/state.h"
+#include "sim/world/state.h"
 
 namespace render {
 

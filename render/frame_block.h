@@ -11,7 +11,7 @@
 #include "render/height_range.h"
 #include "render/look.h"
 #include "render/marks.h"
-#include "sim/state.h"
+#include "sim/world/state.h"
 
 namespace render {
 

@@ -3,7 +3,7 @@
 #include <exception>
 #include <utility>
 
-#include "sim/check.h"
+#include "sim/core/check.h"
 
 namespace render {
 

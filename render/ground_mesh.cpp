@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "assets/shaders/slots.glsl"
-#include "sim/check.h"
+#include "sim/core/check.h"
 
 namespace render {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/grid.h"
-#include "sim/state.h"
+#include "sim/core/grid.h"
+#include "sim/world/state.h"
 
 namespace render {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/state.h"
+#include "sim/world/state.h"
 
 namespace render {
 

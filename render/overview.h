@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/camera.h"
-#include "sim/state.h"
+#include "sim/world/state.h"
 
 namespace render {
 

@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "render/camera.h"
-#include "sim/state.h"
+#include "sim/world/state.h"
 
 namespace render {
 

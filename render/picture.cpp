@@ -6,7 +6,7 @@
 
 #include "files/whole_file.h"
 #include "render/png.h"
-#include "sim/check.h"
+#include "sim/core/check.h"
 
 namespace render {
 tl::expected<void, std::string> write_png(const Picture& picture, const std::filesystem::path& path,

@@ -6,7 +6,7 @@
 
 #include "assets/shaders/slots.glsl"
 #include "render/program.h"
-#include "sim/check.h"
+#include "sim/core/check.h"
 #include "sim/front/remesh_reference.h"
 
 namespace render {

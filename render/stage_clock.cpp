@@ -3,7 +3,7 @@
 #include <chrono>
 
 #include "render/context.h"
-#include "sim/check.h"
+#include "sim/core/check.h"
 
 namespace render {
 

@@ -1,6 +1,6 @@
 #include "sim/engine.h"
 
-#include "sim/state.h"
+#include "sim/world/state.h"
 
 namespace sim {
 

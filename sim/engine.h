@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include "sim/scratch.h"
-#include "sim/stage_watch.h"
+#include "sim/core/workers.h"
+#include "sim/stages/scratch.h"
+#include "sim/stages/stage_watch.h"
 #include "sim/sweep/sweeper.h"
-#include "sim/workers.h"
 
 namespace sim {
 

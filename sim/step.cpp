@@ -3,10 +3,10 @@
 #include "sim/bcre/plain.h"
 #include "sim/engine.h"
 #include "sim/inertial/plain.h"
-#include "sim/ledger.h"
-#include "sim/params.h"
-#include "sim/quanta.h"
-#include "sim/state.h"
+#include "sim/sweep/count_mass.h"
+#include "sim/world/params.h"
+#include "sim/world/quanta.h"
+#include "sim/world/state.h"
 
 namespace sim {
 

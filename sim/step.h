@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "sim/command.h"
-#include "sim/forward.h"
+#include "sim/world/command.h"
+#include "sim/world/forward.h"
 
 namespace sim {
 

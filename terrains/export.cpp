@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "files/whole_file.h"
-#include "sim/check.h"
+#include "sim/core/check.h"
 #include "terrains/geotiff.h"
 #include "terrains/outlines.h"
 

@@ -5,8 +5,8 @@
 
 #include "terrains/json_reader.h"
 
-// What a file may hold that is read here. game/limits.h has all limits as one table, docs/limits.md is that
-// table, and a test compares them.
+// What a file may hold that is read here. game/base/limits.h has all limits as one table, docs/limits.md is
+// that table, and a test compares them.
 namespace terrains {
 
 inline constexpr std::size_t kMostGeoJsonBytes = std::size_t{64} << 20;

@@ -6,7 +6,7 @@
 
 #include <tl/expected.hpp>
 
-#include "sim/grid.h"
+#include "sim/core/grid.h"
 #include "terrains/georeference.h"
 
 namespace terrains {

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <ogr_srs_api.h>
 
-#include "sim/check.h"
+#include "sim/core/check.h"
 #include "terrains/gdal_support.h"
 
 namespace terrains {

@@ -8,7 +8,7 @@
 
 #include <tl/expected.hpp>
 
-#include "sim/grid.h"
+#include "sim/core/grid.h"
 #include "terrains/limits.h"
 
 namespace terrains {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/grid.h"
+#include "sim/core/grid.h"
 #include "terrains/georeference.h"
 
 namespace terrains {

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "files/input.h"
+#include "game/base/limits.h"
 #include "game/bench/report.h"
-#include "game/limits.h"
 #include "terrains/json_reader.h"
 
 namespace game {

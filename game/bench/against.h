@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "game/figures/table.h"
-#include "game/outcome.h"
+#include "game/base/outcome.h"
+#include "game/pages/table.h"
 #include "game/recording/format.h"
 
 namespace game {

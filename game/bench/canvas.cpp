@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "game/assets.h"
+#include "game/files/assets.h"
 #include "render/context.h"
 #include "render/frame.h"
 #include "render/overview.h"

@@ -3,12 +3,12 @@
 #include <memory>
 #include <string>
 
-#include "game/gallery.h"
-#include "game/outcome.h"
-#include "game/start.h"
+#include "game/analysis/gallery.h"
+#include "game/base/outcome.h"
+#include "game/scene/start.h"
 #include "render/draw_times.h"
 #include "sim/front/flow_view.h"
-#include "sim/state.h"
+#include "sim/world/state.h"
 
 namespace game {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "sim/check.h"
+#include "sim/core/check.h"
 
 namespace game {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "game/analysis/headless.h"
 #include "game/bench/memory.h"
-#include "game/headless.h"
-#include "game/recording/verifier.h"
+#include "game/session/verifier.h"
 
 namespace game {
 namespace {

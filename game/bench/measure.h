@@ -8,9 +8,9 @@
 
 #include "game/bench/canvas.h"
 #include "game/bench/variant.h"
-#include "game/memory.h"
-#include "game/perf_log.h"
 #include "game/recording/reader.h"
+#include "game/scene/memory.h"
+#include "game/session/perf_log.h"
 #include "sim/engine.h"
 
 namespace game {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "game/number.h"
+#include "game/base/number.h"
 
 namespace game {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "game/bench/plot.h"
-#include "game/figures/html.h"
+#include "game/pages/html.h"
+#include "game/pages/plot.h"
 
 namespace game {
 namespace {

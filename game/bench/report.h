@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "game/bench/scaling.h"
-#include "game/figures/table.h"
+#include "game/pages/table.h"
 
 namespace game {
 

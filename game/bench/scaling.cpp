@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "game/analysis/headless.h"
 #include "game/bench/memory.h"
-#include "game/headless.h"
-#include "game/recording/verifier.h"
+#include "game/session/verifier.h"
 
 namespace game {
 namespace {
@@ -70,7 +70,7 @@ Outcome<void> measure_grid(const BenchRecording& named, int squares, const Bench
                            const BenchHow& how, Canvas* canvas, Scaling& scaling) {
     const auto start = start_of(named.recording, squares, physics, how.memory);
     if (!start) return tl::unexpected(start.error());
-    const bool drawn = canvas && start->grid.size() <= Session::kMostFollowed;
+    const bool drawn = canvas && start->grid.size() <= kMostFollowed;
     if (drawn)
         if (auto shown = canvas->show(*start); !shown) return shown;
 

@@ -34,7 +34,7 @@ struct Scaling {
 inline constexpr std::array kScalingSquares{40, 80, 160, 320, 640, 1280, 2048};
 inline constexpr std::array kScalingSeconds{5, 15, 25};
 
-// Fronts are followed on every grid; drawn only where any GL could (Session::kMostFollowed), and not at all
+// Fronts are followed on every grid; drawn only where any GL could (kMostFollowed), and not at all
 // without `canvas`. how.repeats and how.every count for nothing. Errors as in measure().
 Outcome<Scaling> measure_scaling(const BenchRecording& recording, std::span<const int> squares,
                                  const BenchPhysics& physics, const BenchHow& how, Canvas* canvas);

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "game/material.h"
+#include "game/scene/material.h"
 #include "terrains/resample.h"
 
 namespace game {

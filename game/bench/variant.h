@@ -5,10 +5,10 @@
 #include <string>
 #include <string_view>
 
-#include "game/memory.h"
-#include "game/outcome.h"
+#include "game/base/outcome.h"
 #include "game/recording/reader.h"
-#include "game/start.h"
+#include "game/scene/memory.h"
+#include "game/scene/start.h"
 
 namespace game {
 

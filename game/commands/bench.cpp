@@ -1,14 +1,14 @@
 #include <fmt/format.h>
 
-#include "game/assets.h"
+#include "game/analysis/trace.h"
 #include "game/bench/against.h"
 #include "game/bench/page.h"
 #include "game/bench/report.h"
 #include "game/commands/commands.h"
-#include "game/file_use.h"
+#include "game/files/assets.h"
+#include "game/files/file_use.h"
+#include "game/files/text_file.h"
 #include "game/recording/file_hash.h"
-#include "game/text_file.h"
-#include "game/trace.h"
 
 namespace game {
 namespace {

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "game/analysis/gallery.h"
+#include "game/analysis/summary.h"
+#include "game/base/outcome.h"
 #include "game/bench/measure.h"
 #include "game/compare/edit.h"
-#include "game/gallery.h"
-#include "game/memory.h"
-#include "game/outcome.h"
-#include "game/scene.h"
-#include "game/summary.h"
+#include "game/scene/memory.h"
+#include "game/scene/scene.h"
 #include "sim/engine.h"
 #include "sim/front/tracker.h"
 

@@ -1,7 +1,7 @@
 #include "game/commands/commands.h"
 #include "game/compare/comparison.h"
-#include "game/file_use.h"
-#include "game/text_file.h"
+#include "game/files/file_use.h"
+#include "game/files/text_file.h"
 
 namespace game {
 

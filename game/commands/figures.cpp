@@ -3,7 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "game/assets.h"
+#include "game/base/progress.h"
+#include "game/base/version.h"
 #include "game/commands/commands.h"
 #include "game/figures/field_figure.h"
 #include "game/figures/flow_figure.h"
@@ -11,10 +12,9 @@
 #include "game/figures/numbers.h"
 #include "game/figures/page.h"
 #include "game/figures/world_figure.h"
-#include "game/file_use.h"
-#include "game/progress.h"
-#include "game/text_file.h"
-#include "game/version.h"
+#include "game/files/assets.h"
+#include "game/files/file_use.h"
+#include "game/files/text_file.h"
 
 namespace game {
 namespace {

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include "game/assets.h"
 #include "game/commands/commands.h"
+#include "game/files/assets.h"
+#include "game/files/toml_table.h"
 #include "game/recording/format.h"
-#include "game/toml_table.h"
 
 namespace game {
 namespace {

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
+#include "game/analysis/summary.h"
 #include "game/commands/commands.h"
 #include "game/compare/comparison.h"
-#include "game/file_use.h"
-#include "game/recording/verifier.h"
-#include "game/summary.h"
+#include "game/files/file_use.h"
+#include "game/session/verifier.h"
 
 namespace game {
 

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include "game/app.h"
+#include "game/app/app.h"
+#include "game/app/window.h"
 #include "game/commands/commands.h"
-#include "game/file_use.h"
+#include "game/files/file_use.h"
 #include "game/recording/reader.h"
-#include "game/window.h"
 
 namespace game {
 namespace {

@@ -2,14 +2,14 @@
 
 #include <fmt/format.h>
 
-#include "game/assets.h"
+#include "game/analysis/export_results.h"
+#include "game/analysis/headless.h"
+#include "game/analysis/measures.h"
+#include "game/analysis/summary.h"
 #include "game/commands/commands.h"
-#include "game/export_results.h"
-#include "game/file_use.h"
-#include "game/headless.h"
-#include "game/measures.h"
-#include "game/summary.h"
-#include "game/text_file.h"
+#include "game/files/assets.h"
+#include "game/files/file_use.h"
+#include "game/files/text_file.h"
 #include "terrains/release.h"
 
 namespace game {

@@ -13,14 +13,14 @@
 #include <fmt/format.h>
 
 #include "files/whole_file.h"
-#include "game/array_file.h"
+#include "game/base/progress.h"
 #include "game/commands/commands.h"
-#include "game/file_use.h"
-#include "game/mesh_file.h"
-#include "game/progress.h"
-#include "game/text_file.h"
+#include "game/files/array_file.h"
+#include "game/files/file_use.h"
+#include "game/files/mesh_file.h"
+#include "game/files/text_file.h"
 #include "render/front_picture.h"
-#include "sim/workers.h"
+#include "sim/core/workers.h"
 
 namespace game {
 namespace {

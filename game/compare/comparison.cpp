@@ -6,14 +6,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "game/assets.h"
+#include "game/analysis/export_results.h"
+#include "game/base/progress.h"
 #include "game/compare/desync_picture.h"
 #include "game/compare/difference_map.h"
-#include "game/export_results.h"
-#include "game/progress.h"
+#include "game/files/assets.h"
+#include "game/files/text_file.h"
 #include "game/recording/divergence_report.h"
 #include "game/recording/start_difference.h"
-#include "game/text_file.h"
 #include "terrains/export.h"
 
 namespace game {

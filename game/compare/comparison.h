@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "game/headless.h"
-#include "game/measures.h"
-#include "game/memory.h"
-#include "game/outcome.h"
+#include "game/analysis/headless.h"
+#include "game/analysis/measures.h"
+#include "game/base/outcome.h"
 #include "game/recording/divergence.h"
 #include "game/recording/reader.h"
-#include "game/session.h"
+#include "game/scene/memory.h"
+#include "game/session/session.h"
 
 namespace game {
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "game/number.h"
+#include "game/base/number.h"
 #include "game/recording/start_difference.h"
 
 namespace game {

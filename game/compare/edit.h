@@ -8,7 +8,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "game/outcome.h"
+#include "game/base/outcome.h"
 #include "game/recording/reader.h"
 
 namespace game {

@@ -5,7 +5,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
-#include "game/ui_font.h"
+#include "game/files/ui_font.h"
 
 namespace game {
 namespace {

@@ -6,7 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "game/start.h"
+#include "game/scene/start.h"
 #include "render/sheet.h"
 
 namespace game {

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "game/assets.h"
 #include "game/figures/level_flow.h"
 #include "game/figures/mosaic.h"
+#include "game/files/assets.h"
 #include "render/context.h"
 #include "render/frame.h"
 #include "render/front_picture.h"

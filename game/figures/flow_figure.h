@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "game/base/outcome.h"
 #include "game/figures/page.h"
-#include "game/outcome.h"
 #include "render/flow_pattern.h"
+#include "sim/core/workers.h"
 #include "sim/fields/test_flows.h"
-#include "sim/workers.h"
 
 namespace game {
 

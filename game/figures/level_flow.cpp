@@ -10,6 +10,7 @@
 
 #include "sim/front/gradient.h"
 #include "sim/front/remesh_reference.h"
+#include "sim/initial_state.h"
 
 namespace game {
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "sim/core/workers.h"
 #include "sim/fields/test_flows.h"
 #include "sim/front/flow_view.h"
-#include "sim/state.h"
-#include "sim/workers.h"
+#include "sim/world/state.h"
 
 namespace game {
 

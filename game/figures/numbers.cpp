@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "game/base/progress.h"
 #include "game/figures/level_flow.h"
-#include "game/progress.h"
 
 namespace game {
 namespace {

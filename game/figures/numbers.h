@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "game/figures/table.h"
+#include "game/pages/table.h"
 #include "sim/fields/front_score.h"
 #include "sim/fields/texture_score.h"
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "game/figures/html.h"
+#include "game/pages/html.h"
 #include "render/marks.h"
 
 namespace game {

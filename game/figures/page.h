@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "game/figures/table.h"
+#include "game/pages/table.h"
 
 namespace game {
 

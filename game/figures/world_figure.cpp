@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "game/assets.h"
-#include "game/headless.h"
+#include "game/analysis/headless.h"
+#include "game/files/assets.h"
 #include "game/recording/reader.h"
 
 namespace game {

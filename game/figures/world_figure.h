@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "game/analysis/gallery.h"
+#include "game/base/outcome.h"
 #include "game/figures/page.h"
-#include "game/gallery.h"
-#include "game/outcome.h"
 #include "render/camera.h"
 #include "sim/engine.h"
 

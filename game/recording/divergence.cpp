@@ -6,9 +6,9 @@
 #include <cstring>
 #include <thread>
 
-#include "sim/command.h"
-#include "sim/named_fields.h"
+#include "sim/stages/named_fields.h"
 #include "sim/step.h"
+#include "sim/world/command.h"
 
 namespace game {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/stage_watch.h"
+#include "sim/stages/stage_watch.h"
 
 namespace game {
 namespace {

@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "game/flow_kinds.h"
-#include "game/limits.h"
-#include "game/number.h"
+#include "game/base/limits.h"
+#include "game/base/number.h"
+#include "game/base/version.h"
 #include "game/recording/ground_data.h"
-#include "game/version.h"
+#include "game/scene/flow_kinds.h"
 
 namespace game {
 namespace {

@@ -9,9 +9,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "game/memory.h"
-#include "game/start.h"
-#include "sim/ledger.h"
+#include "game/scene/memory.h"
+#include "game/scene/start.h"
+#include "sim/world/ledger.h"
 
 namespace game {
 

@@ -5,7 +5,7 @@
 
 #include <tl/expected.hpp>
 
-#include "game/start.h"
+#include "game/scene/start.h"
 
 namespace game {
 

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "files/input.h"
-#include "game/limits.h"
+#include "game/base/limits.h"
 #include "game/recording/chain.h"
 #include "terrains/json_reader.h"
 

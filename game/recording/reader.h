@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "game/outcome.h"
+#include "game/base/outcome.h"
 #include "game/recording/format.h"
 
 namespace game {
@@ -24,9 +24,9 @@ struct Recording {
 // Whether the file says anything about a tick. Errors: it ends earlier (status 2).
 Outcome<void> check_tick(const Recording& recording, std::int64_t tick, const std::string& name);
 
-// Reads and checks a whole recording, in time and memory linear in the file, within game/limits.h. A torn
-// last line and a missing end are a warning; any other damage is an error that names the line, and so is a
-// terrain that `memory` does not allow. A line that names a tick more than ticks_per_state after the last
+// Reads and checks a whole recording, in time and memory linear in the file, within game/base/limits.h. A
+// torn last line and a missing end are a warning; any other damage is an error that names the line, and so is
+// a terrain that `memory` does not allow. A line that names a tick more than ticks_per_state after the last
 // state line is damage: the states between are missing. A fork may have none before its parent's tick.
 Outcome<Recording> read_recording(const std::filesystem::path& path, const Memory& memory = {});
 // The same from what can be gone back in; `name` is what complaints begin with.

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "files/descriptor.h"
-#include "game/outcome.h"
+#include "game/base/outcome.h"
 #include "game/recording/chain.h"
 #include "game/recording/format.h"
 #include "game/recording/reader.h"

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/params.h"
+#include "sim/world/params.h"
 
 namespace game {
 namespace {

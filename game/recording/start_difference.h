@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "game/start.h"
+#include "game/scene/start.h"
 
 namespace game {
 

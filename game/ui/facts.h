@@ -3,16 +3,16 @@
 #include <optional>
 #include <string_view>
 
-#include "game/brush.h"
-#include "game/camera_control.h"
-#include "game/catalogue.h"
-#include "game/display.h"
-#include "game/frame_times.h"
-#include "game/notices.h"
-#include "game/probe.h"
-#include "game/start.h"
-#include "game/tick_clock.h"
-#include "sim/state.h"
+#include "game/controls/brush.h"
+#include "game/controls/camera_control.h"
+#include "game/controls/catalogue.h"
+#include "game/controls/display.h"
+#include "game/controls/frame_times.h"
+#include "game/controls/notices.h"
+#include "game/controls/probe.h"
+#include "game/controls/tick_clock.h"
+#include "game/scene/start.h"
+#include "sim/world/state.h"
 
 namespace game::ui {
 

@@ -8,7 +8,7 @@
 
 #include <imgui.h>
 
-#include "game/events.h"
+#include "game/controls/events.h"
 
 namespace game::ui {
 

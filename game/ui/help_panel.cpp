@@ -2,7 +2,7 @@
 #include <array>
 #include <string>
 
-#include "game/key_map.h"
+#include "game/controls/key_map.h"
 #include "game/ui/panels.h"
 
 namespace game::ui {

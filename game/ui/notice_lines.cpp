@@ -2,7 +2,7 @@
 #include <array>
 #include <cstdio>
 
-#include "game/key_map.h"
+#include "game/controls/key_map.h"
 #include "game/ui/panels.h"
 
 // Sentences over the picture: notices and the first hint. They are drawn, not windows: a hand reaches

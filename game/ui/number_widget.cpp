@@ -1,7 +1,7 @@
 #include <array>
 #include <cstdio>
 
-#include "game/number.h"
+#include "game/base/number.h"
 #include "game/ui/widgets.h"
 
 // The typed number, a page of its own.

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "game/action.h"
+#include "game/controls/action.h"
 #include "game/ui/facts.h"
 #include "game/ui/widgets.h"
 

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "game/ui/panels.h"
-#include "sim/params.h"
+#include "sim/world/params.h"
 
 namespace game::ui {
 namespace {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "game/key_map.h"
+#include "game/controls/key_map.h"
 #include "game/ui/panels.h"
-#include "sim/ledger.h"
+#include "sim/world/ledger.h"
 
 namespace game::ui {
 namespace {

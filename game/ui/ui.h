@@ -6,9 +6,9 @@
 #include <span>
 #include <string_view>
 
-#include "game/action.h"
-#include "game/events.h"
-#include "game/screen.h"
+#include "game/controls/action.h"
+#include "game/controls/events.h"
+#include "game/controls/screen.h"
 #include "game/ui/facts.h"
 
 namespace game::ui {

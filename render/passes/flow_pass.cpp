@@ -8,7 +8,7 @@
 #include "assets/shaders/slots.glsl"
 #include "render/passes/scoped_state.h"
 #include "render/program.h"
-#include "sim/check.h"
+#include "sim/core/check.h"
 
 namespace render {
 namespace {

@@ -13,8 +13,8 @@
 #include "render/marks.h"
 #include "render/remesher.h"
 #include "render/target.h"
+#include "sim/core/grid.h"
 #include "sim/front/flow_view.h"
-#include "sim/grid.h"
 
 namespace render {
 

@@ -7,7 +7,7 @@
 
 #include "render/frame_block.h"
 #include "render/gl_handle.h"
-#include "sim/grid.h"
+#include "sim/core/grid.h"
 
 namespace render {
 

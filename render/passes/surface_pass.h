@@ -6,7 +6,7 @@
 #include <tl/expected.hpp>
 
 #include "render/gl_handle.h"
-#include "sim/grid.h"
+#include "sim/core/grid.h"
 
 namespace render {
 

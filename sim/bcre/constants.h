@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "sim/exponential.h"
-#include "sim/params.h"
-#include "sim/quanta.h"
+#include "sim/simd/exponential.h"
+#include "sim/world/params.h"
+#include "sim/world/quanta.h"
 
 namespace sim::bcre {
 

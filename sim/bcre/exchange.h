@@ -1,7 +1,8 @@
 #pragma once
 
-#include "sim/bcre/slope.h"
-#include "sim/exponential.h"
+#include "sim/bcre/constants.h"
+#include "sim/simd/exponential.h"
+#include "sim/stages/slope.h"
 
 // Exchange between the layers: ∂R/∂t = γ R p, ∂h/∂t = −γ R p, with p = S − s_stop and S the slope toward the
 // lower neighbours of h (slope.h). In a thick flow only the lowest R_c of the layer reaches the ground:

@@ -1,8 +1,8 @@
 #include "sim/bcre/plain.h"
 
 #include "sim/bcre/stages.h"
-#include "sim/over_rows.h"
-#include "sim/scratch.h"
+#include "sim/stages/over_rows.h"
+#include "sim/stages/scratch.h"
 
 namespace sim::bcre {
 namespace {

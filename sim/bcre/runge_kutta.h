@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/numbers.h"
+#include "sim/simd/numbers.h"
 
 // Second order in time (SSP-RK2; Gottlieb, Shu and Tadmor 2001), with L what transport and exchange do in a
 // sub-step:

@@ -11,9 +11,9 @@
 #include "sim/bcre/velocity.h"
 #include "sim/bcre/work.h"
 #include "sim/bcre/yield.h"
-#include "sim/stages.h"
+#include "sim/stages/stages.h"
 
-// The stages of `bcre`, in call order, after halo and drops (sim/stages.h).
+// The stages of `bcre`, in call order, after halo and drops (sim/stages/stages.h).
 
 namespace sim::bcre {
 

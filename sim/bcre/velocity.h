@@ -1,6 +1,7 @@
 #pragma once
 
-#include "sim/bcre/slope.h"
+#include "sim/bcre/constants.h"
+#include "sim/stages/slope.h"
 
 // Velocity of the rolling layer in `bcre`: from a vertex to each of its lower neighbours, in proportion to
 // the drop, at the speed of a law. The ground says it, also where nothing rolls: it has no inertia.

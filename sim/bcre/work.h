@@ -3,8 +3,8 @@
 #include <array>
 
 #include "sim/bcre/constants.h"
-#include "sim/params.h"
-#include "sim/rows.h"
+#include "sim/simd/rows.h"
+#include "sim/world/params.h"
 
 // What the stages of a sub-step of `bcre` work on, as rows (rows.h).
 

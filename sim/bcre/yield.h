@@ -1,6 +1,7 @@
 #pragma once
 
-#include "sim/bcre/slope.h"
+#include "sim/bcre/constants.h"
+#include "sim/stages/slope.h"
 
 // Two thresholds (Daerr & Douady 1999). A vertex whose rolling layer is thinner than R_min is at rest:
 //

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/check.h"
-#include "sim/workers.h"
+#include "sim/core/check.h"
+#include "sim/core/workers.h"
 
 namespace sim::fields {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "sim/workers.h"
+#include "sim/core/workers.h"
 
 namespace sim::fields {
 namespace {

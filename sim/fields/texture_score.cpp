@@ -9,9 +9,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "sim/check.h"
+#include "sim/core/check.h"
+#include "sim/core/workers.h"
 #include "sim/front/gradient.h"
-#include "sim/workers.h"
 
 namespace sim::fields {
 namespace {

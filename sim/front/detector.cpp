@@ -9,7 +9,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "sim/check.h"
+#include "sim/core/check.h"
 
 // All vertices and edges are looked at by the scan (scan.h), for the least that the rule may take for a jump.
 // What it finds, which is little, is looked at again by the rule itself. Squares of jumps are compared,

@@ -1,13 +1,15 @@
 #pragma once
 
+#include <algorithm>
+
 #include "sim/front/moving_quadratic.h"
-#include "sim/sweep/sweep.h"
+#include "sim/simd/instruction_set.h"
 
 // What is done to every row of a fit (space_time_fit.h), a few at a time. Rows are added up in so many lanes
 // on any machine, so that the bits do not depend on it.
 //
-// As in sim/sweep/sweep.h nothing here is more than pointers and numbers, because the files fit_v*.cpp are
-// compiled for instruction sets that a machine may lack.
+// Nothing here is more than pointers and numbers, because fit_kernel.cpp is compiled for
+// instruction sets that a machine may lack.
 
 namespace sim::front::fit {
 
@@ -81,7 +83,15 @@ struct Kernels {
     // those that do not count are right. The most.
     double (*find_wrong)(const double (&c)[3], const CrossingRows&, int count, double* here, double* beyond);
 };
-extern const Kernels kKernels_baseline, kKernels_v3, kKernels_v4;
-const Kernels& kernels_for(InstructionSet set);
+template <InstructionSet set>
+const Kernels& kernels();
+
+// Of an instruction set that this machine has. Rows are too short for the vectors of x86-64-v4, which has the
+// kernels of v3.
+inline const Kernels& kernels_for(InstructionSet set) {
+    return with_instruction_set(std::min(set, InstructionSet::kX86_64_v3), [](auto its) -> const Kernels& {
+        return kernels<std::min(its(), InstructionSet::kX86_64_v3)>();
+    });
+}
 
 }  // namespace sim::front::fit

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/check.h"
+#include "sim/core/check.h"
 
 namespace sim::front {
 namespace {

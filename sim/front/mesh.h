@@ -7,7 +7,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "sim/grid.h"
+#include "sim/core/grid.h"
 
 namespace sim::front {
 

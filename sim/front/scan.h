@@ -2,14 +2,14 @@
 
 #include <cstdint>
 
-#include "sim/sweep/sweep.h"
+#include "sim/simd/instruction_set.h"
 
 // Where velocities may jump, many vertices at a time: what a detector looks at in every step, whatever the
 // flow does. Answers are bits of vertices side by side, 64 to a word. None of what is sought is missed; of
 // what is found some may be less.
 //
-// As in sim/sweep/sweep.h nothing here is more than pointers and numbers, because the files scan_*.cpp are
-// compiled for instruction sets that a machine may lack.
+// Nothing here is more than pointers and numbers, because scan_kernel.cpp is compiled for
+// instruction sets that a machine may lack.
 
 namespace sim::front::scan {
 
@@ -29,7 +29,12 @@ struct Kernels {
     // Which lie above the level: these and no others.
     void (*find_above)(const float* scalar, int count, float level, Word* above);
 };
-extern const Kernels kKernels_baseline, kKernels_v3, kKernels_v4;
-const Kernels& kernels_for(InstructionSet set);
+template <InstructionSet set>
+const Kernels& kernels();
+
+// Of an instruction set that this machine has.
+inline const Kernels& kernels_for(InstructionSet set) {
+    return with_instruction_set(set, [](auto its) -> const Kernels& { return kernels<its()>(); });
+}
 
 }  // namespace sim::front::scan

@@ -7,7 +7,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "sim/aligned.h"
+#include "sim/core/aligned.h"
 #include "sim/front/detector.h"
 #include "sim/front/fit_lanes.h"
 #include "sim/front/locator.h"

@@ -8,9 +8,9 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "sim/check.h"
+#include "sim/core/check.h"
+#include "sim/core/workers.h"
 #include "sim/front/gradient.h"
-#include "sim/workers.h"
 
 // Coordinates are kept as what they differ by from the place: material keeps its coordinates c = x + o while
 // it travels, so a vertex's offset is that of where the flow comes from, less the way. There it is looked up

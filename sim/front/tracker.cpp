@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "sim/check.h"
+#include "sim/core/check.h"
 #include "sim/front/hold.h"
 #include "sim/front/locator.h"
 

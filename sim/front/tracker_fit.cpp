@@ -7,9 +7,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "sim/core/workers.h"
 #include "sim/front/locator.h"
 #include "sim/front/space_time_fit.h"
-#include "sim/workers.h"
 
 // A vertex flips when a front passes it: its velocity jumps. The flips near a cut edge, with their times,
 // sides and directions, are samples of the surface that the front sweeps in space and time. A small quadratic

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "sim/check.h"
+#include "sim/core/check.h"
 #include "sim/front/locator.h"
 
 // Where a scalar s that is known at the vertices has its level L: on an edge from a to b, with s linear

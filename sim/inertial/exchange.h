@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/inertial/work.h"
-#include "sim/stages.h"
+#include "sim/stages/stages.h"
 
 // Exchange between the layers, S the slope of h toward its lower neighbours, erosion positive:
 //
@@ -31,8 +31,7 @@ struct Slope {
     Number tangent, spread;
 };
 template <class Number>
-[[gnu::always_inline]] inline Slope<Number> slope_of(const bcre::Drops<Number>& drop,
-                                                     Scalar<Number> per_cell) {
+[[gnu::always_inline]] inline Slope<Number> slope_of(const Drops<Number>& drop, Scalar<Number> per_cell) {
     const Number none(0);
     const Number gx = larger(larger(drop.west, drop.east), none) * per_cell;
     const Number gy = larger(larger(drop.south, drop.north), none) * per_cell;
@@ -55,11 +54,11 @@ auto find_exchange(const Work<S>& w, const Level<S>& level, int y) {
             store(none, to + i);
             return;
         }
-        const bcre::Drops<Number> drop = outward<Number>(drop_x, south, north, i);
+        const Drops<Number> drop = outward<Number>(drop_x, south, north, i);
         const Number slope =
-            bcre::fall_of<Number>({drop.east + at<Number>(bend_x, i + 1), drop.west + at<Number>(bend_x, i),
-                                   drop.north + at<Number>(bend_north, i),
-                                   drop.south + at<Number>(bend_south, i)}) *
+            fall_of<Number>({drop.east + at<Number>(bend_x, i + 1), drop.west + at<Number>(bend_x, i),
+                             drop.north + at<Number>(bend_north, i),
+                             drop.south + at<Number>(bend_south, i)}) *
             c.per_cell;
         const Number steep = larger(slope - c.erosion_slope, none);
         Number eroded = none, laid = none;

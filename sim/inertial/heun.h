@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "sim/inertial/work.h"
-#include "sim/stages.h"
+#include "sim/stages/stages.h"
 
 // Heun's method, which is the second-order one of Gottlieb, Shu and Tadmor (2001), between two halves of
 // relaxation A (Strang 1968). L is what transport and exchange do in a sub-step:

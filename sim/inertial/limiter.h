@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/numbers.h"
+#include "sim/simd/numbers.h"
 
 namespace sim::inertial {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/forward.h"
+#include "sim/world/forward.h"
 
 // A sub-step of `bcre-inertial` stage by stage over whole fields: the step as it reads, beside the sweep that
 // does the same row after row (sweep/).

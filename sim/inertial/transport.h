@@ -2,7 +2,7 @@
 
 #include "sim/inertial/limiter.h"
 #include "sim/inertial/work.h"
-#include "sim/stages.h"
+#include "sim/stages/stages.h"
 
 // Layer and momentum through a face, second order where they are smooth:
 //

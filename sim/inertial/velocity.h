@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/inertial/work.h"
-#include "sim/stages.h"
+#include "sim/stages/stages.h"
 
 // The velocity at which a layer would end on the surface as it lies now, by central differences over the
 // vertex's four neighbours:

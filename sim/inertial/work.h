@@ -2,10 +2,10 @@
 
 #include <array>
 
-#include "sim/exponential.h"
-#include "sim/params.h"
-#include "sim/quanta.h"
-#include "sim/rows.h"
+#include "sim/simd/exponential.h"
+#include "sim/simd/rows.h"
+#include "sim/world/params.h"
+#include "sim/world/quanta.h"
 
 // What the stages of a sub-step of `bcre-inertial` work with: numbers, and rows (rows.h).
 

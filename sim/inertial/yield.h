@@ -4,7 +4,7 @@
 
 #include "sim/inertial/exchange.h"
 #include "sim/inertial/work.h"
-#include "sim/stages.h"
+#include "sim/stages/stages.h"
 
 // Two thresholds (Daerr & Douady 1999). A vertex whose rolling layer is thinner than R_min and slow is at
 // rest:

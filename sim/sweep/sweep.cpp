@@ -3,75 +3,17 @@
 #include <algorithm>
 #include <numeric>
 
-#include "sim/state.h"
+#include "sim/core/workers.h"
 #include "sim/sweep/sweeper.h"
-#include "sim/workers.h"
+#include "sim/world/state.h"
 
-namespace sim {
-
-bool has(InstructionSet set) {
-#if defined(__clang__)
-    // With libstdc++ 12, clang 14 takes the masks of 512-bit lanes for their opposite.
-    if (set == InstructionSet::kX86_64_v4) return false;
-#endif
-#if defined(__x86_64__)
-    switch (set) {
-        case InstructionSet::kBaseline:
-            break;
-        case InstructionSet::kX86_64_v3:
-            return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi2") &&
-                   __builtin_cpu_supports("fma");
-        case InstructionSet::kX86_64_v4:
-            return has(InstructionSet::kX86_64_v3) && __builtin_cpu_supports("avx512f") &&
-                   __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
-                   __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd");
-    }
-#endif
-    return set == InstructionSet::kBaseline;
-}
-
-InstructionSet best_instruction_set() {
-    for (const auto set : {InstructionSet::kX86_64_v4, InstructionSet::kX86_64_v3})
-        if (has(set)) return set;
-    return InstructionSet::kBaseline;
-}
-
-std::string_view to_string(InstructionSet set) {
-#if defined(__x86_64__)
-    constexpr std::string_view kBaseline = "x86-64-v2";
-#elif defined(__aarch64__)
-    constexpr std::string_view kBaseline = "aarch64-neon";
-#else
-    constexpr std::string_view kBaseline = "baseline";
-#endif
-    constexpr std::string_view kNames[] = {kBaseline, "x86-64-v3", "x86-64-v4"};
-    return kNames[static_cast<std::size_t>(set)];
-}
-
-namespace sweep {
+namespace sim::sweep {
 namespace {
 
 constexpr int kAproned = 4;             // fields that a job changes while others read beside it
 constexpr int kApronRows = kApron + 1;  // of each, on a side: with the halo, if the world ends there
 
-struct Kernels {
-    Sweep sweep;
-    Velocity velocity;
-    Quanta quanta;
-};
-Kernels kernels_for(InstructionSet set) {
-    if constexpr (kMoreThanBaseline) {
-        if (set == InstructionSet::kX86_64_v4) return {sweep_v4, velocity_v4, quanta_v4};
-        if (set == InstructionSet::kX86_64_v3) return {sweep_v3, velocity_v3, quanta_v3};
-    }
-    return {sweep_baseline, velocity_baseline, quanta_baseline};
-}
-
 }  // namespace
-
-Quanta quanta_for(InstructionSet set) {
-    return kernels_for(set).quanta;
-}
 
 Sweeper::Sweeper(const State& s, int threads, bool last_tile_first)
     : last_tile_first_(last_tile_first),
@@ -171,7 +113,7 @@ std::int64_t Sweeper::substep(State& s, Workers& workers, InstructionSet set, Su
     const Ground ground = open(s, s.tiles.awake, workers.threads(), sub);
     if (jobs_.empty()) return 0;
 
-    const Sweep sweep = kernels_for(set).sweep;
+    const auto sweep = kernels_for(set).sweep;
     const int count = static_cast<int>(jobs_.size());
     workers.each_band(count, [&](int first, int last) {
         for (int i = first; i < last; ++i) copy_aprons(s, jobs_[static_cast<std::size_t>(i)]);
@@ -194,12 +136,11 @@ void Sweeper::find_velocity(State& s, Workers& workers, InstructionSet set) {
                    [](std::uint8_t awake, std::uint8_t written) { return std::uint8_t(awake | written); });
     const Ground ground = open(s, stale_, workers.threads(), {});
     if (jobs_.empty()) return;
-    const Velocity velocity = kernels_for(set).velocity;
+    const auto velocity = kernels_for(set).velocity;
     workers.each_member(static_cast<int>(jobs_.size()), [&](int member, int first, int last) {
         for (int i = first; i < last; ++i)
             velocity(ground, jobs_[static_cast<std::size_t>(i)], work_of(member));
     });
 }
 
-}  // namespace sweep
-}  // namespace sim
+}  // namespace sim::sweep

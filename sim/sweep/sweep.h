@@ -3,38 +3,20 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 
-#include "sim/activity.h"
 #include "sim/bcre/constants.h"
+#include "sim/core/activity.h"
 #include "sim/inertial/work.h"
-#include "sim/outlets.h"
+#include "sim/simd/instruction_set.h"
+#include "sim/world/outlets.h"
 
 // A sub-step in one sweep over the rows, many vertices at a time: the stages of the plain step
 // (bcre/stages.h, inertial/stages.h), and the same bits, without a field between them.
 //
-// Nothing here is more than pointers and numbers. The files sweep_*.cpp are compiled for instruction sets
-// that a machine may lack, so they must not share a function with the rest of the program.
+// Nothing here is more than pointers and numbers. kernel.cpp is compiled for instruction sets that a machine
+// may lack, so it must not share a function with the rest of the program.
 
-namespace sim {
-
-// What a kernel is compiled for, plainest first. The bits do not depend on it. The baseline is what every
-// processor of a kind has: x86-64-v2, or the NEON of aarch64; only x86-64 has more.
-enum class InstructionSet { kBaseline, kX86_64_v3, kX86_64_v4 };
-#if defined(__x86_64__)
-inline constexpr std::array kInstructionSets{InstructionSet::kBaseline, InstructionSet::kX86_64_v3,
-                                             InstructionSet::kX86_64_v4};
-#else
-inline constexpr std::array kInstructionSets{InstructionSet::kBaseline};
-#endif
-inline constexpr bool kMoreThanBaseline = kInstructionSets.size() > 1;
-
-// The newest that this machine has and this program was built with.
-InstructionSet best_instruction_set();
-bool has(InstructionSet set);
-std::string_view to_string(InstructionSet set);
-
-namespace sweep {
+namespace sim::sweep {
 
 // A sub-step's world as the sweep sees it: pointers to vertex (0, 0), rows `stride` apart.
 struct Ground {
@@ -68,27 +50,23 @@ struct Job {
 // Rows that a thread works with, each `stride` floats: the most that a sweep takes is 168, for bcre-inertial.
 inline constexpr int kWorkRows = 192;
 
-// Returns what left the world, in quanta. `work` points to x = 0 of the first work row, `active` to a byte
-// for each run of lanes in a row, all 0.
-using Sweep = std::int64_t (*)(const Ground& ground, const Job& job, float* work, std::uint8_t* active);
-std::int64_t sweep_baseline(const Ground& ground, const Job& job, float* work, std::uint8_t* active);
-std::int64_t sweep_v3(const Ground& ground, const Job& job, float* work, std::uint8_t* active);
-std::int64_t sweep_v4(const Ground& ground, const Job& job, float* work, std::uint8_t* active);
+// What is compiled for each instruction set (kernel.cpp).
+struct Kernels {
+    // Sweeps a job through one sub-step. Returns what left the world, in quanta. `work` points to x = 0 of
+    // the first work row, `active` to a byte for each run of lanes in a row, all 0.
+    std::int64_t (*sweep)(const Ground& ground, const Job& job, float* work, std::uint8_t* active);
+    // The velocity at the end of a tick, for who looks on; 0 where nothing rolls.
+    void (*velocity)(const Ground& ground, const Job& job, float* work);
+    // What a layer holds on `width` by `height` vertices from `first` on, rows `stride` apart, in quanta:
+    // exact.
+    std::int64_t (*quanta)(const float* first, std::ptrdiff_t stride, int width, int height);
+};
+template <InstructionSet set>
+const Kernels& kernels();
 
-// The velocity at the end of a tick, for who looks on; 0 where nothing rolls.
-using Velocity = void (*)(const Ground& ground, const Job& job, float* work);
-void velocity_baseline(const Ground& ground, const Job& job, float* work);
-void velocity_v3(const Ground& ground, const Job& job, float* work);
-void velocity_v4(const Ground& ground, const Job& job, float* work);
+// Of an instruction set that this machine has.
+inline const Kernels& kernels_for(InstructionSet set) {
+    return with_instruction_set(set, [](auto its) -> const Kernels& { return kernels<its()>(); });
+}
 
-// What a layer holds on `width` by `height` vertices from `first` on, rows `stride` apart, in quanta: exact.
-using Quanta = std::int64_t (*)(const float* first, std::ptrdiff_t stride, int width, int height);
-std::int64_t quanta_baseline(const float* first, std::ptrdiff_t stride, int width, int height);
-std::int64_t quanta_v3(const float* first, std::ptrdiff_t stride, int width, int height);
-std::int64_t quanta_v4(const float* first, std::ptrdiff_t stride, int width, int height);
-
-// By the kernel of an instruction set that this machine has.
-Quanta quanta_for(InstructionSet set);
-
-}  // namespace sweep
-}  // namespace sim
+}  // namespace sim::sweep

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "sim/aligned.h"
-#include "sim/quanta.h"
+#include "sim/core/aligned.h"
 #include "sim/sweep/sweep.h"
+#include "sim/world/quanta.h"
 
 namespace sim {
 

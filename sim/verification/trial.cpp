@@ -1,9 +1,10 @@
 #include "sim/verification/trial.h"
+#include "sim/initial_state.h"
 
 #include <cmath>
 
-#include "sim/quanta.h"
 #include "sim/step.h"
+#include "sim/world/quanta.h"
 
 namespace sim::verification {
 namespace {

@@ -4,11 +4,11 @@
 #include <functional>
 #include <vector>
 
-#include "sim/layers.h"
-#include "sim/params.h"
-#include "sim/scratch.h"
+#include "sim/core/workers.h"
+#include "sim/stages/scratch.h"
 #include "sim/verification/cases.h"
-#include "sim/workers.h"
+#include "sim/world/layers.h"
+#include "sim/world/params.h"
 
 namespace sim::verification {
 

@@ -1,11 +1,11 @@
-#include "game/app.h"
+#include "game/app/app.h"
 
 #include <cstdlib>
 
 #include <gtest/gtest.h>
 
 #include "game/recording/reader.h"
-#include "game/recording/verifier.h"
+#include "game/session/verifier.h"
 #include "render/picture.h"
 #include "tests/app/gl_screen.h"
 #include "tests/support/allocations.h"

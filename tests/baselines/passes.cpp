@@ -6,7 +6,7 @@
 
 #include "render/frame.h"
 #include "render/overview.h"
-#include "sim/workers.h"
+#include "sim/core/workers.h"
 #include "tests/baselines/image_baseline.h"
 #include "tests/render/world.h"
 #include "tests/support/places.h"

@@ -9,10 +9,10 @@
 
 #include <benchmark/benchmark.h>
 
+#include "game/session/world_fronts.h"
+#include "sim/core/workers.h"
 #include "sim/fields/test_flows.h"
 #include "sim/front/gradient.h"
-#include "sim/front/world_fronts.h"
-#include "sim/workers.h"
 #include "tests/bench/world.h"
 #include "tests/replay/play.h"
 
@@ -178,7 +178,7 @@ void snow_avalanche(benchmark::State& run) {
     std::vector<double> times;
     double points = 0;
     for (auto _ : run) {
-        std::optional<sim::front::WorldFronts> fronts;
+        std::optional<game::WorldFronts> fronts;
         double seconds = 0;
         game::test::play(recording, 1, recording.last_tick(), [&](const game::Session& now) {
             if (!fronts) fronts.emplace(now.state().grid, 0.1f, sim::front::LayerRule{});

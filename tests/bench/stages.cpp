@@ -6,7 +6,8 @@
 
 #include "sim/bcre/plain.h"
 #include "sim/bcre/stages.h"
-#include "sim/quanta.h"
+#include "sim/sweep/count_mass.h"
+#include "sim/world/quanta.h"
 
 // Nanoseconds per cell of each stage of a step by itself, on one thread, where the step would call it: the
 // world and the scratch are those of a step that was done before.

@@ -7,10 +7,10 @@
 #include <benchmark/benchmark.h>
 
 #include "game/recording/format.h"
-#include "sim/quanta.h"
-#include "sim/state_hash.h"
+#include "sim/core/workers.h"
 #include "sim/sweep/sweeper.h"
-#include "sim/workers.h"
+#include "sim/world/quanta.h"
+#include "sim/world/state_hash.h"
 #include "tests/bench/world.h"
 
 // How long a step takes per cell and sub-step, in the worst case: material rolls in every cell. `solver` is

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "sim/workers.h"
+#include "sim/core/workers.h"
 
 namespace {
 

@@ -8,10 +8,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "sim/core/workers.h"
 #include "sim/fields/test_flows.h"
 #include "sim/front/gradient.h"
 #include "sim/front/remesh_reference.h"
-#include "sim/workers.h"
 
 namespace {
 

@@ -7,9 +7,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "sim/core/workers.h"
 #include "sim/fields/texture_score.h"
 #include "sim/front/flow_view.h"
-#include "sim/workers.h"
 
 // Textures that travel: with the flow, on either side of a front, and not drawn out.
 

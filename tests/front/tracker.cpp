@@ -8,8 +8,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "sim/core/workers.h"
 #include "sim/fields/test_flows.h"
-#include "sim/workers.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include "tests/fuzz/try_reader.h"
 
-#include "game/material.h"
-#include "sim/params.h"
+#include "game/scene/material.h"
+#include "sim/world/params.h"
 
 namespace game::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "game/array_file.h"
+#include "game/files/array_file.h"
 
 namespace game::test {
 namespace {

@@ -1,6 +1,6 @@
 #include "tests/fuzz/try_reader.h"
 
-#include "game/mesh_file.h"
+#include "game/files/mesh_file.h"
 
 namespace game::test {
 namespace {

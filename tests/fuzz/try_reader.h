@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "game/outcome.h"
+#include "game/base/outcome.h"
 
 namespace game::test {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "game/scene.h"
-#include "sim/params.h"
+#include "game/scene/scene.h"
+#include "sim/world/params.h"
 
 namespace game::test {
 namespace {

@@ -7,12 +7,12 @@
 
 #include <gtest/gtest.h>
 
-#include "game/assets.h"
+#include "game/analysis/trace.h"
 #include "game/bench/against.h"
 #include "game/bench/page.h"
-#include "game/bench/plot.h"
 #include "game/bench/report.h"
-#include "game/trace.h"
+#include "game/files/assets.h"
+#include "game/pages/plot.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"
 #include "tests/support/places.h"

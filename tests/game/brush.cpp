@@ -1,4 +1,4 @@
-#include "game/brush.h"
+#include "game/controls/brush.h"
 
 #include <cmath>
 

@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
-#include "game/surface.h"
+#include "game/scene/surface.h"
 #include "tests/support/worlds.h"
 
 namespace game::test {

@@ -7,9 +7,9 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "game/camera_control.h"
+#include "game/controls/camera_control.h"
 #include "render/camera.h"
-#include "sim/state.h"
+#include "sim/world/state.h"
 
 // Worlds, hands and measures for the tests of the camera.
 namespace game::test {

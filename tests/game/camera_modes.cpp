@@ -1,4 +1,4 @@
-#include "game/camera_control.h"
+#include "game/controls/camera_control.h"
 
 #include <cmath>
 

@@ -1,11 +1,11 @@
-#include "game/catalogue.h"
+#include "game/controls/catalogue.h"
 
 #include <algorithm>
 #include <filesystem>
 
 #include <gtest/gtest.h>
 
-#include "game/assets.h"
+#include "game/files/assets.h"
 
 namespace game::test {
 namespace {

@@ -8,7 +8,7 @@
 #include "game/compare/desync_picture.h"
 #include "game/compare/difference_map.h"
 #include "game/compare/edit.h"
-#include "game/recording/verifier.h"
+#include "game/session/verifier.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"
 #include "tests/support/places.h"

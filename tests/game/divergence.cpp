@@ -9,8 +9,8 @@
 
 #include "game/recording/divergence_report.h"
 #include "game/recording/start_difference.h"
-#include "sim/named_fields.h"
-#include "sim/scratch.h"
+#include "sim/stages/named_fields.h"
+#include "sim/stages/scratch.h"
 #include "tests/game/recording_files.h"
 
 namespace game::test {

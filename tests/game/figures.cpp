@@ -9,12 +9,12 @@
 
 #include <gtest/gtest.h>
 
+#include "game/base/number.h"
 #include "game/figures/field_figure.h"
 #include "game/figures/level_flow.h"
 #include "game/figures/mosaic.h"
 #include "game/figures/numbers.h"
 #include "game/figures/page.h"
-#include "game/number.h"
 #include "tests/game/program.h"
 #include "tests/support/places.h"
 

@@ -1,4 +1,4 @@
-#include "game/file_use.h"
+#include "game/files/file_use.h"
 
 #include <filesystem>
 

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "game/recording/reader.h"
-#include "game/scene.h"
-#include "game/session.h"
+#include "game/scene/scene.h"
+#include "game/session/session.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"
 #include "tests/support/places.h"

@@ -1,4 +1,4 @@
-#include "game/frame_times.h"
+#include "game/controls/frame_times.h"
 
 #include <gtest/gtest.h>
 

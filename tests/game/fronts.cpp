@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "game/scene.h"
-#include "game/session.h"
-#include "sim/state_hash.h"
+#include "game/scene/scene.h"
+#include "game/session/session.h"
+#include "sim/world/state_hash.h"
 
 // A session whose fronts are followed: seen, and never felt.
 namespace game::test {

@@ -9,12 +9,12 @@
 
 #include <gtest/gtest.h>
 
-#include "game/array_file.h"
 #include "game/bench/against.h"
-#include "game/mesh_file.h"
-#include "game/opening.h"
+#include "game/files/array_file.h"
+#include "game/files/mesh_file.h"
+#include "game/files/toml_table.h"
 #include "game/recording/reader.h"
-#include "game/toml_table.h"
+#include "game/session/opening.h"
 #include "tests/game/program.h"
 #include "tests/support/places.h"
 

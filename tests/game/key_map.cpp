@@ -1,4 +1,4 @@
-#include "game/key_map.h"
+#include "game/controls/key_map.h"
 
 #include <set>
 

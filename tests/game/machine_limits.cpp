@@ -12,9 +12,9 @@
 
 #include <gtest/gtest.h>
 
+#include "game/files/text_file.h"
 #include "game/recording/reader.h"
 #include "game/recording/recorder.h"
-#include "game/text_file.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"
 #include "tests/game/subcommands.h"

@@ -1,4 +1,4 @@
-#include "game/material.h"
+#include "game/scene/material.h"
 
 #include <cmath>
 #include <filesystem>
@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "game/assets.h"
-#include "game/number.h"
+#include "game/base/number.h"
+#include "game/files/assets.h"
 #include "tests/game/program.h"
 #include "tests/support/places.h"
 

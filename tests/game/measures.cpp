@@ -1,4 +1,4 @@
-#include "game/measures.h"
+#include "game/analysis/measures.h"
 
 #include <cmath>
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "game/session.h"
+#include "game/session/session.h"
 
 namespace game::test {
 namespace {

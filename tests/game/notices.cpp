@@ -1,4 +1,4 @@
-#include "game/notices.h"
+#include "game/controls/notices.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "game/number.h"
+#include "game/base/number.h"
 
 #include <cmath>
 #include <cstdint>
@@ -10,10 +10,10 @@
 
 #include <gtest/gtest.h>
 
+#include "game/base/outcome.h"
 #include "game/command_line.h"
 #include "game/compare/edit.h"
-#include "game/outcome.h"
-#include "sim/command.h"
+#include "sim/world/command.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"
 

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "game/headless.h"
-#include "game/recording/verifier.h"
+#include "game/analysis/headless.h"
+#include "game/session/verifier.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"
 #include "tests/support/places.h"

@@ -1,4 +1,4 @@
-#include "game/opening.h"
+#include "game/session/opening.h"
 
 #include <gtest/gtest.h>
 

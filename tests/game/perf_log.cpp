@@ -1,4 +1,4 @@
-#include "game/perf_log.h"
+#include "game/session/perf_log.h"
 
 #include <algorithm>
 #include <cmath>

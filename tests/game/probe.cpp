@@ -1,4 +1,4 @@
-#include "game/probe.h"
+#include "game/controls/probe.h"
 
 #include <cmath>
 

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
-#include "game/headless.h"
-#include "game/session.h"
+#include "game/analysis/headless.h"
+#include "game/session/session.h"
 
 namespace game::test {
 

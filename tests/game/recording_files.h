@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "game/recording/reader.h"
-#include "game/start.h"
+#include "game/scene/start.h"
 
 namespace game::test {
 

@@ -1,4 +1,4 @@
-#include "game/sandbox.h"
+#include "game/session/sandbox.h"
 
 #include <csignal>
 #include <fstream>
@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "game/catalogue.h"
-#include "game/recordings_folder.h"
+#include "game/controls/catalogue.h"
+#include "game/files/recordings_folder.h"
 #include "tests/game/recording_files.h"
 #include "tests/support/places.h"
 

@@ -1,11 +1,11 @@
-#include "game/scene.h"
+#include "game/scene/scene.h"
 
 #include <filesystem>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "game/assets.h"
+#include "game/files/assets.h"
 #include "tests/game/program.h"
 #include "tests/support/places.h"
 

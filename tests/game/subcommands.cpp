@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "game/bench/report.h"
-#include "game/scene.h"
+#include "game/scene/scene.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"
 #include "tests/support/places.h"

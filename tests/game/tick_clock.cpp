@@ -1,4 +1,4 @@
-#include "game/tick_clock.h"
+#include "game/controls/tick_clock.h"
 
 #include <gtest/gtest.h>
 

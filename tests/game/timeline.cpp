@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "game/assets.h"
-#include "game/keyframes.h"
-#include "game/sandbox.h"
+#include "game/files/assets.h"
+#include "game/session/keyframes.h"
+#include "game/session/sandbox.h"
 #include "tests/game/recording_files.h"
 #include "tests/support/places.h"
 

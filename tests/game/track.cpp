@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "game/array_file.h"
-#include "game/mesh_file.h"
-#include "game/number.h"
+#include "game/base/number.h"
+#include "game/files/array_file.h"
+#include "game/files/mesh_file.h"
 #include "tests/game/program.h"
 #include "tests/support/places.h"
 

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "game/assets.h"
+#include "game/files/assets.h"
 #include "tests/fuzz/try_reader.h"
 #include "tests/game/program.h"
 #include "tests/support/places.h"

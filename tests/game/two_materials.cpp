@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "game/headless.h"
+#include "game/analysis/headless.h"
 #include "game/recording/reader.h"
-#include "game/scene.h"
-#include "game/session.h"
+#include "game/scene/scene.h"
+#include "game/session/session.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"
 #include "tests/support/places.h"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "game/key_map.h"
+#include "game/controls/key_map.h"
 #include "tests/game/ui_hand.h"
 
 namespace game::test {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/engine.h"
-#include "sim/state_hash.h"
+#include "sim/world/state_hash.h"
 #include "tests/golden/scenes.h"
 
 // Known hashes of small scenes, whatever the compiler, its level and instruction set, the number of threads,

@@ -7,13 +7,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "game/array_file.h"
 #include "game/bench/against.h"
 #include "game/bench/report.h"
-#include "game/mesh_file.h"
+#include "game/files/array_file.h"
+#include "game/files/mesh_file.h"
+#include "game/files/toml_table.h"
 #include "game/recording/reader.h"
-#include "game/scene.h"
-#include "game/toml_table.h"
+#include "game/scene/scene.h"
 #include "terrains/coverage.h"
 #include "terrains/dem_gdal.h"
 #include "terrains/geojson.h"

@@ -1,4 +1,4 @@
-#include "game/limits.h"
+#include "game/base/limits.h"
 
 #include <fstream>
 #include <iterator>

@@ -1,4 +1,4 @@
-#include "game/memory.h"
+#include "game/scene/memory.h"
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "game/recording/reader.h"
-#include "game/scene.h"
+#include "game/scene/scene.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"
 #include "tests/readers/work.h"

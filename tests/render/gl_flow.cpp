@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/flow_texture.h"
-#include "sim/workers.h"
+#include "sim/core/workers.h"
 #include "tests/render/gl_scene.h"
 #include "tests/render/watched.h"
 #include "tests/support/allocations.h"

@@ -13,9 +13,9 @@
 
 #include "render/program.h"
 #include "render/remesher.h"
+#include "sim/core/workers.h"
 #include "sim/fields/test_flows.h"
 #include "sim/front/remesh_reference.h"
-#include "sim/workers.h"
 #include "tests/render/gl_scene.h"
 #include "tests/render/watched.h"
 #include "tests/support/allocations.h"

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "render/camera.h"
-#include "sim/state.h"
+#include "sim/world/state.h"
 
 // Small worlds for the tests of render/, which need a view and no physics.
 namespace render::test {

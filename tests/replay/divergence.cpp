@@ -11,7 +11,7 @@
 #include "game/recording/divergence.h"
 #include "game/recording/divergence_report.h"
 #include "render/picture.h"
-#include "sim/scratch.h"
+#include "sim/stages/scratch.h"
 #include "tests/replay/play.h"
 
 namespace game::test {

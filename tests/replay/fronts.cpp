@@ -14,8 +14,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "sim/front/world_fronts.h"
-#include "sim/workers.h"
+#include "game/session/world_fronts.h"
+#include "sim/core/workers.h"
 #include "tests/replay/play.h"
 
 namespace game::test {
@@ -40,7 +40,7 @@ constexpr Avalanche kAvalanches[] = {{"landslide", 0.2f, 0.07, 0.21}, {"snow-ava
 template <class Look>
 void watch(const Avalanche& avalanche, const Look& look) {
     const Recording recording = open(avalanche.recording);
-    std::optional<sim::front::WorldFronts> fronts;
+    std::optional<game::WorldFronts> fronts;
     sim::Workers workers(1);
     play(recording, 1, recording.last_tick(), [&](const Session& now) {
         if (!fronts) fronts.emplace(now.state().grid, avalanche.visible, sim::front::LayerRule{});
@@ -116,7 +116,7 @@ std::vector<Verdict> judged(const Avalanche& avalanche, const std::vector<Rule>&
     constexpr int kTicksBetween = 30;
     std::vector<Detector> detectors;
     std::vector<Verdict> verdicts(rules.size());
-    watch(avalanche, [&](const sim::front::WorldFronts& fronts, double, std::int64_t tick) {
+    watch(avalanche, [&](const game::WorldFronts& fronts, double, std::int64_t tick) {
         const Mesh& mesh = fronts.view().mesh();
         if (detectors.empty())
             for (const Rule& rule : rules) detectors.emplace_back(mesh, rule);
@@ -196,7 +196,7 @@ Distances distances_from_level(const Avalanche& avalanche) {
     std::array<std::unique_ptr<Tracker>, 3> trackers;
     std::array<double, 3> squares{}, counts{};
     sim::Workers workers(1);
-    watch(avalanche, [&](const sim::front::WorldFronts& fronts, double dt, std::int64_t tick) {
+    watch(avalanche, [&](const game::WorldFronts& fronts, double dt, std::int64_t tick) {
         const Mesh& mesh = fronts.view().mesh();
         const Tracker& level = fronts.view().tracker();
         for (std::size_t i = 0; i < trackers.size(); ++i) {

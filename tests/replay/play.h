@@ -6,10 +6,10 @@
 #include <string>
 #include <utility>
 
-#include "game/assets.h"
-#include "game/headless.h"
+#include "game/analysis/headless.h"
+#include "game/files/assets.h"
 #include "game/recording/reader.h"
-#include "game/session.h"
+#include "game/session/session.h"
 
 // Recordings that ship, played again.
 

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "game/recording/format.h"
-#include "game/recording/verifier.h"
-#include "game/sandbox.h"
-#include "sim/state_hash.h"
+#include "game/session/sandbox.h"
+#include "game/session/verifier.h"
+#include "sim/world/state_hash.h"
 #include "tests/support/worlds.h"
 
 namespace game::test {

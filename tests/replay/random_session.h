@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "game/start.h"
+#include "game/scene/start.h"
 
 // Random sessions of the sandbox: what a person could do to a small world, played by the sweep beside the
 // plain kernel, recorded, and replayed by every kernel and number of threads.

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "game/number.h"
+#include "game/base/number.h"
 #include "tests/support/places.h"
 
 namespace game::test {

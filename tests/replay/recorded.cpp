@@ -11,8 +11,8 @@
 
 #include "game/recording/reader.h"
 #include "game/recording/recorder.h"
-#include "game/recording/verifier.h"
-#include "game/session.h"
+#include "game/session/session.h"
+#include "game/session/verifier.h"
 #include "tests/support/places.h"
 
 namespace game {

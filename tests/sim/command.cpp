@@ -1,4 +1,5 @@
-#include "sim/command.h"
+#include "sim/world/command.h"
+#include "sim/sweep/count_mass.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/snapshot.h"
+#include "sim/world/snapshot.h"
 #include "tests/support/worlds.h"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/float_environment.h"
+#include "sim/core/float_environment.h"
 
 #include <cfenv>
 #include <string>
@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/workers.h"
+#include "sim/core/workers.h"
 
 namespace {
 

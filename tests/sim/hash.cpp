@@ -1,4 +1,4 @@
-#include "sim/state_hash.h"
+#include "sim/world/state_hash.h"
 
 #include <cmath>
 #include <cstring>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/snapshot.h"
+#include "sim/world/snapshot.h"
 #include "tests/support/worlds.h"
 
 namespace {

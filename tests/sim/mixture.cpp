@@ -1,12 +1,12 @@
-#include "sim/mixture.h"
+#include "sim/world/mixture.h"
 
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "sim/snapshot.h"
-#include "sim/state_hash.h"
+#include "sim/world/snapshot.h"
+#include "sim/world/state_hash.h"
 #include "tests/support/worlds.h"
 
 // Two materials in one world: none is lost, each moves by its own numbers, and a mixture by the blend.

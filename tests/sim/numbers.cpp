@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/exponential.h"
 #include "sim/inertial/limiter.h"
-#include "sim/params.h"
-#include "sim/quanta.h"
+#include "sim/simd/exponential.h"
+#include "sim/world/params.h"
+#include "sim/world/quanta.h"
 
 namespace {
 

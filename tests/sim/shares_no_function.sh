@@ -1,14 +1,24 @@
 #!/bin/sh
-# Kernels are compiled for instruction sets that a machine may lack. A function that they shared with the rest of the program, the
-# linker might take from them: each of theirs that the linker may choose among bears their lanes in its name. Arguments: object
-# files, of which those of kernels are looked at.
-looked_at=0
+# Kernels are compiled for instruction sets that a machine may lack. If one of their functions were defined in another object
+# too, the linker might take theirs for all. So no symbol that the linker may choose (weak or unique) is in two of the objects
+# that are given, which are those of the libraries and of their kernels: shares_no_function.sh KERNEL.o... -- OTHER.o...
+set -eu
+chosen() { nm -C "$1" | sed -n 's/^[0-9a-f]* [Wu] //p' | sort -u; }
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+kernels=0
 for object; do
-    case $object in *_baseline.cpp.* | *_v[34].cpp.*) ;; *) continue ;; esac
-    looked_at=$((looked_at + 1))
-    if nm -C "$object" | grep ' [Wu] ' | grep -v 'simd<'; then
-        echo "^ of $object"
-        exit 1
-    fi
+    if [ "$object" = -- ]; then break; fi
+    kernels=$((kernels + 1))
+    chosen "$object" >"$folder/kernel"
+    for other; do
+        if [ "$other" = "$object" ] || [ "$other" = -- ]; then continue; fi
+        chosen "$other" | comm -12 - "$folder/kernel" >"$folder/shared"
+        if [ -s "$folder/shared" ]; then
+            cat "$folder/shared"
+            echo "^ in $object and $other"
+            exit 1
+        fi
+    done
 done
-[ $looked_at -gt 0 ] && [ $((looked_at % 3)) = 0 ]
+[ $kernels -gt 1 ]

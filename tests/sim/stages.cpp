@@ -7,7 +7,7 @@
 #include "sim/bcre/stages.h"
 #include "sim/inertial/plain.h"
 #include "sim/inertial/stages.h"
-#include "sim/quanta.h"
+#include "sim/world/quanta.h"
 #include "tests/support/worlds.h"
 
 // Each stage against one cell worked out by hand.

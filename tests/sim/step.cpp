@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/snapshot.h"
-#include "sim/state_hash.h"
+#include "sim/world/snapshot.h"
+#include "sim/world/state_hash.h"
 #include "tests/support/worlds.h"
 
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/state_hash.h"
+#include "sim/world/state_hash.h"
 #include "tests/support/worlds.h"
 
 // The sweep does what the plain step does, to the bit: with every instruction set that this machine has, with

@@ -1,4 +1,4 @@
-#include "sim/workers.h"
+#include "sim/core/workers.h"
 
 #include <vector>
 

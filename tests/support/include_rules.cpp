@@ -4,6 +4,7 @@
 #include <array>
 #include <regex>
 #include <sstream>
+#include <utility>
 
 namespace support {
 
@@ -11,46 +12,76 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What one room may include. An entry that ends in '/' stands for a folder and all below it; another one for
-// the headers whose path begins so.
+using Names = std::vector<std::string_view>;
+
+// What the sources of one folder may include. A folder within a room has a rule of its own, which then holds
+// in place of the room's. An entry that ends in '/' stands for a folder and all below it; another one for the
+// headers whose path begins with it.
 struct Room {
-    std::string_view name;
-    bool anything = false;                       // all libraries; rooms are still checked
-    std::vector<std::string_view> rooms;         // our own headers
-    std::vector<std::string_view> libraries;     // beside standard headers
-    std::vector<std::string_view> not_standard;  // standard headers it does without
+    std::string name;
+    bool anything = false;    // all libraries; rooms are still checked
+    Names rooms;              // our own headers
+    Names libraries = {};     // beside standard headers
+    Names not_standard = {};  // standard headers it does without
 };
 
-const std::array<Room, 6>& rooms() {
-    static const std::array<Room, 6> kRooms{{
-        {.name = "files",
-         .rooms = {"files/"},
-         .libraries = {"dlfcn.h", "fcntl.h", "unistd.h", "sys/", "fmt/", "tl/"},
-         .not_standard = {}},
-        {.name = "sim",
-         .rooms = {"sim/"},
-         .libraries = {"glm/", "xxhash.h", "xxh_x86dispatch.h", "experimental/simd"},
-         .not_standard = {"filesystem", "fstream", "chrono", "ctime"}},
-        {.name = "terrains",
-         .rooms = {"terrains/", "files/", "sim/grid.h", "sim/check.h"},
-         .libraries = {"gdal", "ogr_", "ogrsf_", "proj.h", "fcntl.h", "unistd.h", "sys/stat.h", "cpl_",
-                       "OpenImageIO/", "GeographicLib/", "nlohmann/", "fmt/", "tl/"},
-         .not_standard = {}},
-        {.name = "render",
-         .rooms = {"render/", "files/", "sim/", "assets/"},
-         .libraries = {"glm/", "epoxy/", "EGL/", "OpenImageIO/", "fmt/", "tl/"},
-         .not_standard = {}},
-        {.name = "game",
-         .anything = true,
-         .rooms = {"game/", "render/", "terrains/", "files/", "sim/", "assets/"},
-         .libraries = {},
-         .not_standard = {}},
-        {.name = "tests",
-         .anything = true,
-         .rooms = {"tests/", "game/", "render/", "terrains/", "files/", "sim/", "assets/"},
-         .libraries = {},
-         .not_standard = {}},
-    }};
+const Names kSimLibraries{"glm/", "xxhash.h", "xxh_x86dispatch.h", "experimental/simd"};
+const Names kNotInSim{"filesystem", "fstream", "chrono", "ctime"};
+
+// Folders of game/, lowest floor first: each may include those before it, and no other.
+const Names kGameFloors{"game/base/",      "game/files/",   "game/pages/",    "game/scene/",
+                        "game/recording/", "game/session/", "game/analysis/", "game/compare/",
+                        "game/figures/",   "game/bench/",   "game/controls/", "game/ui/",
+                        "game/app/",       "game/commands/"};
+
+std::vector<Room> make_rooms() {
+    std::vector<Room> rooms;
+    const auto in_sim = [&](std::string name, Names may) {
+        rooms.push_back({.name = std::move(name),
+                         .rooms = std::move(may),
+                         .libraries = kSimLibraries,
+                         .not_standard = kNotInSim});
+    };
+    in_sim("sim/core", {"sim/core/"});
+    in_sim("sim/simd", {"sim/simd/", "sim/core/"});
+    in_sim("sim/world", {"sim/world/", "sim/simd/", "sim/core/"});
+    in_sim("sim/stages", {"sim/stages/", "sim/world/", "sim/simd/", "sim/core/"});
+    in_sim("sim/bcre", {"sim/bcre/", "sim/stages/", "sim/world/", "sim/simd/", "sim/core/"});
+    in_sim("sim/inertial", {"sim/inertial/", "sim/stages/", "sim/world/", "sim/simd/", "sim/core/"});
+    in_sim("sim/sweep", {"sim/sweep/", "sim/bcre/", "sim/inertial/", "sim/stages/", "sim/world/", "sim/simd/",
+                         "sim/core/"});
+    in_sim("sim/front", {"sim/front/", "sim/simd/", "sim/core/"});
+    in_sim("sim/fields", {"sim/fields/", "sim/front/", "sim/core/"});
+    in_sim("sim", {"sim/"});
+
+    const Names below_game{"render/", "terrains/", "files/", "sim/", "assets/"};
+    Names may = below_game;
+    for (const std::string_view floor : kGameFloors) {
+        may.push_back(floor);
+        rooms.push_back(
+            {.name = std::string(floor.substr(0, floor.size() - 1)), .anything = true, .rooms = may});
+    }
+    may.push_back("game/");
+    rooms.push_back({.name = "game", .anything = true, .rooms = may});
+
+    rooms.push_back({.name = "files",
+                     .rooms = {"files/"},
+                     .libraries = {"dlfcn.h", "fcntl.h", "unistd.h", "sys/", "fmt/", "tl/"}});
+    rooms.push_back({.name = "terrains",
+                     .rooms = {"terrains/", "files/", "sim/core/grid.h", "sim/core/check.h"},
+                     .libraries = {"gdal", "ogr_", "ogrsf_", "proj.h", "fcntl.h", "unistd.h", "sys/stat.h",
+                                   "cpl_", "OpenImageIO/", "GeographicLib/", "nlohmann/", "fmt/", "tl/"}});
+    rooms.push_back({.name = "render",
+                     .rooms = {"render/", "files/", "sim/", "assets/"},
+                     .libraries = {"glm/", "epoxy/", "EGL/", "OpenImageIO/", "fmt/", "tl/"}});
+    rooms.push_back({.name = "tests",
+                     .anything = true,
+                     .rooms = {"tests/", "game/", "render/", "terrains/", "files/", "sim/", "assets/"}});
+    return rooms;
+}
+
+const std::vector<Room>& rooms() {
+    static const std::vector<Room> kRooms = make_rooms();
     return kRooms;
 }
 
@@ -58,7 +89,8 @@ const std::array<Room, 6>& rooms() {
 struct Keeper {
     std::string_view library, file;
 };
-constexpr std::array<Keeper, 2> kKeepers{{{"CLI/", "game/command_line.cpp"}, {"GLFW/", "game/window.cpp"}}};
+constexpr std::array<Keeper, 2> kKeepers{
+    {{"CLI/", "game/command_line.cpp"}, {"GLFW/", "game/app/window.cpp"}}};
 
 bool begins_with_one_of(std::string_view path, const std::vector<std::string_view>& beginnings) {
     return std::any_of(beginnings.begin(), beginnings.end(),
@@ -77,6 +109,15 @@ bool is_in_the_house(std::string_view path) {
     const std::string_view folder = first_folder(path);
     return folder == "assets" ||
            std::any_of(rooms().begin(), rooms().end(), [&](const Room& room) { return room.name == folder; });
+}
+
+// The rule of the innermost folder that has one.
+const Room* room_of(std::string_view file) {
+    const Room* innermost = nullptr;
+    for (const Room& room : rooms())
+        if (file.starts_with(room.name + "/") && (!innermost || room.name.size() > innermost->name.size()))
+            innermost = &room;
+    return innermost;
 }
 
 // <vector>, but not <unistd.h> or <glm/vec3.hpp>.
@@ -111,9 +152,8 @@ std::string resolve(std::string_view file, char quote, const std::string& name) 
 std::vector<Breach> breaches_in(std::string_view file, std::string_view text) {
     static const std::regex kInclude(
         R"(^\s*#\s*(?:include|include_next|import)\b\s*(?:([<"])([^>"]+)[>"])?.*)");
-    const auto room = std::find_if(rooms().begin(), rooms().end(),
-                                   [&](const Room& r) { return r.name == first_folder(file); });
-    if (room == rooms().end()) return {{std::string(file), 0, "is in no room that the include rules know"}};
+    const Room* room = room_of(file);
+    if (!room) return {{std::string(file), 0, "is in no room that the include rules know"}};
 
     std::vector<Breach> breaches;
     std::istringstream lines{std::string(text)};
@@ -139,10 +179,12 @@ std::vector<Breach> breaches_in(std::string_view file, std::string_view text) {
 std::vector<fs::path> sources_of(const fs::path& top) {
     static const std::vector<std::string_view> kEndings{".h", ".hpp", ".cpp", ".cc", ".inc", ".inl"};
     std::vector<fs::path> sources;
-    for (const Room& room : rooms())
+    for (const Room& room : rooms()) {
+        if (room.name.find('/') != std::string::npos) continue;  // is within another one
         for (const fs::directory_entry& entry : fs::recursive_directory_iterator(top / room.name))
             if (entry.is_regular_file() && is_one_of(entry.path().extension().string(), kEndings))
                 sources.push_back(entry.path().lexically_relative(top));
+    }
     std::sort(sources.begin(), sources.end());
     return sources;
 }

@@ -14,7 +14,7 @@
 //   game/      ──► all four and any library
 //   tests/     ──► anything
 //
-// Two libraries are one file's alone: GLFW game/window.cpp's, CLI11 game/command_line.cpp's.
+// Two libraries are one file's alone: GLFW game/app/window.cpp's, CLI11 game/command_line.cpp's.
 // Everything not listed for a room is against the rules there, so that a new library is a line here.
 namespace support {
 

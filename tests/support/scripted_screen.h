@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "game/screen.h"
+#include "game/controls/screen.h"
 
 namespace support {
 

@@ -19,9 +19,9 @@ std::size_t Ground::at(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(x);
 }
 
-sim::World Ground::world() const {
-    sim::World world{grid, 0, bedrock, depth, rolling, has_data, 0};
-    if (lower) world.lower = sim::World::Lower{*lower, lower_depth};
+sim::InitialState Ground::world() const {
+    sim::InitialState world{grid, 0, bedrock, depth, rolling, has_data, 0};
+    if (lower) world.lower = sim::InitialState::Lower{*lower, lower_depth};
     return world;
 }
 

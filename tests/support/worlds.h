@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "sim/engine.h"
-#include "sim/params.h"
-#include "sim/state.h"
+#include "sim/initial_state.h"
 #include "sim/step.h"
+#include "sim/world/params.h"
+#include "sim/world/state.h"
 
 namespace support {
 
@@ -26,7 +27,7 @@ struct Ground {
     // Sets a field from a function of x and y in metres.
     void set(std::vector<float>& field, const std::function<double(double, double)>& of);
     std::size_t at(int x, int y) const;
-    sim::World world() const;
+    sim::InitialState world() const;
 };
 
 // bedrock = −tangent · y: falls to the north.

@@ -1,6 +1,6 @@
 // A window that prints what happens to it: the program behind window.cpp's tests. F11 switches full screen;
 // it ends when its window is to close.
-#include "game/window.h"
+#include "game/app/window.h"
 
 #include <cstdio>
 

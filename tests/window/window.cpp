@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "game/events.h"
+#include "game/controls/events.h"
 #include "tests/window/screenshot.h"
 #include "tests/window/x_session.h"
 

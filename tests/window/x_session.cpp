@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "game/number.h"
+#include "game/base/number.h"
 #include "tests/window/screenshot.h"
 
 namespace game::test {

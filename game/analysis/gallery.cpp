@@ -1,0 +1,121 @@
+#include "game/analysis/gallery.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "game/files/assets.h"
+#include "game/files/text_file.h"
+#include "render/context.h"
+#include "render/frame.h"
+#include "render/frame_writer.h"
+#include "render/overview.h"
+
+namespace game {
+
+struct Gallery::Parts {
+    render::HeadlessContext context;  // first: the renderer's GL names live in it
+    render::Renderer renderer;
+    render::FrameWriter writer;
+    std::filesystem::path folder;
+    PictureSize size;
+    std::optional<render::Camera> camera;
+    render::Light light;
+    render::Look look;
+    int pictures = 0;
+
+    Parts(render::HeadlessContext&& gl, render::Renderer&& with)
+        : context(std::move(gl)), renderer(std::move(with)) {}
+
+    render::DrawTimes draw(const sim::View& world, const sim::front::FlowView* flow,
+                           const render::Camera& from, const std::string& name) {
+        renderer.draw(world, from, light, look, {}, size.width, size.height, flow);
+        writer.submit(renderer.read_back(), folder / (name + ".png"));
+        ++pictures;
+        return *renderer.stage_times();
+    }
+};
+
+namespace {
+
+// Straight down on the middle, just high enough to see all of it.
+render::Camera map_camera(const sim::View& world, double aspect) {
+    const double width = (world.grid.nx - 1) * static_cast<double>(world.grid.dx);
+    const double height = (world.grid.ny - 1) * static_cast<double>(world.grid.dx);
+    double lowest = 1e30, highest = -1e30;
+    for (int y = 0; y < world.grid.ny; ++y)
+        for (int x = 0; x < world.grid.nx; ++x) {
+            lowest = std::min(lowest, static_cast<double>(world.bedrock(x, y)));
+            highest = std::max(highest, static_cast<double>(world.bedrock(x, y)));
+        }
+    render::Camera camera;
+    camera.field_of_view_deg = 28;  // narrow enough to be nearly the plan, near enough to be clear of haze
+    const double half = std::max(height, width / aspect) * 0.53;
+    camera.target = {width / 2, height / 2, world.datum + (lowest + highest) / 2};
+    camera.azimuth_deg = 180;  // stands in the south, so north is up
+    camera.elevation_deg = 89.9;
+    camera.distance_m =
+        half / std::tan(camera.field_of_view_deg / 2 * 3.14159265358979323846 / 180) + (highest - lowest) / 2;
+    return camera;
+}
+
+}  // namespace
+
+Outcome<Gallery> Gallery::open(const std::filesystem::path& folder, PictureSize size, const std::string& gl,
+                               const Start& start) {
+    if (auto made = make_folder(folder); !made) return tl::unexpected(made.error());
+    const auto assets = assets_folder();
+    if (!assets) return tl::unexpected(assets.error());
+    auto context = render::HeadlessContext::create(gl);
+    if (!context) return machine_fails(context.error());
+    auto renderer = render::Renderer::create(*assets);
+    if (!renderer) return machine_fails(renderer.error());
+    if (start.look.flow)
+        if (auto loaded = renderer->load(start.look.flow->pattern); !loaded)
+            return machine_fails(loaded.error());
+
+    renderer->time_stages(render::suitable_timing());
+    auto parts = std::make_unique<Parts>(std::move(*context), std::move(*renderer));
+    parts->folder = folder;
+    parts->size = size;
+    parts->camera = start.camera;
+    parts->light = start.light;
+    parts->look = start.look;
+    return Gallery(std::move(parts));
+}
+
+Gallery::Gallery(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Gallery::~Gallery() = default;
+Gallery::Gallery(Gallery&&) noexcept = default;
+Gallery& Gallery::operator=(Gallery&&) noexcept = default;
+
+render::DrawTimes Gallery::draw(const sim::View& world, const sim::front::FlowView* flow,
+                                const std::string& name) {
+    if (!parts_->camera) parts_->camera = render::overview(world);
+    return parts_->draw(world, flow, *parts_->camera, name);
+}
+
+render::DrawTimes Gallery::draw_map(const sim::View& world, const std::string& name) {
+    return parts_->draw(world, nullptr,
+                        map_camera(world, static_cast<double>(parts_->size.width) / parts_->size.height),
+                        name);
+}
+
+Outcome<void> Gallery::close() {
+    if (auto written = parts_->writer.finish(); !written) return machine_fails(written.error());
+    return {};
+}
+
+std::string Gallery::renderer_name() const {
+    return parts_->context.renderer_name();
+}
+render::DrawnBy Gallery::drawn_by() const {
+    return {renderer_name(),
+            fmt::format("{}x{} pixels, four samples each", parts_->size.width, parts_->size.height),
+            render::suitable_timing()};
+}
+int Gallery::pictures() const {
+    return parts_->pictures;
+}
+
+}  // namespace game

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "game/base/outcome.h"
+#include "game/scene/start.h"
+#include "render/draw_times.h"
+#include "sim/front/flow_view.h"
+#include "sim/world/state.h"
+
+namespace game {
+
+struct PictureSize {
+    int width = 1280, height = 720;  // pixels, 16 to 8192
+};
+
+// Names of the pictures of a run or a replay, with * for any characters: ticks, maps, where two runs part.
+inline const std::vector<std::string> kFrameNames{"tick_*.png", "map_*.png", "desync.png"};
+
+// Draws a world into numbered pictures without a window, and writes them while the world goes on.
+class Gallery {
+  public:
+    // `gl` as in render::HeadlessContext::create. Makes `folder`. Errors: no GL, or the folder cannot be
+    // written (status 3).
+    static Outcome<Gallery> open(const std::filesystem::path& folder, PictureSize size, const std::string& gl,
+                                 const Start& start);
+    ~Gallery();
+    Gallery(Gallery&&) noexcept;
+    Gallery& operator=(Gallery&&) noexcept;
+
+    // Draws the world as it is, with the texture that its flow carries, if any, and hands the picture on to
+    // be written as NAME.png. Returns what its stages took, reading it back not among them.
+    render::DrawTimes draw(const sim::View& world, const sim::front::FlowView* flow, const std::string& name);
+    // Seen straight from above, with north up.
+    render::DrawTimes draw_map(const sim::View& world, const std::string& name);
+    // Waits for the last picture. Errors: one could not be written (status 3).
+    Outcome<void> close();
+
+    std::string renderer_name() const;
+    render::DrawnBy drawn_by() const;
+    int pictures() const;
+
+  private:
+    struct Parts;
+    explicit Gallery(std::unique_ptr<Parts> parts);
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace game

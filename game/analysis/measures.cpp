@@ -1,0 +1,143 @@
+#include "game/analysis/measures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/world/disc.h"
+
+namespace game {
+namespace {
+
+std::size_t index(const sim::Grid& grid, int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(x);
+}
+
+double ground_height(const Start& start, std::size_t i) {
+    return static_cast<double>(start.bedrock[i]) + static_cast<double>(start.depth[i]);
+}
+
+// Run-out, fall and reach; nothing where nothing was released or nothing moved.
+void measure_line(const Start& start, const std::vector<std::uint8_t>& released,
+                  const std::vector<std::uint8_t>& extent, Measures& measures) {
+    const sim::Grid& grid = start.grid;
+    const auto place = [&](int x, int y) {
+        return terrains::LocalPoint{x * static_cast<double>(grid.dx), y * static_cast<double>(grid.dx)};
+    };
+    double highest = -1e30, top_height = 0;
+    for (int y = 0; y < grid.ny; ++y)
+        for (int x = 0; x < grid.nx; ++x)
+            if (const std::size_t i = index(grid, x, y); released[i] && ground_height(start, i) > highest) {
+                highest = top_height = ground_height(start, i);
+                measures.top = place(x, y);
+            }
+    if (highest == -1e30) return;
+    measures.toe = measures.top;
+    for (int y = 0; y < grid.ny; ++y)
+        for (int x = 0; x < grid.nx; ++x) {
+            const std::size_t i = index(grid, x, y);
+            if (!extent[i]) continue;
+            const auto here = place(x, y);
+            const double away = std::hypot(here.x - measures.top.x, here.y - measures.top.y);
+            if (away <= measures.run_out) continue;
+            measures.run_out = away;
+            measures.fall = top_height - ground_height(start, i);
+            measures.toe = here;
+        }
+    if (measures.run_out > 0)
+        measures.reach_deg = std::atan2(measures.fall, measures.run_out) * 180 / 3.14159265358979323846;
+}
+
+// By how much the surface was raised at each vertex.
+std::vector<float> change_of(const Start& start, const sim::State& state) {
+    std::vector<float> change(start.grid.size());
+    for (int y = 0; y < start.grid.ny; ++y)
+        for (int x = 0; x < start.grid.nx; ++x) {
+            const std::size_t i = index(start.grid, x, y);
+            change[i] = (state.depth(x, y) - start.depth[i]) + (state.rolling(x, y) - start.rolling[i]);
+        }
+    return change;
+}
+
+Measures::Change measure_change(const sim::Grid& grid, const std::vector<float>& change) {
+    struct Part {
+        double volume = 0, x = 0, y = 0;
+        terrains::LocalPoint middle() const {
+            return volume > 0 ? terrains::LocalPoint{x / volume, y / volume} : terrains::LocalPoint{};
+        }
+    } raised, lowered;
+    const double dx = grid.dx;
+    for (int y = 0; y < grid.ny; ++y)
+        for (int x = 0; x < grid.nx; ++x) {
+            const float metres = change[index(grid, x, y)];
+            const double volume = std::fabs(static_cast<double>(metres)) * grid.cell_area();
+            Part& part = metres > 0 ? raised : lowered;
+            part.volume += volume, part.x += volume * x * dx, part.y += volume * y * dx;
+        }
+    const auto from = lowered.middle(), to = raised.middle();
+    return {raised.volume, from, to, std::hypot(to.x - from.x, to.y - from.y)};
+}
+
+std::vector<std::uint8_t> changed(const std::vector<float>& change) {
+    std::vector<std::uint8_t> flags(change.size());
+    std::transform(change.begin(), change.end(), flags.begin(),
+                   [](float metres) { return std::fabs(metres) >= Measures::kChanged; });
+    return flags;
+}
+
+}  // namespace
+
+std::optional<double> overlap_of(const std::vector<std::uint8_t>& one,
+                                 const std::vector<std::uint8_t>& other) {
+    std::size_t both = 0, either = 0;
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        both += one[i] && other[i];
+        either += one[i] || other[i];
+    }
+    if (either == 0) return std::nullopt;
+    return static_cast<double>(both) / static_cast<double>(either);
+}
+
+Measures measure(const Start& start, const Session& session, const std::vector<std::uint8_t>& released,
+                 const terrains::Reference& reference) {
+    const sim::Grid& grid = start.grid;
+    const Peaks& peaks = session.peaks();
+    const double cell = grid.cell_area();
+    Measures measures;
+    std::vector<std::uint8_t> extent(grid.size());
+    for (int y = 0; y < grid.ny; ++y)
+        for (int x = 0; x < grid.nx; ++x) {
+            const std::size_t i = index(grid, x, y);
+            extent[i] = peaks.depth[i] >= Measures::kExtentDepth;
+            measures.extent_area += extent[i] * cell;
+            measures.peak_depth = std::max(measures.peak_depth, static_cast<double>(peaks.depth[i]));
+            measures.peak_speed = std::max(measures.peak_speed, static_cast<double>(peaks.speed[i]));
+            const double change =
+                static_cast<double>(session.state().depth(x, y)) - static_cast<double>(start.depth[i]);
+            (change < 0 ? measures.eroded : measures.deposited) += std::fabs(change) * cell;
+        }
+    if (!reference.extent.empty()) measures.overlap = overlap_of(extent, reference.extent);
+    if (!reference.change.empty()) {
+        const std::vector<float> change = change_of(start, session.state());
+        measures.overlap = overlap_of(changed(change), changed(reference.change));
+        const auto here = measure_change(grid, change), observed = measure_change(grid, reference.change);
+        measures.changes = {here, observed, std::hypot(here.to.x - observed.to.x, here.to.y - observed.to.y)};
+    }
+    measure_line(start, released, extent, measures);
+    return measures;
+}
+
+std::vector<std::uint8_t> release_area(const Start& start, std::span<const TimedCommand> commands) {
+    const sim::Grid& grid = start.grid;
+    std::vector<std::uint8_t> released(grid.size());
+    for (std::size_t i = 0; i < released.size(); ++i) released[i] = start.rolling[i] > 0;
+    for (const TimedCommand& timed : commands) {
+        const sim::Command& c = timed.command;
+        if (c.kind != sim::CommandKind::kPour && c.kind != sim::CommandKind::kBlast) continue;
+        sim::Disc(c, grid.dx).each_vertex(grid, sim::Profile::kDisc, [&](int x, int y, double) {
+            released[index(grid, x, y)] = 1;
+        });
+    }
+    return released;
+}
+
+}  // namespace game

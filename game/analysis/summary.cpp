@@ -1,0 +1,215 @@
+#include "game/analysis/summary.h"
+
+#include <fmt/format.h>
+
+#include "game/analysis/trace.h"
+#include "game/base/version.h"
+#include "game/files/text_file.h"
+#include "game/recording/divergence_report.h"
+
+namespace game {
+namespace {
+
+Json mass_json(const Session& session, const sim::Ledger& mass) {
+    const auto m3 = [&](std::int64_t quanta) { return session.cubic_metres(quanta); };
+    return {{"initial_m3", m3(mass.initial)},   {"standing_m3", m3(mass.standing)},
+            {"rolling_m3", m3(mass.rolling)},   {"out_m3", m3(mass.out)},
+            {"poured_m3", m3(mass.poured)},     {"dug_m3", m3(mass.dug)},
+            {"error_quanta", mass.mass_error()}};
+}
+
+Json place_json(const Start& start, terrains::LocalPoint point) {
+    Json json{{"x_m", point.x}, {"y_m", point.y}};
+    if (const auto place = start.georeference.to_lat_lon(point)) {
+        json["latitude"] = place->latitude;
+        json["longitude"] = place->longitude;
+    }
+    return json;
+}
+
+Json measures_json(const Summary& summary) {
+    const Measures& m = summary.measures;
+    Json json{{"run_out_m", m.run_out},
+              {"fall_m", m.fall},
+              {"reach_deg", m.reach_deg},
+              {"extent_ha", m.extent_area / 1e4},
+              {"peak_depth_m", m.peak_depth},
+              {"peak_speed_m_s", m.peak_speed},
+              {"eroded_m3", m.eroded},
+              {"deposited_m3", m.deposited},
+              {"top", place_json(summary.start, m.top)},
+              {"toe", place_json(summary.start, m.toe)}};
+    if (m.overlap) json["overlap"] = *m.overlap;
+    if (m.changes) {
+        const auto of = [&](const Measures::Change& change) {
+            return Json{{"raised_m3", change.raised},
+                        {"from", place_json(summary.start, change.from)},
+                        {"to", place_json(summary.start, change.to)},
+                        {"carried_m", change.carried}};
+        };
+        json["change"] = {{"here", of(m.changes->here)},
+                          {"observed", of(m.changes->observed)},
+                          {"apart_m", m.changes->apart}};
+    }
+    return json;
+}
+
+Json verdict_json(const Verdict& verdict) {
+    Json json{{"outcome", to_string(verdict.kind())},
+              {"comparable", verdict.comparable},
+              {"states_compared", verdict.compared},
+              {"proven_tick", verdict.proven_tick}};
+    json["exact"] = verdict.kind() == Verdict::Kind::kExact;
+    if (verdict.parted) json["parted"] = *verdict.parted;
+    return json;
+}
+
+std::string placed(const Start& start, terrains::LocalPoint point) {
+    const std::string where = start.georeference.describe(point);
+    return where.empty() ? fmt::format("{:.0f} m east, {:.0f} m north", point.x, point.y) : where;
+}
+
+std::string paranoid_text(const Paranoia& paranoia, const Start& start) {
+    const std::string how = fmt::format("{}, and {}", paranoia.names[0], paranoia.names[1]);
+    if (paranoia.parted)
+        return fmt::format("NOT the same: {}\n{}", how, to_text(*paranoia.parted, start, paranoia.names));
+    return fmt::format("every tick twice, the same bits in all {}: {}\n", paranoia.ticks, how);
+}
+
+Json paranoid_json(const Paranoia& paranoia, const Start& start) {
+    Json json{{"ticks", paranoia.ticks}, {"ways", paranoia.names}, {"same", !paranoia.parted}};
+    if (paranoia.parted) json["parted"] = to_json(*paranoia.parted, start);
+    return json;
+}
+
+std::string mass_text(const Session& session, const std::string& what, const sim::Ledger& mass) {
+    const auto m3 = [&](std::int64_t quanta) { return session.cubic_metres(quanta); };
+    return fmt::format(
+        "{}: standing {:.1f} + rolling {:.1f} + out {:.1f} - poured {:.1f} + dug {:.1f} = initial {:.1f} m3, "
+        "error {} quanta\n",
+        what, m3(mass.standing), m3(mass.rolling), m3(mass.out), m3(mass.poured), m3(mass.dug),
+        m3(mass.initial), mass.mass_error());
+}
+
+}  // namespace
+
+std::string to_text(const Verdict& verdict) {
+    switch (verdict.kind()) {
+        case Verdict::Kind::kNotComparable:
+            return "not comparable: recorded with another version of the physics, so nothing is proven\n";
+        case Verdict::Kind::kDiffers:
+            return fmt::format("NOT the same: {}\n", *verdict.parted);
+        case Verdict::Kind::kNothingProven:
+            return "nothing is proven: no state was recorded up to here\n";
+        case Verdict::Kind::kExact:
+            break;
+    }
+    return fmt::format("exact: all {} recorded states met, bit for bit; proven up to tick {}\n",
+                       verdict.compared, verdict.proven_tick);
+}
+
+Json to_json(const Summary& summary) {
+    const Start& start = summary.start;
+    const sim::State& state = summary.session.state();
+    Json json{{"program", kProgram},
+              {"scene", start.scene},
+              {"terrain", start.terrain},
+              {"licence", start.licence},
+              {"material", start.material},
+              {"model", sim::to_string(start.params.model)},
+              {"squares", {start.grid.nx - 1, start.grid.ny - 1}},
+              {"cell_m", static_cast<double>(start.grid.dx)},
+              {"ticks", state.tick},
+              {"seconds", summary.session.seconds()},
+              {"state_hash", hex(summary.session.state_line().hash)},
+              {"mass", mass_json(summary.session, state.ledger)},
+              {"measures", measures_json(summary)}};
+    if (start.params.model == sim::Model::kBcre) {
+        json["scheme"] = sim::to_string(start.params.scheme);
+        json["law"] = sim::to_string(start.params.law);
+    }
+    if (start.lower)
+        json["lower"] = {{"material", start.lower->material},
+                         {"mass", mass_json(summary.session, state.mixture->ledger)}};
+    if (summary.at_rest) json["at_rest"] = *summary.at_rest;
+    if (summary.verdict) json["verified"] = verdict_json(*summary.verdict);
+    if (summary.paranoid) json["paranoid"] = paranoid_json(*summary.paranoid, start);
+    if (summary.perf) json["performance"] = summary.perf->to_json();
+    return json;
+}
+
+std::string to_text(const Summary& summary) {
+    const Start& start = summary.start;
+    const Measures& m = summary.measures;
+    const std::string materials =
+        start.lower ? fmt::format("{} on {}", start.material, start.lower->material) : start.material;
+    const Session& session = summary.session;
+    std::string text =
+        fmt::format("{}: {} on {}, {}x{} squares of {:.4g} m, {}\n", start.title, materials, start.terrain,
+                    start.grid.nx - 1, start.grid.ny - 1, start.grid.dx, sim::to_string(start.params.model));
+    if (!start.licence.empty()) text += fmt::format("terrain: {}\n", start.licence);
+    text += fmt::format("{} ticks, {:.1f} s{}\n", session.state().tick, session.seconds(),
+                        !summary.at_rest   ? ""
+                        : *summary.at_rest ? ", at rest"
+                                           : ", NOT yet at rest");
+    if (m.run_out > 0) {
+        text += fmt::format(
+            "run-out {:.0f} m, fall {:.0f} m, reach {:.1f} deg; extent {:.2f} ha, up to {:.1f} m deep and "
+            "{:.1f} m/s\n",
+            m.run_out, m.fall, m.reach_deg, m.extent_area / 1e4, m.peak_depth, m.peak_speed);
+        text += fmt::format("from {}\n  to {}\n", placed(start, m.top), placed(start, m.toe));
+    }
+    if (m.overlap)
+        text += fmt::format("overlap with the reference {} {:.2f} (intersection over union)\n",
+                            m.changes ? "change of 0.3 m and more" : "extent", *m.overlap);
+    if (m.changes)
+        text += fmt::format(
+            "carried {:.0f} m, observed {:.0f} m, from the middle of what was lowered to that of what was "
+            "raised; "
+            "{:.0f} m apart; raised {:.0f} m3, observed {:.0f} m3\n",
+            m.changes->here.carried, m.changes->observed.carried, m.changes->apart, m.changes->here.raised,
+            m.changes->observed.raised);
+    text += mass_text(session, "mass", session.state().ledger);
+    if (start.lower)
+        text += mass_text(session, "of it " + start.lower->material, session.state().mixture->ledger);
+    text += fmt::format("eroded {:.0f} m3, deposited {:.0f} m3 (entrainment has no reference)\n", m.eroded,
+                        m.deposited);
+    text += fmt::format("state hash {}\n", hex(session.state_line().hash));
+    if (summary.verdict) text += to_text(*summary.verdict);
+    if (summary.paranoid) text += paranoid_text(*summary.paranoid, start);
+    if (summary.perf)
+        for (const StageFigures& stage : summary.perf->figures())
+            if (stage.count > 0)
+                text +=
+                    fmt::format("{:>6}: median {:.3f} ms, p95 {:.3f}, p99 {:.3f}, max {:.3f} over {} ticks\n",
+                                stage.stage, stage.median, stage.p95, stage.p99, stage.most, stage.count);
+    return text;
+}
+
+void add_outputs(const ResultOptions& options, FileUse& use) {
+    use.writes("--perf", options.perf);
+    use.writes("--trace", options.trace);
+    use.writes("--summary", options.summary);
+}
+
+Outcome<void> make_places_for(const ResultOptions& options) {
+    for (const auto& file : {options.perf, options.summary, options.trace})
+        if (file)
+            if (auto placed = make_place_for(*file); !placed) return placed;
+    return {};
+}
+
+Outcome<void> tell(const Summary& summary, const ResultOptions& options) {
+    if (options.perf)
+        if (auto written = summary.perf->write_csv(*options.perf); !written) return written;
+    if (options.summary)
+        if (auto written = write_text(*options.summary, printed(to_json(summary))); !written) return written;
+    if (options.trace) {
+        const TracedRun run{summary.start.scene, summary.perf->rows()};
+        if (auto written = write_text(*options.trace, trace_of(std::span(&run, 1))); !written) return written;
+    }
+    fmt::print("{}", options.json ? printed(to_json(summary)) : to_text(summary));
+    return {};
+}
+
+}  // namespace game

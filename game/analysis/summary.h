@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "game/analysis/measures.h"
+#include "game/files/file_use.h"
+#include "game/recording/divergence.h"
+#include "game/scene/start.h"
+#include "game/session/perf_log.h"
+#include "game/session/session.h"
+#include "game/session/verifier.h"
+
+namespace game {
+
+// What came of doing every tick twice.
+struct Paranoia {
+    std::array<std::string, 2> names;  // the two ways
+    std::int64_t ticks = 0;
+    std::optional<Divergence> parted;
+};
+
+// What is told of a finished run or replay, as JSON and as text for people.
+struct Summary {
+    const Start& start;
+    const Session& session;
+    const Measures& measures;
+    const PerfLog* perf = nullptr;  // none: no timing
+    std::optional<bool> at_rest;    // asked for and reached, or not
+    std::optional<Verdict> verdict;
+    std::optional<Paranoia> paranoid = std::nullopt;
+};
+
+Json to_json(const Summary& summary);
+std::string to_text(const Summary& summary);
+std::string to_text(const Verdict& verdict);  // a sentence and a line break
+
+// Where a run's or a replay's results go besides standard output.
+struct ResultOptions {
+    std::optional<std::filesystem::path> perf, summary, trace;
+    bool json = false;  // on standard output
+
+    PerfLog::Keeps log_keeps() const {
+        return perf || trace ? PerfLog::Keeps::kRows : PerfLog::Keeps::kFigures;
+    }
+};
+void add_outputs(const ResultOptions& options, FileUse& use);
+// To be asked before the work begins. Errors: a file there could not be written (status 3).
+Outcome<void> make_places_for(const ResultOptions& options);
+// Writes the files and prints the summary. Needs summary.perf. Errors: status 3.
+Outcome<void> tell(const Summary& summary, const ResultOptions& options);
+
+}  // namespace game

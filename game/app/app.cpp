@@ -1,0 +1,326 @@
+#include "game/app/app.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "game/files/assets.h"
+#include "game/files/recordings_folder.h"
+#include "game/files/ui_font.h"
+#include "render/context.h"
+#include "render/overview.h"
+#include "render/pick.h"
+
+namespace game {
+namespace {
+
+constexpr double kTickBudget = 0.04;         // s of a frame; with more the picture would stutter
+constexpr double kSoftwareResolution = 0.5;  // without a GPU four times the pixels take four times as long
+
+// Milliseconds since the last call.
+class Stopwatch {
+  public:
+    explicit Stopwatch(const Screen& screen) : screen_(screen), last_(screen.seconds()) {}
+    float lap() {
+        const double before = std::exchange(last_, screen_.seconds());
+        return static_cast<float>(1000 * (last_ - before));
+    }
+
+  private:
+    const Screen& screen_;
+    double last_;
+};
+
+glm::vec3 ring_colour(sim::CommandKind deed) {
+    switch (deed) {
+        case sim::CommandKind::kDig:
+            return {0.95f, 0.45f, 0.05f};
+        case sim::CommandKind::kBlast:
+            return {0.90f, 0.08f, 0.10f};
+        case sim::CommandKind::kSettle:
+            return {0.35f, 0.75f, 0.20f};
+        default:
+            return {0.10f, 0.45f, 0.95f};
+    }
+}
+
+}  // namespace
+
+Outcome<std::unique_ptr<App>> App::begin(Screen& screen, Opening opening, const sim::How& how,
+                                         const std::optional<std::filesystem::path>& record) {
+    const auto assets = assets_folder();
+    if (!assets) return tl::unexpected(assets.error());
+    auto catalogue = read_catalogue();
+    if (!catalogue) return tl::unexpected(catalogue.error());
+    auto renderer = render::Renderer::create(*assets, render::Quality::kFast);
+    if (!renderer) return machine_fails(renderer.error());
+
+    std::unique_ptr<App> app(new App(screen, std::move(*renderer), std::move(*catalogue), how));
+    app->now_s_ = screen.seconds();
+    app->renderer_name_ = screen.renderer_name();
+    app->waits_for_gl_ = render::is_software_renderer();
+    if (app->waits_for_gl_) {
+        app->display_.resolution = kSoftwareResolution;
+        app->tell("No GPU here: the picture is drawn at half resolution (Display changes it)");
+    }
+    if (auto begun = app->begin_world(std::move(opening), record); !begun)
+        return tl::unexpected(begun.error());
+    return app;
+}
+
+App::App(Screen& screen, render::Renderer renderer, Catalogue catalogue, const sim::How& how)
+    : screen_(screen),
+      renderer_(std::move(renderer)),
+      ui_(ui_font()),
+      catalogue_(std::move(catalogue)),
+      how_(how) {}
+
+App::~App() = default;
+
+bool App::frame() {
+    const double before = std::exchange(now_s_, screen_.seconds());
+    const double elapsed_s = now_s_ - before;
+    FrameTime time;
+    time.frame_ms = static_cast<float>(1000 * elapsed_s);
+    Stopwatch watch(screen_);
+
+    // Hands first, so that what they do is seen in this very frame; of these the panels', which lie on top.
+    const auto events = screen_.poll();
+    const ScreenSize size = screen_.size();
+    ui_.begin(events, screen_, display_.letters, elapsed_s);
+    input_.take(events, size, {ui_.keeps_mouse(), ui_.keeps_keys()}, actions_);
+    perform_all();
+
+    // The camera before the brush: the brush is where the cursor meets the ground as it will be seen.
+    if (size.width > 0) move_camera(elapsed_s);
+    guide_stroke();
+    time.stage_ms[stage_index(Stage::kInput)] = watch.lap();
+
+    // Ticks that are due, each with what the hand gives it: recorded, then done.
+    run_ticks(elapsed_s, time);
+    time.stage_ms[stage_index(Stage::kSolve)] = watch.lap();
+
+    if (size.width > 0) {
+        // The world after its ticks, then the panels, which tell of the same tick.
+        draw_world();
+        time.stage_ms[stage_index(Stage::kDraw)] = watch.lap();
+        draw_panels();
+        time.stage_ms[stage_index(Stage::kPanels)] = watch.lap();
+        screen_.present();
+        time.stage_ms[stage_index(Stage::kPresent)] = watch.lap();
+    }
+    times_.add(time);
+    return !leaving_;
+}
+
+Outcome<void> App::finish() {
+    if (record_ && sandbox_->watches()) take_over();
+    return sandbox_->finish();
+}
+
+void App::perform_all() {
+    if (input_.close_asked()) leaving_ = true;
+    if (input_.dropped())
+        for (const auto& path : screen_.dropped()) open_or_tell(path.string(), {});
+    // Panels asked in the frame before. What is performed may ask for more only in the next frame.
+    for (std::size_t i = 0; i < actions_.size(); ++i)
+        std::visit([this](const auto& action) { perform(action); }, actions_[i]);
+    actions_.clear();
+}
+
+std::optional<glm::dvec3> App::ground_under(glm::dvec2 point) const {
+    const ScreenSize size = screen_.size();
+    const double aspect = static_cast<double>(size.width) / size.height;
+    return render::pick(sandbox_->session().view(), render::ray_through(camera_->camera(), aspect, point));
+}
+
+void App::move_camera(double elapsed_s) {
+    const sim::View world = sandbox_->session().view();
+    const ScreenSize size = screen_.size();
+    const double aspect = static_cast<double>(size.width) / size.height;
+    CameraWish wish;
+    const auto cursor = input_.cursor();
+    if (input_.camera_drag_began()) drag_pivot_ = ground_under(input_.drag_from());
+    if (const auto drag = input_.camera_drag(); drag && cursor) {
+        wish.drag = drag == Gesture::kTurn ? CameraWish::Drag::kTurn : CameraWish::Drag::kPan;
+        wish.from = input_.drag_from();
+        wish.to = *cursor;
+        wish.pivot = drag_pivot_;
+    }
+    if (input_.zoom_steps() != 0 && cursor) {
+        wish.zoom_steps = input_.zoom_steps();
+        if (!wish.pivot) wish.pivot = ground_under(*cursor);
+    }
+    wish.walk = {input_.held(Held::kRight, Held::kLeft), input_.held(Held::kForward, Held::kBack),
+                 input_.held(Held::kUp, Held::kDown)};
+    wish.fast = input_.fast();
+    camera_->move(wish, world, aspect, elapsed_s);
+
+    ground_ = cursor ? ground_under(*cursor) : std::nullopt;
+}
+
+void App::guide_stroke() {
+    if (input_.resize_steps() != 0) resize_brush(input_.resize_steps());
+    if (input_.brush_pressed()) begin_stroke();
+    if (!stroke_) return;
+    // Once the button is up the hand is elsewhere.
+    if (!stroke_ends_) stroke_->move_to(ground_ ? std::optional<glm::dvec2>(*ground_) : std::nullopt);
+    // A click shorter than a tick is a stroke too; one while time stands still is none.
+    if (!input_.brush_held()) stroke_ends_ = true;
+    if (stroke_ends_ && clock_.paused()) stroke_.reset();
+}
+
+void App::begin_stroke() {
+    if (sandbox_->looks_back()) return tell_hands_off();
+    if (sandbox_->start().flow)
+        return tell("Nothing to pour on here: this scene shows a flow, and Display has its speeds");
+    // Where the button went down: by now the cursor may be far on.
+    const auto at = ground_under(input_.drag_from());
+    if (!at) return;
+    const sim::CommandKind deed = deed_of(brush_, input_.inverted());
+    stroke_.emplace(deed, glm::dvec2(*at));
+    stroke_ends_ = false;
+    sandbox_->begin_action(std::string(sim::info_of(deed).name));
+    if (clock_.paused())
+        tell("Time stands still: Space lets it run, . runs one tick with what the hand does");
+}
+
+void App::run_ticks(double elapsed_s, FrameTime& time) {
+    const double tick_s = static_cast<double>(sandbox_->start().params.tick_s);
+    const int due = clock_.ticks_due(elapsed_s, tick_s);
+    const double begun = screen_.seconds();
+    if (clock_.runs_back() && !seeking_) seeking_ = sandbox_->session().state().tick - due;
+    if (seeking_) return seek(*seeking_, begun);
+    const auto may_go_on = [&](double spent) {
+        return !sandbox_->watched_to_end() && (time.ticks == 0 || spent < kTickBudget);
+    };
+    for (double spent = 0; time.ticks < due && may_go_on(spent); ++time.ticks) {
+        hand_.clear();
+        if (!sandbox_->looks_back()) std::swap(hand_, set_numbers_);
+        if (stroke_) stroke_->commands_of(time.ticks, due, brush_, tick_s, hand_);
+        touched_ |= !hand_.empty();
+        if (const auto done = sandbox_->tick(hand_); !done) {
+            warn(done.error().sentence);
+            if (done.error().status == Failure::kMachine) recording_.reset();
+            if (done.error().status == Failure::kBadAnswer) {
+                clock_.pause(true);
+                break;
+            }
+        }
+        const double now = screen_.seconds() - begun;
+        time.worst_tick_ms = std::max(time.worst_tick_ms, static_cast<float>(1000 * (now - spent)));
+        spent = now;
+    }
+    clock_.ticks_undone(due - time.ticks);
+    if (stroke_ && time.ticks > 0) {
+        stroke_->arrive(static_cast<double>(time.ticks) / due);
+        if (stroke_ends_) stroke_.reset();
+    }
+    take_over_at_end();
+}
+
+// Toward a tick that is known, as far as a frame's time lets.
+void App::seek(std::int64_t tick, double begun_s) {
+    stroke_.reset();
+    const std::int64_t before = sandbox_->session().state().tick;
+    const auto there = sandbox_->go_toward(tick, [&] { return screen_.seconds() - begun_s < kTickBudget; });
+    if (!there) warn(there.error().sentence);
+    if (sandbox_->session().state().tick != before) ++epoch_;
+    if (there && !*there && sandbox_->can_go_back()) return;  // goes on in the next frame
+    seeking_.reset();
+    if (clock_.runs_back() && sandbox_->session().state().tick == 0) {
+        clock_.run_back(false);
+        clock_.pause(true);
+    }
+    if (std::exchange(takes_over_there_, false)) take_over();
+}
+
+// What was watched is the person's once it has come to its end.
+void App::take_over_at_end() {
+    if (!sandbox_->watched_to_end()) return;
+    clock_.set_speed(1);  // whoever hurried through it starts at a pace for hands
+    const Verdict verdict = *sandbox_->verdict();
+    const bool proven = verdict.proven_tick == sandbox_->known_until();
+    take_over();
+    if (verdict.parted)
+        warn(fmt::format("The recording parts from what was played: {}. The world is yours now",
+                         *verdict.parted));
+    else if (!verdict.comparable)
+        tell(
+            "The recording has come to its end, played by another version of the physics: the world is "
+            "yours");
+    else if (!proven)
+        tell(
+            "The recording has come to its end; it states nothing to compare with up to there. The world is "
+            "yours");
+    else
+        tell("The recording has come to its end, met bit for bit: the world is yours");
+}
+
+void App::draw_world() {
+    const ScreenSize size = screen_.size();
+    const auto scaled = [&](int pixels) {
+        return std::max(1, static_cast<int>(std::lround(pixels * display_.resolution)));
+    };
+    const sim::View world = sandbox_->session().view();
+    render::Marks marks{
+        .overlay = display_.overlay, .contours = display_.contours, .flow_mesh = display_.flow_mesh};
+    if (ground_ && !sandbox_->looks_back() && !sandbox_->start().flow) {
+        const auto deed = stroke_ ? stroke_->deed() : deed_of(brush_, input_.inverted());
+        marks.ring = render::Ring{glm::dvec2(*ground_), brush_.radius, ring_colour(deed)};
+    }
+    const Drawn wanted{epoch_,
+                       sandbox_->session().changed_at(),
+                       camera_->camera(),
+                       display_,
+                       marks,
+                       scaled(size.width),
+                       scaled(size.height)};
+    if (!(wanted == drawn_)) {
+        drawn_ = wanted;
+        render::Look look = sandbox_->start().look;
+        look.detail = display_.detail;
+        renderer_.set_quality(display_.fine ? render::Quality::kFine : render::Quality::kFast);
+        renderer_.draw(world, wanted.camera, display_.light, look, marks, wanted.width, wanted.height,
+                       sandbox_->session().fronts());
+    }
+    renderer_.show_on(screen_.framebuffer(), size.width, size.height);
+    if (waits_for_gl_) renderer_.wait();
+}
+
+void App::draw_panels() {
+    const Session& session = sandbox_->session();
+    std::optional<Reading> reading;
+    if (ground_) reading = probe_->read(session.view(), glm::dvec2(*ground_));
+    const ui::Timeline timeline{.known_until = sandbox_->known_until(),
+                                .watches = sandbox_->watches(),
+                                .can_go_back = sandbox_->can_go_back()};
+    ui_.build(
+        {
+            .start = sandbox_->start(),
+            .state = session.state(),
+            .clock = clock_,
+            .brush = brush_,
+            .inverted = input_.inverted(),
+            .brushing = stroke_.has_value(),
+            .touched = touched_,
+            .actions_to_undo = sandbox_->actions(),
+            .under_cursor = reading,
+            .camera_mode = camera_->mode(),
+            .display = display_,
+            .times = times_,
+            .notices = notices_,
+            .catalogue = catalogue_,
+            .timeline = timeline,
+            .recording = recording_ ? std::string_view(recording_->native()) : std::string_view(),
+            .renderer = renderer_name_,
+            .now_s = now_s_,
+        },
+        actions_);
+    ui_.draw();
+}
+
+}  // namespace game

@@ -1,0 +1,144 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "game/base/outcome.h"
+#include "game/controls/action.h"
+#include "game/controls/brush.h"
+#include "game/controls/camera_control.h"
+#include "game/controls/catalogue.h"
+#include "game/controls/display.h"
+#include "game/controls/frame_times.h"
+#include "game/controls/input.h"
+#include "game/controls/notices.h"
+#include "game/controls/probe.h"
+#include "game/controls/screen.h"
+#include "game/controls/tick_clock.h"
+#include "game/session/sandbox.h"
+#include "game/ui/ui.h"
+#include "render/frame.h"
+
+namespace game {
+
+// The sandbox as a person has it before them: a world, its picture, a hand and the panels, on a screen. Owns
+// everything that outlives a frame.
+class App {
+  public:
+    // Begins with `opening` on a screen that outlives the app; `record` as in begin_world. Errors: shaders or
+    // assets are missing, or `record` cannot be written (3).
+    static Outcome<std::unique_ptr<App>> begin(Screen& screen, Opening opening, const sim::How& how,
+                                               const std::optional<std::filesystem::path>& record);
+    ~App();
+
+    // One frame, from events to the picture on the screen. False once the person has asked to leave.
+    bool frame();
+    // Goes on to this tick of a recording, and takes over there.
+    void take_over_at(std::int64_t tick);
+    // Closes the recording. Errors: it cannot be written (3).
+    Outcome<void> finish();
+
+    const Sandbox& sandbox() const { return *sandbox_; }
+    const FrameTimes& times() const { return times_; }
+    const Notices& notices() const { return notices_; }
+    const TickClock& clock() const { return clock_; }
+    const Brush& brush() const { return brush_; }
+    const Display& display() const { return display_; }
+    const render::Camera& camera() const { return camera_->camera(); }
+    const ui::Ui& panels() const { return ui_; }
+    // File that is or was being written; nothing where none could be.
+    const std::optional<std::filesystem::path>& recording() const { return recording_; }
+
+  private:
+    App(Screen& screen, render::Renderer renderer, Catalogue catalogue, const sim::How& how);
+
+    // The stops of a frame, in their order.
+    void perform_all();
+    void move_camera(double elapsed_s);
+    void guide_stroke();
+    void run_ticks(double elapsed_s, FrameTime& time);
+    void seek(std::int64_t tick, double begun_s);
+    void draw_world();
+    void draw_panels();
+
+    void perform(Verb verb);
+    void perform(const SetSpeed& set);
+    void perform(const SeekTick& seek);
+    void perform(const SetBrush& set);
+    void perform(const SetNumber& set);
+    void perform(const SetDisplay& set);
+    void perform(const Open& open);
+    void undo();
+    void reset();
+    void tell_camera_mode();
+    void resize_brush(double steps);
+    void begin_stroke();
+    std::optional<glm::dvec3> ground_under(glm::dvec2 point) const;  // of the picture
+    void take_over_at_end();
+    void take_over();
+    bool may_go_back();  // else tells why not
+    void step_back();
+    void run_back();
+    void tell_hands_off();
+
+    // Begins anew with `opening`, recorded in `record` or else in the recordings folder; the world before it
+    // is closed. Errors: `record` cannot be written; nothing has changed then.
+    Outcome<void> begin_world(Opening opening, const std::optional<std::filesystem::path>& record);
+    Outcome<std::optional<Recorder>> begin_recording(const Start& start,
+                                                     const std::optional<std::filesystem::path>& wanted);
+    void open_or_tell(const std::string& name_or_path, const Wishes& wishes);
+
+    void tell(std::string sentence) { notices_.tell(Notice::Kind::kInfo, std::move(sentence), now_s_); }
+    void warn(std::string sentence) { notices_.tell(Notice::Kind::kWarning, std::move(sentence), now_s_); }
+
+    // What a picture of the world was drawn from: the same again need not be drawn again.
+    struct Drawn {
+        std::int64_t epoch = -1, changed_at = -1;
+        render::Camera camera;
+        Display display;
+        render::Marks marks;
+        int width = 0, height = 0;
+        bool operator==(const Drawn&) const = default;
+    };
+
+    Screen& screen_;
+    render::Renderer renderer_;
+    ui::Ui ui_;
+    Catalogue catalogue_;
+    std::string renderer_name_;
+    bool waits_for_gl_ = false;  // without a GPU GL's time is ours, and its stage should say so
+    sim::How how_;
+
+    Opening first_;  // what reset goes back to
+    std::optional<Sandbox> sandbox_;
+    std::optional<std::filesystem::path> recording_;
+    std::int64_t epoch_ = 0;  // of the world: grows when it begins anew or goes back in time
+    std::optional<std::filesystem::path> record_;  // where it was asked to be recorded
+    std::optional<std::int64_t> seeking_;          // tick on the way to which time is
+    bool takes_over_there_ = false;
+
+    TickClock clock_;
+    Input input_;
+    Actions actions_;
+    Brush brush_;
+    std::optional<Stroke> stroke_;
+    bool stroke_ends_ = false;               // its button is up; it goes once it has had a tick
+    bool touched_ = false;                   // the person has changed the world
+    std::vector<sim::Command> hand_;         // of one tick; kept for its memory
+    std::vector<sim::Command> set_numbers_;  // by panels, for the next tick
+
+    std::optional<CameraControl> camera_;
+    std::optional<Probe> probe_;
+    std::optional<glm::dvec3> drag_pivot_;
+    std::optional<glm::dvec3> ground_;  // under the cursor
+    Display display_;
+    Drawn drawn_;
+    Notices notices_;
+    FrameTimes times_;
+    double now_s_ = 0;
+    bool leaving_ = false;
+};
+
+}  // namespace game

@@ -1,0 +1,292 @@
+// What an app does for each action; app.cpp has the frame.
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "game/app/app.h"
+#include "game/files/recordings_folder.h"
+#include "game/recording/format.h"
+#include "render/overview.h"
+
+namespace game {
+namespace {
+
+constexpr double kSizeStep = 1.15, kStrengthStep = 1.25;
+
+// From a little farther than for a picture: bars lie over the upper and the lower edge.
+render::Camera overview_beside_panels(const sim::View& world) {
+    render::Camera camera = render::overview(world);
+    camera.distance_m *= 1.3;
+    return camera;
+}
+
+// A fiftieth of the mountain, but never so small that the grid cannot tell.
+Brush brush_for(const sim::Grid& grid) {
+    const auto dx = static_cast<double>(grid.dx);
+    const RadiusRange range = radius_range(grid);
+    Brush brush;
+    brush.radius =
+        std::clamp(std::max(0.02 * dx * (std::max(grid.nx, grid.ny) - 1), 2.5 * dx), range.least, range.most);
+    return brush;
+}
+
+}  // namespace
+
+void App::perform(Verb verb) {
+    if (ui_.perform(verb)) return;
+    const auto choose = [&](Tool tool) { brush_.tool = tool; };
+    switch (verb) {
+        case Verb::kPauseOrGoOn:
+            return clock_.pause(!clock_.paused());
+        case Verb::kStepOnce:
+            clock_.pause(true);
+            return clock_.step_once();
+        case Verb::kSlower:
+            return clock_.set_speed(clock_.speed() / 2);
+        case Verb::kFaster:
+            return clock_.set_speed(clock_.speed() * 2);
+        case Verb::kUsualSpeed:
+            return clock_.set_speed(1);
+        case Verb::kStepBack:
+            return step_back();
+        case Verb::kRunBack:
+            return run_back();
+        case Verb::kTakeOver:
+            return take_over();
+        case Verb::kUndo:
+            return undo();
+        case Verb::kReset:
+            return reset();
+        case Verb::kPour:
+            return choose(Tool::kPour);
+        case Verb::kDig:
+            return choose(Tool::kDig);
+        case Verb::kBlast:
+            return choose(Tool::kBlast);
+        case Verb::kSmallerBrush:
+            return resize_brush(-1);
+        case Verb::kLargerBrush:
+            return resize_brush(1);
+        case Verb::kWeakerBrush:
+        case Verb::kStrongerBrush:
+            brush_.amount() = std::clamp(
+                brush_.amount() * (verb == Verb::kStrongerBrush ? kStrengthStep : 1 / kStrengthStep),
+                Brush::kLeastStrength, Brush::kMostStrength);
+            return;
+        case Verb::kPourStandingOrRolling:
+            brush_.standing = !brush_.standing;
+            return;
+        case Verb::kOverview:
+            return camera_->overview();
+        case Verb::kTopDown:
+            camera_->top_down(camera_->mode() != CameraMode::kTopDown);
+            return tell_camera_mode();
+        case Verb::kFly:
+            camera_->fly(camera_->mode() != CameraMode::kFly);
+            return tell_camera_mode();
+        case Verb::kFullscreen:
+            return screen_.set_fullscreen(!screen_.fullscreen());
+        case Verb::kQuit:
+            leaving_ = true;
+            return;
+        default:
+            return;  // a panel's, which ui_ has taken
+    }
+}
+
+void App::perform(const SetSpeed& set) {
+    clock_.set_speed(set.speed);
+}
+void App::perform(const SetBrush& set) {
+    brush_ = set.brush;
+}
+void App::perform(const SetDisplay& set) {
+    if (!(set.display.flow == display_.flow)) sandbox_->set_flow(set.display.flow);
+    display_ = set.display;
+}
+void App::perform(const Open& open) {
+    open_or_tell(open.name_or_path, open.wishes);
+}
+
+void App::perform(const SetNumber& set) {
+    if (sandbox_->looks_back()) return tell_hands_off();
+    sim::Command command;
+    command.kind = sim::CommandKind::kSet;
+    command.param = set.param;
+    command.value = shortest(set.value);  // a recording says 0.6, and not 0.6000000238418579
+    auto all = set_numbers_;
+    all.push_back(command);
+    auto fault = sim::fault_of(command);
+    if (!fault) fault = sim::fault_after(sandbox_->session().state().params, all);
+    if (fault) return warn(fmt::format("Not set: {}", *fault));
+    set_numbers_ = std::move(all);
+    sandbox_->begin_action(fmt::format("set {}", sim::kParams[set.param].name));
+    if (clock_.paused()) tell("Set with the next tick: time stands still");
+}
+
+// Neither is to be seen in the picture.
+void App::tell_camera_mode() {
+    if (camera_->mode() == CameraMode::kTopDown)
+        tell("From above, north is up: the middle button moves the view, T goes back");
+    if (camera_->mode() == CameraMode::kFly)
+        tell("Flying: W A S D and the arrows move, the right button looks round, F goes back");
+}
+
+void App::resize_brush(double steps) {
+    const RadiusRange range = radius_range(sandbox_->start().grid);
+    brush_.radius = std::clamp(brush_.radius * std::pow(kSizeStep, steps), range.least, range.most);
+}
+
+void App::undo() {
+    stroke_.reset();
+    seeking_.reset();
+    clock_.run_back(false);
+    // A number that waits for the next tick has done nothing yet: it goes, and nothing else.
+    if (!set_numbers_.empty()) {
+        set_numbers_.clear();
+        return tell("Undone: the numbers that waited for the next tick");
+    }
+    const auto undone = sandbox_->undo();
+    ++epoch_;
+    if (!undone && undone.error().status == Failure::kMachine) {
+        recording_.reset();
+        return warn(fmt::format("Undone, but the recording ends here: {}", undone.error().sentence));
+    }
+    if (!undone) return tell(undone.error().sentence);
+    tell(fmt::format("Undone: {}. Back at {:.1f} s", *undone, sandbox_->session().seconds()));
+}
+
+bool App::may_go_back() {
+    if (!sandbox_->can_go_back()) tell("A flow that is shown has no way back");
+    return sandbox_->can_go_back();
+}
+
+void App::perform(const SeekTick& seek) {
+    if (!may_go_back()) return;
+    clock_.run_back(false);
+    seeking_ = seek.tick;
+}
+
+void App::step_back() {
+    clock_.pause(true);
+    perform(SeekTick{sandbox_->session().state().tick - 1});
+}
+
+void App::run_back() {
+    if (!may_go_back()) return;
+    clock_.run_back(!clock_.runs_back());
+    clock_.pause(false);
+    seeking_.reset();
+}
+
+void App::take_over_at(std::int64_t tick) {
+    seeking_ = tick;
+    takes_over_there_ = true;
+}
+
+void App::take_over() {
+    if (!sandbox_->watches() && !sandbox_->looks_back()) return tell("The world is yours already");
+    const auto path = record_ && sandbox_->watches() ? Outcome<std::filesystem::path>(*record_)
+                                                     : next_recording(sandbox_->start().scene);
+    clock_.run_back(false);
+    seeking_.reset();
+    ++epoch_;
+    const double seconds = sandbox_->session().seconds();
+    auto taken = sandbox_->take_over(path ? std::optional(*path) : std::nullopt);
+    if (!path) taken = tl::unexpected(path.error());
+    recording_.reset();
+    if (taken && sandbox_->session().recorder()) recording_ = *path;
+    catalogue_.own = own_recordings();
+    if (!taken) return warn(fmt::format("Yours, but it is not recorded: {}", taken.error().sentence));
+    tell(fmt::format(
+        "Yours from here, {:.1f} s, in a recording of its own: what came after stays in the one before",
+        seconds));
+}
+
+void App::tell_hands_off() {
+    tell(fmt::format("Hands off: this is {}. {} takes over here",
+                     sandbox_->watches() ? "being watched" : "the past", name_of(Verb::kTakeOver)));
+}
+
+void App::reset() {
+    Opening again = first_;
+    again.told = fmt::format("Begun anew: {}{}", first_.scene.start.title,
+                             recording_ ? ". What was is in its recording" : "");
+    if (const auto begun = begin_world(std::move(again), std::nullopt); !begun) warn(begun.error().sentence);
+}
+
+void App::open_or_tell(const std::string& name_or_path, const Wishes& wishes) {
+    Wishes within = wishes;
+    within.memory = first_.memory;
+    within.memory.use.sessions = 2;  // the world that is left stands until the other one is there
+    auto opening = open_anything(name_or_path, within);
+    if (!opening) return warn(opening.error().sentence);
+    if (const auto begun = begin_world(std::move(*opening), std::nullopt); !begun)
+        warn(begun.error().sentence);
+}
+
+Outcome<void> App::begin_world(Opening opening, const std::optional<std::filesystem::path>& record) {
+    // Reset keeps the hand and the eye as they are; another mountain does not.
+    const bool same = sandbox_ && ground_hash(sandbox_->start()) == ground_hash(opening.scene.start);
+    if (const auto& flow = opening.scene.start.look.flow)
+        if (auto loaded = renderer_.load(flow->pattern); !loaded) return machine_fails(loaded.error());
+    // A recording is recorded anew only from where it is taken over.
+    Outcome<std::optional<Recorder>> recorder;
+    if (!opening.watched) recorder = begin_recording(opening.scene.start, record);
+    if (!recorder) return tl::unexpected(recorder.error());
+    std::optional<std::filesystem::path> recording;
+    if (*recorder) recording = (*recorder)->path();
+    auto begun = Sandbox::begin(opening, how_, std::move(*recorder));
+    if (!begun && recording && !record) {
+        warn(fmt::format("This session is not recorded: {}", begun.error().sentence));
+        recording.reset();
+        begun = Sandbox::begin(opening, how_, std::nullopt);
+    }
+    if (!begun) return tl::unexpected(begun.error());
+    if (sandbox_)
+        if (const auto closed = sandbox_->finish(); !closed) warn(closed.error().sentence);
+    sandbox_ = std::move(*begun);
+    first_ = std::move(opening);
+    recording_ = std::move(recording);
+    record_ = record;
+    catalogue_.own = own_recordings();
+    ++epoch_;
+
+    const Start& start = sandbox_->start();
+    stroke_.reset();
+    set_numbers_.clear();
+    if (!same) touched_ = false;  // who begins anew knows how
+    seeking_.reset();
+    takes_over_there_ = false;
+    clock_.run_back(false);
+    if (!same) {
+        const sim::View world = sandbox_->session().view();
+        brush_ = brush_for(start.grid);
+        display_.light = start.light;
+        camera_.emplace(start.camera.value_or(overview_beside_panels(world)), world);
+    }
+    if (start.flow) display_.flow = start.flow->numbers;
+    probe_.emplace(start.georeference);
+    screen_.show_title(fmt::format("Couloir: {}", start.title));
+    tell(first_.told);
+    if (start.look.flow && !sandbox_->session().fronts()) tell(Session::kTooFine);
+    now_s_ = screen_.seconds();  // loading took time that the new world does not owe
+    return {};
+}
+
+Outcome<std::optional<Recorder>> App::begin_recording(const Start& start,
+                                                      const std::optional<std::filesystem::path>& wanted) {
+    const auto path = wanted ? Outcome<std::filesystem::path>(*wanted) : next_recording(start.scene);
+    auto recorder = path ? Recorder::create(*path, start) : Outcome<Recorder>(tl::unexpected(path.error()));
+    // A file that was asked for is a must; the one that is always made must not keep anybody from playing.
+    if (!recorder && wanted) return tl::unexpected(recorder.error());
+    if (!recorder) {
+        warn(fmt::format("This session is not recorded: {}", recorder.error().sentence));
+        return std::nullopt;
+    }
+    return std::move(*recorder);
+}
+
+}  // namespace game

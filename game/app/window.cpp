@@ -1,0 +1,362 @@
+#include "game/app/window.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <iterator>
+#include <optional>
+#include <thread>
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "render/context.h"
+
+namespace game {
+namespace {
+
+constexpr int kLeastWidth = 480, kLeastHeight = 270;  // of the window, below which no panel can be read
+constexpr int kUsualRate = 60;                        // Hz, of a monitor that does not tell
+constexpr std::size_t kEventsPerFrame = 1024;         // room for a fast mouse and a slow frame
+
+static_assert(GLFW_KEY_LAST < 512, "pressed_ has a place for every key");
+
+struct NamedKey {
+    int glfw;
+    Key key;
+};
+constexpr NamedKey kNamedKeys[] = {
+    {GLFW_KEY_ESCAPE, Key::kEscape},
+    {GLFW_KEY_ENTER, Key::kEnter},
+    {GLFW_KEY_KP_ENTER, Key::kEnter},
+    {GLFW_KEY_TAB, Key::kTab},
+    {GLFW_KEY_BACKSPACE, Key::kBackspace},
+    {GLFW_KEY_DELETE, Key::kDelete},
+    {GLFW_KEY_LEFT, Key::kLeft},
+    {GLFW_KEY_RIGHT, Key::kRight},
+    {GLFW_KEY_UP, Key::kUp},
+    {GLFW_KEY_DOWN, Key::kDown},
+    {GLFW_KEY_HOME, Key::kHome},
+    {GLFW_KEY_END, Key::kEnd},
+    {GLFW_KEY_PAGE_UP, Key::kPageUp},
+    {GLFW_KEY_PAGE_DOWN, Key::kPageDown},
+    {GLFW_KEY_LEFT_SHIFT, Key::kShift},
+    {GLFW_KEY_RIGHT_SHIFT, Key::kShift},
+    {GLFW_KEY_LEFT_CONTROL, Key::kControl},
+    {GLFW_KEY_RIGHT_CONTROL, Key::kControl},
+    {GLFW_KEY_LEFT_ALT, Key::kAlt},
+    {GLFW_KEY_RIGHT_ALT, Key::kAlt},
+    {GLFW_KEY_KP_ADD, Key::kEqual},
+    {GLFW_KEY_KP_SUBTRACT, Key::kMinus},
+    {GLFW_KEY_KP_DECIMAL, Key::kPeriod},
+};
+
+Key key_of(int glfw_key) {
+    if (glfw_key >= GLFW_KEY_SPACE && glfw_key <= GLFW_KEY_GRAVE_ACCENT) return static_cast<Key>(glfw_key);
+    if (glfw_key >= GLFW_KEY_F1 && glfw_key <= GLFW_KEY_F12) return function_key(glfw_key - GLFW_KEY_F1 + 1);
+    if (glfw_key >= GLFW_KEY_KP_0 && glfw_key <= GLFW_KEY_KP_9)
+        return key(static_cast<char>('0' + glfw_key - GLFW_KEY_KP_0));
+    const auto* named = std::find_if(std::begin(kNamedKeys), std::end(kNamedKeys),
+                                     [&](const NamedKey& candidate) { return candidate.glfw == glfw_key; });
+    return named == std::end(kNamedKeys) ? Key::kNone : named->key;
+}
+
+// What is printed on a key, where that is a letter of ours.
+Key printed_on(int glfw_key, int scancode) {
+    const char* name = glfwGetKeyName(glfw_key, scancode);
+    if (name == nullptr || name[0] < 'a' || name[0] > 'z' || name[1] != '\0') return key_of(glfw_key);
+    return key(static_cast<char>(name[0] - 'a' + 'A'));
+}
+
+Modifiers modifiers(int bits) {
+    return {(bits & GLFW_MOD_SHIFT) != 0, (bits & GLFW_MOD_CONTROL) != 0, (bits & GLFW_MOD_ALT) != 0};
+}
+
+// For events that come without.
+Modifiers modifiers_held(GLFWwindow* window) {
+    const auto held = [&](int left, int right) {
+        return glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
+    };
+    return {held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
+            held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL), held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)};
+}
+
+std::optional<Button> button_of(int glfw_button) {
+    switch (glfw_button) {
+        case GLFW_MOUSE_BUTTON_LEFT:
+            return Button::kLeft;
+        case GLFW_MOUSE_BUTTON_RIGHT:
+            return Button::kRight;
+        case GLFW_MOUSE_BUTTON_MIDDLE:
+            return Button::kMiddle;
+        default:
+            return std::nullopt;
+    }
+}
+
+// The monitor that shows a point of the desktop; the main one for a point that none shows; null without any.
+GLFWmonitor* monitor_at(int x, int y) {
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+        int left = 0, top = 0;
+        glfwGetMonitorPos(monitors[i], &left, &top);
+        const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+        if (mode != nullptr && x >= left && x < left + mode->width && y >= top && y < top + mode->height)
+            return monitors[i];
+    }
+    return glfwGetPrimaryMonitor();
+}
+
+GLFWmonitor* monitor_of(GLFWwindow* window) {
+    if (GLFWmonitor* full = glfwGetWindowMonitor(window)) return full;
+    int x = 0, y = 0, width = 0, height = 0;
+    glfwGetWindowPos(window, &x, &y);
+    glfwGetWindowSize(window, &width, &height);
+    return monitor_at(x + width / 2, y + height / 2);
+}
+
+// The library's own words for what it last failed at.
+std::string last_words() {
+    const char* words = nullptr;
+    glfwGetError(&words);
+    return words == nullptr ? "nothing" : words;
+}
+
+std::string display_tried() {
+    for (const char* variable : {"DISPLAY", "WAYLAND_DISPLAY"})
+        if (const char* value = std::getenv(variable); value != nullptr && *value != '\0')
+            return fmt::format("{}={}", variable, value);
+    return "no DISPLAY";
+}
+
+tl::unexpected<Failure> no_window(std::string_view what, std::string_view why) {
+    return machine_fails(fmt::format("no window: {} ({}; {}); couloir replay draws without a window", what,
+                                     display_tried(), why));
+}
+
+void set_hints() {
+    glfwDefaultWindowHints();
+    glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_API);
+    glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_EGL_CONTEXT_API);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_ALPHA_BITS, 0);  // or the desktop may shine through
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "couloir");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "couloir");
+}
+
+// The library is C: nothing may be thrown through it. What fails here is memory, and then an event is lost.
+template <class Work>
+void guarded(Work&& work) noexcept {
+    try {
+        work();
+    } catch (...) {
+    }
+}
+
+}  // namespace
+
+struct Window::Callbacks {
+    static Window& of(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
+
+    static void take(GLFWwindow* window, const Event& event) {
+        guarded([&] { of(window).events_.push_back(event); });
+    }
+
+    static void on_key(GLFWwindow* window, int glfw_key, int scancode, int action, int mods) {
+        if (glfw_key < 0) return;  // a key that the library has no name for
+        Key& pressed = of(window).pressed_[static_cast<std::size_t>(glfw_key)];
+        // A key comes up as what it went down, whatever became of Control meanwhile.
+        if (action == GLFW_PRESS)
+            pressed = (mods & GLFW_MOD_CONTROL) != 0 ? printed_on(glfw_key, scancode) : key_of(glfw_key);
+        if (pressed == Key::kNone) return;
+        // The bits that come with a modifier's own key are those from before.
+        const bool is_modifier = pressed == Key::kShift || pressed == Key::kControl || pressed == Key::kAlt;
+        take(window, KeyEvent{pressed, action != GLFW_RELEASE, action == GLFW_REPEAT,
+                              is_modifier ? modifiers_held(window) : modifiers(mods)});
+    }
+
+    static void on_button(GLFWwindow* window, int glfw_button, int action, int mods) {
+        if (const auto button = button_of(glfw_button))
+            take(window, ButtonEvent{*button, action == GLFW_PRESS, modifiers(mods)});
+    }
+
+    static void on_move(GLFWwindow* window, double x, double y) {
+        const Window& self = of(window);
+        if (self.window_size_.x == 0 || self.window_size_.y == 0) return;
+        take(window, MoveEvent{x * self.framebuffer_size_.x / self.window_size_.x,
+                               y * self.framebuffer_size_.y / self.window_size_.y});
+    }
+
+    static void on_wheel(GLFWwindow* window, double /*x*/, double y) {
+        take(window, WheelEvent{y, modifiers_held(window)});
+    }
+
+    static void on_text(GLFWwindow* window, unsigned character) {
+        take(window, TextEvent{static_cast<char32_t>(character)});
+    }
+
+    static void on_focus(GLFWwindow* window, int focused) { take(window, FocusEvent{focused == GLFW_TRUE}); }
+
+    static void on_drop(GLFWwindow* window, int count, const char** paths) {
+        guarded([&] {
+            of(window).dropped_.assign(paths, paths + count);
+            of(window).events_.push_back(DropEvent{});
+        });
+    }
+
+    // Whether the window does close is for the person at the other end to say.
+    static void on_close(GLFWwindow* window) {
+        glfwSetWindowShouldClose(window, GLFW_FALSE);
+        take(window, CloseEvent{});
+    }
+
+    static void on_iconify(GLFWwindow* window, int iconified) {
+        of(window).iconified_ = iconified == GLFW_TRUE;
+    }
+    static void on_place(GLFWwindow* window, int /*x*/, int /*y*/) { of(window).follow_monitor(); }
+    static void on_size(GLFWwindow* window, int /*width*/, int /*height*/) { of(window).measure(); }
+    static void on_scale(GLFWwindow* window, float /*x*/, float /*y*/) { of(window).measure(); }
+
+    static void set(GLFWwindow* window) {
+        glfwSetKeyCallback(window, on_key);
+        glfwSetMouseButtonCallback(window, on_button);
+        glfwSetCursorPosCallback(window, on_move);
+        glfwSetScrollCallback(window, on_wheel);
+        glfwSetCharCallback(window, on_text);
+        glfwSetWindowFocusCallback(window, on_focus);
+        glfwSetDropCallback(window, on_drop);
+        glfwSetWindowCloseCallback(window, on_close);
+        glfwSetWindowIconifyCallback(window, on_iconify);
+        glfwSetWindowPosCallback(window, on_place);
+        glfwSetWindowSizeCallback(window, on_size);
+        glfwSetFramebufferSizeCallback(window, on_size);
+        glfwSetWindowContentScaleCallback(window, on_scale);
+    }
+};
+
+Outcome<std::unique_ptr<Window>> Window::open(const std::string& title, int width, int height) {
+#ifdef GLFW_PLATFORM  // since GLFW 3.4, which asks Wayland first
+    // Where it has no folder for its sockets, Wayland's library prints a line of its own.
+    if (std::getenv("XDG_RUNTIME_DIR") == nullptr) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
+    if (glfwInit() == GLFW_FALSE)
+        return no_window("there is no display to open it on", "GLFW: " + last_words());
+    set_hints();
+    GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+    if (window == nullptr) {
+        const std::string why = "GLFW: " + last_words();
+        glfwTerminate();
+        return no_window("this display has no OpenGL 4.5 core context through EGL", why);
+    }
+    std::unique_ptr<Window> opened(new Window(window));
+    if (const int version = epoxy_gl_version(); version < 45)
+        return no_window("the OpenGL of this display is older than 4.5", opened->renderer_name());
+    return opened;
+}
+
+Window::Window(GLFWwindow* window) : window_(window) {
+    events_.reserve(kEventsPerFrame);
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(1);
+    glfwSetWindowSizeLimits(window_, kLeastWidth, kLeastHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwSetWindowUserPointer(window_, this);
+    Callbacks::set(window_);
+    measure();
+    follow_monitor();
+}
+
+Window::~Window() {
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+// Sizes are kept, because asking for them is a question to the display server and a frame asks often.
+void Window::measure() {
+    glfwGetWindowSize(window_, &window_size_.x, &window_size_.y);
+    glfwGetFramebufferSize(window_, &framebuffer_size_.x, &framebuffer_size_.y);
+    float x = 1, y = 1;
+    glfwGetWindowContentScale(window_, &x, &y);
+    scale_ = static_cast<double>(std::max(x, y));
+}
+
+// A rate is told in whole hertz, 59.94 as 59. One more can hold up no swap that waits by itself.
+void Window::follow_monitor() {
+    GLFWmonitor* monitor = monitor_of(window_);
+    const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+    const int rate = mode == nullptr || mode->refreshRate <= 0 ? kUsualRate : mode->refreshRate + 1;
+    period_ = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1.0 / rate));
+}
+
+std::span<const Event> Window::poll() {
+    events_.clear();
+    if (minimised())
+        glfwWaitEventsTimeout(0.1);
+    else
+        glfwPollEvents();
+    return events_;
+}
+
+ScreenSize Window::size() const {
+    if (minimised()) return {0, 0, scale_};
+    return {framebuffer_size_.x, framebuffer_size_.y, scale_};
+}
+
+double Window::seconds() const {
+    return std::chrono::duration<double>(Clock::now() - begin_).count();
+}
+
+void Window::present() {
+    glfwSwapBuffers(window_);
+    due_ += period_;
+    const auto now = Clock::now();
+    if (now < due_)
+        std::this_thread::sleep_until(due_);
+    else
+        due_ = now;
+}
+
+void Window::show_title(const std::string& title) {
+    glfwSetWindowTitle(window_, title.c_str());
+}
+
+void Window::set_fullscreen(bool on) {
+    if (on == fullscreen()) return;
+    if (!on) {
+        glfwSetWindowMonitor(window_, nullptr, place_.x, place_.y, extent_.x, extent_.y, GLFW_DONT_CARE);
+        follow_monitor();
+        return;
+    }
+    GLFWmonitor* monitor = monitor_of(window_);
+    const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+    if (mode == nullptr) return;
+    glfwGetWindowPos(window_, &place_.x, &place_.y);
+    glfwGetWindowSize(window_, &extent_.x, &extent_.y);
+    glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    follow_monitor();
+}
+
+bool Window::fullscreen() const {
+    return glfwGetWindowMonitor(window_) != nullptr;
+}
+
+std::string Window::clipboard() const {
+    const char* text = glfwGetClipboardString(window_);
+    return text == nullptr ? std::string() : text;
+}
+
+void Window::set_clipboard(const std::string& text) {
+    glfwSetClipboardString(window_, text.c_str());
+}
+
+std::string Window::renderer_name() const {
+    return render::renderer_name();
+}
+
+}  // namespace game

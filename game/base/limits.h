@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "sim/world/command.h"
+#include "terrains/limits.h"
+
+// What a file from outside may hold, reader by reader. docs/limits.md is this table; a test compares them.
+namespace game {
+
+// Recordings.
+inline constexpr std::size_t kLongestHeader = std::size_t{256} << 20;  // bytes of the first line
+inline constexpr terrains::JsonLimits kHeaderLimits{.depth = 8, .values = 10'000, .members = 256};
+inline constexpr std::size_t kLongestLine = std::size_t{64} << 10;  // bytes of any other
+inline constexpr terrains::JsonLimits kLineLimits{.depth = 4, .values = 4096, .members = 64};
+inline constexpr int kMostVertices = terrains::kMostSquares + 1;  // along a side of the ground
+inline constexpr int kMostTicksPerState = 600;
+inline constexpr std::int64_t kMostTicksOfParent = 10'000'000;  // before a fork's first state line
+inline constexpr std::size_t kMostCommands = 4'000'000;
+
+// Reports of bench.
+inline constexpr std::size_t kMostReportBytes = std::size_t{64} << 20;
+inline constexpr terrains::JsonLimits kReportLimits{.depth = 16, .values = 1'000'000, .members = 1000};
+
+// Scenes and materials.
+inline constexpr std::size_t kMostTomlBytes = std::size_t{1} << 20;
+inline constexpr std::size_t kMostTomlKeys = 20'000;  // and table headers
+inline constexpr std::size_t kMostDottedKeys = 1000;
+inline constexpr std::size_t kMostKeyParts = 8;
+inline constexpr std::size_t kMostTomlDepth = 32;  // of lists and tables within each other
+
+// Meshes and arrays.
+inline constexpr std::size_t kLongestMeshLine = std::size_t{64} << 10;  // bytes
+inline constexpr std::size_t kMostMeshParts = 20'000'000;               // vertices, and as many triangles
+inline constexpr std::uint32_t kLongestArrayHeader = 64u << 10;         // bytes
+inline constexpr std::size_t kMostAxes = 8;
+
+struct ReaderLimit {
+    std::string_view reader, what;
+    std::uint64_t most;
+    std::string_view unit;
+};
+inline constexpr auto kReaderLimits = std::to_array<ReaderLimit>({
+    {"recording", "first line", kLongestHeader, "bytes"},
+    {"recording", "values in the first line", kHeaderLimits.values, ""},
+    {"recording", "members of an object in the first line", kHeaderLimits.members, ""},
+    {"recording", "depth of the first line", kHeaderLimits.depth, "levels"},
+    {"recording", "vertices along a side", kMostVertices, ""},
+    {"recording", "any other line", kLongestLine, "bytes"},
+    {"recording", "values in any other line", kLineLimits.values, ""},
+    {"recording", "members of an object in any other line", kLineLimits.members, ""},
+    {"recording", "depth of any other line", kLineLimits.depth, "levels"},
+    {"recording", "ticks from a state line to the next, or to the end", kMostTicksPerState, "ticks"},
+    {"recording", "ticks of a fork before its first state line", kMostTicksOfParent, "ticks"},
+    {"recording", "commands in all", kMostCommands, ""},
+    {"recording, scene", "commands in one tick", sim::kMostCommandsPerTick, ""},
+    {"recording, scene", "commands that run at once", sim::kMostSources, ""},
+    {"scene, material", "file", kMostTomlBytes, "bytes"},
+    {"scene, material", "keys and table headers", kMostTomlKeys, ""},
+    {"scene, material", "dotted keys and table headers", kMostDottedKeys, ""},
+    {"scene, material", "parts of a dotted key", kMostKeyParts, ""},
+    {"scene, material", "lists and tables within each other", kMostTomlDepth, "levels"},
+    {"GeoJSON", "file", terrains::kMostGeoJsonBytes, "bytes"},
+    {"GeoJSON", "values", terrains::kGeoJsonLimits.values, ""},
+    {"GeoJSON", "members of an object", terrains::kGeoJsonLimits.members, ""},
+    {"GeoJSON", "depth", terrains::kGeoJsonLimits.depth, "levels"},
+    {"GeoJSON", "points of all rings", terrains::kMostGeoJsonPoints, ""},
+    {"elevation raster", "along a side", terrains::kMostDemSide, "pixels"},
+    {"elevation raster", "in all", terrains::kMostDemPixels, "pixels"},
+    {"elevation raster, picture", "squares along a side that it becomes", terrains::kMostSquares, ""},
+    {"depth raster", "in all", terrains::kMostDepthPixels, "pixels"},
+    {"picture", "in all", terrains::kMostHeightmapPixels, "pixels"},
+    {"picture", "channels", terrains::kMostHeightmapChannels, ""},
+    {"OBJ", "line", kLongestMeshLine, "bytes"},
+    {"OBJ", "vertices, and as many triangles", kMostMeshParts, ""},
+    {"NPY", "header", kLongestArrayHeader, "bytes"},
+    {"NPY", "axes", kMostAxes, ""},
+    {"bench report", "file", kMostReportBytes, "bytes"},
+    {"bench report", "values", kReportLimits.values, ""},
+    {"bench report", "members of an object", kReportLimits.members, ""},
+    {"bench report", "depth", kReportLimits.depth, "levels"},
+});
+
+}  // namespace game

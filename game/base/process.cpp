@@ -1,0 +1,85 @@
+#include "game/base/process.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+namespace game {
+namespace {
+
+constexpr rlim_t kLeastStack = 1 << 20;  // bytes; half of it is a margin
+
+// The other way round than they are used, so that the use fails as it would have.
+void open_standard_descriptors() {
+    for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (fcntl(descriptor, F_GETFD) < 0 && errno == EBADF)
+            // The lowest number that is free: this one. A folder where there is no /dev.
+            if (open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0)
+                static_cast<void>(open("/", O_RDONLY | O_DIRECTORY));
+}
+
+Outcome<void> check_stack() {
+    rlimit stack{};
+    if (getrlimit(RLIMIT_STACK, &stack) != 0 || stack.rlim_cur >= kLeastStack) return {};
+    return machine_fails(fmt::format("the stack is limited to {} kB, and {} are needed: ulimit -s {}",
+                                     stack.rlim_cur / 1024, kLeastStack / 1024, kLeastStack / 1024));
+}
+
+[[noreturn]] void end_by_exception() {
+    try {
+        if (std::current_exception()) std::rethrow_exception(std::current_exception());
+    } catch (const std::exception& thrown) {
+        std::fprintf(stderr, "couloir: %s\n", failure_of(thrown).sentence.c_str());
+        std::_Exit(Failure::kMachine);
+    } catch (...) {
+    }
+    std::abort();
+}
+
+}  // namespace
+
+Outcome<void> prepare_process() {
+    open_standard_descriptors();
+    std::signal(SIGXFSZ, SIG_IGN);
+    std::set_terminate(end_by_exception);
+    return check_stack();
+}
+
+Failure failure_of(const std::exception& thrown) {
+    if (dynamic_cast<const std::bad_alloc*>(&thrown))
+        return {Failure::kMachine,
+                "there is not enough memory (see ulimit -v, and --grid for a smaller world)"};
+    const auto* of_system = dynamic_cast<const std::system_error*>(&thrown);
+    if (of_system && of_system->code() == std::errc::resource_unavailable_try_again)
+        return {Failure::kMachine, "the system has no more threads or memory for them (see --threads)"};
+    return {Failure::kMachine, thrown.what()};
+}
+
+Outcome<void> finish_standard_output() {
+    errno = 0;
+    const bool failed_before = std::ferror(stdout) != 0;
+    const bool flushed = std::fflush(stdout) == 0;
+    const int reason = errno;
+    // Some file systems say only when a file is closed that they are full.
+    const int copy = flushed ? dup(STDOUT_FILENO) : -1;
+    const bool closed = copy < 0 || close(copy) == 0;
+    if (!failed_before && flushed && closed) return {};
+    std::string sentence = "standard output: cannot be written";
+    if (const int number = closed ? reason : errno; number != 0)
+        sentence += fmt::format(": {}", std::strerror(number));
+    return machine_fails(std::move(sentence));
+}
+
+}  // namespace game

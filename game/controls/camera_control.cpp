@@ -1,0 +1,249 @@
+#include "game/controls/camera_control.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace game {
+namespace {
+
+using Drag = CameraWish::Drag;
+
+constexpr double kLowest = 3, kHighest = 89;  // degrees of elevation
+constexpr double kDown = 89.9;                // degrees; north is still up
+constexpr double kTurn = 90;                  // degrees per half width of the picture
+constexpr double kZoom = 0.85;                // of the way, per step
+constexpr double kPaces = 0.5;                // of the distance, per second
+constexpr double kFast = 4;
+constexpr double kDelay = 0.08;    // s, in which all but 1/e of the way is done
+constexpr double kLongest = 0.25;  // s, for which keys count in one frame
+constexpr double kSteps = 240;     // per second; hands are followed in steps that all frame rates share
+constexpr double kGrazing = 0.15;  // sine below which a ray is too flat to drag the ground with
+
+// Hands may ask for anything; sums and powers must stay finite.
+CameraWish within_reason(CameraWish wish) {
+    wish.from = glm::clamp(wish.from, -100.0, 100.0);
+    wish.to = glm::clamp(wish.to, -100.0, 100.0);
+    wish.zoom_steps = std::clamp(wish.zoom_steps, -500.0, 500.0);
+    wish.walk = glm::clamp(wish.walk, -1.0, 1.0);
+    return wish;
+}
+
+glm::dvec2 tangents(glm::dvec2 picture, const render::Camera& camera, double aspect) {
+    return picture * glm::dvec2(aspect, 1) * std::tan(glm::radians(camera.field_of_view_deg) / 2);
+}
+
+// The same azimuth, on the short way from another.
+double the_short_way(double azimuth, double from) {
+    return from + std::remainder(azimuth - from, 360.0);
+}
+
+bool same(const render::Camera& a, const render::Camera& b) {
+    return a.target == b.target && a.azimuth_deg == b.azimuth_deg && a.elevation_deg == b.elevation_deg &&
+           a.distance_m == b.distance_m && a.field_of_view_deg == b.field_of_view_deg;
+}
+
+}  // namespace
+
+CameraControl::CameraControl(const render::Camera& home, const sim::View& world)
+    : home_(CameraRoom(world).inside(home)), now_(home_), goal_(home_), before_top_down_(home_) {}
+
+bool CameraControl::still() const {
+    return !look_down_ && same(now_, goal_);
+}
+
+void CameraControl::fly(bool on) {
+    dragging_ = Drag::kNone;  // a hand that drags takes hold anew
+    if (on) {
+        top_down(false);
+        mode_ = CameraMode::kFly;
+    } else if (mode_ == CameraMode::kFly) {
+        mode_ = CameraMode::kOrbit;
+        if (goal_.elevation_deg >= kLowest) return;
+        const glm::dvec3 eye = render::eye(goal_);
+        goal_.elevation_deg = kLowest;
+        goal_.target = eye + goal_.distance_m * axes(goal_).forward;
+        hold_ = {Hold::About::kEye, {}};
+    }
+}
+
+void CameraControl::top_down(bool on) {
+    if (on == (mode_ == CameraMode::kTopDown)) return;
+    dragging_ = Drag::kNone;
+    if (on) {
+        before_top_down_ = goal_;
+        mode_before_top_down_ = mode_;
+        mode_ = CameraMode::kTopDown;
+        look_down_ = true;
+    } else {
+        goal_ = before_top_down_;
+        goal_.azimuth_deg = the_short_way(goal_.azimuth_deg, now_.azimuth_deg);
+        mode_ = mode_before_top_down_;
+        look_down_ = false;
+    }
+}
+
+void CameraControl::overview() {
+    goal_ = home_;
+    goal_.azimuth_deg = the_short_way(home_.azimuth_deg, now_.azimuth_deg);
+    hold_ = {};
+    dragging_ = Drag::kNone;
+    mode_ = CameraMode::kOrbit;
+    look_down_ = false;
+}
+
+void CameraControl::move(const CameraWish& asked, const sim::View& world, double asked_aspect,
+                         double elapsed_s) {
+    const CameraRoom room(world);
+    const CameraWish wish = within_reason(asked);
+    const double aspect =
+        asked_aspect > 0 ? std::min(asked_aspect, 100.0) : 1;  // a minimised window has none
+    const double elapsed = elapsed_s > 0 ? std::min(elapsed_s, 3600.0) : 0,
+                 acted = std::min(elapsed, kLongest);
+    const int steps = std::max(1, static_cast<int>(std::ceil(acted * kSteps - 1e-6)));
+
+    goal_ = room.inside(goal_);  // the ground may have risen
+    look_down(room);
+    take_hold(wish, aspect, room);
+    zoom(wish.zoom_steps, room);
+    for (int i = 0; i < steps; ++i) {
+        const glm::dvec2 to = glm::mix(wish.from, wish.to, (i + 1.0) / steps);
+        if (!can_hold(hold_.point, goal_)) hold_.point = goal_.target;  // walked past it
+        if (wish.drag == Drag::kTurn) turn((wish.to - wish.from) / static_cast<double>(steps), aspect, room);
+        if (wish.drag == Drag::kPan) pan(wish, to, aspect, room);
+        walk(wish, acted / steps, room);
+        goal_ = room.inside(goal_);
+        approach(acted / steps, room);
+    }
+    approach(elapsed - acted, room);
+
+    if (look_alike(now_, goal_)) now_ = goal_;
+    const double turns = 360 * std::floor(now_.azimuth_deg / 360);
+    now_.azimuth_deg -= turns;
+    goal_.azimuth_deg -= turns;
+}
+
+void CameraControl::look_down(const CameraRoom& room) {
+    if (!look_down_) return;
+    look_down_ = false;
+    const glm::dvec3 middle = room.ground_in_the_middle(goal_);
+    const double away = glm::distance(render::eye(goal_), middle);
+    goal_.target = middle;
+    goal_.azimuth_deg = the_short_way(180, now_.azimuth_deg);
+    goal_.elevation_deg = kDown;
+    goal_.distance_m = std::clamp(away, room.nearest(), room.farthest());
+    goal_ = room.inside(goal_);
+    hold_ = {Hold::About::kPoint, middle};
+}
+
+// What a hand takes hold of it holds where it is seen now, although the camera may still be on its way
+// elsewhere.
+void CameraControl::take_hold(const CameraWish& wish, double aspect, const CameraRoom& room) {
+    const bool begins = wish.drag != dragging_;
+    dragging_ = wish.drag;
+    const bool zooms = wish.zoom_steps != 0;
+    if (!zooms && (!begins || wish.drag == Drag::kNone)) return;
+    if (!zooms && wish.drag == Drag::kTurn && mode_ != CameraMode::kOrbit) return;
+
+    glm::dvec3 point = now_.target;
+    if (wish.pivot && room.reaches(*wish.pivot) && can_hold(*wish.pivot, now_))
+        point = *wish.pivot;
+    else if (wish.drag == Drag::kPan)
+        point = point_at({tangents(wish.from, now_, aspect), now_.distance_m}, now_);
+    hold_ = {Hold::About::kPoint, point};
+    if (can_hold(point, goal_))
+        place(goal_, point, {sight_of(point, now_).at, sight_of(point, goal_).depth});
+    else
+        goal_ = now_;
+}
+
+void CameraControl::zoom(double steps, const CameraRoom& room) {
+    if (steps == 0) return;
+    const Sight sight = sight_of(hold_.point, goal_);
+    const double slant = glm::length(glm::dvec3(sight.at, 1)), away = slant * sight.depth;
+    const double wanted = std::clamp(away * std::pow(kZoom, steps), std::min(away, room.nearest()),
+                                     std::max(away, room.farthest()));
+    goal_ = room.first_clear([&](double share) {
+        render::Camera there = goal_;
+        double depth = wanted / slant;
+        if (steps > 0)  // nearer, or not quite so near
+            depth *= std::pow(away / wanted, share);
+        else  // farther, and over the mountain that stands behind
+            there.elevation_deg =
+                glm::mix(goal_.elevation_deg, std::max(goal_.elevation_deg, kHighest), share);
+        there.distance_m = depth;  // the target comes along to where the hand is
+        place(there, hold_.point, {sight.at, depth});
+        return there;
+    });
+}
+
+void CameraControl::turn(glm::dvec2 by, double aspect, const CameraRoom& room) {
+    if (mode_ == CameraMode::kTopDown) return;
+    const glm::dvec2 degrees = kTurn * by * glm::dvec2(1, -1 / aspect);
+    const bool flies = mode_ == CameraMode::kFly;
+    const double lowest = std::min(flies ? -kHighest : kLowest, goal_.elevation_deg),
+                 highest = std::max(kHighest, goal_.elevation_deg);
+    const double azimuth = goal_.azimuth_deg + degrees.x,
+                 elevation = std::clamp(goal_.elevation_deg + degrees.y, lowest, highest);
+    if (flies) {
+        const glm::dvec3 eye = render::eye(goal_);
+        goal_.azimuth_deg = azimuth;
+        goal_.elevation_deg = elevation;
+        goal_.target = eye + goal_.distance_m * axes(goal_).forward;
+        hold_ = {Hold::About::kEye, {}};
+        return;
+    }
+    const Sight sight = sight_of(hold_.point, goal_);
+    goal_ = room.first_clear([&](double share) {
+        render::Camera there = goal_;
+        there.azimuth_deg = azimuth;
+        there.elevation_deg = glm::mix(elevation, highest, share);
+        place(there, hold_.point, sight);
+        return there;
+    });
+}
+
+// Slides the eye over the ground at its own height. A ray that grazes the ground would take it too far; then
+// it slides along the picture.
+void CameraControl::pan(const CameraWish& wish, glm::dvec2 to, double aspect, const CameraRoom& room) {
+    constexpr double kFarOut = 2;  // picture coordinates; the cursor may be anywhere on the screen
+    Sight sight = sight_of(hold_.point, goal_);
+    sight.at = tangents(glm::clamp(to, -kFarOut, kFarOut), goal_, aspect);
+    const Axes a = axes(goal_);
+    const glm::dvec3 ray = a.forward + sight.at.x * a.right + sight.at.y * a.up;
+    const double rise = hold_.point.z - render::eye(goal_).z;
+    if (wish.pivot && std::abs(ray.z) > kGrazing * glm::length(ray) && rise / ray.z > 0)
+        sight.depth = std::min(rise / ray.z, room.farthest());
+    goal_ = room.first_clear([&](double share) {
+        render::Camera there = goal_;
+        const double back = std::max(1.0, room.farthest() / sight.depth);
+        place(there, hold_.point, {sight.at, sight.depth * std::pow(back, share)});
+        return there;
+    });
+}
+
+void CameraControl::walk(const CameraWish& wish, double seconds, const CameraRoom& room) {
+    const double hurry = glm::length(wish.walk);
+    if (hurry == 0) return;
+    const bool flies = mode_ == CameraMode::kFly;
+    const Axes a = axes(goal_);
+    const glm::dvec3 ahead = flies ? a.forward : glm::cross(glm::dvec3(0, 0, 1), a.right);
+    const double height = room.height_above_ground(goal_);
+    // Looking down by 30°, as one mostly does, both are the same.
+    const double scale = flies ? 2 * height : std::max(goal_.distance_m, height);
+    const double pace =
+        kPaces * std::clamp(scale, 4 * room.cell(), room.farthest()) * (wish.fast ? kFast : 1);
+    const glm::dvec3 way = wish.walk.x * a.right + wish.walk.y * ahead + wish.walk.z * glm::dvec3(0, 0, 1);
+    goal_.target += way / std::max(1.0, hurry) * pace * seconds;
+    if (wish.drag == Drag::kNone && wish.zoom_steps == 0)
+        hold_ = {flies ? Hold::About::kEye : Hold::About::kTarget, {}};
+}
+
+void CameraControl::approach(double seconds, const CameraRoom& room) {
+    now_ = room.inside(along(now_, goal_, hold_, -std::expm1(-seconds / kDelay)));
+}
+
+}  // namespace game

@@ -1,0 +1,80 @@
+#include "game/controls/catalogue.h"
+
+#include <algorithm>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "game/base/limits.h"
+#include "game/files/assets.h"
+#include "game/files/recordings_folder.h"
+#include "game/files/toml_table.h"
+#include "game/recording/format.h"
+#include "terrains/json_reader.h"
+
+namespace game {
+namespace {
+
+Outcome<std::string> title_of_toml(const Catalogue::Entry& entry) {
+    const auto document = parse_toml(entry.file);
+    if (!document) return tl::unexpected(document.error());
+    return (*document)["title"].value_or(entry.name);
+}
+
+// From the first line alone: the rest is long, and read when the recording is.
+Outcome<std::string> title_of_recording(const Catalogue::Entry& entry) {
+    std::ifstream file(entry.file, std::ios::binary);
+    std::string line;
+    if (!std::getline(file, line)) return unusable(fmt::format("{}: cannot be read", entry.file.string()));
+    const auto json = terrains::read_json<Json>(line, kHeaderLimits);
+    if (!json) return unusable(fmt::format("{}:1: {}", entry.file.string(), json.error()));
+    if (!json->is_object()) return unusable(fmt::format("{}:1: not an object", entry.file.string()));
+    const auto title = json->find("title");
+    return title != json->end() && title->is_string() ? title->get<std::string>() : entry.name;
+}
+
+Outcome<std::vector<Catalogue::Entry>> read_entries(AssetKind kind) {
+    const auto names = asset_names(kind);
+    if (!names) return tl::unexpected(names.error());
+    std::vector<Catalogue::Entry> entries;
+    for (const std::string& name : *names) {
+        const auto file = find_asset(kind, name);
+        if (!file) return tl::unexpected(file.error());
+        Catalogue::Entry entry{name, {}, *file};
+        auto title = kind == AssetKind::kRecording ? title_of_recording(entry) : title_of_toml(entry);
+        if (!title) return tl::unexpected(title.error());
+        entry.title = std::move(*title);
+        entries.push_back(std::move(entry));
+    }
+    return entries;
+}
+
+}  // namespace
+
+Outcome<Catalogue> read_catalogue() {
+    Catalogue catalogue;
+    for (const auto& [kind, entries] : {std::pair{AssetKind::kScene, &catalogue.scenes},
+                                        std::pair{AssetKind::kMaterial, &catalogue.materials},
+                                        std::pair{AssetKind::kRecording, &catalogue.recordings}}) {
+        auto found = read_entries(kind);
+        if (!found) return tl::unexpected(found.error());
+        *entries = std::move(*found);
+    }
+    return catalogue;
+}
+
+std::vector<Catalogue::Entry> own_recordings() {
+    std::vector<Catalogue::Entry> own;
+    const auto folder = recordings_folder();
+    std::error_code error;
+    if (!folder || !std::filesystem::is_directory(*folder, error)) return own;
+    for (const auto& entry : std::filesystem::directory_iterator(*folder, error))
+        if (entry.path().extension() == ".couloir")
+            own.push_back({entry.path().stem().string(), entry.path().string(), entry.path()});
+    // Their names begin with the time.
+    std::sort(own.begin(), own.end(), [](const auto& a, const auto& b) { return a.name > b.name; });
+    if (own.size() > kMostOwn) own.resize(kMostOwn);
+    return own;
+}
+
+}  // namespace game

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+
+#include <glm/vec2.hpp>
+
+#include "game/controls/action.h"
+#include "game/controls/events.h"
+#include "game/controls/key_map.h"
+#include "game/controls/screen.h"
+
+namespace game {
+
+// Turns what hands do into what they ask for, by the tables of key_map.h. Knows windows and keys, and nothing
+// of worlds.
+class Input {
+  public:
+    // What the panels keep for themselves in this frame (ui/ui.h).
+    struct Kept {
+        bool mouse = false, keys = false;
+    };
+    // Takes the events of a frame; adds what they ask for to `actions`.
+    void take(std::span<const Event> events, ScreenSize size, Kept kept, Actions& actions);
+
+    // Where the cursor is, −1 (left, bottom) to 1; nothing over a panel, or before it was first seen.
+    std::optional<glm::dvec2> cursor() const;
+    bool inverted() const { return with_.control; }
+
+    // The brush: pressed in this frame, held at its end.
+    bool brush_pressed() const { return brush_pressed_; }
+    bool brush_held() const { return drag_ == Gesture::kBrush; }
+
+    // The camera. A drag of the camera goes from where the cursor was at the end of the last frame, or where
+    // the button was pressed, to where it is now.
+    std::optional<Gesture> camera_drag() const;  // kTurn or kPan
+    bool camera_drag_began() const { return camera_pressed_; }
+    glm::dvec2 drag_from() const { return from_; }
+    double zoom_steps() const { return zoom_steps_; }
+    double resize_steps() const { return resize_steps_; }  // of the brush, by the wheel
+    double held(Held towards, Held away) const;            // 1, −1 or 0
+    bool fast() const { return with_.shift; }
+
+    bool close_asked() const { return close_asked_; }
+    bool dropped() const { return dropped_; }
+
+  private:
+    void take_key(const KeyEvent& event, bool kept, Actions& actions);
+    void take_button(const ButtonEvent& event, bool kept);
+    void take_wheel(const WheelEvent& event);
+    void release_all();
+
+    ScreenSize size_;
+    Modifiers with_;
+    std::array<bool, kKeys> down_{};
+    std::optional<glm::dvec2> at_;  // cursor, in pictures' coordinates
+    bool over_panel_ = false;
+    std::optional<Gesture> drag_;  // that is going on, with its button
+    Button drag_button_ = Button::kLeft;
+    glm::dvec2 from_{0};
+    // Of this frame:
+    bool brush_pressed_ = false, camera_pressed_ = false, close_asked_ = false, dropped_ = false;
+    double zoom_steps_ = 0, resize_steps_ = 0;
+};
+
+}  // namespace game

@@ -1,0 +1,152 @@
+#include "game/controls/key_map.h"
+
+#include <array>
+
+namespace game {
+namespace {
+
+constexpr Modifiers kAlone{}, kShift{true, false, false}, kControl{false, true, false};
+
+// The order is that of the help panel.
+constexpr std::array kKeyBindings{
+    KeyBinding{key('1'), kAlone, false, Verb::kPour, "pour"},
+    KeyBinding{key('2'), kAlone, false, Verb::kDig, "dig"},
+    KeyBinding{key('3'), kAlone, false, Verb::kBlast, "blast"},
+    KeyBinding{Key::kLeftBracket, kAlone, true, Verb::kSmallerBrush, "smaller"},
+    KeyBinding{Key::kRightBracket, kAlone, true, Verb::kLargerBrush, "larger"},
+    KeyBinding{Key::kLeftBracket, kShift, true, Verb::kWeakerBrush, "weaker"},
+    KeyBinding{Key::kRightBracket, kShift, true, Verb::kStrongerBrush, "stronger"},
+    KeyBinding{key('L'), kAlone, false, Verb::kPourStandingOrRolling,
+               "pour onto the standing or into the rolling layer"},
+    KeyBinding{Key::kSpace, kAlone, false, Verb::kPauseOrGoOn, "pause or go on"},
+    KeyBinding{Key::kPeriod, kAlone, true, Verb::kStepOnce, "one tick"},
+    KeyBinding{Key::kComma, kAlone, true, Verb::kStepBack, "one tick back"},
+    KeyBinding{Key::kBackspace, kAlone, false, Verb::kRunBack, "let time run back, and forth again"},
+    KeyBinding{Key::kEnter, kAlone, false, Verb::kTakeOver,
+               "take over here what is being watched or looked back at"},
+    KeyBinding{Key::kMinus, kAlone, false, Verb::kSlower, "half the speed"},
+    KeyBinding{Key::kEqual, kAlone, false, Verb::kFaster, "twice the speed"},
+    KeyBinding{key('0'), kAlone, false, Verb::kUsualSpeed, "usual speed"},
+    KeyBinding{key('Z'), kControl, false, Verb::kUndo, "undo: back to just before the last action"},
+    KeyBinding{key('R'), kControl, false, Verb::kReset, "begin the scene anew"},
+    KeyBinding{Key::kHome, kAlone, false, Verb::kOverview, "see the whole mountain"},
+    KeyBinding{key('T'), kAlone, false, Verb::kTopDown, "look straight down, and back"},
+    KeyBinding{key('F'), kAlone, false, Verb::kFly, "fly, and back"},
+    KeyBinding{function_key(1), kAlone, false, Verb::kToggleHelp, "this help"},
+    KeyBinding{function_key(2), kAlone, false, Verb::kToggleScene, "scene panel"},
+    KeyBinding{function_key(3), kAlone, false, Verb::kTogglePhysics, "physics panel"},
+    KeyBinding{function_key(4), kAlone, false, Verb::kToggleDisplay, "display panel"},
+    KeyBinding{function_key(5), kAlone, false, Verb::kTogglePerformance, "performance panel"},
+    KeyBinding{Key::kEscape, kAlone, false, Verb::kClosePanel, "close a list or a panel"},
+    KeyBinding{Key::kTab, kAlone, false, Verb::kTogglePanels, "show or hide all panels"},
+    KeyBinding{function_key(11), kAlone, false, Verb::kFullscreen, "full screen, and back"},
+    KeyBinding{key('Q'), kControl, false, Verb::kQuit, "quit"},
+};
+
+constexpr std::array kHeldBindings{
+    HeldBinding{key('W'), Held::kForward, "move forward"},
+    HeldBinding{Key::kUp, Held::kForward, "move forward"},
+    HeldBinding{key('S'), Held::kBack, "move back"},
+    HeldBinding{Key::kDown, Held::kBack, "move back"},
+    HeldBinding{key('A'), Held::kLeft, "move left"},
+    HeldBinding{Key::kLeft, Held::kLeft, "move left"},
+    HeldBinding{key('D'), Held::kRight, "move right"},
+    HeldBinding{Key::kRight, Held::kRight, "move right"},
+    HeldBinding{key('E'), Held::kUp, "move up"},
+    HeldBinding{Key::kPageUp, Held::kUp, "move up"},
+    HeldBinding{key('Q'), Held::kDown, "move down"},
+    HeldBinding{Key::kPageDown, Held::kDown, "move down"},
+};
+
+constexpr std::array kGestureBindings{
+    GestureBinding{"Left drag", Button::kLeft, false, Gesture::kBrush,
+                   "use the brush; with Ctrl held pour digs, dig pours, blast settles"},
+    GestureBinding{"Right drag", Button::kRight, false, Gesture::kTurn,
+                   "turn about the point under the cursor; when flying, look round"},
+    GestureBinding{"Middle drag", Button::kMiddle, false, Gesture::kPan, "move the mountain along"},
+    GestureBinding{"Shift+right drag", Button::kRight, true, Gesture::kPan, "move the mountain along"},
+    GestureBinding{"Wheel", std::nullopt, false, Gesture::kZoom,
+                   "zoom toward the cursor; while brushing, size of the brush"},
+    GestureBinding{"Shift+wheel", std::nullopt, true, Gesture::kResizeBrush, "size of the brush"},
+};
+
+std::string_view bare_name(Key key) {
+    switch (key) {
+        case Key::kSpace:
+            return "Space";
+        case Key::kEscape:
+            return "Esc";
+        case Key::kEnter:
+            return "Enter";
+        case Key::kTab:
+            return "Tab";
+        case Key::kBackspace:
+            return "Backspace";
+        case Key::kDelete:
+            return "Delete";
+        case Key::kLeft:
+            return "Left";
+        case Key::kRight:
+            return "Right";
+        case Key::kUp:
+            return "Up";
+        case Key::kDown:
+            return "Down";
+        case Key::kHome:
+            return "Home";
+        case Key::kEnd:
+            return "End";
+        case Key::kPageUp:
+            return "PageUp";
+        case Key::kPageDown:
+            return "PageDown";
+        case Key::kShift:
+            return "Shift";
+        case Key::kControl:
+            return "Ctrl";
+        case Key::kAlt:
+            return "Alt";
+        default:
+            return {};
+    }
+}
+
+}  // namespace
+
+std::span<const KeyBinding> key_bindings() {
+    return kKeyBindings;
+}
+
+std::span<const HeldBinding> held_bindings() {
+    return kHeldBindings;
+}
+
+std::span<const GestureBinding> gesture_bindings() {
+    return kGestureBindings;
+}
+
+std::string name_of(Key key, Modifiers with) {
+    std::string name;
+    if (with.control) name += "Ctrl+";
+    if (with.alt) name += "Alt+";
+    if (with.shift) name += "Shift+";
+    const int code = static_cast<int>(key), function = code - static_cast<int>(Key::kF1) + 1;
+    if (function >= 1 && function <= 12) {
+        name += 'F';
+        if (function >= 10) name += '1';
+        name += static_cast<char>('0' + function % 10);
+    } else if (const std::string_view word = bare_name(key); !word.empty()) {
+        name += word;
+    } else if (code > ' ' && code < 127) {
+        name += static_cast<char>(code);
+    }
+    return name;
+}
+
+std::string name_of(Verb verb) {
+    for (const KeyBinding& binding : kKeyBindings)
+        if (binding.verb == verb) return name_of(binding.key, binding.with);
+    return {};
+}
+
+}  // namespace game

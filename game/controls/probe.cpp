@@ -1,0 +1,82 @@
+#include "game/controls/probe.h"
+
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "game/scene/surface.h"
+#include "game/session/session.h"
+
+namespace game {
+namespace {
+
+constexpr double kBeside = 1e-6;  // of a cell; a ray that meets the border may miss it by a rounding error
+constexpr double kLevel = 1e-3;   // tangent
+
+bool on_grid(const sim::Grid& grid, glm::dvec2 at) {
+    const glm::dvec2 p = at / static_cast<double>(grid.dx);
+    return p.x >= -kBeside && p.y >= -kBeside && p.x <= grid.nx - 1 + kBeside && p.y <= grid.ny - 1 + kBeside;
+}
+
+bool has_data(const Square& square, const sim::Field<sim::Site>& site) {
+    for (const int y : {square.y, square.y + 1})
+        for (const int x : {square.x, square.x + 1})
+            if (site(x, y) == sim::Site::kDrain) return false;
+    return true;
+}
+
+// Of the bilinear patch, tangents to the east and north.
+glm::dvec2 gradient(const sim::View& world, const Square& square) {
+    const auto height = [&](int x, int y) {
+        return static_cast<double>(world.bedrock(x, y)) + world.depth(x, y) + world.rolling(x, y);
+    };
+    const auto [x, y, across] = square;
+    const double south_west = height(x, y), south_east = height(x + 1, y), north_west = height(x, y + 1),
+                 north_east = height(x + 1, y + 1);
+    return glm::dvec2(glm::mix(south_east - south_west, north_east - north_west, across.y),
+                      glm::mix(north_west - south_west, north_east - south_east, across.x)) /
+           static_cast<double>(world.grid.dx);
+}
+
+std::optional<double> aspect(glm::dvec2 rise) {
+    if (glm::length(rise) < kLevel) return std::nullopt;
+    const double degrees = glm::degrees(std::atan2(-rise.x, -rise.y));
+    return degrees < 0 ? std::fmod(degrees + 360, 360) : degrees;  // a hair below 0 is 0, not 360
+}
+
+}  // namespace
+
+std::optional<Reading> Probe::read(const sim::View& world, glm::dvec2 at) {
+    if (!on_grid(world.grid, at)) return std::nullopt;
+    const Square square = square_under(world.grid, at);
+    if (!has_data(square, world.site)) return std::nullopt;
+
+    Reading reading;
+    reading.standing = between(square, world.depth);
+    reading.rolling = between(square, world.rolling);
+    reading.at = {at, between(square, world.bedrock) + reading.standing + reading.rolling + world.datum};
+    const glm::dvec2 rise = gradient(world, square);
+    reading.slope_deg = glm::degrees(std::atan(glm::length(rise)));
+    reading.aspect_deg = aspect(rise);
+    // A breath of dust between the vertices of a fast flow is nothing that is seen to move.
+    if (reading.rolling >= static_cast<double>(Peaks::kVisible))
+        reading.speed = std::hypot(between(square, world.velocity_x), between(square, world.velocity_y));
+
+    if (world.mixture) {
+        const int x = square.x + (square.across.x >= 0.5), y = square.y + (square.across.y >= 0.5);
+        reading.lower_share =
+            static_cast<double>(world.rolling(x, y) > 0 ? sim::share_in_rolling(world, x, y)
+                                                        : sim::share_at_surface(world, x, y));
+    }
+
+    if (last_ != at) {
+        locator_.describe({at.x, at.y}, where_);
+        last_ = at;
+    }
+    reading.where = where_;
+    return reading;
+}
+
+}  // namespace game

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "game/base/outcome.h"
+
+namespace game {
+
+// Every file that a subcommand reads and writes, told before the first output is opened, so that no output
+// replaces an input or another output. Two names mean one file if they lead to the same one: by links of
+// either kind, by "..", by another folder's name. Standard output and standard error are outputs too if they
+// go to a file.
+class FileUse {
+  public:
+    FileUse& reads(const std::filesystem::path& file);
+    FileUse& reads(const std::optional<std::filesystem::path>& file);
+    FileUse& reads(const std::vector<std::filesystem::path>& files);
+    // `option`: as it is given, "--record".
+    FileUse& writes(std::string option, const std::optional<std::filesystem::path>& file);
+    // Files of these names into a folder; * stands for any characters.
+    FileUse& writes_into(std::string option, const std::optional<std::filesystem::path>& folder,
+                         std::vector<std::string> names);
+
+    // Errors: an output is an input or another output, or has no name (status 2).
+    Outcome<void> check() const;
+
+  private:
+    struct Output {
+        std::string option;
+        std::filesystem::path path;
+    };
+    struct Folder {
+        std::string option;
+        std::filesystem::path path;
+        std::vector<std::string> names;
+    };
+    Outcome<void> check_named() const;
+    Outcome<void> check_outputs() const;
+    Outcome<void> check_streams() const;
+    Outcome<void> check_folder(const Folder& folder) const;
+
+    std::vector<std::filesystem::path> inputs_;
+    std::vector<Output> outputs_;
+    std::vector<Folder> folders_;
+};
+
+}  // namespace game

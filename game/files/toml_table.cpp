@@ -1,0 +1,133 @@
+#include "game/files/toml_table.h"
+
+#include <cmath>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "files/input.h"
+#include "game/base/limits.h"
+#include "game/files/toml_limits.h"
+
+namespace game {
+
+TomlTable::TomlTable(const toml::table& table, std::string name, std::string file, TomlFault& fault)
+    : table_(&table), name_(std::move(name)), file_(std::move(file)), fault_(&fault) {}
+
+const toml::node* TomlTable::find(std::string_view key) {
+    known_.emplace(key);
+    return table_->get(key);
+}
+
+std::optional<double> TomlTable::number(std::string_view key, double least, double most) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    const std::optional<double> value = node->value<double>();
+    if (!value || !node->is_number())
+        blame(key, "is not a number");
+    else if (!(*value >= least && *value <= most))
+        blame(key, fmt::format("is {}, outside {} to {}", *value, least, most));
+    else
+        return value;
+    return std::nullopt;
+}
+
+std::optional<std::int64_t> TomlTable::whole(std::string_view key, std::int64_t least, std::int64_t most) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    const std::optional<std::int64_t> value = node->value_exact<std::int64_t>();
+    if (!value)
+        blame(key, "is not a whole number");
+    else if (*value < least || *value > most)
+        blame(key, fmt::format("is {}, outside {} to {}", *value, least, most));
+    else
+        return value;
+    return std::nullopt;
+}
+
+std::optional<std::string> TomlTable::text(std::string_view key) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    std::optional<std::string> value = node->value_exact<std::string>();
+    if (!value) blame(key, "is not a text in quotes");
+    return value;
+}
+
+std::optional<std::vector<double>> TomlTable::numbers(std::string_view key, std::size_t count) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    std::vector<double> values;
+    if (const toml::array* array = node->as_array())
+        for (const toml::node& element : *array)
+            if (const auto value = element.value<double>(); value && std::isfinite(*value))
+                values.push_back(*value);
+    if (values.size() == count && node->as_array()->size() == count) return values;
+    blame(key, fmt::format("is not a list of {} numbers", count));
+    return std::nullopt;
+}
+
+std::optional<TomlTable> TomlTable::table(std::string_view key) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    if (const toml::table* inner = node->as_table())
+        return TomlTable(*inner, std::string(key), file_, *fault_);
+    blame(key, "is not a table");
+    return std::nullopt;
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) {
+    std::vector<TomlTable> found;
+    const toml::node* node = find(key);
+    if (!node) return found;
+    if (!node->is_array_of_tables()) {
+        blame(key, fmt::format("is not a list of tables; write [[{}]]", key));
+        return found;
+    }
+    for (const toml::node& element : *node->as_array())
+        found.emplace_back(*element.as_table(), std::string(key), file_, *fault_);
+    return found;
+}
+
+std::vector<std::string> TomlTable::keys() const {
+    std::vector<std::string> all;
+    for (const auto& [key, node] : *table_) all.emplace_back(key.str());
+    return all;
+}
+
+void TomlTable::blame(std::string_view key, const std::string& fact) {
+    if (*fault_) return;
+    const toml::node* node = key.empty() ? table_ : table_->get(key);
+    const auto line = (node ? node : table_)->source().begin.line;
+    const std::string place =
+        name_.empty() ? std::string(key) : fmt::format("{}{}{}", name_, key.empty() ? "" : ".", key);
+    *fault_ = fmt::format("{}:{}: {}{}{}", file_, line, place, place.empty() ? "" : " ", fact);
+}
+
+void TomlTable::finish() {
+    for (const std::string& key : keys())
+        if (!known_.contains(key)) blame(key, "is not a key that couloir knows");
+}
+
+Outcome<toml::table> parse_toml(const std::filesystem::path& file) {
+    auto stream = files::open_input(file);
+    if (!stream) return unusable(stream.error());
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(file, error);
+    if (error) return unusable(fmt::format("{}: {}", file.string(), error.message()));
+    if (bytes > kMostTomlBytes)
+        return unusable(
+            fmt::format("{}: {} bytes, and the most is {}", file.string(), bytes, kMostTomlBytes));
+    std::string text(static_cast<std::size_t>(bytes), '\0');
+    stream->read(text.data(), static_cast<std::streamsize>(text.size()));
+    if (!*stream) return unusable(fmt::format("{}: cannot be read", file.string()));
+    if (const auto excess = excess_of(text))
+        return unusable(fmt::format("{}:{}: {}", file.string(), excess->line, excess->fact));
+    try {
+        return toml::parse(text);
+    } catch (const toml::parse_error& wrong) {
+        return unusable(
+            fmt::format("{}:{}: {}", file.string(), wrong.source().begin.line, wrong.description()));
+    }
+}
+
+}  // namespace game

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <toml++/toml.h>
+
+#include "game/base/outcome.h"
+
+namespace game {
+
+// The first thing that is wrong with a TOML file, as "file:line: fact".
+using TomlFault = std::optional<std::string>;
+
+// One table of a TOML file, read key by key. Every reader returns nothing where the key is absent; a key of
+// the wrong kind or out of range, and at finish() a key that nobody asked for, is the file's fault, told with
+// its line. Valid as long as the document and the fault are.
+class TomlTable {
+  public:
+    TomlTable(const toml::table& table, std::string name, std::string file, TomlFault& fault);
+
+    std::optional<double> number(std::string_view key, double least, double most);
+    std::optional<std::int64_t> whole(std::string_view key, std::int64_t least, std::int64_t most);
+    std::optional<std::string> text(std::string_view key);
+    std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count);
+    std::optional<TomlTable> table(std::string_view key);
+    std::vector<TomlTable> tables(std::string_view key);  // of an array of tables
+    std::vector<std::string> keys() const;
+
+    // Says that `key` (or the table itself, if empty) is wrong.
+    void blame(std::string_view key, const std::string& fact);
+    // Call when all keys have been read: the rest are unknown.
+    void finish();
+
+  private:
+    const toml::node* find(std::string_view key);
+
+    const toml::table* table_;
+    std::string name_, file_;
+    TomlFault* fault_;
+    std::set<std::string, std::less<>> known_;
+};
+
+// A parsed file. Errors: unreadable, beyond game/base/limits.h, or not TOML, with its line.
+Outcome<toml::table> parse_toml(const std::filesystem::path& file);
+
+}  // namespace game

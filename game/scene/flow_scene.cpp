@@ -1,0 +1,105 @@
+#include "game/scene/flow_scene.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "game/scene/material.h"
+
+namespace game {
+namespace {
+
+using sim::fields::TestFlow;
+
+constexpr float kSide = 100;  // m
+constexpr int kUsualSquares = 20;
+static_assert(kFlowKinds.size() == static_cast<std::size_t>(TestFlow::Kind::kRift) + 1);
+
+// The kind with the place and the angle that it has in the paper's figures.
+TestFlow usual(TestFlow::Kind kind, int squares) {
+    switch (kind) {
+        case TestFlow::Kind::kOpposed:
+            return sim::fields::opposed(1.0 / squares, 0.5);
+        case TestFlow::Kind::kSwinging:
+            return sim::fields::swinging(45);
+        case TestFlow::Kind::kPinwheel:
+            return sim::fields::pinwheel();
+        case TestFlow::Kind::kDisc:
+            return sim::fields::disc();
+        case TestFlow::Kind::kDrops:
+            return sim::fields::drops();
+        case TestFlow::Kind::kCrowd:
+            return sim::fields::crowd();
+        case TestFlow::Kind::kRift:
+            return sim::fields::rift(30);
+    }
+    return {};
+}
+
+void read_numbers(TomlTable& table, Start::Flow& flow) {
+    sim::fields::FlowNumbers& numbers = flow.numbers;
+    numbers.speed = table.number("speed", 0, 1).value_or(numbers.speed);
+    numbers.front_speed = table.number("front_speed", -4, 4).value_or(numbers.front_speed);
+    numbers.smooth = table.number("smooth", 0, 0.1).value_or(numbers.smooth);
+    if (const auto angle = table.number("angle", -360, 360))
+        flow.flow.angle = *angle * std::numbers::pi / 180;
+    if (const auto name = table.text("source")) {
+        const auto source = sim::front::source_named(*name);
+        if (!source || *source == sim::front::Source::kLevel)
+            table.blame("source", "is none of half, paper, fit");
+        numbers.source = source.value_or(numbers.source);
+    }
+}
+
+void read_look(TomlTable& table, Start& start) {
+    start.look.flow = render::FlowLook{render::FlowPattern::kCheckerboard, 2, true};
+    if (const auto name = table.text("texture")) {
+        const auto pattern = render::flow_pattern_named(*name);
+        if (!pattern)
+            table.blame("texture", fmt::format("names no texture; there are {}",
+                                               fmt::join(render::kFlowPatterns, ", ")));
+        start.look.flow->pattern = pattern.value_or(start.look.flow->pattern);
+    }
+    start.look.flow->repeats = table.number("repeats", 0.1, 100).value_or(start.look.flow->repeats);
+}
+
+}  // namespace
+
+Outcome<void> read_flow(TomlTable& table, const Wishes& wishes, Start& start) {
+    if (wishes.material || wishes.model || wishes.scheme || wishes.law)
+        return unusable("A flow has no material and no physics: of the wishes only --grid is for it");
+    if (wishes.squares.value_or(0) > kMostFlowSquares)
+        return unusable(fmt::format("--grid {}: a flow has at most {} squares along a side", *wishes.squares,
+                                    kMostFlowSquares));
+    const auto name = table.text("kind");
+    const auto kind = std::find(kFlowKinds.begin(), kFlowKinds.end(), name.value_or(""));
+    if (kind == kFlowKinds.end())
+        table.blame(name ? "kind" : "", fmt::format("{} {}", name ? "is none of" : "needs a kind, one of",
+                                                    fmt::join(kFlowKinds, ", ")));
+    const auto grid = table.whole("grid", 8, kMostFlowSquares);
+    const int squares = wishes.squares.value_or(static_cast<int>(grid.value_or(kUsualSquares)));
+    const auto which = kind == kFlowKinds.end() ? 0 : kind - kFlowKinds.begin();
+    start.flow = Start::Flow{usual(static_cast<TestFlow::Kind>(which), squares), {}};
+    read_numbers(table, *start.flow);
+
+    const auto material = load_material("snow-dry", sim::Model::kBcreInertial);
+    if (!material) return tl::unexpected(material.error());
+    start.material = material->name;
+    start.params = material->params;
+    start.look = material->look;
+    read_look(table, start);
+    table.finish();
+
+    terrains::Terrain level;
+    level.name = "level ground";
+    level.grid = {squares + 1, squares + 1, kSide / static_cast<float>(squares)};
+    level.surface.assign(level.grid.size(), 0.f);
+    level.cover.assign(level.grid.size(), 0.f);
+    level.has_data.assign(level.grid.size(), 1);
+    set_ground(start, level);
+    return {};
+}
+
+}  // namespace game

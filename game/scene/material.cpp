@@ -1,0 +1,105 @@
+#include "game/scene/material.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "game/files/assets.h"
+
+namespace game {
+namespace {
+
+// 0 to 255 as a paint program shows it, to linear light.
+float linear(double srgb) {
+    const double c = srgb / 255;
+    return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+}
+
+void read_colour(TomlTable& table, std::string_view key, glm::vec3& colour) {
+    const auto rgb = table.numbers(key, 3);
+    if (!rgb) return;
+    for (const double channel : *rgb)
+        if (channel < 0 || channel > 255) return table.blame(key, "has a number outside 0 to 255");
+    colour = {linear((*rgb)[0]), linear((*rgb)[1]), linear((*rgb)[2])};
+}
+
+void read_look(TomlTable& table, render::Look& look) {
+    read_colour(table, "rock", look.rock);
+    read_colour(table, "meadow", look.meadow);
+    read_colour(table, "standing", look.standing);
+    read_colour(table, "rolling", look.rolling);
+    const auto set = [&](std::string_view key, float& value, double most) {
+        if (const auto number = table.number(key, 0, most)) value = static_cast<float>(*number);
+    };
+    set("roughness", look.roughness, 1);
+    set("cover_visible", look.cover_visible_m, 10);
+    if (const auto visible = table.number("rolling_visible", 0.001, 10))
+        look.rolling_visible_m = static_cast<float>(*visible);
+    if (const auto name = table.text("texture")) {
+        if (const auto pattern = render::flow_pattern_named(*name))
+            look.flow = render::FlowLook{*pattern};
+        else
+            table.blame("texture", fmt::format("names no texture; there are {}",
+                                               fmt::join(render::kFlowPatterns, ", ")));
+    }
+    table.finish();
+}
+
+// "stop_slope_thick" may also be given as the angle "stop_angle_thick"; empty where a number is no slope.
+std::string angle_key(const sim::ParamInfo& info) {
+    std::string key(info.name);
+    const auto at = key.find("_slope");
+    if (info.unit != "1" || at == std::string::npos) return {};
+    return key.replace(at, 6, "_angle");
+}
+
+}  // namespace
+
+void read_physics_numbers(TomlTable& table, sim::Model model, sim::Params& params) {
+    for (const sim::ParamInfo& info : sim::kParams) {
+        if (!sim::is_used_by(info, model)) continue;
+        if (const auto value = table.number(info.name, info.least, info.most))
+            params.*info.value = static_cast<float>(*value);
+        const std::string angle = angle_key(info);
+        if (angle.empty()) continue;
+        if (const auto degrees = table.number(angle, 0, 84))
+            params.*info.value = static_cast<float>(std::tan(*degrees * 3.14159265358979323846 / 180));
+    }
+}
+
+Outcome<Material> load_material(std::string_view name_or_path, sim::Model model) {
+    const auto path = find_asset(AssetKind::kMaterial, name_or_path);
+    if (!path) return tl::unexpected(path.error());
+    const auto document = parse_toml(*path);
+    if (!document) return tl::unexpected(document.error());
+
+    Material material;
+    material.file = *path;
+    material.name = path->stem().string();
+    material.params.model = model;
+    TomlFault fault;
+    TomlTable root(*document, "", path->string(), fault);
+    material.title = root.text("title").value_or(material.name);
+    if (auto look = root.table("look")) read_look(*look, material.look);
+
+    bool has_block = false;
+    for (const sim::Model each : {sim::Model::kBcre, sim::Model::kBcreInertial}) {
+        auto block = root.table(sim::to_string(each));
+        if (!block) continue;
+        sim::Params unused;
+        read_physics_numbers(*block, each, each == model ? material.params : unused);
+        block->finish();
+        has_block |= each == model;
+    }
+    root.finish();
+    if (fault) return unusable(*fault);
+    if (!has_block)
+        return unusable(fmt::format("{}: has no [{}] block, so it cannot be used with that model",
+                                    path->string(), sim::to_string(model)));
+    if (const auto wrong = sim::fault_of(material.params))
+        return unusable(fmt::format("{}: {}", path->string(), *wrong));
+    return material;
+}
+
+}  // namespace game

@@ -1,0 +1,75 @@
+#include "game/scene/memory.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "game/base/number.h"
+
+namespace game {
+namespace {
+
+constexpr std::uint64_t kMiB = std::uint64_t{1} << 20;
+
+}  // namespace
+
+std::uint64_t machine_memory() {
+    const long pages = sysconf(_SC_PHYS_PAGES), bytes = sysconf(_SC_PAGESIZE);
+    if (pages <= 0 || bytes <= 0) return 2048 * kMiB;
+    return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(bytes);
+}
+
+std::uint64_t Memory::for_keyframes() const {
+    return std::min(384 * kMiB, most / 16 * 3);
+}
+std::uint64_t Memory::for_undo() const {
+    return std::min(128 * kMiB, most / 16);
+}
+
+std::uint64_t expected_bytes(const sim::Grid& grid, bool two_materials, const Memory& memory) {
+    // Bytes per vertex, measured (docs/limits.md).
+    const WorldUse& use = memory.use;
+    const std::uint64_t reading = 130;
+    const std::uint64_t start = two_materials ? 70 : 50;
+    const std::uint64_t session = two_materials ? 310 : 65;
+    const std::uint64_t run = two_materials ? 235 : 55;
+    std::uint64_t using_it = start + session * static_cast<std::uint64_t>(use.sessions) +
+                             run * static_cast<std::uint64_t>(use.runs);
+    if (use.draws) using_it += grid.size() <= kMostFollowed ? 950 : 250;
+    std::uint64_t bytes = 60 * kMiB + std::max(reading, using_it) * grid.size();
+    if (use.draws) bytes += 240 * kMiB;
+    if (use.goes_back) bytes += memory.for_keyframes() + memory.for_undo();
+    return bytes;
+}
+
+tl::expected<void, std::string> Memory::allows(const sim::Grid& grid, bool two_materials) const {
+    const std::uint64_t expected = expected_bytes(grid, two_materials, *this);
+    if (expected <= most) return {};
+    return tl::unexpected(
+        fmt::format("{} by {} vertices take about {} of memory, and {} are allowed; --max-memory allows more",
+                    grid.nx, grid.ny, bytes_text(expected), bytes_text(most)));
+}
+
+std::optional<std::uint64_t> bytes_from(std::string_view text) {
+    constexpr std::string_view kUnits = "KMGT";
+    const auto power = text.empty() ? kUnits.npos : kUnits.find(text.back());
+    const bool has_unit = power != kUnits.npos;
+    if (has_unit) text.remove_suffix(1);
+    const auto shift = has_unit ? 10 * (power + 1) : 0;
+    const auto number = number_from<std::uint64_t>(text);
+    if (!number || *number == 0 || *number > std::numeric_limits<std::uint64_t>::max() >> shift)
+        return std::nullopt;
+    return *number << shift;
+}
+
+std::string bytes_text(std::uint64_t bytes) {
+    const bool large = bytes >= 1024 * kMiB;
+    return fmt::format("{:.1f} {}",
+                       static_cast<double>(bytes) / static_cast<double>(large ? 1024 * kMiB : kMiB),
+                       large ? "GiB" : "MiB");
+}
+
+}  // namespace game

@@ -1,0 +1,314 @@
+#include "game/scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "game/files/assets.h"
+#include "game/files/toml_table.h"
+#include "game/scene/flow_scene.h"
+#include "game/scene/material.h"
+#include "game/scene/scene_ground.h"
+#include "terrains/dem_gdal.h"
+#include "terrains/release.h"
+
+namespace game {
+namespace {
+
+namespace fs = std::filesystem;
+using terrains::Terrain;
+
+void read_borders(TomlTable& physics, sim::Params& params) {
+    const auto name = physics.text("borders");
+    if (!name) return;
+    if (const auto border = sim::border_from(*name))
+        params.borders.fill(*border);
+    else
+        physics.blame("borders", "is none of wall, open, sink");
+}
+
+sim::Model read_model(TomlTable& physics, const Wishes& wishes) {
+    const auto name = physics.text("model");
+    const auto model = name ? sim::model_from(*name) : sim::Model::kBcreInertial;
+    if (!model) physics.blame("model", "is neither bcre nor bcre-inertial");
+    return wishes.model.value_or(model.value_or(sim::Model::kBcreInertial));
+}
+
+void take_choices(const Wishes& wishes, sim::Params& params) {
+    params.scheme = wishes.scheme.value_or(params.scheme);
+    params.law = wishes.law.value_or(params.law);
+}
+
+// Scheme and velocity law of bcre.
+void read_choices(TomlTable& physics, const Wishes& wishes, sim::Params& params) {
+    if (const auto name = physics.text("scheme")) {
+        const auto scheme = sim::scheme_from(*name);
+        if (!scheme) physics.blame("scheme", "is none of lax-friedrichs, local-lax-friedrichs, muscl");
+        params.scheme = scheme.value_or(params.scheme);
+    }
+    if (const auto name = physics.text("law")) {
+        const auto law = sim::law_from(*name);
+        if (!law) physics.blame("law", "is none of constant, slope, shear");
+        params.law = law.value_or(params.law);
+    }
+    take_choices(wishes, params);
+}
+
+sim::Command read_command(TomlTable& table, const sim::CommandInfo& info, bool has_lower) {
+    sim::Command command;
+    command.kind = info.kind;
+    for (const sim::CommandNumber& number : info.numbers) {
+        const auto value = table.number(number.name, number.least, number.most);
+        if (!value) table.blame("", fmt::format("needs {} in {}", number.name, number.unit));
+        command.*number.value = value.value_or(0);
+    }
+    if (info.has_param) {
+        const auto param = sim::param_from(table.text("param").value_or(""));
+        if (!param) table.blame("param", "names no number of the physics that can be set");
+        command.param = param.value_or(0);
+        if (const auto wrong = sim::fault_of(command); wrong && param) table.blame("value", *wrong);
+    }
+    if (info.has_layer)
+        if (const auto name = table.text("as")) {
+            const auto layer = sim::layer_from(*name);
+            if (!layer) table.blame("as", "is neither rolling nor standing");
+            command.layer = layer.value_or(command.layer);
+        }
+    if (info.has_profile)
+        if (const auto name = table.text("profile")) {
+            const auto profile = sim::profile_from(*name);
+            if (!profile) table.blame("profile", "is neither disc nor cone");
+            command.profile = profile.value_or(command.profile);
+        }
+    if (info.has_part)
+        if (const auto name = table.text("of")) {
+            const auto part = sim::part_from(*name);
+            if (!part) table.blame("of", "is neither upper nor lower");
+            if (part == sim::Part::kLower && !has_lower)
+                table.blame("of", "is lower, and the scene has no [under]");
+            command.of = part.value_or(command.of);
+        }
+    table.finish();
+    return command;
+}
+
+std::string command_names() {
+    std::string names;
+    for (const sim::CommandInfo& info : sim::kCommands)
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", info.name);
+    return names;
+}
+
+std::vector<TimedCommand> read_commands(TomlTable& root, double tick_s, bool has_lower) {
+    std::vector<TimedCommand> commands;
+    for (TomlTable& table : root.tables("command")) {
+        const auto at = table.number("at", 0, 1e5);
+        if (!at) table.blame("", "needs `at`, in seconds");
+        int given = 0;
+        for (const sim::CommandInfo& info : sim::kCommands)
+            if (auto numbers = table.table(info.name)) {
+                commands.push_back(
+                    {std::llrint(at.value_or(0) / tick_s), read_command(*numbers, info, has_lower)});
+                ++given;
+            }
+        table.finish();
+        if (given != 1) table.blame("", fmt::format("needs exactly one of {}", command_names()));
+    }
+    std::stable_sort(commands.begin(), commands.end(),
+                     [](const TimedCommand& a, const TimedCommand& b) { return a.tick < b.tick; });
+    return commands;
+}
+
+void read_view(TomlTable& root, Start& start) {
+    if (auto table = root.table("camera")) {
+        render::Camera camera;
+        const auto target = table->numbers("target", 3);
+        if (target) camera.target = {(*target)[0], (*target)[1], (*target)[2]};
+        if (!target) table->blame("", "needs a target: metres east, north, and of height");
+        camera.azimuth_deg = table->number("azimuth", -360, 360).value_or(camera.azimuth_deg);
+        camera.elevation_deg = table->number("elevation", -89, 89).value_or(camera.elevation_deg);
+        camera.distance_m = table->number("distance", 0.1, 1e6).value_or(camera.distance_m);
+        camera.field_of_view_deg = table->number("field_of_view", 5, 120).value_or(camera.field_of_view_deg);
+        table->finish();
+        start.camera = camera;
+    }
+    if (auto table = root.table("light")) {
+        start.light.azimuth_deg = table->number("azimuth", -360, 360).value_or(start.light.azimuth_deg);
+        start.light.elevation_deg = table->number("elevation", 1, 90).value_or(start.light.elevation_deg);
+        table->finish();
+    }
+}
+
+Outcome<void> check_choices(const Wishes& wishes, sim::Model model) {
+    if ((!wishes.scheme && !wishes.law) || model == sim::Model::kBcre) return {};
+    return unusable(fmt::format(
+        "--{} is of the model bcre, and this is bcre-inertial, which has its own; add --model bcre",
+        wishes.scheme ? "scheme" : "law"));
+}
+
+void take_lower(Start& start, const Material& lower) {
+    start.lower = Start::Lower{lower.name, lower.params, {}};
+    sim::take_choices(start.params, start.lower->params);
+    start.look.lower_standing = lower.look.standing;
+    start.look.lower_rolling = lower.look.rolling;
+    start.look.rock = lower.look.rock, start.look.meadow = lower.look.meadow;  // it lies on the ground
+}
+
+void take_material(Start& start, const Material& material, const sim::Params& over) {
+    start.material = material.name;
+    start.look = material.look;
+    start.params = over;
+}
+
+// The whole file in the order in which one part needs another. Faults gather in `fault`; what is returned
+// then is moot.
+Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& wishes, TomlFault& fault) {
+    Scene scene;
+    Start& start = scene.start;
+    scene.files.push_back(path);
+    start.scene = path.stem().string();
+    start.title = root.text("title").value_or(start.scene);
+
+    if (auto flow = root.table("flow")) {
+        if (auto read = read_flow(*flow, wishes, start); !read) return tl::unexpected(read.error());
+        read_view(root, start);
+        root.finish();
+        if (fault) return unusable(*fault);
+        return scene;
+    }
+
+    auto cover = root.table("cover");
+    auto under = root.table("under");
+    auto physics = root.table("physics");
+    auto ground = root.table("terrain");
+    if (!cover) root.blame("", "has no [cover]");
+    if (!physics) root.blame("", "has no [physics]");
+    if (!ground) root.blame("", "has no [terrain]");
+    if (fault) return unusable(*fault);
+
+    const auto named = cover->text("material");
+    if (!named) cover->blame("", "needs a material");
+    const auto rule = read_cover_rule(*cover);
+    cover->finish();
+    const auto under_named = under ? under->text("material") : std::nullopt;
+    const auto under_rule = under ? read_cover_rule(*under) : std::nullopt;
+    if (under && !under_named) under->blame("", "needs a material");
+    if (under && !under_rule) under->blame("", "needs a depth, in metres");
+    const sim::Model model = read_model(*physics, wishes);
+    if (fault) return unusable(*fault);
+    if (const auto sound = check_choices(wishes, model); !sound) return tl::unexpected(sound.error());
+
+    const auto material = load_material(wishes.material.value_or(*named), model);
+    if (!material && !wishes.material)
+        cover->blame("material", "cannot be used: " + material.error().sentence);
+    if (!material) return fault ? unusable(*fault) : tl::unexpected(material.error());
+    scene.files.push_back(material->file);
+    sim::Params params = material->params;
+    read_choices(*physics, wishes, params);
+    read_borders(*physics, params);
+    // A scene's own numbers are for its own model: under another one the material's stand.
+    sim::Params unused;
+    const auto own_name = physics->text("model");
+    const sim::Model own = own_name ? *sim::model_from(*own_name) : sim::Model::kBcreInertial;
+    read_physics_numbers(*physics, own, own == model ? params : unused);
+    physics->finish();
+    take_material(start, *material, params);
+    if (under_rule) {
+        const auto lower = load_material(*under_named, model);
+        if (!lower) under->blame("material", "cannot be used: " + lower.error().sentence);
+        if (!lower) return unusable(*fault);
+        scene.files.push_back(lower->file);
+        take_lower(start, *lower);
+        read_physics_numbers(*under, own, own == model ? start.lower->params : unused);
+        if (const auto wrong = sim::fault_of(start.lower->params)) under->blame("", *wrong);
+    }
+    if (under) under->finish();
+    scene.commands = read_commands(root, params.tick_s, start.lower.has_value());
+    read_view(root, start);
+    root.finish();
+    if (fault) return unusable(*fault);
+    if (const auto wrong = sim::fault_of(params))
+        return unusable(fmt::format("{}: {}", path.string(), *wrong));
+    if (const auto wrong = fault_of_commands(params, scene.commands))
+        return unusable(fmt::format("{}: {}", path.string(), *wrong));
+
+    if (const auto file = ground->text("file")) scene.files.push_back(path.parent_path() / *file);
+    auto terrain = read_terrain(
+        *ground, path.parent_path(), wishes.squares, wishes.references,
+        [&](const sim::Grid& grid) { return wishes.memory.allows(grid, start.lower.has_value()); });
+    if (fault) return unusable(*fault);
+    if (!terrain) return unusable(terrain.error());
+    if (rule) terrain->cover = depth_by(*rule, *terrain);
+    if (under_rule) {
+        start.lower->depth = depth_by(*under_rule, *terrain);
+        for (std::size_t i = 0; i < terrain->cover.size(); ++i) terrain->cover[i] += start.lower->depth[i];
+        constexpr float kDeepestCover = sim::kDeepest / 2;
+        if (const float most = *std::max_element(terrain->cover.begin(), terrain->cover.end());
+            most > kDeepestCover)
+            return unusable(fmt::format("{}: cover and what is under it are {} m deep, and the most is {} m",
+                                        path.string(), most, kDeepestCover));
+    }
+    set_ground(start, *terrain);
+    return scene;
+}
+
+}  // namespace
+
+Outcome<Scene> load_scene(std::string_view name_or_path, const Wishes& wishes) {
+    const auto path = find_asset(AssetKind::kScene, name_or_path);
+    if (!path) return tl::unexpected(path.error());
+    const auto document = parse_toml(*path);
+    if (!document) return tl::unexpected(document.error());
+    TomlFault fault;
+    TomlTable root(*document, "", path->string(), fault);
+    return read_scene(root, *path, wishes, fault);
+}
+
+namespace {
+
+Outcome<std::vector<float>> read_release_on(const Terrain& terrain, const fs::path& release,
+                                            terrains::References references) {
+    auto rolling = terrains::read_release(release, terrain, std::nullopt, references);
+    if (!rolling) return unusable(rolling.error());
+    constexpr float kDeepestRelease = sim::kDeepest / 2;
+    if (const float most = *std::max_element(rolling->begin(), rolling->end()); most > kDeepestRelease)
+        return unusable(
+            fmt::format("{}: {} m thick, and the most is {} m", release.string(), most, kDeepestRelease));
+    return std::move(*rolling);
+}
+
+}  // namespace
+
+Outcome<Scene> scene_of_terrain(const fs::path& dem, const std::optional<fs::path>& release,
+                                const Wishes& wishes) {
+    constexpr int kUsualSquares = 256;
+    const sim::Model model = wishes.model.value_or(sim::Model::kBcreInertial);
+    if (const auto sound = check_choices(wishes, model); !sound) return tl::unexpected(sound.error());
+    const auto material = load_material(wishes.material.value_or("snow-dry"), model);
+    if (!material) return tl::unexpected(material.error());
+    const auto terrain =
+        terrains::read_dem(dem,
+                           {wishes.squares.value_or(kUsualSquares),
+                            [&](const sim::Grid& grid) { return wishes.memory.allows(grid, false); }},
+                           wishes.references);
+    if (!terrain) return unusable(terrain.error());
+
+    Scene scene;
+    scene.files = {dem, material->file};
+    scene.start.scene = scene.start.title = terrain->name;
+    sim::Params params = material->params;
+    take_choices(wishes, params);
+    params.borders.fill(sim::Border::kSink);
+    take_material(scene.start, *material, params);
+    set_ground(scene.start, *terrain);
+    if (release) {
+        auto rolling = read_release_on(*terrain, *release, wishes.references);
+        if (!rolling) return tl::unexpected(rolling.error());
+        scene.start.rolling = std::move(*rolling);
+        scene.files.push_back(*release);
+    }
+    return scene;
+}
+
+}  // namespace game

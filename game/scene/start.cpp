@@ -1,0 +1,103 @@
+#include "game/scene/start.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <queue>
+
+#include <fmt/format.h>
+
+#define XXH_STATIC_LINKING_ONLY  // for a digest on the stack
+#include <xxhash.h>
+
+namespace game {
+
+std::span<const TimedCommand> commands_from(std::span<const TimedCommand> commands, std::int64_t tick) {
+    return {std::ranges::lower_bound(commands, tick, {}, &TimedCommand::tick), commands.end()};
+}
+
+std::span<const TimedCommand> commands_at(std::span<const TimedCommand> commands, std::int64_t tick) {
+    const auto from = commands_from(commands, tick);
+    return from.first(from.size() - commands_from(from, tick + 1).size());
+}
+
+namespace {
+
+// Counts the commands of a tick, and those that still run in it.
+class CommandCount {
+  public:
+    explicit CommandCount(float tick_s) : tick_s_(tick_s) {}
+
+    // Takes the commands in order of their ticks.
+    std::optional<std::string> add(const TimedCommand& timed) {
+        if (timed.tick != tick_) in_tick_ = 0;
+        tick_ = timed.tick;
+        while (!ends_.empty() && ends_.top() <= tick_) ends_.pop();
+        ends_.push(tick_ + sim::ticks_of(timed.command, tick_s_));
+        return sim::fault_of_counts(++in_tick_, ends_.size());
+    }
+
+  private:
+    float tick_s_;
+    std::int64_t tick_ = -1;
+    std::size_t in_tick_ = 0;
+    std::priority_queue<std::int64_t, std::vector<std::int64_t>, std::greater<>> ends_;  // earliest first
+};
+
+}  // namespace
+
+std::optional<std::string> fault_of_commands(sim::Params params, std::span<const TimedCommand> commands) {
+    std::vector<sim::Command> sets;  // of one tick, which may go together only as a whole
+    CommandCount count(params.tick_s);
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+        if (const auto fault = count.add(commands[i]))
+            return fmt::format("at tick {}: {}", commands[i].tick, *fault);
+        if (commands[i].command.kind == sim::CommandKind::kSet) sets.push_back(commands[i].command);
+        const bool last_of_tick = i + 1 == commands.size() || commands[i + 1].tick != commands[i].tick;
+        if (!last_of_tick || sets.empty()) continue;
+        if (const auto fault = sim::fault_after(params, sets))
+            return fmt::format("at tick {}: {}", commands[i].tick, *fault);
+        for (const sim::Command& set : sets) sim::set_number(params, set);
+        sets.clear();
+    }
+    return std::nullopt;
+}
+
+void set_ground(Start& start, const terrains::Terrain& terrain) {
+    start.terrain = terrain.name;
+    start.licence = terrain.licence;
+    start.grid = terrain.grid;
+    start.georeference = terrain.georeference;
+    start.has_data = terrain.has_data;
+    start.depth = terrain.cover;
+    start.rolling.assign(terrain.grid.size(), 0.f);
+    start.datum = std::floor(*std::min_element(terrain.surface.begin(), terrain.surface.end()));
+    start.bedrock.resize(terrain.grid.size());
+    for (std::size_t i = 0; i < start.bedrock.size(); ++i)
+        start.bedrock[i] = static_cast<float>(static_cast<double>(terrain.surface[i]) - start.datum -
+                                              static_cast<double>(terrain.cover[i]));
+}
+
+sim::InitialState world_of(const Start& start) {
+    sim::InitialState world{start.grid,    start.datum,    start.bedrock, start.depth,
+                            start.rolling, start.has_data, start.seed};
+    if (start.lower) world.lower = sim::InitialState::Lower{start.lower->params, start.lower->depth};
+    return world;
+}
+
+std::uint64_t ground_hash(const Start& start) {
+    XXH3_state_t digest;
+    XXH3_64bits_reset(&digest);
+    const auto add = [&](const void* bytes, std::size_t count) { XXH3_64bits_update(&digest, bytes, count); };
+    add(&start.grid.nx, sizeof start.grid.nx);
+    add(&start.grid.ny, sizeof start.grid.ny);
+    add(&start.grid.dx, sizeof start.grid.dx);
+    add(&start.datum, sizeof start.datum);
+    for (const std::vector<float>* field : {&start.bedrock, &start.depth, &start.rolling})
+        add(field->data(), field->size() * sizeof(float));
+    add(start.has_data.data(), start.has_data.size());
+    if (start.lower) add(start.lower->depth.data(), start.lower->depth.size() * sizeof(float));
+    return XXH3_64bits_digest(&digest);
+}
+
+}  // namespace game

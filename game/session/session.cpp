@@ -1,0 +1,190 @@
+#include "game/session/session.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sim/core/float_environment.h"
+#include "sim/step.h"
+
+namespace game {
+namespace {
+
+// How fast textures are renewed that a rolling layer carries.
+constexpr sim::front::LayerRule kTextures{.shortest_s = 0.5f, .deformation = 0.3f};
+
+template <class Stage>
+double ms_of(const Stage& stage) {
+    const auto before = std::chrono::steady_clock::now();
+    stage();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
+}
+
+}  // namespace
+
+Session::Session(const Start& start, const sim::How& how, std::optional<Recorder> recorder)
+    : state_(sim::make_state(world_of(start), start.params)),
+      engine_(std::make_unique<sim::Engine>(state_, how)),
+      recorder_(std::move(recorder)) {
+    peaks_.depth.assign(state_.grid.size(), 0.f);
+    peaks_.speed.assign(state_.grid.size(), 0.f);
+    line_.before.reserve(kTicksPerState);
+    find_hash();
+    watch();
+}
+
+Outcome<Session> Session::begin(const Start& start, const sim::How& how, std::optional<Recorder> recorder) {
+    Session session(start, how, std::move(recorder));
+    if (session.recorder_)
+        if (const auto written = session.write_state(); !written) return tl::unexpected(written.error());
+    return session;
+}
+
+Outcome<void> Session::advance(std::span<const sim::Command> commands) {
+    for (const sim::Command& command : commands)
+        if (const auto fault = sim::fault_of(command, state_.mixture.has_value()))
+            return unusable(fmt::format("tick {}: {}", state_.tick, *fault));
+    if (const auto fault = sim::fault_of_counts(commands.size(), state_.sources.size() + commands.size()))
+        return unusable(fmt::format("tick {}: {}", state_.tick, *fault));
+    if (const auto fault = sim::fault_after(state_.params, commands))
+        return unusable(fmt::format("tick {}: {}", state_.tick, *fault));
+    if (const auto fault = sim::float_environment_fault())
+        return machine_fails(
+            fmt::format("tick {}: {}, so no replay could meet these bits", state_.tick, *fault));
+    const bool records = recorder_ && state_.tick >= recorded_until_;
+    if (records)
+        for (const sim::Command& command : commands)
+            if (auto written = recorder_->command({state_.tick, command}); !written) return written;
+
+    if (line_.tick % kTicksPerState == 0)
+        line_.before.clear();
+    else
+        line_.before.push_back(line_.hash);
+    // The first tick may find ground too steep to lie, the others only after a command.
+    const bool rests = state_.tick > 0 && commands.empty() && sim::at_rest(state_);
+    times_ = {};
+    times_.solve_ms = ms_of([&] { sim::step(state_, commands, *engine_); });
+    find_hash();
+
+    if (!rests) changed_at_ = state_.tick;
+    // At rest nothing of them changes; a flow that is shown never rests.
+    if ((fronts_ && !rests) || stage_) advance_fronts();
+    std::int64_t error = state_.ledger.mass_error();
+    if (error == 0 && state_.mixture) error = state_.mixture->ledger.mass_error();
+    if (error != 0)
+        return tl::unexpected(Failure{
+            Failure::kBadAnswer,
+            fmt::format("tick {}: {} m3 of mass appeared from nowhere; a layer deeper than {} m cannot be "
+                        "counted exactly",
+                        state_.tick, cubic_metres(error), sim::kDeepest)});
+    times_.peaks_ms = ms_of([&] { watch(); });
+    if (!records) return {};
+    recorded_until_ = state_.tick;
+    return state_.tick % kTicksPerState == 0 ? write_state() : Outcome<void>();
+}
+
+Outcome<void> Session::finish() {
+    if (!recorder_) return {};
+    // The last state too, so that the whole of a recording is proven.
+    if (auto written = write_state(); !written) return written;
+    return recorder_->end(recorded_until_);
+}
+
+// Of the tick up to which all is recorded, unless its line is there already.
+Outcome<void> Session::write_state() {
+    if (state_.tick != recorded_until_ || recorder_->last_state() == state_.tick) return {};
+    return recorder_->state(line_);
+}
+
+Session::Moment Session::moment() const {
+    Moment moment{sim::take_snapshot(state_), std::nullopt, peaks_, active_cells_, line_, std::nullopt};
+    if (fronts_) moment.textures = fronts_->memory();
+    if (recorder_) moment.mark = recorder_->mark();
+    return moment;
+}
+
+Outcome<void> Session::rewind(const Moment& moment) {
+    put(moment);
+    recorded_until_ = state_.tick;
+    if (recorder_ && moment.mark) return recorder_->rewind(*moment.mark);
+    return {};
+}
+
+Outcome<void> Session::go_to(const Moment& moment) {
+    if (recorder_)
+        if (auto written = write_state(); !written) return written;
+    put(moment);
+    return {};
+}
+
+void Session::put(const Moment& moment) {
+    sim::restore(moment.world, state_);
+    if (fronts_ && moment.textures) fronts_->restore(view(), *moment.textures, engine_->workers);
+    peaks_ = moment.peaks;
+    active_cells_ = moment.active_cells;
+    line_ = moment.line;
+    changed_at_ = state_.tick;
+}
+
+void Session::record_in(Recorder recorder) {
+    recorder_ = std::move(recorder);
+    recorded_until_ = state_.tick;
+}
+
+void Session::find_hash() {
+    times_.hash_ms = ms_of([&] {
+        line_.tick = state_.tick;
+        line_.hash = sim::update_state_hash(state_, engine_->workers);
+        line_.ledger = state_.ledger;
+    });
+    CHECK(line_.hash == sim::state_hash(state_));
+}
+
+double Session::cubic_metres(std::int64_t quanta) const {
+    return static_cast<double>(quanta) * static_cast<double>(sim::kQuantum) * state_.grid.cell_area();
+}
+
+void Session::follow_fronts(const Start& start, std::size_t most_vertices) {
+    if (state_.grid.size() > most_vertices) return;
+    if (start.flow)
+        stage_ = std::make_unique<sim::fields::FlowStage>(state_.grid, start.flow->flow, start.flow->numbers);
+    else if (start.look.flow)
+        fronts_ =
+            std::make_unique<WorldFronts>(state_.grid, start.look.rolling_visible_m, kTextures, start.depth);
+    else
+        return;
+    advance_fronts();
+}
+
+void Session::advance_fronts() {
+    const auto tick_s = static_cast<double>(state_.params.tick_s);
+    if (stage_) {
+        times_.track_ms = ms_of([&] { stage_->advance(tick_s, engine_->workers); });
+        changed_at_ = state_.tick;
+        return;
+    }
+    times_.track_ms = ms_of([&] { fronts_->track(view(), tick_s, engine_->workers); });
+    times_.advect_ms = ms_of([&] { fronts_->carry(tick_s, engine_->workers); });
+    times_.gradient_ms = ms_of([&] { fronts_->settle(tick_s, engine_->workers); });
+}
+
+void Session::watch() {
+    active_cells_ = 0;
+    const auto nx = static_cast<std::size_t>(state_.grid.nx);
+    for (int y = 0; y < state_.grid.ny; ++y) {
+        const float* rolling = state_.rolling.row(y);
+        const float *u = state_.velocity_x.row(y), *v = state_.velocity_y.row(y);
+        float* depth = peaks_.depth.data() + static_cast<std::size_t>(y) * nx;
+        float* speed = peaks_.speed.data() + static_cast<std::size_t>(y) * nx;
+        for (std::size_t x = 0; x < nx; ++x) {
+            if (rolling[x] == 0) continue;
+            ++active_cells_;
+            depth[x] = std::max(depth[x], rolling[x]);
+            if (rolling[x] >= Peaks::kVisible) speed[x] = std::max(speed[x], std::hypot(u[x], v[x]));
+        }
+    }
+}
+
+}  // namespace game

@@ -1,9 +1,0 @@
-#include "game/version.h"
-
-namespace game {
-
-const char* const kProgram = "couloir " COULOIR_VERSION;
-const char* const kCommit = COULOIR_COMMIT;
-const char* const kCompiler = COULOIR_COMPILER;
-
-}  // namespace game

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+
+#include "sim/core/grid.h"
+#include "sim/simd/numbers.h"
+
+// A step is made of stages that work on one row at a time. They are told where the rows are, and not what
+// else there is: the plain step shows them whole fields, a sweep the few rows that it keeps at a time.
+
+namespace sim {
+
+// Rows of values; row y begins at [y] with x = 0.
+template <class Scalar>
+class Rows {
+  public:
+    Rows() = default;
+
+    // All rows of a field.
+    explicit Rows(Field<Scalar>& field) : Rows(field.row(0), field.stride()) {}
+    Rows(Scalar* row_0, std::ptrdiff_t stride) : first_(row_0), stride_(stride) {}
+
+    // The last `count` rows, a power of two: row y takes the place of row y − count.
+    Rows(Scalar* first, std::ptrdiff_t stride, int count)
+        : first_(first), stride_(stride), within_(count - 1) {}
+
+    // The same rows, but for those below `from` and from `to` on, which lie elsewhere.
+    Rows beside(int from, Scalar* below, int to, Scalar* above) const {
+        Rows rows = *this;
+        rows.from_ = from, rows.to_ = to, rows.below_ = below, rows.above_ = above;
+        return rows;
+    }
+
+    [[gnu::always_inline]] Scalar* operator[](int y) const {
+        if (y < from_) return below_ + (y - from_) * stride_;
+        if (y >= to_) return above_ + (y - to_) * stride_;
+        return first_ + (y & within_) * stride_;
+    }
+
+  private:
+    Scalar* first_ = nullptr;
+    std::ptrdiff_t stride_ = 0;
+    int within_ = -1;
+    int from_ = std::numeric_limits<int>::min(), to_ = std::numeric_limits<int>::max();
+    Scalar *below_ = nullptr, *above_ = nullptr;  // where rows from_ and to_ would be
+};
+
+// Vertices first … last-1 of a row.
+struct Span {
+    int first, last;
+
+    Span faces() const { return {first, last + 1}; }
+};
+
+template <class Number>
+inline constexpr int kLanes = 1;
+template <class T, class Abi>
+inline constexpr int kLanes<stdx::simd<T, Abi>> = static_cast<int>(stdx::simd<T, Abi>::size());
+
+// Has stages do their work on each vertex of a row, as many at once as there are lanes. The last lanes may
+// lie beyond the row, in its padding. The loop has stages of its own: what they write cannot be a number that
+// they reckon with, so those stay in registers.
+template <class Number, class... Stages>
+[[gnu::flatten, gnu::noinline]] void along(Span x, const Stages&... stages) {
+    [x](Stages... own) {
+        for (int i = x.first; i < x.last; i += kLanes<Number>) (own(i), ...);
+    }(stages...);
+}
+
+// The analyser takes a row that a stage has, and does not read, for one that it reads.
+template <class Number>
+[[gnu::always_inline]] inline Number load(const Scalar<Number>* from) {
+    if constexpr (kIsLanes<Number>) {
+        using Vector [[gnu::vector_size(sizeof(Number))]] = float;
+        using Unaligned [[gnu::vector_size(sizeof(Number)), gnu::aligned(4), gnu::may_alias]] = float;
+        // NOLINTNEXTLINE(clang-analyzer-core.NullDereference)
+        return Number(static_cast<Vector>(*reinterpret_cast<const Unaligned*>(from)));
+    } else {
+        return *from;  // NOLINT(clang-analyzer-core.NullDereference)
+    }
+}
+
+template <class Number>
+[[gnu::always_inline]] inline void store(const Number& value, Scalar<Number>* to) {
+    if constexpr (kIsLanes<Number>)
+        value.copy_to(to, stdx::element_aligned);
+    else
+        *to = value;
+}
+
+// 0 in the lanes from `end` on, so that none of them asks for more work than those before it.
+template <class Number>
+[[gnu::always_inline]] inline Number only_before(int end, const Number& value, int x) {
+    if constexpr (kIsLanes<Number>) {
+        if (x + kLanes < Number >> end) return select(first_lanes<Number>(end - x), value, Number(0));
+    }
+    return value;
+}
+
+// Only the lanes before `end`: for rows that others read beyond it.
+template <class Number>
+[[gnu::always_inline]] inline void store_before(int end, const Number& value, Scalar<Number>* row, int x) {
+    if constexpr (kIsLanes<Number>) {
+        if (x + kLanes < Number >> end) {
+            store(select(first_lanes<Number>(end - x), value, load<Number>(row + x)), row + x);
+            return;
+        }
+    }
+    store(value, row + x);
+}
+
+}  // namespace sim

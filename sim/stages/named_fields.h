@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/core/grid.h"
+
+namespace sim {
+
+struct State;
+template <class Number>
+struct Scratch;
+
+struct NamedField {
+    std::string name;  // as the member is called: "rolling", "then.flux_x"
+    const Field<float>* values;
+};
+
+// What of a state moves, in the order of its hash, and first_depth.
+std::vector<NamedField> fields_of(const State& state);
+// What the stages of a plain step leave for the next ones, as far as this world uses them.
+std::vector<NamedField> fields_of(const Scratch<float>& scratch);
+
+}  // namespace sim

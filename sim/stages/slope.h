@@ -1,0 +1,41 @@
+#pragma once
+
+#include "sim/simd/numbers.h"
+
+// Slope of h = b + d toward the lower neighbours of a vertex, upwind: what lies uphill feels what happens
+// below, and a checkerboard is seen.
+//
+//            N              f_x = max(0, D_W, D_E),  f_y = max(0, D_S, D_N)        S = |f| / Δx
+//            |
+//   WW — W — C — E — EE     D_W = h_C − h_W  [+ ½ minmod(B_C, B_W)],  B_C = h_E − 2 h_C + h_W
+//            |
+//            S              lowering C by Δ lowers S by at most √2 Δ/Δx
+//
+// The term in brackets makes it second order where h is smooth (Osher and Shu 1991); B is 0 where a neighbour
+// is not known. Bedrock and depth are differenced apart: their sum would lose the layers' last digits.
+
+namespace sim {
+
+// Of four neighbours: how far it is down to them, m.
+template <class Number>
+struct Drops {
+    Number east, west, north, south;
+};
+
+// |f|, the fall over a cell, m.
+template <class Number>
+[[gnu::always_inline]] inline Number fall_of(const Drops<Number>& drop) {
+    const Number x = larger(larger(drop.west, drop.east), Number(0));
+    const Number y = larger(larger(drop.south, drop.north), Number(0));
+    return square_root(x * x + y * y);
+}
+
+// ½ minmod of the bends on both sides of a face, which make its drop one of second order, either way.
+// `drop` through the face, and through those before and behind it.
+template <class Number>
+[[gnu::always_inline]] inline Number correction(const Number& drop_back, const Number& drop,
+                                                const Number& drop_ahead) {
+    return Scalar<Number>(0.5) * minmod<Number>(drop_back - drop, drop - drop_ahead);
+}
+
+}  // namespace sim

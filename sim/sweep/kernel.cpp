@@ -1,0 +1,356 @@
+#include "sim/bcre/stages.h"
+#include "sim/inertial/stages.h"
+#include "sim/sweep/sweep.h"
+
+// The sweep, for lanes of any number. The stages of the plain step (bcre/stages.h) follow one another over
+// the rows of a job: each stage runs as soon as the rows that it reads are done, and only the last few rows
+// of what it writes are kept, so that they are still in a near cache when the next stage wants them.
+//
+//     drops (t)  ─►  fall (t − 1)  ─►  given (t − 1)  ─►  fluxes (t − 1)  ─►  d, R (t − 2)
+//
+// The layers' rows are overwritten when no stage reads any more what they were. Of what lies beside a job the
+// stages are reckoned too, each on so many rows more (`beside`) as those that read it need: the last on none,
+// the first of all on what kApron covers. Two jobs find the same there, to the bit.
+
+namespace sim::sweep {
+
+// Rows to work with, handed out one after the other.
+class WorkRows {
+  public:
+    WorkRows(float* first, std::ptrdiff_t stride) : next_(first), stride_(stride) {}
+    // The last `count` rows of each field. No loop over pointers to fields: the compiler keeps in registers,
+    // or even knows, what nothing points to.
+    template <class... Fields>
+    [[gnu::always_inline]] void keep(int count, Fields&... fields) {
+        ((fields = last(count)), ...);
+    }
+
+  private:
+    [[gnu::always_inline]] Rows<float> last(int count) {
+        float* first = next_;
+        next_ += count * stride_;
+        return {first, stride_, count};
+    }
+
+    float* next_;
+    std::ptrdiff_t stride_;
+};
+
+template <class Lanes>
+class Kernel {
+  public:
+    Kernel(const Ground& ground, const Job& job)
+        : g_(ground), job_(job), tile_end_(job.y0 + ground.tile_height) {}
+
+    template <Scheme scheme>
+    [[gnu::flatten]] std::int64_t first_order(float* work, std::uint8_t* active) {
+        using namespace bcre;
+        Work<float> w = begun<Work<float>>(g_.bcre);
+        WorkRows rows(work, g_.stride);
+        Level<float>& now = w.now;
+        rows.keep(2, now.drop_x, now.drop_y, now.fall, w.given, now.velocity_x, now.velocity_y, w.flux_x,
+                  w.flux_y);
+        const auto given = [&](int y) {
+            if constexpr (scheme == Scheme::kLaxFriedrichs)
+                return find_quarters<Lanes>(w, y);
+            else
+                return find_given<Lanes>(w, y);
+        };
+        const auto fluxes = [&](int y) {
+            if constexpr (scheme == Scheme::kLaxFriedrichs)
+                return find_quarter_fluxes<Lanes>(w, y);
+            else
+                return find_split_fluxes<Lanes>(w, y);
+        };
+        for (int t = job_.y0 - 1; t < job_.y1 + 2; ++t) {
+            if (is_row(t, 2)) fill_halo<Lanes>(w, now, t, wide());
+            if (is_face(t, 1)) run(find_drops<Lanes>(w, now, t));
+            if (is_row(t - 1, 1)) run(find_fall<Lanes>(now, t - 1), fetch(w.bedrock, t + 1));
+            if (is_row(t - 1, 1)) run(given(t - 1));
+            if (is_near(t - 1, 1)) end_given<Lanes>(w, t - 1, wide());
+            if (is_face(t - 1, 0)) run(fluxes(t - 1), fetch(now.depth, t + 1));
+            if (scheme == Scheme::kLaxFriedrichs && is_face(t - 1, 0)) close_walls<Lanes>(w, t - 1, wide());
+            if (is_row(t - 2, 0)) finish<scheme>(w, t - 2, active, fetch(now.rolling, t + 1));
+        }
+        return drained_;
+    }
+
+    [[gnu::flatten]] std::int64_t second_order(float* work, std::uint8_t* active) {
+        using namespace bcre;
+        Work<float> w = begun<Work<float>>(g_.bcre);
+        WorkRows rows(work, g_.stride);
+        Level<float>&now = w.now, &then = w.then;
+        rows.keep(8, then.depth, then.rolling, w.flux_x, w.flux_y);
+        const auto keep_rates = [&](Level<float>& of) {
+            rows.keep(4, of.drop_x, of.drop_y, of.bend_x, of.bend_y, of.fall, of.velocity_x, of.velocity_y);
+        };
+        keep_rates(now), keep_rates(then);
+        rows.keep(4, w.exchanged);
+        rows.keep(2, w.share);
+        bool gives_less[2] = {};  // whether a vertex of the last two rows may
+        // What a level leads to, from the drops of row y on.
+        const auto find_rates = [&](const Level<float>& level, int y, int beside) {
+            if (is_face(y, beside + 1)) run(find_drops<Lanes>(w, level, y));
+            if (is_face(y, beside + 1)) end_drops<Lanes>(w, level, y);
+            if (is_face(y - 1, beside + 1))
+                run(find_bends<Lanes>(w, level, y - 1), find_central_velocity<Lanes>(w, level, y - 1));
+            if (is_row(y - 1, beside + 1)) end_velocity<Lanes>(w, level, y - 1);
+        };
+        for (int t = job_.y0 - 5; t < job_.y1 + 5; ++t) {
+            if (is_row(t, 5)) fill_halo<Lanes>(w, now, t, wide());
+            find_rates(now, t, 3);
+            if (is_face(t - 1, 3))
+                run(find_bent_fall<Lanes>(now, t - 2), find_muscl_fluxes<Lanes, RkStage::kFirst>(w, t - 1),
+                    fetch(w.bedrock, t + 1));
+            if (is_face(t - 1, 3)) close_walls<Lanes>(w, t - 1, wide());
+            if (is_row(t - 2, 3)) run(predict<Lanes>(w, t - 2));
+            if (is_row(t - 2, 3)) {
+                clear_drains<Lanes>(then, g_.outlets, t - 2, wide());
+                fill_halo<Lanes>(w, then, t - 2, wide());
+            }
+            find_rates(then, t - 2, 1);
+            if (is_face(t - 3, 1))
+                run(find_bent_fall<Lanes>(then, t - 4), find_muscl_fluxes<Lanes, RkStage::kSecond>(w, t - 3),
+                    fetch(now.depth, t + 1));
+            if (is_face(t - 3, 1)) close_walls<Lanes>(w, t - 3, wide());
+            if (is_row(t - 4, 1)) {
+                gives_less[t & 1] = false;
+                run(find_share<Lanes>(w, t - 4, &gives_less[t & 1]));
+            }
+            if (is_near(t - 4, 1)) end_share<Lanes>(w, t - 4, wide());
+            if (is_face(t - 4, 0) && (gives_less[0] || gives_less[1])) run(share_fluxes<Lanes>(w, t - 4));
+            if (is_face(t - 4, 0)) run(book_fluxes<Lanes>(w, t - 4));
+            if (is_row(t - 5, 0)) finish<Scheme::kMuscl>(w, t - 5, active, fetch(now.rolling, t + 1));
+        }
+        return drained_;
+    }
+
+    [[gnu::flatten]] std::int64_t inertial(float* work, std::uint8_t* active) {
+        using namespace sim::inertial;
+        WorkRows rows(work, g_.stride);
+        Work<float> w = begun<Work<float>>(g_.inertial);
+        Level<float>&now = w.now, &then = w.then;
+        w.first_slope = Rows<float>(g_.first_slope, g_.stride);
+        w.first_depth = Rows<float>(g_.first_depth, g_.stride);
+        now.velocity_x = beside_job(g_.velocity_x, job_.velocity_x);
+        now.velocity_y = beside_job(g_.velocity_y, job_.velocity_y);
+        rows.keep(8, then.depth, then.rolling, then.velocity_x, then.velocity_y);
+        const auto keep_rates = [&](Level<float>& of) {
+            rows.keep(4, of.drop_x, of.drop_y, of.bend_x, of.bend_y, of.exchanged, of.rolling_x, of.rolling_y,
+                      of.u_x, of.u_y, of.v_x, of.v_y);
+            rows.keep(4, of.flux_x, of.flux_y, of.momentum_xu, of.momentum_xv, of.momentum_yu,
+                      of.momentum_yv);
+        };
+        keep_rates(now), keep_rates(then);
+        const auto find_rates = [&](const Level<float>& level, int y, int beside) {
+            if (is_face(y - 1, beside)) run(find_bends<Lanes>(w, level, y - 1));
+            if (is_row(y - 2, beside)) run(find_exchange<Lanes>(w, level, y - 2));
+        };
+        const auto find_slopes_of = [&](const Level<float>& level, int y, int beside) {
+            if (is_row(y, beside)) run(find_slopes<Lanes>(level, y));
+            if (is_near(y, beside)) end_slopes<Lanes>(w, level, y, wide());
+        };
+        for (int t = job_.y0 - 5; t < job_.y1 + 5; ++t) {
+            if (is_row(t, 5)) fill_halo<Lanes>(w, now, t, wide());
+            if (is_face(t, 3)) run(find_drops<Lanes>(w, now, t), fetch(now.rolling, t + 1));
+            if (is_face(t, 3)) end_drops<Lanes>(w, now, t);
+            if (is_row(t - 1, 4)) {
+                along<Lanes>(wide(), relax<Lanes>(w, now, t - 1, wide().last));
+                end_velocity<Lanes>(w, now, t - 1, wide());
+            }
+            find_rates(now, t, 2);
+            find_slopes_of(now, t - 2, 3);
+            if (is_face(t - 2, 2)) run(find_fluxes_x<Lanes>(w, now, t - 2), fetch(w.bedrock, t + 1));
+            if (is_face(t - 2, 2)) run(find_fluxes_y<Lanes>(w, now, t - 2));
+            if (is_face(t - 2, 2)) end_fluxes<Lanes>(w, now, t - 2, wide());
+            if (is_row(t - 3, 2)) run(predict<Lanes>(w, t - 3), fetch(now.depth, t + 1));
+            if (is_row(t - 3, 2)) {
+                clear_drains<Lanes>(then, g_.outlets, t - 3, wide());
+                fill_halo<Lanes>(w, then, t - 3, wide());
+                end_velocity<Lanes>(w, then, t - 3, wide());
+            }
+
+            if (is_face(t - 3, 1)) run(find_drops<Lanes>(w, then, t - 3));
+            if (is_face(t - 3, 1)) end_drops<Lanes>(w, then, t - 3);
+            find_rates(then, t - 3, 0);
+            find_slopes_of(then, t - 4, 1);
+            if (is_face(t - 4, 0)) run(find_fluxes_x<Lanes>(w, then, t - 4), fetch(now.velocity_x, t));
+            if (is_face(t - 4, 0)) run(find_fluxes_y<Lanes>(w, then, t - 4));
+            if (is_face(t - 4, 0)) end_fluxes<Lanes>(w, then, t - 4, wide());
+            if (is_face(t - 4, 0)) run(book_fluxes<Lanes>(w, t - 4), fetch(now.velocity_y, t));
+            if (is_row(t - 5, 0)) {
+                along<Lanes>(narrow(), sim::inertial::finish<Lanes>(w, t - 5, job_.x1, active));
+                clear_drains<Lanes>(now, g_.outlets, t - 5, narrow());
+                along<Lanes>(narrow(), relax<Lanes>(w, then, t - 5, job_.x1));
+                along<Lanes>(narrow(), yield<Lanes>(w, t - 5, job_.x1, active));
+                end_row(now, now, t - 5, active);
+            }
+        }
+        return drained_;
+    }
+
+    // For who looks on, at the end of a tick.
+    void find_velocity(float* work) {
+        WorkRows rows(work, g_.stride);
+        bcre::Work<float> w = begun<bcre::Work<float>>(g_.bcre);
+        w.now.depth = Rows<float>(g_.depth, g_.stride);  // nobody changes it now
+        rows.keep(2, w.now.drop_x, w.now.drop_y);
+        w.now.velocity_x = Rows<float>(g_.velocity_x, g_.stride);
+        w.now.velocity_y = Rows<float>(g_.velocity_y, g_.stride);
+        for (int t = job_.y0; t <= job_.y1; ++t) {
+            if (t < job_.y1) fill_halo<Lanes>(w, w.now, t, narrow());
+            along<Lanes>(narrow().faces(), find_drops<Lanes>(w, w.now, t), fetch(w.bedrock, t + 1),
+                         fetch(w.now.depth, t + 1));
+            if (t > job_.y0)
+                along<Lanes>(narrow(), bcre::find_velocity<Lanes>(w, t - 1, job_.x1),
+                             fetch(w.now.velocity_x, t), fetch(w.now.velocity_y, t));
+        }
+    }
+
+  private:
+    // A stage on all that lies near. Each has a loop of its own: a processor looks ahead over some hundred
+    // operations, which are many vertices of a short stage and hardly two of a long one. But one that waits
+    // for the divider goes together with one that has no use for it and none for what the other writes; both
+    // on the rows that either needs.
+    template <class... Stages>
+    void run(const Stages&... stages) const {
+        const bool at_border = wide().last == g_.nx;  // elsewhere nobody reads so far
+        along<Lanes>(at_border ? wide().faces() : wide(), stages...);
+    }
+    // Runs along with a stage and meanwhile brings a row near that will be read next. One with each: a core
+    // waits for a dozen lines at most.
+    auto fetch(const Rows<float>& rows, int y) const {
+        return [row = rows[std::clamp(y, job_.y0, job_.y1 - 1)]](int i) { __builtin_prefetch(row + i); };
+    }
+
+    // Vertices of the job, and those beside it whose stages its own ones read.
+    Span narrow() const { return {job_.x0, job_.x1}; }
+    Span wide() const { return {std::max(job_.x0 - kBeside, 0), std::min(job_.x1 + kBeside, g_.nx)}; }
+
+    // Whether y is a row, or a face, of the job or of so many rows beside it; `near` is a row or of the halo.
+    bool is_row(int y, int beside) const {
+        return y >= std::max(job_.y0 - beside, 0) && y < std::min(job_.y1 + beside, g_.ny);
+    }
+    bool is_near(int y, int beside) const {
+        return y >= std::max(job_.y0 - beside, -1) && y < std::min(job_.y1 + beside, g_.ny + 1);
+    }
+    bool is_face(int y, int beside) const {
+        return y >= std::max(job_.y0 - beside, 0) && y <= std::min(job_.y1 + beside, g_.ny);
+    }
+
+    // The layers as the sub-step finds them. What lies beside a job may have been changed by another, and was
+    // copied before.
+    template <class Work, class Constants>
+    Work begun(const Constants& constants) const {
+        Work w{};
+        w.nx = g_.nx, w.ny = g_.ny;
+        w.borders = g_.borders;
+        w.c = constants;
+        w.bedrock = Rows<float>(g_.bedrock, g_.stride);
+        w.now.depth = beside_job(g_.depth, job_.depth);
+        w.now.rolling = beside_job(g_.rolling, job_.rolling);
+        return w;
+    }
+    Rows<float> beside_job(float* field, const Job::Apron& apron) const {
+        return Rows<float>(field, g_.stride)
+            .beside(job_.y0, job_.y0 > 0 ? apron.below : field + job_.y0 * g_.stride, job_.y1,
+                    job_.y1 < g_.ny ? apron.above : field + job_.y1 * g_.stride);
+    }
+
+    template <Scheme scheme, class Fetch>
+    void finish(const bcre::Work<float>& w, int y, std::uint8_t* active, Fetch fetch) {
+        along<Lanes>(narrow(), bcre::settle<Lanes, scheme>(w, y, job_.x1, active), fetch);
+        end_row(w.now, w, y, active);
+    }
+    // `through`: who has the fluxes.
+    template <class Level, class Fluxes>
+    void end_row(const Level& now, const Fluxes& through, int y, std::uint8_t* active) {
+        drained_ += drained<Lanes>(through, g_.outlets, y, narrow());
+        clear_drains<Lanes>(now, g_.outlets, y, narrow());
+        const bool ends_tiles = y + 1 == tile_end_ || y + 1 == job_.y1;
+        if (ends_tiles || edges_at(y + 1) != edges_at(y)) tell_active(edges_at(y), y, active);
+        if (ends_tiles) tile_end_ += g_.tile_height;
+    }
+
+    // Which edges of its tiles row y lies near, kSomewhere with them.
+    std::uint8_t edges_at(int y) const {
+        return static_cast<std::uint8_t>(kSomewhere |
+                                         (y < tile_end_ - g_.tile_height + kReach ? kNearSouth : 0) |
+                                         (y >= tile_end_ - kReach ? kNearNorth : 0));
+    }
+
+    // After rows up to y that lie near the same edges.
+    void tell_active(std::uint8_t edges, int y, std::uint8_t* active) const {
+        std::uint8_t* tiles = g_.active + y / g_.tile_height * g_.tile_columns;
+        for (int x = job_.x0; x < job_.x1; x += kLanes<Lanes>) {
+            std::uint8_t& here = active[x / kLanes<Lanes>];
+            if (!here) continue;
+            here = 0;
+            const int column = x / g_.tile_width, from_west = x - column * g_.tile_width;
+            const int from_east = g_.tile_width - (from_west + kLanes<Lanes>);
+            tiles[column] =
+                static_cast<std::uint8_t>(tiles[column] | edges | (from_west < kReach ? kNearWest : 0) |
+                                          (from_east < kReach ? kNearEast : 0));
+        }
+    }
+
+    const Ground& g_;
+    const Job job_;
+    int tile_end_;  // where the tiles of its rows end
+    std::int64_t drained_ = 0;
+};
+
+template <class Lanes>
+void run_velocity(const Ground& ground, const Job& job, float* work) {
+    Kernel<Lanes>(ground, job).find_velocity(work);
+}
+
+// A layer is at most 2²⁴ quanta thick, so that many fit in 32 bits, in which they are added faster.
+template <class Lanes>
+std::int64_t quanta(const float* first, std::ptrdiff_t stride, int width, int height) {
+    using Whole = stdx::rebind_simd_t<std::int32_t, Lanes>;
+    constexpr int kTogether = 64;
+    std::int64_t sum = 0;
+    Whole part = 0;
+    int added = 0;
+    const auto take_part = [&] {
+        for (int lane = 0; lane < kLanes<Lanes>; ++lane) sum += part[lane];
+        part = 0, added = 0;
+    };
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; x += kLanes<Lanes>) {
+            const float* row = first + y * stride;
+            __builtin_prefetch(row + 2 * stride + x);  // rows of a tile are too short to be foreseen
+            const Lanes metres = only_before(width, at<Lanes>(row, x), x);
+            part += stdx::static_simd_cast<Whole>(metres * (1 / kQuantum));
+            if (++added == kTogether) take_part();
+        }
+    take_part();
+    return sum;
+}
+
+template <class Lanes>
+std::int64_t run(const Ground& ground, const Job& job, float* work, std::uint8_t* active) {
+    Kernel<Lanes> kernel(ground, job);
+    if (ground.model == Model::kBcreInertial) return kernel.inertial(work, active);
+    switch (ground.scheme) {
+        case Scheme::kLaxFriedrichs:
+            return kernel.template first_order<Scheme::kLaxFriedrichs>(work, active);
+        case Scheme::kLocalLaxFriedrichs:
+            return kernel.template first_order<Scheme::kLocalLaxFriedrichs>(work, active);
+        case Scheme::kMuscl:
+            break;
+    }
+    return kernel.second_order(work, active);
+}
+
+constexpr InstructionSet kSet = InstructionSet::COULOIR_SET;
+using SetLanes = stdx::simd<float, stdx::simd_abi::deduce_t<float, float_lanes(kSet)>>;
+
+template <>
+const Kernels& kernels<kSet>() {
+    static constexpr Kernels kKernels{run<SetLanes>, run_velocity<SetLanes>, quanta<SetLanes>};
+    return kKernels;
+}
+
+}  // namespace sim::sweep

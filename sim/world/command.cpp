@@ -1,0 +1,270 @@
+#include "sim/world/command.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <iterator>
+
+#include "sim/core/check.h"
+#include "sim/world/disc.h"
+#include "sim/world/params.h"
+#include "sim/world/quanta.h"
+#include "sim/world/state.h"
+
+namespace sim {
+namespace {
+
+// Calls visit(x, y, weight) for each ground vertex under the disc, and wakes what lies there.
+template <class Visit>
+void each_ground(State& s, const Disc& disc, Profile profile, Visit&& visit) {
+    s.tiles.wake(std::max(disc.x0, 0), std::min(disc.x1, s.grid.nx - 1), std::max(disc.y0, 0),
+                 std::min(disc.y1, s.grid.ny - 1));
+    disc.each_vertex(s.grid, profile, [&](int x, int y, double weight) {
+        if (s.site(x, y) == Site::kGround) visit(x, y, weight);
+    });
+}
+
+// This tick's share of an amount that is spread over `ticks`, in whole quanta, so that the shares add up
+// exactly.
+std::int64_t quanta_due(double metres, std::int64_t tick, std::int64_t ticks) {
+    const double quanta =
+        std::min(metres / kQuantum, 1e15);  // more than any layer takes, and still a whole number
+    const auto until = [&](std::int64_t k) {
+        return std::llrint(quanta * (static_cast<double>(k) / static_cast<double>(ticks)));
+    };
+    return until(tick + 1) - until(tick);
+}
+
+// What a layer can still take: beyond half of kDeepest it could not be counted exactly.
+float room_above(float layer) {
+    return std::max(kDeepest / 2 - layer, 0.f);
+}
+
+void set_rolling(State& s, int x, int y, float rolling) {
+    // Momentum stays: what is added is at rest, what is taken carries its share away.
+    const float before = s.rolling(x, y);
+    if (rolling > before) {
+        s.velocity_x(x, y) *= before / rolling;
+        s.velocity_y(x, y) *= before / rolling;
+    } else if (rolling == 0) {
+        s.velocity_x(x, y) = s.velocity_y(x, y) = 0;
+    }
+    s.rolling(x, y) = rolling;
+}
+
+void pour(State& s, const Command& c, std::int64_t tick, std::int64_t ticks, double tick_s) {
+    const Disc disc(c, s.grid.dx);
+    const double total = disc.total_weight(s.grid.dx, c.profile);
+    const double volume = c.rate * tick_s * static_cast<double>(ticks);
+    each_ground(s, disc, c.profile, [&](int x, int y, double w) {
+        const auto due = quanta_due(volume * w / (total * s.grid.cell_area()), tick, ticks);
+        float& layer = c.layer == Layer::kStanding ? s.depth(x, y) : s.rolling(x, y);
+        const auto room = static_cast<std::int64_t>((kDeepest / 2 - layer) / kQuantum);
+        const auto quanta = std::clamp<std::int64_t>(due, 0, std::max<std::int64_t>(room, 0));
+        const float filled = layer + static_cast<float>(quanta) * kQuantum;
+        if (c.of == Part::kLower)
+            pour_lower(s, x, y, c.layer == Layer::kRolling, static_cast<float>(quanta) * kQuantum);
+        if (c.layer == Layer::kStanding)
+            layer = filled;
+        else
+            set_rolling(s, x, y, filled);
+        s.ledger.poured += quanta;
+    });
+}
+
+void dig(State& s, const Command& c, std::int64_t tick, std::int64_t ticks, double tick_s) {
+    const double depth = c.rate * tick_s * static_cast<double>(ticks);
+    const auto due = static_cast<float>(std::min<std::int64_t>(
+        quanta_due(depth, tick, ticks), static_cast<std::int64_t>(kDeepest / kQuantum)));
+    each_ground(s, Disc(c, s.grid.dx), Profile::kDisc, [&](int x, int y, double) {
+        const float wanted = due * kQuantum;
+        const float from_rolling = std::min(wanted, s.rolling(x, y));
+        const float from_depth = std::min(wanted - from_rolling, s.depth(x, y));
+        dig_mixture(s, x, y, from_rolling, from_depth);
+        set_rolling(s, x, y, s.rolling(x, y) - from_rolling);
+        s.depth(x, y) -= from_depth;
+        s.ledger.dug += static_cast<std::int64_t>(from_rolling / kQuantum) +
+                        static_cast<std::int64_t>(from_depth / kQuantum);
+    });
+}
+
+void blast(State& s, const Command& c) {
+    const auto most = nearest_quanta(static_cast<float>(c.depth));
+    each_ground(s, Disc(c, s.grid.dx), Profile::kDisc, [&](int x, int y, double) {
+        const float moved = std::min({most, s.depth(x, y), room_above(s.rolling(x, y))});
+        start_mixture(s, x, y, moved);
+        s.depth(x, y) -= moved;
+        set_rolling(s, x, y, s.rolling(x, y) + moved);
+    });
+}
+
+void settle(State& s, const Command& c) {
+    each_ground(s, Disc(c, s.grid.dx), Profile::kDisc, [&](int x, int y, double) {
+        const float moved = std::min(s.rolling(x, y), room_above(s.depth(x, y)));
+        stop_mixture(s, x, y, moved);
+        s.depth(x, y) += moved;
+        set_rolling(s, x, y, s.rolling(x, y) - moved);
+        s.first_depth(x, y) = std::max(s.first_depth(x, y), s.depth(x, y));  // and is loose no more
+    });
+}
+
+template <class Value, class Infos>
+std::optional<Value> found(const Infos& names, std::string_view name) {
+    for (const auto& [value, known] : names)
+        if (known == name) return value;
+    return std::nullopt;
+}
+
+// Every real member of a command.
+constexpr double Command::*kNumbers[] = {&Command::x,    &Command::y,        &Command::radius,
+                                         &Command::rate, &Command::duration, &Command::depth,
+                                         &Command::value};
+
+// What is wrong with the members that a kind does not use. Compared as bits: -0 is hashed as another number
+// than 0.
+std::optional<std::string> fault_of_unused(const Command& command, const CommandInfo& info) {
+    const Command defaults;
+    const auto is_used = [&](double Command::*member) {
+        return std::any_of(info.numbers.begin(), info.numbers.end(),
+                           [&](const CommandNumber& number) { return number.value == member; });
+    };
+    bool kept = (info.has_layer || command.layer == defaults.layer) &&
+                (info.has_profile || command.profile == defaults.profile) &&
+                (info.has_part || command.of == defaults.of) &&
+                (info.has_param || command.param == defaults.param);
+    for (const auto member : kNumbers)
+        kept = kept && (is_used(member) || std::bit_cast<std::uint64_t>(command.*member) ==
+                                               std::bit_cast<std::uint64_t>(defaults.*member));
+    if (kept) return std::nullopt;
+    return std::string(info.name) + " has a member that only other commands have";
+}
+
+constexpr std::pair<Layer, std::string_view> kLayers[] = {{Layer::kRolling, "rolling"},
+                                                          {Layer::kStanding, "standing"}};
+constexpr std::pair<Profile, std::string_view> kProfiles[] = {{Profile::kDisc, "disc"},
+                                                              {Profile::kCone, "cone"}};
+constexpr std::pair<Part, std::string_view> kParts[] = {{Part::kUpper, "upper"}, {Part::kLower, "lower"}};
+
+}  // namespace
+
+const CommandInfo& info_of(CommandKind kind) {
+    return kCommands[static_cast<std::size_t>(kind)];
+}
+
+std::optional<CommandInfo> command_from(std::string_view name) {
+    for (const CommandInfo& info : kCommands)
+        if (info.name == name) return info;
+    return std::nullopt;
+}
+
+std::string_view to_string(Layer layer) {
+    return kLayers[static_cast<std::size_t>(layer)].second;
+}
+std::string_view to_string(Profile profile) {
+    return kProfiles[static_cast<std::size_t>(profile)].second;
+}
+std::string_view to_string(Part part) {
+    return kParts[static_cast<std::size_t>(part)].second;
+}
+std::optional<Layer> layer_from(std::string_view name) {
+    return found<Layer>(kLayers, name);
+}
+std::optional<Profile> profile_from(std::string_view name) {
+    return found<Profile>(kProfiles, name);
+}
+std::optional<Part> part_from(std::string_view name) {
+    return found<Part>(kParts, name);
+}
+
+std::optional<std::size_t> param_from(std::string_view name) {
+    for (std::size_t i = 0; i < std::size(kParams); ++i)
+        if (kParams[i].name == name && !kParams[i].fixed) return i;
+    return std::nullopt;
+}
+
+std::optional<std::string> fault_of(const Command& command, bool has_lower) {
+    if (static_cast<std::size_t>(command.kind) >= std::size(kCommands))
+        return "a command of kind " + std::to_string(static_cast<int>(command.kind)) + ", which there is not";
+    const CommandInfo& info = info_of(command.kind);
+    if (auto unused = fault_of_unused(command, info)) return unused;
+    for (const CommandNumber& number : info.numbers) {
+        const double value = command.*number.value;
+        if (!(value >= number.least && value <= number.most))  // NaN too
+            return std::string(info.name) + "'s " + std::string(number.name) + " is " +
+                   std::to_string(value) + " " + std::string(number.unit) + ", outside " +
+                   std::to_string(number.least) + " to " + std::to_string(number.most);
+    }
+    if (command.of == Part::kLower && !has_lower)
+        return std::string(info.name) + " is of the lower material, and this world has one material";
+    if (info.has_param) {
+        if (command.param >= std::size(kParams) || kParams[command.param].fixed)
+            return "set is of parameter " + std::to_string(command.param) + ", which cannot be set";
+        const ParamInfo& param = kParams[command.param];
+        const auto value = static_cast<float>(command.value);  // what it will be
+        if (!(value >= param.least && value <= param.most))
+            return "set " + std::string(param.name) + " is " + std::to_string(command.value) + " " +
+                   std::string(param.unit) + ", outside " + std::to_string(param.least) + " to " +
+                   std::to_string(param.most);
+    }
+    return std::nullopt;
+}
+
+void set_number(Params& params, const Command& set) {
+    params.*kParams[set.param].value = static_cast<float>(set.value);
+}
+
+std::optional<std::string> fault_after(const Params& params, std::span<const Command> commands) {
+    Params after = params;
+    for (const Command& command : commands)
+        if (command.kind == CommandKind::kSet) set_number(after, command);
+    return after == params ? std::nullopt : fault_of(after);
+}
+
+std::optional<std::string> fault_of_counts(std::size_t given, std::size_t running) {
+    if (given > kMostCommandsPerTick)
+        return "over " + std::to_string(kMostCommandsPerTick) + " commands in one tick";
+    if (running > kMostSources) return "over " + std::to_string(kMostSources) + " commands run at once";
+    return std::nullopt;
+}
+
+std::int64_t ticks_of(const Command& command, float tick_s) {
+    const bool lasts = command.kind == CommandKind::kPour || command.kind == CommandKind::kDig;
+    return lasts ? std::max<std::int64_t>(1, std::llrint(command.duration / static_cast<double>(tick_s))) : 1;
+}
+
+void apply_commands(State& state, std::span<const Command> commands) {
+    for (const Command& command : commands) {
+        CHECK(!fault_of_unused(command, info_of(command.kind)));
+        state.sources.push_back({command, state.tick});
+    }
+
+    const double tick_s = state.params.tick_s;
+    for (const Source& source : state.sources) {
+        const Command& c = source.command;
+        const std::int64_t tick = state.tick - source.first_tick;
+        switch (c.kind) {
+            case CommandKind::kPour:
+                pour(state, c, tick, ticks_of(c, state.params.tick_s), tick_s);
+                break;
+            case CommandKind::kDig:
+                dig(state, c, tick, ticks_of(c, state.params.tick_s), tick_s);
+                break;
+            case CommandKind::kBlast:
+                blast(state, c);
+                break;
+            case CommandKind::kSettle:
+                settle(state, c);
+                break;
+            case CommandKind::kSet:
+                set_number(state.params, c);
+                if (state.mixture) take_choices(state.params, state.mixture->lower);
+                state.tiles.wake_all();  // what held by the old number may start by the new one
+                break;
+        }
+    }
+    std::erase_if(state.sources, [&](const Source& source) {
+        return state.tick + 1 - source.first_tick >= ticks_of(source.command, state.params.tick_s);
+    });
+}
+
+}  // namespace sim

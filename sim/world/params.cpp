@@ -1,0 +1,92 @@
+#include "sim/world/params.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sim {
+namespace {
+
+template <class Enum>
+struct Named {
+    Enum value;
+    std::string_view name;
+};
+
+constexpr Named<Model> kModels[] = {{Model::kBcre, "bcre"}, {Model::kBcreInertial, "bcre-inertial"}};
+constexpr Named<Scheme> kSchemes[] = {{Scheme::kLaxFriedrichs, "lax-friedrichs"},
+                                      {Scheme::kLocalLaxFriedrichs, "local-lax-friedrichs"},
+                                      {Scheme::kMuscl, "muscl"}};
+constexpr Named<Law> kLaws[] = {{Law::kConstant, "constant"}, {Law::kSlope, "slope"}, {Law::kShear, "shear"}};
+constexpr Named<Border> kBorders[] = {
+    {Border::kWall, "wall"}, {Border::kOpen, "open"}, {Border::kSink, "sink"}};
+
+template <class Enum, std::size_t n>
+std::string_view name_of(const Named<Enum> (&table)[n], Enum value) {
+    for (const auto& entry : table)
+        if (entry.value == value) return entry.name;
+    return {};
+}
+
+template <class Enum, std::size_t n>
+std::optional<Enum> value_of(const Named<Enum> (&table)[n], std::string_view name) {
+    for (const auto& entry : table)
+        if (entry.name == name) return entry.value;
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::string_view to_string(Model model) {
+    return name_of(kModels, model);
+}
+std::string_view to_string(Scheme scheme) {
+    return name_of(kSchemes, scheme);
+}
+std::string_view to_string(Law law) {
+    return name_of(kLaws, law);
+}
+std::string_view to_string(Border border) {
+    return name_of(kBorders, border);
+}
+std::optional<Model> model_from(std::string_view name) {
+    return value_of(kModels, name);
+}
+std::optional<Scheme> scheme_from(std::string_view name) {
+    return value_of(kSchemes, name);
+}
+std::optional<Law> law_from(std::string_view name) {
+    return value_of(kLaws, name);
+}
+std::optional<Border> border_from(std::string_view name) {
+    return value_of(kBorders, name);
+}
+
+std::optional<std::string> fault_of(const Params& params) {
+    for (const ParamInfo& info : kParams) {
+        const float value = params.*info.value;
+        if (!(value >= info.least && value <= info.most))  // NaN too
+            return std::string(info.name) + " is " + std::to_string(value) + " " + std::string(info.unit) +
+                   ", outside " + std::to_string(info.least) + " to " + std::to_string(info.most);
+    }
+    if (params.start_slope < params.stop_slope) return "start_slope is below stop_slope";
+    if (params.model == Model::kBcreInertial) {
+        if (params.stop_slope < params.stop_slope_thick) return "stop_slope is below stop_slope_thick";
+        if (params.erosion_slope < params.stop_slope) return "erosion_slope is below stop_slope";
+        if (params.start_depth < 3 * params.erosion_depth)
+            return "start_depth is below three times erosion_depth, so nothing that starts would go on";
+    }
+    if (params.freeze_depth >= params.start_depth) return "start_depth is not above freeze_depth";
+    return std::nullopt;
+}
+
+Substeps substeps_of(const Params& params, float dx) {
+    const bool constant = params.model == Model::kBcre && params.law == Law::kConstant;
+    const float speed = constant ? params.rolling_speed : params.max_speed;
+    const float courant =
+        params.model == Model::kBcreInertial ? std::min(params.courant, 0.25f) : params.courant;
+    const int count = static_cast<int>(std::ceil(speed * params.tick_s / (courant * dx)));
+    const int at_least_one = count > 1 ? count : 1;
+    return {at_least_one, params.tick_s / static_cast<float>(at_least_one)};
+}
+
+}  // namespace sim

@@ -1,0 +1,26 @@
+#include "sim/world/snapshot.h"
+
+namespace sim {
+
+Snapshot take_snapshot(const State& s) {
+    return {s.params, s.depth,   s.rolling, s.velocity_x, s.velocity_y, s.first_depth,
+            s.tick,   s.sources, s.seed,    s.ledger,     s.mixture};
+}
+
+void restore(const Snapshot& snapshot, State& s) {
+    CHECK(snapshot.depth.nx() == s.grid.nx && snapshot.depth.ny() == s.grid.ny);
+    s.params = snapshot.params;
+    s.depth = snapshot.depth;
+    s.rolling = snapshot.rolling;
+    s.velocity_x = snapshot.velocity_x;
+    s.velocity_y = snapshot.velocity_y;
+    s.first_depth = snapshot.first_depth;
+    s.tick = snapshot.tick;
+    s.sources = snapshot.sources;
+    s.seed = snapshot.seed;
+    s.ledger = snapshot.ledger;
+    s.mixture = snapshot.mixture;
+    s.tiles.wake_all();
+}
+
+}  // namespace sim

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "sim/world/state.h"
+
+namespace sim {
+
+// What of a state changes while its world stays: a plain value. Restoring it into a state of the same world
+// gives the same hash and the same future, to the bit.
+struct Snapshot {
+    Params params;
+    Field<float> depth, rolling, velocity_x, velocity_y, first_depth;  // as in State
+    std::int64_t tick = 0;
+    std::vector<Source> sources;
+    std::uint64_t seed = 0;
+    Ledger ledger;
+    std::optional<Mixture> mixture;
+};
+
+Snapshot take_snapshot(const State& state);
+void restore(const Snapshot& snapshot,
+             State& state);  // `state` must be of the world the snapshot was taken of
+
+}  // namespace sim

@@ -1,0 +1,9 @@
+#include "sim/world/state.h"
+
+namespace sim {
+
+bool at_rest(const State& state) {
+    return state.ledger.rolling == 0 && state.sources.empty();
+}
+
+}  // namespace sim

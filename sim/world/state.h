@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/core/grid.h"
+#include "sim/core/tiles.h"
+#include "sim/world/command.h"
+#include "sim/world/layers.h"
+#include "sim/world/ledger.h"
+#include "sim/world/mixture.h"
+#include "sim/world/params.h"
+#include "sim/world/state_hash.h"
+
+namespace sim {
+
+// A command that is being done: a pour or a dig may go on for more than the tick it began in.
+struct Source {
+    Command command;
+    std::int64_t first_tick = 0;
+    bool operator==(const Source&) const = default;
+};
+
+// All that a step changes, and the ground it changes it on. A plain value: copy it to keep it.
+struct State : Layers<float> {
+    Params params;  // the numbers of the physics, as the last command left them
+
+    double datum = 0;  // m, height of b = 0 above the terrain's zero; bedrock is kept small so that slopes
+                       // keep their digits
+
+    std::int64_t tick = 0;        // ticks done
+    std::vector<Source> sources;  // running, in the order in which they were given
+    std::uint64_t seed = 0;       // of randomness, kept and hashed; nothing draws from it yet
+    Ledger ledger;                // where the mass is
+
+    std::optional<Mixture> mixture;  // of a world of two materials
+
+    // What is known about the above; never part of the hash, because it changes no bit.
+    Tiles tiles;
+    BlockHashes block_hashes;
+};
+
+// Nothing rolls and nothing is being poured or dug: with no further command every later tick leaves the same
+// fields.
+bool at_rest(const State& state);
+
+// Read-only view that everything outside sim gets. Valid as long as the state is.
+struct View {
+    const Grid& grid;
+    const Field<float>& bedrock;     // m above datum
+    const Field<float>& depth;       // m
+    const Field<float>& rolling;     // m
+    const Field<float>& velocity_x;  // m/s
+    const Field<float>& velocity_y;  // m/s
+    const Field<Site>& site;
+    const Mixture* mixture;  // null in a world of one material
+    double datum;            // m; height above the terrain's zero is datum + bedrock + depth + rolling
+    std::int64_t tick;       // ticks done
+};
+
+inline View view(const State& s) {
+    return {s.grid,       s.bedrock,    s.depth, s.rolling,
+            s.velocity_x, s.velocity_y, s.site,  s.mixture ? &*s.mixture : nullptr,
+            s.datum,      s.tick};
+}
+
+}  // namespace sim
