@@ -96,19 +96,19 @@ std::string kernel_names() {
     return names;
 }
 
-void add_how(CLI::App& app, sim::How& how) {
-    add_number(app, "--threads", "N", how.threads, kThreads,
+void add_step_options(CLI::App& app, sim::StepOptions& step_options) {
+    add_number(app, "--threads", "N", step_options.threads, kThreads,
                "for the simulation; any number gives the same bits", "1");
     app.add_option_function<std::string>(
            "--kernel",
-           [&how](const std::string& text) {
-               how.plain = text == "plain";
-               if (how.plain) return;
+           [&step_options](const std::string& text) {
+               step_options.plain = text == "plain";
+               if (step_options.plain) return;
                for (const auto set : sim::kInstructionSets)
                    if (text == sim::to_string(set)) {
                        if (!sim::has(set))
                            throw CLI::ValidationError("--kernel", "this machine lacks " + text);
-                       how.instruction_set = set;
+                       step_options.instruction_set = set;
                        return;
                    }
                throw CLI::ValidationError("--kernel", "'" + text + "' is none of " + kernel_names());
@@ -164,26 +164,26 @@ void add_size(CLI::App& app, PictureSize& size, const char* of_what, const char*
         ->type_name("WxH");
 }
 
-void add_grid(CLI::App& app, Wishes& wishes) {
-    add_number(app, "--grid", "N", wishes.squares, kSquares, "along the longer side");
+void add_grid(CLI::App& app, Overrides& overrides) {
+    add_number(app, "--grid", "N", overrides.squares, kSquares, "along the longer side");
 }
 
-void add_references(CLI::App& app, Wishes& wishes) {
+void add_references(CLI::App& app, Overrides& overrides) {
     app.add_flag_callback(
-        "--allow-references", [&wishes] { wishes.references = terrains::References::kAllowed; },
+        "--allow-references", [&overrides] { overrides.references = terrains::References::kAllowed; },
         "let virtual rasters (VRT) read the files they name, and a scene a terrain outside its folder; never "
         "the network");
 }
 
-void add_material_and_model(CLI::App& app, Wishes& wishes) {
-    app.add_option("--material", wishes.material, "a name from `couloir list`, or a material file")
+void add_material_and_model(CLI::App& app, Overrides& overrides) {
+    app.add_option("--material", overrides.material, "a name from `couloir list`, or a material file")
         ->type_name("NAME");
-    add_named(app, "--model", wishes.model, sim::model_from, "bcre, bcre-inertial", "physics");
-    add_named(app, "--scheme", wishes.scheme, sim::scheme_from, "lax-friedrichs, local-lax-friedrichs, muscl",
-              "how bcre carries its rolling layer");
-    add_named(app, "--law", wishes.law, sim::law_from, "constant, slope, shear",
+    add_named(app, "--model", overrides.model, sim::model_from, "bcre, bcre-inertial", "physics");
+    add_named(app, "--scheme", overrides.scheme, sim::scheme_from,
+              "lax-friedrichs, local-lax-friedrichs, muscl", "how bcre carries its rolling layer");
+    add_named(app, "--law", overrides.law, sim::law_from, "constant, slope, shear",
               "how fast the rolling layer of bcre is");
-    add_grid(app, wishes);
+    add_grid(app, overrides);
 }
 
 void add_play(CLI::App& app, PlayOptions& options) {
@@ -197,11 +197,11 @@ void add_play(CLI::App& app, PlayOptions& options) {
     app.add_option("--record", options.record,
                    "record the session here [a new file in couloir/recordings in the XDG data folder]")
         ->type_name("FILE.couloir");
-    add_material_and_model(app, options.wishes);
-    add_references(app, options.wishes);
+    add_material_and_model(app, options.overrides);
+    add_references(app, options.overrides);
     add_size(app, options.size, "of the window", "1280x720");
-    add_memory(app, options.wishes.memory);
-    add_how(app, options.how);
+    add_memory(app, options.overrides.memory);
+    add_step_options(app, options.step_options);
 }
 
 void add_gl(CLI::App& app, std::string& gl) {
@@ -255,8 +255,8 @@ void add_run(CLI::App& app, RunOptions& options) {
                    "the summary "
                    "tells the overlap, and how far material was carried")
         ->type_name("FILE");
-    add_material_and_model(app, options.wishes);
-    add_references(app, options.wishes);
+    add_material_and_model(app, options.overrides);
+    add_references(app, options.overrides);
     app.add_flag("--until-rest", options.until_rest,
                  "stop when nothing moves; with --seconds, by then at the latest [3600]");
     add_number(app, "--seconds", "S", options.seconds, kSeconds, "simulated time");
@@ -266,8 +266,8 @@ void add_run(CLI::App& app, RunOptions& options) {
         ->type_name("DIR");
     add_pictures(app, options.pictures, "write pictures here, and maps of extent and end");
     add_results(app, options.results);
-    add_memory(app, options.wishes.memory);
-    add_how(app, options.how);
+    add_memory(app, options.overrides.memory);
+    add_step_options(app, options.step_options);
 }
 
 void add_replay(CLI::App& app, ReplayOptions& options) {
@@ -291,7 +291,7 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
         "draw nothing, whatever else is said");
     add_results(app, options.results);
     add_memory(app, options.memory);
-    add_how(app, options.how);
+    add_step_options(app, options.step_options);
 }
 
 // Where the maps of a comparison go, and how it is told.
@@ -304,7 +304,7 @@ void add_telling(CLI::App& app, Options& options, const char* maps) {
         ->type_name("DIR");
     app.add_flag("--json", options.json, "print it as JSON");
     add_memory(app, options.memory);
-    add_how(app, options.how);
+    add_step_options(app, options.step_options);
 }
 
 void add_compare(CLI::App& app, CompareOptions& options) {
@@ -362,7 +362,7 @@ void add_normalise(CLI::App& app, NormaliseOptions& options) {
         ->required();
     app.add_option("--out", options.out, "write it here")->type_name("NEW.couloir")->required();
     add_memory(app, options.memory);
-    add_how(app, options.how);
+    add_step_options(app, options.step_options);
 }
 
 void add_track(CLI::App& app, TrackOptions& options) {
@@ -461,11 +461,11 @@ void add_bench(CLI::App& app, BenchOptions& options) {
         "--scaling", options.scaling,
         "how the cost of every part grows with the grid and with the length of the front: one avalanche "
         "on grid after grid");
-    add_number(app, "--repeats", "N", options.how.repeats, Range<int>{1, 1000},
+    add_number(app, "--repeats", "N", options.measure.repeats, Range<int>{1, 1000},
                "of each recording, after a warm-up; not of --scaling", "3");
-    add_number(app, "--ticks", "N", options.how.ticks, Range<std::int64_t>{1, kTicks.most, "ticks"},
+    add_number(app, "--ticks", "N", options.measure.ticks, Range<std::int64_t>{1, kTicks.most, "ticks"},
                "of each recording at most", "all");
-    add_number(app, "--every", "TICKS", options.how.every, kStride,
+    add_number(app, "--every", "TICKS", options.measure.every, kStride,
                "from one drawn frame to the next, 60 in a second", "120");
     add_size(app, options.size, "of the frames", "640x360");
     add_gl(app, options.gl);
@@ -487,8 +487,8 @@ void add_bench(CLI::App& app, BenchOptions& options) {
         ->type_name("FILE.json");
     add_number(app, "--tolerance", "NUMBER", options.tolerance, Range<double>{1e-6, 1e6}, "as a share",
                "0.25");
-    add_memory(app, options.how.memory);
-    add_how(app, options.how.how);
+    add_memory(app, options.measure.memory);
+    add_step_options(app, options.measure.step);
     app.footer(
         "Status 1 too where a recording does not end in its golden states, or repeats differ: such times "
         "count for "
@@ -497,15 +497,16 @@ void add_bench(CLI::App& app, BenchOptions& options) {
 
 // What the options of a track must add up to; says what was left to us.
 Outcome<void> check(TrackOptions& options) {
-    using sim::front::Rule, sim::front::Source;
-    options.source = options.source.value_or(Source::kFit);
-    const bool by_level = options.source == Source::kLevel;
+    using sim::front::Rule, sim::front::PointSource;
+    options.source = options.source.value_or(PointSource::kFit);
+    const bool by_level = options.source == PointSource::kLevel;
     options.rule = options.rule.value_or(by_level ? Rule::Kind::kLevel : Rule::Kind::kGradient);
     if (by_level && (!options.scalar || !options.level))
         return unusable("--source level needs --scalar R.npy and --level NUMBER");
     if (!by_level && (options.scalar || options.level))
         return unusable("--scalar and --level are for --source level");
-    if (options.hold && options.source != Source::kPaper) return unusable("--hold is for --source paper");
+    if (options.hold && options.source != PointSource::kPaper)
+        return unusable("--hold is for --source paper");
     if (options.rule == Rule::Kind::kGradient && !options.jump && !options.threshold)
         return unusable("track needs --jump or --threshold: what cuts an edge");
     if (options.rule != Rule::Kind::kGradient && options.threshold)

@@ -10,7 +10,7 @@
 namespace sim {
 
 // How a step is reckoned; never what comes out.
-struct How {
+struct StepOptions {
     int threads = 1;     // ≥ 1
     bool plain = false;  // stage by stage over the fields (bcre/plain.h), as a mixed world always is
     InstructionSet instruction_set = best_instruction_set();  // of the sweep
@@ -22,9 +22,9 @@ struct How {
 // What a step works with: made once for a world, so that a step allocates nothing; holds nothing of it from
 // one sub-step to the next. Lays the state's tiles out anew, all awake.
 struct Engine {
-    explicit Engine(State& state, const How& how = {});
+    explicit Engine(State& state, const StepOptions& options = {});
 
-    How how;
+    StepOptions options;
     Workers workers;
     StageWatch watch;                       // of the plain step
     std::optional<Scratch<float>> scratch;  // of it

@@ -37,12 +37,12 @@ void enclose(Layers<Number>& s, const Params& params) {
     w.bedrock = Rows<Number>(s.bedrock);
     w.now.depth = Rows<Number>(s.depth), w.now.rolling = Rows<Number>(s.rolling);
     w.now.drop_x = Rows<Number>(drop_x), w.now.drop_y = Rows<Number>(drop_y);
-    w.now.fall = Rows<Number>(s.first_slope);
+    w.now.slope_dx = Rows<Number>(s.first_slope);
     const Span all{0, w.nx};
     for (int y = 0; y < w.ny; ++y) fill_halo<Number>(w, w.now, y, all);
     for (int y = 0; y <= w.ny; ++y) along<Number>(all.faces(), find_drops<Number>(w, w.now, y));
     for (int y = 0; y < w.ny; ++y) {
-        along<Number>(all, bcre::find_fall<Number>(w.now, y));
+        along<Number>(all, bcre::find_slope_dx<Number>(w.now, y));
         for (int x = 0; x < w.nx; ++x) s.first_slope(x, y) /= s.grid.dx;
     }
     s.first_depth = s.depth;

@@ -64,7 +64,7 @@ void step(State& state, std::span<const Command> commands, Engine& engine) {
         engine.watch.begin(i);
         if (engine.sweeper)
             state.ledger.out +=
-                engine.sweeper->substep(state, engine.workers, engine.how.instruction_set, sub);
+                engine.sweeper->substep(state, engine.workers, engine.options.instruction_set, sub);
         else
             substep_plainly(state, engine, sub);
     }
@@ -72,13 +72,13 @@ void step(State& state, std::span<const Command> commands, Engine& engine) {
     // bcre's velocity follows from the layers; who looks on wants it where they are now.
     engine.watch.begin(substeps.count);
     if (engine.sweeper) {
-        engine.sweeper->find_velocity(state, engine.workers, engine.how.instruction_set);
+        engine.sweeper->find_velocity(state, engine.workers, engine.options.instruction_set);
     } else if (state.params.model == Model::kBcre) {
         bcre::find_velocity(state, state.params, *engine.scratch, engine.workers);
     }
 
     ++state.tick;
-    count_changed_mass(state, engine.how.instruction_set);
+    count_changed_mass(state, engine.options.instruction_set);
 }
 
 }  // namespace sim

@@ -31,36 +31,36 @@ sim::Field<float> peak_field(const Session& session) {
 
 }  // namespace
 
-std::vector<float> deposit_of(const Start& start, const sim::State& state) {
-    std::vector<float> deposit(start.grid.size());
+std::vector<float> deposit_of(const Scenario& scenario, const sim::State& state) {
+    std::vector<float> deposit(scenario.grid.size());
     std::size_t i = 0;
-    for (int y = 0; y < start.grid.ny; ++y)
-        for (int x = 0; x < start.grid.nx; ++x, ++i)
-            deposit[i] = state.depth(x, y) + state.rolling(x, y) - start.depth[i];
+    for (int y = 0; y < scenario.grid.ny; ++y)
+        for (int x = 0; x < scenario.grid.nx; ++x, ++i)
+            deposit[i] = state.depth(x, y) + state.rolling(x, y) - scenario.depth[i];
     return deposit;
 }
 
-Outcome<void> export_results(const std::filesystem::path& folder, const Start& start, const Session& session,
-                             const Summary& summary) {
+Outcome<void> export_results(const std::filesystem::path& folder, const Scenario& scenario,
+                             const Session& session, const Summary& summary) {
     if (auto made = make_folder(folder); !made) return made;
-    const std::vector<float> deposit = deposit_of(start, session.state());
+    const std::vector<float> deposit = deposit_of(scenario, session.state());
     const std::vector<float> lower = lower_material_of(session.state());
     std::vector<std::pair<std::string, const std::vector<float>*>> fields{
         {"deposit", &deposit},
         {"peak_depth", &session.peaks().depth},
         {"peak_speed", &session.peaks().speed}};
-    if (start.lower) fields.emplace_back("lower_material", &lower);
+    if (scenario.lower) fields.emplace_back("lower_material", &lower);
     for (const auto& [name, field] : fields)
         for (const auto& written :
-             {terrains::write_geotiff(folder / (name + ".tif"), start.grid, start.georeference, *field),
-              terrains::write_ascii(folder / (name + ".asc"), start.grid, start.georeference, *field)})
+             {terrains::write_geotiff(folder / (name + ".tif"), scenario.grid, scenario.georeference, *field),
+              terrains::write_ascii(folder / (name + ".asc"), scenario.grid, scenario.georeference, *field)})
             if (!written) return machine_fails(written.error());
 
-    std::vector<std::uint8_t> extent(start.grid.size());
+    std::vector<std::uint8_t> extent(scenario.grid.size());
     for (std::size_t i = 0; i < extent.size(); ++i)
         extent[i] = session.peaks().depth[i] >= Measures::kExtentDepth;
     if (auto written =
-            terrains::write_outlines(folder / "extent.geojson", start.grid, start.georeference, extent);
+            terrains::write_outlines(folder / "extent.geojson", scenario.grid, scenario.georeference, extent);
         !written)
         return machine_fails(written.error());
     return write_text(folder / "summary.json", printed(to_json(summary)));
@@ -75,18 +75,18 @@ void draw_results(Gallery& gallery, const Session& session) {
     gallery.draw_map(now, "map_end");
 }
 
-terrains::Terrain ground_of(const Start& start) {
+terrains::Terrain ground_of(const Scenario& scenario) {
     terrains::Terrain terrain;
-    terrain.name = start.terrain;
-    terrain.licence = start.licence;
-    terrain.grid = start.grid;
-    terrain.has_data = start.has_data;
-    terrain.cover = start.depth;
-    terrain.georeference = start.georeference;
-    terrain.surface.resize(start.grid.size());
+    terrain.name = scenario.terrain;
+    terrain.licence = scenario.licence;
+    terrain.grid = scenario.grid;
+    terrain.has_data = scenario.has_data;
+    terrain.cover = scenario.depth;
+    terrain.georeference = scenario.georeference;
+    terrain.surface.resize(scenario.grid.size());
     for (std::size_t i = 0; i < terrain.surface.size(); ++i)
-        terrain.surface[i] = static_cast<float>(start.datum + static_cast<double>(start.bedrock[i]) +
-                                                static_cast<double>(start.depth[i]));
+        terrain.surface[i] = static_cast<float>(scenario.datum + static_cast<double>(scenario.bedrock[i]) +
+                                                static_cast<double>(scenario.depth[i]));
     return terrain;
 }
 

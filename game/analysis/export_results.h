@@ -7,7 +7,7 @@
 #include "game/analysis/gallery.h"
 #include "game/analysis/summary.h"
 #include "game/base/outcome.h"
-#include "game/scene/start.h"
+#include "game/scene/scenario.h"
 #include "game/session/session.h"
 
 namespace game {
@@ -19,17 +19,17 @@ inline const std::vector<std::string> kExportedNames{"deposit.*",        "peak_d
 // What an avalanche left, for a GIS: deposit, peak depth and peak speed, in a world of two materials how much
 // of the lower one was moved, as GeoTIFF and ESRI ASCII, the extent's outline as GeoJSON, and summary.json.
 // Errors: a file cannot be written (status 3).
-Outcome<void> export_results(const std::filesystem::path& folder, const Start& start, const Session& session,
-                             const Summary& summary);
+Outcome<void> export_results(const std::filesystem::path& folder, const Scenario& scenario,
+                             const Session& session, const Summary& summary);
 
 // What has come to lie on the first ground, m, grid.size() values; negative where it was eroded.
-std::vector<float> deposit_of(const Start& start, const sim::State& state);
+std::vector<float> deposit_of(const Scenario& scenario, const sim::State& state);
 
 // Two maps with north up: map_extent shows all that the rolling layer ever covered, map_end the world as it
 // is.
 void draw_results(Gallery& gallery, const Session& session);
 
 // The start's ground as terrains knows it, to place other files on it.
-terrains::Terrain ground_of(const Start& start);
+terrains::Terrain ground_of(const Scenario& scenario);
 
 }  // namespace game

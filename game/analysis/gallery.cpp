@@ -62,7 +62,7 @@ render::Camera map_camera(const sim::View& world, double aspect) {
 }  // namespace
 
 Outcome<Gallery> Gallery::open(const std::filesystem::path& folder, PictureSize size, const std::string& gl,
-                               const Start& start) {
+                               const Scenario& scenario) {
     if (auto made = make_folder(folder); !made) return tl::unexpected(made.error());
     const auto assets = assets_folder();
     if (!assets) return tl::unexpected(assets.error());
@@ -70,17 +70,17 @@ Outcome<Gallery> Gallery::open(const std::filesystem::path& folder, PictureSize 
     if (!context) return machine_fails(context.error());
     auto renderer = render::Renderer::create(*assets);
     if (!renderer) return machine_fails(renderer.error());
-    if (start.look.flow)
-        if (auto loaded = renderer->load(start.look.flow->pattern); !loaded)
+    if (scenario.look.flow)
+        if (auto loaded = renderer->load(scenario.look.flow->pattern); !loaded)
             return machine_fails(loaded.error());
 
     renderer->time_stages(render::suitable_timing());
     auto parts = std::make_unique<Parts>(std::move(*context), std::move(*renderer));
     parts->folder = folder;
     parts->size = size;
-    parts->camera = start.camera;
-    parts->light = start.light;
-    parts->look = start.look;
+    parts->camera = scenario.camera;
+    parts->light = scenario.light;
+    parts->look = scenario.look;
     return Gallery(std::move(parts));
 }
 

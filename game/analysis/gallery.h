@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "game/base/outcome.h"
-#include "game/scene/start.h"
+#include "game/scene/scenario.h"
 #include "render/draw_times.h"
 #include "sim/front/flow_view.h"
 #include "sim/world/state.h"
@@ -26,7 +26,7 @@ class Gallery {
     // `gl` as in render::HeadlessContext::create. Makes `folder`. Errors: no GL, or the folder cannot be
     // written (status 3).
     static Outcome<Gallery> open(const std::filesystem::path& folder, PictureSize size, const std::string& gl,
-                                 const Start& start);
+                                 const Scenario& scenario);
     ~Gallery();
     Gallery(Gallery&&) noexcept;
     Gallery& operator=(Gallery&&) noexcept;

@@ -12,22 +12,23 @@ std::size_t index(const sim::Grid& grid, int x, int y) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(x);
 }
 
-double ground_height(const Start& start, std::size_t i) {
-    return static_cast<double>(start.bedrock[i]) + static_cast<double>(start.depth[i]);
+double ground_height(const Scenario& scenario, std::size_t i) {
+    return static_cast<double>(scenario.bedrock[i]) + static_cast<double>(scenario.depth[i]);
 }
 
 // Run-out, fall and reach; nothing where nothing was released or nothing moved.
-void measure_line(const Start& start, const std::vector<std::uint8_t>& released,
+void measure_line(const Scenario& scenario, const std::vector<std::uint8_t>& released,
                   const std::vector<std::uint8_t>& extent, Measures& measures) {
-    const sim::Grid& grid = start.grid;
+    const sim::Grid& grid = scenario.grid;
     const auto place = [&](int x, int y) {
         return terrains::LocalPoint{x * static_cast<double>(grid.dx), y * static_cast<double>(grid.dx)};
     };
     double highest = -1e30, top_height = 0;
     for (int y = 0; y < grid.ny; ++y)
         for (int x = 0; x < grid.nx; ++x)
-            if (const std::size_t i = index(grid, x, y); released[i] && ground_height(start, i) > highest) {
-                highest = top_height = ground_height(start, i);
+            if (const std::size_t i = index(grid, x, y);
+                released[i] && ground_height(scenario, i) > highest) {
+                highest = top_height = ground_height(scenario, i);
                 measures.top = place(x, y);
             }
     if (highest == -1e30) return;
@@ -40,7 +41,7 @@ void measure_line(const Start& start, const std::vector<std::uint8_t>& released,
             const double away = std::hypot(here.x - measures.top.x, here.y - measures.top.y);
             if (away <= measures.run_out) continue;
             measures.run_out = away;
-            measures.fall = top_height - ground_height(start, i);
+            measures.fall = top_height - ground_height(scenario, i);
             measures.toe = here;
         }
     if (measures.run_out > 0)
@@ -48,12 +49,12 @@ void measure_line(const Start& start, const std::vector<std::uint8_t>& released,
 }
 
 // By how much the surface was raised at each vertex.
-std::vector<float> change_of(const Start& start, const sim::State& state) {
-    std::vector<float> change(start.grid.size());
-    for (int y = 0; y < start.grid.ny; ++y)
-        for (int x = 0; x < start.grid.nx; ++x) {
-            const std::size_t i = index(start.grid, x, y);
-            change[i] = (state.depth(x, y) - start.depth[i]) + (state.rolling(x, y) - start.rolling[i]);
+std::vector<float> change_of(const Scenario& scenario, const sim::State& state) {
+    std::vector<float> change(scenario.grid.size());
+    for (int y = 0; y < scenario.grid.ny; ++y)
+        for (int x = 0; x < scenario.grid.nx; ++x) {
+            const std::size_t i = index(scenario.grid, x, y);
+            change[i] = (state.depth(x, y) - scenario.depth[i]) + (state.rolling(x, y) - scenario.rolling[i]);
         }
     return change;
 }
@@ -97,9 +98,9 @@ std::optional<double> overlap_of(const std::vector<std::uint8_t>& one,
     return static_cast<double>(both) / static_cast<double>(either);
 }
 
-Measures measure(const Start& start, const Session& session, const std::vector<std::uint8_t>& released,
+Measures measure(const Scenario& scenario, const Session& session, const std::vector<std::uint8_t>& released,
                  const terrains::Reference& reference) {
-    const sim::Grid& grid = start.grid;
+    const sim::Grid& grid = scenario.grid;
     const Peaks& peaks = session.peaks();
     const double cell = grid.cell_area();
     Measures measures;
@@ -112,24 +113,24 @@ Measures measure(const Start& start, const Session& session, const std::vector<s
             measures.peak_depth = std::max(measures.peak_depth, static_cast<double>(peaks.depth[i]));
             measures.peak_speed = std::max(measures.peak_speed, static_cast<double>(peaks.speed[i]));
             const double change =
-                static_cast<double>(session.state().depth(x, y)) - static_cast<double>(start.depth[i]);
+                static_cast<double>(session.state().depth(x, y)) - static_cast<double>(scenario.depth[i]);
             (change < 0 ? measures.eroded : measures.deposited) += std::fabs(change) * cell;
         }
     if (!reference.extent.empty()) measures.overlap = overlap_of(extent, reference.extent);
     if (!reference.change.empty()) {
-        const std::vector<float> change = change_of(start, session.state());
+        const std::vector<float> change = change_of(scenario, session.state());
         measures.overlap = overlap_of(changed(change), changed(reference.change));
         const auto here = measure_change(grid, change), observed = measure_change(grid, reference.change);
         measures.changes = {here, observed, std::hypot(here.to.x - observed.to.x, here.to.y - observed.to.y)};
     }
-    measure_line(start, released, extent, measures);
+    measure_line(scenario, released, extent, measures);
     return measures;
 }
 
-std::vector<std::uint8_t> release_area(const Start& start, std::span<const TimedCommand> commands) {
-    const sim::Grid& grid = start.grid;
+std::vector<std::uint8_t> release_area(const Scenario& scenario, std::span<const TimedCommand> commands) {
+    const sim::Grid& grid = scenario.grid;
     std::vector<std::uint8_t> released(grid.size());
-    for (std::size_t i = 0; i < released.size(); ++i) released[i] = start.rolling[i] > 0;
+    for (std::size_t i = 0; i < released.size(); ++i) released[i] = scenario.rolling[i] > 0;
     for (const TimedCommand& timed : commands) {
         const sim::Command& c = timed.command;
         if (c.kind != sim::CommandKind::kPour && c.kind != sim::CommandKind::kBlast) continue;

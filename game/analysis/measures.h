@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "game/scene/start.h"
+#include "game/scene/scenario.h"
 #include "game/session/session.h"
 #include "terrains/georeference.h"
 #include "terrains/release.h"
@@ -46,11 +46,11 @@ struct Measures {
 };
 
 // `released` is where material was set loose, as release_area() gives it.
-Measures measure(const Start& start, const Session& session, const std::vector<std::uint8_t>& released,
+Measures measure(const Scenario& scenario, const Session& session, const std::vector<std::uint8_t>& released,
                  const terrains::Reference& reference);
 
 // 1 at each vertex of the start's release and under each command that adds or frees material.
-std::vector<std::uint8_t> release_area(const Start& start, std::span<const TimedCommand> commands);
+std::vector<std::uint8_t> release_area(const Scenario& scenario, std::span<const TimedCommand> commands);
 
 // Intersection over union of two areas, 1 where they are; nothing of nothing.
 std::optional<double> overlap_of(const std::vector<std::uint8_t>& one,

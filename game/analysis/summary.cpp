@@ -18,9 +18,9 @@ Json mass_json(const Session& session, const sim::Ledger& mass) {
             {"error_quanta", mass.mass_error()}};
 }
 
-Json place_json(const Start& start, terrains::LocalPoint point) {
+Json place_json(const Scenario& scenario, terrains::LocalPoint point) {
     Json json{{"x_m", point.x}, {"y_m", point.y}};
-    if (const auto place = start.georeference.to_lat_lon(point)) {
+    if (const auto place = scenario.georeference.to_lat_lon(point)) {
         json["latitude"] = place->latitude;
         json["longitude"] = place->longitude;
     }
@@ -37,14 +37,14 @@ Json measures_json(const Summary& summary) {
               {"peak_speed_m_s", m.peak_speed},
               {"eroded_m3", m.eroded},
               {"deposited_m3", m.deposited},
-              {"top", place_json(summary.start, m.top)},
-              {"toe", place_json(summary.start, m.toe)}};
+              {"top", place_json(summary.scenario, m.top)},
+              {"toe", place_json(summary.scenario, m.toe)}};
     if (m.overlap) json["overlap"] = *m.overlap;
     if (m.changes) {
         const auto of = [&](const Measures::Change& change) {
             return Json{{"raised_m3", change.raised},
-                        {"from", place_json(summary.start, change.from)},
-                        {"to", place_json(summary.start, change.to)},
+                        {"from", place_json(summary.scenario, change.from)},
+                        {"to", place_json(summary.scenario, change.to)},
                         {"carried_m", change.carried}};
         };
         json["change"] = {{"here", of(m.changes->here)},
@@ -64,21 +64,22 @@ Json verdict_json(const Verdict& verdict) {
     return json;
 }
 
-std::string placed(const Start& start, terrains::LocalPoint point) {
-    const std::string where = start.georeference.describe(point);
+std::string placed(const Scenario& scenario, terrains::LocalPoint point) {
+    const std::string where = scenario.georeference.describe(point);
     return where.empty() ? fmt::format("{:.0f} m east, {:.0f} m north", point.x, point.y) : where;
 }
 
-std::string paranoid_text(const Paranoia& paranoia, const Start& start) {
-    const std::string how = fmt::format("{}, and {}", paranoia.names[0], paranoia.names[1]);
-    if (paranoia.parted)
-        return fmt::format("NOT the same: {}\n{}", how, to_text(*paranoia.parted, start, paranoia.names));
-    return fmt::format("every tick twice, the same bits in all {}: {}\n", paranoia.ticks, how);
+std::string paranoid_text(const SelfCheck& self_check, const Scenario& scenario) {
+    const std::string compared = fmt::format("{}, and {}", self_check.names[0], self_check.names[1]);
+    if (self_check.parted)
+        return fmt::format("NOT the same: {}\n{}", compared,
+                           to_text(*self_check.parted, scenario, self_check.names));
+    return fmt::format("every tick twice, the same bits in all {}: {}\n", self_check.ticks, compared);
 }
 
-Json paranoid_json(const Paranoia& paranoia, const Start& start) {
-    Json json{{"ticks", paranoia.ticks}, {"ways", paranoia.names}, {"same", !paranoia.parted}};
-    if (paranoia.parted) json["parted"] = to_json(*paranoia.parted, start);
+Json paranoid_json(const SelfCheck& self_check, const Scenario& scenario) {
+    Json json{{"ticks", self_check.ticks}, {"ways", self_check.names}, {"same", !self_check.parted}};
+    if (self_check.parted) json["parted"] = to_json(*self_check.parted, scenario);
     return json;
 }
 
@@ -109,45 +110,46 @@ std::string to_text(const Verdict& verdict) {
 }
 
 Json to_json(const Summary& summary) {
-    const Start& start = summary.start;
+    const Scenario& scenario = summary.scenario;
     const sim::State& state = summary.session.state();
     Json json{{"program", kProgram},
-              {"scene", start.scene},
-              {"terrain", start.terrain},
-              {"licence", start.licence},
-              {"material", start.material},
-              {"model", sim::to_string(start.params.model)},
-              {"squares", {start.grid.nx - 1, start.grid.ny - 1}},
-              {"cell_m", static_cast<double>(start.grid.dx)},
+              {"scene", scenario.scene},
+              {"terrain", scenario.terrain},
+              {"licence", scenario.licence},
+              {"material", scenario.material},
+              {"model", sim::to_string(scenario.params.model)},
+              {"squares", {scenario.grid.nx - 1, scenario.grid.ny - 1}},
+              {"cell_m", static_cast<double>(scenario.grid.dx)},
               {"ticks", state.tick},
               {"seconds", summary.session.seconds()},
               {"state_hash", hex(summary.session.state_line().hash)},
               {"mass", mass_json(summary.session, state.ledger)},
               {"measures", measures_json(summary)}};
-    if (start.params.model == sim::Model::kBcre) {
-        json["scheme"] = sim::to_string(start.params.scheme);
-        json["law"] = sim::to_string(start.params.law);
+    if (scenario.params.model == sim::Model::kBcre) {
+        json["scheme"] = sim::to_string(scenario.params.scheme);
+        json["law"] = sim::to_string(scenario.params.law);
     }
-    if (start.lower)
-        json["lower"] = {{"material", start.lower->material},
+    if (scenario.lower)
+        json["lower"] = {{"material", scenario.lower->material},
                          {"mass", mass_json(summary.session, state.mixture->ledger)}};
     if (summary.at_rest) json["at_rest"] = *summary.at_rest;
     if (summary.verdict) json["verified"] = verdict_json(*summary.verdict);
-    if (summary.paranoid) json["paranoid"] = paranoid_json(*summary.paranoid, start);
+    if (summary.paranoid) json["paranoid"] = paranoid_json(*summary.paranoid, scenario);
     if (summary.perf) json["performance"] = summary.perf->to_json();
     return json;
 }
 
 std::string to_text(const Summary& summary) {
-    const Start& start = summary.start;
+    const Scenario& scenario = summary.scenario;
     const Measures& m = summary.measures;
-    const std::string materials =
-        start.lower ? fmt::format("{} on {}", start.material, start.lower->material) : start.material;
+    const std::string materials = scenario.lower
+                                      ? fmt::format("{} on {}", scenario.material, scenario.lower->material)
+                                      : scenario.material;
     const Session& session = summary.session;
-    std::string text =
-        fmt::format("{}: {} on {}, {}x{} squares of {:.4g} m, {}\n", start.title, materials, start.terrain,
-                    start.grid.nx - 1, start.grid.ny - 1, start.grid.dx, sim::to_string(start.params.model));
-    if (!start.licence.empty()) text += fmt::format("terrain: {}\n", start.licence);
+    std::string text = fmt::format("{}: {} on {}, {}x{} squares of {:.4g} m, {}\n", scenario.title, materials,
+                                   scenario.terrain, scenario.grid.nx - 1, scenario.grid.ny - 1,
+                                   scenario.grid.dx, sim::to_string(scenario.params.model));
+    if (!scenario.licence.empty()) text += fmt::format("terrain: {}\n", scenario.licence);
     text += fmt::format("{} ticks, {:.1f} s{}\n", session.state().tick, session.seconds(),
                         !summary.at_rest   ? ""
                         : *summary.at_rest ? ", at rest"
@@ -157,7 +159,7 @@ std::string to_text(const Summary& summary) {
             "run-out {:.0f} m, fall {:.0f} m, reach {:.1f} deg; extent {:.2f} ha, up to {:.1f} m deep and "
             "{:.1f} m/s\n",
             m.run_out, m.fall, m.reach_deg, m.extent_area / 1e4, m.peak_depth, m.peak_speed);
-        text += fmt::format("from {}\n  to {}\n", placed(start, m.top), placed(start, m.toe));
+        text += fmt::format("from {}\n  to {}\n", placed(scenario, m.top), placed(scenario, m.toe));
     }
     if (m.overlap)
         text += fmt::format("overlap with the reference {} {:.2f} (intersection over union)\n",
@@ -170,13 +172,13 @@ std::string to_text(const Summary& summary) {
             m.changes->here.carried, m.changes->observed.carried, m.changes->apart, m.changes->here.raised,
             m.changes->observed.raised);
     text += mass_text(session, "mass", session.state().ledger);
-    if (start.lower)
-        text += mass_text(session, "of it " + start.lower->material, session.state().mixture->ledger);
+    if (scenario.lower)
+        text += mass_text(session, "of it " + scenario.lower->material, session.state().mixture->ledger);
     text += fmt::format("eroded {:.0f} m3, deposited {:.0f} m3 (entrainment has no reference)\n", m.eroded,
                         m.deposited);
     text += fmt::format("state hash {}\n", hex(session.state_line().hash));
     if (summary.verdict) text += to_text(*summary.verdict);
-    if (summary.paranoid) text += paranoid_text(*summary.paranoid, start);
+    if (summary.paranoid) text += paranoid_text(*summary.paranoid, scenario);
     if (summary.perf)
         for (const StageFigures& stage : summary.perf->figures())
             if (stage.count > 0)
@@ -205,7 +207,7 @@ Outcome<void> tell(const Summary& summary, const ResultOptions& options) {
     if (options.summary)
         if (auto written = write_text(*options.summary, printed(to_json(summary))); !written) return written;
     if (options.trace) {
-        const TracedRun run{summary.start.scene, summary.perf->rows()};
+        const TracedRun run{summary.scenario.scene, summary.perf->rows()};
         if (auto written = write_text(*options.trace, trace_of(std::span(&run, 1))); !written) return written;
     }
     fmt::print("{}", options.json ? printed(to_json(summary)) : to_text(summary));

@@ -7,7 +7,7 @@
 #include "game/analysis/measures.h"
 #include "game/files/file_use.h"
 #include "game/recording/divergence.h"
-#include "game/scene/start.h"
+#include "game/scene/scenario.h"
 #include "game/session/perf_log.h"
 #include "game/session/session.h"
 #include "game/session/verifier.h"
@@ -15,7 +15,7 @@
 namespace game {
 
 // What came of doing every tick twice.
-struct Paranoia {
+struct SelfCheck {
     std::array<std::string, 2> names;  // the two ways
     std::int64_t ticks = 0;
     std::optional<Divergence> parted;
@@ -23,13 +23,13 @@ struct Paranoia {
 
 // What is told of a finished run or replay, as JSON and as text for people.
 struct Summary {
-    const Start& start;
+    const Scenario& scenario;
     const Session& session;
     const Measures& measures;
     const PerfLog* perf = nullptr;  // none: no timing
     std::optional<bool> at_rest;    // asked for and reached, or not
     std::optional<Verdict> verdict;
-    std::optional<Paranoia> paranoid = std::nullopt;
+    std::optional<SelfCheck> paranoid = std::nullopt;
 };
 
 Json to_json(const Summary& summary);

@@ -49,7 +49,7 @@ glm::vec3 ring_colour(sim::CommandKind deed) {
 
 }  // namespace
 
-Outcome<std::unique_ptr<App>> App::begin(Screen& screen, Opening opening, const sim::How& how,
+Outcome<std::unique_ptr<App>> App::begin(Screen& screen, LoadedWorld loaded, const sim::StepOptions& options,
                                          const std::optional<std::filesystem::path>& record) {
     const auto assets = assets_folder();
     if (!assets) return tl::unexpected(assets.error());
@@ -58,7 +58,7 @@ Outcome<std::unique_ptr<App>> App::begin(Screen& screen, Opening opening, const 
     auto renderer = render::Renderer::create(*assets, render::Quality::kFast);
     if (!renderer) return machine_fails(renderer.error());
 
-    std::unique_ptr<App> app(new App(screen, std::move(*renderer), std::move(*catalogue), how));
+    std::unique_ptr<App> app(new App(screen, std::move(*renderer), std::move(*catalogue), options));
     app->now_s_ = screen.seconds();
     app->renderer_name_ = screen.renderer_name();
     app->waits_for_gl_ = render::is_software_renderer();
@@ -66,17 +66,17 @@ Outcome<std::unique_ptr<App>> App::begin(Screen& screen, Opening opening, const 
         app->display_.resolution = kSoftwareResolution;
         app->tell("No GPU here: the picture is drawn at half resolution (Display changes it)");
     }
-    if (auto begun = app->begin_world(std::move(opening), record); !begun)
+    if (auto begun = app->begin_world(std::move(loaded), record); !begun)
         return tl::unexpected(begun.error());
     return app;
 }
 
-App::App(Screen& screen, render::Renderer renderer, Catalogue catalogue, const sim::How& how)
+App::App(Screen& screen, render::Renderer renderer, Catalogue catalogue, const sim::StepOptions& options)
     : screen_(screen),
       renderer_(std::move(renderer)),
       ui_(ui_font()),
       catalogue_(std::move(catalogue)),
-      how_(how) {}
+      options_(options) {}
 
 App::~App() = default;
 
@@ -175,7 +175,7 @@ void App::guide_stroke() {
 
 void App::begin_stroke() {
     if (sandbox_->looks_back()) return tell_hands_off();
-    if (sandbox_->start().flow)
+    if (sandbox_->scenario().flow)
         return tell("Nothing to pour on here: this scene shows a flow, and Display has its speeds");
     // Where the button went down: by now the cursor may be far on.
     const auto at = ground_under(input_.drag_from());
@@ -189,7 +189,7 @@ void App::begin_stroke() {
 }
 
 void App::run_ticks(double elapsed_s, FrameTime& time) {
-    const double tick_s = static_cast<double>(sandbox_->start().params.tick_s);
+    const double tick_s = static_cast<double>(sandbox_->scenario().params.tick_s);
     const int due = clock_.ticks_due(elapsed_s, tick_s);
     const double begun = screen_.seconds();
     if (clock_.runs_back() && !seeking_) seeking_ = sandbox_->session().state().tick - due;
@@ -268,7 +268,7 @@ void App::draw_world() {
     const sim::View world = sandbox_->session().view();
     render::Marks marks{
         .overlay = display_.overlay, .contours = display_.contours, .flow_mesh = display_.flow_mesh};
-    if (ground_ && !sandbox_->looks_back() && !sandbox_->start().flow) {
+    if (ground_ && !sandbox_->looks_back() && !sandbox_->scenario().flow) {
         const auto deed = stroke_ ? stroke_->deed() : deed_of(brush_, input_.inverted());
         marks.ring = render::Ring{glm::dvec2(*ground_), brush_.radius, ring_colour(deed)};
     }
@@ -281,7 +281,7 @@ void App::draw_world() {
                        scaled(size.height)};
     if (!(wanted == drawn_)) {
         drawn_ = wanted;
-        render::Look look = sandbox_->start().look;
+        render::Look look = sandbox_->scenario().look;
         look.detail = display_.detail;
         renderer_.set_quality(display_.fine ? render::Quality::kFine : render::Quality::kFast);
         renderer_.draw(world, wanted.camera, display_.light, look, marks, wanted.width, wanted.height,
@@ -300,7 +300,7 @@ void App::draw_panels() {
                                 .can_go_back = sandbox_->can_go_back()};
     ui_.build(
         {
-            .start = sandbox_->start(),
+            .scenario = sandbox_->scenario(),
             .state = session.state(),
             .clock = clock_,
             .brush = brush_,

@@ -27,9 +27,10 @@ namespace game {
 // everything that outlives a frame.
 class App {
   public:
-    // Begins with `opening` on a screen that outlives the app; `record` as in begin_world. Errors: shaders or
+    // Begins with `loaded` on a screen that outlives the app; `record` as in begin_world. Errors: shaders or
     // assets are missing, or `record` cannot be written (3).
-    static Outcome<std::unique_ptr<App>> begin(Screen& screen, Opening opening, const sim::How& how,
+    static Outcome<std::unique_ptr<App>> begin(Screen& screen, LoadedWorld loaded,
+                                               const sim::StepOptions& options,
                                                const std::optional<std::filesystem::path>& record);
     ~App();
 
@@ -52,7 +53,7 @@ class App {
     const std::optional<std::filesystem::path>& recording() const { return recording_; }
 
   private:
-    App(Screen& screen, render::Renderer renderer, Catalogue catalogue, const sim::How& how);
+    App(Screen& screen, render::Renderer renderer, Catalogue catalogue, const sim::StepOptions& options);
 
     // The stops of a frame, in their order.
     void perform_all();
@@ -83,12 +84,12 @@ class App {
     void run_back();
     void tell_hands_off();
 
-    // Begins anew with `opening`, recorded in `record` or else in the recordings folder; the world before it
+    // Begins anew with `loaded`, recorded in `record` or else in the recordings folder; the world before it
     // is closed. Errors: `record` cannot be written; nothing has changed then.
-    Outcome<void> begin_world(Opening opening, const std::optional<std::filesystem::path>& record);
-    Outcome<std::optional<Recorder>> begin_recording(const Start& start,
+    Outcome<void> begin_world(LoadedWorld loaded, const std::optional<std::filesystem::path>& record);
+    Outcome<std::optional<Recorder>> begin_recording(const Scenario& scenario,
                                                      const std::optional<std::filesystem::path>& wanted);
-    void open_or_tell(const std::string& name_or_path, const Wishes& wishes);
+    void open_or_tell(const std::string& name_or_path, const Overrides& overrides);
 
     void tell(std::string sentence) { notices_.tell(Notice::Kind::kInfo, std::move(sentence), now_s_); }
     void warn(std::string sentence) { notices_.tell(Notice::Kind::kWarning, std::move(sentence), now_s_); }
@@ -109,9 +110,9 @@ class App {
     Catalogue catalogue_;
     std::string renderer_name_;
     bool waits_for_gl_ = false;  // without a GPU GL's time is ours, and its stage should say so
-    sim::How how_;
+    sim::StepOptions options_;
 
-    Opening first_;  // what reset goes back to
+    LoadedWorld first_;  // what reset goes back to
     std::optional<Sandbox> sandbox_;
     std::optional<std::filesystem::path> recording_;
     std::int64_t epoch_ = 0;  // of the world: grows when it begins anew or goes back in time

@@ -107,7 +107,7 @@ void App::perform(const SetDisplay& set) {
     display_ = set.display;
 }
 void App::perform(const Open& open) {
-    open_or_tell(open.name_or_path, open.wishes);
+    open_or_tell(open.name_or_path, open.overrides);
 }
 
 void App::perform(const SetNumber& set) {
@@ -135,7 +135,7 @@ void App::tell_camera_mode() {
 }
 
 void App::resize_brush(double steps) {
-    const RadiusRange range = radius_range(sandbox_->start().grid);
+    const RadiusRange range = radius_range(sandbox_->scenario().grid);
     brush_.radius = std::clamp(brush_.radius * std::pow(kSizeStep, steps), range.least, range.most);
 }
 
@@ -189,7 +189,7 @@ void App::take_over_at(std::int64_t tick) {
 void App::take_over() {
     if (!sandbox_->watches() && !sandbox_->looks_back()) return tell("The world is yours already");
     const auto path = record_ && sandbox_->watches() ? Outcome<std::filesystem::path>(*record_)
-                                                     : next_recording(sandbox_->start().scene);
+                                                     : next_recording(sandbox_->scenario().scene);
     clock_.run_back(false);
     seeking_.reset();
     ++epoch_;
@@ -211,50 +211,50 @@ void App::tell_hands_off() {
 }
 
 void App::reset() {
-    Opening again = first_;
-    again.told = fmt::format("Begun anew: {}{}", first_.scene.start.title,
+    LoadedWorld again = first_;
+    again.told = fmt::format("Begun anew: {}{}", first_.scene.scenario.title,
                              recording_ ? ". What was is in its recording" : "");
     if (const auto begun = begin_world(std::move(again), std::nullopt); !begun) warn(begun.error().sentence);
 }
 
-void App::open_or_tell(const std::string& name_or_path, const Wishes& wishes) {
-    Wishes within = wishes;
+void App::open_or_tell(const std::string& name_or_path, const Overrides& overrides) {
+    Overrides within = overrides;
     within.memory = first_.memory;
     within.memory.use.sessions = 2;  // the world that is left stands until the other one is there
-    auto opening = open_anything(name_or_path, within);
-    if (!opening) return warn(opening.error().sentence);
-    if (const auto begun = begin_world(std::move(*opening), std::nullopt); !begun)
+    auto loaded = open_anything(name_or_path, within);
+    if (!loaded) return warn(loaded.error().sentence);
+    if (const auto begun = begin_world(std::move(*loaded), std::nullopt); !begun)
         warn(begun.error().sentence);
 }
 
-Outcome<void> App::begin_world(Opening opening, const std::optional<std::filesystem::path>& record) {
+Outcome<void> App::begin_world(LoadedWorld loaded, const std::optional<std::filesystem::path>& record) {
     // Reset keeps the hand and the eye as they are; another mountain does not.
-    const bool same = sandbox_ && ground_hash(sandbox_->start()) == ground_hash(opening.scene.start);
-    if (const auto& flow = opening.scene.start.look.flow)
+    const bool same = sandbox_ && ground_hash(sandbox_->scenario()) == ground_hash(loaded.scene.scenario);
+    if (const auto& flow = loaded.scene.scenario.look.flow)
         if (auto loaded = renderer_.load(flow->pattern); !loaded) return machine_fails(loaded.error());
     // A recording is recorded anew only from where it is taken over.
     Outcome<std::optional<Recorder>> recorder;
-    if (!opening.watched) recorder = begin_recording(opening.scene.start, record);
+    if (!loaded.watched) recorder = begin_recording(loaded.scene.scenario, record);
     if (!recorder) return tl::unexpected(recorder.error());
     std::optional<std::filesystem::path> recording;
     if (*recorder) recording = (*recorder)->path();
-    auto begun = Sandbox::begin(opening, how_, std::move(*recorder));
+    auto begun = Sandbox::begin(loaded, options_, std::move(*recorder));
     if (!begun && recording && !record) {
         warn(fmt::format("This session is not recorded: {}", begun.error().sentence));
         recording.reset();
-        begun = Sandbox::begin(opening, how_, std::nullopt);
+        begun = Sandbox::begin(loaded, options_, std::nullopt);
     }
     if (!begun) return tl::unexpected(begun.error());
     if (sandbox_)
         if (const auto closed = sandbox_->finish(); !closed) warn(closed.error().sentence);
     sandbox_ = std::move(*begun);
-    first_ = std::move(opening);
+    first_ = std::move(loaded);
     recording_ = std::move(recording);
     record_ = record;
     catalogue_.own = own_recordings();
     ++epoch_;
 
-    const Start& start = sandbox_->start();
+    const Scenario& scenario = sandbox_->scenario();
     stroke_.reset();
     set_numbers_.clear();
     if (!same) touched_ = false;  // who begins anew knows how
@@ -263,23 +263,24 @@ Outcome<void> App::begin_world(Opening opening, const std::optional<std::filesys
     clock_.run_back(false);
     if (!same) {
         const sim::View world = sandbox_->session().view();
-        brush_ = brush_for(start.grid);
-        display_.light = start.light;
-        camera_.emplace(start.camera.value_or(overview_beside_panels(world)), world);
+        brush_ = brush_for(scenario.grid);
+        display_.light = scenario.light;
+        camera_.emplace(scenario.camera.value_or(overview_beside_panels(world)), world);
     }
-    if (start.flow) display_.flow = start.flow->numbers;
-    probe_.emplace(start.georeference);
-    screen_.show_title(fmt::format("Couloir: {}", start.title));
+    if (scenario.flow) display_.flow = scenario.flow->numbers;
+    probe_.emplace(scenario.georeference);
+    screen_.show_title(fmt::format("Couloir: {}", scenario.title));
     tell(first_.told);
-    if (start.look.flow && !sandbox_->session().fronts()) tell(Session::kTooFine);
+    if (scenario.look.flow && !sandbox_->session().fronts()) tell(Session::kTooFine);
     now_s_ = screen_.seconds();  // loading took time that the new world does not owe
     return {};
 }
 
-Outcome<std::optional<Recorder>> App::begin_recording(const Start& start,
+Outcome<std::optional<Recorder>> App::begin_recording(const Scenario& scenario,
                                                       const std::optional<std::filesystem::path>& wanted) {
-    const auto path = wanted ? Outcome<std::filesystem::path>(*wanted) : next_recording(start.scene);
-    auto recorder = path ? Recorder::create(*path, start) : Outcome<Recorder>(tl::unexpected(path.error()));
+    const auto path = wanted ? Outcome<std::filesystem::path>(*wanted) : next_recording(scenario.scene);
+    auto recorder =
+        path ? Recorder::create(*path, scenario) : Outcome<Recorder>(tl::unexpected(path.error()));
     // A file that was asked for is a must; the one that is always made must not keep anybody from playing.
     if (!recorder && wanted) return tl::unexpected(recorder.error());
     if (!recorder) {

@@ -57,7 +57,7 @@ inline constexpr auto kReaderLimits = std::to_array<ReaderLimit>({
     {"recording", "ticks of a fork before its first state line", kMostTicksOfParent, "ticks"},
     {"recording", "commands in all", kMostCommands, ""},
     {"recording, scene", "commands in one tick", sim::kMostCommandsPerTick, ""},
-    {"recording, scene", "commands that run at once", sim::kMostSources, ""},
+    {"recording, scene", "commands that run at once", sim::kMostRunningCommands, ""},
     {"scene, material", "file", kMostTomlBytes, "bytes"},
     {"scene, material", "keys and table headers", kMostTomlKeys, ""},
     {"scene, material", "dotted keys and table headers", kMostDottedKeys, ""},

@@ -34,13 +34,13 @@ Canvas::~Canvas() = default;
 Canvas::Canvas(Canvas&&) noexcept = default;
 Canvas& Canvas::operator=(Canvas&&) noexcept = default;
 
-Outcome<void> Canvas::show(const Start& start) {
-    if (start.look.flow)
-        if (auto loaded = parts_->renderer.load(start.look.flow->pattern); !loaded)
+Outcome<void> Canvas::show(const Scenario& scenario) {
+    if (scenario.look.flow)
+        if (auto loaded = parts_->renderer.load(scenario.look.flow->pattern); !loaded)
             return machine_fails(loaded.error());
-    parts_->camera = start.camera;
-    parts_->light = start.light;
-    parts_->look = start.look;
+    parts_->camera = scenario.camera;
+    parts_->light = scenario.light;
+    parts_->look = scenario.look;
     return {};
 }
 

@@ -5,7 +5,7 @@
 
 #include "game/analysis/gallery.h"
 #include "game/base/outcome.h"
-#include "game/scene/start.h"
+#include "game/scene/scenario.h"
 #include "render/draw_times.h"
 #include "sim/front/flow_view.h"
 #include "sim/world/state.h"
@@ -22,7 +22,7 @@ class Canvas {
     Canvas& operator=(Canvas&&) noexcept;
 
     // For the frames to come: camera, light and look of a start. Errors: a texture is missing (status 3).
-    Outcome<void> show(const Start& start);
+    Outcome<void> show(const Scenario& scenario);
     // One frame; waits for it.
     render::DrawTimes draw(const sim::View& world, const sim::front::FlowView* flow);
 

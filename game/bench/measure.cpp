@@ -16,16 +16,16 @@ constexpr std::int64_t kWarmUpTicks = 60;
 
 // What a run is made of, whichever repeat.
 struct BenchRun {
-    const Start& start;
+    const Scenario& scenario;
     const Recording& recording;
-    const BenchHow& how;
+    const MeasureOptions& options;
     Canvas* canvas;
     std::int64_t ticks;
     bool is_recorded;  // its states are in the recording
 
     Outcome<Session> begin() const {
-        auto session = Session::begin(start, how.how, std::nullopt);
-        if (session) session->follow_fronts(start);
+        auto session = Session::begin(scenario, options.step, std::nullopt);
+        if (session) session->follow_fronts(scenario);
         return session;
     }
 };
@@ -34,7 +34,7 @@ struct BenchRun {
 // the last.
 void draw_if_due(const BenchRun& run, const Session& session, PerfRow& row) {
     if (!run.canvas) return;
-    const std::int64_t tick = session.state().tick, every = run.how.every;
+    const std::int64_t tick = session.state().tick, every = run.options.every;
     if (tick % every == 0)
         row.ms.add(run.canvas->draw(session.view(), session.fronts()));
     else if ((tick + 1) % every == 0)
@@ -112,27 +112,27 @@ std::string_view to_string(Proof proof) {
 }
 
 Outcome<Measured> measure(const BenchRecording& named, int squares, const BenchPhysics& physics,
-                          const BenchHow& how, Canvas* canvas, const std::string& what) {
+                          const MeasureOptions& options, Canvas* canvas, const std::string& what) {
     const Recording& recording = named.recording;
-    const auto start = start_of(recording, squares, physics, how.memory);
-    if (!start) return tl::unexpected(start.error());
+    const auto scenario = scenario_of(recording, squares, physics, options.memory);
+    if (!scenario) return tl::unexpected(scenario.error());
     const std::int64_t last = recording.last_tick();
-    const BenchRun run{*start,
+    const BenchRun run{*scenario,
                        recording,
-                       how,
+                       options,
                        canvas,
-                       std::min(how.ticks.value_or(last), last),
+                       std::min(options.ticks.value_or(last), last),
                        has_states_of(recording, squares, physics)};
     if (canvas)
-        if (auto shown = canvas->show(*start); !shown) return tl::unexpected(shown.error());
+        if (auto shown = canvas->show(*scenario); !shown) return tl::unexpected(shown.error());
 
     Measured measured{named.name,
                       named.file_hash,
                       std::string(physics.name),
                       squares,
-                      start->grid,
-                      static_cast<double>(start->params.tick_s),
-                      how.repeats,
+                      scenario->grid,
+                      static_cast<double>(scenario->params.tick_s),
+                      options.repeats,
                       {},
                       {},
                       Proof::kInvalid,
@@ -144,8 +144,8 @@ Outcome<Measured> measure(const BenchRecording& named, int squares, const BenchP
     if (!bytes) return tl::unexpected(bytes.error());
     measured.session_bytes = *bytes;
     std::vector<std::vector<PerfRow>> repeats;
-    for (int i = 0; i < how.repeats; ++i) {
-        auto rows = play_once(run, fmt::format("{}, {} of {}", what, i + 1, how.repeats), measured);
+    for (int i = 0; i < options.repeats; ++i) {
+        auto rows = play_once(run, fmt::format("{}, {} of {}", what, i + 1, options.repeats), measured);
         if (!rows) return tl::unexpected(rows.error());
         repeats.push_back(std::move(*rows));
     }

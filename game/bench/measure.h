@@ -22,11 +22,11 @@ struct BenchRecording {
     std::filesystem::path file = {};
 };
 
-struct BenchHow {
+struct MeasureOptions {
     int repeats = 3;                    // ≥ 1
     std::optional<std::int64_t> ticks;  // measured at most; none: to the recording's end
     std::int64_t every = 120;           // ticks from a drawn frame to the next, ≥ 1
-    sim::How how;
+    sim::StepOptions step;
     Memory memory;  // of one grid's world
 };
 
@@ -57,7 +57,7 @@ struct Measured {
 // Plays a few ticks to warm up and then the recording, again and again, drawn by `canvas` if there is one.
 // `what` stands before the bar. Errors: the physics cannot be had for this recording, or the machine fails.
 Outcome<Measured> measure(const BenchRecording& recording, int squares, const BenchPhysics& physics,
-                          const BenchHow& how, Canvas* canvas, const std::string& what);
+                          const MeasureOptions& options, Canvas* canvas, const std::string& what);
 
 double median_of(std::vector<double> values);  // one of them, the lower of two; at least one
 

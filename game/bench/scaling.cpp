@@ -43,10 +43,11 @@ struct Player {
 };
 
 // The tick in which the study of a moment begins; none if the recording is over before it ends.
-std::optional<std::int64_t> first_tick(const Recording& recording, const BenchHow& how, int seconds) {
-    const std::int64_t last = std::min(how.ticks.value_or(recording.last_tick()), recording.last_tick());
+std::optional<std::int64_t> first_tick(const Recording& recording, const MeasureOptions& options,
+                                       int seconds) {
+    const std::int64_t last = std::min(options.ticks.value_or(recording.last_tick()), recording.last_tick());
     const std::int64_t from =
-        std::llrint(seconds / static_cast<double>(recording.header.start.params.tick_s));
+        std::llrint(seconds / static_cast<double>(recording.header.scenario.params.tick_s));
     if (from + kTicksBefore + kTicksEach > last) return std::nullopt;
     return from;
 }
@@ -67,16 +68,16 @@ ScalingRow row_of(std::vector<PerfRow> rows) {
 }
 
 Outcome<void> measure_grid(const BenchRecording& named, int squares, const BenchPhysics& physics,
-                           const BenchHow& how, Canvas* canvas, Scaling& scaling) {
-    const auto start = start_of(named.recording, squares, physics, how.memory);
-    if (!start) return tl::unexpected(start.error());
-    const bool drawn = canvas && start->grid.size() <= kMostFollowed;
+                           const MeasureOptions& options, Canvas* canvas, Scaling& scaling) {
+    const auto scenario = scenario_of(named.recording, squares, physics, options.memory);
+    if (!scenario) return tl::unexpected(scenario.error());
+    const bool drawn = canvas && scenario->grid.size() <= kMostFollowed;
     if (drawn)
-        if (auto shown = canvas->show(*start); !shown) return shown;
+        if (auto shown = canvas->show(*scenario); !shown) return shown;
 
     forget_peak();
     const std::size_t before = resident_bytes();
-    auto session = Session::begin(*start, how.how, std::nullopt);
+    auto session = Session::begin(*scenario, options.step, std::nullopt);
     if (!session) return tl::unexpected(session.error());
     std::optional<Verifier> verifier;
     if (has_states_of(named.recording, squares, physics))
@@ -86,19 +87,19 @@ Outcome<void> measure_grid(const BenchRecording& named, int squares, const Bench
     const std::size_t first_row = scaling.rows.size();
     double bytes = 0;
     for (const int seconds : kScalingSeconds) {
-        const auto begins = first_tick(named.recording, how, seconds);
+        const auto begins = first_tick(named.recording, options, seconds);
         if (!begins) break;
         const std::int64_t from = *begins;
         std::vector<PerfRow> unused, rows;
         if (auto played = player.play(from, nullptr); !played) return played;
-        session->follow_fronts(*start, std::numeric_limits<std::size_t>::max());
+        session->follow_fronts(*scenario, std::numeric_limits<std::size_t>::max());
         if (bytes == 0) bytes = static_cast<double>(peak_bytes()) - static_cast<double>(before);
         if (auto played = player.play(from + kTicksBefore, &unused); !played) return played;
         if (auto played = player.play(from + kTicksBefore + kTicksEach, &rows); !played) return played;
         session->follow_nothing();
         scaling.rows.push_back(row_of(std::move(rows)));
         scaling.rows.back().squares = squares;
-        scaling.rows.back().vertices = start->grid.size();
+        scaling.rows.back().vertices = scenario->grid.size();
     }
     for (std::size_t i = first_row; i < scaling.rows.size(); ++i) scaling.rows[i].session_bytes = bytes;
     if (!verifier) return {};
@@ -111,8 +112,8 @@ Outcome<void> measure_grid(const BenchRecording& named, int squares, const Bench
 }  // namespace
 
 Outcome<Scaling> measure_scaling(const BenchRecording& recording, std::span<const int> squares,
-                                 const BenchPhysics& physics, const BenchHow& how, Canvas* canvas) {
-    if (!first_tick(recording.recording, how, kScalingSeconds.front()))
+                                 const BenchPhysics& physics, const MeasureOptions& options, Canvas* canvas) {
+    if (!first_tick(recording.recording, options, kScalingSeconds.front()))
         return unusable(fmt::format("{} is over before its {}th second, where the study begins",
                                     recording.name, kScalingSeconds.front()));
     Scaling scaling;
@@ -121,7 +122,7 @@ Outcome<Scaling> measure_scaling(const BenchRecording& recording, std::span<cons
     scaling.physics = physics.name;
     scaling.ticks_each = static_cast<int>(kTicksEach);
     for (const int each : squares)
-        if (auto measured = measure_grid(recording, each, physics, how, canvas, scaling); !measured)
+        if (auto measured = measure_grid(recording, each, physics, options, canvas, scaling); !measured)
             return tl::unexpected(measured.error());
     return scaling;
 }

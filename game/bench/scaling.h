@@ -37,7 +37,7 @@ inline constexpr std::array kScalingSeconds{5, 15, 25};
 // Fronts are followed on every grid; drawn only where any GL could (kMostFollowed), and not at all
 // without `canvas`. how.repeats and how.every count for nothing. Errors as in measure().
 Outcome<Scaling> measure_scaling(const BenchRecording& recording, std::span<const int> squares,
-                                 const BenchPhysics& physics, const BenchHow& how, Canvas* canvas);
+                                 const BenchPhysics& physics, const MeasureOptions& options, Canvas* canvas);
 
 // How a part grows with the vertices alone, with the points of the front alone, and with both: cost ≈
 // vertices^a · points^b.

@@ -14,7 +14,7 @@ namespace {
 // Brings one field after the other from a grid to another.
 class Resampler {
   public:
-    Resampler(const Start& from, const sim::Grid& to) : from_(from), to_(to) {}
+    Resampler(const Scenario& from, const sim::Grid& to) : from_(from), to_(to) {}
 
     terrains::PlaneFit::Fitted fit(const std::vector<float>& values) const {
         const double dx = from_.grid.dx, reach = std::max(dx, static_cast<double>(to_.dx));
@@ -42,7 +42,7 @@ class Resampler {
     }
 
   private:
-    const Start& from_;
+    const Scenario& from_;
     sim::Grid to_;
 };
 
@@ -72,72 +72,74 @@ std::string bench_physics_names() {
     return names;
 }
 
-bool is_own(const Start& start, const BenchPhysics& physics) {
-    return start.params.model == physics.model &&
-           (physics.model == sim::Model::kBcreInertial || start.params.scheme == physics.scheme);
+bool is_own(const Scenario& scenario, const BenchPhysics& physics) {
+    return scenario.params.model == physics.model &&
+           (physics.model == sim::Model::kBcreInertial || scenario.params.scheme == physics.scheme);
 }
 
-Outcome<Start> in_physics(Start start, const BenchPhysics& physics) {
-    if (is_own(start, physics)) return start;
-    if (start.params.model == physics.model) {
-        start.params.scheme = physics.scheme;
-        if (start.lower) start.lower->params.scheme = physics.scheme;
-        return start;
+Outcome<Scenario> in_physics(Scenario scenario, const BenchPhysics& physics) {
+    if (is_own(scenario, physics)) return scenario;
+    if (scenario.params.model == physics.model) {
+        scenario.params.scheme = physics.scheme;
+        if (scenario.lower) scenario.lower->params.scheme = physics.scheme;
+        return scenario;
     }
-    const auto params = numbers_of(start.material, start.params, physics);
+    const auto params = numbers_of(scenario.material, scenario.params, physics);
     if (!params) return tl::unexpected(params.error());
-    if (start.lower) {
-        const auto lower = numbers_of(start.lower->material, start.params, physics);
+    if (scenario.lower) {
+        const auto lower = numbers_of(scenario.lower->material, scenario.params, physics);
         if (!lower) return tl::unexpected(lower.error());
-        start.lower->params = *lower;
+        scenario.lower->params = *lower;
     }
-    start.params = *params;
-    return start;
+    scenario.params = *params;
+    return scenario;
 }
 
-int squares_of(const Start& start) {
-    return std::max(start.grid.nx, start.grid.ny) - 1;
+int squares_of(const Scenario& scenario) {
+    return std::max(scenario.grid.nx, scenario.grid.ny) - 1;
 }
 
-Outcome<Start> on_grid(Start start, int squares, const Memory& memory) {
-    if (squares == squares_of(start)) return start;
-    const double dx = start.grid.dx;
-    const auto grid = terrains::grid_over(
-        (start.grid.nx - 1) * dx, (start.grid.ny - 1) * dx,
-        {squares, [&](const sim::Grid& wanted) { return memory.allows(wanted, start.lower.has_value()); }});
-    if (!grid) return unusable(fmt::format("{}: {}", start.title, grid.error()));
-    const Resampler to(start, *grid);
-    auto bedrock = to.fit(start.bedrock);
+Outcome<Scenario> on_grid(Scenario scenario, int squares, const Memory& memory) {
+    if (squares == squares_of(scenario)) return scenario;
+    const double dx = scenario.grid.dx;
+    const auto grid = terrains::grid_over((scenario.grid.nx - 1) * dx, (scenario.grid.ny - 1) * dx,
+                                          {squares, [&](const sim::Grid& wanted) {
+                                               return memory.allows(wanted, scenario.lower.has_value());
+                                           }});
+    if (!grid) return unusable(fmt::format("{}: {}", scenario.title, grid.error()));
+    const Resampler to(scenario, *grid);
+    auto bedrock = to.fit(scenario.bedrock);
     if (std::count(bedrock.has_data.begin(), bedrock.has_data.end(), 0) ==
         static_cast<std::ptrdiff_t>(grid->size()))
-        return unusable(fmt::format("{}: no ground is left on a grid of {} squares", start.title, squares));
+        return unusable(
+            fmt::format("{}: no ground is left on a grid of {} squares", scenario.title, squares));
     terrains::fill_voids(*grid, bedrock.has_data, bedrock.surface);
-    start.depth = to.layer(start.depth);
-    start.rolling = to.layer(start.rolling);
-    if (start.lower) {
-        start.lower->depth = to.layer(start.lower->depth);
+    scenario.depth = to.layer(scenario.depth);
+    scenario.rolling = to.layer(scenario.rolling);
+    if (scenario.lower) {
+        scenario.lower->depth = to.layer(scenario.lower->depth);
         for (std::size_t i = 0; i < grid->size(); ++i)
-            start.lower->depth[i] = std::min(start.lower->depth[i], start.depth[i]);
+            scenario.lower->depth[i] = std::min(scenario.lower->depth[i], scenario.depth[i]);
     }
-    start.bedrock = std::move(bedrock.surface);
-    start.has_data = std::move(bedrock.has_data);
-    start.grid = *grid;
-    return start;
+    scenario.bedrock = std::move(bedrock.surface);
+    scenario.has_data = std::move(bedrock.has_data);
+    scenario.grid = *grid;
+    return scenario;
 }
 
-Outcome<Start> start_of(const Recording& recording, int squares, const BenchPhysics& physics,
-                        const Memory& memory) {
-    auto start = in_physics(recording.header.start, physics);
-    if (start) start = on_grid(std::move(*start), squares, memory);
-    if (!start) return start;
-    if (const auto fault = fault_of_commands(start->params, recording.commands))
-        return unusable(fmt::format("{} in {}: {}", start->scene, physics.name, *fault));
-    return start;
+Outcome<Scenario> scenario_of(const Recording& recording, int squares, const BenchPhysics& physics,
+                              const Memory& memory) {
+    auto scenario = in_physics(recording.header.scenario, physics);
+    if (scenario) scenario = on_grid(std::move(*scenario), squares, memory);
+    if (!scenario) return scenario;
+    if (const auto fault = fault_of_commands(scenario->params, recording.commands))
+        return unusable(fmt::format("{} in {}: {}", scenario->scene, physics.name, *fault));
+    return scenario;
 }
 
 bool has_states_of(const Recording& recording, int squares, const BenchPhysics& physics) {
     const Header& header = recording.header;
-    return squares == squares_of(header.start) && is_own(header.start, physics) &&
+    return squares == squares_of(header.scenario) && is_own(header.scenario, physics) &&
            header.physics_version == kPhysicsVersion;
 }
 

@@ -8,7 +8,7 @@
 #include "game/base/outcome.h"
 #include "game/recording/reader.h"
 #include "game/scene/memory.h"
-#include "game/scene/start.h"
+#include "game/scene/scenario.h"
 
 namespace game {
 
@@ -25,22 +25,22 @@ inline constexpr std::array<BenchPhysics, 3> kBenchPhysics{
 std::optional<BenchPhysics> bench_physics_named(std::string_view name);
 std::string bench_physics_names();  // with commas between
 
-// Whether this is how `start` is reckoned anyway.
-bool is_own(const Start& start, const BenchPhysics& physics);
+// Whether this is how `scenario` is reckoned anyway.
+bool is_own(const Scenario& scenario, const BenchPhysics& physics);
 // The start reckoned so: another scheme alone, or the numbers that its materials have for the other model.
 // Tick and borders stay. Errors: a material ships no such numbers.
-Outcome<Start> in_physics(Start start, const BenchPhysics& physics);
+Outcome<Scenario> in_physics(Scenario scenario, const BenchPhysics& physics);
 
-int squares_of(const Start& start);  // along the longer side
+int squares_of(const Scenario& scenario);  // along the longer side
 // Its ground on another grid over the same rectangle, 8 to 4096 squares along the longer side: bedrock and
 // layers averaged where the grid is coarser, interpolated where it is finer. Errors: fewer than two squares
 // would fit across, or `memory` does not allow the grid.
-Outcome<Start> on_grid(Start start, int squares, const Memory& memory = {});
+Outcome<Scenario> on_grid(Scenario scenario, int squares, const Memory& memory = {});
 
 // What of a recording is measured: its start in this physics on that grid. Errors: as above, or its commands
 // set numbers that do not go together there.
-Outcome<Start> start_of(const Recording& recording, int squares, const BenchPhysics& physics,
-                        const Memory& memory);
+Outcome<Scenario> scenario_of(const Recording& recording, int squares, const BenchPhysics& physics,
+                              const Memory& memory);
 // Whether the states that it recorded are of that start.
 bool has_states_of(const Recording& recording, int squares, const BenchPhysics& physics);
 

@@ -21,7 +21,7 @@ Outcome<std::vector<BenchRecording>> read_all(const std::vector<std::string>& na
         auto recording = read_recording(*path, memory);
         if (!recording) return tl::unexpected(recording.error());
         if (recording->warning) fmt::print(stderr, "couloir: warning: {}\n", *recording->warning);
-        if (recording->header.start.flow)
+        if (recording->header.scenario.flow)
             return unusable(fmt::format("{}: shows a flow, and bench measures avalanches", path->string()));
         if (recording->last_tick() < 1) return unusable(fmt::format("{}: holds no tick", path->string()));
         recordings.push_back({path->stem().string(), file_hash(*path), std::move(*recording), *path});
@@ -30,11 +30,11 @@ Outcome<std::vector<BenchRecording>> read_all(const std::vector<std::string>& na
 }
 
 Outcome<std::vector<BenchRecording>> recordings_of(const BenchOptions& options) {
-    if (!options.recordings.empty()) return read_all(options.recordings, options.how.memory);
-    if (options.scaling) return read_all({"snow-avalanche"}, options.how.memory);
+    if (!options.recordings.empty()) return read_all(options.recordings, options.measure.memory);
+    if (options.scaling) return read_all({"snow-avalanche"}, options.measure.memory);
     const auto names = asset_names(AssetKind::kRecording);
     if (!names) return tl::unexpected(names.error());
-    return read_all(*names, options.how.memory);
+    return read_all(*names, options.measure.memory);
 }
 
 FileUse files_of(const BenchOptions& options, const std::vector<BenchRecording>& recordings) {
@@ -54,10 +54,10 @@ std::vector<BenchPhysics> physics_of(const BenchOptions& options) {
     return all;
 }
 
-BenchHow how_of(const BenchOptions& options) {
-    BenchHow how = options.how;
-    how.memory.use.draws = options.draws;
-    return how;
+MeasureOptions measure_options_of(const BenchOptions& options) {
+    MeasureOptions measure = options.measure;
+    measure.memory.use.draws = options.draws;
+    return measure;
 }
 
 Outcome<std::vector<Measured>> measure_cases(const std::vector<BenchRecording>& recordings,
@@ -69,7 +69,7 @@ Outcome<std::vector<Measured>> measure_cases(const std::vector<BenchRecording>& 
     for (const BenchRecording& recording : recordings)
         for (const int each : squares)
             for (const BenchPhysics& way : physics) {
-                auto measured = measure(recording, each, way, how_of(options), canvas,
+                auto measured = measure(recording, each, way, measure_options_of(options), canvas,
                                         fmt::format("{} of {}: {}, {} squares, {}", cases.size() + 1, count,
                                                     recording.name, each, way.name));
                 if (!measured) return tl::unexpected(measured.error());
@@ -82,16 +82,16 @@ Outcome<std::vector<Measured>> measure_cases(const std::vector<BenchRecording>& 
 Outcome<Scaling> scale(const std::vector<BenchRecording>& recordings, const BenchOptions& options,
                        Canvas* canvas) {
     const BenchRecording& recording = recordings.front();
-    const Start& start = recording.recording.header.start;
+    const Scenario& scenario = recording.recording.header.scenario;
     const auto physics = physics_of(options);
     // In its own, unless another is asked for.
     auto way = physics.front();
     if (options.physics.empty())
         for (const BenchPhysics& each : physics)
-            if (is_own(start, each)) way = each;
+            if (is_own(scenario, each)) way = each;
     const std::vector<int> usual(kScalingSquares.begin(), kScalingSquares.end());
-    return measure_scaling(recording, options.squares.empty() ? usual : options.squares, way, how_of(options),
-                           canvas);
+    return measure_scaling(recording, options.squares.empty() ? usual : options.squares, way,
+                           measure_options_of(options), canvas);
 }
 
 Outcome<void> write_all(const BenchReport& report, const std::vector<Table>& tables,
@@ -161,7 +161,7 @@ Outcome<int> bench(const BenchOptions& options) {
     }
 
     BenchReport report;
-    report.around = {options.scaling ? "bench --scaling" : "bench", "", options.how.how.threads,
+    report.around = {options.scaling ? "bench --scaling" : "bench", "", options.measure.step.threads,
                      canvas ? std::optional(canvas->drawn_by()) : std::nullopt};
     if (options.scaling) {
         auto scaling = scale(*recordings, options, canvas ? &*canvas : nullptr);

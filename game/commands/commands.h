@@ -30,13 +30,13 @@ struct PictureOptions {
 struct RunOptions {
     std::string scene;  // empty with a terrain
     std::optional<std::filesystem::path> terrain, release, reference;
-    Wishes wishes;
+    Overrides overrides;
     bool until_rest = false;
     std::optional<double> seconds;
     std::optional<std::filesystem::path> record, export_folder;
     PictureOptions pictures;
     ResultOptions results;
-    sim::How how;
+    sim::StepOptions step_options;
 };
 Outcome<int> run(const RunOptions& options);
 
@@ -46,7 +46,7 @@ struct ReplayOptions {
     bool verify = false, paranoid = false;
     PictureOptions pictures;
     ResultOptions results;
-    sim::How how;
+    sim::StepOptions step_options;
     Memory memory;
 };
 Outcome<int> replay(const ReplayOptions& options);
@@ -56,7 +56,7 @@ struct CompareOptions {
     std::optional<std::int64_t> tick;  // none: where each ends
     std::optional<std::filesystem::path> maps;
     bool json = false;
-    sim::How how;
+    sim::StepOptions step_options;
     Memory memory;
 };
 // Two recordings on one ground: what differs in the end, and where they part.
@@ -68,7 +68,7 @@ struct EditOptions {
     std::filesystem::path out;
     std::optional<std::filesystem::path> maps;
     bool json = false;
-    sim::How how;
+    sim::StepOptions step_options;
     Memory memory;
 };
 // One command changed, and run again; compared with what it was.
@@ -77,7 +77,7 @@ Outcome<int> edit(const EditOptions& options);
 struct NormaliseOptions {
     std::string recording;  // name or file
     std::filesystem::path out;
-    sim::How how;
+    sim::StepOptions step_options;
     Memory memory;
 };
 // A recording rewritten in the newest format, with the states of this version of the physics; 1 where it is
@@ -88,10 +88,10 @@ struct PlayOptions {
     std::string program;                // as it was called
     std::string what;                   // scene, terrain file or recording; empty: the first scene
     std::optional<std::int64_t> until;  // tick at which a recording is taken over
-    Wishes wishes;
+    Overrides overrides;
     std::optional<std::filesystem::path> record;
     PictureSize size;
-    sim::How how;
+    sim::StepOptions step_options;
 };
 Outcome<int> play(const PlayOptions& options);
 
@@ -102,11 +102,11 @@ Outcome<int> list(const ListOptions& options);
 
 struct TrackOptions {
     std::filesystem::path mesh, velocities;
-    double dt = 1.0 / 60;                        // s
-    std::optional<sim::front::Source> source;    // the command line sees to it that there is one,
-    std::optional<sim::front::Rule::Kind> rule;  // and one
-    bool hold = false;                           // of source paper
-    std::optional<double> threshold, jump;       // 1/s, m/s
+    double dt = 1.0 / 60;                           // s
+    std::optional<sim::front::PointSource> source;  // the command line sees to it that there is one,
+    std::optional<sim::front::Rule::Kind> rule;     // and one
+    bool hold = false;                              // of source paper
+    std::optional<double> threshold, jump;          // 1/s, m/s
     std::optional<std::filesystem::path> scalar;
     std::optional<double> level;
     std::optional<std::filesystem::path> out;  // else standard output
@@ -136,7 +136,7 @@ struct BenchOptions {
     std::vector<int> squares;             // empty: 80 and 160, or those of the scaling study
     std::vector<std::string> physics;     // of kBenchPhysics; empty: all, or the recording's own to scale
     bool scaling = false;
-    BenchHow how;
+    MeasureOptions measure;
     bool draws = true;
     PictureSize size{640, 360};
     std::string gl = "auto";

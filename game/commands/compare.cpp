@@ -25,13 +25,14 @@ Outcome<int> compare(const CompareOptions& options) {
 
     const auto play = [&](const Named& each) {
         const std::int64_t end = options.tick.value_or(each.recording.last_tick());
-        return played(each, Until::after(end), options.how, std::nullopt);
+        return played(each, Until::after(end), options.step_options, std::nullopt);
     };
     const auto one = play(*a);
     if (!one) return tl::unexpected(one.error());
     const auto other = play(*b);
     if (!other) return tl::unexpected(other.error());
-    if (auto told = tell(comparison_of(*one, *other, options.how), options.maps, options.json); !told)
+    if (auto told = tell(comparison_of(*one, *other, options.step_options), options.maps, options.json);
+        !told)
         return tl::unexpected(told.error());
     return 0;
 }

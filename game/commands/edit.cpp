@@ -34,18 +34,20 @@ Outcome<int> edit(const EditOptions& options) {
         if (auto made = make_folder(*options.maps); !made) return tl::unexpected(made.error());
 
     Named made{options.out.stem().string(), options.out, {}};
-    made.recording.header.start = old->recording.header.start;
+    made.recording.header.scenario = old->recording.header.scenario;
     made.recording.header.parent = Parent{old->name, options.edit.tick, changed->change};
     made.recording.commands = std::move(changed->commands);
     auto recorder = Recorder::create(options.out, made.recording.header);
     if (!recorder) return tl::unexpected(recorder.error());
 
-    const auto before = played(*old, Until::after(old->recording.last_tick()), options.how, std::nullopt);
+    const auto before =
+        played(*old, Until::after(old->recording.last_tick()), options.step_options, std::nullopt);
     if (!before) return tl::unexpected(before.error());
     const auto after =
-        played(made, until_as(*before, made.recording.commands), options.how, std::move(*recorder));
+        played(made, until_as(*before, made.recording.commands), options.step_options, std::move(*recorder));
     if (!after) return tl::unexpected(after.error());
-    if (auto told = tell(comparison_of(*before, *after, options.how), options.maps, options.json); !told)
+    if (auto told = tell(comparison_of(*before, *after, options.step_options), options.maps, options.json);
+        !told)
         return tl::unexpected(told.error());
     return 0;
 }

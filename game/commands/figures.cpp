@@ -72,12 +72,12 @@ Outcome<std::vector<PageFigure>> draw_all(const FiguresOptions& options, int thr
             return tl::unexpected(drawn.error());
     }
     studio.reset();
-    sim::How how;
-    how.threads = threads;
+    sim::StepOptions step_options;
+    step_options.threads = threads;
     for (const WorldFigure& figure : world_figures()) {
         if (!is_wanted(options, fmt::to_string(figure.number))) continue;
         const PictureSize size{3 * options.pixels / 2, options.pixels};
-        if (auto drawn = keep(draw_world(figure, options.folder, size, options.gl, how)); !drawn)
+        if (auto drawn = keep(draw_world(figure, options.folder, size, options.gl, step_options)); !drawn)
             return tl::unexpected(drawn.error());
     }
     std::sort(shown.begin(), shown.end(),

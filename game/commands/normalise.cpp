@@ -27,7 +27,7 @@ Outcome<int> normalise(const NormaliseOptions& options) {
     auto recorder = Recorder::create(options.out, rewritten);
     if (!recorder) return tl::unexpected(recorder.error());
 
-    auto session = Session::begin(header.start, options.how, std::move(*recorder));
+    auto session = Session::begin(header.scenario, options.step_options, std::move(*recorder));
     if (!session) return tl::unexpected(session.error());
     Verifier verifier(old->recording);
     verifier.look_at(*session);

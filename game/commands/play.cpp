@@ -23,26 +23,26 @@ void tell_times(const FrameTimes& times) {
 
 Outcome<int> play(const PlayOptions& options) {
     // Before there is a window: a mistake on the command line should not flash one.
-    Wishes wishes = options.wishes;
-    wishes.memory.use = {.draws = true, .goes_back = true};
-    auto opening = open_anything(options.what.empty() ? kFirstScene : options.what, wishes);
-    if (!opening) return tl::unexpected(opening.error());
+    Overrides overrides = options.overrides;
+    overrides.memory.use = {.draws = true, .goes_back = true};
+    auto loaded = open_anything(options.what.empty() ? kFirstScene : options.what, overrides);
+    if (!loaded) return tl::unexpected(loaded.error());
     FileUse use;
-    if (auto sound = use.reads(opening->scene.files).writes("--record", options.record).check(); !sound)
+    if (auto sound = use.reads(loaded->scene.files).writes("--record", options.record).check(); !sound)
         return tl::unexpected(sound.error());
-    if (options.until && !opening->watched)
+    if (options.until && !loaded->watched)
         return unusable(fmt::format("{}: is no recording, so there is nothing to take over at tick {}",
                                     options.what, *options.until));
-    if (options.until && opening->scene.start.flow)
+    if (options.until && loaded->scene.scenario.flow)
         return unusable(
             fmt::format("{}: shows a flow, which nothing can be done to, so there is nothing to take over",
                         options.what));
     if (options.until)
-        if (auto has = check_tick(*opening->watched, *options.until, options.what); !has)
+        if (auto has = check_tick(*loaded->watched, *options.until, options.what); !has)
             return tl::unexpected(has.error());
     auto window = Window::open("Couloir", options.size.width, options.size.height);
     if (!window) return tl::unexpected(window.error());
-    auto app = App::begin(**window, std::move(*opening), options.how, options.record);
+    auto app = App::begin(**window, std::move(*loaded), options.step_options, options.record);
     if (!app) return tl::unexpected(app.error());
     if (options.until) (*app)->take_over_at(*options.until);
     while ((*app)->frame()) {

@@ -17,18 +17,19 @@ namespace game {
 namespace {
 
 // As unlike the way that was asked for as it can be.
-sim::How other_way(sim::How how) {
-    how.threads = how.threads == 1 ? 3 : 1;
-    how.tile_width = 32, how.tile_height = 8;
-    how.last_tile_first = true;
-    return how;
+sim::StepOptions other_way(sim::StepOptions step_options) {
+    step_options.threads = step_options.threads == 1 ? 3 : 1;
+    step_options.tile_width = 32, step_options.tile_height = 8;
+    step_options.last_tile_first = true;
+    return step_options;
 }
 
-std::string name_of(const sim::How& how, bool swept) {
-    std::string threads = fmt::format("{} thread{}", how.threads, how.threads > 1 ? "s" : "");
+std::string name_of(const sim::StepOptions& step_options, bool swept) {
+    std::string threads =
+        fmt::format("{} thread{}", step_options.threads, step_options.threads > 1 ? "s" : "");
     if (!swept) return threads;
-    return fmt::format("{}, tiles of {}x{}{}", threads, how.tile_width, how.tile_height,
-                       how.last_tile_first ? " from the last to the first" : "");
+    return fmt::format("{}, tiles of {}x{}{}", threads, step_options.tile_width, step_options.tile_height,
+                       step_options.last_tile_first ? " from the last to the first" : "");
 }
 
 }  // namespace
@@ -45,7 +46,7 @@ Outcome<int> replay(const ReplayOptions& options) {
     if (options.until)
         if (auto has = check_tick(*recording, *options.until, options.recording); !has)
             return tl::unexpected(has.error());
-    const Start& start = recording->header.start;
+    const Scenario& scenario = recording->header.scenario;
 
     FileUse use;
     use.reads(*path);
@@ -54,20 +55,20 @@ Outcome<int> replay(const ReplayOptions& options) {
     use.writes_into("--frames", options.pictures.folder, kFrameNames);
     if (auto sound = use.check(); !sound) return tl::unexpected(sound.error());
     if (auto placed = make_places_for(options.results); !placed) return tl::unexpected(placed.error());
-    auto session = Session::begin(start, options.how, std::nullopt);
+    auto session = Session::begin(scenario, options.step_options, std::nullopt);
     if (!session) return tl::unexpected(session.error());
     if (options.pictures.folder || options.results.perf || options.results.trace) {
-        session->follow_fronts(start);
-        if (start.look.flow && !session->fronts()) fmt::print(stderr, "couloir: {}\n", Session::kTooFine);
+        session->follow_fronts(scenario);
+        if (scenario.look.flow && !session->fronts()) fmt::print(stderr, "couloir: {}\n", Session::kTooFine);
     }
     std::optional<Gallery> gallery;
     if (options.pictures.folder) {
         auto opened =
-            Gallery::open(*options.pictures.folder, options.pictures.size, options.pictures.gl, start);
+            Gallery::open(*options.pictures.folder, options.pictures.size, options.pictures.gl, scenario);
         if (!opened) return tl::unexpected(opened.error());
         gallery = std::move(*opened);
     }
-    PerfLog perf({start.scene, file_hash(*path), options.how.threads,
+    PerfLog perf({scenario.scene, file_hash(*path), options.step_options.threads,
                   gallery ? std::optional(gallery->drawn_by()) : std::nullopt},
                  options.results.log_keeps());
     Verifier verifier(*recording);
@@ -78,38 +79,38 @@ Outcome<int> replay(const ReplayOptions& options) {
     watchers.ticks_per_picture = options.pictures.every;
     watchers.perf = &perf;
     if (options.verify) verifier.look_at(*session);
-    const Side way{start, recording->commands, options.how},
-        other{start, recording->commands, other_way(options.how)};
-    std::optional<Twin> twin;
-    Paranoia paranoia;
+    const Side way{scenario, recording->commands, options.step_options},
+        other{scenario, recording->commands, other_way(options.step_options)};
+    std::optional<LockstepRun> lockstep;
+    SelfCheck self_check;
     if (options.paranoid) {
-        const bool swept = !options.how.plain && !start.lower;
-        paranoia.names = {name_of(way.how, swept), name_of(other.how, swept)};
-        paranoia.parted = twin.emplace(way, other).follow(session->state());
+        const bool swept = !options.step_options.plain && !scenario.lower;
+        self_check.names = {name_of(way.options, swept), name_of(other.options, swept)};
+        self_check.parted = lockstep.emplace(way, other).follow(session->state());
     }
     watchers.after_tick = [&](const Session& now) {
         if (options.verify) verifier.look_at(now);
-        if (!twin || paranoia.parted) return;
-        paranoia.parted = twin->follow(now.state());
-        paranoia.ticks = now.state().tick;
+        if (!lockstep || self_check.parted) return;
+        self_check.parted = lockstep->follow(now.state());
+        self_check.ticks = now.state().tick;
     };
     if (auto played = play_headless(*session, recording->commands, until, watchers, "replaying"); !played)
         return tl::unexpected(played.error());
     if (gallery)
         if (auto closed = gallery->close(); !closed) return tl::unexpected(closed.error());
 
-    const Measures measures = measure(start, *session, release_area(start, recording->commands), {});
-    Summary summary{start, *session, measures, &perf, std::nullopt, std::nullopt};
+    const Measures measures = measure(scenario, *session, release_area(scenario, recording->commands), {});
+    Summary summary{scenario, *session, measures, &perf, std::nullopt, std::nullopt};
     if (options.verify) summary.verdict = verifier.verdict();
-    if (options.paranoid) summary.paranoid = paranoia;
-    if (paranoia.parted && options.pictures.folder)
-        if (auto drawn = render::write_png(desync_picture(*paranoia.parted, start, paranoia.names),
+    if (options.paranoid) summary.paranoid = self_check;
+    if (self_check.parted && options.pictures.folder)
+        if (auto drawn = render::write_png(desync_picture(*self_check.parted, scenario, self_check.names),
                                            *options.pictures.folder / "desync.png");
             !drawn)
             return machine_fails(drawn.error());
     if (auto told = tell(summary, options.results); !told) return tl::unexpected(told.error());
     const bool proven = verifier.verdict().kind() == Verdict::Kind::kExact;
-    const bool bad = (options.verify && !proven) || paranoia.parted;
+    const bool bad = (options.verify && !proven) || self_check.parted;
     return bad ? Failure::kBadAnswer : 0;
 }
 

@@ -16,10 +16,10 @@ namespace game {
 namespace {
 
 Outcome<Scene> scene_of(const RunOptions& options) {
-    Wishes wishes = options.wishes;
-    wishes.memory.use.draws = options.pictures.folder || options.results.perf || options.results.trace;
-    if (!options.terrain) return load_scene(options.scene, wishes);
-    return scene_of_terrain(*options.terrain, *options.release, wishes);
+    Overrides overrides = options.overrides;
+    overrides.memory.use.draws = options.pictures.folder || options.results.perf || options.results.trace;
+    if (!options.terrain) return load_scene(options.scene, overrides);
+    return scene_of_terrain(*options.terrain, *options.release, overrides);
 }
 
 FileUse files_of(const RunOptions& options, const Scene& scene) {
@@ -41,11 +41,11 @@ struct Leavings {
     terrains::Reference reference;
 };
 
-Outcome<Leavings> open_leavings(const RunOptions& options, const Start& start,
+Outcome<Leavings> open_leavings(const RunOptions& options, const Scenario& scenario,
                                 const terrains::Terrain& ground) {
     Leavings leavings;
     if (options.reference) {
-        auto reference = terrains::read_reference(*options.reference, ground, options.wishes.references);
+        auto reference = terrains::read_reference(*options.reference, ground, options.overrides.references);
         if (!reference) return unusable(reference.error());
         leavings.reference = std::move(*reference);
     }
@@ -53,13 +53,13 @@ Outcome<Leavings> open_leavings(const RunOptions& options, const Start& start,
         if (auto made = make_folder(*options.export_folder); !made) return tl::unexpected(made.error());
     if (auto placed = make_places_for(options.results); !placed) return tl::unexpected(placed.error());
     if (options.record) {
-        auto recorder = Recorder::create(*options.record, start);
+        auto recorder = Recorder::create(*options.record, scenario);
         if (!recorder) return tl::unexpected(recorder.error());
         leavings.recorder = std::move(*recorder);
     }
     if (options.pictures.folder) {
         auto gallery =
-            Gallery::open(*options.pictures.folder, options.pictures.size, options.pictures.gl, start);
+            Gallery::open(*options.pictures.folder, options.pictures.size, options.pictures.gl, scenario);
         if (!gallery) return tl::unexpected(gallery.error());
         leavings.gallery = std::move(*gallery);
     }
@@ -85,40 +85,40 @@ Outcome<int> run(const RunOptions& options) {
     const auto scene = scene_of(options);
     if (!scene) return tl::unexpected(scene.error());
     if (auto sound = files_of(options, *scene).check(); !sound) return tl::unexpected(sound.error());
-    const Start& start = scene->start;
-    const terrains::Terrain ground = ground_of(start);
-    auto leavings = open_leavings(options, start, ground);
+    const Scenario& scenario = scene->scenario;
+    const terrains::Terrain ground = ground_of(scenario);
+    auto leavings = open_leavings(options, scenario, ground);
     if (!leavings) return tl::unexpected(leavings.error());
-    auto session = Session::begin(start, options.how, std::move(leavings->recorder));
+    auto session = Session::begin(scenario, options.step_options, std::move(leavings->recorder));
     if (!session) return tl::unexpected(session.error());
 
     if (leavings->gallery || options.results.perf || options.results.trace) {
-        session->follow_fronts(start);
-        if (start.look.flow && !session->fronts()) fmt::print(stderr, "couloir: {}\n", Session::kTooFine);
+        session->follow_fronts(scenario);
+        if (scenario.look.flow && !session->fronts()) fmt::print(stderr, "couloir: {}\n", Session::kTooFine);
     }
     std::optional<Gallery>& gallery = leavings->gallery;
-    PerfLog perf(
-        {start.scene, "", options.how.threads, gallery ? std::optional(gallery->drawn_by()) : std::nullopt},
-        options.results.log_keeps());
+    PerfLog perf({scenario.scene, "", options.step_options.threads,
+                  gallery ? std::optional(gallery->drawn_by()) : std::nullopt},
+                 options.results.log_keeps());
     Watchers watchers;
     watchers.gallery = gallery ? &*gallery : nullptr;
     watchers.ticks_per_picture = options.pictures.every;
     watchers.perf = &perf;
     const auto finished =
-        play_headless(*session, scene->commands, until_of(options, start.params), watchers, "running");
+        play_headless(*session, scene->commands, until_of(options, scenario.params), watchers, "running");
     if (!finished) return tl::unexpected(finished.error());
     if (auto closed = session->finish(); !closed) return tl::unexpected(closed.error());
 
     const Measures measures =
-        measure(start, *session, release_area(start, scene->commands), leavings->reference);
-    Summary summary{start, *session, measures, &perf, std::nullopt, std::nullopt};
+        measure(scenario, *session, release_area(scenario, scene->commands), leavings->reference);
+    Summary summary{scenario, *session, measures, &perf, std::nullopt, std::nullopt};
     if (options.until_rest) summary.at_rest = *finished;
     if (gallery) {
         draw_results(*gallery, *session);
         if (auto closed = gallery->close(); !closed) return tl::unexpected(closed.error());
     }
     if (options.export_folder)
-        if (auto exported = export_results(*options.export_folder, start, *session, summary); !exported)
+        if (auto exported = export_results(*options.export_folder, scenario, *session, summary); !exported)
             return tl::unexpected(exported.error());
     if (auto told = tell(summary, options.results); !told) return tl::unexpected(told.error());
     return *finished ? 0 : Failure::kBadAnswer;

@@ -13,7 +13,7 @@
 #include "game/files/assets.h"
 #include "game/files/text_file.h"
 #include "game/recording/divergence_report.h"
-#include "game/recording/start_difference.h"
+#include "game/recording/scenario_difference.h"
 #include "terrains/export.h"
 
 namespace game {
@@ -90,47 +90,47 @@ Outcome<Named> open_recording(const std::string& name_or_path, const Memory& mem
     return Named{path->stem().string(), *path, std::move(*recording)};
 }
 
-Outcome<Played> played(const Named& of, const Until& until, const sim::How& how,
+Outcome<Played> played(const Named& of, const Until& until, const sim::StepOptions& options,
                        std::optional<Recorder> recorder) {
-    const Start& start = of.recording.header.start;
-    auto session = Session::begin(start, how, std::move(recorder));
+    const Scenario& scenario = of.recording.header.scenario;
+    auto session = Session::begin(scenario, options, std::move(recorder));
     if (!session) return tl::unexpected(session.error());
     if (auto done = play_headless(*session, of.recording.commands, until, {}, of.name); !done)
         return tl::unexpected(done.error());
     if (auto closed = session->finish(); !closed) return tl::unexpected(closed.error());
-    const Measures measures = measure(start, *session, release_area(start, of.recording.commands), {});
+    const Measures measures = measure(scenario, *session, release_area(scenario, of.recording.commands), {});
     const bool rests = sim::at_rest(session->state());
     return Played{of, std::move(*session), measures, rests};
 }
 
 Outcome<void> check_ground(const Named& a, const Named& b) {
-    const auto differences = differences_of_ground(a.recording.header.start, b.recording.header.start);
+    const auto differences = differences_of_ground(a.recording.header.scenario, b.recording.header.scenario);
     if (differences.empty()) return {};
     return unusable(
         fmt::format("{} and {} are not on one ground: {}", a.name, b.name, fmt::join(differences, "; ")));
 }
 
-Comparison comparison_of(const Played& a, const Played& b, const sim::How& how) {
+Comparison comparison_of(const Played& a, const Played& b, const sim::StepOptions& options) {
     const Recording &one = a.of.recording, &other = b.of.recording;
-    const Start &start = one.header.start, &other_start = other.header.start;
+    const Scenario &scenario = one.header.scenario, &other_start = other.header.scenario;
     Comparison comparison{.a = a, .b = b};
-    comparison.said = differences_of(start, other_start);
+    comparison.said = differences_of(scenario, other_start);
     for (std::string& difference : differences_of(one.commands, other.commands))
         comparison.said.push_back(std::move(difference));
 
     comparison.deposit =
-        less(deposit_of(other_start, b.session.state()), deposit_of(start, a.session.state()));
+        less(deposit_of(other_start, b.session.state()), deposit_of(scenario, a.session.state()));
     comparison.peak_depth = less(b.session.peaks().depth, a.session.peaks().depth);
     for (const float metres : comparison.deposit)
         (metres > 0 ? comparison.more : comparison.less) +=
-            std::fabs(static_cast<double>(metres)) * start.grid.cell_area();
+            std::fabs(static_cast<double>(metres)) * scenario.grid.cell_area();
     comparison.overlap = overlap_of(extent_of(a), extent_of(b));
 
     comparison.followed = std::min(a.session.state().tick, b.session.state().tick);
     Progress progress("side by side");
     comparison.parted = first_divergence(
-        {start, one.commands, how, nullptr}, {other_start, other.commands, how, nullptr}, comparison.followed,
-        [&](std::int64_t tick) {
+        {scenario, one.commands, options, nullptr}, {other_start, other.commands, options, nullptr},
+        comparison.followed, [&](std::int64_t tick) {
             progress.show(static_cast<double>(tick) /
                               static_cast<double>(std::max<std::int64_t>(comparison.followed, 1)),
                           "alike so far");
@@ -165,7 +165,7 @@ std::string to_text(const Comparison& comparison) {
         fmt::format("deposit, second less first: {}; {:.0f} m3 more in places, {:.0f} m3 less in others\n",
                     extremes(comparison.deposit), comparison.more, comparison.less);
     text += fmt::format("peak depth, second less first: {}\n\n", extremes(comparison.peak_depth));
-    text += comparison.parted ? to_text(*comparison.parted, comparison.a.of.recording.header.start, names)
+    text += comparison.parted ? to_text(*comparison.parted, comparison.a.of.recording.header.scenario, names)
                               : fmt::format("the same bits in all {} ticks\n", comparison.followed);
     return text;
 }
@@ -174,7 +174,7 @@ Json to_json(const Comparison& comparison) {
     Json json;
     const auto side = [&](const Played& played) {
         return Json{{"name", played.of.name},
-                    {"scene", played.of.recording.header.start.scene},
+                    {"scene", played.of.recording.header.scenario.scene},
                     {"ticks", played.session.state().tick},
                     {"at_rest", played.at_rest},
                     {"state_hash", hex(played.session.state_line().hash)}};
@@ -196,16 +196,17 @@ Json to_json(const Comparison& comparison) {
     json["ticks_side_by_side"] = comparison.parted ? comparison.parted->tick : comparison.followed;
     json["same"] = !comparison.parted;
     if (comparison.parted)
-        json["parted"] = to_json(*comparison.parted, comparison.a.of.recording.header.start);
+        json["parted"] = to_json(*comparison.parted, comparison.a.of.recording.header.scenario);
     return json;
 }
 
 Outcome<void> write_maps(const std::filesystem::path& folder, const Comparison& comparison) {
     if (auto made = make_folder(folder); !made) return made;
-    const Start& start = comparison.a.of.recording.header.start;
+    const Scenario& scenario = comparison.a.of.recording.header.scenario;
     for (const auto& [name, field] : {std::pair{"difference.tif", &comparison.deposit},
                                       std::pair{"peak_difference.tif", &comparison.peak_depth}})
-        if (auto written = terrains::write_geotiff(folder / name, start.grid, start.georeference, *field);
+        if (auto written =
+                terrains::write_geotiff(folder / name, scenario.grid, scenario.georeference, *field);
             !written)
             return machine_fails(written.error());
     const auto draw = [&](const render::Picture& picture, const char* name) -> Outcome<void> {
@@ -219,7 +220,7 @@ Outcome<void> write_maps(const std::filesystem::path& folder, const Comparison& 
     if (auto drawn = draw(difference_map(comparison, MapOf::kPeakDepth), "peak_difference.png"); !drawn)
         return drawn;
     if (!comparison.parted) return {};
-    return draw(desync_picture(*comparison.parted, start, names_of(comparison)), "desync.png");
+    return draw(desync_picture(*comparison.parted, scenario, names_of(comparison)), "desync.png");
 }
 
 Outcome<void> tell(const Comparison& comparison, const std::optional<std::filesystem::path>& maps,

@@ -39,7 +39,7 @@ struct Played {
     bool at_rest = false;
 };
 // `recorder`: none, or where this run is recorded; it is closed.
-Outcome<Played> played(const Named& of, const Until& until, const sim::How& how,
+Outcome<Played> played(const Named& of, const Until& until, const sim::StepOptions& options,
                        std::optional<Recorder> recorder);
 
 // Two worlds on one ground. All differences are the second less the first.
@@ -57,7 +57,7 @@ struct Comparison {
 // Errors: they are not on one ground (status 2, says what differs).
 Outcome<void> check_ground(const Named& a, const Named& b);
 // Plays both once more, side by side, until they part. Shows that on standard error as it goes on.
-Comparison comparison_of(const Played& a, const Played& b, const sim::How& how);
+Comparison comparison_of(const Played& a, const Played& b, const sim::StepOptions& options);
 
 std::string to_text(const Comparison& comparison);
 Json to_json(const Comparison& comparison);

@@ -51,12 +51,12 @@ void draw_tile(MapPage& page, const Divergence& parted, const sim::Grid& grid) {
 }
 
 // The first cell and those around it, where the column goes on.
-void draw_large(MapPage& page, const Divergence& parted, const Start& start, glm::ivec2 cell) {
-    const glm::vec2 middle(std::clamp(cell.x, 0, start.grid.nx - 1),
-                           std::clamp(cell.y, 0, start.grid.ny - 1));
+void draw_large(MapPage& page, const Divergence& parted, const Scenario& scenario, glm::ivec2 cell) {
+    const glm::vec2 middle(std::clamp(cell.x, 0, scenario.grid.nx - 1),
+                           std::clamp(cell.y, 0, scenario.grid.ny - 1));
     const float reach = kAround;
-    const Relief near(start, middle - reach, middle + reach, page.pen(), kLarge);
-    near.draw(page.sheet(), tint_of(parted, start.grid));
+    const Relief near(scenario, middle - reach, middle + reach, page.pen(), kLarge);
+    near.draw(page.sheet(), tint_of(parted, scenario.grid));
     for (int i = 0; i <= 2 * kAround + 1; ++i) {
         const float away = static_cast<float>(i) * kLarge;
         const glm::vec3 kGrid{150, 154, 160};
@@ -71,11 +71,11 @@ void draw_large(MapPage& page, const Divergence& parted, const Start& start, glm
 
 }  // namespace
 
-render::Picture desync_picture(const Divergence& parted, const Start& start,
+render::Picture desync_picture(const Divergence& parted, const Scenario& scenario,
                                const std::array<std::string, 2>& names) {
-    MapPage page(start);
-    page.relief().draw(page.sheet(), tint_of(parted, start.grid));
-    mark_small_cells(page, parted, start.grid);
+    MapPage page(scenario);
+    page.relief().draw(page.sheet(), tint_of(parted, scenario.grid));
+    mark_small_cells(page, parted, scenario.grid);
 
     page.title(parted.where == Divergence::Where::kStart ? "They part at the start"
                                                          : fmt::format("They part in tick {}", parted.tick));
@@ -83,9 +83,9 @@ render::Picture desync_picture(const Divergence& parted, const Start& start,
     page.skip(8);
     if (!parted.fields.empty()) {
         const FieldDifference& first = parted.fields.front();
-        draw_tile(page, parted, start.grid);
+        draw_tile(page, parted, scenario.grid);
         page.draw_ring(page.relief().place({first.x, first.y}), 15, kInk);
-        draw_large(page, parted, start, {first.x, first.y});
+        draw_large(page, parted, scenario, {first.x, first.y});
         page.say(stage_text(parted, names));
         page.say(fmt::format("{} at cell {}, {}", first.field, first.x, first.y));
         for (const auto& value : first.values) page.say(fmt::format("{:08x} = {}", value.bits, value.number));

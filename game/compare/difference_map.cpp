@@ -55,10 +55,10 @@ void explain_colours(MapPage& page, float greatest) {
 
 // What is worth seeing: where anything moved or differs, with room around; no narrower than half as high, nor
 // lower than half as wide.
-struct Frame {
+struct MapFrame {
     glm::ivec2 first, last;
 };
-Frame frame_of(const Comparison& comparison) {
+MapFrame frame_of(const Comparison& comparison) {
     const sim::Grid& grid = comparison.a.session.state().grid;
     const glm::ivec2 most(grid.nx - 1, grid.ny - 1);
     glm::ivec2 first = most, last(0);
@@ -100,13 +100,14 @@ bool ring_commands(MapPage& page, const Played& a, const Played& b, const glm::v
 }  // namespace
 
 render::Picture difference_map(const Comparison& comparison, MapOf of) {
-    const Start& start = comparison.a.of.recording.header.start;
+    const Scenario& scenario = comparison.a.of.recording.header.scenario;
     const std::vector<float>& field = of == MapOf::kDeposit ? comparison.deposit : comparison.peak_depth;
     const float greatest = greatest_class(field);
-    const Frame frame = frame_of(comparison);
-    MapPage page(start, frame.first, frame.last);
-    page.relief().draw(page.sheet(),
-                       [&](glm::vec2 cells) { return tint_of(between(start.grid, field, cells), greatest); });
+    const MapFrame frame = frame_of(comparison);
+    MapPage page(scenario, frame.first, frame.last);
+    page.relief().draw(page.sheet(), [&](glm::vec2 cells) {
+        return tint_of(between(scenario.grid, field, cells), greatest);
+    });
     const auto outline = [&](const Played& played, float dash, const glm::vec3& colour) {
         page.relief().outline(page.sheet(), played.session.peaks().depth, Measures::kExtentDepth, 1.4f, dash,
                               colour);
@@ -132,7 +133,7 @@ render::Picture difference_map(const Comparison& comparison, MapOf of) {
     if (of == MapOf::kDeposit)
         page.say(fmt::format("{:.0f} m³ more, {:.0f} m³ less", comparison.more, comparison.less));
     page.skip(10);
-    page.whisper(start.terrain + (start.licence.empty() ? "" : ". " + start.licence));
+    page.whisper(scenario.terrain + (scenario.licence.empty() ? "" : ". " + scenario.licence));
     page.scale_bar();
     return page.sheet().picture;
 }

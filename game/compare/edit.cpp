@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "game/base/number.h"
-#include "game/recording/start_difference.h"
+#include "game/recording/scenario_difference.h"
 
 namespace game {
 namespace {
@@ -144,14 +144,14 @@ Outcome<Edited> edited(const Recording& recording, const Edit& edit) {
     if (!place) return tl::unexpected(place.error());
     const auto at = result.commands.begin() + static_cast<std::ptrdiff_t>(*place);
     const TimedCommand before = *at;
-    const Start& start = recording.header.start;
-    const auto after = std::visit(Change{start.params.tick_s, before}, edit.change);
+    const Scenario& scenario = recording.header.scenario;
+    const auto after = std::visit(Change{scenario.params.tick_s, before}, edit.change);
     if (!after) return tl::unexpected(after.error());
 
     result.change = fmt::format("tick {}: {}", before.tick, to_text(before.command));
     result.commands.erase(at);
     if (*after) {
-        if (const auto fault = sim::fault_of((*after)->command, start.lower.has_value()))
+        if (const auto fault = sim::fault_of((*after)->command, scenario.lower.has_value()))
             return unusable(*fault);
         const auto later = [](std::int64_t tick, const TimedCommand& than) { return tick < than.tick; };
         // Where it stood if it stays in its tick, else after those that were there.
@@ -164,7 +164,7 @@ Outcome<Edited> edited(const Recording& recording, const Edit& edit) {
     } else {
         result.change += " is left out";
     }
-    if (const auto fault = fault_of_commands(start.params, result.commands)) return unusable(*fault);
+    if (const auto fault = fault_of_commands(scenario.params, result.commands)) return unusable(*fault);
     return result;
 }
 

@@ -15,9 +15,9 @@ constexpr float kLeastPageHeight = 720;
 constexpr float kIndent = 38;  // of what a colour means
 const glm::vec3 kText{38, 40, 46}, kDim{110, 114, 122};
 
-Relief relief_for(const Start& start, glm::ivec2 first, glm::ivec2 last) {
+Relief relief_for(const Scenario& scenario, glm::ivec2 first, glm::ivec2 last) {
     const glm::ivec2 cells = last - first + 1;
-    return {start, first, last, {kMargin, kMargin}, kMap / static_cast<float>(std::max(cells.x, cells.y))};
+    return {scenario, first, last, {kMargin, kMargin}, kMap / static_cast<float>(std::max(cells.x, cells.y))};
 }
 
 render::Sheet sheet_for(const Relief& relief) {
@@ -28,11 +28,12 @@ render::Sheet sheet_for(const Relief& relief) {
 
 }  // namespace
 
-MapPage::MapPage(const Start& start) : MapPage(start, {0, 0}, {start.grid.nx - 1, start.grid.ny - 1}) {}
+MapPage::MapPage(const Scenario& scenario)
+    : MapPage(scenario, {0, 0}, {scenario.grid.nx - 1, scenario.grid.ny - 1}) {}
 
-MapPage::MapPage(const Start& start, glm::ivec2 first, glm::ivec2 last)
-    : start_(start),
-      relief_(relief_for(start, first, last)),
+MapPage::MapPage(const Scenario& scenario, glm::ivec2 first, glm::ivec2 last)
+    : scenario_(scenario),
+      relief_(relief_for(scenario, first, last)),
       sheet_(sheet_for(relief_)),
       large_(26),
       usual_(17),
@@ -99,7 +100,7 @@ void MapPage::ring(const glm::vec3& colour, const std::string& meaning) {
 }
 
 void MapPage::scale_bar() {
-    const double metres_per_pixel = static_cast<double>(start_.grid.dx / relief_.pixels_per_cell());
+    const double metres_per_pixel = static_cast<double>(scenario_.grid.dx / relief_.pixels_per_cell());
     const double most = 0.55 * static_cast<double>(kColumn) * metres_per_pixel;
     double metres = std::pow(10, std::floor(std::log10(most)));
     for (const double times : {5.0, 2.0})

@@ -12,8 +12,8 @@ namespace game {
 class MapPage {
   public:
     // All of the world, or the vertices from `first` to `last`, which lie in it.
-    explicit MapPage(const Start& start);
-    MapPage(const Start& start, glm::ivec2 first, glm::ivec2 last);
+    explicit MapPage(const Scenario& scenario);
+    MapPage(const Scenario& scenario, glm::ivec2 first, glm::ivec2 last);
 
     render::Sheet& sheet() { return sheet_; }
     const Relief& relief() const { return relief_; }
@@ -37,7 +37,7 @@ class MapPage {
   private:
     void write(const Lettering& letters, const std::string& text, const glm::vec3& colour);
 
-    const Start& start_;
+    const Scenario& scenario_;
     Relief relief_;
     render::Sheet sheet_;
     Lettering large_, usual_, small_;

@@ -31,12 +31,12 @@ struct Spline {
     }
 };
 
-double interval_of(const Start& start) {
+double interval_of(const Scenario& scenario) {
     render::HeightRange range{1e30f, -1e30f};
-    for (std::size_t i = 0; i < start.bedrock.size(); ++i) {
-        if (!start.has_data[i]) continue;
-        range.lowest = std::min(range.lowest, start.bedrock[i]);
-        range.highest = std::max(range.highest, start.bedrock[i]);
+    for (std::size_t i = 0; i < scenario.bedrock.size(); ++i) {
+        if (!scenario.has_data[i]) continue;
+        range.lowest = std::min(range.lowest, scenario.bedrock[i]);
+        range.highest = std::max(range.highest, scenario.bedrock[i]);
     }
     return range.lowest <= range.highest ? render::contour_interval(range) : 1;
 }
@@ -61,13 +61,14 @@ float between(const sim::Grid& grid, std::span<const float> field, glm::vec2 cel
                     t.y);
 }
 
-Relief::Relief(const Start& start, glm::vec2 first, glm::vec2 last, glm::vec2 corner, float pixels_per_cell)
-    : start_(start),
+Relief::Relief(const Scenario& scenario, glm::vec2 first, glm::vec2 last, glm::vec2 corner,
+               float pixels_per_cell)
+    : scenario_(scenario),
       first_(first),
       last_(last),
       corner_(corner),
       scale_(pixels_per_cell),
-      contours_(static_cast<float>(interval_of(start))) {}
+      contours_(static_cast<float>(interval_of(scenario))) {}
 
 glm::vec2 Relief::size() const {
     return (last_ - first_ + 1.f) * scale_;
@@ -87,7 +88,7 @@ bool Relief::covers(glm::vec2 place) const {
 
 bool Relief::has_ground(glm::vec2 cells) const {
     const int x = static_cast<int>(std::lround(cells.x)), y = static_cast<int>(std::lround(cells.y));
-    return start_.grid.contains(x, y) && start_.has_data[clamped_index(start_.grid, x, y)];
+    return scenario_.grid.contains(x, y) && scenario_.has_data[clamped_index(scenario_.grid, x, y)];
 }
 
 Relief::Ground Relief::ground(glm::vec2 cells) const {
@@ -97,13 +98,13 @@ Relief::Ground Relief::ground(glm::vec2 cells) const {
     Ground ground{0, {0, 0}};
     for (int j = 0; j < 4; ++j)
         for (int i = 0; i < 4; ++i) {
-            const std::size_t at = clamped_index(start_.grid, x + i, y + j);
-            const float height = start_.bedrock[at] + start_.depth[at];
+            const std::size_t at = clamped_index(scenario_.grid, x + i, y + j);
+            const float height = scenario_.bedrock[at] + scenario_.depth[at];
             const auto ii = static_cast<std::size_t>(i), jj = static_cast<std::size_t>(j);
             ground.height += along_x.value[ii] * along_y.value[jj] * height;
             ground.fall +=
                 glm::vec2(along_x.slope[ii] * along_y.value[jj], along_x.value[ii] * along_y.slope[jj]) *
-                (height / start_.grid.dx);
+                (height / scenario_.grid.dx);
         }
     return ground;
 }
@@ -120,8 +121,8 @@ void Relief::draw(render::Sheet& sheet, const std::function<Tint(glm::vec2)>& ti
             if (const Tint on = tint(at); on.share > 0)
                 colour = glm::mix(colour, on.colour * (0.78f + 0.22f * light), on.share);
 
-            const float height = static_cast<float>(start_.datum) + here.height;
-            const float per_pixel = glm::length(here.fall) * start_.grid.dx / scale_ / contours_;
+            const float height = static_cast<float>(scenario_.datum) + here.height;
+            const float per_pixel = glm::length(here.fall) * scenario_.grid.dx / scale_ / contours_;
             const float line = height / contours_, away = std::fabs(line - std::round(line));
             const bool heavy = std::lround(line) % 5 == 0;
             const float there =
@@ -139,7 +140,7 @@ void Relief::draw(render::Sheet& sheet, const std::function<Tint(glm::vec2)>& ti
 
 void Relief::outline(render::Sheet& sheet, std::span<const float> field, float level, float width, float dash,
                      const glm::vec3& colour) const {
-    const auto value = [&](glm::vec2 pixel) { return between(start_.grid, field, cells(pixel)) - level; };
+    const auto value = [&](glm::vec2 pixel) { return between(scenario_.grid, field, cells(pixel)) - level; };
     const glm::vec2 right(0.5f, 0), down(0, 0.5f);
     sheet.paint(
         corner_, corner_ + size() - 1.f,

@@ -6,7 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "game/scene/start.h"
+#include "game/scene/scenario.h"
 #include "render/sheet.h"
 
 namespace game {
@@ -17,7 +17,8 @@ class Relief {
   public:
     // Vertices first to last, inclusive and fractions too, in a rectangle of a sheet whose top left corner is
     // `corner`, `pixels_per_cell` > 0.
-    Relief(const Start& start, glm::vec2 first, glm::vec2 last, glm::vec2 corner, float pixels_per_cell);
+    Relief(const Scenario& scenario, glm::vec2 first, glm::vec2 last, glm::vec2 corner,
+           float pixels_per_cell);
 
     glm::vec2 size() const;                  // px
     glm::vec2 place(glm::vec2 cells) const;  // of a vertex, on the sheet
@@ -45,7 +46,7 @@ class Relief {
     Ground ground(glm::vec2 cells) const;
     bool has_ground(glm::vec2 cells) const;
 
-    const Start& start_;
+    const Scenario& scenario_;
     glm::vec2 first_, last_, corner_;
     float scale_;
     float contours_;  // m between two

@@ -72,7 +72,7 @@ struct SetDisplay {
 // Begins anew with a scene, a terrain file or a recording, recognised by what the file is.
 struct Open {
     std::string name_or_path;
-    Wishes wishes;
+    Overrides overrides;
 };
 
 using Action = std::variant<Verb, SetSpeed, SeekTick, SetBrush, SetNumber, SetDisplay, Open>;

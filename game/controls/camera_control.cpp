@@ -66,7 +66,7 @@ void CameraControl::fly(bool on) {
         const glm::dvec3 eye = render::eye(goal_);
         goal_.elevation_deg = kLowest;
         goal_.target = eye + goal_.distance_m * axes(goal_).forward;
-        hold_ = {Hold::About::kEye, {}};
+        hold_ = {Grip::About::kEye, {}};
     }
 }
 
@@ -136,7 +136,7 @@ void CameraControl::look_down(const CameraRoom& room) {
     goal_.elevation_deg = kDown;
     goal_.distance_m = std::clamp(away, room.nearest(), room.farthest());
     goal_ = room.inside(goal_);
-    hold_ = {Hold::About::kPoint, middle};
+    hold_ = {Grip::About::kPoint, middle};
 }
 
 // What a hand takes hold of it holds where it is seen now, although the camera may still be on its way
@@ -153,7 +153,7 @@ void CameraControl::take_hold(const CameraWish& wish, double aspect, const Camer
         point = *wish.pivot;
     else if (wish.drag == Drag::kPan)
         point = point_at({tangents(wish.from, now_, aspect), now_.distance_m}, now_);
-    hold_ = {Hold::About::kPoint, point};
+    hold_ = {Grip::About::kPoint, point};
     if (can_hold(point, goal_))
         place(goal_, point, {sight_of(point, now_).at, sight_of(point, goal_).depth});
     else
@@ -193,7 +193,7 @@ void CameraControl::turn(glm::dvec2 by, double aspect, const CameraRoom& room) {
         goal_.azimuth_deg = azimuth;
         goal_.elevation_deg = elevation;
         goal_.target = eye + goal_.distance_m * axes(goal_).forward;
-        hold_ = {Hold::About::kEye, {}};
+        hold_ = {Grip::About::kEye, {}};
         return;
     }
     const Sight sight = sight_of(hold_.point, goal_);
@@ -239,7 +239,7 @@ void CameraControl::walk(const CameraWish& wish, double seconds, const CameraRoo
     const glm::dvec3 way = wish.walk.x * a.right + wish.walk.y * ahead + wish.walk.z * glm::dvec3(0, 0, 1);
     goal_.target += way / std::max(1.0, hurry) * pace * seconds;
     if (wish.drag == Drag::kNone && wish.zoom_steps == 0)
-        hold_ = {flies ? Hold::About::kEye : Hold::About::kTarget, {}};
+        hold_ = {flies ? Grip::About::kEye : Grip::About::kTarget, {}};
 }
 
 void CameraControl::approach(double seconds, const CameraRoom& room) {

@@ -67,7 +67,7 @@ class CameraControl {
 
     render::Camera home_, now_, goal_, before_top_down_;
     CameraMode mode_ = CameraMode::kOrbit, mode_before_top_down_ = CameraMode::kOrbit;
-    Hold hold_;                                            // what the way to the goal goes about
+    Grip hold_;                                            // what the way to the goal goes about
     CameraWish::Drag dragging_ = CameraWish::Drag::kNone;  // in the frame before
     bool look_down_ = false;  // asked, and move() has yet to see the ground for it
 };

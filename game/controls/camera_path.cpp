@@ -48,15 +48,15 @@ glm::dvec3 point_at(Sight sight, const render::Camera& camera) {
     return render::eye(camera) + sight.depth * (a.forward + sight.at.x * a.right + sight.at.y * a.up);
 }
 
-render::Camera along(const render::Camera& from, const render::Camera& to, const Hold& hold, double share) {
+render::Camera along(const render::Camera& from, const render::Camera& to, const Grip& hold, double share) {
     render::Camera camera = from;
     camera.azimuth_deg = glm::mix(from.azimuth_deg, to.azimuth_deg, share);
     camera.elevation_deg = glm::mix(from.elevation_deg, to.elevation_deg, share);
     camera.distance_m = log_mix(from.distance_m, to.distance_m, share);
-    if (hold.about == Hold::About::kEye) {
+    if (hold.about == Grip::About::kEye) {
         const glm::dvec3 eye = glm::mix(render::eye(from), render::eye(to), share);
         camera.target = eye + camera.distance_m * axes(camera).forward;
-    } else if (hold.about == Hold::About::kPoint && can_hold(hold.point, from) && can_hold(hold.point, to)) {
+    } else if (hold.about == Grip::About::kPoint && can_hold(hold.point, from) && can_hold(hold.point, to)) {
         const Sight a = sight_of(hold.point, from), b = sight_of(hold.point, to);
         place(camera, hold.point, {glm::mix(a.at, b.at, share), log_mix(a.depth, b.depth, share)});
     } else {

@@ -31,7 +31,7 @@ void place(render::Camera& camera, glm::dvec3 point, Sight sight);
 glm::dvec3 point_at(Sight sight, const render::Camera& camera);
 
 // What the way of a camera goes about.
-struct Hold {
+struct Grip {
     enum class About {
         kTarget,  // the target goes straight
         kEye,     // the eye goes straight: looking around and flying
@@ -42,7 +42,7 @@ struct Hold {
 
 // The camera after a `share` (0 to 1) of the way. Shares compose: s, then t of what is left, is 1 − (1 − s)(1
 // − t).
-render::Camera along(const render::Camera& from, const render::Camera& to, const Hold& hold, double share);
+render::Camera along(const render::Camera& from, const render::Camera& to, const Grip& hold, double share);
 
 // Whether no one could tell one picture from the other.
 bool look_alike(const render::Camera& a, const render::Camera& b);

@@ -61,7 +61,7 @@ double area_of(const sim::front::CutTriangle& piece) {
 LevelFlow::LevelFlow(int squares, bool cut)
     : grid_{squares + 1, squares + 1, 1.f / static_cast<float>(squares)},
       mesh_(sim::front::mesh_of(grid_)),
-      view_(mesh_, rule_of(grid_.dx, cut), sim::front::Source::kFit, {}),
+      view_(mesh_, rule_of(grid_.dx, cut), sim::front::PointSource::kFit, {}),
       ground_(level(grid_)) {}
 
 void LevelFlow::advance(const sim::fields::TestFlow& flow, double seconds, sim::Workers& workers) {

@@ -19,9 +19,9 @@ using sim::fields::Cutting;
 using sim::fields::FrontScore;
 using sim::fields::TestFlow;
 using sim::fields::TextureScore;
-using sim::front::Source;
+using sim::front::PointSource;
 
-constexpr std::array kSources{Source::kHalf, Source::kPaper, Source::kFit};
+constexpr std::array kSources{PointSource::kHalf, PointSource::kPaper, PointSource::kFit};
 constexpr std::size_t kFit = 2, kSmoothAlone = 0, kReseeded = 3;
 constexpr double kSmooth = 0.03;   // m/s, on top of what textures travel with
 constexpr double kAsSmooth = 1.1;  // times what the smooth field alone draws out
@@ -67,7 +67,7 @@ struct Job {
         const std::size_t texture = way - kSources.size();
         flow.smooth = kSmooth;
         into->texture[texture] =
-            sim::fields::score_texture(mesh, rule, Source::kFit, flow, kCuttings[texture],
+            sim::fields::score_texture(mesh, rule, PointSource::kFit, flow, kCuttings[texture],
                                        {.reset_s = 2, .smooth_alone = texture == kSmoothAlone});
     }
     double cost() const { return 1.0 * into->squares * into->squares; }
@@ -208,7 +208,7 @@ std::vector<Table> tables_of(std::span<const FlowScores> numbers) {
 
 std::string csv_of(std::span<const FlowScores> numbers) {
     std::string csv = "scene,squares";
-    for (const Source source : kSources)
+    for (const PointSource source : kSources)
         for (const char* what : {"rms_cells", "p95_cells", "jumps_per_s"})
             csv += fmt::format(",{}_{}", to_string(source), what);
     csv += ",true_jumps_per_s,missed_share,false_share,points,fit_rms_bound_cells";

@@ -18,23 +18,23 @@ std::vector<WorldFigure> world_figures() {
 }
 
 Outcome<PageFigure> draw_world(const WorldFigure& figure, const std::filesystem::path& folder,
-                               PictureSize size, const std::string& gl, const sim::How& how) {
+                               PictureSize size, const std::string& gl, const sim::StepOptions& options) {
     const auto path = find_asset(AssetKind::kRecording, figure.recording);
     if (!path) return tl::unexpected(path.error());
     auto recording = read_recording(*path);
     if (!recording) return tl::unexpected(recording.error());
-    Start& start = recording->header.start;
-    start.camera = figure.camera;
-    auto session = Session::begin(start, how, std::nullopt);
+    Scenario& scenario = recording->header.scenario;
+    scenario.camera = figure.camera;
+    auto session = Session::begin(scenario, options, std::nullopt);
     if (!session) return tl::unexpected(session.error());
-    session->follow_fronts(start);
-    auto gallery = Gallery::open(folder, size, gl, start);
+    session->follow_fronts(scenario);
+    auto gallery = Gallery::open(folder, size, gl, scenario);
     if (!gallery) return tl::unexpected(gallery.error());
 
     PageFigure shown{figure.number,
                      figure.title,
-                     fmt::format("{}×{} squares; the recording {} that ships.", start.grid.nx - 1,
-                                 start.grid.ny - 1, figure.recording),
+                     fmt::format("{}×{} squares; the recording {} that ships.", scenario.grid.nx - 1,
+                                 scenario.grid.ny - 1, figure.recording),
                      {}};
     Watchers watchers;
     watchers.after_tick = [&](const Session& now) {

@@ -26,6 +26,6 @@ std::vector<WorldFigure> world_figures();
 // render::HeadlessContext::create. Errors: no such recording (status 2); no GL, or a picture cannot be
 // written (status 3).
 Outcome<PageFigure> draw_world(const WorldFigure& figure, const std::filesystem::path& folder,
-                               PictureSize size, const std::string& gl, const sim::How& how);
+                               PictureSize size, const std::string& gl, const sim::StepOptions& options);
 
 }  // namespace game

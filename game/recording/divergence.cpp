@@ -67,7 +67,7 @@ std::vector<FieldDifference> differences(const sim::State& a, const sim::State& 
 }
 
 bool same_rest(const sim::State& a, const sim::State& b) {
-    return a.sources == b.sources && a.seed == b.seed && a.ledger == b.ledger &&
+    return a.running_commands == b.running_commands && a.seed == b.seed && a.ledger == b.ledger &&
            a.mixture.has_value() == b.mixture.has_value() &&
            (!a.mixture || a.mixture->ledger == b.mixture->ledger);
 }
@@ -87,7 +87,7 @@ std::vector<std::uint8_t> cells_that_differ(const sim::State& a, const sim::Stat
 }
 
 Side plainly(Side side) {
-    side.how.plain = true;
+    side.options.plain = true;
     return side;
 }
 
@@ -111,8 +111,8 @@ std::uint64_t ulps_between(float a, float b) {
 
 Run::Run(const Side& side)
     : side_(side),
-      state_(sim::make_state(world_of(side.start), side.start.params)),
-      engine_(state_, side.how) {
+      state_(sim::make_state(initial_state_of(side.scenario), side.scenario.params)),
+      engine_(state_, side.options) {
     if (!side_.tamper || !engine_.scratch) return;
     engine_.watch.look = [this](int substep, int number, std::string_view stage) {
         side_.tamper({state_.tick, substep, number, stage, state_, &*engine_.scratch});
@@ -159,7 +159,7 @@ class StageByStage {
         const auto compare = [&]() noexcept {
             if (found) return;
             auto fields = differences_now();
-            if (fields.empty() && a_.state_.sources == b_.state_.sources) return;
+            if (fields.empty() && a_.state_.running_commands == b_.state_.running_commands) return;
             found.emplace();
             found->substep = place.substep, found->stage = place.number;
             found->name = place.stage;
@@ -208,7 +208,7 @@ Divergence located(const Side& first, const sim::Snapshot& before_a, const sim::
         parted = std::move(*found);
     } else {
         parted.fields = differences(a, b);
-        const bool swept[] = {!first.how.plain && !a.mixture, !second.how.plain && !b.mixture};
+        const bool swept[] = {!first.options.plain && !a.mixture, !second.options.plain && !b.mixture};
         parted.where = !possible              ? Divergence::Where::kElse
                        : swept[0] || swept[1] ? Divergence::Where::kSweep
                                               : Divergence::Where::kLost;
@@ -233,12 +233,13 @@ void place_in_tiles(const sim::State& state, Divergence& parted) {
 
 }  // namespace
 
-Twin::Twin(const Side& first, const Side& second) : first_(first), second_side_(second), second_(second) {
-    CHECK(first.start.grid == second.start.grid);
+LockstepRun::LockstepRun(const Side& first, const Side& second)
+    : first_(first), second_side_(second), second_(second) {
+    CHECK(first.scenario.grid == second.scenario.grid);
 }
-Twin::~Twin() = default;
+LockstepRun::~LockstepRun() = default;
 
-std::optional<Divergence> Twin::follow(const sim::State& first) {
+std::optional<Divergence> LockstepRun::follow(const sim::State& first) {
     const bool begins = first.tick == second_.state().tick;
     if (!begins) second_.advance();
     const sim::State& second = second_.state();
@@ -265,9 +266,10 @@ std::optional<Divergence> Twin::follow(const sim::State& first) {
 std::optional<Divergence> first_divergence(const Side& a, const Side& b, std::int64_t ticks,
                                            const std::function<void(std::int64_t)>& after_tick) {
     Run first(a);
-    Twin twin(a, b);
+    LockstepRun lockstep(a, b);
     for (;;) {
-        if (auto parted = twin.follow(first.state()); parted || first.state().tick >= ticks) return parted;
+        if (auto parted = lockstep.follow(first.state()); parted || first.state().tick >= ticks)
+            return parted;
         first.advance();
         if (after_tick) after_tick(first.state().tick);
     }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "game/scene/start.h"
+#include "game/scene/scenario.h"
 #include "sim/engine.h"
 #include "sim/world/snapshot.h"
 #include "sim/world/state.h"
@@ -28,9 +28,9 @@ struct Side {
     };
     using Tamper = std::function<void(const Moment&)>;
 
-    const Start& start;
+    const Scenario& scenario;
     std::span<const TimedCommand> commands;  // in order of their ticks
-    sim::How how;
+    sim::StepOptions options;
     Tamper tamper = nullptr;
 };
 
@@ -92,11 +92,11 @@ struct Divergence {
 };
 
 // Follows a run with another one, tick by tick, until they part.
-class Twin {
+class LockstepRun {
   public:
     // `first` is what is followed, `second` what this one does. Both must be on one grid.
-    Twin(const Side& first, const Side& second);
-    ~Twin();
+    LockstepRun(const Side& first, const Side& second);
+    ~LockstepRun();
 
     // To be called with the first run's state before its first tick and after every one. Does the same ticks,
     // and where they do not end alike goes through the last one again, stage by stage.

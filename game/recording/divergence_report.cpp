@@ -27,7 +27,7 @@ std::string also_text(const Divergence& parted) {
     return text;
 }
 
-double metres(const Start& start, int cells) {
+double metres(const Scenario& start, int cells) {
     return cells * static_cast<double>(start.grid.dx);
 }
 
@@ -62,7 +62,8 @@ std::size_t differing(const Divergence& parted) {
     return static_cast<std::size_t>(std::count(parted.cells.begin(), parted.cells.end(), 1));
 }
 
-std::string to_text(const Divergence& parted, const Start& start, const std::array<std::string, 2>& names) {
+std::string to_text(const Divergence& parted, const Scenario& start,
+                    const std::array<std::string, 2>& names) {
     std::string text;
     if (parted.where != Divergence::Where::kStart)
         text = fmt::format("they part in tick {} (at {:.2f} s): alike at its start, not at its end\n",
@@ -97,7 +98,7 @@ std::string to_text(const Divergence& parted, const Start& start, const std::arr
     return text;
 }
 
-Json to_json(const Divergence& parted, const Start& start) {
+Json to_json(const Divergence& parted, const Scenario& start) {
     Json json{{"tick", parted.tick}, {"where", name_of(parted.where)}};
     if (parted.where == Divergence::Where::kStage) {
         json["substep"] = parted.substep + 1;  // 0: the commands

@@ -137,56 +137,56 @@ sim::Params physics_from(const Json& json, int minor) {
     return params;
 }
 
-Start::Lower lower_from(const Json& json, int minor, const sim::Params& world) {
-    Start::Lower lower{text(json, "material"), world, {}};
+Scenario::Lower lower_from(const Json& json, int minor, const sim::Params& world) {
+    Scenario::Lower lower{text(json, "material"), world, {}};
     numbers_from(member(json, "physics"), minor, lower.params);
     sim::take_choices(world, lower.params);
     return lower;
 }
 
-Json ground_json(const Start& start) {
-    Json json{{"name", start.terrain},
-              {"licence", start.licence},
-              {"nx", start.grid.nx},
-              {"ny", start.grid.ny},
-              {"dx", shortest(start.grid.dx)},
-              {"datum", start.datum},
-              {"hash", hex(ground_hash(start))}};
-    if (start.georeference.has_coordinates())
-        json["georeference"] = {{"wkt", start.georeference.wkt()},
-                                {"x", start.georeference.origin_x()},
-                                {"y", start.georeference.origin_y()}};
-    json["data"] = pack_ground(start);
+Json ground_json(const Scenario& scenario) {
+    Json json{{"name", scenario.terrain},
+              {"licence", scenario.licence},
+              {"nx", scenario.grid.nx},
+              {"ny", scenario.grid.ny},
+              {"dx", shortest(scenario.grid.dx)},
+              {"datum", scenario.datum},
+              {"hash", hex(ground_hash(scenario))}};
+    if (scenario.georeference.has_coordinates())
+        json["georeference"] = {{"wkt", scenario.georeference.wkt()},
+                                {"x", scenario.georeference.origin_x()},
+                                {"y", scenario.georeference.origin_y()}};
+    json["data"] = pack_ground(scenario);
     return json;
 }
 
-void ground_from(const Json& json, const Memory& memory, Start& start) {
-    start.terrain = text(json, "name");
-    start.licence = text(json, "licence");
-    start.grid.nx = static_cast<int>(whole(json, "nx", 3, kMostVertices));
-    start.grid.ny = static_cast<int>(whole(json, "ny", 3, kMostVertices));
-    start.grid.dx = static_cast<float>(number(json, "dx", 1e-3, 1e5));
-    if (const auto allowed = memory.allows(start.grid, start.lower.has_value()); !allowed)
+void ground_from(const Json& json, const Memory& memory, Scenario& scenario) {
+    scenario.terrain = text(json, "name");
+    scenario.licence = text(json, "licence");
+    scenario.grid.nx = static_cast<int>(whole(json, "nx", 3, kMostVertices));
+    scenario.grid.ny = static_cast<int>(whole(json, "ny", 3, kMostVertices));
+    scenario.grid.dx = static_cast<float>(number(json, "dx", 1e-3, 1e5));
+    if (const auto allowed = memory.allows(scenario.grid, scenario.lower.has_value()); !allowed)
         refuse(allowed.error());
-    start.datum = number(json, "datum", -2e4, 2e4);
+    scenario.datum = number(json, "datum", -2e4, 2e4);
     if (json.contains("georeference")) {
         const Json& place = member(json, "georeference");
         const std::string wkt = text(place, "wkt");
         const double x = number(place, "x", -1e9, 1e9), y = number(place, "y", -1e9, 1e9);
-        start.georeference = wkt.empty() ? terrains::Georeference::unnamed(x, y)
-                                         : terrains::Georeference::projected(wkt, x, y);
+        scenario.georeference = wkt.empty() ? terrains::Georeference::unnamed(x, y)
+                                            : terrains::Georeference::projected(wkt, x, y);
     }
     if (!member(json, "data").is_string()) refuse("data is not a text");
-    if (const auto unpacked = unpack_ground(member(json, "data").get_ref<const std::string&>(), start);
+    if (const auto unpacked = unpack_ground(member(json, "data").get_ref<const std::string&>(), scenario);
         !unpacked)
         refuse(unpacked.error());
-    if (ground_hash(start) != hash_of(json, "hash"))
+    if (ground_hash(scenario) != hash_of(json, "hash"))
         refuse(fmt::format("its terrain is not the '{}' it was recorded on: the hash is {}, not {}",
-                           start.terrain, hex(ground_hash(start)), text(json, "hash")));
+                           scenario.terrain, hex(ground_hash(scenario)), text(json, "hash")));
 }
 
 // A flow that is shown: a view as well.
-Json flow_json(const Start::Flow& flow, const render::FlowLook& look) {
+Json flow_json(const Scenario::Flow& flow, const render::FlowLook& look) {
     return {{"kind", kFlowKinds[static_cast<std::size_t>(flow.flow.kind)]},
             {"angle_rad", flow.flow.angle},
             {"through", {{"x", flow.flow.through.x}, {"y", flow.flow.through.y}}},
@@ -197,17 +197,17 @@ Json flow_json(const Start::Flow& flow, const render::FlowLook& look) {
             {"repeats", look.repeats}};
 }
 
-void flow_from(const Json& json, Start& start) {
+void flow_from(const Json& json, Scenario& scenario) {
     const auto kind = std::find(kFlowKinds.begin(), kFlowKinds.end(), text(json, "kind"));
     const auto source = sim::front::source_named(text(json, "source"));
     if (kind == kFlowKinds.end()) refuse(fmt::format("flow: no flow is called '{}'", text(json, "kind")));
-    if (!source || *source == sim::front::Source::kLevel)
+    if (!source || *source == sim::front::PointSource::kLevel)
         refuse(fmt::format("flow: no source is called '{}'", text(json, "source")));
-    if (!start.look.flow) refuse("flow: the look has no texture");
-    if (start.grid.nx != start.grid.ny || start.grid.nx > kMostFlowSquares + 1)
+    if (!scenario.look.flow) refuse("flow: the look has no texture");
+    if (scenario.grid.nx != scenario.grid.ny || scenario.grid.nx > kMostFlowSquares + 1)
         refuse(fmt::format("flow: the ground is not square, or has more than {} squares along a side",
                            kMostFlowSquares));
-    Start::Flow flow;
+    Scenario::Flow flow;
     flow.flow.kind = static_cast<sim::fields::TestFlow::Kind>(kind - kFlowKinds.begin());
     flow.flow.angle = number(json, "angle_rad", -10, 10);
     const Json& through = member(json, "through");
@@ -216,13 +216,13 @@ void flow_from(const Json& json, Start& start) {
     flow.numbers.front_speed = number(json, "front_speed", -4, 4);
     flow.numbers.smooth = number(json, "smooth", 0, 0.1);
     flow.numbers.source = *source;
-    start.flow = flow;
-    start.look.flow->everywhere = true;
-    start.look.flow->repeats = number(json, "repeats", 0.1, 100);
+    scenario.flow = flow;
+    scenario.look.flow->everywhere = true;
+    scenario.look.flow->repeats = number(json, "repeats", 0.1, 100);
 }
 
-Json view_json(const Start& start) {
-    const render::Look& look = start.look;
+Json view_json(const Scenario& scenario) {
+    const render::Look& look = scenario.look;
     const auto colour = [](const glm::vec3& c) {
         return numbers({shortest(c.x), shortest(c.y), shortest(c.z)});
     };
@@ -234,14 +234,15 @@ Json view_json(const Start& start) {
                     {"roughness", shortest(look.roughness)},
                     {"cover_visible_m", shortest(look.cover_visible_m)},
                     {"rolling_visible_m", shortest(look.rolling_visible_m)}};
-    if (start.lower) {
+    if (scenario.lower) {
         json["look"]["lower_standing"] = colour(look.lower_standing);
         json["look"]["lower_rolling"] = colour(look.lower_rolling);
     }
     if (look.flow) json["look"]["texture"] = to_string(look.flow->pattern);
-    if (start.flow) json["flow"] = flow_json(*start.flow, *look.flow);
-    json["light"] = {{"azimuth_deg", start.light.azimuth_deg}, {"elevation_deg", start.light.elevation_deg}};
-    if (const auto& camera = start.camera)
+    if (scenario.flow) json["flow"] = flow_json(*scenario.flow, *look.flow);
+    json["light"] = {{"azimuth_deg", scenario.light.azimuth_deg},
+                     {"elevation_deg", scenario.light.elevation_deg}};
+    if (const auto& camera = scenario.camera)
         json["camera"] = {{"target", numbers({camera->target.x, camera->target.y, camera->target.z})},
                           {"azimuth_deg", camera->azimuth_deg},
                           {"elevation_deg", camera->elevation_deg},
@@ -250,30 +251,30 @@ Json view_json(const Start& start) {
     return json;
 }
 
-void view_from(const Json& json, Start& start) {
+void view_from(const Json& json, Scenario& scenario) {
     const Json& look = member(json, "look");
-    start.look.rock = triple(look, "rock", 0, 1);
-    start.look.meadow = triple(look, "meadow", 0, 1);
-    start.look.standing = triple(look, "standing", 0, 1);
-    start.look.rolling = triple(look, "rolling", 0, 1);
-    if (start.lower) {
-        start.look.lower_standing = triple(look, "lower_standing", 0, 1);
-        start.look.lower_rolling = triple(look, "lower_rolling", 0, 1);
+    scenario.look.rock = triple(look, "rock", 0, 1);
+    scenario.look.meadow = triple(look, "meadow", 0, 1);
+    scenario.look.standing = triple(look, "standing", 0, 1);
+    scenario.look.rolling = triple(look, "rolling", 0, 1);
+    if (scenario.lower) {
+        scenario.look.lower_standing = triple(look, "lower_standing", 0, 1);
+        scenario.look.lower_rolling = triple(look, "lower_rolling", 0, 1);
     }
-    start.look.roughness = static_cast<float>(number(look, "roughness", 0, 1));
-    start.look.cover_visible_m = static_cast<float>(number(look, "cover_visible_m", 0, 10));
-    start.look.rolling_visible_m = static_cast<float>(number(look, "rolling_visible_m", 0.001, 10));
+    scenario.look.roughness = static_cast<float>(number(look, "roughness", 0, 1));
+    scenario.look.cover_visible_m = static_cast<float>(number(look, "cover_visible_m", 0, 10));
+    scenario.look.rolling_visible_m = static_cast<float>(number(look, "rolling_visible_m", 0.001, 10));
     if (look.contains("texture")) {
         const auto pattern = render::flow_pattern_named(text(look, "texture"));
         if (!pattern) refuse(fmt::format("look: no texture is called '{}'", text(look, "texture")));
-        start.look.flow = render::FlowLook{*pattern};
+        scenario.look.flow = render::FlowLook{*pattern};
     }
-    if (json.contains("flow")) flow_from(member(json, "flow"), start);
+    if (json.contains("flow")) flow_from(member(json, "flow"), scenario);
     const Json& light = member(json, "light");
-    start.light = {number(light, "azimuth_deg", -360, 360), number(light, "elevation_deg", 1, 90)};
+    scenario.light = {number(light, "azimuth_deg", -360, 360), number(light, "elevation_deg", 1, 90)};
     if (!json.contains("camera")) return;
     const Json& camera = member(json, "camera");
-    start.camera =
+    scenario.camera =
         render::Camera{triple(camera, "target", -1e9, 1e9), number(camera, "azimuth_deg", -360, 360),
                        number(camera, "elevation_deg", -90, 90), number(camera, "distance_m", 0.1, 1e6),
                        number(camera, "field_of_view_deg", 5, 120)};
@@ -317,15 +318,15 @@ Header read_header(const Json& json, int minor, const Memory& memory) {
     header.program = text(json, "program");
     header.physics_version = static_cast<int>(whole(json, "physics_version", 1, 1 << 20));
     header.ticks_per_state = static_cast<int>(whole(json, "ticks_per_state", 1, kMostTicksPerState));
-    Start& start = header.start;
-    start.scene = text(json, "scene");
-    start.title = text(json, "title");
-    start.material = text(json, "material");
-    start.seed = hash_of(json, "seed");
-    start.params = physics_from(member(json, "physics"), minor);
-    if (json.contains("lower")) start.lower = lower_from(json.at("lower"), minor, start.params);
-    view_from(member(json, "view"), start);
-    ground_from(member(json, "terrain"), memory, start);
+    Scenario& scenario = header.scenario;
+    scenario.scene = text(json, "scene");
+    scenario.title = text(json, "title");
+    scenario.material = text(json, "material");
+    scenario.seed = hash_of(json, "seed");
+    scenario.params = physics_from(member(json, "physics"), minor);
+    if (json.contains("lower")) scenario.lower = lower_from(json.at("lower"), minor, scenario.params);
+    view_from(member(json, "view"), scenario);
+    ground_from(member(json, "terrain"), memory, scenario);
     return header;
 }
 
@@ -381,18 +382,18 @@ double shortest(float value) {
 }
 
 Json to_json(const Header& header) {
-    const Start& start = header.start;
+    const Scenario& scenario = header.scenario;
     Json json{{"format", kFormatName},
               {"version", {kFormatMajor, kFormatMinor}},
               {"physics_version", header.physics_version},
               {"program", kProgram},
-              {"scene", start.scene},
-              {"title", start.title},
-              {"material", start.material},
-              {"seed", hex(start.seed)},
+              {"scene", scenario.scene},
+              {"title", scenario.title},
+              {"material", scenario.material},
+              {"seed", hex(scenario.seed)},
               {"ticks_per_state", header.ticks_per_state},
-              {"physics", physics_json(start.params)},
-              {"view", view_json(start)}};
+              {"physics", physics_json(scenario.params)},
+              {"view", view_json(scenario)}};
     if (const auto& parent = header.parent) {
         json["parent"] = {{"name", parent->name}, {"tick", parent->tick}};
         if (!parent->change.empty()) json["parent"]["change"] = parent->change;
@@ -401,9 +402,10 @@ Json to_json(const Header& header) {
         json["rewritten_from"] = {{"version", {kFormatMajor, origin->minor}},
                                   {"physics_version", origin->physics_version},
                                   {"program", origin->program}};
-    if (start.lower)
-        json["lower"] = {{"material", start.lower->material}, {"physics", numbers_json(start.lower->params)}};
-    json["terrain"] = ground_json(start);
+    if (scenario.lower)
+        json["lower"] = {{"material", scenario.lower->material},
+                         {"physics", numbers_json(scenario.lower->params)}};
+    json["terrain"] = ground_json(scenario);
     return json;
 }
 

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "game/scene/memory.h"
-#include "game/scene/start.h"
+#include "game/scene/scenario.h"
 #include "sim/world/ledger.h"
 
 namespace game {
@@ -57,7 +57,7 @@ struct Origin {
 };
 
 struct Header {
-    Start start;
+    Scenario scenario;
     int minor = kFormatMinor;  // as it was read; it is written as kFormatMinor
     int physics_version = kPhysicsVersion;
     int ticks_per_state = kTicksPerState;

@@ -15,14 +15,14 @@ static_assert(std::endian::native == std::endian::little, "a recording's ground 
 
 // In the order in which they are packed.
 template <class S>
-auto floats_of(S& start) {
-    std::vector<decltype(&start.bedrock)> fields{&start.bedrock, &start.depth, &start.rolling};
-    if (start.lower) fields.push_back(&start.lower->depth);
+auto floats_of(S& scenario) {
+    std::vector<decltype(&scenario.bedrock)> fields{&scenario.bedrock, &scenario.depth, &scenario.rolling};
+    if (scenario.lower) fields.push_back(&scenario.lower->depth);
     return fields;
 }
 
-std::size_t packed_size(const Start& start) {
-    return start.grid.size() * (floats_of(start).size() * sizeof(float) + 1);
+std::size_t packed_size(const Scenario& scenario) {
+    return scenario.grid.size() * (floats_of(scenario).size() * sizeof(float) + 1);
 }
 
 bool all_within(const std::vector<float>& values, float least, float most) {
@@ -33,12 +33,12 @@ bool all_within(const std::vector<float>& values, float least, float most) {
 
 }  // namespace
 
-std::string pack_ground(const Start& start) {
+std::string pack_ground(const Scenario& scenario) {
     std::string bytes;
-    bytes.reserve(packed_size(start));
-    for (const std::vector<float>* field : floats_of(start))
+    bytes.reserve(packed_size(scenario));
+    for (const std::vector<float>* field : floats_of(scenario))
         bytes.append(reinterpret_cast<const char*>(field->data()), field->size() * sizeof(float));
-    bytes.append(reinterpret_cast<const char*>(start.has_data.data()), start.has_data.size());
+    bytes.append(reinterpret_cast<const char*>(scenario.has_data.data()), scenario.has_data.size());
 
     constexpr int kBrisk = 6;  // a person waits for it at every reset; 19 would take twenty times as long
     std::string packed(ZSTD_compressBound(bytes.size()), '\0');
@@ -46,30 +46,30 @@ std::string pack_ground(const Start& start) {
     return to_base64(packed);
 }
 
-tl::expected<void, std::string> unpack_ground(std::string_view text, Start& start) {
+tl::expected<void, std::string> unpack_ground(std::string_view text, Scenario& scenario) {
     const auto packed = from_base64(text);
-    const std::size_t vertices = start.grid.size();
+    const std::size_t vertices = scenario.grid.size();
     // Before that much memory is asked for.
-    if (!packed || ZSTD_getFrameContentSize(packed->data(), packed->size()) != packed_size(start))
+    if (!packed || ZSTD_getFrameContentSize(packed->data(), packed->size()) != packed_size(scenario))
         return tl::unexpected(std::string("terrain data that does not unpack"));
-    std::string bytes(packed_size(start), '\0');
+    std::string bytes(packed_size(scenario), '\0');
     const std::size_t size = ZSTD_decompress(bytes.data(), bytes.size(), packed->data(), packed->size());
     if (ZSTD_isError(size) || size != bytes.size())
         return tl::unexpected(std::string("terrain data that does not unpack"));
 
     const char* at = bytes.data();
-    for (std::vector<float>* field : floats_of(start)) {
+    for (std::vector<float>* field : floats_of(scenario)) {
         field->resize(vertices);
         std::memcpy(field->data(), at, vertices * sizeof(float));
         at += vertices * sizeof(float);
     }
-    start.has_data.assign(at, at + vertices);
+    scenario.has_data.assign(at, at + vertices);
 
     constexpr float kHighest = 20000;
     const float deepest = sim::kDeepest / 2;
-    if (!all_within(start.bedrock, -kHighest, kHighest) || !all_within(start.depth, 0, deepest) ||
-        !all_within(start.rolling, 0, deepest) ||
-        (start.lower && !all_within(start.lower->depth, 0, deepest)))
+    if (!all_within(scenario.bedrock, -kHighest, kHighest) || !all_within(scenario.depth, 0, deepest) ||
+        !all_within(scenario.rolling, 0, deepest) ||
+        (scenario.lower && !all_within(scenario.lower->depth, 0, deepest)))
         return tl::unexpected(std::string("a terrain with impossible heights or depths"));
     return {};
 }

@@ -54,7 +54,7 @@ class Reader {
             if (const auto taken = take_line(); !taken) return tl::unexpected(taken.error());
             whole_bytes_ += line_.size() + 1;
         }
-        if (const auto fault = fault_of_commands(recording_.header.start.params, recording_.commands))
+        if (const auto fault = fault_of_commands(recording_.header.scenario.params, recording_.commands))
             return unusable(fmt::format("{}: {}", name_, *fault));
         if (!recording_.end && !recording_.warning)
             recording_.warning =
@@ -116,7 +116,7 @@ class Reader {
     }
 
     Outcome<void> keep(const TimedCommand& command) {
-        if (const auto fault = sim::fault_of(command.command, recording_.header.start.lower.has_value()))
+        if (const auto fault = sim::fault_of(command.command, recording_.header.scenario.lower.has_value()))
             return wrong(*fault);
         // Given at the start of its tick, so after the state of that tick was written.
         if (command.tick < latest_)

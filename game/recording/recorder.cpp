@@ -56,10 +56,10 @@ Outcome<Recorder::Opened> Recorder::open_alone(const std::filesystem::path& path
     }
 }
 
-Outcome<Recorder> Recorder::create(const std::filesystem::path& path, const Start& start,
+Outcome<Recorder> Recorder::create(const std::filesystem::path& path, const Scenario& scenario,
                                    std::optional<Parent> parent) {
     Header header;
-    header.start = start;
+    header.scenario = scenario;
     header.parent = std::move(parent);
     return create(path, header);
 }
@@ -83,7 +83,7 @@ Outcome<Recorder> Recorder::create(const std::filesystem::path& path, const Head
 
 Outcome<Recorder> Recorder::fork(const std::filesystem::path& path, const Recording& of,
                                  const std::string& name, std::int64_t tick) {
-    auto recorder = create(path, of.header.start, Parent{name, tick});
+    auto recorder = create(path, of.header.scenario, Parent{name, tick});
     if (!recorder) return recorder;
     const bool comparable = of.header.physics_version == kPhysicsVersion;
     auto state = of.states.begin();

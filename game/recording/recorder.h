@@ -18,7 +18,7 @@ namespace game {
 class Recorder {
   public:
     // Begins the file, replacing any that has this name; makes its folder.
-    static Outcome<Recorder> create(const std::filesystem::path& path, const Start& start,
+    static Outcome<Recorder> create(const std::filesystem::path& path, const Scenario& scenario,
                                     std::optional<Parent> parent = std::nullopt);
     static Outcome<Recorder> create(const std::filesystem::path& path, const Header& header);
 

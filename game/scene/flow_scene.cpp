@@ -38,7 +38,7 @@ TestFlow usual(TestFlow::Kind kind, int squares) {
     return {};
 }
 
-void read_numbers(TomlTable& table, Start::Flow& flow) {
+void read_numbers(TomlTable& table, Scenario::Flow& flow) {
     sim::fields::FlowNumbers& numbers = flow.numbers;
     numbers.speed = table.number("speed", 0, 1).value_or(numbers.speed);
     numbers.front_speed = table.number("front_speed", -4, 4).value_or(numbers.front_speed);
@@ -47,49 +47,49 @@ void read_numbers(TomlTable& table, Start::Flow& flow) {
         flow.flow.angle = *angle * std::numbers::pi / 180;
     if (const auto name = table.text("source")) {
         const auto source = sim::front::source_named(*name);
-        if (!source || *source == sim::front::Source::kLevel)
+        if (!source || *source == sim::front::PointSource::kLevel)
             table.blame("source", "is none of half, paper, fit");
         numbers.source = source.value_or(numbers.source);
     }
 }
 
-void read_look(TomlTable& table, Start& start) {
-    start.look.flow = render::FlowLook{render::FlowPattern::kCheckerboard, 2, true};
+void read_look(TomlTable& table, Scenario& scenario) {
+    scenario.look.flow = render::FlowLook{render::FlowPattern::kCheckerboard, 2, true};
     if (const auto name = table.text("texture")) {
         const auto pattern = render::flow_pattern_named(*name);
         if (!pattern)
             table.blame("texture", fmt::format("names no texture; there are {}",
                                                fmt::join(render::kFlowPatterns, ", ")));
-        start.look.flow->pattern = pattern.value_or(start.look.flow->pattern);
+        scenario.look.flow->pattern = pattern.value_or(scenario.look.flow->pattern);
     }
-    start.look.flow->repeats = table.number("repeats", 0.1, 100).value_or(start.look.flow->repeats);
+    scenario.look.flow->repeats = table.number("repeats", 0.1, 100).value_or(scenario.look.flow->repeats);
 }
 
 }  // namespace
 
-Outcome<void> read_flow(TomlTable& table, const Wishes& wishes, Start& start) {
-    if (wishes.material || wishes.model || wishes.scheme || wishes.law)
+Outcome<void> read_flow(TomlTable& table, const Overrides& overrides, Scenario& scenario) {
+    if (overrides.material || overrides.model || overrides.scheme || overrides.law)
         return unusable("A flow has no material and no physics: of the wishes only --grid is for it");
-    if (wishes.squares.value_or(0) > kMostFlowSquares)
-        return unusable(fmt::format("--grid {}: a flow has at most {} squares along a side", *wishes.squares,
-                                    kMostFlowSquares));
+    if (overrides.squares.value_or(0) > kMostFlowSquares)
+        return unusable(fmt::format("--grid {}: a flow has at most {} squares along a side",
+                                    *overrides.squares, kMostFlowSquares));
     const auto name = table.text("kind");
     const auto kind = std::find(kFlowKinds.begin(), kFlowKinds.end(), name.value_or(""));
     if (kind == kFlowKinds.end())
         table.blame(name ? "kind" : "", fmt::format("{} {}", name ? "is none of" : "needs a kind, one of",
                                                     fmt::join(kFlowKinds, ", ")));
     const auto grid = table.whole("grid", 8, kMostFlowSquares);
-    const int squares = wishes.squares.value_or(static_cast<int>(grid.value_or(kUsualSquares)));
+    const int squares = overrides.squares.value_or(static_cast<int>(grid.value_or(kUsualSquares)));
     const auto which = kind == kFlowKinds.end() ? 0 : kind - kFlowKinds.begin();
-    start.flow = Start::Flow{usual(static_cast<TestFlow::Kind>(which), squares), {}};
-    read_numbers(table, *start.flow);
+    scenario.flow = Scenario::Flow{usual(static_cast<TestFlow::Kind>(which), squares), {}};
+    read_numbers(table, *scenario.flow);
 
     const auto material = load_material("snow-dry", sim::Model::kBcreInertial);
     if (!material) return tl::unexpected(material.error());
-    start.material = material->name;
-    start.params = material->params;
-    start.look = material->look;
-    read_look(table, start);
+    scenario.material = material->name;
+    scenario.params = material->params;
+    scenario.look = material->look;
+    read_look(table, scenario);
     table.finish();
 
     terrains::Terrain level;
@@ -98,7 +98,7 @@ Outcome<void> read_flow(TomlTable& table, const Wishes& wishes, Start& start) {
     level.surface.assign(level.grid.size(), 0.f);
     level.cover.assign(level.grid.size(), 0.f);
     level.has_data.assign(level.grid.size(), 1);
-    set_ground(start, level);
+    set_ground(scenario, level);
     return {};
 }
 

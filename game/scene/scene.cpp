@@ -28,20 +28,20 @@ void read_borders(TomlTable& physics, sim::Params& params) {
         physics.blame("borders", "is none of wall, open, sink");
 }
 
-sim::Model read_model(TomlTable& physics, const Wishes& wishes) {
+sim::Model read_model(TomlTable& physics, const Overrides& overrides) {
     const auto name = physics.text("model");
     const auto model = name ? sim::model_from(*name) : sim::Model::kBcreInertial;
     if (!model) physics.blame("model", "is neither bcre nor bcre-inertial");
-    return wishes.model.value_or(model.value_or(sim::Model::kBcreInertial));
+    return overrides.model.value_or(model.value_or(sim::Model::kBcreInertial));
 }
 
-void take_choices(const Wishes& wishes, sim::Params& params) {
-    params.scheme = wishes.scheme.value_or(params.scheme);
-    params.law = wishes.law.value_or(params.law);
+void take_choices(const Overrides& overrides, sim::Params& params) {
+    params.scheme = overrides.scheme.value_or(params.scheme);
+    params.law = overrides.law.value_or(params.law);
 }
 
 // Scheme and velocity law of bcre.
-void read_choices(TomlTable& physics, const Wishes& wishes, sim::Params& params) {
+void read_choices(TomlTable& physics, const Overrides& overrides, sim::Params& params) {
     if (const auto name = physics.text("scheme")) {
         const auto scheme = sim::scheme_from(*name);
         if (!scheme) physics.blame("scheme", "is none of lax-friedrichs, local-lax-friedrichs, muscl");
@@ -52,7 +52,7 @@ void read_choices(TomlTable& physics, const Wishes& wishes, sim::Params& params)
         if (!law) physics.blame("law", "is none of constant, slope, shear");
         params.law = law.value_or(params.law);
     }
-    take_choices(wishes, params);
+    take_choices(overrides, params);
 }
 
 sim::Command read_command(TomlTable& table, const sim::CommandInfo& info, bool has_lower) {
@@ -120,7 +120,7 @@ std::vector<TimedCommand> read_commands(TomlTable& root, double tick_s, bool has
     return commands;
 }
 
-void read_view(TomlTable& root, Start& start) {
+void read_view(TomlTable& root, Scenario& scenario) {
     if (auto table = root.table("camera")) {
         render::Camera camera;
         const auto target = table->numbers("target", 3);
@@ -131,48 +131,50 @@ void read_view(TomlTable& root, Start& start) {
         camera.distance_m = table->number("distance", 0.1, 1e6).value_or(camera.distance_m);
         camera.field_of_view_deg = table->number("field_of_view", 5, 120).value_or(camera.field_of_view_deg);
         table->finish();
-        start.camera = camera;
+        scenario.camera = camera;
     }
     if (auto table = root.table("light")) {
-        start.light.azimuth_deg = table->number("azimuth", -360, 360).value_or(start.light.azimuth_deg);
-        start.light.elevation_deg = table->number("elevation", 1, 90).value_or(start.light.elevation_deg);
+        scenario.light.azimuth_deg = table->number("azimuth", -360, 360).value_or(scenario.light.azimuth_deg);
+        scenario.light.elevation_deg =
+            table->number("elevation", 1, 90).value_or(scenario.light.elevation_deg);
         table->finish();
     }
 }
 
-Outcome<void> check_choices(const Wishes& wishes, sim::Model model) {
-    if ((!wishes.scheme && !wishes.law) || model == sim::Model::kBcre) return {};
+Outcome<void> check_choices(const Overrides& overrides, sim::Model model) {
+    if ((!overrides.scheme && !overrides.law) || model == sim::Model::kBcre) return {};
     return unusable(fmt::format(
         "--{} is of the model bcre, and this is bcre-inertial, which has its own; add --model bcre",
-        wishes.scheme ? "scheme" : "law"));
+        overrides.scheme ? "scheme" : "law"));
 }
 
-void take_lower(Start& start, const Material& lower) {
-    start.lower = Start::Lower{lower.name, lower.params, {}};
-    sim::take_choices(start.params, start.lower->params);
-    start.look.lower_standing = lower.look.standing;
-    start.look.lower_rolling = lower.look.rolling;
-    start.look.rock = lower.look.rock, start.look.meadow = lower.look.meadow;  // it lies on the ground
+void take_lower(Scenario& scenario, const Material& lower) {
+    scenario.lower = Scenario::Lower{lower.name, lower.params, {}};
+    sim::take_choices(scenario.params, scenario.lower->params);
+    scenario.look.lower_standing = lower.look.standing;
+    scenario.look.lower_rolling = lower.look.rolling;
+    scenario.look.rock = lower.look.rock, scenario.look.meadow = lower.look.meadow;  // it lies on the ground
 }
 
-void take_material(Start& start, const Material& material, const sim::Params& over) {
-    start.material = material.name;
-    start.look = material.look;
-    start.params = over;
+void take_material(Scenario& scenario, const Material& material, const sim::Params& over) {
+    scenario.material = material.name;
+    scenario.look = material.look;
+    scenario.params = over;
 }
 
 // The whole file in the order in which one part needs another. Faults gather in `fault`; what is returned
 // then is moot.
-Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& wishes, TomlFault& fault) {
+Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides& overrides,
+                          TomlFault& fault) {
     Scene scene;
-    Start& start = scene.start;
+    Scenario& scenario = scene.scenario;
     scene.files.push_back(path);
-    start.scene = path.stem().string();
-    start.title = root.text("title").value_or(start.scene);
+    scenario.scene = path.stem().string();
+    scenario.title = root.text("title").value_or(scenario.scene);
 
     if (auto flow = root.table("flow")) {
-        if (auto read = read_flow(*flow, wishes, start); !read) return tl::unexpected(read.error());
-        read_view(root, start);
+        if (auto read = read_flow(*flow, overrides, scenario); !read) return tl::unexpected(read.error());
+        read_view(root, scenario);
         root.finish();
         if (fault) return unusable(*fault);
         return scene;
@@ -195,17 +197,17 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& w
     const auto under_rule = under ? read_cover_rule(*under) : std::nullopt;
     if (under && !under_named) under->blame("", "needs a material");
     if (under && !under_rule) under->blame("", "needs a depth, in metres");
-    const sim::Model model = read_model(*physics, wishes);
+    const sim::Model model = read_model(*physics, overrides);
     if (fault) return unusable(*fault);
-    if (const auto sound = check_choices(wishes, model); !sound) return tl::unexpected(sound.error());
+    if (const auto sound = check_choices(overrides, model); !sound) return tl::unexpected(sound.error());
 
-    const auto material = load_material(wishes.material.value_or(*named), model);
-    if (!material && !wishes.material)
+    const auto material = load_material(overrides.material.value_or(*named), model);
+    if (!material && !overrides.material)
         cover->blame("material", "cannot be used: " + material.error().sentence);
     if (!material) return fault ? unusable(*fault) : tl::unexpected(material.error());
     scene.files.push_back(material->file);
     sim::Params params = material->params;
-    read_choices(*physics, wishes, params);
+    read_choices(*physics, overrides, params);
     read_borders(*physics, params);
     // A scene's own numbers are for its own model: under another one the material's stand.
     sim::Params unused;
@@ -213,19 +215,19 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& w
     const sim::Model own = own_name ? *sim::model_from(*own_name) : sim::Model::kBcreInertial;
     read_physics_numbers(*physics, own, own == model ? params : unused);
     physics->finish();
-    take_material(start, *material, params);
+    take_material(scenario, *material, params);
     if (under_rule) {
         const auto lower = load_material(*under_named, model);
         if (!lower) under->blame("material", "cannot be used: " + lower.error().sentence);
         if (!lower) return unusable(*fault);
         scene.files.push_back(lower->file);
-        take_lower(start, *lower);
-        read_physics_numbers(*under, own, own == model ? start.lower->params : unused);
-        if (const auto wrong = sim::fault_of(start.lower->params)) under->blame("", *wrong);
+        take_lower(scenario, *lower);
+        read_physics_numbers(*under, own, own == model ? scenario.lower->params : unused);
+        if (const auto wrong = sim::fault_of(scenario.lower->params)) under->blame("", *wrong);
     }
     if (under) under->finish();
-    scene.commands = read_commands(root, params.tick_s, start.lower.has_value());
-    read_view(root, start);
+    scene.commands = read_commands(root, params.tick_s, scenario.lower.has_value());
+    read_view(root, scenario);
     root.finish();
     if (fault) return unusable(*fault);
     if (const auto wrong = sim::fault_of(params))
@@ -235,34 +237,34 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Wishes& w
 
     if (const auto file = ground->text("file")) scene.files.push_back(path.parent_path() / *file);
     auto terrain = read_terrain(
-        *ground, path.parent_path(), wishes.squares, wishes.references,
-        [&](const sim::Grid& grid) { return wishes.memory.allows(grid, start.lower.has_value()); });
+        *ground, path.parent_path(), overrides.squares, overrides.references,
+        [&](const sim::Grid& grid) { return overrides.memory.allows(grid, scenario.lower.has_value()); });
     if (fault) return unusable(*fault);
     if (!terrain) return unusable(terrain.error());
     if (rule) terrain->cover = depth_by(*rule, *terrain);
     if (under_rule) {
-        start.lower->depth = depth_by(*under_rule, *terrain);
-        for (std::size_t i = 0; i < terrain->cover.size(); ++i) terrain->cover[i] += start.lower->depth[i];
+        scenario.lower->depth = depth_by(*under_rule, *terrain);
+        for (std::size_t i = 0; i < terrain->cover.size(); ++i) terrain->cover[i] += scenario.lower->depth[i];
         constexpr float kDeepestCover = sim::kDeepest / 2;
         if (const float most = *std::max_element(terrain->cover.begin(), terrain->cover.end());
             most > kDeepestCover)
             return unusable(fmt::format("{}: cover and what is under it are {} m deep, and the most is {} m",
                                         path.string(), most, kDeepestCover));
     }
-    set_ground(start, *terrain);
+    set_ground(scenario, *terrain);
     return scene;
 }
 
 }  // namespace
 
-Outcome<Scene> load_scene(std::string_view name_or_path, const Wishes& wishes) {
+Outcome<Scene> load_scene(std::string_view name_or_path, const Overrides& overrides) {
     const auto path = find_asset(AssetKind::kScene, name_or_path);
     if (!path) return tl::unexpected(path.error());
     const auto document = parse_toml(*path);
     if (!document) return tl::unexpected(document.error());
     TomlFault fault;
     TomlTable root(*document, "", path->string(), fault);
-    return read_scene(root, *path, wishes, fault);
+    return read_scene(root, *path, overrides, fault);
 }
 
 namespace {
@@ -281,31 +283,31 @@ Outcome<std::vector<float>> read_release_on(const Terrain& terrain, const fs::pa
 }  // namespace
 
 Outcome<Scene> scene_of_terrain(const fs::path& dem, const std::optional<fs::path>& release,
-                                const Wishes& wishes) {
+                                const Overrides& overrides) {
     constexpr int kUsualSquares = 256;
-    const sim::Model model = wishes.model.value_or(sim::Model::kBcreInertial);
-    if (const auto sound = check_choices(wishes, model); !sound) return tl::unexpected(sound.error());
-    const auto material = load_material(wishes.material.value_or("snow-dry"), model);
+    const sim::Model model = overrides.model.value_or(sim::Model::kBcreInertial);
+    if (const auto sound = check_choices(overrides, model); !sound) return tl::unexpected(sound.error());
+    const auto material = load_material(overrides.material.value_or("snow-dry"), model);
     if (!material) return tl::unexpected(material.error());
     const auto terrain =
         terrains::read_dem(dem,
-                           {wishes.squares.value_or(kUsualSquares),
-                            [&](const sim::Grid& grid) { return wishes.memory.allows(grid, false); }},
-                           wishes.references);
+                           {overrides.squares.value_or(kUsualSquares),
+                            [&](const sim::Grid& grid) { return overrides.memory.allows(grid, false); }},
+                           overrides.references);
     if (!terrain) return unusable(terrain.error());
 
     Scene scene;
     scene.files = {dem, material->file};
-    scene.start.scene = scene.start.title = terrain->name;
+    scene.scenario.scene = scene.scenario.title = terrain->name;
     sim::Params params = material->params;
-    take_choices(wishes, params);
+    take_choices(overrides, params);
     params.borders.fill(sim::Border::kSink);
-    take_material(scene.start, *material, params);
-    set_ground(scene.start, *terrain);
+    take_material(scene.scenario, *material, params);
+    set_ground(scene.scenario, *terrain);
     if (release) {
-        auto rolling = read_release_on(*terrain, *release, wishes.references);
+        auto rolling = read_release_on(*terrain, *release, overrides.references);
         if (!rolling) return tl::unexpected(rolling.error());
-        scene.start.rolling = std::move(*rolling);
+        scene.scenario.rolling = std::move(*rolling);
         scene.files.push_back(*release);
     }
     return scene;

@@ -7,7 +7,7 @@
 namespace game {
 namespace {
 
-bool is_after(std::int64_t tick, const Session::Moment& moment) {
+bool is_after(std::int64_t tick, const Session::Checkpoint& moment) {
     return tick < moment.world.tick;
 }
 
@@ -30,7 +30,7 @@ void Keyframes::pass(const Session& session) {
     moments_.push_back(session.moment());
 }
 
-const Session::Moment& Keyframes::before(std::int64_t tick) const {
+const Session::Checkpoint& Keyframes::before(std::int64_t tick) const {
     const auto after = std::upper_bound(moments_.begin(), moments_.end(), tick, is_after);
     CHECK(after != moments_.begin());
     return *(after - 1);

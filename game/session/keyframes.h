@@ -19,7 +19,7 @@ class Keyframes {
     // To be called before the first tick and after every one; keeps the moment if it is due.
     void pass(const Session& session);
     // The latest one at `tick` or before.
-    const Session::Moment& before(std::int64_t tick) const;
+    const Session::Checkpoint& before(std::int64_t tick) const;
     // Those after `tick` never were.
     void forget_after(std::int64_t tick);
 
@@ -29,7 +29,7 @@ class Keyframes {
   private:
     std::size_t most_;
     std::int64_t spacing_ = 16;
-    std::vector<Session::Moment> moments_;  // in order of their ticks
+    std::vector<Session::Checkpoint> moments_;  // in order of their ticks
 };
 
 }  // namespace game

@@ -12,11 +12,11 @@ constexpr std::size_t kMostActions = 1000;
 constexpr std::size_t kHandMemory = 4096;  // commands, so that a stroke need not ask for memory
 
 // Of a Moment.
-std::size_t bytes_per_moment(const Start& start, bool has_textures) {
+std::size_t bytes_per_moment(const Scenario& scenario, bool has_textures) {
     std::size_t per_vertex = 7 * sizeof(float);
-    if (start.lower) per_vertex += 3 * sizeof(float);
+    if (scenario.lower) per_vertex += 3 * sizeof(float);
     if (has_textures) per_vertex += sim::front::TextureLayers::Memory::kBytesPerVertex;
-    return per_vertex * start.grid.size();
+    return per_vertex * scenario.grid.size();
 }
 
 void forget_from(std::vector<TimedCommand>& commands, std::int64_t tick) {
@@ -25,8 +25,8 @@ void forget_from(std::vector<TimedCommand>& commands, std::int64_t tick) {
 
 }  // namespace
 
-Sandbox::Sandbox(Opening opening, Session session, std::size_t bytes_per_moment)
-    : opening_(std::move(opening)),
+Sandbox::Sandbox(LoadedWorld loaded, Session session, std::size_t bytes_per_moment)
+    : opening_(std::move(loaded)),
       session_(std::move(session)),
       keyframes_(opening_.memory.for_keyframes(), bytes_per_moment),
       most_actions_(std::clamp<std::size_t>(opening_.memory.for_undo() / bytes_per_moment, 1, kMostActions)) {
@@ -38,13 +38,14 @@ Sandbox::Sandbox(Opening opening, Session session, std::size_t bytes_per_moment)
     verifier_->look_at(session_);
 }
 
-Outcome<Sandbox> Sandbox::begin(Opening opening, const sim::How& how, std::optional<Recorder> recorder) {
-    const Start& start = opening.scene.start;
-    auto session = Session::begin(start, how, std::move(recorder));
+Outcome<Sandbox> Sandbox::begin(LoadedWorld loaded, const sim::StepOptions& options,
+                                std::optional<Recorder> recorder) {
+    const Scenario& scenario = loaded.scene.scenario;
+    auto session = Session::begin(scenario, options, std::move(recorder));
     if (!session) return tl::unexpected(session.error());
-    session->follow_fronts(start);
-    const std::size_t bytes = bytes_per_moment(start, session->fronts() != nullptr);
-    return Sandbox(std::move(opening), std::move(*session), bytes);
+    session->follow_fronts(scenario);
+    const std::size_t bytes = bytes_per_moment(scenario, session->fronts() != nullptr);
+    return Sandbox(std::move(loaded), std::move(*session), bytes);
 }
 
 std::optional<Verdict> Sandbox::verdict() const {
@@ -55,7 +56,7 @@ Outcome<bool> Sandbox::go_toward(std::int64_t tick, const std::function<bool()>&
     if (!can_go_back()) return false;
     tick = std::clamp<std::int64_t>(tick, 0, known_until_);
     const std::int64_t now = session_.state().tick;
-    const Session::Moment& nearest = keyframes_.before(tick);
+    const Session::Checkpoint& nearest = keyframes_.before(tick);
     if (tick < now || now < nearest.world.tick)
         if (auto gone = session_.go_to(nearest); !gone) return tl::unexpected(gone.error());
     while (session_.state().tick < tick) {
@@ -122,10 +123,10 @@ Outcome<void> Sandbox::tick(std::span<const sim::Command> hand) {
     const std::size_t in_store = given_.size();
     if (knows) give_due(by_hand_);
     if (!knows) {
-        const std::size_t running = session_.state().sources.size() + in_store;
+        const std::size_t running = session_.state().running_commands.size() + in_store;
         const std::size_t room =
             std::min(sim::kMostCommandsPerTick - std::min(in_store, sim::kMostCommandsPerTick),
-                     sim::kMostSources - std::min(running, sim::kMostSources));
+                     sim::kMostRunningCommands - std::min(running, sim::kMostRunningCommands));
         hand = hand.first(std::min(hand.size(), room));  // the rest of a stroke that no tick could do
         given_.insert(given_.end(), hand.begin(), hand.end());
     }

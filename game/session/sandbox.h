@@ -11,7 +11,7 @@
 
 #include "game/base/outcome.h"
 #include "game/session/keyframes.h"
-#include "game/session/opening.h"
+#include "game/session/loaded_world.h"
 #include "game/session/session.h"
 #include "game/session/verifier.h"
 
@@ -23,9 +23,10 @@ class Sandbox {
   public:
     // Where the session is recorded; without a recorder it is not, and a watched recording needs none before
     // it is taken over.
-    static Outcome<Sandbox> begin(Opening opening, const sim::How& how, std::optional<Recorder> recorder);
+    static Outcome<Sandbox> begin(LoadedWorld loaded, const sim::StepOptions& options,
+                                  std::optional<Recorder> recorder);
 
-    const Start& start() const { return opening_.scene.start; }
+    const Scenario& scenario() const { return opening_.scene.scenario; }
     const Session& session() const { return session_; }
     void set_flow(const sim::fields::FlowNumbers& numbers) { session_.set_flow(numbers); }
 
@@ -42,7 +43,7 @@ class Sandbox {
     // Toward `tick`, from 0 to known_until(), earlier or later, for as long as `may_go_on` says; true once
     // there. A flow that is shown cannot go back: false. Errors: as of tick().
     Outcome<bool> go_toward(std::int64_t tick, const std::function<bool()>& may_go_on);
-    bool can_go_back() const { return !start().flow; }
+    bool can_go_back() const { return !scenario().flow; }
     const Keyframes& keyframes() const { return keyframes_; }
 
     // From here on the world is the person's. What was known to come after this tick is given up; it stays in
@@ -68,9 +69,9 @@ class Sandbox {
   private:
     struct Action {
         std::string name;
-        Session::Moment before;
+        Session::Checkpoint before;
     };
-    Sandbox(Opening opening, Session session, std::size_t bytes_per_moment);
+    Sandbox(LoadedWorld loaded, Session session, std::size_t bytes_per_moment);
     void remember();
     void forget_after(std::int64_t tick);
     void give_due(const std::vector<TimedCommand>& commands);
@@ -78,7 +79,7 @@ class Sandbox {
     Outcome<void> advance();
     Outcome<Recorder> fork_in(const std::filesystem::path& path) const;
 
-    Opening opening_;
+    LoadedWorld opening_;
     Session session_;
     std::optional<Verifier> verifier_;
     std::vector<TimedCommand> by_hand_;  // in order of their ticks

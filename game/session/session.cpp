@@ -24,9 +24,9 @@ double ms_of(const Stage& stage) {
 
 }  // namespace
 
-Session::Session(const Start& start, const sim::How& how, std::optional<Recorder> recorder)
-    : state_(sim::make_state(world_of(start), start.params)),
-      engine_(std::make_unique<sim::Engine>(state_, how)),
+Session::Session(const Scenario& scenario, const sim::StepOptions& options, std::optional<Recorder> recorder)
+    : state_(sim::make_state(initial_state_of(scenario), scenario.params)),
+      engine_(std::make_unique<sim::Engine>(state_, options)),
       recorder_(std::move(recorder)) {
     peaks_.depth.assign(state_.grid.size(), 0.f);
     peaks_.speed.assign(state_.grid.size(), 0.f);
@@ -35,8 +35,9 @@ Session::Session(const Start& start, const sim::How& how, std::optional<Recorder
     watch();
 }
 
-Outcome<Session> Session::begin(const Start& start, const sim::How& how, std::optional<Recorder> recorder) {
-    Session session(start, how, std::move(recorder));
+Outcome<Session> Session::begin(const Scenario& scenario, const sim::StepOptions& options,
+                                std::optional<Recorder> recorder) {
+    Session session(scenario, options, std::move(recorder));
     if (session.recorder_)
         if (const auto written = session.write_state(); !written) return tl::unexpected(written.error());
     return session;
@@ -46,7 +47,8 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
     for (const sim::Command& command : commands)
         if (const auto fault = sim::fault_of(command, state_.mixture.has_value()))
             return unusable(fmt::format("tick {}: {}", state_.tick, *fault));
-    if (const auto fault = sim::fault_of_counts(commands.size(), state_.sources.size() + commands.size()))
+    if (const auto fault =
+            sim::fault_of_counts(commands.size(), state_.running_commands.size() + commands.size()))
         return unusable(fmt::format("tick {}: {}", state_.tick, *fault));
     if (const auto fault = sim::fault_after(state_.params, commands))
         return unusable(fmt::format("tick {}: {}", state_.tick, *fault));
@@ -98,28 +100,28 @@ Outcome<void> Session::write_state() {
     return recorder_->state(line_);
 }
 
-Session::Moment Session::moment() const {
-    Moment moment{sim::take_snapshot(state_), std::nullopt, peaks_, active_cells_, line_, std::nullopt};
+Session::Checkpoint Session::moment() const {
+    Checkpoint moment{sim::take_snapshot(state_), std::nullopt, peaks_, active_cells_, line_, std::nullopt};
     if (fronts_) moment.textures = fronts_->memory();
     if (recorder_) moment.mark = recorder_->mark();
     return moment;
 }
 
-Outcome<void> Session::rewind(const Moment& moment) {
+Outcome<void> Session::rewind(const Checkpoint& moment) {
     put(moment);
     recorded_until_ = state_.tick;
     if (recorder_ && moment.mark) return recorder_->rewind(*moment.mark);
     return {};
 }
 
-Outcome<void> Session::go_to(const Moment& moment) {
+Outcome<void> Session::go_to(const Checkpoint& moment) {
     if (recorder_)
         if (auto written = write_state(); !written) return written;
     put(moment);
     return {};
 }
 
-void Session::put(const Moment& moment) {
+void Session::put(const Checkpoint& moment) {
     sim::restore(moment.world, state_);
     if (fronts_ && moment.textures) fronts_->restore(view(), *moment.textures, engine_->workers);
     peaks_ = moment.peaks;
@@ -146,13 +148,14 @@ double Session::cubic_metres(std::int64_t quanta) const {
     return static_cast<double>(quanta) * static_cast<double>(sim::kQuantum) * state_.grid.cell_area();
 }
 
-void Session::follow_fronts(const Start& start, std::size_t most_vertices) {
+void Session::follow_fronts(const Scenario& scenario, std::size_t most_vertices) {
     if (state_.grid.size() > most_vertices) return;
-    if (start.flow)
-        stage_ = std::make_unique<sim::fields::FlowStage>(state_.grid, start.flow->flow, start.flow->numbers);
-    else if (start.look.flow)
-        fronts_ =
-            std::make_unique<WorldFronts>(state_.grid, start.look.rolling_visible_m, kTextures, start.depth);
+    if (scenario.flow)
+        stage_ = std::make_unique<sim::fields::FlowStage>(state_.grid, scenario.flow->flow,
+                                                          scenario.flow->numbers);
+    else if (scenario.look.flow)
+        fronts_ = std::make_unique<WorldFronts>(state_.grid, scenario.look.rolling_visible_m, kTextures,
+                                                scenario.depth);
     else
         return;
     advance_fronts();

@@ -8,7 +8,7 @@
 #include "game/base/outcome.h"
 #include "game/recording/recorder.h"
 #include "game/scene/memory.h"
-#include "game/scene/start.h"
+#include "game/scene/scenario.h"
 #include "game/session/world_fronts.h"
 #include "sim/engine.h"
 #include "sim/world/snapshot.h"
@@ -39,7 +39,7 @@ class Session {
   public:
     // All of a session at one tick, to come back to: a plain value of some 24 bytes per vertex, and 80 more
     // where fronts are followed.
-    struct Moment {
+    struct Checkpoint {
         sim::Snapshot world;
         std::optional<sim::front::TextureLayers::Memory> textures;
         Peaks peaks;
@@ -49,13 +49,14 @@ class Session {
     };
 
     // With a recorder, writes the state of tick 0.
-    static Outcome<Session> begin(const Start& start, const sim::How& how, std::optional<Recorder> recorder);
+    static Outcome<Session> begin(const Scenario& scenario, const sim::StepOptions& options,
+                                  std::optional<Recorder> recorder);
 
-    // From here on, for who draws or measures it: fronts, and what is carried with the flow that `start`
+    // From here on, for who draws or measures it: fronts, and what is carried with the flow that `scenario`
     // shows or, if its look says that it carries anything, with the rolling layer.
     // Where there are more vertices than that nothing is followed, and whoever asked should say kTooFine: no
     // GL need be able to draw more than kMostFollowed.
-    void follow_fronts(const Start& start, std::size_t most_vertices = kMostFollowed);
+    void follow_fronts(const Scenario& scenario, std::size_t most_vertices = kMostFollowed);
     static constexpr const char* kTooFine =
         "This grid is too fine for textures to travel with what rolls: they do up to 900,000 vertices";
     void follow_nothing() { stage_.reset(), fronts_.reset(); }
@@ -76,13 +77,13 @@ class Session {
     // Closes the recording.
     Outcome<void> finish();
 
-    Moment moment() const;
+    Checkpoint moment() const;
     // Takes back all that came after `moment`, in the world and in the recording, to the bit. A flow that
     // is shown goes on: nothing that a hand does touches it. Errors: the recording cannot be written.
-    Outcome<void> rewind(const Moment& moment);
+    Outcome<void> rewind(const Checkpoint& moment);
     // To `moment`, earlier or later. The recording stays as it is: what it has already, up to
     // recorded_until(), is not written again. Errors: it cannot be written.
-    Outcome<void> go_to(const Moment& moment);
+    Outcome<void> go_to(const Checkpoint& moment);
 
     const Recorder* recorder() const { return recorder_ ? &*recorder_ : nullptr; }
     std::int64_t recorded_until() const { return recorded_until_; }  // tick
@@ -106,9 +107,9 @@ class Session {
     double cubic_metres(std::int64_t quanta) const;
 
   private:
-    Session(const Start& start, const sim::How& how, std::optional<Recorder> recorder);
+    Session(const Scenario& scenario, const sim::StepOptions& options, std::optional<Recorder> recorder);
     void find_hash();
-    void put(const Moment& moment);
+    void put(const Checkpoint& moment);
     Outcome<void> write_state();
     void watch();
     void advance_fronts();

@@ -31,7 +31,7 @@ WorldFronts::WorldFronts(const sim::Grid& grid, float visible, const sim::front:
 }
 
 void WorldFronts::begin() {
-    view_.emplace(mesh_, level_rule(visible_), sim::front::Source::kLevel, rule_);
+    view_.emplace(mesh_, level_rule(visible_), sim::front::PointSource::kLevel, rule_);
     view_->set_rise(rise_);
 }
 

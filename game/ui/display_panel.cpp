@@ -47,7 +47,7 @@ bool sun(Desk& desk, const Facts& facts, Display& display) {
     changed |= desk.widgets.slider("Height above horizon", display.light.elevation_deg, {1, 90, "%.0f°"},
                                    "How high the sun stands; low sun shows the shape of the ground.");
     if (desk.widgets.button("Sun as the scene says", "Puts the sun back where the scene has it.")) {
-        display.light = facts.start.light;
+        display.light = facts.scenario.light;
         changed = true;
     }
     return changed;
@@ -74,7 +74,7 @@ bool flow(Desk& desk, Display& display) {
                             "Whether textures are cut along fronts, and what tells where these lie.",
                             [](int i) { return kWays[static_cast<std::size_t>(i)]; })) {
         numbers.cut = way > 0;
-        if (way > 0) numbers.source = static_cast<sim::front::Source>(way - 1);
+        if (way > 0) numbers.source = static_cast<sim::front::PointSource>(way - 1);
         changed = true;
     }
     return changed;
@@ -144,7 +144,7 @@ void camera(Desk& desk, const Facts& facts, Actions& actions) {
 void display_panel(Desk& desk, const Facts& facts, Actions& actions) {
     Display display = facts.display;
     bool changed = colours(desk, display);
-    if (facts.start.flow) changed |= flow(desk, display);
+    if (facts.scenario.flow) changed |= flow(desk, display);
     changed |= sun(desk, facts, display);
     changed |= picture(desk, display);
     if (changed) actions.emplace_back(SetDisplay{display});

@@ -11,7 +11,7 @@
 #include "game/controls/notices.h"
 #include "game/controls/probe.h"
 #include "game/controls/tick_clock.h"
-#include "game/scene/start.h"
+#include "game/scene/scenario.h"
 #include "sim/world/state.h"
 
 namespace game::ui {
@@ -25,8 +25,8 @@ struct Timeline {
 
 // All that panels may tell. References are valid for one frame.
 struct Facts {
-    const Start& start;       // what the world began with; its params are the defaults
-    const sim::State& state;  // state.params are the numbers now
+    const Scenario& scenario;  // what the world began with; its params are the defaults
+    const sim::State& state;   // state.params are the numbers now
     const TickClock& clock;
     const Brush& brush;
     bool inverted = false;  // Ctrl is held

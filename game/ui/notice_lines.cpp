@@ -80,15 +80,15 @@ void hint(Desk& desk, const Facts& facts) {
     const bool pours = facts.brush.tool == Tool::kPour;
     std::array<char, 256> text;
     const std::string keys = name_of(Verb::kToggleHelp);
-    if (facts.start.flow)
+    if (facts.scenario.flow)
         std::snprintf(text.data(), text.size(),
                       "A flow and its fronts: %s has its speeds. %s shows all keys.",
                       name_of(Verb::kToggleDisplay).c_str(), keys.c_str());
     else
-        std::snprintf(text.data(), text.size(),
-                      "Hold the left button on the mountain to %s%s. %s shows all keys.",
-                      deed(facts.brush.tool),
-                      pours ? title_in(facts.catalogue.materials, facts.start.material) : "", keys.c_str());
+        std::snprintf(
+            text.data(), text.size(), "Hold the left button on the mountain to %s%s. %s shows all keys.",
+            deed(facts.brush.tool), pours ? title_in(facts.catalogue.materials, facts.scenario.material) : "",
+            keys.c_str());
     const Line line{text.data(), kAccent, 1, desk.size.x - 4 * desk.em()};
     const ImVec2 size = size_of(desk, line);
     const ImVec2 from{(desk.size.x - size.x) / 2, desk.time_bar_top - desk.margin() - size.y};

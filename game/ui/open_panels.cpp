@@ -40,12 +40,12 @@ void header(Desk& desk, const PanelInfo& info) {
     ImGui::Separator();
 }
 
-struct Frame {
+struct PanelFrame {
     float x, y, width, most_height;
 };
 
 // Returns the panel's height.
-float draw(Desk& desk, const PanelInfo& info, const Frame& frame, const Facts& facts, Actions& actions) {
+float draw(Desk& desk, const PanelInfo& info, const PanelFrame& frame, const Facts& facts, Actions& actions) {
     ImGui::SetNextWindowPos({frame.x, frame.y});
     // What lies over other panels hides them.
     ImGui::SetNextWindowBgAlpha(info.panel == Panel::kHelp || desk.narrow() ? 0.97f : 0.9f);
@@ -73,8 +73,8 @@ void column(Desk& desk, bool left, const Facts& facts, Actions& actions) {
         bottom = desk.size.y - desk.margin() - std::max(desk.readings_height, kReadingsHeight * desk.em());
     if (desk.narrow()) bottom = desk.size.y;
     if (!left) desk.right_column = waiting > 0 ? width + desk.margin() : 0;
-    Frame frame{left ? desk.margin() : desk.size.x - desk.margin() - width,
-                desk.toolbar_bottom + desk.margin(), width, 0};
+    PanelFrame frame{left ? desk.margin() : desk.size.x - desk.margin() - width,
+                     desk.toolbar_bottom + desk.margin(), width, 0};
     for (const PanelInfo& info : kPanelInfos) {
         if (!mine(info)) continue;
         const float gaps = static_cast<float>(waiting) * desk.margin();

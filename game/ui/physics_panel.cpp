@@ -109,7 +109,7 @@ void write_tooltip(std::span<char> text, const sim::ParamInfo& info, float value
 
 void number(Desk& desk, const Facts& facts, std::size_t param, Actions& actions) {
     const sim::ParamInfo& info = sim::kParams[param];
-    const float now = facts.state.params.*info.value, usual = facts.start.params.*info.value;
+    const float now = facts.state.params.*info.value, usual = facts.scenario.params.*info.value;
     const std::array<char, 32> label = label_of(info);
     std::array<char, 256> tooltip;
     write_tooltip(tooltip, info, now);
@@ -132,11 +132,11 @@ void number(Desk& desk, const Facts& facts, std::size_t param, Actions& actions)
 // One after the other, in an order that never breaks the order that thresholds must keep.
 void ask_for_defaults(const Facts& facts, Actions& actions) {
     sim::Params params = facts.state.params;
-    for (std::size_t pass = 0; pass < std::size(sim::kParams) && params != facts.start.params; ++pass)
+    for (std::size_t pass = 0; pass < std::size(sim::kParams) && params != facts.scenario.params; ++pass)
         for (std::size_t i = 0; i < std::size(sim::kParams); ++i) {
             const auto value = sim::kParams[i].value;
             sim::Params next = params;
-            next.*value = facts.start.params.*value;
+            next.*value = facts.scenario.params.*value;
             if (next == params || sim::fault_of(next)) continue;
             params = next;
             actions.emplace_back(SetNumber{i, params.*value});
@@ -144,7 +144,7 @@ void ask_for_defaults(const Facts& facts, Actions& actions) {
 }
 
 void all_defaults(Desk& desk, const Facts& facts, Actions& actions) {
-    ImGui::BeginDisabled(facts.state.params == facts.start.params);
+    ImGui::BeginDisabled(facts.state.params == facts.scenario.params);
     if (desk.widgets.button("All defaults", "Every number as the scene began with it.", false,
                             ImGui::GetContentRegionAvail().x)) {
         desk.refusal[0] = 0;

@@ -52,7 +52,7 @@ void rows(Desk& desk, const Facts& facts, const Reading& reading) {
     widgets.fact("Rolling", "%.2f m", reading.rolling);
     if (reading.lower_share)
         widgets.fact("Mixture", "%.0f %% %s", 100 * *reading.lower_share,
-                     title_in(facts.catalogue.materials, facts.start.lower->material));
+                     title_in(facts.catalogue.materials, facts.scenario.lower->material));
     widgets.fact("Speed", "%.1f m/s", reading.speed);
 }
 

@@ -30,18 +30,18 @@ void recording_file(Desk& desk, std::string_view path) {
 
 void what_is_loaded(Desk& desk, const Facts& facts) {
     Widgets& widgets = desk.widgets;
-    const Start& start = facts.start;
+    const Scenario& scenario = facts.scenario;
     const sim::Grid& grid = facts.state.grid;
     const double dx = static_cast<double>(grid.dx);
-    widgets.plain("%s", start.title.c_str());
+    widgets.plain("%s", scenario.title.c_str());
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, desk.em() * 0.12f});
-    widgets.fact("Terrain", "%s", start.terrain.c_str());
-    if (!start.licence.empty()) widgets.fact("Licence", "%s", start.licence.c_str());
-    widgets.fact("Material", "%s", title_in(facts.catalogue.materials, start.material));
-    if (start.lower)
-        widgets.fact("Under it", "%s", title_in(facts.catalogue.materials, start.lower->material));
-    widgets.fact("Model", "%s", name_of(start.params.model));
+    widgets.fact("Terrain", "%s", scenario.terrain.c_str());
+    if (!scenario.licence.empty()) widgets.fact("Licence", "%s", scenario.licence.c_str());
+    widgets.fact("Material", "%s", title_in(facts.catalogue.materials, scenario.material));
+    if (scenario.lower)
+        widgets.fact("Under it", "%s", title_in(facts.catalogue.materials, scenario.lower->material));
+    widgets.fact("Model", "%s", name_of(scenario.params.model));
     widgets.fact("Grid", "%d × %d squares of %.4g m", grid.nx - 1, grid.ny - 1, dx);
     widgets.fact("Extent", "%.4g × %.4g m", (grid.nx - 1) * dx, (grid.ny - 1) * dx);
     if (facts.recording.empty())
@@ -55,7 +55,7 @@ void what_is_loaded(Desk& desk, const Facts& facts) {
 int scene_at_first(const Facts& facts) {
     const auto& scenes = facts.catalogue.scenes;
     const auto found = std::find_if(scenes.begin(), scenes.end(),
-                                    [&](const auto& scene) { return scene.name == facts.start.scene; });
+                                    [&](const auto& scene) { return scene.name == facts.scenario.scene; });
     return found == scenes.end() ? 0 : static_cast<int>(found - scenes.begin());
 }
 
@@ -74,9 +74,9 @@ void choice_or_scenes(Desk& desk, const char* label, int& chosen, std::size_t co
 Open begin_of(const SceneChoice& choice, const Facts& facts) {
     const auto at = [](int i) { return static_cast<std::size_t>(i); };
     Open open{facts.catalogue.scenes[at(choice.scene)].name, {}};
-    if (choice.material >= 0) open.wishes.material = facts.catalogue.materials[at(choice.material)].name;
-    if (choice.model >= 0) open.wishes.model = kModels[at(choice.model)];
-    if (choice.grid >= 0) open.wishes.squares = kGrids[at(choice.grid)];
+    if (choice.material >= 0) open.overrides.material = facts.catalogue.materials[at(choice.material)].name;
+    if (choice.model >= 0) open.overrides.model = kModels[at(choice.model)];
+    if (choice.grid >= 0) open.overrides.squares = kGrids[at(choice.grid)];
     return open;
 }
 

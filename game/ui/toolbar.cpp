@@ -78,9 +78,9 @@ void sizes(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
 
 // Which of two materials is poured.
 void parts(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
-    const Start& start = facts.start;
+    const Scenario& scenario = facts.scenario;
     const std::array<std::pair<sim::Part, const std::string*>, 2> materials{
-        {{sim::Part::kUpper, &start.material}, {sim::Part::kLower, &start.lower->material}}};
+        {{sim::Part::kUpper, &scenario.material}, {sim::Part::kLower, &scenario.lower->material}}};
     for (const auto& [part, material] : materials) {
         const char* title = title_in(facts.catalogue.materials, *material);
         const float width = ImGui::CalcTextSize(title).x + desk.em();
@@ -111,10 +111,10 @@ void material(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
         if (desk.widgets.button(way.label, way.tooltip, on, width) && !on)
             actions.emplace_back(Verb::kPourStandingOrRolling);
     }
-    if (facts.start.lower) parts(desk, facts, actions, flow);
+    if (facts.scenario.lower) parts(desk, facts, actions, flow);
     ImGui::EndDisabled();
-    if (facts.start.lower) return;
-    const char* title = title_in(facts.catalogue.materials, facts.start.material);
+    if (facts.scenario.lower) return;
+    const char* title = title_in(facts.catalogue.materials, facts.scenario.material);
     flow.next(ImGui::CalcTextSize(title).x, 0.7f * em);
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, kDimText);

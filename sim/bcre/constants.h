@@ -17,24 +17,24 @@ inline constexpr double kWeakExchange = 0.2;
 // is a slope times Δx, what the ground falls over a cell.
 template <class Scalar>
 struct Constants {
-    Scalar courant;          // Δt/Δx, s/m
-    Dither<Scalar> dither;   // of the sub-step
-    bool may_give_too_much;  // at this Courant number a peak might give more than it has
-    Scalar most_given;       // of muscl: of R of both levels, to all sides (flux_muscl.h)
+    Scalar courant;                 // Δt/Δx, s/m
+    Dither<Scalar> dither;          // of the sub-step
+    bool outflow_may_exceed_layer;  // at this Courant number a peak might give more than it has
+    Scalar greatest_outflow;        // of muscl: of R of both levels, to all sides (flux_muscl.h)
 
     Law law;
-    Scalar rolling_speed, half_shear_rate, speed_per_fall, max_speed;
+    Scalar rolling_speed, half_shear_rate, speed_per_slope_dx, max_speed;
 
-    Scalar growth_per_fall;     // γ Δt/Δx
-    Scalar growth_at_level;     // γ Δt s_stop
-    Scalar room_per_growth;     // Δx / (κ γ Δt), m
-    Scalar strong_pace;         // γ κ Δt/Δx, 1/m
-    Scalar exchange_depth;      // R_c, m
-    Scalar rate_depth;          // R_c, or less: from which layer on a rate takes S to the threshold, m
-    Scalar thick_exchange;      // m per growth, of a layer thicker than it
+    Scalar growth_per_slope_dx;  // γ Δt/Δx
+    Scalar growth_at_level;      // γ Δt s_stop
+    Scalar room_per_growth;      // Δx / (κ γ Δt), m
+    Scalar strong_pace;          // γ κ Δt/Δx, 1/m
+    Scalar exchange_depth;       // R_c, m
+    Scalar rate_depth;           // R_c, or less: from which layer on a rate takes S to the threshold, m
+    Scalar thick_exchange;       // m per growth, of a layer thicker than it
     Scalar little_per_rolling;  // 1/m: kLittle by the layer from which on the exchange is not the exponential
 
-    Scalar start_fall, start_depth, freeze_depth;  // m
+    Scalar start_slope_dx, start_depth, freeze_depth;  // m
 };
 
 template <class Scalar>
@@ -46,20 +46,20 @@ Constants<Scalar> constants_of(const Params& p, float cell, Substep<Scalar> sub)
     const Scalar dx = cell, courant = sub.dt / dx, growth = p.exchange_rate * sub.dt;
     const Scalar speed = p.law == Law::kConstant ? p.rolling_speed : p.max_speed;
     const Scalar weak = Scalar(kWeakExchange) / std::max(growth / dx, kNotZero);
-    const bool decays_much = growth * p.stop_slope > Scalar(kGrowsLittle);  // on level ground
+    const bool decays_much = growth * p.stop_slope > Scalar(kExpm1Small);  // on level ground
     const Scalar room = dx / (kSpread * std::max(growth, kNotZero));
     const Scalar strong_pace = growth * kSpread / dx;
-    const Scalar thick_share = -grown(Scalar(-strong_pace * p.exchange_depth));  // 1 − e^…
+    const Scalar thick_share = -expm1(Scalar(-strong_pace * p.exchange_depth));  // 1 − e^…
     return {.courant = courant,
             .dither = {sub.dither},
-            .may_give_too_much = kPeakGives * courant * speed > kMost,
-            .most_given = kMostGiven * courant * speed,
+            .outflow_may_exceed_layer = kPeakGives * courant * speed > kMost,
+            .greatest_outflow = kMostGiven * courant * speed,
             .law = p.law,
             .rolling_speed = p.rolling_speed,
             .half_shear_rate = p.shear_rate / 2,
-            .speed_per_fall = p.speed_per_slope / dx,
+            .speed_per_slope_dx = p.speed_per_slope / dx,
             .max_speed = p.max_speed,
-            .growth_per_fall = growth / dx,
+            .growth_per_slope_dx = growth / dx,
             .growth_at_level = growth * p.stop_slope,
             .room_per_growth = room,
             .strong_pace = strong_pace,
@@ -68,7 +68,7 @@ Constants<Scalar> constants_of(const Params& p, float cell, Substep<Scalar> sub)
             .thick_exchange = p.exchange_depth < weak ? Scalar{p.exchange_depth} : room * thick_share,
             .little_per_rolling =
                 decays_much ? Scalar(1e30) : Scalar(kLittle) / std::min(weak, Scalar{p.exchange_depth}),
-            .start_fall = p.start_slope * dx,
+            .start_slope_dx = p.start_slope * dx,
             .start_depth = nearest_quanta(Scalar{p.start_depth}),
             .freeze_depth = p.freeze_depth};
 }

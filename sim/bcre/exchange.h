@@ -29,32 +29,32 @@ template <class Number>
     using S = Scalar<Number>;
     const Number room = growth * c.room_per_growth;       // p Δx/κ: what takes S to the threshold
     const Number end = (rolling + room) * c.strong_pace;  // aK
-    const Number left = -grown(-end);                     // 1 − E
-    const auto tiny = magnitude(end) < S(1e-6);
+    const Number left = -expm1(-end);                     // 1 − E
+    const auto tiny = abs(end) < S(1e-6);
     const Number phi = select(tiny, Number(1), left / select(tiny, Number(1), end));
-    const Number kept = larger((1 - left) + rolling * c.strong_pace * phi, Number(1e-30f));
+    const Number kept = max((1 - left) + rolling * c.strong_pace * phi, Number(1e-30f));
     const Number of_thin = rolling / kept - rolling;
     const Number moved = select(rolling > c.exchange_depth, growth * c.thick_exchange, of_thin);
-    return larger(moved, Number(S(kMostDeposited)));
+    return max(moved, Number(S(kMostDeposited)));
 }
 
 // `growth` = γ p Δt.
 template <class Number>
-[[gnu::always_inline]] inline Number growth_of(const Number& fall, const Constants<Scalar<Number>>& c) {
-    return fall * c.growth_per_fall - c.growth_at_level;
+[[gnu::always_inline]] inline Number growth_of(const Number& slope_dx, const Constants<Scalar<Number>>& c) {
+    return slope_dx * c.growth_per_slope_dx - c.growth_at_level;
 }
 
 // What becomes rolling in whole quanta, at least −R. `weak_growth` = e^growth − 1 by grown_little(): the
 // answer where p changes little. Where the growth is not little, neither is this, and it only says so.
 template <class Number>
-[[gnu::always_inline]] inline Number exchanged(const Number& rolling, const Number& fall,
+[[gnu::always_inline]] inline Number exchanged(const Number& rolling, const Number& slope_dx,
                                                const Number& weak_growth,
                                                const Constants<Scalar<Number>>& c) {
-    const auto changes_much = larger(rolling * c.little_per_rolling, weak_growth) > Scalar<Number>(kLittle);
+    const auto changes_much = max(rolling * c.little_per_rolling, weak_growth) > Scalar<Number>(kLittle);
     const Number weak = in_quanta<Number>(rolling * weak_growth, c.dither);  // a small part of R
     if (!any(changes_much)) return weak;
-    const Number strong = in_quanta(exchanged_strongly(rolling, growth_of(fall, c), c), c.dither);
-    return select(changes_much, larger(strong, -rolling), weak);
+    const Number strong = in_quanta(exchanged_strongly(rolling, growth_of(slope_dx, c), c), c.dither);
+    return select(changes_much, max(strong, -rolling), weak);
 }
 
 // The rate of this moment for a sub-step, which the scheme of second order takes the mean of; held to what
@@ -63,16 +63,16 @@ template <class Number>
 [[gnu::always_inline]] inline Number exchanged_at_rate(const Number& rolling, const Number& depth,
                                                        const Number& growth,
                                                        const Constants<Scalar<Number>>& c) {
-    const Number wanted = growth * smaller(rolling, Number(c.rate_depth));
-    const Number most_deposited = larger(-rolling, Number(Scalar<Number>(kMostDeposited)));
-    return larger(smaller(wanted, depth), most_deposited);
+    const Number wanted = growth * min(rolling, Number(c.rate_depth));
+    const Number most_deposited = max(-rolling, Number(Scalar<Number>(kMostDeposited)));
+    return max(min(wanted, depth), most_deposited);
 }
 
 // Moves `amount`, whole quanta and at least −R, from the standing to the rolling layer, as far as there is
 // any.
 template <class Number>
 [[gnu::always_inline]] inline void transfer(const Number& amount, Number& depth, Number& rolling) {
-    const Number moved = smaller(amount, depth);
+    const Number moved = min(amount, depth);
     depth -= moved;
     rolling += moved;
 }

@@ -22,12 +22,12 @@ inline constexpr Scalar<Number> kInHand = 4 * kGrain<Number>;
 // What a vertex can give to all sides together, m.
 template <class Number>
 [[gnu::always_inline]] inline Number spare_of(const Number& rolling) {
-    return larger(rolling - kInHand<Number>, Number(0));
+    return max(rolling - kInHand<Number>, Number(0));
 }
 
 // By which share a vertex has to give less than the `all` that it wants to give, to give what it can spare.
 template <class Number>
-[[gnu::always_inline]] inline Number share_given(const Number& all, const Number& rolling) {
+[[gnu::always_inline]] inline Number outflow_share(const Number& all, const Number& rolling) {
     using S = Scalar<Number>;
     constexpr S kLess = kHasQuanta<Number> ? S(1 - 1e-6) : S(1);  // for the rounding of the products
     const Number had = spare_of(rolling);
@@ -38,8 +38,8 @@ template <class Number>
 
 // In whole quanta, the same for both signs.
 template <class Number>
-[[gnu::always_inline]] inline Number booked(const Number& flux, const Constants<Scalar<Number>>& c) {
-    return odd(flux, [&](const Number& size) { return in_quanta(size, c.dither); });
+[[gnu::always_inline]] inline Number quantised(const Number& flux, const Constants<Scalar<Number>>& c) {
+    return with_its_sign(flux, [&](const Number& size) { return in_quanta(size, c.dither); });
 }
 
 template <class Number>

@@ -23,7 +23,7 @@ template <class Number>
 [[gnu::always_inline]] inline Quarters<Number> quarters(const Number& rolling, const Vector<Number>& velocity,
                                                         const Constants<Scalar<Number>>& c) {
     using S = Scalar<Number>;
-    const Number moving = larger(rolling - kInHand<Number>, Number(0));
+    const Number moving = max(rolling - kInHand<Number>, Number(0));
     const Number half = moving * (S(0.5) * c.courant);
     return {moving * S(0.25), velocity.x * half, velocity.y * half};
 }

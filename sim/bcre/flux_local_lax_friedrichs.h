@@ -17,8 +17,8 @@ namespace sim::bcre {
 
 // R k Δt/Δx: what a vertex gives to a side, m, per metre that it falls to there.
 template <class Number>
-[[gnu::always_inline]] inline Number given_per_drop(const Number& rolling, const Number& pace,
-                                                    const Constants<Scalar<Number>>& c) {
+[[gnu::always_inline]] inline Number outflow_per_drop(const Number& rolling, const Number& pace,
+                                                      const Constants<Scalar<Number>>& c) {
     const Number moving = select(rolling >= 16 * kGrain<Number>, rolling, Number(0));
     return moving * c.courant * pace;
 }

@@ -35,9 +35,9 @@ template <class Number>
 // of the side toward which R falls, at most R_C + ½ (R_C − 0): along each axis 3/2 R V Δt/Δx. V is of the
 // vertices beside C, too: it holds in a world of one material.
 template <class Number>
-[[gnu::always_inline]] inline Number most_given(const Number& now, const Number& then,
-                                                const Constants<Scalar<Number>>& c) {
-    return (now + then) * c.most_given;
+[[gnu::always_inline]] inline Number greatest_outflow(const Number& now, const Number& then,
+                                                      const Constants<Scalar<Number>>& c) {
+    return (now + then) * c.greatest_outflow;
 }
 
 }  // namespace sim::bcre

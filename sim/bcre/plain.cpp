@@ -10,8 +10,8 @@ namespace {
 template <class Number>
 Level<Number> level_of(LevelFields<Number>& f, Field<Number>& depth, Field<Number>& rolling) {
     const auto rows = [](Field<Number>& field) { return Rows<Number>(field); };
-    return {rows(depth),    rows(rolling), rows(f.drop_x),     rows(f.drop_y),    rows(f.bend_x),
-            rows(f.bend_y), rows(f.fall),  rows(f.velocity_x), rows(f.velocity_y)};
+    return {rows(depth),         rows(rolling),    rows(f.drop_x),     rows(f.drop_y),    rows(f.curvature_x),
+            rows(f.curvature_y), rows(f.slope_dx), rows(f.velocity_x), rows(f.velocity_y)};
 }
 
 }  // namespace
@@ -26,7 +26,7 @@ Work<Number> work_of(Layers<Number>& layers, const Params& params, Scratch<Numbe
             Rows<Number>(layers.bedrock),
             level_of(scratch.now, layers.depth, layers.rolling),
             level_of(scratch.then, scratch.then.depth, scratch.then.rolling),
-            Rows<Number>(scratch.given),
+            Rows<Number>(scratch.outflow),
             Rows<Number>(scratch.flux_x),
             Rows<Number>(scratch.flux_y),
             Rows<Number>(scratch.exchanged),
@@ -49,10 +49,11 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
             [&](int y) { end_drops<Number>(world, level, y); });
     };
     const auto close = [&](int y) { close_walls<Number>(world, y, all); };
-    const auto end_gift = [&](int y) { end_given<Number>(world, y, all); };
+    const auto end_gift = [&](int y) { end_outflow<Number>(world, y, all); };
     const auto find_motion = [&](const Level<Number>& level) {
-        over.each_face("find_bends", [&](int y) { return find_bends<Number>(world, level, y); });
-        over.each_row("find_bent_fall", [&](const auto&, int y) { return find_bent_fall<Number>(level, y); });
+        over.each_face("find_bends", [&](int y) { return find_curvature<Number>(world, level, y); });
+        over.each_row("find_bent_fall",
+                      [&](const auto&, int y) { return find_limited_slope_dx<Number>(level, y); });
         over.each_row(
             "find_central_velocity",
             [&](const auto& w, int y) { return find_central_velocity<Number>(w, level, y); },
@@ -62,9 +63,10 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
     find_drops_of(world.now);
     switch (params.scheme) {
         case Scheme::kLaxFriedrichs:
-            over.each_row("find_fall", [&](const auto& w, int y) { return find_fall<Number>(w.now, y); });
+            over.each_row("find_fall", [&](const auto& w, int y) { return find_slope_dx<Number>(w.now, y); });
             over.each_row(
-                "find_quarters", [&](const auto& w, int y) { return find_quarters<Number>(w, y); }, end_gift);
+                "find_quarters", [&](const auto& w, int y) { return find_quarter_outflow<Number>(w, y); },
+                end_gift);
             over.each_face(
                 "find_quarter_fluxes", [&](int y) { return find_quarter_fluxes<Number>(world, y); }, close);
             over.each_row_of_bed("settle", [&](const auto& w, int y) {
@@ -72,9 +74,9 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
             });
             break;
         case Scheme::kLocalLaxFriedrichs:
-            over.each_row("find_fall", [&](const auto& w, int y) { return find_fall<Number>(w.now, y); });
+            over.each_row("find_fall", [&](const auto& w, int y) { return find_slope_dx<Number>(w.now, y); });
             over.each_row(
-                "find_given", [&](const auto& w, int y) { return find_given<Number>(w, y); }, end_gift);
+                "find_given", [&](const auto& w, int y) { return find_outflow<Number>(w, y); }, end_gift);
             over.each_face("find_split_fluxes", [&](int y) { return find_split_fluxes<Number>(world, y); });
             over.each_row_of_bed("settle", [&](const auto& w, int y) {
                 return settle<Number, Scheme::kLocalLaxFriedrichs>(w, y, w.nx);
@@ -97,7 +99,7 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
                 "find_share", [&](const auto& w, int y) { return find_share<Number>(w, y); },
                 [&](int y) { end_share<Number>(world, y, all); });
             over.each_face("share_fluxes", [&](int y) { return share_fluxes<Number>(world, y); });
-            over.each_face("book_fluxes", [&](int y) { return book_fluxes<Number>(world, y); });
+            over.each_face("book_fluxes", [&](int y) { return quantise_fluxes<Number>(world, y); });
             over.each_row_of_bed(
                 "settle", [&](const auto& w, int y) { return settle<Number, Scheme::kMuscl>(w, y, w.nx); });
             break;

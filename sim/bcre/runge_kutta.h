@@ -24,7 +24,7 @@ template <class Number>
 // R of u₁, from what transport left and the exchange; a rounding below 0 is none.
 template <class Number>
 [[gnu::always_inline]] inline Number predicted_rolling(const Number& carried, const Number& exchanged) {
-    return larger(carried + exchanged, Number(0));
+    return max(carried + exchanged, Number(0));
 }
 
 }  // namespace sim::bcre

@@ -19,23 +19,24 @@ namespace sim::bcre {
 
 // Rows y = 0 … ny-1. Reads drop_x, drop_y; writes fall.
 template <class Number, class S = Scalar<Number>>
-auto find_fall(const Level<S>& level, int y) {
-    return
-        [drop_x = level.drop_x[y], south = level.drop_y[y], north = level.drop_y[y + 1],
-         fall = level.fall[y]](int i) { store(fall_of(outward<Number>(drop_x, south, north, i)), fall + i); };
+auto find_slope_dx(const Level<S>& level, int y) {
+    return [drop_x = level.drop_x[y], south = level.drop_y[y], north = level.drop_y[y + 1],
+            slope_dx = level.slope_dx[y]](int i) {
+        store(slope_dx_of(outward<Number>(drop_x, south, north, i)), slope_dx + i);
+    };
 }
 
 // Rows y = 0 … ny-1. Reads drop_x, drop_y, bend_x, bend_y; writes fall.
 template <class Number, class S = Scalar<Number>>
-auto find_bent_fall(const Level<S>& level, int y) {
+auto find_limited_slope_dx(const Level<S>& level, int y) {
     return [drop_x = level.drop_x[y], south = level.drop_y[y], north = level.drop_y[y + 1],
-            bend_x = level.bend_x[y], bend_south = level.bend_y[y], bend_north = level.bend_y[y + 1],
-            fall = level.fall[y]](int i) {
+            curvature_x = level.curvature_x[y], curvature_south = level.curvature_y[y],
+            curvature_north = level.curvature_y[y + 1], slope_dx = level.slope_dx[y]](int i) {
         const Drops<Number> drop = outward<Number>(drop_x, south, north, i);
-        store(
-            fall_of<Number>({drop.east + at<Number>(bend_x, i + 1), drop.west + at<Number>(bend_x, i),
-                             drop.north + at<Number>(bend_north, i), drop.south + at<Number>(bend_south, i)}),
-            fall + i);
+        store(slope_dx_of<Number>(
+                  {drop.east + at<Number>(curvature_x, i + 1), drop.west + at<Number>(curvature_x, i),
+                   drop.north + at<Number>(curvature_north, i), drop.south + at<Number>(curvature_south, i)}),
+              slope_dx + i);
     };
 }
 
@@ -43,29 +44,29 @@ auto find_bent_fall(const Level<S>& level, int y) {
 template <class Number, class S = Scalar<Number>>
 [[gnu::always_inline]] inline Number sum_outward(const S* in_x, const S* south, const S* north, int i) {
     const Number none(0);
-    return (larger(at<Number>(in_x, i + 1), none) - smaller(at<Number>(in_x, i), none)) +
-           (larger(at<Number>(north, i), none) - smaller(at<Number>(south, i), none));
+    return (max(at<Number>(in_x, i + 1), none) - min(at<Number>(in_x, i), none)) +
+           (max(at<Number>(north, i), none) - min(at<Number>(south, i), none));
 }
 
 // Of local-lax-friedrichs: rows y = 0 … ny-1. Reads R, drop_x, drop_y, fall; writes given.
 template <class Number, class S = Scalar<Number>>
-auto find_given(const Work<S>& w, int y) {
-    return [c = w.c, rolling = w.now.rolling[y], fall = w.now.fall[y], drop_x = w.now.drop_x[y],
-            south = w.now.drop_y[y], north = w.now.drop_y[y + 1], given = w.given[y]](int i) {
+auto find_outflow(const Work<S>& w, int y) {
+    return [c = w.c, rolling = w.now.rolling[y], slope_dx = w.now.slope_dx[y], drop_x = w.now.drop_x[y],
+            south = w.now.drop_y[y], north = w.now.drop_y[y + 1], outflow = w.outflow[y]](int i) {
         const Number r = at<Number>(rolling, i);
-        const Number wanted = given_per_drop(r, pace_of(at<Number>(fall, i), r, c), c);
-        if (c.may_give_too_much) {
+        const Number wanted = outflow_per_drop(r, pace_of(at<Number>(slope_dx, i), r, c), c);
+        if (c.outflow_may_exceed_layer) {
             const Number all = wanted * sum_outward<Number>(drop_x, south, north, i);
-            store<Number>(wanted * share_given(all, r), given + i);
+            store<Number>(wanted * outflow_share(all, r), outflow + i);
         } else {
-            store(wanted, given + i);
+            store(wanted, outflow + i);
         }
     };
 }
 // The halo gives nothing: rows y = -1 … ny.
 template <class Number, class S = Scalar<Number>>
-void end_given(const Work<S>& w, int y, Span x) {
-    for (S* row : {w.given[y], w.now.velocity_x[y], w.now.velocity_y[y]}) {
+void end_outflow(const Work<S>& w, int y, Span x) {
+    for (S* row : {w.outflow[y], w.now.velocity_x[y], w.now.velocity_y[y]}) {
         if (w.is_ground(y))
             row[-1] = row[w.nx] = 0;
         else
@@ -75,40 +76,40 @@ void end_given(const Work<S>& w, int y, Span x) {
 // Then faces y = 0 … ny. Reads drop_x, drop_y, given; writes flux_x, flux_y, in whole quanta.
 template <class Number, class S = Scalar<Number>>
 auto find_split_fluxes(const Work<S>& w, int y) {
-    return [c = w.c, drop_x = w.now.drop_x[y], drop_y = w.now.drop_y[y], given = w.given[y],
-            south = w.given[y - 1], flux_x = w.flux_x[y], flux_y = w.flux_y[y]](int i) {
-        const Number here = at<Number>(given, i), west = at<Number>(given, i - 1);
+    return [c = w.c, drop_x = w.now.drop_x[y], drop_y = w.now.drop_y[y], outflow = w.outflow[y],
+            south = w.outflow[y - 1], flux_x = w.flux_x[y], flux_y = w.flux_y[y]](int i) {
+        const Number here = at<Number>(outflow, i), west = at<Number>(outflow, i - 1);
         const Number in_x = flux_local_lax_friedrichs(at<Number>(drop_x, i), west, here);
         const Number in_y = flux_local_lax_friedrichs(at<Number>(drop_y, i), at<Number>(south, i), here);
-        store(booked(in_x, c), flux_x + i);
-        store(booked(in_y, c), flux_y + i);
+        store(quantised(in_x, c), flux_x + i);
+        store(quantised(in_y, c), flux_y + i);
     };
 }
 
 // Of lax-friedrichs: rows y = 0 … ny-1. Reads R, drop_x, drop_y, fall; writes given, velocity_x, velocity_y.
 template <class Number, class S = Scalar<Number>>
-auto find_quarters(const Work<S>& w, int y) {
-    return [c = w.c, rolling = w.now.rolling[y], fall = w.now.fall[y], drop_x = w.now.drop_x[y],
-            south = w.now.drop_y[y], north = w.now.drop_y[y + 1], given = w.given[y],
+auto find_quarter_outflow(const Work<S>& w, int y) {
+    return [c = w.c, rolling = w.now.rolling[y], slope_dx = w.now.slope_dx[y], drop_x = w.now.drop_x[y],
+            south = w.now.drop_y[y], north = w.now.drop_y[y + 1], outflow = w.outflow[y],
             more_x = w.now.velocity_x[y], more_y = w.now.velocity_y[y]](int i) {
-        const Number r = at<Number>(rolling, i), pace = pace_of(at<Number>(fall, i), r, c);
+        const Number r = at<Number>(rolling, i), pace = pace_of(at<Number>(slope_dx, i), r, c);
         const Quarters<Number> gives =
             quarters(r, net_velocity(outward<Number>(drop_x, south, north, i), pace), c);
-        store(gives.quarter, given + i), store(gives.along_x, more_x + i), store(gives.along_y, more_y + i);
+        store(gives.quarter, outflow + i), store(gives.along_x, more_x + i), store(gives.along_y, more_y + i);
     };
 }
 // Then faces y = 0 … ny. Reads given, velocity_x, velocity_y; writes flux_x, flux_y, in whole quanta.
 template <class Number, class S = Scalar<Number>>
 auto find_quarter_fluxes(const Work<S>& w, int y) {
-    return [c = w.c, given = w.given[y], given_south = w.given[y - 1], more_x = w.now.velocity_x[y],
+    return [c = w.c, outflow = w.outflow[y], given_south = w.outflow[y - 1], more_x = w.now.velocity_x[y],
             more_y = w.now.velocity_y[y], more_south = w.now.velocity_y[y - 1], flux_x = w.flux_x[y],
             flux_y = w.flux_y[y]](int i) {
-        const Number here = at<Number>(given, i), west = at<Number>(given, i - 1);
+        const Number here = at<Number>(outflow, i), west = at<Number>(outflow, i - 1);
         const Number in_x = flux_lax_friedrichs(west, at<Number>(more_x, i - 1), here, at<Number>(more_x, i));
         const Number in_y = flux_lax_friedrichs(at<Number>(given_south, i), at<Number>(more_south, i), here,
                                                 at<Number>(more_y, i));
-        store(booked(in_x, c), flux_x + i);
-        store(booked(in_y, c), flux_y + i);
+        store(quantised(in_x, c), flux_x + i);
+        store(quantised(in_y, c), flux_y + i);
     };
 }
 
@@ -171,10 +172,10 @@ template <class Number, class S = Scalar<Number>>
 
 // Of muscl: what vertex i of a row would erode at the rate of a level.
 template <class Number, class S = Scalar<Number>>
-[[gnu::always_inline]] inline Number exchanged_at(const S* depth, const S* rolling, const S* fall, int i,
+[[gnu::always_inline]] inline Number exchanged_at(const S* depth, const S* rolling, const S* slope_dx, int i,
                                                   const Constants<S>& c) {
-    return exchanged_at_rate(at<Number>(rolling, i), at<Number>(depth, i), growth_of(at<Number>(fall, i), c),
-                             c);
+    return exchanged_at_rate(at<Number>(rolling, i), at<Number>(depth, i),
+                             growth_of(at<Number>(slope_dx, i), c), c);
 }
 
 // Of muscl: rows y = 0 … ny-1. Where fluxes and exchange lead, unrounded, and never stored: it only serves to
@@ -182,10 +183,10 @@ template <class Number, class S = Scalar<Number>>
 // `then`.
 template <class Number, class S = Scalar<Number>>
 auto predict(const Work<S>& w, int y) {
-    return [c = w.c, depth = w.now.depth[y], rolling = w.now.rolling[y], fall = w.now.fall[y],
+    return [c = w.c, depth = w.now.depth[y], rolling = w.now.rolling[y], slope_dx = w.now.slope_dx[y],
             exchanged = w.exchanged[y], flux_x = w.flux_x[y], south = w.flux_y[y], north = w.flux_y[y + 1],
             d = w.then.depth[y], r = w.then.rolling[y]](int i) {
-        const Number taken = exchanged_at<Number>(depth, rolling, fall, i, c);
+        const Number taken = exchanged_at<Number>(depth, rolling, slope_dx, i, c);
         store(taken, exchanged + i);
         store(predicted_rolling(carried_at<Number>(rolling, flux_x, south, north, i), taken), r + i);
         store<Number>(at<Number>(depth, i) - taken, d + i);
@@ -200,11 +201,11 @@ auto find_share(const Work<S>& w, int y, bool* less = nullptr) {
     return [c = w.c, rolling = w.now.rolling[y], next = w.then.rolling[y], flux_x = w.flux_x[y],
             south = w.flux_y[y], north = w.flux_y[y + 1], share = w.share[y], less](int i) {
         const Number r = at<Number>(rolling, i);
-        if (less && !any(most_given(r, at<Number>(next, i), c) > spare_of(r))) {
+        if (less && !any(greatest_outflow(r, at<Number>(next, i), c) > spare_of(r))) {
             store(Number(1), share + i);
             return;
         }
-        store(share_given(sum_outward<Number>(flux_x, south, north, i), r), share + i);
+        store(outflow_share(sum_outward<Number>(flux_x, south, north, i), r), share + i);
         if (less) *less = true;
     };
 }
@@ -229,10 +230,10 @@ auto share_fluxes(const Work<S>& w, int y) {
 }
 // Then in whole quanta. Faces y = 0 … ny.
 template <class Number, class S = Scalar<Number>>
-auto book_fluxes(const Work<S>& w, int y) {
+auto quantise_fluxes(const Work<S>& w, int y) {
     return [c = w.c, flux_x = w.flux_x[y], flux_y = w.flux_y[y]](int i) {
-        store(booked(at<Number>(flux_x, i), c), flux_x + i);
-        store(booked(at<Number>(flux_y, i), c), flux_y + i);
+        store(quantised(at<Number>(flux_x, i), c), flux_x + i);
+        store(quantised(at<Number>(flux_y, i), c), flux_y + i);
     };
 }
 
@@ -244,22 +245,22 @@ template <class Number, Scheme scheme, class S = Scalar<Number>>
 auto settle(const Work<S>& w, int y, int end, std::uint8_t* active = nullptr) {
     constexpr bool kSecond = scheme == Scheme::kMuscl;
     return [c = w.c, depth = w.now.depth[y], rolling = w.now.rolling[y], flux_x = w.flux_x[y],
-            south = w.flux_y[y], north = w.flux_y[y + 1], falls = kSecond ? w.then.fall[y] : w.now.fall[y],
-            taken = w.exchanged[y], then_depth = w.then.depth[y], then_rolling = w.then.rolling[y], end,
-            active](int i) {
-        const Number fall = only_before(end, at<Number>(falls, i), i);
+            south = w.flux_y[y], north = w.flux_y[y + 1],
+            falls = kSecond ? w.then.slope_dx[y] : w.now.slope_dx[y], taken = w.exchanged[y],
+            then_depth = w.then.depth[y], then_rolling = w.then.rolling[y], end, active](int i) {
+        const Number slope_dx = only_before(end, at<Number>(falls, i), i);
         const Number carried = carried_at<Number>(rolling, flux_x, south, north, i);
         Number lies = at<Number>(depth, i), rolls = carried;
         if constexpr (kSecond) {
             const Number next = exchanged_at<Number>(then_depth, then_rolling, falls, i, c);
             const Number wanted = mean(at<Number>(taken, i), next);
-            transfer(larger(in_quanta(wanted, c.dither), -carried), lies, rolls);
+            transfer(max(in_quanta(wanted, c.dither), -carried), lies, rolls);
         } else {
-            transfer(exchanged(carried, fall, grown_little(growth_of(fall, c)), c), lies, rolls);
+            transfer(exchanged(carried, slope_dx, expm1_small(growth_of(slope_dx, c)), c), lies, rolls);
         }
         bool moves = true;
         if (any(rolls < c.freeze_depth) || i + kLanes < Number >> end) {
-            yield(fall, lies, rolls, c);
+            yield(slope_dx, lies, rolls, c);
             moves = any_before(end - i, carried > S{0} || rolls > S{0});
         }
         if (active && moves) active[static_cast<unsigned>(i) / kLanes<Number>] = 1;
@@ -281,7 +282,7 @@ auto find_velocity(const Work<S>& w, int y, int end) {
             return;
         }
         const Drops<Number> drop = outward<Number>(drop_x, south, north, i);
-        const Vector<Number> velocity = net_velocity(drop, pace_of(fall_of(drop), r, c));
+        const Vector<Number> velocity = net_velocity(drop, pace_of(slope_dx_of(drop), r, c));
         store_before(end, select(moves, velocity.x, none), u, i);
         store_before(end, select(moves, velocity.y, none), v, i);
     };

@@ -28,15 +28,15 @@ struct Vector {
 };
 
 template <class Number>
-[[gnu::always_inline]] inline Number law_speed(const Number& fall, const Number& rolling,
+[[gnu::always_inline]] inline Number law_speed(const Number& slope_dx, const Number& rolling,
                                                const Constants<Scalar<Number>>& c) {
     switch (c.law) {
         case Law::kConstant:
             break;
         case Law::kSlope:
-            return smaller(fall * c.speed_per_fall, Number(c.max_speed));
+            return min(slope_dx * c.speed_per_slope_dx, Number(c.max_speed));
         case Law::kShear:
-            return smaller(rolling * c.half_shear_rate + c.rolling_speed, Number(c.max_speed));
+            return min(rolling * c.half_shear_rate + c.rolling_speed, Number(c.max_speed));
     }
     return Number(c.rolling_speed);
 }
@@ -47,17 +47,17 @@ inline constexpr auto kFlat = Scalar<Number>(1e-12);
 
 // k, the pace: speed per drop, 1/s. On level ground nothing moves, and the pace only has to be finite.
 template <class Number>
-[[gnu::always_inline]] inline Number pace_of(const Number& fall, const Number& rolling,
+[[gnu::always_inline]] inline Number pace_of(const Number& slope_dx, const Number& rolling,
                                              const Constants<Scalar<Number>>& c) {
-    return law_speed(fall, rolling, c) / larger(fall, Number(kFlat<Number>));
+    return law_speed(slope_dx, rolling, c) / max(slope_dx, Number(kFlat<Number>));
 }
 
 // Of what goes to either side.
 template <class Number>
 [[gnu::always_inline]] inline Vector<Number> net_velocity(const Drops<Number>& drop, const Number& pace) {
     const Number none(0);
-    return {(larger(drop.east, none) - larger(drop.west, none)) * pace,
-            (larger(drop.north, none) - larger(drop.south, none)) * pace};
+    return {(max(drop.east, none) - max(drop.west, none)) * pace,
+            (max(drop.north, none) - max(drop.south, none)) * pace};
 }
 
 // For muscl. `fall_x` = h_W − h_E and `fall_y` = h_S − h_N, m: over two cells.
@@ -65,9 +65,9 @@ template <class Number>
 [[gnu::always_inline]] inline Vector<Number> central_velocity(const Number& fall_x, const Number& fall_y,
                                                               const Number& rolling,
                                                               const Constants<Scalar<Number>>& c) {
-    const Number twice = square_root(fall_x * fall_x + fall_y * fall_y);
+    const Number twice = sqrt(fall_x * fall_x + fall_y * fall_y);
     const Number pace =
-        law_speed(twice * Scalar<Number>(0.5), rolling, c) / larger(twice, Number(2 * kFlat<Number>));
+        law_speed(twice * Scalar<Number>(0.5), rolling, c) / max(twice, Number(2 * kFlat<Number>));
     return {pace * fall_x, pace * fall_y};
 }
 

@@ -14,12 +14,12 @@
 namespace sim::bcre {
 
 template <class Number>
-[[gnu::always_inline]] inline void yield(const Number& fall, Number& depth, Number& rolling,
+[[gnu::always_inline]] inline void yield(const Number& slope_dx, Number& depth, Number& rolling,
                                          const Constants<Scalar<Number>>& c) {
     const auto at_rest = rolling < c.freeze_depth;
     if (!any(at_rest)) return;
-    const auto starts = fall > c.start_fall && depth + rolling >= c.freeze_depth;
-    const Number set_free = select(starts, smaller(depth, Number(c.start_depth)), -rolling);
+    const auto starts = slope_dx > c.start_slope_dx && depth + rolling >= c.freeze_depth;
+    const Number set_free = select(starts, min(depth, Number(c.start_depth)), -rolling);
     const Number moved = select(at_rest, set_free, Number(0));
     depth -= moved;
     rolling += moved;

@@ -14,7 +14,7 @@ struct FlowNumbers {
     double front_speed = 1;  // of the front, times its usual, −4 to 4
     double smooth = 0;       // of a field without jumps on top, sides per second, 0 to 0.1
     bool cut = true;         // false: as if there were no fronts
-    front::Source source = front::Source::kFit;
+    front::PointSource source = front::PointSource::kFit;
     bool operator==(const FlowNumbers&) const = default;
 };
 

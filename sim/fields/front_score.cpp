@@ -93,8 +93,8 @@ class Jumps {
 
 }  // namespace
 
-FrontScore score(const front::Mesh& mesh, const front::Rule& rule, front::Source source, const TestFlow& flow,
-                 const Trial& trial) {
+FrontScore score(const front::Mesh& mesh, const front::Rule& rule, front::PointSource source,
+                 const TestFlow& flow, const Trial& trial) {
     const Lie lie(flow, trial);
     const double dt = 1 / trial.steps_per_second;
     const auto limit = static_cast<float>(0.25 * trial.cell + flow.greatest_front_speed() * dt);

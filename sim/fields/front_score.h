@@ -30,7 +30,7 @@ struct Trial {
 };
 
 // Runs a source through a flow.
-FrontScore score(const front::Mesh& mesh, const front::Rule& rule, front::Source source, const TestFlow& flow,
-                 const Trial& trial);
+FrontScore score(const front::Mesh& mesh, const front::Rule& rule, front::PointSource source,
+                 const TestFlow& flow, const Trial& trial);
 
 }  // namespace sim::fields

@@ -28,7 +28,7 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) {
 }
 
 // A piece of the cut mesh with its coordinates.
-struct Piece {
+struct FrontFit {
     std::array<glm::dvec2, 3> at, coordinates;
 
     double area() const { return std::abs(cross(at[1] - at[0], at[2] - at[0])) / 2; }
@@ -54,10 +54,10 @@ struct Piece {
 };
 
 // What is drawn of a triangle; pieces without area are left out.
-std::vector<Piece> pieces_of(const front::Tracker& tracker, const TextureLayers& layers, int triangle) {
-    std::vector<Piece> pieces;
+std::vector<FrontFit> pieces_of(const front::Tracker& tracker, const TextureLayers& layers, int triangle) {
+    std::vector<FrontFit> pieces;
     for (const CutTriangle& part : cut_triangle(tracker, triangle)) {
-        Piece piece;
+        FrontFit piece;
         for (int k = 0; k < 3; ++k) {
             piece.at[k] = glm::dvec2(part[k].position);
             piece.coordinates[k] = piece.at[k] + glm::dvec2(layers.offset(part[k], kSheet));
@@ -118,7 +118,7 @@ struct Particle {
 
 class Texture {
   public:
-    Texture(const front::Mesh& mesh, const front::Rule& rule, front::Source source, const TestFlow& flow,
+    Texture(const front::Mesh& mesh, const front::Rule& rule, front::PointSource source, const TestFlow& flow,
             Cutting cutting, const TextureTrial& trial)
         : mesh_(mesh),
           flow_(flow),
@@ -176,7 +176,7 @@ class Texture {
 
     void measure_stretch(double time) {
         for (int t = 0; t < static_cast<int>(mesh_.triangle.size()); ++t)
-            for (const Piece& piece : pieces_of(tracker_, layers_, t)) {
+            for (const FrontFit& piece : pieces_of(tracker_, layers_, t)) {
                 const double stretch = piece.stretch(), area = piece.area();
                 area_ += area, stretched_ += stretch > 2 ? area : 0;
                 if (flow_.distance(piece.middle(), front_time(time)) < kNearCells * mesh_.cell[0])
@@ -229,7 +229,7 @@ class Texture {
         const int left = std::clamp(static_cast<int>(x.x / cell), 0, squares - 1);
         const int below = std::clamp(static_cast<int>(x.y / cell), 0, squares - 1);
         for (const int half : {0, 1})
-            for (const Piece& piece : pieces_of(tracker_, layers_, 2 * (below * squares + left) + half))
+            for (const FrontFit& piece : pieces_of(tracker_, layers_, 2 * (below * squares + left) + half))
                 if (const auto c = piece.coordinates_at(x)) return c;
         return std::nullopt;
     }
@@ -259,7 +259,7 @@ class Texture {
 
 }  // namespace
 
-TextureScore score_texture(const front::Mesh& mesh, const front::Rule& rule, front::Source source,
+TextureScore score_texture(const front::Mesh& mesh, const front::Rule& rule, front::PointSource source,
                            const TestFlow& flow, Cutting cutting, const TextureTrial& trial) {
     return Texture(mesh, rule, source, flow, cutting, trial).run();
 }

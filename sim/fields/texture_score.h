@@ -35,7 +35,7 @@ struct TextureScore {
 };
 
 // On a heightfield over the unit square, by a tracker with this rule and source.
-TextureScore score_texture(const front::Mesh& mesh, const front::Rule& rule, front::Source source,
+TextureScore score_texture(const front::Mesh& mesh, const front::Rule& rule, front::PointSource source,
                            const TestFlow& flow, Cutting cutting, const TextureTrial& trial);
 
 }  // namespace sim::fields

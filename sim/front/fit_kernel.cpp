@@ -31,8 +31,8 @@ struct Fit {
         }
     }
 
-    [[gnu::flatten]] static void place_flips(const Frame& frame, const Weighing& by, const Flipped& flips,
-                                             int count, const FlipRows& rows) {
+    [[gnu::flatten]] static void place_flips(const LocalFrame& frame, const Weighing& by,
+                                             const Flipped& flips, int count, const FlipRows& rows) {
         const Lanes per_way = 1 / (by.surely - by.one_way);
         for (int i = 0; i < filled_up(count); i += kWidth) {
             const Lanes dx = load(flips.x + i) - frame.x0, dy = load(flips.y + i) - frame.y0;
@@ -70,7 +70,7 @@ struct Fit {
             });
     }
 
-    [[gnu::flatten]] static void place_crossings(const Frame& frame, const Nearness& near,
+    [[gnu::flatten]] static void place_crossings(const LocalFrame& frame, const Nearness& near,
                                                  const Crossed& crossings, int count,
                                                  const CrossingRows& rows, LaneSums& lanes) {
         for (int first = 0; first < kLanes; first += kWidth)

@@ -22,7 +22,7 @@ constexpr int filled_up(int count) {
 
 // Lengths in cells from here on: s = u (y − y₀) − v (x − x₀) along a front, D = u (x − x₀) + v (y − y₀)
 // across.
-struct Frame {
+struct LocalFrame {
     double x0, y0;  // m
     double u, v;    // normal, 1/cells
 };
@@ -73,12 +73,12 @@ struct Kernels {
     // Of each key how many are less.
     void (*find_order)(const int* key, int count, int* less);
     // Rows that only fill up weigh nothing, if one_way > 0.
-    void (*place_flips)(const Frame&, const Weighing&, const Flipped&, int count, const FlipRows&);
+    void (*place_flips)(const LocalFrame&, const Weighing&, const Flipped&, int count, const FlipRows&);
     // Rows are the newest first.
     void (*add_flips)(const Deviation&, const FlipRows&, int count, LaneSums&);
     // Those count whose `counts` is 1 already, and that are near.
-    void (*place_crossings)(const Frame&, const Nearness&, const Crossed&, int count, const CrossingRows&,
-                            LaneSums&);
+    void (*place_crossings)(const LocalFrame&, const Nearness&, const Crossed&, int count,
+                            const CrossingRows&, LaneSums&);
     // How far ends lie on the wrong side of D = c₀ + c₁ s + c₂ s²/2: those here below it, those beyond above;
     // those that do not count are right. The most.
     double (*find_wrong)(const double (&c)[3], const CrossingRows&, int count, double* here, double* beyond);

@@ -11,7 +11,7 @@ namespace sim::front {
 class FlowView {
   public:
     // The mesh must outlive it.
-    FlowView(const Mesh& mesh, const Rule& rule, Source source, const LayerRule& layers)
+    FlowView(const Mesh& mesh, const Rule& rule, PointSource source, const LayerRule& layers)
         : tracker_(mesh, rule, source), layers_(mesh, layers) {}
 
     // To the flow as it is `dt` seconds later, > 0; in three stages.

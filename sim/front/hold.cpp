@@ -28,7 +28,7 @@ double farthest_step(double cell, double dt) {
 
 }  // namespace
 
-Hold::Hold(const Mesh& mesh, const Rule& rule)
+PointHold::PointHold(const Mesh& mesh, const Rule& rule)
     : mesh_(mesh),
       actual_(mesh, rule),
       velocity_(mesh.position.size()),
@@ -37,8 +37,8 @@ Hold::Hold(const Mesh& mesh, const Rule& rule)
     CHECK(rule.kind != Rule::Kind::kLevel);
 }
 
-Flow Hold::delay(const Flow& flow, double time, double dt, const Detector& seen,
-                 std::span<const Point> points) {
+Flow PointHold::delay(const Flow& flow, double time, double dt, const Detector& seen,
+                      std::span<const Point> points) {
     actual_.update(flow);
     for (const int v : held_) steps_left_[v] = late_at(v, dt, seen, points).any ? steps_left_[v] - 1 : 0;
     for (const int v : actual_.flipped()) {
@@ -59,19 +59,20 @@ Flow Hold::delay(const Flow& flow, double time, double dt, const Detector& seen,
     return {velocity_, flow.scalar};
 }
 
-int Hold::left_through(int edge) const {
+int PointHold::left_through(int edge) const {
     if (actual_.is_cut(edge)) return -1;
     const auto [a, b] = mesh_.edge[edge];
     return steps_left_[a] > 0 ? a : steps_left_[b] > 0 ? b : -1;
 }
 
-double Hold::hurried(const Point& point, double dt) const {
+double PointHold::hurried(const Point& point, double dt) const {
     const auto [a, b] = mesh_.edge[point.edge];
     const double run = std::abs(point.speed) * dt;
     return std::max(run, std::min(kHaste * run, farthest_step(std::min(mesh_.cell[a], mesh_.cell[b]), dt)));
 }
 
-Hold::Late Hold::late_at(int vertex, double dt, const Detector& seen, std::span<const Point> points) const {
+PointHold::Late PointHold::late_at(int vertex, double dt, const Detector& seen,
+                                   std::span<const Point> points) const {
     Late late{0, 0, false};
     for (const auto& spoke : mesh_.around(vertex)) {
         if (!seen.is_cut(spoke.edge) || actual_.is_cut(spoke.edge)) continue;

@@ -12,10 +12,10 @@ namespace sim::front {
 // come there, they are kept, and go on to it faster; else they would vanish on their way. What is kept is the
 // vertex itself, as it was before the front: so cuts stay those of one front, and textures their sides. For
 // so long edges are cut that the front has left, and others are not that it has entered.
-class Hold {
+class PointHold {
   public:
     // The mesh must outlive it. No rule by level: a point that is where the level is does not come late.
-    Hold(const Mesh& mesh, const Rule& rule);
+    PointHold(const Mesh& mesh, const Rule& rule);
 
     // The flow of `time`, `dt` after the last, as it is to be looked at: all but what is held. Valid until
     // the next call. `seen` and `points` are what came of the last.

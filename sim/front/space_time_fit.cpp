@@ -67,8 +67,8 @@ double* take(double*& from, int count) {
 
 }  // namespace
 
-Piece SpaceTimeFit::operator()(const Moment& now, std::span<const Flips> flips, std::span<const int> cuts,
-                               int edge, Piece piece) {
+FrontFit SpaceTimeFit::operator()(const TrackedMoment& now, std::span<const Flips> flips,
+                                  std::span<const int> cuts, int edge, FrontFit piece) {
     const Mesh& mesh = now.detector.mesh();
     const auto [a, b] = mesh.edge[edge];
     cell_ = std::min(mesh.cell[a], mesh.cell[b]);
@@ -92,7 +92,7 @@ Piece SpaceTimeFit::operator()(const Moment& now, std::span<const Flips> flips, 
 }
 
 // Which vertices are beyond the front. One that lies on both shores is the nearer one's.
-void SpaceTimeFit::claim(const Shore& here, const Shore& beyond) {
+void SpaceTimeFit::claim(const OneSidedNeighbourhood& here, const OneSidedNeighbourhood& beyond) {
     ++round_;
     int next = 0;
     for (std::uint64_t ring = 0; ring < beyond.ring_end.size(); ++ring)
@@ -109,8 +109,8 @@ void SpaceTimeFit::claim(const Shore& here, const Shore& beyond) {
         }
 }
 
-void SpaceTimeFit::collect_flips(const Shore& here, const Shore& beyond) {
-    const Shore* const shores[] = {&here, &beyond};
+void SpaceTimeFit::collect_flips(const OneSidedNeighbourhood& here, const OneSidedNeighbourhood& beyond) {
+    const OneSidedNeighbourhood* const shores[] = {&here, &beyond};
     int length[2];
     for (const int side : {0, 1}) {
         sides_[side].count = static_cast<int>(shores[side]->flipped.size());
@@ -135,13 +135,13 @@ void SpaceTimeFit::collect_flips(const Shore& here, const Shore& beyond) {
 }
 
 // Of vertices that are on both shores and belong to the other.
-void SpaceTimeFit::forget_flips(const Shore& shore, bool of_here, const fit::FlipRows& rows) {
+void SpaceTimeFit::forget_flips(const OneSidedNeighbourhood& shore, bool of_here, const fit::FlipRows& rows) {
     for (std::size_t i = 0; i < shore.flipped.size(); ++i)
         if (is_beyond(shore.flipped[i]) == of_here) rows.weight[i] = 0;
 }
 
 // What the front crosses now lies on either side of it, and near the middle of its edge.
-void SpaceTimeFit::collect_crossings(const Mesh& mesh, const Shore& here) {
+void SpaceTimeFit::collect_crossings(const Mesh& mesh, const OneSidedNeighbourhood& here) {
     const int length = fit::filled_up(static_cast<int>(here.crossings.size()));
     crossing_numbers_.resize(std::max(crossing_numbers_.size(), static_cast<std::size_t>(11 * length)));
     double* next = crossing_numbers_.data();
@@ -232,7 +232,7 @@ void SpaceTimeFit::keep_sides() {
     }
 }
 
-Piece SpaceTimeFit::met(const Mesh& mesh, int edge, Piece piece) const {
+FrontFit SpaceTimeFit::met(const Mesh& mesh, int edge, FrontFit piece) const {
     const auto [u, v] = std::pair(frame_.u, frame_.v);
     const glm::dvec2 along = mesh.along(edge);  // its middle is where s and D are 0
     const double ds = u * along.y - v * along.x, dD = u * along.x + v * along.y;

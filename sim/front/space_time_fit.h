@@ -8,14 +8,14 @@
 #include <glm/vec2.hpp>
 
 #include "sim/front/fit_lanes.h"
-#include "sim/front/locator.h"
 #include "sim/front/moving_quadratic.h"
-#include "sim/front/shores.h"
+#include "sim/front/one_sided_neighbourhood.h"
+#include "sim/front/point_estimator.h"
 
 namespace sim::front {
 
 // What is known of a front where it crosses an edge.
-struct Piece {
+struct FrontFit {
     float f = 0.5f;          // as fitted
     glm::vec2 normal{1, 0};  // unit, from the side of vertex a to that of b
     float speed = 0;         // along the normal, m/s
@@ -37,33 +37,33 @@ class SpaceTimeFit {
 
     // `piece` is what was known of the front there until now. Of each vertex of the mesh: its flips, and how
     // many of its edges are cut.
-    Piece operator()(const Moment& now, std::span<const Flips> flips, std::span<const int> cuts, int edge,
-                     Piece piece);
+    FrontFit operator()(const TrackedMoment& now, std::span<const Flips> flips, std::span<const int> cuts,
+                        int edge, FrontFit piece);
 
   private:
-    void claim(const Shore& here, const Shore& beyond);
+    void claim(const OneSidedNeighbourhood& here, const OneSidedNeighbourhood& beyond);
     bool is_beyond(int vertex) const { return beyond_[vertex] / kRingsOf == round_; }
-    void collect_flips(const Shore& here, const Shore& beyond);
-    void forget_flips(const Shore& shore, bool of_here, const fit::FlipRows& rows);
-    void collect_crossings(const Mesh& mesh, const Shore& here);
+    void collect_flips(const OneSidedNeighbourhood& here, const OneSidedNeighbourhood& beyond);
+    void forget_flips(const OneSidedNeighbourhood& shore, bool of_here, const fit::FlipRows& rows);
+    void collect_crossings(const Mesh& mesh, const OneSidedNeighbourhood& here);
     void choose_window(double dt);
     void solve();
     bool misses_newest();
     void keep_sides();
     double find_wrong();
-    Piece met(const Mesh& mesh, int edge, Piece piece) const;
+    FrontFit met(const Mesh& mesh, int edge, FrontFit piece) const;
 
     static constexpr std::uint64_t kRingsOf = 8;  // more than a shore has
 
     const fit::Kernels& kernels_;
-    Shores shores_;
+    OneSidedNeighbourhoods shores_;
     std::vector<std::uint64_t>
         beyond_;  // of each vertex: when it last lay on b's side, times 8, and its ring
     std::uint64_t round_ = 0;
     bool meet_ = false;  // whether a vertex is on both shores
 
     MovingQuadratic front_;
-    fit::Frame frame_{};
+    fit::LocalFrame frame_{};
     // Flips on a's side and on b's, the newest first.
     struct Side {
         int count = 0;

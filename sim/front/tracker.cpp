@@ -5,44 +5,44 @@
 
 #include "sim/core/check.h"
 #include "sim/front/hold.h"
-#include "sim/front/locator.h"
+#include "sim/front/point_estimator.h"
 
 namespace sim::front {
 namespace {
 
 constexpr std::array<std::string_view, 4> kSources{"half", "paper", "fit", "level"};
 
-std::unique_ptr<Locator> locator_of(const Mesh& mesh, const Rule& rule, Source source) {
+std::unique_ptr<PointEstimator> locator_of(const Mesh& mesh, const Rule& rule, PointSource source) {
     switch (source) {
-        case Source::kHalf:
+        case PointSource::kHalf:
             break;
-        case Source::kPaper:
-            return paper_locator(mesh);
-        case Source::kFit:
-            return fit_locator(mesh);
-        case Source::kLevel:
-            return level_locator(mesh, rule.level);
+        case PointSource::kPaper:
+            return paper_estimator(mesh);
+        case PointSource::kFit:
+            return fit_estimator(mesh);
+        case PointSource::kLevel:
+            return level_estimator(mesh, rule.level);
     }
     return nullptr;
 }
 
 }  // namespace
 
-std::string_view to_string(Source source) {
+std::string_view to_string(PointSource source) {
     return kSources[static_cast<std::size_t>(source)];
 }
 
-std::optional<Source> source_named(std::string_view name) {
+std::optional<PointSource> source_named(std::string_view name) {
     for (std::size_t i = 0; i < kSources.size(); ++i)
-        if (kSources[i] == name) return static_cast<Source>(i);
+        if (kSources[i] == name) return static_cast<PointSource>(i);
     return std::nullopt;
 }
 
-Tracker::Tracker(const Mesh& mesh, const Rule& rule, Source source, bool hold)
+Tracker::Tracker(const Mesh& mesh, const Rule& rule, PointSource source, bool hold)
     : detector_(mesh, rule),
-      hold_(hold ? std::make_unique<Hold>(mesh, rule) : nullptr),
+      hold_(hold ? std::make_unique<PointHold>(mesh, rule) : nullptr),
       source_(source),
-      locator_(locator_of(mesh, rule, source)) {
+      estimator_(locator_of(mesh, rule, source)) {
     for (std::vector<Point>* list : {&points_, &previous_}) list->reserve(mesh.edge.size() / 8);
 }
 
@@ -63,7 +63,8 @@ void Tracker::advance(const Flow& flow, double dt, Workers& workers) {
         }
         points_.push_back(point);
     }
-    if (locator_) locator_->locate({detector_, flow, time_, dt, previous_, hold_.get(), workers}, points_);
+    if (estimator_)
+        estimator_->locate({detector_, flow, time_, dt, previous_, hold_.get(), workers}, points_);
     outrun_ = count_outrun(dt);
 }
 

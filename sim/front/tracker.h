@@ -23,17 +23,17 @@ struct Point {
 };
 
 // Where on its edge a point lies is told by one of four sources.
-enum class Source {
+enum class PointSource {
     kHalf,   // always in the middle
     kPaper,  // Rodríguez-Cerro et al., section 3: speed from the edges that the front left before
     kFit,    // a piece of moving front fitted to the flips of the vertices around (tracker_fit.cpp)
     kLevel   // where a scalar that is known at the vertices, linear between them, has its level
 };
-std::string_view to_string(Source source);
-std::optional<Source> source_named(std::string_view name);
+std::string_view to_string(PointSource source);
+std::optional<PointSource> source_named(std::string_view name);
 
-class Hold;
-class Locator;
+class PointHold;
+class PointEstimator;
 
 // Follows fronts through a flow, step after step: a view, which changes nothing of the flow. Its cost grows
 // with the length of the fronts, but for the detector's look at every edge.
@@ -42,7 +42,7 @@ class Tracker {
     // The mesh must outlive it. kLevel wants a scalar with every flow, and takes its level from the rule
     // whatever kind that is. Of kPaper alone, and with no rule by level, `hold` keeps points that are late
     // (hold.h).
-    Tracker(const Mesh& mesh, const Rule& rule, Source source, bool hold = false);
+    Tracker(const Mesh& mesh, const Rule& rule, PointSource source, bool hold = false);
     ~Tracker();
     Tracker(const Tracker&) = delete;
     Tracker& operator=(const Tracker&) = delete;
@@ -53,7 +53,7 @@ class Tracker {
 
     const Mesh& mesh() const { return detector_.mesh(); }
     const Detector& detector() const { return detector_; }
-    Source source() const { return source_; }
+    PointSource source() const { return source_; }
     // One for each edge of detector().cut(), in that order.
     std::span<const Point> points() const { return points_; }
     glm::vec2 position(const Point& point) const;  // m
@@ -66,11 +66,11 @@ class Tracker {
     int count_outrun(double dt) const;
 
     Detector detector_;
-    std::unique_ptr<Hold> hold_;  // none unless it was asked for
-    Source source_;
+    std::unique_ptr<PointHold> hold_;  // none unless it was asked for
+    PointSource source_;
     std::vector<Point> points_, previous_;
-    std::unique_ptr<Locator> locator_;  // none for kHalf
-    double time_ = 0;                   // s
+    std::unique_ptr<PointEstimator> estimator_;  // none for kHalf
+    double time_ = 0;                            // s
     int outrun_ = 0;
 };
 

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/core/workers.h"
-#include "sim/front/locator.h"
+#include "sim/front/point_estimator.h"
 #include "sim/front/space_time_fit.h"
 
 // A vertex flips when a front passes it: its velocity jumps. The flips near a cut edge, with their times,
@@ -41,7 +41,7 @@ constexpr int kSweeps = 2;
 constexpr int kTurns = 4;
 constexpr double kLongestTurn = 1 / 15.0;  // s
 
-class FitLocator : public Locator {
+class FitLocator : public PointEstimator {
   public:
     explicit FitLocator(const Mesh& mesh)
         : mesh_(mesh),
@@ -49,7 +49,7 @@ class FitLocator : public Locator {
           near_flip_(mesh.position.size(), 0),
           cuts_(mesh.position.size(), 0) {}
 
-    void locate(const Moment& now, std::span<Point> points) override {
+    void locate(const TrackedMoment& now, std::span<Point> points) override {
         remember_flips(now);
         carry_pieces(now, points);
         count_cuts(now);
@@ -75,11 +75,11 @@ class FitLocator : public Locator {
 
   private:
     // Which way a front passed a vertex: as the edges say that it left, and toward those that it entered.
-    void remember_flips(const Moment& now) {
+    void remember_flips(const TrackedMoment& now) {
         gone_.clear();
         for (const auto& gone : now.detector.vanished()) {
             const auto [a, b] = mesh_.edge[gone.edge];
-            const Piece& piece = pieces_[gone.before];
+            const FrontFit& piece = pieces_[gone.before];
             const float across = glm::dot(piece.normal, mesh_.along(gone.edge));
             const float shown = now.previous[gone.before].f;
             gone_.push_back({a, -piece.normal, -piece.speed, piece.f * across, shown * across});
@@ -145,7 +145,7 @@ class FitLocator : public Locator {
         return cut - all * (static_cast<float>(count) / static_cast<float>(around.size()));
     }
 
-    void carry_pieces(const Moment& now, std::span<const Point> points) {
+    void carry_pieces(const TrackedMoment& now, std::span<const Point> points) {
         previous_.swap(pieces_);
         pieces_.clear();
         for (std::size_t i = 0; i < points.size(); ++i) {
@@ -155,7 +155,7 @@ class FitLocator : public Locator {
     }
 
     // On an edge that a front has just entered it goes on as it came to the vertex between.
-    Piece begun(const Moment& now, int edge) const {
+    FrontFit begun(const TrackedMoment& now, int edge) const {
         const auto [a, b] = mesh_.edge[edge];
         const glm::vec2 u = unit(mesh_.along(edge));
         for (const int v : {a, b}) {
@@ -182,7 +182,7 @@ class FitLocator : public Locator {
         return std::min(std::clamp(run - came.left, 0.f, run) / way, 1.f);
     }
 
-    void count_cuts(const Moment& now) {
+    void count_cuts(const TrackedMoment& now) {
         for (const auto& gone : now.detector.vanished())
             --cuts_[mesh_.edge[gone.edge].a], --cuts_[mesh_.edge[gone.edge].b];
         for (std::size_t i = 0; i < now.detector.cut().size(); ++i)
@@ -193,7 +193,7 @@ class FitLocator : public Locator {
     }
 
     // Vertices within two rings of a flip.
-    void mark_near_flips(const Moment& now) {
+    void mark_near_flips(const TrackedMoment& now) {
         marked_.assign(now.detector.flipped().begin(), now.detector.flipped().end());
         for (const int v : marked_) near_flip_[v] = 1;
         std::size_t first = 0;
@@ -204,24 +204,24 @@ class FitLocator : public Locator {
                         marked_.push_back(spoke.vertex);
     }
 
-    bool is_due(int edge, const Piece& piece) const {
+    bool is_due(int edge, const FrontFit& piece) const {
         const auto [a, b] = mesh_.edge[edge];
         return piece.is_new || near_flip_[a] || near_flip_[b] || (edge + step_) % turns_ == 0 ||
                piece.f <= 0 || piece.f >= 1;
     }
 
-    float advance(int edge, const Piece& piece, float least, double dt) const {
+    float advance(int edge, const FrontFit& piece, float least, double dt) const {
         const float across = glm::dot(piece.normal, mesh_.along(edge)) / mesh_.length[edge];
         return piece.speed * static_cast<float>(dt) / (std::max(least, across) * mesh_.length[edge]);
     }
 
-    void coast(int edge, Piece& piece, double dt) const {
+    void coast(int edge, FrontFit& piece, double dt) const {
         piece.f = std::clamp(piece.f + advance(edge, piece, kLeastShareCoasting, dt), 0.f, 1.f);
     }
 
     // Jacobi sweeps toward the chord between the neighbours of a point: for the eye, since fed back into the
     // fit it would shrink circles.
-    void smooth(const Moment& now, std::span<const Point> points) {
+    void smooth(const TrackedMoment& now, std::span<const Point> points) {
         smooth_.resize(points.size()), before_.resize(points.size());
         for (std::size_t i = 0; i < points.size(); ++i) smooth_[i] = pieces_[i].f;
         for (int sweep = 0; sweep < kSweeps; ++sweep) {
@@ -259,7 +259,7 @@ class FitLocator : public Locator {
         const float led = share(kLed), led_at_first = share(kLedAtFirst);
         for (std::size_t i = 0; i < points.size(); ++i) {
             Point& point = points[i];
-            Piece& piece = pieces_[i];
+            FrontFit& piece = pieces_[i];
             const float run = advance(point.edge, piece, kLeastShareShown, dt);
             point.speed = run / static_cast<float>(dt) * mesh_.length[point.edge];
             const bool goes_on = !piece.is_new;
@@ -281,14 +281,14 @@ class FitLocator : public Locator {
     std::vector<int> cuts_;                // of each vertex: how many of its edges are cut
     std::vector<int> marked_;
     std::vector<Gone> gone_;
-    std::vector<Piece> pieces_, previous_;  // of each point
+    std::vector<FrontFit> pieces_, previous_;  // of each point
     std::vector<float> smooth_, before_;
     std::vector<SpaceTimeFit> fits_;  // one for each thread
 };
 
 }  // namespace
 
-std::unique_ptr<Locator> fit_locator(const Mesh& mesh) {
+std::unique_ptr<PointEstimator> fit_estimator(const Mesh& mesh) {
     return std::make_unique<FitLocator>(mesh);
 }
 

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "sim/core/check.h"
-#include "sim/front/locator.h"
+#include "sim/front/point_estimator.h"
 
 // Where a scalar s that is known at the vertices has its level L: on an edge from a to b, with s linear
 // between,
@@ -12,11 +12,11 @@
 namespace sim::front {
 namespace {
 
-class LevelLocator : public Locator {
+class LevelLocator : public PointEstimator {
   public:
     LevelLocator(const Mesh& mesh, float level) : mesh_(mesh), level_(level) {}
 
-    void locate(const Moment& now, std::span<Point> points) override {
+    void locate(const TrackedMoment& now, std::span<Point> points) override {
         const std::span<const float> s = now.flow.scalar;
         CHECK(s.size() == mesh_.position.size());
         const bool first = before_.empty();
@@ -40,7 +40,7 @@ class LevelLocator : public Locator {
 
 }  // namespace
 
-std::unique_ptr<Locator> level_locator(const Mesh& mesh, float level) {
+std::unique_ptr<PointEstimator> level_estimator(const Mesh& mesh, float level) {
     return std::make_unique<LevelLocator>(mesh, level);
 }
 

@@ -5,7 +5,7 @@
 
 #include "sim/front/hold.h"
 #include "sim/front/least_squares.h"
-#include "sim/front/locator.h"
+#include "sim/front/point_estimator.h"
 
 // Section 3 of the paper. A front moves steadily while it is on an edge. When it leaves edges (α, j) through
 // vertex j it arrived there at T_j, and had entered them at x_α when it was T_α. The gradient r of its
@@ -27,7 +27,7 @@ namespace {
 // by chance of rounding the equations give edges that it never crosses.
 constexpr double kLeastShare = 0.25;
 
-class PaperLocator : public Locator {
+class PaperLocator : public PointEstimator {
   public:
     explicit PaperLocator(const Mesh& mesh)
         : mesh_(mesh),
@@ -36,7 +36,7 @@ class PaperLocator : public Locator {
           arrived_(mesh.position.size(), 0),
           entered_(mesh.position.size(), 0) {}
 
-    void locate(const Moment& now, std::span<Point> points) override {
+    void locate(const TrackedMoment& now, std::span<Point> points) override {
         crossing_ = now.time - now.dt / 2;  // between this moment and the one before
         mark_entered(now, 1);
         find_slowness(now);
@@ -61,12 +61,12 @@ class PaperLocator : public Locator {
     };
 
     // When the front passed a vertex that is seen to flip now, s.
-    double passed(const Moment& now, int vertex) const {
+    double passed(const TrackedMoment& now, int vertex) const {
         return now.hold && now.detector.has_flipped(vertex) ? now.hold->passed(vertex) : crossing_;
     }
 
     // Vertices from which a front enters an edge now.
-    void mark_entered(const Moment& now, std::uint8_t mark) {
+    void mark_entered(const TrackedMoment& now, std::uint8_t mark) {
         for (std::size_t i = 0; i < now.detector.cut().size(); ++i)
             if (now.detector.before()[i] < 0) {
                 const auto [a, b] = mesh_.edge[now.detector.cut()[i]];
@@ -76,7 +76,7 @@ class PaperLocator : public Locator {
 
     // The vertex through which a front left an edge, -1 where it cannot be told: the one where it enters
     // others, and if it does at both ends the one it passed, or was going to.
-    int exit_of(const Moment& now, const Detector::Gone& gone) const {
+    int exit_of(const TrackedMoment& now, const Detector::Gone& gone) const {
         const auto [a, b] = mesh_.edge[gone.edge];
         if (entered_[a] != entered_[b]) return entered_[a] ? a : b;
         const bool at_a = now.detector.has_flipped(a), at_b = now.detector.has_flipped(b);
@@ -85,7 +85,7 @@ class PaperLocator : public Locator {
         return speed > 0 ? b : speed < 0 ? a : -1;
     }
 
-    void find_slowness(const Moment& now) {
+    void find_slowness(const TrackedMoment& now) {
         exits_.clear();
         for (const Detector::Gone& gone : now.detector.vanished())
             if (const int vertex = exit_of(now, gone); vertex >= 0) exits_.push_back({vertex, gone});
@@ -131,14 +131,14 @@ class PaperLocator : public Locator {
                });
     }
 
-    void carry_origins(const Moment& now) {
+    void carry_origins(const TrackedMoment& now) {
         previous_.swap(origins_);
         origins_.clear();
         for (const int before : now.detector.before())
             origins_.push_back(before >= 0 ? previous_[before] : Origin{-1, 0.5f, crossing_});
     }
 
-    void begin(Point& point, Origin& origin, const Moment& now) {
+    void begin(Point& point, Origin& origin, const TrackedMoment& now) {
         const auto [a, b] = mesh_.edge[point.edge];
         const glm::dvec2 unit = glm::dvec2(mesh_.along(point.edge)) / double{mesh_.length[point.edge]};
         // What it takes to go along the edge from either end, s/m; of two ends the one from which it is
@@ -158,7 +158,7 @@ class PaperLocator : public Locator {
     }
 
     // At the end of its edge it waits.
-    void go_on(Point& point, const Origin& origin, const Moment& now) const {
+    void go_on(Point& point, const Origin& origin, const TrackedMoment& now) const {
         const double length = mesh_.length[point.edge];
         const double run = now.hold ? hurry(point, origin, now) : point.speed * now.dt;
         point.f = static_cast<float>(std::clamp(point.f + run / length, 0.0, 1.0));
@@ -166,7 +166,7 @@ class PaperLocator : public Locator {
 
     // What a point goes that may be late, m: since the front has left its edge, or because it was led onto it
     // after the front.
-    double hurry(const Point& point, const Origin& origin, const Moment& now) const {
+    double hurry(const Point& point, const Origin& origin, const TrackedMoment& now) const {
         const double length = mesh_.length[point.edge], most = now.hold->hurried(point, now.dt);
         if (const int end = now.hold->left_through(point.edge); end >= 0) {
             const double way = ((end == mesh_.edge[point.edge].a ? 0 : 1) - point.f) * length;
@@ -196,7 +196,7 @@ class PaperLocator : public Locator {
 
 }  // namespace
 
-std::unique_ptr<Locator> paper_locator(const Mesh& mesh) {
+std::unique_ptr<PointEstimator> paper_estimator(const Mesh& mesh) {
     return std::make_unique<PaperLocator>(mesh);
 }
 

@@ -33,9 +33,9 @@ struct Slope {
 template <class Number>
 [[gnu::always_inline]] inline Slope<Number> slope_of(const Drops<Number>& drop, Scalar<Number> per_cell) {
     const Number none(0);
-    const Number gx = larger(larger(drop.west, drop.east), none) * per_cell;
-    const Number gy = larger(larger(drop.south, drop.north), none) * per_cell;
-    const Number tangent = square_root(gx * gx + gy * gy);
+    const Number gx = max(max(drop.west, drop.east), none) * per_cell;
+    const Number gy = max(max(drop.south, drop.north), none) * per_cell;
+    const Number tangent = sqrt(gx * gx + gy * gy);
     const auto leads_down = tangent > 0;
     return {tangent, select(leads_down, (gx + gy) / select(leads_down, tangent, Number(1)), Number(1))};
 }
@@ -46,9 +46,9 @@ template <class Number, class S = Scalar<Number>>
 auto find_exchange(const Work<S>& w, const Level<S>& level, int y) {
     constexpr S kGreatestSpread = S(1.41421356237309505);
     return [c = w.c, drop_x = level.drop_x[y], south = level.drop_y[y], north = level.drop_y[y + 1],
-            bend_x = level.bend_x[y], bend_south = level.bend_y[y], bend_north = level.bend_y[y + 1],
-            depth = level.depth[y], rolling = level.rolling[y], to_u = level.velocity_x[y],
-            to_v = level.velocity_y[y], to = level.exchanged[y]](int i) {
+            curvature_x = level.curvature_x[y], curvature_south = level.curvature_y[y],
+            curvature_north = level.curvature_y[y + 1], depth = level.depth[y], rolling = level.rolling[y],
+            to_u = level.velocity_x[y], to_v = level.velocity_y[y], to = level.exchanged[y]](int i) {
         const Number none(0), r = at<Number>(rolling, i);
         if (!any(r > S{0})) {
             store(none, to + i);
@@ -56,31 +56,29 @@ auto find_exchange(const Work<S>& w, const Level<S>& level, int y) {
         }
         const Drops<Number> drop = outward<Number>(drop_x, south, north, i);
         const Number slope =
-            fall_of<Number>({drop.east + at<Number>(bend_x, i + 1), drop.west + at<Number>(bend_x, i),
-                             drop.north + at<Number>(bend_north, i),
-                             drop.south + at<Number>(bend_south, i)}) *
+            slope_dx_of<Number>(
+                {drop.east + at<Number>(curvature_x, i + 1), drop.west + at<Number>(curvature_x, i),
+                 drop.north + at<Number>(curvature_north, i), drop.south + at<Number>(curvature_south, i)}) *
             c.per_cell;
-        const Number steep = larger(slope - c.erosion_slope, none);
+        const Number steep = max(slope - c.erosion_slope, none);
         Number eroded = none, laid = none;
         if (any(steep > S{0})) {
-            const Number above = larger(r - c.erosion_depth, none);
-            const Number erodes =
-                smaller(above * above / larger(r, Number(S(kNothing))), Number(c.exchange_depth));
+            const Number above = max(r - c.erosion_depth, none);
+            const Number erodes = min(above * above / max(r, Number(S(kNothing))), Number(c.exchange_depth));
             const Number pace = c.pace * erodes;
-            eroded = smaller(pace * steep, at<Number>(depth, i));
+            eroded = min(pace * steep, at<Number>(depth, i));
             if (any(pace > S(0.99) / kGreatestSpread * c.dx))  // else it stays above its threshold
-                eroded = smaller(eroded, steep * c.dx / slope_of(drop, c.per_cell).spread);
+                eroded = min(eroded, steep * c.dx / slope_of(drop, c.per_cell).spread);
         }
         if (any(slope < c.greatest_stop_slope)) {
-            const Number stop =
-                c.stop_slope_thick + c.stop_slope_more * exponential<Number>(-r * c.per_fold_depth);
-            const Number gentle = larger(stop - slope, none);
+            const Number stop = c.stop_slope_thick + c.stop_slope_more * exp<Number>(-r * c.per_fold_depth);
+            const Number gentle = max(stop - slope, none);
             const Number u = at<Number>(to_u, i), v = at<Number>(to_v, i);
-            const Number gate = larger(Number(1) - square_root(u * u + v * v) * c.per_deposit_speed, none);
-            laid = smaller(c.pace * gate * smaller(r, Number(c.exchange_depth)) * gentle,
-                           gentle * (c.dx / kGreatestSpread));
+            const Number gate = max(Number(1) - sqrt(u * u + v * v) * c.per_deposit_speed, none);
+            laid = min(c.pace * gate * min(r, Number(c.exchange_depth)) * gentle,
+                       gentle * (c.dx / kGreatestSpread));
         }
-        store<Number>(eroded - smaller(laid, r), to + i);
+        store<Number>(eroded - min(laid, r), to + i);
     };
 }
 

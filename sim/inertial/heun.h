@@ -54,17 +54,15 @@ template <class Number, class S = Scalar<Number>>
 template <class Number, class S = Scalar<Number>>
 [[gnu::always_inline]] inline Rolling<Number> after_stage(const FlowRow<S>& row, int i) {
     const Number none(0), before = at<Number>(row.rolling, i);
-    const Number carried =
-        larger(before - leaving<Number>(row.flux_x, row.flux_south, row.flux_north, i), none);
-    const Number exchanged = larger(at<Number>(row.exchanged, i), -carried);
+    const Number carried = max(before - leaving<Number>(row.flux_x, row.flux_south, row.flux_north, i), none);
+    const Number exchanged = max(at<Number>(row.exchanged, i), -carried);
     const Number end = carried + exchanged;
     // Divided by all the mass that has this momentum: what came and stayed, or that and what was eroded.
     const auto rolls = end >= S(kNothing);
-    const Number per_depth = Number(1) / select(rolls, larger(carried, end), Number(1));
+    const Number per_depth = Number(1) / select(rolls, max(carried, end), Number(1));
     const auto speed = [&](const S* of, const S* in_x, const S* south, const S* north) {
         const Number momentum = before * at<Number>(of, i) - leaving<Number>(in_x, south, north, i);
-        const Number bounded =
-            smaller(larger(momentum * per_depth, Number(S(-kFastest))), Number(S(kFastest)));
+        const Number bounded = min(max(momentum * per_depth, Number(S(-kFastest))), Number(S(kFastest)));
         return select(rolls, bounded, none);
     };
     return {select(rolls, end, none), speed(row.u, row.xu, row.yu_south, row.yu_north),
@@ -89,12 +87,13 @@ auto predict(const Work<S>& w, int y) {
 // The means of the fluxes of both levels in whole quanta, so that both sides of a face book the same. Faces
 // y = 0 … ny. Reads flux_x, flux_y of both; writes those of `now`.
 template <class Number, class S = Scalar<Number>>
-auto book_fluxes(const Work<S>& w, int y) {
+auto quantise_fluxes(const Work<S>& w, int y) {
     return [c = w.c, one_x = w.now.flux_x[y], one_y = w.now.flux_y[y], other_x = w.then.flux_x[y],
             other_y = w.then.flux_y[y]](int i) {
         const auto book = [&](S* one, const S* other) {
             const Number mean = S(0.5) * (at<Number>(one, i) + at<Number>(other, i));
-            store(odd(mean, [&](const Number& size) { return in_quanta(size, c.dither); }), one + i);
+            store(with_its_sign(mean, [&](const Number& size) { return in_quanta(size, c.dither); }),
+                  one + i);
         };
         book(one_x, other_x), book(one_y, other_y);
     };
@@ -112,14 +111,15 @@ auto finish(const Work<S>& w, int y, int end, std::uint8_t* active = nullptr) {
         const Number none(0), d = at<Number>(depth, i), r = at<Number>(rolling, i);
         const Rolling<Number> led = after_stage<Number>(second, i);
         const Number both = r + led.depth;
-        const Number per_depth = Number(1) / larger(both, Number(S(kNothing)));
+        const Number per_depth = Number(1) / max(both, Number(S(kNothing)));
         const Number mean_u = (r * at<Number>(to_u, i) + led.depth * led.u) * per_depth;
         const Number mean_v = (r * at<Number>(to_v, i) + led.depth * led.v) * per_depth;
 
         const Number carried = r - leaving<Number>(flux_x, flux_south, flux_north, i);
         const Number exchanged = S(0.5) * (at<Number>(first_exchanged, i) + led.exchanged);
-        const Number whole = odd(exchanged, [&](const Number& size) { return in_quanta(size, c.dither); });
-        const Number moved = smaller(larger(whole, -carried), d);
+        const Number whole =
+            with_its_sign(exchanged, [&](const Number& size) { return in_quanta(size, c.dither); });
+        const Number moved = min(max(whole, -carried), d);
         const Number rolls = carried + moved;
 
         const auto moves = rolls > S{0};

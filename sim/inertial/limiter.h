@@ -11,7 +11,7 @@ namespace sim::inertial {
 template <class Number>
 [[gnu::always_inline]] inline Number half_monotonized(const Number& back, const Number& ahead) {
     const Number half_mean = Scalar<Number>(0.25) * (back + ahead);
-    return if_alike(back, ahead, gentler(gentler(back, ahead), half_mean));
+    return if_same_sign(back, ahead, min_magnitude(min_magnitude(back, ahead), half_mean));
 }
 
 }  // namespace sim::inertial

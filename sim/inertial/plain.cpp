@@ -18,8 +18,8 @@ Work<Number> work_of(Layers<Number>& layers, const Params& params, Scratch<Numbe
                              rows(v),
                              rows(f.drop_x),
                              rows(f.drop_y),
-                             rows(f.bend_x),
-                             rows(f.bend_y),
+                             rows(f.curvature_x),
+                             rows(f.curvature_y),
                              rows(f.exchanged),
                              rows(f.rolling_x),
                              rows(f.u_x),
@@ -60,7 +60,7 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
         over.each_face(
             "find_drops", [&](int y) { return find_drops<Number>(world, level, y); },
             [&](int y) { end_drops<Number>(world, level, y); });
-        over.each_face("find_bends", [&](int y) { return find_bends<Number>(world, level, y); });
+        over.each_face("find_bends", [&](int y) { return find_curvature<Number>(world, level, y); });
         over.each_row_of_bed("find_exchange",
                              [&](const auto& w, int y) { return find_exchange<Number>(w, level, y); });
         over.each_row(
@@ -84,7 +84,7 @@ void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scra
         fill_halo<Number>(world, world.then, y, all), end_velocity<Number>(world, world.then, y, all);
     });
     find_rates(world.then);
-    over.each_face("book_fluxes", [&](int y) { return book_fluxes<Number>(world, y); });
+    over.each_face("book_fluxes", [&](int y) { return quantise_fluxes<Number>(world, y); });
     over.each_row(
         "finish", [&](const auto& w, int y) { return finish<Number>(w, y, w.nx); },
         [&](int y) { clear_drains<Number>(world.now, outlets, y, all); });

@@ -84,13 +84,13 @@ template <class Number>
     constexpr S kMost = S(0.25), kThin = 10 * kGrain<Number>;
     const Number none(0);
     // Rounding may leave a face of nothing a hair below it, and w no mean any more.
-    const Number r_l = larger(rolling.left, none), r_r = larger(rolling.right, none);
-    const Number both = larger(r_l + r_r, Number(S(1e-30)));  // of nothing, 0 of anything
+    const Number r_l = max(rolling.left, none), r_r = max(rolling.right, none);
+    const Number both = max(r_l + r_r, Number(S(1e-30)));  // of nothing, 0 of anything
     const Number w = (r_l * across.left + r_r * across.right) / both;
     const auto forth = w > S{0};
     const auto may = select(forth, begun.left, begun.right) > kThin;
     const Number most = select(may, kMost * select(forth, rolls.left, rolls.right), none);
-    const Number f = larger(smaller(c.courant * select(forth, r_l, r_r) * w, most), -most);
+    const Number f = max(min(c.courant * select(forth, r_l, r_r) * w, most), -most);
     return {f, f * select(forth, across.left, across.right), f * select(forth, along.left, along.right)};
 }
 
@@ -105,7 +105,7 @@ auto find_fluxes_x(const Work<S>& w, const Level<S>& level, int y) {
             return Sides<Number>{at<Number>(row, i - 1), at<Number>(row, i)};
         };
         const Sides<Number> rolls = beside(rolling);
-        if (!any(larger(rolls.left, rolls.right) > S{0})) {  // as it is nearly everywhere
+        if (!any(max(rolls.left, rolls.right) > S{0})) {  // as it is nearly everywhere
             for (S* row : {flux, to_u, to_v}) store(Number(0), row + i);
             return;
         }
@@ -128,7 +128,7 @@ auto find_fluxes_y(const Work<S>& w, const Level<S>& level, int y) {
             slope_v = pair(level.v_y), flux = level.flux_y[y], to_u = level.momentum_yu[y],
             to_v = level.momentum_yv[y]](int i) {
         const Sides<Number> rolls = rolling(i);
-        if (!any(larger(rolls.left, rolls.right) > S{0})) {
+        if (!any(max(rolls.left, rolls.right) > S{0})) {
             for (S* row : {flux, to_u, to_v}) store(Number(0), row + i);
             return;
         }

@@ -50,11 +50,11 @@ template <class Number, class S = Scalar<Number>>
     const Number squared = gx * gx + gy * gy, r = at<Number>(here.rolling, i);
     Number per_slope(c.speed_per_slope);
     if (any(squared > c.nearly_capped_squared)) {
-        const Number steepness = square_root(squared);
+        const Number steepness = sqrt(squared);
         const auto fastest = steepness * c.speed_per_slope > c.max_speed;
         per_slope = select(fastest, c.max_speed / select(fastest, steepness, Number(1)), per_slope);
     }
-    const Number along = -per_slope * (r / larger(r + c.half_speed_depth, Number(S(kNothing))));
+    const Number along = -per_slope * (r / max(r + c.half_speed_depth, Number(S(kNothing))));
     return {along * gx, along * gy};
 }
 

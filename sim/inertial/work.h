@@ -45,7 +45,7 @@ Constants<Scalar> constants_of(const Params& p, float cell, Substep<Scalar> sub)
             .max_speed = p.max_speed,
             .half_speed_depth = p.half_speed_depth,
             .nearly_capped_squared = capped * capped * Scalar(0.9999),
-            .relaxed = 1 - exponential(Scalar(-0.5) * sub.dt / Scalar{p.relaxation_time}),
+            .relaxed = 1 - exp(Scalar(-0.5) * sub.dt / Scalar{p.relaxation_time}),
             .pace = p.exchange_rate * sub.dt,
             .exchange_depth = p.exchange_depth,
             .stop_slope_thick = p.stop_slope_thick,
@@ -67,9 +67,9 @@ Constants<Scalar> constants_of(const Params& p, float cell, Substep<Scalar> sub)
 template <class Scalar>
 struct Level {
     Rows<Scalar> depth, rolling, velocity_x, velocity_y;  // m, m/s
-    Rows<Scalar> drop_x, drop_y;       // m through each face, that h falls to the east, to the north
-    Rows<Scalar> bend_x, bend_y;       // what makes a drop of second order, m
-    Rows<Scalar> exchanged;            // m in the sub-step, erosion positive
+    Rows<Scalar> drop_x, drop_y;            // m through each face, that h falls to the east, to the north
+    Rows<Scalar> curvature_x, curvature_y;  // what makes a drop of second order, m
+    Rows<Scalar> exchanged;                 // m in the sub-step, erosion positive
     Rows<Scalar> rolling_x, u_x, v_x;  // half of the limited slope of R and velocity along x, over a cell
     Rows<Scalar> rolling_y, u_y, v_y;  // along y
     Rows<Scalar> flux_x, flux_y;       // m through each face in the sub-step, to the east, to the north

@@ -52,9 +52,9 @@ auto yield(const Work<S>& w, int y, int end, std::uint8_t* active = nullptr) {
 
         const Number loose = d - at<Number>(first_depth, i);
         const Number holds =
-            larger(c.anchor_gain * at<Number>(first_slope, i) + c.anchor_margin, Number(c.start_slope));
+            max(c.anchor_gain * at<Number>(first_slope, i) + c.anchor_margin, Number(c.start_slope));
         const auto lies_loose = loose > S{0} && loose + before >= c.freeze_depth;
-        const Number start_slope = select(lies_loose, smaller(holds, Number(c.erosion_slope)), holds);
+        const Number start_slope = select(lies_loose, min(holds, Number(c.erosion_slope)), holds);
         const auto stands = slow && slope.tangent + slope.spread * before * c.per_cell <= start_slope;
         const auto at_rest = thin || stands;
         const auto starts = slope.tangent > start_slope && d + before >= c.freeze_depth;
@@ -63,7 +63,7 @@ auto yield(const Work<S>& w, int y, int end, std::uint8_t* active = nullptr) {
 
         const Number can_start = select(slope.tangent > holds, d, loose);
         const Number moved =
-            select(changes, select(starts, smaller(can_start, Number(c.start_depth)), -before), none);
+            select(changes, select(starts, min(can_start, Number(c.start_depth)), -before), none);
         const Number rolls = before + moved;
         if (any_before(end - i, changes)) {
             const auto left = rolls > S{0};

@@ -9,12 +9,12 @@ namespace sim {
 // e^x by argument reduction and a polynomial of degree 6 (Taylor): the same bits on every compiler, which the
 // C library's exp does not promise. |x| ≤ 80, relative error below 3e-7; beyond, the value at ±80.
 template <class Number>
-[[gnu::always_inline]] inline Number exponential(const Number& x) {
+[[gnu::always_inline]] inline Number exp(const Number& x) {
     if constexpr (std::is_same_v<Number, double>) {
         return std::exp(x);  // for verification, which promises no bits
     } else {
-        const Number bounded = smaller(larger(x, Number(-80.f)), Number(80.f));
-        const Number n = rounded_down<Number>(bounded * 1.44269504f + 0.5f);
+        const Number bounded = min(max(x, Number(-80.f)), Number(80.f));
+        const Number n = floor<Number>(bounded * 1.44269504f + 0.5f);
         // ln 2 in two parts, so that r keeps its digits
         const Number r = (bounded - n * 0.693359375f) + n * 2.12194440e-4f;
         const Number p =
@@ -24,9 +24,9 @@ template <class Number>
 }
 
 // e^x − 1 for |x| ≤ kGrowsLittle, by a polynomial of degree 4 (Taylor), relative error below 2.1e-6.
-inline constexpr double kGrowsLittle = 0.125;
+inline constexpr double kExpm1Small = 0.125;
 template <class Number>
-[[gnu::always_inline]] inline Number grown_little(const Number& x) {
+[[gnu::always_inline]] inline Number expm1_small(const Number& x) {
     if constexpr (std::is_same_v<Number, double>) {
         return std::expm1(x);
     } else {
@@ -36,12 +36,12 @@ template <class Number>
 
 // e^x − 1, of full precision where it is small.
 template <class Number>
-[[gnu::always_inline]] inline Number grown(const Number& x) {
+[[gnu::always_inline]] inline Number expm1(const Number& x) {
     if constexpr (std::is_same_v<Number, double>) {
         return std::expm1(x);
     } else {
-        const auto much = magnitude(x) > static_cast<float>(kGrowsLittle);
-        return select(much, exponential(x) - 1.f, grown_little(x));
+        const auto much = abs(x) > static_cast<float>(kExpm1Small);
+        return select(much, exp(x) - 1.f, expm1_small(x));
     }
 }
 

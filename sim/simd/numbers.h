@@ -62,7 +62,7 @@ template <class Condition, class Number>
 }
 
 template <class Number>
-[[gnu::always_inline]] inline Number larger(const Number& a, const Same<Number>& b) {
+[[gnu::always_inline]] inline Number max(const Number& a, const Same<Number>& b) {
     if constexpr (kIsLanes<Number>)
         return stdx::max(a, b);
     else
@@ -70,7 +70,7 @@ template <class Number>
 }
 
 template <class Number>
-[[gnu::always_inline]] inline Number smaller(const Number& a, const Same<Number>& b) {
+[[gnu::always_inline]] inline Number min(const Number& a, const Same<Number>& b) {
     if constexpr (kIsLanes<Number>)
         return stdx::min(a, b);
     else
@@ -78,7 +78,7 @@ template <class Number>
 }
 
 template <class Number>
-[[gnu::always_inline]] inline Number magnitude(const Number& a) {
+[[gnu::always_inline]] inline Number abs(const Number& a) {
     if constexpr (kIsLanes<Number>)
         return stdx::abs(a);
     else
@@ -86,7 +86,7 @@ template <class Number>
 }
 
 template <class Number>
-[[gnu::always_inline]] inline Number square_root(const Number& a) {
+[[gnu::always_inline]] inline Number sqrt(const Number& a) {
     if constexpr (kIsLanes<Number>)
         return stdx::sqrt(a);
     else
@@ -94,7 +94,7 @@ template <class Number>
 }
 
 template <class Number>
-[[gnu::always_inline]] inline Number rounded_down(const Number& a) {
+[[gnu::always_inline]] inline Number floor(const Number& a) {
     if constexpr (kIsLanes<Number>)
         return stdx::floor(a);
     else
@@ -114,7 +114,7 @@ template <class Number>
 
 // Lane by lane: `of_magnitude` of |a|, which must not be below 0, with the sign of a.
 template <class Number, class OfMagnitude>
-[[gnu::always_inline]] inline Number odd(const Number& a, OfMagnitude of_magnitude) {
+[[gnu::always_inline]] inline Number with_its_sign(const Number& a, OfMagnitude of_magnitude) {
     if constexpr (kIsLanes<Number>) {
         using Bits = stdx::rebind_simd_t<std::uint32_t, Number>;
         const Bits bits = std::bit_cast<Bits>(a), sign = bits & Bits(0x80000000u);
@@ -128,7 +128,7 @@ template <class Number, class OfMagnitude>
 // Of two with the same sign the one that is nearer to 0. As whole numbers their bits are in that order,
 // whichever the sign.
 template <class Number>
-[[gnu::always_inline]] inline Number gentler(const Number& a, const Number& b) {
+[[gnu::always_inline]] inline Number min_magnitude(const Number& a, const Number& b) {
     if constexpr (kIsLanes<Number>) {
         using Bits = stdx::rebind_simd_t<std::int32_t, Number>;
         return std::bit_cast<Number>(Bits(stdx::min(std::bit_cast<Bits>(a), std::bit_cast<Bits>(b))));
@@ -139,7 +139,7 @@ template <class Number>
 
 // `value` where a and b have the same sign, else 0.
 template <class Number>
-[[gnu::always_inline]] inline Number if_alike(const Number& a, const Number& b, const Number& value) {
+[[gnu::always_inline]] inline Number if_same_sign(const Number& a, const Number& b, const Number& value) {
     if constexpr (kIsLanes<Number>) {
         using Bits = stdx::rebind_simd_t<std::int32_t, Number>;
         const Bits differ = (std::bit_cast<Bits>(a) ^ std::bit_cast<Bits>(b)) >> 31;  // all bits or none
@@ -153,7 +153,7 @@ template <class Number>
 // neighbours.
 template <class Number>
 [[gnu::always_inline]] inline Number minmod(const Number& a, const Number& b) {
-    return if_alike(a, b, gentler(a, b));
+    return if_same_sign(a, b, min_magnitude(a, b));
 }
 
 }  // namespace sim

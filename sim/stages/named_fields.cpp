@@ -31,9 +31,9 @@ std::vector<NamedField> fields_of(const Scratch<float>& s) {
                                                  {"rolling", &f.rolling},
                                                  {"drop_x", &f.drop_x},
                                                  {"drop_y", &f.drop_y},
-                                                 {"bend_x", &f.bend_x},
-                                                 {"bend_y", &f.bend_y},
-                                                 {"fall", &f.fall},
+                                                 {"bend_x", &f.curvature_x},
+                                                 {"bend_y", &f.curvature_y},
+                                                 {"fall", &f.slope_dx},
                                                  {"velocity_x", &f.velocity_x},
                                                  {"velocity_y", &f.velocity_y}});
     }
@@ -45,8 +45,8 @@ std::vector<NamedField> fields_of(const Scratch<float>& s) {
                                                       {"velocity_y", &f.velocity_y},
                                                       {"drop_x", &f.drop_x},
                                                       {"drop_y", &f.drop_y},
-                                                      {"bend_x", &f.bend_x},
-                                                      {"bend_y", &f.bend_y},
+                                                      {"bend_x", &f.curvature_x},
+                                                      {"bend_y", &f.curvature_y},
                                                       {"exchanged", &f.exchanged},
                                                       {"rolling_x", &f.rolling_x},
                                                       {"u_x", &f.u_x},
@@ -61,7 +61,7 @@ std::vector<NamedField> fields_of(const Scratch<float>& s) {
                                                       {"momentum_yu", &f.momentum_yu},
                                                       {"momentum_yv", &f.momentum_yv}});
     }
-    add("", {{"given", &s.given},
+    add("", {{"given", &s.outflow},
              {"flux_x", &s.flux_x},
              {"flux_y", &s.flux_y},
              {"exchanged", &s.exchanged},

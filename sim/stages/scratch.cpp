@@ -10,13 +10,13 @@ Scratch<Number>::Scratch(const Layers<Number>& s, Model model) : outlets(s.grid,
     const auto set = [&](auto&... fields) { ((fields = empty), ...); };
     if (model == Model::kBcre) {
         for (auto* f : {&now, &then})
-            set(f->depth, f->rolling, f->drop_x, f->drop_y, f->bend_x, f->bend_y, f->fall, f->velocity_x,
-                f->velocity_y);
-        set(given, flux_x, flux_y, exchanged, share);
+            set(f->depth, f->rolling, f->drop_x, f->drop_y, f->curvature_x, f->curvature_y, f->slope_dx,
+                f->velocity_x, f->velocity_y);
+        set(outflow, flux_x, flux_y, exchanged, share);
     } else {
         for (auto* f : {&flow_now, &flow_then})
-            set(f->depth, f->rolling, f->velocity_x, f->velocity_y, f->drop_x, f->drop_y, f->bend_x,
-                f->bend_y, f->exchanged, f->rolling_x, f->u_x, f->v_x, f->rolling_y, f->u_y, f->v_y,
+            set(f->depth, f->rolling, f->velocity_x, f->velocity_y, f->drop_x, f->drop_y, f->curvature_x,
+                f->curvature_y, f->exchanged, f->rolling_x, f->u_x, f->v_x, f->rolling_y, f->u_y, f->v_y,
                 f->flux_x, f->flux_y, f->momentum_xu, f->momentum_xv, f->momentum_yu, f->momentum_yv);
     }
 }

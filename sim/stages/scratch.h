@@ -17,14 +17,14 @@ namespace sim {
 template <class Number>
 struct LevelFields {
     Field<Number> depth, rolling;  // of what is predicted; else they are the layers'
-    Field<Number> drop_x, drop_y, bend_x, bend_y, fall, velocity_x, velocity_y;
+    Field<Number> drop_x, drop_y, curvature_x, curvature_y, slope_dx, velocity_x, velocity_y;
 };
 
 // What those of `bcre-inertial` write (inertial/work.h).
 template <class Number>
 struct FlowFields {
     Field<Number> depth, rolling, velocity_x, velocity_y;  // of what is predicted; else they are the layers'
-    Field<Number> drop_x, drop_y, bend_x, bend_y, exchanged;
+    Field<Number> drop_x, drop_y, curvature_x, curvature_y, exchanged;
     Field<Number> rolling_x, u_x, v_x, rolling_y, u_y, v_y;
     Field<Number> flux_x, flux_y, momentum_xu, momentum_xv, momentum_yu, momentum_yv;
 };
@@ -36,7 +36,7 @@ struct Scratch {
     Scratch(const Layers<Number>& layers, Model model);
 
     LevelFields<Number> now, then;
-    Field<Number> given, flux_x, flux_y, exchanged, share;  // of `bcre`
+    Field<Number> outflow, flux_x, flux_y, exchanged, share;  // of `bcre`
     FlowFields<Number> flow_now, flow_then;
     Outlets outlets;
 

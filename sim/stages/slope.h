@@ -24,17 +24,17 @@ struct Drops {
 
 // |f|, the fall over a cell, m.
 template <class Number>
-[[gnu::always_inline]] inline Number fall_of(const Drops<Number>& drop) {
-    const Number x = larger(larger(drop.west, drop.east), Number(0));
-    const Number y = larger(larger(drop.south, drop.north), Number(0));
-    return square_root(x * x + y * y);
+[[gnu::always_inline]] inline Number slope_dx_of(const Drops<Number>& drop) {
+    const Number x = max(max(drop.west, drop.east), Number(0));
+    const Number y = max(max(drop.south, drop.north), Number(0));
+    return sqrt(x * x + y * y);
 }
 
 // ½ minmod of the bends on both sides of a face, which make its drop one of second order, either way.
 // `drop` through the face, and through those before and behind it.
 template <class Number>
-[[gnu::always_inline]] inline Number correction(const Number& drop_back, const Number& drop,
-                                                const Number& drop_ahead) {
+[[gnu::always_inline]] inline Number curvature_correction(const Number& drop_back, const Number& drop,
+                                                          const Number& drop_ahead) {
     return Scalar<Number>(0.5) * minmod<Number>(drop_back - drop, drop - drop_ahead);
 }
 

@@ -82,13 +82,15 @@ void end_drops(const Work& w, const Level& level, int y) {
     drop_x[-1] = drop_x[0], drop_x[w.nx + 1] = drop_x[w.nx];
 }
 template <class Number, class Work, class Level>
-auto find_bends(const Work& w, const Level& level, int y) {
+auto find_curvature(const Work& w, const Level& level, int y) {
     return [drop_x = level.drop_x[y], drop_y = level.drop_y[y], south = level.drop_y[std::max(y - 1, 0)],
-            north = level.drop_y[std::min(y + 1, w.ny)], bend_x = level.bend_x[y],
-            bend_y = level.bend_y[y]](int i) {
-        store(correction(at<Number>(drop_x, i - 1), at<Number>(drop_x, i), at<Number>(drop_x, i + 1)),
-              bend_x + i);
-        store(correction(at<Number>(south, i), at<Number>(drop_y, i), at<Number>(north, i)), bend_y + i);
+            north = level.drop_y[std::min(y + 1, w.ny)], curvature_x = level.curvature_x[y],
+            curvature_y = level.curvature_y[y]](int i) {
+        store(
+            curvature_correction(at<Number>(drop_x, i - 1), at<Number>(drop_x, i), at<Number>(drop_x, i + 1)),
+            curvature_x + i);
+        store(curvature_correction(at<Number>(south, i), at<Number>(drop_y, i), at<Number>(north, i)),
+              curvature_y + i);
     };
 }
 // What was carried into no-data has left the world. Rows y = 0 … ny-1; writes d, R, and velocity that is

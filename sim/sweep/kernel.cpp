@@ -48,13 +48,13 @@ class Kernel {
         Work<float> w = begun<Work<float>>(g_.bcre);
         WorkRows rows(work, g_.stride);
         Level<float>& now = w.now;
-        rows.keep(2, now.drop_x, now.drop_y, now.fall, w.given, now.velocity_x, now.velocity_y, w.flux_x,
-                  w.flux_y);
-        const auto given = [&](int y) {
+        rows.keep(2, now.drop_x, now.drop_y, now.slope_dx, w.outflow, now.velocity_x, now.velocity_y,
+                  w.flux_x, w.flux_y);
+        const auto outflow = [&](int y) {
             if constexpr (scheme == Scheme::kLaxFriedrichs)
-                return find_quarters<Lanes>(w, y);
+                return find_quarter_outflow<Lanes>(w, y);
             else
-                return find_given<Lanes>(w, y);
+                return find_outflow<Lanes>(w, y);
         };
         const auto fluxes = [&](int y) {
             if constexpr (scheme == Scheme::kLaxFriedrichs)
@@ -65,9 +65,9 @@ class Kernel {
         for (int t = job_.y0 - 1; t < job_.y1 + 2; ++t) {
             if (is_row(t, 2)) fill_halo<Lanes>(w, now, t, wide());
             if (is_face(t, 1)) run(find_drops<Lanes>(w, now, t));
-            if (is_row(t - 1, 1)) run(find_fall<Lanes>(now, t - 1), fetch(w.bedrock, t + 1));
-            if (is_row(t - 1, 1)) run(given(t - 1));
-            if (is_near(t - 1, 1)) end_given<Lanes>(w, t - 1, wide());
+            if (is_row(t - 1, 1)) run(find_slope_dx<Lanes>(now, t - 1), fetch(w.bedrock, t + 1));
+            if (is_row(t - 1, 1)) run(outflow(t - 1));
+            if (is_near(t - 1, 1)) end_outflow<Lanes>(w, t - 1, wide());
             if (is_face(t - 1, 0)) run(fluxes(t - 1), fetch(now.depth, t + 1));
             if (scheme == Scheme::kLaxFriedrichs && is_face(t - 1, 0)) close_walls<Lanes>(w, t - 1, wide());
             if (is_row(t - 2, 0)) finish<scheme>(w, t - 2, active, fetch(now.rolling, t + 1));
@@ -82,26 +82,27 @@ class Kernel {
         Level<float>&now = w.now, &then = w.then;
         rows.keep(8, then.depth, then.rolling, w.flux_x, w.flux_y);
         const auto keep_rates = [&](Level<float>& of) {
-            rows.keep(4, of.drop_x, of.drop_y, of.bend_x, of.bend_y, of.fall, of.velocity_x, of.velocity_y);
+            rows.keep(4, of.drop_x, of.drop_y, of.curvature_x, of.curvature_y, of.slope_dx, of.velocity_x,
+                      of.velocity_y);
         };
         keep_rates(now), keep_rates(then);
         rows.keep(4, w.exchanged);
         rows.keep(2, w.share);
-        bool gives_less[2] = {};  // whether a vertex of the last two rows may
+        bool limits_outflow[2] = {};  // whether a vertex of the last two rows may
         // What a level leads to, from the drops of row y on.
         const auto find_rates = [&](const Level<float>& level, int y, int beside) {
             if (is_face(y, beside + 1)) run(find_drops<Lanes>(w, level, y));
             if (is_face(y, beside + 1)) end_drops<Lanes>(w, level, y);
             if (is_face(y - 1, beside + 1))
-                run(find_bends<Lanes>(w, level, y - 1), find_central_velocity<Lanes>(w, level, y - 1));
+                run(find_curvature<Lanes>(w, level, y - 1), find_central_velocity<Lanes>(w, level, y - 1));
             if (is_row(y - 1, beside + 1)) end_velocity<Lanes>(w, level, y - 1);
         };
         for (int t = job_.y0 - 5; t < job_.y1 + 5; ++t) {
             if (is_row(t, 5)) fill_halo<Lanes>(w, now, t, wide());
             find_rates(now, t, 3);
             if (is_face(t - 1, 3))
-                run(find_bent_fall<Lanes>(now, t - 2), find_muscl_fluxes<Lanes, RkStage::kFirst>(w, t - 1),
-                    fetch(w.bedrock, t + 1));
+                run(find_limited_slope_dx<Lanes>(now, t - 2),
+                    find_muscl_fluxes<Lanes, RkStage::kFirst>(w, t - 1), fetch(w.bedrock, t + 1));
             if (is_face(t - 1, 3)) close_walls<Lanes>(w, t - 1, wide());
             if (is_row(t - 2, 3)) run(predict<Lanes>(w, t - 2));
             if (is_row(t - 2, 3)) {
@@ -110,16 +111,17 @@ class Kernel {
             }
             find_rates(then, t - 2, 1);
             if (is_face(t - 3, 1))
-                run(find_bent_fall<Lanes>(then, t - 4), find_muscl_fluxes<Lanes, RkStage::kSecond>(w, t - 3),
-                    fetch(now.depth, t + 1));
+                run(find_limited_slope_dx<Lanes>(then, t - 4),
+                    find_muscl_fluxes<Lanes, RkStage::kSecond>(w, t - 3), fetch(now.depth, t + 1));
             if (is_face(t - 3, 1)) close_walls<Lanes>(w, t - 3, wide());
             if (is_row(t - 4, 1)) {
-                gives_less[t & 1] = false;
-                run(find_share<Lanes>(w, t - 4, &gives_less[t & 1]));
+                limits_outflow[t & 1] = false;
+                run(find_share<Lanes>(w, t - 4, &limits_outflow[t & 1]));
             }
             if (is_near(t - 4, 1)) end_share<Lanes>(w, t - 4, wide());
-            if (is_face(t - 4, 0) && (gives_less[0] || gives_less[1])) run(share_fluxes<Lanes>(w, t - 4));
-            if (is_face(t - 4, 0)) run(book_fluxes<Lanes>(w, t - 4));
+            if (is_face(t - 4, 0) && (limits_outflow[0] || limits_outflow[1]))
+                run(share_fluxes<Lanes>(w, t - 4));
+            if (is_face(t - 4, 0)) run(quantise_fluxes<Lanes>(w, t - 4));
             if (is_row(t - 5, 0)) finish<Scheme::kMuscl>(w, t - 5, active, fetch(now.rolling, t + 1));
         }
         return drained_;
@@ -136,14 +138,14 @@ class Kernel {
         now.velocity_y = beside_job(g_.velocity_y, job_.velocity_y);
         rows.keep(8, then.depth, then.rolling, then.velocity_x, then.velocity_y);
         const auto keep_rates = [&](Level<float>& of) {
-            rows.keep(4, of.drop_x, of.drop_y, of.bend_x, of.bend_y, of.exchanged, of.rolling_x, of.rolling_y,
-                      of.u_x, of.u_y, of.v_x, of.v_y);
+            rows.keep(4, of.drop_x, of.drop_y, of.curvature_x, of.curvature_y, of.exchanged, of.rolling_x,
+                      of.rolling_y, of.u_x, of.u_y, of.v_x, of.v_y);
             rows.keep(4, of.flux_x, of.flux_y, of.momentum_xu, of.momentum_xv, of.momentum_yu,
                       of.momentum_yv);
         };
         keep_rates(now), keep_rates(then);
         const auto find_rates = [&](const Level<float>& level, int y, int beside) {
-            if (is_face(y - 1, beside)) run(find_bends<Lanes>(w, level, y - 1));
+            if (is_face(y - 1, beside)) run(find_curvature<Lanes>(w, level, y - 1));
             if (is_row(y - 2, beside)) run(find_exchange<Lanes>(w, level, y - 2));
         };
         const auto find_slopes_of = [&](const Level<float>& level, int y, int beside) {
@@ -177,7 +179,7 @@ class Kernel {
             if (is_face(t - 4, 0)) run(find_fluxes_x<Lanes>(w, then, t - 4), fetch(now.velocity_x, t));
             if (is_face(t - 4, 0)) run(find_fluxes_y<Lanes>(w, then, t - 4));
             if (is_face(t - 4, 0)) end_fluxes<Lanes>(w, then, t - 4, wide());
-            if (is_face(t - 4, 0)) run(book_fluxes<Lanes>(w, t - 4), fetch(now.velocity_y, t));
+            if (is_face(t - 4, 0)) run(quantise_fluxes<Lanes>(w, t - 4), fetch(now.velocity_y, t));
             if (is_row(t - 5, 0)) {
                 along<Lanes>(narrow(), sim::inertial::finish<Lanes>(w, t - 5, job_.x1, active));
                 clear_drains<Lanes>(now, g_.outlets, t - 5, narrow());

@@ -223,7 +223,8 @@ std::optional<std::string> fault_after(const Params& params, std::span<const Com
 std::optional<std::string> fault_of_counts(std::size_t given, std::size_t running) {
     if (given > kMostCommandsPerTick)
         return "over " + std::to_string(kMostCommandsPerTick) + " commands in one tick";
-    if (running > kMostSources) return "over " + std::to_string(kMostSources) + " commands run at once";
+    if (running > kMostRunningCommands)
+        return "over " + std::to_string(kMostRunningCommands) + " commands run at once";
     return std::nullopt;
 }
 
@@ -235,11 +236,11 @@ std::int64_t ticks_of(const Command& command, float tick_s) {
 void apply_commands(State& state, std::span<const Command> commands) {
     for (const Command& command : commands) {
         CHECK(!fault_of_unused(command, info_of(command.kind)));
-        state.sources.push_back({command, state.tick});
+        state.running_commands.push_back({command, state.tick});
     }
 
     const double tick_s = state.params.tick_s;
-    for (const Source& source : state.sources) {
+    for (const RunningCommand& source : state.running_commands) {
         const Command& c = source.command;
         const std::int64_t tick = state.tick - source.first_tick;
         switch (c.kind) {
@@ -262,7 +263,7 @@ void apply_commands(State& state, std::span<const Command> commands) {
                 break;
         }
     }
-    std::erase_if(state.sources, [&](const Source& source) {
+    std::erase_if(state.running_commands, [&](const RunningCommand& source) {
         return state.tick + 1 - source.first_tick >= ticks_of(source.command, state.params.tick_s);
     });
 }

@@ -46,7 +46,7 @@ inline constexpr double kFarthest = 1e7;  // m, any coordinate
 
 // Each command that runs costs a tick up to the whole grid: a stroke of the brush gives 16 in a tick.
 inline constexpr std::size_t kMostCommandsPerTick = 256;
-inline constexpr std::size_t kMostSources = 1024;  // that run at once
+inline constexpr std::size_t kMostRunningCommands = 1024;  // that run at once
 
 inline constexpr CommandNumber kPourNumbers[] = {
     {"x", "m", &Command::x, -kFarthest, kFarthest, "centre, east of the south-west vertex"},

@@ -3,8 +3,8 @@
 namespace sim {
 
 Snapshot take_snapshot(const State& s) {
-    return {s.params, s.depth,   s.rolling, s.velocity_x, s.velocity_y, s.first_depth,
-            s.tick,   s.sources, s.seed,    s.ledger,     s.mixture};
+    return {s.params,           s.depth, s.rolling, s.velocity_x, s.velocity_y, s.first_depth, s.tick,
+            s.running_commands, s.seed,  s.ledger,  s.mixture};
 }
 
 void restore(const Snapshot& snapshot, State& s) {
@@ -16,7 +16,7 @@ void restore(const Snapshot& snapshot, State& s) {
     s.velocity_y = snapshot.velocity_y;
     s.first_depth = snapshot.first_depth;
     s.tick = snapshot.tick;
-    s.sources = snapshot.sources;
+    s.running_commands = snapshot.running_commands;
     s.seed = snapshot.seed;
     s.ledger = snapshot.ledger;
     s.mixture = snapshot.mixture;

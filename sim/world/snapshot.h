@@ -14,7 +14,7 @@ struct Snapshot {
     Params params;
     Field<float> depth, rolling, velocity_x, velocity_y, first_depth;  // as in State
     std::int64_t tick = 0;
-    std::vector<Source> sources;
+    std::vector<RunningCommand> running_commands;
     std::uint64_t seed = 0;
     Ledger ledger;
     std::optional<Mixture> mixture;

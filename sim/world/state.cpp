@@ -3,7 +3,7 @@
 namespace sim {
 
 bool at_rest(const State& state) {
-    return state.ledger.rolling == 0 && state.sources.empty();
+    return state.ledger.rolling == 0 && state.running_commands.empty();
 }
 
 }  // namespace sim

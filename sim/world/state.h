@@ -17,10 +17,10 @@
 namespace sim {
 
 // A command that is being done: a pour or a dig may go on for more than the tick it began in.
-struct Source {
+struct RunningCommand {
     Command command;
     std::int64_t first_tick = 0;
-    bool operator==(const Source&) const = default;
+    bool operator==(const RunningCommand&) const = default;
 };
 
 // All that a step changes, and the ground it changes it on. A plain value: copy it to keep it.
@@ -30,10 +30,10 @@ struct State : Layers<float> {
     double datum = 0;  // m, height of b = 0 above the terrain's zero; bedrock is kept small so that slopes
                        // keep their digits
 
-    std::int64_t tick = 0;        // ticks done
-    std::vector<Source> sources;  // running, in the order in which they were given
-    std::uint64_t seed = 0;       // of randomness, kept and hashed; nothing draws from it yet
-    Ledger ledger;                // where the mass is
+    std::int64_t tick = 0;                         // ticks done
+    std::vector<RunningCommand> running_commands;  // running, in the order in which they were given
+    std::uint64_t seed = 0;  // of randomness, kept and hashed; nothing draws from it yet
+    Ledger ledger;           // where the mass is
 
     std::optional<Mixture> mixture;  // of a world of two materials
 

@@ -92,7 +92,7 @@ std::uint64_t whole_hash(const State& s, std::uint64_t bedrock, std::uint64_t mo
     digest.add(bedrock);
     digest.add(moving);
     digest.add(s.tick);
-    for (const Source& source : s.sources) {
+    for (const RunningCommand& source : s.running_commands) {
         const Command& c = source.command;
         digest.add(c.kind);
         for (const double number : {c.x, c.y, c.radius, c.rate, c.duration, c.depth}) digest.add(number);

@@ -24,9 +24,10 @@ class Playing : public testing::Test {
 
     void begin(const std::string& what = "alpine-valley", int squares = 80) {
         if (squares > 0) wishes_.squares = squares;
-        auto opening = open_anything(what, wishes_);
-        ASSERT_TRUE(opening) << opening.error().sentence;
-        auto begun = App::begin(screen_, std::move(*opening), sim::How{}, folder_.path() / "session.couloir");
+        auto loaded = open_anything(what, wishes_);
+        ASSERT_TRUE(loaded) << loaded.error().sentence;
+        auto begun =
+            App::begin(screen_, std::move(*loaded), sim::StepOptions{}, folder_.path() / "session.couloir");
         ASSERT_TRUE(begun) << begun.error().sentence;
         app_ = std::move(*begun);
         frames(2);
@@ -72,7 +73,7 @@ class Playing : public testing::Test {
         ASSERT_TRUE(recording) << recording.error().sentence;
         EXPECT_FALSE(recording->warning);
         EXPECT_EQ(recording->last_tick(), live.tick);
-        auto session = Session::begin(recording->header.start, sim::How{}, std::nullopt);
+        auto session = Session::begin(recording->header.scenario, sim::StepOptions{}, std::nullopt);
         Verifier verifier(*recording);
         verifier.look_at(*session);
         std::size_t next = 0;
@@ -94,7 +95,7 @@ class Playing : public testing::Test {
     static constexpr double kAtX = 430, kAtY = 230;
     support::TemporaryFolder folder_;
     GlScreen screen_{640, 360};
-    Wishes wishes_;
+    Overrides wishes_;
     std::unique_ptr<App> app_;
 };
 
@@ -198,7 +199,8 @@ TEST_F(Playing, undoes_to_the_bit_and_plays_on) {
     const StateLine after = line();
     EXPECT_LE(after.tick - before.tick, 4);
     EXPECT_EQ(after.ledger.poured, before.ledger.poured);
-    auto again = Sandbox::begin(open_anything("alpine-valley", wishes_).value(), sim::How{}, std::nullopt);
+    auto again =
+        Sandbox::begin(open_anything("alpine-valley", wishes_).value(), sim::StepOptions{}, std::nullopt);
     const Recording recording = read_recording(*app_->recording()).value();
     for (std::size_t next = 0; again->session().state().tick < after.tick;) {
         std::vector<sim::Command> due;
@@ -341,10 +343,10 @@ TEST_F(Playing, opens_what_is_dropped_and_says_why_not) {
     screen_.drop({folder_.path() / "none.toml"});
     frames(1);
     EXPECT_NE(last_notice().find("none.toml"), std::string::npos) << last_notice();
-    EXPECT_EQ(app_->sandbox().start().scene, "alpine-valley");
+    EXPECT_EQ(app_->sandbox().scenario().scene, "alpine-valley");
     screen_.drop({support::source_dir() / "assets/scenes/landslide.toml"});
     frames(1);
-    EXPECT_EQ(app_->sandbox().start().scene, "landslide");
+    EXPECT_EQ(app_->sandbox().scenario().scene, "landslide");
     EXPECT_NE(line().hash, before);
     EXPECT_NE(screen_.title().find("slope of soil"), std::string::npos);
 }

@@ -149,7 +149,7 @@ class FlowPass : public Pass {
     const World world_ = slope();
     const sim::front::Mesh mesh_ = sim::front::mesh_of(world_.grid);
     sim::Workers workers_{1};
-    sim::front::FlowView flow_{mesh_, sim::front::gradient_rule(1, 5), sim::front::Source::kFit, {}};
+    sim::front::FlowView flow_{mesh_, sim::front::gradient_rule(1, 5), sim::front::PointSource::kFit, {}};
 };
 
 TEST_F(FlowPass, draws_debris_on_the_rolling_layer) {

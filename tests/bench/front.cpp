@@ -26,8 +26,8 @@ namespace {
 
 using sim::front::Detector;
 using sim::front::Mesh;
+using sim::front::PointSource;
 using sim::front::Rule;
-using sim::front::Source;
 using sim::front::TextureLayers;
 using sim::front::Tracker;
 
@@ -100,12 +100,12 @@ void scan(benchmark::State& run, Rule::Kind kind) {
     set_hash(run, detector.cut());
 }
 
-void track(benchmark::State& run, Source source) {
+void track(benchmark::State& run, PointSource source) {
     const Scene scene(static_cast<int>(run.range(0)), 120);
     sim::Workers workers(1);
     double points = 0;
     for (auto _ : run) {
-        Tracker tracker(scene.mesh, source == Source::kLevel ? scene.level : scene.gradient, source);
+        Tracker tracker(scene.mesh, source == PointSource::kLevel ? scene.level : scene.gradient, source);
         double seconds = 0;
         for (int i = 0; i < scene.steps(); ++i) {
             const auto before = Clock::now();
@@ -128,7 +128,7 @@ struct Travelled {
 
     explicit Travelled(int squares)
         : scene(squares, 60),
-          tracker(scene.mesh, scene.gradient, Source::kFit),
+          tracker(scene.mesh, scene.gradient, PointSource::kFit),
           layers(scene.mesh, sim::front::LayerRule{}) {
         for (int i = 0; i < scene.steps(); ++i) {
             tracker.advance(scene.flow(i), kStep, workers);
@@ -213,7 +213,8 @@ void add_fronts() {
           std::pair("level", Rule::Kind::kLevel)})
         benchmark::RegisterBenchmark((std::string("fronts, scan, ") + name).c_str(), scan, kind)
             ->Apply(sized);
-    for (const Source source : {Source::kHalf, Source::kPaper, Source::kFit, Source::kLevel})
+    for (const PointSource source :
+         {PointSource::kHalf, PointSource::kPaper, PointSource::kFit, PointSource::kLevel})
         benchmark::RegisterBenchmark(("fronts, track, " + std::string(to_string(source))).c_str(), track,
                                      source)
             ->Arg(80)

@@ -78,9 +78,11 @@ void add_stages() {
              each_face(p, [&](int y) { return sim::find_drops<float>(p.w, p.w.now, y); });
          }},
         {"find_fall", kBcre, kLocal,
-         [](const Place& p) { each_row(p, [&](int y) { return sim::bcre::find_fall<float>(p.w.now, y); }); }},
+         [](const Place& p) {
+             each_row(p, [&](int y) { return sim::bcre::find_slope_dx<float>(p.w.now, y); });
+         }},
         {"find_given", kBcre, kLocal,
-         [](const Place& p) { each_row(p, [&](int y) { return sim::bcre::find_given<float>(p.w, y); }); }},
+         [](const Place& p) { each_row(p, [&](int y) { return sim::bcre::find_outflow<float>(p.w, y); }); }},
         {"find_split_fluxes", kBcre, kLocal,
          [](const Place& p) {
              each_face(p, [&](int y) { return sim::bcre::find_split_fluxes<float>(p.w, y); });

@@ -24,7 +24,7 @@ using sim::Scheme;
 
 namespace bench {
 
-support::Play world_of(int squares, Model model, Scheme scheme, const sim::How& how) {
+support::Play world_of(int squares, Model model, Scheme scheme, const sim::StepOptions& options) {
     constexpr float kDx = 5;
     support::Ground ground({squares + 1, squares + 1, kDx});
     ground.set(ground.bedrock,
@@ -37,7 +37,7 @@ support::Play world_of(int squares, Model model, Scheme scheme, const sim::How& 
     params.max_speed = 45;
     params.speed_per_slope = 41;
     params.rolling_speed = 15;
-    return {ground, params, how};
+    return {ground, params, options};
 }
 
 }  // namespace bench
@@ -80,8 +80,9 @@ double least_per_cell(const sim::Grid& grid, int threads) {
 
 // Times kSteps of `step(play, number)`, again and again from the same state.
 template <class Step>
-void time_steps(benchmark::State& run, Model model, Scheme scheme, const sim::How& how, const Step& step) {
-    support::Play play = bench::world_of(static_cast<int>(run.range(0)), model, scheme, how);
+void time_steps(benchmark::State& run, Model model, Scheme scheme, const sim::StepOptions& options,
+                const Step& step) {
+    support::Play play = bench::world_of(static_cast<int>(run.range(0)), model, scheme, options);
     const sim::State first = play.state;
     double seconds = 0;
     for (auto _ : run) {
@@ -97,19 +98,19 @@ void time_steps(benchmark::State& run, Model model, Scheme scheme, const sim::Ho
     using Counter = benchmark::Counter;
     run.counters["per_cell"] = Counter(cells, Counter::kIsRate | Counter::kInvert);  // s
     run.counters["bytes_per_s"] = Counter(cells * kLeastTraffic, Counter::kIsRate, Counter::kIs1024);
-    run.counters["of_limit"] = least_per_cell(first.grid, how.threads) / (seconds / cells);
+    run.counters["of_limit"] = least_per_cell(first.grid, options.threads) / (seconds / cells);
     run.SetLabel(game::hex(sim::state_hash(play.state)));
 }
 
-void solver(benchmark::State& run, Model model, Scheme scheme, const sim::How& how) {
-    time_steps(run, model, scheme, how, [&](support::Play& play, int i) {
-        play.engine.sweeper->substep(play.state, play.engine.workers, how.instruction_set,
+void solver(benchmark::State& run, Model model, Scheme scheme, const sim::StepOptions& options) {
+    time_steps(run, model, scheme, options, [&](support::Play& play, int i) {
+        play.engine.sweeper->substep(play.state, play.engine.workers, options.instruction_set,
                                      {play.state.params.tick_s, sim::dither_of(i)});
     });
 }
 
-void tick(benchmark::State& run, Model model, Scheme scheme, const sim::How& how) {
-    time_steps(run, model, scheme, how, [](support::Play& play, int) { play.ticks(1); });
+void tick(benchmark::State& run, Model model, Scheme scheme, const sim::StepOptions& options) {
+    time_steps(run, model, scheme, options, [](support::Play& play, int) { play.ticks(1); });
 }
 
 // What tile sleep gains: a patch that rolls on a slope on which the rest lies still, so that a tenth of 1024²
@@ -144,10 +145,10 @@ void hash_of_state(benchmark::State& run) {
                            benchmark::Counter::kIs1024);
 }
 
-using Timed = void (*)(benchmark::State&, Model, Scheme, const sim::How&);
+using Timed = void (*)(benchmark::State&, Model, Scheme, const sim::StepOptions&);
 
-void add(const std::string& name, Timed timed, Model model, Scheme scheme, const sim::How& how) {
-    benchmark::RegisterBenchmark(name.c_str(), timed, model, scheme, how)
+void add(const std::string& name, Timed timed, Model model, Scheme scheme, const sim::StepOptions& options) {
+    benchmark::RegisterBenchmark(name.c_str(), timed, model, scheme, options)
         ->Arg(80)
         ->Arg(160)
         ->Arg(512)

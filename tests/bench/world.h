@@ -6,7 +6,8 @@ namespace bench {
 
 // The worst case for a step: a rough slope between walls, so that nothing leaves, with half a metre rolling
 // everywhere; one sub-step per tick.
-support::Play world_of(int squares, sim::Model model, sim::Scheme scheme, const sim::How& how = {});
+support::Play world_of(int squares, sim::Model model, sim::Scheme scheme,
+                       const sim::StepOptions& options = {});
 
 // Registers a benchmark for each stage of a step.
 void add_stages();

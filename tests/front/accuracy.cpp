@@ -17,9 +17,9 @@ using sim::fields::TestFlow;
 using sim::fields::Trial;
 using sim::front::Mesh;
 using sim::front::mesh_of;
-using sim::front::Source;
+using sim::front::PointSource;
 
-FrontScore score_on(int squares, Source source, const TestFlow& flow, Trial trial = {}) {
+FrontScore score_on(int squares, PointSource source, const TestFlow& flow, Trial trial = {}) {
     trial.cell = 1.0 / squares;
     const auto cell = static_cast<float>(trial.cell);
     const Mesh mesh = mesh_of(sim::Grid{squares + 1, squares + 1, cell});
@@ -38,15 +38,15 @@ class Scene : public testing::TestWithParam<Case> {};
 
 TEST_P(Scene, is_met_as_well_as_is_known) {
     const Case& scene = GetParam();
-    const auto rms = [&](Source source) {
+    const auto rms = [&](PointSource source) {
         const FrontScore got = score_on(scene.squares, source, scene.flow);
         EXPECT_LE(got.missed, 0.006);
         EXPECT_EQ(got.false_cuts, 0);
         return got.rms;
     };
-    EXPECT_NEAR(rms(Source::kHalf), scene.half, 0.03 * scene.half);
-    EXPECT_NEAR(rms(Source::kPaper), scene.paper, 0.1 * scene.paper);
-    EXPECT_LE(rms(Source::kFit), scene.fit);
+    EXPECT_NEAR(rms(PointSource::kHalf), scene.half, 0.03 * scene.half);
+    EXPECT_NEAR(rms(PointSource::kPaper), scene.paper, 0.1 * scene.paper);
+    EXPECT_LE(rms(PointSource::kFit), scene.fit);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -66,9 +66,9 @@ Trial briefly() {
 }
 
 // Nobody can know more of it than that it lies between two vertices, and nobody may.
-TEST(Source, knows_of_a_line_at_rest_what_velocities_tell) {
+TEST(PointSource, knows_of_a_line_at_rest_what_velocities_tell) {
     for (const int squares : {10, 20, 30})
-        for (const Source source : {Source::kPaper, Source::kFit}) {
+        for (const PointSource source : {PointSource::kPaper, PointSource::kFit}) {
             const auto at_a_fifth = sim::fields::opposed(1.0 / squares, 0.2);
             const FrontScore got = score_on(squares, source, at_a_fifth, {.seconds = 4, .unscored = 0});
             EXPECT_NEAR(got.rms, 0.3, 0.02);
@@ -83,9 +83,9 @@ TEST(PaperSource, jumps_less_where_it_holds_vertices_and_is_late_there) {
         for (const auto& flow : {sim::fields::swinging(45), sim::fields::swinging(30),
                                  sim::fields::pinwheel(), sim::fields::disc(), sim::fields::crowd()}) {
             Trial trial = briefly();
-            const FrontScore loose = score_on(squares, Source::kPaper, flow, trial);
+            const FrontScore loose = score_on(squares, PointSource::kPaper, flow, trial);
             trial.hold = true;
-            const FrontScore held = score_on(squares, Source::kPaper, flow, trial);
+            const FrontScore held = score_on(squares, PointSource::kPaper, flow, trial);
             EXPECT_EQ(loose.missed + loose.false_cuts, 0);
             EXPECT_LT(held.jumps, 0.75 * loose.jumps);
             EXPECT_LT(held.rms, 1.08 * loose.rms);
@@ -110,15 +110,15 @@ TEST(FitSource, is_as_good_at_any_rate_on_a_mesh_that_is_turned_and_shifted) {
         {sim::fields::disc(), 1.2},
     };
     for (const auto& [flow, slowly] : cases) {
-        const double base = score_on(kSquares, Source::kFit, flow, briefly()).rms;
+        const double base = score_on(kSquares, PointSource::kFit, flow, briefly()).rms;
         for (const double rate : {30.0, 60.0, 120.0, 240.0}) {
             Trial trial = briefly();
             trial.steps_per_second = rate;
-            EXPECT_LE(score_on(kSquares, Source::kFit, flow, trial).rms, 1.2 * base) << rate;
+            EXPECT_LE(score_on(kSquares, PointSource::kFit, flow, trial).rms, 1.2 * base) << rate;
             trial.turn = 17 * std::numbers::pi / 180;
             for (int i = 0; i < 3; ++i) {
                 trial.shift = {shift(random), shift(random)};
-                EXPECT_LE(score_on(kSquares, Source::kFit, flow, trial).rms,
+                EXPECT_LE(score_on(kSquares, PointSource::kFit, flow, trial).rms,
                           (rate < 60 ? slowly : 1.2) * base)
                     << rate << " steps/s, shifted by " << trial.shift.x << ' ' << trial.shift.y;
             }
@@ -130,8 +130,8 @@ TEST(FitSource, bears_noise_of_a_twentieth_of_the_jump) {
     for (const auto& flow : {sim::fields::swinging(30), sim::fields::pinwheel(), sim::fields::disc()}) {
         Trial trial = briefly();
         trial.noise = 0.02;
-        const FrontScore got = score_on(20, Source::kFit, flow, trial);
-        EXPECT_LE(got.rms, 1.3 * score_on(20, Source::kFit, flow, briefly()).rms);
+        const FrontScore got = score_on(20, PointSource::kFit, flow, trial);
+        EXPECT_LE(got.rms, 1.3 * score_on(20, PointSource::kFit, flow, briefly()).rms);
         EXPECT_LE(got.missed, 0.02);  // of the disc, whose jump sinks to 0.143 m/s on one side
         EXPECT_LE(got.false_cuts, 1e-4);
     }
@@ -149,7 +149,7 @@ TEST(FitSource, bears_vertices_that_are_wrong_for_a_step) {
                  {sim::fields::disc(), 0.095}};
     for (const int squares : {20, 30})
         for (const auto& [flow, allowed] : cases) {
-            const FrontScore got = score_on(squares, Source::kFit, flow, {.salt = 1e-3});
+            const FrontScore got = score_on(squares, PointSource::kFit, flow, {.salt = 1e-3});
             EXPECT_LE(got.rms, allowed);
             EXPECT_LE(got.missed, 0.004);    // two of a thousand edges have such an end
             EXPECT_LE(got.false_cuts, 0.1);  // six edges of every such vertex
@@ -164,10 +164,12 @@ TEST(FitSource, follows_a_front_to_its_open_end) {
     } cases[] = {{30, 0.03}, {45, 0.075}, {0, 0.15}};
     for (const int squares : {20, 30})
         for (const auto& [degrees, allowed] : cases) {
-            const FrontScore got = score_on(squares, Source::kFit, sim::fields::rift(degrees), briefly());
+            const FrontScore got =
+                score_on(squares, PointSource::kFit, sim::fields::rift(degrees), briefly());
             EXPECT_LE(got.rms, allowed) << degrees;
-            EXPECT_LE(got.rms,
-                      1.2 * score_on(squares, Source::kFit, sim::fields::swinging(degrees), briefly()).rms);
+            EXPECT_LE(
+                got.rms,
+                1.2 * score_on(squares, PointSource::kFit, sim::fields::swinging(degrees), briefly()).rms);
             EXPECT_EQ(got.missed + got.false_cuts, 0);
         }
 }
@@ -175,9 +177,9 @@ TEST(FitSource, follows_a_front_to_its_open_end) {
 // It asks where velocities jump, and a smooth field on top does not.
 TEST(FitSource, bears_a_smooth_field_on_top) {
     for (auto flow : {sim::fields::swinging(30), sim::fields::pinwheel(), sim::fields::disc()}) {
-        const double base = score_on(20, Source::kFit, flow, briefly()).rms;
+        const double base = score_on(20, PointSource::kFit, flow, briefly()).rms;
         flow.smooth = 0.03;
-        const FrontScore got = score_on(20, Source::kFit, flow, briefly());
+        const FrontScore got = score_on(20, PointSource::kFit, flow, briefly());
         EXPECT_LE(got.rms, 1.05 * base);
         EXPECT_LE(got.missed, 0.006);
         EXPECT_EQ(got.false_cuts, 0);
@@ -186,8 +188,8 @@ TEST(FitSource, bears_a_smooth_field_on_top) {
 
 TEST(FitSource, follows_fronts_that_merge_and_part) {
     for (const int squares : {20, 80}) {
-        const FrontScore fit = score_on(squares, Source::kFit, sim::fields::drops());
-        EXPECT_LE(fit.rms, 0.65 * score_on(squares, Source::kHalf, sim::fields::drops()).rms);
+        const FrontScore fit = score_on(squares, PointSource::kFit, sim::fields::drops());
+        EXPECT_LE(fit.rms, 0.65 * score_on(squares, PointSource::kHalf, sim::fields::drops()).rms);
         EXPECT_EQ(fit.missed + fit.false_cuts, 0);
     }
 }
@@ -206,9 +208,9 @@ TEST(FitSource, bears_any_triangles) {
     trial.cell = 1.0 / kSquares;
     const auto rule = sim::front::gradient_rule(0.05f, 1.f / kSquares);
     for (const auto& flow : {sim::fields::swinging(30), sim::fields::pinwheel(), sim::fields::disc()}) {
-        const double fit = score(mesh, rule, Source::kFit, flow, trial).rms;
+        const double fit = score(mesh, rule, PointSource::kFit, flow, trial).rms;
         EXPECT_LE(fit, 0.12);
-        EXPECT_LE(fit, 0.5 * score(mesh, rule, Source::kHalf, flow, trial).rms);
+        EXPECT_LE(fit, 0.5 * score(mesh, rule, PointSource::kHalf, flow, trial).rms);
     }
 }
 
@@ -219,8 +221,8 @@ TEST(FrontScore, tells_a_flow_from_another) {
     const auto rule = sim::front::gradient_rule(0.5f, 0.1f);  // more than any jump there is
     Trial trial = briefly();
     trial.cell = 0.1;
-    EXPECT_EQ(score(mesh, rule, Source::kFit, sim::fields::swinging(30), trial).missed, 1);
-    EXPECT_GT(score_on(10, Source::kHalf, sim::fields::swinging(30)).jumps, 30);
+    EXPECT_EQ(score(mesh, rule, PointSource::kFit, sim::fields::swinging(30), trial).missed, 1);
+    EXPECT_GT(score_on(10, PointSource::kHalf, sim::fields::swinging(30)).jumps, 30);
 }
 
 }  // namespace

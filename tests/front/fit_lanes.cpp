@@ -29,7 +29,7 @@ std::vector<double> answers(const Kernels& kernels) {
     const auto nothing = [] { return 0.0; };
     const auto all_count = [] { return 1.0; };
 
-    const Frame frame{0.1, -0.2, 0.8, 0.6};
+    const LocalFrame frame{0.1, -0.2, 0.8, 0.6};
     const Flipped flips{list(kFlips, anywhere), list(kFlips, anywhere),
                         list(kFlips, [&] { return age(random); }), list(kFlips, anywhere),
                         list(kFlips, anywhere)};

@@ -68,7 +68,7 @@ TEST_F(Stage, takes_a_fast_front_in_parts_and_meets_it_better_so) {
     numbers.front_speed = 4;
     FlowStage stage(grid, flow, numbers);
     sim::front::FlowView whole(stage.view().mesh(), sim::front::gradient_rule(5, grid.dx),
-                               sim::front::Source::kFit, {});
+                               sim::front::PointSource::kFit, {});
     std::vector<glm::vec2> velocity(grid.size());
     double in_parts = 0, in_one = 0;
     for (int i = 1; i <= 120; ++i) {
@@ -94,7 +94,7 @@ TEST_F(Stage, without_cuts_has_none_and_takes_them_up_with_the_textures_as_they_
     EXPECT_TRUE(stage.view().tracker().points().empty());
     const auto before = stage.view().layers().memory();
     numbers.cut = true;
-    numbers.source = sim::front::Source::kPaper;
+    numbers.source = sim::front::PointSource::kPaper;
     stage.set(numbers);
     const auto after = stage.view().layers().memory();
     EXPECT_EQ(std::memcmp(before.offset.data(), after.offset.data(),
@@ -102,7 +102,7 @@ TEST_F(Stage, without_cuts_has_none_and_takes_them_up_with_the_textures_as_they_
               0);
     for (int i = 0; i < 60; ++i) stage.advance(1 / 60.0, workers);
     EXPECT_GT(stage.view().tracker().points().size(), 15u);
-    EXPECT_EQ(stage.view().tracker().source(), sim::front::Source::kPaper);
+    EXPECT_EQ(stage.view().tracker().source(), sim::front::PointSource::kPaper);
 }
 
 TEST_F(Stage, has_the_same_bits_for_any_number_of_threads) {

@@ -177,7 +177,7 @@ class RemeshOfAFlow : public testing::Test {
     static constexpr int kSquares = 16;
     const Mesh mesh = sim::front::mesh_of(sim::Grid{kSquares + 1, kSquares + 1, 1.f / kSquares});
     sim::front::Tracker tracker{mesh, sim::front::gradient_rule(0.05f, 1.f / kSquares),
-                                sim::front::Source::kFit};
+                                sim::front::PointSource::kFit};
     sim::Workers workers{1};
 
     void run(const sim::fields::TestFlow& flow, int steps) {

@@ -23,8 +23,8 @@ using sim::fields::TextureTrial;
 using sim::front::LayerRule;
 using sim::front::Mesh;
 using sim::front::mesh_of;
+using sim::front::PointSource;
 using sim::front::Rule;
-using sim::front::Source;
 using sim::front::TextureLayers;
 using sim::front::Tracker;
 
@@ -51,8 +51,8 @@ class TextureOf : public testing::TestWithParam<Case> {
   protected:
     TextureScore score(Cutting cutting, const TextureTrial& trial = {}) const {
         const Case& scene = GetParam();
-        return score_texture(mesh_of_squares(scene.squares), rule_of_squares(scene.squares), Source::kFit,
-                             scene.flow, cutting, trial);
+        return score_texture(mesh_of_squares(scene.squares), rule_of_squares(scene.squares),
+                             PointSource::kFit, scene.flow, cutting, trial);
     }
 };
 
@@ -115,7 +115,7 @@ class Textures : public testing::Test {
 
     Mesh mesh;
     sim::Workers workers{1};
-    Tracker tracker{mesh, rule_of_squares(kSquares), Source::kFit};
+    Tracker tracker{mesh, rule_of_squares(kSquares), PointSource::kFit};
     TextureLayers layers;
     double time = 0;
 };
@@ -192,7 +192,7 @@ TEST_F(Textures, go_on_from_a_memory_to_the_same_bits_while_something_comes_to_r
 }
 
 TEST_F(Textures, stay_with_what_has_come_to_lie_and_not_with_what_was_laid) {
-    sim::front::FlowView view(mesh, rule_of_squares(kSquares), Source::kHalf, {});
+    sim::front::FlowView view(mesh, rule_of_squares(kSquares), PointSource::kHalf, {});
     std::vector<glm::vec2> v(mesh.position.size(), glm::vec2(0, 0));
     for (std::size_t k = 0; k < v.size(); ++k)
         if (mesh.position[k].x > 0.52f) v[k] = {0, 0.2f};
@@ -259,7 +259,7 @@ TEST_F(Textures, are_the_same_bits_for_any_number_of_threads) {
     run(velocity, 200);
     for (const int threads : {2, 3, 5}) {
         sim::Workers crew(threads);
-        Tracker other_tracker(mesh, rule_of_squares(kSquares), Source::kFit);
+        Tracker other_tracker(mesh, rule_of_squares(kSquares), PointSource::kFit);
         TextureLayers other(mesh, {});
         std::vector<glm::vec2> v(mesh.position.size());
         for (int i = 0; i < 200; ++i) {
@@ -277,7 +277,7 @@ TEST_F(Textures, lie_where_they_do_at_any_rate_of_steps) {
     const auto velocity = [&](const glm::dvec2& x, double t) { return flow.velocity(x, t); };
     run(velocity, 270);
     const std::vector<TextureLayers::Offsets> at_60(layers.offsets().begin(), layers.offsets().end());
-    Tracker finer_tracker(mesh, rule_of_squares(kSquares), Source::kFit);
+    Tracker finer_tracker(mesh, rule_of_squares(kSquares), PointSource::kFit);
     TextureLayers finer(mesh, {});
     std::vector<glm::vec2> v(mesh.position.size());
     for (int i = 1; i <= 540; ++i) {
@@ -301,7 +301,7 @@ TEST_F(Textures, are_four_times_as_true_on_half_the_cell) {
     for (const int finer : {0, 1}) {
         const Mesh squares = mesh_of_squares(finer ? 40 : 20);
         TextureLayers fresh(squares, {});
-        Tracker uncut(squares, sim::front::uncut_rule(), Source::kHalf);
+        Tracker uncut(squares, sim::front::uncut_rule(), PointSource::kHalf);
         std::vector<glm::vec2> v(squares.position.size());
         for (std::size_t k = 0; k < v.size(); ++k) {
             const glm::dvec2 from = glm::dvec2(squares.position[k]) - 0.5;
@@ -342,7 +342,7 @@ TEST_F(Textures, are_renewed_sooner_the_more_they_are_drawn_out) {
         TextureLayers fresh(mesh, {});
         std::vector<glm::vec2> v(mesh.position.size());
         for (std::size_t k = 0; k < v.size(); ++k) v[k] = {shear * (mesh.position[k].y - 0.45f), 0};
-        Tracker uncut(mesh, sim::front::gradient_rule(10, 1.f / kSquares), Source::kHalf);
+        Tracker uncut(mesh, sim::front::gradient_rule(10, 1.f / kSquares), PointSource::kHalf);
         for (int step = 0; step < 900; ++step) {
             uncut.advance({v, {}}, 1 / 60.0, workers);
             fresh.advance(uncut, v, 1 / 60.0, workers);

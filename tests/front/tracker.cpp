@@ -17,7 +17,7 @@ using sim::Workers;
 using sim::front::Mesh;
 using sim::front::mesh_of;
 using sim::front::Point;
-using sim::front::Source;
+using sim::front::PointSource;
 using sim::front::Tracker;
 
 constexpr double kStep = 1 / 60.0;
@@ -34,9 +34,10 @@ std::vector<glm::vec2> velocities(const Mesh& mesh, const std::function<glm::vec
 
 // Two ways on either side of a line whose distance from the origin along `normal` grows steadily.
 struct SteadyLine {
-    SteadyLine(int squares, Source source, glm::vec2 across, float from, float its_speed, bool hold = false)
+    SteadyLine(int squares, PointSource source, glm::vec2 across, float from, float its_speed,
+               bool hold = false)
         : SteadyLine(unit_square(squares), squares, source, across, from, its_speed, hold) {}
-    SteadyLine(Mesh of, int squares, Source source, glm::vec2 across, float from, float its_speed,
+    SteadyLine(Mesh of, int squares, PointSource source, glm::vec2 across, float from, float its_speed,
                bool hold = false)
         : mesh(std::move(of)),
           tracker(mesh, sim::front::gradient_rule(0.05f, 1 / static_cast<float>(squares)), source, hold),
@@ -94,7 +95,7 @@ TEST(HalfSource, is_as_wrong_as_the_middle_of_an_edge_must_be) {
                                        glm::vec2(-0.5f, 0.866f), glm::vec2(-2, 1), glm::vec2(0, 1)}) {
             const bool rises = normal.x >= 0;
             const glm::vec2 n = glm::normalize(normal);
-            SteadyLine line(unit_square_cut_by(diagonal, kSquares), kSquares, Source::kHalf, n,
+            SteadyLine line(unit_square_cut_by(diagonal, kSquares), kSquares, PointSource::kHalf, n,
                             rises ? 0.4f : -0.3f, 0.1f);
             double sum = 0, count = 0;
             for (int i = 0; i < 240; ++i) {
@@ -112,8 +113,8 @@ TEST(HalfSource, is_as_wrong_as_the_middle_of_an_edge_must_be) {
 
 // What velocities at the vertices tell of a line at rest is that it is between them: at a fifth of each edge
 // that it crosses, whichever diagonal there is, all are wrong by 0.3 cells.
-TEST(Sources, know_no_more_of_a_line_at_rest_than_its_edges) {
-    for (const Source source : {Source::kHalf, Source::kPaper, Source::kFit})
+TEST(PointSources, know_no_more_of_a_line_at_rest_than_its_edges) {
+    for (const PointSource source : {PointSource::kHalf, PointSource::kPaper, PointSource::kFit})
         for (const glm::vec2& diagonal : kDiagonals) {
             SteadyLine line(unit_square_cut_by(diagonal, 10), 10, source, {0, 1}, 0.52f, 0);
             for (int i = 0; i < 240; ++i) {
@@ -125,8 +126,9 @@ TEST(Sources, know_no_more_of_a_line_at_rest_than_its_edges) {
         }
 }
 
-TEST(Sources, follow_a_steady_line_once_it_has_passed_some_vertices) {
-    for (const auto& [source, allowed] : {std::pair(Source::kPaper, 0.25), std::pair(Source::kFit, 0.08)}) {
+TEST(PointSources, follow_a_steady_line_once_it_has_passed_some_vertices) {
+    for (const auto& [source, allowed] :
+         {std::pair(PointSource::kPaper, 0.25), std::pair(PointSource::kFit, 0.08)}) {
         SteadyLine line(20, source, {0, 1}, 0.1f, 0.2f);
         for (int i = 0; i < 120; ++i) line.step();
         for (int i = 0; i < 60; ++i) {
@@ -148,7 +150,7 @@ TEST(PaperSource, leads_points_that_are_late_to_the_vertex_that_they_were_going_
     constexpr int kSquares = 20;
     constexpr double kMost = 16 * kStep;  // that one which is late may go in a step, cells
     for (const bool hold : {false, true}) {
-        SteadyLine line(kSquares, Source::kPaper, {0, 1}, 0.11f, 0.05f, hold);
+        SteadyLine line(kSquares, PointSource::kPaper, {0, 1}, 0.11f, 0.05f, hold);
         for (int i = 0; i < 180; ++i) line.step();
         line.speed = 0.1f;
         double farthest = 0, fastest = 0;  // from its vertex where one vanishes; in a step; cells
@@ -179,7 +181,7 @@ TEST(PaperSource, leads_points_that_are_late_to_the_vertex_that_they_were_going_
 // It passes a row of vertices, and turns back before the points have come there.
 TEST(PaperSource, shows_nothing_of_a_front_that_comes_back_while_it_is_held) {
     for (const bool hold : {false, true}) {
-        SteadyLine line(10, Source::kPaper, {0, 1}, 0.52f, 0, hold);
+        SteadyLine line(10, PointSource::kPaper, {0, 1}, 0.52f, 0, hold);
         for (int i = 0; i < 60; ++i) line.step();
         std::size_t changes = 0;
         for (const float at : {0.59f, 0.61f, 0.61f, 0.59f, 0.59f, 0.59f, 0.59f}) {
@@ -193,7 +195,7 @@ TEST(PaperSource, shows_nothing_of_a_front_that_comes_back_while_it_is_held) {
 
 TEST(LevelSource, is_exact_where_the_scalar_is_linear) {
     const Mesh mesh = unit_square(8);
-    Tracker tracker(mesh, {.kind = sim::front::Rule::Kind::kLevel, .level = 0.25f}, Source::kLevel);
+    Tracker tracker(mesh, {.kind = sim::front::Rule::Kind::kLevel, .level = 0.25f}, PointSource::kLevel);
     Workers workers(1);
     const std::vector<glm::vec2> rest(mesh.position.size());
     const glm::vec2 gradient(0.4f, -0.9f);
@@ -214,7 +216,7 @@ TEST(LevelSource, is_exact_where_the_scalar_is_linear) {
 }
 
 TEST(Tracker, tells_how_long_a_point_has_been_there) {
-    SteadyLine line(10, Source::kFit, {0, 1}, 0.52f, 0);
+    SteadyLine line(10, PointSource::kFit, {0, 1}, 0.52f, 0);
     for (int i = 0; i < 31; ++i) line.step();
     for (const Point& point : line.tracker.points()) EXPECT_NEAR(point.age, 0.5, 1e-5);
 }
@@ -222,7 +224,7 @@ TEST(Tracker, tells_how_long_a_point_has_been_there) {
 TEST(Tracker, lays_its_points_to_the_same_bits_with_any_number_of_threads) {
     const Mesh mesh = unit_square(20);
     const auto flow = sim::fields::pinwheel();
-    for (const Source source : {Source::kPaper, Source::kFit}) {
+    for (const PointSource source : {PointSource::kPaper, PointSource::kFit}) {
         std::vector<Point> one;
         for (const int threads : {1, 2, 5}) {
             Tracker tracker(mesh, sim::front::gradient_rule(0.05f, 0.05f), source);
@@ -241,8 +243,9 @@ TEST(Tracker, lays_its_points_to_the_same_bits_with_any_number_of_threads) {
     }
 }
 
-TEST(Source, has_a_name_by_which_it_is_found) {
-    for (const Source source : {Source::kHalf, Source::kPaper, Source::kFit, Source::kLevel})
+TEST(PointSource, has_a_name_by_which_it_is_found) {
+    for (const PointSource source :
+         {PointSource::kHalf, PointSource::kPaper, PointSource::kFit, PointSource::kLevel})
         EXPECT_EQ(sim::front::source_named(to_string(source)), source);
     EXPECT_EQ(sim::front::source_named("third"), std::nullopt);
 }

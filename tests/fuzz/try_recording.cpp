@@ -64,8 +64,9 @@ bool same(const Recording& a, const Recording& b) {
     const auto equal = [](const TimedCommand& x, const TimedCommand& y) {
         return x.tick == y.tick && x.command == y.command;
     };
-    return a.states == b.states && a.end == b.end && a.header.start.params == b.header.start.params &&
-           a.header.start.bedrock == b.header.start.bedrock && a.header.start.depth == b.header.start.depth &&
+    return a.states == b.states && a.end == b.end && a.header.scenario.params == b.header.scenario.params &&
+           a.header.scenario.bedrock == b.header.scenario.bedrock &&
+           a.header.scenario.depth == b.header.scenario.depth &&
            std::equal(a.commands.begin(), a.commands.end(), b.commands.begin(), b.commands.end(), equal);
 }
 

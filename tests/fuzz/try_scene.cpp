@@ -9,19 +9,20 @@ namespace game::test {
 namespace {
 
 Outcome<void> try_scene(const std::filesystem::path& file) {
-    Wishes wishes;
-    wishes.squares = kTriedSquares;
-    const auto scene = load_scene(file.string(), wishes);
+    Overrides overrides;
+    overrides.squares = kTriedSquares;
+    const auto scene = load_scene(file.string(), overrides);
     if (!scene) return tl::unexpected(scene.error());
-    const Start& start = scene->start;
-    if (const auto fault = sim::fault_of(start.params)) return broken(*fault);
+    const Scenario& scenario = scene->scenario;
+    if (const auto fault = sim::fault_of(scenario.params)) return broken(*fault);
     for (const TimedCommand& timed : scene->commands)
-        if (const auto fault = sim::fault_of(timed.command, start.lower.has_value())) return broken(*fault);
+        if (const auto fault = sim::fault_of(timed.command, scenario.lower.has_value()))
+            return broken(*fault);
     if (!std::ranges::is_sorted(scene->commands, {}, &TimedCommand::tick))
         return broken("commands out of order");
-    return check_numbers(start.bedrock, -1e5f, 1e5f, "bedrock")
-        .and_then([&] { return check_numbers(start.depth, 0, 1000, "a depth"); })
-        .and_then([&] { return check_numbers(start.rolling, 0, 1000, "a release"); });
+    return check_numbers(scenario.bedrock, -1e5f, 1e5f, "bedrock")
+        .and_then([&] { return check_numbers(scenario.depth, 0, 1000, "a depth"); })
+        .and_then([&] { return check_numbers(scenario.rolling, 0, 1000, "a release"); });
 }
 
 }  // namespace

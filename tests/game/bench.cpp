@@ -363,12 +363,12 @@ TEST_F(Against, refuses_a_damaged_report_with_one_sentence) {
     EXPECT_FALSE(read_report(folder.path() / "nothing.json"));
 }
 
-Start shipped(const std::string& name) {
-    return read_recording(find_asset(AssetKind::kRecording, name).value()).value().header.start;
+Scenario shipped(const std::string& name) {
+    return read_recording(find_asset(AssetKind::kRecording, name).value()).value().header.scenario;
 }
 
 TEST(BenchPhysics, of_a_landslide_in_bcre_are_those_it_was_recorded_in) {
-    const Start own = shipped("landslide"), bcre = shipped("landslide-bcre");
+    const Scenario own = shipped("landslide"), bcre = shipped("landslide-bcre");
     const auto local = bench_physics_named("local-lax-friedrichs").value();
     EXPECT_FALSE(is_own(own, local));
     EXPECT_TRUE(is_own(bcre, local));
@@ -382,10 +382,10 @@ TEST(BenchPhysics, of_a_landslide_in_bcre_are_those_it_was_recorded_in) {
 }
 
 TEST(BenchPhysics, of_a_material_that_does_not_ship_cannot_be_had) {
-    Start start = small_start();
-    start.material = "cheese";
-    EXPECT_FALSE(in_physics(start, bench_physics_named("lax-friedrichs").value()));
-    EXPECT_TRUE(in_physics(start, bench_physics_named("bcre-inertial").value()));
+    Scenario scenario = small_scenario();
+    scenario.material = "cheese";
+    EXPECT_FALSE(in_physics(scenario, bench_physics_named("lax-friedrichs").value()));
+    EXPECT_TRUE(in_physics(scenario, bench_physics_named("bcre-inertial").value()));
 }
 
 double mean(const std::vector<float>& depth) {
@@ -395,25 +395,25 @@ double mean(const std::vector<float>& depth) {
 }
 
 TEST(OnGrid, keeps_the_rectangle_the_slope_and_how_deep_the_cover_is) {
-    const Start start = shipped("snow-avalanche");
+    const Scenario scenario = shipped("snow-avalanche");
     for (const int squares : {40, 80, 160, 320}) {
-        const Start other = on_grid(start, squares).value();
+        const Scenario other = on_grid(scenario, squares).value();
         EXPECT_EQ(other.grid.nx, squares + 1);
         EXPECT_EQ(other.grid.ny, squares + 1);
         EXPECT_NEAR(static_cast<double>(other.grid.dx) * squares, 2000, 0.01);
-        EXPECT_NEAR(mean(other.depth) / mean(start.depth), 1, 0.02) << squares;
+        EXPECT_NEAR(mean(other.depth) / mean(scenario.depth), 1, 0.02) << squares;
         for (const float depth : other.depth) EXPECT_GE(depth, 0);
         EXPECT_EQ(std::count(other.has_data.begin(), other.has_data.end(), 0), 0);
     }
-    EXPECT_EQ(on_grid(start, 160).value().bedrock, start.bedrock);
-    EXPECT_FALSE(on_grid(start, 5));
+    EXPECT_EQ(on_grid(scenario, 160).value().bedrock, scenario.bedrock);
+    EXPECT_FALSE(on_grid(scenario, 5));
 
-    Start plane = small_start();
+    Scenario plane = small_scenario();
     for (int y = 0; y < plane.grid.ny; ++y)
         for (int x = 0; x < plane.grid.nx; ++x)
             plane.bedrock[static_cast<std::size_t>(y * plane.grid.nx + x)] =
                 2.f * static_cast<float>(x) - 3.f * static_cast<float>(y);
-    const Start finer = on_grid(plane, 30).value();
+    const Scenario finer = on_grid(plane, 30).value();
     for (int y = 0; y < finer.grid.ny; ++y)
         for (int x = 0; x < finer.grid.nx; ++x) {
             if (finer.has_data[static_cast<std::size_t>(y * finer.grid.nx + x)] == 0) continue;  // is made up
@@ -432,7 +432,7 @@ class BenchProgram : public testing::Test {
   protected:
     void SetUp() override {
         path = folder.path() / "small.couloir";
-        record(path, small_start(), 60, some_commands());
+        record(path, small_scenario(), 60, some_commands());
     }
     Finished bench(std::vector<std::string> more, const std::string& squares = "12") const {
         std::vector<std::string> arguments{"bench",         path.string(), "--grid",    squares, "--physics",
@@ -545,7 +545,7 @@ TEST_F(BenchProgram, and_a_replay_leave_a_trace) {
 }
 
 TEST_F(BenchProgram, scales_over_grids) {
-    record(path, small_start(), 320, some_commands());
+    record(path, small_scenario(), 320, some_commands());
     const Finished done = couloir({"bench", "--scaling", path.string(), "--grid", "12,24,48", "--no-render",
                                    "--perf", at("s.csv"), "--json"});
     ASSERT_EQ(done.status, 0) << done.err;

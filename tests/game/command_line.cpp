@@ -108,7 +108,7 @@ TEST(CommandLine, takes_over_only_from_what_somebody_did_in_a_recording) {
     const support::TemporaryFolder folder;
     const std::string small = (folder.path() / "small.couloir").string();
     const std::string flow = (folder.path() / "flow.couloir").string();
-    record(small, small_start(), 20, {});
+    record(small, small_scenario(), 20, {});
     EXPECT_EQ(couloir({"run", "flow-disc", "--grid", "16", "--seconds", "0.5", "--record", flow}).status, 0);
     expect_failure({"play", "landslide", "--until", "3"}, 2, "is no recording");
     expect_failure({"play", small, "--until", "21"}, 2, "ends at tick 20, before 21");
@@ -118,7 +118,7 @@ TEST(CommandLine, takes_over_only_from_what_somebody_did_in_a_recording) {
 TEST(CommandLine, replays_up_to_any_tick_of_a_recording_and_no_further) {
     const support::TemporaryFolder folder;
     const std::string small = (folder.path() / "small.couloir").string();
-    record(small, small_start(), 20, {});
+    record(small, small_scenario(), 20, {});
     EXPECT_EQ(couloir({"replay", small, "--until", "20"}).status, 0);
     expect_failure({"replay", small, "--until", "21", "--frames", (folder.path() / "pictures").string()}, 2,
                    "ends at tick 20, before 21");
@@ -128,7 +128,7 @@ TEST(CommandLine, replays_up_to_any_tick_of_a_recording_and_no_further) {
 TEST(CommandLine, refuses_a_recording_with_a_changed_byte) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "small.couloir";
-    record(path, small_start(), 20, {});
+    record(path, small_scenario(), 20, {});
     std::string bytes = read_bytes(path);
     bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
     write_bytes(path, bytes);
@@ -138,7 +138,7 @@ TEST(CommandLine, refuses_a_recording_with_a_changed_byte) {
 TEST(CommandLine, verifying_tells_a_state_that_was_never_reached) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "small.couloir";
-    record(path, small_start(), 20, {});
+    record(path, small_scenario(), 20, {});
     auto bodies = bodies_of(read_bytes(path));
     Json state = json_of(bodies[3]);  // tick 12
     state["hash"] = "0123456789abcdef";

@@ -22,7 +22,7 @@ constexpr int kTicks = 40;
 
 Recording recording_of(const std::vector<TimedCommand>& commands) {
     Recording recording;
-    recording.header.start = small_start();
+    recording.header.scenario = small_scenario();
     recording.commands = commands;
     recording.end = kTicks;
     return recording;
@@ -31,7 +31,7 @@ Recording recording_of(const std::vector<TimedCommand>& commands) {
 // A recording of small_start(), and what the subcommands make of it.
 class Compared : public testing::Test {
   protected:
-    Compared() { record(first_, small_start(), kTicks, some_commands()); }
+    Compared() { record(first_, small_scenario(), kTicks, some_commands()); }
 
     std::string file(const char* name) const { return (folder_.path() / name).string(); }
 
@@ -79,7 +79,7 @@ TEST_F(Compared, with_itself_a_recording_differs_in_nothing) {
 TEST_F(Compared, with_one_of_its_commands_changed_says_which_and_where_they_part) {
     auto commands = some_commands();
     commands[2].command.rate *= 3;
-    record(file("second.couloir"), small_start(), kTicks, commands);
+    record(file("second.couloir"), small_scenario(), kTicks, commands);
     const Json json = json_of({"compare", first_, file("second.couloir"), "--json", "--out", file("maps")});
     ASSERT_EQ(json["told_differently"].size(), 1u);
     EXPECT_EQ(json["told_differently"][0],
@@ -97,13 +97,13 @@ TEST_F(Compared, with_one_of_its_commands_changed_says_which_and_where_they_part
 TEST_F(Compared, before_they_part_two_recordings_are_the_same) {
     auto commands = some_commands();
     commands[3].command.depth *= 2;
-    record(file("second.couloir"), small_start(), kTicks, commands);
+    record(file("second.couloir"), small_scenario(), kTicks, commands);
     EXPECT_EQ(json_of({"compare", first_, file("second.couloir"), "--json", "--tick", "20"})["same"], true);
     EXPECT_EQ(json_of({"compare", first_, file("second.couloir"), "--json", "--tick", "21"})["same"], false);
 }
 
 TEST_F(Compared, a_tick_after_the_end_of_one_is_refused) {
-    record(file("shorter.couloir"), small_start(), kTicks - 10, some_commands());
+    record(file("shorter.couloir"), small_scenario(), kTicks - 10, some_commands());
     EXPECT_EQ(json_of({"compare", first_, file("shorter.couloir"), "--json", "--tick", "30"})["same"], true);
     refused({"compare", first_, file("shorter.couloir"), "--tick", "31", "--out", file("maps")},
             "shorter: ends at tick 30, before 31");
@@ -133,14 +133,14 @@ TEST_F(Compared, differences_are_the_second_less_the_first_and_add_up) {
 }
 
 TEST_F(Compared, on_another_grid_or_ground_they_are_refused_with_what_differs) {
-    Start wider = small_start();
+    Scenario wider = small_scenario();
     wider.grid.dx *= 2;
     record(file("wider.couloir"), wider, 4, {});
     refused({"compare", first_, file("wider.couloir")},
             "first and wider are not on one ground: the grid is 12x10 squares of 2.1 m in the first and "
             "12x10 squares "
             "of 4.2 m in the second");
-    Start higher = small_start();
+    Scenario higher = small_scenario();
     higher.bedrock[60] += 1;
     record(file("higher.couloir"), higher, 4, {});
     refused({"compare", first_, file("higher.couloir")}, "bedrock is another at 1 vertices");
@@ -255,7 +255,7 @@ TEST_F(Compared, maps_are_red_where_there_is_more_and_blue_where_there_is_less) 
     const Named one{"first", first_, recording_of(some_commands())};
     const auto a = played(one, Until::after(one.recording.last_tick()), {}, {}).value();
     Comparison comparison{.a = a, .b = a};
-    comparison.deposit.assign(small_start().grid.size(), 0);
+    comparison.deposit.assign(small_scenario().grid.size(), 0);
     comparison.peak_depth = comparison.deposit;
     const auto [key_red, key_blue] = reds_and_blues(difference_map(comparison, MapOf::kDeposit));
     comparison.deposit[5 * 13 + 6] = 1;
@@ -269,12 +269,12 @@ TEST_F(Compared, maps_are_red_where_there_is_more_and_blue_where_there_is_less) 
 }
 
 TEST(DesyncPicture, marks_the_cells_that_differ) {
-    const Start start = small_start();
+    const Scenario scenario = small_scenario();
     Divergence parted;
-    parted.cells.assign(start.grid.size(), 0);
-    const int before = reds_and_blues(desync_picture(parted, start, {"one", "other"})).first;
+    parted.cells.assign(scenario.grid.size(), 0);
+    const int before = reds_and_blues(desync_picture(parted, scenario, {"one", "other"})).first;
     parted.cells[5 * 13 + 6] = 1;
-    EXPECT_GT(reds_and_blues(desync_picture(parted, start, {"one", "other"})).first, before + 1000);
+    EXPECT_GT(reds_and_blues(desync_picture(parted, scenario, {"one", "other"})).first, before + 1000);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "game/recording/divergence_report.h"
-#include "game/recording/start_difference.h"
+#include "game/recording/scenario_difference.h"
 #include "sim/stages/named_fields.h"
 #include "sim/stages/scratch.h"
 #include "tests/game/recording_files.h"
@@ -18,14 +18,14 @@ namespace {
 
 constexpr std::int64_t kComparedTicks = 12;
 
-Start start_of(sim::Model model, sim::Scheme scheme) {
-    Start start = small_start();
-    start.params.model = model;
-    start.params.scheme = scheme;
-    return start;
+Scenario scenario_of(sim::Model model, sim::Scheme scheme) {
+    Scenario scenario = small_scenario();
+    scenario.params.model = model;
+    scenario.params.scheme = scheme;
+    return scenario;
 }
 
-sim::How plainly(int threads = 1) {
+sim::StepOptions plainly(int threads = 1) {
     return {.threads = threads, .plain = true};
 }
 
@@ -81,10 +81,10 @@ class PlantedFault : public testing::TestWithParam<Plant> {};
 
 TEST_P(PlantedFault, is_found_at_its_tick_stage_field_and_cell) {
     const Plant& fault = GetParam();
-    const Start start = start_of(fault.model, fault.scheme);
+    const Scenario scenario = scenario_of(fault.model, fault.scheme);
     const auto commands = some_commands();
-    const Side sound{start, commands, plainly(2), nullptr};
-    const Side faulty{start, commands, plainly(), [&](const Side::Moment& at) { plant(fault, at); }};
+    const Side sound{scenario, commands, plainly(2), nullptr};
+    const Side faulty{scenario, commands, plainly(), [&](const Side::Moment& at) { plant(fault, at); }};
     for (const bool second : {true, false}) {
         const auto parted = second ? first_divergence(sound, faulty, kComparedTicks)
                                    : first_divergence(faulty, sound, kComparedTicks);
@@ -94,7 +94,7 @@ TEST_P(PlantedFault, is_found_at_its_tick_stage_field_and_cell) {
         EXPECT_EQ(parted->substep, fault.substep);
         EXPECT_EQ(parted->stage, fault.number);
         EXPECT_EQ(parted->name, fault.stage);
-        ASSERT_EQ(parted->fields.size(), 1u) << to_text(*parted, start, {"a", "b"});
+        ASSERT_EQ(parted->fields.size(), 1u) << to_text(*parted, scenario, {"a", "b"});
         const FieldDifference& found = parted->fields[0];
         EXPECT_EQ(found.field, fault.field);
         EXPECT_EQ(found.x, fault.x);
@@ -116,25 +116,25 @@ TEST(Divergence, of_equal_runs_is_none_in_either_model_and_every_scheme_swept_or
     const auto commands = some_commands();
     for (const auto model : {kInertial, kBcre})
         for (const auto scheme : {sim::Scheme::kLaxFriedrichs, kLocal, sim::Scheme::kMuscl}) {
-            const Start start = start_of(model, scheme);
-            const Side swept{start, commands, {}, nullptr};
-            const Side otherwise{start,
+            const Scenario scenario = scenario_of(model, scheme);
+            const Side swept{scenario, commands, {}, nullptr};
+            const Side otherwise{scenario,
                                  commands,
                                  {.threads = 3, .tile_width = 32, .tile_height = 8, .last_tile_first = true},
                                  nullptr};
             EXPECT_FALSE(first_divergence(swept, otherwise, 60));
-            EXPECT_FALSE(first_divergence(swept, {start, commands, plainly(2), nullptr}, 60));
+            EXPECT_FALSE(first_divergence(swept, {scenario, commands, plainly(2), nullptr}, 60));
         }
 }
 
 TEST(Divergence, of_a_sweep_is_told_as_the_sweeps_and_whose) {
-    const Start start = small_start();
+    const Scenario scenario = small_scenario();
     const auto commands = some_commands();
     const auto fault = [](const Side::Moment& at) {
         if (at.tick == 8 && at.stage == "sweep")
             at.state.velocity_x(5, 9) = std::nextafter(at.state.velocity_x(5, 9), 1e9f);
     };
-    const Side sound{start, commands, {}, nullptr}, faulty{start, commands, {}, fault};
+    const Side sound{scenario, commands, {}, nullptr}, faulty{scenario, commands, {}, fault};
     const auto second = first_divergence(sound, faulty, kComparedTicks),
                first = first_divergence(faulty, sound, kComparedTicks);
     for (const auto& [parted, side] : {std::pair{second, 1}, std::pair{first, 0}}) {
@@ -151,7 +151,7 @@ TEST(Divergence, of_a_sweep_is_told_as_the_sweeps_and_whose) {
 }
 
 TEST(Divergence, that_does_not_come_back_is_told_so) {
-    const Start start = small_start();
+    const Scenario scenario = small_scenario();
     const auto commands = some_commands();
     bool done = false;
     const auto once = [&](const Side::Moment& at) {
@@ -159,8 +159,8 @@ TEST(Divergence, that_does_not_come_back_is_told_so) {
         done = true;
         at.state.depth(4, 5) += 1;
     };
-    const auto parted = first_divergence({start, commands, plainly(), nullptr},
-                                         {start, commands, plainly(), once}, kComparedTicks);
+    const auto parted = first_divergence({scenario, commands, plainly(), nullptr},
+                                         {scenario, commands, plainly(), once}, kComparedTicks);
     ASSERT_TRUE(parted);
     EXPECT_EQ(parted->where, Divergence::Where::kLost);
     EXPECT_EQ(parted->tick, 4);
@@ -168,12 +168,12 @@ TEST(Divergence, that_does_not_come_back_is_told_so) {
 }
 
 TEST(Divergence, of_another_command_stands_at_the_commands_of_its_tick) {
-    const Start start = small_start();
+    const Scenario scenario = small_scenario();
     const auto commands = some_commands();
     auto moved = commands;
     moved[1].command.x += 2;
     const auto parted =
-        first_divergence({start, commands, {}, nullptr}, {start, moved, {}, nullptr}, kComparedTicks);
+        first_divergence({scenario, commands, {}, nullptr}, {scenario, moved, {}, nullptr}, kComparedTicks);
     ASSERT_TRUE(parted);
     EXPECT_EQ(parted->where, Divergence::Where::kStage);
     EXPECT_EQ(parted->tick, 3);
@@ -185,12 +185,12 @@ TEST(Divergence, of_another_command_stands_at_the_commands_of_its_tick) {
 }
 
 TEST(Divergence, of_a_source_that_runs_on_for_longer_is_found_before_any_field_has_it) {
-    const Start start = small_start();
+    const Scenario scenario = small_scenario();
     const auto commands = some_commands();
     auto longer = commands;
     longer[0].command.duration *= 2;
     const auto parted =
-        first_divergence({start, commands, {}, nullptr}, {start, longer, {}, nullptr}, kComparedTicks);
+        first_divergence({scenario, commands, {}, nullptr}, {scenario, longer, {}, nullptr}, kComparedTicks);
     ASSERT_TRUE(parted);
     EXPECT_EQ(parted->tick, 0);
     EXPECT_EQ(parted->name, "commands");
@@ -198,45 +198,47 @@ TEST(Divergence, of_a_source_that_runs_on_for_longer_is_found_before_any_field_h
 }
 
 TEST(Divergence, of_the_start_is_told_before_any_tick) {
-    const Start start = small_start();
-    Start deeper = start;
+    const Scenario scenario = small_scenario();
+    Scenario deeper = scenario;
     deeper.depth[deeper.depth.size() - 1] += 0.5f;
-    const auto parted = first_divergence({start, {}, {}, nullptr}, {deeper, {}, {}, nullptr}, kComparedTicks);
+    const auto parted =
+        first_divergence({scenario, {}, {}, nullptr}, {deeper, {}, {}, nullptr}, kComparedTicks);
     ASSERT_TRUE(parted);
     EXPECT_EQ(parted->where, Divergence::Where::kStart);
     EXPECT_EQ(parted->tick, 0);
     EXPECT_EQ(parted->fields.at(0).field, "depth");
     EXPECT_EQ(parted->fields.at(0).x, 12);
     EXPECT_EQ(parted->fields.at(0).y, 10);
-    EXPECT_EQ(differences_of(start, deeper),
+    EXPECT_EQ(differences_of(scenario, deeper),
               std::vector<std::string>{"the cover's depth is another at 1 vertices"});
 }
 
 TEST(Divergence, of_other_numbers_is_found_at_the_stage_that_uses_them) {
-    const Start start = start_of(kInertial, kLocal);
-    Start quicker = start;
+    const Scenario scenario = scenario_of(kInertial, kLocal);
+    Scenario quicker = scenario;
     quicker.params.relaxation_time *= 0.5f;
     const auto parted =
-        first_divergence({start, {}, {}, nullptr}, {quicker, {}, {}, nullptr}, kComparedTicks);
+        first_divergence({scenario, {}, {}, nullptr}, {quicker, {}, {}, nullptr}, kComparedTicks);
     ASSERT_TRUE(parted);
     EXPECT_EQ(parted->name, "relax");
-    EXPECT_EQ(differences_of(start, quicker),
+    EXPECT_EQ(differences_of(scenario, quicker),
               std::vector<std::string>{"relaxation_time is 1.5 in the first and 0.75 in the second"});
 }
 
 TEST(Divergence, of_other_stages_is_told_without_one) {
-    const Start start = start_of(kBcre, kLocal), other = start_of(kBcre, sim::Scheme::kMuscl);
-    const auto parted = first_divergence({start, {}, {}, nullptr}, {other, {}, {}, nullptr}, kComparedTicks);
+    const Scenario scenario = scenario_of(kBcre, kLocal), other = scenario_of(kBcre, sim::Scheme::kMuscl);
+    const auto parted =
+        first_divergence({scenario, {}, {}, nullptr}, {other, {}, {}, nullptr}, kComparedTicks);
     ASSERT_TRUE(parted);
     EXPECT_EQ(parted->where, Divergence::Where::kElse);
     EXPECT_FALSE(parted->fields.empty());
 }
 
 TEST(StartDifference, is_none_of_equal_starts_and_of_what_is_only_seen) {
-    const Start start = small_start();
-    Start seen = start;
+    const Scenario scenario = small_scenario();
+    Scenario seen = scenario;
     seen.light.azimuth_deg += 1, seen.look.flow.reset(), seen.title = "another";
-    EXPECT_TRUE(differences_of(start, seen).empty());
+    EXPECT_TRUE(differences_of(scenario, seen).empty());
     EXPECT_TRUE(differences_of(some_commands(), some_commands()).empty());
 }
 
@@ -262,17 +264,17 @@ TEST(Ulps, count_the_floats_between) {
 
 TEST(DivergenceReport, names_tick_stage_field_tile_cell_bits_and_distance) {
     const Plant fault = kPlants[0];
-    const Start start = start_of(fault.model, fault.scheme);
+    const Scenario scenario = scenario_of(fault.model, fault.scheme);
     const auto parted = first_divergence(
-        {start, {}, plainly(), nullptr},
-        {start, {}, plainly(), [&](const Side::Moment& at) { plant(fault, at); }}, kComparedTicks);
+        {scenario, {}, plainly(), nullptr},
+        {scenario, {}, plainly(), [&](const Side::Moment& at) { plant(fault, at); }}, kComparedTicks);
     ASSERT_TRUE(parted);
-    const std::string text = to_text(*parted, start, {"sound", "faulty"});
+    const std::string text = to_text(*parted, scenario, {"sound", "faulty"});
     for (const char* told :
          {"tick 3 (at 0.05 s)", "commands, before the first sub-step", "depth, 1 value of it",
           "4, 5: 8.4 m east, 10.5 m north", "0, 0 of 64x32 vertices", "1 ULP\n", "sound ", "faulty "})
         EXPECT_NE(text.find(told), std::string::npos) << told << " in\n" << text;
-    const Json json = to_json(*parted, start);
+    const Json json = to_json(*parted, scenario);
     EXPECT_EQ(json["tick"], 3);
     EXPECT_EQ(json["stage"]["name"], "commands");
     EXPECT_EQ(json["fields"][0]["cell"], Json({4, 5}));

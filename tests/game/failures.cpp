@@ -62,10 +62,10 @@ TEST(MakeFolder, says_what_stands_in_its_way) {
 
 TEST(Recorder, that_cannot_write_is_the_machines_failure) {
     const support::TemporaryFolder folder;
-    const auto recorder = Recorder::create(unwritable(folder), small_start());
+    const auto recorder = Recorder::create(unwritable(folder), small_scenario());
     ASSERT_FALSE(recorder);
     EXPECT_EQ(recorder.error().status, Failure::kMachine);
-    const auto full = Recorder::create("/dev/full", small_start());
+    const auto full = Recorder::create("/dev/full", small_scenario());
     ASSERT_FALSE(full);
     EXPECT_EQ(full.error().status, Failure::kMachine);
     EXPECT_NE(full.error().sentence.find("/dev/full: cannot be written: "), std::string::npos)
@@ -74,13 +74,13 @@ TEST(Recorder, that_cannot_write_is_the_machines_failure) {
 
 TEST(Recorder, writes_names_that_are_not_utf_8_as_well_as_it_can) {
     const support::TemporaryFolder folder;
-    Start start = small_start();
-    start.terrain = "h\xfcgel.asc";  // Latin-1, as old files are named
+    Scenario scenario = small_scenario();
+    scenario.terrain = "h\xfcgel.asc";  // Latin-1, as old files are named
     const auto path = folder.path() / "latin.couloir";
-    record(path, start, 6, {});
+    record(path, scenario, 6, {});
     const auto recording = read_recording(path);
     ASSERT_TRUE(recording) << recording.error().sentence;
-    EXPECT_EQ(recording->header.start.terrain, "h\xef\xbf\xbdgel.asc");
+    EXPECT_EQ(recording->header.scenario.terrain, "h\xef\xbf\xbdgel.asc");
 }
 
 }  // namespace

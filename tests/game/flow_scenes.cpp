@@ -16,11 +16,11 @@ class FlowScenes : public testing::TestWithParam<const char*> {};
 TEST_P(FlowScenes, that_ship_play_and_are_followed) {
     const auto scene = load_scene(GetParam(), {});
     ASSERT_TRUE(scene) << scene.error().sentence;
-    ASSERT_TRUE(scene->start.flow);
-    ASSERT_TRUE(scene->start.look.flow);
-    EXPECT_TRUE(scene->start.look.flow->everywhere);
-    auto session = Session::begin(scene->start, sim::How{}, std::nullopt).value();
-    session.follow_fronts(scene->start);
+    ASSERT_TRUE(scene->scenario.flow);
+    ASSERT_TRUE(scene->scenario.look.flow);
+    EXPECT_TRUE(scene->scenario.look.flow->everywhere);
+    auto session = Session::begin(scene->scenario, sim::StepOptions{}, std::nullopt).value();
+    session.follow_fronts(scene->scenario);
     const std::uint64_t before = session.state_line().hash;
     for (int i = 0; i < 60; ++i) ASSERT_TRUE(session.advance({}));
     EXPECT_GT(session.fronts()->tracker().points().size(), 20u);
@@ -28,7 +28,7 @@ TEST_P(FlowScenes, that_ship_play_and_are_followed) {
     EXPECT_EQ(session.state().ledger.mass_error(), 0);
     EXPECT_NE(session.state_line().hash, before);  // ticks count
     // Speeds are set while it runs, and no cuts leave no points.
-    sim::fields::FlowNumbers numbers = scene->start.flow->numbers;
+    sim::fields::FlowNumbers numbers = scene->scenario.flow->numbers;
     numbers.cut = false;
     session.set_flow(numbers);
     ASSERT_TRUE(session.advance({}));
@@ -64,11 +64,11 @@ TEST(FlowScene, that_is_damaged_is_refused_with_file_and_line) {
 TEST(FlowScene, is_recorded_and_watched_as_it_was_begun) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "flow.couloir";
-    const Start before = load_scene("flow-disc", {})->start;
+    const Scenario before = load_scene("flow-disc", {})->scenario;
     record(path, before, 20, {});
     const auto recording = read_recording(path);
     ASSERT_TRUE(recording) << recording.error().sentence;
-    const Start& after = recording->header.start;
+    const Scenario& after = recording->header.scenario;
     ASSERT_TRUE(after.flow);
     EXPECT_EQ(after.flow->numbers, before.flow->numbers);
     EXPECT_EQ(after.flow->flow.kind, before.flow->flow.kind);
@@ -77,23 +77,23 @@ TEST(FlowScene, is_recorded_and_watched_as_it_was_begun) {
 }
 
 TEST(FlowScene, refuses_wishes_that_it_has_no_use_for) {
-    Wishes material, fine, well;
+    Overrides material, fine, well;
     material.material = "sand";
     fine.squares = 4096;
     well.squares = 40;
-    for (const Wishes& wishes : {material, fine}) {
-        const auto scene = load_scene("flow-disc", wishes);
+    for (const Overrides& overrides : {material, fine}) {
+        const auto scene = load_scene("flow-disc", overrides);
         ASSERT_FALSE(scene);
         EXPECT_EQ(scene.error().status, Failure::kUnusable);
         EXPECT_NE(scene.error().sentence.find("--grid"), std::string::npos) << scene.error().sentence;
     }
-    EXPECT_EQ(load_scene("flow-disc", well)->start.grid.nx, 41);
+    EXPECT_EQ(load_scene("flow-disc", well)->scenario.grid.nx, 41);
 }
 
 TEST(FlowScene, whose_recording_was_forged_is_refused) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "flow.couloir";
-    record(path, load_scene("flow-disc", {})->start, 3, {});
+    record(path, load_scene("flow-disc", {})->scenario, 3, {});
     const auto bodies = bodies_of(read_bytes(path));
     const auto accepted = [&](const char* place, const Json& value) {
         auto forged = bodies;
@@ -120,15 +120,15 @@ TEST(FlowScene, whose_recording_was_forged_is_refused) {
 }
 
 TEST(FlowScene, and_all_worlds_are_followed_up_to_a_size) {
-    Start start = load_scene("flow-disc", {})->start;
+    Scenario scenario = load_scene("flow-disc", {})->scenario;
     const auto resize = [&](int vertices) {
-        start.flow.reset();
-        start.grid = {vertices, vertices, 1};
-        for (auto* field : {&start.bedrock, &start.depth, &start.rolling})
-            field->assign(start.grid.size(), 0.f);
-        start.has_data.assign(start.grid.size(), 1);
-        auto session = Session::begin(start, sim::How{}, std::nullopt).value();
-        session.follow_fronts(start);
+        scenario.flow.reset();
+        scenario.grid = {vertices, vertices, 1};
+        for (auto* field : {&scenario.bedrock, &scenario.depth, &scenario.rolling})
+            field->assign(scenario.grid.size(), 0.f);
+        scenario.has_data.assign(scenario.grid.size(), 1);
+        auto session = Session::begin(scenario, sim::StepOptions{}, std::nullopt).value();
+        session.follow_fronts(scenario);
         return session.fronts() != nullptr;
     };
     EXPECT_TRUE(resize(100));

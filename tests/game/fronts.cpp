@@ -15,8 +15,9 @@ using sim::front::TextureLayers;
 class Fronts : public testing::Test {
   protected:
     Session begin(bool followed, int threads = 1) const {
-        auto session = Session::begin(scene.start, sim::How{.threads = threads}, std::nullopt).value();
-        if (followed) session.follow_fronts(scene.start);
+        auto session =
+            Session::begin(scene.scenario, sim::StepOptions{.threads = threads}, std::nullopt).value();
+        if (followed) session.follow_fronts(scene.scenario);
         return session;
     }
     // From the tick at which it stands.
@@ -44,9 +45,9 @@ class Fronts : public testing::Test {
     }
 
     static Scene coarse_landslide() {
-        Wishes wishes;
-        wishes.squares = 40;
-        return load_scene("landslide", wishes).value();
+        Overrides overrides;
+        overrides.squares = 40;
+        return load_scene("landslide", overrides).value();
     }
     const Scene scene = coarse_landslide();
     static constexpr std::int64_t kSliding = 500;  // ticks
@@ -66,7 +67,7 @@ TEST_F(Fronts, lie_around_what_is_seen_to_roll) {
     Session session = begin(true);
     run(session, kSliding);
     const sim::View world = session.view();
-    const float visible = scene.start.look.rolling_visible_m;
+    const float visible = scene.scenario.look.rolling_visible_m;
     const auto& tracker = session.fronts()->tracker();
     for (const auto& point : tracker.points()) {
         const auto [a, b] = tracker.mesh().edge[static_cast<std::size_t>(point.edge)];
@@ -104,7 +105,7 @@ TEST_F(Fronts, are_the_same_bits_for_any_number_of_threads) {
 TEST_F(Fronts, go_back_with_the_world_and_come_again_to_the_bit) {
     Session session = begin(true);
     run(session, kSliding);
-    const Session::Moment then = session.moment();
+    const Session::Checkpoint then = session.moment();
     const auto textures_then = session.fronts()->layers().memory();
     const auto places_then = places(session);
     run(session, kSliding + 60);
@@ -122,7 +123,7 @@ TEST_F(Fronts, go_back_with_the_world_and_come_again_to_the_bit) {
 
 TEST_F(Fronts, of_a_material_that_carries_nothing_are_not_followed) {
     Session session = begin(false);
-    Start plain = scene.start;
+    Scenario plain = scene.scenario;
     plain.look.flow.reset();
     session.follow_fronts(plain);
     EXPECT_EQ(session.fronts(), nullptr);

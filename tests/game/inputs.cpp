@@ -14,7 +14,7 @@
 #include "game/files/mesh_file.h"
 #include "game/files/toml_table.h"
 #include "game/recording/reader.h"
-#include "game/session/opening.h"
+#include "game/session/loaded_world.h"
 #include "tests/game/program.h"
 #include "tests/support/places.h"
 
@@ -88,9 +88,9 @@ class SceneOfStranger : public testing::Test {
     Outcome<Scene> load(const std::string& file, terrains::References references) {
         write_bytes(scene_, "[terrain]\nfile = \"" + file +
                                 "\"\ngrid = 8\n[cover]\nmaterial = \"soil\"\ndepth = 1\n[physics]\n");
-        Wishes wishes;
-        wishes.references = references;
-        return load_scene(scene_.string(), wishes);
+        Overrides overrides;
+        overrides.references = references;
+        return load_scene(scene_.string(), overrides);
     }
 
     support::TemporaryFolder folder_;

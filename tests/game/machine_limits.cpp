@@ -174,8 +174,8 @@ TEST(RecordingLock, keeps_others_from_a_recording_that_is_being_written) {
     }
     EXPECT_EQ(couloir({"replay", path.string(), "--until", "6"}).status, 0);  // anybody may read it
     kill(child, SIGKILL);
-    int how = 0;
-    waitpid(child, &how, 0);
+    int status = 0;
+    waitpid(child, &status, 0);
     const auto read = read_recording(path);
     ASSERT_TRUE(read) << read.error().sentence;
     EXPECT_GT(read->last_tick(), 0);
@@ -192,11 +192,11 @@ TEST(RecordingLock, lets_one_of_several_that_begin_at_once) {
                 {"run", "landslide", "--grid", "32", "--seconds", "10", "--record", path.string()}));
         int written = 0;
         for (const pid_t child : children) {
-            int how = 0;
-            waitpid(child, &how, 0);
-            ASSERT_TRUE(WIFEXITED(how));
-            EXPECT_TRUE(WEXITSTATUS(how) == 0 || WEXITSTATUS(how) == 3);
-            written += WEXITSTATUS(how) == 0;
+            int status = 0;
+            waitpid(child, &status, 0);
+            ASSERT_TRUE(WIFEXITED(status));
+            EXPECT_TRUE(WEXITSTATUS(status) == 0 || WEXITSTATUS(status) == 3);
+            written += WEXITSTATUS(status) == 0;
         }
         EXPECT_GE(written, 1);
         const auto read = read_recording(path);
@@ -209,16 +209,16 @@ TEST(Recorder, of_one_process_locks_as_well) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "a.couloir";
     {
-        const auto first = Recorder::create(path, small_start());
+        const auto first = Recorder::create(path, small_scenario());
         ASSERT_TRUE(first);
         const std::string before = read_bytes(path);
-        const auto second = Recorder::create(path, small_start());
+        const auto second = Recorder::create(path, small_scenario());
         ASSERT_FALSE(second);
         EXPECT_EQ(second.error().status, Failure::kMachine);
         EXPECT_FALSE(write_text(path, "text"));
         EXPECT_EQ(read_bytes(path), before);
     }
-    EXPECT_TRUE(Recorder::create(path, small_start()));
+    EXPECT_TRUE(Recorder::create(path, small_scenario()));
 }
 
 }  // namespace

@@ -13,34 +13,34 @@ namespace {
 
 // 11×9 vertices 10 m apart that rise 5 m with each row to the north.
 struct Hill {
-    Start start;
+    Scenario scenario;
 
     Hill() {
-        start.grid = {11, 9, 10.f};
-        start.depth.assign(start.grid.size(), 1.f);
-        start.rolling.assign(start.grid.size(), 0.f);
-        start.has_data.assign(start.grid.size(), 1);
+        scenario.grid = {11, 9, 10.f};
+        scenario.depth.assign(scenario.grid.size(), 1.f);
+        scenario.rolling.assign(scenario.grid.size(), 0.f);
+        scenario.has_data.assign(scenario.grid.size(), 1);
         for (int y = 0; y < 9; ++y)
-            start.bedrock.insert(start.bedrock.end(), 11, 5.f * static_cast<float>(y));
+            scenario.bedrock.insert(scenario.bedrock.end(), 11, 5.f * static_cast<float>(y));
     }
-    std::size_t at(int x, int y) const { return static_cast<std::size_t>(y * start.grid.nx + x); }
+    std::size_t at(int x, int y) const { return static_cast<std::size_t>(y * scenario.grid.nx + x); }
     std::vector<std::uint8_t> flags(std::initializer_list<std::pair<int, int>> places) const {
-        std::vector<std::uint8_t> flags(start.grid.size());
+        std::vector<std::uint8_t> flags(scenario.grid.size());
         for (const auto& [x, y] : places) flags[at(x, y)] = 1;
         return flags;
     }
     // The peaks of a session that has not begun are its release.
-    Session session() const { return Session::begin(start, sim::How{}, std::nullopt).value(); }
+    Session session() const { return Session::begin(scenario, sim::StepOptions{}, std::nullopt).value(); }
 };
 
 TEST(Measures, are_those_worked_out_by_hand) {
     Hill hill;
-    hill.start.rolling[hill.at(5, 8)] = 1.f;
-    hill.start.rolling[hill.at(5, 6)] = 2.5f;
-    hill.start.rolling[hill.at(2, 2)] = 0.25f;
-    hill.start.rolling[hill.at(9, 0)] = 0.0625f;  // farther, but too thin to count
+    hill.scenario.rolling[hill.at(5, 8)] = 1.f;
+    hill.scenario.rolling[hill.at(5, 6)] = 2.5f;
+    hill.scenario.rolling[hill.at(2, 2)] = 0.25f;
+    hill.scenario.rolling[hill.at(9, 0)] = 0.0625f;  // farther, but too thin to count
     const Session session = hill.session();
-    const Measures m = measure(hill.start, session, hill.flags({{4, 7}, {5, 8}, {3, 1}}),
+    const Measures m = measure(hill.scenario, session, hill.flags({{4, 7}, {5, 8}, {3, 1}}),
                                {hill.flags({{5, 8}, {5, 6}, {1, 1}}), {}});
     EXPECT_DOUBLE_EQ(m.extent_area, 3 * 100.0);
     EXPECT_DOUBLE_EQ(m.peak_depth, 2.5);
@@ -59,14 +59,14 @@ TEST(Measures, are_those_worked_out_by_hand) {
 
 TEST(Measures, without_release_or_reference_leave_line_and_overlap_out) {
     Hill hill;
-    hill.start.rolling[hill.at(5, 6)] = 1.f;
+    hill.scenario.rolling[hill.at(5, 6)] = 1.f;
     const Session session = hill.session();
-    const Measures m = measure(hill.start, session, hill.flags({}), {});
+    const Measures m = measure(hill.scenario, session, hill.flags({}), {});
     EXPECT_DOUBLE_EQ(m.run_out, 0);
     EXPECT_DOUBLE_EQ(m.reach_deg, 0);
     EXPECT_FALSE(m.overlap);
     EXPECT_DOUBLE_EQ(m.extent_area, 100);
-    EXPECT_FALSE(measure(Hill().start, Hill().session(), hill.flags({}), {hill.flags({}), {}}).overlap)
+    EXPECT_FALSE(measure(Hill().scenario, Hill().session(), hill.flags({}), {hill.flags({}), {}}).overlap)
         << "nothing over nothing";
 }
 
@@ -84,7 +84,7 @@ TEST(Measures, count_what_the_standing_layer_lost_and_won) {
     pour.layer = sim::Layer::kStanding;
     const std::vector<sim::Command> both{dig, pour};
     ASSERT_TRUE(session.advance(both));
-    const Measures m = measure(hill.start, session, hill.flags({}), {});
+    const Measures m = measure(hill.scenario, session, hill.flags({}), {});
     EXPECT_NEAR(m.eroded, 25, 1e-3);
     EXPECT_NEAR(m.deposited, 50, 1e-3);
 }
@@ -104,11 +104,11 @@ TEST(Measures, compare_a_change_of_the_surface_with_an_observed_one) {
     const std::vector<sim::Command> both{dig, pour};
     ASSERT_TRUE(session.advance(both));
     terrains::Reference observed;
-    observed.change.assign(hill.start.grid.size(), 0.f);
+    observed.change.assign(hill.scenario.grid.size(), 0.f);
     observed.change[hill.at(5, 7)] = -1;
     observed.change[hill.at(5, 4)] = 1;
     observed.change[hill.at(5, 3)] = 0.25f;  // too little to count in the overlap
-    const Measures m = measure(hill.start, session, hill.flags({}), observed);
+    const Measures m = measure(hill.scenario, session, hill.flags({}), observed);
     ASSERT_TRUE(m.changes && m.overlap);
     EXPECT_DOUBLE_EQ(*m.overlap, 1. / 3);
     EXPECT_NEAR(m.changes->here.carried, 50, 1e-6);
@@ -120,7 +120,7 @@ TEST(Measures, compare_a_change_of_the_surface_with_an_observed_one) {
 
 TEST(ReleaseArea, is_the_release_and_what_pours_and_blasts_cover) {
     Hill hill;
-    hill.start.rolling[hill.at(1, 1)] = 0.5f;
+    hill.scenario.rolling[hill.at(1, 1)] = 0.5f;
     sim::Command pour, blast, dig;
     pour.x = 50;
     pour.y = 40;
@@ -138,7 +138,7 @@ TEST(ReleaseArea, is_the_release_and_what_pours_and_blasts_cover) {
     settle.x = settle.y = 70;
     set.kind = sim::CommandKind::kSet;
     const std::vector<TimedCommand> commands{{0, pour}, {5, blast}, {6, dig}, {7, settle}, {8, set}};
-    EXPECT_EQ(release_area(hill.start, commands),
+    EXPECT_EQ(release_area(hill.scenario, commands),
               hill.flags({{1, 1}, {5, 4}, {4, 4}, {6, 4}, {5, 3}, {5, 5}, {9, 4}}));
 }
 
@@ -153,7 +153,7 @@ TEST(ReleaseArea, of_a_disc_below_a_cell_is_the_vertex_that_takes_it) {
             pour.rate = 6000;
             pour.layer = sim::Layer::kStanding;
             const std::vector<TimedCommand> commands{{0, pour}};
-            EXPECT_EQ(release_area(hill.start, commands), hill.flags({{4, 4}}))
+            EXPECT_EQ(release_area(hill.scenario, commands), hill.flags({{4, 4}}))
                 << x << " " << y << " " << radius;
 
             Session session = hill.session();

@@ -187,7 +187,7 @@ TEST(Number, of_every_option_of_every_subcommand_is_refused_unless_it_is_one_in_
 
 TEST(Number, of_a_command_is_refused_unless_it_is_in_the_range_of_the_manifest) {
     Recording recording;
-    recording.header.start = small_start();
+    recording.header.scenario = small_scenario();
     recording.commands = some_commands();
     std::map<std::int64_t, int> which;  // of those in a tick
     for (const TimedCommand& timed : recording.commands) {

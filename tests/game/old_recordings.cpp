@@ -37,25 +37,25 @@ class OldRecording : public testing::TestWithParam<Old> {
 };
 
 TEST_P(OldRecording, is_read_as_it_was_written) {
-    const Start& start = recording_.header.start;
+    const Scenario& scenario = recording_.header.scenario;
     EXPECT_EQ(recording_.header.minor, old_.minor);
     EXPECT_EQ(recording_.commands.size(), static_cast<std::size_t>(old_.commands));
     EXPECT_EQ(recording_.last_tick(), old_.last_tick);
     EXPECT_EQ(recording_.end.has_value(), old_.whole);
     EXPECT_EQ(recording_.warning.has_value(), !old_.whole);
-    EXPECT_LE(start.grid.nx, 25);
-    EXPECT_LE(start.grid.ny, 25);
-    EXPECT_EQ(start.lower.has_value(), old_.two);
-    EXPECT_EQ(start.flow.has_value(), old_.flow);
+    EXPECT_LE(scenario.grid.nx, 25);
+    EXPECT_LE(scenario.grid.ny, 25);
+    EXPECT_EQ(scenario.lower.has_value(), old_.two);
+    EXPECT_EQ(scenario.flow.has_value(), old_.flow);
     EXPECT_EQ(recording_.header.parent.has_value(), old_.parent);
-    ASSERT_EQ(start.look.flow.has_value(), old_.texture != nullptr);
+    ASSERT_EQ(scenario.look.flow.has_value(), old_.texture != nullptr);
     if (old_.texture) {
-        EXPECT_EQ(to_string(start.look.flow->pattern), old_.texture);
+        EXPECT_EQ(to_string(scenario.look.flow->pattern), old_.texture);
     }
 }
 
 TEST_P(OldRecording, plays_to_its_end_and_is_exact_or_of_another_physics) {
-    auto session = Session::begin(recording_.header.start, {}, std::nullopt).value();
+    auto session = Session::begin(recording_.header.scenario, {}, std::nullopt).value();
     Verifier verifier(recording_);
     verifier.look_at(session);
     Until until;
@@ -100,8 +100,8 @@ TEST_P(OldRecording, normalised_is_of_the_newest_format_and_exact) {
     ASSERT_TRUE(made.header.rewritten_from);
     EXPECT_EQ(*made.header.rewritten_from,
               (Origin{old_.minor, recording_.header.physics_version, recording_.header.program}));
-    EXPECT_EQ(ground_hash(made.header.start), ground_hash(recording_.header.start));
-    EXPECT_EQ(made.header.start.params, recording_.header.start.params);
+    EXPECT_EQ(ground_hash(made.header.scenario), ground_hash(recording_.header.scenario));
+    EXPECT_EQ(made.header.scenario.params, recording_.header.scenario.params);
     ASSERT_EQ(made.commands.size(), recording_.commands.size());
     for (std::size_t i = 0; i < made.commands.size(); ++i) {
         EXPECT_EQ(made.commands[i].tick, recording_.commands[i].tick);
@@ -141,7 +141,7 @@ TEST(OldRecordings, are_all_that_lie_in_the_folder) {
 TEST(NewerRecording, is_not_normalised_for_something_would_be_lost) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "small.couloir", out = folder.path() / "new.couloir";
-    record(path, small_start(), 6, {});
+    record(path, small_scenario(), 6, {});
     auto bodies = bodies_of(read_bytes(path));
     Json header = json_of(bodies[0]);
     header["version"] = {kFormatMajor, kFormatMinor + 1};

@@ -46,10 +46,10 @@ pid_t start(const std::vector<std::string>& arguments, const std::filesystem::pa
 Finished couloir(const std::vector<std::string>& arguments, const Surroundings& around) {
     const support::TemporaryFolder folder;
     const auto out = around.out.empty() ? folder.path() / "out" : around.out, err = folder.path() / "err";
-    int how = 0;
-    if (waitpid(start(arguments, out, err, around), &how, 0) < 0)
+    int options = 0;
+    if (waitpid(start(arguments, out, err, around), &options, 0) < 0)
         throw std::runtime_error("a child process was lost");
-    const int status = WIFEXITED(how) ? WEXITSTATUS(how) : 128 + WTERMSIG(how);
+    const int status = WIFEXITED(options) ? WEXITSTATUS(options) : 128 + WTERMSIG(options);
     return {status, around.out.empty() ? read_bytes(out) : "", read_bytes(err)};
 }
 

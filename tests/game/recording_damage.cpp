@@ -19,7 +19,7 @@ namespace {
 class DamagedRecording : public testing::Test {
   protected:
     DamagedRecording() : path_(folder_.path() / "small.couloir") {
-        record(path_, small_start(), 40, some_commands());
+        record(path_, small_scenario(), 40, some_commands());
         whole_ = read_bytes(path_);
         header_end_ = whole_.find('\n');
     }
@@ -218,10 +218,10 @@ TEST_F(DamagedRecording, with_more_commands_than_a_tick_can_do_is_refused) {
     EXPECT_TRUE(with(20 * sim::kMostCommandsPerTick, 1, settle));
     sim::Command pour = some_commands()[0].command;
     pour.duration = 1000;
-    EXPECT_TRUE(with(sim::kMostSources, 1, pour));
-    EXPECT_FALSE(with(sim::kMostSources + 1, 1, pour));
+    EXPECT_TRUE(with(sim::kMostRunningCommands, 1, pour));
+    EXPECT_FALSE(with(sim::kMostRunningCommands + 1, 1, pour));
     pour.duration = 0;
-    EXPECT_TRUE(with(2 * sim::kMostSources, 1, pour));
+    EXPECT_TRUE(with(2 * sim::kMostRunningCommands, 1, pour));
 }
 
 TEST_F(DamagedRecording, with_lines_of_nonsense_is_refused) {

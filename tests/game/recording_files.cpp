@@ -13,33 +13,35 @@
 
 namespace game::test {
 
-Start small_start() {
-    Start start;
-    start.scene = "small";
-    start.title = "A small slope, \"quoted\"\n and öpen";
-    start.material = "soil";
-    start.params.stop_slope = 1.f / 3.f;
-    start.params.stop_slope_thick = 0.1f;
-    start.params.tick_s = 1.f / 60.f;
-    start.params.borders = {sim::Border::kWall, sim::Border::kOpen, sim::Border::kSink, sim::Border::kOpen};
-    start.terrain = "made up";
-    start.licence = "nobody's";
-    start.grid = {13, 11, 2.1f};
-    start.datum = 1234.1;
-    for (int y = 0; y < start.grid.ny; ++y)
-        for (int x = 0; x < start.grid.nx; ++x) {
-            start.bedrock.push_back(0.7f * static_cast<float>(y) * start.grid.dx + 0.1f * std::fabs(6.f - x));
-            start.depth.push_back(0.25f + 0.01f * static_cast<float>((7 * x + 5 * y) % 11));
-            start.rolling.push_back(std::hypot(x - 6.f, y - 8.f) < 2 ? 1.f : 0.f);
-            start.has_data.push_back(x + y > 2 ? 1 : 0);
+Scenario small_scenario() {
+    Scenario scenario;
+    scenario.scene = "small";
+    scenario.title = "A small slope, \"quoted\"\n and öpen";
+    scenario.material = "soil";
+    scenario.params.stop_slope = 1.f / 3.f;
+    scenario.params.stop_slope_thick = 0.1f;
+    scenario.params.tick_s = 1.f / 60.f;
+    scenario.params.borders = {sim::Border::kWall, sim::Border::kOpen, sim::Border::kSink,
+                               sim::Border::kOpen};
+    scenario.terrain = "made up";
+    scenario.licence = "nobody's";
+    scenario.grid = {13, 11, 2.1f};
+    scenario.datum = 1234.1;
+    for (int y = 0; y < scenario.grid.ny; ++y)
+        for (int x = 0; x < scenario.grid.nx; ++x) {
+            scenario.bedrock.push_back(0.7f * static_cast<float>(y) * scenario.grid.dx +
+                                       0.1f * std::fabs(6.f - x));
+            scenario.depth.push_back(0.25f + 0.01f * static_cast<float>((7 * x + 5 * y) % 11));
+            scenario.rolling.push_back(std::hypot(x - 6.f, y - 8.f) < 2 ? 1.f : 0.f);
+            scenario.has_data.push_back(x + y > 2 ? 1 : 0);
         }
-    start.georeference = terrains::Georeference::local({47.3, 11.43}, -12.5, 1.0 / 3);
-    start.seed = 0xfedcba9876543210u;
-    start.look.standing = {0.1f, 1.f / 3.f, 0.7f};
-    start.look.flow = render::FlowLook{render::FlowPattern::kSoil};
-    start.light = {255.1, 1.0 / 0.3};
-    start.camera = render::Camera{{10.1, 1.0 / 3, 1240}, 205.7, 32.1, 285.3, 35.9};
-    return start;
+    scenario.georeference = terrains::Georeference::local({47.3, 11.43}, -12.5, 1.0 / 3);
+    scenario.seed = 0xfedcba9876543210u;
+    scenario.look.standing = {0.1f, 1.f / 3.f, 0.7f};
+    scenario.look.flow = render::FlowLook{render::FlowPattern::kSoil};
+    scenario.light = {255.1, 1.0 / 0.3};
+    scenario.camera = render::Camera{{10.1, 1.0 / 3, 1240}, 205.7, 32.1, 285.3, 35.9};
+    return scenario;
 }
 
 std::vector<TimedCommand> some_commands() {
@@ -64,9 +66,10 @@ std::vector<TimedCommand> some_commands() {
     return {{0, pour}, {3, dig}, {3, heap}, {20, blast}};
 }
 
-StateLine record(const std::filesystem::path& path, const Start& start, int ticks,
+StateLine record(const std::filesystem::path& path, const Scenario& scenario, int ticks,
                  const std::vector<TimedCommand>& commands) {
-    auto session = Session::begin(start, sim::How{}, Recorder::create(path, start).value()).value();
+    auto session =
+        Session::begin(scenario, sim::StepOptions{}, Recorder::create(path, scenario).value()).value();
     Until until;
     until.tick = ticks;
     play_headless(session, commands, until, {}, "").value();

@@ -5,19 +5,19 @@
 #include <vector>
 
 #include "game/recording/reader.h"
-#include "game/scene/start.h"
+#include "game/scene/scenario.h"
 
 namespace game::test {
 
 // A slope of 13×11 vertices that has everything a header can hold: cover, a release, no-data, place, camera,
 // and numbers that no short decimal equals.
-Start small_start();
+Scenario small_scenario();
 
 // One of every kind of command, with numbers that are awkward to write.
 std::vector<TimedCommand> some_commands();
 
 // Plays these commands for `ticks` ticks and records it; returns the last state.
-StateLine record(const std::filesystem::path& path, const Start& start, int ticks,
+StateLine record(const std::filesystem::path& path, const Scenario& scenario, int ticks,
                  const std::vector<TimedCommand>& commands);
 
 // A recording's lines as text, without their chain and closing brace, to be changed at will ...

@@ -20,14 +20,14 @@ Json through_text(const Json& json) {
     return Json::parse(json.dump());
 }
 
-Start through_header(const Start& start) {
+Scenario through_header(const Scenario& scenario) {
     Header header;
-    header.start = start;
-    return header_from(through_text(to_json(header))).value().start;
+    header.scenario = scenario;
+    return header_from(through_text(to_json(header))).value().scenario;
 }
 
 TEST(RecordingHeader, keeps_physics_ground_and_names_to_the_bit) {
-    const Start before = small_start(), after = through_header(before);
+    const Scenario before = small_scenario(), after = through_header(before);
     EXPECT_EQ(after.params, before.params);
     EXPECT_EQ(ground_hash(after), ground_hash(before));
     EXPECT_EQ(after.bedrock, before.bedrock);
@@ -45,7 +45,7 @@ TEST(RecordingHeader, keeps_physics_ground_and_names_to_the_bit) {
 }
 
 TEST(RecordingHeader, keeps_the_view_to_the_bit) {
-    const Start before = small_start(), after = through_header(before);
+    const Scenario before = small_scenario(), after = through_header(before);
     EXPECT_EQ(after.look.rock, before.look.rock);
     EXPECT_EQ(after.look.meadow, before.look.meadow);
     EXPECT_EQ(after.look.standing, before.look.standing);
@@ -54,7 +54,7 @@ TEST(RecordingHeader, keeps_the_view_to_the_bit) {
     EXPECT_EQ(after.look.cover_visible_m, before.look.cover_visible_m);
     EXPECT_EQ(after.look.rolling_visible_m, before.look.rolling_visible_m);
     EXPECT_EQ(after.look.flow, before.look.flow);
-    Start plain = before;
+    Scenario plain = before;
     plain.look.flow.reset();
     EXPECT_EQ(through_header(plain).look.flow, std::nullopt);
     EXPECT_EQ(after.light.azimuth_deg, before.light.azimuth_deg);
@@ -65,54 +65,54 @@ TEST(RecordingHeader, keeps_the_view_to_the_bit) {
     EXPECT_EQ(after.camera->elevation_deg, before.camera->elevation_deg);
     EXPECT_EQ(after.camera->distance_m, before.camera->distance_m);
     EXPECT_EQ(after.camera->field_of_view_deg, before.camera->field_of_view_deg);
-    Start without = before;
+    Scenario without = before;
     without.camera.reset();
     EXPECT_FALSE(through_header(without).camera);
 }
 
 TEST(RecordingHeader, keeps_the_place_on_earth) {
-    Start start = small_start();
-    const auto here = start.georeference.to_lat_lon({7, 9}).value();
-    const auto there = through_header(start).georeference.to_lat_lon({7, 9}).value();
+    Scenario scenario = small_scenario();
+    const auto here = scenario.georeference.to_lat_lon({7, 9}).value();
+    const auto there = through_header(scenario).georeference.to_lat_lon({7, 9}).value();
     EXPECT_NEAR(there.latitude, here.latitude, 1e-9);
     EXPECT_NEAR(there.longitude, here.longitude, 1e-9);
-    start.georeference = terrains::Georeference::unnamed(1000.5, -2000.25);
-    const auto unnamed = through_header(start).georeference;
-    EXPECT_EQ(unnamed.placed(), start.georeference.placed());
+    scenario.georeference = terrains::Georeference::unnamed(1000.5, -2000.25);
+    const auto unnamed = through_header(scenario).georeference;
+    EXPECT_EQ(unnamed.placed(), scenario.georeference.placed());
     EXPECT_EQ(unnamed.origin_x(), 1000.5);
     EXPECT_EQ(unnamed.origin_y(), -2000.25);
-    start.georeference = {};
-    EXPECT_FALSE(through_header(start).georeference.has_coordinates());
+    scenario.georeference = {};
+    EXPECT_FALSE(through_header(scenario).georeference.has_coordinates());
 }
 
 TEST(RecordingHeader, keeps_every_physics_number_to_the_bit) {
     for (const sim::ParamInfo& info : sim::kParams) {
-        Start start = small_start();
-        const float usual = start.params.*info.value;
+        Scenario scenario = small_scenario();
+        const float usual = scenario.params.*info.value;
         // Its neighbours among the floats: what only the shortest exact decimal tells apart.
         for (const float value : {std::nextafter(usual, 1e9f), std::nextafter(usual, -1e9f)}) {
-            start.params.*info.value = value;
-            if (sim::fault_of(start.params)) continue;
-            const float after = through_header(start).params.*info.value;
+            scenario.params.*info.value = value;
+            if (sim::fault_of(scenario.params)) continue;
+            const float after = through_header(scenario).params.*info.value;
             EXPECT_EQ(std::bit_cast<std::uint32_t>(after), std::bit_cast<std::uint32_t>(value)) << info.name;
         }
     }
 }
 
 TEST(RecordingHeader, keeps_both_models_every_scheme_and_border) {
-    Start start = small_start();
+    Scenario scenario = small_scenario();
     for (const auto model : {sim::Model::kBcre, sim::Model::kBcreInertial})
         for (const auto scheme :
              {sim::Scheme::kLaxFriedrichs, sim::Scheme::kLocalLaxFriedrichs, sim::Scheme::kMuscl})
             for (const auto border : {sim::Border::kWall, sim::Border::kOpen, sim::Border::kSink}) {
-                start.params.model = model;
-                start.params.scheme = scheme;
-                start.params.borders[sim::kNorth] = border;
-                EXPECT_EQ(through_header(start).params, start.params);
+                scenario.params.model = model;
+                scenario.params.scheme = scheme;
+                scenario.params.borders[sim::kNorth] = border;
+                EXPECT_EQ(through_header(scenario).params, scenario.params);
             }
     for (const auto law : {sim::Law::kConstant, sim::Law::kSlope, sim::Law::kShear}) {
-        start.params.law = law;
-        EXPECT_EQ(through_header(start).params, start.params);
+        scenario.params.law = law;
+        EXPECT_EQ(through_header(scenario).params, scenario.params);
     }
 }
 

@@ -19,7 +19,7 @@ namespace {
 class ForgedHeader : public testing::Test {
   protected:
     ForgedHeader() : path_(folder_.path() / "forged.couloir") {
-        record(path_, small_start(), 20, some_commands());
+        record(path_, small_scenario(), 20, some_commands());
         bodies_ = bodies_of(read_bytes(path_));
         header_ = json_of(bodies_[0]);
     }
@@ -76,8 +76,8 @@ TEST_F(ForgedHeader, of_an_older_minor_version_need_not_name_what_came_later) {
     header_["version"] = {1, 0};
     const auto recording = read(header_);
     ASSERT_TRUE(recording) << recording.error().sentence;
-    EXPECT_EQ(recording->header.start.params.law, sim::Law::kConstant);
-    EXPECT_EQ(recording->header.start.params.exchange_depth, sim::Params{}.exchange_depth);
+    EXPECT_EQ(recording->header.scenario.params.law, sim::Law::kConstant);
+    EXPECT_EQ(recording->header.scenario.params.exchange_depth, sim::Params{}.exchange_depth);
 }
 
 TEST_F(ForgedHeader, of_a_newer_minor_version_may_hold_fields_that_nobody_knows) {
@@ -89,7 +89,7 @@ TEST_F(ForgedHeader, of_a_newer_minor_version_may_hold_fields_that_nobody_knows)
     bodies_[1] = body_of(state);
     const auto recording = read(header_);
     ASSERT_TRUE(recording) << recording.error().sentence;
-    EXPECT_EQ(recording->header.start.params, small_start().params);
+    EXPECT_EQ(recording->header.scenario.params, small_scenario().params);
 }
 
 TEST_F(ForgedHeader, tells_what_it_was_forked_or_rewritten_from_and_is_refused_where_that_is_nonsense) {
@@ -120,10 +120,10 @@ TEST_F(ForgedHeader, tells_what_it_was_forked_or_rewritten_from_and_is_refused_w
 }
 
 TEST_F(ForgedHeader, with_the_ground_of_another_recording_is_not_the_terrain_recorded_on) {
-    Start other = small_start();
+    Scenario other = small_scenario();
     other.bedrock[40] += 0.5f;
     Header of_other;
-    of_other.start = other;
+    of_other.scenario = other;
     const Json spliced = to_json(of_other)["terrain"]["data"];
     ASSERT_NE(header_["terrain"]["data"], spliced);
     header_["terrain"]["data"] = spliced;

@@ -27,9 +27,9 @@ bool kill_at_size(const std::filesystem::path& path, std::uintmax_t size) {
         if (!reached) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     kill(child, SIGKILL);
-    int how = 0;
-    waitpid(child, &how, 0);
-    return reached && WIFSIGNALED(how) && WTERMSIG(how) == SIGKILL;
+    int options = 0;
+    waitpid(child, &options, 0);
+    return reached && WIFSIGNALED(options) && WTERMSIG(options) == SIGKILL;
 }
 
 TEST(KilledRecording, opens_and_says_up_to_where_it_is_proven) {

@@ -15,27 +15,27 @@
 namespace game::test {
 namespace {
 
-sim::Command pour_here(const Start& start, double rate) {
+sim::Command pour_here(const Scenario& scenario, double rate) {
     sim::Command pour;
-    pour.x = 0.5 * start.grid.nx * static_cast<double>(start.grid.dx);
-    pour.y = 0.7 * start.grid.ny * static_cast<double>(start.grid.dx);
+    pour.x = 0.5 * scenario.grid.nx * static_cast<double>(scenario.grid.dx);
+    pour.y = 0.7 * scenario.grid.ny * static_cast<double>(scenario.grid.dx);
     pour.radius = 5;
     pour.rate = rate;
     return pour;
 }
 
-Opening small_opening() {
-    Opening opening;
-    opening.scene.start = small_start();
-    opening.scene.commands = {{12, pour_here(opening.scene.start, 300)},
-                              {40, pour_here(opening.scene.start, 100)}};
-    return opening;
+LoadedWorld small_opening() {
+    LoadedWorld loaded;
+    loaded.scene.scenario = small_scenario();
+    loaded.scene.commands = {{12, pour_here(loaded.scene.scenario, 300)},
+                             {40, pour_here(loaded.scene.scenario, 100)}};
+    return loaded;
 }
 
 Sandbox recorded(const std::filesystem::path& path) {
-    Opening opening = small_opening();
-    auto recorder = Recorder::create(path, opening.scene.start);
-    return Sandbox::begin(std::move(opening), sim::How{}, std::move(*recorder)).value();
+    LoadedWorld loaded = small_opening();
+    auto recorder = Recorder::create(path, loaded.scene.scenario);
+    return Sandbox::begin(std::move(loaded), sim::StepOptions{}, std::move(*recorder)).value();
 }
 
 void run(Sandbox& sandbox, int ticks) {
@@ -44,17 +44,17 @@ void run(Sandbox& sandbox, int ticks) {
 
 void stroke(Sandbox& sandbox, const char* name, int ticks) {
     sandbox.begin_action(name);
-    const sim::Command pour = pour_here(sandbox.start(), 500);
+    const sim::Command pour = pour_here(sandbox.scenario(), 500);
     for (int i = 0; i < ticks; ++i) ASSERT_TRUE(sandbox.tick({&pour, 1}));
 }
 
 // The hash at the end of a recording played again without a window, proven on the way.
 std::uint64_t replayed_hash(const std::filesystem::path& path) {
     const Recording recording = read_recording(path).value();
-    Opening opening;
-    opening.scene = {recording.header.start, recording.commands};
-    opening.watched = recording;
-    Sandbox sandbox = Sandbox::begin(std::move(opening), sim::How{}, std::nullopt).value();
+    LoadedWorld loaded;
+    loaded.scene = {recording.header.scenario, recording.commands};
+    loaded.watched = recording;
+    Sandbox sandbox = Sandbox::begin(std::move(loaded), sim::StepOptions{}, std::nullopt).value();
     while (sandbox.looks_back()) EXPECT_TRUE(sandbox.tick({}));
     EXPECT_FALSE(sandbox.verdict()->parted) << *sandbox.verdict()->parted;
     EXPECT_EQ(sandbox.verdict()->proven_tick, recording.last_tick());
@@ -89,8 +89,8 @@ TEST(Sandbox, takes_back_the_last_action_to_the_bit_in_the_world_and_in_the_file
 }
 
 TEST(Sandbox, plays_on_from_an_undo_to_the_bits_it_would_have_had) {
-    Sandbox straight = Sandbox::begin(small_opening(), sim::How{}, std::nullopt).value();
-    Sandbox bent = Sandbox::begin(small_opening(), sim::How{}, std::nullopt).value();
+    Sandbox straight = Sandbox::begin(small_opening(), sim::StepOptions{}, std::nullopt).value();
+    Sandbox bent = Sandbox::begin(small_opening(), sim::StepOptions{}, std::nullopt).value();
     run(straight, 80);
     run(bent, 10);
     stroke(bent, "pour", 40);  // over both ticks at which the scene pours
@@ -100,11 +100,11 @@ TEST(Sandbox, plays_on_from_an_undo_to_the_bits_it_would_have_had) {
 }
 
 TEST(Session, knows_when_its_fields_changed_last) {
-    Opening opening = small_opening();
-    opening.scene.start.params.start_slope = 9;  // nothing starts by itself
-    opening.scene.start.rolling.assign(opening.scene.start.grid.size(), 0.f);
-    opening.scene.commands = {{300, pour_here(opening.scene.start, 200)}};
-    Sandbox sandbox = Sandbox::begin(std::move(opening), sim::How{}, std::nullopt).value();
+    LoadedWorld loaded = small_opening();
+    loaded.scene.scenario.params.start_slope = 9;  // nothing starts by itself
+    loaded.scene.scenario.rolling.assign(loaded.scene.scenario.grid.size(), 0.f);
+    loaded.scene.commands = {{300, pour_here(loaded.scene.scenario, 200)}};
+    Sandbox sandbox = Sandbox::begin(std::move(loaded), sim::StepOptions{}, std::nullopt).value();
     const Session& session = sandbox.session();
     int still = 0;
     for (int i = 0; i < 400; ++i) {
@@ -125,7 +125,7 @@ TEST(Session, knows_when_its_fields_changed_last) {
 }
 
 TEST(Sandbox, undoes_a_number_that_was_set) {
-    Sandbox sandbox = Sandbox::begin(small_opening(), sim::How{}, std::nullopt).value();
+    Sandbox sandbox = Sandbox::begin(small_opening(), sim::StepOptions{}, std::nullopt).value();
     const float usual = sandbox.session().state().params.exchange_rate;
     sim::Command set;
     set.kind = sim::CommandKind::kSet;
@@ -139,7 +139,7 @@ TEST(Sandbox, undoes_a_number_that_was_set) {
 }
 
 TEST(Sandbox, leaves_out_numbers_that_do_not_go_together_and_time_goes_on) {
-    Sandbox sandbox = Sandbox::begin(small_opening(), sim::How{}, std::nullopt).value();
+    Sandbox sandbox = Sandbox::begin(small_opening(), sim::StepOptions{}, std::nullopt).value();
     run(sandbox, 3);
     const StateLine before = sandbox.session().state_line();
     sim::Command set;
@@ -149,7 +149,7 @@ TEST(Sandbox, leaves_out_numbers_that_do_not_go_together_and_time_goes_on) {
     const auto refused = sandbox.tick({&set, 1});
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().sentence.find("start_slope is below stop_slope"), std::string::npos);
-    EXPECT_EQ(sandbox.session().state().params, sandbox.start().params);
+    EXPECT_EQ(sandbox.session().state().params, sandbox.scenario().params);
     EXPECT_EQ(sandbox.session().state().tick, before.tick + 1);
     EXPECT_EQ(sandbox.actions(), 0u);
 }
@@ -162,9 +162,9 @@ TEST(Sandbox, does_not_stick_where_what_is_in_store_clashes_with_what_a_person_h
         command.value = value;
         return command;
     };
-    Opening opening = small_opening();
-    opening.scene.commands = {{5, set("start_slope", 0.5)}, {5, pour_here(opening.scene.start, 100)}};
-    Sandbox sandbox = Sandbox::begin(std::move(opening), sim::How{}, std::nullopt).value();
+    LoadedWorld loaded = small_opening();
+    loaded.scene.commands = {{5, set("start_slope", 0.5)}, {5, pour_here(loaded.scene.scenario, 100)}};
+    Sandbox sandbox = Sandbox::begin(std::move(loaded), sim::StepOptions{}, std::nullopt).value();
     const sim::Command own[] = {set("start_slope", 0.9), set("stop_slope", 0.6)};
     ASSERT_TRUE(sandbox.tick(own));
     run(sandbox, 4);
@@ -177,7 +177,7 @@ TEST(Sandbox, does_not_stick_where_what_is_in_store_clashes_with_what_a_person_h
 }
 
 TEST(Sandbox, has_nothing_to_undo_where_an_action_gave_no_command) {
-    Sandbox sandbox = Sandbox::begin(small_opening(), sim::How{}, std::nullopt).value();
+    Sandbox sandbox = Sandbox::begin(small_opening(), sim::StepOptions{}, std::nullopt).value();
     sandbox.begin_action("pour");
     run(sandbox, 5);
     EXPECT_EQ(sandbox.actions(), 0u);
@@ -194,12 +194,12 @@ TEST(Sandbox, lets_a_person_take_over_a_recording_at_its_end_and_records_the_who
     stroke(before, "pour", 45);
     ASSERT_TRUE(before.finish());
 
-    Opening opening;
+    LoadedWorld loaded;
     Recording recording = read_recording(first).value();
-    opening.scene = {recording.header.start, recording.commands};
-    opening.name = "first";
-    opening.watched = std::move(recording);
-    Sandbox after = Sandbox::begin(std::move(opening), sim::How{}, std::nullopt).value();
+    loaded.scene = {recording.header.scenario, recording.commands};
+    loaded.name = "first";
+    loaded.watched = std::move(recording);
+    Sandbox after = Sandbox::begin(std::move(loaded), sim::StepOptions{}, std::nullopt).value();
     EXPECT_EQ(after.known_until(), 45);
     while (after.looks_back()) ASSERT_TRUE(after.tick({}));
     EXPECT_EQ(after.session().state_line().hash, before.session().state_line().hash);
@@ -237,8 +237,8 @@ TEST(Sandbox, says_that_the_disk_is_full_and_plays_on_without_a_recording) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "full.couloir";
     Sandbox sandbox = recorded(path),
-            unrecorded = Sandbox::begin(small_opening(), sim::How{}, std::nullopt).value();
-    const sim::Command pour = pour_here(sandbox.start(), 500);
+            unrecorded = Sandbox::begin(small_opening(), sim::StepOptions{}, std::nullopt).value();
+    const sim::Command pour = pour_here(sandbox.scenario(), 500);
     const FullDisk full(std::filesystem::file_size(path) + 1000);
     int refused = 0;
     for (int i = 0; i < 40; ++i) {

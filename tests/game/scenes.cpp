@@ -34,9 +34,9 @@ class SceneFile : public testing::Test {
   protected:
     SceneFile() : path_(folder_.path() / "trial.toml") {}
 
-    Outcome<Scene> load(const std::string& text, const Wishes& wishes = {}) {
+    Outcome<Scene> load(const std::string& text, const Overrides& overrides = {}) {
         write_bytes(path_, text);
-        return load_scene(path_.string(), wishes);
+        return load_scene(path_.string(), overrides);
     }
     static std::string with(const std::string& old_text, const std::string& new_text) {
         std::string text = kScene;
@@ -55,48 +55,48 @@ TEST(ShippedScenes, load_on_their_own_grid_and_on_a_coarser_one) {
     for (const std::string& name : names) {
         const auto own = load_scene(name, {});
         ASSERT_TRUE(own) << own.error().sentence;
-        EXPECT_EQ(own->start.scene, name);
+        EXPECT_EQ(own->scenario.scene, name);
         // Left to the person, or a flow, on which nothing else happens.
-        EXPECT_EQ(own->commands.empty(), name == "alpine-valley" || own->start.flow);
-        Wishes coarse;
+        EXPECT_EQ(own->commands.empty(), name == "alpine-valley" || own->scenario.flow);
+        Overrides coarse;
         coarse.squares = 16;
         const auto coarser = load_scene(name, coarse);
         ASSERT_TRUE(coarser) << coarser.error().sentence;
-        const sim::Grid &fine = own->start.grid, &grid = coarser->start.grid;
+        const sim::Grid &fine = own->scenario.grid, &grid = coarser->scenario.grid;
         EXPECT_EQ(std::max(grid.nx, grid.ny), 17);
         EXPECT_GT(std::max(fine.nx, fine.ny), 17);
         // The domain stays, only the cell changes.
         EXPECT_FLOAT_EQ(grid.dx * 16, fine.dx * static_cast<float>(std::max(fine.nx, fine.ny) - 1));
-        EXPECT_EQ(coarser->start.params, own->start.params);
+        EXPECT_EQ(coarser->scenario.params, own->scenario.params);
     }
 }
 
 TEST_F(SceneFile, is_read_with_its_terrain_material_commands_and_view) {
     const auto scene = load(kScene);
     ASSERT_TRUE(scene) << scene.error().sentence;
-    EXPECT_EQ(scene->start.title, "A trial");
-    EXPECT_EQ(scene->start.material, "soil");
-    EXPECT_EQ(scene->start.grid.nx, 17);
+    EXPECT_EQ(scene->scenario.title, "A trial");
+    EXPECT_EQ(scene->scenario.material, "soil");
+    EXPECT_EQ(scene->scenario.grid.nx, 17);
     ASSERT_EQ(scene->commands.size(), 1u);
     EXPECT_EQ(scene->commands[0].tick, 90);
     EXPECT_EQ(scene->commands[0].command.rate, 38);
-    ASSERT_TRUE(scene->start.camera);
-    EXPECT_EQ(scene->start.camera->target.z, -48);
-    EXPECT_EQ(scene->start.light.azimuth_deg, 255);
+    ASSERT_TRUE(scene->scenario.camera);
+    EXPECT_EQ(scene->scenario.camera->target.z, -48);
+    EXPECT_EQ(scene->scenario.light.azimuth_deg, 255);
 }
 
 TEST_F(SceneFile, gives_its_own_numbers_to_its_own_model_only) {
     const std::string text = with("borders = \"open\"", "borders = \"wall\"\nmax_speed = 7.5");
     const auto own = load(text);
     ASSERT_TRUE(own) << own.error().sentence;
-    EXPECT_EQ(own->start.params.max_speed, 7.5f);
-    EXPECT_EQ(own->start.params.borders[sim::kEast], sim::Border::kWall);
-    Wishes other;
+    EXPECT_EQ(own->scenario.params.max_speed, 7.5f);
+    EXPECT_EQ(own->scenario.params.borders[sim::kEast], sim::Border::kWall);
+    Overrides other;
     other.model = sim::Model::kBcre;
     const auto bcre = load(text, other);
     ASSERT_TRUE(bcre) << bcre.error().sentence;
-    EXPECT_EQ(bcre->start.params.model, sim::Model::kBcre);
-    EXPECT_NE(bcre->start.params.max_speed, 7.5f);
+    EXPECT_EQ(bcre->scenario.params.model, sim::Model::kBcre);
+    EXPECT_NE(bcre->scenario.params.max_speed, 7.5f);
 }
 
 TEST_F(SceneFile, sorts_its_commands_by_time) {
@@ -182,9 +182,9 @@ TEST_F(SceneFile, with_a_fault_is_refused_with_file_line_and_key) {
             continue;
         }
         EXPECT_EQ(scene.error().status, Failure::kUnusable);
-        const std::string start = path_.string() + ":" + std::to_string(fault.line) + ": " + fault.key;
-        EXPECT_EQ(scene.error().sentence.rfind(start, 0), 0u)
-            << scene.error().sentence << "\nexpected " << start;
+        const std::string scenario = path_.string() + ":" + std::to_string(fault.line) + ": " + fault.key;
+        EXPECT_EQ(scene.error().sentence.rfind(scenario, 0), 0u)
+            << scene.error().sentence << "\nexpected " << scenario;
     }
 }
 
@@ -220,11 +220,12 @@ TEST_F(SceneFile, finds_its_terrain_beside_it_and_lays_cover_by_its_rule) {
     text.replace(text.find("grid = 16"), 9, "grid = 8 ");
     const auto scene = load(text);
     ASSERT_TRUE(scene) << scene.error().sentence;
-    const Start& start = scene->start;
-    EXPECT_EQ(start.grid.nx, 9);
-    EXPECT_EQ(start.depth[4], 0.f);                       // the south edge, at 1000 m
-    EXPECT_EQ(start.depth[start.grid.size() - 5], 0.5f);  // the north edge, at 1016 m
-    EXPECT_NEAR(start.datum + static_cast<double>(start.bedrock[start.grid.size() - 5]), 1016 - 0.5, 1e-3);
+    const Scenario& scenario = scene->scenario;
+    EXPECT_EQ(scenario.grid.nx, 9);
+    EXPECT_EQ(scenario.depth[4], 0.f);                          // the south edge, at 1000 m
+    EXPECT_EQ(scenario.depth[scenario.grid.size() - 5], 0.5f);  // the north edge, at 1016 m
+    EXPECT_NEAR(scenario.datum + static_cast<double>(scenario.bedrock[scenario.grid.size() - 5]), 1016 - 0.5,
+                1e-3);
 }
 
 TEST_F(SceneFile, that_is_no_file_is_said_so) {

@@ -79,7 +79,7 @@ std::vector<Subcommand> writing_subcommands(const fs::path& folder) {
                         material));
     const std::string recording = (folder / "a.couloir").string(), other = (folder / "b.couloir").string();
     const Scene loaded = load_scene(scene, {}).value();
-    for (const std::string& each : {recording, other}) record(each, loaded.start, 18, loaded.commands);
+    for (const std::string& each : {recording, other}) record(each, loaded.scenario, 18, loaded.commands);
     const std::string then = put(
         "then.json",
         fmt::format(

@@ -19,7 +19,7 @@ bool always() {
 }
 
 sim::Command pour(double rate) {
-    const sim::Grid grid = small_start().grid;
+    const sim::Grid grid = small_scenario().grid;
     sim::Command pour;
     pour.x = 0.5 * grid.nx * static_cast<double>(grid.dx);
     pour.y = 0.7 * grid.ny * static_cast<double>(grid.dx);
@@ -29,11 +29,11 @@ sim::Command pour(double rate) {
     return pour;
 }
 
-Opening opening() {
-    Opening opening;
-    opening.scene.start = small_start();
-    opening.scene.commands = some_commands();
-    return opening;
+LoadedWorld loaded() {
+    LoadedWorld loaded;
+    loaded.scene.scenario = small_scenario();
+    loaded.scene.commands = some_commands();
+    return loaded;
 }
 
 // One tick, with a hand that pours now and then.
@@ -55,13 +55,13 @@ std::vector<std::uint64_t> hashes_of(Sandbox& sandbox, std::int64_t ticks) {
 }
 
 Sandbox begun(const std::filesystem::path& path) {
-    auto recorder = Recorder::create(path, opening().scene.start);
-    return Sandbox::begin(opening(), sim::How{}, std::move(*recorder)).value();
+    auto recorder = Recorder::create(path, loaded().scene.scenario);
+    return Sandbox::begin(loaded(), sim::StepOptions{}, std::move(*recorder)).value();
 }
 
 Sandbox watching(const std::filesystem::path& path) {
-    Opening opening = open_anything(path.string(), {}).value();
-    return Sandbox::begin(std::move(opening), sim::How{}, std::nullopt).value();
+    LoadedWorld loaded = open_anything(path.string(), {}).value();
+    return Sandbox::begin(std::move(loaded), sim::StepOptions{}, std::nullopt).value();
 }
 
 // What a recording proves of itself when it is played again.
@@ -79,7 +79,7 @@ void go(Sandbox& sandbox, std::int64_t tick) {
 }
 
 TEST(Timeline, goes_back_tick_by_tick_over_the_hashes_that_it_came_by) {
-    Sandbox sandbox = Sandbox::begin(opening(), sim::How{}, std::nullopt).value();
+    Sandbox sandbox = Sandbox::begin(loaded(), sim::StepOptions{}, std::nullopt).value();
     const auto hashes = hashes_of(sandbox, kPlayed);
     EXPECT_NE(hashes.front(), hashes.back());
     for (std::int64_t tick = kPlayed; tick >= 0; --tick) {
@@ -118,7 +118,7 @@ TEST(Timeline, shows_at_a_tick_what_is_seen_there_without_a_seek) {
 }
 
 TEST(Timeline, goes_no_farther_than_it_may_in_one_go) {
-    Sandbox sandbox = Sandbox::begin(opening(), sim::How{}, std::nullopt).value();
+    Sandbox sandbox = Sandbox::begin(loaded(), sim::StepOptions{}, std::nullopt).value();
     const auto hashes = hashes_of(sandbox, 40);
     int left = 3;
     const auto a_little = [&] { return left-- > 0; };
@@ -218,7 +218,7 @@ TEST(Timeline, goes_on_unrecorded_where_a_fork_cannot_be_written) {
 }
 
 TEST(Keyframes, stay_within_their_budget_by_keeping_every_other_one) {
-    auto session = Session::begin(small_start(), sim::How{}, std::nullopt).value();
+    auto session = Session::begin(small_scenario(), sim::StepOptions{}, std::nullopt).value();
     Keyframes keyframes(1000, 100);
     keyframes.pass(session);
     std::int64_t spacing = keyframes.spacing();
@@ -244,7 +244,7 @@ TEST(Keyframes, stay_within_their_budget_by_keeping_every_other_one) {
 }
 
 TEST(Keyframes, are_two_at_least_however_small_the_budget) {
-    auto session = Session::begin(small_start(), sim::How{}, std::nullopt).value();
+    auto session = Session::begin(small_scenario(), sim::StepOptions{}, std::nullopt).value();
     Keyframes keyframes(10, 100);
     for (int i = 0; i < 200; ++i) {
         keyframes.pass(session);

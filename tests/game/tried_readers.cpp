@@ -45,9 +45,9 @@ std::vector<std::string> seeds(const TriedReader& reader) {
 
 class EveryReader : public testing::TestWithParam<TriedReader> {
   protected:
-    void expect_sound(std::string_view bytes, const std::string& how) const {
+    void expect_sound(std::string_view bytes, const std::string& options) const {
         const std::string fault = fault_of_reading(GetParam(), folder_.path(), bytes);
-        EXPECT_EQ(fault, "") << how;
+        EXPECT_EQ(fault, "") << options;
     }
     support::TemporaryFolder folder_;
 };

@@ -59,18 +59,18 @@ class SnowOnSoil : public testing::Test {
 
 TEST_F(SnowOnSoil, is_read_with_both_materials) {
     const Scene scene = loaded();
-    const Start& start = scene.start;
-    ASSERT_TRUE(start.lower);
-    EXPECT_EQ(start.material, "snow-wet");
-    EXPECT_EQ(start.lower->material, "soil");
-    EXPECT_EQ(start.lower->params.exchange_rate, 3);  // the scene's own
-    EXPECT_EQ(start.lower->params.max_speed, 12);     // soil's
-    EXPECT_EQ(start.params.max_speed, 20);            // wet snow's
-    EXPECT_EQ(start.lower->params.borders, start.params.borders);
-    EXPECT_NE(start.look.lower_standing, start.look.standing);
-    const std::size_t middle = start.grid.size() / 2;
-    EXPECT_EQ(start.depth[middle], 0.75f);
-    EXPECT_EQ(start.lower->depth[middle], 0.25f);
+    const Scenario& scenario = scene.scenario;
+    ASSERT_TRUE(scenario.lower);
+    EXPECT_EQ(scenario.material, "snow-wet");
+    EXPECT_EQ(scenario.lower->material, "soil");
+    EXPECT_EQ(scenario.lower->params.exchange_rate, 3);  // the scene's own
+    EXPECT_EQ(scenario.lower->params.max_speed, 12);     // soil's
+    EXPECT_EQ(scenario.params.max_speed, 20);            // wet snow's
+    EXPECT_EQ(scenario.lower->params.borders, scenario.params.borders);
+    EXPECT_NE(scenario.look.lower_standing, scenario.look.standing);
+    const std::size_t middle = scenario.grid.size() / 2;
+    EXPECT_EQ(scenario.depth[middle], 0.75f);
+    EXPECT_EQ(scenario.lower->depth[middle], 0.25f);
     ASSERT_EQ(scene.commands.size(), 2u);
     EXPECT_EQ(scene.commands[0].command.of, sim::Part::kUpper);
     EXPECT_EQ(scene.commands[1].command.of, sim::Part::kLower);
@@ -94,8 +94,8 @@ TEST_F(SnowOnSoil, with_a_fault_is_refused_with_line_and_fact) {
         const auto scene = load(kSnowOnSoil, fault.old_text, fault.new_text);
         ASSERT_FALSE(scene);
         EXPECT_EQ(scene.error().status, Failure::kUnusable);
-        const std::string start = scene_.string() + ":" + std::to_string(fault.line) + ": " + fault.fact;
-        EXPECT_EQ(scene.error().sentence.rfind(start, 0), 0u) << scene.error().sentence;
+        const std::string scenario = scene_.string() + ":" + std::to_string(fault.line) + ": " + fault.fact;
+        EXPECT_EQ(scene.error().sentence.rfind(scenario, 0), 0u) << scene.error().sentence;
     }
     // Both may be as deep as is allowed, but not together.
     std::string deep = kSnowOnSoil;
@@ -107,15 +107,15 @@ TEST_F(SnowOnSoil, with_a_fault_is_refused_with_line_and_fact) {
 
 TEST_F(SnowOnSoil, replays_from_its_recording_to_the_same_hash) {
     const Scene scene = loaded();
-    const StateLine last = record(path_, scene.start, 90, scene.commands);
+    const StateLine last = record(path_, scene.scenario, 90, scene.commands);
     const auto recording = read_recording(path_);
     ASSERT_TRUE(recording) << recording.error().sentence;
-    const Start& start = recording->header.start;
-    ASSERT_TRUE(start.lower);
-    EXPECT_EQ(start.lower->material, "soil");
-    EXPECT_EQ(start.lower->params, scene.start.lower->params);
-    EXPECT_EQ(start.lower->depth, scene.start.lower->depth);
-    EXPECT_EQ(start.look.lower_rolling, scene.start.look.lower_rolling);
+    const Scenario& scenario = recording->header.scenario;
+    ASSERT_TRUE(scenario.lower);
+    EXPECT_EQ(scenario.lower->material, "soil");
+    EXPECT_EQ(scenario.lower->params, scene.scenario.lower->params);
+    EXPECT_EQ(scenario.lower->depth, scene.scenario.lower->depth);
+    EXPECT_EQ(scenario.look.lower_rolling, scene.scenario.look.lower_rolling);
     EXPECT_EQ(recording->states.back().hash, last.hash);
 
     const Finished verified = couloir({"replay", path_.string(), "--verify", "--threads", "2"});
@@ -131,7 +131,7 @@ TEST_F(SnowOnSoil, replays_from_its_recording_to_the_same_hash) {
 
 TEST_F(SnowOnSoil, recorded_with_other_soil_is_refused) {
     const Scene scene = loaded();
-    record(path_, scene.start, 12, {});
+    record(path_, scene.scenario, 12, {});
     std::vector<std::string> bodies = bodies_of(read_bytes(path_));
     const auto refused = [&](const Json& header) {
         bodies[0] = body_of(header);
@@ -157,13 +157,13 @@ TEST_F(SnowOnSoil, recorded_with_other_soil_is_refused) {
 TEST_F(SnowOnSoil, is_what_it_takes_to_pour_the_lower_material) {
     TimedCommand pour{3, sim::Command{}};
     pour.command.of = sim::Part::kLower;
-    auto session = Session::begin(small_start(), {}, std::nullopt);
+    auto session = Session::begin(small_scenario(), {}, std::nullopt);
     ASSERT_TRUE(session);
     const auto refused = session->advance({&pour.command, 1});
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().sentence.find("this world has one material"), std::string::npos);
 
-    record(path_, small_start(), 12, some_commands());
+    record(path_, small_scenario(), 12, some_commands());
     std::vector<std::string> bodies = bodies_of(read_bytes(path_));
     std::string line;
     write(pour, line);

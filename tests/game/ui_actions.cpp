@@ -74,8 +74,8 @@ TEST_F(UiHand, pours_standing_or_rolling_by_the_button_that_is_not_on) {
 
 TEST_F(UiHand, chooses_which_of_two_materials_is_poured) {
     EXPECT_FALSE(ui_->find("dry sand"));
-    start_.lower.emplace();
-    start_.lower->material = "sand";
+    scenario_.lower.emplace();
+    scenario_.lower->material = "sand";
     settle();
     EXPECT_TRUE(click("loose dry snow").empty());
     brush_ = only<SetBrush>(click("dry sand")).brush;
@@ -181,8 +181,8 @@ TEST_F(UiHand, reads_out_what_is_under_the_cursor_and_nothing_where_there_is_non
     for (const char* label : {"Height", "Slope", "Faces", "Standing", "Rolling", "Speed"})
         EXPECT_TRUE(ui_->find(label)) << label;
     EXPECT_FALSE(ui_->find("Mixture"));
-    start_.lower.emplace();
-    start_.lower->material = "sand";
+    scenario_.lower.emplace();
+    scenario_.lower->material = "sand";
     under_cursor_->lower_share = 0.35;
     settle();
     EXPECT_TRUE(ui_->find("Mixture"));

@@ -4,14 +4,14 @@ namespace game::test {
 
 UiHand::UiHand() {
     const support::Ground ground = support::plane(20, 5, 0.6, 2);
-    start_.scene = "valley";
-    start_.title = "A valley";
-    start_.material = "snow-dry";
-    start_.terrain = "plane";
-    start_.licence = "CC0";
-    start_.grid = ground.grid;
-    start_.params = support::lively(sim::Model::kBcreInertial);
-    state_ = sim::make_state(ground.world(), start_.params);
+    scenario_.scene = "valley";
+    scenario_.title = "A valley";
+    scenario_.material = "snow-dry";
+    scenario_.terrain = "plane";
+    scenario_.licence = "CC0";
+    scenario_.grid = ground.grid;
+    scenario_.params = support::lively(sim::Model::kBcreInertial);
+    state_ = sim::make_state(ground.world(), scenario_.params);
     catalogue_.scenes = {{"slope", "A slope", "/scenes/slope.toml"},
                          {"valley", "A valley", "/scenes/valley.toml"}};
     catalogue_.materials = {{"sand", "dry sand", "/materials/sand.toml"},
@@ -29,9 +29,9 @@ void UiHand::begin_anew(ScreenSize size) {
 }
 
 ui::Facts UiHand::facts() const {
-    return {start_,   state_,           clock_,        brush_,       inverted_,  false,
-            touched_, actions_to_undo_, under_cursor_, camera_mode_, display_,   times_,
-            notices_, catalogue_,       timeline_,     recording_,   "scripted", screen_.seconds()};
+    return {scenario_, state_,           clock_,        brush_,       inverted_,  false,
+            touched_,  actions_to_undo_, under_cursor_, camera_mode_, display_,   times_,
+            notices_,  catalogue_,       timeline_,     recording_,   "scripted", screen_.seconds()};
 }
 
 Actions UiHand::frame() {

@@ -35,7 +35,7 @@ class UiHand : public testing::Test {
     void begin_anew(ScreenSize size);
 
     support::ScriptedScreen screen_;
-    Start start_;
+    Scenario scenario_;
     sim::State state_;
     TickClock clock_;
     Brush brush_;

@@ -145,7 +145,8 @@ TEST_F(UiPanels, begin_a_scene_as_it_was_chosen) {
     settle();
     Open open = only<Open>(click("Begin"));
     EXPECT_EQ(open.name_or_path, "valley");  // what is loaded
-    EXPECT_FALSE(open.wishes.material || open.wishes.model || open.wishes.squares || open.wishes.scheme);
+    EXPECT_FALSE(open.overrides.material || open.overrides.model || open.overrides.squares ||
+                 open.overrides.scheme);
 
     const auto choose = [&](const char* list, const char* item) {
         EXPECT_TRUE(click(list).empty());
@@ -157,12 +158,12 @@ TEST_F(UiPanels, begin_a_scene_as_it_was_chosen) {
     choose("On a grid of", "256 squares");
     open = only<Open>(click("Begin"));
     EXPECT_EQ(open.name_or_path, "slope");
-    EXPECT_EQ(open.wishes.material, "sand");
-    EXPECT_EQ(open.wishes.model, sim::Model::kBcre);
-    EXPECT_EQ(open.wishes.squares, 256);
+    EXPECT_EQ(open.overrides.material, "sand");
+    EXPECT_EQ(open.overrides.model, sim::Model::kBcre);
+    EXPECT_EQ(open.overrides.squares, 256);
 
     choose("Of material", "as the scene says");
-    EXPECT_FALSE(only<Open>(click("Begin")).wishes.material);
+    EXPECT_FALSE(only<Open>(click("Begin")).overrides.material);
 }
 
 TEST_F(UiPanels, open_a_recording_by_its_file_because_scenes_have_names_too) {
@@ -189,7 +190,7 @@ TEST_F(UiPanels, change_one_thing_of_the_display_and_leave_the_rest) {
 
     display_.light.azimuth_deg = 12;
     expected = display_;
-    expected.light = start_.light;
+    expected.light = scenario_.light;
     EXPECT_EQ(only<SetDisplay>(click("Sun as the scene says")).display, expected);
     EXPECT_EQ(only<Verb>(click("Overview")), Verb::kOverview);
 }
@@ -197,7 +198,7 @@ TEST_F(UiPanels, change_one_thing_of_the_display_and_leave_the_rest) {
 TEST_F(UiPanels, change_a_flow_while_it_runs_where_the_scene_shows_one) {
     ui_->perform(Verb::kToggleDisplay);
     settle();
-    start_.flow.emplace();
+    scenario_.flow.emplace();
     settle();
     EXPECT_TRUE(click("Textures with").empty());
     Display expected = display_;
@@ -205,7 +206,7 @@ TEST_F(UiPanels, change_a_flow_while_it_runs_where_the_scene_shows_one) {
     EXPECT_EQ(only<SetDisplay>(click("no cuts")).display, expected);
     EXPECT_TRUE(click("Textures with").empty());
     expected = display_;
-    expected.flow.source = sim::front::Source::kPaper;
+    expected.flow.source = sim::front::PointSource::kPaper;
     EXPECT_EQ(only<SetDisplay>(click("the paper's points")).display, expected);
 }
 

@@ -33,7 +33,7 @@ class UiPhysics : public UiHand {
 
 TEST_F(UiPhysics, shows_every_number_that_the_model_uses_and_no_other) {
     for (const sim::Model model : {sim::Model::kBcre, sim::Model::kBcreInertial}) {
-        start_.params.model = state_.params.model = model;
+        scenario_.params.model = state_.params.model = model;
         settle();
         for (const sim::ParamInfo& info : sim::kParams)
             EXPECT_EQ(ui_->find(label_of(info)).has_value(), sim::is_used_by(info, model)) << info.name;
@@ -68,7 +68,7 @@ TEST_F(UiPhysics, sets_nothing_before_the_number_is_whole) {
 }
 
 TEST_F(UiPhysics, sets_nothing_where_the_same_number_was_typed_or_the_edit_given_up) {
-    state_.params.relaxation_time = start_.params.relaxation_time = 1.5f;
+    state_.params.relaxation_time = scenario_.params.relaxation_time = 1.5f;
     frame();
     EXPECT_TRUE(type_into("relaxation time", "1.50").empty());
     EXPECT_TRUE(click("relaxation time").empty());
@@ -105,7 +105,7 @@ TEST_F(UiPhysics, refuses_thresholds_in_the_wrong_order) {
 
 TEST_F(UiPhysics, leads_back_to_a_default_to_the_bit) {
     EXPECT_FALSE(ui_->find("start slope: default"));
-    const float usual = start_.params.start_slope;
+    const float usual = scenario_.params.start_slope;
     state_.params.start_slope = usual * 1.25f;
     frame();
     const auto set = only<SetNumber>(click("start slope: default"));
@@ -116,10 +116,10 @@ TEST_F(UiPhysics, leads_back_to_a_default_to_the_bit) {
 TEST_F(UiPhysics, leads_back_to_all_defaults_in_an_order_in_which_each_step_holds) {
     EXPECT_TRUE(click("All defaults").empty());
     sim::Params& now = state_.params;
-    now.stop_slope_thick = start_.params.stop_slope * 0.5f;
-    now.stop_slope = start_.params.stop_slope * 0.6f;
-    now.erosion_slope = start_.params.stop_slope * 0.7f;
-    now.start_slope = start_.params.stop_slope * 0.8f;  // below the default of what must lie below it
+    now.stop_slope_thick = scenario_.params.stop_slope * 0.5f;
+    now.stop_slope = scenario_.params.stop_slope * 0.6f;
+    now.erosion_slope = scenario_.params.stop_slope * 0.7f;
+    now.start_slope = scenario_.params.stop_slope * 0.8f;  // below the default of what must lie below it
     now.relaxation_time = 7;
     ASSERT_FALSE(sim::fault_of(now)) << *sim::fault_of(now);
     frame();
@@ -130,7 +130,7 @@ TEST_F(UiPhysics, leads_back_to_all_defaults_in_an_order_in_which_each_step_hold
         now.*sim::kParams[set.param].value = set.value;
         EXPECT_FALSE(sim::fault_of(now)) << *sim::fault_of(now);
     }
-    EXPECT_EQ(now, start_.params);
+    EXPECT_EQ(now, scenario_.params);
 }
 
 TEST_F(UiPhysics, lets_nobody_change_the_steps_of_the_computation) {

@@ -17,7 +17,7 @@ constexpr int kTicks = 20;
 class Verdicts : public testing::Test {
   protected:
     Verdicts() {
-        record(path_, small_start(), kTicks, some_commands());
+        record(path_, small_scenario(), kTicks, some_commands());
         bodies_ = bodies_of(read_bytes(path_));
     }
 

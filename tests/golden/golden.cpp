@@ -16,9 +16,9 @@ namespace {
 
 using golden::kTicks;
 using golden::Scene;
-using sim::How;
 using sim::Model;
 using sim::Scheme;
+using sim::StepOptions;
 
 struct Physics {
     const char* name;
@@ -40,11 +40,11 @@ constexpr std::array<std::array<std::uint64_t, 4>, 6> kHashes{{
     {0x53bcb5e8ffd27043, 0xf1b36d9144f2811e, 0x2ca08198d0018eaa, 0x03e22ab36d7de209},
 }};
 
-std::uint64_t hash_after(const Scene& scene, const Physics& physics, const How& how) {
+std::uint64_t hash_after(const Scene& scene, const Physics& physics, const StepOptions& options) {
     sim::Params params = scene.params;
     params.model = physics.model;
     params.scheme = physics.scheme;
-    support::Play play(scene.ground, params, how);
+    support::Play play(scene.ground, params, options);
     for (int tick = 0; tick < kTicks; ++tick) {
         std::vector<sim::Command> commands;
         for (const auto& [at, command] : scene.hand)
@@ -56,14 +56,14 @@ std::uint64_t hash_after(const Scene& scene, const Physics& physics, const How& 
 }
 
 // All of them; unoptimised, where each takes minutes, without the tiles and most of the threads.
-std::vector<How> ways() {
+std::vector<StepOptions> ways() {
 #ifdef __OPTIMIZE__
     constexpr bool kAll = true;
 #else
     constexpr bool kAll = false;
 #endif
     const std::vector<int> thread_counts = kAll ? std::vector{1, 2, 3, 5, 8} : std::vector{1, 3};
-    std::vector<How> all;
+    std::vector<StepOptions> all;
     for (const int threads : thread_counts) all.push_back({.threads = threads, .plain = true});
     for (const auto set : sim::kInstructionSets)
         if (sim::has(set))
@@ -78,10 +78,10 @@ std::vector<How> ways() {
     return all;
 }
 
-std::string name_of(const How& how) {
-    return std::string(how.plain ? "plain" : sim::to_string(how.instruction_set)) + ", threads " +
-           std::to_string(how.threads) + ", tiles " + std::to_string(how.tile_width) + " by " +
-           std::to_string(how.tile_height) + (how.tiles_may_sleep ? "" : ", awake");
+std::string name_of(const StepOptions& options) {
+    return std::string(options.plain ? "plain" : sim::to_string(options.instruction_set)) + ", threads " +
+           std::to_string(options.threads) + ", tiles " + std::to_string(options.tile_width) + " by " +
+           std::to_string(options.tile_height) + (options.tiles_may_sleep ? "" : ", awake");
 }
 
 class Golden : public testing::TestWithParam<std::size_t> {};
@@ -90,13 +90,13 @@ TEST_P(Golden, scene_has_its_hash_however_it_is_reckoned) {
     const Scene scene = golden::scenes().at(GetParam());
     for (std::size_t i = 0; i < std::size(kPhysics); ++i) {
         const std::uint64_t known = kHashes.at(GetParam()).at(i);
-        for (const How& how : ways()) {
-            if (scene.ground.lower && !how.plain) continue;  // two materials go by the plain step
+        for (const StepOptions& options : ways()) {
+            if (scene.ground.lower && !options.plain) continue;  // two materials go by the plain step
             std::array<char, 32> text{};
-            const std::uint64_t hash = hash_after(scene, kPhysics[i], how);
+            const std::uint64_t hash = hash_after(scene, kPhysics[i], options);
             std::snprintf(text.data(), text.size(), "0x%016" PRIx64, hash);
-            ASSERT_EQ(hash, known) << scene.name << ", " << kPhysics[i].name << ", " << name_of(how) << ": "
-                                   << text.data();
+            ASSERT_EQ(hash, known) << scene.name << ", " << kPhysics[i].name << ", " << name_of(options)
+                                   << ": " << text.data();
         }
     }
 }

@@ -174,9 +174,9 @@ Outlines release_on_a_hill(double azimuth_deg, double cover) {
     ground.set(ground.bedrock, [&](double x, double y) {
         const double r = std::hypot(from_top(x, y), 20), steep = std::tan(36 * std::numbers::pi / 180),
                      flat = std::tan(5 * std::numbers::pi / 180);
-        const double fall =
+        const double slope_dx =
             flat * r + (steep - flat) / 2 * (r - kEase * std::log(std::cosh((r - kFoot) / kEase)));
-        return 300 - fall -
+        return 300 - slope_dx -
                static_cast<double>(ground.depth[ground.at(static_cast<int>(std::lrint(x / kDx)),
                                                           static_cast<int>(std::lrint(y / kDx)))]);
     });

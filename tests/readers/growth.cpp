@@ -42,29 +42,30 @@ std::string repeated(int n, const std::function<std::string(int)>& each, const c
 
 // Recordings.
 
-Start ground_of(int nx, int ny) {
-    Start start = small_start();
-    start.grid = {nx, ny, 2.f};
-    const std::size_t vertices = start.grid.size();
-    start.bedrock.resize(vertices), start.depth.assign(vertices, 0.5f), start.rolling.assign(vertices, 0.f);
+Scenario ground_of(int nx, int ny) {
+    Scenario scenario = small_scenario();
+    scenario.grid = {nx, ny, 2.f};
+    const std::size_t vertices = scenario.grid.size();
+    scenario.bedrock.resize(vertices), scenario.depth.assign(vertices, 0.5f),
+        scenario.rolling.assign(vertices, 0.f);
     for (std::size_t i = 0; i < vertices; ++i)
-        start.bedrock[i] = static_cast<float>(i % 17) * 0.3f + static_cast<float>(i * i % 101) * 0.01f;
-    start.has_data.assign(vertices, 1);
-    return start;
+        scenario.bedrock[i] = static_cast<float>(i % 17) * 0.3f + static_cast<float>(i * i % 101) * 0.01f;
+    scenario.has_data.assign(vertices, 1);
+    return scenario;
 }
 
-std::string header_body(const Start& start, const std::string& more = "") {
+std::string header_body(const Scenario& scenario, const std::string& more = "") {
     Header header;
-    header.start = start;
+    header.scenario = scenario;
     return body_of(to_json(header)) + more;
 }
 
 std::string header_with(const std::string& unknown) {
-    return chained({header_body(small_start(), ",\"unknown\":" + unknown)});
+    return chained({header_body(small_scenario(), ",\"unknown\":" + unknown)});
 }
 
 std::string with_lines(int n, bool commands) {
-    std::vector<std::string> bodies{header_body(small_start())};
+    std::vector<std::string> bodies{header_body(small_scenario())};
     std::string line;
     for (int i = 0; i < n; ++i) {
         StateLine state;
@@ -223,13 +224,13 @@ const std::vector<Growing>& all_growing() {
         {"commands", 400, [](int n) { return with_lines(n, true); }, reads_recording},
         {"line_of_many_values", 150,
          [](int n) {
-             return chained({header_body(small_start()),
+             return chained({header_body(small_scenario()),
                              "{\"x\":[" + repeated(n, [](int) { return "{}"; }) + "],\"end\":0"});
          },
          reads_recording},
         {"commands_in_one_tick", 2000,
          [](int n) {
-             std::vector<std::string> bodies{header_body(small_start())};
+             std::vector<std::string> bodies{header_body(small_scenario())};
              std::string line;
              write(TimedCommand{0, {.kind = sim::CommandKind::kSettle, .radius = 1e5}}, line);
              line.pop_back();

@@ -17,20 +17,21 @@ namespace {
 
 using ::test::work;
 
-Start even_ground(int side, bool two_materials) {
-    Start start = small_start();
-    start.grid = {side, side, 2.f};
-    const std::size_t vertices = start.grid.size();
-    start.bedrock.assign(vertices, 0.f), start.depth.assign(vertices, 1.f);
-    start.rolling.assign(vertices, 0.f), start.has_data.assign(vertices, 1);
-    if (two_materials) start.lower = Start::Lower{"soil", start.params, std::vector<float>(vertices, 0.5f)};
-    return start;
+Scenario even_ground(int side, bool two_materials) {
+    Scenario scenario = small_scenario();
+    scenario.grid = {side, side, 2.f};
+    const std::size_t vertices = scenario.grid.size();
+    scenario.bedrock.assign(vertices, 0.f), scenario.depth.assign(vertices, 1.f);
+    scenario.rolling.assign(vertices, 0.f), scenario.has_data.assign(vertices, 1);
+    if (two_materials)
+        scenario.lower = Scenario::Lower{"soil", scenario.params, std::vector<float>(vertices, 0.5f)};
+    return scenario;
 }
 
 // Plays for six ticks, which need no state line.
 void write_recording(const std::filesystem::path& path, int side, bool two_materials) {
     Header header;
-    header.start = even_ground(side, two_materials);
+    header.scenario = even_ground(side, two_materials);
     write_bytes(path, chained({body_of(to_json(header)), "{\"end\":6"}));
 }
 
@@ -61,12 +62,12 @@ TEST(Memory, of_a_vast_ground_in_a_small_recording_is_refused_before_it_is_taken
 }
 
 TEST(Memory, of_a_fine_grid_is_refused_before_it_is_taken) {
-    Wishes wishes;
-    wishes.squares = 4096;
-    wishes.memory.most = std::uint64_t{1} << 30;
+    Overrides overrides;
+    overrides.squares = 4096;
+    overrides.memory.most = std::uint64_t{1} << 30;
     for (const char* scene : {"landslide", "snow-avalanche", "alpine-valley"}) {
         const auto before = work();
-        const auto refused = load_scene(scene, wishes);
+        const auto refused = load_scene(scene, overrides);
         ASSERT_FALSE(refused) << scene;
         EXPECT_EQ(refused.error().status, Failure::kUnusable);
         EXPECT_LT((work() - before).bytes, 1 << 20) << scene;

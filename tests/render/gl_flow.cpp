@@ -16,7 +16,7 @@ namespace render::test {
 namespace {
 
 using sim::front::FlowView;
-using sim::front::Source;
+using sim::front::PointSource;
 using sim::front::TextureLayers;
 
 constexpr int kSquares = 16;
@@ -67,7 +67,7 @@ class Flow : public Gl {
     const World ground = make_world(kSquares, kCell, [](double, double) { return 0; });
     const sim::front::Mesh mesh = sim::front::mesh_of(ground.grid);
     sim::Workers workers{1};
-    FlowView flow{mesh, sim::front::gradient_rule(0.1f, kCell), Source::kFit, {}};
+    FlowView flow{mesh, sim::front::gradient_rule(0.1f, kCell), PointSource::kFit, {}};
 };
 
 double luminance(const Picture& picture, int x, int y) {
@@ -125,7 +125,7 @@ TEST_F(Flow, is_seen_where_it_was_carried_on_either_side_of_a_front) {
     };
     EXPECT_LT(agreement(picture, front, swapped), 0.7);
     // Without a cut the texture is drawn out across the front.
-    FlowView uncut(mesh, sim::front::gradient_rule(1e6f, kCell), Source::kFit, {});
+    FlowView uncut(mesh, sim::front::gradient_rule(1e6f, kCell), PointSource::kFit, {});
     run(
         uncut, [&](const glm::vec2& x) { return glm::vec2(x.y > front ? speed : -speed, 0); }, 120);
     EXPECT_LT(agreement(seen(uncut, flowing()), front, carried), 0.99);
@@ -221,7 +221,7 @@ World ridge() {
 TEST_F(Flow, is_hidden_by_hills_and_seen_only_where_its_layer_is) {
     const World world = ridge();
     const sim::front::Mesh its_mesh = sim::front::mesh_of(world.grid);
-    FlowView its_flow(its_mesh, sim::front::gradient_rule(0.1f, 1), Source::kHalf, {});
+    FlowView its_flow(its_mesh, sim::front::gradient_rule(0.1f, 1), PointSource::kHalf, {});
     const std::vector<glm::vec2> still(its_mesh.position.size(), glm::vec2(0, 0));
     its_flow.advance({still, {}}, 1 / 60.0, workers);
     Look look = plain_look();
@@ -287,7 +287,7 @@ TEST_F(Flow, of_before_leaves_no_trace_in_a_frame) {
     run(
         flow, [](const glm::vec2& x) { return glm::vec2(x.y > 3.3f ? 1 : -1, 0); }, 60);
     const Picture first = seen(flow, flowing());
-    FlowView other(mesh, sim::front::gradient_rule(0.1f, kCell), Source::kHalf, {});
+    FlowView other(mesh, sim::front::gradient_rule(0.1f, kCell), PointSource::kHalf, {});
     run(
         other, [](const glm::vec2& x) { return glm::vec2(0, x.x > 5.1f ? 1 : -1); }, 40);
     EXPECT_NE(seen(other, flowing(FlowPattern::kSnow)).pixels, first.pixels);

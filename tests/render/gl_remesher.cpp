@@ -321,7 +321,7 @@ class RemeshingADisc : public Remeshing {
     static constexpr int kSquares = 24;
     const Mesh mesh = sim::front::mesh_of(sim::Grid{kSquares + 1, kSquares + 1, 1.f / kSquares});
     sim::front::Tracker tracker{mesh, sim::front::gradient_rule(0.05f, 1.f / kSquares),
-                                sim::front::Source::kFit};
+                                sim::front::PointSource::kFit};
 
     void step() {
         ++steps_;

@@ -21,11 +21,11 @@ class Paranoid : public testing::TestWithParam<const char*> {};
 
 TEST_P(Paranoid, first_200_ticks_are_the_same_with_other_threads_tiles_and_order) {
     const Recording recording = open(GetParam());
-    const Start& start = recording.header.start;
-    const sim::How other{.threads = 3, .tile_width = 32, .tile_height = 8, .last_tile_first = true};
-    const auto parted = first_divergence({start, recording.commands, {}, nullptr},
-                                         {start, recording.commands, other, nullptr}, 200);
-    EXPECT_FALSE(parted) << to_text(*parted, start, {"one", "other"});
+    const Scenario& scenario = recording.header.scenario;
+    const sim::StepOptions other{.threads = 3, .tile_width = 32, .tile_height = 8, .last_tile_first = true};
+    const auto parted = first_divergence({scenario, recording.commands, {}, nullptr},
+                                         {scenario, recording.commands, other, nullptr}, 200);
+    EXPECT_FALSE(parted) << to_text(*parted, scenario, {"one", "other"});
 }
 
 INSTANTIATE_TEST_SUITE_P(Recordings, Paranoid,
@@ -40,24 +40,24 @@ INSTANTIATE_TEST_SUITE_P(Recordings, Paranoid,
 TEST(PlantedFault, in_the_snow_avalanche_is_found_at_its_stage_and_cell) {
     constexpr std::int64_t kTick = 420;
     const Recording recording = open("snow-avalanche");
-    const Start& start = recording.header.start;
+    const Scenario& scenario = recording.header.scenario;
     int x = 0, y = 0;
     float most = 0;
     const auto fault = [&](const Side::Moment& at) {
         if (at.tick != kTick || at.substep != 0 || at.stage != "predict") return;
         // Where most is on its way, so that it shows.
         if (most == 0)
-            for (int j = 0; j < start.grid.ny; ++j)
-                for (int i = 0; i < start.grid.nx; ++i)
+            for (int j = 0; j < scenario.grid.ny; ++j)
+                for (int i = 0; i < scenario.grid.nx; ++i)
                     if (const float flow = at.state.rolling(i, j) * std::fabs(at.state.velocity_y(i, j));
                         flow > most)
                         most = flow, x = i, y = j;
         float& value = at.scratch->flow_then.velocity_x(x, y);
         value = std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) + 4096);
     };
-    const sim::How plainly{.plain = true};
-    const auto parted = first_divergence({start, recording.commands, plainly, nullptr},
-                                         {start, recording.commands, plainly, fault}, kTick + 1);
+    const sim::StepOptions plainly{.plain = true};
+    const auto parted = first_divergence({scenario, recording.commands, plainly, nullptr},
+                                         {scenario, recording.commands, plainly, fault}, kTick + 1);
     ASSERT_TRUE(parted);
     EXPECT_EQ(parted->where, Divergence::Where::kStage);
     EXPECT_EQ(parted->tick, kTick);
@@ -71,9 +71,9 @@ TEST(PlantedFault, in_the_snow_avalanche_is_found_at_its_stage_and_cell) {
 
     const std::array<std::string, 2> names{"sound", "planted"};
     if (const char* file = std::getenv("COULOIR_DESYNC")) {
-        std::cout << to_text(*parted, start, names);
-        ASSERT_TRUE(
-            render::write_png(desync_picture(*parted, start, names), file, render::kSmallestPngCompression));
+        std::cout << to_text(*parted, scenario, names);
+        ASSERT_TRUE(render::write_png(desync_picture(*parted, scenario, names), file,
+                                      render::kSmallestPngCompression));
     }
 }
 

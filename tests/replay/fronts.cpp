@@ -23,8 +23,8 @@ namespace {
 
 using sim::front::Detector;
 using sim::front::Mesh;
+using sim::front::PointSource;
 using sim::front::Rule;
-using sim::front::Source;
 using sim::front::Tracker;
 
 struct Avalanche {
@@ -192,7 +192,7 @@ struct Distances {
 
 Distances distances_from_level(const Avalanche& avalanche) {
     constexpr int kTicksBetween = 6;
-    constexpr std::array kSources{Source::kHalf, Source::kPaper, Source::kFit};
+    constexpr std::array kSources{PointSource::kHalf, PointSource::kPaper, PointSource::kFit};
     std::array<std::unique_ptr<Tracker>, 3> trackers;
     std::array<double, 3> squares{}, counts{};
     sim::Workers workers(1);

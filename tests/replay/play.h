@@ -26,7 +26,8 @@ inline Recording open(const std::string& name) {
 // So many ticks of it. `look` sees its beginning and what came of each tick.
 inline void play(const Recording& recording, int threads, std::int64_t ticks,
                  const std::function<void(const Session&)>& look) {
-    auto session = Session::begin(recording.header.start, sim::How{.threads = threads}, std::nullopt).value();
+    auto session =
+        Session::begin(recording.header.scenario, sim::StepOptions{.threads = threads}, std::nullopt).value();
     look(session);
     Until until;
     until.tick = until.most_ticks = ticks;

@@ -49,51 +49,51 @@ support::Ground random_ground(Dice& dice) {
     }
 }
 
-Start random_start(Dice& dice) {
+Scenario random_start(Dice& dice) {
     support::Ground ground = random_ground(dice);
     if (dice.one_in(3)) {
         const int x0 = dice.below(ground.grid.nx - 3), y0 = dice.below(ground.grid.ny - 3);
         for (int y = y0; y < y0 + 3; ++y)
             for (int x = x0; x < x0 + 3; ++x) ground.has_data[ground.at(x, y)] = 0;
     }
-    Start start;
-    start.scene = start.terrain = "random";
-    start.title = "A random session";
-    start.material = "snow-dry";
+    Scenario scenario;
+    scenario.scene = scenario.terrain = "random";
+    scenario.title = "A random session";
+    scenario.material = "snow-dry";
     const support::Physics physics = support::kPhysics[dice.below(4)];
-    start.params = support::lively(physics.model, physics.scheme);
+    scenario.params = support::lively(physics.model, physics.scheme);
     constexpr sim::Law kLaws[] = {sim::Law::kConstant, sim::Law::kSlope, sim::Law::kShear};
-    start.params.law = kLaws[dice.below(3)];
-    start.params.speed_per_slope = 7;
-    start.params.max_speed = 8;
-    for (sim::Border& border : start.params.borders) border = random_border(dice);
-    start.grid = ground.grid;
-    start.bedrock = ground.bedrock;
-    start.depth = ground.depth;
-    start.rolling = ground.rolling;
-    start.has_data = ground.has_data;
+    scenario.params.law = kLaws[dice.below(3)];
+    scenario.params.speed_per_slope = 7;
+    scenario.params.max_speed = 8;
+    for (sim::Border& border : scenario.params.borders) border = random_border(dice);
+    scenario.grid = ground.grid;
+    scenario.bedrock = ground.bedrock;
+    scenario.depth = ground.depth;
+    scenario.rolling = ground.rolling;
+    scenario.has_data = ground.has_data;
     if (dice.one_in(8)) {
-        sim::Params lower = start.params;
+        sim::Params lower = scenario.params;
         lower.exchange_rate = 1;
         lower.stop_slope = 0.55f;
         std::vector<float> depth = ground.depth;
         for (float& d : depth) d *= 0.5f;
-        start.lower = Start::Lower{"soil", lower, std::move(depth)};
+        scenario.lower = Scenario::Lower{"soil", lower, std::move(depth)};
     }
-    if (dice.one_in(6)) start.look.flow = render::FlowLook{render::FlowPattern::kSoil};  // follows fronts
-    return start;
+    if (dice.one_in(6)) scenario.look.flow = render::FlowLook{render::FlowPattern::kSoil};  // follows fronts
+    return scenario;
 }
 
 // One of the manifest, with numbers a person might choose for this world.
-sim::Command random_command(Dice& dice, const Start& start) {
+sim::Command random_command(Dice& dice, const Scenario& scenario) {
     const sim::CommandInfo& info = sim::kCommands[dice.below(std::size(sim::kCommands))];
-    const double dx = static_cast<double>(start.grid.dx);
+    const double dx = static_cast<double>(scenario.grid.dx);
     sim::Command command;
     command.kind = info.kind;
     if (info.kind != sim::CommandKind::kSet) {
-        command.x = dice.real(-4, start.grid.nx + 3) * dx;
-        command.y = dice.real(-4, start.grid.ny + 3) * dx;
-        command.radius = dice.one_in(5) ? dice.real(0, 1) : dice.real(1, 0.4 * start.grid.nx * dx);
+        command.x = dice.real(-4, scenario.grid.nx + 3) * dx;
+        command.y = dice.real(-4, scenario.grid.ny + 3) * dx;
+        command.radius = dice.one_in(5) ? dice.real(0, 1) : dice.real(1, 0.4 * scenario.grid.nx * dx);
     }
     for (const sim::CommandNumber& number : info.numbers) {
         if (number.name == "rate")
@@ -103,24 +103,24 @@ sim::Command random_command(Dice& dice, const Start& start) {
     }
     if (info.has_layer && dice.one_in(3)) command.layer = sim::Layer::kStanding;
     if (info.has_profile && dice.one_in(3)) command.profile = sim::Profile::kCone;
-    if (info.has_part && start.lower && dice.one_in(2)) command.of = sim::Part::kLower;
+    if (info.has_part && scenario.lower && dice.one_in(2)) command.of = sim::Part::kLower;
     if (info.has_param) {
         do command.param = static_cast<std::size_t>(dice.below(std::size(sim::kParams)));
         while (sim::kParams[command.param].fixed);
         const sim::ParamInfo& param = sim::kParams[command.param];
-        const double now = static_cast<double>(start.params.*param.value);
+        const double now = static_cast<double>(scenario.params.*param.value);
         command.value = std::clamp(now * dice.real(0.6, 1.5), static_cast<double>(param.least),
                                    static_cast<double>(param.most));
     }
     return command;
 }
 
-Act random_act(Dice& dice, const Start& start) {
+Act random_act(Dice& dice, const Scenario& scenario) {
     Act act;
     const int which = dice.below(20);
     if (which < 10) {
         act.kind = Act::kHand;
-        act.command = random_command(dice, start);
+        act.command = random_command(dice, scenario);
     } else if (which < 14) {
         act.kind = Act::kTicks;
         act.ticks = dice.between(1, 90);
@@ -136,14 +136,14 @@ Act random_act(Dice& dice, const Start& start) {
     return act;
 }
 
-std::string kernel_name(const sim::How& how) {
-    return fmt::format("{}, threads {}", how.plain ? "plain" : sim::to_string(how.instruction_set),
-                       how.threads);
+std::string kernel_name(const sim::StepOptions& options) {
+    return fmt::format("{}, threads {}", options.plain ? "plain" : sim::to_string(options.instruction_set),
+                       options.threads);
 }
 
 // The newest kernel by every number of threads, the others by one.
-std::vector<sim::How> replay_options() {
-    std::vector<sim::How> all;
+std::vector<sim::StepOptions> replay_options() {
+    std::vector<sim::StepOptions> all;
     for (const int threads : kThreads) all.push_back({.threads = threads});
     all.push_back({.plain = true});
     for (const auto set : sim::kInstructionSets)
@@ -156,12 +156,12 @@ class Lockstep {
   public:
     Lockstep(const RandomSession& session, std::filesystem::path folder, Tally& tally)
         : folder_(std::move(folder)), tally_(tally), files_{folder_ / "0.couloir"} {
-        Opening opening, plain;
-        opening.scene.start = plain.scene.start = session.start;
-        plain.scene.start.look.flow.reset();
-        auto recorder = Recorder::create(files_.back(), session.start);
+        LoadedWorld loaded, plain;
+        loaded.scene.scenario = plain.scene.scenario = session.scenario;
+        plain.scene.scenario.look.flow.reset();
+        auto recorder = Recorder::create(files_.back(), session.scenario);
         played_.emplace(
-            Sandbox::begin(std::move(opening), {.threads = session.threads}, std::move(*recorder)).value());
+            Sandbox::begin(std::move(loaded), {.threads = session.threads}, std::move(*recorder)).value());
         plain_.emplace(Sandbox::begin(std::move(plain), {.plain = true}, std::nullopt).value());
     }
 
@@ -253,7 +253,7 @@ class Lockstep {
             for (const auto& [name, field] : kLowerFields)
                 if (!support::same_bits((*a.mixture).*field, (*b.mixture).*field))
                     return wrong(fmt::format("{} of the lower material differs", name));
-        if (a.sources != b.sources) return wrong("other running commands");
+        if (a.running_commands != b.running_commands) return wrong("other running commands");
         if (a.ledger != b.ledger) return wrong("another ledger");
         for (const Sandbox* each : {&*played_, &*plain_}) {
             const Session& session = each->session();
@@ -271,8 +271,8 @@ class Lockstep {
         if (!recording) return recording.error().sentence;
         if (recording->warning) return *recording->warning;
         ++tally_.files;
-        for (const sim::How& how : replay_options()) {
-            auto session = Session::begin(recording->header.start, how, std::nullopt);
+        for (const sim::StepOptions& options : replay_options()) {
+            auto session = Session::begin(recording->header.scenario, options, std::nullopt);
             Verifier verifier(*recording);
             verifier.look_at(*session);
             std::vector<sim::Command> due;
@@ -284,7 +284,8 @@ class Lockstep {
                 verifier.look_at(*session);
             }
             const game::Verdict& verdict = verifier.verdict();
-            const std::string where = fmt::format("{} by {}: ", file.filename().string(), kernel_name(how));
+            const std::string where =
+                fmt::format("{} by {}: ", file.filename().string(), kernel_name(options));
             if (verdict.parted) return where + *verdict.parted;
             if (verdict.proven_tick != recording->last_tick())
                 return where +
@@ -342,7 +343,7 @@ RandomSession random_session(std::uint64_t seed) {
     Dice dice(seed);
     RandomSession session{seed, random_start(dice), kThreads[dice.below(3)], {}};
     const int count = dice.between(6, 14);
-    for (int i = 0; i < count; ++i) session.acts.push_back(random_act(dice, session.start));
+    for (int i = 0; i < count; ++i) session.acts.push_back(random_act(dice, session.scenario));
     // Each comes to rest somewhere, goes back from there, returns and plays on.
     session.acts.push_back({Act::kRest, 300, 1, {}});
     session.acts.push_back({Act::kGo, 0, dice.real(0.5, 1), {}});
@@ -352,11 +353,11 @@ RandomSession random_session(std::uint64_t seed) {
 }
 
 std::string to_text(const RandomSession& session) {
-    const Start& start = session.start;
-    std::string text = fmt::format("seed {}: {} x {} vertices, {}, {}, {} material{}, {} threads\n",
-                                   session.seed, start.grid.nx, start.grid.ny,
-                                   sim::to_string(start.params.model), sim::to_string(start.params.scheme),
-                                   start.lower ? 2 : 1, start.lower ? "s" : "", session.threads);
+    const Scenario& scenario = session.scenario;
+    std::string text = fmt::format(
+        "seed {}: {} x {} vertices, {}, {}, {} material{}, {} threads\n", session.seed, scenario.grid.nx,
+        scenario.grid.ny, sim::to_string(scenario.params.model), sim::to_string(scenario.params.scheme),
+        scenario.lower ? 2 : 1, scenario.lower ? "s" : "", session.threads);
     for (const Act& act : session.acts) text += "  " + to_text(act) + "\n";
     return text;
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "game/scene/start.h"
+#include "game/scene/scenario.h"
 
 // Random sessions of the sandbox: what a person could do to a small world, played by the sweep beside the
 // plain kernel, recorded, and replayed by every kernel and number of threads.
@@ -32,7 +32,7 @@ struct Act {
 
 struct RandomSession {
     std::uint64_t seed = 0;
-    Start start;
+    Scenario scenario;
     int threads = 1;  // of the sweep
     std::vector<Act> acts;
 };

@@ -93,7 +93,7 @@ TEST(RandomSessions, are_the_same_for_the_same_seed_and_cover_every_act_and_comm
             ++acts.at(act.kind);
             if (act.kind != Act::kHand) continue;
             ++commands.at(static_cast<std::size_t>(act.command.kind));
-            EXPECT_FALSE(sim::fault_of(act.command, session.start.lower.has_value()));
+            EXPECT_FALSE(sim::fault_of(act.command, session.scenario.lower.has_value()));
         }
     }
     EXPECT_GT(*std::min_element(acts.begin(), acts.end()), 10);

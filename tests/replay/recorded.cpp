@@ -28,10 +28,11 @@ void expect_done(const Outcome<void>& outcome) {
 }
 
 // Plays all of it into the file `again`.
-Played play_into(const std::filesystem::path& again, const Recording& recording, const sim::How& how) {
-    auto session =
-        Session::begin(recording.header.start, how, Recorder::create(again, recording.header.start).value())
-            .value();
+Played play_into(const std::filesystem::path& again, const Recording& recording,
+                 const sim::StepOptions& options) {
+    auto session = Session::begin(recording.header.scenario, options,
+                                  Recorder::create(again, recording.header.scenario).value())
+                       .value();
     Verifier verifier(recording);
     verifier.look_at(session);
     std::vector<sim::Command> due;
@@ -48,19 +49,19 @@ Played play_into(const std::filesystem::path& again, const Recording& recording,
 
 class Recorded : public testing::TestWithParam<const char*> {
   protected:
-    void expect_the_same(const sim::How& how) const {
+    void expect_the_same(const sim::StepOptions& options) const {
         const std::string name = GetParam();
         const auto recording =
             read_recording(support::source_dir() / "assets" / "recordings" / (name + ".couloir")).value();
         const support::TemporaryFolder folder;
         const auto again = folder.path() / "again.couloir";
-        const auto [verdict, hash] = play_into(again, recording, how);
+        const auto [verdict, hash] = play_into(again, recording, options);
         EXPECT_TRUE(verdict.comparable);
         EXPECT_EQ(verdict.parted.value_or(""), "");
         EXPECT_EQ(verdict.compared, static_cast<std::size_t>(recording.last_tick()) + 1);
         EXPECT_EQ(verdict.proven_tick, recording.last_tick());
         EXPECT_EQ(read_recording(again).value().states, recording.states);
-        const auto kernel = how.plain ? "plain" : sim::to_string(how.instruction_set);
+        const auto kernel = options.plain ? "plain" : sim::to_string(options.instruction_set);
         std::printf("%s %.*s %s\n", name.c_str(), static_cast<int>(kernel.size()), kernel.data(),
                     hex(hash).c_str());
     }

@@ -36,7 +36,7 @@ TEST(Pour, adds_the_volume_it_says_at_any_grid_and_in_both_profiles) {
             pour.layer = sim::Layer::kStanding;
             play.ticks(120, {&pour, 1});
             EXPECT_NEAR(cubic_metres(play, play.state.ledger.poured), 75, 0.01) << dx;
-            EXPECT_TRUE(play.state.sources.empty());
+            EXPECT_TRUE(play.state.running_commands.empty());
         }
 }
 
@@ -46,7 +46,7 @@ TEST(Pour, adds_the_same_each_tick_and_then_stops) {
     pour.layer = sim::Layer::kStanding;
     play.ticks(30, {&pour, 1});
     EXPECT_NEAR(cubic_metres(play, play.state.ledger.poured), 30, 0.01);
-    EXPECT_EQ(play.state.sources.size(), 1u);
+    EXPECT_EQ(play.state.running_commands.size(), 1u);
     play.ticks(90);
     EXPECT_NEAR(cubic_metres(play, play.state.ledger.poured), 60, 0.01);
 }
@@ -118,7 +118,7 @@ TEST(Blast, makes_the_erodible_layer_roll_up_to_its_depth) {
     EXPECT_EQ(play.state.rolling(20, 20), 0.75f);
     EXPECT_EQ(play.state.depth(20, 20), 0.25f);
     EXPECT_EQ(play.state.rolling(24, 20), 0);
-    EXPECT_TRUE(play.state.sources.empty());
+    EXPECT_TRUE(play.state.running_commands.empty());
 }
 
 TEST(Commands, manifest_stands_in_the_order_of_its_kinds) {
@@ -164,7 +164,7 @@ TEST(Settle, turns_the_rolling_layer_into_standing_within_its_disc_and_keeps_the
     EXPECT_EQ(play.state.velocity_x(20, 20), 0.f);
     EXPECT_EQ(play.state.depth(20, 20), all);
     EXPECT_EQ(play.state.rolling(26, 20), outside);
-    EXPECT_TRUE(play.state.sources.empty());
+    EXPECT_TRUE(play.state.running_commands.empty());
     play.ticks(1);
     EXPECT_EQ(play.state.ledger.mass_error(), 0);
 }
@@ -202,7 +202,7 @@ TEST(Set, acts_from_its_own_tick_on_and_travels_with_a_snapshot) {
     const Command set = set_to("stop_slope", 0.625);
     play.ticks(1, {&set, 1});
     EXPECT_EQ(play.state.params.stop_slope, 0.625f);
-    EXPECT_TRUE(play.state.sources.empty());
+    EXPECT_TRUE(play.state.running_commands.empty());
     sim::restore(before, play.state);
     EXPECT_NE(play.state.params.stop_slope, 0.625f);
 }

@@ -65,9 +65,9 @@ TEST(StateHash, sees_tick_sources_and_seed_but_not_the_halo) {
     ++play.state.tick;
     EXPECT_NE(sim::state_hash(play.state), before);
     --play.state.tick;
-    play.state.sources.push_back({support::pour_at(1, 2, 3, 4, 5), 0});
+    play.state.running_commands.push_back({support::pour_at(1, 2, 3, 4, 5), 0});
     EXPECT_NE(sim::state_hash(play.state), before);
-    play.state.sources.clear();
+    play.state.running_commands.clear();
     ++play.state.seed;
     EXPECT_NE(sim::state_hash(play.state), before);
     --play.state.seed;
@@ -92,15 +92,16 @@ std::uint64_t updated_hash(Play& play) {
 TEST(UpdatedStateHash, is_the_hash_from_scratch_at_every_tick_with_any_step_options) {
     const support::Ground ground = support::rough(130, 2, 5);
     for (const support::Physics& physics : support::kPhysics)
-        for (const sim::How& how :
-             {sim::How{}, sim::How{.plain = true}, sim::How{.threads = 3, .tile_width = 32, .tile_height = 7},
-              sim::How{.tile_width = 256, .tile_height = 50},
-              sim::How{.tile_width = 32, .tile_height = 1, .tiles_may_sleep = false}}) {
-            Play play(ground, support::lively(physics.model, physics.scheme), how);
+        for (const sim::StepOptions& options :
+             {sim::StepOptions{}, sim::StepOptions{.plain = true},
+              sim::StepOptions{.threads = 3, .tile_width = 32, .tile_height = 7},
+              sim::StepOptions{.tile_width = 256, .tile_height = 50},
+              sim::StepOptions{.tile_width = 32, .tile_height = 1, .tiles_may_sleep = false}}) {
+            Play play(ground, support::lively(physics.model, physics.scheme), options);
             for (int tick = 0; tick < 150; ++tick) {
                 play.ticks(1, hand_at(tick));
                 ASSERT_EQ(updated_hash(play), sim::state_hash(play.state))
-                    << physics.name() << ", tiles " << how.tile_width << " by " << how.tile_height
+                    << physics.name() << ", tiles " << options.tile_width << " by " << options.tile_height
                     << ", tick " << tick;
             }
         }

@@ -17,17 +17,17 @@ TEST(Exponential, is_right_to_three_in_ten_million) {
     for (double x = -80; x <= 80; x += 0.00737) {
         const auto argument = static_cast<float>(x);
         const double exact = std::exp(static_cast<double>(argument));
-        ASSERT_NEAR(static_cast<double>(sim::exponential(argument)) / exact, 1, 3e-7) << x;
+        ASSERT_NEAR(static_cast<double>(sim::exp(argument)) / exact, 1, 3e-7) << x;
     }
-    EXPECT_EQ(sim::exponential(0.f), 1);
-    EXPECT_EQ(sim::exponential(-1e30f), sim::exponential(-80.f));
+    EXPECT_EQ(sim::exp(0.f), 1);
+    EXPECT_EQ(sim::exp(-1e30f), sim::exp(-80.f));
 }
 
 TEST(Exponential, of_little_less_one_keeps_its_digits) {
     for (int i = -1000; i <= 1000; ++i) {
-        const double x = i * sim::kGrowsLittle / 1000;
-        const double grown = static_cast<double>(sim::grown_little(static_cast<float>(x)));
-        ASSERT_LE(std::fabs(grown - std::expm1(static_cast<float>(x))), 2.2e-6 * std::fabs(x)) << x;
+        const double x = i * sim::kExpm1Small / 1000;
+        const double expm1 = static_cast<double>(sim::expm1_small(static_cast<float>(x)));
+        ASSERT_LE(std::fabs(expm1 - std::expm1(static_cast<float>(x))), 2.2e-6 * std::fabs(x)) << x;
     }
 }
 
@@ -53,7 +53,7 @@ TEST(Limiters, choose_as_in_the_books_and_lanes_have_the_bits_of_one_number) {
 
 TEST(Quanta, round_right_on_average_and_alike_for_both_signs) {
     const auto rounded = [](float metres, float dither) {
-        return sim::odd(metres, [&](float size) { return sim::in_quanta<float>(size, dither); });
+        return sim::with_its_sign(metres, [&](float size) { return sim::in_quanta<float>(size, dither); });
     };
     const float amount = 3.3f * sim::kQuantum;
     double sum = 0;

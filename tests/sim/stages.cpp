@@ -182,7 +182,8 @@ TEST(Fluxes, of_muscl_to_all_sides_are_no_more_than_the_layers_say) {
         for (int y = 0; y < kSide; ++y)
             for (int x = 0; x < kSide; ++x) {
                 const float all = sim::bcre::sum_outward<float>(w.flux_x[y], w.flux_y[y], w.flux_y[y + 1], x);
-                const float bound = sim::bcre::most_given(w.now.rolling[y][x], w.then.rolling[y][x], w.c);
+                const float bound =
+                    sim::bcre::greatest_outflow(w.now.rolling[y][x], w.then.rolling[y][x], w.c);
                 ASSERT_LE(all, bound);
                 if (bound > 0) most = std::max(most, all / bound);
             }
@@ -229,8 +230,8 @@ TEST(LowerSlope, looks_at_lower_neighbours_only_and_sees_a_checkerboard) {
     ground.bedrock[ground.at(2, 2)] = 1;
     Stages stages(ground, lively(Model::kBcre));
     stages.substep();
-    EXPECT_NEAR(stages.now.fall(2, 2), std::sqrt(2.0), 1e-6);
-    EXPECT_EQ(stages.now.fall(1, 2), 0);  // beside it only a higher one
+    EXPECT_NEAR(stages.now.slope_dx(2, 2), std::sqrt(2.0), 1e-6);
+    EXPECT_EQ(stages.now.slope_dx(1, 2), 0);  // beside it only a higher one
 }
 
 TEST(Exchange, grows_and_decays_as_the_exponential) {
@@ -262,9 +263,9 @@ TEST(Exchange, never_carries_the_slope_past_its_threshold) {
         params.rolling_speed = 0;
         Stages stages(ground, params);
         stages.substep();
-        const float before = stages.now.fall(1, 1) - params.stop_slope;
+        const float before = stages.now.slope_dx(1, 1) - params.stop_slope;
         stages.substep();  // for the slope as the first has left it
-        const float after = stages.now.fall(1, 1) - params.stop_slope;
+        const float after = stages.now.slope_dx(1, 1) - params.stop_slope;
         const float slack = 2e-5f;  // a quantum and float32
         if (before > 0) {
             ASSERT_GE(after, -slack) << round;
@@ -316,7 +317,7 @@ TEST(InertialTransport, takes_a_quarter_of_a_vertex_through_a_face_at_most) {
 void find_exchange(const sim::inertial::Work<float>& w, const sim::inertial::Level<float>& level) {
     for (int y = 0; y <= 5; ++y)
         sim::along<float>({0, 6}, sim::find_drops<float>(w, level, y)), sim::end_drops<float>(w, level, y);
-    for (int y = 0; y <= 5; ++y) sim::along<float>({0, 6}, sim::find_bends<float>(w, level, y));
+    for (int y = 0; y <= 5; ++y) sim::along<float>({0, 6}, sim::find_curvature<float>(w, level, y));
     for (int y = 0; y < 5; ++y) sim::along<float>({0, 5}, sim::inertial::find_exchange<float>(w, level, y));
 }
 

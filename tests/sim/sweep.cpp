@@ -12,15 +12,15 @@
 
 namespace {
 
-using sim::How;
 using sim::Law;
+using sim::StepOptions;
 using support::kPhysics;
 using support::Physics;
 using support::Play;
 
 // All ways of reckoning that there are here.
-std::vector<How> ways() {
-    std::vector<How> all;
+std::vector<StepOptions> ways() {
+    std::vector<StepOptions> all;
     for (const auto set : sim::kInstructionSets)
         if (sim::has(set))
             for (const int threads : {1, 3}) all.push_back({.threads = threads, .instruction_set = set});
@@ -35,9 +35,10 @@ std::vector<How> ways() {
     return all;
 }
 
-std::string name_of(const How& how) {
-    return std::string(sim::to_string(how.instruction_set)) + ", threads " + std::to_string(how.threads) +
-           ", tiles " + std::to_string(how.tile_width) + " by " + std::to_string(how.tile_height);
+std::string name_of(const StepOptions& options) {
+    return std::string(sim::to_string(options.instruction_set)) + ", threads " +
+           std::to_string(options.threads) + ", tiles " + std::to_string(options.tile_width) + " by " +
+           std::to_string(options.tile_height);
 }
 
 // Steps worlds of all ways beside a plain one and compares them at each tick.
@@ -46,7 +47,8 @@ void expect_same(const support::Ground& ground, const sim::Params& params, int t
                  const std::string& what) {
     Play plain(ground, params, {.plain = true});
     std::vector<std::unique_ptr<Play>> others;
-    for (const How& how : ways()) others.push_back(std::make_unique<Play>(ground, params, how));
+    for (const StepOptions& options : ways())
+        others.push_back(std::make_unique<Play>(ground, params, options));
     for (int tick = 0; tick < ticks; ++tick) {
         const auto given = commands(tick);
         plain.ticks(1, given);
@@ -54,7 +56,7 @@ void expect_same(const support::Ground& ground, const sim::Params& params, int t
         for (const auto& other : others) {
             other->ticks(1, given);
             ASSERT_EQ(sim::state_hash(other->state), sim::state_hash(plain.state))
-                << what << ", " << name_of(other->engine.how) << ", tick " << tick;
+                << what << ", " << name_of(other->engine.options) << ", tick " << tick;
             ASSERT_EQ(other->state.ledger, plain.state.ledger) << what << ", tick " << tick;
         }
     }

@@ -61,8 +61,8 @@ Ground rough(int squares, float dx, unsigned seed) {
     return ground;
 }
 
-Play::Play(const Ground& ground, const sim::Params& with, const sim::How& how)
-    : state(sim::make_state(ground.world(), with)), engine(state, how) {}
+Play::Play(const Ground& ground, const sim::Params& with, const sim::StepOptions& options)
+    : state(sim::make_state(ground.world(), with)), engine(state, options) {}
 
 void Play::ticks(int count, std::span<const sim::Command> first) {
     for (int i = 0; i < count; ++i)

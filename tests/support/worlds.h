@@ -42,7 +42,7 @@ struct Play {
     sim::State state;
     sim::Engine engine;
 
-    Play(const Ground& ground, const sim::Params& with, const sim::How& how = {});
+    Play(const Ground& ground, const sim::Params& with, const sim::StepOptions& options = {});
     void ticks(int count, std::span<const sim::Command> first = {});
 };
 

@@ -97,9 +97,9 @@ void Child::signal(int number) {
 }
 
 bool Child::ended() {
-    int how = 0;
-    if (!status_ && waitpid(pid_, &how, WNOHANG) == pid_)
-        status_ = WIFEXITED(how) ? WEXITSTATUS(how) : 128 + WTERMSIG(how);
+    int options = 0;
+    if (!status_ && waitpid(pid_, &options, WNOHANG) == pid_)
+        status_ = WIFEXITED(options) ? WEXITSTATUS(options) : 128 + WTERMSIG(options);
     return status_.has_value();
 }
 

@@ -25,8 +25,8 @@ class Window : public testing::Test {
         const std::string whole = fmt::format("\n{}\n", line);
         return within(5, [&] { return desktop->out().find(whole) != std::string::npos; });
     }
-    bool says(Key key, const std::string& how) {
-        return says(fmt::format("key {} {}", static_cast<int>(key), how));
+    bool says(Key key, const std::string& options) {
+        return says(fmt::format("key {} {}", static_cast<int>(key), options));
     }
     bool says_size(int width, int height, bool full_screen) {
         const std::string line = fmt::format("\nsize {} {} full screen {} ", width, height, full_screen);

@@ -10,7 +10,7 @@
 namespace game {
 
 // Something that a sandbox can begin with.
-struct Opening {
+struct LoadedWorld {
     Scene scene;
     std::string name;  // of a recording: that of its file
     std::optional<Recording>
@@ -20,8 +20,8 @@ struct Opening {
 };
 
 // Opens a scene by its name, or a file: a scene (.toml), a recording (.couloir) or else an elevation raster.
-// Shipped recordings are found by NAME.couloir. `wishes` hold for scenes and rasters; a recording is what it
-// is. Errors: whatever is wrong with the file.
-Outcome<Opening> open_anything(const std::string& name_or_path, const Wishes& wishes);
+// Shipped recordings are found by NAME.couloir. `overrides` hold for scenes and rasters; a recording is what
+// it is. Errors: whatever is wrong with the file.
+Outcome<LoadedWorld> open_anything(const std::string& name_or_path, const Overrides& overrides);
 
 }  // namespace game

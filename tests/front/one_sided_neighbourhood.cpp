@@ -1,4 +1,4 @@
-#include "sim/front/shores.h"
+#include "sim/front/one_sided_neighbourhood.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@ namespace {
 using sim::front::Detector;
 using sim::front::Flips;
 using sim::front::Mesh;
-using sim::front::Shore;
-using sim::front::Shores;
+using sim::front::OneSidedNeighbourhood;
+using sim::front::OneSidedNeighbourhoods;
 
 // Seven vertices by seven, 1 m apart; what lies west of column 3 goes east at 1 m/s, and in the rows from
 // `end` on less and less, so that no edge is cut from the one after on.
@@ -22,7 +22,8 @@ class FrontShores : public testing::Test {
     Detector detector{mesh, sim::front::gradient_rule(0.5f, 1)};
     std::vector<Flips> flips = std::vector<Flips>(mesh.position.size());
     std::vector<int> cuts = std::vector<int>(mesh.position.size());
-    Shores shores{mesh.position.size(), sim::front::fit::kernels_for(sim::best_instruction_set())};
+    OneSidedNeighbourhoods shores{mesh.position.size(),
+                                  sim::front::fit::kernels_for(sim::best_instruction_set())};
 
     void part(int end) {
         std::vector<glm::vec2> velocity(mesh.position.size());
@@ -32,7 +33,7 @@ class FrontShores : public testing::Test {
         detector.update({velocity, {}});
         for (const int e : detector.cut()) ++cuts[mesh.edge[e].a], ++cuts[mesh.edge[e].b];
     }
-    Shore shore_of(int vertex, double time = 0) {
+    OneSidedNeighbourhood shore_of(int vertex, double time = 0) {
         return shores[shores.find(detector, cuts, flips, time, vertex)];
     }
 };
@@ -40,7 +41,7 @@ class FrontShores : public testing::Test {
 TEST_F(FrontShores, lie_on_one_side_each) {
     part(kSide);
     for (const int vertex : {3 * kSide + 2, 3 * kSide + 3}) {
-        const Shore shore = shore_of(vertex);
+        const OneSidedNeighbourhood shore = shore_of(vertex);
         EXPECT_EQ(shore.vertices[0], vertex);
         for (const int v : shore.vertices) EXPECT_EQ(v % kSide < 3, vertex % kSide < 3) << v;
         for (const auto& [here, beyond] : shore.crossings) EXPECT_NE(here % kSide < 3, beyond % kSide < 3);
@@ -50,7 +51,7 @@ TEST_F(FrontShores, lie_on_one_side_each) {
 
 TEST_F(FrontShores, go_round_the_end_of_a_front) {
     part(3);
-    const Shore shore = shore_of(2 * kSide + 2);
+    const OneSidedNeighbourhood shore = shore_of(2 * kSide + 2);
     EXPECT_NE(std::find(shore.vertices.begin(), shore.vertices.end(), 4 * kSide + 3), shore.vertices.end());
 }
 
@@ -60,7 +61,7 @@ TEST_F(FrontShores, know_flips_the_newest_first_and_each_other_one_turned_round)
     flips[first].last[0] = {5, {1, 0}}, flips[first].last[1] = {2, {-1, 0}};
     flips[second].last[0] = {4, {1, 0}};
     flips[beyond].last[0] = {3, {1, 0}};
-    const Shore shore = shore_of(first, 6);
+    const OneSidedNeighbourhood shore = shore_of(first, 6);
     ASSERT_EQ(shore.flipped.size(), 3u);
     const int vertex[] = {first, second, first};
     const double age[] = {1, 2, 4};

@@ -10,7 +10,7 @@
 #include "sim/core/aligned.h"
 #include "sim/front/detector.h"
 #include "sim/front/fit_lanes.h"
-#include "sim/front/locator.h"
+#include "sim/front/point_estimator.h"
 
 namespace sim::front {
 
@@ -31,7 +31,7 @@ struct alignas(kCacheLine) Flips {
 //           A ── A ── A        A: reached from the vertex a without crossing a front, within kRings.
 //            \  / \  / \         (each edge drawn is uncut)
 //     ········\/···\/···\····
-struct Shore {
+struct OneSidedNeighbourhood {
     static constexpr int kRings = 4;
 
     std::span<const int> vertices;         // a first, then ring after ring
@@ -51,9 +51,9 @@ struct Shore {
 };
 
 // The shores of one moment. Each is looked at once, however many edges are cut at its vertex.
-class Shores {
+class OneSidedNeighbourhoods {
   public:
-    Shores(std::size_t vertices, const fit::Kernels& kernels)
+    OneSidedNeighbourhoods(std::size_t vertices, const fit::Kernels& kernels)
         : kernels_(kernels), found_(vertices), seen_(vertices, 0) {}
 
     // Forgets all: another moment begins.
@@ -63,12 +63,12 @@ class Shores {
     int find(const Detector& detector, std::span<const int> cuts, std::span<const Flips> flips, double time,
              int vertex);
     // Until the next is sought.
-    Shore operator[](int number) const;
+    OneSidedNeighbourhood operator[](int number) const;
 
   private:
     struct Extent {
         std::size_t vertex, flip, number, crossing;  // where it begins
-        std::array<int, Shore::kRings + 1> ring_end;
+        std::array<int, OneSidedNeighbourhood::kRings + 1> ring_end;
         int flips, crossings;
     };
     struct Found {
@@ -92,7 +92,7 @@ class Shores {
     std::vector<Extent> extents_;
     std::size_t count_ = 0, crossing_count_ = 0;  // how many of the next two are filled
     std::vector<int> vertices_;
-    std::vector<Shore::Crossing> crossings_;
+    std::vector<OneSidedNeighbourhood::Crossing> crossings_;
     std::vector<int> flipped_;
     std::vector<double> numbers_;  // of flips
     std::vector<Known> those_;     // flips of the shore that is looked at

@@ -12,25 +12,25 @@ namespace sim::front {
 
 inline constexpr double kNever = -std::numeric_limits<double>::infinity();  // a time, s
 
-struct Moment {
+struct TrackedMoment {
     const Detector& detector;
     const Flow& flow;
     double time, dt;                  // now, and since the moment before, s
     std::span<const Point> previous;  // the points of the moment before, as they lay then
-    const Hold* hold;                 // none: a vertex is passed when the front passes it
+    const PointHold* hold;            // none: a vertex is passed when the front passes it
     Workers& workers;
 };
 
-class Locator {
+class PointEstimator {
   public:
-    virtual ~Locator() = default;
+    virtual ~PointEstimator() = default;
     // `points`: one for each cut edge. Those that stay are as they were, but for their age; those born now
     // have f = ½, speed 0 and age 0.
-    virtual void locate(const Moment& now, std::span<Point> points) = 0;
+    virtual void locate(const TrackedMoment& now, std::span<Point> points) = 0;
 };
 
-std::unique_ptr<Locator> paper_locator(const Mesh& mesh);
-std::unique_ptr<Locator> fit_locator(const Mesh& mesh);
-std::unique_ptr<Locator> level_locator(const Mesh& mesh, float level);
+std::unique_ptr<PointEstimator> paper_estimator(const Mesh& mesh);
+std::unique_ptr<PointEstimator> fit_estimator(const Mesh& mesh);
+std::unique_ptr<PointEstimator> level_estimator(const Mesh& mesh, float level);
 
 }  // namespace sim::front

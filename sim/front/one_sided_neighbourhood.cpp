@@ -1,17 +1,17 @@
-#include "sim/front/shores.h"
+#include "sim/front/one_sided_neighbourhood.h"
 
 #include <bit>
 
 namespace sim::front {
 
-void Shores::clear() {
+void OneSidedNeighbourhoods::clear() {
     extents_.clear(), flipped_.clear(), numbers_.clear();
     count_ = crossing_count_ = 0;
     ++moment_;
 }
 
-int Shores::find(const Detector& detector, std::span<const int> cuts, std::span<const Flips> flips,
-                 double time, int vertex) {
+int OneSidedNeighbourhoods::find(const Detector& detector, std::span<const int> cuts,
+                                 std::span<const Flips> flips, double time, int vertex) {
     Found& found = found_[vertex];
     if (found.moment == moment_) return found.number;
     found = {moment_, static_cast<int>(extents_.size())};
@@ -25,7 +25,7 @@ int Shores::find(const Detector& detector, std::span<const int> cuts, std::span<
     return found.number;
 }
 
-Shore Shores::operator[](int number) const {
+OneSidedNeighbourhood OneSidedNeighbourhoods::operator[](int number) const {
     const Extent& extent = extents_[number];
     const auto numbers = [&](int which) {
         return numbers_.data() + extent.number + which * fit::filled_up(extent.flips);
@@ -37,21 +37,21 @@ Shore Shores::operator[](int number) const {
             .crossings = {crossings_.data() + extent.crossing, static_cast<std::size_t>(extent.crossings)}};
 }
 
-void Shores::make_room(std::size_t more) {
+void OneSidedNeighbourhoods::make_room(std::size_t more) {
     if (count_ + more > vertices_.size()) vertices_.resize(2 * (count_ + more));
     if (crossing_count_ + more > crossings_.size()) crossings_.resize(2 * (crossing_count_ + more));
 }
 
-void Shores::gather(const Detector& detector, std::span<const int> cuts, Extent& extent) {
+void OneSidedNeighbourhoods::gather(const Detector& detector, std::span<const int> cuts, Extent& extent) {
     std::size_t next = extent.vertex;
-    for (int ring = 0; ring <= Shore::kRings; ++ring) {
+    for (int ring = 0; ring <= OneSidedNeighbourhood::kRings; ++ring) {
         const std::size_t last = count_;
         extent.ring_end[ring] = static_cast<int>(last - extent.vertex);
         for (; next < last; ++next) {
             const int from = vertices_[next];
             if (cuts[from] > 0)
-                add_beside_front(detector, from, ring < Shore::kRings);
-            else if (ring < Shore::kRings)
+                add_beside_front(detector, from, ring < OneSidedNeighbourhood::kRings);
+            else if (ring < OneSidedNeighbourhood::kRings)
                 add_all(detector.mesh(), from);
         }
     }
@@ -60,11 +60,11 @@ void Shores::gather(const Detector& detector, std::span<const int> cuts, Extent&
 
 // Each neighbour is written to both lists and kept where it belongs: branches, which nobody could foretell,
 // would cost more.
-void Shores::add_beside_front(const Detector& detector, int from, bool goes_on) {
+void OneSidedNeighbourhoods::add_beside_front(const Detector& detector, int from, bool goes_on) {
     const auto around = detector.mesh().around(from);
     make_room(around.size());
     int* next = vertices_.data() + count_;
-    Shore::Crossing* crossing = crossings_.data() + crossing_count_;
+    OneSidedNeighbourhood::Crossing* crossing = crossings_.data() + crossing_count_;
     std::uint32_t* const all_seen = seen_.data();
     const std::uint32_t now = round_;
     for (const auto& spoke : around) {
@@ -80,7 +80,7 @@ void Shores::add_beside_front(const Detector& detector, int from, bool goes_on) 
 }
 
 // Where no edge is cut, which is nearly everywhere.
-void Shores::add_all(const Mesh& mesh, int from) {
+void OneSidedNeighbourhoods::add_all(const Mesh& mesh, int from) {
     const auto around = mesh.around(from);
     make_room(around.size());
     int* next = vertices_.data() + count_;
@@ -96,7 +96,8 @@ void Shores::add_all(const Mesh& mesh, int from) {
     count_ = static_cast<std::size_t>(next - vertices_.data());
 }
 
-void Shores::add_flips(const Mesh& mesh, std::span<const Flips> flips, double time, Extent& extent) {
+void OneSidedNeighbourhoods::add_flips(const Mesh& mesh, std::span<const Flips> flips, double time,
+                                       Extent& extent) {
     those_.resize(std::tuple_size_v<decltype(Flips::last)> * (count_ - extent.vertex));
     Known* next = those_.data();
     for (std::size_t i = extent.vertex; i < count_; ++i) {
@@ -129,7 +130,7 @@ void Shores::add_flips(const Mesh& mesh, std::span<const Flips> flips, double ti
 // Of each of those_ its place by age. A few dozen are fastest compared with all others, without a branch.
 // Keys are ages, with the number in their last bits, so that no two are the same: ages so near each other
 // that only those bits would tell are as good as equal.
-void Shores::find_order(double time, int count) {
+void OneSidedNeighbourhoods::find_order(double time, int count) {
     const std::uint32_t numbers = std::bit_ceil(static_cast<std::uint32_t>(count)) - 1;
     keys_.resize(count), order_.resize(count);
     for (int i = 0; i < count; ++i) {

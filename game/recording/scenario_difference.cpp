@@ -1,4 +1,4 @@
-#include "game/recording/start_difference.h"
+#include "game/recording/scenario_difference.h"
 
 #include <algorithm>
 
@@ -71,7 +71,7 @@ void add_members(const TimedCommand& a, const TimedCommand& b, std::vector<std::
 
 }  // namespace
 
-std::vector<std::string> differences_of_ground(const Start& a, const Start& b) {
+std::vector<std::string> differences_of_ground(const Scenario& a, const Scenario& b) {
     std::vector<std::string> found;
     if (a.grid != b.grid) {
         const auto text = [](const sim::Grid& grid) {
@@ -89,7 +89,7 @@ std::vector<std::string> differences_of_ground(const Start& a, const Start& b) {
     return found;
 }
 
-std::vector<std::string> differences_of(const Start& a, const Start& b) {
+std::vector<std::string> differences_of(const Scenario& a, const Scenario& b) {
     std::vector<std::string> found = differences_of_ground(a, b);
     add_choices(a.params, b.params, found);
     add_numbers("", a.params, b.params, found);

@@ -1,4 +1,4 @@
-#include "game/scene/start.h"
+#include "game/scene/scenario.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,40 +63,40 @@ std::optional<std::string> fault_of_commands(sim::Params params, std::span<const
     return std::nullopt;
 }
 
-void set_ground(Start& start, const terrains::Terrain& terrain) {
-    start.terrain = terrain.name;
-    start.licence = terrain.licence;
-    start.grid = terrain.grid;
-    start.georeference = terrain.georeference;
-    start.has_data = terrain.has_data;
-    start.depth = terrain.cover;
-    start.rolling.assign(terrain.grid.size(), 0.f);
-    start.datum = std::floor(*std::min_element(terrain.surface.begin(), terrain.surface.end()));
-    start.bedrock.resize(terrain.grid.size());
-    for (std::size_t i = 0; i < start.bedrock.size(); ++i)
-        start.bedrock[i] = static_cast<float>(static_cast<double>(terrain.surface[i]) - start.datum -
-                                              static_cast<double>(terrain.cover[i]));
+void set_ground(Scenario& scenario, const terrains::Terrain& terrain) {
+    scenario.terrain = terrain.name;
+    scenario.licence = terrain.licence;
+    scenario.grid = terrain.grid;
+    scenario.georeference = terrain.georeference;
+    scenario.has_data = terrain.has_data;
+    scenario.depth = terrain.cover;
+    scenario.rolling.assign(terrain.grid.size(), 0.f);
+    scenario.datum = std::floor(*std::min_element(terrain.surface.begin(), terrain.surface.end()));
+    scenario.bedrock.resize(terrain.grid.size());
+    for (std::size_t i = 0; i < scenario.bedrock.size(); ++i)
+        scenario.bedrock[i] = static_cast<float>(static_cast<double>(terrain.surface[i]) - scenario.datum -
+                                                 static_cast<double>(terrain.cover[i]));
 }
 
-sim::InitialState world_of(const Start& start) {
-    sim::InitialState world{start.grid,    start.datum,    start.bedrock, start.depth,
-                            start.rolling, start.has_data, start.seed};
-    if (start.lower) world.lower = sim::InitialState::Lower{start.lower->params, start.lower->depth};
+sim::InitialState initial_state_of(const Scenario& scenario) {
+    sim::InitialState world{scenario.grid,    scenario.datum,    scenario.bedrock, scenario.depth,
+                            scenario.rolling, scenario.has_data, scenario.seed};
+    if (scenario.lower) world.lower = sim::InitialState::Lower{scenario.lower->params, scenario.lower->depth};
     return world;
 }
 
-std::uint64_t ground_hash(const Start& start) {
+std::uint64_t ground_hash(const Scenario& scenario) {
     XXH3_state_t digest;
     XXH3_64bits_reset(&digest);
     const auto add = [&](const void* bytes, std::size_t count) { XXH3_64bits_update(&digest, bytes, count); };
-    add(&start.grid.nx, sizeof start.grid.nx);
-    add(&start.grid.ny, sizeof start.grid.ny);
-    add(&start.grid.dx, sizeof start.grid.dx);
-    add(&start.datum, sizeof start.datum);
-    for (const std::vector<float>* field : {&start.bedrock, &start.depth, &start.rolling})
+    add(&scenario.grid.nx, sizeof scenario.grid.nx);
+    add(&scenario.grid.ny, sizeof scenario.grid.ny);
+    add(&scenario.grid.dx, sizeof scenario.grid.dx);
+    add(&scenario.datum, sizeof scenario.datum);
+    for (const std::vector<float>* field : {&scenario.bedrock, &scenario.depth, &scenario.rolling})
         add(field->data(), field->size() * sizeof(float));
-    add(start.has_data.data(), start.has_data.size());
-    if (start.lower) add(start.lower->depth.data(), start.lower->depth.size() * sizeof(float));
+    add(scenario.has_data.data(), scenario.has_data.size());
+    if (scenario.lower) add(scenario.lower->depth.data(), scenario.lower->depth.size() * sizeof(float));
     return XXH3_64bits_digest(&digest);
 }
 

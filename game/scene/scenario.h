@@ -19,7 +19,7 @@
 namespace game {
 
 // All that a world begins with, whether a scene, a terrain file or a recording said so.
-struct Start {
+struct Scenario {
     std::string scene;     // name of the scene or of the terrain file
     std::string title;     // for people
     std::string material;  // name of its preset
@@ -72,13 +72,13 @@ std::optional<std::string> fault_of_commands(sim::Params params, std::span<const
 
 // The ground of `terrain` as a start's: bedrock under its cover, above a whole-metre datum near its lowest
 // point.
-void set_ground(Start& start, const terrains::Terrain& terrain);
+void set_ground(Scenario& scenario, const terrains::Terrain& terrain);
 
 // For sim; valid as long as the start is.
-sim::InitialState world_of(const Start& start);
+sim::InitialState initial_state_of(const Scenario& scenario);
 
 // XXH3 of grid, datum, bedrock, depth, rolling, has_data and the lower material's depth: which ground a
 // recording is of.
-std::uint64_t ground_hash(const Start& start);
+std::uint64_t ground_hash(const Scenario& scenario);
 
 }  // namespace game

@@ -1,0 +1,61 @@
+#include "game/session/loaded_world.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "game/files/assets.h"
+
+namespace game {
+namespace {
+
+namespace fs = std::filesystem;
+
+Outcome<LoadedWorld> open_scene(const std::string& name_or_path, const Overrides& overrides) {
+    auto scene = load_scene(name_or_path, overrides);
+    if (!scene) return tl::unexpected(scene.error());
+    std::string told = fmt::format("Loaded {}", scene->scenario.title);
+    return LoadedWorld{std::move(*scene), {}, std::nullopt, std::move(told), overrides.memory};
+}
+
+Outcome<LoadedWorld> open_recording(const fs::path& path, const Memory& memory) {
+    std::error_code error;
+    const bool is_file = fs::exists(path, error);
+    const auto found = is_file || path.has_parent_path()
+                           ? Outcome<fs::path>(path)
+                           : find_asset(AssetKind::kRecording, path.stem().string());
+    if (!found) return tl::unexpected(found.error());
+    auto recording = read_recording(*found, memory);
+    if (!recording) return tl::unexpected(recording.error());
+    LoadedWorld loaded;
+    loaded.memory = memory;
+    loaded.name = found->stem().string();
+    loaded.scene.scenario = recording->header.scenario;
+    loaded.scene.commands = recording->commands;
+    loaded.scene.files = {*found};
+    loaded.told = recording->warning.value_or(fmt::format("Watching {}", found->filename().string()));
+    loaded.watched = std::move(*recording);
+    return loaded;
+}
+
+Outcome<LoadedWorld> open_terrain(const fs::path& path, const Overrides& overrides) {
+    auto scene = scene_of_terrain(path, std::nullopt, overrides);
+    if (!scene) return tl::unexpected(scene.error());
+    const sim::Grid& grid = scene->scenario.grid;
+    std::string told = fmt::format("Loaded {}: {} by {} squares of {:.1f} m", path.filename().string(),
+                                   grid.nx - 1, grid.ny - 1, grid.dx);
+    return LoadedWorld{std::move(*scene), {}, std::nullopt, std::move(told), overrides.memory};
+}
+
+}  // namespace
+
+Outcome<LoadedWorld> open_anything(const std::string& name_or_path, const Overrides& overrides) {
+    const fs::path path(name_or_path);
+    if (path.extension() == ".couloir") return open_recording(path, overrides.memory);
+    std::error_code error;
+    const bool is_raster =
+        path.extension() != ".toml" && fs::exists(path, error) && !is_asset(AssetKind::kScene, name_or_path);
+    return is_raster ? open_terrain(path, overrides) : open_scene(name_or_path, overrides);
+}
+
+}  // namespace game
