@@ -71,7 +71,7 @@ auto find_exchange(const Work<S>& w, const Level<S>& level, int y) {
                 eroded = min(eroded, steep * c.dx / slope_of(drop, c.per_cell).spread);
         }
         if (any(slope < c.greatest_stop_slope)) {
-            const Number stop = c.stop_slope_thick + c.stop_slope_more * exp<Number>(-r * c.per_fold_depth);
+            const Number stop = c.stop_slope_thick + c.stop_slope_more * exp(-r * c.per_fold_depth);
             const Number gentle = max(stop - slope, none);
             const Number u = at<Number>(to_u, i), v = at<Number>(to_v, i);
             const Number gate = max(Number(1) - sqrt(u * u + v * v) * c.per_deposit_speed, none);

@@ -61,45 +61,58 @@ template <class Condition, class Number>
     }
 }
 
-template <class Number>
-[[gnu::always_inline]] inline Number max(const Number& a, const Same<Number>& b) {
-    if constexpr (kIsLanes<Number>)
-        return stdx::max(a, b);
-    else
-        return a < b ? b : a;
-}
+// The standard operations, lane by lane. They are objects that are called, because the lookup of a function
+// would also find the library's own overloads for lanes: exp and expm1 of these call the C library for each
+// lane.
+inline constexpr struct Max {
+    template <class Number>
+    [[gnu::always_inline]] Number operator()(const Number& a, const Same<Number>& b) const {
+        if constexpr (kIsLanes<Number>)
+            return stdx::max(a, b);
+        else
+            return a < b ? b : a;
+    }
+} max;
 
-template <class Number>
-[[gnu::always_inline]] inline Number min(const Number& a, const Same<Number>& b) {
-    if constexpr (kIsLanes<Number>)
-        return stdx::min(a, b);
-    else
-        return b < a ? b : a;
-}
+inline constexpr struct Min {
+    template <class Number>
+    [[gnu::always_inline]] Number operator()(const Number& a, const Same<Number>& b) const {
+        if constexpr (kIsLanes<Number>)
+            return stdx::min(a, b);
+        else
+            return b < a ? b : a;
+    }
+} min;
 
-template <class Number>
-[[gnu::always_inline]] inline Number abs(const Number& a) {
-    if constexpr (kIsLanes<Number>)
-        return stdx::abs(a);
-    else
-        return std::fabs(a);
-}
+inline constexpr struct Abs {
+    template <class Number>
+    [[gnu::always_inline]] Number operator()(const Number& a) const {
+        if constexpr (kIsLanes<Number>)
+            return stdx::abs(a);
+        else
+            return std::fabs(a);
+    }
+} abs;
 
-template <class Number>
-[[gnu::always_inline]] inline Number sqrt(const Number& a) {
-    if constexpr (kIsLanes<Number>)
-        return stdx::sqrt(a);
-    else
-        return std::sqrt(a);
-}
+inline constexpr struct Sqrt {
+    template <class Number>
+    [[gnu::always_inline]] Number operator()(const Number& a) const {
+        if constexpr (kIsLanes<Number>)
+            return stdx::sqrt(a);
+        else
+            return std::sqrt(a);
+    }
+} sqrt;
 
-template <class Number>
-[[gnu::always_inline]] inline Number floor(const Number& a) {
-    if constexpr (kIsLanes<Number>)
-        return stdx::floor(a);
-    else
-        return std::floor(a);
-}
+inline constexpr struct Floor {
+    template <class Number>
+    [[gnu::always_inline]] Number operator()(const Number& a) const {
+        if constexpr (kIsLanes<Number>)
+            return stdx::floor(a);
+        else
+            return std::floor(a);
+    }
+} floor;
 
 // 2^n for whole n from -126 to 127.
 template <class Number>
