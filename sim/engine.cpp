@@ -10,8 +10,8 @@ Engine::Engine(State& state, const StepOptions& as) : options(as), workers(as.th
     state.tiles.may_sleep = options.tiles_may_sleep;
     if (options.plain || state.mixture) {  // the sweep knows one material
         scratch.emplace(state, state.params.model);
-        scratch->watch = &watch;
-        if (state.mixture) scratch->mixing.emplace(state);
+        scratch->context.watch = &watch;
+        if (state.mixture) scratch->context.mixing.emplace(state);
     } else {
         sweeper.emplace(state, options.threads, options.last_tile_first);
     }

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "sim/core/workers.h"
-#include "sim/stages/scratch.h"
+#include "sim/scratch.h"
 #include "sim/stages/stage_watch.h"
 #include "sim/sweep/sweeper.h"
 

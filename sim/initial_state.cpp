@@ -31,18 +31,19 @@ template <class Number>
 void enclose(Layers<Number>& s, const Params& params) {
     continue_bedrock(s, params);
     Field<Number> drop_x(s.grid), drop_y(s.grid);
-    bcre::Work<Number> w{};
+    bcre::StageRows<Number> w{};
     w.nx = s.grid.nx, w.ny = s.grid.ny;
     w.borders = params.borders;
     w.bedrock = Rows<Number>(s.bedrock);
-    w.now.depth = Rows<Number>(s.depth), w.now.rolling = Rows<Number>(s.rolling);
-    w.now.drop_x = Rows<Number>(drop_x), w.now.drop_y = Rows<Number>(drop_y);
-    w.now.slope_dx = Rows<Number>(s.first_slope);
+    w.u0.depth = Rows<Number>(s.depth), w.u0.rolling = Rows<Number>(s.rolling);
+    w.u0.drop_x = Rows<Number>(drop_x), w.u0.drop_y = Rows<Number>(drop_y);
+    w.u0.slope_dx = Rows<Number>(s.first_slope);
     const Span all{0, w.nx};
-    for (int y = 0; y < w.ny; ++y) fill_halo<Number>(w, w.now, y, all);
-    for (int y = 0; y <= w.ny; ++y) along<Number>(all.faces(), find_drops<Number>(w, w.now, y));
+    for (int y = 0; y < w.ny; ++y) fill_halo<Number>(w, w.u0, y, all);
+    for (int y = 0; y <= w.ny; ++y)
+        along<Number>(all.faces(), find_drops<Number>(w, w.u0, w.u0.drop_x, w.u0.drop_y, y));
     for (int y = 0; y < w.ny; ++y) {
-        along<Number>(all, bcre::find_slope_dx<Number>(w.now, y));
+        along<Number>(all, bcre::find_slope_dx<Number>(w.u0, w.u0.slope_dx, y));
         for (int x = 0; x < w.nx; ++x) s.first_slope(x, y) /= s.grid.dx;
     }
     s.first_depth = s.depth;

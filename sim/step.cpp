@@ -14,9 +14,9 @@ template <class Number>
 void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch, Workers& workers,
              Substep<Number> sub) {
     if (params.model == Model::kBcre)
-        bcre::substep(layers, params, scratch, workers, sub);
+        bcre::substep(layers, params, scratch.bcre(), scratch.context, workers, sub);
     else
-        inertial::substep(layers, params, scratch, workers, sub);
+        inertial::substep(layers, params, scratch.inertial(), scratch.context, workers, sub);
 }
 
 template void substep(Layers<float>&, const Params&, Scratch<float>&, Workers&, Substep<float>);
@@ -36,15 +36,16 @@ void substep_plainly(State& state, Engine& engine, const Substep<float>& sub) {
     Workers& workers = engine.workers;
     state.tiles.open_all();
     if (state.mixture) {
-        scratch.lower = &state.mixture->lower;
-        begin_mixing(state, *scratch.mixing, workers);
+        scratch.context.lower = &state.mixture->lower;
+        begin_mixing(state, *scratch.context.mixing, workers);
         engine.watch.done("begin_mixing");
     }
     substep(state, state.params, scratch, workers, sub);
-    state.ledger.out += drained(scratch, state.params.model);
+    state.ledger.out += drained(scratch);
     if (state.mixture) {
-        const auto [flux_x, flux_y] = scratch.fluxes(state.params.model);
-        finish_mixing(state, *scratch.mixing, flux_x, flux_y, scratch.outlets, sub.dither, workers);
+        const auto [flux_x, flux_y] = scratch.fluxes();
+        finish_mixing(state, *scratch.context.mixing, flux_x, flux_y, scratch.context.outlets, sub.dither,
+                      workers);
         engine.watch.done("finish_mixing");
     }
 }
@@ -74,7 +75,8 @@ void step(State& state, std::span<const Command> commands, Engine& engine) {
     if (engine.sweeper) {
         engine.sweeper->find_velocity(state, engine.workers, engine.options.instruction_set);
     } else if (state.params.model == Model::kBcre) {
-        bcre::find_velocity(state, state.params, *engine.scratch, engine.workers);
+        bcre::find_velocity(state, state.params, engine.scratch->bcre(), engine.scratch->context,
+                            engine.workers);
     }
 
     ++state.tick;

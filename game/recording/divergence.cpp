@@ -6,7 +6,7 @@
 #include <cstring>
 #include <thread>
 
-#include "sim/stages/named_fields.h"
+#include "sim/named_fields.h"
 #include "sim/step.h"
 #include "sim/world/command.h"
 

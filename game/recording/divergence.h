@@ -60,7 +60,7 @@ struct FieldDifference {
         std::uint32_t bits = 0;
         float number = 0;
     };
-    std::string field;      // sim/stages/named_fields.h
+    std::string field;      // sim/named_fields.h
     std::size_t count = 0;  // values that differ; a field on faces has one row and column more than vertices
     int x = 0, y = 0;       // of the first that does, by rows from the south; −1 is the halo
     std::array<Value, 2> values;

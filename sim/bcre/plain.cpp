@@ -2,126 +2,136 @@
 
 #include "sim/bcre/stages.h"
 #include "sim/stages/over_rows.h"
-#include "sim/stages/scratch.h"
+#include "sim/stages/plain_context.h"
+#include "sim/world/layers.h"
 
 namespace sim::bcre {
-namespace {
 
 template <class Number>
-Level<Number> level_of(LevelFields<Number>& f, Field<Number>& depth, Field<Number>& rolling) {
-    const auto rows = [](Field<Number>& field) { return Rows<Number>(field); };
-    return {rows(depth),         rows(rolling),    rows(f.drop_x),     rows(f.drop_y),    rows(f.curvature_x),
-            rows(f.curvature_y), rows(f.slope_dx), rows(f.velocity_x), rows(f.velocity_y)};
-}
-
-}  // namespace
-
-template <class Number>
-Work<Number> work_of(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch,
-                     Substep<Number> sub) {
-    return {layers.grid.nx,
-            layers.grid.ny,
-            params.borders,
-            constants_of(params, layers.grid.dx, sub),
-            Rows<Number>(layers.bedrock),
-            level_of(scratch.now, layers.depth, layers.rolling),
-            level_of(scratch.then, scratch.then.depth, scratch.then.rolling),
-            Rows<Number>(scratch.outflow),
-            Rows<Number>(scratch.flux_x),
-            Rows<Number>(scratch.flux_y),
-            Rows<Number>(scratch.exchanged),
-            Rows<Number>(scratch.share)};
+StageRows<Number> stage_rows(Layers<Number>& layers, const Params& params, Fields<Field<Number>>& fields,
+                             Substep<Number> sub) {
+    StageRows<Number> w{rows_of(fields),
+                        layers.grid.nx,
+                        layers.grid.ny,
+                        params.borders,
+                        constants_of(params, layers.grid.dx, sub),
+                        Rows<Number>(layers.bedrock)};
+    w.u0.depth = Rows<Number>(layers.depth);
+    w.u0.rolling = Rows<Number>(layers.rolling);
+    return w;
 }
 
 template <class Number>
-void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch, Workers& workers,
-             Substep<Number> sub) {
-    const Work<Number> world = work_of(layers, params, scratch, sub);
-    const Outlets::View outlets = scratch.outlets.view();
+void substep(Layers<Number>& layers, const Params& params, Fields<Field<Number>>& fields,
+             const PlainContext& context, Workers& workers, Substep<Number> sub) {
+    StageRows<Number> w = stage_rows(layers, params, fields, sub);
+    const Outlets::View outlets = context.outlets.view();
     const auto blends = blends_of<Constants<Number>>(
-        scratch, params, [&](const Params& blend) { return constants_of(blend, layers.grid.dx, sub); });
-    const OverRows<Number, Work<Number>> over(workers, world, blends, scratch.watch);
+        context, params, [&](const Params& blend) { return constants_of(blend, layers.grid.dx, sub); });
+    const OverRows<Number, StageRows<Number>> over(workers, w, blends, context.watch);
     const Span all = over.all();
-    const auto find_drops_of = [&](const Level<Number>& level) {
-        over.each_row_do("fill_halo", [&](int y) { fill_halo<Number>(world, level, y, all); });
+    const auto find_drops_of = [&](StateRows<Number>& u) {
+        over.each_row_do("fill_halo", [&](int y) { fill_halo<Number>(w, u, y, all); });
         over.each_face(
-            "find_drops", [&](int y) { return find_drops<Number>(world, level, y); },
-            [&](int y) { end_drops<Number>(world, level, y); });
+            "find_drops", [&](int y) { return find_drops<Number>(w, u, u.drop_x, u.drop_y, y); },
+            [&](int y) { end_drops<Number>(w, u.drop_x, y); });
     };
-    const auto close = [&](int y) { close_walls<Number>(world, y, all); };
-    const auto end_gift = [&](int y) { end_outflow<Number>(world, y, all); };
-    const auto find_motion = [&](const Level<Number>& level) {
-        over.each_face("find_bends", [&](int y) { return find_curvature<Number>(world, level, y); });
-        over.each_row("find_bent_fall",
-                      [&](const auto&, int y) { return find_limited_slope_dx<Number>(level, y); });
+    const auto close = [&](int y) { close_walls<Number>(w, w.flux_x, w.flux_y, y, all); };
+    const auto end_outflows = [&](int y) { end_outflow<Number>(w, w.outflow, w.u0, y, all); };
+    const auto find_motion = [&](StateRows<Number>& u) {
+        over.each_face("find_curvature",
+                       [&](int y) { return find_curvature<Number>(w, u, u.curvature_x, u.curvature_y, y); });
+        over.each_row("find_limited_slope_dx",
+                      [&](auto&, int y) { return find_limited_slope_dx<Number>(u, u.slope_dx, y); });
         over.each_row(
             "find_central_velocity",
-            [&](const auto& w, int y) { return find_central_velocity<Number>(w, level, y); },
-            [&](int y) { end_velocity<Number>(world, level, y); });
+            [&](const auto& its, int y) {
+                return find_central_velocity<Number>(its, u, u.velocity_x, u.velocity_y, y);
+            },
+            [&](int y) { end_velocity<Number>(w, u.velocity_x, y); });
+    };
+    const auto find_first_order_slope = [&] {
+        over.each_row("find_slope_dx",
+                      [&](auto& its, int y) { return find_slope_dx<Number>(its.u0, its.u0.slope_dx, y); });
     };
 
-    find_drops_of(world.now);
+    find_drops_of(w.u0);
     switch (params.scheme) {
         case Scheme::kLaxFriedrichs:
-            over.each_row("find_fall", [&](const auto& w, int y) { return find_slope_dx<Number>(w.now, y); });
+            find_first_order_slope();
             over.each_row(
-                "find_quarters", [&](const auto& w, int y) { return find_quarter_outflow<Number>(w, y); },
-                end_gift);
+                "find_quarter_outflow",
+                [&](auto& its, int y) { return find_quarter_outflow<Number>(its, its.outflow, its.u0, y); },
+                end_outflows);
             over.each_face(
-                "find_quarter_fluxes", [&](int y) { return find_quarter_fluxes<Number>(world, y); }, close);
-            over.each_row_of_bed("settle", [&](const auto& w, int y) {
-                return settle<Number, Scheme::kLaxFriedrichs>(w, y, w.nx);
+                "find_quarter_fluxes",
+                [&](int y) { return find_quarter_fluxes<Number>(w, w.flux_x, w.flux_y, y); }, close);
+            over.each_row_of_bed("settle", [&](auto& its, int y) {
+                return settle<Number, Scheme::kLaxFriedrichs>(its, its.u0, y, its.nx);
             });
             break;
         case Scheme::kLocalLaxFriedrichs:
-            over.each_row("find_fall", [&](const auto& w, int y) { return find_slope_dx<Number>(w.now, y); });
+            find_first_order_slope();
             over.each_row(
-                "find_given", [&](const auto& w, int y) { return find_outflow<Number>(w, y); }, end_gift);
-            over.each_face("find_split_fluxes", [&](int y) { return find_split_fluxes<Number>(world, y); });
-            over.each_row_of_bed("settle", [&](const auto& w, int y) {
-                return settle<Number, Scheme::kLocalLaxFriedrichs>(w, y, w.nx);
+                "find_outflow", [&](auto& its, int y) { return find_outflow<Number>(its, its.outflow, y); },
+                end_outflows);
+            over.each_face("find_split_fluxes",
+                           [&](int y) { return find_split_fluxes<Number>(w, w.flux_x, w.flux_y, y); });
+            over.each_row_of_bed("settle", [&](auto& its, int y) {
+                return settle<Number, Scheme::kLocalLaxFriedrichs>(its, its.u0, y, its.nx);
             });
             break;
         case Scheme::kMuscl:
-            find_motion(world.now);
+            find_motion(w.u0);
             over.each_face(
                 "find_muscl_fluxes",
-                [&](int y) { return find_muscl_fluxes<Number, RkStage::kFirst>(world, y); }, close);
+                [&](int y) { return find_muscl_fluxes<Number, RkStage::kFirst>(w, w.flux_x, w.flux_y, y); },
+                close);
             over.each_row_of_bed(
-                "predict", [&](const auto& w, int y) { return predict<Number>(w, y); },
-                [&](int y) { clear_drains<Number>(world.then, outlets, y, all); });
-            find_drops_of(world.then);
-            find_motion(world.then);
+                "predict", [&](auto& its, int y) { return predict<Number>(its, its.exchanged, its.u1, y); },
+                [&](int y) { clear_drains<Number>(w.u1, outlets, y, all); });
+            find_drops_of(w.u1);
+            find_motion(w.u1);
             over.each_face(
                 "find_muscl_fluxes",
-                [&](int y) { return find_muscl_fluxes<Number, RkStage::kSecond>(world, y); }, close);
+                [&](int y) { return find_muscl_fluxes<Number, RkStage::kSecond>(w, w.flux_x, w.flux_y, y); },
+                close);
             over.each_row(
-                "find_share", [&](const auto& w, int y) { return find_share<Number>(w, y); },
-                [&](int y) { end_share<Number>(world, y, all); });
-            over.each_face("share_fluxes", [&](int y) { return share_fluxes<Number>(world, y); });
-            over.each_face("book_fluxes", [&](int y) { return quantise_fluxes<Number>(world, y); });
-            over.each_row_of_bed(
-                "settle", [&](const auto& w, int y) { return settle<Number, Scheme::kMuscl>(w, y, w.nx); });
+                "find_share", [&](auto& its, int y) { return find_share<Number>(its, its.share, y); },
+                [&](int y) { end_share<Number>(w, w.share, y, all); });
+            over.each_face("share_fluxes",
+                           [&](int y) { return share_fluxes<Number>(w, w.flux_x, w.flux_y, y); });
+            over.each_face("quantise_fluxes",
+                           [&](int y) { return quantise_fluxes<Number>(w, w.flux_x, w.flux_y, y); });
+            over.each_row_of_bed("settle", [&](auto& its, int y) {
+                return settle<Number, Scheme::kMuscl>(its, its.u0, y, its.nx);
+            });
             break;
     }
-    over.each_row_do("clear_drains", [&](int y) { clear_drains<Number>(world.now, outlets, y, all); });
+    over.each_row_do("clear_drains", [&](int y) { clear_drains<Number>(w.u0, outlets, y, all); });
 }
 
-void find_velocity(Layers<float>& layers, const Params& params, Scratch<float>& scratch, Workers& workers) {
-    Work<float> world = work_of(layers, params, scratch, {});
-    world.now.velocity_x = Rows<float>(layers.velocity_x),
-    world.now.velocity_y = Rows<float>(layers.velocity_y);
-    const auto blends = blends_of<Constants<float>>(scratch, params, [&](const Params& blend) {
+void find_velocity(Layers<float>& layers, const Params& params, Fields<Field<float>>& fields,
+                   const PlainContext& context, Workers& workers) {
+    StageRows<float> w = stage_rows(layers, params, fields, {});
+    w.u0.velocity_x = Rows<float>(layers.velocity_x);
+    w.u0.velocity_y = Rows<float>(layers.velocity_y);
+    const auto blends = blends_of<Constants<float>>(context, params, [&](const Params& blend) {
         return constants_of(blend, layers.grid.dx, Substep<float>{});
     });
-    const OverRows<float, Work<float>> over(workers, world, blends, scratch.watch);
-    over.each_row_do("fill_halo", [&](int y) { fill_halo<float>(world, world.now, y, over.all()); });
-    over.each_face("find_drops", [&](int y) { return find_drops<float>(world, world.now, y); });
-    over.each_row("find_velocity", [&](const auto& w, int y) { return find_velocity<float>(w, y, w.nx); });
+    const OverRows<float, StageRows<float>> over(workers, w, blends, context.watch);
+    over.each_row_do("fill_halo", [&](int y) { fill_halo<float>(w, w.u0, y, over.all()); });
+    over.each_face("find_drops",
+                   [&](int y) { return find_drops<float>(w, w.u0, w.u0.drop_x, w.u0.drop_y, y); });
+    over.each_row("find_velocity", [&](auto& its, int y) {
+        return find_velocity<float>(its, its.u0.velocity_x, its.u0.velocity_y, y, its.nx);
+    });
 }
 
-template Work<float> work_of(Layers<float>&, const Params&, Scratch<float>&, Substep<float>);
-template void substep(Layers<float>&, const Params&, Scratch<float>&, Workers&, Substep<float>);
-template void substep(Layers<double>&, const Params&, Scratch<double>&, Workers&, Substep<double>);
+template StageRows<float> stage_rows(Layers<float>&, const Params&, Fields<Field<float>>&, Substep<float>);
+template void substep(Layers<float>&, const Params&, Fields<Field<float>>&, const PlainContext&, Workers&,
+                      Substep<float>);
+template void substep(Layers<double>&, const Params&, Fields<Field<double>>&, const PlainContext&, Workers&,
+                      Substep<double>);
 
 }  // namespace sim::bcre

@@ -4,12 +4,12 @@
 #include <cstdint>
 
 #include "sim/bcre/exchange.h"
+#include "sim/bcre/fields.h"
 #include "sim/bcre/flux_lax_friedrichs.h"
 #include "sim/bcre/flux_local_lax_friedrichs.h"
 #include "sim/bcre/flux_muscl.h"
 #include "sim/bcre/runge_kutta.h"
 #include "sim/bcre/velocity.h"
-#include "sim/bcre/work.h"
 #include "sim/bcre/yield.h"
 #include "sim/stages/stages.h"
 
@@ -17,21 +17,20 @@
 
 namespace sim::bcre {
 
-// Rows y = 0 … ny-1. Reads drop_x, drop_y; writes fall.
+// Rows y = 0 … ny-1. Reads drop_x, drop_y; writes slope_dx.
 template <class Number, class S = Scalar<Number>>
-auto find_slope_dx(const Level<S>& level, int y) {
-    return [drop_x = level.drop_x[y], south = level.drop_y[y], north = level.drop_y[y + 1],
-            slope_dx = level.slope_dx[y]](int i) {
+auto find_slope_dx(const StateRows<S>& u, Rows<S>& to, int y) {
+    return [drop_x = u.drop_x[y], south = u.drop_y[y], north = u.drop_y[y + 1], slope_dx = to[y]](int i) {
         store(slope_dx_of(outward<Number>(drop_x, south, north, i)), slope_dx + i);
     };
 }
 
-// Rows y = 0 … ny-1. Reads drop_x, drop_y, bend_x, bend_y; writes fall.
+// Rows y = 0 … ny-1. Reads drop_x, drop_y, curvature_x, curvature_y; writes slope_dx.
 template <class Number, class S = Scalar<Number>>
-auto find_limited_slope_dx(const Level<S>& level, int y) {
-    return [drop_x = level.drop_x[y], south = level.drop_y[y], north = level.drop_y[y + 1],
-            curvature_x = level.curvature_x[y], curvature_south = level.curvature_y[y],
-            curvature_north = level.curvature_y[y + 1], slope_dx = level.slope_dx[y]](int i) {
+auto find_limited_slope_dx(const StateRows<S>& u, Rows<S>& to, int y) {
+    return [drop_x = u.drop_x[y], south = u.drop_y[y], north = u.drop_y[y + 1],
+            curvature_x = u.curvature_x[y], curvature_south = u.curvature_y[y],
+            curvature_north = u.curvature_y[y + 1], slope_dx = to[y]](int i) {
         const Drops<Number> drop = outward<Number>(drop_x, south, north, i);
         store(slope_dx_of<Number>(
                   {drop.east + at<Number>(curvature_x, i + 1), drop.west + at<Number>(curvature_x, i),
@@ -40,7 +39,7 @@ auto find_limited_slope_dx(const Level<S>& level, int y) {
     };
 }
 
-// What goes from vertex i to any side, of values on faces: Σ max(0, outward).
+// The sum of what leaves vertex i through its faces: Σ max(0, outward).
 template <class Number, class S = Scalar<Number>>
 [[gnu::always_inline]] inline Number sum_outward(const S* in_x, const S* south, const S* north, int i) {
     const Number none(0);
@@ -48,11 +47,11 @@ template <class Number, class S = Scalar<Number>>
            (max(at<Number>(north, i), none) - min(at<Number>(south, i), none));
 }
 
-// Of local-lax-friedrichs: rows y = 0 … ny-1. Reads R, drop_x, drop_y, fall; writes given.
+// local-lax-friedrichs, rows y = 0 … ny-1. Reads R, drop_x, drop_y, slope_dx; writes outflow.
 template <class Number, class S = Scalar<Number>>
-auto find_outflow(const Work<S>& w, int y) {
-    return [c = w.c, rolling = w.now.rolling[y], slope_dx = w.now.slope_dx[y], drop_x = w.now.drop_x[y],
-            south = w.now.drop_y[y], north = w.now.drop_y[y + 1], outflow = w.outflow[y]](int i) {
+auto find_outflow(const StageRows<S>& w, Rows<S>& to, int y) {
+    return [c = w.c, rolling = w.u0.rolling[y], slope_dx = w.u0.slope_dx[y], drop_x = w.u0.drop_x[y],
+            south = w.u0.drop_y[y], north = w.u0.drop_y[y + 1], outflow = to[y]](int i) {
         const Number r = at<Number>(rolling, i);
         const Number wanted = outflow_per_drop(r, pace_of(at<Number>(slope_dx, i), r, c), c);
         if (c.outflow_may_exceed_layer) {
@@ -63,21 +62,21 @@ auto find_outflow(const Work<S>& w, int y) {
         }
     };
 }
-// The halo gives nothing: rows y = -1 … ny.
+// Nothing leaves the halo: rows y = -1 … ny.
 template <class Number, class S = Scalar<Number>>
-void end_outflow(const Work<S>& w, int y, Span x) {
-    for (S* row : {w.outflow[y], w.now.velocity_x[y], w.now.velocity_y[y]}) {
+void end_outflow(const StageRows<S>& w, Rows<S>& outflow, StateRows<S>& u, int y, Span x) {
+    for (S* row : {outflow[y], u.velocity_x[y], u.velocity_y[y]}) {
         if (w.is_ground(y))
             row[-1] = row[w.nx] = 0;
         else
             std::fill(row + x.first, row + x.last, S{0});
     }
 }
-// Then faces y = 0 … ny. Reads drop_x, drop_y, given; writes flux_x, flux_y, in whole quanta.
+// Then faces y = 0 … ny. Reads drop_x, drop_y, outflow; writes flux_x, flux_y, in whole quanta.
 template <class Number, class S = Scalar<Number>>
-auto find_split_fluxes(const Work<S>& w, int y) {
-    return [c = w.c, drop_x = w.now.drop_x[y], drop_y = w.now.drop_y[y], outflow = w.outflow[y],
-            south = w.outflow[y - 1], flux_x = w.flux_x[y], flux_y = w.flux_y[y]](int i) {
+auto find_split_fluxes(const StageRows<S>& w, Rows<S>& to_x, Rows<S>& to_y, int y) {
+    return [c = w.c, drop_x = w.u0.drop_x[y], drop_y = w.u0.drop_y[y], outflow = w.outflow[y],
+            south = w.outflow[y - 1], flux_x = to_x[y], flux_y = to_y[y]](int i) {
         const Number here = at<Number>(outflow, i), west = at<Number>(outflow, i - 1);
         const Number in_x = flux_local_lax_friedrichs(at<Number>(drop_x, i), west, here);
         const Number in_y = flux_local_lax_friedrichs(at<Number>(drop_y, i), at<Number>(south, i), here);
@@ -86,24 +85,25 @@ auto find_split_fluxes(const Work<S>& w, int y) {
     };
 }
 
-// Of lax-friedrichs: rows y = 0 … ny-1. Reads R, drop_x, drop_y, fall; writes given, velocity_x, velocity_y.
+// lax-friedrichs, rows y = 0 … ny-1. Reads R, drop_x, drop_y, slope_dx; writes outflow, velocity_x,
+// velocity_y.
 template <class Number, class S = Scalar<Number>>
-auto find_quarter_outflow(const Work<S>& w, int y) {
-    return [c = w.c, rolling = w.now.rolling[y], slope_dx = w.now.slope_dx[y], drop_x = w.now.drop_x[y],
-            south = w.now.drop_y[y], north = w.now.drop_y[y + 1], outflow = w.outflow[y],
-            more_x = w.now.velocity_x[y], more_y = w.now.velocity_y[y]](int i) {
+auto find_quarter_outflow(const StageRows<S>& w, Rows<S>& to, StateRows<S>& u, int y) {
+    return [c = w.c, rolling = w.u0.rolling[y], slope_dx = w.u0.slope_dx[y], drop_x = w.u0.drop_x[y],
+            south = w.u0.drop_y[y], north = w.u0.drop_y[y + 1], outflow = to[y], more_x = u.velocity_x[y],
+            more_y = u.velocity_y[y]](int i) {
         const Number r = at<Number>(rolling, i), pace = pace_of(at<Number>(slope_dx, i), r, c);
         const Quarters<Number> gives =
             quarters(r, net_velocity(outward<Number>(drop_x, south, north, i), pace), c);
         store(gives.quarter, outflow + i), store(gives.along_x, more_x + i), store(gives.along_y, more_y + i);
     };
 }
-// Then faces y = 0 … ny. Reads given, velocity_x, velocity_y; writes flux_x, flux_y, in whole quanta.
+// Then faces y = 0 … ny. Reads outflow, velocity_x, velocity_y; writes flux_x, flux_y, in whole quanta.
 template <class Number, class S = Scalar<Number>>
-auto find_quarter_fluxes(const Work<S>& w, int y) {
-    return [c = w.c, outflow = w.outflow[y], given_south = w.outflow[y - 1], more_x = w.now.velocity_x[y],
-            more_y = w.now.velocity_y[y], more_south = w.now.velocity_y[y - 1], flux_x = w.flux_x[y],
-            flux_y = w.flux_y[y]](int i) {
+auto find_quarter_fluxes(const StageRows<S>& w, Rows<S>& to_x, Rows<S>& to_y, int y) {
+    return [c = w.c, outflow = w.outflow[y], given_south = w.outflow[y - 1], more_x = w.u0.velocity_x[y],
+            more_y = w.u0.velocity_y[y], more_south = w.u0.velocity_y[y - 1], flux_x = to_x[y],
+            flux_y = to_y[y]](int i) {
         const Number here = at<Number>(outflow, i), west = at<Number>(outflow, i - 1);
         const Number in_x = flux_lax_friedrichs(west, at<Number>(more_x, i - 1), here, at<Number>(more_x, i));
         const Number in_y = flux_lax_friedrichs(at<Number>(given_south, i), at<Number>(more_south, i), here,
@@ -113,11 +113,12 @@ auto find_quarter_fluxes(const Work<S>& w, int y) {
     };
 }
 
-// Of muscl: rows y = 0 … ny-1. Reads R, drop_x, drop_y; writes velocity_x, velocity_y.
+// muscl, rows y = 0 … ny-1. Reads R, drop_x, drop_y; writes velocity_x, velocity_y.
 template <class Number, class S = Scalar<Number>>
-auto find_central_velocity(const Work<S>& w, const Level<S>& level, int y) {
-    return [c = w.c, rolling = level.rolling[y], drop_x = level.drop_x[y], south = level.drop_y[y],
-            north = level.drop_y[y + 1], u = level.velocity_x[y], v = level.velocity_y[y]](int i) {
+auto find_central_velocity(const StageRows<S>& w, const StateRows<S>& from, Rows<S>& to_u, Rows<S>& to_v,
+                           int y) {
+    return [c = w.c, rolling = from.rolling[y], drop_x = from.drop_x[y], south = from.drop_y[y],
+            north = from.drop_y[y + 1], u = to_u[y], v = to_v[y]](int i) {
         const Vector<Number> velocity =
             central_velocity<Number>(at<Number>(drop_x, i) + at<Number>(drop_x, i + 1),
                                      at<Number>(south, i) + at<Number>(north, i), at<Number>(rolling, i), c);
@@ -126,43 +127,42 @@ auto find_central_velocity(const Work<S>& w, const Level<S>& level, int y) {
 }
 // Beyond the border the velocity is that of the border.
 template <class Number, class S = Scalar<Number>>
-void end_velocity(const Work<S>& w, const Level<S>& level, int y) {
-    S* u = level.velocity_x[y];
+void end_velocity(const StageRows<S>& w, Rows<S>& velocity_x, int y) {
+    S* u = velocity_x[y];
     u[-1] = u[0], u[w.nx] = u[w.nx - 1];
 }
-// Then faces y = 0 … ny. Reads R, velocity_x, velocity_y of a level; writes flux_x, flux_y, as much as is
-// wanted: first by `now` itself, then as the mean of that and what `then` wants.
+// Then faces y = 0 … ny. Reads R, velocity_x, velocity_y of a state; writes flux_x, flux_y as wanted: those
+// of u0 first, then the mean of them and those of u1.
 template <class Number, RkStage stage, class S = Scalar<Number>>
-auto find_muscl_fluxes(const Work<S>& w, int y) {
+auto find_muscl_fluxes(const StageRows<S>& w, Rows<S>& to_x, Rows<S>& to_y, int y) {
     constexpr bool kSecond = stage == RkStage::kSecond;
-    const Level<S>& level = kSecond ? w.then : w.now;
-    return
-        [c = w.c, r = level.rolling[y], r_south = level.rolling[y - 1],
-         r_north = level.rolling[std::min(y + 1, w.ny)], r_south2 = level.rolling[std::max(y - 2, -1)],
-         u = level.velocity_x[y], v = level.velocity_y[std::min(y, w.ny - 1)],
-         v_south = level.velocity_y[std::max(y - 1, 0)], flux_x = w.flux_x[y], flux_y = w.flux_y[y]](int i) {
-            const Number here = at<Number>(r, i);
-            const Number in_x =
-                flux_muscl<Number>({at<Number>(r, i - 2), at<Number>(r, i - 1), here, at<Number>(r, i + 1)},
-                                   at<Number>(u, i - 1), at<Number>(u, i), c);
-            const Number in_y = flux_muscl<Number>(
-                {at<Number>(r_south2, i), at<Number>(r_south, i), here, at<Number>(r_north, i)},
-                at<Number>(v_south, i), at<Number>(v, i), c);
-            store(kSecond ? mean(at<Number>(flux_x, i), in_x) : in_x, flux_x + i);
-            store(kSecond ? mean(at<Number>(flux_y, i), in_y) : in_y, flux_y + i);
-        };
+    const StateRows<S>& from = kSecond ? w.u1 : w.u0;
+    return [c = w.c, r = from.rolling[y], r_south = from.rolling[y - 1],
+            r_north = from.rolling[std::min(y + 1, w.ny)], r_south2 = from.rolling[std::max(y - 2, -1)],
+            u = from.velocity_x[y], v = from.velocity_y[std::min(y, w.ny - 1)],
+            v_south = from.velocity_y[std::max(y - 1, 0)], flux_x = to_x[y], flux_y = to_y[y]](int i) {
+        const Number here = at<Number>(r, i);
+        const Number in_x =
+            flux_muscl<Number>({at<Number>(r, i - 2), at<Number>(r, i - 1), here, at<Number>(r, i + 1)},
+                               at<Number>(u, i - 1), at<Number>(u, i), c);
+        const Number in_y = flux_muscl<Number>(
+            {at<Number>(r_south2, i), at<Number>(r_south, i), here, at<Number>(r_north, i)},
+            at<Number>(v_south, i), at<Number>(v, i), c);
+        store(kSecond ? mean(at<Number>(flux_x, i), in_x) : in_x, flux_x + i);
+        store(kSecond ? mean(at<Number>(flux_y, i), in_y) : in_y, flux_y + i);
+    };
 }
 
-// Through a wall nothing passes. Faces y = 0 … ny.
+// Nothing passes a wall. Faces y = 0 … ny.
 template <class Number, class S = Scalar<Number>>
-void close_walls(const Work<S>& w, int y, Span x) {
-    if (w.is_wall(kWest)) w.flux_x[y][0] = 0;
-    if (w.is_wall(kEast)) w.flux_x[y][w.nx] = 0;
+void close_walls(const StageRows<S>& w, Rows<S>& flux_x, Rows<S>& flux_y, int y, Span x) {
+    if (w.is_wall(kWest)) flux_x[y][0] = 0;
+    if (w.is_wall(kEast)) flux_x[y][w.nx] = 0;
     if ((y == 0 && w.is_wall(kSouth)) || (y == w.ny && w.is_wall(kNorth)))
-        std::fill(w.flux_y[y] + x.first, w.flux_y[y] + x.last, S{0});
+        std::fill(flux_y[y] + x.first, flux_y[y] + x.last, S{0});
 }
 
-// What rolls at vertex i of row y when the fluxes have passed.
+// The rolling layer at vertex i of a row after the fluxes have passed.
 template <class Number, class S = Scalar<Number>>
 [[gnu::always_inline]] inline Number carried_at(const S* rolling, const S* flux_x, const S* flux_south,
                                                 const S* flux_north, int i) {
@@ -170,7 +170,7 @@ template <class Number, class S = Scalar<Number>>
                    at<Number>(flux_south, i), at<Number>(flux_north, i));
 }
 
-// Of muscl: what vertex i of a row would erode at the rate of a level.
+// muscl: what vertex i of a row would erode at the rate of a state.
 template <class Number, class S = Scalar<Number>>
 [[gnu::always_inline]] inline Number exchanged_at(const S* depth, const S* rolling, const S* slope_dx, int i,
                                                   const Constants<S>& c) {
@@ -178,14 +178,13 @@ template <class Number, class S = Scalar<Number>>
                              growth_of(at<Number>(slope_dx, i), c), c);
 }
 
-// Of muscl: rows y = 0 … ny-1. Where fluxes and exchange lead, unrounded, and never stored: it only serves to
-// find fluxes and exchange there. Reads d, R, fall of `now`, flux_x, flux_y; writes exchanged, and d, R of
-// `then`.
+// muscl, rows y = 0 … ny-1. The state to which fluxes and exchange lead, unrounded: only fluxes and exchange
+// are computed from it. Reads d, R, slope_dx of u0, flux_x, flux_y; writes exchanged, and d, R of u1.
 template <class Number, class S = Scalar<Number>>
-auto predict(const Work<S>& w, int y) {
-    return [c = w.c, depth = w.now.depth[y], rolling = w.now.rolling[y], slope_dx = w.now.slope_dx[y],
-            exchanged = w.exchanged[y], flux_x = w.flux_x[y], south = w.flux_y[y], north = w.flux_y[y + 1],
-            d = w.then.depth[y], r = w.then.rolling[y]](int i) {
+auto predict(const StageRows<S>& w, Rows<S>& to, StateRows<S>& u1, int y) {
+    return [c = w.c, depth = w.u0.depth[y], rolling = w.u0.rolling[y], slope_dx = w.u0.slope_dx[y],
+            exchanged = to[y], flux_x = w.flux_x[y], south = w.flux_y[y], north = w.flux_y[y + 1],
+            d = u1.depth[y], r = u1.rolling[y]](int i) {
         const Number taken = exchanged_at<Number>(depth, rolling, slope_dx, i, c);
         store(taken, exchanged + i);
         store(predicted_rolling(carried_at<Number>(rolling, flux_x, south, north, i), taken), r + i);
@@ -193,13 +192,13 @@ auto predict(const Work<S>& w, int y) {
     };
 }
 
-// Of muscl: rows y = 0 … ny-1. Reads R, flux_x, flux_y; writes share.
-// `less`, if there is one: set where a vertex may give less than it wants. Only of a world of one material:
-// there the layers of both levels say where to look at all.
+// muscl, rows y = 0 … ny-1. Reads R, flux_x, flux_y; writes share. `less` is set if a vertex may give less
+// than it wants. It needs a world of one material, in which the layers of both states tell which vertices
+// may.
 template <class Number, class S = Scalar<Number>>
-auto find_share(const Work<S>& w, int y, bool* less = nullptr) {
-    return [c = w.c, rolling = w.now.rolling[y], next = w.then.rolling[y], flux_x = w.flux_x[y],
-            south = w.flux_y[y], north = w.flux_y[y + 1], share = w.share[y], less](int i) {
+auto find_share(const StageRows<S>& w, Rows<S>& to, int y, bool* less = nullptr) {
+    return [c = w.c, rolling = w.u0.rolling[y], next = w.u1.rolling[y], flux_x = w.flux_x[y],
+            south = w.flux_y[y], north = w.flux_y[y + 1], share = to[y], less](int i) {
         const Number r = at<Number>(rolling, i);
         if (less && !any(greatest_outflow(r, at<Number>(next, i), c) > spare_of(r))) {
             store(Number(1), share + i);
@@ -209,50 +208,49 @@ auto find_share(const Work<S>& w, int y, bool* less = nullptr) {
         if (less) *less = true;
     };
 }
-// The halo gives nothing: rows y = -1 … ny.
+// Nothing leaves the halo: rows y = -1 … ny.
 template <class Number, class S = Scalar<Number>>
-void end_share(const Work<S>& w, int y, Span x) {
-    S* share = w.share[y];
+void end_share(const StageRows<S>& w, Rows<S>& to, int y, Span x) {
+    S* share = to[y];
     if (w.is_ground(y))
         share[-1] = share[w.nx] = 0;
     else
         std::fill(share + x.first, share + x.last, S{0});
 }
-// Faces y = 0 … ny. Reads share; makes flux_x, flux_y no more than there is to give.
+// Faces y = 0 … ny. Reads share; limits flux_x, flux_y to what the vertices can give.
 template <class Number, class S = Scalar<Number>>
-auto share_fluxes(const Work<S>& w, int y) {
-    return [share = w.share[y], share_south = w.share[y - 1], flux_x = w.flux_x[y],
-            flux_y = w.flux_y[y]](int i) {
+auto share_fluxes(const StageRows<S>& w, Rows<S>& to_x, Rows<S>& to_y, int y) {
+    return [share = w.share[y], share_south = w.share[y - 1], flux_x = to_x[y], flux_y = to_y[y]](int i) {
         const Number here = at<Number>(share, i), in_x = at<Number>(flux_x, i), in_y = at<Number>(flux_y, i);
         store<Number>(in_x * select(in_x > S{0}, at<Number>(share, i - 1), here), flux_x + i);
         store<Number>(in_y * select(in_y > S{0}, at<Number>(share_south, i), here), flux_y + i);
     };
 }
-// Then in whole quanta. Faces y = 0 … ny.
+// Rounds to whole quanta. Faces y = 0 … ny.
 template <class Number, class S = Scalar<Number>>
-auto quantise_fluxes(const Work<S>& w, int y) {
-    return [c = w.c, flux_x = w.flux_x[y], flux_y = w.flux_y[y]](int i) {
+auto quantise_fluxes(const StageRows<S>& w, Rows<S>& to_x, Rows<S>& to_y, int y) {
+    return [c = w.c, flux_x = to_x[y], flux_y = to_y[y]](int i) {
         store(quantised(at<Number>(flux_x, i), c), flux_x + i);
         store(quantised(at<Number>(flux_y, i), c), flux_y + i);
     };
 }
 
-// Rows y = 0 … ny-1: carries the fluxes, books the exchange, starts what is too steep to lie and stops what
-// is too thin to roll. Reads fall and, of muscl, exchanged and what was predicted; writes d, R, up to vertex
-// `end`.
-// `active`, if there is one: a byte for each run of lanes, set where anything rolled or came to rest.
+// Rows y = 0 … ny-1: applies fluxes and exchange, starts what is too steep to stay and freezes what is too
+// thin to move. Reads slope_dx and, for muscl, exchanged and the predicted state; writes d, R, up to vertex
+// `end`. `active`, if given, has a byte for each run of lanes, which is set where anything moved or came to
+// rest.
 template <class Number, Scheme scheme, class S = Scalar<Number>>
-auto settle(const Work<S>& w, int y, int end, std::uint8_t* active = nullptr) {
+auto settle(const StageRows<S>& w, StateRows<S>& u, int y, int end, std::uint8_t* active = nullptr) {
     constexpr bool kSecond = scheme == Scheme::kMuscl;
-    return [c = w.c, depth = w.now.depth[y], rolling = w.now.rolling[y], flux_x = w.flux_x[y],
-            south = w.flux_y[y], north = w.flux_y[y + 1],
-            falls = kSecond ? w.then.slope_dx[y] : w.now.slope_dx[y], taken = w.exchanged[y],
-            then_depth = w.then.depth[y], then_rolling = w.then.rolling[y], end, active](int i) {
-        const Number slope_dx = only_before(end, at<Number>(falls, i), i);
+    return [c = w.c, depth = u.depth[y], rolling = u.rolling[y], flux_x = w.flux_x[y], south = w.flux_y[y],
+            north = w.flux_y[y + 1], slopes = kSecond ? w.u1.slope_dx[y] : w.u0.slope_dx[y],
+            taken = w.exchanged[y], then_depth = w.u1.depth[y], then_rolling = w.u1.rolling[y], end,
+            active](int i) {
+        const Number slope_dx = only_before(end, at<Number>(slopes, i), i);
         const Number carried = carried_at<Number>(rolling, flux_x, south, north, i);
         Number lies = at<Number>(depth, i), rolls = carried;
         if constexpr (kSecond) {
-            const Number next = exchanged_at<Number>(then_depth, then_rolling, falls, i, c);
+            const Number next = exchanged_at<Number>(then_depth, then_rolling, slopes, i, c);
             const Number wanted = mean(at<Number>(taken, i), next);
             transfer(max(in_quanta(wanted, c.dither), -carried), lies, rolls);
         } else {
@@ -269,12 +267,12 @@ auto settle(const Work<S>& w, int y, int end, std::uint8_t* active = nullptr) {
     };
 }
 
-// For who looks on, at the end of a tick, 0 where nothing rolls: rows y = 0 … ny-1, up to vertex `end`. Reads
-// R, drop_x, drop_y; writes velocity_x, velocity_y.
+// The velocity for views at the end of a tick, 0 where R is: rows y = 0 … ny-1, up to vertex `end`. Reads R,
+// drop_x, drop_y; writes velocity_x, velocity_y.
 template <class Number, class S = Scalar<Number>>
-auto find_velocity(const Work<S>& w, int y, int end) {
-    return [c = w.c, rolling = w.now.rolling[y], drop_x = w.now.drop_x[y], south = w.now.drop_y[y],
-            north = w.now.drop_y[y + 1], u = w.now.velocity_x[y], v = w.now.velocity_y[y], end](int i) {
+auto find_velocity(const StageRows<S>& w, Rows<S>& to_u, Rows<S>& to_v, int y, int end) {
+    return [c = w.c, rolling = w.u0.rolling[y], drop_x = w.u0.drop_x[y], south = w.u0.drop_y[y],
+            north = w.u0.drop_y[y + 1], u = to_u[y], v = to_v[y], end](int i) {
         const Number r = at<Number>(rolling, i), none(0);
         const auto moves = r > S{0};
         if (!any(moves)) {  // as it is in most places

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/inertial/work.h"
+#include "sim/inertial/fields.h"
 #include "sim/stages/stages.h"
 
 // Exchange between the layers, S the slope of h toward its lower neighbours, erosion positive:
@@ -43,12 +43,12 @@ template <class Number>
 // Rows y = 0 … ny-1. Reads d, R, velocity, drops and bends; writes exchanged, what a sub-step exchanges at
 // the rate of this moment.
 template <class Number, class S = Scalar<Number>>
-auto find_exchange(const Work<S>& w, const Level<S>& level, int y) {
+auto find_exchange(const StageRows<S>& w, const StateRows<S>& level, Rows<S>& exchanged, int y) {
     constexpr S kGreatestSpread = S(1.41421356237309505);
     return [c = w.c, drop_x = level.drop_x[y], south = level.drop_y[y], north = level.drop_y[y + 1],
             curvature_x = level.curvature_x[y], curvature_south = level.curvature_y[y],
             curvature_north = level.curvature_y[y + 1], depth = level.depth[y], rolling = level.rolling[y],
-            to_u = level.velocity_x[y], to_v = level.velocity_y[y], to = level.exchanged[y]](int i) {
+            to_u = level.velocity_x[y], to_v = level.velocity_y[y], to = exchanged[y]](int i) {
         const Number none(0), r = at<Number>(rolling, i);
         if (!any(r > S{0})) {
             store(none, to + i);

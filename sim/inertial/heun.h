@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "sim/inertial/work.h"
+#include "sim/inertial/fields.h"
 #include "sim/stages/stages.h"
 
 // Heun's method, which is the second-order one of Gottlieb, Shu and Tadmor (2001), between two halves of
@@ -40,7 +40,7 @@ struct FlowRow {
     const S *xu, *xv, *yu_south, *yu_north, *yv_south, *yv_north;
 };
 template <class S>
-[[gnu::always_inline]] inline FlowRow<S> flow_row(const Level<S>& l, int y) {
+[[gnu::always_inline]] inline FlowRow<S> flow_row(const StateRows<S>& l, int y) {
     return {l.rolling[y],         l.velocity_x[y],  l.velocity_y[y],     l.exchanged[y],   l.flux_x[y],
             l.flux_y[y],          l.flux_y[y + 1],  l.momentum_xu[y],    l.momentum_xv[y], l.momentum_yu[y],
             l.momentum_yu[y + 1], l.momentum_yv[y], l.momentum_yv[y + 1]};
@@ -73,23 +73,23 @@ template <class Number, class S = Scalar<Number>>
 // ny-1. Reads all of `now`; writes its exchanged, no more than there is after transport, and the layers of
 // `then`.
 template <class Number, class S = Scalar<Number>>
-auto predict(const Work<S>& w, int y) {
-    return [row = flow_row(w.now, y), exchanged = w.now.exchanged[y], depth = w.now.depth[y],
-            to_depth = w.then.depth[y], to_rolling = w.then.rolling[y], to_u = w.then.velocity_x[y],
-            to_v = w.then.velocity_y[y]](int i) {
-        const Rolling<Number> end = after_stage<Number>(row, i);
-        store(end.exchanged, exchanged + i);
-        store<Number>(at<Number>(depth, i) - end.exchanged, to_depth + i);
-        store(end.depth, to_rolling + i), store(end.u, to_u + i), store(end.v, to_v + i);
-    };
+auto predict(const StageRows<S>& w, StateRows<S>& u0, StateRows<S>& u1, int y) {
+    return
+        [row = flow_row(w.u0, y), exchanged = u0.exchanged[y], depth = w.u0.depth[y], to_depth = u1.depth[y],
+         to_rolling = u1.rolling[y], to_u = u1.velocity_x[y], to_v = u1.velocity_y[y]](int i) {
+            const Rolling<Number> end = after_stage<Number>(row, i);
+            store(end.exchanged, exchanged + i);
+            store<Number>(at<Number>(depth, i) - end.exchanged, to_depth + i);
+            store(end.depth, to_rolling + i), store(end.u, to_u + i), store(end.v, to_v + i);
+        };
 }
 
 // The means of the fluxes of both levels in whole quanta, so that both sides of a face book the same. Faces
 // y = 0 … ny. Reads flux_x, flux_y of both; writes those of `now`.
 template <class Number, class S = Scalar<Number>>
-auto quantise_fluxes(const Work<S>& w, int y) {
-    return [c = w.c, one_x = w.now.flux_x[y], one_y = w.now.flux_y[y], other_x = w.then.flux_x[y],
-            other_y = w.then.flux_y[y]](int i) {
+auto quantise_fluxes(const StageRows<S>& w, StateRows<S>& u0, int y) {
+    return [c = w.c, one_x = u0.flux_x[y], one_y = u0.flux_y[y], other_x = w.u1.flux_x[y],
+            other_y = w.u1.flux_y[y]](int i) {
         const auto book = [&](S* one, const S* other) {
             const Number mean = S(0.5) * (at<Number>(one, i) + at<Number>(other, i));
             store(with_its_sign(mean, [&](const Number& size) { return in_quanta(size, c.dither); }),
@@ -103,11 +103,10 @@ auto quantise_fluxes(const Work<S>& w, int y) {
 // levels; writes the layers of `now`, up to vertex `end`. `active`, if there is one: a byte for each run of
 // lanes, set where anything rolled.
 template <class Number, class S = Scalar<Number>>
-auto finish(const Work<S>& w, int y, int end, std::uint8_t* active = nullptr) {
-    return [c = w.c, second = flow_row(w.then, y), flux_x = w.now.flux_x[y], flux_south = w.now.flux_y[y],
-            flux_north = w.now.flux_y[y + 1], first_exchanged = w.now.exchanged[y], depth = w.now.depth[y],
-            rolling = w.now.rolling[y], to_u = w.now.velocity_x[y], to_v = w.now.velocity_y[y], end,
-            active](int i) {
+auto finish(const StageRows<S>& w, StateRows<S>& u0, int y, int end, std::uint8_t* active = nullptr) {
+    return [c = w.c, second = flow_row(w.u1, y), flux_x = w.u0.flux_x[y], flux_south = w.u0.flux_y[y],
+            flux_north = w.u0.flux_y[y + 1], first_exchanged = u0.exchanged[y], depth = u0.depth[y],
+            rolling = u0.rolling[y], to_u = u0.velocity_x[y], to_v = u0.velocity_y[y], end, active](int i) {
         const Number none(0), d = at<Number>(depth, i), r = at<Number>(rolling, i);
         const Rolling<Number> led = after_stage<Number>(second, i);
         const Number both = r + led.depth;

@@ -1,22 +1,20 @@
 #pragma once
 
+#include "sim/inertial/fields.h"
 #include "sim/world/forward.h"
 
-// A sub-step of `bcre-inertial` stage by stage over whole fields: the step as it reads, beside the sweep that
-// does the same row after row (sweep/).
+// A sub-step of `bcre-inertial` stage by stage over whole fields. It is the readable reference of the sweep,
+// which runs the same stages row after row (sweep/).
 
 namespace sim::inertial {
 
-template <class Scalar>
-struct Work;
-
-// All rows of a world, for stages of its sub-step.
+// All rows of a world, for the stages of its sub-step.
 template <class Number>
-Work<Number> work_of(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch,
-                     Substep<Number> sub);
+StageRows<Number> stage_rows(Layers<Number>& layers, const Params& params, Fields<Field<Number>>& fields,
+                             Substep<Number> sub);
 
 template <class Number>
-void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch, Workers& workers,
-             Substep<Number> sub);
+void substep(Layers<Number>& layers, const Params& params, Fields<Field<Number>>& fields,
+             const PlainContext& context, Workers& workers, Substep<Number> sub);
 
 }  // namespace sim::inertial

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "sim/inertial/fields.h"
 #include "sim/inertial/limiter.h"
-#include "sim/inertial/work.h"
 #include "sim/stages/stages.h"
 
 // Layer and momentum through a face, second order where they are smooth:
@@ -27,7 +27,7 @@ namespace sim::inertial {
 
 // Rows y = 0 … ny-1. Reads R, velocity; writes half slopes.
 template <class Number, class S = Scalar<Number>>
-auto find_slopes(const Level<S>& level, int y) {
+auto find_slopes(const StateRows<S>& from, StateRows<S>& out, int y) {
     struct Slopes {
         const S *south, *here, *north;
         S *to_x, *to_y;
@@ -39,20 +39,20 @@ auto find_slopes(const Level<S>& level, int y) {
                   to_y + i);
         }
     };
-    const auto of = [y](const Rows<S>& rows, const Rows<S>& to_x, const Rows<S>& to_y) {
+    const auto of = [y](const Rows<S>& rows, Rows<S>& to_x, Rows<S>& to_y) {
         return Slopes{rows[y - 1], rows[y], rows[y + 1], to_x[y], to_y[y]};
     };
-    return [rolling = of(level.rolling, level.rolling_x, level.rolling_y),
-            u = of(level.velocity_x, level.u_x, level.u_y),
-            v = of(level.velocity_y, level.v_x, level.v_y)](int i) { rolling(i), u(i), v(i); };
+    return
+        [rolling = of(from.rolling, out.rolling_x, out.rolling_y), u = of(from.velocity_x, out.u_x, out.u_y),
+         v = of(from.velocity_y, out.v_x, out.v_y)](int i) { rolling(i), u(i), v(i); };
 }
 // Beyond the border they go on level. Rows y = -1 … ny.
 template <class Number, class S = Scalar<Number>>
-void end_slopes(const Work<S>& w, const Level<S>& level, int y, Span x) {
+void end_slopes(const StageRows<S>& w, StateRows<S>& out, int y, Span x) {
     if (w.is_ground(y))
-        for (S* row : {level.rolling_x[y], level.u_x[y], level.v_x[y]}) row[-1] = row[w.nx] = 0;
+        for (S* row : {out.rolling_x[y], out.u_x[y], out.v_x[y]}) row[-1] = row[w.nx] = 0;
     else
-        for (S* row : {level.rolling_y[y], level.u_y[y], level.v_y[y]})
+        for (S* row : {out.rolling_y[y], out.u_y[y], out.v_y[y]})
             std::fill(row + x.first, row + x.last, S{0});
 }
 
@@ -96,11 +96,10 @@ template <class Number>
 
 // Along x, faces y = 0 … ny. Reads R, velocity and their slopes, and R of `now`; writes fluxes and momentum.
 template <class Number, class S = Scalar<Number>>
-auto find_fluxes_x(const Work<S>& w, const Level<S>& level, int y) {
-    return [c = w.c, begun = w.now.rolling[y], rolling = level.rolling[y], u = level.velocity_x[y],
-            v = level.velocity_y[y], slope = level.rolling_x[y], slope_u = level.u_x[y],
-            slope_v = level.v_x[y], flux = level.flux_x[y], to_u = level.momentum_xu[y],
-            to_v = level.momentum_xv[y]](int i) {
+auto find_fluxes_x(const StageRows<S>& w, const StateRows<S>& from, StateRows<S>& out, int y) {
+    return [c = w.c, begun = w.u0.rolling[y], rolling = from.rolling[y], u = from.velocity_x[y],
+            v = from.velocity_y[y], slope = from.rolling_x[y], slope_u = from.u_x[y], slope_v = from.v_x[y],
+            flux = out.flux_x[y], to_u = out.momentum_xu[y], to_v = out.momentum_xv[y]](int i) {
         const auto beside = [i](const S* row) {
             return Sides<Number>{at<Number>(row, i - 1), at<Number>(row, i)};
         };
@@ -117,16 +116,16 @@ auto find_fluxes_x(const Work<S>& w, const Level<S>& level, int y) {
 }
 // Along y.
 template <class Number, class S = Scalar<Number>>
-auto find_fluxes_y(const Work<S>& w, const Level<S>& level, int y) {
+auto find_fluxes_y(const StageRows<S>& w, const StateRows<S>& from, StateRows<S>& out, int y) {
     struct Pair {
         const S *south, *here;
         Sides<Number> operator()(int i) const { return {at<Number>(south, i), at<Number>(here, i)}; }
     };
     const auto pair = [y](const Rows<S>& rows) { return Pair{rows[y - 1], rows[y]}; };
-    return [c = w.c, begun = pair(w.now.rolling), rolling = pair(level.rolling), u = pair(level.velocity_x),
-            v = pair(level.velocity_y), slope = pair(level.rolling_y), slope_u = pair(level.u_y),
-            slope_v = pair(level.v_y), flux = level.flux_y[y], to_u = level.momentum_yu[y],
-            to_v = level.momentum_yv[y]](int i) {
+    return [c = w.c, begun = pair(w.u0.rolling), rolling = pair(from.rolling), u = pair(from.velocity_x),
+            v = pair(from.velocity_y), slope = pair(from.rolling_y), slope_u = pair(from.u_y),
+            slope_v = pair(from.v_y), flux = out.flux_y[y], to_u = out.momentum_yu[y],
+            to_v = out.momentum_yv[y]](int i) {
         const Sides<Number> rolls = rolling(i);
         if (!any(max(rolls.left, rolls.right) > S{0})) {
             for (S* row : {flux, to_u, to_v}) store(Number(0), row + i);
@@ -141,13 +140,13 @@ auto find_fluxes_y(const Work<S>& w, const Level<S>& level, int y) {
 
 // Through a wall nothing passes. Faces y = 0 … ny.
 template <class Number, class S = Scalar<Number>>
-void end_fluxes(const Work<S>& w, const Level<S>& level, int y, Span x) {
-    for (S* row : {level.flux_x[y], level.momentum_xu[y], level.momentum_xv[y]}) {
+void end_fluxes(const StageRows<S>& w, StateRows<S>& out, int y, Span x) {
+    for (S* row : {out.flux_x[y], out.momentum_xu[y], out.momentum_xv[y]}) {
         if (w.is_wall(kWest)) row[0] = 0;
         if (w.is_wall(kEast)) row[w.nx] = 0;
     }
     if ((y == 0 && w.is_wall(kSouth)) || (y == w.ny && w.is_wall(kNorth)))
-        for (S* row : {level.flux_y[y], level.momentum_yu[y], level.momentum_yv[y]})
+        for (S* row : {out.flux_y[y], out.momentum_yu[y], out.momentum_yv[y]})
             std::fill(row + x.first, row + x.last, S{0});
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/inertial/work.h"
+#include "sim/inertial/fields.h"
 #include "sim/stages/stages.h"
 
 // The velocity at which a layer would end on the surface as it lies now, by central differences over the
@@ -58,18 +58,19 @@ template <class Number, class S = Scalar<Number>>
     return {along * gx, along * gy};
 }
 
-template <class S, template <class> class Work>
-[[gnu::always_inline]] inline SurfaceRow<S> surface_row(const Work<S>& w, const Level<S>& level, int y) {
+template <class S>
+[[gnu::always_inline]] inline SurfaceRow<S> surface_row(const StageRows<S>& w, const StateRows<S>& level,
+                                                        int y) {
     return {w.bedrock[y], level.depth[y], level.rolling[y]};
 }
 
 // Half of a sub-step's relaxation, toward the terminal velocity of a level: rows y = 0 … ny-1. Reads b and
 // that level's d, R, and R of `now`; writes velocity of `now`, up to vertex `end`.
 template <class Number, class S = Scalar<Number>>
-auto relax(const Work<S>& w, const Level<S>& toward, int y, int end) {
+auto relax(const StageRows<S>& w, const StateRows<S>& toward, StateRows<S>& out, int y, int end) {
     return [c = w.c, south = surface_row(w, toward, y - 1), here = surface_row(w, toward, y),
-            north = surface_row(w, toward, y + 1), rolling = w.now.rolling[y], to_u = w.now.velocity_x[y],
-            to_v = w.now.velocity_y[y], end](int i) {
+            north = surface_row(w, toward, y + 1), rolling = w.u0.rolling[y], to_u = out.velocity_x[y],
+            to_v = out.velocity_y[y], end](int i) {
         const Velocity<Number> limit = terminal<Number>(south, here, north, i, c);
         const Number u = at<Number>(to_u, i), v = at<Number>(to_v, i);
         const auto rolls = at<Number>(rolling, i) > S{0};
@@ -81,8 +82,8 @@ auto relax(const Work<S>& w, const Level<S>& toward, int y, int end) {
 // Beyond the border what rolls has no velocity, but at a wall, where it is mirrored. Rows y = 0 … ny-1, the
 // first and the last for the halo beside them too.
 template <class Number, class S = Scalar<Number>>
-void end_velocity(const Work<S>& w, const Level<S>& level, int y, Span x) {
-    S *u = level.velocity_x[y], *v = level.velocity_y[y];
+void end_velocity(const StageRows<S>& w, StateRows<S>& out, int y, Span x) {
+    S *u = out.velocity_x[y], *v = out.velocity_y[y];
     const auto mirrored = [&](Side side, S value) { return w.is_wall(side) ? value : S{0}; };
     if (x.first == 0) {
         u[-2] = u[-1] = mirrored(kWest, -u[0]);
@@ -93,7 +94,7 @@ void end_velocity(const Work<S>& w, const Level<S>& level, int y, Span x) {
         v[w.nx + 1] = v[w.nx] = mirrored(kEast, v[w.nx - 1]);
     }
     const auto beyond = [&](Side side, int row) {
-        S *u_beyond = level.velocity_x[row], *v_beyond = level.velocity_y[row];
+        S *u_beyond = out.velocity_x[row], *v_beyond = out.velocity_y[row];
         for (int i = x.first; i < x.last; ++i) {
             u_beyond[i] = mirrored(side, u[i]);
             v_beyond[i] = mirrored(side, -v[i]);

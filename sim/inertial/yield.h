@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "sim/inertial/exchange.h"
-#include "sim/inertial/work.h"
+#include "sim/inertial/fields.h"
 #include "sim/stages/stages.h"
 
 // Two thresholds (Daerr & Douady 1999). A vertex whose rolling layer is thinner than R_min and slow is at
@@ -34,15 +34,14 @@ inline constexpr float kStandsStill = 1e-3f;  // m/s; a grain on a slope is fast
 // Rows y = 0 … ny-1. Reads drops of `then`, first_slope, first_depth; writes d, R, velocity, up to vertex
 // `end`. `active`, if there is one: a byte for each run of lanes, set where anything rolls.
 template <class Number, class S = Scalar<Number>>
-auto yield(const Work<S>& w, int y, int end, std::uint8_t* active = nullptr) {
+auto yield(const StageRows<S>& w, StateRows<S>& u0, int y, int end, std::uint8_t* active = nullptr) {
     const auto tell = [end, active](const Number& rolls, int i) {
         if (active && any_before(end - i, rolls > S{0}))
             active[static_cast<unsigned>(i) / kLanes<Number>] = 1;
     };
-    return [c = w.c, drop_x = w.then.drop_x[y], south = w.then.drop_y[y], north = w.then.drop_y[y + 1],
-            first_slope = w.first_slope[y], first_depth = w.first_depth[y], depth = w.now.depth[y],
-            rolling = w.now.rolling[y], to_u = w.now.velocity_x[y], to_v = w.now.velocity_y[y], end,
-            tell](int i) {
+    return [c = w.c, drop_x = w.u1.drop_x[y], south = w.u1.drop_y[y], north = w.u1.drop_y[y + 1],
+            first_slope = w.first_slope[y], first_depth = w.first_depth[y], depth = u0.depth[y],
+            rolling = u0.rolling[y], to_u = u0.velocity_x[y], to_v = u0.velocity_y[y], end, tell](int i) {
         const Number none(0), d = at<Number>(depth, i), before = at<Number>(rolling, i);
         const Number u = at<Number>(to_u, i), v = at<Number>(to_v, i), speed_squared = u * u + v * v;
         const auto thin = before < c.freeze_depth;

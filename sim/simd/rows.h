@@ -11,7 +11,8 @@
 
 namespace sim {
 
-// Rows of values; row y begins at [y] with x = 0.
+// Rows of values; row y begins at [y] with x = 0. Those of a const Rows can only be read, so that the
+// signature of a stage says what it writes.
 template <class Scalar>
 class Rows {
   public:
@@ -32,13 +33,16 @@ class Rows {
         return rows;
     }
 
-    [[gnu::always_inline]] Scalar* operator[](int y) const {
+    [[gnu::always_inline]] const Scalar* operator[](int y) const { return row(y); }
+    [[gnu::always_inline]] Scalar* operator[](int y) { return row(y); }
+
+  private:
+    [[gnu::always_inline]] Scalar* row(int y) const {
         if (y < from_) return below_ + (y - from_) * stride_;
         if (y >= to_) return above_ + (y - to_) * stride_;
         return first_ + (y & within_) * stride_;
     }
 
-  private:
     Scalar* first_ = nullptr;
     std::ptrdiff_t stride_ = 0;
     int within_ = -1;

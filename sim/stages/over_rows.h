@@ -16,8 +16,7 @@ class OverRows {
     using Constants = decltype(Work::c);
 
     // `blends`: none in a world of one material.
-    OverRows(Workers& workers, const Work& w, const std::optional<Blends<Constants>>& blends,
-             StageWatch* watch)
+    OverRows(Workers& workers, Work& w, const std::optional<Blends<Constants>>& blends, StageWatch* watch)
         : workers_(workers), w_(w), blends_(blends ? &*blends : nullptr), watch_(watch) {}
 
     Span all() const { return {0, w_.nx}; }
@@ -93,7 +92,7 @@ class OverRows {
     }
 
     Workers& workers_;
-    const Work& w_;
+    Work& w_;
     const Blends<Constants>* blends_;
     StageWatch* watch_;
 };

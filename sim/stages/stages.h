@@ -11,7 +11,8 @@
 
 // The stages that both models have, and how stages are written.
 //
-// A stage is made for a row y and then does its work on vertex or face i of it, for as many as Number has:
+// A stage takes what it reads as const and what it writes as not; Rows of a const object cannot be written.
+// It is made for a row y and then does its work on vertex or face i of it, for as many as Number has:
 // float, double, or lanes. It writes its own row only and reads what earlier stages wrote of this row and its
 // neighbours, so rows may be shared out among threads, or follow one another through the stages. Faces are
 // one more than vertices, along x and along y; a face lies west or south of the vertex whose number it bears.
@@ -38,12 +39,12 @@ template <class Number, class S = Scalar<Number>>
 //   wall   layers and velocity are mirrored: the flow across is zero, and so is the slope
 //   open   the standing layer goes on: material leaves over ground that looks like the last cell
 //   sink   the world ends in bare bedrock: the edge is a ledge, from which loose material falls
-template <class Number, class Work, class Level>
-void fill_halo(const Work& w, const Level& level, int y, Span x) {
+template <class Number, class Work, class State>
+void fill_halo(const Work& w, State& u, int y, Span x) {
     using S = Scalar<Number>;
     const auto lies = [](Border border, S beside) { return border == Border::kSink ? S{0} : beside; };
     const auto rolls = [](Border border, S beside) { return border == Border::kWall ? beside : S{0}; };
-    S *d = level.depth[y], *r = level.rolling[y];
+    S *d = u.depth[y], *r = u.rolling[y];
     if (x.first == 0) {
         d[-1] = lies(w.borders[kWest], d[0]);
         r[-2] = r[-1] = rolls(w.borders[kWest], r[0]);  // −2: that muscl sees it go on level
@@ -53,7 +54,7 @@ void fill_halo(const Work& w, const Level& level, int y, Span x) {
         r[w.nx + 1] = r[w.nx] = rolls(w.borders[kEast], r[w.nx - 1]);
     }
     const auto beyond = [&](Side side, int row) {
-        S *d_beyond = level.depth[row], *r_beyond = level.rolling[row];
+        S *d_beyond = u.depth[row], *r_beyond = u.rolling[row];
         for (int i = x.first; i < x.last; ++i) {
             d_beyond[i] = lies(w.borders[side], d[i]);
             r_beyond[i] = rolls(w.borders[side], r[i]);
@@ -64,10 +65,10 @@ void fill_halo(const Work& w, const Level& level, int y, Span x) {
 }
 
 // Faces y = 0 … ny. Reads b, d; writes drop_x, drop_y.
-template <class Number, class Work, class Level>
-auto find_drops(const Work& w, const Level& level, int y) {
-    return [b = w.bedrock[y], b_south = w.bedrock[y - 1], d = level.depth[y], d_south = level.depth[y - 1],
-            drop_x = level.drop_x[y], drop_y = level.drop_y[y]](int i) {
+template <class Number, class Work, class State, class S = Scalar<Number>>
+auto find_drops(const Work& w, const State& u, Rows<S>& to_x, Rows<S>& to_y, int y) {
+    return [b = w.bedrock[y], b_south = w.bedrock[y - 1], d = u.depth[y], d_south = u.depth[y - 1],
+            drop_x = to_x[y], drop_y = to_y[y]](int i) {
         const Number bed = at<Number>(b, i), lies = at<Number>(d, i);
         store<Number>((at<Number>(b, i - 1) - bed) + (at<Number>(d, i - 1) - lies), drop_x + i);
         store<Number>((at<Number>(b_south, i) - bed) + (at<Number>(d_south, i) - lies), drop_y + i);
@@ -76,16 +77,15 @@ auto find_drops(const Work& w, const Level& level, int y) {
 
 // What makes them of second order: faces y = 0 … ny. Reads drop_x, drop_y; writes bend_x, bend_y. Beyond the
 // halo h goes on as it came.
-template <class Number, class Work, class Level>
-void end_drops(const Work& w, const Level& level, int y) {
-    auto* drop_x = level.drop_x[y];
-    drop_x[-1] = drop_x[0], drop_x[w.nx + 1] = drop_x[w.nx];
+template <class Number, class Work, class S = Scalar<Number>>
+void end_drops(const Work& w, Rows<S>& drop_x, int y) {
+    S* drop = drop_x[y];
+    drop[-1] = drop[0], drop[w.nx + 1] = drop[w.nx];
 }
-template <class Number, class Work, class Level>
-auto find_curvature(const Work& w, const Level& level, int y) {
-    return [drop_x = level.drop_x[y], drop_y = level.drop_y[y], south = level.drop_y[std::max(y - 1, 0)],
-            north = level.drop_y[std::min(y + 1, w.ny)], curvature_x = level.curvature_x[y],
-            curvature_y = level.curvature_y[y]](int i) {
+template <class Number, class Work, class State, class S = Scalar<Number>>
+auto find_curvature(const Work& w, const State& u, Rows<S>& to_x, Rows<S>& to_y, int y) {
+    return [drop_x = u.drop_x[y], drop_y = u.drop_y[y], south = u.drop_y[std::max(y - 1, 0)],
+            north = u.drop_y[std::min(y + 1, w.ny)], curvature_x = to_x[y], curvature_y = to_y[y]](int i) {
         store(
             curvature_correction(at<Number>(drop_x, i - 1), at<Number>(drop_x, i), at<Number>(drop_x, i + 1)),
             curvature_x + i);
@@ -95,29 +95,28 @@ auto find_curvature(const Work& w, const Level& level, int y) {
 }
 // What was carried into no-data has left the world. Rows y = 0 … ny-1; writes d, R, and velocity that is
 // state.
-template <class Number, class Level>
-void clear_drains(const Level& level, const Outlets::View& outlets, int y, Span x) {
-    Scalar<Number>*d = level.depth[y], *r = level.rolling[y];
+template <class Number, class State>
+void clear_drains(State& u, const Outlets::View& outlets, int y, Span x) {
+    Scalar<Number>*d = u.depth[y], *r = u.rolling[y];
     for (int i = outlets.first_drain[y]; i < outlets.first_drain[y + 1]; ++i) {
         const int drain = outlets.drains[i];
         if (drain < x.first || drain >= x.last) continue;
         d[drain] = r[drain] = 0;
-        if constexpr (requires { level.momentum_xu; })
-            level.velocity_x[y][drain] = level.velocity_y[y][drain] = 0;
+        if constexpr (requires { u.momentum_xu; }) u.velocity_x[y][drain] = u.velocity_y[y][drain] = 0;
     }
 }
 
 // What left the world from row y, in quanta, within the vertices of x. Reads flux_x, flux_y, booked.
-template <class Number, class Level>
-std::int64_t drained(const Level& level, const Outlets::View& outlets, int y, Span x) {
+template <class Number, class Fluxes>
+std::int64_t drained(const Fluxes& through, const Outlets::View& outlets, int y, Span x) {
     std::int64_t quanta = 0;
     for (int i = outlets.first_face[y]; i < outlets.first_face[y + 1]; ++i) {
         const auto [at, row, way] = outlets.faces[i];
         if (at < x.first || at >= x.last) continue;
-        const float out = way == Way::kEast    ? level.flux_x[y][at + 1]
-                          : way == Way::kWest  ? -level.flux_x[y][at]
-                          : way == Way::kNorth ? level.flux_y[y + 1][at]
-                                               : -level.flux_y[y][at];
+        const float out = way == Way::kEast    ? through.flux_x[y][at + 1]
+                          : way == Way::kWest  ? -through.flux_x[y][at]
+                          : way == Way::kNorth ? through.flux_y[y + 1][at]
+                                               : -through.flux_y[y][at];
         quanta += static_cast<std::int64_t>(out / kQuantum);
     }
     return quanta;

@@ -18,20 +18,17 @@ namespace sim::sweep {
 class WorkRows {
   public:
     WorkRows(float* first, std::ptrdiff_t stride) : next_(first), stride_(stride) {}
-    // The last `count` rows of each field. No loop over pointers to fields: the compiler keeps in registers,
-    // or even knows, what nothing points to.
-    template <class... Fields>
-    [[gnu::always_inline]] void keep(int count, Fields&... fields) {
-        ((fields = last(count)), ...);
+
+    // Visits the fields of a list and keeps the last `count` rows of each. There is no loop over pointers to
+    // fields: the compiler keeps in registers what nothing points to.
+    auto keep(int count) {
+        return [ this, count ](std::string_view, Rows<float> & field) __attribute__((always_inline)) {
+            field = {next_, stride_, count};
+            next_ += count * stride_;
+        };
     }
 
   private:
-    [[gnu::always_inline]] Rows<float> last(int count) {
-        float* first = next_;
-        next_ += count * stride_;
-        return {first, stride_, count};
-    }
-
     float* next_;
     std::ptrdiff_t stride_;
 };
@@ -45,84 +42,83 @@ class Kernel {
     template <Scheme scheme>
     [[gnu::flatten]] std::int64_t first_order(float* work, std::uint8_t* active) {
         using namespace bcre;
-        Work<float> w = begun<Work<float>>(g_.bcre);
+        StageRows<float> w = begun<StageRows<float>>(g_.bcre);
         WorkRows rows(work, g_.stride);
-        Level<float>& now = w.now;
-        rows.keep(2, now.drop_x, now.drop_y, now.slope_dx, w.outflow, now.velocity_x, now.velocity_y,
-                  w.flux_x, w.flux_y);
+        StateRows<float>& u0 = w.u0;
+        each_rate(rows.keep(2), u0);
+        each_transfer(rows.keep(2), w);
         const auto outflow = [&](int y) {
             if constexpr (scheme == Scheme::kLaxFriedrichs)
-                return find_quarter_outflow<Lanes>(w, y);
+                return find_quarter_outflow<Lanes>(w, w.outflow, u0, y);
             else
-                return find_outflow<Lanes>(w, y);
+                return find_outflow<Lanes>(w, w.outflow, y);
         };
         const auto fluxes = [&](int y) {
             if constexpr (scheme == Scheme::kLaxFriedrichs)
-                return find_quarter_fluxes<Lanes>(w, y);
+                return find_quarter_fluxes<Lanes>(w, w.flux_x, w.flux_y, y);
             else
-                return find_split_fluxes<Lanes>(w, y);
+                return find_split_fluxes<Lanes>(w, w.flux_x, w.flux_y, y);
         };
         for (int t = job_.y0 - 1; t < job_.y1 + 2; ++t) {
-            if (is_row(t, 2)) fill_halo<Lanes>(w, now, t, wide());
-            if (is_face(t, 1)) run(find_drops<Lanes>(w, now, t));
-            if (is_row(t - 1, 1)) run(find_slope_dx<Lanes>(now, t - 1), fetch(w.bedrock, t + 1));
+            if (is_row(t, 2)) fill_halo<Lanes>(w, u0, t, wide());
+            if (is_face(t, 1)) run(find_drops<Lanes>(w, u0, u0.drop_x, u0.drop_y, t));
+            if (is_row(t - 1, 1)) run(find_slope_dx<Lanes>(u0, u0.slope_dx, t - 1), fetch(w.bedrock, t + 1));
             if (is_row(t - 1, 1)) run(outflow(t - 1));
-            if (is_near(t - 1, 1)) end_outflow<Lanes>(w, t - 1, wide());
-            if (is_face(t - 1, 0)) run(fluxes(t - 1), fetch(now.depth, t + 1));
-            if (scheme == Scheme::kLaxFriedrichs && is_face(t - 1, 0)) close_walls<Lanes>(w, t - 1, wide());
-            if (is_row(t - 2, 0)) finish<scheme>(w, t - 2, active, fetch(now.rolling, t + 1));
+            if (is_near(t - 1, 1)) end_outflow<Lanes>(w, w.outflow, u0, t - 1, wide());
+            if (is_face(t - 1, 0)) run(fluxes(t - 1), fetch(u0.depth, t + 1));
+            if (scheme == Scheme::kLaxFriedrichs && is_face(t - 1, 0))
+                close_walls<Lanes>(w, w.flux_x, w.flux_y, t - 1, wide());
+            if (is_row(t - 2, 0)) finish<scheme>(w, t - 2, active, fetch(u0.rolling, t + 1));
         }
         return drained_;
     }
 
     [[gnu::flatten]] std::int64_t second_order(float* work, std::uint8_t* active) {
         using namespace bcre;
-        Work<float> w = begun<Work<float>>(g_.bcre);
+        StageRows<float> w = begun<StageRows<float>>(g_.bcre);
         WorkRows rows(work, g_.stride);
-        Level<float>&now = w.now, &then = w.then;
-        rows.keep(8, then.depth, then.rolling, w.flux_x, w.flux_y);
-        const auto keep_rates = [&](Level<float>& of) {
-            rows.keep(4, of.drop_x, of.drop_y, of.curvature_x, of.curvature_y, of.slope_dx, of.velocity_x,
-                      of.velocity_y);
-        };
-        keep_rates(now), keep_rates(then);
-        rows.keep(4, w.exchanged);
-        rows.keep(2, w.share);
+        StateRows<float>&u0 = w.u0, &u1 = w.u1;
+        each_layer(rows.keep(8), u1);
+        each_transfer(rows.keep(8), w);
+        each_rate(rows.keep(4), u0), each_rate(rows.keep(4), u1);
         bool limits_outflow[2] = {};  // whether a vertex of the last two rows may
-        // What a level leads to, from the drops of row y on.
-        const auto find_rates = [&](const Level<float>& level, int y, int beside) {
-            if (is_face(y, beside + 1)) run(find_drops<Lanes>(w, level, y));
-            if (is_face(y, beside + 1)) end_drops<Lanes>(w, level, y);
+        // The rates of a state, from the drops of row y on.
+        const auto find_rates = [&](StateRows<float>& u, int y, int beside) {
+            if (is_face(y, beside + 1)) run(find_drops<Lanes>(w, u, u.drop_x, u.drop_y, y));
+            if (is_face(y, beside + 1)) end_drops<Lanes>(w, u.drop_x, y);
             if (is_face(y - 1, beside + 1))
-                run(find_curvature<Lanes>(w, level, y - 1), find_central_velocity<Lanes>(w, level, y - 1));
-            if (is_row(y - 1, beside + 1)) end_velocity<Lanes>(w, level, y - 1);
+                run(find_curvature<Lanes>(w, u, u.curvature_x, u.curvature_y, y - 1),
+                    find_central_velocity<Lanes>(w, u, u.velocity_x, u.velocity_y, y - 1));
+            if (is_row(y - 1, beside + 1)) end_velocity<Lanes>(w, u.velocity_x, y - 1);
         };
         for (int t = job_.y0 - 5; t < job_.y1 + 5; ++t) {
-            if (is_row(t, 5)) fill_halo<Lanes>(w, now, t, wide());
-            find_rates(now, t, 3);
+            if (is_row(t, 5)) fill_halo<Lanes>(w, u0, t, wide());
+            find_rates(u0, t, 3);
             if (is_face(t - 1, 3))
-                run(find_limited_slope_dx<Lanes>(now, t - 2),
-                    find_muscl_fluxes<Lanes, RkStage::kFirst>(w, t - 1), fetch(w.bedrock, t + 1));
-            if (is_face(t - 1, 3)) close_walls<Lanes>(w, t - 1, wide());
-            if (is_row(t - 2, 3)) run(predict<Lanes>(w, t - 2));
+                run(find_limited_slope_dx<Lanes>(u0, u0.slope_dx, t - 2),
+                    find_muscl_fluxes<Lanes, RkStage::kFirst>(w, w.flux_x, w.flux_y, t - 1),
+                    fetch(w.bedrock, t + 1));
+            if (is_face(t - 1, 3)) close_walls<Lanes>(w, w.flux_x, w.flux_y, t - 1, wide());
+            if (is_row(t - 2, 3)) run(predict<Lanes>(w, w.exchanged, u1, t - 2));
             if (is_row(t - 2, 3)) {
-                clear_drains<Lanes>(then, g_.outlets, t - 2, wide());
-                fill_halo<Lanes>(w, then, t - 2, wide());
+                clear_drains<Lanes>(u1, g_.outlets, t - 2, wide());
+                fill_halo<Lanes>(w, u1, t - 2, wide());
             }
-            find_rates(then, t - 2, 1);
+            find_rates(u1, t - 2, 1);
             if (is_face(t - 3, 1))
-                run(find_limited_slope_dx<Lanes>(then, t - 4),
-                    find_muscl_fluxes<Lanes, RkStage::kSecond>(w, t - 3), fetch(now.depth, t + 1));
-            if (is_face(t - 3, 1)) close_walls<Lanes>(w, t - 3, wide());
+                run(find_limited_slope_dx<Lanes>(u1, u1.slope_dx, t - 4),
+                    find_muscl_fluxes<Lanes, RkStage::kSecond>(w, w.flux_x, w.flux_y, t - 3),
+                    fetch(u0.depth, t + 1));
+            if (is_face(t - 3, 1)) close_walls<Lanes>(w, w.flux_x, w.flux_y, t - 3, wide());
             if (is_row(t - 4, 1)) {
                 limits_outflow[t & 1] = false;
-                run(find_share<Lanes>(w, t - 4, &limits_outflow[t & 1]));
+                run(find_share<Lanes>(w, w.share, t - 4, &limits_outflow[t & 1]));
             }
-            if (is_near(t - 4, 1)) end_share<Lanes>(w, t - 4, wide());
+            if (is_near(t - 4, 1)) end_share<Lanes>(w, w.share, t - 4, wide());
             if (is_face(t - 4, 0) && (limits_outflow[0] || limits_outflow[1]))
-                run(share_fluxes<Lanes>(w, t - 4));
-            if (is_face(t - 4, 0)) run(quantise_fluxes<Lanes>(w, t - 4));
-            if (is_row(t - 5, 0)) finish<Scheme::kMuscl>(w, t - 5, active, fetch(now.rolling, t + 1));
+                run(share_fluxes<Lanes>(w, w.flux_x, w.flux_y, t - 4));
+            if (is_face(t - 4, 0)) run(quantise_fluxes<Lanes>(w, w.flux_x, w.flux_y, t - 4));
+            if (is_row(t - 5, 0)) finish<Scheme::kMuscl>(w, t - 5, active, fetch(u0.rolling, t + 1));
         }
         return drained_;
     }
@@ -130,82 +126,78 @@ class Kernel {
     [[gnu::flatten]] std::int64_t inertial(float* work, std::uint8_t* active) {
         using namespace sim::inertial;
         WorkRows rows(work, g_.stride);
-        Work<float> w = begun<Work<float>>(g_.inertial);
-        Level<float>&now = w.now, &then = w.then;
+        StageRows<float> w = begun<StageRows<float>>(g_.inertial);
+        StateRows<float>&u0 = w.u0, &u1 = w.u1;
         w.first_slope = Rows<float>(g_.first_slope, g_.stride);
         w.first_depth = Rows<float>(g_.first_depth, g_.stride);
-        now.velocity_x = beside_job(g_.velocity_x, job_.velocity_x);
-        now.velocity_y = beside_job(g_.velocity_y, job_.velocity_y);
-        rows.keep(8, then.depth, then.rolling, then.velocity_x, then.velocity_y);
-        const auto keep_rates = [&](Level<float>& of) {
-            rows.keep(4, of.drop_x, of.drop_y, of.curvature_x, of.curvature_y, of.exchanged, of.rolling_x,
-                      of.rolling_y, of.u_x, of.u_y, of.v_x, of.v_y);
-            rows.keep(4, of.flux_x, of.flux_y, of.momentum_xu, of.momentum_xv, of.momentum_yu,
-                      of.momentum_yv);
+        u0.velocity_x = beside_job(g_.velocity_x, job_.velocity_x);
+        u0.velocity_y = beside_job(g_.velocity_y, job_.velocity_y);
+        each_layer(rows.keep(8), u1);
+        each_rate(rows.keep(4), u0), each_rate(rows.keep(4), u1);
+        const auto find_rates = [&](StateRows<float>& u, int y, int beside) {
+            if (is_face(y - 1, beside)) run(find_curvature<Lanes>(w, u, u.curvature_x, u.curvature_y, y - 1));
+            if (is_row(y - 2, beside)) run(find_exchange<Lanes>(w, u, u.exchanged, y - 2));
         };
-        keep_rates(now), keep_rates(then);
-        const auto find_rates = [&](const Level<float>& level, int y, int beside) {
-            if (is_face(y - 1, beside)) run(find_curvature<Lanes>(w, level, y - 1));
-            if (is_row(y - 2, beside)) run(find_exchange<Lanes>(w, level, y - 2));
-        };
-        const auto find_slopes_of = [&](const Level<float>& level, int y, int beside) {
-            if (is_row(y, beside)) run(find_slopes<Lanes>(level, y));
-            if (is_near(y, beside)) end_slopes<Lanes>(w, level, y, wide());
+        const auto find_slopes_of = [&](StateRows<float>& u, int y, int beside) {
+            if (is_row(y, beside)) run(find_slopes<Lanes>(u, u, y));
+            if (is_near(y, beside)) end_slopes<Lanes>(w, u, y, wide());
         };
         for (int t = job_.y0 - 5; t < job_.y1 + 5; ++t) {
-            if (is_row(t, 5)) fill_halo<Lanes>(w, now, t, wide());
-            if (is_face(t, 3)) run(find_drops<Lanes>(w, now, t), fetch(now.rolling, t + 1));
-            if (is_face(t, 3)) end_drops<Lanes>(w, now, t);
+            if (is_row(t, 5)) fill_halo<Lanes>(w, u0, t, wide());
+            if (is_face(t, 3))
+                run(find_drops<Lanes>(w, u0, u0.drop_x, u0.drop_y, t), fetch(u0.rolling, t + 1));
+            if (is_face(t, 3)) end_drops<Lanes>(w, u0.drop_x, t);
             if (is_row(t - 1, 4)) {
-                along<Lanes>(wide(), relax<Lanes>(w, now, t - 1, wide().last));
-                end_velocity<Lanes>(w, now, t - 1, wide());
+                along<Lanes>(wide(), relax<Lanes>(w, u0, u0, t - 1, wide().last));
+                end_velocity<Lanes>(w, u0, t - 1, wide());
             }
-            find_rates(now, t, 2);
-            find_slopes_of(now, t - 2, 3);
-            if (is_face(t - 2, 2)) run(find_fluxes_x<Lanes>(w, now, t - 2), fetch(w.bedrock, t + 1));
-            if (is_face(t - 2, 2)) run(find_fluxes_y<Lanes>(w, now, t - 2));
-            if (is_face(t - 2, 2)) end_fluxes<Lanes>(w, now, t - 2, wide());
-            if (is_row(t - 3, 2)) run(predict<Lanes>(w, t - 3), fetch(now.depth, t + 1));
+            find_rates(u0, t, 2);
+            find_slopes_of(u0, t - 2, 3);
+            if (is_face(t - 2, 2)) run(find_fluxes_x<Lanes>(w, u0, u0, t - 2), fetch(w.bedrock, t + 1));
+            if (is_face(t - 2, 2)) run(find_fluxes_y<Lanes>(w, u0, u0, t - 2));
+            if (is_face(t - 2, 2)) end_fluxes<Lanes>(w, u0, t - 2, wide());
+            if (is_row(t - 3, 2)) run(predict<Lanes>(w, u0, u1, t - 3), fetch(u0.depth, t + 1));
             if (is_row(t - 3, 2)) {
-                clear_drains<Lanes>(then, g_.outlets, t - 3, wide());
-                fill_halo<Lanes>(w, then, t - 3, wide());
-                end_velocity<Lanes>(w, then, t - 3, wide());
+                clear_drains<Lanes>(u1, g_.outlets, t - 3, wide());
+                fill_halo<Lanes>(w, u1, t - 3, wide());
+                end_velocity<Lanes>(w, u1, t - 3, wide());
             }
 
-            if (is_face(t - 3, 1)) run(find_drops<Lanes>(w, then, t - 3));
-            if (is_face(t - 3, 1)) end_drops<Lanes>(w, then, t - 3);
-            find_rates(then, t - 3, 0);
-            find_slopes_of(then, t - 4, 1);
-            if (is_face(t - 4, 0)) run(find_fluxes_x<Lanes>(w, then, t - 4), fetch(now.velocity_x, t));
-            if (is_face(t - 4, 0)) run(find_fluxes_y<Lanes>(w, then, t - 4));
-            if (is_face(t - 4, 0)) end_fluxes<Lanes>(w, then, t - 4, wide());
-            if (is_face(t - 4, 0)) run(quantise_fluxes<Lanes>(w, t - 4), fetch(now.velocity_y, t));
+            if (is_face(t - 3, 1)) run(find_drops<Lanes>(w, u1, u1.drop_x, u1.drop_y, t - 3));
+            if (is_face(t - 3, 1)) end_drops<Lanes>(w, u1.drop_x, t - 3);
+            find_rates(u1, t - 3, 0);
+            find_slopes_of(u1, t - 4, 1);
+            if (is_face(t - 4, 0)) run(find_fluxes_x<Lanes>(w, u1, u1, t - 4), fetch(u0.velocity_x, t));
+            if (is_face(t - 4, 0)) run(find_fluxes_y<Lanes>(w, u1, u1, t - 4));
+            if (is_face(t - 4, 0)) end_fluxes<Lanes>(w, u1, t - 4, wide());
+            if (is_face(t - 4, 0)) run(quantise_fluxes<Lanes>(w, u0, t - 4), fetch(u0.velocity_y, t));
             if (is_row(t - 5, 0)) {
-                along<Lanes>(narrow(), sim::inertial::finish<Lanes>(w, t - 5, job_.x1, active));
-                clear_drains<Lanes>(now, g_.outlets, t - 5, narrow());
-                along<Lanes>(narrow(), relax<Lanes>(w, then, t - 5, job_.x1));
-                along<Lanes>(narrow(), yield<Lanes>(w, t - 5, job_.x1, active));
-                end_row(now, now, t - 5, active);
+                along<Lanes>(narrow(), sim::inertial::finish<Lanes>(w, u0, t - 5, job_.x1, active));
+                clear_drains<Lanes>(u0, g_.outlets, t - 5, narrow());
+                along<Lanes>(narrow(), relax<Lanes>(w, u1, u0, t - 5, job_.x1));
+                along<Lanes>(narrow(), yield<Lanes>(w, u0, t - 5, job_.x1, active));
+                end_row(u0, u0, t - 5, active);
             }
         }
         return drained_;
     }
 
-    // For who looks on, at the end of a tick.
+    // The velocity for views, at the end of a tick.
     void find_velocity(float* work) {
         WorkRows rows(work, g_.stride);
-        bcre::Work<float> w = begun<bcre::Work<float>>(g_.bcre);
-        w.now.depth = Rows<float>(g_.depth, g_.stride);  // nobody changes it now
-        rows.keep(2, w.now.drop_x, w.now.drop_y);
-        w.now.velocity_x = Rows<float>(g_.velocity_x, g_.stride);
-        w.now.velocity_y = Rows<float>(g_.velocity_y, g_.stride);
+        bcre::StageRows<float> w = begun<bcre::StageRows<float>>(g_.bcre);
+        w.u0.depth = Rows<float>(g_.depth, g_.stride);  // nobody changes it now
+        each_rate(rows.keep(2), w.u0);
+        w.u0.velocity_x = Rows<float>(g_.velocity_x, g_.stride);
+        w.u0.velocity_y = Rows<float>(g_.velocity_y, g_.stride);
         for (int t = job_.y0; t <= job_.y1; ++t) {
-            if (t < job_.y1) fill_halo<Lanes>(w, w.now, t, narrow());
-            along<Lanes>(narrow().faces(), find_drops<Lanes>(w, w.now, t), fetch(w.bedrock, t + 1),
-                         fetch(w.now.depth, t + 1));
+            if (t < job_.y1) fill_halo<Lanes>(w, w.u0, t, narrow());
+            along<Lanes>(narrow().faces(), find_drops<Lanes>(w, w.u0, w.u0.drop_x, w.u0.drop_y, t),
+                         fetch(w.bedrock, t + 1), fetch(w.u0.depth, t + 1));
             if (t > job_.y0)
-                along<Lanes>(narrow(), bcre::find_velocity<Lanes>(w, t - 1, job_.x1),
-                             fetch(w.now.velocity_x, t), fetch(w.now.velocity_y, t));
+                along<Lanes>(narrow(),
+                             bcre::find_velocity<Lanes>(w, w.u0.velocity_x, w.u0.velocity_y, t - 1, job_.x1),
+                             fetch(w.u0.velocity_x, t), fetch(w.u0.velocity_y, t));
         }
     }
 
@@ -249,8 +241,8 @@ class Kernel {
         w.borders = g_.borders;
         w.c = constants;
         w.bedrock = Rows<float>(g_.bedrock, g_.stride);
-        w.now.depth = beside_job(g_.depth, job_.depth);
-        w.now.rolling = beside_job(g_.rolling, job_.rolling);
+        w.u0.depth = beside_job(g_.depth, job_.depth);
+        w.u0.rolling = beside_job(g_.rolling, job_.rolling);
         return w;
     }
     Rows<float> beside_job(float* field, const Job::Apron& apron) const {
@@ -260,15 +252,15 @@ class Kernel {
     }
 
     template <Scheme scheme, class Fetch>
-    void finish(const bcre::Work<float>& w, int y, std::uint8_t* active, Fetch fetch) {
-        along<Lanes>(narrow(), bcre::settle<Lanes, scheme>(w, y, job_.x1, active), fetch);
-        end_row(w.now, w, y, active);
+    void finish(bcre::StageRows<float>& w, int y, std::uint8_t* active, Fetch fetch) {
+        along<Lanes>(narrow(), bcre::settle<Lanes, scheme>(w, w.u0, y, job_.x1, active), fetch);
+        end_row(w.u0, w, y, active);
     }
-    // `through`: who has the fluxes.
-    template <class Level, class Fluxes>
-    void end_row(const Level& now, const Fluxes& through, int y, std::uint8_t* active) {
+    // `through` has the fluxes.
+    template <class State, class Fluxes>
+    void end_row(State& u0, const Fluxes& through, int y, std::uint8_t* active) {
         drained_ += drained<Lanes>(through, g_.outlets, y, narrow());
-        clear_drains<Lanes>(now, g_.outlets, y, narrow());
+        clear_drains<Lanes>(u0, g_.outlets, y, narrow());
         const bool ends_tiles = y + 1 == tile_end_ || y + 1 == job_.y1;
         if (ends_tiles || edges_at(y + 1) != edges_at(y)) tell_active(edges_at(y), y, active);
         if (ends_tiles) tile_end_ += g_.tile_height;

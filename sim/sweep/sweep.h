@@ -6,7 +6,7 @@
 
 #include "sim/bcre/constants.h"
 #include "sim/core/activity.h"
-#include "sim/inertial/work.h"
+#include "sim/inertial/fields.h"
 #include "sim/simd/instruction_set.h"
 #include "sim/world/outlets.h"
 

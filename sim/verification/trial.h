@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/core/workers.h"
-#include "sim/stages/scratch.h"
+#include "sim/scratch.h"
 #include "sim/verification/cases.h"
 #include "sim/world/layers.h"
 #include "sim/world/params.h"

@@ -1,11 +1,12 @@
 #pragma once
 
-// What headers speak of without knowing it.
+// Declarations for headers that need no definition.
 
 namespace sim {
 
 class Workers;
 struct Params;
+struct PlainContext;
 struct State;
 template <class Number>
 struct Layers;

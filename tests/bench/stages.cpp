@@ -25,7 +25,7 @@ struct Place {
     sim::Scratch<float>& scratch;
     const sim::Params& params;
     sim::Substep<float> sub;
-    sim::bcre::Work<float> w;
+    mutable sim::bcre::StageRows<float> w;
     int rows;
 };
 using Stage = void (*)(const Place&);
@@ -47,7 +47,7 @@ void one_stage(benchmark::State& run, Model model, Scheme scheme, Stage stage) {
                       *play.engine.scratch,
                       play.state.params,
                       sub,
-                      sim::bcre::work_of(play.state, play.state.params, *play.engine.scratch, sub),
+                      sim::bcre::stage_rows(play.state, play.state.params, play.engine.scratch->bcre(), sub),
                       play.state.grid.ny};
     for (auto _ : run) {
         stage(place);
@@ -71,25 +71,31 @@ void add_stages() {
     const Entry entries[] = {
         {"fill_halo", kBcre, kLocal,
          [](const Place& p) {
-             for (int y = 0; y < p.rows; ++y) sim::fill_halo<float>(p.w, p.w.now, y, {0, p.w.nx});
+             for (int y = 0; y < p.rows; ++y) sim::fill_halo<float>(p.w, p.w.u0, y, {0, p.w.nx});
          }},
         {"find_drops", kBcre, kLocal,
          [](const Place& p) {
-             each_face(p, [&](int y) { return sim::find_drops<float>(p.w, p.w.now, y); });
+             each_face(p, [&](int y) {
+                 return sim::find_drops<float>(p.w, p.w.u0, p.w.u0.drop_x, p.w.u0.drop_y, y);
+             });
          }},
-        {"find_fall", kBcre, kLocal,
+        {"find_slope_dx", kBcre, kLocal,
          [](const Place& p) {
-             each_row(p, [&](int y) { return sim::bcre::find_slope_dx<float>(p.w.now, y); });
+             each_row(p, [&](int y) { return sim::bcre::find_slope_dx<float>(p.w.u0, p.w.u0.slope_dx, y); });
          }},
-        {"find_given", kBcre, kLocal,
-         [](const Place& p) { each_row(p, [&](int y) { return sim::bcre::find_outflow<float>(p.w, y); }); }},
+        {"find_outflow", kBcre, kLocal,
+         [](const Place& p) {
+             each_row(p, [&](int y) { return sim::bcre::find_outflow<float>(p.w, p.w.outflow, y); });
+         }},
         {"find_split_fluxes", kBcre, kLocal,
          [](const Place& p) {
-             each_face(p, [&](int y) { return sim::bcre::find_split_fluxes<float>(p.w, y); });
+             each_face(p, [&](int y) {
+                 return sim::bcre::find_split_fluxes<float>(p.w, p.w.flux_x, p.w.flux_y, y);
+             });
          }},
         {"settle", kBcre, kLocal,
          [](const Place& p) {
-             each_row(p, [&](int y) { return sim::bcre::settle<float, kLocal>(p.w, y, p.w.nx); });
+             each_row(p, [&](int y) { return sim::bcre::settle<float, kLocal>(p.w, p.w.u0, y, p.w.nx); });
          }},
         {"count_mass", kBcre, kLocal, [](const Place& p) { sim::count_mass(p.s); }},
     };

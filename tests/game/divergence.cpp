@@ -9,8 +9,8 @@
 
 #include "game/recording/divergence_report.h"
 #include "game/recording/scenario_difference.h"
-#include "sim/stages/named_fields.h"
-#include "sim/stages/scratch.h"
+#include "sim/named_fields.h"
+#include "sim/scratch.h"
 #include "tests/game/recording_files.h"
 
 namespace game::test {
@@ -64,13 +64,13 @@ constexpr std::int32_t kMany = 1 << 22;
 const Plant kPlants[] = {
     {"commands_depth", kInertial, kLocal, 3, -1, 1, "commands", "depth", 4, 5, 1},
     {"relax_velocity", kInertial, kLocal, 5, 0, 2, "relax", "velocity_y", 6, 8, kMany},
-    {"exchange", kInertial, kLocal, 4, 0, 5, "find_exchange", "now.exchanged", 6, 7, kMany},
-    {"flux", kInertial, kLocal, 6, 0, 8, "find_fluxes_y", "now.flux_y", 6, 7, kMany},
-    {"predicted", kInertial, kLocal, 6, 0, 9, "predict", "then.rolling", 6, 7, kMany},
-    {"flux_then", kInertial, kLocal, 2, 0, 16, "find_fluxes_y", "then.flux_y", 6, 7, kMany},
+    {"exchange", kInertial, kLocal, 4, 0, 5, "find_exchange", "u0.exchanged", 6, 7, kMany},
+    {"flux", kInertial, kLocal, 6, 0, 8, "find_fluxes_y", "u0.flux_y", 6, 7, kMany},
+    {"predicted", kInertial, kLocal, 6, 0, 9, "predict", "u1.rolling", 6, 7, kMany},
+    {"flux_u1", kInertial, kLocal, 2, 0, 16, "find_fluxes_y", "u1.flux_y", 6, 7, kMany},
     {"yield", kInertial, kLocal, 7, 0, 20, "yield", "rolling", 6, 6, 1},
-    {"first_drop", kBcre, kLocal, 1, 0, 2, "find_drops", "now.drop_y", 6, 7, kMany},
-    {"given", kBcre, kLocal, 5, 0, 4, "find_given", "given", 6, 7, kMany},
+    {"first_drop", kBcre, kLocal, 1, 0, 2, "find_drops", "u0.drop_y", 6, 7, kMany},
+    {"outflow", kBcre, kLocal, 5, 0, 4, "find_outflow", "outflow", 6, 7, kMany},
     {"settle", kBcre, kLocal, 9, 0, 6, "settle", "depth", 0, 10, 1},
     {"velocity", kBcre, kLocal, 9, 1, 3, "find_velocity", "velocity_x", 6, 7, 1},
     {"share", kBcre, sim::Scheme::kMuscl, 4, 0, 14, "find_share", "share", 6, 7, -kMany},

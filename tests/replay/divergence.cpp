@@ -11,7 +11,7 @@
 #include "game/recording/divergence.h"
 #include "game/recording/divergence_report.h"
 #include "render/picture.h"
-#include "sim/stages/scratch.h"
+#include "sim/scratch.h"
 #include "tests/replay/play.h"
 
 namespace game::test {
@@ -52,7 +52,7 @@ TEST(PlantedFault, in_the_snow_avalanche_is_found_at_its_stage_and_cell) {
                     if (const float flow = at.state.rolling(i, j) * std::fabs(at.state.velocity_y(i, j));
                         flow > most)
                         most = flow, x = i, y = j;
-        float& value = at.scratch->flow_then.velocity_x(x, y);
+        float& value = at.scratch->inertial().u1.velocity_x(x, y);
         value = std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) + 4096);
     };
     const sim::StepOptions plainly{.plain = true};
@@ -64,7 +64,7 @@ TEST(PlantedFault, in_the_snow_avalanche_is_found_at_its_stage_and_cell) {
     EXPECT_EQ(parted->substep, 0);
     EXPECT_EQ(parted->name, "predict");
     ASSERT_EQ(parted->fields.size(), 1u);
-    EXPECT_EQ(parted->fields[0].field, "then.velocity_x");
+    EXPECT_EQ(parted->fields[0].field, "u1.velocity_x");
     EXPECT_EQ(parted->fields[0].x, x);
     EXPECT_EQ(parted->fields[0].y, y);
     EXPECT_EQ(parted->fields[0].ulps, 4096u);

@@ -24,27 +24,32 @@ constexpr sim::Substep<float> kHalfQuantum{0.02f, 0.5f};  // rounds to nearest
 struct Stages {
     Play play;
     sim::Scratch<float>& scratch;
-    sim::LevelFields<float>& now;
+    sim::Scratch<float>::Bcre& fields;
+    sim::bcre::RkState<sim::Field<float>>& u0;
     sim::Workers& workers;
 
     Stages(const support::Ground& ground, const sim::Params& params)
         : play(ground, params, {.plain = true}),
           scratch(*play.engine.scratch),
-          now(scratch.now),
+          fields(scratch.bcre()),
+          u0(fields.u0),
           workers(play.engine.workers) {}
 
     void substep(sim::Substep<float> sub = kHalfQuantum) {
-        sim::bcre::substep(play.state, play.state.params, scratch, workers, sub);
+        sim::bcre::substep(play.state, play.state.params, fields, scratch.context, workers, sub);
     }
-    void find_velocity() { sim::bcre::find_velocity(play.state, play.state.params, scratch, workers); }
+    void find_velocity() {
+        sim::bcre::find_velocity(play.state, play.state.params, fields, scratch.context, workers);
+    }
 };
 
 // The rows of a world of bcre-inertial that steps plainly, its halo filled.
-sim::inertial::Work<float> work_of(Play& play) {
-    const auto w = sim::inertial::work_of(play.state, play.state.params, *play.engine.scratch, kHalfQuantum);
+sim::inertial::StageRows<float> stage_rows_of(Play& play) {
+    auto w = sim::inertial::stage_rows(play.state, play.state.params, play.engine.scratch->inertial(),
+                                       kHalfQuantum);
     for (int y = 0; y < w.ny; ++y) {
-        sim::fill_halo<float>(w, w.now, y, {0, w.nx});
-        sim::inertial::end_velocity<float>(w, w.now, y, {0, w.nx});
+        sim::fill_halo<float>(w, w.u0, y, {0, w.nx});
+        sim::inertial::end_velocity<float>(w, w.u0, y, {0, w.nx});
     }
     return w;
 }
@@ -96,8 +101,8 @@ TEST(Velocity, of_the_inertial_model_relaxes_toward_the_terminal_one_for_half_of
     ground.set(ground.rolling, [](double, double) { return 0.3; });
     Play play(ground, lively(Model::kBcreInertial), {.plain = true});
     play.state.velocity_x(2, 2) = 1;
-    const auto w = work_of(play);
-    sim::along<float>({0, 5}, sim::inertial::relax<float>(w, w.now, 2, 5));
+    auto w = stage_rows_of(play);
+    sim::along<float>({0, 5}, sim::inertial::relax<float>(w, w.u0, w.u0, 2, 5));
     const double terminal = 15 * 0.5 * (0.3 / (0.3 + 0.1));  // k_v |∇z| R/(R + R_h)
     const double gained = 1 - std::exp(-0.01 / 1.5);
     EXPECT_NEAR(play.state.velocity_x(2, 2), 1 + gained * (0.6 * terminal - 1), 1e-5);
@@ -110,10 +115,10 @@ TEST(Fluxes, of_local_lax_friedrichs_go_to_the_lower_neighbours_by_their_drops) 
     ground.rolling[ground.at(2, 2)] = 0.4f;
     Stages stages(ground, lively(Model::kBcre));
     stages.substep();
-    EXPECT_NEAR(stages.scratch.flux_x(3, 2), 0.4 * 5 * 0.6 * 0.01, kRounded);   // R v_E Δt/Δx
-    EXPECT_NEAR(stages.scratch.flux_y(2, 2), -0.4 * 5 * 0.8 * 0.01, kRounded);  // south
-    EXPECT_EQ(stages.scratch.flux_x(2, 2), 0);
-    EXPECT_EQ(stages.scratch.flux_y(2, 3), 0);
+    EXPECT_NEAR(stages.fields.flux_x(3, 2), 0.4 * 5 * 0.6 * 0.01, kRounded);   // R v_E Δt/Δx
+    EXPECT_NEAR(stages.fields.flux_y(2, 2), -0.4 * 5 * 0.8 * 0.01, kRounded);  // south
+    EXPECT_EQ(stages.fields.flux_x(2, 2), 0);
+    EXPECT_EQ(stages.fields.flux_y(2, 3), 0);
 }
 
 TEST(Fluxes, of_a_ridge_go_to_both_sides) {
@@ -122,8 +127,8 @@ TEST(Fluxes, of_a_ridge_go_to_both_sides) {
     ground.rolling[ground.at(2, 2)] = 0.4f;
     Stages stages(ground, lively(Model::kBcre));
     stages.substep();
-    EXPECT_NEAR(stages.scratch.flux_x(3, 2), 0.4 * 5 * 0.01, kRounded);
-    EXPECT_EQ(stages.scratch.flux_x(3, 2), -stages.scratch.flux_x(2, 2));
+    EXPECT_NEAR(stages.fields.flux_x(3, 2), 0.4 * 5 * 0.01, kRounded);
+    EXPECT_EQ(stages.fields.flux_x(3, 2), -stages.fields.flux_x(2, 2));
 }
 
 TEST(Fluxes, of_lax_friedrichs_are_quarters_and_more_of_them_downhill) {
@@ -133,9 +138,9 @@ TEST(Fluxes, of_lax_friedrichs_are_quarters_and_more_of_them_downhill) {
     Stages stages(ground, lively(Model::kBcre, sim::Scheme::kLaxFriedrichs));
     stages.substep();
     const double quarter = 0.25 * 0.4, half = 0.5 * 0.4 * 5 * 0.01;
-    EXPECT_NEAR(stages.scratch.flux_x(3, 2), quarter + half, 2 * kRounded);
-    EXPECT_NEAR(stages.scratch.flux_x(2, 2), -(quarter - half), 2 * kRounded);
-    EXPECT_NEAR(stages.scratch.flux_y(2, 3), quarter, 2 * kRounded);
+    EXPECT_NEAR(stages.fields.flux_x(3, 2), quarter + half, 2 * kRounded);
+    EXPECT_NEAR(stages.fields.flux_x(2, 2), -(quarter - half), 2 * kRounded);
+    EXPECT_NEAR(stages.fields.flux_y(2, 3), quarter, 2 * kRounded);
 }
 
 TEST(Fluxes, of_muscl_take_layer_and_velocity_at_the_face) {
@@ -143,14 +148,14 @@ TEST(Fluxes, of_muscl_take_layer_and_velocity_at_the_face) {
     const float depths[] = {0, 0.1f, 0.3f, 0.4f, 0.6f, 0.6f, 0};
     for (int x = 0; x < 7; ++x) ground.rolling[ground.at(x, 2)] = depths[x];
     Stages stages(ground, lively(Model::kBcre, sim::Scheme::kMuscl));
-    const auto w =
-        sim::bcre::work_of(stages.play.state, stages.play.state.params, stages.scratch, kHalfQuantum);
-    for (int y = 0; y < 5; ++y) sim::fill_halo<float>(w, w.now, y, {0, 7});
-    for (int x = 0; x < 7; ++x) stages.now.velocity_x(x, 2) = x == 3 ? 4 : 2;
-    sim::along<float>({0, 8}, sim::bcre::find_muscl_fluxes<float, sim::bcre::RkStage::kFirst>(w, 2));
-    EXPECT_NEAR(stages.scratch.flux_x(3, 2), 3 * 0.01 * (0.3 + 0.05), 1e-7);  // minmod(.2, .1) = .1
-    EXPECT_NEAR(stages.scratch.flux_x(6, 2), 2 * 0.01 * 0.6, 1e-7);           // a maximum keeps its own
-    EXPECT_EQ(stages.scratch.flux_y(2, 2), 0);
+    auto w = sim::bcre::stage_rows(stages.play.state, stages.play.state.params, stages.fields, kHalfQuantum);
+    for (int y = 0; y < 5; ++y) sim::fill_halo<float>(w, w.u0, y, {0, 7});
+    for (int x = 0; x < 7; ++x) stages.u0.velocity_x(x, 2) = x == 3 ? 4 : 2;
+    sim::along<float>(
+        {0, 8}, sim::bcre::find_muscl_fluxes<float, sim::bcre::RkStage::kFirst>(w, w.flux_x, w.flux_y, 2));
+    EXPECT_NEAR(stages.fields.flux_x(3, 2), 3 * 0.01 * (0.3 + 0.05), 1e-7);  // minmod(.2, .1) = .1
+    EXPECT_NEAR(stages.fields.flux_x(6, 2), 2 * 0.01 * 0.6, 1e-7);           // a maximum keeps its own
+    EXPECT_EQ(stages.fields.flux_y(2, 2), 0);
 }
 
 TEST(Fluxes, of_muscl_to_all_sides_are_no_more_than_the_layers_say) {
@@ -159,11 +164,10 @@ TEST(Fluxes, of_muscl_to_all_sides_are_no_more_than_the_layers_say) {
     std::mt19937 random(5);
     const auto portion = [&] { return static_cast<float>(random() % 1001) * 1e-3f; };
     Stages stages(support::plane(kSide - 1, 2, 0.1), lively(Model::kBcre, sim::Scheme::kMuscl));
-    const auto w =
-        sim::bcre::work_of(stages.play.state, stages.play.state.params, stages.scratch, kHalfQuantum);
+    auto w = sim::bcre::stage_rows(stages.play.state, stages.play.state.params, stages.fields, kHalfQuantum);
     float most = 0;
     for (int round = 0; round < 500; ++round) {
-        for (const auto* level : {&w.now, &w.then})
+        for (auto* level : {&w.u0, &w.u1})
             for (int y = 0; y < kSide; ++y) {
                 for (int x = 0; x < kSide; ++x) {
                     level->rolling[y][x] = random() % 3 ? portion() : 0;
@@ -173,17 +177,17 @@ TEST(Fluxes, of_muscl_to_all_sides_are_no_more_than_the_layers_say) {
                     level->velocity_y[y][x] = speed * std::sin(turn);
                 }
                 sim::fill_halo<float>(w, *level, y, kAll);
-                sim::bcre::end_velocity<float>(w, *level, y);
+                sim::bcre::end_velocity<float>(w, level->velocity_x, y);
             }
         for (int y = 0; y <= kSide; ++y)
-            sim::along<float>(kAll.faces(),
-                              sim::bcre::find_muscl_fluxes<float, sim::bcre::RkStage::kFirst>(w, y),
-                              sim::bcre::find_muscl_fluxes<float, sim::bcre::RkStage::kSecond>(w, y));
+            sim::along<float>(
+                kAll.faces(),
+                sim::bcre::find_muscl_fluxes<float, sim::bcre::RkStage::kFirst>(w, w.flux_x, w.flux_y, y),
+                sim::bcre::find_muscl_fluxes<float, sim::bcre::RkStage::kSecond>(w, w.flux_x, w.flux_y, y));
         for (int y = 0; y < kSide; ++y)
             for (int x = 0; x < kSide; ++x) {
                 const float all = sim::bcre::sum_outward<float>(w.flux_x[y], w.flux_y[y], w.flux_y[y + 1], x);
-                const float bound =
-                    sim::bcre::greatest_outflow(w.now.rolling[y][x], w.then.rolling[y][x], w.c);
+                const float bound = sim::bcre::greatest_outflow(w.u0.rolling[y][x], w.u1.rolling[y][x], w.c);
                 ASSERT_LE(all, bound);
                 if (bound > 0) most = std::max(most, all / bound);
             }
@@ -219,7 +223,7 @@ TEST(Fluxes, never_take_more_than_a_vertex_has) {
             stages.substep({0.02f, sim::dither_of(round)});
             for (int y = 0; y < 23; ++y)
                 for (int x = 0; x < 21; ++x) ASSERT_GE(state.rolling(x, y), 0) << sim::to_string(scheme);
-            const auto out = static_cast<double>(sim::drained(stages.scratch, Model::kBcre));
+            const auto out = static_cast<double>(sim::drained(stages.scratch));
             ASSERT_EQ(before, volume() + out * static_cast<double>(sim::kQuantum)) << sim::to_string(scheme);
         }
     }
@@ -230,8 +234,8 @@ TEST(LowerSlope, looks_at_lower_neighbours_only_and_sees_a_checkerboard) {
     ground.bedrock[ground.at(2, 2)] = 1;
     Stages stages(ground, lively(Model::kBcre));
     stages.substep();
-    EXPECT_NEAR(stages.now.slope_dx(2, 2), std::sqrt(2.0), 1e-6);
-    EXPECT_EQ(stages.now.slope_dx(1, 2), 0);  // beside it only a higher one
+    EXPECT_NEAR(stages.u0.slope_dx(2, 2), std::sqrt(2.0), 1e-6);
+    EXPECT_EQ(stages.u0.slope_dx(1, 2), 0);  // beside it only a higher one
 }
 
 TEST(Exchange, grows_and_decays_as_the_exponential) {
@@ -263,9 +267,9 @@ TEST(Exchange, never_carries_the_slope_past_its_threshold) {
         params.rolling_speed = 0;
         Stages stages(ground, params);
         stages.substep();
-        const float before = stages.now.slope_dx(1, 1) - params.stop_slope;
+        const float before = stages.u0.slope_dx(1, 1) - params.stop_slope;
         stages.substep();  // for the slope as the first has left it
-        const float after = stages.now.slope_dx(1, 1) - params.stop_slope;
+        const float after = stages.u0.slope_dx(1, 1) - params.stop_slope;
         const float slack = 2e-5f;  // a quantum and float32
         if (before > 0) {
             ASSERT_GE(after, -slack) << round;
@@ -276,13 +280,13 @@ TEST(Exchange, never_carries_the_slope_past_its_threshold) {
 }
 
 // Of row 2.
-void find_fluxes(const sim::inertial::Work<float>& w) {
+void find_fluxes(sim::inertial::StageRows<float>& w) {
     for (int y = 1; y <= 3; ++y) {
-        sim::along<float>({0, w.nx}, sim::inertial::find_slopes<float>(w.now, y));
-        sim::inertial::end_slopes<float>(w, w.now, y, {0, w.nx});
+        sim::along<float>({0, w.nx}, sim::inertial::find_slopes<float>(w.u0, w.u0, y));
+        sim::inertial::end_slopes<float>(w, w.u0, y, {0, w.nx});
     }
-    sim::along<float>({0, w.nx + 1}, sim::inertial::find_fluxes_x<float>(w, w.now, 2),
-                      sim::inertial::find_fluxes_y<float>(w, w.now, 2));
+    sim::along<float>({0, w.nx + 1}, sim::inertial::find_fluxes_x<float>(w, w.u0, w.u0, 2),
+                      sim::inertial::find_fluxes_y<float>(w, w.u0, w.u0, 2));
 }
 
 TEST(InertialTransport, takes_layer_and_momentum_at_the_face) {
@@ -291,16 +295,16 @@ TEST(InertialTransport, takes_layer_and_momentum_at_the_face) {
     for (int x = 0; x < 7; ++x) ground.rolling[ground.at(x, 2)] = depths[x];
     Play play(ground, lively(Model::kBcreInertial), {.plain = true});
     for (int x = 0; x < 7; ++x) play.state.velocity_x(x, 2) = speeds[x];
-    const auto w = work_of(play);
+    auto w = stage_rows_of(play);
     find_fluxes(w);
     // Between 0.3 m at 2 m/s and 0.4 m at 4: the slopes of R are 0.15 and 0.15, those of u 1.5 and 0.
     const double left = 0.3 + 0.075, right = 0.4 - 0.075, joint = (left * 2.75 + right * 4) / (left + right);
     const double flux = left * joint * 0.02 / 2;
-    EXPECT_NEAR(w.now.flux_x[2][3], flux, 1e-6);
-    EXPECT_NEAR(w.now.momentum_xu[2][3], flux * 2.75, 2e-6);
-    EXPECT_EQ(w.now.momentum_xv[2][3], 0);
-    EXPECT_EQ(w.now.flux_x[2][1], 0);  // what is empty gives nothing
-    EXPECT_EQ(w.now.flux_y[2][2], 0);
+    EXPECT_NEAR(w.u0.flux_x[2][3], flux, 1e-6);
+    EXPECT_NEAR(w.u0.momentum_xu[2][3], flux * 2.75, 2e-6);
+    EXPECT_EQ(w.u0.momentum_xv[2][3], 0);
+    EXPECT_EQ(w.u0.flux_x[2][1], 0);  // what is empty gives nothing
+    EXPECT_EQ(w.u0.flux_y[2][2], 0);
 }
 
 TEST(InertialTransport, takes_a_quarter_of_a_vertex_through_a_face_at_most) {
@@ -308,25 +312,28 @@ TEST(InertialTransport, takes_a_quarter_of_a_vertex_through_a_face_at_most) {
     ground.rolling[ground.at(2, 2)] = 0.5f;
     Play play(ground, lively(Model::kBcreInertial), {.plain = true});
     play.state.velocity_x(2, 2) = 1000;
-    const auto w = work_of(play);
+    auto w = stage_rows_of(play);
     find_fluxes(w);
-    EXPECT_EQ(w.now.flux_x[2][3], 0.125f);
+    EXPECT_EQ(w.u0.flux_x[2][3], 0.125f);
 }
 
 // The slopes of `level`, and what would be exchanged, on all of a world of 5 by 5 vertices.
-void find_exchange(const sim::inertial::Work<float>& w, const sim::inertial::Level<float>& level) {
+void find_exchange(const sim::inertial::StageRows<float>& w, sim::inertial::StateRows<float>& u) {
     for (int y = 0; y <= 5; ++y)
-        sim::along<float>({0, 6}, sim::find_drops<float>(w, level, y)), sim::end_drops<float>(w, level, y);
-    for (int y = 0; y <= 5; ++y) sim::along<float>({0, 6}, sim::find_curvature<float>(w, level, y));
-    for (int y = 0; y < 5; ++y) sim::along<float>({0, 5}, sim::inertial::find_exchange<float>(w, level, y));
+        sim::along<float>({0, 6}, sim::find_drops<float>(w, u, u.drop_x, u.drop_y, y)),
+            sim::end_drops<float>(w, u.drop_x, y);
+    for (int y = 0; y <= 5; ++y)
+        sim::along<float>({0, 6}, sim::find_curvature<float>(w, u, u.curvature_x, u.curvature_y, y));
+    for (int y = 0; y < 5; ++y)
+        sim::along<float>({0, 5}, sim::inertial::find_exchange<float>(w, u, u.exchanged, y));
 }
 
 // A stage of the exchange alone, on what rolls with `speed`; where it leads stands in scratch.
 void exchange_stage(Play& play, float speed) {
     play.state.velocity_y.fill(speed);
-    const auto w = work_of(play);
-    find_exchange(w, w.now);
-    for (int y = 0; y < 5; ++y) sim::along<float>({0, 5}, sim::inertial::predict<float>(w, y));
+    auto w = stage_rows_of(play);
+    find_exchange(w, w.u0);
+    for (int y = 0; y < 5; ++y) sim::along<float>({0, 5}, sim::inertial::predict<float>(w, w.u0, w.u1, y));
 }
 
 TEST(InertialExchange, deposits_nothing_above_the_deposit_speed) {
@@ -336,9 +343,9 @@ TEST(InertialExchange, deposits_nothing_above_the_deposit_speed) {
         Play play(ground, lively(Model::kBcreInertial), {.plain = true});
         exchange_stage(play, speed);
         const double stop = 0.36 + (0.5 - 0.36) * std::exp(-5.);  // of 0.5 m
-        EXPECT_NEAR(play.engine.scratch->flow_then.depth(2, 2),
+        EXPECT_NEAR(play.engine.scratch->inertial().u1.depth(2, 2),
                     2 * 0.5 * (stop - 0.1) * std::max(0., 1 - speed / 2.5) * 0.02, 1e-6);
-        EXPECT_EQ(play.engine.scratch->flow_then.velocity_y(2, 2),
+        EXPECT_EQ(play.engine.scratch->inertial().u1.velocity_y(2, 2),
                   speed);  // what stays moving keeps its speed
     }
 }
@@ -348,7 +355,7 @@ TEST(InertialExchange, does_nothing_between_stop_and_erosion_slope) {
     ground.set(ground.rolling, [](double, double) { return 0.5; });
     Play play(ground, lively(Model::kBcreInertial), {.plain = true});
     exchange_stage(play, 1);
-    EXPECT_EQ(play.engine.scratch->flow_then.depth(2, 2), 1);
+    EXPECT_EQ(play.engine.scratch->inertial().u1.depth(2, 2), 1);
 }
 
 TEST(InertialExchange, erodes_smoothly_from_the_erosion_depth_on_and_from_rest) {
@@ -358,20 +365,20 @@ TEST(InertialExchange, erodes_smoothly_from_the_erosion_depth_on_and_from_rest) 
         Play play(ground, lively(Model::kBcreInertial), {.plain = true});
         exchange_stage(play, 4);
         const double above = std::max(0., rolling - 0.05), eroded = 2 * above * above / rolling * 0.35 * 0.02;
-        EXPECT_NEAR(play.engine.scratch->flow_then.rolling(2, 2), rolling + eroded, 1e-5) << rolling;
-        EXPECT_NEAR(
-            play.engine.scratch->flow_then.rolling(2, 2) * play.engine.scratch->flow_then.velocity_y(2, 2),
-            rolling * 4, 1e-4)
+        EXPECT_NEAR(play.engine.scratch->inertial().u1.rolling(2, 2), rolling + eroded, 1e-5) << rolling;
+        EXPECT_NEAR(play.engine.scratch->inertial().u1.rolling(2, 2) *
+                        play.engine.scratch->inertial().u1.velocity_y(2, 2),
+                    rolling * 4, 1e-4)
             << rolling;
     }
 }
 
 // Slopes toward the lower neighbours, then yield.
 void yield_stage(Play& play) {
-    auto w = work_of(play);
-    w.then.depth = w.now.depth, w.then.rolling = w.now.rolling;  // the slopes of what is
-    find_exchange(w, w.then);
-    for (int y = 0; y < 5; ++y) sim::along<float>({0, 5}, sim::inertial::yield<float>(w, y, 5));
+    auto w = stage_rows_of(play);
+    w.u1.depth = w.u0.depth, w.u1.rolling = w.u0.rolling;  // the slopes of what is
+    find_exchange(w, w.u1);
+    for (int y = 0; y < 5; ++y) sim::along<float>({0, 5}, sim::inertial::yield<float>(w, w.u0, y, 5));
 }
 
 TEST(Yield, starts_above_the_start_slope_and_freezes_what_is_thin_and_slow) {

@@ -12,7 +12,7 @@ template <class Number>
 struct Scratch;
 
 struct NamedField {
-    std::string name;  // as the member is called: "rolling", "then.flux_x"
+    std::string name;  // as the member is called: "rolling", "u1.flux_x"
     const Field<float>* values;
 };
 

@@ -1,13 +1,15 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
 #include "sim/simd/exponential.h"
 #include "sim/simd/rows.h"
+#include "sim/stages/field_list.h"
 #include "sim/world/params.h"
 #include "sim/world/quanta.h"
 
-// What the stages of a sub-step of `bcre-inertial` work with: numbers, and rows (rows.h).
+// The constants and fields that the stages of `bcre-inertial` work on: the only list of them.
 
 namespace sim::inertial {
 
@@ -63,28 +65,75 @@ Constants<Scalar> constants_of(const Params& p, float cell, Substep<Scalar> sub)
             .anchor_margin = p.anchor_margin + p.anchor_step / dx};
 }
 
-// A state of the layers, and what it leads to. A face lies west (x) or south (y) of its vertex.
-template <class Scalar>
-struct Level {
-    Rows<Scalar> depth, rolling, velocity_x, velocity_y;  // m, m/s
-    Rows<Scalar> drop_x, drop_y;            // m through each face, that h falls to the east, to the north
-    Rows<Scalar> curvature_x, curvature_y;  // what makes a drop of second order, m
-    Rows<Scalar> exchanged;                 // m in the sub-step, erosion positive
-    Rows<Scalar> rolling_x, u_x, v_x;  // half of the limited slope of R and velocity along x, over a cell
-    Rows<Scalar> rolling_y, u_y, v_y;  // along y
-    Rows<Scalar> flux_x, flux_y;       // m through each face in the sub-step, to the east, to the north
-    Rows<Scalar> momentum_xu, momentum_xv;  // m²/s that flux_x takes along of both components of R v
-    Rows<Scalar> momentum_yu, momentum_yv;  // flux_y
+// A Runge–Kutta state: the layers with their velocity, and their rates of change. A face lies west (x) or
+// south (y) of its vertex. `Values` is a field, or its rows.
+template <class Values>
+struct RkState {
+    Values depth, rolling, velocity_x, velocity_y;  // m, m/s
+    Values drop_x, drop_y;            // m by which h falls through each face, to the east, to the north
+    Values curvature_x, curvature_y;  // second-order part of a drop, m
+    Values exchanged;                 // m in the sub-step, erosion positive
+    Values rolling_x, u_x, v_x;       // half of the limited slope of R and velocity along x, over a cell
+    Values rolling_y, u_y, v_y;       // along y
+    Values flux_x, flux_y;            // m through each face in the sub-step, to the east, to the north
+    Values momentum_xu, momentum_xv;  // m²/s of both components of R v that flux_x carries
+    Values momentum_yu, momentum_yv;  // that flux_y carries
 };
+template <class Visit, class... States>
+constexpr void each_layer(Visit&& visit, States&... u) {
+    visit("depth", u.depth...);
+    visit("rolling", u.rolling...);
+    visit("velocity_x", u.velocity_x...);
+    visit("velocity_y", u.velocity_y...);
+}
+template <class Visit, class... States>
+constexpr void each_rate(Visit&& visit, States&... u) {
+    visit("drop_x", u.drop_x...);
+    visit("drop_y", u.drop_y...);
+    visit("curvature_x", u.curvature_x...);
+    visit("curvature_y", u.curvature_y...);
+    visit("exchanged", u.exchanged...);
+    visit("rolling_x", u.rolling_x...);
+    visit("rolling_y", u.rolling_y...);
+    visit("u_x", u.u_x...);
+    visit("u_y", u.u_y...);
+    visit("v_x", u.v_x...);
+    visit("v_y", u.v_y...);
+    visit("flux_x", u.flux_x...);
+    visit("flux_y", u.flux_y...);
+    visit("momentum_xu", u.momentum_xu...);
+    visit("momentum_xv", u.momentum_xv...);
+    visit("momentum_yu", u.momentum_yu...);
+    visit("momentum_yv", u.momentum_yv...);
+}
+
+template <class Values>
+struct Fields {
+    RkState<Values> u0;  // as the sub-step finds the layers, and leaves them
+    RkState<Values> u1;  // the predicted state at its end
+};
+// All but the layers of u0, which are the world's.
+template <class Visit, class... Lists>
+void each_field(Visit&& visit, Lists&... f) {
+    each_rate(with_prefix("u0.", visit), f.u0...);
+    each_layer(with_prefix("u1.", visit), f.u1...);
+    each_rate(with_prefix("u1.", visit), f.u1...);
+}
+
+static_assert(members_visited<RkState<char>>([](auto visit, auto& u) {
+                  each_layer(visit, u), each_rate(visit, u);
+              }) == sizeof(RkState<char>));
 
 template <class Scalar>
-struct Work {
+using StateRows = RkState<Rows<Scalar>>;
+
+// What the stages read and write: rows of the fields, and what is the same for all vertices.
+template <class Scalar>
+struct StageRows : Fields<Rows<Scalar>> {
     int nx, ny;
     std::array<Border, 4> borders;  // by Side
     Constants<Scalar> c;
     Rows<Scalar> bedrock, first_slope, first_depth;
-    Level<Scalar> now;   // as the sub-step finds the layers, and leaves them
-    Level<Scalar> then;  // where they would be at its end
 
     bool is_ground(int y) const { return y >= 0 && y < ny; }
     bool is_wall(Side side) const { return borders[side] == Border::kWall; }

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "sim/bcre/constants.h"
+#include "sim/simd/rows.h"
+#include "sim/stages/field_list.h"
+#include "sim/world/params.h"
+
+// The fields that the stages of `bcre` work on: the only list of them.
+
+namespace sim::bcre {
+
+// A Runge–Kutta state: the two layers, and how they lie and move. A face lies west (x) or south (y) of its
+// vertex. `Values` is a field, or its rows.
+template <class Values>
+struct RkState {
+    Values depth, rolling;            // m
+    Values drop_x, drop_y;            // m by which h falls through each face, to the east, to the north
+    Values curvature_x, curvature_y;  // muscl: second-order part of a drop, m
+    Values slope_dx;                  // slope times Δx, m
+    Values velocity_x, velocity_y;    // muscl: m/s; lax-friedrichs: m more forward and less backward
+};
+template <class Visit, class... States>
+constexpr void each_layer(Visit&& visit, States&... u) {
+    visit("depth", u.depth...);
+    visit("rolling", u.rolling...);
+}
+template <class Visit, class... States>
+constexpr void each_rate(Visit&& visit, States&... u) {
+    visit("drop_x", u.drop_x...);
+    visit("drop_y", u.drop_y...);
+    visit("curvature_x", u.curvature_x...);
+    visit("curvature_y", u.curvature_y...);
+    visit("slope_dx", u.slope_dx...);
+    visit("velocity_x", u.velocity_x...);
+    visit("velocity_y", u.velocity_y...);
+}
+
+template <class Values>
+struct Fields {
+    RkState<Values> u0;  // as the sub-step finds the layers, and leaves them
+    RkState<Values> u1;  // muscl: the predicted state at its end
+
+    Values outflow;         // per metre of drop; lax-friedrichs: m to each side
+    Values flux_x, flux_y;  // m through each face, to the east, to the north
+    Values exchanged;       // muscl: m that the first half erodes
+    Values share;           // muscl: the share of its wanted outflow that a vertex can give
+};
+template <class Visit, class... Lists>
+constexpr void each_transfer(Visit&& visit, Lists&... f) {
+    visit("outflow", f.outflow...);
+    visit("flux_x", f.flux_x...);
+    visit("flux_y", f.flux_y...);
+    visit("exchanged", f.exchanged...);
+    visit("share", f.share...);
+}
+// All but the layers of u0, which are the world's.
+template <class Visit, class... Lists>
+void each_field(Visit&& visit, Lists&... f) {
+    each_rate(with_prefix("u0.", visit), f.u0...);
+    each_layer(with_prefix("u1.", visit), f.u1...);
+    each_rate(with_prefix("u1.", visit), f.u1...);
+    each_transfer(visit, f...);
+}
+
+static_assert(members_visited<RkState<char>>([](auto visit, auto& u) {
+                  each_layer(visit, u), each_rate(visit, u);
+              }) == sizeof(RkState<char>));
+static_assert(members_visited<Fields<char>>([](auto visit, auto& f) { each_transfer(visit, f); }) ==
+              sizeof(Fields<char>) - 2 * sizeof(RkState<char>));
+
+template <class Scalar>
+using StateRows = RkState<Rows<Scalar>>;
+
+// What the stages read and write: rows of the fields, and what is the same for all vertices.
+template <class Scalar>
+struct StageRows : Fields<Rows<Scalar>> {
+    int nx, ny;
+    std::array<Border, 4> borders;  // by Side
+    Constants<Scalar> c;
+    Rows<Scalar> bedrock;
+
+    bool is_ground(int y) const { return y >= 0 && y < ny; }
+    bool is_wall(Side side) const { return borders[side] == Border::kWall; }
+};
+
+}  // namespace sim::bcre

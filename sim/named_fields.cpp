@@ -1,0 +1,37 @@
+#include "sim/named_fields.h"
+
+#include <algorithm>
+
+#include "sim/scratch.h"
+#include "sim/world/state.h"
+
+namespace sim {
+
+std::vector<NamedField> fields_of(const State& s) {
+    std::vector<NamedField> fields{{"bedrock", &s.bedrock},       {"depth", &s.depth},
+                                   {"rolling", &s.rolling},       {"velocity_x", &s.velocity_x},
+                                   {"velocity_y", &s.velocity_y}, {"first_depth", &s.first_depth}};
+    if (s.mixture) {
+        fields.push_back({"mixture.rolling", &s.mixture->rolling});
+        fields.push_back({"mixture.settled", &s.mixture->settled});
+        fields.push_back({"mixture.untouched", &s.mixture->untouched});
+    }
+    return fields;
+}
+
+std::vector<NamedField> fields_of(const Scratch<float>& s) {
+    std::vector<NamedField> fields;
+    const auto add = [&](std::string_view name, const Field<float>& values) {
+        fields.push_back({std::string(name), &values});
+    };
+    std::visit([&](const auto& of_model) { each_field(add, of_model); }, s.fields);
+    if (const auto& mixing = s.context.mixing) {
+        add("mixing.depth", mixing->depth);
+        add("mixing.rolling", mixing->rolling);
+        add("mixing.lower_x", mixing->lower_x);
+        add("mixing.lower_y", mixing->lower_y);
+    }
+    return fields;
+}
+
+}  // namespace sim

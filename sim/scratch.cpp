@@ -1,0 +1,32 @@
+#include "sim/scratch.h"
+
+#include "sim/stages/stages.h"
+
+namespace sim {
+
+template <class Number>
+Scratch<Number>::Scratch(const Layers<Number>& layers, Model model)
+    : context{Outlets(layers.grid, layers.site)} {
+    if (model == Model::kBcreInertial) fields.template emplace<Inertial>();
+    std::visit([&](auto& of_model) { allocate(of_model, layers.grid); }, fields);
+}
+
+template <class Number>
+typename Scratch<Number>::Fluxes Scratch<Number>::fluxes() {
+    if (std::holds_alternative<Bcre>(fields)) return {bcre().flux_x, bcre().flux_y};
+    return {inertial().u0.flux_x, inertial().u0.flux_y};
+}
+
+std::int64_t drained(Scratch<float>& scratch) {
+    const auto [x, y] = scratch.fluxes();
+    const struct { Rows<float> flux_x, flux_y; } through{Rows<float>(x), Rows<float>(y)};
+    const Outlets::View outlets = scratch.context.outlets.view();
+    std::int64_t quanta = 0;
+    for (int row = 0; row < x.ny(); ++row) quanta += drained<float>(through, outlets, row, {0, x.nx()});
+    return quanta;
+}
+
+template struct Scratch<float>;
+template struct Scratch<double>;
+
+}  // namespace sim
