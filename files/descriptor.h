@@ -7,7 +7,7 @@
 
 namespace files {
 
-// Owns an open file of the system. Whatever fails leaves its reason in errno.
+// Owns an open file descriptor. Failures leave their reason in errno.
 class Descriptor {
   public:
     explicit Descriptor(int number = -1) : number_(number) {}
@@ -20,12 +20,12 @@ class Descriptor {
 
     int number() const { return number_; }
     explicit operator bool() const { return number_ >= 0; }
-    // Every byte; on failure some may be written.
+    // Writes every byte; on failure some may be written.
     bool write(std::string_view bytes) const;
-    // Whether the system has taken all that was written; some report that only when a file is closed. This
-    // one stays open.
+    // Whether the system has stored all that was written; some systems report that only when a file is
+    // closed. The descriptor stays open.
     bool settle() const;
-    // Cuts a regular file to this length and goes on there.
+    // Truncates a regular file to this length and continues there.
     bool cut(off_t length) const;
     bool close();
 

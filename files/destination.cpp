@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostLinks = 40;  // as many as the kernel follows
+constexpr int kMostLinks = 40;  // the kernel's limit
 
 // N if `path` is /proc/self/fd/N by any name, and N is open.
 std::optional<int> descriptor_of(const fs::path& path) {

@@ -8,11 +8,11 @@
 
 namespace files {
 
-// Where an output goes when all symbolic links are followed.
+// The target of an output once all symbolic links are followed.
 struct Destination {
     enum class Kind {
-        kFile,        // a regular file, or a name that is still free
-        kFolder,      // a folder stands there
+        kFile,        // a regular file, or an unused name
+        kFolder,      // an existing folder
         kThrough,     // a device, FIFO or socket
         kDescriptor,  // a descriptor of this process: /dev/stdout, /dev/fd/N
     };
@@ -22,17 +22,17 @@ struct Destination {
 };
 Destination destination_of(const std::filesystem::path& path);
 
-// What makes two names one file: device and inode if it is there, else the canonical path.
+// Identifies a file regardless of its name: device and inode if it exists, else the canonical path.
 struct Identity {
     dev_t device = 0;
     ino_t inode = 0;
-    std::filesystem::path free_name;  // if nothing is there
+    std::filesystem::path free_name;  // if no file exists
 
     bool operator==(const Identity&) const = default;
 };
-// Nothing for devices, FIFOs and folders: writing there replaces nothing.
+// Empty for devices, FIFOs and folders: writing there replaces nothing.
 std::optional<Identity> identity_of(const std::filesystem::path& path);
-// Of an open descriptor; nothing unless it is a regular file.
+// The identity of an open descriptor; empty unless it is a regular file.
 std::optional<Identity> identity_of(int descriptor);
 
 }  // namespace files

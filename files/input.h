@@ -8,12 +8,12 @@
 
 namespace files {
 
-// Whether `path` is a file with an end. Every reader asks before it opens a file, because a pipe or a device
-// could be read for ever. Follows links. Errors, in one sentence that names the file: missing, a folder, a
+// Whether `path` is a file with an end. Every reader checks before it opens a file, because reading a pipe or
+// a device might never end. Follows links. Errors, in one sentence that names the file: missing, a folder, a
 // pipe, a device, a socket.
 tl::expected<void, std::string> check_input(const std::filesystem::path& path);
 
-// Opens a file for reading, in bytes. Errors: those of check_input(), and a file that may not be read.
+// Opens a file for reading, in bytes. Errors: those of check_input(), and no permission to read.
 tl::expected<std::ifstream, std::string> open_input(const std::filesystem::path& path);
 
 }  // namespace files

@@ -20,7 +20,7 @@ bool lock(int descriptor) {
 }
 
 bool is_locked(const std::filesystem::path& path) {
-    // Not to wait for a FIFO that took the file's place.
+    // Non-blocking, in case a FIFO has replaced the file.
     const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (file < 0) return false;
     const bool free = lock_as(file, LOCK_SH);

@@ -4,11 +4,11 @@
 
 namespace files {
 
-// Makes this open file the writer of what it refers to, until it is closed, however its process ends. False:
-// another one is. A file system that knows no locks gives everybody the lock.
+// Makes this open file the only writer of its file, until it is closed, however its process ends. Returns
+// false if another writer exists. On a file system without locks it always succeeds.
 bool lock(int descriptor);
 
-// Somebody is the writer of that file.
+// Whether that file has a writer.
 bool is_locked(const std::filesystem::path& path);
 
 }  // namespace files

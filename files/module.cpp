@@ -18,7 +18,7 @@ const void* symbol_of_module(const char* file, const char* symbol) {
     const void* found = library == nullptr ? nullptr : dlsym(library, symbol);
     if (found == nullptr)
         throw std::runtime_error(
-            fmt::format("a part of the program cannot be loaded; install it anew ({})", dlerror()));
+            fmt::format("a module of the program cannot be loaded; reinstall the program ({})", dlerror()));
     return found;
 }
 

@@ -2,9 +2,9 @@
 
 namespace files {
 
-// Loads a part of this program that is a library of its own, ../lib/couloir/FILE seen from the program's
-// folder, and returns the address of `symbol` in it. Loaded libraries stay. Throws std::runtime_error if
-// there is no such part, because then the program is not installed whole.
+// Loads a module of this program, ../lib/couloir/FILE relative to the program's folder, and returns the
+// address of `symbol` in it. Modules stay loaded. Throws std::runtime_error if the module is missing, because
+// then the installation is incomplete.
 const void* symbol_of_module(const char* file, const char* symbol);
 
 }  // namespace files

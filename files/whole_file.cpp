@@ -38,7 +38,7 @@ tl::expected<WholeFile, std::string> WholeFile::open(const std::filesystem::path
         case Kind::kFolder:
             return tl::unexpected(fmt::format("{}: is a folder, not a file", path.string()));
         case Kind::kDescriptor:
-            std::fflush(nullptr);  // what was printed so far comes first
+            std::fflush(nullptr);  // flush earlier output first
             file.file_ = Descriptor(fcntl(destination.descriptor, F_DUPFD_CLOEXEC, 3));
             break;
         case Kind::kThrough:
@@ -52,7 +52,7 @@ tl::expected<WholeFile, std::string> WholeFile::open(const std::filesystem::path
     return file;
 }
 
-// Under a name that nobody has: what is called NAME.part may be somebody's.
+// Use an unused name, because NAME.part may belong to the user.
 Written WholeFile::open_beside() {
     constexpr int kMostTries = 1000;
     if (is_locked(target_)) return failed(kBeingWritten);

@@ -12,10 +12,9 @@ namespace files {
 
 using Written = tl::expected<void, std::string>;
 
-// A file that is whole or not there: written piece by piece beside its target, and renamed when it is
-// finished; one that is never finished goes with the object. A link to a file stays and its target is
-// replaced; a device, FIFO or descriptor of this process is written through. Errors: one sentence that names
-// the file as it was given.
+// An atomically written file: written piece by piece beside its target, and renamed when it is finished; the
+// destructor deletes an unfinished one. A link to a file stays and its target is replaced. A device, FIFO or
+// descriptor of this process is written through. An error is one sentence that names the file as given.
 class WholeFile {
   public:
     static tl::expected<WholeFile, std::string> open(const std::filesystem::path& path);
@@ -32,13 +31,13 @@ class WholeFile {
     tl::unexpected<std::string> failed(int number) const;
     tl::unexpected<std::string> failed(std::string_view fact) const;
 
-    std::filesystem::path path_;    // as it was given
-    std::filesystem::path target_;  // what it replaces; empty if written through
-    std::filesystem::path beside_;  // what goes if it is never finished
+    std::filesystem::path path_;    // as given
+    std::filesystem::path target_;  // the file that it replaces; empty if written through
+    std::filesystem::path beside_;  // deleted if never finished
     Descriptor file_;
 };
 
-// Writes a whole file at once.
+// Writes a whole file in one call.
 Written write(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace files

@@ -23,7 +23,7 @@ glm::dmat4 projection_matrix(const Camera& camera, double aspect) {
     m[0][0] = focal / aspect;
     m[1][1] = focal;
     m[2][3] = -1;
-    m[3][2] = kNear;  // reversed depth is as fine far away as near by, so it can stay where nothing is cut
+    m[3][2] = kNear;  // reversed depth is precise at any distance, so this near plane suits every scene
     return m;
 }
 

@@ -9,7 +9,7 @@ namespace render {
 // terrain's zero.
 struct Camera {
     glm::dvec3 target{0, 0, 0};     // m
-    double azimuth_deg = 200;       // where the camera stands, seen from the target: 0 north, 90 east
+    double azimuth_deg = 200;       // of the camera as seen from the target: 0 north, 90 east
     double elevation_deg = 35;      // above the horizon, −89.9 to 89.9
     double distance_m = 1000;       // > 0
     double field_of_view_deg = 35;  // vertical, 5 to 120

@@ -8,18 +8,17 @@
 
 namespace render {
 
-// Of the context that is current, whoever made it: "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa
-// 22.3.6".
+// Describes the current context: "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa 22.3.6".
 std::string renderer_name();
-// Whether that context draws on the processor (llvmpipe, softpipe, swrast), so that resolution and quality
-// are dear.
+// Whether the current context draws on the CPU (llvmpipe, softpipe, swrast), where resolution and quality are
+// expensive.
 bool is_software_renderer();
 
-// An OpenGL 4.5 core context without a window, through EGL, current on the thread that made it.
+// Creates an OpenGL 4.5 core context without a window, through EGL, current on the thread that creates it.
 class HeadlessContext {
   public:
     // `which`: "auto" (a hardware device if there is one, else surfaceless), "surfaceless", "device" or
-    // "device:N". Errors: one sentence that says what was tried and what is missing.
+    // "device:N". An error is one sentence that says what was tried and what is missing.
     static tl::expected<HeadlessContext, std::string> create(std::string_view which);
     ~HeadlessContext();
     HeadlessContext(HeadlessContext&&) noexcept;

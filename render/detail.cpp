@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kTexels = kDetailSize * kDetailSize;
 
-// Sharp crests, each octave stronger where the one before is high: fractured stone.
+// Sharp crests like fractured stone. Each octave is stronger where the previous one is high.
 float rock(float u, float v) {
     float sum = 0, weight = 0.55f, carry = 1;
     const float bend = 0.06f * fractal_noise(u, v, 4, 91), bend_v = 0.06f * fractal_noise(u, v, 4, 92);
@@ -27,7 +27,7 @@ float rock(float u, float v) {
     return sum;
 }
 
-// Domes scattered over a lattice; the highest one counts.
+// Domes scattered over a lattice. The highest dome at a point counts.
 float domes(float u, float v, int period, std::uint32_t seed) {
     const float x = u * period, y = v * period;
     const int ix = static_cast<int>(x), iy = static_cast<int>(y);
@@ -49,13 +49,13 @@ float clumps(float u, float v) {
            0.2f * fractal_noise(u, v, 8, 37);
 }
 
-// Of a texel; the tile goes on beyond its edges.
+// Index of a texel. The tile repeats beyond its edges.
 std::size_t index(int x, int y) {
     return static_cast<std::size_t>(y % kDetailSize) * kDetailSize +
            static_cast<std::size_t>(x % kDetailSize);
 }
 
-// Heights of one layer, stretched to 0 to 1.
+// Heights of one layer, scaled to 0 to 1.
 std::vector<float> heights(const std::function<float(float, float)>& height) {
     std::vector<float> h(kTexels);
     for (int y = 0; y < kDetailSize; ++y) {
@@ -72,7 +72,7 @@ std::uint8_t to_byte(float share) {
     return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.f, 1.f)));
 }
 
-// `steepness` brings the layer's slopes, per texel, to about −1 to 1.
+// `steepness` scales the layer's slopes, per texel, to about −1 to 1.
 void append_layer(std::vector<std::uint8_t>& texels, const std::vector<float>& h,
                   const std::vector<float>& broad, float steepness) {
     const auto at = [&h](int x, int y) { return h[index(x, y)]; };

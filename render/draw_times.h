@@ -5,25 +5,25 @@
 
 namespace render {
 
-// Milliseconds that the stages of a frame took.
+// Milliseconds that each stage of a frame took.
 struct DrawTimes {
-    double upload_ms = 0;  // fields of the world, and coordinates of what it carries, sent
-    double remesh_ms = 0;  // its mesh cut along the fronts
+    double upload_ms = 0;  // uploading the world's fields and the coordinates of advected textures
+    double remesh_ms = 0;  // cutting the flow's mesh along its fronts
     double draw_ms = 0;    // all passes
 };
 
-// How they are told apart.
+// How the stages are timed.
 enum class Timing {
     kNone,
-    kFinish,   // by the wall clock around glFinish: where the processor draws, that is the work itself
-    kQueries,  // by stamps that the GPU takes when it has done what came before
+    kFinish,   // by the wall clock around glFinish; with a CPU renderer this is the work itself
+    kQueries,  // by GPU timestamps taken when the preceding work is done
 };
 std::string_view to_string(Timing timing);  // for people: "wall time around glFinish"
 
-// What suits the context that is current.
+// The timing that suits the current context.
 Timing suitable_timing();
 
-// What a log tells of frames that were timed.
+// What a log reports about timed frames.
 struct DrawnBy {
     std::string renderer, quality;
     Timing timing = Timing::kNone;

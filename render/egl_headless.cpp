@@ -48,7 +48,7 @@ bool is_hardware(EGLDeviceEXT device) {
            std::string_view(extensions).find("EGL_MESA_device_software") == std::string_view::npos;
 }
 
-// A current 4.5 core context on a display, or what is missing, naming the way that was tried.
+// Makes a 4.5 core context on a display current. An error names what is missing and the way that was tried.
 Outcome make_current(EGLDisplay display, const std::string& way) {
     const auto missing = [&](const char* what) { return tl::unexpected(fmt::format("{}: {}", way, what)); };
     if (display == EGL_NO_DISPLAY) return missing("no EGL display");
@@ -113,8 +113,8 @@ Outcome open(std::string_view which) {
         auto [stopped, error] = std::from_chars(which.data() + kPrefix.size(), end, index);
         if (error == std::errc{} && stopped == end) return open_device(index);
     }
-    return tl::unexpected(
-        fmt::format("'{}' is no way to OpenGL: auto, surfaceless, device or device:N", which));
+    return tl::unexpected(fmt::format(
+        "'{}' is not a headless OpenGL backend: use auto, surfaceless, device or device:N", which));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 
 static_assert(SITE_DRAIN == static_cast<int>(sim::Site::kDrain));
 
-// Bits, not values: a NaN is equal to itself.
+// Compares bits, not values, so that a NaN equals itself.
 template <class T>
 bool same_inside(const sim::Field<T>& a, const sim::Field<T>& b) {
     for (int y = 0; y < a.ny(); ++y) {
@@ -23,7 +23,7 @@ bool same_inside(const sim::Field<T>& a, const sim::Field<T>& b) {
 template <class T>
 void send(const Texture& texture, const sim::Field<T>& field, GLenum format, GLenum type) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, field.stride());  // rows of a field carry halo and padding
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, field.stride());  // a field's rows include halo and padding
     glTextureSubImage2D(texture.name(), 0, 0, 0, field.nx(), field.ny(), format, type, field.row(0));
     glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
@@ -47,8 +47,8 @@ bool FieldsToGpu::upload(const sim::View& world) {
     return changed;
 }
 
-// Where nothing rolls, or nothing lies, it is as beside it: so that the edge of a layer is of the layer's
-// colour.
+// Where a layer is empty, its mixture is copied from the neighbouring vertices, so that the layer keeps its
+// colour up to its edge.
 void FieldsToGpu::send_mixture(const sim::View& world) {
     const int nx = world.grid.nx, ny = world.grid.ny;
     const auto shares_near = [&](int x, int y, const sim::Field<float>& layer, auto&& share_at) {

@@ -9,11 +9,13 @@
 
 namespace render {
 
-// The world's fields as textures, one texel per vertex without the halo, at the units of slots.glsl. Layers
-// and velocities are sent every time, bedrock and sites only when they are not those sent last.
+// Uploads the world's fields as textures, one texel per vertex without the halo, to the texture units of
+// slots.glsl. Layers and velocities are sent every time, bedrock and sites only if they changed since the
+// last upload.
 class FieldsToGpu {
   public:
-    // Sends what changed. True if the terrain did, and with it perhaps the size of every texture.
+    // Uploads what changed. Returns true if the terrain changed, and with it perhaps the size of every
+    // texture.
     bool upload(const sim::View& world);
     void bind() const;
 
@@ -26,12 +28,12 @@ class FieldsToGpu {
     void send_mixture(const sim::View& world);
 
     sim::Grid grid_;
-    sim::Field<float> bedrock_;  // as sent last
+    sim::Field<float> bedrock_;  // as uploaded last
     sim::Field<sim::Site> site_;
     HeightRange heights_;
     Texture bedrock_texture_, depth_texture_, rolling_texture_, velocity_x_texture_, velocity_y_texture_,
         site_texture_, mixture_texture_;
-    std::vector<std::uint8_t> mixture_;  // as sent: two shares per vertex, 0 to 255
+    std::vector<std::uint8_t> mixture_;  // as uploaded: two shares per vertex, 0 to 255
 };
 
 }  // namespace render

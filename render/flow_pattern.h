@@ -6,7 +6,7 @@
 
 namespace render {
 
-// What a flow can carry. assets/textures holds one of each name, and tells how they were made.
+// Patterns that a flow can advect. assets/textures holds a texture for each name and says how it was made.
 enum class FlowPattern { kCheckerboard, kStones, kPerlin, kSnow, kSoil };
 
 inline constexpr std::array<std::string_view, 5> kFlowPatterns{"checkerboard", "stones", "perlin", "snow",
@@ -16,7 +16,7 @@ static_assert(kFlowPatterns[static_cast<std::size_t>(FlowPattern::kSoil)] == "so
 constexpr std::string_view to_string(FlowPattern pattern) {
     return kFlowPatterns[static_cast<std::size_t>(pattern)];
 }
-// Whether copies of it are blended by height before they get their colour (assets/textures/README.md).
+// Whether copies of the pattern are blended by height before they are coloured (assets/textures/README.md).
 constexpr bool is_stochastic(FlowPattern pattern) {
     return pattern == FlowPattern::kPerlin || pattern == FlowPattern::kSnow || pattern == FlowPattern::kSoil;
 }

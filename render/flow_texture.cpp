@@ -13,7 +13,7 @@
 namespace render {
 namespace {
 
-// From −1 … 1, so that 0 is a byte: what is level is level.
+// Maps −1 … 1 so that 0 is exactly a byte: level ground stays level.
 std::uint8_t slope_to_byte(float share) {
     return static_cast<std::uint8_t>(128 + std::lround(127 * std::clamp(share, -1.f, 1.f)));
 }
@@ -34,7 +34,7 @@ std::vector<std::uint8_t> grain_of(const Texels& normal, const Texels& height) {
     return grain;
 }
 
-// Repeats, and is seen from afar as what it is on average.
+// Creates a texture that repeats and has mipmaps.
 Texture texture_of(GLenum format, GLenum layout, int width, int height,
                    const std::vector<std::uint8_t>& texels) {
     const int levels = 1 + static_cast<int>(std::floor(std::log2(std::max(width, height))));

@@ -11,15 +11,15 @@
 
 namespace render {
 
-// A pattern as shaders ask for it.
+// A pattern as the shaders read it.
 struct FlowTexture {
     Texture grain;    // slopes and height
     Texture colours;  // its own, or one for each height
-    // True: sheets are blended by height before they get their colour. False: one of them is seen at a place.
+    // True: copies are blended by height before they are coloured. False: one copy shows at each place.
     bool stochastic = false;
     glm::vec3 mean{0};  // colour, linear light
 
-    // `assets` is the folder that holds textures/. Errors: a file that is missing or is no such picture.
+    // `assets` is the folder that holds textures/. Fails if a file is missing or is not such an image.
     static tl::expected<FlowTexture, std::string> load(const std::filesystem::path& assets,
                                                        FlowPattern pattern);
     void bind() const;

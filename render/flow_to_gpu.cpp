@@ -9,7 +9,7 @@ namespace {
 
 using sim::front::TextureLayers;
 
-// Laid out as flow.vert has them.
+// The layout that flow.vert expects.
 static_assert(sizeof(TextureLayers::Offsets) == 6 * 2 * sizeof(float));
 static_assert(sizeof(TextureLayers::Mix) == 4 * sizeof(float));
 static_assert(sizeof(TextureLayers::Gradients) == 6 * 4 * sizeof(float));
@@ -40,7 +40,7 @@ void FlowToGpu::upload(const sim::front::FlowView& flow) {
     }
     const int count = static_cast<int>(vertices);
     for (int v = 0; v < count; ++v) of_vertex_[v] = {-1, flow.deposit(v), v};
-    // What has come to lie goes on by a vertex, or its texture would be drawn out to that of untouched
+    // The deposit is extended by one vertex. Otherwise its texture would be stretched to that of untouched
     // ground.
     for (int v = 0; v < count; ++v)
         if (of_vertex_[v].deposit > 0)

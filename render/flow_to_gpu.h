@@ -7,7 +7,7 @@
 
 namespace render {
 
-// A flow's coordinates as buffers, at the slots that flow.vert reads.
+// Uploads a flow's texture coordinates as buffers, to the slots that flow.vert reads.
 class FlowToGpu {
   public:
     void upload(const sim::front::FlowView& flow);
@@ -17,9 +17,9 @@ class FlowToGpu {
     Buffer offsets_, mixes_, vertex_buffer_, gradients_;
     std::size_t vertices_ = 0, gradients_fit_ = 0;
     struct OfVertex {
-        int beside;     // its place among those beside a front, −1: it is not
+        int beside;     // its index among the vertices beside a front, −1: not beside one
         float deposit;  // m
-        int shows;      // whose texture it shows: its own; where nothing moved, that of what lies beside it
+        int shows;      // the vertex whose texture shows: itself, or a neighbour in the deposit
     };
     std::vector<OfVertex> of_vertex_;
 };

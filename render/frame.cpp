@@ -39,7 +39,7 @@ struct Renderer::Parts {
     std::filesystem::path assets;
     StageClock clock;
 
-    // What the colours of a flow's texture are multiplied with: a rolling layer keeps its own on the whole.
+    // The factor for the colours of a flow's texture. A rolling layer keeps its own mean colour.
     glm::vec3 flow_tint(const Look& look, const Marks& marks) const {
         if (look.flow->everywhere || marks.overlay == Overlay::kStretch) return glm::vec3(1);
         return look.rolling / flow.mean_colour(look.flow->pattern);
@@ -93,12 +93,12 @@ void Renderer::draw(const sim::View& world, const Camera& camera, const Light& l
                     const Marks& marks, int width, int height, const sim::front::FlowView* flow) {
     Parts& p = *parts_;
     const int samples = samples_of(p.quality);
-    const ScopedState state;  // whoever shares the context finds it as it was
+    const ScopedState state;  // restores the state for other users of the context
 
-    const bool flows = look.flow && flow;  // and then what it carries is seen
+    const bool flows = look.flow && flow;  // the advected texture is visible
     p.clock.begin();
 
-    // The world first: everything below reads these textures, and only they change with the state.
+    // Upload the world first: everything below reads these textures, and only they change with the state.
     const bool new_terrain = p.fields.upload(world);
     const FrameBlock frame =
         make_frame_block(world, p.fields.heights(), camera, light, look, marks, {width, height, samples},
@@ -109,12 +109,12 @@ void Renderer::draw(const sim::View& world, const Camera& camera, const Light& l
     if (flows) p.flow.send(*flow);
     p.clock.mark();
 
-    // What changed along the fronts since the frame before.
+    // Apply what changed along the fronts since the last frame.
     if (flows) p.flow.cut(*flow, world.grid);
     p.clock.mark();
 
-    // What hangs on the bedrock alone is worked out once, here, because it needs the fields and the frame
-    // block.
+    // Data that depends only on the bedrock is computed here, once per terrain, because it needs the fields
+    // and the frame block.
     if (new_terrain) {
         p.terrain.send_mesh(ground_mesh(world.grid, world.site));
         p.surface.resize(world.grid);
@@ -122,34 +122,33 @@ void Renderer::draw(const sim::View& world, const Camera& camera, const Light& l
         p.surface.survey_terrain();
     }
 
-    // Heights, slopes and shares of the layers: once per vertex, before the two that read them.
+    // Compute heights, slopes and shares of the layers once per vertex, before the two passes that read them.
     p.surface.run();
     p.surface.bind();
 
-    // The sun's sweep needs the surface of this very frame, since a heap throws a shadow too.
+    // The sun sweep needs the surface of this frame, because heaps cast shadows too.
     p.shadow.run(frame);
     p.shadow.bind();
 
-    // Depth before shading, which is dear.
+    // Draw depth first, because shading is expensive.
     p.target.resize(width, height, samples);
     p.target.begin_scene();
     p.terrain.draw_depth();
 
-    // What a flow carries, where no hill hides it: its colours, not yet lit, so that terrain and flow are lit
-    // as one.
+    // Draw the visible colours of the flow unlit, so that terrain and flow are lit together.
     if (flows) p.flow.draw(look.flow->pattern, marks.overlay, p.target);
 
-    // Each pixel once, however many triangles lie under it.
+    // Shade each pixel once, whatever the number of triangles under it.
     p.target.begin_shading();
     p.terrain.shade(marks);
 
     if (flows && marks.flow_mesh) p.flow.draw_mesh(samples);
 
-    // Walls hide surface behind them, and the sky shows only where neither is.
+    // Draw the walls, which hide surface behind them, then the sky where neither was drawn.
     p.terrain.draw_walls();
     p.sky.draw_behind();
 
-    // Last, because light adds up only while it is linear.
+    // Tone mapping is last, because light adds up only while it is linear.
     p.target.begin_picture();
     p.tone.draw_encoded();
     p.clock.mark();

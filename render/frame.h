@@ -20,12 +20,12 @@ namespace render {
 
 enum class Quality {
     kFast,  // one sample per pixel
-    kFine,  // two by two, for exported pictures: three to four times the time without a GPU
+    kFine,  // two by two, for exported images: takes three to four times as long without a GPU
 };
 
-// Draws a world. Needs a current GL 4.5 context, from headless EGL or a window, for as long as it lives.
-// Views are read, never kept; nothing flows back into the simulation. A frame depends on the arguments of
-// draw() alone.
+// Draws a world. Needs a current GL 4.5 context, from headless EGL or a window, throughout its lifetime.
+// Views are read, never kept, and rendering never affects the simulation. A frame depends only on the
+// arguments of draw().
 class Renderer {
   public:
     // `assets` is the folder that holds shaders/. Errors name the shader file and line.
@@ -35,33 +35,34 @@ class Renderer {
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
-    // Before a look with this pattern is drawn, once. Errors: its pictures are missing or damaged.
+    // Loads a pattern. Call it once before a look with this pattern is drawn. Fails if an image is missing or
+    // damaged.
     tl::expected<void, std::string> load(FlowPattern pattern);
 
-    // For the frames to come.
+    // Sets the quality of the following frames.
     void set_quality(Quality quality);
 
-    // All passes, in order, into an offscreen target of the given size in pixels, > 0. `flow` is drawn as
-    // look.flow says; its mesh is the heightfield of the world's grid. Without either nothing carries a
-    // texture. GL's state is left as it was found, but for bindings of texture units, which are emptied, and
-    // of uniform block and image units. Allocates nothing while size, quality and terrain are those of the
-    // frame before.
+    // Runs all passes, in order, into an offscreen target of the given size in pixels, > 0. `flow` is drawn
+    // as look.flow says; its mesh is the heightfield of the world's grid. Without either, no texture is
+    // advected. GL state is restored, except that texture units are left empty and bindings of uniform blocks
+    // and image units may change. Allocates nothing while size, quality and terrain are those of the last
+    // frame.
     void draw(const sim::View& world, const Camera& camera, const Light& light, const Look& look,
               const Marks& marks, int width, int height, const sim::front::FlowView* flow = nullptr);
 
-    // The last drawn frame, top row first, sRGB 8 bit, 3 channels. Waits for the frame.
+    // Returns the last drawn frame, top row first, sRGB 8 bit, 3 channels. Waits for the frame.
     Picture read_back() const;
 
-    // The last drawn frame, stretched over a framebuffer (0 is the window's) of the given size in pixels,
-    // which is left bound for what is drawn on top.
+    // Stretches the last drawn frame over a framebuffer (0 is the window's) of the given size in pixels. The
+    // framebuffer stays bound for what is drawn on top.
     void show_on(unsigned framebuffer, int width, int height) const;
 
-    // From the next frame on, or no longer. Costs what it waits for.
+    // Sets the timing from the next frame on. Timing adds the cost of its waits.
     void time_stages(Timing timing);
-    // Of the last frame, for which it waits. Nothing where none was timed.
+    // Times of the last frame; waits for it. Empty if it was not timed.
     std::optional<DrawTimes> stage_times() const;
 
-    // Until GL has done all that it was told.
+    // Waits until GL has finished all commands.
     void wait() const;
 
   private:

@@ -16,14 +16,14 @@ static_assert(OVERLAY_ROLLING == static_cast<int>(Overlay::kRolling));
 static_assert(OVERLAY_SPEED == static_cast<int>(Overlay::kSpeed));
 static_assert(OVERLAY_STRETCH == static_cast<int>(Overlay::kStretch));
 
-constexpr double kDetailTilesPerSide = 9;  // the detail texture repeats so often along the longer side
+constexpr double kDetailTilesPerSide = 9;  // repeats of the detail texture along the longer side
 constexpr double kHazeBegins = 0.85;       // of the camera's distance
 constexpr double kHazeLength = 6.0;        // in longer sides
-constexpr double kHighestSun = 89;         // degrees; straight down the light has no direction to sweep along
+constexpr double kHighestSun = 89;         // degrees; at 90 there is no horizontal direction to sweep along
 constexpr double kLowestSun = 1;           // degrees
 
-// The sun's way over the grid: see shadow.comp. Its rows lie across the larger horizontal part of its
-// direction.
+// Sets the sun sweep over the grid, see shadow.comp. Its rows run across the larger horizontal component of
+// the sun's direction.
 void set_sweep(FrameBlock& block, const sim::Grid& grid) {
     const glm::dvec2 toward = glm::normalize(glm::dvec2(block.sun));
     const bool rows_are_columns = std::abs(toward.x) > std::abs(toward.y);
@@ -64,7 +64,8 @@ void set_marks(FrameBlock& block, const Marks& marks, HeightRange heights, doubl
         block.ring_colour = glm::vec4(marks.ring->colour, 0);
     }
     if (marks.contours) {
-        // Counted from the fifth below the datum: a float that starts at sea level would have no digits left.
+        // Measured from the fifth contour below the lowest height: a float measured from sea level would lose
+        // its precision.
         const double interval = contour_interval(heights), five = 5 * interval;
         block.contours = glm::dvec4(1 / interval, (datum - five * std::floor(datum / five)) / interval, 0, 0);
     }

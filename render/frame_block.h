@@ -15,8 +15,8 @@
 
 namespace render {
 
-// What every shader may ask about a frame: the other half of assets/shaders/frame.glsl, member for member
-// (std140), which says what each holds.
+// The per-frame uniform block of every shader. Its members match assets/shaders/frame.glsl (std140), which
+// says what each holds.
 struct FrameBlock {
     glm::mat4 clip_from_world;
     glm::vec4 eye;
@@ -35,17 +35,17 @@ struct FrameBlock {
 };
 static_assert(sizeof(FrameBlock) == 64 + (22 + MOST_STOPS) * 16);
 
-// The largest `size.z` that any light needs on a grid: rays of the sun's sweep.
+// The largest `size.z` that any light needs on a grid: rays of the sun sweep.
 int most_rays(const sim::Grid& grid);
-// The largest `size.w`: rows of the sun's sweep.
+// The largest `size.w`: rows of the sun sweep.
 int most_rows(const sim::Grid& grid);
 
-// What a frame is drawn into: pixels, and samples along the edge of one.
+// The size of a frame: pixels, and samples along the edge of a pixel.
 struct FrameSize {
     int width = 0, height = 0, samples = 1;
 };
 
-// `flow_tint`: what the colours of the texture that a flow carries are multiplied with; none: none is seen.
+// `flow_tint`: the factor for the colours of the advected texture. None: no texture is shown.
 FrameBlock make_frame_block(const sim::View& world, HeightRange heights, const Camera& camera,
                             const Light& light, const Look& look, const Marks& marks, FrameSize size,
                             const std::optional<glm::vec3>& flow_tint);

@@ -35,11 +35,11 @@ tl::expected<void, std::string> FrameWriter::finish() {
     return {};
 }
 
-// An exception must not leave the thread.
+// Catches exceptions, because none may leave the thread.
 tl::expected<void, std::string> FrameWriter::write(const Job& job) {
     try {
         return write_png(job.picture, job.path);
-    } catch (const std::exception& thrown) {  // such as no memory
+    } catch (const std::exception& thrown) {  // such as out of memory
         return tl::unexpected(job.path.string() + ": cannot be written: " + thrown.what());
     }
 }

@@ -15,21 +15,22 @@
 
 namespace render {
 
-// Writes PNGs on a thread of its own, in the order in which they were given, because a picture takes longer
-// to write than to draw. Used from one thread.
+// Writes PNGs on its own thread, in the order given, because an image takes longer to write than to draw. Use
+// it from one thread.
 class FrameWriter {
   public:
-    // `capacity`: pictures that may wait, ≥ 1; a 1280×720 picture takes 2.8 MB.
+    // `capacity`: images that may wait, ≥ 1. A 1280×720 image takes 2.8 MB.
     explicit FrameWriter(std::size_t capacity = 4);
-    ~FrameWriter();  // writes what waits; call finish() to hear of errors
+    ~FrameWriter();  // writes the queued images; call finish() to get errors
     FrameWriter(const FrameWriter&) = delete;
     FrameWriter& operator=(const FrameWriter&) = delete;
 
-    // Waits while the queue is full. After an error, pictures are dropped: finish() says why.
+    // Queues an image. Waits while the queue is full. After an error, images are dropped and finish() returns
+    // the error.
     void submit(Picture picture, std::filesystem::path path);
 
-    // Waits until all is written. The first error, a sentence that names the file. Nothing may be submitted
-    // afterwards.
+    // Waits until all images are written. Returns the first error, a sentence that names the file. Submit
+    // nothing afterwards.
     tl::expected<void, std::string> finish();
 
   private:
@@ -42,7 +43,7 @@ class FrameWriter {
     void write_all();
 
     std::size_t capacity_;
-    std::mutex mutex_;  // guards the four below
+    std::mutex mutex_;  // guards the next four members
     std::condition_variable changed_;
     std::deque<Job> waiting_;
     bool closing_ = false;

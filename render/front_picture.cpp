@@ -15,7 +15,7 @@ namespace {
 
 using sim::front::Mesh;
 
-// Palette of Okabe and Ito, which colour-blind people can read.
+// The palette of Okabe and Ito, which colour-blind people can distinguish.
 constexpr glm::vec3 kEdge{196, 196, 196}, kCut{253, 231, 196}, kFront{0, 114, 178}, kPoint{213, 94, 0};
 constexpr float kMargin = 16;  // pixels
 
@@ -47,7 +47,7 @@ Picture front_picture(const sim::front::Tracker& tracker, int width, int height)
     }
     for (const auto& [a, b] : mesh.edge)
         sheet.line(on_sheet(mesh.position[a]), on_sheet(mesh.position[b]), 1, kEdge);
-    // A front runs from point to point within a triangle; of three, through their mean.
+    // A front runs from point to point within a triangle. Three points are joined through their mean.
     for (const auto& edges : mesh.triangle_edge) {
         std::array<glm::vec2, 3> at;
         int count = 0;

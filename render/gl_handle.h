@@ -6,8 +6,8 @@
 
 namespace render {
 
-// The one owner of a GL name; deletes it. Move-only; empty after a move. The context that made the name must
-// be current when the handle dies.
+// Owns a GL name and deletes it. Move-only, empty after a move. The context that created the name must be
+// current when the handle is destroyed.
 template <class Delete>
 class GlHandle {
   public:
@@ -68,10 +68,11 @@ using Renderbuffer = GlHandle<DeleteRenderbuffer>;
 using ShaderName = GlHandle<DeleteShader>;
 using ProgramName = GlHandle<DeleteProgram>;
 
-// A 2D texture of one level, clamped to its edge. `filter` is GL_NEAREST or GL_LINEAR.
+// Creates a 2D texture of one level, clamped to its edge. `filter` is GL_NEAREST or GL_LINEAR.
 Texture make_texture(GLenum format, int width, int height, GLint filter);
 Buffer make_buffer();
-// Of a size that stays, in bytes, and bound for shaders. Without `data` what it holds is anything.
+// Creates a storage buffer of a fixed size in bytes, bound for shaders. Without `data` its contents are
+// undefined.
 Buffer make_storage(std::size_t bytes, const void* data = nullptr);
 void bind_storage(GLuint slot, const Buffer& buffer);
 VertexArray make_vertex_array();

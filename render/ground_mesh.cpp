@@ -8,7 +8,7 @@
 namespace render {
 namespace {
 
-// Squares are drawn in bands so narrow that a GPU still holds the row below when it draws the row above.
+// Squares are drawn in bands narrow enough that a GPU still caches the row below when it draws the row above.
 constexpr int kBand = 12;
 
 //   d ─── c     upper triangle a c d
@@ -50,8 +50,7 @@ void add_square(GroundMesh& mesh, const Squares& squares, int x, int y) {
 }  // namespace
 
 double block_depth(const sim::Grid& grid) {
-    constexpr double kShare =
-        0.06;  // of the longer side: thick enough to be seen as a block, thin beside a mountain
+    constexpr double kShare = 0.06;  // of the longer side: visibly a block, but thin beside a mountain
     return kShare * grid.dx * (std::max(grid.nx, grid.ny) - 1);
 }
 

@@ -8,15 +8,15 @@
 
 namespace render {
 
-// The block that the world is cut from, as indices of triangles, counter-clockwise from outside. An index is
-// a vertex of the grid: its x and y in 15 bits each, so that a shader finds them without a division, and a
-// flag for the base of the block beneath it.
+// The block of terrain as indices of triangles, counter-clockwise from outside. An index encodes a vertex of
+// the grid: its x and y in 15 bits each, so that a shader decodes them without a division, and a flag for the
+// base of the block beneath it.
 struct GroundMesh {
     std::vector<std::uint32_t> surface;
-    std::vector<std::uint32_t> walls;  // along every edge where the surface ends: borders and no-data
+    std::vector<std::uint32_t> walls;  // along every edge of the surface: borders and no-data
 };
 
-// How far below the lowest bedrock the block reaches, m.
+// Depth of the block's base below the lowest bedrock, m.
 double block_depth(const sim::Grid& grid);
 
 std::uint32_t surface_index(int x, int y);

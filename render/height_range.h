@@ -4,12 +4,12 @@
 
 namespace render {
 
-// Lowest and highest bedrock where there is ground, m above datum.
+// Lowest and highest bedrock, without no-data vertices, m above datum.
 struct HeightRange {
     float lowest = 0, highest = 0;
 };
 
-// Of a whole world: one look at every vertex. Both 0 where there is no ground at all.
+// Scans every vertex of a world. Both heights are 0 if there is no ground at all.
 HeightRange height_range(const sim::View& world);
 
 }  // namespace render

@@ -10,20 +10,20 @@ namespace render {
 
 // Colours are linear-light sRGB primaries, 0 to 1.
 struct Light {
-    double azimuth_deg = 135;   // where the sun stands: 0 north, 90 east
+    double azimuth_deg = 135;   // of the sun: 0 north, 90 east
     double elevation_deg = 40;  // above the horizon, 1 to 90
     bool operator==(const Light&) const = default;
 };
 
-// How material looks that carries a texture with it.
+// The look of material that advects a texture.
 struct FlowLook {
     FlowPattern pattern = FlowPattern::kSnow;
     double repeats = 9;       // tiles along the longer side of the terrain, > 0
-    bool everywhere = false;  // all ground flows; else what is seen of the rolling layer, in its colour
+    bool everywhere = false;  // texture all ground as flow; else only the rolling layer, in its colour
     bool operator==(const FlowLook&) const = default;
 };
 
-// How ground and material look: data of a scene and its material, never of the simulation.
+// The look of ground and material. It belongs to a scene and its material, never to the simulation.
 struct Look {
     glm::vec3 rock{0.23f, 0.21f, 0.20f};            // steep bare ground
     glm::vec3 meadow{0.16f, 0.20f, 0.08f};          // gentle bare ground
@@ -34,9 +34,8 @@ struct Look {
     float roughness = 0.5f;           // 0 to 1, strength of the rolling layer's small-scale relief
     float cover_visible_m = 0.05f;    // depth at which the standing layer hides the ground, m, > 0
     float rolling_visible_m = 0.05f;  // depth at which the rolling layer is drawn, m, ≥ 0.001
-    float detail =
-        1;  // 0 to 1, strength of all small-scale relief and variation of colour; 0 draws plain colours
-    std::optional<FlowLook> flow;  // none: nothing carries a texture
+    float detail = 1;  // 0 to 1, strength of all small-scale relief and colour variation; 0: plain colours
+    std::optional<FlowLook> flow;  // none: no texture is advected
 };
 
 }  // namespace render

@@ -4,8 +4,8 @@
 #include "render/picture.h"
 #include "render/texture_recipes.h"
 
-// make_textures FOLDER: writes every picture of every recipe into a folder that is there. 1 where one cannot
-// be written, 2 without a folder.
+// make_textures FOLDER: writes every image of every recipe into an existing folder. Exit status 1 if an image
+// cannot be written, 2 without a folder.
 int main(int count, char** arguments) {
     if (count != 2) {
         std::fputs("make_textures FOLDER\n", stderr);

@@ -8,8 +8,8 @@
 namespace render {
 namespace {
 
-// Classes of the Swiss, Austrian and French slope maps. Each is darker than the one before it, so that their
-// order is seen without hues.
+// Classes of the Swiss, Austrian and French slope maps. Each is darker than the previous one, so that their
+// order shows without hue.
 constexpr std::array<LegendStop, 4> kSlope{{
     {30, {0.98f, 0.87f, 0.30f}},
     {35, {0.95f, 0.57f, 0.16f}},
@@ -17,9 +17,9 @@ constexpr std::array<LegendStop, 4> kSlope{{
     {45, {0.40f, 0.19f, 0.52f}},
 }};
 
-// Viridis at six even steps (van der Walt and Smith 2015, public domain): even steps of lightness, and of hue
-// for people without one kind of cone. Both layers have one scale, so that they can be compared; it nearly
-// doubles from step to step, because a film that flows and a deposit of metres are both worth seeing.
+// Viridis at six even steps (van der Walt and Smith 2015, public domain). Its steps of lightness are even,
+// and so are its hues for people with colour-vision deficiency. Both layers share one scale so that they can
+// be compared. The scale nearly doubles at each step, to show both thin flows and deposits of metres.
 constexpr std::array<LegendStop, 6> kDepth{{
     {0.1f, {0.267f, 0.005f, 0.329f}},
     {0.2f, {0.254f, 0.265f, 0.530f}},
@@ -29,8 +29,8 @@ constexpr std::array<LegendStop, 6> kDepth{{
     {5.0f, {0.993f, 0.906f, 0.144f}},
 }};
 
-// Plasma at six even steps, of the same authors and made the same way; other hues, so that a speed is not
-// taken for a depth. From creeping soil to dry snow at full speed.
+// Plasma at six even steps, by the same authors and with the same method. Its hues differ, so that a speed is
+// not mistaken for a depth. The range spans creeping soil to dry snow at full speed.
 constexpr std::array<LegendStop, 6> kSpeed{{
     {0, {0.050f, 0.030f, 0.528f}},
     {2, {0.417f, 0.001f, 0.658f}},
@@ -40,7 +40,7 @@ constexpr std::array<LegendStop, 6> kSpeed{{
     {40, {0.940f, 0.975f, 0.131f}},
 }};
 
-// Of no stretch at all little is seen; twice as long as wide is seen by everybody.
+// A stretch near 1 shows faintly; a stretch of 2 shows clearly.
 constexpr std::array<LegendStop, 5> kStretch{{
     {1, {0.93f, 0.93f, 0.93f}},
     {1.25f, {0.98f, 0.87f, 0.55f}},

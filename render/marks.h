@@ -10,17 +10,17 @@
 
 namespace render {
 
-// Ground coloured by what it measures, instead of by what it is made of.
+// A quantity that colours the ground in place of its material.
 enum class Overlay {
     kNone,
-    kSlope,     // classes of the surface's steepness as avalanche services colour them
+    kSlope,     // classes of the surface's steepness, in the colours of avalanche services
     kStanding,  // depth of the standing layer
     kRolling,   // depth of the rolling layer
     kSpeed,     // of the rolling layer
-    kStretch,   // how much textures that a flow carries are drawn out: greatest over least stretch
+    kStretch,   // distortion of the textures that a flow advects: greatest over least stretch
 };
 
-// A circle around a place, laid onto the surface.
+// A circle around a place, draped on the surface.
 struct Ring {
     glm::dvec2 centre{0};  // m
     double radius = 10;    // m, > 0, in plan
@@ -28,10 +28,10 @@ struct Ring {
     bool operator==(const Ring&) const = default;
 };
 
-// What is drawn onto the ground for a person and is no part of how it looks.
+// Annotations on the ground for the viewer, separate from its look.
 struct Marks {
     Overlay overlay = Overlay::kNone;
-    bool contours = false;   // lines of equal height, contour_interval() apart, every fifth of them heavier
+    bool contours = false;   // lines of equal height, contour_interval() apart, every fifth one heavier
     bool flow_mesh = false;  // edges of a flow's cut mesh, its fronts and their points
     std::optional<Ring> ring = std::nullopt;
     bool operator==(const Marks&) const = default;
@@ -43,22 +43,22 @@ struct LegendStop {
     glm::vec3 colour;  // sRGB, 0 to 1
 };
 
-// What the colours of an overlay mean. The picture is drawn from this very table: level ground in the sun has
-// exactly these colours, shadow darkens them to a half and a slope toward the sun is a little lighter.
+// What the colours of an overlay mean. Rendering uses this same table: level sunlit ground has exactly these
+// colours, shadow halves them and a slope toward the sun is slightly lighter.
 struct Legend {
-    // Rising; at most MOST_STOPS of slots.glsl. Below the first stop the ground shows as it is (where not
-    // stepped, it fades from half of that value on); above the last one that one's colour goes on.
+    // Rising values; at most MOST_STOPS of slots.glsl. Below the first stop the ground's own colour shows. If
+    // not stepped, it fades from half of the first value on. Above the last stop its colour continues.
     std::span<const LegendStop> stops;
-    const char* unit;  // of the values; valid for ever
-    // True: a stop's colour holds up to the next stop. False: colours between stops are mixed in proportion,
+    const char* unit;  // of the values; a string literal
+    // True: a stop's colour holds up to the next stop. False: colours between stops are interpolated linearly
     // in sRGB.
     bool stepped;
 };
-// No stops for kNone.
+// Returns no stops for kNone.
 Legend legend_of(Overlay overlay);
 
-// Metres between two contours: 1, 2 or 5 times a power of ten, the least of them with which at most 40 lines
-// cross the terrain. 1 m at least. Contours are at whole multiples above the terrain's zero.
+// Contour interval in metres: 1, 2 or 5 times a power of ten, the smallest with which at most 40 lines cross
+// the terrain, and at least 1 m. Contours lie at whole multiples above the terrain's zero.
 double contour_interval(HeightRange heights);
 
 }  // namespace render

@@ -6,10 +6,10 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-// Noise that tiles, made from integers, + − × ÷ and square roots only: the same bits on every machine.
+// Noise that tiles. It uses only integers, + − × ÷ and square roots, so it is bit-identical on every machine.
 namespace render {
 
-// 0 to 1 (never reached) from a cell of a lattice that repeats after `period` cells.
+// Hashes a cell of a lattice that repeats after `period` cells to 0 … 1, excluding 1.
 inline float hash(int x, int y, int period, std::uint32_t seed) {
     const auto wrap = [period](int v) { return static_cast<std::uint32_t>((v % period + period) % period); };
     std::uint32_t h = wrap(x) * 0x9E3779B1u ^ wrap(y) * 0x85EBCA77u ^ seed * 0xC2B2AE3Du;
@@ -18,12 +18,12 @@ inline float hash(int x, int y, int period, std::uint32_t seed) {
     return static_cast<float>((h ^ (h >> 15)) >> 8) / 16777216.f;
 }
 
-// From 0 to 1 with two derivatives of 0 at either end.
+// Smooth step from 0 to 1; its first two derivatives are 0 at both ends.
 inline float ease(float t) {
     return t * t * t * (t * (6 * t - 15) + 10);
 }
 
-// Value noise with smooth second derivatives, 0 to 1; x and y in cells.
+// Value noise with smooth second derivatives, 0 to 1. x and y are in cells.
 inline float value_noise(float x, float y, int period, std::uint32_t seed) {
     const float fx = std::floor(x), fy = std::floor(y);
     const int ix = static_cast<int>(fx), iy = static_cast<int>(fy);
@@ -33,8 +33,8 @@ inline float value_noise(float x, float y, int period, std::uint32_t seed) {
     return std::lerp(south, north, v);
 }
 
-// Octaves of value noise, each half as strong and half as broad as the one before, the broadest `first` cells
-// to the tile; 0 to 1. u and v run from 0 to 1 over the tile.
+// Sums octaves of value noise, each half as strong and half as broad as the previous one; 0 to 1. The
+// broadest has `first` cells to the tile. u and v run from 0 to 1 over the tile.
 inline float fractal_noise(float u, float v, int first, std::uint32_t seed, int octaves = 6) {
     float sum = 0, weight = 0.5f;
     for (int octave = 0, period = first; octave < octaves; ++octave, period *= 2, weight *= 0.5f)
@@ -43,15 +43,15 @@ inline float fractal_noise(float u, float v, int first, std::uint32_t seed, int 
     return sum;
 }
 
-// A unit vector that turns once as `share` runs from 0 to 1, by the half-angle's tangent: never slower than
-// 0.64 nor faster than 1.27 of an even turn.
+// A unit vector that turns once as `share` runs from 0 to 1, by the half-angle tangent. Its angular rate is
+// 0.64 to 1.27 of a uniform turn.
 inline glm::vec2 direction_of(float share) {
     const float side = share < 0.5f ? 1.f : -1.f;
     const float t = 4 * (share < 0.5f ? share : share - 0.5f) - 1;
     return side * glm::vec2(1 - t * t, 2 * t) / (1 + t * t);
 }
 
-// Gradient noise (Perlin 2002), −0.71 to 0.71 and 0 at the lattice's vertices; x and y in cells.
+// Gradient noise (Perlin 2002), −0.71 to 0.71 and 0 at the lattice's vertices. x and y are in cells.
 inline float gradient_noise(float x, float y, int period, std::uint32_t seed) {
     const float fx = std::floor(x), fy = std::floor(y);
     const int ix = static_cast<int>(fx), iy = static_cast<int>(fy);

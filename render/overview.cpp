@@ -15,7 +15,7 @@ namespace {
 constexpr double kAspect = 16.0 / 9.0;
 constexpr double kElevation = 28;    // degrees
 constexpr double kOffFallLine = 28;  // degrees
-constexpr double kFilled = 0.95;     // of the picture, by the terrain
+constexpr double kFilled = 0.95;     // share of the image that the terrain fills
 constexpr double kFlatSlope = 0.01;  // tangent below which there is no fall line
 
 struct Bounds {
@@ -52,9 +52,9 @@ glm::dvec2 mean_slope(const sim::View& world) {
     return count == 0 ? sum : sum / (static_cast<double>(count) * world.grid.dx);
 }
 
-// How far the terrain reaches to each side of a picture, as an eye at the origin sees it: the largest of ±x −
-// tan·z and ±y − tan·z, x right, y up, z forward. The eye sees all of it once it stands back so far that none
-// is positive.
+// The terrain's extent to each side of an image, as seen from the origin: the largest of ±x − tan·z and ±y −
+// tan·z, with x right, y up, z forward. The camera sees all terrain once it stands back so far that none is
+// positive.
 struct Reach {
     double right = kNone, left = kNone, up = kNone, down = kNone;  // m
 

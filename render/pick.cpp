@@ -12,14 +12,14 @@ namespace render {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-// Cells. So far a triangle reaches beyond its edges, so that no ray slips through between two of them.
+// Extent of a triangle beyond its edges, in cells, so that no ray slips through between two triangles.
 constexpr double kOverlap = 1e-9;
 
-// The part of a line that is inside, in lengths of its direction.
+// The part of a line inside a region, in multiples of its direction.
 struct Span {
     double begin, end;
 
-    // Leaves what lies between two values of a coordinate.
+    // Keeps only the part between two values of a coordinate.
     void keep_between(double low, double high, double from, double along) {
         if (along == 0) {
             if (from < low || from > high) end = -1;
@@ -31,12 +31,12 @@ struct Span {
     }
 };
 
-// One of the two coordinates of the walk from square to square.
+// One of the two coordinates of the traversal from square to square.
 struct Axis {
-    int square;     // now
+    int square;     // current
     int step;       // −1, 0 or 1
-    double next;    // where along the ray the square ends
-    double length;  // of a square along the ray
+    double next;    // distance along the ray to the end of the square
+    double length;  // of a square, along the ray
 
     Axis(double from, double along, double begin, int squares)
         : square(std::clamp(static_cast<int>(std::floor(from + begin * along)), 0, squares - 1)),
@@ -60,8 +60,8 @@ bool is_ground(const sim::View& world, int x, int y) {
     return world.site(x, y) != sim::Site::kDrain;
 }
 
-// Where a ray in cells, heights in metres, meets a plane z₀ + u · rise_u + v · rise_v from above; u and v are
-// counted from the corner of a square.
+// A plane z₀ + u · rise_u + v · rise_v, to be intersected from above by a ray in cells with heights in
+// metres. u and v are measured from the corner of a square.
 struct Plane {
     double z, rise_u, rise_v;
 
@@ -111,7 +111,7 @@ Ray ray_through(const Camera& camera, double aspect, glm::dvec2 point) {
 }
 
 std::optional<glm::dvec3> pick(const sim::View& world, const Ray& ray) {
-    // Plan in cells, so that squares are whole numbers; lengths along the ray stay metres.
+    // Use cells in plan, so that squares are whole numbers. Lengths along the ray stay in metres.
     const glm::dvec3 cells(1 / static_cast<double>(world.grid.dx), 1 / static_cast<double>(world.grid.dx), 1);
     const glm::dvec3 from = ray.from * cells, along = ray.along * cells;
     const int columns = world.grid.nx - 1, rows = world.grid.ny - 1;
@@ -121,7 +121,7 @@ std::optional<glm::dvec3> pick(const sim::View& world, const Ray& ray) {
     over_grid.keep_between(0, rows, from.y, along.y);
     if (over_grid.begin > over_grid.end) return std::nullopt;
 
-    // Squares are met one after the other, so the first hit is the nearest.
+    // Squares are visited in order along the ray, so the first hit is the nearest.
     Axis x(from.x, along.x, over_grid.begin, columns), y(from.y, along.y, over_grid.begin, rows);
     while (x.square >= 0 && y.square >= 0 && x.square < columns && y.square < rows) {
         const double t = meet_square(world, x.square, y.square, from, along);

@@ -16,12 +16,12 @@ struct Picture {
     int channels = 3;                  // 3, or 1 for grey
 };
 
-// Of 0 to 9. Frames are written while the world runs on: 1 is three times as fast as the default for a
-// quarter more bytes.
+// Compression level for frames written while the simulation runs, on the PNG scale 0 to 9. Level 1 is three
+// times as fast as the default and makes files a quarter larger.
 inline constexpr int kFastPngCompression = 1;
 inline constexpr int kSmallestPngCompression = 9;
 
-// Writes a PNG as a whole file (files/whole_file.h). Errors: one sentence that names the file.
+// Writes a PNG atomically (files/whole_file.h). An error is one sentence that names the file.
 tl::expected<void, std::string> write_png(const Picture& picture, const std::filesystem::path& path,
                                           int compression = kFastPngCompression);
 

@@ -6,7 +6,7 @@
 
 namespace render {
 
-// In memory: OpenImageIO does not say when the last bytes of a file could not be written.
+// Encodes in memory, because OpenImageIO does not report a failure to write the last bytes of a file.
 tl::expected<std::vector<unsigned char>, std::string> encode_png(const Picture& picture, int compression) {
     auto output = OIIO::ImageOutput::create("png");
     if (!output) return tl::unexpected(OIIO::geterror());
@@ -48,7 +48,7 @@ tl::expected<Texels, std::string> read_png(const std::filesystem::path& path, in
 
 }  // namespace render
 
-// Found by its name (png_door.cpp).
+// png_door.cpp finds this symbol by name.
 extern "C" {
 [[gnu::visibility("default")]] extern const render::PngDoor couloir_png;
 const render::PngDoor couloir_png{render::encode_png, render::read_png};

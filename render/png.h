@@ -9,15 +9,15 @@
 
 #include "render/picture.h"
 
-// Pictures as PNG. OpenImageIO comes with over two hundred libraries, so it is linked to a module of its own,
-// which is loaded when one of these is first called. The real functions are in png.cpp, and png_door.cpp
-// calls them for everybody else.
+// Reads and writes PNG images. OpenImageIO depends on over two hundred libraries, so a separate module links
+// it and is loaded on the first call. The real functions are in png.cpp; png_door.cpp calls them for all
+// others.
 namespace render {
 
-// The bytes of a PNG file. Errors: OpenImageIO's words.
+// Encodes an image as the bytes of a PNG file. Errors are OpenImageIO's messages.
 tl::expected<std::vector<unsigned char>, std::string> encode_png(const Picture& picture, int compression);
 
-// 8 bits for each channel, lowest row first, as GL counts them.
+// Pixels with 8 bits per channel, lowest row first, as in GL.
 struct Texels {
     int width = 0, height = 0, channels = 0;
     std::vector<std::uint8_t> values;
@@ -25,8 +25,8 @@ struct Texels {
     std::size_t size() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
 };
 
-// Reads a PNG of so many channels, each of 8 bits, up to 4096 texels along an edge. Errors: one sentence that
-// names the file.
+// Reads a PNG with the given number of 8-bit channels, up to 4096 texels along an edge. An error is one
+// sentence that names the file.
 tl::expected<Texels, std::string> read_png(const std::filesystem::path& path, int channels);
 
 struct PngDoor {

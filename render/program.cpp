@@ -20,10 +20,10 @@ tl::expected<std::string, std::string> read_text(const path& file) {
 }
 
 // Lines are numbered through all files of a stage, file i from i · kFileStride + 1, because not every
-// compiler keeps the number of the file that #line can carry.
+// compiler keeps the file number of #line.
 constexpr int kFileStride = 100000;
 
-// A place in a compiler's log: Mesa writes "0:300014(5): error: …", others "0(300014) : error …".
+// A location in a compiler's log: Mesa writes "0:300014(5): error: …", others "0(300014) : error …".
 struct Place {
     int line = 0;
     std::string_view fact;
@@ -45,7 +45,7 @@ bool parse_place(std::string_view text, Place& place) {
     return true;
 }
 
-// The first error of a log, in terms of our files; the whole log where it has no place that we understand.
+// Returns the first error of a log with our file and line, or the whole log if it names no known location.
 std::string explain(std::string_view log, const path& folder, const ShaderStage& stage) {
     for (std::size_t begin = 0; begin < log.size();) {
         const std::size_t end = std::min(log.find('\n', begin), log.size());

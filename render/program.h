@@ -11,15 +11,15 @@
 
 namespace render {
 
-// One stage of a program: the files of a folder that make it up, in order. There is no #include: what a
-// shader builds on stands before it in the list, slots.glsl first.
+// One stage of a program: the files that it is concatenated from, in order. There is no #include: a file that
+// others need precedes them, slots.glsl first.
 struct ShaderStage {
     GLenum kind;  // GL_VERTEX_SHADER, GL_FRAGMENT_SHADER or GL_COMPUTE_SHADER
     std::vector<std::string_view> files;
 };
 
-// Compiles and links a program of files in `folder`. Errors: one sentence with file, line and what the
-// compiler says, as in "assets/shaders/sky.frag:7: 'colou' undeclared", or the file that cannot be read.
+// Compiles and links a program from files in `folder`. An error is one sentence with file, line and compiler
+// message, as in "assets/shaders/sky.frag:7: 'colou' undeclared", or names the file that cannot be read.
 tl::expected<ProgramName, std::string> link_program(const std::filesystem::path& folder,
                                                     const std::vector<ShaderStage>& stages);
 

@@ -15,14 +15,14 @@ namespace {
 constexpr int kMostPieces = 6;  // of a triangle
 constexpr float kNotCut = -1;
 
-// As glDrawElementsIndirect takes it; shaders know the count alone, at SLOT_CUT_COUNT.
+// The layout of glDrawElementsIndirect. Shaders see only the count, at SLOT_CUT_COUNT.
 struct DrawCommand {
     GLuint count, instances, first_index;
     GLint first_vertex;
     GLuint first_instance;
 };
 
-// As cut_vertex.glsl takes it.
+// The layout of cut_vertex.glsl.
 struct Triangle {
     std::array<std::int32_t, 3> corner, edge;
 };
@@ -37,7 +37,7 @@ Buffer buffer_of(const std::vector<T>& values) {
     return make_storage(sizeof(T) * values.size(), values.data());
 }
 
-// Of a buffer as much as is listed: that is how shaders know how much it is.
+// Binds the listed part of a buffer, so that shaders can read its length.
 template <class T>
 void send_list(GLuint slot, const Buffer& buffer, const std::vector<T>& values) {
     glNamedBufferSubData(buffer.name(), 0, bytes(values), values.data());
@@ -97,7 +97,7 @@ void Remesher::cut(std::span<const sim::front::Point> points) {
     if (!changed_edges_.empty()) run_over_changes();
 }
 
-// Edges that are cut, and those that were and are not now; the triangles beside either.
+// Lists the edges that are cut, those that no longer are, and the triangles beside either.
 void Remesher::list_changes(std::span<const sim::front::Point> points) {
     cut_.swap(cut_before_);
     cut_.clear();
@@ -133,7 +133,7 @@ void Remesher::run_over_changes() const {
     bind_storage(SLOT_CUT_COUNT, command_);
     send_list(SLOT_CHANGED_EDGES, changed_edge_buffer_, changed_edges_);
     send_list(SLOT_CHANGED_TRIANGLES, changed_triangle_buffer_, changed_triangles_);
-    // Whatever stood behind the triangles' own places goes: all triangles that had pieces there are listed.
+    // Drop the pieces beyond the triangles' own slots: all triangles with pieces there are listed.
     glClearNamedBufferSubData(command_.name(), GL_R32UI, offsetof(DrawCommand, count), sizeof(GLuint),
                               GL_RED_INTEGER, GL_UNSIGNED_INT, &uncut_count_);
     run(cut_edges_, changed_edges_.size());

@@ -15,28 +15,28 @@
 
 namespace render {
 
-// A mesh cut along its fronts by shaders: the triangles of sim/front/remesh_reference, vertex by vertex and
-// bit by bit. No vertex is stored: whoever draws puts cut_vertex.glsl before a vertex shader, which makes of
-// gl_VertexID where the vertex lies and on which side of the front.
+// Cuts a mesh along its fronts in shaders, bit-identical to sim/front/remesh_reference, vertex by vertex. No
+// vertex is stored: a program puts cut_vertex.glsl before its vertex shader, which computes a vertex's
+// position and side of the front from gl_VertexID.
 class Remesher {
   public:
-    // For which any OpenGL's buffers suffice.
+    // The number of triangles that fits the buffers of any OpenGL.
     static constexpr std::size_t kMostTriangles = 1'800'000;
 
     static tl::expected<Remesher, std::string> create(const std::filesystem::path& shaders);
 
-    // The mesh, cut nowhere yet. At least one triangle, at most kMostTriangles. Makes all buffers; nothing
-    // after it makes any.
+    // Uploads an uncut mesh of 1 to kMostTriangles triangles. Allocates all buffers; later calls allocate
+    // none.
     void send_mesh(const sim::front::Mesh& mesh);
-    // Cuts the mesh at these points and nowhere else: those of a tracker, or none; edges ascending. What it
-    // costs grows with their number, not with the mesh. Leaves a program of its own current.
+    // Cuts the mesh at these points and nowhere else. They are a tracker's points, or none, with edges
+    // ascending. The cost grows with their number, not with the mesh. Leaves one of its own programs current.
     void cut(std::span<const sim::front::Point> points);
 
-    void bind() const;  // what cut_vertex.glsl reads
-    // All triangles, with the program that is current; turned as those of the mesh are. Pieces have no order.
+    void bind() const;  // the buffers that cut_vertex.glsl reads
+    // Draws all triangles with the current program, with the mesh's winding. Pieces have no order.
     void draw() const;
 
-    // As draw() has them, three for each triangle; waits for the GPU. For tests.
+    // The indices of draw(), three per triangle. Waits for the GPU. For tests.
     std::vector<std::uint32_t> indices() const;
 
   private:
@@ -52,13 +52,13 @@ class Remesher {
     ProgramName cut_edges_, cut_triangles_;
     Buffer positions_, triangles_, edges_, crossings_, changed_edge_buffer_, changed_triangle_buffer_,
         indices_, command_;
-    VertexArray vertices_;  // none, but the indices hang on it
+    VertexArray vertices_;  // has no attributes, but holds the index buffer
     std::vector<std::array<int, 2>> edge_triangle_;
     std::vector<int> cut_, cut_before_;  // edges, ascending
     std::vector<ChangedEdge> changed_edges_;
     std::vector<std::int32_t> changed_triangles_;
     std::vector<std::uint8_t> is_listed_;  // of each triangle, while changes are listed
-    GLuint uncut_count_ = 0;               // of indices, where nothing is cut
+    GLuint uncut_count_ = 0;               // number of indices of the uncut mesh
 };
 
 }  // namespace render

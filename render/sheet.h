@@ -12,17 +12,17 @@
 
 namespace render {
 
-// White paper to draw on with soft edges, without GL. Places in pixels from the top left corner, colours as
-// sRGB 0 to 255. The library that draws such things (cairo) would be a package for this page alone.
+// A white page for antialiased drawing without GL. Positions are pixels from the top left corner, colours are
+// sRGB 0 to 255. It avoids a dependency on a drawing library (cairo) for this page alone.
 class Sheet {
   public:
     Sheet(int width, int height);
 
-    // From p to q, or a disc where they are one.
+    // Draws a line from p to q, or a disc if both are the same point.
     void line(const glm::vec2& p, const glm::vec2& q, float thickness, const glm::vec3& colour);
     void triangle(const std::array<glm::vec2, 3>& corner, const glm::vec3& colour);
 
-    // Each pixel of a rectangle, as far as `cover` says of its middle, 0 … 1.
+    // Fills a rectangle; `cover` gives the coverage at a pixel's middle, 0 … 1.
     template <class Cover>
     void paint(const glm::vec2& from, const glm::vec2& to, const Cover& cover, const glm::vec3& colour) {
         const int x0 = std::max(static_cast<int>(from.x), 0), y0 = std::max(static_cast<int>(from.y), 0);

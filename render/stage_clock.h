@@ -9,16 +9,16 @@
 
 namespace render {
 
-// Takes the time between the stages of one frame after the other. Needs the context for as long as it lives.
+// Measures the stages of successive frames. Needs the context throughout its lifetime.
 class StageClock {
   public:
     StageClock() = default;
     explicit StageClock(Timing timing);
 
-    // At the beginning of a frame; then after uploads, after cutting, and at its end.
+    // Call at the beginning of a frame, then mark() after uploads, after cutting, and at its end.
     void begin() { count_ = 0, mark(); }
     void mark();
-    // Of the last frame, for which it waits. Nothing where none was timed.
+    // Times of the last frame; waits for it. Empty if it was not timed.
     std::optional<DrawTimes> times() const;
 
   private:

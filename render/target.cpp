@@ -46,7 +46,7 @@ void Target::begin_shading() const {
 }
 
 void Target::begin_picture() const {
-    if (samples_ > 1)  // halfway between samples a linear filter is their mean
+    if (samples_ > 1)  // the linear filter samples halfway between samples and so averages them
         glBlitNamedFramebuffer(scene_.name(), averaged_.name(), 0, 0, width_ * samples_, height_ * samples_,
                                0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_LINEAR);
     glBindFramebuffer(GL_FRAMEBUFFER, output_.name());
@@ -62,7 +62,7 @@ Picture Target::read_back() const {
     glGetTextureImage(picture_.name(), 0, GL_RGB, GL_UNSIGNED_BYTE,
                       static_cast<GLsizei>(picture.pixels.size()), picture.pixels.data());
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    for (int y = 0; y < height_ / 2; ++y) {  // GL counts rows from below
+    for (int y = 0; y < height_ / 2; ++y) {  // GL stores the lowest row first
         const auto top = picture.pixels.begin() + y * row;
         std::swap_ranges(top, top + row, picture.pixels.begin() + (height_ - 1 - y) * row);
     }

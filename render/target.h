@@ -5,23 +5,23 @@
 
 namespace render {
 
-// Where a frame is drawn: depth and linear light, `samples` × `samples` to a pixel, then 8-bit sRGB. Made
-// anew when one of them changes, and only then.
+// The buffers of a frame: depth and linear light, `samples` × `samples` per pixel, then 8-bit sRGB. They are
+// recreated only when one of these changes.
 class Target {
   public:
-    // Before every frame. Pixels, > 0; samples along the edge of a pixel, 1 or 2.
+    // Call before every frame. Pixels, > 0; samples along the edge of a pixel, 1 or 2.
     void resize(int width, int height, int samples);
 
-    void begin_scene() const;  // depth is cleared; draw depth and linear colour
-    // Of what was drawn into it so far, to draw on; its size in samples goes with it.
+    void begin_scene() const;  // clears depth; draw depth and linear colour
+    // Attaches the depth drawn so far to another framebuffer; its size in samples comes with it.
     void lend_depth(GLuint framebuffer) const;
     int samples_across() const { return width_ * samples_; }
     int samples_up() const { return height_ * samples_; }
-    void begin_shading() const;  // depth can be read at SLOT_SCENE_DEPTH while it is not drawn to
-    void begin_picture() const;  // samples are averaged and bound at SLOT_COLOUR; draw the 8-bit picture
+    void begin_shading() const;  // binds depth at SLOT_SCENE_DEPTH for reading; do not write it
+    void begin_picture() const;  // averages the samples and binds them at SLOT_COLOUR; draw the 8-bit image
 
     Picture read_back() const;
-    // Stretches the picture over a framebuffer (0 is the window) of the given size in pixels.
+    // Stretches the image over a framebuffer (0 is the window) of the given size in pixels.
     void copy_to(GLuint framebuffer, int width, int height) const;
 
   private:

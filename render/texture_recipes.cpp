@@ -15,7 +15,7 @@ constexpr std::array kRecipes{
     TextureRecipe{"soil", TextureKind::kStochastic, 10, 0.045f, make_soil},
 };
 
-// What a stochastic texture's heights become when they are looked up in its colours.
+// Colours of a stochastic texture: its heights looked up in the colour table.
 Picture look_up(const std::vector<std::uint8_t>& heights, const Picture& colours) {
     Picture picture{kTextureSize, kTextureSize, {}};
     for (const std::uint8_t height : heights) {

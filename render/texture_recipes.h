@@ -7,20 +7,20 @@
 #include "render/picture.h"
 #include "render/textures/surface.h"
 
-// The textures under assets/textures, made from rules: kTextureSize² texels that repeat without a seam, the
-// same bits on every machine. assets/textures/README.md says what they are for.
+// Procedural textures of assets/textures: kTextureSize² texels that repeat without a seam, bit-identical on
+// every machine. assets/textures/README.md says what they are used for.
 namespace render {
 
 enum class TextureKind {
-    kStructured,  // its colours have shapes: one copy shows at a place, never a blend
-    kStochastic,  // copies are blended by height, before the colour table
+    kStructured,  // its colours form shapes: one copy shows at a place, never a blend
+    kStochastic,  // copies are blended by height, before the colour table is applied
 };
 
 struct TextureRecipe {
     const char* name;
     TextureKind kind;
-    int features;  // how many of its largest pieces lie along an edge of the tile, about
-    float relief;  // from the lowest to the highest raw height, tile edges
+    int features;  // approximate number of its largest pieces along an edge of the tile
+    float relief;  // range of raw height, tile edges
     Surface (*make)();
 };
 
@@ -32,7 +32,7 @@ struct NamedPicture {
     Picture picture;
 };
 
-// Every picture of a texture: NAME.png (what one sees), NAME-height.png (raw for a structured texture,
+// Makes every image of a texture: NAME.png (its appearance), NAME-height.png (raw for a structured texture,
 // Gaussian for a stochastic one), NAME-normal.png (of the raw heights), and for a stochastic one
 // NAME-colours.png, a row of 256 colours for the grey values of the heights.
 std::vector<NamedPicture> make_pictures(const TextureRecipe& recipe);

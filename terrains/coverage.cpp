@@ -12,8 +12,8 @@ namespace {
 
 constexpr int kSamples = 8;  // per cell and axis
 
-// An outline crossing a line of samples. Sample line k lies at y = ((k + ½) / kSamples − ½) dx, samples along
-// it alike.
+// A crossing of an outline and a line of samples. Sample line k is at y = ((k + ½) / kSamples − ½) dx;
+// samples along it are spaced likewise.
 struct Crossing {
     std::int32_t line;
     std::int32_t area;
@@ -23,7 +23,7 @@ struct Crossing {
     }
 };
 
-// Metres to samples: sample k is at k.
+// Converts metres to samples: sample k is at k.
 double to_samples(double metres, double dx) {
     return (metres / dx + 0.5) * kSamples - 0.5;
 }
@@ -37,7 +37,7 @@ bool add_crossings(const sim::Grid& grid, const std::vector<Area>& areas, std::v
                 const LocalPoint &from = ring[i], &to = ring[(i + 1) % ring.size()];
                 const double x0 = to_samples(from.x, grid.dx), y0 = to_samples(from.y, grid.dx);
                 const double x1 = to_samples(to.x, grid.dx), y1 = to_samples(to.y, grid.dx);
-                // Half-open, so that a corner on a line is crossed once.
+                // Half-open, so that a corner on a sample line is crossed once.
                 const auto first =
                     static_cast<std::int32_t>(std::clamp(std::ceil(std::min(y0, y1)), 0.0, lines));
                 const auto last =
@@ -51,13 +51,13 @@ bool add_crossings(const sim::Grid& grid, const std::vector<Area>& areas, std::v
     return true;
 }
 
-// Samples of one line, from `first` up to `last`, at most as many as the line has.
+// Samples of one line, from `first` up to `last`, within the line.
 struct Span {
     std::size_t first, last;
     double thickness;
 };
 
-// Rings are closed, so crossings of one area on one line come in pairs: inside between the two.
+// Rings are closed, so crossings of one area on one line come in pairs that bound the inside.
 void add_spans(std::span<const Crossing> crossings, const std::vector<Area>& areas, std::size_t samples,
                std::vector<Span>& spans) {
     const double most = static_cast<double>(samples);
@@ -69,8 +69,8 @@ void add_spans(std::span<const Crossing> crossings, const std::vector<Area>& are
     }
 }
 
-// A line of samples that spans fill, each with the thickest that holds it. Every sample is written once,
-// however many spans lie on each other.
+// A line of samples that spans fill, each sample with the greatest thickness. Every sample is written once,
+// however many spans overlap.
 class Line {
   public:
     explicit Line(std::size_t samples) : thickness_(samples), free_(samples + 1) {}
@@ -90,14 +90,14 @@ class Line {
     }
 
   private:
-    // The first sample from i on that no span has filled; one past the end if there is none.
+    // Returns the first unfilled sample from i on, or one past the end.
     std::size_t first_free(std::size_t i) {
         while (free_[i] != i) i = free_[i] = free_[free_[i]];
         return i;
     }
 
     std::vector<double> thickness_;
-    std::vector<std::size_t> free_;  // of a filled sample: one beyond it on the way to the first free one
+    std::vector<std::size_t> free_;  // for a filled sample: a later one on the path to the next free one
 };
 
 }  // namespace
@@ -106,7 +106,7 @@ tl::expected<std::vector<float>, std::string> mean_thickness(const sim::Grid& gr
                                                              const std::vector<Area>& areas) {
     std::vector<Crossing> crossings;
     if (!add_crossings(grid, areas, crossings))
-        return tl::unexpected<std::string>("its outlines are too intricate for this grid");
+        return tl::unexpected<std::string>("its outlines are too complex for this grid; simplify them");
     std::sort(crossings.begin(), crossings.end());
     const std::size_t samples = static_cast<std::size_t>(grid.nx) * kSamples;
     Line line(samples);

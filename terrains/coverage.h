@@ -10,9 +10,8 @@
 
 namespace terrains {
 
-// Mean thickness over each vertex's cell (dx² around it), m, from 8 × 8 samples; the thickest area counts
-// where several overlap. Errors: outlines so intricate that they cross the sample lines over 20 million
-// times.
+// Computes the mean thickness over each vertex's cell (dx² around it), m, from 8 × 8 samples. Where areas
+// overlap, the thickest counts. Fails if outlines cross the sample lines over 20 million times.
 tl::expected<std::vector<float>, std::string> mean_thickness(const sim::Grid& grid,
                                                              const std::vector<Area>& areas);
 

@@ -20,18 +20,18 @@
 namespace terrains {
 namespace {
 
-constexpr double kLowest = -12'000, kHighest = 9'000;  // m: below every trench, above every summit
+constexpr double kLowest = -12'000, kHighest = 9'000;  // m: below every trench and above every summit
 
-// Reads one row of heights at a time, in metres, NaN where the file knows none.
+// Reads one row of heights at a time, in metres, NaN for no data.
 class HeightRows {
   public:
     static tl::expected<HeightRows, std::string> open(GDALDatasetH dataset);
 
-    // Errors: damage, and a height no mountain has.
+    // Fails on damage or an impossible height.
     tl::expected<void, std::string> read(int row, std::vector<double>& heights);
 
   private:
-    GDALRasterBandH band_ = nullptr, mask_ = nullptr;  // mask_: none where every pixel counts
+    GDALRasterBandH band_ = nullptr, mask_ = nullptr;  // mask_: null if every pixel counts
     double scale_ = 1, offset_ = 0;
     std::vector<std::uint8_t> known_;
 };
@@ -80,15 +80,14 @@ tl::expected<void, std::string> HeightRows::read(int row, std::vector<double>& h
         const double raw = height;
         height = raw * scale_ + offset_;
         if (!(height >= kLowest && height <= kHighest))
-            return tl::unexpected(
-                fmt::format("row {}, column {} is {} m high, and no ground is outside {} to {} m", row + 1,
-                            column + 1, height, kLowest, kHighest));
+            return tl::unexpected(fmt::format("row {}, column {} is {} m high; heights must be {} to {} m",
+                                              row + 1, column + 1, height, kLowest, kHighest));
     }
     return {};
 }
 
-// GDAL takes the numbers of an ESRI ASCII grid for complete when the last is missing, and for right when
-// there are too many: with a wrong ncols every row is shifted against the last. So they are counted.
+// GDAL accepts an ESRI ASCII grid whose last number is missing, and one with too many numbers. With a wrong
+// ncols every row would be shifted, so the numbers are counted.
 tl::expected<void, std::string> check_ascii_count(GDALDatasetH dataset, const std::filesystem::path& path) {
     if (std::string(GDALGetDriverShortName(GDALGetDatasetDriver(dataset))) != "AAIGrid") return {};
     const auto promised =
@@ -130,9 +129,9 @@ void fit_row(const RasterPlace& place, int row, const std::vector<double>& heigh
     }
 }
 
-// Streams the raster from its first row to its last on to the terrain's grid.
+// Streams the raster from first to last row to the terrain's grid.
 tl::expected<void, std::string> fill(GDALDatasetH dataset, const RasterPlace& place, Terrain& terrain) {
-    constexpr double kFinest = 16;  // pixels along a cell that are told apart
+    constexpr double kFinest = 16;  // pixels resolved along a cell
     auto rows = HeightRows::open(dataset);
     if (!rows) return tl::unexpected(rows.error());
     const double dx = terrain.grid.dx;
@@ -151,7 +150,7 @@ tl::expected<void, std::string> fill(GDALDatasetH dataset, const RasterPlace& pl
     }
     auto fitted = fit.finish();
     if (std::find(fitted.has_data.begin(), fitted.has_data.end(), 1) == fitted.has_data.end())
-        return tl::unexpected<std::string>("it has no data anywhere, so there is no ground");
+        return tl::unexpected<std::string>("it has no data anywhere, so the terrain has no ground");
     terrain.surface = std::move(fitted.surface);
     terrain.has_data = std::move(fitted.has_data);
     fill_voids(terrain.grid, terrain.has_data, terrain.surface);

@@ -26,7 +26,7 @@ struct Depths {
     std::string wkt;
 };
 
-// What the numbers of a raster are: amounts, whatever their sign, or the sign says up or down.
+// How a raster's values are read: as amounts of either sign, or as signed changes, up or down.
 enum class Meaning { kAmount, kSigned };
 
 tl::expected<void, std::string> read_values(GDALDatasetH dataset, Meaning meaning, Depths& depths) {
@@ -46,7 +46,7 @@ tl::expected<void, std::string> read_values(GDALDatasetH dataset, Meaning meanin
         float& depth = depths.metres[i];
         if (known[i] == 0 || std::isnan(depth) || depth == -9999.f || depth == -32768.f) depth = 0;
         if (!(std::abs(depth) <= kDeepest))
-            return tl::unexpected(fmt::format("row {}, column {} is {} m deep, and at most {} m can be",
+            return tl::unexpected(fmt::format("row {}, column {} is {} m deep; the limit is {} m",
                                               i / depths.columns + 1, i % depths.columns + 1, depth,
                                               kDeepest));
         raised = raised || depth > 0;
@@ -55,7 +55,7 @@ tl::expected<void, std::string> read_values(GDALDatasetH dataset, Meaning meanin
     }
     if (meaning == Meaning::kAmount && raised && lowered)
         return tl::unexpected<std::string>(
-            "it has depths of both signs, and nobody could say which of them is released");
+            "it has depths of both signs, so the release is ambiguous; use one sign");
     return {};
 }
 
@@ -66,37 +66,38 @@ tl::expected<Depths, std::string> read(GDALDatasetH dataset, Meaning meaning) {
     depths.rows = GDALGetRasterYSize(dataset);
     if (static_cast<std::uint64_t>(depths.columns) * static_cast<std::uint64_t>(depths.rows) >
         kMostDepthPixels)
-        return tl::unexpected(
-            fmt::format("over {} million pixels, more than a release needs", kMostDepthPixels / 1'000'000));
+        return tl::unexpected(fmt::format("over {} million pixels, the limit for a depth raster",
+                                          kMostDepthPixels / 1'000'000));
     std::array<double, 6> from_pixels{};
     if (GDALGetGeoTransform(dataset, from_pixels.data()) != CE_None ||
         GDALInvGeoTransform(from_pixels.data(), depths.to_pixels.data()) == 0)
-        return tl::unexpected<std::string>("it does not say where its pixels lie");
+        return tl::unexpected<std::string>("it has no geotransform, so its position is unknown");
     depths.wkt = system_of(dataset).wkt;
     if (auto values = read_values(dataset, meaning, depths); !values) return tl::unexpected(values.error());
     return depths;
 }
 
-// From the terrain's plane to the raster's system; none where they are one and the same.
+// The transform from the terrain's plane to the raster's system; none if both are the same.
 tl::expected<std::optional<PlaneTransform>, std::string> between(const Georeference& ground,
                                                                  const Depths& depths) {
     if (!ground.has_coordinates())
-        return tl::unexpected<std::string>("the terrain has no coordinates, so a raster has no place on it");
+        return tl::unexpected<std::string>(
+            "the terrain has no coordinates, so no raster can be placed on it");
     if (depths.wkt.empty() && ground.is_local())
         return tl::unexpected<std::string>(
-            "it names no coordinate system, and the terrain's is not that of its file");
+            "it has no coordinate system, and the terrain uses a local plane; add a .prj");
     if (depths.wkt.empty()) return std::nullopt;
     if (!ground.placed())
         return tl::unexpected<std::string>(
-            "it names a coordinate system and the terrain does not, so they cannot be joined");
+            "it has a coordinate system but the terrain has none, so they cannot be aligned");
     if (depths.wkt == ground.wkt()) return std::nullopt;
     auto transform = PlaneTransform::between(ground.wkt(), depths.wkt);
     if (!transform) return tl::unexpected(transform.error());
     return std::optional<PlaneTransform>(std::move(*transform));
 }
 
-// One row of cell corners, from the south-west corner of the first cell to the south-east one of the last, in
-// pixels.
+// One row of cell corners, in pixels, from the first cell's south-west corner to the last cell's south-east
+// corner.
 struct Corners {
     std::vector<double> column, row;
 };
@@ -119,8 +120,8 @@ Corners corners_below(int y, const Terrain& terrain, const Depths& depths,
     return corners;
 }
 
-// Depth at a place in pixels, bilinear between pixel centres and 0 beyond the raster; the integral over all
-// places is each pixel's depth times its area. 0 at NaN, where a corner cannot be expressed.
+// Depth at a position in pixels, bilinear between pixel centres and 0 beyond the raster. Its integral is the
+// sum of each pixel's depth times area. 0 at NaN, where a corner cannot be expressed.
 double depth_at(const Depths& depths, double column, double row) {
     const double left = std::floor(column - 0.5), low = std::floor(row - 0.5);
     double sum = 0;
@@ -135,7 +136,7 @@ double depth_at(const Depths& depths, double column, double row) {
     return sum;
 }
 
-// Mean over a cell whose corners are given in pixels: samples² points, spread evenly.
+// Mean over a cell with corners in pixels: samples² evenly spaced points.
 float mean_depth(const Depths& depths, const Corners& below, const Corners& above, int x, int samples) {
     const auto blend = [&](const std::vector<double>& low, const std::vector<double>& high, double s,
                            double t) {
@@ -160,7 +161,7 @@ tl::expected<std::vector<float>, std::string> read(GDALDatasetH dataset, Meaning
     std::vector<float> thickness;
     thickness.reserve(terrain.grid.size());
     Corners below = corners_below(0, terrain, *depths, *way);
-    // Three samples across a pixel, and at least four across a cell.
+    // Three samples across a pixel, at least four across a cell.
     const double across = std::hypot(below.column[1] - below.column[0], below.row[1] - below.row[0]);
     const int samples =
         static_cast<int>(std::clamp(std::isfinite(across) ? std::ceil(3 * across) : 4.0, 4.0, 64.0));

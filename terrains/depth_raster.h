@@ -11,12 +11,12 @@
 
 namespace terrains {
 
-// Mean depth over each vertex's cell, vertical m, from a raster of depths; signs, systems, limits and errors
-// as described with read_release(). A pixel counts with its whole area, so the volume is kept.
+// Reads the mean depth over each vertex's cell, vertical m, from a raster of depths. Signs, systems, limits
+// and errors are those of read_release(). A pixel counts with its whole area, so the volume is conserved.
 tl::expected<std::vector<float>, std::string> read_depth_raster(const std::filesystem::path& path,
                                                                 const Terrain& terrain,
                                                                 References references);
-// The same with the signs that it has.
+// The same, but keeps the signs.
 tl::expected<std::vector<float>, std::string> read_signed_raster(const std::filesystem::path& path,
                                                                  const Terrain& terrain,
                                                                  References references);

@@ -21,7 +21,7 @@ Written write_text(const std::filesystem::path& path, std::string_view text) {
     return files::write(path, text);
 }
 
-// The raster's rows as files have them: the north first, NaN as no data.
+// The raster's rows in file order: north first, NaN as no data.
 std::vector<float> north_first(const sim::Grid& grid, std::span<const float> field) {
     std::vector<float> rows;
     rows.reserve(field.size());

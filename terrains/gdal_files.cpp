@@ -23,11 +23,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// GDAL's file system is one for the whole process, and its workers open files too.
+// Permissions are process-wide, because GDAL has one file system and its worker threads open files too.
 struct Allowed {
     std::mutex mutex;
     std::vector<const RasterFiles*> rasters;
-    fs::path data;  // GDAL's own tables
+    fs::path data;  // GDAL's data tables
 };
 
 Allowed& allowed() {
@@ -49,7 +49,7 @@ std::string lower_case(std::string text) {
     return text;
 }
 
-// An open file, read at `at`.
+// An open file, read from `at`.
 struct OpenFile {
     int descriptor;
     vsi_l_offset at = 0;
@@ -132,9 +132,9 @@ int close_file(void* handle) {
     return result;
 }
 
-// The names in a raster's folder that belong to it.
+// Lists the names in a raster's folder that belong to it.
 char** list_folder(void*, const char* folder, int) {
-    char** names = static_cast<char**>(CPLCalloc(1, sizeof(char*)));  // a list without names
+    char** names = static_cast<char**>(CPLCalloc(1, sizeof(char*)));  // an empty list
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
         if (is_allowed(entry->path())) names = CSLAddString(names, entry->path().filename().c_str());
@@ -173,11 +173,11 @@ bool close_file_system_to_gdal() {
     callbacks->close = close_file;
     callbacks->stat = refuse_stat;
     callbacks->open = refuse_open;
-    // Servers, archives, pipes, and whatever else a name can begin with.
+    // Block all prefixes: servers, archives, pipes and others.
     static char** const prefixes = VSIGetFileSystemsPrefixes();  // GDAL keeps pointers to them
     for (int i = 0; prefixes[i] != nullptr; ++i)
         if (prefixes[i] != std::string_view("/vsimem/")) VSIInstallPluginHandler(prefixes[i], callbacks);
-    VSIInstallPluginHandler("/vsicurl?", callbacks);  // which is not among them
+    VSIInstallPluginHandler("/vsicurl?", callbacks);  // not in that list
     callbacks->stat = stat_file;
     callbacks->open = open_file;
     callbacks->read_dir = list_folder;
@@ -185,9 +185,9 @@ bool close_file_system_to_gdal() {
     VSIFreeFilesystemPluginCallbacksStruct(callbacks);
 
     CPLHTTPSetFetchCallback(refuse_request, nullptr);
-    CPLSetConfigOption("SQLITE_USE_OGR_VFS", "YES");  // or SQLite opens files by itself
+    CPLSetConfigOption("SQLITE_USE_OGR_VFS", "YES");  // otherwise SQLite opens files by itself
 
-    VSILFILE* around = VSIFOpenL("/", "rb");  // which any other file system opens
+    VSILFILE* around = VSIFOpenL("/", "rb");  // only another file system could open this
     if (around != nullptr) VSIFCloseL(around);
     return around == nullptr;
 }

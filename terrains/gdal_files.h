@@ -4,18 +4,18 @@
 
 #include "terrains/references.h"
 
-// Which files GDAL may open. GDAL asks these functions for every file, so that a raster made by a stranger
-// reaches nothing that the user did not name: no other file, no server, no pipe.
+// Restricts which files GDAL may open. GDAL calls these functions for every file, so an untrusted raster
+// reaches nothing that the user did not name: no other file, server or pipe.
 namespace terrains {
 
-// Takes GDAL's file system and its network from it. Called once, before GDAL opens anything. Then GDAL sees
-// its own data folder, files in memory, and what a RasterFiles allows; it writes nothing but files in memory.
-// False if this version of GDAL goes around it: then nothing may be opened.
+// Replaces GDAL's file system and disables its network. Call once, before GDAL opens anything. GDAL then sees
+// its own data folder, files in memory, and the files that a RasterFiles allows; it writes only files in
+// memory. Returns false if this version of GDAL bypasses it: then nothing may be opened.
 bool close_file_system_to_gdal();
 
-// While one lives, GDAL may read the raster `named` and the files beside it that are parts of it: those of
-// its name with another ending (hill.prj, hill.tif.aux.xml, hill.hdr), or every .adf of an ESRI binary grid.
-// A link is followed only to a file in the raster's own folder. With References::kAllowed: every local file.
+// During its lifetime GDAL may read the raster `named` and its parts beside it: files of its name with
+// another ending (hill.prj, hill.tif.aux.xml, hill.hdr), or every .adf of an ESRI binary grid. A link is
+// followed only to a file in the raster's own folder. With References::kAllowed: every local file.
 class RasterFiles {
   public:
     RasterFiles(const std::filesystem::path& named, References references);

@@ -25,9 +25,9 @@ void CPL_STDCALL keep_first_failure(CPLErr severity, CPLErrorNum, const char* me
     std::replace(first->begin(), first->end(), '\n', ' ');
 }
 
-// Formats of elevation, none of which refers to other files or to servers. Nothing else is registered, so a
-// raster that is opened on behalf of another (an overview, a mask, a tile) is one of these, too. Drivers are
-// registered one by one because GDALAllRegister() would load plugins that the environment names.
+// Elevation formats that refer to no other files or servers. Nothing else is registered, so a raster opened
+// for another one (an overview, a mask, a tile) is also one of these. Drivers are registered one by one,
+// because GDALAllRegister() would load plugins that the environment names.
 struct Format {
     const char* driver;
     void (*register_it)();
@@ -51,15 +51,14 @@ constexpr std::array kFormats{
     Format{"GS7BG", GDALRegister_GS7BG},
     Format{"JP2OpenJPEG", GDALRegister_JP2OpenJPEG},
     Format{"GPKG", RegisterOGRGeoPackage},
-    Format{"PNG", GDALRegister_PNG},  // these two for the tiles of a GeoPackage
+    Format{"PNG", GDALRegister_PNG},  // for the tiles of a GeoPackage
     Format{"JPEG", GDALRegister_JPEG},
 };
 
 bool prepare_gdal() {
     for (const Format& format : kFormats) format.register_it();
     OSRSetPROJEnableNetwork(0);
-    // PROJ is also called by libgeotiff, which leaves it to print what it does not find; its contexts are
-    // copies of this one.
+    // libgeotiff also calls PROJ and lets it print failed look-ups. Its contexts are copies of this one.
     proj_log_level(PJ_DEFAULT_CTX, PJ_LOG_NONE);
     return close_file_system_to_gdal();
 }
@@ -69,7 +68,7 @@ bool is_prepared() {
     return prepared;
 }
 
-// Why a file that GDAL does not take may lead elsewhere; empty where it does not.
+// Why a file that GDAL rejects may refer elsewhere; empty if it does not.
 std::string reference_in(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     std::string beginning(1024, '\0');
@@ -78,11 +77,12 @@ std::string reference_in(const std::filesystem::path& path) {
         return "is a virtual raster, which reads other files; add --allow-references if you trust it";
     for (const char* service : {"<GDAL_WMS", "<WCS_GDAL", "<GDAL_WMTS"})
         if (beginning.find(service) != std::string::npos)
-            return "asks a server, and nothing is read from the network; download the raster and open that";
+            return "refers to a server, and the network is never read; download the raster and open the copy";
     return {};
 }
 
-// PROJ opens grids of corrections by the names in the WKT; a path among them is the author's, not the user's.
+// PROJ opens correction grids by the names in the WKT. A path among them comes from the file's author, not
+// the user.
 bool names_a_path(const std::string& wkt) {
     static const std::regex path_of_grid(R"((grids|parameterfile|catalog)[^\]]*/)", std::regex::icase);
     return std::regex_search(wkt, path_of_grid);
@@ -122,23 +122,23 @@ tl::expected<Raster, std::string> Raster::open(const std::filesystem::path& path
         return tl::unexpected(fmt::format("{}: {}", path.string(), fact));
     };
     if (!is_prepared())
-        return bad("not opened, because this version of GDAL cannot be kept from other files");
+        return bad("not opened, because this version of GDAL cannot be restricted to one file");
     std::error_code error;
     const bool is_binary_grid =
-        std::filesystem::is_regular_file(path / "hdr.adf", error);  // named by its folder
+        std::filesystem::is_regular_file(path / "hdr.adf", error);  // the folder names the grid
     if (auto is_file = files::check_input(path); !is_file && !is_binary_grid)
         return tl::unexpected(is_file.error());
     Raster raster;
     raster.files_ = std::make_unique<RasterFiles>(path, references);
     raster.virtual_rasters_ = std::make_unique<VirtualRasters>(references);
-    // Absolute, so that no name is taken for one of GDAL's own kinds of names.
+    // Use an absolute path, so that GDAL does not read the name as one of its special ones.
     const std::filesystem::path absolute = std::filesystem::absolute(path, error);
     raster.dataset_.reset(GDALOpenEx(absolute.c_str(),
                                      GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr,
                                      nullptr, nullptr));
     if (raster.get() != nullptr && GDALGetRasterCount(raster.get()) >= 1) return raster;
     if (const std::string reference = reference_in(path); !reference.empty()) return bad(reference);
-    return bad(fmt::format("not a raster that can be read ({})", errors.first()));
+    return bad(fmt::format("not a readable raster ({})", errors.first()));
 }
 
 void SpatialReference::Destroy::operator()(void* handle) const {

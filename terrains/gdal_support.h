@@ -9,11 +9,11 @@
 
 #include "terrains/gdal_files.h"
 
-// What every reader and writer here needs of GDAL. Include it from sources only, never from a header of a
-// format: GDAL's names stay in this folder's .cpp files.
+// GDAL support for the readers and writers here. Include it from sources only, never from a format's header:
+// GDAL's names stay in this folder's .cpp files.
 namespace terrains {
 
-// While one lives, GDAL and PROJ print nothing on this thread; what they would have printed is kept. Nests.
+// Captures GDAL's and PROJ's messages on this thread during its lifetime, so that nothing is printed. Nests.
 // Registers GDAL's drivers on first use.
 class GdalErrors {
   public:
@@ -23,12 +23,12 @@ class GdalErrors {
     GdalErrors& operator=(const GdalErrors&) = delete;
 
     bool any() const { return !first_.empty(); }
-    // First failure in GDAL's words, on one line; "no reason given" where there was none.
+    // GDAL's first failure message, on one line; "no reason given" if there was none.
     std::string first() const;
     void forget() { first_.clear(); }
 
   private:
-    // Its address is GDAL's for as long as this lives, and GDAL writes to it whatever we promise.
+    // GDAL holds its address and writes to it throughout this object's lifetime, even if the object is const.
     mutable std::string first_;
 };
 
@@ -37,7 +37,7 @@ struct CloseDataset {
 };
 using Dataset = std::unique_ptr<void, CloseDataset>;
 
-// Makes VRT known to GDAL while one lives that allows references, and unknown again.
+// Registers GDAL's VRT driver during its lifetime, if references are allowed.
 class VirtualRasters {
   public:
     explicit VirtualRasters(References references);
@@ -49,12 +49,12 @@ class VirtualRasters {
     bool registered_ = false;
 };
 
-// A raster that is open for reading, and the files that GDAL may read for it.
+// A raster open for reading, and the files that GDAL may read for it.
 class Raster {
   public:
-    // Opens one of the formats in kFormats (gdal_support.cpp), and VRT where references are allowed; never
-    // anything from the network. Errors: missing, no file, not a raster, damaged, a raster that refers to
-    // other files or servers; one sentence that names the file.
+    // Opens one of the formats in kFormats (gdal_support.cpp), and VRT if references are allowed; never reads
+    // the network. Errors: missing, no file, not a raster, damaged, a raster that refers to other files or
+    // servers. An error is one sentence that names the file.
     static tl::expected<Raster, std::string> open(const std::filesystem::path& path, References references);
 
     GDALDatasetH get() const { return dataset_.get(); }
@@ -67,8 +67,8 @@ class Raster {
     Dataset dataset_;
 };
 
-// A coordinate system with x east-like and y north-like. Empty where the WKT could not be read, and where it
-// names a file of its own to be read (a grid of corrections with a path).
+// A coordinate system with x east-like and y north-like. Empty if the WKT cannot be read, or if it names a
+// file to be read (a correction grid with a path).
 class SpatialReference {
   public:
     static SpatialReference from_wkt(const std::string& wkt);

@@ -23,7 +23,7 @@ double tangent(double degrees) {
     return std::tan(degrees * kPi / 180);
 }
 
-// 0 below `low`, 1 above `high`, smooth between.
+// Smooth step: 0 below `low`, 1 above `high`.
 double eased(double low, double high, double value) {
     const double t = std::clamp((value - low) / (high - low), 0.0, 1.0);
     return t * t * (3 - 2 * t);
@@ -34,13 +34,13 @@ tl::expected<void, std::string> check_numbers(const Recipe& recipe, const Number
     for (const auto& number : numbers) {
         const double value = recipe.*(number.value);
         if (!(value >= number.lowest && value <= number.highest))
-            return tl::unexpected(fmt::format("'{}' is {} {}, and must be {} to {} {}", number.name, value,
+            return tl::unexpected(fmt::format("'{}' is {} {}; it must be {} to {} {}", number.name, value,
                                               number.unit, number.lowest, number.highest, number.unit));
     }
     return {};
 }
 
-// Samples a mountain: height(x, downhill) and cover(x, downhill) in metres on a square of `length`.
+// Samples height(x, downhill) and cover(x, downhill), in metres, on a square of `length`.
 template <class Height, class Cover>
 tl::expected<Terrain, std::string> sample(const char* name, double length, const GridChoice& choice,
                                           Height height, Cover cover) {
@@ -56,8 +56,8 @@ tl::expected<Terrain, std::string> sample(const char* name, double length, const
     terrain.has_data.assign(grid->size(), 1);
     for (int j = 0; j < grid->ny; ++j)
         for (int i = 0; i < grid->nx; ++i) {
-            // From squares, not from dx: a vertex that two grids share is then at the same point to the last
-            // bit.
+            // Computed from squares, not from dx, so that a vertex shared by two grids is at the
+            // bit-identical point.
             const double x = length * i / squares, downhill = length * (squares - j) / squares;
             const auto at = static_cast<std::size_t>(j) * grid->nx + i;
             terrain.surface[at] = static_cast<float>(rounded(height(x, downhill)));
@@ -66,7 +66,7 @@ tl::expected<Terrain, std::string> sample(const char* name, double length, const
     return terrain;
 }
 
-// Ribs and crags: five octaves of a folded pattern, each turned against the last, so that no crest follows
+// Ribs and crags: five octaves of a folded pattern, each rotated against the last, so that no crest follows
 // the grid. About 0 to 1, mostly near a half; u, v in metres.
 double crags(double u, double v) {
     double sum = 0, amplitude = 0.5, frequency = 2 * kPi / 620;
@@ -80,8 +80,8 @@ double crags(double u, double v) {
     return sum;
 }
 
-// Across a row of gullies, phase 0 on each axis: −1 in the gully, 1 on the rib. Ribs are sharp; gully floors
-// are hollow rather than flat, so that they gather what comes down.
+// Profile across a row of gullies, phase 0 on each axis: −1 in the gully, 1 on the rib. Ribs are sharp. Gully
+// floors are concave rather than flat, so that they collect the flow.
 double gully_profile(double phase) {
     const double s = std::sin(phase / 2), c = std::cos(phase / 2);
     return 0.4 * (2 * std::sqrt(s * s + 0.01) - 1) + 0.6 * (1 - 2 * std::sqrt(c * c + 0.01));
@@ -110,12 +110,12 @@ class Valley {
     static constexpr double kLength = 2000;  // m
 
   private:
-    // Where the main gully runs: it starts under the heap and winds a little to the east.
+    // Axis of the main gully. It starts under the heap and winds slightly to the east.
     static double main_gully(double downhill) {
         return 960 + 45 * (std::sin(downhill / 260) - std::sin(330.0 / 260)) + 0.07 * (downhill - 330);
     }
 
-    // How far gullies stray from running side by side, m; nothing at the heap.
+    // Deviation of the gullies from parallel lines, m; 0 at the heap.
     static double stray(double x, double downhill) {
         const auto wind = [](double u, double v) {
             return 60 * std::sin(v / 310 + u / 270 + 0.6) + 24 * std::sin(v / 118 - u / 190);
@@ -127,15 +127,15 @@ class Valley {
         const double ridge =
             140 + 50 * std::sin(x / 300 + 0.8) + 22 * std::sin(x / 83) + 9 * std::sin(x / 37 + 4);
         const double t = std::clamp((foot - downhill) / (foot - ridge), 0.0, 1.3);
-        const double up = t <= 1 ? t : 2 - t;  // beyond the ridge it falls again
-        // A saddle above the heap, so that a bowl opens under it, between summits of different height.
+        const double up = t <= 1 ? t : 2 - t;  // falls beyond the ridge
+        // A saddle above the heap, so that a bowl opens below it, between summits of different heights.
         const double skyline = 0.35 - 0.4 * std::cos((x - 975) / 215) - 0.3 * std::cos((x - 975) / 121) +
                                0.14 * std::sin((x - 960) / 61) + 0.1 * std::cos((x - 960) / 29);
         const double across = x - main_gully(downhill) - stray(x, downhill);
         const double gully = gully_profile(2 * kPi * across / r_.gully_spacing);
         const double flutes =
             gully_profile(2 * kPi * (across - 0.35 * (downhill - 330)) / (0.27 * r_.gully_spacing));
-        const double rib = (gully + 1) / 2;  // gully floors are swept smooth, ribs are rough
+        const double rib = (gully + 1) / 2;  // gully floors are smooth, ribs are rough
         const double inside = eased(0.02, 0.35, t) * (1 - 0.5 * eased(0.75, 1, up));
         const double deep = 1 + 0.35 * std::cos(2 * kPi * (x - 960) / 1270);
         return r_.rise * std::pow(up, 1.42) + r_.summits * skyline * up * up * up +
@@ -154,7 +154,7 @@ class Valley {
                0.85 * r_.ruggedness * (crags(x + 700, downhill - 300) - 0.5) * eased(0, 0.8, u);
     }
 
-    // Debris where the main gully and its two neighbours reach the floor.
+    // Debris at the foot of the main gully and its two neighbours.
     double fans(double x, double downhill) const {
         constexpr double kRadius = 110;  // m
         double sum = 0;
@@ -175,13 +175,13 @@ class Valley {
 tl::expected<Terrain, std::string> generate_soil_slope(const SoilSlope& recipe, const GridChoice& choice) {
     if (auto right = check_numbers(recipe, kSoilSlopeNumbers); !right) return tl::unexpected(right.error());
     const double steep = tangent(recipe.steep), flat = tangent(recipe.flat), middle = 0.5 * recipe.length;
-    // Contours swing about x = middle, where the heap stands and the fall line stays the recipe's.
+    // Contours are displaced about x = middle, where the heap stands and the fall line is unchanged.
     const auto swung = [&](double x, double downhill) {
         return downhill + recipe.sway * std::sin((x - middle) / 26) * std::cos((x - middle) / 61 + 0.5);
     };
     const auto height = [&](double x, double downhill) {
         const double y = swung(x, downhill), w = recipe.break_width, away = x - middle;
-        // The integral of a slope that eases from steep to flat as tanh((y − break_at) / w).
+        // The integral of a slope that changes from steep to flat as tanh((y − break_at) / w).
         const double fall =
             flat * y + (steep - flat) / 2 * (y - w * std::log(std::cosh((y - recipe.break_at) / w)));
         const double uneven =

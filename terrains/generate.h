@@ -10,14 +10,14 @@
 
 namespace terrains {
 
-// Mountains made from formulas. A formula gives the height at any point in metres, so every grid samples the
-// same mountain, only at another spacing. Heights and cover are rounded to whole multiples of 2⁻¹⁰ m (1 mm),
-// so that the last bits of another maths library's sin do not reach a hash. The recipes' y runs downhill;
-// ours has y north, so the slope falls to the south: y = length − downhill. Not placed on Earth; has_data is
-// 1 everywhere. Errors of both: squares outside 8 to 4096, a number outside its range; the sentence names the
-// number.
+// Mountains generated from formulas. A formula gives the height at any point in metres, so grids of any
+// spacing sample the same mountain. Heights and cover are rounded to whole multiples of 2⁻¹⁰ m (1 mm), so
+// that differences between maths libraries do not reach a hash. The recipes' y runs downhill; ours points
+// north, so the slope falls to the south: y = length − downhill. Not placed on Earth; has_data is 1
+// everywhere. Both fail if squares are outside 8 to 4096 or a parameter is outside its range. The error names
+// the parameter.
 
-// One number of a recipe: how a scene file writes it, and what it may be.
+// One parameter of a recipe: its key in a scene file, and its range.
 template <class Recipe>
 struct RecipeNumber {
     const char* name;
@@ -29,7 +29,7 @@ struct RecipeNumber {
 
 // "slope-of-soil": a steady slope that eases into flat ground, a shallow hollow down its middle, gentle
 // unevenness, and soil that thins out at the break. x 0 to 160, y 0 (foot) to 160 (top). The recipe's heap at
-// (80, 22) downhill stands at x = 80, y = 138.
+// (80, 22) downhill is at x = 80, y = 138.
 struct SoilSlope {
     double length = 160;
     double steep = 32;
@@ -48,9 +48,9 @@ inline constexpr std::array<RecipeNumber<SoilSlope>, 10> kSoilSlopeNumbers{{
     {"steep", &SoilSlope::steep, 5, 45, "°", "slope above the break"},
     {"flat", &SoilSlope::flat, 0, 15, "°", "slope below the break"},
     {"break_at", &SoilSlope::break_at, 0, 2000, "m", "where the slope eases, downhill from the top"},
-    {"break_width", &SoilSlope::break_width, 1, 50, "m", "over which it eases"},
+    {"break_width", &SoilSlope::break_width, 1, 50, "m", "distance over which the slope eases"},
     {"sway", &SoilSlope::sway, 0, 10, "m",
-     "by which contours swing up and down hill, so that none runs along the grid"},
+     "displacement of contours up and down hill, so that none follows the grid"},
     {"relief", &SoilSlope::relief, 0, 1, "m", "amplitude of the small unevenness"},
     {"hollow", &SoilSlope::hollow, 0, 0.01, "1/m", "curvature of the hollow across the slope"},
     {"soil", &SoilSlope::soil, 0, 5, "m", "soil on the slope, vertically, in addition to that of the foot"},
@@ -60,9 +60,9 @@ tl::expected<Terrain, std::string> generate_soil_slope(const SoilSlope& recipe =
                                                        const GridChoice& choice = kSoilSlopeSquares);
 
 // "alpine-valley": two sides of a valley with gullies, ribs and summits, a floor that falls gently to the
-// east, debris fans where gullies end, and snow above the snow line wherever it holds. x and y 0 to 2000. The
-// main side faces south, its ridge near y = 1860; the floor runs near y = 500; the opposite side rises to the
-// southern border. The recipe's heap at (960, 330) downhill stands at x = 960, y = 1670, in the bowl at the
+// east, debris fans at the foot of gullies, and snow above the snow line unless too steep. x and y 0 to 2000.
+// The main side faces south, its ridge near y = 1860; the floor runs near y = 500; the opposite side rises to
+// the southern border. The recipe's heap at (960, 330) downhill is at x = 960, y = 1670, in the bowl at the
 // head of the main gully.
 struct AlpineValley {
     double floor_height = 1200;
@@ -82,19 +82,21 @@ struct AlpineValley {
 inline constexpr int kAlpineValleySquares = 160;  // default grid: cells of 12.5 m
 inline constexpr std::array<RecipeNumber<AlpineValley>, 13> kAlpineValleyNumbers{{
     {"floor_height", &AlpineValley::floor_height, 0, 4000, "m", "height of the valley floor in its middle"},
-    {"rise", &AlpineValley::rise, 100, 2000, "m", "from the floor to the main ridge"},
-    {"summits", &AlpineValley::summits, 0, 300, "m", "by which summits and saddles vary the main ridge"},
+    {"rise", &AlpineValley::rise, 100, 2000, "m", "height of the main ridge above the floor"},
+    {"summits", &AlpineValley::summits, 0, 300, "m",
+     "height of summits and depth of saddles on the main ridge"},
     {"gully_depth", &AlpineValley::gully_depth, 0, 60, "m", "amplitude of the gullies"},
-    {"gully_spacing", &AlpineValley::gully_spacing, 150, 1000, "m", "between gullies of the main side"},
+    {"gully_spacing", &AlpineValley::gully_spacing, 150, 1000, "m",
+     "distance between gullies of the main side"},
     {"ruggedness", &AlpineValley::ruggedness, 0, 120, "m", "amplitude of ribs and crags"},
-    {"fan_height", &AlpineValley::fan_height, 0, 40, "m", "of the debris where gullies end"},
-    {"floor_fall", &AlpineValley::floor_fall, 0, 0.1, "m/m", "by which the valley falls to the east"},
+    {"fan_height", &AlpineValley::fan_height, 0, 40, "m", "height of the debris fans where gullies end"},
+    {"floor_fall", &AlpineValley::floor_fall, 0, 0.1, "m/m", "slope of the valley floor to the east"},
     {"opposite_rise", &AlpineValley::opposite_rise, 0, 1000, "m",
-     "of the opposite side over its first 520 m"},
-    {"snow", &AlpineValley::snow, 0, 5, "m", "snow where it lies full, vertically"},
+     "rise of the opposite side over its first 520 m"},
+    {"snow", &AlpineValley::snow, 0, 5, "m", "full snow depth, vertically"},
     {"snow_line", &AlpineValley::snow_line, -1000, 6000, "m", "height above which snow begins"},
-    {"snow_full", &AlpineValley::snow_full, 1, 2000, "m", "height above the snow line at which it is full"},
-    {"bare", &AlpineValley::bare, 30, 80, "°", "slope at which no snow holds; full where 10° gentler"},
+    {"snow_full", &AlpineValley::snow_full, 1, 2000, "m", "height above the snow line at which snow is full"},
+    {"bare", &AlpineValley::bare, 30, 80, "°", "slope at which no snow holds; full if 10° gentler"},
 }};
 tl::expected<Terrain, std::string> generate_alpine_valley(const AlpineValley& recipe = {},
                                                           const GridChoice& choice = kAlpineValleySquares);

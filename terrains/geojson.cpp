@@ -27,7 +27,7 @@ tl::expected<Json, std::string> parse(const std::filesystem::path& path) {
     const auto size = std::filesystem::file_size(path, status);
     if (status) return tl::unexpected(fmt::format("cannot be opened ({})", status.message()));
     if (size > kMostGeoJsonBytes)
-        return tl::unexpected(fmt::format("over {} MiB, which no outline needs", kMostGeoJsonBytes >> 20));
+        return tl::unexpected(fmt::format("over {} MiB, the limit for outlines", kMostGeoJsonBytes >> 20));
     std::ifstream file(path, std::ios::binary);
     std::string text(static_cast<std::size_t>(size), '\0');
     file.read(text.data(), static_cast<std::streamsize>(text.size()));
@@ -35,7 +35,7 @@ tl::expected<Json, std::string> parse(const std::filesystem::path& path) {
     return read_json<Json>(text, kGeoJsonLimits);
 }
 
-// A member of an object, or null where there is none.
+// A member of an object, or null if it is missing.
 const Json& member(const Json& object, const char* name) {
     static const Json none;
     if (!object.is_object()) return none;
@@ -47,16 +47,16 @@ std::string text_of(const Json& value) {
     return value.is_string() ? value.get<std::string>() : std::string();
 }
 
-// Files from before RFC 7946 may name a coordinate system.
+// Files older than RFC 7946 may name a coordinate system.
 Done check_system(const Json& root) {
     const std::string name = text_of(member(member(member(root, "crs"), "properties"), "name"));
     for (const char* wgs84 : {"", "urn:ogc:def:crs:OGC:1.3:CRS84", "urn:ogc:def:crs:OGC::CRS84", "EPSG:4326",
                               "urn:ogc:def:crs:EPSG::4326"})
         if (name == wgs84) return {};
-    return tl::unexpected(fmt::format("its coordinate system is {}; GeoJSON is in WGS 84 degrees", name));
+    return tl::unexpected(fmt::format("its coordinate system is {}; convert it to WGS 84 degrees", name));
 }
 
-// Rings as a file has them, x longitude and y latitude, until all are brought on to the plane at once.
+// Rings as in the file, x longitude and y latitude, until all are transformed to the plane at once.
 struct Outlines {
     std::vector<double> x, y;
     std::vector<std::vector<std::size_t>> ring_sizes;  // per polygon
@@ -67,7 +67,7 @@ Done add_ring(const Json& ring, Outlines& outlines) {
     if (!ring.is_array() || ring.size() < 4)
         return tl::unexpected<std::string>("a ring has fewer than 4 points");
     if (outlines.x.size() + ring.size() > kMostGeoJsonPoints)
-        return tl::unexpected(fmt::format("over {} points, which no outline needs", kMostGeoJsonPoints));
+        return tl::unexpected(fmt::format("over {} points, the limit for outlines", kMostGeoJsonPoints));
     for (const Json& point : ring) {
         if (!point.is_array() || point.size() < 2 || !point[0].is_number() || !point[1].is_number())
             return tl::unexpected<std::string>("a point is not two numbers");
@@ -96,8 +96,7 @@ Done add_geometry(const Json& geometry, double thickness, Outlines& outlines) {
     const Json& coordinates = member(geometry, "coordinates");
     if (type == "Polygon") return add_polygon(coordinates, thickness, outlines);
     if (type != "MultiPolygon")
-        return tl::unexpected(
-            fmt::format("its geometry is '{}', and only Polygon and MultiPolygon enclose an area", type));
+        return tl::unexpected(fmt::format("its geometry is '{}'; it must be Polygon or MultiPolygon", type));
     if (!coordinates.is_array() || coordinates.empty())
         return tl::unexpected<std::string>("it has no polygons");
     for (const Json& polygon : coordinates)
@@ -114,7 +113,7 @@ tl::expected<double, std::string> thickness_of(const Json& feature, const Thickn
     if (!stated.is_number()) return tl::unexpected(fmt::format("its '{}' is not a number", rule.property));
     const double thickness = stated.get<double>();
     if (!(thickness > 0 && thickness <= kMostThickness))
-        return tl::unexpected(fmt::format("its '{}' is {} m, and must be above 0 and at most {} m",
+        return tl::unexpected(fmt::format("its '{}' is {} m; it must be above 0 and at most {} m",
                                           rule.property, thickness, kMostThickness));
     return thickness;
 }
@@ -144,7 +143,7 @@ tl::expected<Outlines, std::string> collect(const Json& root, const ThicknessRul
 tl::expected<std::vector<Area>, std::string> on_plane(Outlines outlines, const Georeference& georeference) {
     if (!georeference.placed())
         return tl::unexpected<std::string>(
-            "it is in degrees, and the terrain states no coordinate system, so it has no place on Earth");
+            "it is in degrees, but the terrain has no coordinate system, so they cannot be aligned");
     const auto transform = PlaneTransform::between(wgs84_wkt(), georeference.wkt());
     if (!transform) return tl::unexpected(transform.error());
     if (!transform->apply(outlines.x, outlines.y))

@@ -16,28 +16,27 @@ struct LocalPoint {
     double x = 0, y = 0;  // m from the grid's south-west vertex, along the grid's own axes
 };
 
-// Where a grid stands on Earth, and the way there and back. Four kinds:
+// The position of a grid on Earth, with conversions both ways. Four kinds:
 //   not placed: a generated terrain, local metres only.
-//   unnamed: a DEM that states no coordinate system. Its coordinates are kept, so that rasters of one set
-//   find
-//     each other, but nobody knows where on Earth they are; not placed either.
-//   projected: the DEM's own metric coordinate system. The grid keeps its axes, x = easting − easting of
-//   vertex
-//     (0, 0).
-//   local: a DEM in degrees, or in a system whose metres are not true there, laid on a transverse Mercator
-//     plane through its own centre (local_plane.h), so that lengths and angles are true and y is north.
+//   unnamed: a DEM without a coordinate system. Its coordinates are kept, so that rasters of one set align,
+//     but their place on Earth is unknown; not placed either.
+//   projected: the DEM's own metric coordinate system. The grid keeps its axes,
+//     x = easting − easting of vertex (0, 0).
+//   local: a DEM in degrees, or in a system whose metres are not true there, projected to a transverse
+//     Mercator plane through its own centre (local_plane.h), so that lengths and angles are true and y is
+//     north.
 // A value: cheap to copy, holds no library handle. For many points at once use PlaneTransform with wkt().
 class Georeference {
   public:
     Georeference() = default;  // not placed
 
-    // Coordinates in metres of a system that nobody named; those of vertex (0, 0).
+    // Coordinates of vertex (0, 0) in metres of an unnamed system.
     static Georeference unnamed(double origin_x, double origin_y);
 
     // `wkt` is a coordinate system with metres as its unit; easting and northing are those of vertex (0, 0).
     static Georeference projected(std::string wkt, double easting, double northing);
 
-    // Plane through `centre`; (false_x, false_y) is what vertex (0, 0) measures from it, m.
+    // Plane through `centre`; vertex (0, 0) is at (false_x, false_y) from it, m.
     static Georeference local(LatLon centre, double false_x, double false_y);
 
     bool is_local() const { return kind_ == Kind::kLocal; }
@@ -45,20 +44,20 @@ class Georeference {
     // Whether origin_x and origin_y mean something to other files: every kind but "not placed".
     bool has_coordinates() const { return kind_ != Kind::kNone; }
 
-    // Of the local plane; means nothing to other kinds.
+    // Centre of the local plane; meaningless for other kinds.
     LatLon centre() const { return centre_; }
 
-    // Errors: not placed, or a point that the coordinate system cannot express.
+    // Fails if not placed, or if the coordinate system cannot express the point.
     tl::expected<LatLon, std::string> to_lat_lon(LocalPoint p) const;
     tl::expected<LocalPoint, std::string> to_local(LatLon p) const;
 
-    // WKT of the plane the grid lies on, for exports; empty where not placed.
+    // WKT of the plane the grid lies on, for exports; empty if not placed.
     const std::string& wkt() const { return wkt_; }
     // Coordinates of vertex (0, 0) in that plane, m.
     double origin_x() const { return origin_x_; }
     double origin_y() const { return origin_y_; }
 
-    // "47.30012° N 11.43210° E, UTM 32T 683912 5240010"; empty where not placed or not expressible. Beyond
+    // "47.30012° N 11.43210° E, UTM 32T 683912 5240010"; empty if not placed or not expressible. Beyond
     // 84° N and 80° S the second half is the polar grid, "UPS Z 2000000 2000000".
     std::string describe(LocalPoint p) const;
 

@@ -14,7 +14,7 @@
 namespace terrains {
 namespace {
 
-// A file in memory that GDAL writes by name: GDAL may write no other (gdal_files.h).
+// A named file in memory, the only kind that GDAL may write (gdal_files.h).
 class MemoryFile {
   public:
     MemoryFile() : name_(fmt::format("/vsimem/couloir/{}.tif", fmt::ptr(this))) {}
@@ -66,7 +66,7 @@ tl::expected<std::string, std::string> encode_geotiff(const sim::Grid& grid, con
                                writable.data()));
     if (dataset == nullptr) return tl::unexpected(errors.first());
     if (auto filled = fill(dataset.get(), grid, place, rows); !filled) return tl::unexpected(filled.error());
-    dataset.reset();  // much is written only now
+    dataset.reset();  // writes most of the file
     if (errors.any()) return tl::unexpected(errors.first());
     return std::string(file.bytes());
 }

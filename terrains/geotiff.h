@@ -12,7 +12,7 @@ namespace terrains {
 
 inline constexpr float kNoDataWritten = -9999;
 
-// Edges of a raster whose pixels lie around the vertices of a grid, in the georeference's metres.
+// Edges of a raster with pixels around the vertices of a grid, in the georeference's metres.
 inline double west_edge(const sim::Grid& grid, const Georeference& place) {
     return place.origin_x() - 0.5 * grid.dx;
 }
@@ -20,11 +20,11 @@ inline double south_edge(const sim::Grid& grid, const Georeference& place) {
     return place.origin_y() - 0.5 * grid.dx;
 }
 
-// The bytes of a GeoTIFF, float32, deflate. `rows` run from the north to the south. Errors: GDAL's words.
+// Encodes a GeoTIFF, float32, deflate. `rows` run from north to south. Errors are GDAL's messages.
 tl::expected<std::string, std::string> encode_geotiff(const sim::Grid& grid, const Georeference& place,
                                                       std::span<const float> rows);
 
-// A coordinate system in the dialect that readers of .prj files know; empty if it cannot be said in it.
+// A coordinate system in the WKT dialect of .prj files; empty if that dialect cannot express it.
 std::string esri_wkt(const std::string& wkt);
 
 }  // namespace terrains

@@ -19,7 +19,7 @@ namespace {
 
 using Done = tl::expected<void, std::string>;
 
-// The format of OpenImageIO that reads a file which begins so; null where none that we read does.
+// The OpenImageIO format of a file with these first bytes; null if it is none that we read.
 const char* format_of(std::string_view beginning) {
     using namespace std::string_view_literals;
     struct Signature {
@@ -53,20 +53,21 @@ Done check_picture(const OIIO::ImageSpec& spec) {
     constexpr auto kMostPixels = static_cast<double>(kMostHeightmapPixels);
     if (spec.width < 2 || spec.height < 2 || static_cast<double>(spec.width) * spec.height > kMostPixels)
         return tl::unexpected(
-            fmt::format("{} × {} pixels: a heightmap has at least 2 each way and at most 100 million",
+            fmt::format("{} × {} pixels; a heightmap has at least 2 along each side and at most 100 million",
                         spec.width, spec.height));
-    // A tile is read whole, however little of it is picture.
+    // OpenImageIO reads whole tiles, even if little of them is in the image.
     if (static_cast<double>(spec.tile_width) * spec.tile_height > kMostPixels || spec.depth > 1)
-        return tl::unexpected(fmt::format("tiles of {} × {} pixels, which no heightmap needs",
+        return tl::unexpected(fmt::format("tiles of {} × {} pixels exceed the limit for heightmaps",
                                           spec.tile_width, spec.tile_height));
     if (spec.nchannels > kMostHeightmapChannels)
-        return tl::unexpected(fmt::format("{} channels; a heightmap is grey", spec.nchannels));
+        return tl::unexpected(fmt::format("{} channels; a heightmap must be grey", spec.nchannels));
     if (spec.format == OIIO::TypeDesc::HALF)
-        return tl::unexpected<std::string>("half floats, which are metres off at a mountain's height");
+        return tl::unexpected<std::string>(
+            "half floats, whose steps are metres at a mountain's height; convert it");
     return {};
 }
 
-// The first channel of every pixel as 0 to 1, from the type in which the file keeps it.
+// The first channel of every pixel as 0 to 1, read in the file's own type.
 template <class Stored>
 Done read_as(OIIO::ImageInput& input, std::vector<float>& brightness) {
     const OIIO::ImageSpec& spec = input.spec();
@@ -78,7 +79,7 @@ Done read_as(OIIO::ImageInput& input, std::vector<float>& brightness) {
         double value = static_cast<double>(pixels[i]);
         if constexpr (std::numeric_limits<Stored>::is_integer) value /= std::numeric_limits<Stored>::max();
         if (!(value >= 0 && value <= 1))
-            return tl::unexpected(fmt::format("row {}, column {} is {}, and brightness is 0 to 1",
+            return tl::unexpected(fmt::format("row {}, column {} is {}; brightness must be 0 to 1",
                                               i / spec.width + 1, i % spec.width + 1, value));
         brightness[i] = static_cast<float>(value);
     }
@@ -110,13 +111,11 @@ tl::expected<GreyPicture, std::string> read(const std::filesystem::path& path) {
     std::string beginning(8, ' ');
     file->read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
     const char* format = format_of(beginning);
-    if (format == nullptr)
-        return bad("not a picture that can be read; PNG, TIFF, PNM, OpenEXR, JPEG and BMP can");
+    if (format == nullptr) return bad("not a readable image; use PNG, TIFF, PNM, OpenEXR, JPEG or BMP");
     const auto input = OIIO::ImageInput::create(format);
     OIIO::ImageSpec spec;
     if (!input || !input->open(path.string(), spec))
-        return bad(
-            fmt::format("not a picture that can be read ({})", input ? input->geterror() : OIIO::geterror()));
+        return bad(fmt::format("not a readable image ({})", input ? input->geterror() : OIIO::geterror()));
     if (auto fits = check_picture(spec); !fits) return bad(fits.error());
     GreyPicture picture{spec.width, spec.height, {}, spec.get_string_attribute("Copyright")};
     if (auto done = read_brightness(*input, picture.brightness); !done) return bad(done.error());
@@ -125,19 +124,18 @@ tl::expected<GreyPicture, std::string> read(const std::filesystem::path& path) {
 
 }  // namespace
 
-// OpenImageIO throws at some damage.
+// Catches exceptions, because OpenImageIO throws on some damage.
 tl::expected<GreyPicture, std::string> read_grey_picture(const std::filesystem::path& path) try {
     return read(path);
 } catch (const std::bad_alloc&) {
-    throw;  // the machine's fault
+    throw;  // out of memory is not the file's fault
 } catch (const std::exception& thrown) {
-    return tl::unexpected(
-        fmt::format("{}: not a picture that can be read ({})", path.string(), thrown.what()));
+    return tl::unexpected(fmt::format("{}: not a readable image ({})", path.string(), thrown.what()));
 }
 
 }  // namespace terrains
 
-// Found by its name (grey_picture_door.cpp).
+// grey_picture_door.cpp finds this symbol by name.
 extern "C" {
 [[gnu::visibility("default")]] extern const decltype(&terrains::read_grey_picture) couloir_read_grey_picture;
 const decltype(&terrains::read_grey_picture) couloir_read_grey_picture = terrains::read_grey_picture;

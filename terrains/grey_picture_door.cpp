@@ -1,8 +1,8 @@
 #include "files/module.h"
 #include "terrains/grey_picture.h"
 
-// OpenImageIO comes with over two hundred libraries, so it is linked to a module of its own, which is loaded
-// when it is first asked. The real function, which the module has, is in grey_picture.cpp.
+// OpenImageIO depends on over two hundred libraries, so a separate module links it and is loaded on first
+// use. The real function is in that module, in grey_picture.cpp.
 namespace terrains {
 
 tl::expected<GreyPicture, std::string> read_grey_picture(const std::filesystem::path& path) {

@@ -10,19 +10,20 @@
 
 namespace terrains {
 
-// What a picture does not say about the mountain it shows.
+// The scale of a heightmap, which the image does not contain.
 struct HeightmapScale {
     double cell = 0;     // m from one pixel to the next, 0.001 to 10,000
     double lowest = 0;   // m, height of black, −12,000 to 9,000
     double highest = 0;  // m, height of white, above lowest, up to 9,000
 };
 
-// Reads a grey picture whose brightness is height: 8, 16 or 32 bits, or float from 0 to 1, in its native
-// type, so that no step of a 16-bit picture is lost. Its first row is the north. Brought on to `squares` (8
-// to 4096) along the longer side as read_dem() does; not placed on Earth, has_data 1 and cover 0 everywhere.
-// 8 bits make steps of 1/255 of the whole height: terraces, where the hill is high. Errors, in one sentence
-// that names the file: missing, not a picture, damaged, over 100 million pixels, in colour, half floats (they
-// would be metres off), a float outside 0 to 1, a scale or squares out of range, a grid that is not allowed.
+// Reads a grey image whose brightness is height: 8, 16 or 32 bits, or float from 0 to 1, in its native type,
+// so that a 16-bit image keeps its precision. Its first row is the north. It is resampled to `squares` (8 to
+// 4096) along the longer side as in read_dem(); not placed on Earth, has_data 1 and cover 0 everywhere. 8
+// bits give steps of 1/255 of the height range, which show as terraces on a high hill. Errors, in one
+// sentence that names the file: missing, not an image, damaged, over 100 million pixels, in colour, half
+// floats (they would be metres off), a float outside 0 to 1, a scale or squares out of range, a grid that is
+// not allowed.
 tl::expected<Terrain, std::string> read_heightmap(const std::filesystem::path& path,
                                                   const HeightmapScale& scale, const GridChoice& choice);
 

@@ -14,7 +14,7 @@
 
 namespace terrains {
 
-// What JSON text from outside may hold. Values are numbers, texts, truths, nulls, lists and objects.
+// Limits on untrusted JSON text. Values are numbers, strings, booleans, nulls, arrays and objects.
 struct JsonLimits {
     std::size_t depth;    // levels of lists and objects
     std::size_t values;   // of the whole text

@@ -12,7 +12,7 @@ const GeographicLib::TransverseMercator& projection() {
     return made;
 }
 
-// From the equator, as GeographicLib measures.
+// Measured from the equator, as in GeographicLib.
 LocalPoint forward(double meridian, LatLon p) {
     LocalPoint made;
     projection().Forward(meridian, p.latitude, p.longitude, made.x, made.y);

@@ -2,8 +2,8 @@
 
 #include "terrains/georeference.h"
 
-// The transverse Mercator plane through a point: WGS 84, scale 1 on the point's meridian, metres from it. The
-// same plane as local_plane_wkt(), through GeographicLib.
+// The transverse Mercator plane through a point: WGS 84, scale 1 on the point's meridian, metres from the
+// point. It is the plane of local_plane_wkt(), computed by GeographicLib.
 namespace terrains {
 
 LocalPoint to_local_plane(LatLon centre, LatLon p);

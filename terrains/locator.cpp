@@ -17,10 +17,10 @@ namespace {
 struct ZoneMetres {
     int zone = 0;  // 0 is the polar grid
     double easting = 0, northing = 0;
-    std::string name;  // "32T", or "Z" at the pole; so short that it lies in the string itself
+    std::string name;  // "32T", or "Z" at the pole; short enough to need no allocation
 };
 
-// Nothing off the grid of zones.
+// Empty off the grid of zones.
 std::optional<ZoneMetres> zone_metres(LatLon p) {
     try {
         ZoneMetres made;
@@ -68,7 +68,7 @@ void Locator::describe(LocalPoint p, std::span<char> text) const {
     if (!there || !on_earth(*there)) return;
     const double north = std::abs(there->latitude), east = std::abs(there->longitude);
     const char half = there->latitude < 0 ? 'S' : 'N', side = there->longitude < 0 ? 'W' : 'E';
-    // Off the grid of zones degrees still say where.
+    // Off the grid of zones, degrees still give the position.
     if (const auto metres = zone_metres(*there))
         write(text, "{:.5f}° {} {:.5f}° {}, {} {} {:.0f} {:.0f}", north, half, east, side,
               metres->zone == 0 ? "UPS" : "UTM", metres->name, metres->easting, metres->northing);

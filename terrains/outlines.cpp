@@ -23,8 +23,8 @@ class Patches {
   public:
     Patches(const sim::Grid& grid, std::span<const std::uint8_t> mask) : grid_(grid), mask_(mask) { label(); }
 
-    // Rings of every patch, the outer one first, its inside on the left hand (counter-clockwise), holes the
-    // other way.
+    // Rings of every patch: the outer one first, counter-clockwise (inside on the left), then holes
+    // clockwise.
     std::vector<std::vector<Ring>> rings() const;
 
   private:
@@ -58,9 +58,9 @@ void Patches::label() {
     }
 }
 
-// Walks along a patch's border with the patch on the left, from a corner whence the border runs east. Where
-// two cells of the patch touch in a corner only, one side of them is a hole; turning right there keeps the
-// hole's ring apart from the outer one, so that no ring touches itself.
+// Follows a patch's border with the patch on the left, from a corner where the border runs east. Where two
+// cells of the patch touch only in a corner, one side of them is a hole. Turning right there keeps the hole's
+// ring apart from the outer one, so that no ring touches itself.
 Ring Patches::trace(int patch_number, Corner start, std::vector<bool>& done) const {
     constexpr int kStepX[] = {1, 0, -1, 0}, kStepY[] = {0, 1, 0, -1};  // east, north, west, south
     // Cells to the left and right of the side that leaves a corner in a direction.
@@ -79,7 +79,7 @@ Ring Patches::trace(int patch_number, Corner start, std::vector<bool>& done) con
         int next = (direction + 3) % 4;                                    // right
         if (!is_border(corner, next)) next = direction;                    // straight on
         if (!is_border(corner, next)) next = (direction + 1) % 4;          // left
-        if (next != direction || corner == start) ring.push_back(corner);  // corners of the ring only
+        if (next != direction || corner == start) ring.push_back(corner);  // only where the ring turns
         direction = next;
     } while (!(corner == start && direction == 0));
     return ring;
@@ -88,7 +88,7 @@ Ring Patches::trace(int patch_number, Corner start, std::vector<bool>& done) con
 std::vector<std::vector<Ring>> Patches::rings() const {
     std::vector<std::vector<Ring>> all(static_cast<std::size_t>(count_));
     std::vector<bool> done(grid_.size());
-    // From the south upwards a patch's first border running east is on its outer ring.
+    // Scanning from the south, a patch's first border that runs east is on its outer ring.
     for (int y = 0; y < grid_.ny; ++y)
         for (int x = 0; x < grid_.nx; ++x)
             if (patch(x, y) != 0 && patch(x, y - 1) != patch(x, y) && !done[at(x, y)])
@@ -121,7 +121,7 @@ std::string ring_text(const Points& points, int decimals) {
 
 tl::expected<std::string, std::string> outlines_of(const sim::Grid& grid, const Georeference& georeference,
                                                    std::span<const std::uint8_t> mask) {
-    const int decimals = georeference.placed() ? 8 : 3;  // a millimetre either way
+    const int decimals = georeference.placed() ? 8 : 3;  // one millimetre in both cases
     const auto to_degrees =
         PlaneTransform::between(georeference.placed() ? georeference.wkt() : wgs84_wkt(), wgs84_wkt());
     if (!to_degrees) return tl::unexpected(to_degrees.error());
@@ -136,7 +136,7 @@ tl::expected<std::string, std::string> outlines_of(const sim::Grid& grid, const 
                                static_cast<double>(ring[i + 1].x) * ring[i].y);
             Points points = on_plane(ring, grid, georeference);
             if (georeference.placed() && !to_degrees->apply(points.x, points.y))
-                return tl::unexpected<std::string>("the outline has points that lie nowhere on Earth");
+                return tl::unexpected<std::string>("the outline has points without a position on Earth");
             coordinates += (coordinates.empty() ? "" : ", ") + ring_text(points, decimals);
         }
         features += fmt::format(

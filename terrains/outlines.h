@@ -11,7 +11,7 @@
 
 namespace terrains {
 
-// The text of the GeoJSON that write_outlines() writes. Errors: points that have no place on Earth.
+// The GeoJSON text for write_outlines(). Fails if a point has no position on Earth.
 tl::expected<std::string, std::string> outlines_of(const sim::Grid& grid, const Georeference& georeference,
                                                    std::span<const std::uint8_t> mask);
 

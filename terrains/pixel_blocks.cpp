@@ -36,7 +36,7 @@ void PixelBlocks::add_row(int row, const std::vector<double>& heights) {
     std::fill(unknown_.begin(), unknown_.end(), Lump{});
 }
 
-// Straight between the corners of the block, as RasterPlace::positions() goes straight between its knots.
+// Interpolates linearly between the corners of the block, as RasterPlace::positions() does between its knots.
 PixelBlocks::Point PixelBlocks::place_of(const Lump& lump, std::size_t block) const {
     const auto share = [](double at, double first, double last) {
         return last > first ? (at - first) / (last - first) : 0;

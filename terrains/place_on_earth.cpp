@@ -9,12 +9,13 @@
 #include "terrains/plane_transform.h"
 #include "terrains/well_known_text.h"
 
-// The ways between a grid and the Earth, which need PROJ; a georeference is a value without them.
+// Conversions between a grid and the Earth, which need PROJ; a georeference is a value without them.
 
 namespace terrains {
 namespace {
 
-constexpr const char* kNotPlaced = "the terrain states no coordinate system, so it has no place on Earth";
+constexpr const char* kNotPlaced =
+    "the terrain has no coordinate system, so its position on Earth is unknown";
 
 }  // namespace
 
@@ -32,7 +33,7 @@ tl::expected<LatLon, std::string> Georeference::to_lat_lon(LocalPoint p) const {
     }
     if (!on_earth(there))
         return tl::unexpected(
-            fmt::format("the point {} m, {} m of the grid has no place on Earth", p.x, p.y));
+            fmt::format("the point {} m, {} m of the grid has no position on Earth", p.x, p.y));
     return there;
 }
 

@@ -29,14 +29,14 @@ tl::expected<PlaneTransform, std::string> PlaneTransform::between(const std::str
     void* transform = OCTNewCoordinateTransformation(from.get(), to.get());
     if (transform == nullptr)
         return tl::unexpected(
-            fmt::format("no way is known from its coordinate system to another ({})", errors.first()));
+            fmt::format("its coordinate system cannot be transformed to the terrain's ({})", errors.first()));
     return PlaneTransform(transform);
 }
 
 bool PlaneTransform::apply(std::span<double> x, std::span<double> y) const {
     CHECK(x.size() == y.size());
-    const GdalErrors errors;    // PROJ complains once per point; the return value says it all
-    std::array<int, 512> done;  // in pieces, so that nothing is allocated for a single point
+    const GdalErrors errors;    // suppresses PROJ's message for each point; the return value suffices
+    std::array<int, 512> done;  // processed in pieces, so that a single point allocates nothing
     bool all = true;
     for (std::size_t first = 0; first < x.size(); first += done.size()) {
         const std::size_t count = std::min(done.size(), x.size() - first);

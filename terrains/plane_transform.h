@@ -8,19 +8,19 @@
 
 namespace terrains {
 
-// The way between two coordinate systems for many points at once, through PROJ. x is always the east-like
-// axis (longitude, easting) and y the north-like one, whatever order the systems declare. Offline: no grid is
+// Transforms many points between two coordinate systems, through PROJ. x is always the east-like axis
+// (longitude, easting) and y the north-like one, whatever order the systems declare. Offline: no grid is
 // downloaded. Move-only; not to be shared between threads.
 class PlaneTransform {
   public:
-    // Errors: a WKT that cannot be read, or systems that cannot be joined (a site's own engineering grid).
+    // Fails if a WKT cannot be read, or no transform exists (a site's own engineering grid).
     static tl::expected<PlaneTransform, std::string> between(const std::string& from_wkt,
                                                              const std::string& to_wkt);
 
-    // In place. False where at least one point could not be expressed; such points become NaN.
+    // Transforms in place. Returns false if a point could not be expressed; such points become NaN.
     bool apply(std::span<double> x, std::span<double> y) const;
 
-    static void destroy(void* transform);  // what a PlaneTransform holds
+    static void destroy(void* transform);  // deletes the handle
 
   private:
     struct Destroy {

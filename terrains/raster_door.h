@@ -7,10 +7,10 @@
 
 namespace terrains {
 
-// What needs GDAL. GDAL comes with over a hundred libraries, so it is linked to a module of its own that is
-// loaded when one of these is first called. The program has each of these functions twice: the real one in
-// the module (raster_module.cpp), and one that calls it (raster_door.cpp) for everybody else. Nothing of GDAL
-// is in the signatures.
+// The functions that need GDAL. GDAL depends on over a hundred libraries, so a separate module links it and
+// is loaded when one of these is first called. Each function exists twice: the real one in the module
+// (raster_module.cpp), and one that forwards to it (raster_door.cpp) for all other code. The signatures
+// contain no GDAL types.
 struct RasterDoor {
     decltype(&terrains::read_dem) read_dem;
     decltype(&terrains::read_depth_raster) read_depth_raster;

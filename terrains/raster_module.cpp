@@ -1,6 +1,6 @@
 #include "terrains/raster_door.h"
 
-// Found by its name (raster_door.cpp).
+// raster_door.cpp finds this symbol by name.
 extern "C" {
 [[gnu::visibility("default")]] extern const terrains::RasterDoor couloir_rasters;
 const terrains::RasterDoor couloir_rasters{terrains::read_dem,

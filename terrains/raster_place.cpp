@@ -20,14 +20,13 @@
 namespace terrains {
 namespace {
 
-constexpr double kTrueScale = 0.005;  // a plane whose metres are off by more is not played on
-constexpr double kWidestDegrees =
-    2;  // one transverse Mercator plane is true to 0.02 % so far from its centre
+constexpr double kTrueScale = 0.005;  // largest scale error of a plane to simulate on
+constexpr double kWidestDegrees = 2;  // within it a transverse Mercator plane is true to 0.02 %
 constexpr double kLeastPixel = 1e-3, kMostPixel = 1e6;  // m
 constexpr double kFarthest = 1e9;                       // m
-constexpr double kWidestMetres = 250e3;                 // the same for systems that are not in degrees
+constexpr double kWidestMetres = 250e3;                 // the limit for systems that are not in degrees
 
-// Plane metres per true metre around a point, the worse of the two axes; 0 where the point is off the Earth.
+// Plane metres per true metre around a point, the worse of the two axes; 0 if the point is off the Earth.
 double scale_at(const PlaneTransform& to_degrees, double x, double y) {
     constexpr double kStep = 500;  // m
     std::vector<double> east{x - kStep, x + kStep, x, x}, north{y, y, y - kStep, y + kStep};
@@ -51,7 +50,8 @@ std::string to_wkt(OGRSpatialReferenceH system) {
     return wkt;
 }
 
-// GDAL unpacks whole blocks, and a row of the raster needs all that it crosses. Gives GDAL room for them.
+// Reserves cache for GDAL, which decompresses whole blocks. A row of the raster needs all blocks that it
+// crosses.
 tl::expected<void, std::string> check_blocks(GDALDatasetH dataset) {
     constexpr std::int64_t kMostBytes = std::int64_t{512} << 20;
     constexpr std::int64_t kUsualBytes = std::int64_t{64} << 20;
@@ -64,7 +64,7 @@ tl::expected<void, std::string> check_blocks(GDALDatasetH dataset) {
         return tl::unexpected(fmt::format(
             "one row of its blocks takes {} MiB, and the most is {}; rewrite it in tiles of 512 pixels",
             most >> 20, kMostBytes >> 20));
-    GDALSetCacheMax64(kUsualBytes + most + most / 2);  // and their masks
+    GDALSetCacheMax64(kUsualBytes + most + most / 2);  // includes their masks
     return {};
 }
 
@@ -75,7 +75,7 @@ tl::expected<void, std::string> check_size(GDALDatasetH dataset) {
     if (width < 2 || height < 2 || width > kMostDemSide || height > kMostDemSide ||
         static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) > kMostDemPixels)
         return tl::unexpected(
-            fmt::format("{} × {} pixels: a raster has 2 to {} along each side and at most {} million in all",
+            fmt::format("{} × {} pixels; a raster has 2 to {} along each side and at most {} million in all",
                         width, height, kMostDemSide, kMostDemPixels / 1'000'000));
     return check_blocks(dataset);
 }
@@ -103,7 +103,7 @@ tl::expected<RasterPlace, std::string> RasterPlace::of_dem(GDALDatasetH dataset)
     auto& g = place.geotransform_;
     if (GDALGetGeoTransform(dataset, g.data()) != CE_None)
         return tl::unexpected<std::string>(
-            "it does not say where its pixels lie; a plain picture needs a cell size and heights");
+            "it has no geotransform; open a plain image as a heightmap, with a cell size and heights");
     const double area = g[1] * g[5] - g[2] * g[4];
     if (!std::isfinite(area) || area == 0 || !std::isfinite(g[0] + g[3]))
         return tl::unexpected<std::string>("its pixels have no size");
@@ -128,9 +128,8 @@ tl::expected<RasterPlace, std::string> RasterPlace::of_dem(GDALDatasetH dataset)
     }
     const double widest = std::max(std::abs(g[1]) * place.columns_, std::abs(g[5]) * place.rows_);
     if (system.geographic && widest > kWidestDegrees)
-        return tl::unexpected(
-            fmt::format("it spans {:.4g}°, and one plane carries at most {}°; cut out the mountain", widest,
-                        kWidestDegrees));
+        return tl::unexpected(fmt::format("it spans {:.4g}°; the limit is {}°; crop it to the mountain",
+                                          widest, kWidestDegrees));
     if (auto laid = place.lay_on_local_plane(system.wkt); !laid) return tl::unexpected(laid.error());
     return place;
 }
@@ -158,7 +157,7 @@ tl::expected<void, std::string> RasterPlace::keep_axes() {
     return check_lengths();
 }
 
-// Beyond these, numbers cannot tell one pixel from the next.
+// Beyond these limits, floating-point precision cannot separate neighbouring pixels.
 tl::expected<void, std::string> RasterPlace::check_lengths() const {
     for (const double reach : {reach_x, reach_y})
         if (!(reach >= kLeastPixel && reach <= kMostPixel))
@@ -180,24 +179,24 @@ tl::expected<void, std::string> RasterPlace::lay_on_local_plane(const std::strin
     if (!to_degrees) return tl::unexpected(to_degrees.error());
     std::vector<double> x, y;
     centres({(columns_ - 1) / 2.0}, {(rows_ - 1) / 2.0}, x, y);
-    if (!to_degrees->apply(x, y)) return tl::unexpected<std::string>("its middle lies nowhere on Earth");
+    if (!to_degrees->apply(x, y)) return tl::unexpected<std::string>("its middle has no position on Earth");
     const LatLon centre{y[0], x[0]};
     auto warp = PlaneTransform::between(wkt, local_plane_wkt(centre.latitude, centre.longitude));
     if (!warp) return tl::unexpected(warp.error());
     warp_ = std::move(*warp);
     measure_rectangle();
     if (!std::isfinite(max_x - min_x + max_y - min_y))
-        return tl::unexpected<std::string>("some of its pixels lie nowhere on Earth");
+        return tl::unexpected<std::string>("some of its pixels have no position on Earth");
     if (std::max(max_x - min_x, max_y - min_y) > kWidestMetres)
-        return tl::unexpected(fmt::format("it spans {:.0f} km, and one plane carries at most {:.0f} km",
+        return tl::unexpected(fmt::format("it spans {:.0f} km; the limit is {:.0f} km",
                                           std::max(max_x - min_x, max_y - min_y) / 1e3, kWidestMetres / 1e3));
     measure_pixels();
     georeference = Georeference::local(centre, min_x, min_y);
     return check_lengths();
 }
 
-// The largest rectangle inside the warped border, where warping is slight; the rectangle around it where rows
-// are rotated, whose corners then have no data.
+// The largest rectangle inside a slightly warped border. For rotated rows it is the bounding rectangle, whose
+// corners then have no data.
 void RasterPlace::measure_rectangle() {
     std::vector<double> along_columns(columns_), along_rows(rows_), x, y;
     for (int i = 0; i < columns_; ++i) along_columns[i] = i;
@@ -235,7 +234,7 @@ void RasterPlace::measure_pixels() {
         std::vector<double> x, y;
         centres({column, column + 1, column}, {row, row, row + 1}, x, y);
         project(x, y);
-        // A little more than the spacing, so that no vertex on one column of a warped raster misses the next.
+        // Slightly more than the spacing, so that no vertex on one column of a warped raster misses the next.
         reach_x = std::max(reach_x, 1.02 * (std::abs(x[1] - x[0]) + std::abs(x[2] - x[0])));
         reach_y = std::max(reach_y, 1.02 * (std::abs(y[1] - y[0]) + std::abs(y[2] - y[0])));
         pixel_area = std::abs((x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]));

@@ -13,31 +13,30 @@
 
 namespace terrains {
 
-// Asked before pixels are read. Errors: over 100,000 pixels along a side, over 400 million in all, fewer than
-// 2 along a side, a row of blocks (tiles, strips) over 512 MiB.
+// Checks a raster's size before pixels are read. Errors: over 100,000 pixels along a side, over 400 million
+// in all, fewer than 2 along a side, a row of blocks (tiles, strips) over 512 MiB.
 tl::expected<void, std::string> check_size(GDALDatasetH dataset);
 
-// Where a raster's pixels lie on the plane on which its terrain will be played; the choice of that plane is
-// described with read_dem(). Include from sources only: GDAL's types are in it.
+// The positions of a raster's pixels on the terrain's plane; read_dem() describes the choice of that plane.
+// Include from sources only: GDAL's types are in it.
 class RasterPlace {
   public:
     // Errors: no geotransform, degrees over more than 2° (other warped systems: 250 km), pixels off the
     // Earth, a raster that seems to be in degrees but names no coordinate system, a rotated raster without
-    // one, pixels or coordinates of a length that no terrain has.
+    // one, pixels or coordinates of an impossible size.
     static tl::expected<RasterPlace, std::string> of_dem(GDALDatasetH dataset);
 
-    // Plane coordinates of the pixel centres of one row, m; NaN where the plane cannot express them. On a
-    // warped raster every eighth is exact and those between lie straight between: under 2 mm off for pixels
-    // up to 30 m.
+    // Plane coordinates of the pixel centres of one row, m; NaN if the plane cannot express them. On a warped
+    // raster every eighth is exact and the others are interpolated linearly: under 2 mm off for pixels up to
+    // 30 m.
     void positions(int row, std::vector<double>& x, std::vector<double>& y) const;
 
-    // The same of any places in one row, which are counted in pixels from the centre of the first one; each
-    // exact.
+    // Exact plane coordinates of any positions in one row, in pixels from the centre of the first pixel.
     void places(const std::vector<double>& columns, double row, std::vector<double>& x,
                 std::vector<double>& y) const;
 
     Georeference georeference;                          // its origin is (min_x, min_y)
-    double min_x = 0, min_y = 0, max_x = 0, max_y = 0;  // m, plane coordinates of the rectangle to be played
+    double min_x = 0, min_y = 0, max_x = 0, max_y = 0;  // m, plane coordinates of the terrain's rectangle
     double reach_x = 0, reach_y = 0;                    // m between neighbouring pixels, as PlaneFit wants it
     double pixel_area = 0;                              // m²
 
@@ -54,11 +53,11 @@ class RasterPlace {
 
     int columns_ = 0, rows_ = 0;
     std::array<double, 6> geotransform_{};
-    std::optional<PlaneTransform> warp_;  // from the raster's system to the plane, where they differ
+    std::optional<PlaneTransform> warp_;  // from the raster's system to the plane, if they differ
 };
 
-// WKT of a raster's horizontal coordinate system, and metres per unit of its vertical one (1 where it states
-// none). The WKT is empty where the file states no system.
+// WKT of a raster's horizontal coordinate system, and metres per unit of its vertical one (1 if it states
+// none). The WKT is empty if the file states no system.
 struct RasterSystem {
     std::string wkt;
     bool geographic = false;

@@ -2,8 +2,8 @@
 
 namespace terrains {
 
-// Whether a file may lead to other files: a virtual raster names its sources, a scene its terrain. Nothing
-// here ever asks the network.
+// Whether a file may refer to other files: a virtual raster names its sources, a scene its terrain. The
+// network is never used.
 enum class References { kRefused, kAllowed };
 
 }  // namespace terrains

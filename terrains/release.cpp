@@ -39,8 +39,7 @@ tl::expected<std::vector<float>, std::string> read_release(const std::filesystem
     for (std::size_t i = 0; i < thickness->size(); ++i)
         if (terrain.has_data[i] == 0) (*thickness)[i] = 0;
     if (empty(*thickness))
-        return tl::unexpected(
-            fmt::format("{}: nothing of it lies on ground of {}", path.string(), terrain.name));
+        return tl::unexpected(fmt::format("{}: it covers no ground of {}", path.string(), terrain.name));
     return thickness;
 }
 
@@ -52,7 +51,7 @@ tl::expected<std::vector<std::uint8_t>, std::string> read_extent(const std::file
     const auto share = mean_thickness(terrain.grid, *areas);
     if (!share) return tl::unexpected(fmt::format("{}: {}", path.string(), share.error()));
     if (empty(*share))
-        return tl::unexpected(fmt::format("{}: no polygon of it touches {}", path.string(), terrain.name));
+        return tl::unexpected(fmt::format("{}: none of its polygons covers {}", path.string(), terrain.name));
     std::vector<std::uint8_t> mask(share->size());
     std::transform(share->begin(), share->end(), mask.begin(), [](float s) { return s >= 0.5f ? 1 : 0; });
     return mask;
@@ -70,7 +69,8 @@ tl::expected<Reference, std::string> read_reference(const std::filesystem::path&
         auto change = read_signed_raster(path, terrain, references);
         if (!change) return tl::unexpected(change.error());
         if (std::all_of(change->begin(), change->end(), [](float metres) { return metres == 0; }))
-            return tl::unexpected(fmt::format("{}: it has no change on {}", path.string(), terrain.name));
+            return tl::unexpected(
+                fmt::format("{}: it has no height change on {}", path.string(), terrain.name));
         reference.change = std::move(*change);
     }
     return reference;

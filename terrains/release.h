@@ -13,35 +13,36 @@
 
 namespace terrains {
 
-// What slides off at the start: a thickness in vertical metres per vertex of the terrain's grid, from one of
-//   GeoJSON       polygons in WGS 84 degrees with the property `thickness` (vertical m); where it is missing,
-//                 default_thickness, if given. A vertex gets the thickness times the share of its cell that
-//                 is covered, measured with 8 × 8 samples, so that the volume is right to a per cent from
-//                 some 10 cells on. Where polygons overlap the thickest counts.
-//   depth raster  any raster that read_dem() reads, metres, up to 100 million pixels; no data is 0. Brought
-//   over by
-//                 coordinates, never by index, bilinear between pixel centres, so that its volume is kept; a
-//                 raster without a coordinate system shares the terrain's, unless the terrain lies on a local
-//                 plane of its own. Values all ≤ 0 are a lowering and count as their amounts; both signs in
-//                 one file are refused, for nobody could say which is meant.
-// Where the terrain has no data the thickness is 0: material there would leave the world at once.
-// Errors, in one sentence that names the file: what read_areas() refuses, a damaged raster, a depth over 200
-// m, two files that cannot be joined, and a release that touches no ground of the grid.
+// Reads the release: a thickness in vertical metres per vertex of the terrain's grid, from one of
+//   GeoJSON       polygons in WGS 84 degrees with the property `thickness` (vertical m), or default_thickness
+//                 if it is missing. A vertex gets the thickness times the covered share of its cell, from
+//                 8 × 8 samples. The volume is accurate to one per cent for areas of some 10 cells or more.
+//                 Where polygons overlap the thickest counts.
+//   depth raster  any raster that read_dem() reads, metres, up to 100 million pixels; no data is 0. It is
+//                 resampled by coordinates, never by index, bilinear between pixel centres, so that its
+//                 volume is conserved. A raster without a coordinate system shares the terrain's, unless the
+//                 terrain uses a local plane of its own. If all values are ≤ 0, they are a lowering and
+//                 count as their amounts. Both signs in one file are refused, because the meaning is
+//                 ambiguous.
+// Where the terrain has no data the thickness is 0, because material there would leave the world at once.
+// Errors, in one sentence that names the file: those of read_areas(), a damaged raster, a depth over 200 m,
+// two files that cannot be aligned, and a release that touches no ground of the grid.
 tl::expected<std::vector<float>, std::string> read_release(const std::filesystem::path& path,
                                                            const Terrain& terrain,
                                                            std::optional<double> default_thickness = {},
                                                            References references = References::kRefused);
 
-// What people observed or another program found, to compare with: one of the two, the other is empty.
+// A reference to compare with, observed or simulated: one of the two fields, the other is empty.
 struct Reference {
     std::vector<std::uint8_t> extent;  // 1 where the avalanche was
-    std::vector<float> change;         // m by which the surface was raised, below 0 lowered
+    std::vector<float> change;         // change of surface height, m, below 0 where lowered
 
     bool empty() const { return extent.empty() && change.empty(); }
 };
 
-// An extent from GeoJSON, else the change of height from a raster (a "DEM of difference"): brought over as a
-// depth raster, but signs count, and no data is no change. Errors as of read_extent() and read_release().
+// Reads an extent from GeoJSON, else the change of height from a raster (a "DEM of difference"). It is
+// resampled as a depth raster, but signs count, and no data is no change. Errors: those of read_extent() and
+// read_release().
 tl::expected<Reference, std::string> read_reference(const std::filesystem::path& path, const Terrain& terrain,
                                                     References references = References::kRefused);
 

@@ -21,7 +21,7 @@ tl::expected<sim::Grid, std::string> grid_over(double width, double height, cons
     const double exact = longer / squares;
     auto dx = static_cast<float>(exact);
     if (static_cast<double>(dx) > exact) dx = std::nextafter(dx, 0.f);
-    // The millionth lets a square raster have as many squares one way as the other.
+    // The 1e-6 gives a square raster equally many squares both ways.
     const int across = std::min(squares, static_cast<int>(std::floor(shorter / exact + 1e-6)));
     if (across < 2)
         return tl::unexpected(
@@ -79,9 +79,9 @@ void PlaneFit::add_void(double x, double y, double count) {
     for_vertices_near(x, y, [count](Sums& s, double, double, double tent) { s.all += tent * count; });
 }
 
-// height = mean − slope · (where the points' centre lies). Where the centre is the vertex itself, as on every
-// regular raster away from its borders, the slope does not matter; where it does, but the points say nothing
-// about it, the vertex is unknown.
+// height = mean − slope · (offset of the points' centre). If the centre is the vertex itself, as on every
+// regular raster away from its borders, the slope does not matter. If it matters but the points do not
+// determine it, the vertex is unknown.
 bool PlaneFit::solve(const Sums& s, double& height) {
     constexpr double kNoSpread = 1e-9;  // of the reach, squared: below it all points share one x or one y
     constexpr double kCentred = 1e-5;   // of the reach
@@ -124,8 +124,8 @@ namespace {
 constexpr std::array<std::pair<int, int>, 8> kAround{
     {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}}};
 
-// The filling of one vertex from what `known` knows; `straight_on` asks for the slope too where two follow
-// each other.
+// The fill value of one vertex from its known neighbours; `straight_on` also extrapolates the slope where two
+// known vertices follow each other.
 double carried_on(const sim::Grid& grid, const std::vector<std::uint8_t>& known,
                   const std::vector<float>& surface, int x, int y, bool straight_on) {
     double nearby = 0, beyond = 0;
@@ -145,7 +145,7 @@ double carried_on(const sim::Grid& grid, const std::vector<std::uint8_t>& known,
     return beyond_count > 0 ? beyond / beyond_count : nearby / near_count;
 }
 
-// Vertices that are not known but have a known neighbour.
+// Unknown vertices with a known neighbour.
 std::vector<std::size_t> next_ring(const sim::Grid& grid, const std::vector<std::uint8_t>& known,
                                    const std::vector<std::size_t>& last_ring) {
     std::vector<std::size_t> ring;
@@ -172,7 +172,7 @@ void fill_voids(const sim::Grid& grid, const std::vector<std::uint8_t>& has_data
     CHECK(!ring.empty());
     bool straight_on = true;
     for (ring = next_ring(grid, known, ring); !ring.empty(); ring = next_ring(grid, known, ring)) {
-        // A ring looks only at earlier ones, so that the order within it does not matter.
+        // A ring reads only earlier ones, so the order within it does not matter.
         for (const std::size_t i : ring)
             surface[i] = static_cast<float>(carried_on(grid, known, surface, static_cast<int>(i % grid.nx),
                                                        static_cast<int>(i / grid.nx), straight_on));

@@ -13,9 +13,9 @@
 
 namespace terrains {
 
-// How fine a grid a caller wants, and what it has to say of the one that this becomes.
+// The grid spacing that a caller wants, and its check of the resulting grid.
 struct GridChoice {
-    // May refuse a grid, with a reason. Asked before memory is taken for it.
+    // May refuse a grid, with a reason. Called before memory is allocated for it.
     using Allowed = std::function<tl::expected<void, std::string>(const sim::Grid&)>;
     GridChoice(int along_longer, Allowed may_have = nullptr)
         : squares(along_longer), allowed(std::move(may_have)) {}
@@ -30,23 +30,24 @@ struct GridChoice {
 // that is not allowed.
 tl::expected<sim::Grid, std::string> grid_over(double width, double height, const GridChoice& choice);
 
-// Heights of scattered points brought on to a grid, by a plane fitted around every vertex with tent weights.
-// Where the points form a regular raster finer than the grid this is the tent filter (antialiased), where
-// they are coarser it is bilinear interpolation; unlike either it reproduces every plane exactly, at borders,
-// around voids and on warped rasters too. Points are added in any order; sums are in double, so the order
-// only moves the last bits.
+// Resamples heights of scattered points to a grid, by a plane fitted around every vertex with tent weights.
+// For a regular raster finer than the grid this is the tent filter (antialiased), for a coarser one it is
+// bilinear interpolation. Unlike either it reproduces every plane exactly, also at borders, around voids and
+// on warped rasters. Points are added in any order; sums are in double, so the order affects only the last
+// bits.
 class PlaneFit {
   public:
     // reach_x, reach_y: half the tent's base, m; at least dx and at least the distance between points on that
     // axis. point_area: m² of ground per point, to tell a vertex in the raster from one beyond its edge.
     PlaneFit(const sim::Grid& grid, double reach_x, double reach_y, double point_area);
 
-    // A point, m from vertex (0, 0), and its height, m; or `count` of them, with their mean place and height.
+    // Adds a point, m from vertex (0, 0), and its height, m; or `count` points with their mean position and
+    // height.
     void add(double x, double y, double height, double count = 1);
-    void add_void(double x, double y, double count = 1);  // whose heights nobody knows
+    void add_void(double x, double y, double count = 1);  // points of unknown height
 
-    // 1 where the vertex lies among the points, at least half of its weight is known, and a plane is
-    // determined. Elsewhere surface is 0: fill_voids() carries it on.
+    // 1 if the vertex lies among the points, at least half of its weight is known, and a plane is determined.
+    // Elsewhere surface is 0 until fill_voids() extends it.
     struct Fitted {
         std::vector<float> surface;
         std::vector<std::uint8_t> has_data;
@@ -69,9 +70,9 @@ class PlaneFit {
     std::vector<Sums> sums_;
 };
 
-// Gives every vertex without data a height: next to known ground the neighbours' slope carried straight on
-// (averaged over the directions in which two known vertices follow each other), farther out the mean of what
-// is already filled. Leaves has_data as it is. At least one vertex must be known.
+// Gives every vertex without data a height. Next to known ground it extrapolates the neighbours' slope
+// (averaged over the directions in which two known vertices follow each other), farther out it is the mean of
+// filled neighbours. Leaves has_data unchanged. At least one vertex must be known.
 void fill_voids(const sim::Grid& grid, const std::vector<std::uint8_t>& has_data,
                 std::vector<float>& surface);
 

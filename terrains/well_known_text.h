@@ -4,7 +4,7 @@
 
 namespace terrains {
 
-// WKT of WGS 84 in degrees, as PlaneTransform takes it: x is the longitude, y the latitude.
+// WKT of WGS 84 in degrees for PlaneTransform: x is the longitude, y the latitude.
 const std::string& wgs84_wkt();
 
 // WKT of the transverse Mercator plane through a point: WGS 84, scale 1 at the centre meridian, origin there,

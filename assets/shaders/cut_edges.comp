@@ -1,4 +1,4 @@
-// Where edges are cut: the crossings of those that are, or no longer are. One thread per edge.
+// Updates the crossings of edges that are cut, or no longer are. One thread per edge.
 layout(local_size_x = GROUP_ROW) in;
 
 struct ChangedEdge {

@@ -1,5 +1,6 @@
-// Triangles beside edges that are cut, or no longer are, into pieces as sim/front/remesh_reference draws them. The first piece of
-// each stands in its own place among the indices, the others behind those of all triangles. One thread per triangle.
+// Cuts triangles beside edges that are cut, or no longer are, into pieces as in sim/front/remesh_reference.
+// The first piece keeps the triangle's own slot among the indices, the others follow those of all triangles.
+// One thread per triangle.
 layout(local_size_x = GROUP_ROW) in;
 
 layout(std430, binding = SLOT_CHANGED_TRIANGLES) readonly buffer ChangedTriangles { int changed[]; };
@@ -17,7 +18,7 @@ void put(uint at, int p, int q, int r) {
 void add_first(int p, int q, int r) {
     put(3 * triangle, p, q, r);
 }
-// Room for so many behind the first.
+// Reserves space for the pieces after the first.
 void make_room(uint pieces) {
     end = atomicAdd(count, 3 * pieces);
 }
@@ -29,7 +30,7 @@ void add(int p, int q, int r) {
 int vertex(int corner) { return mesh_triangles[triangle].corner[corner]; }
 int edge(int corner) { return mesh_triangles[triangle].edge[corner]; }
 
-// On the edge from corner k to the next, the copy on the side of corner `side`.
+// On the edge from corner k to the next: the copy on the side of corner `side`.
 int copy(int k, int side) {
     return first_on_edges() + 2 * edge(k) + (mesh_edges[edge(k)].y == vertex(side) ? 1 : 0);
 }
@@ -41,7 +42,7 @@ float squared_distance(vec2 p, vec2 q) {
     return sum;
 }
 
-// One cut, from a to b: the second piece is without area, for the tear ends there.
+// One cut, from a to b. The second piece has no area, because the tear ends there.
 void tear(int a) {
     int b = (a + 1) % 3, c = (a + 2) % 3;
     make_room(2);
@@ -50,7 +51,7 @@ void tear(int a) {
     add(vertex(c), copy(a, b), vertex(b));
 }
 
-// Two cuts: a lies alone, and what is left is halved by its shorter diagonal.
+// Two cuts: a is alone, and the rest is split by its shorter diagonal.
 void part(int a) {
     int b = (a + 1) % 3, c = (a + 2) % 3;
     int d = copy(a, b), e = copy(c, c);
@@ -66,7 +67,7 @@ void part(int a) {
     }
 }
 
-// Three cuts: two pieces for each corner, about the middle.
+// Three cuts: two pieces for each corner, around the middle.
 void shatter() {
     make_room(5);
     add_first(vertex(0), copy(0, 0), middle(0));

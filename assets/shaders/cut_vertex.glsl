@@ -1,4 +1,4 @@
-// The mesh cut along its fronts: what an index of it stands for. An index tells all of its vertex, so that none is stored. Of V
+// Decodes an index of the cut mesh. An index encodes all of its vertex, so that none is stored. With V
 // vertices, E edges and T triangles:
 //   0 … V − 1     the vertices of the mesh
 //   V …           two for each edge: where the front crosses it, on the side of its vertex a and on that of its b
@@ -25,8 +25,8 @@ int first_in_triangles() { return first_on_edges() + 2 * mesh_edges.length(); }
 
 bool is_cut(int edge) { return crossings[edge] >= 0.0; }
 
-// From the edge's own a to b: both triangles beside it get the same bits. Nothing is fused and nothing divided, here and below, so
-// that they are those of sim/front/remesh_reference on any machine.
+// Computed from the edge's own a to b, so that both triangles beside it get the same bits. Nothing is fused
+// or divided, here and below, so that the bits are those of sim/front/remesh_reference on every machine.
 vec2 crossing_of(int edge) {
     vec2 a = mesh_positions[mesh_edges[edge].x], b = mesh_positions[mesh_edges[edge].y];
     precise vec2 at = a + crossings[edge] * (b - a);

@@ -1,2 +1,2 @@
-// Depth alone: the surface is shaded later, once per pixel, from its depth.
+// Writes depth only. The surface is shaded later, once per pixel, from its depth.
 void main() {}

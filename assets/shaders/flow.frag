@@ -1,4 +1,4 @@
-// Flow: the textures that a flow carries, once for each sample in which it is seen. Colour and small relief alone; terrain.frag
+// Flow: draws the advected textures, once per visible sample. Colour and small relief only; terrain.frag
 // lights them.
 in vec2 at;
 in vec4 offset[3];
@@ -22,16 +22,16 @@ struct Paint {
     float open;  // share of the sky that small hollows leave
 };
 
-// By files of their own: paint_blended.glsl, paint_chosen.glsl, paint_stretch.glsl. `footprint`: what a sample covers, tiles.
+// Defined in paint_blended.glsl, paint_chosen.glsl, paint_stretch.glsl. `footprint`: size of a sample, tiles.
 Paint paint(Sheet sheets[kSheets], float footprint);
 
 void main() {
     mat2 pixel = mat2(dFdx(at), dFdy(at));
     float area = determinant(pixel);
-    // A triangle seen edge on has no area; what little is seen of it is drawn without relief.
+    // A triangle seen edge-on has no area. Its few visible samples are drawn without relief.
     mat2 to_pixel = abs(area) > 1e-12 ? inverse(pixel) : mat2(0.0);
     Sheet sheets[kSheets];
-    float drawn_out = 0.0;  // 0: as it was made
+    float drawn_out = 0.0;  // 0: not stretched
     for (int s = 0; s < kSheets; ++s) {
         int k = s / 2;
         vec2 place = at + (s % 2 == 0 ? offset[k].xy : offset[k].zw);
@@ -44,6 +44,6 @@ void main() {
     float footprint = sqrt(length(pixel[0]) * length(pixel[1])) * frame.flow.x;
     Paint seen = paint(sheets, footprint);
     skin_albedo = vec4(seen.albedo * frame.flow_tint.rgb, 1.0);
-    // What came to lie apart from what lies beside it would be drawn out between: there it shows no texture.
+    // Between separate deposits the texture would be stretched; there it is not shown.
     skin_relief = vec4(seen.rise, seen.open, lies * smoothstep(2.0, 1.0, drawn_out));
 }

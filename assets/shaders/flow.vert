@@ -1,10 +1,10 @@
-// Flow: the cut mesh on the surface, with the coordinates that its textures have on each side.
+// Flow: places the cut mesh on the surface, with the texture coordinates of each side.
 layout(binding = SLOT_RELIEF) uniform sampler2D relief;
 layout(binding = SLOT_ROLLING) uniform sampler2D rolling;
 layout(std430, binding = SLOT_FLOW_OFFSETS) readonly buffer FlowOffsets { vec2 offsets[]; };
 layout(std430, binding = SLOT_FLOW_MIX) readonly buffer FlowMix { vec4 mixes[]; };
 struct OfVertex {
-    int beside;     // its place among the gradients
+    int beside;     // its index among the gradients
     float deposit;  // m
     int shows;      // vertex whose offsets are drawn
 };
@@ -14,7 +14,7 @@ layout(std430, binding = SLOT_FLOW_GRADIENTS) readonly buffer FlowGradients { ma
 out vec2 at;          // m
 out vec4 offset[3];   // of each latency, m: xy the first phase's, zw the second's
 out vec4 mixture;     // shares of the second phases; latency
-out float lies;       // how much has come to lie, half at the depth that is drawn; 0 to 1
+out float lies;       // amount of deposit, half at the depth that is drawn; 0 to 1
 out float gl_CullDistance[1];
 
 vec2 carried_on(int side, int sheet, vec2 way, bool on_front) {

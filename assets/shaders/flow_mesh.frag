@@ -1,4 +1,5 @@
-// Flow's mesh as lines: its edges, or the pieces of front alone. An edge that only ends at a front is no piece of it.
+// Flow mesh as lines: all its edges, or only the front segments. An edge that merely ends at a front is not
+// one.
 layout(location = 0) uniform bool fronts_alone;
 
 in float front;

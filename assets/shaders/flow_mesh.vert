@@ -1,4 +1,4 @@
-// Flow's mesh as lines: its edges, and the pieces of front among them.
+// Flow mesh as lines: its edges, and the front segments among them.
 layout(binding = SLOT_RELIEF) uniform sampler2D relief;
 
 out float front;  // 1 along a front

@@ -1,4 +1,4 @@
-// Flow's points: discs with a dark rim.
+// Flow points: discs with a dark rim.
 out vec4 colour;
 
 void main() {

@@ -1,4 +1,4 @@
-// What every pass may ask about the frame; render/frame_block.h is its other half. Space: metres, x east and y north
+// Uniforms of the frame for every pass; they match render/frame_block.h. Space: metres, x east and y north
 // from vertex (0, 0), z above datum.
 layout(std140, binding = SLOT_FRAME) uniform Frame {
     mat4 clip_from_world;   // reversed depth: 1 at the near plane, 0 at infinity
@@ -8,13 +8,13 @@ layout(std140, binding = SLOT_FRAME) uniform Frame {
     vec4 ray_up;
     vec4 sun;               // xyz: unit vector to the sun; w: tangent of its elevation
     vec4 ground;            // cell m, base of the block m, lowest and highest bedrock m
-    ivec4 size;             // vertices along x and y; rays and rows of the sun's sweep
+    ivec4 size;             // vertices along x and y; rays and rows of the sun sweep
     vec4 sweep;             // shear (cells per row), first ray (cells), fall of the light per row (m), 1: rows are columns
     vec4 haze;              // distance at which it begins m, 1 / its length 1/m; 1: sweep starts at the last row; detail 0 to 1
     vec4 rock;
     vec4 meadow;
     vec4 standing;          // w: depth that hides the ground, m
-    vec4 rolling;           // w: depth that is drawn, m
+    vec4 rolling;           // w: depth at which it is drawn, m
     vec4 lower_standing;    // of the lower material; w: 1 in a world of two
     vec4 lower_rolling;
     vec4 material;          // roughness 0 to 1; height of a sample at a distance of 1; samples along the edge of a pixel
@@ -22,7 +22,7 @@ layout(std140, binding = SLOT_FRAME) uniform Frame {
     vec4 ring_colour;       // linear light
     vec4 contours;          // lines per metre of height, 0: none; line, counted from a heavy one, at z = 0
     vec4 flow;              // texture tiles per m; where it is drawn: FLOW_*; 0, 0
-    vec4 flow_tint;         // what its colours are multiplied with; 0
+    vec4 flow_tint;         // factor on the texture's colours; 0
     ivec4 overlay;          // OVERLAY_*, 0: none; stops of its legend; 1: they are steps
     vec4 stops[MOST_STOPS]; // colour in sRGB; w: value
 } frame;

@@ -1,4 +1,4 @@
-// A texture of a flow at a sheet's place.
+// Samples a flow texture at a sheet's position.
 layout(binding = SLOT_GRAIN) uniform sampler2D grain;
 layout(binding = SLOT_PAINT) uniform sampler2D paint_colours;
 
@@ -11,6 +11,6 @@ float grain_level(float footprint) { return log2(footprint * float(textureSize(g
 
 Grain grain_at(Sheet sheet, float level) {
     vec3 t = textureLod(grain, sheet.place, level).xyz;
-    // Slopes are covectors: turned and drawn out as the coordinates are.
+    // Slopes are covectors: they are rotated and stretched with the coordinates.
     return Grain(transpose(sheet.gradient) * ((t.xy * 255.0 - 128.0) * (STEEPEST_GRAIN / 127.0)), t.z);
 }

@@ -1,10 +1,11 @@
-// Marks: contours and a ring on the ground, in colours as the screen shall show them, as wide from near as from afar.
+// Marks: contours and a ring on the ground, in screen colours and with widths independent of distance.
 vec3 overlaid(vec3 picture, Place p, mat2 pixel, vec3 light);  // overlay.glsl or overlay_none.glsl
 
-const float kEdge = 0.06;  // a plane seen at a lower angle than its sine is taken to be seen at that
+const float kEdge = 0.06;  // smallest sine of the viewing angle that is used
 
-// How far one sees over the ground, in plan, m, from a pixel to the next to the right (first column) and above (second). On
-// the plane that touches the surface; so it is right beside an outline too, where neighbours show something else.
+// Distance on the ground in plan, m, from a pixel to the next to the right (first column) and above (second).
+// It uses the surface's tangent plane, so it is also right beside an outline, where neighbours show other
+// things.
 mat2 pixel_on_ground(Place p) {
     vec3 n = vec3(-p.slope, 1.0);
     float facing = min(dot(n, p.ray), -kEdge * length(n) * length(p.ray));
@@ -13,12 +14,12 @@ mat2 pixel_on_ground(Place p) {
     return mat2(right.xy - p.ray.xy * (dot(n, right) / facing), up.xy - p.ray.xy * (dot(n, up) / facing));
 }
 
-// How much of a sample lies within `half_width` pixels of a line that is `away` pixels off, 0 to 1.
+// Share of a sample within `half_width` pixels of a line that is `away` pixels off, 0 to 1.
 float line(float away, float half_width) {
     return clamp((half_width - abs(away)) * frame.material.z + 0.5, 0.0, 1.0);
 }
 
-// Gone where lines would run together and where ground is level.
+// Contours fade where they would merge and on level ground.
 vec3 with_contours(vec3 picture, Place p, mat2 pixel) {
     float height = p.at.z * frame.contours.x + frame.contours.y;  // lines
     float nearest = round(height);
@@ -36,8 +37,9 @@ vec3 with_ring(vec3 picture, Place p, mat2 pixel) {
     vec2 away = p.at.xy - frame.ring.xy;
     float distance_m = length(away), outside_m = distance_m - frame.ring.z;
     float outside = outside_m / length(away / max(distance_m, 1e-6) * pixel + 1e-9);  // pixels
-    float across = frame.ring.z / sqrt(abs(determinant(pixel)));                      // pixels, so large is the ring
-    // The ground under the dot is not level: its pixels are counted on the screen, so that it is round.
+    float across = frame.ring.z / sqrt(abs(determinant(pixel)));                      // size of the ring, pixels
+    // The ground under the dot is not level, so its distance is measured in screen pixels to keep the dot
+    // round.
     float from_dot = length(inverse(pixel) * away);
     float dot_shown = smoothstep(6.0, 12.0, across);
     picture = mix(picture, frame.ring_colour.rgb, 0.04 * clamp(0.5 - outside * frame.material.z, 0.0, 1.0));

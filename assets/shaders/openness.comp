@@ -6,7 +6,7 @@ layout(binding = SLOT_SITE) uniform usampler2D site;
 layout(binding = IMAGE_OPENNESS, r16f) uniform writeonly image2D openness;
 
 const int kDirections = 12;
-const float kReach = 0.25;  // of the longer side: beyond it a horizon hardly rises
+const float kReach = 0.25;  // of the longer side; farther terrain hardly raises a horizon
 
 void main() {
     ivec2 v = ivec2(gl_GlobalInvocationID.xy);

@@ -1,7 +1,8 @@
-// Paint of stochastic textures: heights are blended before they get their colour, and so that contrast survives, after Heitz and
-// Neyret (High-performance by-example noise using a histogram-preserving blending operator, 2018). Their operator takes what
-// it blends for independent; where sheets nearly coincide they are not, and then it would double the contrast.
-const float kCorrelated = 0.03;  // tiles over which a texture resembles itself
+// Paint of stochastic textures: blends heights before it colours them. It preserves contrast after Heitz and
+// Neyret (High-performance by-example noise using a histogram-preserving blending operator, 2018). Their
+// operator assumes that its inputs are independent. Sheets that nearly coincide are not, and it would double
+// their contrast.
+const float kCorrelated = 0.03;  // distance in tiles over which a texture is correlated with itself
 
 float resemblance(Sheet a, Sheet b) {
     vec2 apart = (a.place - b.place) / kCorrelated;

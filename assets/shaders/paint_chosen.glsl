@@ -1,5 +1,5 @@
-// Paint of structured textures: shapes would show through each other, so one sheet is seen at a place, and where another takes over
-// it does so along the shapes.
+// Paint of structured textures. Blended shapes would show through each other, so each place shows one sheet,
+// and transitions follow the shapes.
 Paint paint(Sheet sheets[kSheets], float footprint) {
     const float kHardlySeen = 1.0 / 64.0;
     float level = grain_level(footprint);

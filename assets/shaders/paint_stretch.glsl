@@ -1,4 +1,5 @@
-// Paint of the overlay: how much textures are drawn out, greatest over least stretch, in the colours of its legend.
+// Paint of the overlay: distortion of the textures, greatest over least stretch, in the colours of its
+// legend.
 float stretch_of(mat2 g) {
     float same = length(vec2(g[0].x + g[1].y, g[0].y - g[1].x)), other = length(vec2(g[0].x - g[1].y, g[0].y + g[1].x));
     return (same + other) / max(abs(same - other), 1e-4);

@@ -13,7 +13,7 @@ layout(binding = SLOT_RELIEF) uniform sampler2D relief;
 layout(binding = SLOT_SITE) uniform usampler2D site;
 layout(binding = IMAGE_SUN_CEILING, r32f) uniform writeonly image2D sun_ceiling;
 
-// Height of a vertex; the base of the block where there is no ground to throw a shadow.
+// Height of a vertex, or the base of the block if it has no ground to cast a shadow.
 float height(int column, int row) {
     ivec2 v = frame.sweep.w > 0.5 ? ivec2(row, column) : ivec2(column, row);
     return texelFetch(site, v, 0).r == SITE_DRAIN ? frame.ground.y : texelFetch(relief, v, 0).r;

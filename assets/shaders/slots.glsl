@@ -1,4 +1,4 @@
-// Where everything sits, for GLSL and C++ alike: this file is the front part of every shader and is included by C++.
+// Bindings and constants shared by GLSL and C++: every shader begins with this file, and C++ includes it.
 
 // Uniform blocks
 #define SLOT_FRAME 0
@@ -11,33 +11,33 @@
 #define SLOT_VELOCITY_Y 4 // R32F, m/s
 #define SLOT_SITE 5       // R8UI: sim::Site
 #define SLOT_RELIEF 6     // RGBA32F: height m above datum, slope along x, slope along y, openness
-#define SLOT_LAYERS 7     // RGBA8: how much cover, how much rolling layer (half at the visible depth), speed, ground; 0 to 1
+#define SLOT_LAYERS 7     // RGBA8: share of cover, share of rolling layer (half at the visible depth), speed, ground; 0 to 1
 #define SLOT_OPENNESS 8   // R16F: share of the sky that a vertex sees
 #define SLOT_SUN_CEILING 9 // R32F: height below which the sun is hidden, in the sheared grid of shadow.comp
 #define SLOT_DETAIL 10    // RGBA8 array: small-scale relief, one layer per kind
 #define SLOT_SCENE_DEPTH 11 // D32F: reversed depth of the surface
 #define SLOT_COLOUR 12    // RGBA16F: the frame in linear light
-#define SLOT_MEASURE 13   // RG32F: what the overlay shows times its weight, weight 0 to 1
-#define SLOT_MIXTURE 14   // RG8: share of the lower material in what lies at the surface, in what rolls; of a world of two
+#define SLOT_MEASURE 13   // RG32F: overlay value times its weight, weight 0 to 1
+#define SLOT_MIXTURE 14   // RG8: share of the lower material at the surface of the standing layer, in the rolling layer; for two materials
 #define SLOT_GRAIN 15     // RGBA8: a flow's texture: slopes, height
-#define SLOT_PAINT 16     // SRGB8: its colours; of a stochastic one a row, for each height
-#define SLOT_SKIN_ALBEDO 17 // RGBA16F: what a flow looks like, per sample; alpha 0: there is none
-#define SLOT_SKIN_RELIEF 18 // RGBA16F: slopes that it adds, how much of the sky its hollows leave, how much of it lies there (half at the visible depth)
-#define SLOT_UNITS 19     // how many texture units there are
+#define SLOT_PAINT 16     // SRGB8: its colours; for a stochastic one a row, one per height
+#define SLOT_SKIN_ALBEDO 17 // RGBA16F: colour of the flow, per sample; alpha 0: none
+#define SLOT_SKIN_RELIEF 18 // RGBA16F: slopes that it adds, sky share of its hollows, amount of deposit (half at the visible depth)
+#define SLOT_UNITS 19     // number of texture units
 
-// Storage buffers; the first four are what cut_vertex.glsl reads
+// Storage buffers; cut_vertex.glsl reads the first four
 #define SLOT_MESH_POSITIONS 0    // vec2 of each vertex, m
-#define SLOT_MESH_TRIANGLES 1    // of each triangle its corners, and its edges from each corner to the next
+#define SLOT_MESH_TRIANGLES 1    // of each triangle: its corners, and its edges from each corner to the next
 #define SLOT_MESH_EDGES 2        // ivec2 of each edge: its vertices a and b
 #define SLOT_CROSSINGS 3         // float of each edge: where a front crosses it, 0.01 to 0.99 from a to b; below 0: nowhere
-#define SLOT_CHANGED_EDGES 4     // edges that are cut or were so before, with their crossings
-#define SLOT_CHANGED_TRIANGLES 5 // beside those
+#define SLOT_CHANGED_EDGES 4     // edges that are or were cut, with their crossings
+#define SLOT_CHANGED_TRIANGLES 5 // triangles beside those
 #define SLOT_CUT_INDICES 6       // three for each piece
-#define SLOT_CUT_COUNT 7         // how many indices there are
-// The same again while a flow is drawn, for an OpenGL may have no more than eight
+#define SLOT_CUT_COUNT 7         // number of indices
+// Reused while a flow is drawn, because an OpenGL may have only eight
 #define SLOT_FLOW_OFFSETS 4      // six vec2 of each vertex: sim::front::TextureLayers::Offsets, m
 #define SLOT_FLOW_MIX 5          // vec4 of each vertex: shares of the second phases, latency
-#define SLOT_FLOW_VERTICES 6     // of each vertex: its place among those beside a front, -1: it has none; how much came to lie there, m; whose offsets are drawn
+#define SLOT_FLOW_VERTICES 6     // of each vertex: its index beside a front, -1: none; deposit, m; vertex whose offsets are drawn
 #define SLOT_FLOW_GRADIENTS 7    // six mat2 of each vertex beside a front
 
 // Image units
@@ -59,10 +59,10 @@
 
 // Where a flow's texture is drawn
 #define FLOW_NOWHERE 0
-#define FLOW_ROLLING 1     // where the rolling layer is seen
+#define FLOW_ROLLING 1     // where the rolling layer is visible
 #define FLOW_EVERYWHERE 2
 
-#define STEEPEST_GRAIN 2.0 // slope of a texture of a flow that its texels can hold
+#define STEEPEST_GRAIN 2.0 // steepest slope that a flow texture can store
 
 #define MOST_STOPS 8 // of a legend
 

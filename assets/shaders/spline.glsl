@@ -1,5 +1,5 @@
-// Cubic B-spline through a field: four bilinear fetches instead of sixteen. It rounds the corners that whatever lies along
-// grid edges would have, and keeps even slopes as they are.
+// Cubic B-spline through a field: four bilinear fetches instead of sixteen. It rounds corners along grid
+// edges and preserves uniform slopes.
 struct Smooth {
     vec4 value;
     vec4 along_x, along_y;  // change per cell

@@ -1,6 +1,6 @@
 layout(binding = SLOT_SUN_CEILING) uniform sampler2D sun_ceiling;
 
-// 1 in the sun, 0 in shadow, with an edge about half a cell's fall of light wide. `at` in metres.
+// 1 in the sun, 0 in shadow. The edge is about as wide as the light falls within half a cell. `at` in metres.
 float sunlit(vec3 at) {
     vec2 cell = at.xy / frame.ground.x;
     vec2 column_row = frame.sweep.w > 0.5 ? cell.yx : cell;

@@ -1,4 +1,4 @@
-// Surface: from the fields to what the drawing passes ask for. One thread per vertex.
+// Surface: computes the inputs of the drawing passes from the fields. One thread per vertex.
 layout(local_size_x = GROUP_SQUARE, local_size_y = GROUP_SQUARE) in;
 
 layout(binding = SLOT_BEDROCK) uniform sampler2D bedrock;
@@ -12,7 +12,7 @@ layout(binding = IMAGE_RELIEF, rgba32f) uniform writeonly image2D relief;
 layout(binding = IMAGE_LAYERS, rgba8) uniform writeonly image2D layers;
 layout(binding = IMAGE_MEASURE, rg32f) uniform writeonly image2D measure;
 
-const float kHalfSpeed = 10.0;  // m/s, drawn as half of the fastest
+const float kHalfSpeed = 10.0;  // m/s, drawn at half of the maximum
 
 float height(ivec2 v) {
     return texelFetch(bedrock, v, 0).r + texelFetch(depth, v, 0).r + texelFetch(rolling, v, 0).r;
@@ -23,15 +23,15 @@ bool is_ground(ivec2 v) {
            texelFetch(site, v, 0).r != SITE_DRAIN;
 }
 
-// Central difference where both neighbours are ground, one-sided beside an edge of the world.
+// Central difference if both neighbours are ground, one-sided beside an edge of the world.
 float slope(ivec2 v, ivec2 along, float here) {
     bool ahead = is_ground(v + along), behind = is_ground(v - along);
     float rise = (ahead ? height(v + along) : here) - (behind ? height(v - along) : here);
     return rise / (frame.ground.x * (ahead && behind ? 2.0 : 1.0));
 }
 
-// What the overlay shows, times its weight, and the weight. Where nothing rolls there is no depth and no speed to be mixed
-// into that of the front beside it.
+// The overlay's value times its weight, and the weight. Without a rolling layer the weight is 0, so that no
+// depth or speed mixes into the front beside it.
 vec2 measured(vec2 rise, float d, float r, float rolls, float speed) {
     switch (frame.overlay.x) {
         case OVERLAY_SLOPE: return vec2(degrees(atan(length(rise))), 1.0);
@@ -50,8 +50,8 @@ void main() {
     vec2 rise = ground ? vec2(slope(v, ivec2(1, 0), here), slope(v, ivec2(0, 1), here)) : vec2(0);
     imageStore(relief, v, vec4(here, rise, texelFetch(openness, v, 0).r));
 
-    // Clamped shares, not depths, are interpolated later: a front is then as sharp where it is high as where it is thin,
-    // and lies midway between the last vertex inside and the first outside.
+    // Clamped shares, not depths, are interpolated later. A front is then equally sharp at any depth, and
+    // lies midway between the last vertex inside and the first outside.
     float d = texelFetch(depth, v, 0).r, r = texelFetch(rolling, v, 0).r;
     float speed = length(vec2(texelFetch(velocity_x, v, 0).r, texelFetch(velocity_y, v, 0).r));
     vec2 share = clamp(vec2(0.5 * d / frame.standing.w, 0.5 * r / frame.rolling.w), 0.0, 1.0);

@@ -1,5 +1,5 @@
-// Terrain: once per pixel that shows the surface, from its depth. Ground by slope and altitude, the standing layer over it, the
-// rolling layer over that, all lit once; marks on top.
+// Terrain: shades each surface pixel once, from its depth. Ground by slope and altitude, the standing layer
+// over it, the rolling layer over that, all lit once; marks on top.
 layout(binding = SLOT_SCENE_DEPTH) uniform sampler2D scene_depth;
 layout(binding = SLOT_RELIEF) uniform sampler2D relief;
 layout(binding = SLOT_LAYERS) uniform sampler2D layers;
@@ -11,28 +11,30 @@ layout(binding = SLOT_SKIN_RELIEF) uniform sampler2D skin_relief;
 in vec2 ndc;
 out vec4 colour;
 
-// A place on the surface, and how much of it a pixel covers.
+// A point on the surface, and the area that a pixel covers there.
 struct Place {
     vec3 ray;         // from the eye, as long as one step forward
     float forward;    // steps
     vec3 at;          // m
     vec2 slope;
-    float open;       // share of the sky that is seen
+    float open;       // visible share of the sky
     float footprint;  // m
 };
 
-// What is lit in the end.
+// The material to be lit.
 struct Skin {
     vec3 albedo;
     vec2 rise;   // slope that small relief adds
-    float open;  // share of the sky that small hollows leave
+    float open;  // share of the sky visible from small hollows
 };
 
-// What is drawn onto the ground for a person; marks.glsl or marks_none.glsl. `light` is what white ground sends out.
+// Draws marks on the ground, in marks.glsl or marks_none.glsl. `light` is the light that white ground
+// reflects.
 vec3 marked(vec3 seen, Place p, vec3 light);
 
-// Small relief at a place: slopes along x and y (about −1 to 1), height and a second height (0 to 1). Mip-mapped, so it fades
-// with distance instead of shimmering. Each use is turned by its own angle, which hides the repeats.
+// Small relief at a place: slopes along x and y (about −1 to 1), height and a second height (0 to 1).
+// Mip-mapped, so it fades with distance instead of shimmering. Each use is rotated by its own angle, which
+// hides the repeats.
 vec4 detail(Place p, float kind, float scale, float c, float s) {
     mat2 rotation = mat2(c, s, -s, c);
     float repeats = frame.eye.w * scale;
@@ -53,8 +55,8 @@ Skin ground(Place p, vec4 broad, vec4 soft, vec4 rock, vec4 fine) {
                 mix(0.80 + 0.4 * soft.z, 0.60 + 0.8 * rock.z, bare));
 }
 
-// In a world of two materials: what is seen of a mixture, of what lies and of what rolls. It shows as clods of the one in the
-// other, as large as small relief is.
+// With two materials: the visible share of the lower one, in the standing and rolling layers. It appears as
+// clods of one in the other, as large as small relief.
 vec2 lower_shares(Place p, vec4 soft, vec4 clumps) {
     vec2 share = texture(mixture, (p.at.xy / frame.ground.x + 0.5) / vec2(frame.size.xy)).rg;
     float lump = (clumps.z - 0.5) + 0.5 * (soft.z - 0.5);
@@ -62,7 +64,7 @@ vec2 lower_shares(Place p, vec4 soft, vec4 clumps) {
 }
 
 Skin cover(vec3 albedo, vec4 broad, vec4 soft, vec4 rock, vec4 fine) {
-    // Dark material shows its patches, snow hardly does.
+    // Dark material shows patches, snow hardly does.
     float patchy = 0.08 + 0.9 * max(0.0, 0.7 - albedo.g);
     float tint = 1.0 + patchy * (0.8 * (broad.w - 0.5) + 0.5 * (soft.z - 0.5) + 0.4 * (rock.z - 0.5));
     return Skin(albedo * tint, 0.15 * soft.xy + 0.14 * broad.xy + 0.04 * rock.xy + 0.04 * fine.xy, 0.9 + 0.1 * soft.z);
@@ -77,7 +79,7 @@ Skin moving(vec3 albedo, vec4 broad, vec4 soft, vec4 clumps, vec4 crumbs, float 
                 mix(1.0, 0.40 + 1.1 * lump, rough));
 }
 
-// What a rolling layer carries, less stark than its texture, and as uneven on the whole as ground is.
+// The rolling layer's advected texture: weaker than the texture itself, and as uneven overall as the ground.
 Skin worn(Skin carried, vec3 albedo, vec4 broad) {
     const vec3 kLuminance = vec3(0.21, 0.72, 0.07);
     float rough = frame.material.x, light = dot(carried.albedo, kLuminance) / max(dot(albedo, kLuminance), 1e-3);
@@ -85,7 +87,7 @@ Skin worn(Skin carried, vec3 albedo, vec4 broad) {
                 mix(1.0, carried.open, rough));
 }
 
-// The same once it has come to lie: nearly in the colour of what lies, as what is crushed is darker.
+// The same for a deposit: nearly the colour of the standing layer, as crushed material is darker.
 Skin at_rest(Skin carried, vec3 rolls, vec3 lies) {
     carried.albedo *= mix(lies, rolls, 0.35) / max(rolls, 1e-3);
     return carried;
@@ -104,7 +106,7 @@ Place find_place(float depth) {
     vec4 r = texture(relief, (p.at.xy / frame.ground.x + 0.5) / vec2(frame.size.xy));
     p.slope = r.yz;
     p.open = r.w;
-    // Seen at a low angle a pixel covers a long strip: the mean of its length and its width.
+    // At a low viewing angle a pixel covers a long strip: use the mean of its length and width.
     float facing = dot(vec3(-r.yz, 1.0), ray) / sqrt((1.0 + dot(r.yz, r.yz)) * dot(ray, ray));
     p.footprint = p.forward * frame.material.y * inversesqrt(clamp(-facing, 0.06, 1.0));
     return p;
@@ -132,14 +134,15 @@ void main() {
     vec3 lies = mix(frame.standing.rgb, frame.lower_standing.rgb, lower.x);
     Skin skin = blend(ground(p, broad, soft, rock, fine), cover(lies, broad, soft, rock, fine), covered);
 
-    // From the front, in cells, outside negative: a dark foot before it, a lit lip on it.
+    // Distance from the front, in cells, negative outside: a dark foot before it, a lit lip on it.
     float from_front = (share - 0.5) / max(steepness, 0.15);
     float foot = smoothstep(-0.7, 0.0, from_front) * smoothstep(0.0, 0.2, layer.y) * (1.0 - rolls);
     float lip = smoothstep(0.9, 0.0, from_front) * smoothstep(0.1, 0.3, steepness);
     vec3 rolling_colour = mix(frame.rolling.rgb, frame.lower_rolling.rgb, lower.y);
     Skin debris = moving(rolling_colour, broad, soft, clumps, crumbs, layer.z);
     if (int(frame.flow.y) != FLOW_NOWHERE) {
-        // Material with the texture that it carries; what frays out beyond its cut mesh has that of its place.
+        // Material with its advected texture. Frayed detail beyond the cut mesh uses the texture at its
+        // place.
         vec4 albedo = texelFetch(skin_albedo, ivec2(gl_FragCoord.xy), 0), rise = texelFetch(skin_relief, ivec2(gl_FragCoord.xy), 0);
         Skin carried = Skin(albedo.rgb, rise.xy, rise.z);
         if (int(frame.flow.y) == FLOW_EVERYWHERE)
@@ -156,7 +159,7 @@ void main() {
     skin.albedo *= 1.0 - 0.35 * foot;
 
     vec3 normal = normalize(vec3(-p.slope - skin.rise, 1.0));
-    // Small relief must not catch sun on a slope that lies in its own shadow.
+    // Small relief must not catch sun on a self-shadowed slope.
     float facing_sun = smoothstep(-0.05, 0.12, dot(vec3(-p.slope, 1.0), frame.sun.xyz));
     vec3 light = lit(vec3(1.0), normal, sunlit(p.at) * facing_sun, p.open * clamp(skin.open, 0.0, 1.2));
     vec3 seen = frame.overlay.x == OVERLAY_STRETCH && rolls > 0.5 ? light_shown_as(skin.albedo * shade(light)) : through_air(skin.albedo * light, p.at);

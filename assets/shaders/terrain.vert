@@ -1,8 +1,9 @@
-// Surface and walls: an index holds the vertex's x and y, and whether it is meant on the surface or at the base of the block.
+// Surface and walls: an index holds the vertex's x and y, and whether it is on the surface or at the base of
+// the block.
 layout(binding = SLOT_RELIEF) uniform sampler2D relief;
 
 out vec3 at;        // m
-out float below_m;  // how far under the surface, m
+out float below_m;  // depth below the surface, m
 
 void main() {
     ivec2 v = ivec2(gl_VertexID, gl_VertexID >> INDEX_Y_SHIFT) & INDEX_X_MASK;

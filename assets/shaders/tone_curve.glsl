@@ -1,5 +1,5 @@
-// The way from light to what a screen shows, both linear, and back. Straight up to a knee, so colours stay true; above it
-// highlights run softly into white.
+// Maps light to screen brightness, both linear, and back. Linear up to a knee, so colours stay true; above it
+// highlights fade into white.
 const float kKnee = 0.6;
 
 vec3 shown(vec3 light) {
@@ -8,7 +8,7 @@ vec3 shown(vec3 light) {
     return min(light, kKnee) + (1.0 - kKnee) * (1.0 - 1.0 / (t * t));
 }
 
-// Light that is shown as `colour`; white itself would need endless light.
+// Light that is shown as `colour`; white itself would need infinite light.
 vec3 light_shown_as(vec3 colour) {
     vec3 above = clamp((colour - kKnee) / (1.0 - kKnee), 0.0, 0.98);
     return min(colour, kKnee) + 4.0 * (1.0 - kKnee) * (inversesqrt(sqrt(1.0 - above)) - 1.0);

@@ -1,4 +1,4 @@
-// Height of the surface at a place, on the very triangles that are drawn of it; m.
+// Height of the surface at a point, on the triangles that are drawn; m.
 float height_at(sampler2D relief, vec2 at) {
     vec2 cell = at / frame.ground.x;
     ivec2 square = clamp(ivec2(cell), ivec2(0), frame.size.xy - 2);

@@ -1,4 +1,4 @@
-// Walls: the sides of the block that the world is cut from. Earth in layers, darker downward, turf on top.
+// Walls: the sides of the block of terrain. Earth in layers, darker downward, turf on top.
 layout(binding = SLOT_LAYERS) uniform sampler2D layers;
 layout(binding = SLOT_DETAIL) uniform sampler2DArray detail_texture;
 
@@ -6,10 +6,10 @@ in vec3 at;
 in float below_m;
 out vec4 colour;
 
-const float kOpen = 1.6;  // walls stand free: light comes back to them from all around
+const float kOpen = 1.6;  // walls stand free and receive light from all sides
 
-// How much of a place is ground, 0 to 1. Its fall is the direction of a wall: along the edge of no-data the faces themselves
-// turn to and fro with the grid.
+// Share of ground at a place, 0 to 1. Its gradient gives the direction of a wall, because the faces along
+// no-data zigzag with the grid.
 float ground(vec2 cell) {
     vec2 inside = clamp(min(cell, vec2(frame.size.xy - 1) - cell) + 0.5, 0.0, 1.0);
     return inside.x * inside.y * texture(layers, (cell + 0.5) / vec2(frame.size.xy)).w;
@@ -19,7 +19,7 @@ void main() {
     float tall = frame.ground.w - frame.ground.y;
     vec2 along_wall = vec2(at.x + at.y, 2.0 * at.z) * (0.8 * frame.eye.w);
     vec4 rock = texture(detail_texture, vec3(along_wall, DETAIL_ROCK));
-    // Layers of earth, wavy and uneven; a smoothed saw is as good as a sine and much cheaper.
+    // Layers of earth, wavy and uneven. A smoothed sawtooth is as good as a sine and much cheaper.
     float layers = abs(2.0 * fract(9.0 * at.z / tall + 1.2 * rock.w) - 1.0);
     vec3 earth = mix(frame.rock.rgb, vec3(0.30, 0.21, 0.14), 0.75);
     earth *= 0.70 + 0.25 * layers * layers * (3.0 - 2.0 * layers) + 0.5 * (rock.z - 0.5);
@@ -29,6 +29,6 @@ void main() {
     vec2 outward = vec2(ground(cell - vec2(1.5, 0.0)) - ground(cell + vec2(1.5, 0.0)),
                         ground(cell - vec2(0.0, 1.5)) - ground(cell + vec2(0.0, 1.5)));
     vec3 normal = vec3(outward / max(length(outward), 1e-4), 0.0);
-    float sun = sunlit(at + normal * (1.5 * frame.ground.x));  // before the wall: the surface above is no obstacle to it
+    float sun = sunlit(at + normal * (1.5 * frame.ground.x));  // in front of the wall, so that the surface above casts no shadow on it
     colour = vec4(through_air(lit(earth, normal, sun, kOpen), at), 1.0);
 }

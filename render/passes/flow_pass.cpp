@@ -13,8 +13,8 @@
 namespace render {
 namespace {
 
-// Toward the eye, so that the surface, drawn before by other triangles of the same heights, hides nothing of
-// what lies on it. Depth is reversed.
+// Offsets depth toward the camera, so that the surface, drawn earlier with other triangles of the same
+// heights, does not hide the flow. Depth is reversed.
 constexpr float kOffsetBySlope = 1, kOffset = 64;
 
 }  // namespace
@@ -116,7 +116,7 @@ void FlowPass::draw_mesh(int samples) const {
     glDepthMask(GL_FALSE);
     remesher_.bind();
 
-    // Edges a pixel wide, then fronts over them, as wide as this GL draws lines at all.
+    // Draw edges one pixel wide, then fronts over them, as wide as this GL allows.
     glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
     glUseProgram(mesh_program_.name());
     for (const bool fronts_alone : {false, true}) {
@@ -127,7 +127,7 @@ void FlowPass::draw_mesh(int samples) const {
     glLineWidth(1);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
 
-    // Points are seen through hills: a front that runs behind one goes on.
+    // Draw points through hills, so that a front behind a hill can be followed.
     glDisable(GL_DEPTH_TEST);
     glUseProgram(point_program_.name());
     glBindVertexArray(no_vertices_.name());

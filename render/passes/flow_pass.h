@@ -18,25 +18,25 @@
 
 namespace render {
 
-// What a flow carries: its mesh, cut along its fronts, with textures on either side. Colour and relief of
-// each sample come first and are lit with the terrain, once per pixel.
+// Draws an advected flow texture: a mesh cut along its fronts, with textures on either side. Writes colour
+// and relief of each sample first; they are lit with the terrain, once per pixel.
 class FlowPass {
   public:
     static tl::expected<FlowPass, std::string> create(const std::filesystem::path& shaders);
 
-    // Before a pattern is drawn, once. Errors as in FlowTexture::load.
+    // Loads a pattern. Call it once before the pattern is drawn. Errors as in FlowTexture::load.
     tl::expected<void, std::string> load(const std::filesystem::path& assets, FlowPattern pattern);
     bool has(FlowPattern pattern) const { return texture(pattern).has_value(); }
     glm::vec3 mean_colour(FlowPattern pattern) const { return texture(pattern)->mean; }
 
-    // Its coordinates.
+    // Uploads the flow's texture coordinates.
     void send(const sim::front::FlowView& flow) { coordinates_.upload(flow); }
     // Cuts the mesh along its fronts. The flow's mesh is the heightfield of `grid`.
     void cut(const sim::front::FlowView& flow, const sim::Grid& grid);
-    // Reads SLOT_RELIEF, SLOT_ROLLING and the depth of `target`; writes SLOT_SKIN_ALBEDO and
-    // SLOT_SKIN_RELIEF, which are bound then. Sets the target's framebuffer aside.
+    // Reads SLOT_RELIEF, SLOT_ROLLING and the depth of `target`. Writes SLOT_SKIN_ALBEDO and SLOT_SKIN_RELIEF
+    // and leaves them bound. Leaves another framebuffer bound.
     void draw(FlowPattern pattern, Overlay overlay, const Target& target);
-    // Edges, fronts and points onto the scene; `samples` along the edge of a pixel.
+    // Draws edges, fronts and points onto the scene; `samples` is the number along the edge of a pixel.
     void draw_mesh(int samples) const;
 
   private:
@@ -45,15 +45,15 @@ class FlowPass {
     }
     void resize(const Target& target);
 
-    // Three of one kind: what a shader could draw costs time even where it is not drawn.
+    // Three variants, because shader code costs time even if its branch is not taken.
     ProgramName blended_, chosen_, stretch_;
     ProgramName mesh_program_, point_program_;
     Remesher remesher_;
     FlowToGpu coordinates_;
     std::array<std::optional<FlowTexture>, kFlowPatterns.size()> textures_;
-    std::optional<sim::Grid> grid_;  // whose mesh was sent
+    std::optional<sim::Grid> grid_;  // whose mesh was uploaded
     int edges_ = 0;
-    float widest_line_ = 1;       // that this GL draws, samples
+    float widest_line_ = 1;       // supported by this GL, samples
     int width_ = 0, height_ = 0;  // samples
     Texture albedo_, relief_;
     Framebuffer framebuffer_;

@@ -11,21 +11,21 @@
 
 namespace render {
 
-// A fragment shader over the whole target, at infinite distance. The sky and the tone pass are two of these.
+// Runs a fragment shader over the whole target, at infinite distance. The sky and tone passes use it.
 class FullscreenPass {
   public:
     static tl::expected<FullscreenPass, std::string> create(
         const std::filesystem::path& shaders, const std::vector<std::string_view>& fragment_files);
 
-    void draw_behind() const;   // only where nothing was drawn
-    void draw_on() const;       // only where something was; depth stays as it is, so the shader may read it
-    void draw_encoded() const;  // everywhere, linear light to the sRGB of the target
+    void draw_behind() const;  // only where nothing was drawn
+    void draw_on() const;  // only where something was drawn; leaves depth alone, so the shader may read it
+    void draw_encoded() const;  // everywhere, from linear light to the sRGB target
 
   private:
     void draw() const;
 
     ProgramName program_;
-    VertexArray no_vertices_;  // core GL draws nothing without one
+    VertexArray no_vertices_;  // core GL draws nothing without a vertex array
 };
 
 }  // namespace render

@@ -5,7 +5,7 @@
 namespace render {
 namespace {
 
-// An overlay may have left these on; every pass takes them to be off.
+// An overlay may have left these on. Every pass assumes that they are off.
 constexpr std::array<GLenum, 5> kOff{GL_BLEND, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_DEPTH_TEST};
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 namespace render {
 
-// Switches a capability on until the end of the scope.
+// Enables a capability until the end of the scope.
 class Enabled {
   public:
     explicit Enabled(GLenum capability)
@@ -24,8 +24,8 @@ class Enabled {
     bool was_on_;
 };
 
-// What drawing changes and whoever shares the context counts on. Reads it, sets what all passes want, puts it
-// back.
+// Saves the GL state that drawing changes, sets the state that all passes need, and restores it at the end of
+// the scope.
 class ScopedState {
   public:
     ScopedState();

@@ -11,7 +11,7 @@
 
 namespace render {
 
-// Compute: the height below which the sun is hidden, for every vertex. Reads SLOT_RELIEF, writes
+// Computes, for every vertex, the height below which the sun is hidden. Reads SLOT_RELIEF, writes
 // SLOT_SUN_CEILING.
 class ShadowPass {
   public:

@@ -27,7 +27,7 @@ Texture make_detail_texture() {
     return texture;
 }
 
-// The surface's shading, with the files that say what is drawn onto it.
+// Creates the surface's shading with the files that define what is drawn on it.
 tl::expected<FullscreenPass, std::string> make_shading(const std::filesystem::path& shaders,
                                                        std::initializer_list<std::string_view> marks) {
     std::vector<std::string_view> files{"slots.glsl",      "frame.glsl",  "light.glsl",  "sun_ceiling.glsl",

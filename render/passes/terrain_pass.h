@@ -14,9 +14,9 @@
 
 namespace render {
 
-// The block that the world is cut from. Its surface is drawn as depth first and shaded once per pixel from
-// that: triangles of a few pixels would have most of their shading thrown away. Its few walls are drawn and
-// shaded at once.
+// Draws the block of terrain. Its surface is drawn as depth first and shaded once per pixel from that,
+// because most shading of triangles a few pixels wide would be discarded. Its few walls are drawn and shaded
+// in one pass.
 class TerrainPass {
   public:
     static tl::expected<TerrainPass, std::string> create(const std::filesystem::path& shaders);
@@ -28,7 +28,7 @@ class TerrainPass {
     void draw_walls() const;  // reads SLOT_RELIEF, SLOT_SUN_CEILING, SLOT_DETAIL
 
   private:
-    // Triangles without attributes: heights come from textures, places from the index.
+    // Indexed triangles without attributes: heights come from textures, positions from the index.
     struct Indexed {
         VertexArray vertices;
         Buffer indices;
@@ -39,7 +39,7 @@ class TerrainPass {
     };
 
     ProgramName depth_program_, wall_program_;
-    // Three of one kind, because what a shader could draw costs time even where it is not drawn.
+    // Three variants, because shader code costs time even if its branch is not taken.
     FullscreenPass plain_shading_, marked_shading_, overlaid_shading_;
     Indexed surface_, walls_;
     Texture detail_texture_;

@@ -7,11 +7,11 @@ namespace render {
 namespace {
 
 constexpr int kSquare = kTextureSize / 8;            // texels
-constexpr float kWorn = 5;                           // how far in from its rim a square falls off, texels
+constexpr float kWorn = 5;                           // width of the worn edge of a square, texels
 constexpr glm::vec3 kLight{0.886f, 0.859f, 0.796f};  // ivory
 constexpr glm::vec3 kDark{0.200f, 0.243f, 0.318f};   // slate
 
-// From the middle of a texel to the rim of its square, texels; 0.5 beside it.
+// Distance from the middle of a texel to the edge of its square, texels; at least 0.5.
 float to_rim(int texel) {
     const int place = texel % kSquare;
     return static_cast<float>(std::min(place, kSquare - 1 - place)) + 0.5f;

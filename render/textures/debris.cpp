@@ -13,9 +13,9 @@ struct Scale {
     float share, smallest, largest;  // as in Lumps
 };
 
-// From small to large, so that a large lump has clean faces and small ones fill what lies between; at last a
-// few crumbs come to lie on top. Of the largest there are 9 or 10 to an edge, enough that none is known
-// again.
+// From small to large, so that a large lump has clean faces and small ones fill the gaps; at last a few
+// crumbs lie on top. The largest size has 9 or 10 to an edge, enough that no lump is recognisable when the
+// tile repeats.
 constexpr std::array kSnowScales{Scale{86, 0.80f, 0.30f, 0.60f}, Scale{54, 0.80f, 0.30f, 0.60f},
                                  Scale{34, 0.75f, 0.30f, 0.60f}, Scale{22, 0.80f, 0.35f, 0.62f},
                                  Scale{14, 0.80f, 0.35f, 0.60f}, Scale{9, 0.90f, 0.28f, 0.55f},
@@ -34,7 +34,7 @@ constexpr std::array kSoilColours{
     ColourStop{0.40f, {0.545f, 0.412f, 0.290f}}, ColourStop{0.60f, {0.640f, 0.503f, 0.365f}},
     ColourStop{0.90f, {0.695f, 0.577f, 0.445f}}};
 
-// Lumps of one nature at all scales.
+// Lumps of one material at all scales.
 Tile heap(Lumps lumps, std::span<const Scale> scales) {
     Tile tile;
     for (const Scale& scale : scales) {
@@ -48,7 +48,7 @@ Tile heap(Lumps lumps, std::span<const Scale> scales) {
     return tile;
 }
 
-// Noise up to `height`, tile edges, over everything.
+// Adds noise up to `height`, tile edges.
 void roughen(Tile& tile, float height, int period, std::uint32_t seed) {
     const Tile rough =
         make_tile([&](float u, float v) { return height * fractal_noise(u, v, period, seed, 4); });

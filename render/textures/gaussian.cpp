@@ -5,7 +5,7 @@
 namespace render {
 namespace {
 
-// Share of a Gaussian of mean 0.5 and deviation 1/6 below a byte, which may be a half.
+// Share of a Gaussian of mean 0.5 and deviation 1/6 below a byte, which may be fractional.
 double share_below(double byte) {
     return normal_share_below(6 * (byte / 255 - 0.5));
 }
@@ -26,7 +26,7 @@ Gaussian gaussianise(const Tile& raw) {
     std::vector<float> sorted = raw.heights;
     std::sort(sorted.begin(), sorted.end());
     const auto count = static_cast<double>(sorted.size());
-    std::array<double, 255> steps{};  // shares at which one byte gives way to the next
+    std::array<double, 255> steps{};  // shares at which the byte increases by one
     for (int byte = 0; byte < 255; ++byte) steps[static_cast<std::size_t>(byte)] = share_below(byte + 0.5);
 
     Gaussian gaussian;

@@ -14,9 +14,9 @@ namespace render {
 namespace {
 
 constexpr int kSides = 7;
-constexpr float kWidest = 1.3f;  // of a lump at its foot, radii
-constexpr float kReach = 2;      // how far from its middle it is laid, radii
-constexpr float kOverhang = 3;   // times as steep below its foot
+constexpr float kWidest = 1.3f;  // extent of a lump at its foot, radii
+constexpr float kReach = 2;      // radius of the area that a lump affects, radii
+constexpr float kOverhang = 3;   // factor on the steepness below its foot
 
 struct Plane {
     glm::vec2 downhill;  // its slope
@@ -49,13 +49,13 @@ Lump make_lump(const Lumps& lumps, int cx, int cy) {
     return lump;
 }
 
-// Over its foot at a place from its middle, both in radii.
+// Height over the lump's foot at an offset from its middle, both in radii.
 float height_at(const Lump& lump, const Lumps& lumps, glm::vec2 place) {
     float height = lumps.wall * (kWidest - glm::length(place));
     for (const Plane& plane : lump.planes)
         height = smooth_min(height, plane.foot - glm::dot(plane.downhill, place), lumps.rounding);
     height -= lumps.buried * lumps.height;
-    // Where the ground falls away from under a lump, as from the rim of a larger one, it ends at its outline.
+    // Where the ground drops away under a lump, as at the rim of a larger one, the lump ends at its outline.
     return height < 0 ? kOverhang * height : height;
 }
 

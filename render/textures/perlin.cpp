@@ -6,8 +6,8 @@
 namespace render {
 namespace {
 
-// Deep sea, shallows, surf, sand, red earth: pale in the middle, so that the most common height draws lines
-// that an eye can follow.
+// Deep sea, shallows, surf, sand, red earth. It is pale in the middle, so that the most common height forms
+// lines that an eye can follow.
 constexpr std::array kSea{
     ColourStop{0.10f, {0.055f, 0.090f, 0.200f}}, ColourStop{0.32f, {0.070f, 0.255f, 0.400f}},
     ColourStop{0.46f, {0.130f, 0.470f, 0.530f}}, ColourStop{0.54f, {0.560f, 0.740f, 0.680f}},

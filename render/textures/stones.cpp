@@ -12,22 +12,22 @@
 #include "render/textures/smooth.h"
 #include "render/textures/surface.h"
 
-// Stones are thrown from large to small and stay where they touch no other. What belongs to a stone is its
-// cell of the power diagram of their circles, drawn in by half a gap and with rounded corners:
+// Stones are placed from large to small, and each is kept only if it touches no other. A stone occupies its
+// cell of the power diagram of the stones' circles, shrunk by half a gap and with rounded corners:
 //
 //     edge(p) = smooth min over others j of (d_j(p) − d_i(p)) / (2 |m_j − m_i|),   d = |p − m|² − r²
 //
-// the distance to the line where stone i would give way to stone j. Lengths are in tile edges.
+// This is the distance to the boundary between stone i and stone j. Lengths are in tile edges.
 namespace render {
 namespace {
 
 struct Stone {
     glm::vec2 middle{};
     float radius = 0;
-    std::uint32_t name = 0;  // seeds what is its own
+    std::uint32_t name = 0;  // seeds its own variation
 };
 
-// Where a texel lies on the stone that it belongs to.
+// The position of a texel on its stone.
 struct Place {
     const Stone* stone = nullptr;
     float edge = 0;  // to the stone's edge, positive inside
@@ -40,12 +40,12 @@ struct Size {
 
 constexpr std::array kSizes{Size{0.050f, 60},   Size{0.043f, 160},  Size{0.036f, 400},
                             Size{0.028f, 1500}, Size{0.020f, 3000}, Size{0.013f, 4000}};
-constexpr float kOverlap = 0.90f;  // of the sum of two radii: how near stones may lie
+constexpr float kOverlap = 0.90f;  // least distance between stones, as a share of the sum of their radii
 constexpr float kHalfGap = 0.0026f;
 constexpr float kCorner = 0.014f;        // rounding of corners
-constexpr float kNeighbourhood = 0.16f;  // stones farther off than this bound nobody here
+constexpr float kNeighbourhood = 0.16f;  // distance beyond which a stone is no neighbour
 
-// The shortest way from one place to another over the repeating tile.
+// The shortest vector between two points on the repeating tile.
 glm::vec2 way(glm::vec2 from, glm::vec2 to) {
     const glm::vec2 straight = to - from;
     return straight - glm::floor(straight + 0.5f);
@@ -81,7 +81,7 @@ Place place_on(const std::vector<Stone>& stones, glm::vec2 place) {
     const auto nearer = [&](const Stone& a, const Stone& b) { return power(a, place) < power(b, place); };
     const Stone& mine = *std::min_element(stones.begin(), stones.end(), nearer);
     const float own = power(mine, place);
-    // Where no neighbour is near, a stone ends soon beyond its circle.
+    // Without near neighbours, a stone ends shortly beyond its circle.
     float edge = 1.30f * mine.radius - glm::length(way(mine.middle, place));
     for (const Stone& other : stones) {
         const float apart = glm::length(way(mine.middle, other.middle));
@@ -91,13 +91,13 @@ Place place_on(const std::vector<Stone>& stones, glm::vec2 place) {
     return {&mine, edge - kHalfGap};
 }
 
-// Full at the middle, upright at the edge, 0 outside.
+// 1 at the middle, vertical at the edge, 0 outside.
 float dome(const Place& place) {
     const float inward = std::clamp(place.edge / (0.75f * place.stone->radius), 0.f, 1.f);
     return std::sqrt(inward * (2 - inward));
 }
 
-// Most are grey, a few are sandy, slate or rusty: none so far from the others that it would be known again
+// Most stones are grey, a few are sandy, slate or rusty. None stands out so far that it would be recognised
 // where the tile repeats.
 glm::vec3 colour_of(const Stone& stone) {
     constexpr std::array<glm::vec3, 8> kKinds{glm::vec3{0.575f, 0.555f, 0.520f}, {0.520f, 0.530f, 0.540f},
@@ -108,7 +108,7 @@ glm::vec3 colour_of(const Stone& stone) {
     return kKinds[kind] * (0.97f + 0.18f * random(stone.name, 4));
 }
 
-// Mottled, speckled, and dirty toward the edge; u, v from 0 to 1 over the tile.
+// Mottled, speckled, and dirty toward the edge. u and v run from 0 to 1 over the tile.
 glm::vec3 stone_colour(const Place& place, float u, float v) {
     const std::uint32_t seed = 400 + place.stone->name % 16;
     const float mottle = fractal_noise(u, v, 14, seed, 4) - 0.5f;
@@ -119,14 +119,14 @@ glm::vec3 stone_colour(const Place& place, float u, float v) {
            (glm::vec3(1) - dirt * glm::vec3(0.30f, 0.34f, 0.40f));
 }
 
-// Pale on its tops, earth between; `height` as in make_gravel.
+// Pale on its tops, with earth between. `height` is as in make_gravel.
 glm::vec3 gravel_colour(float height, float u, float v) {
     const float tone = 0.7f + 0.6f * value_noise(u * 60, v * 60, 60, 471);
     return glm::vec3(0.200f, 0.180f, 0.158f) +
            2.0f * std::clamp(height - 0.04f, 0.f, 0.15f) * tone * glm::vec3(1.02f, 0.98f, 0.90f);
 }
 
-// What shows in the gaps; heights as those of stones, whose tops are near 1.
+// Gravel in the gaps. Heights are relative to those of stones, whose tops are near 1.
 Tile make_gravel() {
     Tile gravel = make_tile([](float u, float v) { return 0.064f * fractal_noise(u, v, 24, 440, 3); });
     Tile pebbles;

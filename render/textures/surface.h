@@ -7,7 +7,7 @@
 
 #include "render/textures/tile.h"
 
-// The recipes themselves. Each makes the same heights and colours on every machine.
+// The texture recipes. Each makes the same heights and colours on every machine.
 namespace render {
 
 struct ColourStop {
@@ -15,7 +15,7 @@ struct ColourStop {
     glm::vec3 colour;  // sRGB, 0 to 1
 };
 
-// What a recipe makes: raw heights from 0 to 1, and either a colour for each texel or a colour for each
+// The output of a recipe: raw heights from 0 to 1, and either a colour for each texel or a colour for each
 // height.
 struct Surface {
     Tile heights;
@@ -23,7 +23,7 @@ struct Surface {
     std::vector<ColourStop> ramp;    // of a stochastic one
 };
 
-// Straight from stop to stop (in sRGB), level beyond the last.
+// Interpolates linearly between stops in sRGB; constant beyond the last.
 glm::vec3 colour_at(std::span<const ColourStop> ramp, float height);
 
 // Squares of two colours with worn edges.
@@ -35,10 +35,10 @@ Surface make_stones();
 // Gradient noise in five octaves, from deep sea over sand to red earth.
 Surface make_perlin();
 
-// What an avalanche of snow leaves: blocks, lumps and crumbs on one another, blue in the hollows.
+// Deposit of a snow avalanche: stacked blocks, lumps and crumbs, blue in the hollows.
 Surface make_snow();
 
-// What a landslide leaves: clods, small stones and crumbs.
+// Deposit of a landslide: clods, small stones and crumbs.
 Surface make_soil();
 
 }  // namespace render

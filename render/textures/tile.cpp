@@ -8,12 +8,12 @@
 namespace render {
 namespace {
 
-// −1 to 1 as a byte of which 128 is 0.
+// Maps −1 … 1 to a byte; 128 is 0.
 std::uint8_t signed_to_byte(float value) {
     return static_cast<std::uint8_t>(std::lround(128 + 127 * value));
 }
 
-// Mean over 2·reach + 1 texels along one axis, around each.
+// Moving average over 2·reach + 1 texels along one axis.
 Tile blurred(const Tile& tile, int reach, int step_x, int step_y) {
     Tile means;
     for (int y = 0; y < kTextureSize; ++y) {

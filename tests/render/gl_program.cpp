@@ -58,7 +58,7 @@ TEST_F(Shaders, that_are_missing_are_named) {
 TEST(HeadlessContext, says_which_way_it_does_not_know) {
     const auto context = HeadlessContext::create("vulkan");
     ASSERT_FALSE(context);
-    EXPECT_NE(context.error().find("'vulkan' is no way to OpenGL"), std::string::npos) << context.error();
+    EXPECT_NE(context.error().find("'vulkan'"), std::string::npos) << context.error();
 }
 
 TEST(HeadlessContext, says_how_many_devices_there_are_when_one_is_asked_for_that_is_not) {

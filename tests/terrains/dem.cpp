@@ -283,7 +283,7 @@ TEST(Dem, names_file_and_fact_of_what_it_refuses) {
         EXPECT_NE(said.find(fact), std::string::npos) << said;
         EXPECT_EQ(said.find('\n'), std::string::npos) << said;
     };
-    expect(refusal("a letter to my aunt"), "not a raster");
+    expect(refusal("a letter to my aunt"), "raster");
     expect(refusal(flat(-9999)), "no data anywhere");
     expect(refusal(flat(9001)), "row 1, column 1 is 9001 m high");
     expect(refusal(flat(-12001)), "row 1, column 1 is -12001 m high");

@@ -152,17 +152,17 @@ TEST_F(Release, refuses_polygons_that_touch_no_ground) {
     Terrain terrain = utm_ground();
     const std::string away =
         collection(feature(R"("thickness": 1)", "Polygon", "[" + ring(terrain, 900, 900, 950, 950) + "]"));
-    EXPECT_NE(refusal(away, terrain).find("nothing of it lies on ground of ground"), std::string::npos);
+    EXPECT_NE(refusal(away, terrain).find("ground of ground"), std::string::npos);
     const std::string here =
         collection(feature(R"("thickness": 1)", "Polygon", "[" + ring(terrain, 95, 45, 145, 75) + "]"));
     terrain.has_data.assign(terrain.has_data.size(), 0);
-    EXPECT_NE(refusal(here, terrain).find("nothing of it lies on ground"), std::string::npos);
+    EXPECT_NE(refusal(here, terrain).find("ground of ground"), std::string::npos);
 }
 
 TEST_F(Release, refuses_degrees_for_a_terrain_that_has_no_place) {
     const std::string text =
         collection(feature(R"("thickness": 1)", "Polygon", "[" + ring(utm_ground(), 0, 0, 9, 9) + "]"));
-    EXPECT_NE(refusal(text, ground({})).find("no place on Earth"), std::string::npos);
+    EXPECT_NE(refusal(text, ground({})).find("coordinate system"), std::string::npos);
     EXPECT_FALSE(read_release(folder_.path() / "none.geojson", utm_ground()));
 }
 
@@ -272,7 +272,7 @@ TEST_F(Release, reads_a_reference_as_an_extent_or_as_a_change_with_its_signs) {
     EXPECT_EQ(*highest, 0.5f);
     const auto none = read_reference(write([](double, double) { return 0.0; }), terrain);
     ASSERT_FALSE(none);
-    EXPECT_NE(none.error().find("no change"), std::string::npos) << none.error();
+    EXPECT_NE(none.error().find("change on"), std::string::npos) << none.error();
 
     test::write_text(path_,
                      collection(feature("", "Polygon", "[" + ring(utm_ground(), 95, 45, 149, 75) + "]")));
