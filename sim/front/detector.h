@@ -76,8 +76,8 @@ class Detector {
 
   private:
     using Word = scan::Word;
-    // Edges of one kind. A heightfield has three: along x, along y and diagonal. Each edge is numbered by its
-    // vertex (x, y), and its bit is where that vertex's bit is. An irregular mesh has one kind, in one row.
+    // Edges of one kind. A heightfield has three: along x, along y and diagonal. An edge starts at vertex (x,
+    // y), and bits are laid out like those of vertices. An irregular mesh has one kind, in one row.
     struct Family {
         int first_edge, columns, rows;
         int step;                 // from vertex a to vertex b

@@ -19,8 +19,8 @@ double one_way_at(double bend) {  // 1/cells
 }
 
 // The window of time. It reaches back until kWindowRows rows span kWindowSpan cells across the front, but at
-// least kUsualWindow steps, if that is not too long for a quadratic. The short window is used instead if it
-// is kMuchShorter and the long one misses the newest flips.
+// least kUsualWindow steps, if that is not too long for a quadratic. The short window is used instead if the
+// long one misses the newest flips and is at least kMuchShorter times as long.
 constexpr int kWindowRows = 8;
 constexpr double kWindowSpan = 1.3, kWindowShare = 0.7, kWindowEnd = 2.5;
 constexpr double kLeastWindow = 4, kUsualWindow = 30;  // steps
