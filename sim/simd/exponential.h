@@ -6,12 +6,12 @@
 
 namespace sim {
 
-// e^x by argument reduction and a polynomial of degree 6 (Taylor): the same bits on every compiler, which the
-// C library's exp does not promise. |x| ≤ 80, relative error below 3e-7; beyond, the value at ±80.
+// e^x by argument reduction and a polynomial of degree 6 (Taylor). Bit-identical on every compiler, which the
+// C library's exp does not promise. Relative error below 3e-7 for |x| ≤ 80; beyond, returns the value at ±80.
 template <class Number>
 [[gnu::always_inline]] inline Number exp(const Number& x) {
     if constexpr (std::is_same_v<Number, double>) {
-        return std::exp(x);  // for verification, which promises no bits
+        return std::exp(x);  // for verification, which needs no bit-identical results
     } else {
         const Number bounded = min(max(x, Number(-80.f)), Number(80.f));
         const Number n = floor<Number>(bounded * 1.44269504f + 0.5f);
@@ -23,7 +23,7 @@ template <class Number>
     }
 }
 
-// e^x − 1 for |x| ≤ kGrowsLittle, by a polynomial of degree 4 (Taylor), relative error below 2.1e-6.
+// e^x − 1 for |x| ≤ kExpm1Small, by a polynomial of degree 4 (Taylor), relative error below 2.1e-6.
 inline constexpr double kExpm1Small = 0.125;
 template <class Number>
 [[gnu::always_inline]] inline Number expm1_small(const Number& x) {
@@ -34,7 +34,7 @@ template <class Number>
     }
 }
 
-// e^x − 1, of full precision where it is small.
+// e^x − 1, with full precision for small x.
 template <class Number>
 [[gnu::always_inline]] inline Number expm1(const Number& x) {
     if constexpr (std::is_same_v<Number, double>) {
