@@ -1,7 +1,8 @@
 #!/bin/sh
-# Kernels are compiled for instruction sets that a machine may lack. If one of their functions were defined in another object
-# too, the linker might take theirs for all. So no symbol that the linker may choose (weak or unique) is in two of the objects
-# that are given, which are those of the libraries and of their kernels: shares_no_function.sh KERNEL.o... -- OTHER.o...
+# Checks that kernels share no function with other objects: shares_no_function.sh KERNEL.o... -- OTHER.o...
+# Kernels are compiled for instruction sets that a machine may lack. If another object defined one of their functions too, the
+# linker might use the kernel's version everywhere. So no weak or unique symbol may be in two of the objects, which are those of
+# the libraries and of their kernels.
 set -eu
 chosen() { nm -C "$1" | sed -n 's/^[0-9a-f]* [Wu] //p' | sort -u; }
 folder=$(mktemp -d)

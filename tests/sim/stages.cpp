@@ -10,7 +10,7 @@
 #include "sim/world/quanta.h"
 #include "tests/support/worlds.h"
 
-// Each stage against one cell worked out by hand.
+// Each stage against one cell computed by hand.
 
 namespace {
 
@@ -20,7 +20,7 @@ using support::Play;
 
 constexpr sim::Substep<float> kHalfQuantum{0.02f, 0.5f};  // rounds to nearest
 
-// A sub-step of `bcre` on a world; what its stages wrote stands in scratch.
+// Runs a sub-step of `bcre` on a world; the results of its stages are in scratch.
 struct Stages {
     Play play;
     sim::Scratch<float>& scratch;
@@ -39,7 +39,7 @@ struct Stages {
     void find_velocity() { sim::bcre::find_velocity(play.state, play.state.params, scratch, workers); }
 };
 
-// The rows of a world of bcre-inertial that steps plainly, its halo filled.
+// The rows of a bcre-inertial world in plain stepping, with the halo filled.
 sim::inertial::Work<float> work_of(Play& play) {
     const auto w = sim::inertial::work_of(play.state, play.state.params, *play.engine.scratch, kHalfQuantum);
     for (int y = 0; y < w.ny; ++y) {
@@ -49,7 +49,7 @@ sim::inertial::Work<float> work_of(Play& play) {
     return w;
 }
 
-// A flux in whole quanta is less than one away from what it should be.
+// A flux in whole quanta differs from the exact one by less than one quantum.
 constexpr double kRounded = 8e-6;
 
 TEST(Velocity, of_law_C_has_one_speed_down_the_slope) {
@@ -62,13 +62,13 @@ TEST(Velocity, of_law_C_has_one_speed_down_the_slope) {
     EXPECT_NEAR(stages.play.state.velocity_y(2, 2), 5 * -0.8, 1e-5);
 }
 
-TEST(Velocity, of_bcre_is_nowhere_where_nothing_rolls) {
+TEST(Velocity, of_bcre_is_zero_without_a_rolling_layer) {
     Stages stages(support::plane(4, 2, 0.5, 1), lively(Model::kBcre));
     stages.find_velocity();
     EXPECT_EQ(stages.play.state.velocity_y(2, 2), 0);
 }
 
-TEST(Velocity, of_the_laws_slope_and_shear_grows_with_them_up_to_the_greatest) {
+TEST(Velocity, of_the_laws_slope_and_shear_grows_up_to_the_greatest) {
     support::Ground ground({5, 5, 2});
     ground.set(ground.bedrock, [](double x, double y) { return -0.3 * x + 0.4 * y; });
     ground.set(ground.rolling, [](double, double) { return 0.5; });
@@ -90,7 +90,7 @@ TEST(Velocity, of_the_laws_slope_and_shear_grows_with_them_up_to_the_greatest) {
     EXPECT_NEAR(speed(sim::Law::kShear, 6), 6, 1e-5);
 }
 
-TEST(Velocity, of_the_inertial_model_relaxes_toward_the_terminal_one_for_half_of_a_sub_step) {
+TEST(Velocity, of_the_inertial_model_relaxes_toward_the_terminal_one_for_half_a_sub_step) {
     support::Ground ground({5, 5, 2});
     ground.set(ground.bedrock, [](double x, double y) { return -0.3 * x + 0.4 * y; });
     ground.set(ground.rolling, [](double, double) { return 0.3; });
@@ -149,11 +149,11 @@ TEST(Fluxes, of_muscl_take_layer_and_velocity_at_the_face) {
     for (int x = 0; x < 7; ++x) stages.now.velocity_x(x, 2) = x == 3 ? 4 : 2;
     sim::along<float>({0, 8}, sim::bcre::find_muscl_fluxes<float, sim::bcre::RkStage::kFirst>(w, 2));
     EXPECT_NEAR(stages.scratch.flux_x(3, 2), 3 * 0.01 * (0.3 + 0.05), 1e-7);  // minmod(.2, .1) = .1
-    EXPECT_NEAR(stages.scratch.flux_x(6, 2), 2 * 0.01 * 0.6, 1e-7);           // a maximum keeps its own
+    EXPECT_NEAR(stages.scratch.flux_x(6, 2), 2 * 0.01 * 0.6, 1e-7);           // the slope at a maximum is 0
     EXPECT_EQ(stages.scratch.flux_y(2, 2), 0);
 }
 
-TEST(Fluxes, of_muscl_to_all_sides_are_no_more_than_the_layers_say) {
+TEST(Fluxes, of_muscl_are_at_most_the_bound_from_the_layers) {
     constexpr int kSide = 12;
     constexpr sim::Span kAll{0, kSide};
     std::mt19937 random(5);
@@ -188,7 +188,7 @@ TEST(Fluxes, of_muscl_to_all_sides_are_no_more_than_the_layers_say) {
                 if (bound > 0) most = std::max(most, all / bound);
             }
     }
-    EXPECT_GT(most, 0.7f);  // nor is it far from what there can be
+    EXPECT_GT(most, 0.7f);  // the bound is not far from what can occur
 }
 
 TEST(Fluxes, never_take_more_than_a_vertex_has) {
@@ -196,13 +196,13 @@ TEST(Fluxes, never_take_more_than_a_vertex_has) {
     for (const auto scheme :
          {sim::Scheme::kLaxFriedrichs, sim::Scheme::kLocalLaxFriedrichs, sim::Scheme::kMuscl}) {
         support::Ground ground = support::rough(20, 1, 9);
-        // Films of a few quanta too, on peaks and pits, at the greatest Courant number there is.
+        // Include films of a few quanta, on peaks and in pits, at the greatest Courant number.
         ground.set(ground.rolling, [&](double, double) {
             return random() % 2 ? static_cast<double>(random() % 40) * static_cast<double>(sim::kQuantum)
                                 : static_cast<double>(random() % 1000) * 1e-3;
         });
         sim::Params params = lively(Model::kBcre, scheme);
-        params.rolling_speed = 25;  // half a cell in a sub-step
+        params.rolling_speed = 25;  // half a cell per sub-step
         params.exchange_rate = 0;
         params.start_slope = 10;
         params.freeze_depth = 0;
@@ -225,16 +225,16 @@ TEST(Fluxes, never_take_more_than_a_vertex_has) {
     }
 }
 
-TEST(LowerSlope, looks_at_lower_neighbours_only_and_sees_a_checkerboard) {
+TEST(LowerSlope, uses_only_lower_neighbours_and_sees_a_checkerboard) {
     support::Ground ground({5, 5, 2});
     ground.bedrock[ground.at(2, 2)] = 1;
     Stages stages(ground, lively(Model::kBcre));
     stages.substep();
     EXPECT_NEAR(stages.now.slope_dx(2, 2), std::sqrt(2.0), 1e-6);
-    EXPECT_EQ(stages.now.slope_dx(1, 2), 0);  // beside it only a higher one
+    EXPECT_EQ(stages.now.slope_dx(1, 2), 0);  // its only different neighbour is higher
 }
 
-TEST(Exchange, grows_and_decays_as_the_exponential) {
+TEST(Exchange, grows_and_decays_exponentially) {
     support::Ground ground = support::plane(6, 2, 0.8, 3);
     ground.set(ground.rolling, [](double, double) { return 0.05; });
     Stages stages(ground, lively(Model::kBcre));
@@ -264,9 +264,9 @@ TEST(Exchange, never_carries_the_slope_past_its_threshold) {
         Stages stages(ground, params);
         stages.substep();
         const float before = stages.now.slope_dx(1, 1) - params.stop_slope;
-        stages.substep();  // for the slope as the first has left it
+        stages.substep();  // to get the slope after the first
         const float after = stages.now.slope_dx(1, 1) - params.stop_slope;
-        const float slack = 2e-5f;  // a quantum and float32
+        const float slack = 2e-5f;  // a quantum plus float rounding
         if (before > 0) {
             ASSERT_GE(after, -slack) << round;
         } else {
@@ -275,7 +275,7 @@ TEST(Exchange, never_carries_the_slope_past_its_threshold) {
     }
 }
 
-// Of row 2.
+// Finds the fluxes of row 2.
 void find_fluxes(const sim::inertial::Work<float>& w) {
     for (int y = 1; y <= 3; ++y) {
         sim::along<float>({0, w.nx}, sim::inertial::find_slopes<float>(w.now, y));
@@ -299,7 +299,7 @@ TEST(InertialTransport, takes_layer_and_momentum_at_the_face) {
     EXPECT_NEAR(w.now.flux_x[2][3], flux, 1e-6);
     EXPECT_NEAR(w.now.momentum_xu[2][3], flux * 2.75, 2e-6);
     EXPECT_EQ(w.now.momentum_xv[2][3], 0);
-    EXPECT_EQ(w.now.flux_x[2][1], 0);  // what is empty gives nothing
+    EXPECT_EQ(w.now.flux_x[2][1], 0);  // an empty vertex gives nothing
     EXPECT_EQ(w.now.flux_y[2][2], 0);
 }
 
@@ -313,7 +313,7 @@ TEST(InertialTransport, takes_a_quarter_of_a_vertex_through_a_face_at_most) {
     EXPECT_EQ(w.now.flux_x[2][3], 0.125f);
 }
 
-// The slopes of `level`, and what would be exchanged, on all of a world of 5 by 5 vertices.
+// Finds the slopes of `level` and the exchange, on all of a world of 5 by 5 vertices.
 void find_exchange(const sim::inertial::Work<float>& w, const sim::inertial::Level<float>& level) {
     for (int y = 0; y <= 5; ++y)
         sim::along<float>({0, 6}, sim::find_drops<float>(w, level, y)), sim::end_drops<float>(w, level, y);
@@ -321,7 +321,7 @@ void find_exchange(const sim::inertial::Work<float>& w, const sim::inertial::Lev
     for (int y = 0; y < 5; ++y) sim::along<float>({0, 5}, sim::inertial::find_exchange<float>(w, level, y));
 }
 
-// A stage of the exchange alone, on what rolls with `speed`; where it leads stands in scratch.
+// Runs a stage of the exchange alone on material that moves at `speed`; the result is in scratch.
 void exchange_stage(Play& play, float speed) {
     play.state.velocity_y.fill(speed);
     const auto w = work_of(play);
@@ -339,7 +339,7 @@ TEST(InertialExchange, deposits_nothing_above_the_deposit_speed) {
         EXPECT_NEAR(play.engine.scratch->flow_then.depth(2, 2),
                     2 * 0.5 * (stop - 0.1) * std::max(0., 1 - speed / 2.5) * 0.02, 1e-6);
         EXPECT_EQ(play.engine.scratch->flow_then.velocity_y(2, 2),
-                  speed);  // what stays moving keeps its speed
+                  speed);  // material that stays in motion keeps its speed
     }
 }
 
@@ -366,15 +366,15 @@ TEST(InertialExchange, erodes_smoothly_from_the_erosion_depth_on_and_from_rest) 
     }
 }
 
-// Slopes toward the lower neighbours, then yield.
+// Finds the slopes toward lower neighbours, then yields.
 void yield_stage(Play& play) {
     auto w = work_of(play);
-    w.then.depth = w.now.depth, w.then.rolling = w.now.rolling;  // the slopes of what is
+    w.then.depth = w.now.depth, w.then.rolling = w.now.rolling;  // slopes of the current layers
     find_exchange(w, w.then);
     for (int y = 0; y < 5; ++y) sim::along<float>({0, 5}, sim::inertial::yield<float>(w, y, 5));
 }
 
-TEST(Yield, starts_above_the_start_slope_and_freezes_what_is_thin_and_slow) {
+TEST(Yield, starts_above_the_start_slope_and_freezes_thin_slow_layers) {
     sim::Params params = lively(Model::kBcreInertial);
     params.anchor_gain = params.anchor_margin = params.anchor_step = 0;
     Play play(support::plane(4, 2, 0.75, 1), params, {.plain = true});  // start .7
@@ -391,7 +391,7 @@ TEST(Yield, starts_above_the_start_slope_and_freezes_what_is_thin_and_slow) {
     }
 }
 
-TEST(Yield, starts_what_lies_loose_on_natural_ground_above_the_erosion_slope_and_not_the_ground) {
+TEST(Yield, starts_loose_material_above_the_erosion_slope_but_not_natural_ground) {
     const sim::Params params = lively(Model::kBcreInertial);
     for (const double tangent : {0.5, 0.6}) {  // erosion .55, start .7
         Play play(support::plane(4, 2, tangent, 1), params, {.plain = true});
@@ -403,13 +403,13 @@ TEST(Yield, starts_what_lies_loose_on_natural_ground_above_the_erosion_slope_and
     }
 }
 
-TEST(Yield, of_bcre_starts_above_the_start_slope_whatever_the_ground_was) {
+TEST(Yield, of_bcre_starts_above_the_start_slope_on_any_ground) {
     Stages stages(support::plane(4, 2, 0.75, 1), lively(Model::kBcre));  // start .7
     stages.substep();
     EXPECT_NEAR(stages.play.state.rolling(2, 2), stages.play.state.params.start_depth, 1e-5);
 }
 
-TEST(Yield, holds_natural_ground_that_is_steep_from_the_first) {
+TEST(Yield, holds_natural_ground_that_is_initially_steep) {
     const support::Ground steep = support::plane(20, 2, 1.1, 1);
     Play anchored(steep, lively(Model::kBcreInertial));
     anchored.ticks(60);
