@@ -4,12 +4,11 @@
 
 namespace sim {
 
-// What a sub-step may change depends on the one before no farther away than this, in vertices: material moves
-// by one, and a slope of second order tells of two.
+// Reach of a sub-step, in vertices: a change depends on earlier values no farther away. Material moves by one
+// vertex, and a second-order slope uses two.
 inline constexpr int kReach = 2;
 
-// Where in a tile anything rolled or came to rest, as bits: somewhere, and within kReach of which of its
-// edges.
+// Where in a tile material flowed or came to rest, as bits: somewhere, and within kReach of each edge.
 enum Activity : std::uint8_t {
     kQuiet = 0,
     kSomewhere = 1,

@@ -6,7 +6,7 @@
 
 namespace sim {
 
-// Memory that starts on a cache line: lanes that lie across two lines cost twice.
+// Allocates memory that starts on a cache line, because lanes that span two lines cost twice.
 inline constexpr std::size_t kCacheLine = 64;  // bytes
 
 template <class T>

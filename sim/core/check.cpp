@@ -5,7 +5,8 @@
 
 namespace sim {
 
-// The one place where sim writes to a stream: the process is about to abort, and a maintainer needs the line.
+// The only place where sim writes to a stream: the process is about to abort, and a maintainer needs the
+// line.
 void check_failed(const char* condition, const char* file, int line) {
     std::fprintf(stderr, "%s:%d: CHECK failed: %s\n", file, line, condition);
     std::abort();

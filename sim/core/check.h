@@ -1,8 +1,8 @@
 #pragma once
 
-// CHECK(condition) stops the program where a bug has broken one of our own promises. It is for bugs alone:
-// bad input and a failing machine are answered with values (tl::expected, exit codes). On in Debug, CI and
-// sanitizer builds, where COULOIR_CHECKS is defined; elsewhere the condition is compiled but not evaluated.
+// CHECK(condition) aborts the program if a bug has broken an invariant. It is for bugs alone: bad input and
+// machine failures are reported by values (tl::expected, exit codes). Enabled in Debug, CI and sanitizer
+// builds, which define COULOIR_CHECKS; elsewhere the condition is compiled but not evaluated.
 
 namespace sim {
 [[noreturn]] void check_failed(const char* condition, const char* file, int line);

@@ -5,10 +5,9 @@
 
 namespace sim {
 
-// What of this thread's arithmetic is not as IEEE 754 has it by default, and so would break replays without a
-// word: another rounding than to nearest, or denormal numbers taken for zero. Libraries switch either on
-// behind a program's back. Costs a few nanoseconds; threads begin with the arithmetic of the one that made
-// them.
+// Describes how this thread's arithmetic differs from the IEEE 754 default, if it does: rounding other than
+// to nearest, or denormal numbers flushed to zero. Either would silently break replays, and libraries may
+// switch them on. Costs a few nanoseconds. A thread inherits the arithmetic of the thread that started it.
 std::optional<std::string_view> float_environment_fault();
 
 }  // namespace sim

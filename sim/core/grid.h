@@ -9,7 +9,7 @@
 namespace sim {
 
 // A regular grid of vertices. x runs east, y runs north, row 0 is the south. A grid of N×N squares has (N+1)²
-// vertices; every vertex owns a full cell of dx² m², the ones on the border too.
+// vertices. Every vertex owns a full cell of dx² m², including those on the border.
 struct Grid {
     int nx = 0;      // vertices along x, ≥ 3
     int ny = 0;      // vertices along y, ≥ 3
@@ -21,11 +21,11 @@ struct Grid {
     bool operator==(const Grid&) const = default;
 };
 
-// Rows are padded so that they can be read many lanes at a time from any of their vertices.
+// Row padding, so that several lanes can be read from any vertex of a row.
 inline constexpr int kRowPadding = 16;
 
-// One value per vertex with a halo of one vertex around, so that a stencil needs no special case at the
-// border. Row-major, x fastest; (x, y) is valid from -1 to nx and from -1 to ny. Starts at zero.
+// One value per vertex, with a halo of one vertex, so that a stencil needs no special case at the border.
+// Row-major, x fastest; (x, y) is valid from -1 to nx and from -1 to ny. Starts at zero.
 template <class T>
 class Field {
   public:
@@ -38,7 +38,7 @@ class Field {
 
     int nx() const { return nx_; }
     int ny() const { return ny_; }
-    int stride() const { return stride_; }  // from a row to the next
+    int stride() const { return stride_; }  // from one row to the next
 
     // Pointer to x = 0 of a row; [-1] and [nx] are the halo.
     T* row(int y) { return values_.data() + offset(0, y); }
@@ -57,7 +57,7 @@ class Field {
     }
 
     int nx_ = 0, ny_ = 0, stride_ = 0;
-    AlignedVector<T> values_;  // of whole cache lines; x = 0 starts one
+    AlignedVector<T> values_;  // whole cache lines; x = 0 starts one
 };
 
 }  // namespace sim

@@ -28,7 +28,7 @@ void Workers::leave() {
 }
 
 void Workers::run(int rows, Call call, void* callable) {
-    // What cannot be shared out is the caller's: to wake the crew would take longer than most stages.
+    // A single row is done by the caller: waking the other threads would take longer than most stages.
     if (rows <= 1) {
         if (rows == 1) call(callable, 0, 0, 1);
         return;

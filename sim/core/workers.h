@@ -8,8 +8,8 @@
 
 namespace sim {
 
-// A fixed crew of threads that divides rows among itself. Each stage writes only the rows it is given and
-// reads what an earlier stage finished, so the number of threads never shows in the result.
+// A fixed set of threads that divides rows among itself. Each stage writes only its own rows and reads only
+// what an earlier stage finished, so results do not depend on the number of threads.
 class Workers {
   public:
     explicit Workers(int threads);  // ≥ 1; 1 starts none. Throws std::system_error if there are no more
@@ -25,7 +25,7 @@ class Workers {
     void each_band(int rows, Stage&& stage) {
         each_member(rows, [&](int, int first, int last) { stage(first, last); });
     }
-    // The same with the number of the thread that does it, 0 … threads()-1.
+    // The same, with the number of the calling thread, 0 … threads()-1.
     template <class Stage>
     void each_member(int rows, Stage&& stage) {
         using Callable = std::remove_reference_t<Stage>;

@@ -10,10 +10,9 @@
 namespace sim::fields {
 namespace {
 
-constexpr double kFarthest = 0.3;    // cells, that a front goes in one part of a step
-constexpr double kJumpShare = 0.25;  // of the speed at which a flow begins: a jump of so much is a front
-constexpr double kLeastJump =
-    0.02;  // sides per second, whatever the speed: more than what is smooth jumps by
+constexpr double kFarthest = 0.3;    // cells that a front may move in one part of a step
+constexpr double kJumpShare = 0.25;  // jump that counts as a front, as a share of the initial speed
+constexpr double kLeastJump = 0.02;  // sides per second, at any speed: more than the smooth field jumps by
 
 }  // namespace
 

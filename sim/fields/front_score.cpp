@@ -11,11 +11,11 @@
 namespace sim::fields {
 namespace {
 
-// Times the jump that cuts an edge: where a front that fades should be found, and where it should no more.
-// What is between may be held.
+// Multiples of the jump that cuts an edge. A fading front must be found above kSurely and not found below
+// kHardly; in between the rule may hold it.
 constexpr double kSurely = 1.1, kHardly = 0.6;
 
-// How the flow lies on the mesh.
+// A flow in mesh coordinates.
 class Lie {
   public:
     Lie(const TestFlow& flow, const Trial& trial)
@@ -44,7 +44,7 @@ class Lie {
     double cos_, sin_;
 };
 
-// Where the front crosses an edge whose ends lie in two regions.
+// Finds f where the front crosses an edge whose ends are in two regions.
 float crossing_of(const Lie& lie, const front::Mesh& mesh, int edge, double time) {
     const glm::dvec2 a(mesh.position[mesh.edge[edge].a]), along(mesh.along(edge));
     const int region = lie.region(a, time);
@@ -56,8 +56,8 @@ float crossing_of(const Lie& lie, const front::Mesh& mesh, int edge, double time
     return static_cast<float>((low + high) / 2);
 }
 
-// Counts what does not lie where continuity puts it: a point that stays moves, one that comes begins at the
-// end of its edge that the front passed, and one that goes ends there.
+// Counts points that break continuity: a point that stays but moves too far, a new one that does not begin at
+// the vertex that the front passed, and a vanished one that did not end there.
 class Jumps {
   public:
     Jumps(const front::Mesh& mesh, float limit) : mesh_(mesh), limit_(limit) {}
@@ -78,7 +78,7 @@ class Jumps {
     }
 
   private:
-    // From the nearest end that has flipped, as a share of the edge; without one nothing can be said.
+    // Distance from the nearest flipped end, as a share of the edge; 0 if neither end flipped.
     float from_flip(const front::Detector& detector, int edge, float f) const {
         const auto [a, b] = mesh_.edge[edge];
         const bool from_a = detector.has_flipped(a), from_b = detector.has_flipped(b);
@@ -102,7 +102,7 @@ FrontScore score(const front::Mesh& mesh, const front::Rule& rule, front::PointS
     front::Tracker tracker(mesh, rule, source, trial.hold);
     Jumps jumps(mesh, limit), true_jumps(mesh, limit);
     std::mt19937 random(1);
-    std::normal_distribution<float> noise;  // of mean 0 and deviation 1
+    std::normal_distribution<float> noise;  // mean 0, standard deviation 1
     std::uniform_real_distribution<double> share;
 
     std::vector<glm::vec2> velocity(mesh.position.size());

@@ -14,10 +14,11 @@ constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kSwing = 0.2, kSwingPeriod = 8;                         // m, s
 constexpr double kPinwheelPeriod = 20, kPinwheelAngle = 0.1;             // s, radians
 constexpr double kDiscRadius = 0.15, kDiscOrbit = 0.2, kDiscPeriod = 8;  // m, m, s
-constexpr double kDiscFall = 1.5;                                        // of the flow's speed
-constexpr double kDropRadius = 0.12, kApart = 0.25, kDropPeriod = 10;    // m, m from the middle at most, s
-constexpr double kLane = 0.16, kLaneSwing = 0.05, kLanePeriod = 10;      // m, m, s
-constexpr double kFadeFrom = -0.3, kFadeTo = 0.3;                        // m along the rift
+constexpr double kDiscFall = 1.5;                                        // as a multiple of the flow's speed
+// m; greatest distance from the centre, m; s
+constexpr double kDropRadius = 0.12, kApart = 0.25, kDropPeriod = 10;
+constexpr double kLane = 0.16, kLaneSwing = 0.05, kLanePeriod = 10;  // m, m, s
+constexpr double kFadeFrom = -0.3, kFadeTo = 0.3;                    // m along the rift
 
 glm::dvec2 direction_of(double angle) {
     return {std::cos(angle), std::sin(angle)};
@@ -27,21 +28,21 @@ glm::dvec2 left_of(const glm::dvec2& direction) {
     return {-direction.y, direction.x};
 }
 
-// Signed distances to the fronts that there are.
+// Signed distances to the fronts.
 double from_line(const TestFlow& flow, const glm::dvec2& x, double time) {
     const double swing =
         flow.kind == TestFlow::Kind::kOpposed ? 0 : kSwing * std::sin(kTurn * time / kSwingPeriod);
     return glm::dot(x - flow.through, left_of(direction_of(flow.angle))) - swing;
 }
 
-// Share of the flow's speed that is left at a place beside the rift: 1 … 0, smoothly.
+// Share of the flow's speed that remains at a place: 1 … 0, smoothly along the rift.
 double fade(const TestFlow& flow, const glm::dvec2& x) {
     const double along = glm::dot(x - flow.through, direction_of(flow.angle));
     const double t = std::clamp((along - kFadeFrom) / (kFadeTo - kFadeFrom), 0.0, 1.0);
     return 1 - t * t * (3 - 2 * t);
 }
 
-// In the frame that turns with the pinwheel.
+// Coordinates in the frame that rotates with the pinwheel.
 glm::dvec2 turned(const TestFlow& flow, const glm::dvec2& x, double time) {
     const glm::dvec2 u = direction_of(kTurn * time / kPinwheelPeriod + kPinwheelAngle);
     const glm::dvec2 from = x - flow.through;
@@ -57,14 +58,14 @@ double from_disc(const TestFlow& flow, const glm::dvec2& x, double time) {
     return glm::length(x - centre) - kDiscRadius;
 }
 
-// Below 0 inside of either; near the front as good as the distance itself.
+// Negative inside either drop. Near the front it approximates the distance.
 double from_drops(const TestFlow& flow, const glm::dvec2& x, double time) {
     const glm::dvec2 way(kApart * std::cos(kTurn * time / kDropPeriod), 0);
     const glm::dvec2 from = x - flow.through;
     return std::min(glm::length(from - way), glm::length(from + way)) - kDropRadius;
 }
 
-// Lanes one above the other, which sway together: place in units of lanes.
+// Position across lanes that are stacked along y and sway together, in lanes.
 double lane_at(const TestFlow& flow, const glm::dvec2& x, double time) {
     const double sway = kLaneSwing * std::sin(kTurn * (x.x + time / kLanePeriod));
     return (x.y - flow.through.y - sway) / kLane;
@@ -141,7 +142,8 @@ double TestFlow::distance(const glm::dvec2& x, double time) const {
         case Kind::kDrops:
             return std::abs(from_drops(*this, x, time));
         case Kind::kCrowd: {
-            // To the tangent of the sine above or below: near a front as good as the distance itself.
+            // Distance to the tangent of the sine above or below: near a front it approximates the true
+            // distance.
             const double lane = lane_at(*this, x, time);
             const double slope = kLaneSwing * kTurn * std::cos(kTurn * (x.x + time / kLanePeriod));
             return std::abs(lane - std::round(lane)) * kLane / std::sqrt(1 + slope * slope);

@@ -7,44 +7,45 @@
 
 namespace sim::fields {
 
-// Flows on the unit square whose fronts are known exactly: the paper's four scenes, whose speeds it does not
-// give, two drops, a crowd and a rift. For who looks on, never for a step: they call libm.
+// Flows on the unit square whose fronts are known exactly: the paper's four scenes (it does not give their
+// speeds), two drops, a crowd and a rift. For views only, never for a simulation step, because they call
+// libm.
 struct TestFlow {
     enum class Kind {
-        kOpposed,   // two ways on either side of a line at rest; (i)
-        kSwinging,  // the same, and the line swings along its normal; (ii)
-        kPinwheel,  // four ways between two lines that turn; (iii)
-        kDisc,      // a disc that goes round in a flow straight down; (iv)
-        kDrops,     // two discs that meet, are one, and part again
-        kCrowd,     // lanes of a crowd in both directions, as wide as they please
-        kRift       // kSwinging, but the ways on either side fade along the line until nothing moves
+        kOpposed,   // opposed flow on either side of a line at rest; (i)
+        kSwinging,  // the same, with a line that swings along its normal; (ii)
+        kPinwheel,  // four flow directions between two rotating lines; (iii)
+        kDisc,      // a disc that circles in a downward flow; (iv)
+        kDrops,     // two discs that meet, merge and part again
+        kCrowd,     // lanes of a crowd in both directions, of any width
+        kRift       // kSwinging, but the flow on either side fades to nothing along the line
     };
     Kind kind = Kind::kOpposed;
     double flow_speed = 0.2;       // m/s, ≥ 0
-    double front_speed = 1;        // how fast time goes for the front, times its usual; may be below 0
-    double angle = 0;              // kOpposed, kSwinging, kRift: of the line, radians
-    double smooth = 0;             // m/s; adds a steady field without jumps, (sin 2πy, sin 2πx) times this
-    glm::dvec2 through{0.5, 0.5};  // the middle of all, m: a point of the line, where lines cross, …
+    double front_speed = 1;        // speed of the front's clock, as a multiple of its usual; may be negative
+    double angle = 0;              // kOpposed, kSwinging, kRift: angle of the line, radians
+    double smooth = 0;             // m/s; adds a steady smooth field, (sin 2πy, sin 2πx) times this
+    glm::dvec2 through{0.5, 0.5};  // centre, m: a point of the line, where lines cross, …
 
-    // `time` below is the front's, s: it goes by front_speed times as fast as everybody's, and may do so
-    // while speeds change.
+    // `time` below is the front's clock, s. It runs front_speed times as fast as the flow's, also while
+    // speeds change.
 
-    // Parts of the plane that move alike, numbered from 0.
+    // Number of the region at a place, from 0. All of a region moves alike.
     int region(const glm::dvec2& x, double time) const;
-    // Whether a front runs between two places near each other, across which velocities jump by so much, m/s.
+    // True if a front with a velocity jump of at least `jump`, m/s, runs between two nearby places.
     bool parts(const glm::dvec2& a, const glm::dvec2& b, double time, double jump) const;
-    // m/s
+    // Velocity, m/s.
     glm::vec2 velocity(const glm::dvec2& x, double time) const;
-    // To the nearest point of a front, m.
+    // Distance to the nearest point of a front, m.
     double distance(const glm::dvec2& x, double time) const;
-    // The greatest normal speed of a front within the square, m/s.
+    // Greatest normal speed of a front within the square, m/s.
     double greatest_front_speed() const;
 
-    // Of a region, without what is smooth on top and before it fades, m/s.
+    // Velocity of a region, without the smooth field and before fading, m/s.
     glm::vec2 of_region(int region, double time) const;
 };
 
-// With the numbers of the paper's figures as we read them; `cell`: of the grid, m.
+// Flows with the parameters that we read from the paper's figures. `cell`: of the grid, m.
 TestFlow opposed(double cell, double share);  // (i), `share` of a cell above the row at 0.5 or just below it
 TestFlow swinging(double degrees);            // (ii)
 TestFlow pinwheel();                          // (iii)

@@ -19,7 +19,7 @@ namespace {
 using front::CutTriangle;
 using front::TextureLayers;
 
-constexpr int kSheet = 1;         // the second phase of the shortest latency: renewed at whole periods
+constexpr int kSheet = 1;         // second phase of the shortest latency: renewed at whole periods
 constexpr double kNearCells = 2;  // of a front
 constexpr int kNearRings = 2;
 
@@ -34,7 +34,7 @@ struct FrontFit {
     double area() const { return std::abs(cross(at[1] - at[0], at[2] - at[0])) / 2; }
     glm::dvec2 middle() const { return (at[0] + at[1] + at[2]) / 3.0; }
 
-    // Greatest over least singular value of how coordinates change.
+    // Ratio of the greatest to the least singular value of the gradient of the coordinates.
     double stretch() const {
         const glm::dmat2 ways(at[1] - at[0], at[2] - at[0]);
         const glm::dmat2 g =
@@ -43,7 +43,7 @@ struct FrontFit {
         return greatest / std::max(std::abs(least), 0.5e-9);
     }
 
-    // Coordinates at a place, if it lies in the piece.
+    // Coordinates at a place, if it is in the piece.
     std::optional<glm::dvec2> coordinates_at(const glm::dvec2& place) const {
         const glm::dvec2 u = at[1] - at[0], w = at[2] - at[0], way = place - at[0];
         const double whole = cross(u, w), b = cross(way, w) / whole, c = cross(u, way) / whole;
@@ -53,7 +53,7 @@ struct FrontFit {
     }
 };
 
-// What is drawn of a triangle; pieces without area are left out.
+// The drawn pieces of a triangle. Pieces without area are left out.
 std::vector<FrontFit> pieces_of(const front::Tracker& tracker, const TextureLayers& layers, int triangle) {
     std::vector<FrontFit> pieces;
     for (const CutTriangle& part : cut_triangle(tracker, triangle)) {
@@ -67,7 +67,7 @@ std::vector<FrontFit> pieces_of(const front::Tracker& tracker, const TextureLaye
     return pieces;
 }
 
-// Percentiles of weighted values ≥ 1, in steps of a five-hundredth of a natural logarithm.
+// Percentiles of weighted values ≥ 1, in steps of 1/500 of a natural logarithm.
 class Histogram {
   public:
     void add(double value, double weight) {
@@ -90,13 +90,13 @@ class Histogram {
     double all_ = 0;
 };
 
-// Root mean square of one thing over that of another.
+// Ratio of two root mean squares.
 struct Ratio {
     double above = 0, below = 0;
     double value() const { return below > 0 ? std::sqrt(above / below) : 0; }
 };
 
-// Vertices within so many rings of a cut edge.
+// Marks vertices within `rings` rings of a cut edge.
 std::vector<char> beside(const front::Detector& detector, int rings) {
     const front::Mesh& mesh = detector.mesh();
     std::vector<char> near(mesh.position.size(), 0);
@@ -109,11 +109,11 @@ std::vector<char> beside(const front::Detector& detector, int rings) {
     return near;
 }
 
-// Travels with the flow.
+// A particle that travels with the flow.
 struct Particle {
     glm::dvec2 at, coordinates;
     int region;
-    bool counts = true;  // no front has come near, and it has not left
+    bool counts = true;  // no front has come near and it has not left the square
 };
 
 class Texture {
@@ -213,7 +213,7 @@ class Texture {
         }
     }
 
-    // What a particle shows now; kept, since a renewal wipes it out.
+    // Keeps the coordinates at a particle, because a renewal overwrites them.
     void latest(const Particle& p) {
         if (const auto c = coordinates_at(p.at)) last_[&p - particles_.data()] = *c;
     }
@@ -251,7 +251,7 @@ class Texture {
     std::vector<glm::vec2> velocity_, at_rest_;
     std::vector<TextureLayers::Offsets> before_;
     std::vector<Particle> particles_;
-    std::vector<glm::dvec2> last_;  // coordinates of each particle
+    std::vector<glm::dvec2> last_;  // coordinates at each particle
     Ratio slip_, slip_near_;
     Histogram near_, drift_;
     double area_ = 0, stretched_ = 0;

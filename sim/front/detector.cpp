@@ -11,9 +11,9 @@
 
 #include "sim/core/check.h"
 
-// All vertices and edges are looked at by the scan (scan.h), for the least that the rule may take for a jump.
-// What it finds, which is little, is looked at again by the rule itself. Squares of jumps are compared,
-// because a root for each edge would cost more than all the rest.
+// The scan (scan.h) looks at all vertices and edges for the least jump that the rule may accept. The rule
+// itself then checks the few that the scan finds. Squares of jumps are compared, because a root for each edge
+// would cost more than all the rest.
 
 namespace sim::front {
 namespace {
@@ -63,7 +63,7 @@ Detector::Detector(const Mesh& mesh, const Rule& rule, InstructionSet set)
     lay_families();
     const std::size_t words = static_cast<std::size_t>(rows_) * words_for(columns_);
     for (auto* bits : {&above_, &above_before_, &jumps_, &changes_, &others_}) bits->resize(words);
-    // Room for more than any flow has, so that fronts that grow allocate nothing.
+    // Reserve more than any flow needs, so that growing fronts allocate nothing.
     const std::size_t cut = mesh.edge.size() / 8;
     for (std::vector<int>* list : {&cut_, &before_, &flipped_}) list->reserve(cut);
     vanished_.reserve(cut);
@@ -95,7 +95,7 @@ void Detector::lay_families() {
 }
 
 float Detector::least_jump(float length) const {
-    // Where nothing jumps nothing is cut, whatever the rule; of a speed so low the square is still a number.
+    // No jump, no cut, whatever the rule. The square of this speed is still a normal float.
     constexpr float kSomething = 1e-18f;  // m/s
     const float jump = std::max(rule_.jump, kSomething);
     return rule_.kind == Rule::Kind::kRelative ? jump : std::max(rule_.threshold * length, jump);
@@ -119,7 +119,7 @@ void Detector::update(const Flow& flow) {
     first_ = false;
 }
 
-// What may have jumped since the step before; and to the vertices beside, where any has changed at all.
+// Marks changed and flipped candidates, then candidate jumps. Rows without any change are skipped.
 void Detector::scan(const glm::vec2* velocity) {
     static_assert(sizeof(glm::vec2) == 2 * sizeof(float));
     const std::size_t words = words_for(columns_);
@@ -189,14 +189,14 @@ void Detector::find_flips(const glm::vec2* velocity) {
             if (jumps_enough(velocity_[v], velocity[v], least_jump(mesh_.cell[v] / 2), false))
                 flipped_.push_back(v);
         });
-    // The scan has kept what was wherever something may have jumped.
+    // The scan updated the previous velocities, except where something may have jumped.
     each_word(changes_, [&](Word word, int x, int y) {
         const int first = y * columns_ + x;
         if (word || first_) std::copy_n(velocity + first, std::min(columns_ - x, kWord), &velocity_[first]);
     });
 }
 
-// Calls look(word, x, y) for each word of all rows of vertices, with the place of its first.
+// Calls look(word, x, y) for each word of each row of vertices; (x, y) is the word's first vertex.
 template <class Look>
 void Detector::each_word(const std::vector<Word>& words, const Look& look) const {
     const Word* word = words.data();
@@ -224,8 +224,8 @@ void Detector::find_crossings() {
     if (mesh_.columns == 0) return find_crossings_one_by_one();
     const std::size_t words = words_for(columns_);
     for (const Family& family : families_) {
-        // From the first bit of a row to that of the row where its edges end, and whether they end at the
-        // next.
+        // Offset from the first word of a row to that of the row where its edges end, and whether they end
+        // one column further.
         const std::size_t up = family.step >= columns_ ? words : 0;
         const bool to_next = family.step % columns_ == 1;
         for (int y = 0; y < family.rows; ++y) {

@@ -1,7 +1,7 @@
 #include "sim/front/fit_lanes.h"
 #include "sim/simd/numbers.h"
 
-// Rows of a fit, for lanes of any number that kLanes is a multiple of.
+// Row operations of a fit, for any number of lanes that divides kLanes.
 
 namespace sim::front::fit {
 
@@ -45,7 +45,7 @@ struct Fit {
         }
     }
 
-    // The lanes of `first` on, of all rows.
+    // Adds up the rows of lanes `first` and following.
     template <class Add>
     [[gnu::always_inline]] static void add_up(int first, LaneSums& lanes, const Add& add) {
         SumsOfLanes sums;

@@ -7,14 +7,14 @@
 
 namespace sim::front {
 
-// What is seen of a flow beside its fields: where it tears, and how textures lie on either side.
+// A view of a flow: its discontinuity fronts, and the textures on either side.
 class FlowView {
   public:
-    // The mesh must outlive it.
+    // The mesh must outlive the view.
     FlowView(const Mesh& mesh, const Rule& rule, PointSource source, const LayerRule& layers)
         : tracker_(mesh, rule, source), layers_(mesh, layers) {}
 
-    // To the flow as it is `dt` seconds later, > 0; in three stages.
+    // Advances to the flow `dt` seconds later, dt > 0, in three stages.
     void advance(const Flow& flow, double dt, Workers& workers) {
         track(flow, dt, workers);
         carry(flow, dt, workers);
@@ -31,11 +31,11 @@ class FlowView {
     const TextureLayers& layers() const { return layers_; }
     TextureLayers& layers() { return layers_; }
 
-    // By how much what lies at each vertex is deeper than before anything moved, m; kept by whoever sets it.
-    // Without it nothing is known to have come to lie.
+    // Sets the rise of the standing layer at each vertex since before anything moved, m. The caller keeps the
+    // array. Without it no deposit is known.
     void set_rise(std::span<const float> rise) { rise_ = rise; }
-    // How deep a vertex lies under what has come to lie there and still has the texture with which it came,
-    // m, ≥ 0. A place where nothing ever moved has none, however much is laid there.
+    // Thickness at a vertex of the deposit that still has the texture with which it arrived, m, ≥ 0. It is 0
+    // where nothing ever moved, even if material is added there.
     float deposit(int vertex) const {
         return !rise_.empty() && rise_[vertex] > 0 && layers_.has_moved(vertex) ? rise_[vertex] : 0;
     }

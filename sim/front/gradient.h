@@ -13,11 +13,11 @@
 
 namespace sim::front {
 
-// How N sets of coordinates change around a vertex, from the neighbours that no front separates from it: of
-// each set the least-squares solution of c_k − c_j = G (x_k − x_j) (equations 9 and 10 of the paper).
-// `gradient` holds what decides on what the neighbours leave open, since there is none or they lie on one
-// line: the gradient of the step before, or that of coordinates at rest. Columns: ∂c/∂x and ∂c/∂y, per m.
-// `coordinates`: one array for each vertex.
+// Computes the gradients of N sets of coordinates at a vertex, from neighbours across uncut edges: for each
+// set the least-squares solution of c_k − c_j = G (x_k − x_j), equations (9) and (10) of the paper. On entry
+// `gradient` holds the fallback for directions that the neighbours leave undetermined: the gradient of the
+// previous step, or that of coordinates at rest. Columns: ∂c/∂x and ∂c/∂y, per m. `coordinates`: one array
+// for each vertex.
 template <std::size_t N>
 void find_gradients(const Detector& detector, int vertex,
                     std::span<const std::array<glm::vec2, N>> coordinates,
@@ -29,7 +29,7 @@ void find_gradients(const Detector& detector, int vertex,
             rows.add(glm::dvec2(mesh.position[spoke.vertex] - mesh.position[vertex]), 0);
     const glm::mat2 inverse(rows.inverse());
 
-    // By how much each differs from the last: the shortest solution stays nearest to it.
+    // Change against the fallback: the shortest solution stays nearest to it.
     std::array<glm::mat2, N> change{};
     for (const auto& spoke : mesh.around(vertex)) {
         if (detector.is_cut(spoke.edge)) continue;
@@ -44,7 +44,7 @@ void find_gradients(const Detector& detector, int vertex,
     for (std::size_t i = 0; i < N; ++i) gradient[i] += change[i];
 }
 
-// By how much a gradient draws out, at most and at least; the least is below 0 where it turns over.
+// Greatest and least stretch by a gradient; the least is below 0 if the gradient turns the texture over.
 template <class T>
 struct SingularValues {
     T greatest, least;
@@ -56,7 +56,7 @@ SingularValues<T> singular_values(const glm::mat<2, 2, T>& g) {
     return {same + other, same - other};
 }
 
-// Coordinates carried on from a vertex with its gradient, to the front or beyond.
+// Coordinates extrapolated from a vertex by its gradient, equation (9).
 inline glm::vec2 carried_on(const glm::vec2& coordinates, const glm::mat2& gradient, const glm::vec2& way) {
     return coordinates + gradient * way;
 }

@@ -9,14 +9,14 @@
 namespace sim::front {
 namespace {
 
-// A vertex is held for so long at most, and for no longer than this share of the time that the front took for
-// an edge: beyond, what is seen lags more than it would jump.
+// Limits on holding a vertex: a time, and a share of the time that the front took for an edge. Beyond them
+// the view would lag more than it would jump.
 constexpr double kLongest = 1 / 15.0;  // s
 constexpr double kMostOfCrossing = 0.3;
 
-// A point that is late goes at so many times its speed, but no farther in a step than this: it would jump
-// again. At 60 steps/s or more that takes it a little more than a cell in kLongest. Where one cannot come in
-// time none is held.
+// A late point moves at this multiple of its speed, up to this speed and step; a longer step would itself be
+// a jump. At 60 steps/s or more it covers a little more than a cell in kLongest. A vertex is not held if one
+// of its points cannot arrive in time.
 constexpr double kHaste = 2;
 constexpr double kFastest = 16;     // cells/s
 constexpr double kFarthest = 0.27;  // cells
@@ -43,7 +43,7 @@ Flow PointHold::delay(const Flow& flow, double time, double dt, const Detector& 
     for (const int v : held_) steps_left_[v] = late_at(v, dt, seen, points).any ? steps_left_[v] - 1 : 0;
     for (const int v : actual_.flipped()) {
         passed_[v] = time - dt / 2;
-        const bool came_back = std::exchange(steps_left_[v], 0) > 0;  // and nobody saw that it was away
+        const bool came_back = std::exchange(steps_left_[v], 0) > 0;  // nobody saw it leave
         const Late late = late_at(v, dt, seen, points);
         if (came_back || !late.any) continue;
         const double longest = std::min(kLongest, kMostOfCrossing * late.age);

@@ -11,10 +11,10 @@
 namespace sim::front {
 namespace {
 
-// Least height of a triangle as a share of its longest edge, below which rounding decides on which side a
+// Least height of a triangle as a share of its longest edge. Below it, rounding decides on which side a
 // corner lies.
 constexpr double kLeastHeight = 1e-6;
-// m. Within these the fourth power of a length and its inverse are floats.
+// m. Within these limits the fourth power of a length and its inverse are floats.
 constexpr double kShortestEdge = 1e-6, kLongestEdge = 1e9;
 
 std::optional<MeshFault> fault_of(const std::vector<glm::vec2>& position,
@@ -39,7 +39,7 @@ std::optional<MeshFault> fault_of(const std::vector<glm::vec2>& position,
     return std::nullopt;
 }
 
-// What follows from positions, triangles and edges.
+// Fills in what follows from positions, triangles and edges.
 void finish(Mesh& mesh) {
     const auto vertices = mesh.position.size(), edges = mesh.edge.size();
     mesh.length.resize(edges);
@@ -75,9 +75,9 @@ void finish(Mesh& mesh) {
 std::variant<Mesh, MeshFault> mesh_of(std::vector<glm::vec2> position,
                                       std::vector<std::array<int, 3>> triangle) {
     if (const auto fault = fault_of(position, triangle)) return *fault;
-    // Sides of triangles, those of one edge beside each other.
+    // Sides of triangles, sorted so that those of one edge are adjacent.
     struct Side {
-        int a, b, triangle, from;  // from: which corner it begins at
+        int a, b, triangle, from;  // from: the corner where it begins
     };
     std::vector<Side> sides;
     sides.reserve(3 * triangle.size());

@@ -5,16 +5,15 @@ namespace {
 
 constexpr int kUnknowns = MovingQuadratic::kUnknowns;
 
-// 1/σ² of what is known of each unknown beforehand, in cells and windows of time (docs of the class give
-// their order), but for the last: a front is straight and steady unless rows say otherwise; of its place
-// nothing is known.
+// Prior 1/σ² of each unknown but the last, in cells and windows of time; moving_quadratic.h gives their
+// order. A front is straight and steady unless rows say otherwise. Its place has almost no prior.
 constexpr std::array<double, kUnknowns - 1> kPrior{1e-6, 1, 1 / (0.5 * 0.5), 1 / (50.0 * 50.0), 1};
 
-// Of Sums, by the power of s and that of z; those with D follow in the order of the unknowns.
+// Indices into Sums, by the powers of s and z. The sums with D follow, in the order of the unknowns.
 enum Power { k1, kS, kSS, kSSS, kSSSS, kZ, kSZ, kSSZ, kSSSZ, kZZ, kSZZ, kSSZZ, kZZZ, kSZZZ, kZZZZ };
 
-// The lower triangle of the normal equations: which sum, and by what it is to be multiplied for the halves in
-// the terms s²/2 and z²/2.
+// The lower triangle of the normal equations: the sum for each entry, and its factor from the halves in the
+// terms s²/2 and z²/2.
 struct Entry {
     Power power;
     double times;
@@ -29,9 +28,9 @@ constexpr Entry kMatrix[kUnknowns][kUnknowns] = {
 
 }  // namespace
 
-// By the factors L D Lᵀ: the prior makes the matrix positive definite.
+// Factorises L D Lᵀ; the prior makes the matrix positive definite.
 void MovingQuadratic::solve() {
-    double factor[kUnknowns][kUnknowns], reciprocal[kUnknowns];  // L below its diagonal of 1; of D
+    double factor[kUnknowns][kUnknowns], reciprocal[kUnknowns];  // L below its unit diagonal; inverse of D
     auto& c = solution_;
     for (int i = 0; i < kUnknowns; ++i) c[i] = sums.of[Sums<double>::kPowers + i];
     c[2] *= 0.5, c[5] *= 0.5;

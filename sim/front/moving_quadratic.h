@@ -4,25 +4,25 @@
 
 namespace sim::front {
 
-// A small piece of a moving front, in coordinates that turn and travel with nobody: s along it, D across, and
-// z the time, 0 now and below 0 before.
+// A small piece of a moving front, in a fixed frame: s along it, D across it, and time z, which is 0 now and
+// negative before.
 //
 //     D(s, z) = c₀ + c₁ s + c₂ s²/2 + z (v₀ + v₁ s) + a z²/2
 //
-// Fitted by weighted least squares; of unknowns that the rows do not tell, a weak prior keeps what is plain.
+// Fitted by weighted least squares. A weak prior decides unknowns that the rows leave undetermined.
 class MovingQuadratic {
   public:
     static constexpr int kUnknowns = 6;
 
-    // Sums over rows, of which Number is one or several side by side: weight times the powers of s and z that
-    // products of the terms above have, then weight times D and those terms without their halves. Which is
-    // where: moving_quadratic.cpp.
+    // Sums over rows; Number is one value or several lanes. First the weights times the powers of s and z
+    // that products of the terms above contain, then the weights times D and those terms without their
+    // halves. moving_quadratic.cpp gives the order.
     template <class Number>
     struct Sums {
         static constexpr int kPowers = 15, kAll = kPowers + kUnknowns;
         Number of[kAll]{};
 
-        // The front was at D(s, z), give or take σ: weight 1/σ².
+        // Adds a row: the front was at D(s, z) within σ; weight 1/σ².
         [[gnu::always_inline]] void add(const Number& s, const Number& z, const Number& D,
                                         const Number& weight) {
             const Number ws = weight * s, wss = ws * s, wz = weight * z, wzz = wz * z;
@@ -32,25 +32,25 @@ class MovingQuadratic {
             of[12] += wzz * z, of[13] += wzz * z * s, of[14] += wzz * z * z;
             of[kPowers + 3] += wz * D, of[kPowers + 4] += wz * s * D, of[kPowers + 5] += wzz * D;
         }
-        // The same at z = 0.
+        // Adds a row at z = 0.
         [[gnu::always_inline]] void add_now(const Number& s, const Number& D, const Number& weight) {
             const Number ws = weight * s, wss = ws * s;
             of[0] += weight, of[1] += ws, of[2] += wss, of[3] += wss * s, of[4] += wss * s * s;
             of[kPowers] += weight * D, of[kPowers + 1] += ws * D, of[kPowers + 2] += wss * D;
         }
-        // Rows that were added up elsewhere, each weight times so much.
+        // Adds rows summed elsewhere, with their weights multiplied by `times`.
         [[gnu::always_inline]] void add(const Sums& more, const Number& times) {
             for (int i = 0; i < kAll; ++i) of[i] += times * more.of[i];
         }
     };
 
-    Sums<double> sums;  // of all rows until now
-    double gain = 10;   // σ of a as far as it is known beforehand, > 0
+    Sums<double> sums;  // of all rows so far
+    double gain = 10;   // prior σ of a, > 0
 
-    // Solves for them; may be called again after more rows.
+    // Solves for the unknowns. May be called again after more rows.
     void solve();
 
-    // Of the last solution.
+    // The last solution.
     double at(double s, double z) const {
         const auto& c = solution_;
         return c[0] + s * (c[1] + s / 2 * c[2]) + z * (c[3] + s * c[4] + z / 2 * c[5]);

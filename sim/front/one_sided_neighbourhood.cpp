@@ -58,8 +58,8 @@ void OneSidedNeighbourhoods::gather(const Detector& detector, std::span<const in
     extent.crossings = static_cast<int>(crossing_count_ - extent.crossing);
 }
 
-// Each neighbour is written to both lists and kept where it belongs: branches, which nobody could foretell,
-// would cost more.
+// Writes each neighbour to both lists and advances only the right one, because unpredictable branches would
+// cost more.
 void OneSidedNeighbourhoods::add_beside_front(const Detector& detector, int from, bool goes_on) {
     const auto around = detector.mesh().around(from);
     make_room(around.size());
@@ -79,7 +79,7 @@ void OneSidedNeighbourhoods::add_beside_front(const Detector& detector, int from
     crossing_count_ = static_cast<std::size_t>(crossing - crossings_.data());
 }
 
-// Where no edge is cut, which is nearly everywhere.
+// Adds all neighbours of a vertex without a cut edge, the usual case.
 void OneSidedNeighbourhoods::add_all(const Mesh& mesh, int from) {
     const auto around = mesh.around(from);
     make_room(around.size());
@@ -103,7 +103,7 @@ void OneSidedNeighbourhoods::add_flips(const Mesh& mesh, std::span<const Flips> 
     for (std::size_t i = extent.vertex; i < count_; ++i) {
         const int vertex = vertices_[i];
         const auto& last = flips[vertex].last;
-        for (std::size_t which = 0; which < last.size(); ++which) {  // kept if it was ever
+        for (std::size_t which = 0; which < last.size(); ++which) {  // kept if it ever happened
             *next = {vertex, which % 2 == 0 ? 1.f : -1.f, &last[which]};
             next += last[which].time != kNever;
         }
@@ -127,9 +127,9 @@ void OneSidedNeighbourhoods::add_flips(const Mesh& mesh, std::span<const Flips> 
     }
 }
 
-// Of each of those_ its place by age. A few dozen are fastest compared with all others, without a branch.
-// Keys are ages, with the number in their last bits, so that no two are the same: ages so near each other
-// that only those bits would tell are as good as equal.
+// Finds the rank of each of those_ by age. For a few dozen it is fastest to compare each with all others,
+// without a branch. A key is the age with the index in its last bits, so that no two are equal. Ages that
+// differ only in those bits are as good as equal.
 void OneSidedNeighbourhoods::find_order(double time, int count) {
     const std::uint32_t numbers = std::bit_ceil(static_cast<std::uint32_t>(count)) - 1;
     keys_.resize(count), order_.resize(count);

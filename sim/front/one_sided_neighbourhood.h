@@ -14,19 +14,19 @@
 
 namespace sim::front {
 
-// When a front passed a vertex, and which way.
+// When a front passed a vertex, and in which direction.
 struct Flip {
     double time = kNever;       // s
     glm::vec2 direction{0, 0};  // in which the front went, unit
 };
 
-// The last that a vertex remembers, the newest first, in a cache line: they are asked for all over the place.
+// The last flips of a vertex, newest first. They fill one cache line, because they are read in random order.
 struct alignas(kCacheLine) Flips {
     std::array<Flip, 3> last;
     std::array<bool, 3> expected{true, true, true};  // the front was known to be near
 };
 
-// What lies around a vertex beside a front, on its own side of all fronts.
+// The vertices around a vertex beside a front, on its own side of all fronts.
 //
 //           A ── A ── A        A: reached from the vertex a without crossing a front, within kRings.
 //            \  / \  / \         (each edge drawn is uncut)
@@ -34,40 +34,41 @@ struct alignas(kCacheLine) Flips {
 struct OneSidedNeighbourhood {
     static constexpr int kRings = 4;
 
-    std::span<const int> vertices;         // a first, then ring after ring
-    std::array<int, kRings + 1> ring_end;  // where each ring ends there; the first is a alone
+    std::span<const int> vertices;         // a first, then ring by ring
+    std::array<int, kRings + 1> ring_end;  // where each ring ends in `vertices`; the first ring is a alone
 
-    // Their flips, the newest first: of which vertex, and what is known of it; lists are filled up to whole
-    // lanes with zeros. Which way the front went is turned round at each flip before another of the same
-    // vertex, which was on the other side in between.
+    // Flips of those vertices, newest first: the vertex, and the data of the flip, filled up to whole lanes
+    // with zeros. The direction is reversed at every second flip of the same vertex, because the vertex was
+    // on the other side in between.
     std::span<const int> flipped;
     fit::Flipped flips;
 
-    // Edges from there that a front crosses.
+    // Cut edges from those vertices.
     struct Crossing {
         int here, beyond;  // vertices
     };
     std::span<const Crossing> crossings;
 };
 
-// The shores of one moment. Each is looked at once, however many edges are cut at its vertex.
+// The neighbourhoods of one moment. Each is computed once, however many edges are cut at its vertex.
 class OneSidedNeighbourhoods {
   public:
     OneSidedNeighbourhoods(std::size_t vertices, const fit::Kernels& kernels)
         : kernels_(kernels), found_(vertices), seen_(vertices, 0) {}
 
-    // Forgets all: another moment begins.
+    // Clears all neighbourhoods before another moment.
     void clear();
 
-    // Its number. `cuts`: of each vertex of the mesh, how many of its edges are cut. `time`: now, s.
+    // Finds a vertex's neighbourhood and returns its number. `cuts`: cut edges at each vertex of the mesh.
+    // `time`: now, s.
     int find(const Detector& detector, std::span<const int> cuts, std::span<const Flips> flips, double time,
              int vertex);
-    // Until the next is sought.
+    // Valid until the next call of find().
     OneSidedNeighbourhood operator[](int number) const;
 
   private:
     struct Extent {
-        std::size_t vertex, flip, number, crossing;  // where it begins
+        std::size_t vertex, flip, number, crossing;  // where each list begins
         std::array<int, OneSidedNeighbourhood::kRings + 1> ring_end;
         int flips, crossings;
     };
@@ -77,7 +78,7 @@ class OneSidedNeighbourhoods {
     };
     struct Known {
         int vertex;
-        float way;  // 1: the newest of its vertex, or one of every other before; -1: one between
+        float way;  // 1: the newest flip of its vertex, and every second before it; -1: the others
         const Flip* flip;
     };
 
@@ -90,17 +91,17 @@ class OneSidedNeighbourhoods {
 
     const fit::Kernels& kernels_;
     std::vector<Extent> extents_;
-    std::size_t count_ = 0, crossing_count_ = 0;  // how many of the next two are filled
+    std::size_t count_ = 0, crossing_count_ = 0;  // filled part of the next two
     std::vector<int> vertices_;
     std::vector<OneSidedNeighbourhood::Crossing> crossings_;
     std::vector<int> flipped_;
     std::vector<double> numbers_;  // of flips
-    std::vector<Known> those_;     // flips of the shore that is looked at
+    std::vector<Known> those_;     // flips of the neighbourhood being computed
     std::vector<int> keys_, order_;
 
-    std::vector<Found> found_;  // of each vertex of the mesh
+    std::vector<Found> found_;  // per vertex of the mesh
     std::uint32_t moment_ = 1;
-    std::vector<std::uint32_t> seen_;  // of each vertex of the mesh: in which round
+    std::vector<std::uint32_t> seen_;  // per vertex of the mesh: last round in which it was seen
     std::uint32_t round_ = 0;
 };
 

@@ -6,7 +6,7 @@
 
 #include "sim/front/tracker.h"
 
-// How a source of position is asked. For who adds one; everybody else wants tracker.h.
+// The interface of a source of point positions. Needed only to add one; all others include tracker.h.
 
 namespace sim::front {
 
@@ -15,17 +15,17 @@ inline constexpr double kNever = -std::numeric_limits<double>::infinity();  // a
 struct TrackedMoment {
     const Detector& detector;
     const Flow& flow;
-    double time, dt;                  // now, and since the moment before, s
-    std::span<const Point> previous;  // the points of the moment before, as they lay then
-    const PointHold* hold;            // none: a vertex is passed when the front passes it
+    double time, dt;                  // now, and since the previous moment, s
+    std::span<const Point> previous;  // points of the previous moment
+    const PointHold* hold;            // null: a vertex is passed when the front passes it
     Workers& workers;
 };
 
 class PointEstimator {
   public:
     virtual ~PointEstimator() = default;
-    // `points`: one for each cut edge. Those that stay are as they were, but for their age; those born now
-    // have f = ½, speed 0 and age 0.
+    // `points`: one for each cut edge. Existing points come with their previous values and their new age; new
+    // ones have f = ½, speed 0 and age 0.
     virtual void locate(const TrackedMoment& now, std::span<Point> points) = 0;
 };
 

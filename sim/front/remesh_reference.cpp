@@ -6,7 +6,7 @@
 namespace sim::front {
 namespace {
 
-// Multiplied, for what a shader divides need not be rounded well.
+// Multiply, because a shader need not round divisions well.
 constexpr float kThird = 0.33333334f;
 
 float squared_distance(const glm::vec2& p, const glm::vec2& q) {
@@ -23,7 +23,7 @@ CutTriangles cut_triangle(const std::array<int, 3>& corner, const std::array<glm
         cut.triangle[cut.count++] = {p, q, r};
     };
     const auto vertex = [&](int k) { return CutVertex{at[k], corner[k]}; };
-    // On the edge from corner k to the next, the copy on the side of corner `side`.
+    // The copy on the edge from corner k to the next, on the side of corner `side`.
     const auto copy = [&](int k, int side) { return CutVertex{*crossing[k], corner[side], true}; };
 
     const auto count =
@@ -36,7 +36,7 @@ CutTriangles cut_triangle(const std::array<int, 3>& corner, const std::array<glm
         add(vertex(c), copy(a, a), copy(a, b));
         add(vertex(c), copy(a, b), vertex(b));
     } else if (count == 2) {
-        // A lies alone, between the edges that are cut; the one from B to C is not.
+        // A is alone between the two cut edges; BC is not cut.
         const int b = !crossing[0] ? 0 : !crossing[1] ? 1 : 2, c = (b + 1) % 3, a = (b + 2) % 3;
         add(vertex(a), copy(a, a), copy(c, a));
         const CutVertex d = copy(a, b), e = copy(c, c);
@@ -66,7 +66,7 @@ CutTriangles cut_triangle(const Tracker& tracker, int triangle) {
         at[k] = mesh.position[mesh.triangle[triangle][k]];
         const int edge = mesh.triangle_edge[triangle][k], slot = tracker.detector().slot(edge);
         if (slot < 0) continue;
-        // From the edge's own end, so that both triangles beside it get the same bits.
+        // Measured from the edge's vertex a, so that both adjacent triangles get bit-identical points.
         Point point = tracker.points()[slot];
         point.f = std::clamp(point.f, kNearestToEnd, 1 - kNearestToEnd);
         crossing[k] = tracker.position(point);

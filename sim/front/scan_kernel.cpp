@@ -1,16 +1,16 @@
 #include "sim/front/scan.h"
 #include "sim/simd/numbers.h"
 
-// The scan, for lanes of any number. Of a jump by so much one component at least goes 1/√2 of that way: so
-// components need not be brought together. Little jumps: a few rows of lanes are looked at together, and told
-// apart only where one of them may.
+// The scan, for any number of lanes. In a jump at least one component is 1/√2 of it or more, so components
+// can be tested separately. Jumps are rare: several vectors are tested together, and separately only if one
+// of them may jump.
 
 namespace sim::front::scan {
 
 template <class Lanes>
 struct Scan {
     static constexpr int kLanes = static_cast<int>(Lanes::size());
-    static constexpr int kTogether = 32, kVectors = kTogether / kLanes;  // numbers, and lanes of them
+    static constexpr int kTogether = 32, kVectors = kTogether / kLanes;  // numbers, and vectors of them
     static constexpr Word kGroup = (Word{1} << kTogether / 2) - 1;       // bits of their vertices
     static constexpr float kComponent = 0.707f;                          // < 1/√2, by more than rounding
     using Mask = typename Lanes::mask_type;
@@ -25,13 +25,13 @@ struct Scan {
         return stdx::any_of(any);
     }
 
-    // Lane i as bit i: their sum is exact, in whatever order.
+    // Lane i becomes bit i. The sum is exact in any order.
     [[gnu::always_inline]] static Word bits_of(const Mask& mask) {
         Lanes share([](auto lane) { return static_cast<float>(1 << lane); });
         where(!mask, share) = 0;
         return static_cast<Word>(stdx::reduce(share));
     }
-    // A bit for each pair of lanes.
+    // One bit for each pair of lanes.
     [[gnu::always_inline]] static Word pairs_of(const Mask& mask) {
         static_assert(kLanes <= 16);
         Word bits = bits_of(mask);
@@ -41,7 +41,7 @@ struct Scan {
         return (bits | bits >> 4) & 0x00ff;
     }
 
-    // Whether four velocities lie so far apart: of a vertex, the next, and those above both.
+    // Whether velocities may differ by `least` between a vertex, the next one, and the two above them.
     [[gnu::always_inline]] static Mask lie_apart(const float* at, const float* above, float least) {
         const Lanes a = load(at), b = load(at + 2), c = load(above), d = load(above + 2);
         return stdx::max(stdx::max(a, b), stdx::max(c, d)) - stdx::min(stdx::min(a, b), stdx::min(c, d)) >=
@@ -77,7 +77,7 @@ struct Scan {
                     Word{d >= least || -d >= least || e >= least || -e >= least || f >= least || -f >= least}
                     << i / 2;
             }
-            if (with_next < count && count - first <= kWord) {  // the last has only that above
+            if (with_next < count && count - first <= kWord) {  // the last vertex has a neighbour above only
                 const int last = 2 * (count - 1 - first);
                 const float x = up[last] - at[last], y = up[last + 1] - at[last + 1];
                 word |= Word{x >= least || -x >= least || y >= least || -y >= least} << last / 2;

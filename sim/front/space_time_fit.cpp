@@ -10,38 +10,38 @@
 namespace sim::front {
 namespace {
 
-constexpr double kReach2 = 48;  // cells² along the front: rows farther away weigh nothing
-// Cosine between the way the front went at a flip and the normal: none counts below kOneWay, all above
-// kSurely. Where the front is bent, neighbours go other ways.
+constexpr double kReach2 = 48;  // cells² along the front; farther rows have no weight
+// Cosine between the front's direction at a flip and the normal: below kOneWay a flip does not count, above
+// kSurely it counts fully. Where the front is curved, neighbouring directions differ more.
 constexpr double kOneWay = 0.6, kSurely = 0.9;
 double one_way_at(double bend) {  // 1/cells
     return kOneWay - std::clamp(bend - 0.25, 0.0, 0.5);
 }
 
-// The window of time: it reaches back to where so many rows span so many cells across the front, but to so
-// many steps at least, if that is not too long for a quadratic to follow. A short one does instead where it
-// is this much shorter and the long one misses the newest flips.
+// The window of time. It reaches back until kWindowRows rows span kWindowSpan cells across the front, but at
+// least kUsualWindow steps, if that is not too long for a quadratic. The short window is used instead if the
+// long one misses the newest flips and is at least kMuchShorter times as long.
 constexpr int kWindowRows = 8;
 constexpr double kWindowSpan = 1.3, kWindowShare = 0.7, kWindowEnd = 2.5;
 constexpr double kLeastWindow = 4, kUsualWindow = 30;  // steps
 constexpr double kMostUsual = 0.8;                     // s
 constexpr double kMuchShorter = 1.3;
 
-// How much speed a front may gain in a window, cells per window²; but less where it goes so many cells in a
-// step or more, for there the times of flips hardly tell.
+// Speed that a front may gain in a window, cells per window². It is less if the front moves kLongStep cells
+// or more per step, because flip times then say little.
 constexpr double kGain = 10, kLongStep = 0.2;
 
-// Deviations, cells: of a flip, to which comes what the front goes in a step; of what a quadratic cannot
-// follow, times the cube of the age in windows; of the newest flips from a window that fits them.
+// Deviations, cells: of a flip, to which the front's step is added; of what a quadratic cannot follow, times
+// the cube of the age in windows; of the newest flips from a window that fits them.
 constexpr double kOfFlip = 0.02, kOfModel = 0.2, kOfNewest = 0.03;
-constexpr double kMostOfStep = 0.1;  // variance that comes of a step at most, cells²
+constexpr double kMostOfStep = 0.1;  // greatest variance due to a step, cells²
 
-// That the front crosses an edge now says that it is near the middle, give or take this share of the edge;
-// less where flips are fresh. Edges count that lie so near and go so far across.
+// A crossed edge is a row too: the front is at its middle, within this share of its length. It weighs less if
+// flips are fresh. An edge counts if it is near and goes far enough across the front.
 constexpr double kOfMiddle = 0.4, kLessWhereFresh = 15;
 constexpr double kNear2 = 9, kLeastAcross = 0.05, kLeastDeviating = 0.2;  // cells², cells, cells
 
-// How far a vertex may lie on the wrong side, cells, and how many are put right at most; beyond the last a
+// How far a vertex may lie on the wrong side, cells, and how many are corrected at most. Beyond kSideLost a
 // front has turned back.
 constexpr double kSideKept = 0.02, kSideLost = 0.1;
 constexpr int kSidesKept = 5;
@@ -60,7 +60,7 @@ MovingQuadratic::Sums<double> total(const fit::LaneSums& lanes) {
     return sums;
 }
 
-// The next list of so many numbers.
+// Takes the next `count` numbers as a list.
 double* take(double*& from, int count) {
     return std::exchange(from, from + count);
 }
@@ -91,7 +91,7 @@ FrontFit SpaceTimeFit::operator()(const TrackedMoment& now, std::span<const Flip
     return met(mesh, edge, piece);
 }
 
-// Which vertices are beyond the front. One that lies on both shores is the nearer one's.
+// Marks the vertices beyond the front. One that is in both neighbourhoods belongs to the nearer vertex.
 void SpaceTimeFit::claim(const OneSidedNeighbourhood& here, const OneSidedNeighbourhood& beyond) {
     ++round_;
     int next = 0;
@@ -124,7 +124,7 @@ void SpaceTimeFit::collect_flips(const OneSidedNeighbourhood& here, const OneSid
         auto& [count, rows] = sides_[side];
         rows = {take(next, length[side]), take(next, length[side]), take(next, length[side]),
                 take(next, length[side])};
-        // On this side a front went as the normal points, beyond it against it.
+        // On this side the front went along the normal, beyond it against it.
         const double way = side == 0 ? cell_ : -cell_;
         kernels_.place_flips(frame_, {way * frame_.u, way * frame_.v, one_way_, kSurely, kReach2},
                              shores[side]->flips, count, rows);
@@ -134,13 +134,13 @@ void SpaceTimeFit::collect_flips(const OneSidedNeighbourhood& here, const OneSid
     }
 }
 
-// Of vertices that are on both shores and belong to the other.
+// Removes flips of shared vertices that belong to the other side.
 void SpaceTimeFit::forget_flips(const OneSidedNeighbourhood& shore, bool of_here, const fit::FlipRows& rows) {
     for (std::size_t i = 0; i < shore.flipped.size(); ++i)
         if (is_beyond(shore.flipped[i]) == of_here) rows.weight[i] = 0;
 }
 
-// What the front crosses now lies on either side of it, and near the middle of its edge.
+// A crossed edge has an end on either side of the front, which is near its middle.
 void SpaceTimeFit::collect_crossings(const Mesh& mesh, const OneSidedNeighbourhood& here) {
     const int length = fit::filled_up(static_cast<int>(here.crossings.size()));
     crossing_numbers_.resize(std::max(crossing_numbers_.size(), static_cast<std::size_t>(11 * length)));
@@ -185,7 +185,8 @@ void SpaceTimeFit::choose_window(double dt) {
 }
 
 void SpaceTimeFit::solve() {
-    const double frame = std::min(kMostOfStep, square(step_) / 12);  // variance of when a flip was
+    // variance of the flip time, as a distance
+    const double frame = std::min(kMostOfStep, square(step_) / 12);
     const fit::Deviation deviation{window_, kWindowEnd, square(kOfFlip) + frame, kOfModel};
     fit::LaneSums lanes{};
     for (const Side& side : sides_) kernels_.add_flips(deviation, side.rows, side.count, lanes);
@@ -196,13 +197,13 @@ void SpaceTimeFit::solve() {
     front_.solve();
 }
 
-// By how much a vertex beside a crossed edge lies on the wrong side now, cells: the most, and all in wrong_.
+// Finds how far ends of crossed edges lie on the wrong side now, in wrong_; returns the largest, cells.
 double SpaceTimeFit::find_wrong() {
     const double now[] = {front_.at(0, 0), front_.slope(0), front_.bend()};
     return kernels_.find_wrong(now, crossing_rows_, crossings_, wrong_, wrong_beyond_);
 }
 
-// A front that has just turned back does not fit a long window.
+// True if a long window does not fit, because the front has just turned back.
 bool SpaceTimeFit::misses_newest() {
     double sum = 0, weights = 0;
     for (const auto& [count, rows] : sides_)
@@ -214,7 +215,7 @@ bool SpaceTimeFit::misses_newest() {
     return find_wrong() > kSideLost + step_;
 }
 
-// What has not flipped yet the front has not passed: the worst that is on the wrong side becomes a row.
+// A vertex that has not flipped has not been passed: the worst one on the wrong side becomes a row.
 void SpaceTimeFit::keep_sides() {
     for (int round = 0; round < kSidesKept; ++round) {
         const double most = find_wrong();
@@ -234,7 +235,7 @@ void SpaceTimeFit::keep_sides() {
 
 FrontFit SpaceTimeFit::met(const Mesh& mesh, int edge, FrontFit piece) const {
     const auto [u, v] = std::pair(frame_.u, frame_.v);
-    const glm::dvec2 along = mesh.along(edge);  // its middle is where s and D are 0
+    const glm::dvec2 along = mesh.along(edge);  // s and D are 0 at its middle
     const double ds = u * along.y - v * along.x, dD = u * along.x + v * along.y;
     double f = 0.5;
     for (int round = 0; round < 3; ++round) {

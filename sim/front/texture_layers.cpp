@@ -12,42 +12,43 @@
 #include "sim/core/workers.h"
 #include "sim/front/gradient.h"
 
-// Coordinates are kept as what they differ by from the place: material keeps its coordinates c = x + o while
-// it travels, so a vertex's offset is that of where the flow comes from, less the way. There it is looked up
-// to second order: the mean of the triangle's corners, each carried on by half its slope,
+// Coordinates are stored as offsets o from the position x: material keeps its coordinates c = x + o while it
+// travels. So a vertex gets the offset of the place from which the flow comes, less the displacement. There
+// it is interpolated to second order: the mean of the triangle's corners, each extrapolated by half its
+// slope,
 //
-//     o(p) = Σ w_k (o_k + ½ G_k (p − x_k)),
+//     o(p) = Σ w_k (o_k + ½ G_k (p − x_k)).
 //
-// exact where offsets are quadratic and slopes those of either side: along a row of vertices Fromm's scheme
-// (A method for reducing dispersion in convective difference schemes, 1968). Where the flow tells nothing, an
-// offset that is the neighbours' mean is a texture without stretch.
+// This is exact if offsets are quadratic and slopes are one-sided. Along a row of vertices it is Fromm's
+// scheme (A method for reducing dispersion in convective difference schemes, 1968). Where the flow gives no
+// offset, the mean of the neighbours' offsets gives a texture without stretch.
 
 namespace sim::front {
 namespace {
 
-// How a vertex whose flow comes out of a front follows its neighbours: e-folds while the flow goes as far as
-// the next vertex, and how much of their slopes counts. All of it would draw out more and more what comes
-// out; nothing of it leaves behind by how much neighbours differ.
+// How a vertex whose flow comes out of a front follows its neighbours: e-folds while the flow moves by one
+// cell, and the share of their slopes that counts. The full slope would stretch the texture ever more; none
+// would let it lag by the neighbours' differences.
 constexpr float kPull = 4, kOnward = 0.3f;
-// How fast the share of a phase may follow, where ground begins to move.
+// Greatest rate of change of a phase's share, where ground begins to move.
 constexpr float kFadeRate = 8;  // 1/s
-// Stretch changes slowly: each vertex's is looked at as often as this.
+// Stretch changes slowly, so each vertex is checked at this interval.
 constexpr double kLookAgainAfter = 0.2;  // s
 constexpr double kLatencyFollows = 0.3;  // s, e-fold
-constexpr float kFromNeighbours = 0.5f;  // of a latency: share of those that no front separates
+constexpr float kFromNeighbours = 0.5f;  // share of a latency taken from neighbours across uncut edges
 
 using Offsets = TextureLayers::Offsets;
 using Gradients = TextureLayers::Gradients;
 
-// As plain numbers, which compilers take four at a time.
+// As plain numbers, which compilers vectorise.
 void add(Offsets& sum, const Offsets& more, float weight) {
     float* to = glm::value_ptr(sum[0]);
     const float* from = glm::value_ptr(more[0]);
     for (int i = 0; i < 2 * TextureLayers::kSheets; ++i) to[i] += weight * from[i];
 }
 
-// The mean over neighbours that no front separates from a vertex and of which `counts` is true, of what
-// `tell(neighbour, sum)` adds. False: there is none.
+// Computes the mean of what `tell(neighbour, sum)` adds, over neighbours across uncut edges for which
+// `counts` is true. Returns false if there are none.
 template <class Counts, class Tell>
 bool mean_around(const Detector& detector, int vertex, const Counts& counts, const Tell& tell,
                  Offsets& mean) {
@@ -64,8 +65,8 @@ bool mean_around(const Detector& detector, int vertex, const Counts& counts, con
     return true;
 }
 
-// What a fan's differences, each along its spoke, are multiplied by for the least-squares slope; of the
-// spokes that count.
+// The matrix by which to multiply differences along spokes to get the least-squares slope, over the spokes
+// that count.
 template <class Counts>
 glm::mat2 inverse_of_fan(const Mesh& mesh, int vertex, const Counts& counts) {
     LeastSquares rows;
@@ -74,22 +75,22 @@ glm::mat2 inverse_of_fan(const Mesh& mesh, int vertex, const Counts& counts) {
     return glm::mat2(rows.inverse());
 }
 
-// To no more and no less than the corners of a triangle have.
+// Limits an offset to the range of the corners of a triangle.
 void limit(Offsets& offset, const Offsets& a, const Offsets& b, const Offsets& c) {
     for (int s = 0; s < TextureLayers::kSheets; ++s)
         offset[s] =
             glm::clamp(offset[s], glm::min(glm::min(a[s], b[s]), c[s]), glm::max(glm::max(a[s], b[s]), c[s]));
 }
 
-// How much coordinates with this gradient are drawn out or pressed together, as a logarithm, ≥ 0.
+// Stretch or compression by coordinates with this gradient, as a logarithm, ≥ 0.
 float stretch_of(const glm::mat2& g) {
-    constexpr float kLeast = 1e-3f;  // a texture pressed flat or turned over
+    constexpr float kLeast = 1e-3f;  // a texture squeezed flat or turned over
     const auto [greatest, least] = singular_values(g);
     return std::max(std::abs(std::log(greatest)), std::abs(std::log(std::max(least, kLeast))));
 }
 
-// A phase is not seen when it is renewed and most seen halfway between: share of the second, at an age in
-// latencies.
+// Share of the second phase at an age in latencies. A phase is invisible when it is renewed and most visible
+// halfway between.
 float share_of_second(double age) {
     return static_cast<float>(1 - std::abs(1 - 2 * (age - std::floor(age))));
 }
@@ -108,8 +109,8 @@ TextureLayers::TextureLayers(const Mesh& mesh, const LayerRule& rule)
     now_.offset.resize(mesh.position.size());
     now_.mix.resize(mesh.position.size());
     now_.deformation.resize(mesh.position.size());
-    // Room for as much as there may be, so that a flow that grows allocates nothing; of what lies beside
-    // fronts, for more than any flow has.
+    // Reserve the maximum, so that a growing flow allocates nothing; for vertices beside fronts, more than
+    // any flow needs.
     const std::size_t vertices = mesh.position.size(), beside = vertices / 4;
     for (std::vector<int>* list : {&now_.moving, &came_to_rest_, &stranded_, &region_, &number_, &due_})
         list->reserve(vertices);
@@ -144,8 +145,8 @@ void TextureLayers::carry(const Tracker& tracker, std::span<const glm::vec2> vel
         }
     std::erase_if(came_to_rest_, [this](int v) { return place_[v] >= 0; });
 
-    // With the flow first. What it does not tell comes after, from neighbours that were carried just now: to
-    // vertices whose flow comes out of a front, then to those that a front has passed.
+    // Advect with the flow first. Then complete, from neighbours already advected, the vertices whose flow
+    // comes out of a front, and after them those that a front has passed.
     tear(detector);
     find_slopes(detector, workers);
     follow(velocity, dt, workers);
@@ -155,7 +156,7 @@ void TextureLayers::carry(const Tracker& tracker, std::span<const glm::vec2> vel
         lay_down(detector);
     }
 
-    // A phase is renewed once all of it lies where it belongs, for its region's mean is taken up.
+    // Renew a phase last, because it takes the mean of its region's final offsets.
     renew(detector, before);
 }
 
@@ -179,7 +180,7 @@ void TextureLayers::tear(const Detector& detector) {
     for (const int v : torn_vertices_) at_tear_[v] = false;
     torn_list_.clear();
     torn_vertices_.clear();
-    if (!rule_.reseed) return;  // to the letter, what lies across a front is mixed
+    if (!rule_.reseed) return;  // as in the paper, coordinates are mixed across a front
     const auto tear_beside = [this](int edge) {
         for (const int t : mesh_.edge_triangle[edge])
             if (t >= 0 && !torn_[t]) {
@@ -193,17 +194,17 @@ void TextureLayers::tear(const Detector& detector) {
             }
     };
     for (const int edge : detector.cut()) tear_beside(edge);
-    // Where a front has just left, a corner still has the coordinates of the other side.
+    // Where a front has just left, a corner still has coordinates of the other side.
     for (const auto& gone : detector.vanished()) tear_beside(gone.edge);
 }
 
-// How offsets change around each vertex that moves, on its side.
+// Computes the slope of the offsets at each moving vertex, on its own side.
 void TextureLayers::find_slopes(const Detector& detector, Workers& workers) {
     slope_.resize(now_.moving.size());
     workers.each_band(static_cast<int>(now_.moving.size()), [&](int first, int last) {
         for (int i = first; i < last; ++i) {
             const int v = now_.moving[i];
-            // A vertex that a front has just passed still has the coordinates of the other side.
+            // A vertex that a front has just passed still has coordinates of the other side.
             const bool flipped = at_tear_[v] && detector.has_flipped(v);
             const auto counts = [&](const Mesh::Spoke& spoke) {
                 return !at_tear_[v] ||
@@ -245,13 +246,13 @@ void TextureLayers::follow(std::span<const glm::vec2> velocity, double dt, Worke
                 offset = {};
                 for (int k = 0; k < 3; ++k) {
                     add(offset, now_.offset[corner[k]], from->weight[k]);
-                    // What rests has no slope of its own.
+                    // Ground at rest has no slope of its own.
                     add_slope(place_[corner[k]] >= 0 ? corner[k] : v,
                               from->weight[k] / 2 * (at - mesh_.position[corner[k]]), offset);
                 }
                 limit(offset, now_.offset[corner[0]], now_.offset[corner[1]], now_.offset[corner[2]]);
             } else {
-                offset = now_.offset[v];  // with its surroundings, as if these were rigid
+                offset = now_.offset[v];  // keeps its offset relative to rigid surroundings
             }
             for (glm::vec2& o : offset) o += way;
         }
@@ -264,7 +265,7 @@ void TextureLayers::follow(std::span<const glm::vec2> velocity, double dt, Worke
 }
 
 void TextureLayers::pull_stranded(const Detector& detector, std::span<const glm::vec2> velocity, double dt) {
-    // By how far it is moved now; all at once, so that the order of vertices does not show.
+    // Compute all new offsets before storing any, so that the order of vertices does not matter.
     carried_.resize(stranded_.size());
     const auto settled = [&](int v) { return !detector.has_flipped(v); };
     for (std::size_t i = 0; i < stranded_.size(); ++i) {
@@ -291,7 +292,7 @@ void TextureLayers::reseed(const Detector& detector) {
         if (place_[v] >= 0) mean_around(detector, v, settled, tell, now_.offset[v]);
 }
 
-// What comes to rest goes on as what came to lie beside it; the first to do so stays as it is.
+// A vertex that comes to rest takes the mean of deposited neighbours; the first to stop keeps its own offset.
 void TextureLayers::lay_down(const Detector& detector) {
     const auto lies = [&](int v) {
         return place_[v] < 0 && has_moved(v) &&
@@ -333,7 +334,7 @@ void TextureLayers::renew(const Detector& detector, double before) {
             if (place_[now_.beside[i]] >= 0 && is_renewed(s, before)) now_.gradient[i][s] = glm::mat2(0);
 }
 
-// Vertices that move, and that edges join which no front cuts.
+// Labels regions: moving vertices joined by uncut edges.
 void TextureLayers::find_regions(const Detector& detector) {
     region_.resize(now_.moving.size());
     number_.resize(now_.moving.size());
@@ -349,7 +350,7 @@ void TextureLayers::find_regions(const Detector& detector) {
             const int a = root(static_cast<int>(i)), b = root(other);
             region_[std::max(a, b)] = std::min(a, b);
         }
-    // Each root is the first of its region: numbered before the others are asked.
+    // Each root is the first of its region, so it has a number before the others need it.
     regions_ = 0;
     for (std::size_t i = 0; i < now_.moving.size(); ++i) {
         const int first = root(static_cast<int>(i));
@@ -384,13 +385,14 @@ void TextureLayers::choose_latency(const Detector& detector, double dt, Workers&
             std::array<float, kLatencies>& worst = now_.deformation[v];
             for (int k = 0; k < kLatencies; ++k) {
                 worst[k] *= static_cast<float>(std::exp(-elapsed / latency_s(k)));
-                // What is hardly seen may be drawn out.
+                // A hardly visible phase may be stretched.
                 const float second = now_.mix[v].second[k];
                 for (int phase = 0; phase < 2; ++phase)
                     worst[k] = std::max(worst[k], std::min(1.f, 2 * (phase ? second : 1 - second)) *
                                                       stretch_of(glm::mat2(1) + gradient[2 * k + phase]));
             }
-            // The longest that passes, and toward the next as far as it falls short.
+            // Take the longest latency that is within the limit, and blend toward the next by the remaining
+            // margin.
             float latency = 0;
             for (int k = kLatencies - 1; k >= 0 && latency == 0; --k) {
                 if (worst[k] > rule_.deformation) continue;

@@ -70,7 +70,7 @@ void Tracker::advance(const Flow& flow, double dt, Workers& workers) {
 
 int Tracker::count_outrun(double dt) const {
     const auto vanished = detector_.vanished();
-    // Of the edges that the front left through a vertex, the longest that it was on one, in steps; 0: it left
+    // Of the edges that the front left through a vertex, the longest time that it was on one, in steps; 0:
     // none.
     const auto steps_to = [&](int vertex) {
         double longest = 0;

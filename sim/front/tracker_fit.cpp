@@ -13,31 +13,33 @@
 
 // A vertex flips when a front passes it: its velocity jumps. The flips near a cut edge, with their times,
 // sides and directions, are samples of the surface that the front sweeps in space and time. A small quadratic
-// piece of it (moving_quadratic.h) is fitted to them (space_time_fit.h) and met with the edge as it is now.
+// piece of it (moving_quadratic.h) is fitted to them (space_time_fit.h) and intersected with the edge at the
+// present time.
 //
-//           A ── A ── A        A, B: vertices that are reached from either end of the edge without
-//            \  / \  / \       crossing the front. Of each the last flips are known: when the front
-//     ········\/···\/···\····  passed, and which way it went. On A's side it went as the normal n
-//              B ── B ── B     points, on B's against it, or it has come back since.
+//           A ── A ── A        A, B: vertices reached from either end of the edge without crossing the
+//            \  / \  / \       front. The last flips of each are known: when the front passed, and in
+//     ········\/···\/···\····  which direction. On A's side it went along the normal n, on B's against
+//              B ── B ── B     it, or it has come back since.
 
 namespace sim::front {
 namespace {
 
-constexpr double kLookAhead = 0.7;  // of a flip's direction: weight of where the front went on to
+constexpr double kLookAhead = 0.7;  // weight in a flip's direction of the edges that the front enters
 
-// A flip that is undone in the next step was none, if the front was farther away than this, cells. Nearer it
-// may have turned there, and that tells much.
+// A flip that is undone in the next step is discarded if the front was farther away than this, cells. Nearer
+// to the vertex the front may have turned back, which is valuable information.
 constexpr float kFarAway = 0.6f;
 
-// Along an edge a front is taken to go at most this many times as fast as across: when a point coasts, when
-// it is shown.
+// Least cosine between edge and normal, which limits a front's speed along the edge: for coasting points, and
+// for shown ones.
 constexpr float kLeastShareCoasting = 0.15f, kLeastShareShown = 0.3f;
 
-// What is shown is led toward what was fitted, at this share per step of 1/60 s, or at another where a front
-// has just passed a vertex; and toward the chord of its neighbours at that share in each of two sweeps.
+// A shown point moves toward the fitted one by the share kLed per 1/60 s, or by kLedAtFirst after a front has
+// passed a vertex. The fitted one first moves by kSmoothed toward the chord of its neighbours, in each of two
+// sweeps.
 constexpr double kLed = 0.39, kLedAtFirst = 0.5, kSmoothed = 0.4;
 constexpr int kSweeps = 2;
-// An edge far from any flip is fitted in every fourth step, but after so many seconds at most.
+// An edge far from any flip is fitted in every kTurns-th step, but at least every kLongestTurn seconds.
 constexpr int kTurns = 4;
 constexpr double kLongestTurn = 1 / 15.0;  // s
 
@@ -74,7 +76,8 @@ class FitLocator : public PointEstimator {
     }
 
   private:
-    // Which way a front passed a vertex: as the edges say that it left, and toward those that it entered.
+    // Records in which direction a front passed a vertex: from the edges that it left toward those that it
+    // entered.
     void remember_flips(const TrackedMoment& now) {
         gone_.clear();
         for (const auto& gone : now.detector.vanished()) {
@@ -110,15 +113,16 @@ class FitLocator : public PointEstimator {
         return length > 0 ? v / length : glm::vec2(0, 0);
     }
 
-    // An edge that is no longer cut, as one of its ends sees it.
+    // An edge that is no longer cut, seen from one of its ends.
     struct Gone {
         int vertex;
         glm::vec2 normal;  // toward the vertex
         float speed;       // along it, m/s
-        float away;        // how far it had to go along it, m
-        float left;        // the same from where it was shown, m
+        float away;        // distance left to the vertex along it, m
+        float left;        // the same from the shown point, m
     };
-    // The mean of what left its edges through a vertex, and the nearest; a normal of 0 where nothing did.
+    // Mean of the pieces that left their edges through a vertex, and the least distance; the normal is 0 if
+    // there are none.
     Gone came_to(int vertex) const {
         Gone mean{vertex, {0, 0}, 0, std::numeric_limits<float>::infinity(), 0};
         const auto [first, last] =
@@ -154,7 +158,7 @@ class FitLocator : public PointEstimator {
         }
     }
 
-    // On an edge that a front has just entered it goes on as it came to the vertex between.
+    // Starts a piece on an edge that a front has just entered: it continues from the common vertex.
     FrontFit begun(const TrackedMoment& now, int edge) const {
         const auto [a, b] = mesh_.edge[edge];
         const glm::vec2 u = unit(mesh_.along(edge));
@@ -174,7 +178,7 @@ class FitLocator : public PointEstimator {
         return {.normal = u, .is_new = true};
     }
 
-    // How far it has come on the edge, as a share, since it passed the vertex in this step.
+    // Share of the edge that the front has covered since it passed the vertex in this step.
     float beyond(const Gone& came, int edge, double dt) const {
         const float run = std::max(0.f, came.speed * static_cast<float>(dt));
         const float across = std::abs(glm::dot(came.normal, mesh_.along(edge)));
@@ -192,7 +196,7 @@ class FitLocator : public PointEstimator {
             }
     }
 
-    // Vertices within two rings of a flip.
+    // Marks vertices within two rings of a flip.
     void mark_near_flips(const TrackedMoment& now) {
         marked_.assign(now.detector.flipped().begin(), now.detector.flipped().end());
         for (const int v : marked_) near_flip_[v] = 1;
@@ -219,8 +223,8 @@ class FitLocator : public PointEstimator {
         piece.f = std::clamp(piece.f + advance(edge, piece, kLeastShareCoasting, dt), 0.f, 1.f);
     }
 
-    // Jacobi sweeps toward the chord between the neighbours of a point: for the eye, since fed back into the
-    // fit it would shrink circles.
+    // Jacobi sweeps toward the chord between a point's neighbours. For display only: fed back into the fit
+    // they would shrink circles.
     void smooth(const TrackedMoment& now, std::span<const Point> points) {
         smooth_.resize(points.size()), before_.resize(points.size());
         for (std::size_t i = 0; i < points.size(); ++i) smooth_[i] = pieces_[i].f;
@@ -275,13 +279,13 @@ class FitLocator : public PointEstimator {
 
     const Mesh& mesh_;
     int step_ = 0, turns_ = kTurns;
-    double last_began_ = kNever;           // when the step before began, s
-    std::vector<Flips> flips_;             // of each vertex, the newest first
-    std::vector<std::uint8_t> near_flip_;  // of each vertex, now
-    std::vector<int> cuts_;                // of each vertex: how many of its edges are cut
+    double last_began_ = kNever;           // start of the previous step, s
+    std::vector<Flips> flips_;             // per vertex, newest first
+    std::vector<std::uint8_t> near_flip_;  // per vertex, now
+    std::vector<int> cuts_;                // per vertex: number of cut edges
     std::vector<int> marked_;
     std::vector<Gone> gone_;
-    std::vector<FrontFit> pieces_, previous_;  // of each point
+    std::vector<FrontFit> pieces_, previous_;  // per point
     std::vector<float> smooth_, before_;
     std::vector<SpaceTimeFit> fits_;  // one for each thread
 };

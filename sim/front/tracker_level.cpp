@@ -4,8 +4,8 @@
 #include "sim/core/check.h"
 #include "sim/front/point_estimator.h"
 
-// Where a scalar s that is known at the vertices has its level L: on an edge from a to b, with s linear
-// between,
+// Source kLevel: the point of an edge where a scalar s, known at the vertices and linear in between, reaches
+// its level L. On an edge from a to b,
 //
 //     f = (L − s_a) / (s_b − s_a),     df/dt = −(∂s/∂t at f) / (s_b − s_a)
 
@@ -23,7 +23,7 @@ class LevelLocator : public PointEstimator {
         for (Point& point : points) {
             const auto [a, b] = mesh_.edge[point.edge];
             const float rise = s[b] - s[a];
-            // Where velocities cut an edge that the level does not, the end that is nearer to it.
+            // If velocities cut an edge that the level does not, take the end that is nearer to the level.
             point.f = rise == 0 ? 0.5f : std::clamp((level_ - s[a]) / rise, 0.f, 1.f);
             if (first || rise == 0) continue;
             const float gain = (1 - point.f) * (s[a] - before_[a]) + point.f * (s[b] - before_[b]);
@@ -35,7 +35,7 @@ class LevelLocator : public PointEstimator {
   private:
     const Mesh& mesh_;
     float level_;
-    std::vector<float> before_;  // the scalar of the moment before
+    std::vector<float> before_;  // the scalar of the previous moment
 };
 
 }  // namespace

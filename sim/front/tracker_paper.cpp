@@ -7,24 +7,24 @@
 #include "sim/front/least_squares.h"
 #include "sim/front/point_estimator.h"
 
-// Section 3 of the paper. A front moves steadily while it is on an edge. When it leaves edges (α, j) through
-// vertex j it arrived there at T_j, and had entered them at x_α when it was T_α. The gradient r of its
-// arrival time, its slowness, is the least-squares solution of
+// Section 3 of the paper. A discontinuity front moves at constant speed while it is on an edge. When it
+// leaves edges (α, j) through vertex j, it arrives there at time T_j; it had entered them at x_α at time T_α.
+// The gradient r of its arrival time, its slowness, is the least-squares solution of
 //
-//     (x_j − x_α) · r = T_j − T_α          of all edges α that it left through j                 (3) – (6)
+//     (x_j − x_α) · r = T_j − T_α          for all edges (α, j) that it leaves            equations (3) – (6)
 //
-// with the middle of an edge in place of x_α where it was first seen there. On the edges (j, β) that it
-// enters its speed is then
+// If the front was first seen on an edge, the middle of that edge takes the place of x_α. On the edges (j, β)
+// that it enters, its speed is
 //
-//     w = 1 / (r · u)                      u: unit vector from j to β                             (7)
+//     w = 1 / (r · u)                      u: unit vector from j to β                     equation (7)
 //
-// Unlike (3), this has no pole where a front arrives everywhere at once.
+// Unlike equation (3), this has no pole if a front arrives everywhere at once.
 
 namespace sim::front {
 namespace {
 
-// r · u is at least this share of |r|, for a front is no faster along an edge than four times its own speed:
-// by chance of rounding the equations give edges that it never crosses.
+// r · u is at least this share of |r|, because a front is taken to move along an edge at most four times as
+// fast as across. Rounding may otherwise let it enter edges that it never crosses.
 constexpr double kLeastShare = 0.25;
 
 class PaperLocator : public PointEstimator {
@@ -37,7 +37,7 @@ class PaperLocator : public PointEstimator {
           entered_(mesh.position.size(), 0) {}
 
     void locate(const TrackedMoment& now, std::span<Point> points) override {
-        crossing_ = now.time - now.dt / 2;  // between this moment and the one before
+        crossing_ = now.time - now.dt / 2;  // halfway between the previous moment and this one
         mark_entered(now, 1);
         find_slowness(now);
         carry_origins(now);
@@ -53,19 +53,19 @@ class PaperLocator : public PointEstimator {
     }
 
   private:
-    // Where and when a front came onto an edge.
+    // Where and when a front entered an edge.
     struct Origin {
-        int vertex = -1;  // through which; -1: it was first seen at `f`
+        int vertex = -1;  // entry vertex; -1: first seen at `f`
         float f = 0.5f;
         double time = 0;  // s
     };
 
-    // When the front passed a vertex that is seen to flip now, s.
+    // When the front really passed a vertex that flips now, s.
     double passed(const TrackedMoment& now, int vertex) const {
         return now.hold && now.detector.has_flipped(vertex) ? now.hold->passed(vertex) : crossing_;
     }
 
-    // Vertices from which a front enters an edge now.
+    // Marks vertices from which a front enters an edge now.
     void mark_entered(const TrackedMoment& now, std::uint8_t mark) {
         for (std::size_t i = 0; i < now.detector.cut().size(); ++i)
             if (now.detector.before()[i] < 0) {
@@ -74,8 +74,8 @@ class PaperLocator : public PointEstimator {
             }
     }
 
-    // The vertex through which a front left an edge, -1 where it cannot be told: the one where it enters
-    // others, and if it does at both ends the one it passed, or was going to.
+    // The vertex through which a front left an edge, -1 if unknown: the one from which it enters others. If
+    // that holds for both ends or neither, the one that it passed or was moving toward.
     int exit_of(const TrackedMoment& now, const Detector::Gone& gone) const {
         const auto [a, b] = mesh_.edge[gone.edge];
         if (entered_[a] != entered_[b]) return entered_[a] ? a : b;
@@ -108,7 +108,7 @@ class PaperLocator : public PointEstimator {
             if (rows.xx + rows.yy > 0)
                 slowness_[vertex] = rows.solve();
             else if (came_back && is_newest(vertex))
-                slowness_[vertex] = -slowness_[vertex];  // steadily decelerated (8)
+                slowness_[vertex] = -slowness_[vertex];  // constant deceleration, equation (8)
             else
                 continue;
             arrived_[vertex] = 1;
@@ -123,7 +123,7 @@ class PaperLocator : public PointEstimator {
         return glm::dvec2(mesh_.position[vertex]) - start;
     }
 
-    // Did a front pass none of its neighbours since it passed here?
+    // True if a front has passed none of a vertex's neighbours since it passed the vertex.
     bool is_newest(int vertex) const {
         const auto around = mesh_.around(vertex);
         return passed_[vertex] > kNever && std::all_of(around.begin(), around.end(), [&](const auto& spoke) {
@@ -141,8 +141,7 @@ class PaperLocator : public PointEstimator {
     void begin(Point& point, Origin& origin, const TrackedMoment& now) {
         const auto [a, b] = mesh_.edge[point.edge];
         const glm::dvec2 unit = glm::dvec2(mesh_.along(point.edge)) / double{mesh_.length[point.edge]};
-        // What it takes to go along the edge from either end, s/m; of two ends the one from which it is
-        // slower.
+        // Slowness along the edge from either end, s/m. Of two ends the slower one is used.
         const auto slowness_from = [&](int vertex, const glm::dvec2& u) {
             const glm::dvec2 r = slowness_[vertex];
             return arrived_[vertex] ? std::max(glm::dot(r, u), kLeastShare * glm::length(r)) : 0;
@@ -157,15 +156,15 @@ class PaperLocator : public PointEstimator {
         point.speed = static_cast<float>(at_a ? speed : -speed);
     }
 
-    // At the end of its edge it waits.
+    // Moves a point; at the end of its edge it waits.
     void go_on(Point& point, const Origin& origin, const TrackedMoment& now) const {
         const double length = mesh_.length[point.edge];
         const double run = now.hold ? hurry(point, origin, now) : point.speed * now.dt;
         point.f = static_cast<float>(std::clamp(point.f + run / length, 0.0, 1.0));
     }
 
-    // What a point goes that may be late, m: since the front has left its edge, or because it was led onto it
-    // after the front.
+    // Step of a possibly late point, m: the front has left its edge, or the point entered the edge after the
+    // front.
     double hurry(const Point& point, const Origin& origin, const TrackedMoment& now) const {
         const double length = mesh_.length[point.edge], most = now.hold->hurried(point, now.dt);
         if (const int end = now.hold->left_through(point.edge); end >= 0) {
@@ -185,13 +184,13 @@ class PaperLocator : public PointEstimator {
     };
 
     const Mesh& mesh_;
-    double crossing_ = 0;                          // when what changed now did, s
-    std::vector<double> passed_;                   // when a front last passed a vertex, s
-    std::vector<glm::dvec2> slowness_;             // with which it came there, s/m
-    std::vector<std::uint8_t> arrived_, entered_;  // at a vertex, now
+    double crossing_ = 0;                          // time of the changes seen now, s
+    std::vector<double> passed_;                   // per vertex: last time that a front passed it, s
+    std::vector<glm::dvec2> slowness_;             // per vertex: slowness on arrival, s/m
+    std::vector<std::uint8_t> arrived_, entered_;  // per vertex: in this step
     std::vector<int> arrivals_;
     std::vector<Exit> exits_;
-    std::vector<Origin> origins_, previous_;  // of each point
+    std::vector<Origin> origins_, previous_;  // per point
 };
 
 }  // namespace

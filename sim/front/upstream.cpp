@@ -10,7 +10,7 @@ float cross(const glm::vec2& a, const glm::vec2& b) {
     return a.x * b.y - a.y * b.x;
 }
 
-// Of the corners of a triangle, of either orientation; below 0 beyond the edge opposite to a corner.
+// Barycentric coordinates in a triangle of either orientation; negative beyond the edge opposite to a corner.
 std::array<float, 3> weights_at(const Mesh& mesh, int triangle, const glm::vec2& at) {
     const auto& corner = mesh.triangle[triangle];
     const glm::vec2 a = mesh.position[corner[0]], ab = mesh.position[corner[1]] - a,
@@ -39,14 +39,14 @@ std::optional<PlaceIn> Upstream::find(int vertex, const glm::vec2& way,
     return near ? find_in_square(vertex, way, torn) : walk(vertex, way, torn);
 }
 
-// A heightfield's square is found by its number. From a corner off its diagonal the way may lead through both
-// triangles.
+// A square of a heightfield is found by its number. From a corner off its diagonal the way may lead through
+// both triangles.
 std::optional<PlaceIn> Upstream::find_in_square(int vertex, const glm::vec2& way,
                                                 std::span<const std::uint8_t> torn) const {
     const int columns = mesh_.columns, rows = mesh_.vertices() / columns;
     const int left = vertex % columns - (way.x < 0), below = vertex / columns - (way.y < 0);
     if (left < 0 || below < 0 || left > columns - 2 || below > rows - 2) {
-        // Along the border there is a square on one side only.
+        // A vertex on the border may have no square on that side.
         return walk(vertex, way, torn);
     }
     const float fx = (way.x < 0) + way.x / cell_, fy = (way.y < 0) + way.y / cell_;
@@ -58,7 +58,7 @@ std::optional<PlaceIn> Upstream::find_in_square(int vertex, const glm::vec2& way
     return PlaceIn{triangle, {1 - fy, fx, fy - fx}};
 }
 
-// Out of the triangle around the vertex into which the way leads, and on through its edges.
+// Starts in the triangle at the vertex into which the way leads, and walks on through edges.
 std::optional<PlaceIn> Upstream::walk(int vertex, const glm::vec2& way,
                                       std::span<const std::uint8_t> torn) const {
     const glm::vec2 from = mesh_.position[vertex], to = from + way;
@@ -75,7 +75,8 @@ std::optional<PlaceIn> Upstream::walk(int vertex, const glm::vec2& way,
         const auto weight = weights_at(mesh_, triangle, to);
         if (std::all_of(weight.begin(), weight.end(), [](float w) { return w >= 0; }))
             return PlaceIn{triangle, weight};
-        // Through the edge that the way meets first: beyond it, and its ends on either side of the way.
+        // Leave through the edge that the way meets first: the target is beyond it, and its ends are on
+        // either side of the way.
         int through = -1;
         for (int k = 0; k < 3; ++k) {
             const int edge = mesh_.triangle_edge[triangle][k];

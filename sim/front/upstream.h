@@ -12,20 +12,20 @@
 
 namespace sim::front {
 
-// A place in a triangle: the mean of its corners with these weights, each 0 … 1.
+// A place in a triangle, by its barycentric coordinates, each 0 … 1.
 struct PlaceIn {
     int triangle;
     std::array<float, 3> weight;
 };
 
-// Where on a mesh the flow at a vertex comes from.
+// Finds where on a mesh the flow at a vertex comes from.
 class Upstream {
   public:
-    // The mesh must outlive it.
+    // The mesh must outlive this object.
     explicit Upstream(const Mesh& mesh);
 
-    // The end of a straight way, in m, from a vertex. Nothing where the way leaves the mesh or meets a
-    // triangle that is `torn` (one flag for each), for what lies there belongs to two sides.
+    // Finds the end of a straight way, in m, from a vertex. Returns nothing if the way leaves the mesh or
+    // meets a `torn` triangle (one flag for each), because that one has two sides.
     std::optional<PlaceIn> find(int vertex, const glm::vec2& way, std::span<const std::uint8_t> torn) const;
 
   private:

@@ -4,7 +4,7 @@ namespace sim {
 
 bool has(InstructionSet set) {
 #if defined(__clang__)
-    // With libstdc++ 12, clang 14 takes the masks of 512-bit lanes for their opposite.
+    // With libstdc++ 12, clang 14 inverts the masks of 512-bit lanes.
     if (set == InstructionSet::kX86_64_v4) return false;
 #endif
 #if defined(__x86_64__)

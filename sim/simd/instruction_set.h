@@ -6,8 +6,9 @@
 
 namespace sim {
 
-// What a kernel is compiled for, plainest first. The bits do not depend on it. The baseline is what every
-// processor of a kind has: x86-64-v2, or the NEON of aarch64; only x86-64 has more.
+// The instruction sets that kernels are compiled for, oldest first. Results do not depend on the set. The
+// baseline is available on every processor of an architecture: x86-64-v2, or the NEON of aarch64. Only x86-64
+// has more.
 enum class InstructionSet { kBaseline, kX86_64_v3, kX86_64_v4 };
 #if defined(__x86_64__)
 inline constexpr std::array kInstructionSets{InstructionSet::kBaseline, InstructionSet::kX86_64_v3,
@@ -17,22 +18,22 @@ inline constexpr std::array kInstructionSets{InstructionSet::kBaseline};
 #endif
 inline constexpr bool kMoreThanBaseline = kInstructionSets.size() > 1;
 
-// The newest that this machine has and this program was built with.
+// The newest set that this machine has and this program was built with.
 InstructionSet best_instruction_set();
 bool has(InstructionSet set);
 std::string_view to_string(InstructionSet set);
 
-// Lanes of float in a vector of the set.
+// Number of float lanes in a vector of the set.
 constexpr int float_lanes(InstructionSet set) {
     return set == InstructionSet::kX86_64_v4 ? 16 : set == InstructionSet::kX86_64_v3 ? 8 : 4;
 }
 
-// A set that is known when a kernel is compiled, as a value.
+// A set known at compile time, as a value.
 template <InstructionSet set>
 using SetConstant = std::integral_constant<InstructionSet, set>;
 
-// Calls use(SetConstant<set>()): the way from a set that is known at run time to its kernels, which are one
-// source compiled once for each set (couloir_kernels in sim/CMakeLists.txt).
+// Calls use(SetConstant<set>()), to get from a set known at run time to its kernels. Kernels are one source,
+// compiled once for each set (couloir_kernels in sim/CMakeLists.txt).
 template <class Use>
 decltype(auto) with_instruction_set(InstructionSet set, Use&& use) {
     if constexpr (kMoreThanBaseline) {

@@ -6,9 +6,9 @@
 #include <experimental/simd>  // the standard library's data-parallel types: one formula for one number and for many
 #include <type_traits>
 
-// What the formulas of a step ask of a number, so that each is written once: Number is float in a world,
-// double in verification, and in a sweep a row of floats that are reckoned with at once (Lanes). The
-// operations are those that IEEE 754 rounds correctly, so a lane's bits are those of a float.
+// Operations for formulas that are written once for several number types: float in a world, double in
+// verification, and lanes of floats in a sweep (Lanes). All are correctly rounded by IEEE 754, so each lane
+// is bit-identical to a float.
 
 namespace sim {
 
@@ -17,12 +17,12 @@ namespace stdx = std::experimental;
 template <class Number>
 inline constexpr bool kIsLanes = stdx::is_simd_v<Number>;
 
-// float for float and its lanes, double for double: what a constant is.
+// The type of constants: float for float and its lanes, double for double.
 template <class Number>
 using Scalar = std::conditional_t<std::is_same_v<Number, double>, double, float>;
 
 template <class Number>
-using Same = std::type_identity_t<Number>;  // a parameter that takes part in no deduction
+using Same = std::type_identity_t<Number>;  // a non-deduced parameter
 
 [[gnu::always_inline]] inline bool any(bool condition) {
     return condition;
@@ -32,14 +32,14 @@ template <class T, class Abi>
     return stdx::any_of(condition);
 }
 
-// The first `count` lanes, which are at least one.
+// Mask of the first `count` lanes, count ≥ 1.
 template <class Number>
 [[gnu::always_inline]] inline auto first_lanes(int count) {
     const Number number([](auto lane) { return static_cast<float>(lane); });
     return number < static_cast<float>(count);
 }
 
-// Whether it holds for one of the first `count` lanes.
+// True if the condition holds in one of the first `count` lanes.
 [[gnu::always_inline]] inline bool any_before(int, bool condition) {
     return condition;
 }
@@ -48,7 +48,7 @@ template <class T, class Abi>
     return stdx::any_of(condition && first_lanes<stdx::simd<T, Abi>>(count));
 }
 
-// Lane by lane: `yes` where the condition holds, else `no`.
+// Per lane: `yes` if the condition holds, else `no`.
 template <class Condition, class Number>
 [[gnu::always_inline]] inline Number select(const Condition& condition, const Number& yes,
                                             const Same<Number>& no) {
@@ -125,7 +125,7 @@ template <class Number>
     }
 }
 
-// Lane by lane: `of_magnitude` of |a|, which must not be below 0, with the sign of a.
+// Per lane: `of_magnitude`(|a|), which must be ≥ 0, with the sign of a.
 template <class Number, class OfMagnitude>
 [[gnu::always_inline]] inline Number with_its_sign(const Number& a, OfMagnitude of_magnitude) {
     if constexpr (kIsLanes<Number>) {
@@ -138,8 +138,8 @@ template <class Number, class OfMagnitude>
     }
 }
 
-// Of two with the same sign the one that is nearer to 0. As whole numbers their bits are in that order,
-// whichever the sign.
+// The nearer to 0 of two numbers with the same sign. Their bits, as integers, have that order for either
+// sign.
 template <class Number>
 [[gnu::always_inline]] inline Number min_magnitude(const Number& a, const Number& b) {
     if constexpr (kIsLanes<Number>) {
@@ -150,7 +150,7 @@ template <class Number>
     }
 }
 
-// `value` where a and b have the same sign, else 0.
+// `value` if a and b have the same sign, else 0.
 template <class Number>
 [[gnu::always_inline]] inline Number if_same_sign(const Number& a, const Number& b, const Number& value) {
     if constexpr (kIsLanes<Number>) {
@@ -162,7 +162,7 @@ template <class Number>
     }
 }
 
-// The gentler of two slopes of the same sign, else 0 (Roe 1986): what keeps a reconstruction between its
+// The gentler of two slopes of the same sign, else 0 (minmod, Roe 1986). Keeps a reconstruction between its
 // neighbours.
 template <class Number>
 [[gnu::always_inline]] inline Number minmod(const Number& a, const Number& b) {

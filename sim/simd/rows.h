@@ -6,8 +6,8 @@
 #include "sim/core/grid.h"
 #include "sim/simd/numbers.h"
 
-// A step is made of stages that work on one row at a time. They are told where the rows are, and not what
-// else there is: the plain step shows them whole fields, a sweep the few rows that it keeps at a time.
+// A step consists of stages that work on one row at a time. Stages only know where the rows are: the plain
+// step gives them whole fields, a sweep the few rows that it keeps.
 
 namespace sim {
 
@@ -22,11 +22,11 @@ class Rows {
     explicit Rows(Field<Scalar>& field) : Rows(field.row(0), field.stride()) {}
     Rows(Scalar* row_0, std::ptrdiff_t stride) : first_(row_0), stride_(stride) {}
 
-    // The last `count` rows, a power of two: row y takes the place of row y − count.
+    // A ring of the last `count` rows, a power of two: row y replaces row y − count.
     Rows(Scalar* first, std::ptrdiff_t stride, int count)
         : first_(first), stride_(stride), within_(count - 1) {}
 
-    // The same rows, but for those below `from` and from `to` on, which lie elsewhere.
+    // The same rows, except that those below `from` and those from `to` on are stored elsewhere.
     Rows beside(int from, Scalar* below, int to, Scalar* above) const {
         Rows rows = *this;
         rows.from_ = from, rows.to_ = to, rows.below_ = below, rows.above_ = above;
@@ -62,9 +62,9 @@ inline constexpr int kLanes = 1;
 template <class T, class Abi>
 inline constexpr int kLanes<stdx::simd<T, Abi>> = static_cast<int>(stdx::simd<T, Abi>::size());
 
-// Has stages do their work on each vertex of a row, as many at once as there are lanes. The last lanes may
-// lie beyond the row, in its padding. The loop has stages of its own: what they write cannot be a number that
-// they reckon with, so those stay in registers.
+// Applies stages to each vertex of a row, one vector of lanes at a time. The last lanes may extend into the
+// row's padding. The loop copies the stages, so that their writes cannot alias the numbers that they use,
+// which stay in registers.
 template <class Number, class... Stages>
 [[gnu::flatten, gnu::noinline]] void along(Span x, const Stages&... stages) {
     [x](Stages... own) {
@@ -72,7 +72,7 @@ template <class Number, class... Stages>
     }(stages...);
 }
 
-// The analyser takes a row that a stage has, and does not read, for one that it reads.
+// The analyser mistakes a row that a stage holds but does not read for one that it reads.
 template <class Number>
 [[gnu::always_inline]] inline Number load(const Scalar<Number>* from) {
     if constexpr (kIsLanes<Number>) {
@@ -93,7 +93,7 @@ template <class Number>
         *to = value;
 }
 
-// 0 in the lanes from `end` on, so that none of them asks for more work than those before it.
+// 0 in the lanes from `end` on, so that they do not ask for more work than the lanes before.
 template <class Number>
 [[gnu::always_inline]] inline Number only_before(int end, const Number& value, int x) {
     if constexpr (kIsLanes<Number>) {
@@ -102,7 +102,7 @@ template <class Number>
     return value;
 }
 
-// Only the lanes before `end`: for rows that others read beyond it.
+// Stores only the lanes before `end`: for rows that others read beyond it.
 template <class Number>
 [[gnu::always_inline]] inline void store_before(int end, const Number& value, Scalar<Number>* row, int x) {
     if constexpr (kIsLanes<Number>) {

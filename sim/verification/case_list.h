@@ -2,7 +2,7 @@
 
 #include "sim/verification/cases.h"
 
-// What each file holds; cases() puts them in order.
+// The cases defined in each file; cases() puts them in order.
 
 namespace sim::verification {
 

@@ -4,20 +4,20 @@
 #include "sim/verification/case_list.h"
 #include "sim/verification/trial.h"
 
-// Answers of bcre-inertial that were chosen, and the sources that make them ones: h(x, y) stays; R, u and v
-// wave, within a frame along the border that is held at the answer.
+// Manufactured solutions of bcre-inertial: chosen answers, and the source terms that make them solutions.
+// h(x, y) is constant in time; R, u and v are waves. A frame along the border is held at the answer.
 //
 //     q_h = Γ      q_R = ∂R/∂t + ∇·(R v) − Γ      q_v = ∂v/∂t + (v·∇)v − (v_eq − v)/τ + v max(Γ, 0)/R
 //
-// in two dimensions with every term at work: momentum that is carried, a terminal velocity that follows ∇z
-// and R, and erosion, whose material starts at rest, or deposition under its speed gate.
+// Two-dimensional, with every term active: advected momentum, a terminal velocity that follows ∇z and R, and
+// erosion, whose material starts at rest, or deposition below its speed gate.
 
 namespace sim::verification {
 namespace {
 
 constexpr double kSide = 1.6, kSeconds = 0.25, kDeep = 2;
 
-// A number and its derivatives.
+// A value and its derivatives.
 struct Smooth {
     double value, x, y, t;
 };

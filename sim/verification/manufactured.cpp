@@ -4,13 +4,12 @@
 #include "sim/verification/case_list.h"
 #include "sim/verification/trial.h"
 
-// An answer that was chosen, and the sources that make it one: h(x, y) stays, R(x, y, t) waves,
-//
-// within a frame along the border that is held at the answer: what flows in there is part of it too.
+// A manufactured solution: a chosen answer, and the source terms that make it a solution. h(x, y) is constant
+// in time; R(x, y, t) is a wave. A frame along the border is held at the answer, inflow included.
 //
 //     q_h = Γ      q_R = ∂R/∂t + ∇·(R v) − Γ      Γ = γ R (|∇h| − s)      v = −μ ∇h  (law HK)
 //
-// in two dimensions, with every term of the equations at work.
+// Two-dimensional, with every term of the equations active.
 
 namespace sim::verification {
 namespace {

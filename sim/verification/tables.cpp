@@ -4,8 +4,8 @@
 #include "sim/verification/case_list.h"
 #include "sim/verification/trial.h"
 
-// Heaps that rain keeps up: what rains on them rolls to the nearest edge of the table and off it, over a
-// slope that is the stop slope everywhere. Steady answers (Hadeler and Kuttler 1999; Cannarsa and
+// Heaps in equilibrium with rain: what rains on a heap flows to the nearest edge of the table and off it,
+// over a slope that is the stop slope everywhere. Steady answers (Hadeler and Kuttler 1999; Cannarsa and
 // Cardaliaguet 2004): h = s · distance to the edge, and R from ∇·(R v) = f along the rays to it.
 
 namespace sim::verification {
@@ -17,14 +17,13 @@ Params table_params() {
     Params params = bare_params(Model::kBcre, Scheme::kLocalLaxFriedrichs);
     params.rolling_speed = static_cast<float>(kSpeed);
     params.stop_slope = static_cast<float>(kStop);
-    params.exchange_rate = 100;              // so that thin layers, near the top, settle soon too
-    params.start_slope = params.stop_slope;  // or what rains on the very top would stand there
+    params.exchange_rate = 100;              // so that thin layers near the top settle soon too
+    params.start_slope = params.stop_slope;  // otherwise rain would stand on the very top
     params.borders.fill(Border::kSink);
     return params;
 }
 
-// Rains on what lies on the table, whose heap begins at nine tenths of its height, until nothing changes any
-// more.
+// Rains until nothing changes any more. The heap begins at nine tenths of its final height.
 void rain(Trial& trial, double seconds) {
     trial.run(seconds, [&](double, double dt) {
         for (int y = 0; y < trial.layers.grid.ny; ++y)
@@ -33,7 +32,7 @@ void rain(Trial& trial, double seconds) {
     });
 }
 
-// Both layers on tables of growing fineness.
+// Exact layers on one table.
 struct Heap {
     Grid grid;
     Params params;
@@ -69,7 +68,7 @@ double everywhere(double, double) {
     return 1;
 }
 
-// Between two edges, one unit apart; they are the halo's vertices.
+// Between two edges, one unit apart. The edges are the halo's vertices.
 std::vector<Series> strip() {
     return compare({64, 128, 256}, {"", "h, L1", 1e-12, 0}, {"", "R, L1", 7.7e-3, 0.9}, 30, [](int n) {
         Heap heap{{n - 1, 3, 1.f / static_cast<float>(n)}, table_params(), everywhere, {}, {}};
@@ -86,7 +85,7 @@ std::vector<Series> square() {
         Heap heap{{n - 1, n - 1, 1.f / static_cast<float>(n)}, table_params(), everywhere, {}, {}};
         const double dx = heap.grid.dx;
         const auto off = [=](double x,
-                             double y) {  // from the middle: the greater and the smaller of |x|, |y|
+                             double y) {  // from the middle: the greater and the lesser of |x|, |y|
             return std::minmax({std::fabs(x + dx - 0.5), std::fabs(y + dx - 0.5)});
         };
         heap.standing = [=](double x, double y) { return kStop * (0.5 - off(x, y).second); };
@@ -97,7 +96,8 @@ std::vector<Series> square() {
     });
 }
 
-// Only h: R, f r/2 but for the middle, did not converge with any scheme tried, on a rim made of squares.
+// Compares h only: R, which is f r/2 except in the middle, did not converge with any scheme tried, because
+// the rim is made of squares.
 std::vector<Series> disk() {
     auto both = compare({20, 40, 80}, {"", "h, L1", 2.3e-2, 0.75}, {}, 20, [](int n) {
         Heap heap{{n + 1, n + 1, 1.f / static_cast<float>(n)}, table_params(), {}, {}, {}};

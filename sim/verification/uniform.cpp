@@ -4,15 +4,16 @@
 #include "sim/verification/case_list.h"
 #include "sim/verification/trial.h"
 
-// A uniform layer on a plane, far from borders: the equations become ordinary ones.
+// A uniform layer on a plane, far from borders: the equations become ordinary differential equations.
 
 namespace sim::verification {
 namespace {
 
-constexpr int kSquares = 320;  // nothing comes from the borders to the middle in 160 sub-steps
+constexpr int kSquares = 320;  // so that no influence of the borders reaches the middle in 160 sub-steps
 constexpr double kSide = 1;
 
-// The middle vertex of a plane that falls by `tangent` along x, under uniform layers, after `seconds`.
+// The state of the middle vertex after `seconds`, on a plane with slope `tangent` along x under uniform
+// layers.
 struct Middle {
     double depth, rolling, velocity;
 };
@@ -39,7 +40,7 @@ Params growing(Scheme scheme) {
     return params;
 }
 
-// γ p = 1/s: e^t, until the ground is used up.
+// γ p = 1/s: R grows as e^t until the ground is used up.
 std::vector<Series> growth() {
     constexpr double kLayer = 1e-3, kGround = 2e-3;
     std::vector<Series> table;
@@ -54,7 +55,7 @@ std::vector<Series> growth() {
         table.push_back(grows);
         table.push_back(ends);
     }
-    Series second{to_string(Scheme::kMuscl), "R at 1 s", 6e-5, 1.9, {16, 32, 64}};  // sub-steps a second
+    Series second{to_string(Scheme::kMuscl), "R at 1 s", 6e-5, 1.9, {16, 32, 64}};  // sub-steps per second
     for (const int n : second.squares)
         second.errors.push_back(std::fabs(
             after(growing(Scheme::kMuscl), kTangent, 1, kLayer, 0, 1, n).rolling / (kLayer * std::exp(1.)) -
@@ -76,7 +77,7 @@ Params inertial() {
     return params;
 }
 
-// v = v_eq (1 − e^{−t/τ}), toward k_v tan a, or toward v_max on a steeper plane; faster than what deposits.
+// v = v_eq (1 − e^{−t/τ}), toward k_v tan a, or toward v_max on a steeper plane; too fast for deposition.
 std::vector<Series> terminal_speed() {
     Params params = inertial();
     params.deposit_speed = 1e-3f;
@@ -92,11 +93,11 @@ std::vector<Series> terminal_speed() {
     return {relaxes, capped};
 }
 
-// Below the deposit speed, on a plane gentler than the stop slope: R = R₀ e^{−γ (1 − v/v_dep)(s − tan a) t},
-// and what stays moving keeps its speed.
+// Below the deposit speed, on a plane gentler than the stop slope: R = R₀ e^{−γ (1 − v/v_dep)(s − tan a) t}.
+// The remaining flow keeps its speed.
 std::vector<Series> speed_gate() {
     constexpr double kGentle = 0.25, kSpeed = 0.25 * kGentle;
-    Series layer{"bcre-inertial", "R at 1 s", 2.7e-6, 1.9, {16, 32, 64}};  // sub-steps a second
+    Series layer{"bcre-inertial", "R at 1 s", 2.7e-6, 1.9, {16, 32, 64}};  // sub-steps per second
     Series speed{"bcre-inertial", "v at 1 s", 1e-12, 0, {kSquares}};
     const double left = 1e-3 * std::exp(-2 * (1 - kSpeed / 0.25) * (0.5 - kGentle));
     Middle middle{};
@@ -108,15 +109,15 @@ std::vector<Series> speed_gate() {
     return {layer, speed};
 }
 
-// The defect of lax-friedrichs, as large as theory says: a layer at rest spreads by dx²/4 Δt along each axis,
-// that is by half a cell squared in each sub-step; the local scheme leaves it where it is.
+// The known defect of lax-friedrichs, as large as theory says: a layer at rest spreads by dx²/4 Δt along each
+// axis, which is half a cell squared per sub-step. The local scheme does not move it.
 std::vector<Series> resting_layer() {
     std::vector<Series> table;
     for (const Scheme scheme : {Scheme::kLaxFriedrichs, Scheme::kLocalLaxFriedrichs, Scheme::kMuscl}) {
         Params params = bare_params(Model::kBcre, scheme);
         params.exchange_rate = 0;
         params.rolling_speed = 0;
-        params.start_slope = 0;  // or it would stand, and freeze
+        params.start_slope = 0;  // otherwise it would stand and freeze
         constexpr int kMiddle = 20, kSteps = 16;
         const Grid grid{2 * kMiddle + 1, 2 * kMiddle + 1, 1};
         Trial trial(grid, params,

@@ -4,15 +4,15 @@
 #include "sim/verification/case_list.h"
 #include "sim/verification/trial.h"
 
-// Waves with a closed form, along x, v = 1 m/s by law C, p = |h_x| − s. Written out for each: the layers,
-// from which a trial begins, and R at any later time. Derived from ∂h/∂t = −γ R p, ∂R/∂t + v ∂R/∂x = γ R p.
+// Waves with a closed form, along x, v = 1 m/s by law C, p = |h_x| − s. Each gives the initial layers, and R
+// at any later time. Derived from ∂h/∂t = −γ R p, ∂R/∂t + v ∂R/∂x = γ R p.
 
 namespace sim::verification {
 namespace {
 
 constexpr double kSeconds = 0.3;
 
-// A smooth bump, 1 in the middle, 0 from |u| = 1 on, with three continuous derivatives.
+// A smooth bump: 1 in the middle, 0 for |u| ≥ 1, with three continuous derivatives.
 double bump(double u) {
     if (std::fabs(u) >= 1) return 0;
     const double c = std::cos(u * std::numbers::pi / 2);
@@ -27,7 +27,7 @@ Params wave_params(Scheme scheme, float stop_slope, float rate) {
     return params;
 }
 
-// A film so thin that what it deposits does not change the plane: R = R₀(x − vt) e^{−γ (s − tan a) t}.
+// A film too thin for its deposit to change the plane: R = R₀(x − vt) e^{−γ (s − tan a) t}.
 std::vector<Series> decay() {
     constexpr double kTangent = 0.25, kFilm = 1e-9, kSide = 1;
     constexpr std::array<Bounds, 3> kBounds{{{4e-2, 0.9}, {1.6e-2, 0.9}, {6e-4, 1.8}}};
@@ -46,8 +46,9 @@ std::vector<Series> decay() {
     });
 }
 
-// R = R₀(x + γ R t), h = −s x − R − (v/γ) ln R: erosion and deposition move it uphill, while the material
-// rolls down. R at a place by fixed-point iteration; it contracts until the wave breaks at t = 1/(γ max R₀′).
+// R = R₀(x + γ R t), h = −s x − R − (v/γ) ln R: erosion and deposition move the wave uphill while the
+// material flows down. R at a place is found by fixed-point iteration, which converges until the wave breaks
+// at t = 1/(γ max R₀′).
 struct SimpleWave {
     double slope = 1, rate = 5, middle = 1.3, width = 0.4, film = 0.1, rise = 0.03;
 
@@ -96,8 +97,9 @@ std::vector<Series> oblique_wave() {
     });
 }
 
-// A front that deposits as it runs over a bare plane too gentle for it, of constant shape and speed c < v:
-// h = −x tan a + ((v − c)/c) R and c ln R + γ R = const − γ K ξ/(v − c), with ξ = x − ct, K = c (s − tan a).
+// A front that deposits while it moves over a bare plane too gentle for it, with constant shape and speed c <
+// v: h = −x tan a + ((v − c)/c) R and c ln R + γ R = const − γ K ξ/(v − c), with ξ = x − ct, K = c (s − tan
+// a).
 std::vector<Series> deposit_front() {
     constexpr double kC = 0.5, kTangent = 0.25, kRate = 4, kS = 0.5, kSide = 3.2;
     constexpr std::array<Bounds, 3> kBounds{{{5.5e-4, 0.95}, {9.5e-5, 0.95}, {3.1e-7, 1.9}}};
@@ -124,8 +126,8 @@ std::vector<Series> deposit_front() {
     });
 }
 
-// A thick flow, of which only R_c exchanges, v_u = γ R_c: p(x, t) = p₀(x + v_u t), and with p₀ = G′
-// R = R₀ + v_u/(v + v_u) [G(x + v_u t) − G(x − vt)].
+// A thick flow of which only R_c exchanges, v_u = γ R_c: p(x, t) = p₀(x + v_u t), and with p₀ = G′ R = R₀ +
+// v_u/(v + v_u) [G(x + v_u t) − G(x − vt)].
 std::vector<Series> thick_pulse() {
     constexpr double kUphill = 0.5, kFlow = 1, kSide = 2.4;
     constexpr std::array<Bounds, 3> kBounds{{{1.25e-3, 0.85}, {7e-4, 0.85}, {1.9e-5, 1.8}}};

@@ -6,8 +6,8 @@
 
 #include "sim/fields/front_score.h"
 
-// How near each source comes to fronts that are known: the paper's scenes by our readings, and what a tracker
-// meets beside them. Errors are root mean squares in cells.
+// Accuracy of each point source against known fronts: the paper's scenes as we read them, and other
+// conditions that a tracker meets. Errors are root mean squares in cells.
 
 namespace {
 
@@ -23,7 +23,7 @@ FrontScore score_on(int squares, PointSource source, const TestFlow& flow, Trial
     trial.cell = 1.0 / squares;
     const auto cell = static_cast<float>(trial.cell);
     const Mesh mesh = mesh_of(sim::Grid{squares + 1, squares + 1, cell});
-    // With noise a jump that it hardly reaches.
+    // With noise, a jump that noise hardly reaches.
     return score(mesh, sim::front::gradient_rule(trial.noise > 0 ? 0.15f : 0.05f, cell), source, flow, trial);
 }
 
@@ -31,7 +31,7 @@ struct Case {
     const char* name;
     TestFlow flow;
     int squares;
-    double half, paper, fit;  // as measured, with a hundredth of a cell to spare for `fit`
+    double half, paper, fit;  // as measured; `fit` has a margin of a hundredth of a cell
 };
 
 class Scene : public testing::TestWithParam<Case> {};
@@ -65,8 +65,9 @@ Trial briefly() {
     return {.seconds = 8};
 }
 
-// Nobody can know more of it than that it lies between two vertices, and nobody may.
-TEST(PointSource, knows_of_a_line_at_rest_what_velocities_tell) {
+// Velocities only tell that a line at rest is between two vertices, so no source can do better or may do
+// worse.
+TEST(PointSource, places_a_line_at_rest_no_better_than_velocities_allow) {
     for (const int squares : {10, 20, 30})
         for (const PointSource source : {PointSource::kPaper, PointSource::kFit}) {
             const auto at_a_fifth = sim::fields::opposed(1.0 / squares, 0.2);
@@ -77,8 +78,8 @@ TEST(PointSource, knows_of_a_line_at_rest_what_velocities_tell) {
         }
 }
 
-// What is held does not jump, and is late: half the jumps, for edges that are wrong meanwhile.
-TEST(PaperSource, jumps_less_where_it_holds_vertices_and_is_late_there) {
+// Held points do not jump but are late: half the jumps, at the cost of edges that are wrong meanwhile.
+TEST(PaperSource, with_hold_jumps_less_and_is_later) {
     for (const int squares : {10, 20, 30})
         for (const auto& flow : {sim::fields::swinging(45), sim::fields::swinging(30),
                                  sim::fields::pinwheel(), sim::fields::disc(), sim::fields::crowd()}) {
@@ -94,17 +95,17 @@ TEST(PaperSource, jumps_less_where_it_holds_vertices_and_is_late_there) {
         }
 }
 
-// What was not tuned on: however the flow lies on the mesh, and however often one looks.
+// Conditions that the source was not tuned on: how the flow lies on the mesh, and the rate of steps.
 TEST(FitSource, is_as_good_at_any_rate_on_a_mesh_that_is_turned_and_shifted) {
     constexpr int kSquares = 20;
     std::mt19937 random(11);
     std::uniform_real_distribution<double> shift(-0.5 / kSquares, 0.5 / kSquares);
     struct {
         TestFlow flow;
-        double slowly;  // allowed at 30 steps/s on a turned mesh, times that at 60
+        double slowly;  // factor allowed at 30 steps/s on a turned mesh, of the error at 60
     } cases[] = {
         {sim::fields::swinging(45), 1.2},
-        // A step of 1/30 s is a tenth of a cell: of a straight line that is most of the error.
+        // A step of 1/30 s is a tenth of a cell, which is most of the error of a straight line.
         {sim::fields::swinging(30), 1.3},
         {sim::fields::pinwheel(), 1.2},
         {sim::fields::disc(), 1.2},
@@ -132,13 +133,13 @@ TEST(FitSource, bears_noise_of_a_twentieth_of_the_jump) {
         trial.noise = 0.02;
         const FrontScore got = score_on(20, PointSource::kFit, flow, trial);
         EXPECT_LE(got.rms, 1.3 * score_on(20, PointSource::kFit, flow, briefly()).rms);
-        EXPECT_LE(got.missed, 0.02);  // of the disc, whose jump sinks to 0.143 m/s on one side
+        EXPECT_LE(got.missed, 0.02);  // for the disc, whose jump falls to 0.143 m/s on one side
         EXPECT_LE(got.false_cuts, 1e-4);
     }
 }
 
-// A vertex that is wrong for a step, of a thousand one in each: its edges are cut, or are not, for so long;
-// of the others little may be seen.
+// In each step one vertex of a thousand is wrong. Its edges are cut or uncut for that step; the other edges
+// may show little of it.
 TEST(FitSource, bears_vertices_that_are_wrong_for_a_step) {
     struct {
         TestFlow flow;
@@ -156,8 +157,8 @@ TEST(FitSource, bears_vertices_that_are_wrong_for_a_step) {
         }
 }
 
-// Where it fades a front ends within the flow: it is followed until what is left of the jump cuts no edge, as
-// well as one that goes on for ever.
+// A fading front ends within the flow. It is followed until the remaining jump cuts no edge, as well as a
+// front without an end.
 TEST(FitSource, follows_a_front_to_its_open_end) {
     struct {
         double degrees, allowed;
@@ -174,7 +175,7 @@ TEST(FitSource, follows_a_front_to_its_open_end) {
         }
 }
 
-// It asks where velocities jump, and a smooth field on top does not.
+// The source depends on where velocities jump, which a smooth field does not change.
 TEST(FitSource, bears_a_smooth_field_on_top) {
     for (auto flow : {sim::fields::swinging(30), sim::fields::pinwheel(), sim::fields::disc()}) {
         const double base = score_on(20, PointSource::kFit, flow, briefly()).rms;
@@ -214,11 +215,11 @@ TEST(FitSource, bears_any_triangles) {
     }
 }
 
-// A score that could not tell right from wrong would pass everything above.
-TEST(FrontScore, tells_a_flow_from_another) {
+// Checks the score itself: a score that could not tell right from wrong would pass all tests above.
+TEST(FrontScore, reports_missed_edges_and_jumps) {
     const int squares = 10;
     const Mesh mesh = mesh_of(sim::Grid{squares + 1, squares + 1, 0.1f});
-    const auto rule = sim::front::gradient_rule(0.5f, 0.1f);  // more than any jump there is
+    const auto rule = sim::front::gradient_rule(0.5f, 0.1f);  // more than any jump in the flow
     Trial trial = briefly();
     trial.cell = 0.1;
     EXPECT_EQ(score(mesh, rule, PointSource::kFit, sim::fields::swinging(30), trial).missed, 1);

@@ -20,7 +20,7 @@ class FrontDetector : public testing::Test {
     std::vector<glm::vec2> velocity = std::vector<glm::vec2>(15);
     std::vector<float> scalar = std::vector<float>(15);
 
-    // Everything west of column x moves to the east at `speed`.
+    // Moves everything west of column x to the east at `speed`.
     void move_west_of(int x, float speed) {
         for (int v = 0; v < 15; ++v) velocity[v] = {v % 5 < x ? speed : 0, 0};
     }
@@ -41,13 +41,13 @@ class FrontDetector : public testing::Test {
     }
 };
 
-TEST_F(FrontDetector, lists_what_is_cut_and_what_became_of_it) {
+TEST_F(FrontDetector, lists_cut_edges_and_their_changes) {
     Detector detector(mesh, sim::front::gradient_rule(0.5f, 1));
     move_west_of(2, 1);
     detector.update({velocity, {}});
     EXPECT_EQ(list(detector.cut()), edges_west_of(2));
     EXPECT_EQ(list(detector.before()), std::vector<int>(5, -1));
-    EXPECT_TRUE(detector.flipped().empty());  // nothing is known of the step before
+    EXPECT_TRUE(detector.flipped().empty());  // no previous step
 
     detector.update({velocity, {}});
     EXPECT_EQ(list(detector.before()), (std::vector<int>{0, 1, 2, 3, 4}));
@@ -65,7 +65,7 @@ TEST_F(FrontDetector, lists_what_is_cut_and_what_became_of_it) {
 }
 
 // Equation (1): the jump that an edge needs grows with its length.
-TEST_F(FrontDetector, wants_more_of_a_longer_edge) {
+TEST_F(FrontDetector, needs_a_larger_jump_on_a_longer_edge) {
     Detector detector(mesh, {.threshold = 1});
     move_west_of(2, 1.2f);  // below √2, above 1
     detector.update({velocity, {}});
@@ -76,7 +76,7 @@ TEST_F(FrontDetector, wants_more_of_a_longer_edge) {
     EXPECT_EQ(detector.cut().size(), 5u);
 }
 
-TEST_F(FrontDetector, holds_what_it_has_cut) {
+TEST_F(FrontDetector, holds_a_cut_edge_until_the_jump_falls_below_its_share) {
     Detector detector(mesh, {.jump = 1, .hold = 0.7f});
     const auto cut_at = [&](float speed) {
         move_west_of(2, speed);
@@ -90,8 +90,8 @@ TEST_F(FrontDetector, holds_what_it_has_cut) {
     EXPECT_EQ(cut_at(0.99f), 0u);
 }
 
-// Beside rest a jump is as great as the velocity itself; within a flow it is a small part of it.
-TEST_F(FrontDetector, for_avalanches_cuts_beside_rest_alone) {
+// Beside ground at rest a jump equals the velocity itself; within a flow it is a small part of it.
+TEST_F(FrontDetector, for_avalanches_cuts_only_beside_ground_at_rest) {
     Detector detector(mesh, sim::front::avalanche_rule());
     for (int v = 0; v < 15; ++v) velocity[v] = {v % 5 < 3 ? 10.f - 3.f * static_cast<float>(v % 5) : 0, 0};
     detector.update({velocity, {}});  // 10, 7, 4, 0, 0
@@ -115,8 +115,8 @@ TEST_F(FrontDetector, by_a_level_cuts_where_the_scalar_crosses_it) {
     EXPECT_EQ(list(detector.flipped()), (std::vector<int>{2, 7, 12}));
 }
 
-// A heightfield's edges are looked at row by row: the same as one by one.
-TEST(DetectorOnAHeightfield, finds_what_it_finds_on_the_same_triangles) {
+// The row-by-row scan of a heightfield gives the same result as checking edges one by one.
+TEST(DetectorOnAHeightfield, finds_the_same_edges_as_on_an_irregular_mesh) {
     const Mesh field = mesh_of(sim::Grid{37, 21, 2});
     const Mesh any = std::get<Mesh>(mesh_of(field.position, field.triangle));
     std::mt19937 random(5);
@@ -142,9 +142,9 @@ TEST(DetectorOnAHeightfield, finds_what_it_finds_on_the_same_triangles) {
     }
 }
 
-// Word by word and lane by lane: rows that end before, at and after the end of a word, of which little
-// changes from step to step, by every instruction set that the machine has, and by the rule as it is written.
-TEST(DetectorOnAHeightfield, finds_with_every_instruction_set_what_the_rule_says) {
+// Compares every instruction set of the machine with the rule as written. Rows end before, at and after the
+// end of a word, and few velocities change between steps.
+TEST(DetectorOnAHeightfield, follows_the_rule_with_every_instruction_set) {
     std::mt19937 random(9);
     std::uniform_real_distribution<float> component(-1, 1);
     for (const int columns : {2, 17, 63, 64, 65, 66, 129, 130}) {
@@ -183,7 +183,7 @@ TEST(DetectorOnAHeightfield, finds_with_every_instruction_set_what_the_rule_says
     }
 }
 
-TEST(DetectorOnAHeightfield, finds_with_every_instruction_set_where_a_scalar_crosses_a_level) {
+TEST(DetectorOnAHeightfield, finds_level_crossings_with_every_instruction_set) {
     std::mt19937 random(9);
     std::uniform_real_distribution<float> height(-1, 1);
     for (const int columns : {2, 17, 63, 64, 65, 66, 129, 130}) {

@@ -6,15 +6,15 @@
 #include <random>
 #include <vector>
 
-// What every instruction set must agree on, to the bit, and what it should be.
+// The kernels of a fit: results are correct, and bit-identical for every instruction set.
 
 namespace {
 
-using namespace sim::front::fit;  // NOLINT(google-build-using-namespace): all that is tested
+using namespace sim::front::fit;  // NOLINT(google-build-using-namespace): the namespace under test
 
 constexpr int kFlips = 37, kCrossings = 14;
 
-// Flips and crossings at random, and all that the kernels make of them, as numbers one after the other.
+// Runs all kernels on random flips and crossings and returns their results as one list of numbers.
 std::vector<double> answers(const Kernels& kernels) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> place(-4, 4), age(0, 3);
@@ -52,7 +52,7 @@ std::vector<double> answers(const Kernels& kernels) {
     return all;
 }
 
-TEST(FitLanes, have_the_same_bits_by_every_instruction_set) {
+TEST(FitLanes, are_bit_identical_for_every_instruction_set) {
     const auto expected = answers(kernels_for(sim::InstructionSet::kBaseline));
     for (const sim::InstructionSet set : sim::kInstructionSets) {
         if (!sim::has(set)) continue;
@@ -62,7 +62,7 @@ TEST(FitLanes, have_the_same_bits_by_every_instruction_set) {
     }
 }
 
-TEST(FitLanes, tell_the_place_of_each_key) {
+TEST(FitLanes, rank_each_key) {
     const std::vector<int> keys{5, -3, 8, 0, 7, 1, 2, 9, 4, 3, 6};
     for (const sim::InstructionSet set : sim::kInstructionSets) {
         if (!sim::has(set)) continue;
@@ -72,8 +72,8 @@ TEST(FitLanes, tell_the_place_of_each_key) {
     }
 }
 
-// One flip a cell ahead, half a window ago; of two lists of which the second is empty.
-TEST(FitLanes, weigh_a_flip_by_where_when_and_which_way) {
+// One flip, one cell ahead, at the given age and direction.
+TEST(FitLanes, weigh_a_flip_by_place_age_and_direction) {
     const auto weight = [](double east, double age) {
         const double x[kLanes]{1}, y[kLanes]{}, then[kLanes]{age}, way[kLanes]{east}, north[kLanes]{};
         double s[kLanes], D[kLanes], ages[kLanes], weights[kLanes];
@@ -83,7 +83,7 @@ TEST(FitLanes, weigh_a_flip_by_where_when_and_which_way) {
         EXPECT_EQ(D[0], 1);
         LaneSums sums{};
         kernels.add_flips({2, 2.5, 0.01, 0.2}, rows, 1, sums);
-        return sums[0][0];  // of the weights
+        return sums[0][0];  // sum of the weights
     };
     EXPECT_NEAR(weight(1, 0), 100, 1e-9);
     EXPECT_NEAR(weight(0.75, 0), 50, 1e-9);

@@ -17,8 +17,7 @@ constexpr double kSide = 100;  // m
 
 class Stage : public testing::Test {
   protected:
-    // Root mean square of the points' distance from the front, cells; the front has gone for `front_time`
-    // seconds.
+    // Root mean square distance of the points from the front, cells. `front_time`: the front's clock, s.
     double error(const sim::front::FlowView& view, const sim::fields::TestFlow& flow,
                  double front_time) const {
         double sum = 0;
@@ -34,13 +33,13 @@ class Stage : public testing::Test {
     sim::Workers workers{1};
 };
 
-TEST_F(Stage, plays_a_flow_on_ground_of_any_size_as_on_the_unit_square) {
+TEST_F(Stage, scales_a_flow_to_ground_of_any_size) {
     const auto flow = sim::fields::swinging(30);
     FlowStage stage(grid, flow, {});
     for (int i = 0; i < 300; ++i) stage.advance(1 / 60.0, workers);
     EXPECT_GT(stage.view().tracker().points().size(), 30u);
     EXPECT_LT(error(stage.view(), flow, 5), 0.1);
-    // Half a square along the line, where nothing but the flow tells which way.
+    // At 0.2 sides per second the texture has moved one side along the line.
     EXPECT_NEAR(stage.view().layers().offsets()[0][0].x, 0.2 * kSide * 5 * std::cos(3.14159265 / 6), 8);
 }
 
@@ -54,13 +53,14 @@ TEST_F(Stage, lets_speeds_change_while_it_runs) {
         stage.set(numbers);
         for (int i = 0; i < 120; ++i) stage.advance(1 / 60.0, workers);
         front_time += 2 * front_speed;
-        // Once it stands velocities tell only which edge it crosses, and after that nothing of it is known.
+        // At rest, velocities only tell which edges the front crosses; when it starts again its speed is
+        // unknown.
         const bool guessed = front_speed == 0 || front_speed == 0.5;
         EXPECT_LT(error(stage.view(), flow, front_time), guessed ? 0.4 : 0.12) << front_speed;
     }
 }
 
-TEST_F(Stage, takes_a_fast_front_in_parts_and_meets_it_better_so) {
+TEST_F(Stage, tracks_a_fast_front_better_in_parts_of_a_step) {
     // Up to 0.9 cells in a step.
     const auto flow = sim::fields::swinging(30);
     constexpr double kStep = 1 / 15.0;  // s
@@ -86,7 +86,7 @@ TEST_F(Stage, takes_a_fast_front_in_parts_and_meets_it_better_so) {
     EXPECT_GT(in_one, 1.5 * in_parts);
 }
 
-TEST_F(Stage, without_cuts_has_none_and_takes_them_up_with_the_textures_as_they_lie) {
+TEST_F(Stage, starts_cutting_without_resetting_its_textures) {
     FlowNumbers numbers;
     numbers.cut = false;
     FlowStage stage(grid, sim::fields::disc(), numbers);
@@ -105,7 +105,7 @@ TEST_F(Stage, without_cuts_has_none_and_takes_them_up_with_the_textures_as_they_
     EXPECT_EQ(stage.view().tracker().source(), sim::front::PointSource::kPaper);
 }
 
-TEST_F(Stage, has_the_same_bits_for_any_number_of_threads) {
+TEST_F(Stage, is_bit_identical_for_any_number_of_threads) {
     const auto played = [&](int threads) {
         sim::Workers crew(threads);
         FlowNumbers numbers;
@@ -118,7 +118,7 @@ TEST_F(Stage, has_the_same_bits_for_any_number_of_threads) {
     EXPECT_EQ(std::memcmp(one.data(), three.data(), one.size() * sizeof(one[0])), 0);
 }
 
-TEST_F(Stage, that_stands_still_is_cut_nowhere) {
+TEST_F(Stage, at_rest_has_no_cut_edges) {
     FlowNumbers numbers;
     numbers.speed = 0;
     FlowStage stage(grid, sim::fields::pinwheel(), numbers);

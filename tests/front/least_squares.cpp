@@ -8,7 +8,7 @@ namespace {
 
 using sim::front::LeastSquares;
 
-TEST(LeastSquares, solves_what_has_one_solution) {
+TEST(LeastSquares, finds_a_unique_solution) {
     LeastSquares rows;
     rows.add({2, 1}, 2 * 3 + 1 * -4);
     rows.add({-1, 1}, -1 * 3 + 1 * -4);
@@ -16,7 +16,7 @@ TEST(LeastSquares, solves_what_has_one_solution) {
     EXPECT_NEAR(rows.solve().y, -4, 1e-12);
 }
 
-TEST(LeastSquares, leaves_a_residual_that_no_row_can_lessen) {
+TEST(LeastSquares, minimises_the_residual) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> any(-1, 1);
     for (int round = 0; round < 100; ++round) {
@@ -32,8 +32,8 @@ TEST(LeastSquares, leaves_a_residual_that_no_row_can_lessen) {
     }
 }
 
-// One edge, or several in one direction: the solution along them, as the paper chooses it for one.
-TEST(LeastSquares, of_rows_on_one_line_is_the_shortest_solution) {
+// One edge, or several in one direction: the solution lies along them, as the paper chooses for n = 1.
+TEST(LeastSquares, gives_the_shortest_solution_for_rows_on_one_line) {
     for (const glm::dvec2 along : {glm::dvec2(1, 0), glm::dvec2(0, 1), glm::dvec2(3, -4),
                                    glm::dvec2(1e-3, 2e-3), glm::dvec2(4e3, 7e3)}) {
         LeastSquares rows;
@@ -45,7 +45,7 @@ TEST(LeastSquares, of_rows_on_one_line_is_the_shortest_solution) {
     }
 }
 
-TEST(LeastSquares, without_rows_is_nought) {
+TEST(LeastSquares, without_rows_gives_zero) {
     EXPECT_EQ(LeastSquares{}.solve(), glm::dvec2(0, 0));
     LeastSquares rows;
     rows.add({0, 0}, 3);

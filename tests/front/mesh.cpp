@@ -22,7 +22,7 @@ MeshFault fault_of(std::vector<glm::vec2> position, Triangles triangle) {
     return std::get<MeshFault>(made);
 }
 
-// Whatever it was made of.
+// Checks what must hold for any mesh.
 void expect_whole(const Mesh& mesh) {
     ASSERT_EQ(mesh.triangle.size(), mesh.triangle_edge.size());
     std::vector<int> uses(mesh.edge.size());
@@ -56,7 +56,7 @@ void expect_whole(const Mesh& mesh) {
     EXPECT_EQ(spokes, 2 * mesh.edge.size());
 }
 
-TEST(Mesh, of_triangles_knows_its_edges) {
+TEST(Mesh, of_triangles_finds_its_edges) {
     const auto made = mesh_of(kSquare, {{0, 1, 3}, {0, 3, 2}});
     ASSERT_TRUE(std::holds_alternative<Mesh>(made));
     const Mesh& mesh = std::get<Mesh>(made);
@@ -65,7 +65,7 @@ TEST(Mesh, of_triangles_knows_its_edges) {
     expect_whole(mesh);
 }
 
-TEST(Mesh, of_triangles_may_have_parts_holes_and_turned_triangles) {
+TEST(Mesh, of_triangles_may_have_parts_holes_and_any_orientation) {
     std::vector<glm::vec2> position = kSquare;
     for (const glm::vec2& p : kSquare) position.emplace_back(p.x + 5, p.y);
     const auto made = mesh_of(position, {{0, 1, 3}, {3, 0, 2}, {4, 5, 6}});
@@ -89,7 +89,7 @@ TEST(Mesh, of_a_heightfield_is_the_mesh_of_its_triangles) {
     EXPECT_EQ(edges_of(field), edges_of(mesh));
 }
 
-TEST(Mesh, is_refused_where_it_is_none) {
+TEST(Mesh, rejects_invalid_triangles) {
     using Kind = MeshFault::Kind;
     const float infinite = std::numeric_limits<float>::infinity(),
                 none = std::numeric_limits<float>::quiet_NaN();
@@ -106,7 +106,7 @@ TEST(Mesh, is_refused_where_it_is_none) {
     EXPECT_EQ(fault_of(kSquare, {{0, 1, 1}}).kind, Kind::kDegenerate);
     EXPECT_EQ(fault_of({{0, 0}, {1, 1}, {2, 2}}, {{0, 1, 2}}).kind, Kind::kDegenerate);
     EXPECT_EQ(fault_of({{0, 0}, {0, 0}, {2, 2}}, {{0, 1, 2}}).kind, Kind::kDegenerate);
-    // The squares of such lengths are no floats.
+    // The squares of such lengths are not representable as floats.
     for (const float side : {1e-31f, 1e-23f, 1e-7f, 1e10f, 1e30f})
         EXPECT_EQ(fault_of({{0, 0}, {side, 0}, {0, side}}, {{0, 1, 2}}).kind, Kind::kDegenerate) << side;
     const MeshFault fan =

@@ -22,7 +22,7 @@ TEST(MovingQuadratic, finds_the_front_that_rows_lie_on) {
     }
 }
 
-TEST(MovingQuadratic, is_straight_and_steady_where_rows_do_not_tell) {
+TEST(MovingQuadratic, is_straight_and_steady_without_evidence) {
     MovingQuadratic fit;
     fit.sums.add(0, 0, 0.25, 100);
     fit.solve();
@@ -31,7 +31,7 @@ TEST(MovingQuadratic, is_straight_and_steady_where_rows_do_not_tell) {
     EXPECT_NEAR(fit.speed(0), 0, 1e-9);
 }
 
-TEST(MovingQuadratic, goes_over_to_rows_that_weigh_more) {
+TEST(MovingQuadratic, follows_rows_with_larger_weights) {
     MovingQuadratic fit;
     fit.sums.add(0, 0, 0, 1);
     fit.solve();

@@ -13,8 +13,8 @@ using sim::front::Mesh;
 using sim::front::OneSidedNeighbourhood;
 using sim::front::OneSidedNeighbourhoods;
 
-// Seven vertices by seven, 1 m apart; what lies west of column 3 goes east at 1 m/s, and in the rows from
-// `end` on less and less, so that no edge is cut from the one after on.
+// Seven vertices by seven, 1 m apart. West of column 3 the flow moves east at 1 m/s; in the rows from `end`
+// on it gets slower, so that from the next row on no edge is cut.
 class FrontShores : public testing::Test {
   protected:
     static constexpr int kSide = 7;
@@ -38,7 +38,7 @@ class FrontShores : public testing::Test {
     }
 };
 
-TEST_F(FrontShores, lie_on_one_side_each) {
+TEST_F(FrontShores, contain_vertices_of_one_side_only) {
     part(kSide);
     for (const int vertex : {3 * kSide + 2, 3 * kSide + 3}) {
         const OneSidedNeighbourhood shore = shore_of(vertex);
@@ -49,13 +49,13 @@ TEST_F(FrontShores, lie_on_one_side_each) {
     }
 }
 
-TEST_F(FrontShores, go_round_the_end_of_a_front) {
+TEST_F(FrontShores, extend_around_the_end_of_a_front) {
     part(3);
     const OneSidedNeighbourhood shore = shore_of(2 * kSide + 2);
     EXPECT_NE(std::find(shore.vertices.begin(), shore.vertices.end(), 4 * kSide + 3), shore.vertices.end());
 }
 
-TEST_F(FrontShores, know_flips_the_newest_first_and_each_other_one_turned_round) {
+TEST_F(FrontShores, list_flips_newest_first_and_reverse_every_second_one) {
     part(kSide);
     const int first = 3 * kSide + 2, second = 2 * kSide + 1, beyond = 3 * kSide + 3;
     flips[first].last[0] = {5, {1, 0}}, flips[first].last[1] = {2, {-1, 0}};
@@ -71,10 +71,10 @@ TEST_F(FrontShores, know_flips_the_newest_first_and_each_other_one_turned_round)
         EXPECT_EQ(shore.flips.x[i], mesh.position[vertex[i]].x);
         EXPECT_EQ(shore.flips.east[i], 1);
     }
-    EXPECT_EQ(shore.flips.east[3], 0);  // only fills up
+    EXPECT_EQ(shore.flips.east[3], 0);  // filler
 }
 
-TEST_F(FrontShores, are_sought_anew_in_another_moment) {
+TEST_F(FrontShores, are_recomputed_at_another_moment) {
     part(kSide);
     const int number = shores.find(detector, cuts, flips, 0, 16);
     EXPECT_EQ(shores.find(detector, cuts, flips, 0, 16), number);

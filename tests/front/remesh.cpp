@@ -28,7 +28,7 @@ float area(const CutTriangle& triangle) {
     return area(triangle[0].position, triangle[1].position, triangle[2].position);
 }
 
-// Every pattern of cuts, order of the vertices, turn of the triangle, and place on the edges.
+// Every pattern of cuts, vertex order, orientation of the triangle, and position on the edges.
 struct Cutting {
     std::array<int, 3> corner;
     std::array<glm::vec2, 3> at;
@@ -60,12 +60,12 @@ std::vector<Cutting> cuttings() {
     return all;
 }
 
-TEST(Remesh, makes_as_many_triangles_as_the_table_says) {
+TEST(Remesh, makes_as_many_triangles_as_the_scheme_requires) {
     const int count[] = {1, 3, 3, 6};
     for (const Cutting& one : cuttings()) EXPECT_EQ(one.cut().count, count[one.cuts()]);
 }
 
-TEST(Remesh, covers_the_triangle_once_and_keeps_its_turn) {
+TEST(Remesh, covers_the_triangle_once_and_keeps_its_orientation) {
     for (const Cutting& one : cuttings()) {
         const float whole = area(one.at[0], one.at[1], one.at[2]);
         float sum = 0;
@@ -80,8 +80,8 @@ TEST(Remesh, covers_the_triangle_once_and_keeps_its_turn) {
     }
 }
 
-// Within a triangle without a tear all corners are on one side: its texture is the map of that side and no
-// other. A side is what no cut edge parts.
+// All corners of a triangle that is not a tear are on one side, so its texture is the map of that side alone.
+// A side is a set of corners joined by uncut edges.
 std::array<int, 3> sides_of(const Cutting& one) {
     std::array<int, 3> side{0, 1, 2};
     for (int round = 0; round < 2; ++round)
@@ -90,7 +90,7 @@ std::array<int, 3> sides_of(const Cutting& one) {
     return side;
 }
 
-// How many corners of how many triangles do not lie on the side on which their triangle does.
+// Counts corners that are not on the side of their triangle.
 int misplaced(const Cutting& one, const CutTriangles& cut) {
     const std::array<int, 3> side = sides_of(one);
     int wrong = 0;
@@ -107,11 +107,11 @@ int misplaced(const Cutting& one, const CutTriangles& cut) {
 
 TEST(Remesh, gives_each_side_its_own_coordinates) {
     for (const Cutting& one : cuttings()) {
-        if (one.cuts() == 1) continue;  // a tear that ends: both its sides are one
+        if (one.cuts() == 1) continue;  // where a tear ends, both its sides are the same
         EXPECT_EQ(misplaced(one, one.cut()), 0);
         for (const CutTriangle& triangle : one.cut())
             for (const CutVertex& vertex : triangle) {
-                // A vertex of the mesh is where it was, and its own.
+                // A mesh vertex keeps its position and belongs to itself.
                 const auto k =
                     std::find(one.corner.begin(), one.corner.end(), vertex.side) - one.corner.begin();
                 EXPECT_TRUE(vertex.on_front || vertex.position == one.at[k]);
@@ -119,7 +119,7 @@ TEST(Remesh, gives_each_side_its_own_coordinates) {
     }
 }
 
-// With one cut the triangles on either side of it hold the copy of their own end.
+// With one cut, the triangles on either side of it use the copy of their own end.
 TEST(Remesh, tears_an_edge_between_its_ends) {
     for (const Cutting& one : cuttings()) {
         if (one.cuts() != 1) continue;
@@ -137,8 +137,8 @@ TEST(Remesh, tears_an_edge_between_its_ends) {
     }
 }
 
-// The control: with the copies of an edge swapped the test above must fail.
-TEST(Remesh, would_be_caught_with_its_copies_swapped) {
+// Negative control: with the copies of an edge swapped, the test above must fail.
+TEST(Remesh, with_swapped_copies_is_detected) {
     for (const Cutting& one : cuttings()) {
         if (one.cuts() < 2) continue;
         CutTriangles cut = one.cut();
@@ -155,7 +155,7 @@ TEST(Remesh, would_be_caught_with_its_copies_swapped) {
     }
 }
 
-// With constants 0 and 1 on either side, nothing between appears inside any triangle that has area.
+// With constants 0 and 1 on the two sides, no intermediate value appears inside any triangle that has area.
 TEST(Remesh, never_mixes_the_sides) {
     for (const Cutting& one : cuttings()) {
         if (one.cuts() != 2) continue;
@@ -171,7 +171,7 @@ TEST(Remesh, never_mixes_the_sides) {
     }
 }
 
-// On a whole mesh, with a flow that cuts triangles once, twice and three times.
+// A whole mesh, with a flow that cuts triangles once, twice and three times.
 class RemeshOfAFlow : public testing::Test {
   protected:
     static constexpr int kSquares = 16;
@@ -190,8 +190,7 @@ class RemeshOfAFlow : public testing::Test {
     }
 };
 
-// Both triangles beside an edge have the same positions on it, to the bit: no crack, and no vertex on the
-// other's side.
+// Both triangles at an edge have bit-identical positions on it: no crack, and no vertex on the other's side.
 TEST_F(RemeshOfAFlow, has_no_cracks) {
     run(sim::fields::pinwheel(), 120);
     for (int e = 0; e < mesh.edges(); ++e) {
@@ -212,10 +211,10 @@ TEST_F(RemeshOfAFlow, has_no_cracks) {
     }
 }
 
-TEST_F(RemeshOfAFlow, draws_an_affine_map_of_each_side_as_it_is) {
+TEST_F(RemeshOfAFlow, reproduces_an_affine_map_on_each_side) {
     const auto flow = sim::fields::swinging(30);
     run(flow, 120);
-    // Coordinates of either side, by a map of its own; gradients from the neighbours on the same side.
+    // Each side has its own affine map of coordinates. Gradients come from neighbours on the same side.
     const auto map = [](int region, const glm::vec2& x) {
         return region ? glm::vec2(3 * x.x - x.y + 0.5f, x.x + 2 * x.y)
                       : glm::vec2(-x.x + 4, 2 * x.x + 5 * x.y - 1);
@@ -226,8 +225,8 @@ TEST_F(RemeshOfAFlow, draws_an_affine_map_of_each_side_as_it_is) {
         region.push_back(flow.region(glm::dvec2(x), 2));
         coordinates.push_back({map(region.back(), x)});
     }
-    // What a step before has left, for a vertex whose neighbours on its side lie on one line: they tell half
-    // of it.
+    // The previous gradient of a vertex whose neighbours on its side lie on one line, which determine half of
+    // it.
     const auto last_at = [&](int v) {
         const auto around = mesh.around(v);
         std::vector<glm::vec2> ways;
@@ -254,7 +253,7 @@ TEST_F(RemeshOfAFlow, draws_an_affine_map_of_each_side_as_it_is) {
     EXPECT_GT(copies, 100);
 }
 
-TEST_F(RemeshOfAFlow, keeps_the_last_gradient_of_a_vertex_that_fronts_surround) {
+TEST_F(RemeshOfAFlow, keeps_the_last_gradient_of_a_vertex_isolated_by_fronts) {
     std::vector<glm::vec2> velocity(mesh.position.size(), glm::vec2(0, 0));
     std::vector<std::array<glm::vec2, 1>> coordinates;
     for (const glm::vec2& x : mesh.position) coordinates.push_back({x});

@@ -11,7 +11,7 @@
 #include "sim/fields/texture_score.h"
 #include "sim/front/flow_view.h"
 
-// Textures that travel: with the flow, on either side of a front, and not drawn out.
+// Advected textures: they move with the flow, on either side of a front, without stretch.
 
 namespace {
 
@@ -36,7 +36,7 @@ Rule rule_of_squares(int squares) {
     return sim::front::gradient_rule(0.05f, 1.f / static_cast<float>(squares));
 }
 
-// The paper's fronts, with a field on top that stretches textures as any flow does.
+// The paper's fronts, with an added smooth field that stretches textures as any flow does.
 struct Case {
     const char* name;
     TestFlow flow;
@@ -64,7 +64,7 @@ TEST_P(TextureOf, is_no_more_distorted_than_without_a_front_and_moves) {
     EXPECT_LE(with.slip, 0.05);
     EXPECT_LE(with.slip_near, 0.10);
     EXPECT_LE(with.drift_p95, 0.25);  // cells in two seconds
-    // What the measure must tell apart: no cuts, cuts without new seeds, and coordinates that stand still.
+    // Negative controls: no cuts, cuts without reseeding, and coordinates that stand still.
     EXPECT_GT(score(Cutting::kNone).stretch_p95, 5 * with.stretch_p95);
     EXPECT_GT(score(Cutting::kToLetter).stretch_p95, 5 * with.stretch_p95);
     const TextureScore frozen = score(Cutting::kReseeded, {.frozen = true});
@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"disc_fine", with_smooth(sim::fields::disc()), 40}),
     [](const auto& test) { return std::string(test.param.name); });
 
-// A mesh, a tracker and textures that somebody's velocities move.
+// A mesh, a tracker and textures, moved by given velocities.
 class Textures : public testing::Test {
   protected:
     static constexpr int kSquares = 16;
@@ -120,8 +120,9 @@ class Textures : public testing::Test {
     double time = 0;
 };
 
-TEST_F(Textures, at_rest_keep_their_coordinates_to_the_bit) {
-    // The right half flows; the left never does, while the front stands, layers are renewed and phases fade.
+TEST_F(Textures, at_rest_are_bit_identical) {
+    // The right half flows, the left never does. The front stands still while layers are renewed and phases
+    // fade.
     run([](const glm::dvec2& x, double) { return x.x > 0.52 ? glm::vec2(0.02f, 0.2f) : glm::vec2(0, 0); },
         600);
     int rests = 0, moved = 0;
@@ -142,7 +143,7 @@ TEST_F(Textures, at_rest_keep_their_coordinates_to_the_bit) {
     EXPECT_GT(moved, 100);
 }
 
-TEST_F(Textures, that_came_to_rest_stay_as_they_are) {
+TEST_F(Textures, do_not_change_after_coming_to_rest) {
     const auto burst = [](const glm::dvec2& x, double t) {
         return t < 1.3 ? glm::vec2(0.2 * x.y, -0.1) : glm::vec2(0, 0);
     };
@@ -152,12 +153,12 @@ TEST_F(Textures, that_came_to_rest_stay_as_they_are) {
     EXPECT_EQ(std::memcmp(then.data(), layers.offsets().data(), layers.offsets().size_bytes()), 0);
 }
 
-// A flow that comes to rest from its right end on, as a heap does that grows up the slope.
+// A flow that comes to rest from its right end on, like a heap that grows up the slope.
 glm::vec2 halting(const glm::dvec2& x, double t) {
     return x.x < 0.9 - 0.3 * t ? glm::vec2(0.2f, 0) : glm::vec2(0, 0);
 }
 
-TEST_F(Textures, of_what_comes_to_rest_are_not_drawn_out_and_stay) {
+TEST_F(Textures, of_a_growing_deposit_are_not_stretched_and_stay) {
     run(halting, 110);
     const std::vector<TextureLayers::Offsets> then(layers.offsets().begin(), layers.offsets().end());
     run(halting, 90);
@@ -172,13 +173,14 @@ TEST_F(Textures, of_what_comes_to_rest_are_not_drawn_out_and_stay) {
         if (x < 0.4f || x > 0.8f) continue;
         ++lying;
         EXPECT_EQ(then[v], layers.offsets()[v]);
-        // Each for itself would have gone the further the later it stopped: by two thirds of a cell a cell.
+        // Without help, a vertex would have moved farther the later it stopped: by two thirds of a cell per
+        // cell.
         EXPECT_LT(glm::length(layers.offsets()[v][0] - layers.offsets()[v - 1][0]), 0.1f / kSquares);
     }
     EXPECT_GT(lying, 80);
 }
 
-TEST_F(Textures, go_on_from_a_memory_to_the_same_bits_while_something_comes_to_rest) {
+TEST_F(Textures, continue_from_a_memory_bit_identically_while_flow_comes_to_rest) {
     run(halting, 60);
     TextureLayers other(mesh, {});
     other.restore(layers.memory());
@@ -191,13 +193,13 @@ TEST_F(Textures, go_on_from_a_memory_to_the_same_bits_while_something_comes_to_r
     }
 }
 
-TEST_F(Textures, stay_with_what_has_come_to_lie_and_not_with_what_was_laid) {
+TEST_F(Textures, stay_on_deposits_but_not_on_added_material) {
     sim::front::FlowView view(mesh, rule_of_squares(kSquares), PointSource::kHalf, {});
     std::vector<glm::vec2> v(mesh.position.size(), glm::vec2(0, 0));
     for (std::size_t k = 0; k < v.size(); ++k)
         if (mesh.position[k].x > 0.52f) v[k] = {0, 0.2f};
     for (int i = 0; i < 30; ++i) view.advance({v, {}}, 1 / 60.0, workers);
-    EXPECT_EQ(view.deposit(mesh.vertices() - 1), 0);  // nothing is known
+    EXPECT_EQ(view.deposit(mesh.vertices() - 1), 0);  // no deposit is known
     std::vector<float> rise(v.size());
     for (std::size_t k = 0; k < v.size(); ++k) rise[k] = mesh.position[k].y > 0.52f ? 0.5f : -0.5f;
     view.set_rise(rise);
@@ -205,7 +207,7 @@ TEST_F(Textures, stay_with_what_has_come_to_lie_and_not_with_what_was_laid) {
         EXPECT_EQ(view.deposit(k), mesh.position[k].x > 0.52f && mesh.position[k].y > 0.52f ? 0.5f : 0);
 }
 
-TEST_F(Textures, of_what_moves_as_a_whole_are_renewed_without_a_trace) {
+TEST_F(Textures, of_a_rigid_motion_are_renewed_invisibly) {
     run([](const glm::dvec2&, double) { return glm::vec2(0.1f, -0.05f); }, 600);
     for (const auto& offset : layers.offsets())
         for (const glm::vec2& o : offset) {
@@ -214,15 +216,15 @@ TEST_F(Textures, of_what_moves_as_a_whole_are_renewed_without_a_trace) {
         }
 }
 
-TEST_F(Textures, of_each_side_travel_with_it) {
-    // Two halves that slide past each other, far enough for many renewals.
+TEST_F(Textures, of_each_side_are_advected_with_it) {
+    // Two halves slide past each other, far enough for many renewals.
     run([](const glm::dvec2& x, double) { return glm::vec2(x.y > 0.47 ? 0.3f : -0.1f, 0); }, 600);
     for (int v = 0; v < mesh.vertices(); ++v)
         for (const glm::vec2& o : layers.offsets()[v]) {
             EXPECT_NEAR(o.x, mesh.position[v].y > 0.47f ? -3.f : 1.f, 1e-3f);
             EXPECT_NEAR(o.y, 0, 1e-3f);
         }
-    // And drawn so up to the cut, by the gradients beside it.
+    // The gradients beside the cut extend the coordinates up to it.
     int copies = 0;
     for (int t = 0; t < static_cast<int>(mesh.triangle.size()); ++t)
         for (const auto& part : cut_triangle(tracker, t))
@@ -235,7 +237,7 @@ TEST_F(Textures, of_each_side_travel_with_it) {
     EXPECT_GT(copies, kSquares);
 }
 
-TEST_F(Textures, of_a_vertex_that_a_front_passed_are_its_neighbours) {
+TEST_F(Textures, of_a_vertex_that_a_front_passed_match_its_neighbours) {
     const auto flow = sim::fields::swinging(30);
     const auto velocity = [&](const glm::dvec2& x, double t) { return flow.velocity(x, t); };
     int flips = 0;
@@ -253,7 +255,7 @@ TEST_F(Textures, of_a_vertex_that_a_front_passed_are_its_neighbours) {
     EXPECT_GT(flips, 200);
 }
 
-TEST_F(Textures, are_the_same_bits_for_any_number_of_threads) {
+TEST_F(Textures, are_bit_identical_for_any_number_of_threads) {
     const auto flow = with_smooth(sim::fields::pinwheel());
     const auto velocity = [&](const glm::dvec2& x, double t) { return flow.velocity(x, t); };
     run(velocity, 200);
@@ -272,7 +274,7 @@ TEST_F(Textures, are_the_same_bits_for_any_number_of_threads) {
     }
 }
 
-TEST_F(Textures, lie_where_they_do_at_any_rate_of_steps) {
+TEST_F(Textures, agree_at_different_step_rates) {
     const auto flow = with_smooth(sim::fields::disc());
     const auto velocity = [&](const glm::dvec2& x, double t) { return flow.velocity(x, t); };
     run(velocity, 270);
@@ -294,8 +296,8 @@ TEST_F(Textures, lie_where_they_do_at_any_rate_of_steps) {
     EXPECT_LT(std::sqrt(sum / (mesh.vertices() * TextureLayers::kSheets)) * kSquares, 0.25);  // cells
 }
 
-// A wheel whose middle turns faster than its rim: every place has come along a circle.
-TEST_F(Textures, are_four_times_as_true_on_half_the_cell) {
+// A wheel that turns faster at its centre than at its rim, so that every particle moves along a circle.
+TEST_F(Textures, have_a_quarter_of_the_error_at_half_the_cell_size) {
     const auto turns = [](const glm::dvec2& from) { return 0.6 * std::exp(-glm::dot(from, from) / 0.04); };
     std::array<double, 2> error{};
     for (const int finer : {0, 1}) {
@@ -307,7 +309,7 @@ TEST_F(Textures, are_four_times_as_true_on_half_the_cell) {
             const glm::dvec2 from = glm::dvec2(squares.position[k]) - 0.5;
             v[k] = glm::vec2(turns(from) * glm::dvec2(-from.y, from.x));
         }
-        constexpr int kSteps = 110;  // short of when the second layer is renewed
+        constexpr int kSteps = 110;  // before the second layer is renewed
         for (int i = 0; i < kSteps; ++i) {
             uncut.advance({v, {}}, 1 / 60.0, workers);
             fresh.advance(uncut, v, 1 / 60.0, workers);
@@ -328,14 +330,14 @@ TEST_F(Textures, are_four_times_as_true_on_half_the_cell) {
     EXPECT_LT(error[1], error[0] / 3.5);
 }
 
-// A vertex that turns as a rigid wheel does: nothing is drawn out.
-TEST_F(Textures, that_only_turn_stay_in_their_longest_layer) {
+// In a rigid rotation nothing is stretched.
+TEST_F(Textures, in_rotation_stay_in_their_longest_layer) {
     run([](const glm::dvec2& x, double) { return glm::vec2(0.2 * (0.5 - x.y), 0.2 * (x.x - 0.5)); }, 300);
     const int middle = kSquares / 2 * (kSquares + 2);
     EXPECT_NEAR(layers.mix()[middle].latency, TextureLayers::kLatencies - 1, 0.05);
 }
 
-TEST_F(Textures, are_renewed_sooner_the_more_they_are_drawn_out) {
+TEST_F(Textures, are_renewed_sooner_the_more_they_are_stretched) {
     std::array<float, 3> latency{};
     int i = 0;
     for (const double shear : {0.05, 0.8, 4.0}) {
@@ -348,7 +350,7 @@ TEST_F(Textures, are_renewed_sooner_the_more_they_are_drawn_out) {
             fresh.advance(uncut, v, 1 / 60.0, workers);
         }
         latency[i++] = fresh.mix()[kSquares / 2 * (kSquares + 2)].latency;
-        // Shares of what is seen are shares.
+        // Weights are ≥ 0 and add up to 1.
         for (int k = 0; k < mesh.vertices(); ++k) {
             float sum = 0;
             for (int s = 0; s < TextureLayers::kSheets; ++s) {
@@ -379,10 +381,10 @@ class TexturesAnywhere : public Textures {
     TexturesAnywhere() : Textures(irregular()) {}
 };
 
-TEST_F(TexturesAnywhere, travel_with_the_sides_of_a_front_that_moves) {
+TEST_F(TexturesAnywhere, are_advected_with_the_sides_of_a_moving_front) {
     const auto flow = sim::fields::swinging(30);
     run([&](const glm::dvec2& x, double t) { return flow.velocity(x, t); }, 480);
-    // Offsets of a side differ by nothing: neither is drawn out anywhere.
+    // Offsets on one side are equal, so neither side is stretched.
     for (int e = 0; e < mesh.edges(); ++e) {
         if (tracker.detector().is_cut(e)) continue;
         EXPECT_LT(glm::length(layers.offsets()[mesh.edge[e].a][0] - layers.offsets()[mesh.edge[e].b][0]),

@@ -32,7 +32,7 @@ std::vector<glm::vec2> velocities(const Mesh& mesh, const std::function<glm::vec
     return velocity;
 }
 
-// Two ways on either side of a line whose distance from the origin along `normal` grows steadily.
+// Opposed flows on either side of a line that moves along `normal` at constant speed.
 struct SteadyLine {
     SteadyLine(int squares, PointSource source, glm::vec2 across, float from, float its_speed,
                bool hold = false)
@@ -61,11 +61,11 @@ struct SteadyLine {
     float at, speed;  // m, m/s
 };
 
-// How wrong `half` is: a line with unit normal n that goes steadily is between the ends of an edge e while
-// its place along n is in a range of |e·n|; of the time, and of the edges of that kind, that is a share in
-// proportion to |e·n|. Meanwhile it is at each place of the range as often, so that its distance from the
-// edge's middle is uniform from −|e·n|/2 to |e·n|/2, whose mean square is |e·n|²/12. Of edges along x, along
-// y and diagonals a mesh of squares has the same number:
+// Expected error of `half`. A line with unit normal n that moves steadily crosses an edge e while its place
+// along n is in a range of length |e·n|. So the share of time, and of edges of that kind, is proportional to
+// |e·n|. Each place in the range is equally likely, so the distance from the edge's middle is uniform from
+// −|e·n|/2 to |e·n|/2, with mean square |e·n|²/12. A mesh of squares has as many edges along x as along y and
+// along diagonals:
 //
 //     RMS² = Σ |e·n|³ / 12 / Σ |e·n|,    e = (1, 0), (0, 1) and (1, 1) or, mirrored, (−1, 1), in cells
 double rms_of_middles(const glm::vec2& normal, const glm::vec2& diagonal) {
@@ -77,7 +77,7 @@ double rms_of_middles(const glm::vec2& normal, const glm::vec2& diagonal) {
     return std::sqrt(squares / cut);
 }
 
-// Squares cut by the diagonal from the lower left or, mirrored, by that from the lower right.
+// Squares cut by the diagonal from the lower left or, mirrored, from the lower right.
 Mesh unit_square_cut_by(const glm::vec2& diagonal, int squares) {
     Mesh mesh = unit_square(squares);
     if (diagonal.x > 0) return mesh;
@@ -88,7 +88,7 @@ Mesh unit_square_cut_by(const glm::vec2& diagonal, int squares) {
 
 constexpr glm::vec2 kDiagonals[] = {{1, 1}, {-1, 1}};
 
-TEST(HalfSource, is_as_wrong_as_the_middle_of_an_edge_must_be) {
+TEST(HalfSource, has_the_expected_error_of_edge_midpoints) {
     constexpr int kSquares = 20;
     for (const glm::vec2& diagonal : kDiagonals)
         for (const glm::vec2 normal : {glm::vec2(1, 1), glm::vec2(-1, 1), glm::vec2(0.3f, 1),
@@ -111,9 +111,9 @@ TEST(HalfSource, is_as_wrong_as_the_middle_of_an_edge_must_be) {
         }
 }
 
-// What velocities at the vertices tell of a line at rest is that it is between them: at a fifth of each edge
-// that it crosses, whichever diagonal there is, all are wrong by 0.3 cells.
-TEST(PointSources, know_no_more_of_a_line_at_rest_than_its_edges) {
+// Velocities at the vertices only tell that a line at rest is between them. At a fifth of each edge that it
+// crosses, all points are wrong by 0.3 cells, for either diagonal.
+TEST(PointSources, locate_a_line_at_rest_only_to_an_edge) {
     for (const PointSource source : {PointSource::kHalf, PointSource::kPaper, PointSource::kFit})
         for (const glm::vec2& diagonal : kDiagonals) {
             SteadyLine line(unit_square_cut_by(diagonal, 10), 10, source, {0, 1}, 0.52f, 0);
@@ -135,7 +135,7 @@ TEST(PointSources, follow_a_steady_line_once_it_has_passed_some_vertices) {
             line.step();
             for (const Point& point : line.tracker.points()) {
                 EXPECT_LT(std::abs(line.distance(point)) * 20, allowed) << to_string(source);
-                // Of the edges along y and of the diagonals: what they have to go to keep up.
+                // Speed that a point on this edge needs to keep up.
                 const glm::vec2 along = line.mesh.along(point.edge);
                 const float expected = 0.2f * line.mesh.length[point.edge] / along.y;
                 EXPECT_NEAR(point.speed, expected, 0.1 * expected) << to_string(source);
@@ -144,16 +144,16 @@ TEST(PointSources, follow_a_steady_line_once_it_has_passed_some_vertices) {
     }
 }
 
-// A front that is twice as fast all of a sudden: its points believe what it was when it came onto their
-// edges.
-TEST(PaperSource, leads_points_that_are_late_to_the_vertex_that_they_were_going_to) {
+// A front suddenly doubles its speed. Its points keep the speed with which it entered their edges.
+TEST(PaperSource, leads_late_points_to_their_vertex) {
     constexpr int kSquares = 20;
-    constexpr double kMost = 16 * kStep;  // that one which is late may go in a step, cells
+    constexpr double kMost = 16 * kStep;  // greatest step of a late point, cells
     for (const bool hold : {false, true}) {
         SteadyLine line(kSquares, PointSource::kPaper, {0, 1}, 0.11f, 0.05f, hold);
         for (int i = 0; i < 180; ++i) line.step();
         line.speed = 0.1f;
-        double farthest = 0, fastest = 0;  // from its vertex where one vanishes; in a step; cells
+        // cells: distance from its vertex when a point vanishes; longest step
+        double farthest = 0, fastest = 0;
         for (int i = 0; i < 60; ++i) {
             const std::vector<Point> before(line.tracker.points().begin(), line.tracker.points().end());
             line.step();
@@ -178,8 +178,8 @@ TEST(PaperSource, leads_points_that_are_late_to_the_vertex_that_they_were_going_
     }
 }
 
-// It passes a row of vertices, and turns back before the points have come there.
-TEST(PaperSource, shows_nothing_of_a_front_that_comes_back_while_it_is_held) {
+// The front passes a row of vertices, and turns back before the points arrive there.
+TEST(PaperSource, hides_a_front_that_returns_while_it_is_held) {
     for (const bool hold : {false, true}) {
         SteadyLine line(10, PointSource::kPaper, {0, 1}, 0.52f, 0, hold);
         for (int i = 0; i < 60; ++i) line.step();
@@ -193,7 +193,7 @@ TEST(PaperSource, shows_nothing_of_a_front_that_comes_back_while_it_is_held) {
     }
 }
 
-TEST(LevelSource, is_exact_where_the_scalar_is_linear) {
+TEST(LevelSource, is_exact_for_a_linear_scalar) {
     const Mesh mesh = unit_square(8);
     Tracker tracker(mesh, {.kind = sim::front::Rule::Kind::kLevel, .level = 0.25f}, PointSource::kLevel);
     Workers workers(1);
@@ -215,13 +215,13 @@ TEST(LevelSource, is_exact_where_the_scalar_is_linear) {
     }
 }
 
-TEST(Tracker, tells_how_long_a_point_has_been_there) {
+TEST(Tracker, reports_the_age_of_a_point) {
     SteadyLine line(10, PointSource::kFit, {0, 1}, 0.52f, 0);
     for (int i = 0; i < 31; ++i) line.step();
     for (const Point& point : line.tracker.points()) EXPECT_NEAR(point.age, 0.5, 1e-5);
 }
 
-TEST(Tracker, lays_its_points_to_the_same_bits_with_any_number_of_threads) {
+TEST(Tracker, is_bit_identical_for_any_number_of_threads) {
     const Mesh mesh = unit_square(20);
     const auto flow = sim::fields::pinwheel();
     for (const PointSource source : {PointSource::kPaper, PointSource::kFit}) {
@@ -243,7 +243,7 @@ TEST(Tracker, lays_its_points_to_the_same_bits_with_any_number_of_threads) {
     }
 }
 
-TEST(PointSource, has_a_name_by_which_it_is_found) {
+TEST(PointSource, is_found_by_its_name) {
     for (const PointSource source :
          {PointSource::kHalf, PointSource::kPaper, PointSource::kFit, PointSource::kLevel})
         EXPECT_EQ(sim::front::source_named(to_string(source)), source);

@@ -21,7 +21,7 @@ Mesh heightfield() {
     return mesh_of(sim::Grid{kSquares + 1, kSquares + 1, kCell});
 }
 
-// The same triangles in any order of corners, inner vertices moved, and not known to lie in rows.
+// The same triangles with shuffled corners and moved inner vertices, and without known rows.
 Mesh irregular(std::mt19937& random) {
     const Mesh regular = heightfield();
     std::vector<glm::vec2> position = regular.position;
@@ -77,13 +77,13 @@ TEST(Upstream, finds_the_end_of_a_way_of_several_cells) {
     expect_found(heightfield(), 4 * kCell, random);
 }
 
-TEST(Upstream, finds_it_on_any_triangles) {
+TEST(Upstream, finds_the_end_on_any_triangles) {
     std::mt19937 random(3);
     expect_found(irregular(random), 0.5f * kCell, random);
     expect_found(irregular(random), 3 * kCell, random);
 }
 
-TEST(Upstream, follows_edges_and_goes_nowhere) {
+TEST(Upstream, finds_the_vertex_itself_and_places_on_its_edges) {
     const Mesh mesh = heightfield();
     const Upstream upstream(mesh);
     const std::vector<std::uint8_t> whole(mesh.triangle.size(), 0);
@@ -100,7 +100,7 @@ TEST(Upstream, follows_edges_and_goes_nowhere) {
     }
 }
 
-TEST(Upstream, tells_nothing_of_what_lies_in_or_beyond_a_torn_triangle) {
+TEST(Upstream, finds_nothing_in_or_beyond_a_torn_triangle) {
     std::mt19937 random(4);
     for (const Mesh& mesh : {heightfield(), irregular(random)}) {
         const Upstream upstream(mesh);
@@ -116,8 +116,9 @@ TEST(Upstream, tells_nothing_of_what_lies_in_or_beyond_a_torn_triangle) {
     }
 }
 
-// A square is found by its number; on the way there it may lead through the other triangle of the square.
-TEST(Upstream, tells_as_much_of_a_heightfield_as_of_the_same_triangles_in_no_rows) {
+// A heightfield's square is found by its number; the way there may lead through the other triangle of the
+// square.
+TEST(Upstream, agrees_on_a_heightfield_and_the_same_irregular_mesh) {
     std::mt19937 random(6);
     const Mesh mesh = heightfield();
     Mesh loose = mesh;

@@ -9,8 +9,8 @@
 
 #include "tests/support/worlds.h"
 
-// What bcre-inertial promises of avalanches: the ground they take, the heap that sets them off, and outlines,
-// whatever the cell and however the hill lies on the grid.
+// What bcre-inertial promises of avalanches on any cell size and any orientation of the hill on the grid: the
+// ground that they entrain, the heap that triggers them, and their outlines.
 
 namespace {
 
@@ -40,7 +40,7 @@ sim::Params loose_dry_snow() {
     return params;
 }
 
-// Runs until all lies, for `seconds` at most. Returns the greatest R that each vertex saw, m.
+// Runs until everything rests, for at most `seconds`. Returns the greatest R at each vertex, m.
 std::vector<double> peaks_of(Play& play, int seconds, const std::vector<sim::Command>& first = {}) {
     const sim::Grid grid = play.state.grid;
     std::vector<double> peaks(grid.size());
@@ -54,7 +54,7 @@ std::vector<double> peaks_of(Play& play, int seconds, const std::vector<sim::Com
     return peaks;
 }
 
-// What a heap that is tipped into a snow-covered gully does, m³.
+// What a heap released into a snow-covered gully does, m³.
 struct Taken {
     double eroded, poured, left_in_footprint;
 };
@@ -86,7 +86,7 @@ Taken heap_in_a_gully(double dx) {
     return taken;
 }
 
-TEST(Avalanche, takes_as_much_snow_on_every_grid_within_a_third_and_leaves_no_heap) {
+TEST(Avalanche, entrains_the_same_snow_on_every_grid_within_a_third_and_leaves_no_heap) {
     double least = 1e30, most = 0;
     for (const double dx : {24., 12., 6.}) {
         const Taken taken = heap_in_a_gully(dx);
@@ -100,8 +100,8 @@ TEST(Avalanche, takes_as_much_snow_on_every_grid_within_a_third_and_leaves_no_he
 
 using Points = std::vector<std::array<double, 2>>;
 
-// Points along the line on which a field, given at vertices, is `level`: where it crosses the grid's edges
-// and half way between two crossings of a square. About (middle, middle), turned back by `turned` rad.
+// Points on the contour of a field, given at vertices, at `level`: where it crosses the grid's edges, and
+// midway between two crossings of a square. Relative to (middle, middle), turned back by `turned` rad.
 Points outline(const std::vector<double>& field, int side, double dx, double level, double turned) {
     const double middle = (side - 1) / 2. * dx, c = std::cos(turned), s = std::sin(turned);
     Points points;
@@ -131,7 +131,7 @@ Points outline(const std::vector<double>& field, int side, double dx, double lev
     return points;
 }
 
-// How far the points of either line lie from the other, m: the mean, and what 95 of 100 keep.
+// Distance of the points of either line from the other, m: mean and 95th percentile.
 struct Apart {
     double mean, p95;
 };
@@ -159,8 +159,8 @@ struct Outlines {
     Points extent, deposit;
 };
 
-// A hill of 36° that eases to 5°, under `cover` metres of snow; 2 m of it go on a disc on the flank that
-// looks `azimuth_deg` to the north of east.
+// Releases 2 m of snow on a disc on a hill of 36° that eases to 5°, under `cover` metres of snow. The disc is
+// on the flank that faces `azimuth_deg` north of east.
 Outlines release_on_a_hill(double azimuth_deg, double cover) {
     constexpr int kSide = 95;
     constexpr double kDx = 10, kMiddle = (kSide - 1) / 2. * kDx, kFoot = 230, kEase = 50, kOut = 100,
@@ -181,7 +181,7 @@ Outlines release_on_a_hill(double azimuth_deg, double cover) {
                                                           static_cast<int>(std::lrint(y / kDx)))]);
     });
     const double at_x = kMiddle + kOut * std::cos(azimuth), at_y = kMiddle + kOut * std::sin(azimuth);
-    ground.set(ground.rolling, [&](double x, double y) {  // vertices on the rim by what of them it covers
+    ground.set(ground.rolling, [&](double x, double y) {  // vertices on the rim get the covered share
         constexpr int kFine = 16;
         int in = 0;
         for (int i = 0; i < kFine * kFine; ++i) {
@@ -213,17 +213,17 @@ void expect_outlines_within_a_cell(double cover) {
     EXPECT_LE(deposit.mean, 5);
 }
 
-TEST(Avalanche, has_the_same_outline_within_a_cell_however_its_hill_lies_on_the_grid) {
+TEST(Avalanche, has_the_same_outline_within_a_cell_for_any_orientation_of_the_hill) {
     expect_outlines_within_a_cell(0);
 }
 
-TEST(Avalanche, that_takes_snow_has_the_same_outline_within_a_cell_however_its_hill_lies_on_the_grid) {
+TEST(Avalanche, with_entrainment_has_the_same_outline_within_a_cell_for_any_orientation_of_the_hill) {
     expect_outlines_within_a_cell(0.5);
 }
 
-// Rolling material at random with velocities at random, dense and patchy, over ground at random, at the
-// greatest Courant number there is.
-TEST(Avalanche, stays_positive_and_exact_in_mass_at_its_courant_limit) {
+// Random rolling material with random velocities, dense and patchy, over random ground, at the greatest
+// Courant number.
+TEST(Avalanche, stays_positive_and_conserves_mass_at_its_courant_limit) {
     std::mt19937 random(11);
     const auto within = [&](double most) { return most * static_cast<double>(random()) / 4294967296.0; };
     for (int round = 0; round < 60; ++round) {
@@ -234,7 +234,7 @@ TEST(Avalanche, stays_positive_and_exact_in_mass_at_its_courant_limit) {
                    [&](double, double) { return random() % 3 ? within(random() % 2 ? 0.5 : 3e-4) : 0; });
         sim::Params params = support::lively(Model::kBcreInertial);
         params.courant = 0.5f;
-        params.max_speed = 0.25f * 60;  // a quarter of a cell in a tick: one sub-step
+        params.max_speed = 0.25f * 60;  // a quarter of a cell per tick: one sub-step
         params.speed_per_slope = 100;
         params.relaxation_time = 0.05f;
         params.exchange_rate = static_cast<float>(within(50));

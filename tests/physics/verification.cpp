@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-// Each case of the table in which `couloir verify-physics` prints them.
+// Every case in the table that `couloir verify-physics` prints.
 
 namespace {
 
@@ -13,7 +13,7 @@ using sim::verification::Series;
 
 class ExactAnswer : public testing::TestWithParam<Case> {};
 
-TEST_P(ExactAnswer, is_met_within_its_bounds) {
+TEST_P(ExactAnswer, is_within_its_bounds) {
     for (const Series& series : GetParam().run()) {
         const std::string line = std::string(series.scheme) + ", " + std::string(series.measure);
         EXPECT_LE(series.errors.back(), series.most) << line;
@@ -35,8 +35,8 @@ INSTANTIATE_TEST_SUITE_P(Verification, ExactAnswer, testing::ValuesIn(sim::verif
                              return name;
                          });
 
-// The table's own arithmetic, lest it call everything well.
-TEST(Series, misses_its_bounds_by_error_by_order_and_by_what_is_no_number) {
+// Checks the table's own arithmetic, so that it cannot pass everything.
+TEST(Series, fails_by_error_by_order_and_by_nan) {
     const Series good{"", "", 1e-2, 1.8, {10, 20, 40}, {0.16, 0.04, 0.01}};
     EXPECT_DOUBLE_EQ(good.order(), 2);
     EXPECT_TRUE(good.holds());

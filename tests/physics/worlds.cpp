@@ -7,7 +7,7 @@
 
 #include "tests/support/worlds.h"
 
-// What must hold of the world's own numbers, float in whole quanta, where no formula tells the outcome.
+// Properties of the world's own numbers, float in whole quanta, that no exact answer covers.
 
 namespace {
 
@@ -15,7 +15,7 @@ using sim::Model;
 using sim::Scheme;
 using support::Play;
 
-TEST(World, closes_its_mass_exactly_over_a_hundred_thousand_ticks) {
+TEST(World, conserves_mass_exactly_over_a_hundred_thousand_ticks) {
     for (const auto& [model, scheme] : {std::pair(Model::kBcre, Scheme::kMuscl),
                                         std::pair(Model::kBcreInertial, Scheme::kLocalLaxFriedrichs)}) {
         Play play(support::rough(9, 5, 5), support::lively(model, scheme));
@@ -30,9 +30,8 @@ TEST(World, closes_its_mass_exactly_over_a_hundred_thousand_ticks) {
     }
 }
 
-// Rolling material at random, dense and patchy, over ground at random, at the greatest Courant number there
-// is.
-TEST(World, of_the_second_order_scheme_stays_positive_at_its_courant_limit) {
+// Random rolling material, dense and patchy, over random ground, at the greatest Courant number.
+TEST(World, stays_positive_with_the_second_order_scheme_at_its_courant_limit) {
     std::mt19937 random(7);
     const auto within = [&](double most) { return most * static_cast<double>(random()) / 4294967296.0; };
     for (int round = 0; round < 60; ++round) {
@@ -42,7 +41,7 @@ TEST(World, of_the_second_order_scheme_stays_positive_at_its_courant_limit) {
         ground.set(ground.rolling, [&](double, double) { return random() % 3 ? within(0.5) : 0; });
         sim::Params params = support::lively(Model::kBcre, Scheme::kMuscl);
         params.courant = 0.5f;
-        params.rolling_speed = 0.5f * 60;  // half a cell in a tick: one sub-step
+        params.rolling_speed = 0.5f * 60;  // half a cell per tick: one sub-step
         Play play(ground, params);
         ASSERT_EQ(sim::substeps_of(params, 1).count, 1);
         for (int tick = 0; tick < 40; ++tick) {
@@ -60,8 +59,8 @@ TEST(World, of_the_second_order_scheme_stays_positive_at_its_courant_limit) {
 
 constexpr double kCell = 7.5;  // m
 
-// A straight slope that eases into flat ground, turned about the middle of the world; a heap of loose
-// material on it. Returns how far from the middle, downhill, the farthest deposit of 5 cm lies, m.
+// Releases a loose heap on a straight slope that eases into flat ground, turned about the middle of the
+// world. Returns how far downhill from the middle the farthest deposit of 5 cm is, m.
 double run_out(double turned_deg) {
     constexpr int kSquares = 110;
     constexpr double kDx = kCell, kMiddle = kSquares * kDx / 2;
@@ -77,7 +76,7 @@ double run_out(double turned_deg) {
     ground.set(ground.rolling, [&](double x, double y) {
         return std::max(0., 3 * (1 - std::hypot(along(x, y) + 200, across(x, y)) / 60));
     });
-    sim::Params params;  // of loose dry snow
+    sim::Params params;  // loose dry snow
     params.speed_per_slope = 41;
     params.max_speed = 45;
     params.relaxation_time = 3;
@@ -94,7 +93,7 @@ double run_out(double turned_deg) {
     return farthest;
 }
 
-TEST(World, turned_by_any_angle_lets_a_slide_run_as_far_within_two_cells) {
+TEST(World, has_the_same_run_out_within_two_cells_at_any_angle) {
     const double straight = run_out(0);
     EXPECT_GT(straight, 50);
     for (const double turned_deg : {120., 225.})

@@ -16,7 +16,7 @@ using sim::Command;
 using sim::CommandKind;
 using support::Play;
 
-// A flat world in which nothing moves by itself.
+// A flat world in which nothing moves on its own.
 Play flat(double depth = 0, int squares = 40, float dx = 1) {
     sim::Params params = support::lively(sim::Model::kBcreInertial);
     params.start_slope = 9;
@@ -27,7 +27,7 @@ double cubic_metres(const Play& play, std::int64_t quanta) {
     return static_cast<double>(quanta) * static_cast<double>(sim::kQuantum) * play.state.grid.cell_area();
 }
 
-TEST(Pour, adds_the_volume_it_says_at_any_grid_and_in_both_profiles) {
+TEST(Pour, adds_its_volume_on_any_grid_in_both_profiles) {
     for (const float dx : {0.5f, 1.f, 2.f})
         for (const auto profile : {sim::Profile::kDisc, sim::Profile::kCone}) {
             Play play = flat(0, static_cast<int>(40 / dx), dx);
@@ -40,7 +40,7 @@ TEST(Pour, adds_the_volume_it_says_at_any_grid_and_in_both_profiles) {
         }
 }
 
-TEST(Pour, adds_the_same_each_tick_and_then_stops) {
+TEST(Pour, adds_equally_each_tick_and_then_stops) {
     Play play = flat();
     Command pour = support::pour_at(20, 20, 5, 60, 1);
     pour.layer = sim::Layer::kStanding;
@@ -51,7 +51,7 @@ TEST(Pour, adds_the_same_each_tick_and_then_stops) {
     EXPECT_NEAR(cubic_metres(play, play.state.ledger.poured), 60, 0.01);
 }
 
-TEST(Pour, into_the_rolling_layer_begins_at_rest) {
+TEST(Pour, into_the_rolling_layer_starts_at_rest) {
     Play play = flat();
     play.state.rolling(20, 20) = 0.5f;
     play.state.velocity_x(20, 20) = 2;
@@ -61,7 +61,7 @@ TEST(Pour, into_the_rolling_layer_begins_at_rest) {
     EXPECT_EQ(play.state.velocity_x(20, 20), 1.f);
 }
 
-TEST(Pour, beside_the_world_or_on_no_data_never_enters_it) {
+TEST(Pour, outside_the_world_or_on_no_data_adds_nothing) {
     support::Ground ground = support::plane(20, 1, 0);
     ground.has_data[ground.at(10, 10)] = 0;
     Play play(ground, support::lively(sim::Model::kBcreInertial));
@@ -79,7 +79,7 @@ TEST(Pour, half_over_the_border_keeps_the_half_inside) {
     EXPECT_NEAR(cubic_metres(play, play.state.ledger.poured), 30, 0.5);
 }
 
-TEST(Pour, fills_a_vertex_up_to_half_the_deepest_and_no_further) {
+TEST(Pour, fills_a_vertex_to_half_the_depth_limit_at_most) {
     Play play = flat();
     Command pour = support::pour_at(20, 20, 0, 1e8, 0);
     pour.layer = sim::Layer::kStanding;
@@ -98,7 +98,7 @@ TEST(Dig, takes_the_rolling_layer_first_and_never_bedrock) {
     dig.kind = CommandKind::kDig;
     dig.x = dig.y = 20;
     dig.radius = 3;
-    dig.rate = 36;  // 0.6 m in a tick
+    dig.rate = 36;  // 0.6 m per tick
     sim::apply_commands(play.state, {&dig, 1});
     EXPECT_EQ(play.state.rolling(20, 20), 0);
     EXPECT_NEAR(play.state.depth(20, 20), 0.15, 1e-5);
@@ -107,7 +107,7 @@ TEST(Dig, takes_the_rolling_layer_first_and_never_bedrock) {
     EXPECT_EQ(play.state.ledger.mass_error(), 0);
 }
 
-TEST(Blast, makes_the_erodible_layer_roll_up_to_its_depth) {
+TEST(Blast, releases_the_erodible_layer_up_to_its_depth) {
     Play play = flat(1);
     Command blast;
     blast.kind = CommandKind::kBlast;
@@ -121,7 +121,7 @@ TEST(Blast, makes_the_erodible_layer_roll_up_to_its_depth) {
     EXPECT_TRUE(play.state.running_commands.empty());
 }
 
-TEST(Commands, manifest_stands_in_the_order_of_its_kinds) {
+TEST(Commands, manifest_is_in_the_order_of_the_kinds) {
     for (const sim::CommandInfo& info : sim::kCommands) {
         EXPECT_EQ(&sim::info_of(info.kind), &info);
         EXPECT_EQ(sim::command_from(info.name)->kind, info.kind);
@@ -129,7 +129,7 @@ TEST(Commands, manifest_stands_in_the_order_of_its_kinds) {
     EXPECT_FALSE(sim::command_from("melt"));
 }
 
-TEST(Commands, refuse_every_number_out_of_its_range_and_name_it) {
+TEST(Commands, refuse_and_name_every_number_out_of_range) {
     for (const sim::CommandInfo& info : sim::kCommands)
         for (const sim::CommandNumber& number : info.numbers)
             for (const double bad :
@@ -146,7 +146,7 @@ TEST(Commands, refuse_every_number_out_of_its_range_and_name_it) {
             }
 }
 
-TEST(Settle, turns_the_rolling_layer_into_standing_within_its_disc_and_keeps_the_mass) {
+TEST(Settle, deposits_the_rolling_layer_within_its_disc_and_conserves_mass) {
     Play play = flat(1);
     const Command pour = support::pour_at(20, 20, 8, 600, 0);
     sim::apply_commands(play.state, {&pour, 1});
@@ -177,7 +177,7 @@ Command set_to(std::string_view param, double value) {
     return set;
 }
 
-TEST(Settle, never_piles_up_more_than_can_be_counted) {
+TEST(Settle, never_exceeds_the_depth_limit) {
     Play play = flat(1);
     for (int i = 0; i < 4; ++i) {
         const Command pour = support::pour_at(20, 20, 3, 1e6, 0);
@@ -196,7 +196,7 @@ TEST(Settle, never_piles_up_more_than_can_be_counted) {
     EXPECT_EQ(play.state.ledger.mass_error(), 0);
 }
 
-TEST(Set, acts_from_its_own_tick_on_and_travels_with_a_snapshot) {
+TEST(Set, acts_from_its_own_tick_and_is_part_of_a_snapshot) {
     Play play = flat(1);
     const sim::Snapshot before = sim::take_snapshot(play.state);
     const Command set = set_to("stop_slope", 0.625);
@@ -207,8 +207,8 @@ TEST(Set, acts_from_its_own_tick_on_and_travels_with_a_snapshot) {
     EXPECT_NE(play.state.params.stop_slope, 0.625f);
 }
 
-TEST(Set, of_the_start_slope_and_the_anchor_lets_ground_go_that_held) {
-    // Steep from the first, so the anchor holds it; without the anchor it is above the start slope.
+TEST(Set, of_start_slope_and_anchor_releases_ground_that_held) {
+    // Steep from the start, so the anchor holds it. Without the anchor it is above the start slope.
     sim::Params params = support::lively(sim::Model::kBcreInertial);
     params.anchor_gain = 2;
     Play play(support::plane(20, 1, 0.6, 1), params);
@@ -220,7 +220,7 @@ TEST(Set, of_the_start_slope_and_the_anchor_lets_ground_go_that_held) {
     EXPECT_GT(play.state.ledger.rolling, 0);
 }
 
-TEST(Set, is_judged_by_what_all_of_a_tick_come_to) {
+TEST(Set, is_checked_with_all_others_of_its_tick) {
     const sim::Params params = support::lively(sim::Model::kBcreInertial);
     const Command low_start = set_to("start_slope", 0.4), low_stop = set_to("stop_slope", 0.38);
     EXPECT_TRUE(sim::fault_after(params, {&low_start, 1}));
@@ -229,7 +229,7 @@ TEST(Set, is_judged_by_what_all_of_a_tick_come_to) {
     EXPECT_FALSE(sim::fault_after(params, {}));
 }
 
-// A command of this kind whose members may hold anything that the kind uses.
+// A command of this kind with a valid value in each member that the kind uses.
 Command sound(const sim::CommandInfo& info) {
     Command command;
     command.kind = info.kind;
@@ -254,7 +254,7 @@ TEST(Command, is_refused_with_a_member_that_its_kind_does_not_use) {
             const bool is_used = std::any_of(info.numbers.begin(), info.numbers.end(),
                                              [&](const auto& number) { return number.value == member; });
             EXPECT_EQ(refused(member, 0.5), !is_used) << info.name;
-            // -0 has other bits than 0, and the state hash sees them.
+            // -0 and 0 have different bits, which the state hash sees.
             if (Command{}.*member == 0) {
                 EXPECT_EQ(refused(member, -0.0), !is_used) << info.name;
             }

@@ -13,12 +13,12 @@
 
 namespace {
 
-TEST(FloatEnvironment, is_sound_here_and_in_every_thread) {
+TEST(FloatEnvironment, is_standard_here_and_in_every_thread) {
     sim::Workers workers(3);
     workers.each_band(3, [](int, int) { EXPECT_FALSE(sim::float_environment_fault()); });
 }
 
-TEST(FloatEnvironment, of_another_rounding_is_told) {
+TEST(FloatEnvironment, reports_other_rounding) {
     for (const int rounding : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
         std::fesetround(rounding);
         const auto fault = sim::float_environment_fault();
@@ -29,24 +29,26 @@ TEST(FloatEnvironment, of_another_rounding_is_told) {
 }
 
 #if defined(__SSE__)
-TEST(FloatEnvironment, that_takes_denormals_for_zero_is_told) {
+TEST(FloatEnvironment, reports_flushed_denormals) {
     constexpr unsigned kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040;
     const unsigned usual = _mm_getcsr();
     for (const unsigned bit : {kFlushToZero, kDenormalsAreZero}) {
         _mm_setcsr(usual | bit);
         const auto fault = sim::float_environment_fault();
         _mm_setcsr(usual);
-        EXPECT_EQ(fault, "denormal numbers are taken for zero") << bit;
+        ASSERT_TRUE(fault) << bit;
+        EXPECT_TRUE(fault->starts_with("denormal")) << bit;
     }
 }
 #elif defined(__aarch64__) && defined(__GNUC__) && !defined(__clang__)
-TEST(FloatEnvironment, that_takes_denormals_for_zero_is_told) {
+TEST(FloatEnvironment, reports_flushed_denormals) {
     constexpr unsigned kFlushToZero = 1u << 24;  // of the register FPCR
     const unsigned usual = __builtin_aarch64_get_fpcr();
     __builtin_aarch64_set_fpcr(usual | kFlushToZero);
     const auto fault = sim::float_environment_fault();
     __builtin_aarch64_set_fpcr(usual);
-    EXPECT_EQ(fault, "denormal numbers are taken for zero");
+    ASSERT_TRUE(fault);
+    EXPECT_TRUE(fault->starts_with("denormal"));
 }
 #endif
 

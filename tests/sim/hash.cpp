@@ -13,7 +13,7 @@ namespace {
 
 using support::Play;
 
-// A world in the middle of things.
+// A world in motion.
 struct World : Play {
     World() : Play(support::rough(16, 2, 21), support::lively(sim::Model::kBcreInertial)) { ticks(30); }
 };
@@ -41,7 +41,7 @@ TEST(StateHash, sees_the_signs_of_neighbours_and_of_zero) {
     play.state.velocity_y(4, 4) = 0.f;
     const std::uint64_t before = sim::state_hash(play.state);
     play.state.velocity_x(4, 4) = -1.5f;
-    play.state.velocity_x(5, 4) = -2.5f;  // what a word-wise FNV does not see
+    play.state.velocity_x(5, 4) = -2.5f;  // a word-wise FNV would miss it
     EXPECT_NE(sim::state_hash(play.state), before);
     play.state.velocity_x(4, 4) = 1.5f;
     play.state.velocity_x(5, 4) = 2.5f;
@@ -59,7 +59,7 @@ TEST(StateHash, sees_swapped_fields_and_rows) {
     EXPECT_NE(sim::state_hash(play.state), before);
 }
 
-TEST(StateHash, sees_tick_sources_and_seed_but_not_the_halo) {
+TEST(StateHash, includes_tick_commands_and_seed_but_not_the_halo) {
     World play;
     const std::uint64_t before = sim::state_hash(play.state);
     ++play.state.tick;
@@ -75,7 +75,7 @@ TEST(StateHash, sees_tick_sources_and_seed_but_not_the_halo) {
     EXPECT_EQ(sim::state_hash(play.state), before);
 }
 
-// What a person does on the way.
+// User input on the way.
 std::vector<sim::Command> hand_at(int tick) {
     if (tick == 20) return {support::pour_at(30, 40, 9, 60, 0.5)};
     if (tick != 90) return {};
@@ -89,7 +89,7 @@ std::uint64_t updated_hash(Play& play) {
     return sim::update_state_hash(play.state, play.engine.workers);
 }
 
-TEST(UpdatedStateHash, is_the_hash_from_scratch_at_every_tick_with_any_step_options) {
+TEST(UpdatedStateHash, equals_the_full_hash_at_every_tick_with_any_step_options) {
     const support::Ground ground = support::rough(130, 2, 5);
     for (const support::Physics& physics : support::kPhysics)
         for (const sim::StepOptions& options :
@@ -107,8 +107,8 @@ TEST(UpdatedStateHash, is_the_hash_from_scratch_at_every_tick_with_any_step_opti
         }
 }
 
-// The last sweep of what comes to rest may still change a velocity where no layer changes any more.
-TEST(UpdatedStateHash, is_the_hash_from_scratch_when_a_world_comes_to_rest_and_after) {
+// The last sweep before rest may still change a velocity where no layer changes.
+TEST(UpdatedStateHash, equals_the_full_hash_while_a_world_comes_to_rest_and_after) {
     for (const support::Physics& physics : support::kPhysics)
         for (unsigned seed = 1; seed <= 6; ++seed) {
             sim::Params params = support::lively(physics.model, physics.scheme);
@@ -129,14 +129,14 @@ TEST(UpdatedStateHash, computes_only_blocks_that_were_opened_for_writing) {
     const std::uint64_t before = updated_hash(play);
     play.state.tiles.wake(10, 11, 10, 11);
     const std::uint64_t known = play.state.block_hashes.moving.back() +=
-        1;  // seen only if it is not computed
+        1;  // seen only if it is not recomputed
     EXPECT_NE(updated_hash(play), before);
     EXPECT_EQ(play.state.block_hashes.moving.back(), known);
     play.state.tiles.wake(199, 199, 199, 199);
     EXPECT_EQ(updated_hash(play), before);
 }
 
-TEST(UpdatedStateHash, follows_a_world_back_in_time) {
+TEST(UpdatedStateHash, equals_the_earlier_hash_after_a_restore) {
     Play play(support::rough(70, 2, 5), support::lively(sim::Model::kBcreInertial));
     play.ticks(30);
     const std::uint64_t then = updated_hash(play);
@@ -147,7 +147,7 @@ TEST(UpdatedStateHash, follows_a_world_back_in_time) {
     EXPECT_EQ(updated_hash(play), then);
 }
 
-TEST(UpdatedStateHash, is_of_each_copy_of_a_state_its_own) {
+TEST(UpdatedStateHash, is_separate_for_each_copy_of_a_state) {
     Play one(support::rough(70, 2, 5), support::lively(sim::Model::kBcreInertial));
     one.ticks(10);
     updated_hash(one);

@@ -9,7 +9,8 @@
 #include "sim/world/state_hash.h"
 #include "tests/support/worlds.h"
 
-// Two materials in one world: none is lost, each moves by its own numbers, and a mixture by the blend.
+// Two materials in one world: nothing is lost, each moves by its own parameters, and a mixture by blended
+// ones.
 
 namespace {
 
@@ -22,7 +23,7 @@ using support::Physics;
 sim::Params upper_of(const Physics& physics) {
     return support::lively(physics.model, physics.scheme);
 }
-// Heavier, slower, and wants steeper ground.
+// Heavier, slower, stable on steeper ground.
 sim::Params lower_of(const Physics& physics) {
     sim::Params params = upper_of(physics);
     params.exchange_rate = 0.8f;
@@ -36,7 +37,7 @@ sim::Params lower_of(const Physics& physics) {
     return params;
 }
 
-// A rough valley of which the lower half of the cover is the other material.
+// A rough valley; the lower half of its erodible layer is the other material.
 Ground half_and_half(const Physics& physics, unsigned seed) {
     Ground ground = support::rough(29, 4, seed);
     ground.lower = lower_of(physics);
@@ -78,7 +79,7 @@ sim::Command command_of(std::mt19937& random, const sim::Grid& grid) {
     return support::of_its_kind(c);
 }
 
-TEST(Mixture, loses_nothing_and_stays_within_its_layers_whatever_is_done) {
+TEST(Mixture, conserves_mass_and_stays_within_its_layers_under_any_commands) {
     for (const Physics& physics : kPhysics)
         for (const auto border : {sim::Border::kWall, sim::Border::kOpen, sim::Border::kSink}) {
             Ground ground = half_and_half(physics, 7);
@@ -101,7 +102,7 @@ TEST(Mixture, loses_nothing_and_stays_within_its_layers_whatever_is_done) {
         }
 }
 
-// The layers of a world that is a mixture in name only.
+// Compares the layers of a mixture of one material with those of a plain world.
 void expect_layers(const sim::State& mixed, const sim::State& plain, const std::string& what) {
     ASSERT_TRUE(support::same_bits(mixed.depth, plain.depth)) << what;
     ASSERT_TRUE(support::same_bits(mixed.rolling, plain.rolling)) << what;
@@ -109,20 +110,21 @@ void expect_layers(const sim::State& mixed, const sim::State& plain, const std::
     ASSERT_TRUE(support::same_bits(mixed.velocity_y, plain.velocity_y)) << what;
 }
 
-TEST(Mixture, of_nothing_but_one_material_is_a_world_of_that_to_the_bit) {
+TEST(Mixture, of_one_material_is_bit_identical_to_a_plain_world) {
     for (const Physics& physics : kPhysics) {
         Ground ground = half_and_half(physics, 5);
-        std::fill(ground.rolling.begin(), ground.rolling.end(), 0.f);  // what rolls at first is the upper one
+        // initial rolling material is the upper one
+        std::fill(ground.rolling.begin(), ground.rolling.end(), 0.f);
         Ground single = ground;
         single.lower.reset();
         for (const bool lower : {false, true}) {
             sim::Params world = upper_of(physics);
-            world.max_speed = lower_of(physics).max_speed;  // as many sub-steps
+            world.max_speed = lower_of(physics).max_speed;  // to get the same number of sub-steps
             world.rolling_speed = lower_of(physics).rolling_speed;
             for (std::size_t i = 0; i < ground.depth.size(); ++i)
                 ground.lower_depth[i] = lower ? ground.depth[i] : 0;
             Play mixed(ground, world), alone(single, lower ? lower_of(physics) : world);
-            sim::Command blast;  // natural ground holds
+            sim::Command blast;  // because natural ground holds
             blast.kind = sim::CommandKind::kBlast, blast.x = 60, blast.y = 40, blast.radius = 30,
             blast.depth = 1;
             for (int tick = 0; tick < 60; ++tick) {
@@ -135,7 +137,7 @@ TEST(Mixture, of_nothing_but_one_material_is_a_world_of_that_to_the_bit) {
     }
 }
 
-TEST(Mixture, of_two_materials_of_the_same_numbers_moves_as_one) {
+TEST(Mixture, of_two_materials_with_equal_parameters_moves_as_one) {
     for (const Physics& physics : kPhysics) {
         Ground ground = half_and_half(physics, 9), single = ground;
         ground.lower = upper_of(physics);
@@ -150,7 +152,7 @@ TEST(Mixture, of_two_materials_of_the_same_numbers_moves_as_one) {
     }
 }
 
-TEST(Mixture, has_the_same_bits_with_any_number_of_threads_and_after_a_rewind) {
+TEST(Mixture, is_bit_identical_with_any_number_of_threads_and_after_a_rewind) {
     for (const Physics& physics : kPhysics) {
         const Ground ground = half_and_half(physics, 11);
         Play one(ground, upper_of(physics));
@@ -169,7 +171,7 @@ TEST(Mixture, has_the_same_bits_with_any_number_of_threads_and_after_a_rewind) {
     }
 }
 
-TEST(Mixture, shows_in_the_hash) {
+TEST(Mixture, is_part_of_the_hash) {
     const Ground ground = half_and_half(kPhysics[3], 13);
     Play play(ground, upper_of(kPhysics[3]));
     play.ticks(30);
@@ -184,8 +186,8 @@ TEST(Mixture, shows_in_the_hash) {
     EXPECT_EQ(sim::state_hash(play.state), hash);
 }
 
-// What is blasted loose is the cover while there is any, then what is under it.
-TEST(Mixture, gives_up_what_lies_above_first) {
+// A blast releases the upper material while there is any, then the lower one.
+TEST(Mixture, releases_the_upper_material_first) {
     Ground ground = support::plane(8, 2, 0, 3);
     ground.lower = lower_of(kPhysics[3]);
     for (float& depth : ground.lower_depth) depth = 2;
@@ -202,7 +204,7 @@ TEST(Mixture, gives_up_what_lies_above_first) {
     s.depth(4, 4) -= 1, s.rolling(4, 4) += 1;
     EXPECT_EQ(sim::share_in_rolling(sim::view(s), 4, 4), 0.5f);
 
-    // What comes to rest is mixed as it rolled, and lies above the untouched.
+    // Material that comes to rest keeps its mixture and lies above the untouched part.
     sim::stop_mixture(s, 4, 4, 0.5f);
     s.depth(4, 4) += 0.5f, s.rolling(4, 4) -= 0.5f;
     EXPECT_EQ(sim::share_at_surface(sim::view(s), 4, 4), 0.5f);
@@ -211,8 +213,9 @@ TEST(Mixture, gives_up_what_lies_above_first) {
     EXPECT_EQ(sim::share_in_rolling(sim::view(s), 4, 4), 0.5f);
 }
 
-// A film that gives a fraction of a quantum of the lower material per sub-step gives it in time.
-TEST(Mixture, is_carried_without_a_bias) {
+// A film that moves less than a quantum of the lower material per sub-step still moves the right amount over
+// time.
+TEST(Mixture, is_advected_without_bias) {
     Ground ground = support::plane(40, 2, 0.75, 0);
     ground.lower = upper_of(kPhysics[1]);
     Play play(ground, upper_of(kPhysics[1]));
@@ -228,7 +231,7 @@ TEST(Mixture, is_carried_without_a_bias) {
     EXPECT_NEAR(static_cast<double>(sim::share_in_rolling(sim::view(play.state), 20, 30)), 0.25, 0.005);
 }
 
-// Snow over soil on a slope that holds the soil: the slide takes the snow and leaves the soil bare.
+// Snow over soil on a slope that holds the soil: the slide entrains the snow and leaves the soil bare.
 TEST(Mixture, erodes_each_material_by_its_own_threshold) {
     sim::Params snow = upper_of(kPhysics[3]), soil = snow;
     snow.stop_slope = snow.stop_slope_thick = 0.3f, snow.erosion_slope = 0.5f, snow.start_slope = 0.9f;
@@ -249,7 +252,7 @@ TEST(Mixture, erodes_each_material_by_its_own_threshold) {
             soil_taken = std::max(soil_taken, 1 - play.state.mixture->untouched(x, y));
         }
     EXPECT_GT(bared, 200);
-    EXPECT_LT(soil_taken, 0.1f);  // but for what snow among the soil's blend takes
+    EXPECT_LT(soil_taken, 0.1f);  // except soil that erodes as part of a blend with snow
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 
 namespace {
 
-TEST(Exponential, is_right_to_three_in_ten_million) {
+TEST(Exponential, has_a_relative_error_below_3e_7) {
     for (double x = -80; x <= 80; x += 0.00737) {
         const auto argument = static_cast<float>(x);
         const double exact = std::exp(static_cast<double>(argument));
@@ -23,7 +23,7 @@ TEST(Exponential, is_right_to_three_in_ten_million) {
     EXPECT_EQ(sim::exp(-1e30f), sim::exp(-80.f));
 }
 
-TEST(Exponential, of_little_less_one_keeps_its_digits) {
+TEST(Exponential, minus_one_is_precise_for_small_arguments) {
     for (int i = -1000; i <= 1000; ++i) {
         const double x = i * sim::kExpm1Small / 1000;
         const double expm1 = static_cast<double>(sim::expm1_small(static_cast<float>(x)));
@@ -31,7 +31,7 @@ TEST(Exponential, of_little_less_one_keeps_its_digits) {
     }
 }
 
-TEST(Limiters, choose_as_in_the_books_and_lanes_have_the_bits_of_one_number) {
+TEST(Limiters, follow_their_definitions_and_lanes_are_bit_identical_to_scalars) {
     using Lanes = sim::stdx::native_simd<float>;
     constexpr float kTiny = std::numeric_limits<float>::denorm_min();
     const auto same = [](float one, const Lanes& many) {
@@ -51,7 +51,7 @@ TEST(Limiters, choose_as_in_the_books_and_lanes_have_the_bits_of_one_number) {
         }
 }
 
-TEST(Quanta, round_right_on_average_and_alike_for_both_signs) {
+TEST(Quanta, round_without_bias_and_symmetrically) {
     const auto rounded = [](float metres, float dither) {
         return sim::with_its_sign(metres, [&](float size) { return sim::in_quanta<float>(size, dither); });
     };
@@ -73,7 +73,7 @@ TEST(Quanta, round_right_on_average_and_alike_for_both_signs) {
     EXPECT_NEAR(sum / kSubsteps / static_cast<double>(sim::kQuantum), 3.3, 1e-3);
 }
 
-TEST(Params, defaults_are_sound_and_every_number_out_of_range_is_named) {
+TEST(Params, defaults_are_valid_and_every_number_out_of_range_is_named) {
     ASSERT_FALSE(sim::fault_of(sim::Params{}));
     for (const sim::ParamInfo& info : sim::kParams)
         for (const float bad :
@@ -98,7 +98,7 @@ TEST(Params, thresholds_must_keep_their_order) {
     EXPECT_TRUE(sim::fault_of(params));
 }
 
-TEST(Params, substeps_keep_the_fastest_grain_within_its_courant_number) {
+TEST(Params, substeps_respect_the_courant_number) {
     for (const float dx : {0.5f, 2.f, 12.5f, 100.f}) {
         sim::Params params;
         params.max_speed = 45;
@@ -108,7 +108,7 @@ TEST(Params, substeps_keep_the_fastest_grain_within_its_courant_number) {
     }
 }
 
-TEST(Params, names_go_there_and_back) {
+TEST(Params, names_round_trip) {
     for (const auto model : {sim::Model::kBcre, sim::Model::kBcreInertial})
         EXPECT_EQ(sim::model_from(sim::to_string(model)), model);
     for (const auto scheme :

@@ -10,7 +10,7 @@
 #include "sim/world/quanta.h"
 #include "tests/support/worlds.h"
 
-// Each stage against one cell worked out by hand.
+// Each stage against one cell computed by hand.
 
 namespace {
 
@@ -20,7 +20,7 @@ using support::Play;
 
 constexpr sim::Substep<float> kHalfQuantum{0.02f, 0.5f};  // rounds to nearest
 
-// A sub-step of `bcre` on a world; what its stages wrote stands in scratch.
+// Runs a sub-step of `bcre` on a world; the results of its stages are in scratch.
 struct Stages {
     Play play;
     sim::Scratch<float>& scratch;
@@ -54,7 +54,7 @@ sim::inertial::StageRows<float> stage_rows_of(Play& play) {
     return w;
 }
 
-// A flux in whole quanta is less than one away from what it should be.
+// A flux in whole quanta differs from the exact one by less than one quantum.
 constexpr double kRounded = 8e-6;
 
 TEST(Velocity, of_law_C_has_one_speed_down_the_slope) {
@@ -67,13 +67,13 @@ TEST(Velocity, of_law_C_has_one_speed_down_the_slope) {
     EXPECT_NEAR(stages.play.state.velocity_y(2, 2), 5 * -0.8, 1e-5);
 }
 
-TEST(Velocity, of_bcre_is_nowhere_where_nothing_rolls) {
+TEST(Velocity, of_bcre_is_zero_without_a_rolling_layer) {
     Stages stages(support::plane(4, 2, 0.5, 1), lively(Model::kBcre));
     stages.find_velocity();
     EXPECT_EQ(stages.play.state.velocity_y(2, 2), 0);
 }
 
-TEST(Velocity, of_the_laws_slope_and_shear_grows_with_them_up_to_the_greatest) {
+TEST(Velocity, of_the_laws_slope_and_shear_grows_up_to_the_greatest) {
     support::Ground ground({5, 5, 2});
     ground.set(ground.bedrock, [](double x, double y) { return -0.3 * x + 0.4 * y; });
     ground.set(ground.rolling, [](double, double) { return 0.5; });
@@ -95,7 +95,7 @@ TEST(Velocity, of_the_laws_slope_and_shear_grows_with_them_up_to_the_greatest) {
     EXPECT_NEAR(speed(sim::Law::kShear, 6), 6, 1e-5);
 }
 
-TEST(Velocity, of_the_inertial_model_relaxes_toward_the_terminal_one_for_half_of_a_sub_step) {
+TEST(Velocity, of_the_inertial_model_relaxes_toward_the_terminal_one_for_half_a_sub_step) {
     support::Ground ground({5, 5, 2});
     ground.set(ground.bedrock, [](double x, double y) { return -0.3 * x + 0.4 * y; });
     ground.set(ground.rolling, [](double, double) { return 0.3; });
@@ -158,7 +158,7 @@ TEST(Fluxes, of_muscl_take_layer_and_velocity_at_the_face) {
     EXPECT_EQ(stages.fields.flux_y(2, 2), 0);
 }
 
-TEST(Fluxes, of_muscl_to_all_sides_are_no_more_than_the_layers_say) {
+TEST(Fluxes, of_muscl_are_at_most_the_bound_from_the_layers) {
     constexpr int kSide = 12;
     constexpr sim::Span kAll{0, kSide};
     std::mt19937 random(5);
@@ -192,7 +192,7 @@ TEST(Fluxes, of_muscl_to_all_sides_are_no_more_than_the_layers_say) {
                 if (bound > 0) most = std::max(most, all / bound);
             }
     }
-    EXPECT_GT(most, 0.7f);  // nor is it far from what there can be
+    EXPECT_GT(most, 0.7f);  // the bound is not far from what can occur
 }
 
 TEST(Fluxes, never_take_more_than_a_vertex_has) {
@@ -200,13 +200,13 @@ TEST(Fluxes, never_take_more_than_a_vertex_has) {
     for (const auto scheme :
          {sim::Scheme::kLaxFriedrichs, sim::Scheme::kLocalLaxFriedrichs, sim::Scheme::kMuscl}) {
         support::Ground ground = support::rough(20, 1, 9);
-        // Films of a few quanta too, on peaks and pits, at the greatest Courant number there is.
+        // Include films of a few quanta, on peaks and in pits, at the greatest Courant number.
         ground.set(ground.rolling, [&](double, double) {
             return random() % 2 ? static_cast<double>(random() % 40) * static_cast<double>(sim::kQuantum)
                                 : static_cast<double>(random() % 1000) * 1e-3;
         });
         sim::Params params = lively(Model::kBcre, scheme);
-        params.rolling_speed = 25;  // half a cell in a sub-step
+        params.rolling_speed = 25;  // half a cell per sub-step
         params.exchange_rate = 0;
         params.start_slope = 10;
         params.freeze_depth = 0;
@@ -229,7 +229,7 @@ TEST(Fluxes, never_take_more_than_a_vertex_has) {
     }
 }
 
-TEST(LowerSlope, looks_at_lower_neighbours_only_and_sees_a_checkerboard) {
+TEST(LowerSlope, uses_only_lower_neighbours_and_sees_a_checkerboard) {
     support::Ground ground({5, 5, 2});
     ground.bedrock[ground.at(2, 2)] = 1;
     Stages stages(ground, lively(Model::kBcre));
@@ -238,7 +238,7 @@ TEST(LowerSlope, looks_at_lower_neighbours_only_and_sees_a_checkerboard) {
     EXPECT_EQ(stages.u0.slope_dx(1, 2), 0);  // beside it only a higher one
 }
 
-TEST(Exchange, grows_and_decays_as_the_exponential) {
+TEST(Exchange, grows_and_decays_exponentially) {
     support::Ground ground = support::plane(6, 2, 0.8, 3);
     ground.set(ground.rolling, [](double, double) { return 0.05; });
     Stages stages(ground, lively(Model::kBcre));
@@ -328,7 +328,7 @@ void find_exchange(const sim::inertial::StageRows<float>& w, sim::inertial::Stat
         sim::along<float>({0, 5}, sim::inertial::find_exchange<float>(w, u, u.exchanged, y));
 }
 
-// A stage of the exchange alone, on what rolls with `speed`; where it leads stands in scratch.
+// Runs a stage of the exchange alone on material that moves at `speed`; the result is in scratch.
 void exchange_stage(Play& play, float speed) {
     play.state.velocity_y.fill(speed);
     auto w = stage_rows_of(play);
@@ -373,7 +373,7 @@ TEST(InertialExchange, erodes_smoothly_from_the_erosion_depth_on_and_from_rest) 
     }
 }
 
-// Slopes toward the lower neighbours, then yield.
+// Finds the slopes toward lower neighbours, then yields.
 void yield_stage(Play& play) {
     auto w = stage_rows_of(play);
     w.u1.depth = w.u0.depth, w.u1.rolling = w.u0.rolling;  // the slopes of what is
@@ -381,7 +381,7 @@ void yield_stage(Play& play) {
     for (int y = 0; y < 5; ++y) sim::along<float>({0, 5}, sim::inertial::yield<float>(w, w.u0, y, 5));
 }
 
-TEST(Yield, starts_above_the_start_slope_and_freezes_what_is_thin_and_slow) {
+TEST(Yield, starts_above_the_start_slope_and_freezes_thin_slow_layers) {
     sim::Params params = lively(Model::kBcreInertial);
     params.anchor_gain = params.anchor_margin = params.anchor_step = 0;
     Play play(support::plane(4, 2, 0.75, 1), params, {.plain = true});  // start .7
@@ -398,7 +398,7 @@ TEST(Yield, starts_above_the_start_slope_and_freezes_what_is_thin_and_slow) {
     }
 }
 
-TEST(Yield, starts_what_lies_loose_on_natural_ground_above_the_erosion_slope_and_not_the_ground) {
+TEST(Yield, starts_loose_material_above_the_erosion_slope_but_not_natural_ground) {
     const sim::Params params = lively(Model::kBcreInertial);
     for (const double tangent : {0.5, 0.6}) {  // erosion .55, start .7
         Play play(support::plane(4, 2, tangent, 1), params, {.plain = true});
@@ -410,13 +410,13 @@ TEST(Yield, starts_what_lies_loose_on_natural_ground_above_the_erosion_slope_and
     }
 }
 
-TEST(Yield, of_bcre_starts_above_the_start_slope_whatever_the_ground_was) {
+TEST(Yield, of_bcre_starts_above_the_start_slope_on_any_ground) {
     Stages stages(support::plane(4, 2, 0.75, 1), lively(Model::kBcre));  // start .7
     stages.substep();
     EXPECT_NEAR(stages.play.state.rolling(2, 2), stages.play.state.params.start_depth, 1e-5);
 }
 
-TEST(Yield, holds_natural_ground_that_is_steep_from_the_first) {
+TEST(Yield, holds_natural_ground_that_is_initially_steep) {
     const support::Ground steep = support::plane(20, 2, 1.1, 1);
     Play anchored(steep, lively(Model::kBcreInertial));
     anchored.ticks(60);

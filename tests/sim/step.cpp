@@ -18,7 +18,7 @@ using support::lively;
 using support::Physics;
 using support::Play;
 
-// Commands of all kinds, anywhere in and around the world.
+// Commands of all kinds, in and around the world.
 std::vector<sim::Command> any_commands(std::mt19937& random, double extent) {
     const auto within = [&](double least, double most) {
         return least + (most - least) * static_cast<double>(random()) / 4294967296.0;
@@ -41,7 +41,7 @@ std::vector<sim::Command> any_commands(std::mt19937& random, double extent) {
     return commands;
 }
 
-// Some number of the physics set to anywhere in its range, as long as the thresholds keep their order.
+// Sets a random parameter anywhere in its range, while the thresholds keep their order.
 sim::Command any_number(std::mt19937& random, const sim::Params& now) {
     for (;;) {
         sim::Command set;
@@ -65,7 +65,7 @@ TEST(Step, keeps_a_pile_between_its_thresholds_bit_identical) {
     }
 }
 
-TEST(Step, lets_a_pile_above_its_start_slope_slide_and_comes_to_rest_near_the_stop_slope) {
+TEST(Step, slides_a_pile_above_its_start_slope_to_rest_near_the_stop_slope) {
     for (const Physics& p : {kPhysics[1], kPhysics[2], kPhysics[3]}) {
         sim::Params params = lively(p.model, p.scheme);
         params.anchor_gain = params.anchor_margin = params.anchor_step = 0;  // a heap, not natural ground
@@ -75,15 +75,15 @@ TEST(Step, lets_a_pile_above_its_start_slope_slide_and_comes_to_rest_near_the_st
             play.ticks(60);
         EXPECT_TRUE(sim::at_rest(play.state)) << p.name();
         EXPECT_LT(play.state.depth(30, 30), top - 1) << p.name();
-        // From 10 m to 4 m beside the middle no side is steeper than what starts, nor all of it gentler than
-        // what stops.
+        // From 10 m to 4 m beside the middle no side is steeper than the start slope, nor is all of it much
+        // gentler than the stop slope.
         const float fall = play.state.depth(34, 30) - play.state.depth(40, 30);
         EXPECT_GT(fall / 6, 0.2f) << p.name();
         EXPECT_LT(fall / 6, params.start_slope) << p.name();
     }
 }
 
-TEST(Step, conserves_mass_to_the_quantum_whatever_is_done) {
+TEST(Step, conserves_mass_to_the_quantum_under_any_commands) {
     for (const Physics& p : kPhysics)
         for (const auto border : {sim::Border::kWall, sim::Border::kOpen, sim::Border::kSink}) {
             sim::Params params = lively(p.model, p.scheme);
@@ -102,7 +102,7 @@ TEST(Step, conserves_mass_to_the_quantum_whatever_is_done) {
         }
 }
 
-TEST(Step, stays_finite_and_conserves_mass_under_any_numbers_that_its_ranges_allow) {
+TEST(Step, stays_finite_and_conserves_mass_with_any_parameters_in_range) {
     for (const Physics& p : kPhysics) {
         Play play(support::rough(16, 2, 11), lively(p.model, p.scheme));
         std::mt19937 random(3);
@@ -125,7 +125,7 @@ TEST(Step, stays_finite_and_conserves_mass_under_any_numbers_that_its_ranges_all
     }
 }
 
-TEST(Step, never_makes_a_negative_depth_or_a_value_that_is_not_finite) {
+TEST(Step, never_makes_a_depth_negative_or_a_speed_too_high) {
     for (const Physics& p : kPhysics) {
         Play play(support::rough(24, 2, 3), lively(p.model, p.scheme));
         std::mt19937 random(5);
@@ -143,7 +143,7 @@ TEST(Step, never_makes_a_negative_depth_or_a_value_that_is_not_finite) {
     }
 }
 
-TEST(Step, gives_the_same_bits_with_any_number_of_threads) {
+TEST(Step, is_bit_identical_with_any_number_of_threads) {
     for (const Physics& p : kPhysics) {
         Play one(support::rough(40, 2, 11), lively(p.model, p.scheme));
         one.ticks(200);
@@ -155,7 +155,7 @@ TEST(Step, gives_the_same_bits_with_any_number_of_threads) {
     }
 }
 
-TEST(Step, goes_on_from_a_snapshot_to_the_same_bits) {
+TEST(Step, continues_bit_identically_from_a_snapshot) {
     Play play(support::rough(30, 2, 2), lively(Model::kBcreInertial));
     const sim::Command pour = support::pour_at(30, 10, 6, 40, 2);
     play.ticks(30, {&pour, 1});  // taken while a source runs
@@ -171,7 +171,7 @@ TEST(Step, goes_on_from_a_snapshot_to_the_same_bits) {
 TEST(Step, brings_a_deep_layer_to_its_terminal_speed_on_a_plane) {
     sim::Params params = lively(Model::kBcreInertial);
     params.half_speed_depth = 1e-4f;
-    params.erosion_slope = 5;  // nothing to erode, nothing to deposit: transport alone
+    params.erosion_slope = 5;  // nothing erodes or deposits: transport alone
     support::Ground ground = support::plane(60, 2, 0.6);
     ground.set(ground.rolling, [](double, double) { return 0.5; });
     Play play(ground, params);
@@ -192,13 +192,14 @@ TEST(Step, spreads_a_resting_layer_with_lax_friedrichs_and_not_with_the_local_sc
         Play play(ground, params);
         play.ticks(1);
         if (scheme == Scheme::kLaxFriedrichs)
-            EXPECT_NEAR(play.state.rolling(11, 10) + play.state.depth(11, 10), 0.25f, 1e-4f);  // one of four
+            // one of four neighbours
+            EXPECT_NEAR(play.state.rolling(11, 10) + play.state.depth(11, 10), 0.25f, 1e-4f);
         else
             EXPECT_EQ(play.state.rolling(11, 10) + play.state.depth(11, 10), 0);
     }
 }
 
-TEST(Step, carries_a_film_whose_flux_is_less_than_a_quantum_per_step) {
+TEST(Step, transports_a_film_whose_flux_is_less_than_a_quantum_per_step) {
     sim::Params params = lively(Model::kBcre);
     params.rolling_speed = 0.5f;
     params.exchange_rate = 0;
@@ -209,12 +210,13 @@ TEST(Step, carries_a_film_whose_flux_is_less_than_a_quantum_per_step) {
     const double flux = 0.005 * 0.5 / 30 / 60;  // m per tick
     ASSERT_LT(flux, static_cast<double>(sim::kQuantum) / 2);
     play.ticks(6000);
-    // Thinner than the freeze depth as it arrives, it joins the standing layer. The donor empties meanwhile.
+    // On arrival it is thinner than the freeze depth and joins the standing layer. Meanwhile the donor
+    // empties.
     const double arrived = static_cast<double>(play.state.rolling(10, 6) + play.state.depth(10, 6));
     EXPECT_NEAR(arrived, 0.005 * (1 - std::exp(-0.5 * 100 / 30)), 1e-4);
 }
 
-TEST(Borders, wall_keeps_everything_in_and_open_and_sink_let_it_out) {
+TEST(Borders, wall_keeps_material_in_and_open_and_sink_let_it_out) {
     for (const Physics& p : kPhysics)
         for (const auto border : {sim::Border::kWall, sim::Border::kOpen, sim::Border::kSink}) {
             sim::Params params = lively(p.model, p.scheme);
@@ -230,7 +232,7 @@ TEST(Borders, wall_keeps_everything_in_and_open_and_sink_let_it_out) {
         }
 }
 
-TEST(Borders, no_data_swallows_what_reaches_it) {
+TEST(Borders, no_data_removes_material_that_reaches_it) {
     sim::Params params = lively(Model::kBcreInertial);
     params.borders.fill(sim::Border::kWall);
     support::Ground ground = support::plane(20, 2, 0.8);

@@ -7,8 +7,8 @@
 #include "sim/world/state_hash.h"
 #include "tests/support/worlds.h"
 
-// The sweep does what the plain step does, to the bit: with every instruction set that this machine has, with
-// any number of threads, whatever the tiles, asleep or not.
+// The sweep is bit-identical to the plain step, with every instruction set of this machine, any number of
+// threads, any tile size, and with or without sleeping tiles.
 
 namespace {
 
@@ -18,7 +18,7 @@ using support::kPhysics;
 using support::Physics;
 using support::Play;
 
-// All ways of reckoning that there are here.
+// All step options that apply on this machine.
 std::vector<StepOptions> ways() {
     std::vector<StepOptions> all;
     for (const auto set : sim::kInstructionSets)
@@ -27,7 +27,7 @@ std::vector<StepOptions> ways() {
     all.push_back({.threads = 8, .tile_width = 32, .tile_height = 1});
     all.push_back({.tile_width = 32, .tile_height = 2});
     all.push_back({.threads = 5, .tile_width = 32, .tile_height = 9});
-    // Jobs that end, and that begin, just so far from a border that it is the last row which they look at.
+    // Jobs that end or begin so near a border that it is the last row they read.
     all.push_back({.threads = 3, .tile_width = 32, .tile_height = 20});
     all.push_back({.threads = 10, .tile_width = 32, .tile_height = 5});
     all.push_back({.tile_width = 128, .tile_height = 200});
@@ -41,7 +41,7 @@ std::string name_of(const StepOptions& options) {
            std::to_string(options.tile_height);
 }
 
-// Steps worlds of all ways beside a plain one and compares them at each tick.
+// Steps worlds with all options next to a plain one and compares them at each tick.
 void expect_same(const support::Ground& ground, const sim::Params& params, int ticks,
                  const std::function<std::vector<sim::Command>(int tick)>& commands,
                  const std::string& what) {
@@ -115,7 +115,7 @@ TEST(Sweep, is_the_plain_step_to_the_bit_under_any_hand_while_most_of_the_world_
     }
 }
 
-TEST(Sweep, lets_what_is_at_rest_sleep) {
+TEST(Sweep, lets_tiles_at_rest_sleep) {
     Play play(support::plane(150, 2, 0.62, 2), support::lively(sim::Model::kBcre));
     const auto awake = [&] {
         return std::count(play.state.tiles.awake.begin(), play.state.tiles.awake.end(), 1);
@@ -128,7 +128,7 @@ TEST(Sweep, lets_what_is_at_rest_sleep) {
     EXPECT_EQ(awake(), 1);
 }
 
-TEST(Sweep, opens_all_tiles_in_each_tick_where_tiles_may_not_sleep) {
+TEST(Sweep, opens_all_tiles_in_each_tick_if_tiles_may_not_sleep) {
     Play play(support::plane(150, 2, 0.62, 2), support::lively(sim::Model::kBcre),
               {.tiles_may_sleep = false});
     for (int tick = 0; tick < 3; ++tick) {
@@ -140,8 +140,8 @@ TEST(Sweep, opens_all_tiles_in_each_tick_where_tiles_may_not_sleep) {
     }
 }
 
-// Tiles are 64 by 32 vertices, which lie 2 m apart.
-TEST(Sweep, wakes_only_the_tiles_that_what_rolls_is_near) {
+// Tiles are 64 by 32 vertices, 2 m apart.
+TEST(Sweep, wakes_only_tiles_near_the_rolling_layer) {
     const auto awake_after_pouring_at = [](double x, double y) {
         Play play(support::plane(150, 2, 0.62, 2), support::lively(sim::Model::kBcre));
         play.ticks(1);

@@ -2,15 +2,15 @@
 
 #include "tests/support/worlds.h"
 
-// A turned or mirrored world does the turned or mirrored thing, to the bit: no direction of the grid is
-// favoured by the order of operations.
+// A turned or mirrored world evolves as the turned or mirrored original, bit-identical: the order of
+// operations favours no direction of the grid.
 
 namespace {
 
 using support::Ground;
 using support::Play;
 
-// Where vertex (x, y) of a square world comes from.
+// The source of vertex (x, y) in a square world.
 using Turn = std::pair<int, int> (*)(int x, int y, int last);
 
 Ground turned(const Ground& ground, Turn turn) {
@@ -38,7 +38,7 @@ Ground square_rough(unsigned seed) {
     return square;
 }
 
-TEST(Symmetry, mirrored_transposed_and_turned_worlds_stay_so_to_the_bit) {
+TEST(Symmetry, mirrored_transposed_and_turned_worlds_evolve_bit_identically) {
     const std::pair<const char*, Turn> turns[] = {
         {"mirrored", [](int x, int y, int last) { return std::pair(last - x, y); }},
         {"transposed", [](int x, int y, int) { return std::pair(y, x); }},

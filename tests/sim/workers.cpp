@@ -6,7 +6,7 @@
 
 namespace {
 
-TEST(Workers, give_every_row_to_exactly_one_thread_however_few_rows_there_are) {
+TEST(Workers, give_every_row_to_exactly_one_thread_for_any_number_of_rows) {
     for (const int threads : {1, 2, 3, 8})
         for (const int rows : {1, 2, 7, 161}) {
             sim::Workers workers(threads);
