@@ -42,7 +42,7 @@ class Playing : public testing::Test {
         frames(1);
     }
 
-    // Over the slope in the middle of the picture, clear of panels.
+    // On the slope in the middle of the image, clear of panels.
     void point_at_slope() {
         screen_.move(kAtX, kAtY);
         frames(1);
@@ -65,7 +65,7 @@ class Playing : public testing::Test {
         return notices.size() == 0 ? "" : notices[notices.size() - 1].sentence;
     }
 
-    // Ends the session and plays its recording again: to the same hash?
+    // Ends the session, replays its recording and compares the hash.
     void expect_recording_replays() {
         const StateLine live = line();
         ASSERT_TRUE(app_->finish());
@@ -116,9 +116,9 @@ TEST_F(Playing, pours_by_holding_and_dragging_and_the_recording_replays_to_the_s
 
 TEST_F(Playing, shows_what_the_hand_does_within_two_frames) {
     begin();
-    tap(Key::kTab);  // no clock that ticks in the picture
+    tap(Key::kTab);  // hides the clock
     point_at_slope();
-    frames(1000);  // and no notice that fades
+    frames(1000);  // until no notice is fading
     const auto before = screen_.picture().pixels;
     frames(2);
     ASSERT_EQ(screen_.picture().pixels, before) << "something else moves";
@@ -140,14 +140,14 @@ TEST_F(Playing, allocates_nothing_in_a_frame_once_it_has_played_for_a_while) {
     screen_.press(Button::kLeft);
     frames(80);
     ASSERT_GT(mass().poured, 0);
-    // Pouring, recording, four panels open: what frames do all the time.
+    // Pouring, recording, four panels open: the usual work of a frame.
     int without = 0;
     for (int i = 0; i < 60; ++i) {
         screen_.move(640 + i % 7, 330);
         const std::int64_t before = support::allocations();
         const std::size_t keyframes = app_->sandbox().keyframes().count();
         ASSERT_TRUE(app_->frame());
-        if (app_->sandbox().keyframes().count() != keyframes) continue;  // a moment was kept
+        if (app_->sandbox().keyframes().count() != keyframes) continue;  // a keyframe was stored
         ++without;
         ASSERT_EQ(support::allocations() - before, 0) << i;
     }
@@ -174,7 +174,7 @@ TEST_F(Playing, settles_what_rolls_with_an_inverted_blast) {
     stroke(20);
     ASSERT_GT(mass().rolling, 0);
     tap(key('3'));
-    for (int i = 0; i < 8; ++i) tap(Key::kRightBracket);  // larger than what was poured
+    for (int i = 0; i < 8; ++i) tap(Key::kRightBracket);  // larger than the poured heap
     const auto before = mass().rolling;
     stroke(1, {.control = true});
     EXPECT_LT(mass().rolling, before / 2);
@@ -192,10 +192,10 @@ TEST_F(Playing, undoes_to_the_bit_and_plays_on) {
     stroke(25);
     frames(20);
     ASSERT_EQ(app_->sandbox().actions(), 2u);
-    tap(Key::kSpace);  // so that no tick follows the undo at once
+    tap(Key::kSpace);  // so that no tick follows the undo immediately
     tap(key('Z'), {.control = true});
     EXPECT_EQ(app_->sandbox().actions(), 1u);
-    // To just before the stroke: the ticks between the pause and its first command stay done.
+    // To just before the stroke: ticks between the pause and its first command remain.
     const StateLine after = line();
     EXPECT_LE(after.tick - before.tick, 4);
     EXPECT_EQ(after.ledger.poured, before.ledger.poured);
@@ -210,7 +210,7 @@ TEST_F(Playing, undoes_to_the_bit_and_plays_on) {
             due.push_back(recording.commands[next].command);
         ASSERT_TRUE(again->tick(due));
     }
-    EXPECT_EQ(again->session().state_line(), after);  // to the bit
+    EXPECT_EQ(again->session().state_line(), after);  // bit-identical
     EXPECT_NE(last_notice().find("Undone: pour"), std::string::npos) << last_notice();
     tap(Key::kSpace);
     frames(10);
@@ -287,7 +287,7 @@ TEST_F(Playing, begins_anew_with_the_same_first_hash_and_another_file) {
     begin();
     tap(Key::kSpace);
     tap(key('R'), {.control = true});
-    const auto fresh = line().hash;  // paused: of tick 0
+    const auto fresh = line().hash;  // paused at tick 0
     tap(Key::kSpace);
     stroke(20);
     tap(Key::kSpace);
@@ -385,7 +385,7 @@ TEST_F(Playing, goes_back_and_forth_and_takes_over_its_own_past) {
     stroke(3);
     EXPECT_NE(last_notice().find("Hands off"), std::string::npos) << last_notice();
     tap(Key::kPeriod);
-    EXPECT_EQ(line(), present) << "to the present, as it was";
+    EXPECT_EQ(line(), present) << "back to the unchanged present";
 
     tap(Key::kBackspace);
     frames(20);
@@ -400,7 +400,7 @@ TEST_F(Playing, goes_back_and_forth_and_takes_over_its_own_past) {
     EXPECT_NEAR(static_cast<double>(app_->sandbox().known_until()), static_cast<double>(then), 3);
     stroke(10);
     expect_recording_replays();
-    EXPECT_EQ(read_recording(first).value().last_tick(), present.tick) << "what was given up is kept";
+    EXPECT_EQ(read_recording(first).value().last_tick(), present.tick) << "the abandoned part is kept";
 }
 
 TEST_F(Playing, runs_back_to_the_beginning_and_stands_there) {

@@ -25,7 +25,7 @@ World hill() {
 
 template <class T>
 bool same_bits(const sim::Field<T>& a, const sim::Field<T>& b) {
-    const auto size = sizeof(T) * static_cast<std::size_t>(a.nx() + 2);  // halo and all
+    const auto size = sizeof(T) * static_cast<std::size_t>(a.nx() + 2);  // with halo
     for (int y = -1; y <= a.ny(); ++y)
         if (std::memcmp(a.row(y) - 1, b.row(y) - 1, size) != 0) return false;
     return true;
@@ -47,7 +47,7 @@ TEST_F(Gl, sees_new_bedrock_at_the_address_of_the_old) {
     const Picture before = draw(world, camera, Light(), Look());
     for (int x = 10; x < 20; ++x) world.bedrock(x, 10) += 30;
     const Picture after = draw(world, camera, Light(), Look());
-    SetUp();  // a renderer that never saw the old bedrock
+    SetUp();  // a renderer that has not seen the old bedrock
     EXPECT_NE(before.pixels, after.pixels);
     EXPECT_EQ(draw(world, camera, Light(), Look()).pixels, after.pixels);
 }

@@ -22,7 +22,7 @@ Marks with_contours() {
     return marks;
 }
 
-// Where a place is seen, pixels from the left and the top.
+// Position of a point in the image, pixels from the left and the top.
 glm::dvec2 seen_at(const Camera& camera, glm::dvec3 at) {
     const glm::dvec4 clip = projection_matrix(camera, 1) * view_matrix(camera) * glm::dvec4(at, 1);
     return glm::dvec2(0.5 + 0.5 * clip.x / clip.w, 0.5 - 0.5 * clip.y / clip.w) * static_cast<double>(kSize);
@@ -39,7 +39,7 @@ class MarksOnGround : public Gl {
     }
 };
 
-// A plane that rises to the north at 40° from a height of 1203.7 m, and a camera that sees it slantwise.
+// A plane that rises to the north at 40° from a height of 1203.7 m, and a camera that views it obliquely.
 struct Slope {
     World world =
         make_world(40, 4, [](double, double y) { return std::tan(40 * std::numbers::pi / 180) * y; });
@@ -83,7 +83,7 @@ TEST_F(MarksOnGround, ring_leaves_everything_beside_it_as_it_is_pixel_for_pixel)
     EXPECT_EQ(plain.pixels, ringed.pixels);
 }
 
-// Pixels of a line across the ring's rim that are more of its colour than not.
+// Pixels of a line across the ring's edge that have mostly its colour.
 int width_of_rim(const Picture& picture) {
     int width = 0;
     for (int x = kSize / 2 + 10; x < kSize; ++x) {
@@ -123,15 +123,16 @@ TEST_F(MarksOnGround, contours_lie_at_whole_multiples_of_the_interval_above_the_
     world.datum = 1203.7;
     const Camera camera = from_above({80, 80, world.datum + 40}, 40);
     const Picture plain = shot(world, camera, {}), lined = shot(world, camera, with_contours());
-    const auto darker = [&](double height) {  // the most of three rows, for a line may fall between two
-        const glm::dvec2 at = seen_at(camera, {80, 2 * (height - world.datum), height});
-        double most = 0;
-        for (int row = -1; row <= 1; ++row) {
-            const glm::dvec2 there = at + glm::dvec2(0, row);
-            most = std::max(most, pixel(plain, there)[1] - pixel(lined, there)[1]);
-        }
-        return most;
-    };
+    const auto darker =
+        [&](double height) {  // maximum of three rows: a line may fall between two
+            const glm::dvec2 at = seen_at(camera, {80, 2 * (height - world.datum), height});
+            double most = 0;
+            for (int row = -1; row <= 1; ++row) {
+                const glm::dvec2 there = at + glm::dvec2(0, row);
+                most = std::max(most, pixel(plain, there)[1] - pixel(lined, there)[1]);
+            }
+            return most;
+        };
     for (int height = 1236; height <= 1252; height += 2) {
         EXPECT_GT(darker(height), 15) << height;
         EXPECT_EQ(darker(height + 1), 0) << height;

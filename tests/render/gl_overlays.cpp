@@ -37,7 +37,7 @@ class Overlays : public Gl {
         return mean_colour(shot(world, overlay, light), 48, 48, 10);
     }
 
-    // A field of level ground set to each value of the overlay's legend and to those midway between.
+    // Level ground with each value of the overlay's legend and the values midway between.
     void expect_colours_of_the_legend(Overlay overlay, World& world, sim::Field<float>& field) {
         const auto stops = legend_of(overlay).stops;
         for (std::size_t i = 0; i < stops.size(); ++i) {
@@ -56,7 +56,7 @@ class Overlays : public Gl {
 TEST_F(Overlays, of_slope_has_the_colour_of_the_class_from_edge_to_edge) {
     for (const LegendStop& stop : legend_of(Overlay::kSlope).stops) {
         for (const double slope_deg : {stop.value + 0.3, stop.value + 4.7}) {
-            // From the south and so high that the slope gets as much sun as level ground.
+            // From the south and so steeply lit that the slope receives as much sun as level ground.
             const Light light{180, 90 - slope_deg / 2};
             EXPECT_LT(colour_distance(middle(tilted(slope_deg), Overlay::kSlope, light), of_legend(stop)), 5)
                 << slope_deg;

@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The shipped assets with one shader changed: after line `line` stands `text`.
+// The shipped assets with one shader changed: `text` is inserted after line `line`.
 class Shaders : public Gl {
   protected:
     void SetUp() override {

@@ -6,7 +6,7 @@
 #include "tests/support/allocations.h"
 #include "tests/support/places.h"
 
-// What a window asks of one frame after the other.
+// Successive frames, as a window draws them.
 namespace render::test {
 namespace {
 
@@ -28,7 +28,7 @@ TEST_F(Gl, allocates_nothing_and_makes_no_object_in_a_running_frame) {
     World world = covered_hill();
     Camera camera = overview(world.view());
     const auto frame = [&](int i) {
-        world.rolling(20 + i, 20) = 1;  // the world goes on
+        world.rolling(20 + i, 20) = 1;  // the simulation continues
         camera.azimuth_deg += 1;
         const Marks marks = i % 3 == 0 ? Marks() : all_marks(i % 3 == 1 ? Overlay::kNone : Overlay::kSpeed);
         renderer_->draw(world.view(), camera, Light(), Look(), marks, 160, 90);
@@ -45,11 +45,11 @@ TEST_F(Gl, allocates_nothing_and_makes_no_object_in_a_running_frame) {
     EXPECT_EQ(support::allocations_of_all_threads(), before);
     EXPECT_EQ(gl_objects, 0);
 
-    // The same counters see a frame of another size, and a plain allocation.
+    // The same counters detect a frame of another size, and a plain allocation.
     renderer_->draw(world.view(), camera, Light(), Look(), {}, 100, 60);
     EXPECT_GE(gl_objects, 4);
     const std::int64_t after = support::allocations_of_all_threads();
-    operator delete(operator new(8));  // a new expression may be left out by the compiler
+    operator delete(operator new(8));  // the compiler may omit a new expression
     EXPECT_EQ(support::allocations_of_all_threads(), after + 1);
 }
 

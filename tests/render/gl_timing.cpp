@@ -3,7 +3,7 @@
 #include "render/overview.h"
 #include "tests/render/gl_scene.h"
 
-// Frames whose stages are timed. No test looks at how long they take.
+// Frames whose stages are timed. No test checks the times themselves.
 
 namespace render::test {
 namespace {

@@ -18,7 +18,7 @@
 namespace render {
 namespace {
 
-// Rough ground with a few holes and a datum, seen as a view.
+// Rough ground with a few holes and a datum, as a view.
 test::World rough_world(unsigned seed) {
     const support::Ground ground = support::rough(24, 3, seed);
     test::World world = test::make_world(24, 3, [](double, double) { return 0; });
@@ -44,7 +44,7 @@ glm::dvec3 vertex(const test::World& world, std::uint32_t index) {
             world.datum + world.bedrock(x, y) + world.depth(x, y) + world.rolling(x, y)};
 }
 
-// Every triangle of the mesh, one after the other (Möller and Trumbore 1997), front faces only.
+// Intersects every triangle of the mesh in turn (Möller and Trumbore 1997), front faces only.
 std::optional<glm::dvec3> pick_slowly(const test::World& world, const GroundMesh& mesh, const Ray& ray) {
     double nearest = 1e30;
     for (std::size_t i = 0; i < mesh.surface.size(); i += 3) {
@@ -67,7 +67,7 @@ struct Tally {
     int hits = 0, misses = 0;
 };
 
-// Compares with the slow way for rays that `next` makes.
+// Compares with the brute-force search for rays that `next` makes.
 template <class Next>
 Tally compare(unsigned seed, int rays, Next next) {
     const test::World world = rough_world(seed);

@@ -23,7 +23,7 @@ double plane(double x, double y) {
     return 1500 + 0.5 * (x - kEast) - 0.25 * (y - kNorth);
 }
 
-// Calls check(vertex's local point, its height) wherever the terrain has data, and counts.
+// Calls check(vertex's local point, its height) wherever the terrain has data, and counts the calls.
 int for_known(const Terrain& terrain, const std::function<void(LocalPoint, double)>& check) {
     int known = 0;
     for (int y = 0; y < terrain.grid.ny; ++y)
@@ -187,7 +187,7 @@ TEST(Dem, takes_every_spelling_of_no_data_as_none) {
         EXPECT_EQ(voids, 1) << header << value;
         const std::size_t hole = 11 * 21 + 3;
         EXPECT_EQ(terrain->has_data[hole], 0) << header << value;
-        EXPECT_NEAR(terrain->surface[hole], 1030, 1e-3) << "the neighbours' slope carried on";
+        EXPECT_NEAR(terrain->surface[hole], 1030, 1e-3) << "the neighbours' slope is extended";
     }
 }
 
@@ -223,7 +223,7 @@ TEST(Dem, refuses_an_ascii_grid_cut_short_anywhere_and_prints_nothing) {
     const auto path = folder.path() / "hill.asc";
     test::write_text(path, whole);
     ASSERT_TRUE(read_dem(path, 8));
-    const std::size_t last_number = whole.find_last_of(' ') + 1;  // a cut within it cannot be seen
+    const std::size_t last_number = whole.find_last_of(' ') + 1;  // a cut within it cannot be detected
     testing::internal::CaptureStderr();
     testing::internal::CaptureStdout();
     std::string passed;
@@ -235,7 +235,7 @@ TEST(Dem, refuses_an_ascii_grid_cut_short_anywhere_and_prints_nothing) {
         else if (terrain.error().find("hill.asc: ") == std::string::npos)
             passed += " unnamed:" + terrain.error();
     }
-    EXPECT_EQ(passed, "") << "cut to these lengths it was read, of " << whole.size();
+    EXPECT_EQ(passed, "") << "it was read when cut to these lengths, of " << whole.size();
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
 }
@@ -259,7 +259,7 @@ TEST(Dem, refuses_a_geotiff_cut_short_anywhere_and_prints_nothing) {
     }
     test::write_text(path, whole.substr(0, whole.size() - 1));
     if (read_dem(path, 20)) passed += " all but one";
-    EXPECT_EQ(passed, "") << "cut to these lengths it was read, of " << whole.size();
+    EXPECT_EQ(passed, "") << "it was read when cut to these lengths, of " << whole.size();
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
 }

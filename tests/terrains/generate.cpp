@@ -32,7 +32,7 @@ TEST(SoilSlope, has_the_heights_of_its_formula) {
     EXPECT_NEAR(at(terrain, terrain.surface, 80, 160) - at(terrain, terrain.surface, 80, 120), 24.9948, 2e-3);
     // Far below it tan 3°: 20 m · 0.052408.
     EXPECT_NEAR(at(terrain, terrain.surface, 80, 20) - at(terrain, terrain.surface, 80, 0), 1.0482, 2e-3);
-    // Six metres below the break the soil is half the slope's and all of the foot's.
+    // Six metres below the break the soil is half the slope's plus all of the foot's.
     EXPECT_NEAR(at(terrain, terrain.cover, 80, 54), 0.45 + 0.1, 1e-3);
     EXPECT_NEAR(at(terrain, terrain.cover, 80, 150), 0.9 + 0.1, 1e-3);
 }

@@ -86,7 +86,7 @@ TEST(Heightmap, names_file_and_fact_of_what_it_refuses) {
     EXPECT_FALSE(read_heightmap(folder.path() / "none.png", kScale, 10));
 }
 
-// Whatever the library does at them, an exception too.
+// Whatever the library does with them, even if it throws.
 TEST(Heightmap, refuses_files_that_only_begin_like_a_picture) {
     const support::TemporaryFolder folder;
     using namespace std::string_literals;

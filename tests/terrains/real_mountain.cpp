@@ -1,5 +1,4 @@
-// The trial data that COULOIR_DEM_DIR names: one mountain in three coordinate systems, and a hillside without
-// any.
+// The data that COULOIR_DEM_DIR names: one mountain in three coordinate systems, and a hillside without any.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -51,8 +50,8 @@ TEST_F(RealMountain, stands_in_the_same_place_in_three_coordinate_systems) {
             }
         ASSERT_GT(differences.size(), 1500u);
         std::sort(differences.begin(), differences.end());
-        // One cell aside is some 4 m of height here. The files were resampled from each other, hence not
-        // closer.
+        // A shift of one cell is some 4 m of height here. The files were resampled from each other, so they
+        // agree no better.
         EXPECT_LT(differences[differences.size() / 2], 0.1) << all[other].name << ": median, m";
         EXPECT_LT(differences[differences.size() * 99 / 100], 1.5) << all[other].name << ": 99 %, m";
     }

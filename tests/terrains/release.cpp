@@ -167,7 +167,8 @@ TEST_F(Release, refuses_degrees_for_a_terrain_that_has_no_place) {
 }
 
 TEST_F(Release, brings_a_depth_raster_over_by_coordinates_and_keeps_its_volume) {
-    // 3 m in pixels of 7 m from (113, 92) to (113 + 84, 92 + 63): nothing falls on the terrain's own cells.
+    // 3 m in pixels of 7 m from (113, 92) to (113 + 84, 92 + 63): no pixel coincides with the terrain's
+    // cells.
     for (const double cell : {7.0, 21.0, 3.5}) {
         test::AsciiGrid grid{.columns = static_cast<int>(84 / cell),
                              .rows = static_cast<int>(63 / cell),
@@ -251,7 +252,7 @@ TEST_F(Release, reads_an_extent_whether_or_not_it_has_a_thickness) {
         const auto extent = read_extent(path_, terrain);
         ASSERT_TRUE(extent) << extent.error();
         EXPECT_EQ(std::accumulate(extent->begin(), extent->end(), 0), 15)
-            << properties;  // 0.4 of a cell is out
+            << properties;  // 0.4 of a cell is outside
     }
     test::write_text(path_, collection(feature("", "Polygon", "[" + ring(terrain, 950, 45, 990, 75) + "]")));
     EXPECT_FALSE(read_extent(path_, terrain));

@@ -144,8 +144,8 @@ TEST(FillVoids, takes_the_mean_of_what_is_filled_farther_out) {
         }
     fill_voids(grid, known, surface);
     for (int y = 0; y < 3; ++y) {
-        EXPECT_FLOAT_EQ(surface[y * 6 + 2], 2);  // 0, 1 carried on
-        EXPECT_FLOAT_EQ(surface[y * 6 + 5], 2);  // and then level
+        EXPECT_FLOAT_EQ(surface[y * 6 + 2], 2);  // extrapolates 0, 1
+        EXPECT_FLOAT_EQ(surface[y * 6 + 5], 2);  // then level
         EXPECT_EQ(known[y * 6 + 2], 0);
     }
 }

@@ -1,4 +1,4 @@
-// What a file that somebody else made can reach: itself, its own sidecars, and nothing else.
+// The limits of an untrusted file: it reaches itself, its own sidecars, and nothing else.
 
 #include <arpa/inet.h>
 #include <sys/socket.h>
@@ -31,7 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A server on the loopback that accepts and never answers.
+// A server on the loopback that accepts connections and never answers.
 class SilentServer {
   public:
     SilentServer() : socket_(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK, 0)) {
@@ -68,7 +68,7 @@ std::string virtual_raster(const std::string& source, const char* relative = "0"
         relative, source);
 }
 
-// Whether anything that reads rasters takes the file.
+// Whether any raster reader accepts the file.
 bool is_read(const fs::path& path, References references) {
     static const support::TemporaryFolder folder;
     static const Terrain ground =
@@ -112,7 +112,7 @@ TEST(Strangers, ask_no_server_whatever_is_allowed) {
                 EXPECT_FALSE(is_read(folder.path() / name, references)) << text;
                 EXPECT_EQ(server.requests(), 0) << text;
             }
-    // One answer that is waited for takes 30 s at least.
+    // Waiting for one answer takes at least 30 s.
     EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(30));
 }
 
@@ -186,7 +186,7 @@ TEST(Strangers, reach_their_sidecars_and_no_other_file) {
     EXPECT_TRUE(everything.includes("/etc/passwd"));
 }
 
-// GDAL itself goes through the rules above: for overviews that a file names, and for what it writes.
+// GDAL itself obeys these rules, for overviews that a file names and for files that it writes.
 TEST(Strangers, are_opened_by_gdal_through_these_rules) {
     const support::TemporaryFolder folder;
     const auto hill = test::write_ascii_grid(folder.path(), "hill", {}, [](double, double) { return 500.0; });
@@ -220,7 +220,7 @@ TEST(Strangers, make_nobody_wait_on_a_pipe_or_a_device) {
     EXPECT_TRUE(read_dem(hill, 16));
 }
 
-// What GDAL writes in memory, as files of a folder.
+// GDAL's files in memory, as files of a folder.
 std::vector<fs::path> unload(const char* memory, const fs::path& folder) {
     std::vector<fs::path> written;
     char** names = VSIReadDir(memory);

@@ -20,7 +20,7 @@ class Window : public testing::Test {
         desktop->start({kEcho}, "Echo");
     }
 
-    // Whether it prints this line, at once or soon.
+    // Whether it prints this line soon.
     bool says(const std::string& line) {
         const std::string whole = fmt::format("\n{}\n", line);
         return within(5, [&] { return desktop->out().find(whole) != std::string::npos; });
@@ -81,15 +81,15 @@ TEST_F(Window, tells_keys_by_name_and_what_is_held_with_them) {
     desktop->key("z");
     EXPECT_TRUE(says(key('Z'), "down control")) << desktop->out();
     desktop->key_up("Control_L");
-    EXPECT_TRUE(says(Key::kControl, "up")) << "Control is said to be held still: " << desktop->out();
+    EXPECT_TRUE(says(Key::kControl, "up")) << "Control is still reported as held: " << desktop->out();
     desktop->key_down("Shift_L");
     desktop->wheel(1);
     EXPECT_TRUE(says("wheel 1 shift")) << desktop->out();
     desktop->key_up("Shift_L");
 }
 
-// On a board that has both: for a letter that a board lacks xdotool lays a key anew, and takes it back before
-// a program that is kept waiting has asked what it says.
+// Uses a layout that has both letters. For a letter that a layout lacks, xdotool remaps a key, and reverts it
+// before a delayed program has looked it up.
 TEST_F(Window, tells_what_is_typed) {
     desktop->keyboard("fr");
     desktop->type("7é");
@@ -97,7 +97,7 @@ TEST_F(Window, tells_what_is_typed) {
     EXPECT_TRUE(says("text 233")) << desktop->out();
 }
 
-// Where a German board prints Z, an American one prints Y.
+// The key that prints Z on a German keyboard prints Y on an American one.
 TEST_F(Window, takes_a_letter_with_control_as_it_is_printed_and_one_without_by_its_place) {
     desktop->keyboard("de");
     desktop->key("ctrl+z");
