@@ -169,7 +169,7 @@ TEST_F(Playing, digs_and_blasts_and_inverts_both_with_control) {
     expect_recording_replays();
 }
 
-TEST_F(Playing, settles_what_rolls_with_an_inverted_blast) {
+TEST_F(Playing, deposits_the_flow_with_an_inverted_blast) {
     begin();
     stroke(20);
     ASSERT_GT(mass().rolling, 0);
@@ -283,7 +283,7 @@ TEST_F(Playing, sizes_the_brush_by_brackets_and_by_wheel_with_shift) {
     EXPECT_LT(app_->brush().radius, before);
 }
 
-TEST_F(Playing, begins_anew_with_the_same_first_hash_and_another_file) {
+TEST_F(Playing, restarts_with_the_same_first_hash_and_another_file) {
     begin();
     tap(Key::kSpace);
     tap(key('R'), {.control = true});
@@ -314,7 +314,7 @@ TEST_F(Playing, survives_being_minimised_and_resized_while_running) {
     expect_recording_replays();
 }
 
-TEST_F(Playing, closes_the_file_when_it_is_left_in_the_middle_of_a_stroke) {
+TEST_F(Playing, closes_the_file_when_it_quits_during_a_stroke) {
     begin();
     point_at_slope();
     screen_.press(Button::kLeft);
@@ -325,7 +325,7 @@ TEST_F(Playing, closes_the_file_when_it_is_left_in_the_middle_of_a_stroke) {
     expect_recording_replays();
 }
 
-TEST_F(Playing, lets_go_of_everything_when_the_focus_is_lost) {
+TEST_F(Playing, releases_all_keys_and_buttons_when_the_focus_is_lost) {
     begin();
     point_at_slope();
     screen_.press(Button::kLeft);
@@ -337,7 +337,7 @@ TEST_F(Playing, lets_go_of_everything_when_the_focus_is_lost) {
     EXPECT_EQ(mass().poured, poured);
 }
 
-TEST_F(Playing, opens_what_is_dropped_and_says_why_not) {
+TEST_F(Playing, opens_dropped_files_and_reports_errors) {
     begin();
     const auto before = line().hash;
     screen_.drop({folder_.path() / "none.toml"});

@@ -35,7 +35,7 @@ Look soil_look() {
     return look;
 }
 
-TEST_F(Colours, a_level_plane_has_the_colour_that_sun_and_sky_give_it_by_hand) {
+TEST_F(Colours, a_level_plane_has_the_colour_computed_by_hand) {
     World plane = make_world(40, 4, [](double, double) { return 0; });
     plane.depth.fill(1);
     for (const double elevation_deg : {15.0, 40.0}) {
@@ -65,11 +65,11 @@ TEST_F(Colours, a_slope_that_faces_the_sun_is_lit_by_the_cosine_between_them) {
     EXPECT_NEAR(mean_colour(p, 48, 48, 10)[0], 255 * (1.055 * std::pow(knee, 1 / 2.4) - 0.055), 3);
 }
 
-TEST_F(Colours, moving_snow_differs_from_lying_snow_by_10_to_every_eye) {
+TEST_F(Colours, rolling_snow_differs_from_standing_snow_by_10_in_all_colour_vision) {
     for (const double sun : {90.0, 180.0, 270.0}) EXPECT_GT(apart(Look(), sun), 10) << sun;
 }
 
-TEST_F(Colours, moving_soil_differs_from_lying_soil_by_10_to_every_eye) {
+TEST_F(Colours, rolling_soil_differs_from_standing_soil_by_10_in_all_colour_vision) {
     for (const double sun : {90.0, 180.0, 270.0}) EXPECT_GT(apart(soil_look(), sun), 10) << sun;
 }
 
@@ -87,7 +87,7 @@ TEST_F(Colours, a_cover_hides_the_ground_from_its_visible_depth_and_not_below_ha
 }
 
 // Pure lower material looks as it would alone, and a mixture lies between.
-TEST_F(Colours, of_two_materials_are_those_of_what_is_seen) {
+TEST_F(Colours, of_two_materials_are_those_of_the_visible_mixture) {
     Look snow, soil = soil_look();
     snow.lower_standing = soil.standing, snow.lower_rolling = soil.rolling;
     const auto drawn = [&](const World& world, const Look& look) {

@@ -108,7 +108,7 @@ double agreement(const Picture& picture, double front, const Coordinates& coordi
     return std::max(agree, all - agree) / all;
 }
 
-TEST_F(Flow, is_seen_where_it_was_carried_on_either_side_of_a_front) {
+TEST_F(Flow, shows_the_advected_texture_on_either_side_of_a_front) {
     // Above the middle of an edge to the right; below it to the left, by a check and a half in two seconds.
     const double front = 8.5 * static_cast<double>(kCell), way = 1.5 * kSide / kChecks;
     const auto speed = static_cast<float>(way / 2);
@@ -131,7 +131,7 @@ TEST_F(Flow, is_seen_where_it_was_carried_on_either_side_of_a_front) {
     EXPECT_LT(agreement(seen(uncut, flowing()), front, carried), 0.99);
 }
 
-TEST_F(Flow, is_lit_as_its_texture_lies) {
+TEST_F(Flow, is_lit_by_the_relief_of_its_texture) {
     run(
         flow, [](const glm::vec2&) { return glm::vec2(0, 0); }, 1);
     const Picture upright = seen(flow, flowing(FlowPattern::kSnow), {30, 30});
@@ -218,7 +218,7 @@ World ridge() {
     return world;
 }
 
-TEST_F(Flow, is_hidden_by_hills_and_seen_only_where_its_layer_is) {
+TEST_F(Flow, is_hidden_by_hills_and_visible_only_within_its_layer) {
     const World world = ridge();
     const sim::front::Mesh its_mesh = sim::front::mesh_of(world.grid);
     FlowView its_flow(its_mesh, sim::front::gradient_rule(0.1f, 1), PointSource::kHalf, {});
@@ -245,7 +245,7 @@ TEST_F(Flow, is_hidden_by_hills_and_seen_only_where_its_layer_is) {
     EXPECT_LT(changed, with.size() / 3 / 2);
 }
 
-TEST_F(Flow, that_came_to_rest_keeps_its_texture_where_it_came_to_lie) {
+TEST_F(Flow, that_came_to_rest_keeps_its_texture_as_deposit) {
     World world = make_world(kSquares, kCell, [](double, double) { return 0; });
     world.depth.fill(1);
     run(
@@ -283,7 +283,7 @@ TEST_F(Flow, that_came_to_rest_keeps_its_texture_where_it_came_to_lie) {
     EXPECT_GT(changed(kept, drawn(true), within), 0.3);
 }
 
-TEST_F(Flow, of_before_leaves_no_trace_in_a_frame) {
+TEST_F(Flow, drawn_earlier_leaves_no_trace_in_a_frame) {
     run(
         flow, [](const glm::vec2& x) { return glm::vec2(x.y > 3.3f ? 1 : -1, 0); }, 60);
     const Picture first = seen(flow, flowing());
@@ -294,7 +294,7 @@ TEST_F(Flow, of_before_leaves_no_trace_in_a_frame) {
     EXPECT_EQ(seen(flow, flowing()).pixels, first.pixels);
 }
 
-TEST_F(Flow, that_runs_makes_no_object_and_draws_without_allocating) {
+TEST_F(Flow, draws_without_allocating_or_creating_objects) {
     const auto frame = [&](int i) {
         run(
             flow,
@@ -319,7 +319,7 @@ TEST_F(Flow, that_runs_makes_no_object_and_draws_without_allocating) {
     EXPECT_EQ(allocations, 0);
 }
 
-TEST_F(Gl, says_which_texture_is_missing) {
+TEST_F(Gl, names_the_missing_texture) {
     auto elsewhere = FlowTexture::load("/nowhere", FlowPattern::kStones);
     ASSERT_FALSE(elsewhere);
     EXPECT_NE(elsewhere.error().find("/nowhere/textures/stones.png"), std::string::npos) << elsewhere.error();

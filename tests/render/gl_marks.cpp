@@ -76,7 +76,7 @@ TEST_F(MarksOnGround, ring_is_drawn_on_its_circle_and_follows_a_slope) {
     EXPECT_GT(colour_distance(pixel(plain, middle), pixel(ringed, middle)), 40);
 }
 
-TEST_F(MarksOnGround, ring_leaves_everything_beside_it_as_it_is_pixel_for_pixel) {
+TEST_F(MarksOnGround, ring_changes_no_pixel_outside_it) {
     const Slope slope;
     const Picture plain = shot(slope.world, slope.camera, {});
     const Picture ringed = shot(slope.world, slope.camera, with_ring({-500, 0}, 25));
@@ -93,7 +93,7 @@ int width_of_rim(const Picture& picture) {
     return width;
 }
 
-TEST_F(MarksOnGround, ring_is_as_wide_from_near_as_from_afar) {
+TEST_F(MarksOnGround, ring_width_is_independent_of_distance) {
     const World plane = make_world(100, 10, [](double, double) { return 0; });
     for (const double height : {30.0, 300.0, 900.0}) {
         const int width =
@@ -118,21 +118,20 @@ TEST_F(MarksOnGround, ring_stands_between_dark_hairlines_on_white_ground) {
     EXPECT_LT(darkest_outside, mean_colour(p, 280, 150, 3)[1] - 50);
 }
 
-TEST_F(MarksOnGround, contours_lie_at_whole_multiples_of_the_interval_above_the_zero_of_the_terrain) {
+TEST_F(MarksOnGround, contours_are_at_multiples_of_the_interval_above_the_zero_of_the_terrain) {
     World world = make_world(40, 4, [](double, double y) { return 0.5 * y; });  // 80 m: every 2 m
     world.datum = 1203.7;
     const Camera camera = from_above({80, 80, world.datum + 40}, 40);
     const Picture plain = shot(world, camera, {}), lined = shot(world, camera, with_contours());
-    const auto darker =
-        [&](double height) {  // maximum of three rows: a line may fall between two
-            const glm::dvec2 at = seen_at(camera, {80, 2 * (height - world.datum), height});
-            double most = 0;
-            for (int row = -1; row <= 1; ++row) {
-                const glm::dvec2 there = at + glm::dvec2(0, row);
-                most = std::max(most, pixel(plain, there)[1] - pixel(lined, there)[1]);
-            }
-            return most;
-        };
+    const auto darker = [&](double height) {  // maximum of three rows: a line may fall between two
+        const glm::dvec2 at = seen_at(camera, {80, 2 * (height - world.datum), height});
+        double most = 0;
+        for (int row = -1; row <= 1; ++row) {
+            const glm::dvec2 there = at + glm::dvec2(0, row);
+            most = std::max(most, pixel(plain, there)[1] - pixel(lined, there)[1]);
+        }
+        return most;
+    };
     for (int height = 1236; height <= 1252; height += 2) {
         EXPECT_GT(darker(height), 15) << height;
         EXPECT_EQ(darker(height + 1), 0) << height;

@@ -224,7 +224,7 @@ double signed_area(const CutTriangle& triangle) {
     return 0.5 * ((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x));
 }
 
-TEST_F(Remeshing, draws_the_mesh_itself_where_nothing_is_cut) {
+TEST_F(Remeshing, draws_the_mesh_itself_if_nothing_is_cut) {
     Dice dice;
     const Mesh mesh = irregular_mesh(5, true, dice);
     remesher.send_mesh(mesh);
@@ -233,7 +233,7 @@ TEST_F(Remeshing, draws_the_mesh_itself_where_nothing_is_cut) {
     EXPECT_TRUE(same(drawn(), reference(mesh, {})));
 }
 
-TEST_F(Remeshing, equals_the_reference_to_the_bit_however_triangles_are_cut) {
+TEST_F(Remeshing, is_bit_identical_to_the_reference_for_all_cuts) {
     Dice dice;
     std::set<std::pair<int, bool>> seen;
     for (const int squares : {1, 7, 30}) {
@@ -249,7 +249,7 @@ TEST_F(Remeshing, equals_the_reference_to_the_bit_however_triangles_are_cut) {
 }
 
 // In undeformed squares both diagonals after two cuts may be equally long.
-TEST_F(Remeshing, equals_the_reference_where_diagonals_are_equal) {
+TEST_F(Remeshing, equals_the_reference_if_diagonals_are_equal) {
     const Mesh mesh = sim::front::mesh_of(sim::Grid{9, 9, 1});
     remesher.send_mesh(mesh);
     Dice dice;
@@ -261,7 +261,7 @@ TEST_F(Remeshing, equals_the_reference_where_diagonals_are_equal) {
     }
 }
 
-TEST_F(Remeshing, would_be_caught_with_the_copies_of_an_edge_swapped) {
+TEST_F(Remeshing, comparison_detects_swapped_copies_of_an_edge) {
     Dice dice;
     const Mesh mesh = irregular_mesh(4, true, dice);
     remesher.send_mesh(mesh);
@@ -353,7 +353,7 @@ TEST_F(RemeshingADisc, follows_its_front) {
     EXPECT_GT(ever_cut.size(), 2 * tracker.points().size());
 }
 
-TEST_F(RemeshingADisc, does_not_mind_steps_that_it_was_not_told) {
+TEST_F(RemeshingADisc, tolerates_skipped_steps) {
     remesher.send_mesh(mesh);
     for (int i = 0; i < 90; ++i) {
         step();
@@ -365,7 +365,7 @@ TEST_F(RemeshingADisc, does_not_mind_steps_that_it_was_not_told) {
     EXPECT_TRUE(same(drawn(), reference(mesh, {})));
 }
 
-TEST_F(RemeshingADisc, forgets_it_with_a_new_mesh) {
+TEST_F(RemeshingADisc, is_dropped_by_a_new_mesh) {
     remesher.send_mesh(mesh);
     step();
     remesher.cut(tracker.points());
@@ -378,7 +378,7 @@ TEST_F(RemeshingADisc, forgets_it_with_a_new_mesh) {
     EXPECT_TRUE(same(drawn(), reference(other, points)));
 }
 
-TEST_F(RemeshingADisc, allocates_nothing_and_makes_no_object_as_it_goes_on) {
+TEST_F(RemeshingADisc, allocates_nothing_and_creates_no_object_in_later_steps) {
     remesher.send_mesh(mesh);
     const auto remesh = [&] {
         remesher.cut(tracker.points());

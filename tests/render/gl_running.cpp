@@ -24,7 +24,7 @@ Marks all_marks(Overlay overlay) {
     return marks;
 }
 
-TEST_F(Gl, allocates_nothing_and_makes_no_object_in_a_running_frame) {
+TEST_F(Gl, allocates_nothing_and_creates_no_object_in_later_frames) {
     World world = covered_hill();
     Camera camera = overview(world.view());
     const auto frame = [&](int i) {
@@ -68,7 +68,7 @@ TEST_F(Gl, changes_its_quality_between_frames) {
     EXPECT_EQ(draw(world, camera, Light(), Look(), 160, 90).pixels, fast.pixels);
 }
 
-TEST_F(Gl, names_the_renderer_of_the_current_context_whoever_made_it) {
+TEST_F(Gl, names_the_renderer_of_any_current_context) {
     const std::string name = renderer_name();
     EXPECT_EQ(name, context().renderer_name());
     EXPECT_NE(name.find(reinterpret_cast<const char*>(glGetString(GL_RENDERER))), std::string::npos);

@@ -96,7 +96,7 @@ glm::dvec3 direction(Share share) {
     return glm::normalize(along);
 }
 
-TEST(Pick, finds_what_a_search_of_all_triangles_finds_from_anywhere_around) {
+TEST(Pick, equals_a_search_of_all_triangles_from_all_around) {
     for (unsigned seed = 1; seed <= 4; ++seed) {
         const Tally tally = compare(seed, 1500, [](const test::World& world, auto share) {
             const glm::dvec3 middle(world.side() / 2, world.side() / 2, world.datum - 20);
@@ -109,7 +109,7 @@ TEST(Pick, finds_what_a_search_of_all_triangles_finds_from_anywhere_around) {
     }
 }
 
-TEST(Pick, finds_what_a_search_of_all_triangles_finds_from_among_the_hills) {
+TEST(Pick, equals_a_search_of_all_triangles_from_between_hills) {
     for (unsigned seed = 5; seed <= 8; ++seed) {
         const Tally tally = compare(seed, 1500, [](const test::World& world, auto share) {
             const double x = share() * world.side(), y = share() * world.side();
@@ -120,7 +120,7 @@ TEST(Pick, finds_what_a_search_of_all_triangles_finds_from_among_the_hills) {
     }
 }
 
-TEST(Pick, finds_what_a_search_of_all_triangles_finds_along_rows_columns_and_plumb_lines) {
+TEST(Pick, equals_a_search_of_all_triangles_along_rows_columns_and_verticals) {
     for (unsigned seed = 9; seed <= 11; ++seed) {
         const Tally tally = compare(seed, 900, [](const test::World& world, auto share) {
             const glm::dvec3 from(share() * world.side(), share() * world.side(),
@@ -135,7 +135,7 @@ TEST(Pick, finds_what_a_search_of_all_triangles_finds_along_rows_columns_and_plu
     }
 }
 
-TEST(Pick, comes_back_to_the_vertex_whose_point_of_the_picture_it_looks_through) {
+TEST(Pick, returns_the_vertex_projected_to_the_image_point) {
     test::World world = test::make_world(
         40, 5, [](double x, double y) { return 0.5 * y + 6 * std::sin(x / 25) * std::cos(y / 30); });
     world.datum = 800;

@@ -118,7 +118,7 @@ TEST(Seam, is_seen_in_a_texture_with_a_tenth_cut_off) {
 }
 
 // A slope from the normal's own definition: the surface falls where the normal leans.
-TEST_P(Textures, have_normals_that_are_upright_on_the_slopes_of_the_raw_heights) {
+TEST_P(Textures, have_normals_perpendicular_to_the_raw_heights) {
     const Picture normals = shipped(GetParam(), "-normal.png");
     const Tile heights = GetParam().make().heights;
     double worst = 0, steepest = 0;
@@ -201,7 +201,7 @@ TEST(Checkerboard, has_two_colours_in_equal_area) {
     EXPECT_EQ(area.begin()->second, area.rbegin()->second);
 }
 
-TEST(NormalShare, is_what_tables_say) {
+TEST(NormalShare, matches_published_tables) {
     for (const auto& [x, share] : {std::pair{0., 0.5},
                                    {1., 0.8413447460685429},
                                    {-1., 0.15865525393145705},

@@ -23,7 +23,7 @@ float at(const Terrain& terrain, const std::vector<float>& field, double x, doub
     return field[j * terrain.grid.nx + i];
 }
 
-TEST(SoilSlope, has_the_heights_of_its_formula) {
+TEST(SoilSlope, matches_its_formula) {
     const auto terrain = generate_soil_slope(plain_slope()).value();
     EXPECT_EQ(terrain.grid, (sim::Grid{81, 81, 2.f}));
     // At the break the logarithm is 0: −100 (tan 32° + tan 3°) / 2.
@@ -66,7 +66,7 @@ TEST(AlpineValley, holds_the_heap_in_a_bowl) {
     }
 }
 
-TEST(AlpineValley, lays_snow_only_where_it_holds) {
+TEST(AlpineValley, puts_snow_only_on_gentle_ground) {
     const auto terrain = generate_alpine_valley().value();
     EXPECT_GT(at(terrain, terrain.cover, 962.5, 1675), 0.9f);
     EXPECT_EQ(at(terrain, terrain.cover, 1000, 500), 0.f);  // the valley floor
@@ -95,7 +95,7 @@ void expect_one_mountain(Generate generate) {
         }
 }
 
-TEST(Generators, make_the_same_mountain_at_every_grid) {
+TEST(Generators, make_the_same_mountain_on_every_grid) {
     expect_one_mountain([](int squares) { return generate_soil_slope({}, squares); });
     expect_one_mountain([](int squares) { return generate_alpine_valley({}, squares); });
 }

@@ -78,7 +78,7 @@ TEST_F(RealMountain, has_the_reference_extent_below_its_release) {
     }
 }
 
-TEST_F(RealMountain, knows_where_its_ground_is_unknown) {
+TEST_F(RealMountain, reports_its_no_data) {
     const auto terrain = read_dem(file("alr/alr.asc"), 400).value();
     const auto known = std::accumulate(terrain.has_data.begin(), terrain.has_data.end(), 0.0);
     EXPECT_NEAR(1 - known / static_cast<double>(terrain.grid.size()), 0.31, 0.01);

@@ -79,7 +79,7 @@ bool is_read(const fs::path& path, References references) {
            read_reference(path, ground, references) || read_grey_picture(path);
 }
 
-TEST(Strangers, ask_no_server_whatever_is_allowed) {
+TEST(Strangers, contact_no_server_with_any_permission) {
     const support::TemporaryFolder folder;
     SilentServer server;
     const std::string url = server.url();
@@ -117,7 +117,7 @@ TEST(Strangers, ask_no_server_whatever_is_allowed) {
 }
 
 // The system of a recording comes from its header.
-TEST(Strangers, have_no_address_or_path_in_a_coordinate_system) {
+TEST(Strangers, may_not_put_an_address_or_path_in_a_coordinate_system) {
     const support::TemporaryFolder folder;
     SilentServer server;
     const auto pipe = folder.path() / "pipe";
@@ -136,7 +136,7 @@ TEST(Strangers, have_no_address_or_path_in_a_coordinate_system) {
     EXPECT_TRUE(PlaneTransform::between(test::utm_32n(), wgs84_wkt()));
 }
 
-TEST(Strangers, name_other_files_only_where_that_is_allowed) {
+TEST(Strangers, refer_to_other_files_only_if_allowed) {
     const support::TemporaryFolder folder, elsewhere;
     const auto source =
         test::write_ascii_grid(elsewhere.path(), "hill", {}, [](double x, double) { return 900 + x; });
@@ -147,7 +147,7 @@ TEST(Strangers, name_other_files_only_where_that_is_allowed) {
     EXPECT_FALSE(read_dem(path, 16));  // and not for the one after it
 }
 
-TEST(Strangers, are_no_plain_bytes_of_a_file_with_another_purpose) {
+TEST(Strangers, are_not_raw_bytes_of_any_file) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "hill.vrt";
     test::write_text(
@@ -206,7 +206,7 @@ TEST(Strangers, are_opened_by_gdal_through_these_rules) {
     EXPECT_EQ(VSIFOpenL("/vsistdin/", "rb"), nullptr);
 }
 
-TEST(Strangers, make_nobody_wait_on_a_pipe_or_a_device) {
+TEST(Strangers, do_not_block_on_a_pipe_or_a_device) {
     const support::TemporaryFolder folder;
     const auto pipe = folder.path() / "pipe.tif";
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -332,7 +332,7 @@ TEST(Blocks, reproduce_a_plane_exactly_with_and_without_voids) {
         }
 }
 
-TEST(Blocks, lie_where_degrees_put_their_pixels) {
+TEST(Blocks, have_positions_matching_their_pixels_in_degrees) {
     const support::TemporaryFolder folder;
     const test::AsciiGrid grid{
         .columns = 400, .rows = 300, .west = 11.42, .south = 47.29, .cell = 0.00001, .prj = test::degrees()};

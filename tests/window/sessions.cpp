@@ -83,7 +83,7 @@ TEST_F(Play, blasts_at_the_press_and_again_along_a_drag) {
     session->leave();
 }
 
-TEST_F(Play, does_the_contrary_while_control_is_held) {
+TEST_F(Play, inverts_the_tools_while_control_is_held) {
     for (const auto& [tool, contrary] : {std::pair("1", "dig"), {"2", "pour"}, {"3", "settle"}}) {
         hand().key(tool);
         const std::size_t before = session->commands(), of_it = session->commands(contrary).size();
@@ -118,7 +118,7 @@ TEST_F(Play, sizes_the_brush_by_brackets_and_by_the_wheel_with_shift) {
     session->leave();
 }
 
-TEST_F(Play, stands_still_and_goes_on_tick_by_tick) {
+TEST_F(Play, pauses_and_steps_tick_by_tick) {
     hand().key("space");
     ASSERT_TRUE(within(5, [&] { return session->stands(); })) << "it is not paused";
     // To a tick whose state is in the file, so that the ticks after it can be counted.
@@ -139,7 +139,7 @@ TEST_F(Play, stands_still_and_goes_on_tick_by_tick) {
     EXPECT_EQ(session->lines().back()["end"], from + 3);
 }
 
-TEST_F(Play, goes_on_after_a_pause) {
+TEST_F(Play, continues_after_a_pause) {
     hand().key("space");
     ASSERT_TRUE(within(5, [&] { return session->stands(); })) << "it is not paused";
     hand().key("space");
@@ -147,7 +147,7 @@ TEST_F(Play, goes_on_after_a_pause) {
     session->leave();
 }
 
-TEST_F(Play, takes_back_the_last_action_in_the_world_and_in_the_file) {
+TEST_F(Play, undoes_the_last_action_in_the_world_and_in_the_file) {
     hold_until("pour", 10);
     ASSERT_TRUE(session->runs());
     const std::size_t first = session->commands("pour").size();
@@ -165,7 +165,7 @@ TEST_F(Play, takes_back_the_last_action_in_the_world_and_in_the_file) {
     session->leave();
 }
 
-TEST_F(Play, goes_on_through_resizing_and_minimising) {
+TEST_F(Play, continues_through_resizing_and_minimising) {
     hand().resize(800, 560);
     EXPECT_TRUE(session->runs());
     const auto is_drawn = [&](int x, int y) {
@@ -183,7 +183,7 @@ TEST_F(Play, goes_on_through_resizing_and_minimising) {
     session->leave();
 }
 
-TEST_F(Play, keeps_the_stroke_whose_window_is_minimised_from_running_on) {
+TEST_F(Play, ends_the_stroke_when_its_window_is_minimised) {
     hand().press(Mouse::kLeft);
     ASSERT_TRUE(session->comes_to("pour", 5));
     hand().minimise();
@@ -196,14 +196,14 @@ TEST_F(Play, keeps_the_stroke_whose_window_is_minimised_from_running_on) {
     session->leave();
 }
 
-TEST_F(Play, closes_while_it_pours) {
+TEST_F(Play, closes_during_a_stroke) {
     hand().press(Mouse::kLeft);
     ASSERT_TRUE(session->comes_to("pour", 10));
     hand().close();
     session->check_ending();
 }
 
-TEST_F(Play, leaves_a_recording_that_replays_when_it_is_killed_while_it_pours) {
+TEST_F(Play, leaves_a_recording_that_replays_when_killed_during_a_stroke) {
     hand().press(Mouse::kLeft);
     ASSERT_TRUE(session->comes_to("pour", 30));
     hand().kill();
@@ -213,7 +213,7 @@ TEST_F(Play, leaves_a_recording_that_replays_when_it_is_killed_while_it_pours) {
 }
 
 // Needs no desktop.
-TEST(PlayWithoutADisplay, is_one_line_and_status_3) {
+TEST(PlayWithoutADisplay, prints_one_line_and_status_3) {
     const support::TemporaryFolder folder;
     const auto out = folder.path() / "out", err = folder.path() / "err";
     Child play({support::program().string(), "play"},
