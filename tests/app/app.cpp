@@ -182,7 +182,7 @@ TEST_F(Playing, deposits_the_flow_with_an_inverted_blast) {
     expect_recording_replays();
 }
 
-TEST_F(Playing, undoes_to_the_bit_and_plays_on) {
+TEST_F(Playing, undoes_bit_identically_and_continues) {
     begin();
     stroke(10);
     tap(Key::kSpace);

@@ -149,7 +149,7 @@ TEST(Pick, returns_the_vertex_projected_to_the_image_point) {
                 projection_matrix(camera, aspect) * view_matrix(camera) * glm::dvec4(at, 1);
             const auto found = pick(world.view(), ray_through(camera, aspect, glm::dvec2(clip) / clip.w));
             const bool on_rim = x == 0 || y == 0 || x == 40 || y == 40;
-            if (!found && on_rim) continue;  // rounding may carry a ray past the edge of the world
+            if (!found && on_rim) continue;  // rounding may move a ray beyond the edge of the world
             ASSERT_TRUE(found) << x << ", " << y;
             const bool hidden = glm::distance(*found, eye(camera)) < glm::distance(at, eye(camera)) - 0.01;
             if (hidden) continue;
@@ -179,10 +179,10 @@ TEST(Pick, cuts_a_square_from_lower_left_to_upper_right) {
     EXPECT_NEAR(height(0.75, 0.75), 0.75, 1e-9);  // on the cut
     EXPECT_NEAR(height(0.75, 0.25), 0.25, 1e-9);
     EXPECT_NEAR(height(0.25, 0.75), 0.25, 1e-9);
-    EXPECT_NEAR(height(1.5, 0.5), 0, 1e-9);  // of the square beside it the cut runs outside the peak
+    EXPECT_NEAR(height(1.5, 0.5), 0, 1e-9);  // in the square beside it the diagonal runs outside the peak
 }
 
-TEST(Pick, finds_nothing_beside_the_world_below_it_and_where_data_is_missing) {
+TEST(Pick, is_empty_beside_the_world_below_it_and_at_no_data) {
     test::World world = test::make_world(6, 1, [](double, double) { return 0; });
     const auto misses = [&](const Ray& ray) { return !pick(world.view(), ray).has_value(); };
     EXPECT_TRUE(misses({{-0.1, 3, 5}, {0, 0, -1}}));
@@ -193,10 +193,10 @@ TEST(Pick, finds_nothing_beside_the_world_below_it_and_where_data_is_missing) {
     EXPECT_FALSE(misses({{3, 3, 5}, {0, 0, -1}}));
     world.site(3, 3) = sim::Site::kDrain;
     EXPECT_TRUE(misses({{3.2, 3.1, 5}, {0, 0, -1}}));
-    EXPECT_FALSE(misses({{3.9, 2.05, 5}, {0, 0, -1}}));  // a corner of that square's neighbour is whole
+    EXPECT_FALSE(misses({{3.9, 2.05, 5}, {0, 0, -1}}));  // the neighbouring square at this corner is whole
 }
 
-TEST(Pick, lets_a_camera_that_looks_up_see_a_face_that_is_steeper_than_its_gaze) {
+TEST(Pick, finds_a_face_steeper_than_an_upward_view) {
     const test::World cliff =
         test::make_world(20, 1, [](double, double y) { return y < 10 ? 0 : 3 * (y - 10); });
     const double s = std::sqrt(0.5);
@@ -207,7 +207,7 @@ TEST(Pick, lets_a_camera_that_looks_up_see_a_face_that_is_steeper_than_its_gaze)
     EXPECT_FALSE(pick(cliff.view(), {{10.3, 12, 30}, {0, s, s}}));
 }
 
-TEST(Pick, does_not_see_the_ground_from_underneath) {
+TEST(Pick, ignores_the_ground_from_below) {
     const test::World slope = test::make_world(20, 1, [](double, double y) { return 2 * y; });
     EXPECT_FALSE(pick(slope.view(), {{10.3, 18, 5}, {0, -1, 0}}));  // comes out at y = 2.5
     EXPECT_TRUE(pick(slope.view(), {{10.3, 0.5, 5}, {0, 1, 0}}));
