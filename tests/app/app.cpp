@@ -42,7 +42,7 @@ class Playing : public testing::Test {
         frames(1);
     }
 
-    // Over the slope in the middle of the picture, clear of panels.
+    // On the slope in the middle of the image, clear of panels.
     void point_at_slope() {
         screen_.move(kAtX, kAtY);
         frames(1);
@@ -65,7 +65,7 @@ class Playing : public testing::Test {
         return notices.size() == 0 ? "" : notices[notices.size() - 1].sentence;
     }
 
-    // Ends the session and plays its recording again: to the same hash?
+    // Ends the session, replays its recording and compares the hash.
     void expect_recording_replays() {
         const StateLine live = line();
         ASSERT_TRUE(app_->finish());
@@ -116,9 +116,9 @@ TEST_F(Playing, pours_by_holding_and_dragging_and_the_recording_replays_to_the_s
 
 TEST_F(Playing, shows_what_the_hand_does_within_two_frames) {
     begin();
-    tap(Key::kTab);  // no clock that ticks in the picture
+    tap(Key::kTab);  // hides the clock
     point_at_slope();
-    frames(1000);  // and no notice that fades
+    frames(1000);  // until no notice is fading
     const auto before = screen_.picture().pixels;
     frames(2);
     ASSERT_EQ(screen_.picture().pixels, before) << "something else moves";
@@ -140,14 +140,14 @@ TEST_F(Playing, allocates_nothing_in_a_frame_once_it_has_played_for_a_while) {
     screen_.press(Button::kLeft);
     frames(80);
     ASSERT_GT(mass().poured, 0);
-    // Pouring, recording, four panels open: what frames do all the time.
+    // Pouring, recording, four panels open: the usual work of a frame.
     int without = 0;
     for (int i = 0; i < 60; ++i) {
         screen_.move(640 + i % 7, 330);
         const std::int64_t before = support::allocations();
         const std::size_t keyframes = app_->sandbox().keyframes().count();
         ASSERT_TRUE(app_->frame());
-        if (app_->sandbox().keyframes().count() != keyframes) continue;  // a moment was kept
+        if (app_->sandbox().keyframes().count() != keyframes) continue;  // a keyframe was stored
         ++without;
         ASSERT_EQ(support::allocations() - before, 0) << i;
     }
@@ -169,12 +169,12 @@ TEST_F(Playing, digs_and_blasts_and_inverts_both_with_control) {
     expect_recording_replays();
 }
 
-TEST_F(Playing, settles_what_rolls_with_an_inverted_blast) {
+TEST_F(Playing, deposits_the_flow_with_an_inverted_blast) {
     begin();
     stroke(20);
     ASSERT_GT(mass().rolling, 0);
     tap(key('3'));
-    for (int i = 0; i < 8; ++i) tap(Key::kRightBracket);  // larger than what was poured
+    for (int i = 0; i < 8; ++i) tap(Key::kRightBracket);  // larger than the poured heap
     const auto before = mass().rolling;
     stroke(1, {.control = true});
     EXPECT_LT(mass().rolling, before / 2);
@@ -182,7 +182,7 @@ TEST_F(Playing, settles_what_rolls_with_an_inverted_blast) {
     expect_recording_replays();
 }
 
-TEST_F(Playing, undoes_to_the_bit_and_plays_on) {
+TEST_F(Playing, undoes_bit_identically_and_continues) {
     begin();
     stroke(10);
     tap(Key::kSpace);
@@ -192,10 +192,10 @@ TEST_F(Playing, undoes_to_the_bit_and_plays_on) {
     stroke(25);
     frames(20);
     ASSERT_EQ(app_->sandbox().actions(), 2u);
-    tap(Key::kSpace);  // so that no tick follows the undo at once
+    tap(Key::kSpace);  // so that no tick follows the undo immediately
     tap(key('Z'), {.control = true});
     EXPECT_EQ(app_->sandbox().actions(), 1u);
-    // To just before the stroke: the ticks between the pause and its first command stay done.
+    // To just before the stroke: ticks between the pause and its first command remain.
     const StateLine after = line();
     EXPECT_LE(after.tick - before.tick, 4);
     EXPECT_EQ(after.ledger.poured, before.ledger.poured);
@@ -210,7 +210,7 @@ TEST_F(Playing, undoes_to_the_bit_and_plays_on) {
             due.push_back(recording.commands[next].command);
         ASSERT_TRUE(again->tick(due));
     }
-    EXPECT_EQ(again->session().state_line(), after);  // to the bit
+    EXPECT_EQ(again->session().state_line(), after);  // bit-identical
     EXPECT_NE(last_notice().find("Undone: pour"), std::string::npos) << last_notice();
     tap(Key::kSpace);
     frames(10);
@@ -283,11 +283,11 @@ TEST_F(Playing, sizes_the_brush_by_brackets_and_by_wheel_with_shift) {
     EXPECT_LT(app_->brush().radius, before);
 }
 
-TEST_F(Playing, begins_anew_with_the_same_first_hash_and_another_file) {
+TEST_F(Playing, restarts_with_the_same_first_hash_and_another_file) {
     begin();
     tap(Key::kSpace);
     tap(key('R'), {.control = true});
-    const auto fresh = line().hash;  // paused: of tick 0
+    const auto fresh = line().hash;  // paused at tick 0
     tap(Key::kSpace);
     stroke(20);
     tap(Key::kSpace);
@@ -314,7 +314,7 @@ TEST_F(Playing, survives_being_minimised_and_resized_while_running) {
     expect_recording_replays();
 }
 
-TEST_F(Playing, closes_the_file_when_it_is_left_in_the_middle_of_a_stroke) {
+TEST_F(Playing, closes_the_file_when_it_quits_during_a_stroke) {
     begin();
     point_at_slope();
     screen_.press(Button::kLeft);
@@ -325,7 +325,7 @@ TEST_F(Playing, closes_the_file_when_it_is_left_in_the_middle_of_a_stroke) {
     expect_recording_replays();
 }
 
-TEST_F(Playing, lets_go_of_everything_when_the_focus_is_lost) {
+TEST_F(Playing, releases_all_keys_and_buttons_when_the_focus_is_lost) {
     begin();
     point_at_slope();
     screen_.press(Button::kLeft);
@@ -337,7 +337,7 @@ TEST_F(Playing, lets_go_of_everything_when_the_focus_is_lost) {
     EXPECT_EQ(mass().poured, poured);
 }
 
-TEST_F(Playing, opens_what_is_dropped_and_says_why_not) {
+TEST_F(Playing, opens_dropped_files_and_reports_errors) {
     begin();
     const auto before = line().hash;
     screen_.drop({folder_.path() / "none.toml"});
@@ -385,7 +385,7 @@ TEST_F(Playing, goes_back_and_forth_and_takes_over_its_own_past) {
     stroke(3);
     EXPECT_NE(last_notice().find("Hands off"), std::string::npos) << last_notice();
     tap(Key::kPeriod);
-    EXPECT_EQ(line(), present) << "to the present, as it was";
+    EXPECT_EQ(line(), present) << "back to the unchanged present";
 
     tap(Key::kBackspace);
     frames(20);
@@ -400,7 +400,7 @@ TEST_F(Playing, goes_back_and_forth_and_takes_over_its_own_past) {
     EXPECT_NEAR(static_cast<double>(app_->sandbox().known_until()), static_cast<double>(then), 3);
     stroke(10);
     expect_recording_replays();
-    EXPECT_EQ(read_recording(first).value().last_tick(), present.tick) << "what was given up is kept";
+    EXPECT_EQ(read_recording(first).value().last_tick(), present.tick) << "the abandoned part is kept";
 }
 
 TEST_F(Playing, runs_back_to_the_beginning_and_stands_there) {

@@ -7,10 +7,10 @@
 
 namespace app_test {
 
-// A scripted screen with OpenGL: what was shown can be looked at. A frame takes a sixtieth of a second.
+// A scripted screen with OpenGL, whose frames can be read. A frame takes a sixtieth of a second.
 class GlScreen final : public support::ScriptedScreen {
   public:
-    GlScreen(int width, int height);  // throws where there is no GL 4.5
+    GlScreen(int width, int height);  // throws without GL 4.5
 
     void resize_to(int width, int height);  // 0 × 0: minimised
     render::Picture picture() const;        // as shown last

@@ -16,10 +16,10 @@
 #include "tests/bench/world.h"
 #include "tests/replay/play.h"
 
-// How long it takes to follow fronts and what they carry, on one thread: the detector's look at every edge, a
-// point on a front by each source, the gradient at a vertex beside it, a vertex that moves; and all of it for
-// a tick of the snow avalanche. The scene is the disc, whose front is closed. A hash of what came of it
-// stands in the same line.
+// Time to track fronts and advect their textures, on one thread: the detector's check of every edge, a point
+// on a front by each source, the gradient at a vertex beside it, a vertex that moves; and all of it for a
+// tick of the snow avalanche. The scene is the disc, whose front is closed. The line includes a hash of the
+// result.
 
 namespace bench {
 namespace {
@@ -40,7 +40,7 @@ double seconds_since(Clock::time_point before) {
     return std::chrono::duration<double>(Clock::now() - before).count();
 }
 
-// FNV-1a, of anything without padding.
+// FNV-1a, of any type without padding.
 template <class T>
 void set_hash(benchmark::State& run, std::span<const T> of) {
     std::uint64_t hash = 0xcbf29ce484222325;
@@ -51,10 +51,10 @@ void set_hash(benchmark::State& run, std::span<const T> of) {
 
 void count(benchmark::State& run, const char* name, double things) {
     run.counters[name] =
-        benchmark::Counter(things, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);  // s for each
+        benchmark::Counter(things, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);  // s per item
 }
 
-// The disc on a mesh of the unit square, step after step.
+// The disc on a mesh of the unit square, step by step.
 struct Scene {
     Mesh mesh;
     Rule gradient, level;
@@ -81,7 +81,7 @@ struct Scene {
     int steps() const { return static_cast<int>(velocity.size()); }
 };
 
-// Forward and back again, so that each step is the next one's neighbour.
+// Forward and back again, so that successive steps are neighbours.
 void scan(benchmark::State& run, Rule::Kind kind) {
     const Scene scene(static_cast<int>(run.range(0)), 16);
     Rule rule = kind == Rule::Kind::kLevel ? scene.level : scene.gradient;
@@ -119,7 +119,7 @@ void track(benchmark::State& run, PointSource source) {
     count(run, "per_point", points);
 }
 
-// Textures that have travelled for so long.
+// Textures after this long a run.
 struct Travelled {
     Scene scene;
     sim::Workers workers{1};
@@ -152,7 +152,7 @@ void gradients(benchmark::State& run) {
     set_hash(run, std::span<const TextureLayers::Gradients>(gradient));
 }
 
-// All that moves, again and again from where it was.
+// All moving parts, repeatedly from the same state.
 void carry(benchmark::State& run) {
     Travelled at(static_cast<int>(run.range(0)));
     const auto& velocity = at.scene.velocity.back();
@@ -169,7 +169,7 @@ void carry(benchmark::State& run) {
     set_hash(run, at.layers.offsets());
 }
 
-// The whole of a tick of the avalanche that ships, on its 160² squares, but for the avalanche itself.
+// A whole tick of the shipped avalanche, on its 160² squares, without the avalanche simulation itself.
 void snow_avalanche(benchmark::State& run) {
     if (const auto there = game::find_asset(game::AssetKind::kRecording, "snow-avalanche"); !there)
         return run.SkipWithError(there.error().sentence.c_str());
@@ -195,7 +195,7 @@ void snow_avalanche(benchmark::State& run) {
         set_hash(run, fronts->view().layers().offsets());
     }
     std::sort(times.begin(), times.end());
-    run.counters["median"] = times[times.size() / 2];  // s for a tick
+    run.counters["median"] = times[times.size() / 2];  // s per tick
     run.counters["p95"] = times[times.size() * 95 / 100];
     run.counters["worst"] = times.back();
     run.counters["points"] = points / static_cast<double>(times.size());

@@ -9,8 +9,8 @@
 #include "sim/sweep/count_mass.h"
 #include "sim/world/quanta.h"
 
-// Nanoseconds per cell of each stage of a step by itself, on one thread, where the step would call it: the
-// world and the scratch are those of a step that was done before.
+// Nanoseconds per cell of each stage of a step, on one thread, called in the order of the step. The world and
+// the scratch are those of a preceding step.
 
 namespace bench {
 namespace {

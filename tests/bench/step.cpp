@@ -13,11 +13,11 @@
 #include "sim/world/state_hash.h"
 #include "tests/bench/world.h"
 
-// How long a step takes per cell and sub-step, in the worst case: material rolls in every cell. `solver` is
-// the sub-step alone, `tick` the whole of a tick of one sub-step, with velocity for who looks on and ledger.
-// `of_limit` is the share of it that moving the layers through memory would take by itself. The state hash
-// stands in the same line, because a fast wrong answer is wrong: it must be the same on every machine, and
-// change only with the physics.
+// Time of a step per cell and sub-step, in the worst case: material rolls in every cell. `solver` is the
+// sub-step alone, `tick` a whole tick of one sub-step, with the velocity for views and the ledger. `of_limit`
+// is the share of it that moving the layers through memory would take. The line includes the state hash,
+// because a fast wrong answer is wrong. The hash must be the same on every machine, and change only with the
+// physics.
 
 using sim::Model;
 using sim::Scheme;
@@ -54,7 +54,7 @@ double seconds_since(Clock::time_point before) {
     return std::chrono::duration<double>(Clock::now() - before).count();
 }
 
-// What no step can beat on this machine: to read b, d and R and to write d and R, as the step has them.
+// The lower bound of a step on this machine: reading b, d and R and writing d and R in the step's layout.
 // Seconds per cell, the median of many passes.
 double least_per_cell(const sim::Grid& grid, int threads) {
     sim::Field<float> bedrock(grid), depth(grid), rolling(grid);
@@ -78,7 +78,7 @@ double least_per_cell(const sim::Grid& grid, int threads) {
     return times[kPasses / 2] / static_cast<double>(grid.size());
 }
 
-// Times kSteps of `step(play, number)`, again and again from the same state.
+// Times kSteps of `step(play, number)`, repeatedly from the same state.
 template <class Step>
 void time_steps(benchmark::State& run, Model model, Scheme scheme, const sim::StepOptions& options,
                 const Step& step) {
@@ -113,8 +113,8 @@ void tick(benchmark::State& run, Model model, Scheme scheme, const sim::StepOpti
     time_steps(run, model, scheme, options, [](support::Play& play, int) { play.ticks(1); });
 }
 
-// What tile sleep gains: a patch that rolls on a slope on which the rest lies still, so that a tenth of 1024²
-// is awake, or all of it. As many ticks each way, so that the hash must be the same.
+// The gain of tile sleep: a patch rolls on a slope whose rest lies still, so that a tenth of 1024² is awake,
+// or all of it. Both run equally many ticks, so that the hash must be the same.
 void patch_active(benchmark::State& run, Model model, Scheme scheme, bool may_sleep) {
     const auto squares = static_cast<int>(run.range(0));
     support::Ground ground({squares + 1, squares + 1, 5});
@@ -127,7 +127,7 @@ void patch_active(benchmark::State& run, Model model, Scheme scheme, bool may_sl
     sim::Params params = support::lively(model, scheme);
     params.borders.fill(sim::Border::kWall);
     support::Play play(ground, params, {.tiles_may_sleep = may_sleep});
-    play.ticks(3);  // what may sleep has fallen asleep
+    play.ticks(3);  // all tiles that may sleep are asleep
     for (auto _ : run) play.ticks(1);
     double awake = 0;
     for (const auto tile : play.state.tiles.awake) awake += tile;

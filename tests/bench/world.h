@@ -11,7 +11,7 @@ support::Play world_of(int squares, sim::Model model, sim::Scheme scheme,
 
 // Registers a benchmark for each stage of a step.
 void add_stages();
-// Registers benchmarks of what is seen of a flow: fronts and the textures beside them.
+// Registers benchmarks of fronts and the textures beside them.
 void add_fronts();
 
 }  // namespace bench

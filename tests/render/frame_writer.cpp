@@ -25,7 +25,7 @@ std::vector<std::uint8_t> read_png(const std::filesystem::path& path) {
     return pixels;
 }
 
-TEST(Picture, comes_back_from_a_png_as_it_went_in_and_leaves_nothing_beside_it) {
+TEST(Picture, survives_a_png_round_trip_and_leaves_no_other_file) {
     const support::TemporaryFolder folder;
     const Picture picture = picture_of(33, 17, 5);
     ASSERT_TRUE(write_png(picture, folder.path() / "a.png"));
@@ -34,7 +34,7 @@ TEST(Picture, comes_back_from_a_png_as_it_went_in_and_leaves_nothing_beside_it) 
     EXPECT_EQ(std::distance(begin(files), end(files)), 1);
 }
 
-TEST(FrameWriter, writes_every_frame_when_more_come_than_may_wait) {
+TEST(FrameWriter, writes_every_frame_when_the_queue_is_full) {
     const support::TemporaryFolder folder;
     FrameWriter writer(2);
     for (int i = 0; i < 12; ++i)
@@ -45,7 +45,7 @@ TEST(FrameWriter, writes_every_frame_when_more_come_than_may_wait) {
         EXPECT_EQ(read_png(folder.path() / (std::to_string(i) + ".png")), picture_of(64, 40, i).pixels) << i;
 }
 
-TEST(FrameWriter, writes_what_waits_when_it_is_dropped) {
+TEST(FrameWriter, writes_queued_frames_when_destroyed) {
     const support::TemporaryFolder folder;
     {
         FrameWriter writer(8);

@@ -7,8 +7,7 @@ namespace {
 
 class Colours : public Gl {
   protected:
-    // A gentle slope, its west half covered by the standing layer, its east half by a rolling layer on top of
-    // that.
+    // A gentle slope: a standing layer on its west half, and a rolling layer on top of one on its east half.
     static World half_rolling() {
         World world = make_world(40, 4, [](double, double y) { return 0.4 * y; });
         world.depth.fill(0.6f);
@@ -18,7 +17,7 @@ class Colours : public Gl {
         return world;
     }
 
-    // The least distance between the two halves to any eye.
+    // The smallest colour distance between the two halves, over all kinds of colour vision.
     double apart(const Look& look, double sun_azimuth_deg) {
         const Picture p = draw(half_rolling(), from_above({80, 80, 32}, 120), {sun_azimuth_deg, 35}, look);
         const Colour standing = mean_colour(p, 20, 48, 14), rolling = mean_colour(p, 76, 48, 14);
@@ -36,7 +35,7 @@ Look soil_look() {
     return look;
 }
 
-TEST_F(Colours, a_level_plane_has_the_colour_that_sun_and_sky_give_it_by_hand) {
+TEST_F(Colours, a_level_plane_has_the_colour_computed_by_hand) {
     World plane = make_world(40, 4, [](double, double) { return 0; });
     plane.depth.fill(1);
     for (const double elevation_deg : {15.0, 40.0}) {
@@ -62,15 +61,15 @@ TEST_F(Colours, a_slope_that_faces_the_sun_is_lit_by_the_cosine_between_them) {
     const double up = 0.5 + 0.5 * n_z;
     const double red = 0.5 * (1.42 * n_l + (0.12 + (0.15 - 0.12) * up));
     const double knee = red < 0.6 ? red : 0.6 + 0.4 * (1 - std::pow(1 + (red - 0.6) / 1.6, -4));
-    // The plane's own horizon takes a little of the sky from it.
+    // The plane's own horizon hides a little of the sky.
     EXPECT_NEAR(mean_colour(p, 48, 48, 10)[0], 255 * (1.055 * std::pow(knee, 1 / 2.4) - 0.055), 3);
 }
 
-TEST_F(Colours, moving_snow_differs_from_lying_snow_by_10_to_every_eye) {
+TEST_F(Colours, rolling_snow_differs_from_standing_snow_by_10_in_all_colour_vision) {
     for (const double sun : {90.0, 180.0, 270.0}) EXPECT_GT(apart(Look(), sun), 10) << sun;
 }
 
-TEST_F(Colours, moving_soil_differs_from_lying_soil_by_10_to_every_eye) {
+TEST_F(Colours, rolling_soil_differs_from_standing_soil_by_10_in_all_colour_vision) {
     for (const double sun : {90.0, 180.0, 270.0}) EXPECT_GT(apart(soil_look(), sun), 10) << sun;
 }
 
@@ -87,8 +86,8 @@ TEST_F(Colours, a_cover_hides_the_ground_from_its_visible_depth_and_not_below_ha
     EXPECT_GT(colour_distance(shown(0.09f), shown(0.21f)), 20);
 }
 
-// What is wholly the lower material looks as it would alone, and a mixture lies between.
-TEST_F(Colours, of_two_materials_are_those_of_what_is_seen) {
+// Pure lower material looks as it would alone, and a mixture lies between.
+TEST_F(Colours, of_two_materials_are_those_of_the_visible_mixture) {
     Look snow, soil = soil_look();
     snow.lower_standing = soil.standing, snow.lower_rolling = soil.rolling;
     const auto drawn = [&](const World& world, const Look& look) {

@@ -11,7 +11,7 @@
 #include "tests/render/watched.h"
 #include "tests/support/allocations.h"
 
-// What a flow carries, as it is seen: on the right side of every front, lit as it lies, and nowhere else.
+// Advected flow textures: on the right side of every front, lit by their relief, and nowhere else.
 namespace render::test {
 namespace {
 
@@ -35,14 +35,14 @@ class Flow : public Gl {
         }
     }
 
-    // Everywhere, one tile over the whole ground.
+    // Everywhere, with one tile over the whole ground.
     static Look flowing(FlowPattern pattern = FlowPattern::kCheckerboard) {
         Look look = plain_look();
         look.flow = FlowLook{pattern, 1, true};
         return look;
     }
 
-    // Straight down on all of it.
+    // Straight down on the whole ground.
     Picture seen(const FlowView& of, const Look& look, const Light& light = {135, 60},
                  const Marks& marks = {}) {
         renderer_->draw(ground.view(), from_above({kSide / 2, kSide / 2, 0}, kSide), light, look, marks,
@@ -56,7 +56,7 @@ class Flow : public Gl {
         for (int i = 0; i < steps; ++i) of.advance({v, {}}, 1 / 60.0, workers);
     }
 
-    // Coordinates as one pleases.
+    // Arbitrary coordinates.
     void lay(FlowView& of, const std::function<glm::vec2(const glm::vec2&)>& coordinates) {
         TextureLayers::Memory memory = of.layers().memory();
         for (std::size_t v = 0; v < mesh.position.size(); ++v)
@@ -76,12 +76,12 @@ double luminance(const Picture& picture, int x, int y) {
     return (picture.pixels[at] + picture.pixels[at + 1] + picture.pixels[at + 2]) / 3.0;
 }
 
-// Of a pixel, from the top left, m.
+// Position of a pixel, from the top left, m.
 glm::dvec2 place_of(int x, int y) {
     return {(x + 0.5) / kPixels * kSide, (kPixels - y - 0.5) / kPixels * kSide};
 }
 
-// Which of a checkerboard's colours coordinates have, and how far they are from the other, in pixels.
+// Which of a checkerboard's colours a position has, and its distance to the other colour, in pixels.
 struct Check {
     bool odd;
     double inside;
@@ -92,11 +92,11 @@ Check check_at(const glm::dvec2& coordinates) {
             std::min(from_edge.x, from_edge.y) * kPixels / kChecks};
 }
 
-// Share of pixels, well inside a check and off the front at y = `front`, whose colour is that of the
+// Share of pixels, well inside a check and away from the front at y = `front`, whose colour matches the
 // coordinates.
 template <class Coordinates>
 double agreement(const Picture& picture, double front, const Coordinates& coordinates) {
-    // Which colour is the odd one is the pattern's business.
+    // The pattern defines which colour comes first.
     double agree = 0, all = 0;
     for (int y = 0; y < kPixels; ++y)
         for (int x = 0; x < kPixels; ++x) {
@@ -108,8 +108,8 @@ double agreement(const Picture& picture, double front, const Coordinates& coordi
     return std::max(agree, all - agree) / all;
 }
 
-TEST_F(Flow, is_seen_where_it_was_carried_on_either_side_of_a_front) {
-    // Right above the middle of an edge; below it to the left, in two seconds by a check and a half.
+TEST_F(Flow, shows_the_advected_texture_on_either_side_of_a_front) {
+    // Above the middle of an edge to the right; below it to the left, by a check and a half in two seconds.
     const double front = 8.5 * static_cast<double>(kCell), way = 1.5 * kSide / kChecks;
     const auto speed = static_cast<float>(way / 2);
     run(
@@ -119,19 +119,19 @@ TEST_F(Flow, is_seen_where_it_was_carried_on_either_side_of_a_front) {
         return glm::dvec2(x.x + (x.y > front ? -way : way), x.y);
     };
     EXPECT_GT(agreement(picture, front, carried), 0.999);
-    // Sides exchanged by a check in one of them: what the measure must notice.
+    // One side shifted by a check: the measure must notice it.
     const auto swapped = [&](const glm::dvec2& x) {
         return carried(x) + glm::dvec2(x.y > front ? kSide / kChecks : 0, 0);
     };
     EXPECT_LT(agreement(picture, front, swapped), 0.7);
-    // Without a cut the texture is drawn out across the front.
+    // Without a cut the texture is stretched across the front.
     FlowView uncut(mesh, sim::front::gradient_rule(1e6f, kCell), PointSource::kFit, {});
     run(
         uncut, [&](const glm::vec2& x) { return glm::vec2(x.y > front ? speed : -speed, 0); }, 120);
     EXPECT_LT(agreement(seen(uncut, flowing()), front, carried), 0.99);
 }
 
-TEST_F(Flow, is_lit_as_its_texture_lies) {
+TEST_F(Flow, is_lit_by_the_relief_of_its_texture) {
     run(
         flow, [](const glm::vec2&) { return glm::vec2(0, 0); }, 1);
     const Picture upright = seen(flow, flowing(FlowPattern::kSnow), {30, 30});
@@ -148,8 +148,8 @@ TEST_F(Flow, is_lit_as_its_texture_lies) {
         for (std::size_t i = 0; i < a.pixels.size(); ++i) sum += std::abs(a.pixels[i] - b.pixels[i]);
         return sum / static_cast<double>(a.pixels.size());
     };
-    // Turned half way round, and the sun with it: the same picture, turned, but for what the camera lacks of
-    // the vertical. The sun where it was: another.
+    // With texture and sun rotated by half a turn, the image is the same, rotated, except that the camera is
+    // not exactly vertical. With the sun where it was, the image differs.
     const double same = apart(turned_back(seen(flow, flowing(FlowPattern::kSnow), {210, 30})), upright);
     const double other = apart(turned_back(seen(flow, flowing(FlowPattern::kSnow), {30, 30})), upright);
     EXPECT_LT(same, 4);
@@ -162,7 +162,7 @@ TEST_F(Flow, shows_its_stretch_in_the_colours_of_the_legend) {
     Marks marks;
     marks.overlay = Overlay::kStretch;
     const auto stops = legend_of(Overlay::kStretch).stops;
-    // Blown up alike in all directions; twice as much along x; and turned on top.
+    // Enlarged equally in all directions; twice as much along x; and rotated as well.
     const float c = std::cos(0.7f), s = std::sin(0.7f);
     const std::vector<std::pair<glm::mat2, std::size_t>> laid{
         {glm::mat2(3, 0, 0, 3), 0},
@@ -171,7 +171,7 @@ TEST_F(Flow, shows_its_stretch_in_the_colours_of_the_legend) {
     for (const auto& [gradient, stop] : laid) {
         lay(flow, [&g = gradient](const glm::vec2& x) { return g * x; });
         const Colour got = mean_colour(seen(flow, flowing(), {180, 89}, marks), kPixels / 2, kPixels / 2, 20);
-        // Light changes how bright they are, so shares of red, green and blue are compared.
+        // Light changes the brightness, so shares of red, green and blue are compared.
         const auto apart = [&](const LegendStop& other) {
             const glm::dvec3 a(got[0], got[1], got[2]), b(other.colour);
             return glm::distance(a / (a.x + a.y + a.z), b / (b.x + b.y + b.z));
@@ -209,7 +209,7 @@ TEST_F(Flow, shows_its_mesh_and_its_points_where_they_are) {
     EXPECT_FALSE(changed(4 * square + square / 4 * 3, 3 * square + square * 5 / 8));
 }
 
-// A ridge from west to east; the rolling layer only on its far side.
+// A ridge from west to east, with the rolling layer only on its far side.
 World ridge() {
     World world = make_world(48, 1, [](double, double y) { return y < 24 ? y : 48 - y; });
     world.depth.fill(1);
@@ -218,7 +218,7 @@ World ridge() {
     return world;
 }
 
-TEST_F(Flow, is_hidden_by_hills_and_seen_only_where_its_layer_is) {
+TEST_F(Flow, is_hidden_by_hills_and_visible_only_within_its_layer) {
     const World world = ridge();
     const sim::front::Mesh its_mesh = sim::front::mesh_of(world.grid);
     FlowView its_flow(its_mesh, sim::front::gradient_rule(0.1f, 1), PointSource::kHalf, {});
@@ -245,14 +245,14 @@ TEST_F(Flow, is_hidden_by_hills_and_seen_only_where_its_layer_is) {
     EXPECT_LT(changed, with.size() / 3 / 2);
 }
 
-TEST_F(Flow, that_came_to_rest_keeps_its_texture_where_it_came_to_lie) {
+TEST_F(Flow, that_came_to_rest_keeps_its_texture_as_deposit) {
     World world = make_world(kSquares, kCell, [](double, double) { return 0; });
     world.depth.fill(1);
     run(
         flow, [](const glm::vec2& x) { return glm::vec2(0, x.x > 4.1f ? 0.5f : 0); }, 90);
     run(
         flow, [](const glm::vec2&) { return glm::vec2(0, 0); }, 1);
-    std::vector<float> rise;  // also where nothing ever moved
+    std::vector<float> rise;  // also where nothing moved
     for (const glm::vec2& x : mesh.position) rise.push_back(x.y > 1.9f && x.y < 6.1f ? 0.5f : 0);
     Look look = plain_look();
     look.roughness = look.detail = 1;
@@ -263,7 +263,7 @@ TEST_F(Flow, that_came_to_rest_keeps_its_texture_where_it_came_to_lie) {
                         kPixels, kPixels, &flow);
         return renderer_->read_back();
     };
-    // Of a part of the ground, the share of pixels that are another colour.
+    // Share of pixels of a part of the ground that have another colour.
     const auto changed = [](const Picture& a, const Picture& b, const auto& counts) {
         double differ = 0, all = 0;
         for (int y = 0; y < kPixels; ++y)
@@ -278,12 +278,12 @@ TEST_F(Flow, that_came_to_rest_keeps_its_texture_where_it_came_to_lie) {
     const Picture plain = drawn(false), kept = drawn(true);
     EXPECT_GT(changed(plain, kept, within), 0.5);
     EXPECT_EQ(changed(plain, kept, without), 0);
-    // It is the texture that was carried there: laid elsewhere it is another picture.
+    // It is the advected texture: with other coordinates the image differs.
     lay(flow, [](const glm::vec2& x) { return glm::vec2(x.x + (x.x > 4.1f ? 1.3f : 0), x.y); });
     EXPECT_GT(changed(kept, drawn(true), within), 0.3);
 }
 
-TEST_F(Flow, of_before_leaves_no_trace_in_a_frame) {
+TEST_F(Flow, drawn_earlier_leaves_no_trace_in_a_frame) {
     run(
         flow, [](const glm::vec2& x) { return glm::vec2(x.y > 3.3f ? 1 : -1, 0); }, 60);
     const Picture first = seen(flow, flowing());
@@ -294,7 +294,7 @@ TEST_F(Flow, of_before_leaves_no_trace_in_a_frame) {
     EXPECT_EQ(seen(flow, flowing()).pixels, first.pixels);
 }
 
-TEST_F(Flow, that_runs_makes_no_object_and_draws_without_allocating) {
+TEST_F(Flow, draws_without_allocating_or_creating_objects) {
     const auto frame = [&](int i) {
         run(
             flow,
@@ -319,7 +319,7 @@ TEST_F(Flow, that_runs_makes_no_object_and_draws_without_allocating) {
     EXPECT_EQ(allocations, 0);
 }
 
-TEST_F(Gl, says_which_texture_is_missing) {
+TEST_F(Gl, names_the_missing_texture) {
     auto elsewhere = FlowTexture::load("/nowhere", FlowPattern::kStones);
     ASSERT_FALSE(elsewhere);
     EXPECT_NE(elsewhere.error().find("/nowhere/textures/stones.png"), std::string::npos) << elsewhere.error();

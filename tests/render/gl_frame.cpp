@@ -25,13 +25,13 @@ World hill() {
 
 template <class T>
 bool same_bits(const sim::Field<T>& a, const sim::Field<T>& b) {
-    const auto size = sizeof(T) * static_cast<std::size_t>(a.nx() + 2);  // halo and all
+    const auto size = sizeof(T) * static_cast<std::size_t>(a.nx() + 2);  // with halo
     for (int y = -1; y <= a.ny(); ++y)
         if (std::memcmp(a.row(y) - 1, b.row(y) - 1, size) != 0) return false;
     return true;
 }
 
-TEST_F(Gl, draws_the_same_pixels_again_whatever_was_drawn_in_between) {
+TEST_F(Gl, draws_the_same_pixels_again_after_any_other_frame) {
     const World world = hill(), other = make_world(20, 9, [](double x, double) { return x; });
     const Picture first = draw(world, overview(world.view()), Light(), Look(), 200, 120);
     draw(other, overview(other.view()), {20, 60}, plain_look(), 64, 64);
@@ -41,18 +41,18 @@ TEST_F(Gl, draws_the_same_pixels_again_whatever_was_drawn_in_between) {
     EXPECT_EQ(first.pixels, again.pixels);
 }
 
-TEST_F(Gl, sees_new_bedrock_at_the_address_of_the_old) {
+TEST_F(Gl, detects_new_bedrock_at_the_address_of_the_old) {
     World world = hill();
     const Camera camera = overview(world.view());
     const Picture before = draw(world, camera, Light(), Look());
     for (int x = 10; x < 20; ++x) world.bedrock(x, 10) += 30;
     const Picture after = draw(world, camera, Light(), Look());
-    SetUp();  // a renderer that never saw the old bedrock
+    SetUp();  // a renderer that has not seen the old bedrock
     EXPECT_NE(before.pixels, after.pixels);
     EXPECT_EQ(draw(world, camera, Light(), Look()).pixels, after.pixels);
 }
 
-TEST_F(Gl, leaves_the_fields_as_they_are_bit_for_bit) {
+TEST_F(Gl, leaves_the_fields_bit_identical) {
     const World world = hill(), copy = world;
     draw(world, overview(world.view()), Light(), Look());
     EXPECT_TRUE(same_bits(world.bedrock, copy.bedrock));
@@ -63,7 +63,7 @@ TEST_F(Gl, leaves_the_fields_as_they_are_bit_for_bit) {
     EXPECT_TRUE(same_bits(world.site, copy.site));
 }
 
-TEST_F(Gl, leaves_sky_where_there_is_no_data) {
+TEST_F(Gl, shows_sky_over_no_data) {
     World holed = hill(), nothing = hill();
     nothing.site.fill(sim::Site::kDrain);
     for (int y = 10; y < 38; ++y) {
@@ -85,7 +85,7 @@ TEST_F(Gl, puts_the_top_row_first_and_north_up) {
     EXPECT_GT(mean_colour(p, 48, 12, 3)[1], mean_colour(p, 48, 84, 3)[1] + 40);
 }
 
-TEST_F(Gl, leaves_the_state_of_gl_as_it_was_found) {
+TEST_F(Gl, restores_the_state_of_gl) {
     glViewport(3, 4, 50, 60);
     glEnable(GL_SCISSOR_TEST);
     glEnable(GL_BLEND);
@@ -113,7 +113,7 @@ TEST_F(Gl, leaves_the_state_of_gl_as_it_was_found) {
     glDepthFunc(GL_LESS);
 }
 
-TEST_F(Gl, draws_in_fine_quality_what_it_draws_in_fast_but_for_edges) {
+TEST_F(Gl, differs_between_fine_and_fast_quality_only_at_edges) {
     const World world = hill();
     const Picture fast = draw(world, overview(world.view()), Light(), plain_look(), 160, 90);
     auto fine_renderer = Renderer::create(support::source_dir() / "assets", Quality::kFine);

@@ -22,7 +22,7 @@ Marks with_contours() {
     return marks;
 }
 
-// Where a place is seen, pixels from the left and the top.
+// Position of a point in the image, pixels from the left and the top.
 glm::dvec2 seen_at(const Camera& camera, glm::dvec3 at) {
     const glm::dvec4 clip = projection_matrix(camera, 1) * view_matrix(camera) * glm::dvec4(at, 1);
     return glm::dvec2(0.5 + 0.5 * clip.x / clip.w, 0.5 - 0.5 * clip.y / clip.w) * static_cast<double>(kSize);
@@ -39,7 +39,7 @@ class MarksOnGround : public Gl {
     }
 };
 
-// A plane that rises to the north at 40° from a height of 1203.7 m, and a camera that sees it slantwise.
+// A plane that rises to the north at 40° from a height of 1203.7 m, and a camera that views it obliquely.
 struct Slope {
     World world =
         make_world(40, 4, [](double, double y) { return std::tan(40 * std::numbers::pi / 180) * y; });
@@ -76,14 +76,14 @@ TEST_F(MarksOnGround, ring_is_drawn_on_its_circle_and_follows_a_slope) {
     EXPECT_GT(colour_distance(pixel(plain, middle), pixel(ringed, middle)), 40);
 }
 
-TEST_F(MarksOnGround, ring_leaves_everything_beside_it_as_it_is_pixel_for_pixel) {
+TEST_F(MarksOnGround, ring_changes_no_pixel_outside_it) {
     const Slope slope;
     const Picture plain = shot(slope.world, slope.camera, {});
     const Picture ringed = shot(slope.world, slope.camera, with_ring({-500, 0}, 25));
     EXPECT_EQ(plain.pixels, ringed.pixels);
 }
 
-// Pixels of a line across the ring's rim that are more of its colour than not.
+// Pixels of a line across the ring's edge that have mostly its colour.
 int width_of_rim(const Picture& picture) {
     int width = 0;
     for (int x = kSize / 2 + 10; x < kSize; ++x) {
@@ -93,7 +93,7 @@ int width_of_rim(const Picture& picture) {
     return width;
 }
 
-TEST_F(MarksOnGround, ring_is_as_wide_from_near_as_from_afar) {
+TEST_F(MarksOnGround, ring_width_is_independent_of_distance) {
     const World plane = make_world(100, 10, [](double, double) { return 0; });
     for (const double height : {30.0, 300.0, 900.0}) {
         const int width =
@@ -118,12 +118,12 @@ TEST_F(MarksOnGround, ring_stands_between_dark_hairlines_on_white_ground) {
     EXPECT_LT(darkest_outside, mean_colour(p, 280, 150, 3)[1] - 50);
 }
 
-TEST_F(MarksOnGround, contours_lie_at_whole_multiples_of_the_interval_above_the_zero_of_the_terrain) {
+TEST_F(MarksOnGround, contours_are_at_multiples_of_the_interval_above_the_zero_of_the_terrain) {
     World world = make_world(40, 4, [](double, double y) { return 0.5 * y; });  // 80 m: every 2 m
     world.datum = 1203.7;
     const Camera camera = from_above({80, 80, world.datum + 40}, 40);
     const Picture plain = shot(world, camera, {}), lined = shot(world, camera, with_contours());
-    const auto darker = [&](double height) {  // the most of three rows, for a line may fall between two
+    const auto darker = [&](double height) {  // maximum of three rows: a line may fall between two
         const glm::dvec2 at = seen_at(camera, {80, 2 * (height - world.datum), height});
         double most = 0;
         for (int row = -1; row <= 1; ++row) {

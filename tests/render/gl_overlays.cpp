@@ -37,7 +37,7 @@ class Overlays : public Gl {
         return mean_colour(shot(world, overlay, light), 48, 48, 10);
     }
 
-    // A field of level ground set to each value of the overlay's legend and to those midway between.
+    // Level ground with each value of the overlay's legend and the values midway between.
     void expect_colours_of_the_legend(Overlay overlay, World& world, sim::Field<float>& field) {
         const auto stops = legend_of(overlay).stops;
         for (std::size_t i = 0; i < stops.size(); ++i) {
@@ -56,7 +56,7 @@ class Overlays : public Gl {
 TEST_F(Overlays, of_slope_has_the_colour_of_the_class_from_edge_to_edge) {
     for (const LegendStop& stop : legend_of(Overlay::kSlope).stops) {
         for (const double slope_deg : {stop.value + 0.3, stop.value + 4.7}) {
-            // From the south and so high that the slope gets as much sun as level ground.
+            // From the south and so steeply lit that the slope receives as much sun as level ground.
             const Light light{180, 90 - slope_deg / 2};
             EXPECT_LT(colour_distance(middle(tilted(slope_deg), Overlay::kSlope, light), of_legend(stop)), 5)
                 << slope_deg;
@@ -64,7 +64,7 @@ TEST_F(Overlays, of_slope_has_the_colour_of_the_class_from_edge_to_edge) {
     }
 }
 
-TEST_F(Overlays, of_slope_leaves_ground_below_30_degrees_as_it_is) {
+TEST_F(Overlays, of_slope_do_not_colour_ground_below_30_degrees) {
     EXPECT_EQ(shot(tilted(29.5), Overlay::kSlope).pixels, shot(tilted(29.5), Overlay::kNone).pixels);
 }
 
@@ -78,7 +78,7 @@ TEST_F(Overlays, of_the_rolling_layer_has_the_colours_of_its_legend) {
     expect_colours_of_the_legend(Overlay::kRolling, world, world.rolling);
 }
 
-TEST_F(Overlays, of_speed_has_the_colours_of_its_legend_whichever_way_it_goes) {
+TEST_F(Overlays, of_speed_has_the_colours_of_its_legend_in_every_direction) {
     World world = level();
     world.rolling.fill(0.5f);
     expect_colours_of_the_legend(Overlay::kSpeed, world, world.velocity_x);
@@ -88,7 +88,7 @@ TEST_F(Overlays, of_speed_has_the_colours_of_its_legend_whichever_way_it_goes) {
               2);
 }
 
-TEST_F(Overlays, of_depth_and_speed_leave_bare_and_resting_ground_as_it_is) {
+TEST_F(Overlays, of_depth_and_speed_do_not_colour_bare_or_resting_ground) {
     const World bare = level();
     for (const Overlay overlay : {Overlay::kStanding, Overlay::kRolling, Overlay::kSpeed})
         EXPECT_EQ(shot(bare, overlay).pixels, shot(bare, Overlay::kNone).pixels);
@@ -119,7 +119,7 @@ TEST_F(Overlays, show_the_shape_of_the_ground_by_its_shade) {
     EXPECT_GT(colour_distance(sunny, shady), 8);
 }
 
-TEST_F(Overlays, have_stops_that_every_eye_tells_apart) {
+TEST_F(Overlays, have_stops_distinguishable_in_all_colour_vision) {
     for (const Overlay overlay : {Overlay::kSlope, Overlay::kStanding, Overlay::kRolling, Overlay::kSpeed}) {
         const auto stops = legend_of(overlay).stops;
         for (std::size_t i = 1; i < stops.size(); ++i) {

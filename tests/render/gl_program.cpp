@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The shipped assets with one shader changed: after line `line` stands `text`.
+// The shipped assets with one shader changed: `text` is inserted after line `line`.
 class Shaders : public Gl {
   protected:
     void SetUp() override {
@@ -45,7 +45,7 @@ TEST_F(Shaders, that_do_not_compile_are_reported_with_file_and_line) {
     EXPECT_NE(error().find("undeclared_thing"), std::string::npos) << error();
 }
 
-TEST_F(Shaders, are_reported_by_the_file_that_is_wrong_where_several_make_one_program) {
+TEST_F(Shaders, are_reported_by_the_wrong_file_among_several) {
     insert_after("light.glsl", 2, "const vec3 kWrong = 1.0 + ;");
     EXPECT_NE(error().find("shaders/light.glsl:3: "), std::string::npos) << error();
 }
@@ -55,13 +55,13 @@ TEST_F(Shaders, that_are_missing_are_named) {
     EXPECT_NE(error().find("shaders/shadow.comp: cannot be read"), std::string::npos) << error();
 }
 
-TEST(HeadlessContext, says_which_way_it_does_not_know) {
+TEST(HeadlessContext, names_an_unknown_backend) {
     const auto context = HeadlessContext::create("vulkan");
     ASSERT_FALSE(context);
     EXPECT_NE(context.error().find("'vulkan'"), std::string::npos) << context.error();
 }
 
-TEST(HeadlessContext, says_how_many_devices_there_are_when_one_is_asked_for_that_is_not) {
+TEST(HeadlessContext, reports_the_number_of_devices_for_a_missing_device) {
     const auto context = HeadlessContext::create("device:4711");
     ASSERT_FALSE(context);
     EXPECT_NE(context.error().find("device:4711: EGL has "), std::string::npos) << context.error();

@@ -63,7 +63,7 @@ class Remeshing : public Gl {
                                     {{GL_VERTEX_SHADER, {"slots.glsl", "cut_vertex.glsl", "capture.vert"}}});
         ASSERT_TRUE(capture) << capture.error();
         capture_ = std::move(*capture);
-        // Without a window there is nothing to draw to until it is made, even for who draws no pixel.
+        // Without a window there is no framebuffer until one is created, even if no pixel is drawn.
         nowhere_ = make_framebuffer();
         glNamedFramebufferParameteri(nowhere_.name(), GL_FRAMEBUFFER_DEFAULT_WIDTH, 1);
         glNamedFramebufferParameteri(nowhere_.name(), GL_FRAMEBUFFER_DEFAULT_HEIGHT, 1);
@@ -74,10 +74,10 @@ class Remeshing : public Gl {
 
     void TearDown() override {
         EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
-        glUseProgram(0);  // a frame would put back the one that goes with this test
+        glUseProgram(0);  // otherwise a frame would restore the program of this test
     }
 
-    // What the remesher draws, in its order.
+    // The remesher's triangles, in its order.
     std::vector<CutTriangle> drawn() const {
         std::vector<Captured> captured(remesher.indices().size());
         const auto size = static_cast<GLsizeiptr>(sizeof(Captured) * captured.size());
@@ -107,7 +107,7 @@ class Remeshing : public Gl {
     Framebuffer nowhere_;
 };
 
-// Triangles to the bit, in an order that depends on nothing else.
+// Triangles as bits, in a canonical order.
 std::vector<std::array<std::uint32_t, 12>> bits_of(const std::vector<CutTriangle>& triangles) {
     std::vector<std::array<std::uint32_t, 12>> all;
     for (const CutTriangle& triangle : triangles) {
@@ -137,8 +137,8 @@ std::vector<CutTriangle> reference(const sim::front::Tracker& tracker) {
     return all;
 }
 
-// Of points that no tracker would set; `seen` gets which edges of a triangle were cut, and by which diagonal
-// what two cuts leave was halved.
+// Points that no tracker would set. `seen` collects which edges of a triangle were cut, and by which diagonal
+// the rest after two cuts was split.
 std::vector<CutTriangle> reference(const Mesh& mesh, const std::vector<Point>& points,
                                    std::set<std::pair<int, bool>>* seen = nullptr) {
     std::vector<std::optional<glm::vec2>> crossing(mesh.edge.size());
@@ -177,8 +177,8 @@ class Dice {
     std::mt19937 source_{4};
 };
 
-// Squares of one metre, their inner vertices moved, their diagonals either way, their vertices numbered
-// anyhow and their triangles begun at any corner; if `turned`, in either direction too.
+// Squares of one metre, with inner vertices moved, random diagonals, random vertex numbers and triangles that
+// start at any corner; if `turned`, in either direction too.
 Mesh irregular_mesh(int squares, bool turned, Dice& dice) {
     const int side = squares + 1;
     std::vector<int> number(static_cast<std::size_t>(side * side));
@@ -209,7 +209,7 @@ Mesh irregular_mesh(int squares, bool turned, Dice& dice) {
     return std::get<Mesh>(sim::front::mesh_of(std::move(position), std::move(triangle)));
 }
 
-// On a share of all edges, at the ends that there are, in the middle, and anywhere.
+// Points on a share of all edges, at the limits of the edge, in the middle, and anywhere.
 std::vector<Point> random_points(const Mesh& mesh, float share, Dice& dice) {
     std::vector<Point> points;
     for (int e = 0; e < mesh.edges(); ++e) {
@@ -224,7 +224,7 @@ double signed_area(const CutTriangle& triangle) {
     return 0.5 * ((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x));
 }
 
-TEST_F(Remeshing, draws_the_mesh_itself_where_nothing_is_cut) {
+TEST_F(Remeshing, draws_the_mesh_itself_if_nothing_is_cut) {
     Dice dice;
     const Mesh mesh = irregular_mesh(5, true, dice);
     remesher.send_mesh(mesh);
@@ -233,7 +233,7 @@ TEST_F(Remeshing, draws_the_mesh_itself_where_nothing_is_cut) {
     EXPECT_TRUE(same(drawn(), reference(mesh, {})));
 }
 
-TEST_F(Remeshing, equals_the_reference_to_the_bit_however_triangles_are_cut) {
+TEST_F(Remeshing, is_bit_identical_to_the_reference_for_all_cuts) {
     Dice dice;
     std::set<std::pair<int, bool>> seen;
     for (const int squares : {1, 7, 30}) {
@@ -248,8 +248,8 @@ TEST_F(Remeshing, equals_the_reference_to_the_bit_however_triangles_are_cut) {
     EXPECT_EQ(seen.size(), 8u + 3u) << "some pattern of cuts or some diagonal was not drawn";
 }
 
-// In squares at rest both diagonals of what two cuts leave may be as long.
-TEST_F(Remeshing, equals_the_reference_where_diagonals_are_equal) {
+// In undeformed squares both diagonals after two cuts may be equally long.
+TEST_F(Remeshing, equals_the_reference_if_diagonals_are_equal) {
     const Mesh mesh = sim::front::mesh_of(sim::Grid{9, 9, 1});
     remesher.send_mesh(mesh);
     Dice dice;
@@ -261,7 +261,7 @@ TEST_F(Remeshing, equals_the_reference_where_diagonals_are_equal) {
     }
 }
 
-TEST_F(Remeshing, would_be_caught_with_the_copies_of_an_edge_swapped) {
+TEST_F(Remeshing, comparison_detects_swapped_copies_of_an_edge) {
     Dice dice;
     const Mesh mesh = irregular_mesh(4, true, dice);
     remesher.send_mesh(mesh);
@@ -281,8 +281,8 @@ TEST_F(Remeshing, would_be_caught_with_the_copies_of_an_edge_swapped) {
     }
 }
 
-// Every side of a drawn triangle is that of another one, from end to end and to the bit, but for those along
-// the border.
+// Every side of a drawn triangle is bit-identical to that of another one, from end to end, except along the
+// border.
 TEST_F(Remeshing, has_no_cracks_and_covers_the_mesh_once) {
     Dice dice;
     constexpr int kSquares = 20;
@@ -315,7 +315,7 @@ TEST_F(Remeshing, has_no_cracks_and_covers_the_mesh_once) {
     EXPECT_NEAR(border, 4 * kSquares, 1e-4);
 }
 
-// A disc that goes round: where its front has left, the cuts are gone.
+// A rotating disc: where its front has left, the cuts are gone.
 class RemeshingADisc : public Remeshing {
   protected:
     static constexpr int kSquares = 24;
@@ -353,7 +353,7 @@ TEST_F(RemeshingADisc, follows_its_front) {
     EXPECT_GT(ever_cut.size(), 2 * tracker.points().size());
 }
 
-TEST_F(RemeshingADisc, does_not_mind_steps_that_it_was_not_told) {
+TEST_F(RemeshingADisc, tolerates_skipped_steps) {
     remesher.send_mesh(mesh);
     for (int i = 0; i < 90; ++i) {
         step();
@@ -365,7 +365,7 @@ TEST_F(RemeshingADisc, does_not_mind_steps_that_it_was_not_told) {
     EXPECT_TRUE(same(drawn(), reference(mesh, {})));
 }
 
-TEST_F(RemeshingADisc, forgets_it_with_a_new_mesh) {
+TEST_F(RemeshingADisc, is_dropped_by_a_new_mesh) {
     remesher.send_mesh(mesh);
     step();
     remesher.cut(tracker.points());
@@ -378,7 +378,7 @@ TEST_F(RemeshingADisc, forgets_it_with_a_new_mesh) {
     EXPECT_TRUE(same(drawn(), reference(other, points)));
 }
 
-TEST_F(RemeshingADisc, allocates_nothing_and_makes_no_object_as_it_goes_on) {
+TEST_F(RemeshingADisc, allocates_nothing_and_creates_no_object_in_later_steps) {
     remesher.send_mesh(mesh);
     const auto remesh = [&] {
         remesher.cut(tracker.points());

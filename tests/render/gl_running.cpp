@@ -6,7 +6,7 @@
 #include "tests/support/allocations.h"
 #include "tests/support/places.h"
 
-// What a window asks of one frame after the other.
+// Successive frames, as a window draws them.
 namespace render::test {
 namespace {
 
@@ -24,11 +24,11 @@ Marks all_marks(Overlay overlay) {
     return marks;
 }
 
-TEST_F(Gl, allocates_nothing_and_makes_no_object_in_a_running_frame) {
+TEST_F(Gl, allocates_nothing_and_creates_no_object_in_later_frames) {
     World world = covered_hill();
     Camera camera = overview(world.view());
     const auto frame = [&](int i) {
-        world.rolling(20 + i, 20) = 1;  // the world goes on
+        world.rolling(20 + i, 20) = 1;  // the simulation continues
         camera.azimuth_deg += 1;
         const Marks marks = i % 3 == 0 ? Marks() : all_marks(i % 3 == 1 ? Overlay::kNone : Overlay::kSpeed);
         renderer_->draw(world.view(), camera, Light(), Look(), marks, 160, 90);
@@ -45,11 +45,11 @@ TEST_F(Gl, allocates_nothing_and_makes_no_object_in_a_running_frame) {
     EXPECT_EQ(support::allocations_of_all_threads(), before);
     EXPECT_EQ(gl_objects, 0);
 
-    // The same counters see a frame of another size, and a plain allocation.
+    // The same counters detect a frame of another size, and a plain allocation.
     renderer_->draw(world.view(), camera, Light(), Look(), {}, 100, 60);
     EXPECT_GE(gl_objects, 4);
     const std::int64_t after = support::allocations_of_all_threads();
-    operator delete(operator new(8));  // a new expression may be left out by the compiler
+    operator delete(operator new(8));  // the compiler may omit a new expression
     EXPECT_EQ(support::allocations_of_all_threads(), after + 1);
 }
 
@@ -68,7 +68,7 @@ TEST_F(Gl, changes_its_quality_between_frames) {
     EXPECT_EQ(draw(world, camera, Light(), Look(), 160, 90).pixels, fast.pixels);
 }
 
-TEST_F(Gl, names_the_renderer_of_the_current_context_whoever_made_it) {
+TEST_F(Gl, names_the_renderer_of_any_current_context) {
     const std::string name = renderer_name();
     EXPECT_EQ(name, context().renderer_name());
     EXPECT_NE(name.find(reinterpret_cast<const char*>(glGetString(GL_RENDERER))), std::string::npos);

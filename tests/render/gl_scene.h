@@ -8,7 +8,7 @@
 #include "render/frame.h"
 #include "tests/render/world.h"
 
-// What the tests that draw share.
+// Shared by the rendering tests.
 namespace render::test {
 
 using Colour = std::array<double, 3>;  // sRGB, 0 to 255
@@ -16,14 +16,14 @@ using Colour = std::array<double, 3>;  // sRGB, 0 to 255
 // Mean over a square of pixels; x from the left, y from the top.
 Colour mean_colour(const Picture& picture, int x, int y, int half);
 
-// CIE L*a*b* distance; 2.3 is just noticed by most people, 10 seen at a glance.
+// CIE L*a*b* distance; 2.3 is just noticeable to most people, 10 is obvious.
 double colour_distance(const Colour& a, const Colour& b);
 
-// As somebody without one of the cones sees it (Machado, Oliveira and Fernandes 2009, severity 1).
+// The colour as seen by a person without one of the cones (Machado, Oliveira and Fernandes 2009, severity 1).
 enum class Cone { kLong, kMiddle };
 Colour without(Cone cone, const Colour& colour);
 
-Look plain_look();  // grey standing layer, no small-scale relief, so that a colour can be worked out by hand
+Look plain_look();  // grey standing layer, no small-scale relief, so that a colour can be computed by hand
 
 // A GL context for all tests of a program, and a renderer for each.
 class Gl : public testing::Test {

@@ -65,7 +65,7 @@ TEST_F(Shadow, of_a_slanting_sun_keeps_its_length_along_the_light) {
     EXPECT_GT(green(with_ridge(), southwest, 160 + across + 6, 160), 0.97 * lit(with_ridge(), southwest));
 }
 
-TEST_F(Shadow, is_thrown_by_a_heap_of_rolling_material_too) {
+TEST_F(Shadow, is_also_cast_by_a_heap_of_rolling_material) {
     World world = make_world(80, 4, [](double, double) { return 0; });
     world.depth.fill(0.5f);
     for (int y = 0; y <= 80; ++y) world.rolling(40, y) = 20;
@@ -73,7 +73,7 @@ TEST_F(Shadow, is_thrown_by_a_heap_of_rolling_material_too) {
     EXPECT_LT(green(world, west, 160 + 26, 160), 0.7 * lit(world, west));
 }
 
-TEST_F(Shadow, is_absent_on_level_ground_however_low_the_sun) {
+TEST_F(Shadow, is_absent_on_level_ground_at_any_sun_elevation) {
     World world = make_world(80, 4, [](double, double) { return 0; });
     world.depth.fill(0.5f);
     const Light low{215, 3};

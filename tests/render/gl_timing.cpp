@@ -3,7 +3,7 @@
 #include "render/overview.h"
 #include "tests/render/gl_scene.h"
 
-// Frames whose stages are timed. No test looks at how long they take.
+// Frames whose stages are timed. No test checks the times themselves.
 
 namespace render::test {
 namespace {
@@ -16,7 +16,7 @@ World slope() {
 
 class Timed : public Gl, public testing::WithParamInterface<Timing> {};
 
-TEST_P(Timed, frames_tell_what_their_stages_took_and_look_as_ever) {
+TEST_P(Timed, frames_report_stage_times_and_look_unchanged) {
     const World world = slope();
     const Camera camera = overview(world.view());
     const Picture plain = draw(world, camera, Light(), Look());
@@ -42,7 +42,7 @@ TEST_P(Timed, frames_tell_what_their_stages_took_and_look_as_ever) {
 INSTANTIATE_TEST_SUITE_P(Ways, Timed, testing::Values(Timing::kFinish, Timing::kQueries),
                          [](const auto& way) { return way.param == Timing::kFinish ? "finish" : "queries"; });
 
-TEST_F(Gl, is_timed_by_the_wall_clock_where_the_processor_draws) {
+TEST_F(Gl, is_timed_by_the_wall_clock_with_a_cpu_renderer) {
     EXPECT_EQ(suitable_timing(), is_software_renderer() ? Timing::kFinish : Timing::kQueries);
 }
 

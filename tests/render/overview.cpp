@@ -12,7 +12,7 @@
 namespace render {
 namespace {
 
-// Falls toward the west at 30 %, with a bump, 900 m above the datum's zero.
+// Slopes to the west at 30 %, with a bump, 900 m above the datum's zero.
 test::World western_slope() {
     test::World world = test::make_world(
         40, 10, [](double x, double y) { return 0.3 * x + 20 * std::sin(x / 60) * std::cos(y / 50); });

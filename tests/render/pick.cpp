@@ -18,7 +18,7 @@
 namespace render {
 namespace {
 
-// Rough ground with a few holes and a datum, seen as a view.
+// Rough ground with a few holes and a datum, as a view.
 test::World rough_world(unsigned seed) {
     const support::Ground ground = support::rough(24, 3, seed);
     test::World world = test::make_world(24, 3, [](double, double) { return 0; });
@@ -44,7 +44,7 @@ glm::dvec3 vertex(const test::World& world, std::uint32_t index) {
             world.datum + world.bedrock(x, y) + world.depth(x, y) + world.rolling(x, y)};
 }
 
-// Every triangle of the mesh, one after the other (Möller and Trumbore 1997), front faces only.
+// Intersects every triangle of the mesh in turn (Möller and Trumbore 1997), front faces only.
 std::optional<glm::dvec3> pick_slowly(const test::World& world, const GroundMesh& mesh, const Ray& ray) {
     double nearest = 1e30;
     for (std::size_t i = 0; i < mesh.surface.size(); i += 3) {
@@ -67,7 +67,7 @@ struct Tally {
     int hits = 0, misses = 0;
 };
 
-// Compares with the slow way for rays that `next` makes.
+// Compares with the brute-force search for rays that `next` makes.
 template <class Next>
 Tally compare(unsigned seed, int rays, Next next) {
     const test::World world = rough_world(seed);
@@ -96,7 +96,7 @@ glm::dvec3 direction(Share share) {
     return glm::normalize(along);
 }
 
-TEST(Pick, finds_what_a_search_of_all_triangles_finds_from_anywhere_around) {
+TEST(Pick, equals_a_search_of_all_triangles_from_all_around) {
     for (unsigned seed = 1; seed <= 4; ++seed) {
         const Tally tally = compare(seed, 1500, [](const test::World& world, auto share) {
             const glm::dvec3 middle(world.side() / 2, world.side() / 2, world.datum - 20);
@@ -109,7 +109,7 @@ TEST(Pick, finds_what_a_search_of_all_triangles_finds_from_anywhere_around) {
     }
 }
 
-TEST(Pick, finds_what_a_search_of_all_triangles_finds_from_among_the_hills) {
+TEST(Pick, equals_a_search_of_all_triangles_from_between_hills) {
     for (unsigned seed = 5; seed <= 8; ++seed) {
         const Tally tally = compare(seed, 1500, [](const test::World& world, auto share) {
             const double x = share() * world.side(), y = share() * world.side();
@@ -120,7 +120,7 @@ TEST(Pick, finds_what_a_search_of_all_triangles_finds_from_among_the_hills) {
     }
 }
 
-TEST(Pick, finds_what_a_search_of_all_triangles_finds_along_rows_columns_and_plumb_lines) {
+TEST(Pick, equals_a_search_of_all_triangles_along_rows_columns_and_verticals) {
     for (unsigned seed = 9; seed <= 11; ++seed) {
         const Tally tally = compare(seed, 900, [](const test::World& world, auto share) {
             const glm::dvec3 from(share() * world.side(), share() * world.side(),
@@ -135,7 +135,7 @@ TEST(Pick, finds_what_a_search_of_all_triangles_finds_along_rows_columns_and_plu
     }
 }
 
-TEST(Pick, comes_back_to_the_vertex_whose_point_of_the_picture_it_looks_through) {
+TEST(Pick, returns_the_vertex_projected_to_the_image_point) {
     test::World world = test::make_world(
         40, 5, [](double x, double y) { return 0.5 * y + 6 * std::sin(x / 25) * std::cos(y / 30); });
     world.datum = 800;
@@ -149,7 +149,7 @@ TEST(Pick, comes_back_to_the_vertex_whose_point_of_the_picture_it_looks_through)
                 projection_matrix(camera, aspect) * view_matrix(camera) * glm::dvec4(at, 1);
             const auto found = pick(world.view(), ray_through(camera, aspect, glm::dvec2(clip) / clip.w));
             const bool on_rim = x == 0 || y == 0 || x == 40 || y == 40;
-            if (!found && on_rim) continue;  // rounding may carry a ray past the edge of the world
+            if (!found && on_rim) continue;  // rounding may move a ray beyond the edge of the world
             ASSERT_TRUE(found) << x << ", " << y;
             const bool hidden = glm::distance(*found, eye(camera)) < glm::distance(at, eye(camera)) - 0.01;
             if (hidden) continue;
@@ -179,10 +179,10 @@ TEST(Pick, cuts_a_square_from_lower_left_to_upper_right) {
     EXPECT_NEAR(height(0.75, 0.75), 0.75, 1e-9);  // on the cut
     EXPECT_NEAR(height(0.75, 0.25), 0.25, 1e-9);
     EXPECT_NEAR(height(0.25, 0.75), 0.25, 1e-9);
-    EXPECT_NEAR(height(1.5, 0.5), 0, 1e-9);  // of the square beside it the cut runs outside the peak
+    EXPECT_NEAR(height(1.5, 0.5), 0, 1e-9);  // in the square beside it the diagonal runs outside the peak
 }
 
-TEST(Pick, finds_nothing_beside_the_world_below_it_and_where_data_is_missing) {
+TEST(Pick, is_empty_beside_the_world_below_it_and_at_no_data) {
     test::World world = test::make_world(6, 1, [](double, double) { return 0; });
     const auto misses = [&](const Ray& ray) { return !pick(world.view(), ray).has_value(); };
     EXPECT_TRUE(misses({{-0.1, 3, 5}, {0, 0, -1}}));
@@ -193,10 +193,10 @@ TEST(Pick, finds_nothing_beside_the_world_below_it_and_where_data_is_missing) {
     EXPECT_FALSE(misses({{3, 3, 5}, {0, 0, -1}}));
     world.site(3, 3) = sim::Site::kDrain;
     EXPECT_TRUE(misses({{3.2, 3.1, 5}, {0, 0, -1}}));
-    EXPECT_FALSE(misses({{3.9, 2.05, 5}, {0, 0, -1}}));  // a corner of that square's neighbour is whole
+    EXPECT_FALSE(misses({{3.9, 2.05, 5}, {0, 0, -1}}));  // the neighbouring square at this corner is whole
 }
 
-TEST(Pick, lets_a_camera_that_looks_up_see_a_face_that_is_steeper_than_its_gaze) {
+TEST(Pick, finds_a_face_steeper_than_an_upward_view) {
     const test::World cliff =
         test::make_world(20, 1, [](double, double y) { return y < 10 ? 0 : 3 * (y - 10); });
     const double s = std::sqrt(0.5);
@@ -207,7 +207,7 @@ TEST(Pick, lets_a_camera_that_looks_up_see_a_face_that_is_steeper_than_its_gaze)
     EXPECT_FALSE(pick(cliff.view(), {{10.3, 12, 30}, {0, s, s}}));
 }
 
-TEST(Pick, does_not_see_the_ground_from_underneath) {
+TEST(Pick, ignores_the_ground_from_below) {
     const test::World slope = test::make_world(20, 1, [](double, double y) { return 2 * y; });
     EXPECT_FALSE(pick(slope.view(), {{10.3, 18, 5}, {0, -1, 0}}));  // comes out at y = 2.5
     EXPECT_TRUE(pick(slope.view(), {{10.3, 0.5, 5}, {0, 1, 0}}));

@@ -14,7 +14,7 @@
 namespace render {
 namespace {
 
-// Every claim but one is about pictures as they ship; the one is that they are what the recipes make.
+// One test compares the shipped images with the recipes' output. All others check the shipped images.
 Picture shipped(const std::string& file) {
     const auto path = support::source_dir() / "assets" / "textures" / file;
     const auto input = OIIO::ImageInput::open(path.string());
@@ -59,7 +59,7 @@ std::string name_of(const testing::TestParamInfo<TextureRecipe>& info) {
 INSTANTIATE_TEST_SUITE_P(Of, Textures, testing::ValuesIn(recipes(true)), name_of);
 INSTANTIATE_TEST_SUITE_P(Of, StochasticTextures, testing::ValuesIn(recipes(false)), name_of);
 
-TEST_P(Textures, ship_as_the_recipes_make_them_bit_for_bit) {
+TEST_P(Textures, are_shipped_bit_identical_to_their_recipes) {
     const auto made = make_pictures(GetParam());
     EXPECT_EQ(made.size(), GetParam().kind == TextureKind::kStochastic ? 4u : 3u);
     for (const auto& [file, picture] : made) {
@@ -67,11 +67,11 @@ TEST_P(Textures, ship_as_the_recipes_make_them_bit_for_bit) {
         ASSERT_EQ(found.width, picture.width) << file;
         ASSERT_EQ(found.height, picture.height) << file;
         ASSERT_EQ(found.channels, picture.channels) << file;
-        EXPECT_TRUE(found.pixels == picture.pixels) << file << " is not what make_textures writes";
+        EXPECT_TRUE(found.pixels == picture.pixels) << file << " differs from the output of make_textures";
     }
 }
 
-// Root mean square of the steps from column to column (down: from row to row); the last one goes over the
+// Root mean square of the steps from column to column (down: from row to row). The last step crosses the
 // seam.
 std::vector<double> steps(const Picture& picture, bool down) {
     std::vector<double> steps;
@@ -95,7 +95,7 @@ bool has_a_seam(const Picture& picture, bool down) {
     return found.back() > *std::max_element(found.begin(), found.end() - 1);
 }
 
-TEST_P(Textures, step_over_the_seam_no_farther_than_somewhere_inside) {
+TEST_P(Textures, have_no_larger_step_at_the_seam_than_inside) {
     for (const char* ending : {".png", "-height.png", "-normal.png"}) {
         const Picture picture = shipped(GetParam(), ending);
         ASSERT_EQ(picture.width, kTextureSize);
@@ -104,8 +104,8 @@ TEST_P(Textures, step_over_the_seam_no_farther_than_somewhere_inside) {
     }
 }
 
-// Without this the test above could pass because it sees nothing.
-TEST(Seam, is_seen_in_a_texture_with_a_tenth_cut_off) {
+// Checks that the test above can detect a seam.
+TEST(Seam, is_detected_in_a_texture_with_a_tenth_cut_off) {
     for (const char* file :
          {"stones-height.png", "perlin-height.png", "snow-height.png", "soil-height.png"}) {
         const Picture whole = shipped(file);
@@ -117,8 +117,8 @@ TEST(Seam, is_seen_in_a_texture_with_a_tenth_cut_off) {
     }
 }
 
-// A slope from the normal's own definition: the surface falls where the normal leans.
-TEST_P(Textures, have_normals_that_are_upright_on_the_slopes_of_the_raw_heights) {
+// Uses the definition of a normal: the surface falls in the direction in which the normal leans.
+TEST_P(Textures, have_normals_perpendicular_to_the_raw_heights) {
     const Picture normals = shipped(GetParam(), "-normal.png");
     const Tile heights = GetParam().make().heights;
     double worst = 0, steepest = 0;
@@ -136,7 +136,7 @@ TEST_P(Textures, have_normals_that_are_upright_on_the_slopes_of_the_raw_heights)
             steepest = std::max(steepest, std::abs(rise_x) / chord);
         }
     }
-    EXPECT_LT(worst, 0.006);  // sine of the angle that is missing to 90°: half a byte of two channels
+    EXPECT_LT(worst, 0.006);  // cosine of the angle to the chord: half a byte of two channels
     EXPECT_GT(steepest, 0.2);
 }
 
@@ -151,7 +151,7 @@ TEST_P(StochasticTextures, have_gaussian_heights) {
     for (const double height : sorted) variance += (height - mean) * (height - mean) / count;
     EXPECT_NEAR(mean, 0.5, 0.001);
     EXPECT_NEAR(std::sqrt(variance), 1. / 6, 0.001);
-    // Standard normal quantiles as tables have them.
+    // Standard normal quantiles from tables.
     for (const auto& [share, deviations] : {std::pair{0.01, -2.3263},
                                             {0.1, -1.2816},
                                             {0.25, -0.6745},
@@ -179,7 +179,7 @@ TEST_P(StochasticTextures, look_like_their_heights_in_their_colours) {
     EXPECT_EQ(different, 0);
 }
 
-// Heights that rise with the raw ones: a colour stands for the same height before and after.
+// The heights rise with the raw ones, so a colour stands for the same height before and after.
 TEST_P(StochasticTextures, keep_the_order_of_their_raw_heights) {
     const Tile raw = GetParam().make().heights;
     const Gaussian gaussian = gaussianise(raw);
@@ -201,7 +201,7 @@ TEST(Checkerboard, has_two_colours_in_equal_area) {
     EXPECT_EQ(area.begin()->second, area.rbegin()->second);
 }
 
-TEST(NormalShare, is_what_tables_say) {
+TEST(NormalShare, matches_published_tables) {
     for (const auto& [x, share] : {std::pair{0., 0.5},
                                    {1., 0.8413447460685429},
                                    {-1., 0.15865525393145705},

@@ -6,9 +6,10 @@
 
 namespace render::test {
 
-inline int gl_objects = 0;  // made under the eyes of Watched
+inline int gl_objects = 0;  // created while a Watched exists
 
-// Counts the calls of an entry point that makes GL names, while it lives. The loader keeps them in variables.
+// Counts the calls of an entry point that creates GL names, during its lifetime. The loader keeps the entry
+// points in variables.
 template <auto* kEntry>
 class Watched {
     using Function = std::remove_pointer_t<decltype(kEntry)>;

@@ -23,10 +23,10 @@ struct World {
     double side() const { return (grid.nx - 1) * static_cast<double>(grid.dx); }  // m
 };
 
-// Square ground of `squares` along a side, m, with heights of a place in metres. No layers.
+// Square ground with side `squares`, m; heights are a function of position in metres. No layers.
 World make_world(int squares, float cell, const std::function<double(double x, double y)>& bedrock);
 
-// Straight down on a place, north up, the picture `height` metres tall.
+// A view straight down on a point, north up, the image `height` metres tall.
 Camera from_above(glm::dvec3 target, double height);
 
 }  // namespace render::test

@@ -29,8 +29,8 @@ std::int64_t support::allocations_of_all_threads() {
     return count_of_all;
 }
 
-// All kinds without an alignment of their own: those of the standard library call the first, but a sanitizer
-// brings its own of each, and what one of them made must not be freed by another's counterpart.
+// All variants without an alignment argument. The standard library's call the first one, but a sanitizer
+// replaces each, and memory from one must not be freed by another's counterpart.
 void* operator new(std::size_t size) {
     return counted(size);
 }

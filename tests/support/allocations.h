@@ -4,10 +4,10 @@
 
 namespace support {
 
-// How often this thread has called operator new, libraries' calls included. Linking the library
+// Number of calls of operator new by this thread, including those of libraries. Linking the library
 // test_allocations replaces operator new of the whole program.
 std::int64_t allocations();
-// The same of all threads together.
+// The same for all threads together.
 std::int64_t allocations_of_all_threads();
 
 }  // namespace support

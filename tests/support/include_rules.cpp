@@ -14,21 +14,21 @@ namespace fs = std::filesystem;
 
 using Names = std::vector<std::string_view>;
 
-// What the sources of one folder may include. A folder within a room has a rule of its own, which then holds
-// in place of the room's. An entry that ends in '/' stands for a folder and all below it; another one for the
+// The headers that sources of one folder may include. A folder within a room may have its own rule, which
+// replaces the room's. An entry that ends in '/' covers a folder and all below it; any other entry covers
 // headers whose path begins with it.
 struct Room {
     std::string name;
     bool anything = false;    // all libraries; rooms are still checked
     Names rooms;              // our own headers
     Names libraries = {};     // beside standard headers
-    Names not_standard = {};  // standard headers it does without
+    Names not_standard = {};  // forbidden standard headers
 };
 
 const Names kSimLibraries{"glm/", "xxhash.h", "xxh_x86dispatch.h", "experimental/simd"};
 const Names kNotInSim{"filesystem", "fstream", "chrono", "ctime"};
 
-// Folders of game/, lowest floor first: each may include those before it, and no other.
+// Folders of game/, lowest floor first: each may include only those before it.
 const Names kGameFloors{"game/base/",      "game/files/",   "game/pages/",    "game/scene/",
                         "game/recording/", "game/session/", "game/analysis/", "game/compare/",
                         "game/figures/",   "game/bench/",   "game/controls/", "game/ui/",
@@ -85,7 +85,7 @@ const std::vector<Room>& rooms() {
     return kRooms;
 }
 
-// Libraries that one file keeps from all others.
+// Libraries that only one file may use.
 struct Keeper {
     std::string_view library, file;
 };
@@ -139,8 +139,8 @@ bool may_include(const Room& room, std::string_view file, std::string_view heade
     return begins_with_one_of(header, room.libraries);
 }
 
-// The path from the top of the checkout for one of our own headers, the name as it stands for a library's. A
-// quoted name that begins with no room is a neighbour of the file, which "../" may lead out of the room.
+// For one of our own headers, its path from the top of the checkout; for a library's, the name as written. A
+// quoted name that begins with no room is a neighbour of the file; "../" may lead it out of the room.
 std::string resolve(std::string_view file, char quote, const std::string& name) {
     std::string normal = fs::path(name).lexically_normal().generic_string();
     if (quote == '<' || is_in_the_house(normal)) return normal;

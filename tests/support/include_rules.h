@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-// The arrows between the rooms of the house, read off #include lines:
+// The dependencies between the rooms, from #include lines:
 //
 //   files/     ──► standard headers and those of the system
 //   sim/       ──► standard headers without files and clock; GLM, xxHash
@@ -14,8 +14,8 @@
 //   game/      ──► all four and any library
 //   tests/     ──► anything
 //
-// Two libraries are one file's alone: GLFW game/app/window.cpp's, CLI11 game/command_line.cpp's.
-// Everything not listed for a room is against the rules there, so that a new library is a line here.
+// Two libraries belong to one file each: GLFW to game/app/window.cpp, CLI11 to game/command_line.cpp.
+// Anything not listed for a room is forbidden there, so a new library needs a line here.
 namespace support {
 
 // An include that breaks the rules.
@@ -25,9 +25,9 @@ struct Breach {
     std::string fact;  // "sim may not include <fstream>"
 };
 
-// Breaches of one source text. `file` is its path from the top of the checkout and begins with its room. Sees
-// includes as the preprocessor would but for two things: it takes those that are switched off by #if for
-// real, and calls a name that a macro would give a breach.
+// Returns the violations in one source text. `file` is its path from the top of the checkout and begins with
+// its room. Reads includes as the preprocessor does, except that it counts those disabled by #if, and reports
+// a name from a macro as a violation.
 std::vector<Breach> breaches_in(std::string_view file, std::string_view text);
 
 // The C++ files of the rooms under `top`, as paths from there, sorted.

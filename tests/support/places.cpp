@@ -34,7 +34,7 @@ TemporaryFolder::TemporaryFolder() {
 }
 
 TemporaryFolder::~TemporaryFolder() {
-    std::error_code left_behind;  // litter in the temporary folder is no reason for a test to fail
+    std::error_code left_behind;  // leftovers in the temporary folder must not fail a test
     fs::remove_all(path_, left_behind);
 }
 

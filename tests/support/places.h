@@ -3,23 +3,23 @@
 #include <filesystem>
 #include <optional>
 
-// Where tests find things and may write.
+// Where tests find and write files.
 namespace support {
 
-// The checkout that the tests were built from.
+// The source checkout that the tests were built from.
 std::filesystem::path source_dir();
 
-// The folder that this build writes into.
+// The build folder.
 std::filesystem::path build_dir();
 
 // The program of the same build.
 std::filesystem::path program();
 
-// The folder of real terrain named by COULOIR_DEM_DIR; none where that is unset or empty, and then a test
-// that needs it is skipped: if (!dem_dir()) GTEST_SKIP() << "COULOIR_DEM_DIR is not set";
+// The folder of real terrain named by COULOIR_DEM_DIR; none if that is unset or empty. A test that needs it
+// is then skipped: if (!dem_dir()) GTEST_SKIP() << "COULOIR_DEM_DIR is not set";
 std::optional<std::filesystem::path> dem_dir();
 
-// A new empty folder that goes with the object, for the files that a test writes.
+// A new empty folder for the files of a test, deleted with the object.
 class TemporaryFolder {
   public:
     TemporaryFolder();

@@ -9,11 +9,11 @@
 
 namespace support {
 
-// A screen that a test holds in its hands: it gives the events that the test put in, and remembers what it
-// was told. Has no GL: what draws needs a context from elsewhere, and framebuffer() is what the test says.
+// A screen controlled by a test: it returns the events that the test queued, and records the calls it
+// received. Has no GL: drawing needs a context from elsewhere, and the test sets framebuffer().
 class ScriptedScreen : public game::Screen {
   public:
-    // For the next poll(), in order.
+    // Events for the next poll(), in order.
     void happen(std::initializer_list<game::Event> events) { coming_.insert(coming_.end(), events); }
     void move(double x, double y) { happen({game::MoveEvent{x, y}}); }
     void press(game::Button button, game::Modifiers with = {}) {
@@ -22,7 +22,7 @@ class ScriptedScreen : public game::Screen {
     void release(game::Button button, game::Modifiers with = {}) {
         happen({game::ButtonEvent{button, false, with}});
     }
-    // Down and up again.
+    // Press and release.
     void tap(game::Key key, game::Modifiers with = {});
     void type(std::string_view text);  // ASCII
     void drop(std::vector<std::filesystem::path> files);
@@ -32,7 +32,7 @@ class ScriptedScreen : public game::Screen {
     void draw_into(unsigned framebuffer) { framebuffer_ = framebuffer; }
 
     const std::string& title() const { return title_; }
-    int frames() const { return frames_; }  // that were presented
+    int frames() const { return frames_; }  // presented so far
 
     std::span<const game::Event> poll() override;
     std::vector<std::filesystem::path> dropped() override { return std::exchange(dropped_, {}); }

@@ -1,6 +1,6 @@
-// Notes what each test costs: with COULOIR_TEST_TIMES=FILE every test adds a line to that file, with the
-// processor time in seconds of the test and of the child processes it waited for, its wall time, its name and
-// its result. Sorted, the lines tell what belongs into SLOW of a couloir_test.
+// Records the cost of each test. With COULOIR_TEST_TIMES=FILE every test adds a line to that file: processor
+// time in seconds of the test and of the child processes it waited for, wall time, name and result. Sorted,
+// the lines show which tests belong in SLOW of a couloir_test.
 #include <sys/resource.h>
 
 #include <chrono>

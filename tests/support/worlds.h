@@ -15,12 +15,12 @@
 
 namespace support {
 
-// A ground to play tests on; all fields start at zero, all of it has data.
+// A test terrain; all fields start at zero, and all of it has data.
 struct Ground {
     sim::Grid grid;
     std::vector<float> bedrock, depth, rolling;  // m
     std::vector<std::uint8_t> has_data;
-    std::optional<sim::Params> lower;  // of a world of two materials
+    std::optional<sim::Params> lower;  // of a world with two materials
     std::vector<float> lower_depth;    // m
 
     explicit Ground(const sim::Grid& on);
@@ -30,14 +30,14 @@ struct Ground {
     sim::InitialState world() const;
 };
 
-// bedrock = −tangent · y: falls to the north.
+// bedrock = −tangent · y: slopes down to the north.
 Ground plane(int squares, float dx, double tangent, double depth = 0);
 // A blunt cone of erodible material on flat bedrock, nowhere steeper than `tangent`.
 Ground pile(int squares, float dx, double tangent, double height);
-// A rough valley with cover and a heap, for whatever must hold on any ground; `seed` varies it.
+// A rough valley with cover and a heap, for properties that must hold on any ground; `seed` varies it.
 Ground rough(int squares, float dx, unsigned seed);
 
-// A world that steps.
+// A world that can be stepped.
 struct Play {
     sim::State state;
     sim::Engine engine;
@@ -59,13 +59,13 @@ inline constexpr Physics kPhysics[] = {{sim::Model::kBcre, sim::Scheme::kLaxFrie
                                        {sim::Model::kBcre, sim::Scheme::kMuscl},
                                        {sim::Model::kBcreInertial, sim::Scheme::kLocalLaxFriedrichs}};
 
-// Numbers that make both models lively on grounds of a few metres per cell.
+// Parameters that make both models active on grounds of a few metres per cell.
 sim::Params lively(sim::Model model, sim::Scheme scheme = sim::Scheme::kLocalLaxFriedrichs);
 
-// Whether two fields are equal to the bit, halo left out.
+// Whether two fields are bit-identical, without the halo.
 bool same_bits(const sim::Field<float>& a, const sim::Field<float>& b);
 
-// The same with its default for each member that its kind does not use.
+// The same command, with defaults for members that its kind does not use.
 sim::Command of_its_kind(const sim::Command& command);
 
 sim::Command pour_at(double x, double y, double radius, double rate, double duration);

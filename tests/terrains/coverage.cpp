@@ -54,7 +54,7 @@ TEST(Coverage, cuts_areas_at_the_grid) {
     EXPECT_EQ(volume(kGrid, away), 0);
 }
 
-TEST(Coverage, keeps_the_volume_of_a_turned_square_to_half_a_per_cent) {
+TEST(Coverage, conserves_the_volume_of_a_rotated_square_to_half_a_per_cent) {
     Area turned{{{}}, 1};
     for (int corner = 0; corner <= 4; ++corner) {
         const double angle = 0.4 + corner * 3.14159265358979 / 2;
@@ -63,7 +63,7 @@ TEST(Coverage, keeps_the_volume_of_a_turned_square_to_half_a_per_cent) {
     EXPECT_NEAR(volume(kGrid, mean_thickness(kGrid, {turned}).value()), 2 * 30 * 30, 0.005 * 1800);
 }
 
-TEST(Coverage, refuses_outlines_that_would_take_for_ever) {
+TEST(Coverage, refuses_outlines_that_would_take_too_long) {
     Area saw{{{}}, 1};
     for (int tooth = 0; tooth < 100'000; ++tooth) {
         saw.rings[0].push_back({tooth * 1e-3, 0});

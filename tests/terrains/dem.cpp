@@ -23,7 +23,7 @@ double plane(double x, double y) {
     return 1500 + 0.5 * (x - kEast) - 0.25 * (y - kNorth);
 }
 
-// Calls check(vertex's local point, its height) wherever the terrain has data, and counts.
+// Calls check(vertex's local point, its height) wherever the terrain has data, and counts the calls.
 int for_known(const Terrain& terrain, const std::function<void(LocalPoint, double)>& check) {
     int known = 0;
     for (int y = 0; y < terrain.grid.ny; ++y)
@@ -94,7 +94,7 @@ TEST(Dem, reproduces_a_plane_without_a_coordinate_system_exactly) {
     EXPECT_EQ(known, static_cast<int>(terrain->grid.size()));
 }
 
-TEST(Dem, lays_feet_on_a_plane_in_metres) {
+TEST(Dem, projects_feet_to_a_plane_in_metres) {
     const support::TemporaryFolder folder;
     constexpr double kFoot = 0.3048;
     AsciiGrid grid{
@@ -112,7 +112,7 @@ TEST(Dem, lays_feet_on_a_plane_in_metres) {
     EXPECT_GT(known, static_cast<int>(terrain->grid.size()) * 9 / 10);
 }
 
-TEST(Dem, brings_web_mercator_back_to_true_metres) {
+TEST(Dem, converts_web_mercator_to_true_metres) {
     const support::TemporaryFolder folder;
     AsciiGrid grid{.west = 1'272'000, .south = 5'990'000, .prj = test::web_mercator()};  // 47.3° N
     const auto path =
@@ -147,7 +147,7 @@ TEST(Dem, reads_feet_scale_and_offset_of_heights) {
     EXPECT_NE(cubits.error().find("'cubit'"), std::string::npos) << cubits.error();
 }
 
-TEST(Dem, plays_the_metres_of_a_raster_whose_rows_run_to_the_north) {
+TEST(Dem, reads_a_raster_whose_rows_run_north) {
     const support::TemporaryFolder folder;
     test::write_ascii_grid(folder.path(), "hill", {}, [](double, double y) { return 1000 + y; });
     test::write_text(
@@ -161,7 +161,7 @@ TEST(Dem, plays_the_metres_of_a_raster_whose_rows_run_to_the_north) {
     EXPECT_NEAR(terrain->surface.back(), 1000, 1e-3);
 }
 
-TEST(Dem, takes_every_spelling_of_no_data_as_none) {
+TEST(Dem, accepts_every_form_of_no_data) {
     const support::TemporaryFolder folder;
     const AsciiGrid grid{.is_void = [](int column, int row) { return column == 3 && row == 5; }};
     const std::string plain = test::ascii_text(grid, [](double x, double) { return 1000 + x; });
@@ -187,11 +187,11 @@ TEST(Dem, takes_every_spelling_of_no_data_as_none) {
         EXPECT_EQ(voids, 1) << header << value;
         const std::size_t hole = 11 * 21 + 3;
         EXPECT_EQ(terrain->has_data[hole], 0) << header << value;
-        EXPECT_NEAR(terrain->surface[hole], 1030, 1e-3) << "the neighbours' slope carried on";
+        EXPECT_NEAR(terrain->surface[hole], 1030, 1e-3) << "the neighbours' slope is extended";
     }
 }
 
-TEST(Dem, takes_header_keys_in_any_case_and_corner_or_centre) {
+TEST(Dem, accepts_header_keys_in_any_case_and_corner_or_centre) {
     const support::TemporaryFolder folder;
     const AsciiGrid grid{.west = 100, .south = 200, .cell = 4.9977};
     const std::string plain = test::ascii_text(grid, [](double x, double y) { return 1000 + x - y; });
@@ -223,7 +223,7 @@ TEST(Dem, refuses_an_ascii_grid_cut_short_anywhere_and_prints_nothing) {
     const auto path = folder.path() / "hill.asc";
     test::write_text(path, whole);
     ASSERT_TRUE(read_dem(path, 8));
-    const std::size_t last_number = whole.find_last_of(' ') + 1;  // a cut within it cannot be seen
+    const std::size_t last_number = whole.find_last_of(' ') + 1;  // a cut within it cannot be detected
     testing::internal::CaptureStderr();
     testing::internal::CaptureStdout();
     std::string passed;
@@ -235,7 +235,7 @@ TEST(Dem, refuses_an_ascii_grid_cut_short_anywhere_and_prints_nothing) {
         else if (terrain.error().find("hill.asc: ") == std::string::npos)
             passed += " unnamed:" + terrain.error();
     }
-    EXPECT_EQ(passed, "") << "cut to these lengths it was read, of " << whole.size();
+    EXPECT_EQ(passed, "") << "it was read when cut to these lengths, of " << whole.size();
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
 }
@@ -259,12 +259,12 @@ TEST(Dem, refuses_a_geotiff_cut_short_anywhere_and_prints_nothing) {
     }
     test::write_text(path, whole.substr(0, whole.size() - 1));
     if (read_dem(path, 20)) passed += " all but one";
-    EXPECT_EQ(passed, "") << "cut to these lengths it was read, of " << whole.size();
+    EXPECT_EQ(passed, "") << "it was read when cut to these lengths, of " << whole.size();
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
 }
 
-TEST(Dem, names_file_and_fact_of_what_it_refuses) {
+TEST(Dem, errors_name_file_and_fact) {
     const support::TemporaryFolder folder;
     const auto refusal = [&](const std::string& text, int squares = 8) {
         test::write_text(folder.path() / "bad.asc", text);
@@ -300,7 +300,7 @@ TEST(Dem, names_file_and_fact_of_what_it_refuses) {
     EXPECT_EQ(missing.error(), (folder.path() / "none.asc").string() + ": there is no such file");
 }
 
-TEST(Dem, refuses_pixels_and_places_of_a_length_that_no_terrain_has) {
+TEST(Dem, refuses_impossible_pixel_sizes_and_coordinates) {
     const support::TemporaryFolder folder;
     const auto refusal = [&](double west, double cell) {
         const auto terrain =

@@ -50,7 +50,7 @@ void expect_back(const std::filesystem::path& path, const Georeference& place,
     EXPECT_NEAR(before.longitude, after.longitude, 1e-9);
 }
 
-TEST(Export, brings_every_bit_back_through_geotiff_and_ascii) {
+TEST(Export, is_bit_identical_after_geotiff_and_ascii_round_trips) {
     const support::TemporaryFolder folder;
     std::vector<float> field = bumps();
     field[5 * 33 + 7] = std::nanf("");
@@ -70,7 +70,7 @@ TEST(Export, leaves_no_prj_of_an_earlier_place_behind) {
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "field.prj"));
 }
 
-TEST(Export, brings_a_mask_back_through_its_outlines) {
+TEST(Export, restores_a_mask_from_its_outlines) {
     const support::TemporaryFolder folder;
     std::vector<std::uint8_t> mask(kGrid.size());
     for (int y = 0; y < kGrid.ny; ++y)
@@ -145,7 +145,7 @@ TEST(Export, writes_an_empty_mask_as_no_features) {
     EXPECT_TRUE(nlohmann::json::parse(test::read_text(folder.path() / "mask.geojson"))["features"].empty());
 }
 
-TEST(Export, names_the_file_it_cannot_write_and_leaves_nothing_behind) {
+TEST(Export, names_the_file_it_cannot_write_and_leaves_no_file) {
     const support::TemporaryFolder folder;
     const auto nowhere = folder.path() / "none";
     const auto tif = write_geotiff(nowhere / "field.tif", kGrid, {}, bumps());

@@ -17,7 +17,7 @@ struct AsciiGrid {
     int columns = 21, rows = 17;
     double west = 0, south = 0;  // centre of the south-west pixel
     double cell = 10;
-    std::string prj = std::string();                  // WKT of the .prj beside it; none where empty
+    std::string prj = std::string();                  // WKT of the .prj beside it; none if empty
     std::function<bool(int column, int row)> is_void  // row counted from the north
         = [](int, int) { return false; };
 };

@@ -23,7 +23,7 @@ float at(const Terrain& terrain, const std::vector<float>& field, double x, doub
     return field[j * terrain.grid.nx + i];
 }
 
-TEST(SoilSlope, has_the_heights_of_its_formula) {
+TEST(SoilSlope, matches_its_formula) {
     const auto terrain = generate_soil_slope(plain_slope()).value();
     EXPECT_EQ(terrain.grid, (sim::Grid{81, 81, 2.f}));
     // At the break the logarithm is 0: −100 (tan 32° + tan 3°) / 2.
@@ -32,7 +32,7 @@ TEST(SoilSlope, has_the_heights_of_its_formula) {
     EXPECT_NEAR(at(terrain, terrain.surface, 80, 160) - at(terrain, terrain.surface, 80, 120), 24.9948, 2e-3);
     // Far below it tan 3°: 20 m · 0.052408.
     EXPECT_NEAR(at(terrain, terrain.surface, 80, 20) - at(terrain, terrain.surface, 80, 0), 1.0482, 2e-3);
-    // Six metres below the break the soil is half the slope's and all of the foot's.
+    // Six metres below the break the soil is half the slope's plus all of the foot's.
     EXPECT_NEAR(at(terrain, terrain.cover, 80, 54), 0.45 + 0.1, 1e-3);
     EXPECT_NEAR(at(terrain, terrain.cover, 80, 150), 0.9 + 0.1, 1e-3);
 }
@@ -66,7 +66,7 @@ TEST(AlpineValley, holds_the_heap_in_a_bowl) {
     }
 }
 
-TEST(AlpineValley, lays_snow_only_where_it_holds) {
+TEST(AlpineValley, puts_snow_only_on_gentle_ground) {
     const auto terrain = generate_alpine_valley().value();
     EXPECT_GT(at(terrain, terrain.cover, 962.5, 1675), 0.9f);
     EXPECT_EQ(at(terrain, terrain.cover, 1000, 500), 0.f);  // the valley floor
@@ -95,7 +95,7 @@ void expect_one_mountain(Generate generate) {
         }
 }
 
-TEST(Generators, make_the_same_mountain_at_every_grid) {
+TEST(Generators, make_the_same_mountain_on_every_grid) {
     expect_one_mountain([](int squares) { return generate_soil_slope({}, squares); });
     expect_one_mountain([](int squares) { return generate_alpine_valley({}, squares); });
 }

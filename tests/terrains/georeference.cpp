@@ -17,7 +17,7 @@ TEST(Georeference, finds_a_known_place_in_utm) {
     EXPECT_NEAR(there.longitude, 11 + 24 / 60.0 + 59.45 / 3600, 0.005 / 3600);
 }
 
-TEST(Georeference, comes_back_to_where_it_started) {
+TEST(Georeference, survives_a_round_trip) {
     for (const auto& georeference :
          {Georeference::projected(test::utm_32n(), 683'000, 5'240'000),
           Georeference::local({47.3, 11.43}, -900, -2000), Georeference::local({-43.6, 170.14}, 0, 0),
@@ -37,7 +37,7 @@ TEST(Georeference, measures_true_metres_on_a_local_plane) {
     EXPECT_NEAR(east.x, 0.01 * 3.14159265 / 180 * 6'389'706 * 0.678160, 0.02);
 }
 
-TEST(Georeference, says_nothing_where_it_is_not_placed) {
+TEST(Georeference, is_empty_if_not_placed) {
     for (const auto& nowhere : {Georeference(), Georeference::unnamed(361'015, 70'223)}) {
         EXPECT_FALSE(nowhere.placed());
         EXPECT_FALSE(nowhere.to_lat_lon({0, 0}));
@@ -47,7 +47,7 @@ TEST(Georeference, says_nothing_where_it_is_not_placed) {
     }
 }
 
-TEST(Georeference, refuses_what_is_no_place_on_earth) {
+TEST(Georeference, refuses_invalid_positions) {
     const auto plane = Georeference::local({47.3, 11.43}, 0, 0);
     EXPECT_FALSE(plane.to_local({91, 11}));
     EXPECT_FALSE(plane.to_local({std::nan(""), 11}));

@@ -54,7 +54,7 @@ TEST(Heightmap, keeps_the_single_steps_of_sixteen_bits) {
     for (int x = 0; x < 40; ++x) EXPECT_NEAR(terrain.surface[x + 1] - terrain.surface[x], 1 / 32.0, 2e-4);
 }
 
-TEST(Heightmap, takes_black_and_white_of_eight_bits_as_lowest_and_highest) {
+TEST(Heightmap, maps_black_and_white_of_eight_bits_to_lowest_and_highest) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "hill.pgm";
     test::write_text(path, pgm(9, 9, 255, [](int, int row) { return row == 0 ? 255 : 0; }));
@@ -63,7 +63,7 @@ TEST(Heightmap, takes_black_and_white_of_eight_bits_as_lowest_and_highest) {
     EXPECT_FLOAT_EQ(terrain.surface.back(), 700);   // north
 }
 
-TEST(Heightmap, names_file_and_fact_of_what_it_refuses) {
+TEST(Heightmap, errors_name_file_and_fact) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "bad.pgm";
     const std::string whole = pgm(20, 20, 65535, [](int column, int row) { return 50 * column + row; });
@@ -86,8 +86,8 @@ TEST(Heightmap, names_file_and_fact_of_what_it_refuses) {
     EXPECT_FALSE(read_heightmap(folder.path() / "none.png", kScale, 10));
 }
 
-// Whatever the library does at them, an exception too.
-TEST(Heightmap, refuses_files_that_only_begin_like_a_picture) {
+// Whatever the library does with them, even if it throws.
+TEST(Heightmap, refuses_files_that_only_begin_like_an_image) {
     const support::TemporaryFolder folder;
     using namespace std::string_literals;
     const std::string beginnings[]{"GIF87a",

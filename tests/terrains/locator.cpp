@@ -38,14 +38,14 @@ std::int64_t allocations_of(const Georeference& georeference) {
     return support::allocations() - before;
 }
 
-TEST(Locator, says_where_a_known_place_is) {
+TEST(Locator, locates_a_known_place) {
     EXPECT_EQ(said(Locator(Georeference::local({47.30012, 11.4321}, 0, 0)), {0, 0}),
               "47.30012° N 11.43210° E, UTM 32T 683860 5241385");
     EXPECT_EQ(said(Locator(Georeference::projected(test::utm_32n(), 682'000, 5'243'000)), {608, 710}),
               "47.32137° N 11.41651° E, UTM 32T 682608 5243710");
 }
 
-TEST(Locator, says_what_a_georeference_says) {
+TEST(Locator, equals_the_georeference) {
     for (const Georeference& georeference : placed()) {
         const Locator locator(georeference);
         for (const LocalPoint p :
@@ -56,7 +56,7 @@ TEST(Locator, says_what_a_georeference_says) {
     }
 }
 
-TEST(Locator, says_nothing_where_nobody_knows) {
+TEST(Locator, is_empty_if_the_position_is_unknown) {
     for (const Georeference& nowhere :
          {Georeference(), Georeference::unnamed(361'015, 70'223), Georeference::projected("no system", 0, 0)})
         EXPECT_EQ(said(Locator(nowhere), {0, 0}), "");
@@ -64,7 +64,7 @@ TEST(Locator, says_nothing_where_nobody_knows) {
     EXPECT_EQ(said(Locator(placed()[1]), {std::numeric_limits<double>::quiet_NaN(), 0}), "");
 }
 
-TEST(Locator, cuts_to_the_room_it_is_given_and_closes_it) {
+TEST(Locator, truncates_to_the_buffer_and_null_terminates) {
     const Locator locator(placed()[1]);
     std::array<char, 9> text;
     text.fill('x');

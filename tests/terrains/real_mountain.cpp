@@ -1,5 +1,4 @@
-// The trial data that COULOIR_DEM_DIR names: one mountain in three coordinate systems, and a hillside without
-// any.
+// The data that COULOIR_DEM_DIR names: one mountain in three coordinate systems, and a hillside without any.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -51,8 +50,8 @@ TEST_F(RealMountain, stands_in_the_same_place_in_three_coordinate_systems) {
             }
         ASSERT_GT(differences.size(), 1500u);
         std::sort(differences.begin(), differences.end());
-        // One cell aside is some 4 m of height here. The files were resampled from each other, hence not
-        // closer.
+        // A shift of one cell is some 4 m of height here. The files were resampled from each other, so they
+        // agree no better.
         EXPECT_LT(differences[differences.size() / 2], 0.1) << all[other].name << ": median, m";
         EXPECT_LT(differences[differences.size() * 99 / 100], 1.5) << all[other].name << ": 99 %, m";
     }
@@ -79,7 +78,7 @@ TEST_F(RealMountain, has_the_reference_extent_below_its_release) {
     }
 }
 
-TEST_F(RealMountain, knows_where_its_ground_is_unknown) {
+TEST_F(RealMountain, reports_its_no_data) {
     const auto terrain = read_dem(file("alr/alr.asc"), 400).value();
     const auto known = std::accumulate(terrain.has_data.begin(), terrain.has_data.end(), 0.0);
     EXPECT_NEAR(1 - known / static_cast<double>(terrain.grid.size()), 0.31, 0.01);

@@ -89,7 +89,7 @@ TEST_F(Release, puts_the_thickness_of_a_polygon_on_its_cells) {
                 << x << ", " << y;
 }
 
-TEST_F(Release, keeps_the_volume_whatever_the_polygon_or_plane) {
+TEST_F(Release, conserves_the_volume_for_any_polygon_or_plane) {
     for (const Terrain& terrain : {utm_ground(), ground(Georeference::local({47.3, 11.43}, -200, -150))}) {
         const std::string parts = "[[" + ring(terrain, 33, 41, 171, 98) + ", " +
                                   ring(terrain, 71, 57, 111, 83) + "], [" +
@@ -101,14 +101,14 @@ TEST_F(Release, keeps_the_volume_whatever_the_polygon_or_plane) {
     }
 }
 
-TEST_F(Release, takes_one_feature_and_a_bare_geometry_too) {
+TEST_F(Release, accepts_one_feature_and_a_bare_geometry) {
     const Terrain terrain = utm_ground();
     const std::string coordinates = "[" + ring(terrain, 95, 45, 145, 75) + "]";
     EXPECT_TRUE(read(feature(R"("thickness": 1)", "Polygon", coordinates), terrain));
     EXPECT_TRUE(read(R"({ "type": "Polygon", "coordinates": )" + coordinates + " }", terrain, 2.0));
 }
 
-TEST_F(Release, asks_for_a_thickness_unless_a_default_is_given) {
+TEST_F(Release, requires_a_thickness_unless_a_default_is_given) {
     const Terrain terrain = utm_ground();
     const std::string text = collection(feature("", "Polygon", "[" + ring(terrain, 95, 45, 145, 75) + "]"));
     EXPECT_NE(refusal(text, terrain).find("feature 1: it has no 'thickness'"), std::string::npos);
@@ -159,15 +159,16 @@ TEST_F(Release, refuses_polygons_that_touch_no_ground) {
     EXPECT_NE(refusal(here, terrain).find("ground of ground"), std::string::npos);
 }
 
-TEST_F(Release, refuses_degrees_for_a_terrain_that_has_no_place) {
+TEST_F(Release, refuses_degrees_for_a_terrain_that_is_not_placed) {
     const std::string text =
         collection(feature(R"("thickness": 1)", "Polygon", "[" + ring(utm_ground(), 0, 0, 9, 9) + "]"));
     EXPECT_NE(refusal(text, ground({})).find("coordinate system"), std::string::npos);
     EXPECT_FALSE(read_release(folder_.path() / "none.geojson", utm_ground()));
 }
 
-TEST_F(Release, brings_a_depth_raster_over_by_coordinates_and_keeps_its_volume) {
-    // 3 m in pixels of 7 m from (113, 92) to (113 + 84, 92 + 63): nothing falls on the terrain's own cells.
+TEST_F(Release, resamples_a_depth_raster_by_coordinates_and_conserves_its_volume) {
+    // 3 m in pixels of 7 m from (113, 92) to (113 + 84, 92 + 63): no pixel coincides with the terrain's
+    // cells.
     for (const double cell : {7.0, 21.0, 3.5}) {
         test::AsciiGrid grid{.columns = static_cast<int>(84 / cell),
                              .rows = static_cast<int>(63 / cell),
@@ -186,7 +187,7 @@ TEST_F(Release, brings_a_depth_raster_over_by_coordinates_and_keeps_its_volume) 
     }
 }
 
-TEST_F(Release, brings_a_depth_raster_over_between_systems) {
+TEST_F(Release, resamples_a_depth_raster_between_systems) {
     test::AsciiGrid grid{.columns = 40,
                          .rows = 40,
                          .west = 11.4205,
@@ -202,7 +203,7 @@ TEST_F(Release, brings_a_depth_raster_over_between_systems) {
     EXPECT_NEAR(volume(terrain, *thickness), 2 * area, 0.01 * 2 * area);
 }
 
-TEST_F(Release, takes_depths_stored_negative_as_amounts_and_refuses_both_signs) {
+TEST_F(Release, reads_negative_depths_as_amounts_and_refuses_both_signs) {
     const Terrain terrain = ground(Georeference::unnamed(1000, 2000));
     const auto write = [&](const test::Height& depth) {
         return test::write_ascii_grid(folder_.path(), "depth",
@@ -219,7 +220,7 @@ TEST_F(Release, takes_depths_stored_negative_as_amounts_and_refuses_both_signs) 
     EXPECT_NE(deep.error().find("row 1, column 1 is 201 m deep"), std::string::npos) << deep.error();
 }
 
-TEST_F(Release, refuses_depth_rasters_that_cannot_be_joined_to_the_terrain) {
+TEST_F(Release, refuses_depth_rasters_that_cannot_be_aligned_with_the_terrain) {
     const auto flat = [](double, double) { return 1.0; };
     const auto bare = test::write_ascii_grid(folder_.path(), "bare", {.west = 10, .south = 10}, flat);
     const auto named = test::write_ascii_grid(folder_.path(), "named",
@@ -232,7 +233,7 @@ TEST_F(Release, refuses_depth_rasters_that_cannot_be_joined_to_the_terrain) {
     EXPECT_FALSE(read_release(folder_.path() / "none.tif", utm_ground()));
 }
 
-TEST_F(Release, leaves_ground_that_nobody_knows_bare) {
+TEST_F(Release, leaves_no_data_bare) {
     Terrain terrain = utm_ground();
     terrain.has_data[6 * 41 + 12] = 0;
     const auto thickness =
@@ -251,7 +252,7 @@ TEST_F(Release, reads_an_extent_whether_or_not_it_has_a_thickness) {
         const auto extent = read_extent(path_, terrain);
         ASSERT_TRUE(extent) << extent.error();
         EXPECT_EQ(std::accumulate(extent->begin(), extent->end(), 0), 15)
-            << properties;  // 0.4 of a cell is out
+            << properties;  // 0.4 of a cell is outside
     }
     test::write_text(path_, collection(feature("", "Polygon", "[" + ring(terrain, 950, 45, 990, 75) + "]")));
     EXPECT_FALSE(read_extent(path_, terrain));

@@ -95,7 +95,7 @@ TEST(PlaneFit, reproduces_a_plane_exactly_around_voids) {
     }
 }
 
-TEST(PlaneFit, is_bilinear_where_the_raster_is_coarser) {
+TEST(PlaneFit, is_bilinear_if_the_raster_is_coarser) {
     const auto grid = grid_over(200, 160, 40).value();  // 5 m under 10 m
     const auto fitted = fit_raster(grid, [](int column, int row) { return column * row; });
     EXPECT_FLOAT_EQ(fitted.surface[2 * 41 + 2], 1);                      // on point 1, 1
@@ -103,20 +103,20 @@ TEST(PlaneFit, is_bilinear_where_the_raster_is_coarser) {
     EXPECT_FLOAT_EQ(fitted.surface[3 * 41 + 3], (1 + 2 + 2 + 4) / 4.f);  // amid four
 }
 
-TEST(PlaneFit, averages_detail_finer_than_its_cells_away) {
+TEST(PlaneFit, averages_detail_finer_than_its_cells) {
     const auto grid = grid_over(200, 160, 8).value();  // 25 m over 10 m
     const auto fitted =
         fit_raster(grid, [](int column, int row) { return (column + row) % 2 == 0 ? 1.0 : -1.0; });
     for (const float height : fitted.surface) EXPECT_NEAR(height, 0, 0.4);
 }
 
-TEST(PlaneFit, knows_no_ground_where_most_of_it_is_void) {
+TEST(PlaneFit, has_no_data_where_most_points_are_void) {
     const auto grid = grid_over(200, 160, 20).value();
     const auto fitted = fit_raster(grid, [](int column, int) { return column < 11 ? std::nan("") : 5.0; });
     for (int x = 0; x < 21; ++x) EXPECT_EQ(fitted.has_data[5 * 21 + x], x < 11 ? 0 : 1) << x;
 }
 
-TEST(FillVoids, carries_a_plane_straight_on_next_to_known_ground) {
+TEST(FillVoids, extrapolates_a_plane_next_to_known_ground) {
     const sim::Grid grid{12, 9, 10.f};
     std::vector<float> surface(grid.size());
     std::vector<std::uint8_t> known(grid.size(), 1);
@@ -133,7 +133,7 @@ TEST(FillVoids, carries_a_plane_straight_on_next_to_known_ground) {
     EXPECT_EQ(surface, whole);
 }
 
-TEST(FillVoids, takes_the_mean_of_what_is_filled_farther_out) {
+TEST(FillVoids, uses_the_mean_of_filled_neighbours_farther_out) {
     const sim::Grid grid{6, 3, 1.f};
     std::vector<float> surface(grid.size());
     std::vector<std::uint8_t> known(grid.size());
@@ -144,8 +144,8 @@ TEST(FillVoids, takes_the_mean_of_what_is_filled_farther_out) {
         }
     fill_voids(grid, known, surface);
     for (int y = 0; y < 3; ++y) {
-        EXPECT_FLOAT_EQ(surface[y * 6 + 2], 2);  // 0, 1 carried on
-        EXPECT_FLOAT_EQ(surface[y * 6 + 5], 2);  // and then level
+        EXPECT_FLOAT_EQ(surface[y * 6 + 2], 2);  // extrapolates 0, 1
+        EXPECT_FLOAT_EQ(surface[y * 6 + 5], 2);  // then level
         EXPECT_EQ(known[y * 6 + 2], 0);
     }
 }

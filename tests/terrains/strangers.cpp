@@ -1,4 +1,4 @@
-// What a file that somebody else made can reach: itself, its own sidecars, and nothing else.
+// The limits of an untrusted file: it reaches itself, its own sidecars, and nothing else.
 
 #include <arpa/inet.h>
 #include <sys/socket.h>
@@ -31,7 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A server on the loopback that accepts and never answers.
+// A server on the loopback that accepts connections and never answers.
 class SilentServer {
   public:
     SilentServer() : socket_(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK, 0)) {
@@ -68,7 +68,7 @@ std::string virtual_raster(const std::string& source, const char* relative = "0"
         relative, source);
 }
 
-// Whether anything that reads rasters takes the file.
+// Whether any raster reader accepts the file.
 bool is_read(const fs::path& path, References references) {
     static const support::TemporaryFolder folder;
     static const Terrain ground =
@@ -79,7 +79,7 @@ bool is_read(const fs::path& path, References references) {
            read_reference(path, ground, references) || read_grey_picture(path);
 }
 
-TEST(Strangers, ask_no_server_whatever_is_allowed) {
+TEST(Strangers, contact_no_server_with_any_permission) {
     const support::TemporaryFolder folder;
     SilentServer server;
     const std::string url = server.url();
@@ -112,12 +112,12 @@ TEST(Strangers, ask_no_server_whatever_is_allowed) {
                 EXPECT_FALSE(is_read(folder.path() / name, references)) << text;
                 EXPECT_EQ(server.requests(), 0) << text;
             }
-    // One answer that is waited for takes 30 s at least.
+    // Waiting for one answer takes at least 30 s.
     EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(30));
 }
 
 // The system of a recording comes from its header.
-TEST(Strangers, have_no_address_or_path_in_a_coordinate_system) {
+TEST(Strangers, may_not_put_an_address_or_path_in_a_coordinate_system) {
     const support::TemporaryFolder folder;
     SilentServer server;
     const auto pipe = folder.path() / "pipe";
@@ -136,7 +136,7 @@ TEST(Strangers, have_no_address_or_path_in_a_coordinate_system) {
     EXPECT_TRUE(PlaneTransform::between(test::utm_32n(), wgs84_wkt()));
 }
 
-TEST(Strangers, name_other_files_only_where_that_is_allowed) {
+TEST(Strangers, refer_to_other_files_only_if_allowed) {
     const support::TemporaryFolder folder, elsewhere;
     const auto source =
         test::write_ascii_grid(elsewhere.path(), "hill", {}, [](double x, double) { return 900 + x; });
@@ -147,7 +147,7 @@ TEST(Strangers, name_other_files_only_where_that_is_allowed) {
     EXPECT_FALSE(read_dem(path, 16));  // and not for the one after it
 }
 
-TEST(Strangers, are_no_plain_bytes_of_a_file_with_another_purpose) {
+TEST(Strangers, are_not_raw_bytes_of_any_file) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "hill.vrt";
     test::write_text(
@@ -186,7 +186,7 @@ TEST(Strangers, reach_their_sidecars_and_no_other_file) {
     EXPECT_TRUE(everything.includes("/etc/passwd"));
 }
 
-// GDAL itself goes through the rules above: for overviews that a file names, and for what it writes.
+// GDAL itself obeys these rules, for overviews that a file names and for files that it writes.
 TEST(Strangers, are_opened_by_gdal_through_these_rules) {
     const support::TemporaryFolder folder;
     const auto hill = test::write_ascii_grid(folder.path(), "hill", {}, [](double, double) { return 500.0; });
@@ -206,7 +206,7 @@ TEST(Strangers, are_opened_by_gdal_through_these_rules) {
     EXPECT_EQ(VSIFOpenL("/vsistdin/", "rb"), nullptr);
 }
 
-TEST(Strangers, make_nobody_wait_on_a_pipe_or_a_device) {
+TEST(Strangers, do_not_block_on_a_pipe_or_a_device) {
     const support::TemporaryFolder folder;
     const auto pipe = folder.path() / "pipe.tif";
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -220,7 +220,7 @@ TEST(Strangers, make_nobody_wait_on_a_pipe_or_a_device) {
     EXPECT_TRUE(read_dem(hill, 16));
 }
 
-// What GDAL writes in memory, as files of a folder.
+// GDAL's files in memory, as files of a folder.
 std::vector<fs::path> unload(const char* memory, const fs::path& folder) {
     std::vector<fs::path> written;
     char** names = VSIReadDir(memory);
@@ -332,7 +332,7 @@ TEST(Blocks, reproduce_a_plane_exactly_with_and_without_voids) {
         }
 }
 
-TEST(Blocks, lie_where_degrees_put_their_pixels) {
+TEST(Blocks, have_positions_matching_their_pixels_in_degrees) {
     const support::TemporaryFolder folder;
     const test::AsciiGrid grid{
         .columns = 400, .rows = 300, .west = 11.42, .south = 47.29, .cell = 0.00001, .prj = test::degrees()};

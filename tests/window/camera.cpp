@@ -3,13 +3,13 @@
 #include "tests/window/play_session.h"
 #include "tests/window/screenshot.h"
 
-// Ways to look at a world that stands still.
+// Camera controls on a paused world.
 namespace game::test {
 namespace {
 
 constexpr int kX = PlaySession::kMiddleX, kY = PlaySession::kMiddleY;
 constexpr double kPart = 0.7;   // of the window, away from what stands in its corners
-constexpr double kSame = 0.01;  // of the pixels, for a ring or an arrow that has moved
+constexpr double kSame = 0.01;  // of the pixels that may differ by a moved ring or arrow
 constexpr double kOther = 0.10;
 
 class CameraInTheWindow : public testing::Test {
@@ -24,14 +24,14 @@ class CameraInTheWindow : public testing::Test {
     }
     void TearDown() override {
         if (!session) return;
-        EXPECT_EQ(session->commands(), 0u) << "a look has changed the world";
-        EXPECT_EQ(session->tick(), tick) << "a look has moved time";
+        EXPECT_EQ(session->commands(), 0u) << "a camera move has changed the world";
+        EXPECT_EQ(session->tick(), tick) << "a camera move has advanced time";
         session->leave();
     }
 
     XSession& hand() { return session->hand(); }
 
-    // The picture once the camera has come to rest, seen with the hand at the same place.
+    // The image once the camera has stopped, with the pointer at the same place.
     render::Picture at_rest() {
         hand().move(kX, kY);
         render::Picture before = middle(hand().screenshot(), kPart), now;
@@ -39,7 +39,7 @@ class CameraInTheWindow : public testing::Test {
             rest(0.4);
             now = middle(hand().screenshot(), kPart);
             return difference(std::exchange(before, now), now) == 0;
-        })) << "the picture does not come to rest";
+        })) << "the image does not come to rest";
         tick = session->tick();
         return now;
     }

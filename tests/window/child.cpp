@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kPipe = 3;
 
-// "NAME=value" for all that the child is to have.
+// "NAME=value" for all of the child's environment.
 std::vector<std::string> environment_of(const Environment& changes) {
     std::vector<std::string> all;
     for (char** variable = environ; *variable != nullptr; ++variable) {

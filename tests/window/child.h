@@ -12,26 +12,27 @@
 
 namespace game::test {
 
-// Variables of a child's environment beside, or instead of, our own; none: taken away.
+// Variables to set in a child's environment, over our own; none: removed.
 using Environment = std::map<std::string, std::optional<std::string>>;
 
-// A program that runs beside the test, and ends at the latest with this object, or with the test itself.
+// A program that runs beside the test. It is ended with this object, or with the test itself.
 class Child {
   public:
     // `arguments` begins with the program, by path or by a name that PATH finds. Standard output and error go
-    // into files. `pipe`: its descriptor 3 writes to where read_pipe() reads. Throws std::runtime_error where
-    // nothing can be started.
+    // into files. `pipe`: its descriptor 3 writes to where read_pipe() reads. Throws std::runtime_error if
+    // the program cannot be started.
     Child(const std::vector<std::string>& arguments, const Environment& environment,
           const std::filesystem::path& out, const std::filesystem::path& err, bool pipe = false);
     ~Child();
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
 
-    // The first line that it writes to its descriptor 3; nothing after the time, or if it ends without.
+    // The first line that the program writes to its descriptor 3; none after the time limit, or if it ends
+    // first.
     std::string read_pipe(double seconds);
     void signal(int number);
     bool ended();
-    // Its exit status, 128 + n after signal n; none if it still runs after that time.
+    // Its exit status, or 128 + n after signal n; none if it still runs after that time.
     std::optional<int> wait(double seconds);
 
   private:
@@ -40,7 +41,7 @@ class Child {
     std::optional<int> status_;
 };
 
-// Asks again and again until the answer is yes; false if it is no for all that time.
+// Polls until the condition holds; false after the time limit.
 bool within(double seconds, const std::function<bool()>& question);
 
 void rest(double seconds);

@@ -1,5 +1,5 @@
-// A window that prints what happens to it: the program behind window.cpp's tests. F11 switches full screen;
-// it ends when its window is to close.
+// A window that prints its events, for the tests of window.cpp. F11 switches full screen; it ends when its
+// window is asked to close.
 #include "game/app/window.h"
 
 #include <cstdio>

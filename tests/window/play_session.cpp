@@ -49,7 +49,7 @@ std::vector<json> PlaySession::lines() const {
     std::istringstream text(read_bytes(recording()));
     std::string line;
     std::getline(text, line);
-    // The last line may be half written.
+    // The last line may be incomplete.
     while (std::getline(text, line) && !text.eof()) lines.push_back(json::parse(line));
     return lines;
 }

@@ -10,7 +10,7 @@
 namespace game::test {
 namespace {
 
-// Words of an XWD header, each four bytes, the greatest first.
+// Words of an XWD header, four bytes each, most significant first.
 enum Word {
     kHeaderBytes = 0,
     kWidth = 4,

@@ -6,15 +6,14 @@
 
 namespace game::test {
 
-// A part of the screen that an X server keeps in a file (Xvfb -fbdir, an XWD file of 24 bit). Throws
-// std::runtime_error for another kind. What lies off the screen is black.
+// A part of an X server's screen kept in a file (Xvfb -fbdir, an XWD file of 24 bit). Throws
+// std::runtime_error for other kinds. Pixels off the screen are black.
 render::Picture read_screen(const std::filesystem::path& file, int x, int y, int width, int height);
 
-// Part of the pixels in which two pictures differ by more than a trace of `least`, 0 to 1; 1 where the sizes
-// do.
+// Share of the pixels in which two images differ by more than `least`, 0 to 1; 1 if the sizes differ.
 double difference(const render::Picture& a, const render::Picture& b, int least = 8);
 
-// The middle of a picture, `part` of its width and height.
+// The middle of an image, `part` of its width and height.
 render::Picture middle(const render::Picture& picture, double part);
 
 }  // namespace game::test

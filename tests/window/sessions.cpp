@@ -5,7 +5,7 @@
 #include "tests/window/play_session.h"
 #include "tests/window/screenshot.h"
 
-// The sandbox tried as a person tries it. What a session did is read from its recording, which must replay.
+// The sandbox tested with real input. The effect of a session is read from its recording, which must replay.
 namespace game::test {
 namespace {
 
@@ -18,7 +18,7 @@ class Play : public testing::Test {
 
     XSession& hand() { return session->hand(); }
 
-    // Holds the left button at the middle until there are so many commands of a kind.
+    // Holds the left button at the middle until the recording has that many commands of a kind.
     void hold_until(const std::string& kind, std::size_t count) {
         hand().press(Mouse::kLeft);
         EXPECT_TRUE(session->comes_to(kind, count)) << "no " << kind << " is recorded";
@@ -44,7 +44,7 @@ TEST_F(Play, pours_where_the_button_is_held_and_dragged) {
     hand().press(Mouse::kLeft);
     ASSERT_TRUE(session->comes_to("pour", 10));
     const auto held = session->commands("pour");
-    // The hand does not move; but as the heap rises, it meets the ground a little nearer to the eye.
+    // The pointer does not move. As the heap rises, the ray meets the ground a little nearer to the camera.
     EXPECT_LT(most(held, "x") - least(held, "x"), 2) << "m";
     hand().drag(PlaySession::kMiddleX + 60, PlaySession::kMiddleY + 20);
     ASSERT_TRUE(session->comes_to("pour", held.size() + 10));
@@ -52,10 +52,10 @@ TEST_F(Play, pours_where_the_button_is_held_and_dragged) {
     const auto poured = session->commands("pour");
     EXPECT_GT(most(poured, "x") - least(poured, "x"), 5) << "m";
 
-    ASSERT_TRUE(session->runs());  // the release has arrived
+    ASSERT_TRUE(session->runs());  // the release event has arrived
     const std::size_t after = session->commands();
     ASSERT_TRUE(session->runs(30));
-    EXPECT_EQ(session->commands(), after) << "it pours without a hand";
+    EXPECT_EQ(session->commands(), after) << "it pours without input";
     EXPECT_GT(session->last_state()["mass"]["poured"], 0);
     EXPECT_EQ(session->commands("pour").size(), after);
     session->leave();
@@ -75,7 +75,7 @@ TEST_F(Play, blasts_at_the_press_and_again_along_a_drag) {
     hand().press(Mouse::kLeft);
     ASSERT_TRUE(session->comes_to("blast", 1));
     ASSERT_TRUE(session->runs(30));
-    EXPECT_EQ(session->commands("blast").size(), 1u) << "the hand did not move";
+    EXPECT_EQ(session->commands("blast").size(), 1u) << "the pointer did not move";
     hand().drag(PlaySession::kMiddleX + 100, PlaySession::kMiddleY, 20);
     EXPECT_TRUE(session->comes_to("blast", 3));
     hand().release(Mouse::kLeft);
@@ -83,7 +83,7 @@ TEST_F(Play, blasts_at_the_press_and_again_along_a_drag) {
     session->leave();
 }
 
-TEST_F(Play, does_the_contrary_while_control_is_held) {
+TEST_F(Play, inverts_the_tools_while_control_is_held) {
     for (const auto& [tool, contrary] : {std::pair("1", "dig"), {"2", "pour"}, {"3", "settle"}}) {
         hand().key(tool);
         const std::size_t before = session->commands(), of_it = session->commands(contrary).size();
@@ -118,10 +118,10 @@ TEST_F(Play, sizes_the_brush_by_brackets_and_by_the_wheel_with_shift) {
     session->leave();
 }
 
-TEST_F(Play, stands_still_and_goes_on_tick_by_tick) {
+TEST_F(Play, pauses_and_steps_tick_by_tick) {
     hand().key("space");
     ASSERT_TRUE(within(5, [&] { return session->stands(); })) << "it is not paused";
-    // To a tick with a state in the file, so that the ticks after it can be counted.
+    // To a tick whose state is in the file, so that the ticks after it can be counted.
     const std::int64_t paused = session->tick();
     for (int i = 0; i < 6 && session->tick() == paused; ++i) {
         hand().key("period");
@@ -131,7 +131,7 @@ TEST_F(Play, stands_still_and_goes_on_tick_by_tick) {
     ASSERT_GT(from, paused);
     for (int i = 0; i < 3; ++i) {
         hand().key("period");
-        rest(0.3);  // a frame between any two, also on a slow machine
+        rest(0.3);  // leaves a frame between any two, also on a slow machine
     }
     EXPECT_TRUE(session->stands());
     EXPECT_EQ(session->tick(), from);
@@ -139,7 +139,7 @@ TEST_F(Play, stands_still_and_goes_on_tick_by_tick) {
     EXPECT_EQ(session->lines().back()["end"], from + 3);
 }
 
-TEST_F(Play, goes_on_after_a_pause) {
+TEST_F(Play, continues_after_a_pause) {
     hand().key("space");
     ASSERT_TRUE(within(5, [&] { return session->stands(); })) << "it is not paused";
     hand().key("space");
@@ -147,7 +147,7 @@ TEST_F(Play, goes_on_after_a_pause) {
     session->leave();
 }
 
-TEST_F(Play, takes_back_the_last_action_in_the_world_and_in_the_file) {
+TEST_F(Play, undoes_the_last_action_in_the_world_and_in_the_file) {
     hold_until("pour", 10);
     ASSERT_TRUE(session->runs());
     const std::size_t first = session->commands("pour").size();
@@ -156,16 +156,16 @@ TEST_F(Play, takes_back_the_last_action_in_the_world_and_in_the_file) {
     ASSERT_TRUE(session->runs());
     hand().key("ctrl+z");
     EXPECT_TRUE(within(10, [&] { return session->commands("dig").empty(); })) << "the dig is still there";
-    EXPECT_EQ(session->commands("pour").size(), first) << "only the last action is taken back";
+    EXPECT_EQ(session->commands("pour").size(), first) << "only the last action is undone";
     hand().key("ctrl+z");
     EXPECT_TRUE(within(10, [&] { return session->commands() == 0; })) << "the pour is still there";
-    ASSERT_TRUE(session->runs()) << "time goes on from there";
+    ASSERT_TRUE(session->runs()) << "the simulation continues from there";
     EXPECT_EQ(session->last_state()["mass"]["poured"], 0);
     EXPECT_EQ(session->last_state()["mass"]["dug"], 0);
     session->leave();
 }
 
-TEST_F(Play, goes_on_through_resizing_and_minimising) {
+TEST_F(Play, continues_through_resizing_and_minimising) {
     hand().resize(800, 560);
     EXPECT_TRUE(session->runs());
     const auto is_drawn = [&](int x, int y) {
@@ -175,7 +175,7 @@ TEST_F(Play, goes_on_through_resizing_and_minimising) {
     };
     EXPECT_TRUE(within(10, [&] { return is_drawn(790, 550); })) << "nothing is drawn in the new corner";
     hand().minimise();
-    rest(0.5);  // several frames that nobody sees
+    rest(0.5);  // several frames while minimised
     hand().restore();
     EXPECT_TRUE(session->runs());
     hand().move(400, 280);
@@ -183,7 +183,7 @@ TEST_F(Play, goes_on_through_resizing_and_minimising) {
     session->leave();
 }
 
-TEST_F(Play, keeps_the_stroke_whose_window_is_minimised_from_running_on) {
+TEST_F(Play, ends_the_stroke_when_its_window_is_minimised) {
     hand().press(Mouse::kLeft);
     ASSERT_TRUE(session->comes_to("pour", 5));
     hand().minimise();
@@ -192,18 +192,18 @@ TEST_F(Play, keeps_the_stroke_whose_window_is_minimised_from_running_on) {
     ASSERT_TRUE(session->runs());
     const std::size_t after = session->commands();
     ASSERT_TRUE(session->runs(30));
-    EXPECT_EQ(session->commands(), after) << "it pours without a hand";
+    EXPECT_EQ(session->commands(), after) << "it pours without input";
     session->leave();
 }
 
-TEST_F(Play, closes_while_it_pours) {
+TEST_F(Play, closes_during_a_stroke) {
     hand().press(Mouse::kLeft);
     ASSERT_TRUE(session->comes_to("pour", 10));
     hand().close();
     session->check_ending();
 }
 
-TEST_F(Play, leaves_a_recording_that_replays_when_it_is_killed_while_it_pours) {
+TEST_F(Play, leaves_a_recording_that_replays_when_killed_during_a_stroke) {
     hand().press(Mouse::kLeft);
     ASSERT_TRUE(session->comes_to("pour", 30));
     hand().kill();
@@ -213,7 +213,7 @@ TEST_F(Play, leaves_a_recording_that_replays_when_it_is_killed_while_it_pours) {
 }
 
 // Needs no desktop.
-TEST(PlayWithoutADisplay, is_one_line_and_status_3) {
+TEST(PlayWithoutADisplay, prints_one_line_and_status_3) {
     const support::TemporaryFolder folder;
     const auto out = folder.path() / "out", err = folder.path() / "err";
     Child play({support::program().string(), "play"},

@@ -20,7 +20,7 @@ class Window : public testing::Test {
         desktop->start({kEcho}, "Echo");
     }
 
-    // Whether it prints this line, at once or soon.
+    // Whether it prints this line soon.
     bool says(const std::string& line) {
         const std::string whole = fmt::format("\n{}\n", line);
         return within(5, [&] { return desktop->out().find(whole) != std::string::npos; });
@@ -44,7 +44,7 @@ TEST_F(Window, has_the_size_that_was_asked_for_and_shows_what_is_drawn) {
     }));
 }
 
-TEST_F(Window, tells_moves_buttons_and_the_wheel) {
+TEST_F(Window, reports_moves_buttons_and_the_wheel) {
     desktop->move(100, 120);
     EXPECT_TRUE(says("move 100 120")) << desktop->out();
     desktop->press(Mouse::kLeft);
@@ -65,7 +65,7 @@ TEST_F(Window, tells_moves_buttons_and_the_wheel) {
     EXPECT_TRUE(says("wheel -1")) << desktop->out();
 }
 
-TEST_F(Window, tells_keys_by_name_and_what_is_held_with_them) {
+TEST_F(Window, reports_keys_by_name_with_their_modifiers) {
     desktop->key("space");
     EXPECT_TRUE(says(Key::kSpace, "down") && says(Key::kSpace, "up")) << desktop->out();
     desktop->key("bracketleft");
@@ -81,24 +81,24 @@ TEST_F(Window, tells_keys_by_name_and_what_is_held_with_them) {
     desktop->key("z");
     EXPECT_TRUE(says(key('Z'), "down control")) << desktop->out();
     desktop->key_up("Control_L");
-    EXPECT_TRUE(says(Key::kControl, "up")) << "Control is said to be held still: " << desktop->out();
+    EXPECT_TRUE(says(Key::kControl, "up")) << "Control is still reported as held: " << desktop->out();
     desktop->key_down("Shift_L");
     desktop->wheel(1);
     EXPECT_TRUE(says("wheel 1 shift")) << desktop->out();
     desktop->key_up("Shift_L");
 }
 
-// On a board that has both: for a letter that a board lacks xdotool lays a key anew, and takes it back before
-// a program that is kept waiting has asked what it says.
-TEST_F(Window, tells_what_is_typed) {
+// Uses a layout that has both letters. For a letter that a layout lacks, xdotool remaps a key, and reverts it
+// before a delayed program has looked it up.
+TEST_F(Window, reports_typed_text) {
     desktop->keyboard("fr");
     desktop->type("7é");
     EXPECT_TRUE(says("text 55")) << desktop->out();
     EXPECT_TRUE(says("text 233")) << desktop->out();
 }
 
-// Where a German board prints Z, an American one prints Y.
-TEST_F(Window, takes_a_letter_with_control_as_it_is_printed_and_one_without_by_its_place) {
+// The key that prints Z on a German keyboard prints Y on an American one.
+TEST_F(Window, uses_the_printed_letter_with_control_and_the_key_position_without) {
     desktop->keyboard("de");
     desktop->key("ctrl+z");
     EXPECT_TRUE(says(key('Z'), "down control")) << desktop->out();
@@ -135,7 +135,7 @@ TEST_F(Window, has_no_size_while_minimised_and_has_it_again) {
     })) << desktop->out();
 }
 
-TEST_F(Window, leaves_it_to_the_program_to_close) {
+TEST_F(Window, lets_the_program_decide_to_close) {
     EXPECT_TRUE(says("clipboard névé")) << desktop->out();
     desktop->close();
     const Finished finished = desktop->finish();
@@ -144,7 +144,7 @@ TEST_F(Window, leaves_it_to_the_program_to_close) {
 }
 
 // Needs no desktop.
-TEST(NoWindow, is_one_line_and_status_3_where_there_is_no_display) {
+TEST(NoWindow, prints_one_line_and_status_3_without_a_display) {
     const support::TemporaryFolder folder;
     for (const std::optional<std::string>& display :
          {std::optional<std::string>(), std::optional<std::string>(":9999")}) {

@@ -11,9 +11,9 @@
 namespace game::test {
 namespace {
 
-constexpr double kToStart = 30, kToAnswer = 10;  // s, on a machine that does much else
+constexpr double kToStart = 30, kToAnswer = 10;  // s, on a busy machine
 
-// Time for a frame or two to see what the hand did, as there is between the movements of a hand.
+// Time for a frame or two to process the input, as between movements by hand.
 void breathe() {
     rest(0.06);
 }
@@ -41,7 +41,7 @@ XSession::XSession(int width, int height) {
         {"XDG_DATA_HOME", home}, {"XDG_CONFIG_HOME", home}, {"XAUTHORITY", std::nullopt}};
     manager_ = std::make_unique<Child>(std::vector<std::string>{"blackbox"}, environment_,
                                        file("manager.out"), file("manager.err"));
-    // It answers once it manages.
+    // The window manager answers once it manages windows.
     if (!within(kToStart, [&] {
             Child asked({"wmctrl", "-m"}, environment_, file("tool.out"), file("tool.err"));
             return asked.wait(kToAnswer) == 0;
@@ -174,7 +174,7 @@ Finished XSession::finish(double seconds) {
     return {*status, read_bytes(file("program.out")), read_bytes(file("program.err"))};
 }
 
-// Runs a small program to its end and gives what it printed.
+// Runs a small program to its end and returns its output.
 std::string XSession::tool(std::vector<std::string> arguments) {
     Child child(arguments, environment_, file("tool.out"), file("tool.err"));
     const auto status = child.wait(kToAnswer);
