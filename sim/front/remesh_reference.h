@@ -38,10 +38,10 @@ struct CutTriangles {
 //     one cut            two cuts             three cuts
 //
 //         C                  A                    C
-//        /|\                / \                 / | \
-//       / | \              d···d               d  |  d
-//      /  |  \            /  \   \             / `m´ \
-//     A---d---B          B-----\--C           A---d---B
+//        ╱|╲                ╱ ╲                 ╱ | ╲
+//       ╱ | ╲              d···d               d  |  d
+//      ╱  |  ╲            ╱  ╲   ╲             ╱ `m´ ╲
+//     A---d---B          B-----╲--C           A---d---B
 //
 //     1: (C A dᴬ) (C dᴬ dᴮ) (C dᴮ B); the second has no area, because the tear ends there
 //     2: the corner alone; the rest is split by its shorter diagonal
