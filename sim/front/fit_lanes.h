@@ -85,6 +85,10 @@ struct Kernels {
 };
 template <InstructionSet set>
 const Kernels& kernels();
+template <>
+const Kernels& kernels<InstructionSet::kBaseline>();
+template <>
+const Kernels& kernels<InstructionSet::kX86_64_v3>();
 
 // Kernels of an instruction set that this machine has. x86-64-v4 gets those of v3, because rows are too short
 // for its vectors.

@@ -32,6 +32,12 @@ struct Kernels {
 };
 template <InstructionSet set>
 const Kernels& kernels();
+template <>
+const Kernels& kernels<InstructionSet::kBaseline>();
+template <>
+const Kernels& kernels<InstructionSet::kX86_64_v3>();
+template <>
+const Kernels& kernels<InstructionSet::kX86_64_v4>();
 
 // Kernels of an instruction set that this machine has.
 inline const Kernels& kernels_for(InstructionSet set) {

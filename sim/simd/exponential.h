@@ -6,6 +6,7 @@
 
 namespace sim {
 
+// NOLINTBEGIN(readability-identifier-naming): these are called as functions.
 // e^x by argument reduction and a polynomial of degree 6 (Taylor). Its bits are the same with every compiler,
 // which the C library's exp does not promise. |x| ≤ 80, relative error below 3e-7; beyond, the value at ±80.
 inline constexpr struct Exp {
@@ -51,5 +52,6 @@ inline constexpr struct Expm1 {
         }
     }
 } expm1;
+// NOLINTEND(readability-identifier-naming)
 
 }  // namespace sim

@@ -61,6 +61,8 @@ template <class Condition, class Number>
     }
 }
 
+// NOLINTBEGIN(readability-identifier-naming): these are called as functions.
+
 // The standard operations, lane by lane. They are objects that are called, because the lookup of a function
 // would also find the library's own overloads for lanes: exp and expm1 of these call the C library for each
 // lane.
@@ -113,6 +115,7 @@ inline constexpr struct Floor {
             return std::floor(a);
     }
 } floor;
+// NOLINTEND(readability-identifier-naming)
 
 // 2^n for whole n from -126 to 127.
 template <class Number>
