@@ -84,8 +84,8 @@ std::pair<Number, Number> pair_of(const char* option, std::string_view text, cha
                                   const Range<Number>& range) {
     const std::size_t at = text.find(between);
     if (at == std::string_view::npos)
-        throw CLI::ValidationError(
-            option, fmt::format("'{}' is not two numbers separated by '{}'", text, between));
+        throw CLI::ValidationError(option,
+                                   fmt::format("'{}' is not two numbers separated by '{}'", text, between));
     return {number_of(option, text.substr(0, at), range), number_of(option, text.substr(at + 1), range)};
 }
 
@@ -144,8 +144,9 @@ void add_memory(CLI::App& app, Memory& memory) {
            [&memory](const std::string& text) {
                const auto bytes = bytes_from(text);
                if (!bytes)
-                   throw CLI::ValidationError("--max-memory",
-                                              "'" + text + "' is not a size in bytes, such as 4G, 512M or 1073741824");
+                   throw CLI::ValidationError(
+                       "--max-memory",
+                       "'" + text + "' is not a size in bytes, such as 4G, 512M or 1073741824");
                memory.most = *bytes;
            },
            "refuse a grid whose estimated memory exceeds this many bytes; suffixes K, M, G, T [half of the "
@@ -164,7 +165,8 @@ void add_size(CLI::App& app, PictureSize& size, const char* of_what, const char*
 }
 
 void add_grid(CLI::App& app, Overrides& overrides) {
-    add_number(app, "--grid", "N", overrides.squares, kSquares, "set the resolution along the longer side (default: the scene's own)");
+    add_number(app, "--grid", "N", overrides.squares, kSquares,
+               "set the resolution along the longer side (default: the scene's own)");
 }
 
 void add_references(CLI::App& app, Overrides& overrides) {
@@ -175,11 +177,14 @@ void add_references(CLI::App& app, Overrides& overrides) {
 }
 
 void add_material_and_model(CLI::App& app, Overrides& overrides) {
-    app.add_option("--material", overrides.material, "use this material: a name from `couloir list`, or a material file")
+    app.add_option("--material", overrides.material,
+                   "use this material: a name from `couloir list`, or a material file")
         ->type_name("NAME");
-    add_named(app, "--model", overrides.model, sim::model_from, "bcre, bcre-inertial", "use this physics model");
+    add_named(app, "--model", overrides.model, sim::model_from, "bcre, bcre-inertial",
+              "use this physics model");
     add_named(app, "--scheme", overrides.scheme, sim::scheme_from,
-              "lax-friedrichs, local-lax-friedrichs, muscl", "transport the rolling layer of bcre with this scheme");
+              "lax-friedrichs, local-lax-friedrichs, muscl",
+              "transport the rolling layer of bcre with this scheme");
     add_named(app, "--law", overrides.law, sim::law_from, "constant, slope, shear",
               "compute the speed of the rolling layer of bcre by this law");
     add_grid(app, overrides);
@@ -193,8 +198,9 @@ void add_play(CLI::App& app, PlayOptions& options) {
         ->type_name("SCENE");
     add_number(app, "--until", "TICK", options.until, kTicks,
                "take over the recording at this tick, not at its end");
-    app.add_option("--record", options.record,
-                   "write the recording to this file [a new file in couloir/recordings in the XDG data folder]")
+    app.add_option(
+           "--record", options.record,
+           "write the recording to this file [a new file in couloir/recordings in the XDG data folder]")
         ->type_name("FILE.couloir");
     add_material_and_model(app, options.overrides);
     add_references(app, options.overrides);
@@ -211,8 +217,8 @@ void add_gl(CLI::App& app, std::string& gl) {
                if (std::string_view(way).starts_with(kNumbered))
                    number_of("--gl", std::string_view(way).substr(kNumbered.size()), kDevices);
                else if (way != "auto" && way != "surfaceless" && way != "device")
-                   throw CLI::ValidationError("--gl",
-                                              "'" + way + "' is not one of: auto, surfaceless, device, device:N");
+                   throw CLI::ValidationError(
+                       "--gl", "'" + way + "' is not one of: auto, surfaceless, device, device:N");
                gl = way;
            },
            described("draw on: auto (a hardware device if there is one), surfaceless (software), or the EGL "
@@ -223,7 +229,8 @@ void add_gl(CLI::App& app, std::string& gl) {
 
 void add_pictures(CLI::App& app, PictureOptions& options, const char* where) {
     app.add_option("--frames", options.folder, where)->type_name("DIR");
-    add_number(app, "--every", "TICKS", options.every, kStride, "write an image every so many ticks, 60 per simulated second", "60");
+    add_number(app, "--every", "TICKS", options.every, kStride,
+               "write an image every so many ticks, 60 per simulated second", "60");
     add_size(app, options.size, "set the size of the images", "1280x720");
     add_gl(app, options.gl);
 }
@@ -234,8 +241,7 @@ void add_results(CLI::App& app, ResultOptions& options) {
     app.add_option("--trace", options.trace,
                    "write a trace of each frame for ui.perfetto.dev or chrome://tracing")
         ->type_name("FILE.json");
-    app.add_option("--summary", options.summary, "write the full summary as JSON")
-        ->type_name("FILE.json");
+    app.add_option("--summary", options.summary, "write the full summary as JSON")->type_name("FILE.json");
     app.add_flag("--json", options.json, "print the summary as JSON");
 }
 
@@ -244,9 +250,9 @@ void add_run(CLI::App& app, RunOptions& options) {
     auto* terrain =
         app.add_option("--terrain", options.terrain, "use a DEM instead of a scene: GeoTIFF, ESRI ASCII, …")
             ->type_name("DEM");
-    app.add_option(
-           "--release", options.release,
-           "release this material on it: a depth raster, or GeoJSON polygons with a vertical `thickness` in m")
+    app.add_option("--release", options.release,
+                   "release this material on it: a depth raster, or GeoJSON polygons with a vertical "
+                   "`thickness` in m")
         ->type_name("FILE")
         ->needs(terrain);
     app.add_option("--reference", options.reference,
@@ -305,9 +311,7 @@ void add_telling(CLI::App& app, Options& options, const char* maps) {
 }
 
 void add_compare(CLI::App& app, CompareOptions& options) {
-    app.add_option("first", options.first, "name from `couloir list`, or a file")
-        ->type_name("A")
-        ->required();
+    app.add_option("first", options.first, "name from `couloir list`, or a file")->type_name("A")->required();
     app.add_option("second", options.second, "name or file of the other")->type_name("B")->required();
     add_number(app, "--tick", "TICK", options.tick, kTicks,
                "compare both at this tick, which both must contain", "the last tick of each");
@@ -357,13 +361,16 @@ void add_normalise(CLI::App& app, NormaliseOptions& options) {
     app.add_option("recording", options.recording, "name from `couloir list`, or a file")
         ->type_name("RECORDING")
         ->required();
-    app.add_option("--out", options.out, "write the new recording to this file")->type_name("NEW.couloir")->required();
+    app.add_option("--out", options.out, "write the new recording to this file")
+        ->type_name("NEW.couloir")
+        ->required();
     add_memory(app, options.memory);
     add_step_options(app, options.step_options);
 }
 
 void add_track(CLI::App& app, TrackOptions& options) {
-    app.add_option("mesh", options.mesh, "triangle mesh as a Wavefront OBJ file; fronts are tracked in its x, y plane")
+    app.add_option("mesh", options.mesh,
+                   "triangle mesh as a Wavefront OBJ file; fronts are tracked in its x, y plane")
         ->type_name("MESH.obj")
         ->required();
     app.add_option("velocities", options.velocities,
@@ -373,7 +380,7 @@ void add_track(CLI::App& app, TrackOptions& options) {
     add_number(app, "--dt", "S", options.dt, Range<double>{1e-6, 1e6, "s"}, "set the time between frames",
                "1/60");
     add_named(app, "--source", options.source, sim::front::source_named, "half, paper, fit, level",
-              "locate a front point on its edge by [fit]");
+              "method that locates a point on its edge [fit]");
     app.add_flag("--hold", options.hold,
                  "with --source paper: move points whose front is ahead of them on to the vertex through "
                  "which it left (Section 3.3)");
@@ -386,7 +393,8 @@ void add_track(CLI::App& app, TrackOptions& options) {
                "set the paper's M, the least velocity gradient", "jump / 1.5 cells");
     add_number(app, "--jump", "NUMBER", options.jump, Range<double>{1e-9, 1e9, "m/s"},
                "set the least velocity jump that cuts an edge", "0.3 with rule relative");
-    app.add_option("--scalar", options.scalar, "with --source level: read the scalar from an array of frames × vertices")
+    app.add_option("--scalar", options.scalar,
+                   "with --source level: read the scalar from an array of frames × vertices")
         ->type_name("R.npy");
     add_number(app, "--level", "NUMBER", options.level, Range<double>{-1e30, 1e30},
                "with --source level: set the level of the scalar");
@@ -396,10 +404,12 @@ void add_track(CLI::App& app, TrackOptions& options) {
     add_number(app, "--every", "FRAMES", options.every, Range<std::int64_t>{1, 1'000'000, "frames"},
                "write an image every so many frames", "1");
     add_size(app, options.size, "set the size of the images", "800x800");
-    add_number(app, "--threads", "N", options.threads, kThreads, "use N threads (results are bit-identical)", "1");
+    add_number(app, "--threads", "N", options.threads, kThreads, "use N threads (results are bit-identical)",
+               "1");
     app.footer(
         "Prints one line per point and frame: frame,time_s,i,j,f,x,y,w. The front crosses the edge between\n"
-        "vertices i < j, counted from 0, at x, y, the fraction f of the edge from i. w is its speed along the\n"
+        "vertices i < j, counted from 0, at x, y, the fraction f of the edge from i. w is its speed along "
+        "the\n"
         "edge from i to j, m/s.\n");
 }
 
@@ -424,13 +434,14 @@ void add_figures(CLI::App& app, FiguresOptions& options) {
     add_number(app, "--pixels", "N", options.pixels, Range<int>{16, 4096, "pixels"},
                "set the side of a square image", "640");
     add_gl(app, options.gl);
-    add_number(app, "--threads", "N", options.threads, kThreads,
-               "use N threads (results are identical)", "one per processor");
+    add_number(app, "--threads", "N", options.threads, kThreads, "use N threads (results are identical)",
+               "one per processor");
 }
 
 void add_bench(CLI::App& app, BenchOptions& options) {
-    app.add_option("recordings", options.recordings,
-                   "names from `couloir list`, or files [all shipped recordings; snow-avalanche with --scaling]")
+    app.add_option(
+           "recordings", options.recordings,
+           "names from `couloir list`, or files [all shipped recordings; snow-avalanche with --scaling]")
         ->type_name("RECORDING");
     app.add_option_function<std::vector<std::string>>(
            "--grid",
@@ -441,7 +452,8 @@ void add_bench(CLI::App& app, BenchOptions& options) {
                      "80,160; 40 to 2048 with --scaling"))
         ->type_name("N");
     app.add_option("--physics", options.physics,
-                   fmt::format("run with these physics; separate several by commas: {} [all; the recording's own with --scaling]",
+                   fmt::format("run with these physics; separate several by commas: {} [all; the recording's "
+                               "own with --scaling]",
                                bench_physics_names()))
         ->delimiter(',')
         ->check(
@@ -480,8 +492,8 @@ void add_bench(CLI::App& app, BenchOptions& options) {
            "--against", options.against,
            "compare with an earlier report; exit with status 1 if a stage is slower by more than --tolerance")
         ->type_name("FILE.json");
-    add_number(app, "--tolerance", "NUMBER", options.tolerance, Range<double>{1e-6, 1e6}, "accept this relative increase in time",
-               "0.25");
+    add_number(app, "--tolerance", "NUMBER", options.tolerance, Range<double>{1e-6, 1e6},
+               "accept this relative increase in time", "0.25");
     add_memory(app, options.measure.memory);
     add_step_options(app, options.measure.step);
     app.footer(
@@ -499,8 +511,7 @@ Outcome<void> check(TrackOptions& options) {
         return unusable("--source level needs both --scalar R.npy and --level NUMBER");
     if (!by_level && (options.scalar || options.level))
         return unusable("--scalar and --level need --source level");
-    if (options.hold && options.source != PointSource::kPaper)
-        return unusable("--hold needs --source paper");
+    if (options.hold && options.source != PointSource::kPaper) return unusable("--hold needs --source paper");
     if (options.rule == Rule::Kind::kGradient && !options.jump && !options.threshold)
         return unusable("track needs --jump or --threshold, which decide what edges are cut");
     if (options.rule != Rule::Kind::kGradient && options.threshold)
@@ -546,9 +557,11 @@ Outcome<int> run_command_line(int argc, char** argv) {
         app.add_subcommand("play", "open the sandbox in a window (default without a subcommand)");
     CLI::App* run_app = app.add_subcommand("run", "run a scene or real terrain without a window");
     CLI::App* replay_app = app.add_subcommand("replay", "replay a recording bit for bit");
-    CLI::App* list_app = app.add_subcommand("list", "list the shipped scenes, materials, recordings and terrains");
+    CLI::App* list_app =
+        app.add_subcommand("list", "list the shipped scenes, materials, recordings and terrains");
     CLI::App* track_app = app.add_subcommand(
-        "track", "track discontinuities in your own velocity field; print where they cross mesh edges, as CSV");
+        "track",
+        "track discontinuities in your own velocity field; print where they cross mesh edges, as CSV");
     add_play(*play_app, play_options);
     add_track(*track_app, track_options);
     add_run(*run_app, run_options);
@@ -577,9 +590,9 @@ Outcome<int> run_command_line(int argc, char** argv) {
     CLI::App* bench_app = app.add_subcommand(
         "bench", "measure the time of recordings by stage, on several grids and with several physics");
     add_bench(*bench_app, bench_options);
-    CLI::App* verify_app = app.add_subcommand(
-        "verify-physics",
-        "compare the solver with exact solutions: errors and orders; exit status 1 if a tolerance is exceeded");
+    CLI::App* verify_app = app.add_subcommand("verify-physics",
+                                              "compare the solver with exact solutions: errors and orders; "
+                                              "exit status 1 if a tolerance is exceeded");
     list_app->add_flag("--json", list_options.json, "print as JSON");
 
     try {
@@ -605,7 +618,8 @@ Outcome<int> run_command_line(int argc, char** argv) {
     if (edit_app->parsed()) return edit(edit_options);
     if (normalise_app->parsed()) return normalise(normalise_options);
     if (bench_app->parsed()) {
-        if (bench_options.scaling && bench_options.trace) return unusable("--trace cannot be used with --scaling");
+        if (bench_options.scaling && bench_options.trace)
+            return unusable("--trace cannot be used with --scaling");
         return bench(bench_options);
     }
     if (verify_app->parsed()) return verify_physics();

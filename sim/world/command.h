@@ -51,31 +51,36 @@ inline constexpr std::size_t kMostRunningCommands = 1024;  // at the same time
 inline constexpr CommandNumber kPourNumbers[] = {
     {"x", "m", &Command::x, -kFarthest, kFarthest, "centre, east of the south-west vertex"},
     {"y", "m", &Command::y, -kFarthest, kFarthest, "centre, north of the south-west vertex"},
-    {"radius", "m", &Command::radius, 0, 1e5, "radius of the disc; if below one cell, the nearest vertex receives all"},
+    {"radius", "m", &Command::radius, 0, 1e5,
+     "radius of the disc; if below one cell, the nearest vertex receives all"},
     {"rate", "m3/s", &Command::rate, 0, 1e8, "volume added per second"},
     {"duration", "s", &Command::duration, 0, 1e5, "rounded to whole ticks, at least one"},
 };
 inline constexpr CommandNumber kDigNumbers[] = {
     {"x", "m", &Command::x, -kFarthest, kFarthest, "centre, east of the south-west vertex"},
     {"y", "m", &Command::y, -kFarthest, kFarthest, "centre, north of the south-west vertex"},
-    {"radius", "m", &Command::radius, 0, 1e5, "radius of the disc; if below one cell, only the nearest vertex is dug"},
+    {"radius", "m", &Command::radius, 0, 1e5,
+     "radius of the disc; if below one cell, only the nearest vertex is dug"},
     {"rate", "m/s", &Command::rate, 0, 100, "depth removed per second: rolling layer first, never bedrock"},
     {"duration", "s", &Command::duration, 0, 1e5, "rounded to whole ticks, at least one"},
 };
 inline constexpr CommandNumber kBlastNumbers[] = {
     {"x", "m", &Command::x, -kFarthest, kFarthest, "centre, east of the south-west vertex"},
     {"y", "m", &Command::y, -kFarthest, kFarthest, "centre, north of the south-west vertex"},
-    {"radius", "m", &Command::radius, 0, 1e5, "radius of the disc; if below one cell, only the nearest vertex is released"},
+    {"radius", "m", &Command::radius, 0, 1e5,
+     "radius of the disc; if below one cell, only the nearest vertex is released"},
     {"depth", "m", &Command::depth, 0, 100, "greatest erodible depth that becomes rolling layer"},
 };
 
 inline constexpr CommandNumber kSettleNumbers[] = {
     {"x", "m", &Command::x, -kFarthest, kFarthest, "centre, east of the south-west vertex"},
     {"y", "m", &Command::y, -kFarthest, kFarthest, "centre, north of the south-west vertex"},
-    {"radius", "m", &Command::radius, 0, 1e5, "radius of the disc; if below one cell, only the nearest vertex settles"},
+    {"radius", "m", &Command::radius, 0, 1e5,
+     "radius of the disc; if below one cell, only the nearest vertex settles"},
 };
 inline constexpr CommandNumber kSetNumbers[] = {
-    {"value", "the parameter's", &Command::value, -1e6, 1e6, "new value; must also be within the parameter's own range"},
+    {"value", "the parameter's", &Command::value, -1e6, 1e6,
+     "new value; must also be within the parameter's own range"},
 };
 
 // The manifest that generates the readers and writers of recordings and scenes, and their tests.
@@ -98,8 +103,7 @@ inline constexpr CommandInfo kCommands[] = {
      "releases the erodible layer as rolling layer, at once"},
     {CommandKind::kSettle, "settle", kSettleNumbers, false, false, false, false,
      "deposits the rolling layer, at once"},
-    {CommandKind::kSet, "set", kSetNumbers, false, false, false, true,
-     "sets a parameter of the physics"},
+    {CommandKind::kSet, "set", kSetNumbers, false, false, false, true, "sets a parameter of the physics"},
 };
 
 const CommandInfo& info_of(CommandKind kind);
@@ -125,9 +129,9 @@ std::optional<std::string> fault_of_counts(std::size_t given, std::size_t runnin
 std::int64_t ticks_of(const Command& command, float tick_s);
 
 // Starts these commands at the state's tick and applies this tick's share of all running ones. Reads grid,
-// site, tick; writes params, depth, rolling, velocity (material is added and eroded at rest), sources, ledger.
-// A vertex whose layer has reached half of kDeepest receives no more. Material outside the grid or on no-data
-// never enters the world. The ledger counts what does.
+// site, tick; writes params, depth, rolling, velocity (material is added and eroded at rest), sources,
+// ledger. A vertex whose layer has reached half of kDeepest receives no more. Material outside the grid or on
+// no-data never enters the world. The ledger counts what does.
 void apply_commands(State& state, std::span<const Command> commands);
 
 }  // namespace sim

@@ -55,7 +55,8 @@ struct Params {
 
 enum class UsedBy { kBoth, kBcre, kBcreInertial };
 
-// One row of the manifest that generates the readers and writers of scenes and recordings, the panels and tests.
+// One row of the manifest that generates the readers and writers of scenes and recordings, the panels and
+// tests.
 struct ParamInfo {
     std::string_view name;
     std::string_view unit;  // "1" is a tangent if the name ends in _slope
@@ -76,8 +77,10 @@ inline constexpr ParamInfo kParams[] = {
      "greatest thickness of the rolling layer, from its base, that exchanges; 128: all of it"},
     {"stop_slope", "1", &Params::stop_slope, 0.f, 10.f, UsedBy::kBoth,
      "slope below which the flow deposits; in bcre-inertial, for a thin layer"},
-    {"start_slope", "1", &Params::start_slope, 0.f, 10.f, UsedBy::kBoth, "slope above which ground at rest fails"},
-    {"start_depth", "m", &Params::start_depth, 0.f, 10.f, UsedBy::kBoth, "depth released at once when ground fails"},
+    {"start_slope", "1", &Params::start_slope, 0.f, 10.f, UsedBy::kBoth,
+     "slope above which ground at rest fails"},
+    {"start_depth", "m", &Params::start_depth, 0.f, 10.f, UsedBy::kBoth,
+     "depth released at once when ground fails"},
     {"freeze_depth", "m", &Params::freeze_depth, 1.25e-4f, 1.f, UsedBy::kBoth,
      "depth below which a rolling layer comes to rest"},
     {"rolling_speed", "m/s", &Params::rolling_speed, 0.f, 100.f, UsedBy::kBcre,
@@ -104,9 +107,10 @@ inline constexpr ParamInfo kParams[] = {
      "depth below which a rolling layer erodes nothing"},
     {"anchor_gain", "1", &Params::anchor_gain, 0.f, 10.f, UsedBy::kBcreInertial,
      "slope at which natural ground fails, as a multiple of its initial slope"},
-    {"anchor_margin", "1", &Params::anchor_margin, 0.f, 10.f, UsedBy::kBcreInertial, "slope added to anchor_gain times the initial slope before natural ground fails"},
+    {"anchor_margin", "1", &Params::anchor_margin, 0.f, 10.f, UsedBy::kBcreInertial,
+     "slope added to anchor_gain times the initial slope before natural ground fails"},
     {"anchor_step", "m", &Params::anchor_step, 0.f, 10.f, UsedBy::kBcreInertial,
-     "scarp height between neighbouring vertices at which natural ground is stable in addition"},
+     "extra scarp height between neighbouring vertices at which natural ground stays stable"},
 };
 
 inline bool is_used_by(const ParamInfo& info, Model model) {
