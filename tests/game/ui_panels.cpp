@@ -200,11 +200,11 @@ TEST_F(UiPanels, change_a_flow_while_it_runs_where_the_scene_shows_one) {
     settle();
     scenario_.flow.emplace();
     settle();
-    EXPECT_TRUE(click("Textures with").empty());
+    EXPECT_TRUE(click("Texture cuts").empty());
     Display expected = display_;
     expected.flow.cut = false;
     EXPECT_EQ(only<SetDisplay>(click("no cuts")).display, expected);
-    EXPECT_TRUE(click("Textures with").empty());
+    EXPECT_TRUE(click("Texture cuts").empty());
     expected = display_;
     expected.flow.source = sim::front::PointSource::kPaper;
     EXPECT_EQ(only<SetDisplay>(click("the paper's points")).display, expected);
