@@ -22,7 +22,7 @@
 namespace game {
 namespace {
 
-// CLI11 costs seconds per translation unit: this is the only one.
+// The only translation unit that includes CLI11, which takes seconds to compile.
 
 constexpr Range<int> kThreads{1, 64};
 constexpr Range<int> kSquares{8, 4096, "squares"};
@@ -33,14 +33,14 @@ constexpr Range<std::int64_t> kStride{1, 1'000'000, "ticks"};
 constexpr Range<double> kSeconds{0, 86'400, "s"}, kDelay{-1e7, 1e7, "s"};
 constexpr Range<double> kMove{-2 * sim::kFarthest, 2 * sim::kFarthest, "m"};
 
-// What --help says of a number: what it is, its range, and in brackets what it is without the option.
+// The --help text of a number: its meaning, its range, and its default in brackets.
 template <class Number>
 std::string described(std::string_view help, const Range<Number>& range, std::string_view usually) {
     return fmt::format("{}, {}{}", help, to_text(range),
                        usually.empty() ? "" : fmt::format(" [{}]", usually));
 }
 
-// The number in `text`. Throws the sentence as CLI11 wants it.
+// The number in `text`. Throws its error message as a CLI11 exception.
 template <class Number>
 Number number_of(const char* option, std::string_view text, const Range<Number>& range) {
     const auto number = number_from(text, range);
@@ -48,8 +48,8 @@ Number number_of(const char* option, std::string_view text, const Range<Number>&
     return *number;
 }
 
-// An option that is one number, kept in a number or an optional one. Every number comes through here or
-// number_of(): what CLI11 itself takes for a number may be hexadecimal, octal, or cut to the bits of its
+// Adds an option that takes one number. `value` is a number or an optional number. Every number goes through
+// here or through number_of(), because CLI11's own parser accepts hexadecimal and octal and truncates to the
 // type.
 template <class Number, class Value>
 CLI::Option* add_number(CLI::App& app, const char* option, const char* type, Value& value,
@@ -62,7 +62,7 @@ CLI::Option* add_number(CLI::App& app, const char* option, const char* type, Val
         ->type_name(type);
 }
 
-// The numbers of lists with commas between; at least one.
+// The numbers of comma-separated lists; at least one.
 template <class Number>
 std::vector<Number> numbers_of(const char* option, const std::vector<std::string>& lists,
                                const Range<Number>& range) {
@@ -78,18 +78,18 @@ std::vector<Number> numbers_of(const char* option, const std::vector<std::string
     return numbers;
 }
 
-// Two numbers with `between` in the middle.
+// Two numbers separated by `between`.
 template <class Number>
 std::pair<Number, Number> pair_of(const char* option, std::string_view text, char between,
                                   const Range<Number>& range) {
     const std::size_t at = text.find(between);
     if (at == std::string_view::npos)
-        throw CLI::ValidationError(
-            option, fmt::format("'{}' is not two numbers with '{}' between them", text, between));
+        throw CLI::ValidationError(option,
+                                   fmt::format("'{}' is not two numbers separated by '{}'", text, between));
     return {number_of(option, text.substr(0, at), range), number_of(option, text.substr(at + 1), range)};
 }
 
-// "plain", and what kernels there are on this processor.
+// "plain", then every instruction set in the build, separated by commas.
 std::string kernel_names() {
     std::string names = "plain";
     for (const auto set : sim::kInstructionSets) names += fmt::format(", {}", sim::to_string(set));
@@ -98,7 +98,7 @@ std::string kernel_names() {
 
 void add_step_options(CLI::App& app, sim::StepOptions& step_options) {
     add_number(app, "--threads", "N", step_options.threads, kThreads,
-               "for the simulation; any number gives the same bits", "1");
+               "use N simulation threads (results are bit-identical)", "1");
     app.add_option_function<std::string>(
            "--kernel",
            [&step_options](const std::string& text) {
@@ -107,14 +107,14 @@ void add_step_options(CLI::App& app, sim::StepOptions& step_options) {
                for (const auto set : sim::kInstructionSets)
                    if (text == sim::to_string(set)) {
                        if (!sim::has(set))
-                           throw CLI::ValidationError("--kernel", "this machine lacks " + text);
+                           throw CLI::ValidationError("--kernel", "this machine does not support " + text);
                        step_options.instruction_set = set;
                        return;
                    }
-               throw CLI::ValidationError("--kernel", "'" + text + "' is none of " + kernel_names());
+               throw CLI::ValidationError("--kernel", "'" + text + "' is not one of: " + kernel_names());
            },
-           std::string("how the simulation is reckoned, to the same bits: ") + kernel_names() +
-               " [the newest that this machine has]")
+           std::string("compute kernel (results are bit-identical): ") + kernel_names() +
+               " [the newest that this machine supports]")
         ->type_name("NAME");
 }
 
@@ -131,26 +131,26 @@ void add_named(CLI::App& app, const char* option, std::optional<Enum>& value,
            option,
            [=, &value](const std::string& text) {
                value = from(text);
-               if (!value) throw CLI::ValidationError(option, "'" + text + "' is none of " + names);
+               if (!value) throw CLI::ValidationError(option, "'" + text + "' is not one of: " + names);
            },
            std::string(help) + ": " + names)
         ->type_name("NAME");
 }
 
-// Of every subcommand that builds a world.
+// Added to every subcommand that builds a world.
 void add_memory(CLI::App& app, Memory& memory) {
     app.add_option_function<std::string>(
            "--max-memory",
            [&memory](const std::string& text) {
                const auto bytes = bytes_from(text);
                if (!bytes)
-                   throw CLI::ValidationError("--max-memory",
-                                              "'" + text + "' is not bytes, as 4G, 512M or 1073741824");
+                   throw CLI::ValidationError(
+                       "--max-memory",
+                       "'" + text + "' is not a size in bytes, such as 4G, 512M or 1073741824");
                memory.most = *bytes;
            },
-           "refuse a grid that is expected to take more memory than this: bytes, or with K, M, G or T [half "
-           "of "
-           "the machine's]")
+           "refuse a grid whose estimated memory exceeds this many bytes; suffixes K, M, G, T [half of the "
+           "machine's memory]")
         ->type_name("BYTES");
 }
 
@@ -165,41 +165,46 @@ void add_size(CLI::App& app, PictureSize& size, const char* of_what, const char*
 }
 
 void add_grid(CLI::App& app, Overrides& overrides) {
-    add_number(app, "--grid", "N", overrides.squares, kSquares, "along the longer side");
+    add_number(app, "--grid", "N", overrides.squares, kSquares,
+               "set the resolution along the longer side (default: the scene's own)");
 }
 
 void add_references(CLI::App& app, Overrides& overrides) {
     app.add_flag_callback(
         "--allow-references", [&overrides] { overrides.references = terrains::References::kAllowed; },
-        "let virtual rasters (VRT) read the files they name, and a scene a terrain outside its folder; never "
-        "the network");
+        "allow virtual rasters (VRT) to read the files they name, and scenes to read terrain outside their "
+        "folder; the network is never used");
 }
 
 void add_material_and_model(CLI::App& app, Overrides& overrides) {
-    app.add_option("--material", overrides.material, "a name from `couloir list`, or a material file")
+    app.add_option("--material", overrides.material,
+                   "use this material: a name from `couloir list`, or a material file")
         ->type_name("NAME");
-    add_named(app, "--model", overrides.model, sim::model_from, "bcre, bcre-inertial", "physics");
+    add_named(app, "--model", overrides.model, sim::model_from, "bcre, bcre-inertial",
+              "use this physics model");
     add_named(app, "--scheme", overrides.scheme, sim::scheme_from,
-              "lax-friedrichs, local-lax-friedrichs, muscl", "how bcre carries its rolling layer");
+              "lax-friedrichs, local-lax-friedrichs, muscl",
+              "transport the rolling layer of bcre with this scheme");
     add_named(app, "--law", overrides.law, sim::law_from, "constant, slope, shear",
-              "how fast the rolling layer of bcre is");
+              "compute the speed of the rolling layer of bcre by this law");
     add_grid(app, overrides);
 }
 
 void add_play(CLI::App& app, PlayOptions& options) {
     app.add_option(
            "what", options.what,
-           "a scene by name, or a file: scene (.toml), recording to watch and take over (.couloir), or "
+           "name of a scene, or a file: a scene (.toml), a recording to watch and continue (.couloir), or an "
            "elevation raster [alpine-valley]")
         ->type_name("SCENE");
     add_number(app, "--until", "TICK", options.until, kTicks,
-               "of a recording: take over at this tick instead of at its end");
-    app.add_option("--record", options.record,
-                   "record the session here [a new file in couloir/recordings in the XDG data folder]")
+               "take over the recording at this tick, not at its end");
+    app.add_option(
+           "--record", options.record,
+           "write the recording to this file [a new file in couloir/recordings in the XDG data folder]")
         ->type_name("FILE.couloir");
     add_material_and_model(app, options.overrides);
     add_references(app, options.overrides);
-    add_size(app, options.size, "of the window", "1280x720");
+    add_size(app, options.size, "set the size of the window", "1280x720");
     add_memory(app, options.overrides.memory);
     add_step_options(app, options.step_options);
 }
@@ -212,126 +217,122 @@ void add_gl(CLI::App& app, std::string& gl) {
                if (std::string_view(way).starts_with(kNumbered))
                    number_of("--gl", std::string_view(way).substr(kNumbered.size()), kDevices);
                else if (way != "auto" && way != "surfaceless" && way != "device")
-                   throw CLI::ValidationError("--gl",
-                                              "'" + way + "' is none of auto, surfaceless, device, device:N");
+                   throw CLI::ValidationError(
+                       "--gl", "'" + way + "' is not one of: auto, surfaceless, device, device:N");
                gl = way;
            },
-           described("where to draw: auto (a hardware device if there is one), surfaceless (software), or a "
-                     "device by its number: device, device:N",
+           described("draw on: auto (a hardware device if there is one), surfaceless (software), or the EGL "
+                     "device with this number: device, device:N",
                      kDevices, gl))
         ->type_name("WAY");
 }
 
 void add_pictures(CLI::App& app, PictureOptions& options, const char* where) {
     app.add_option("--frames", options.folder, where)->type_name("DIR");
-    add_number(app, "--every", "TICKS", options.every, kStride, "between two pictures, 60 in a second", "60");
-    add_size(app, options.size, "of the pictures", "1280x720");
+    add_number(app, "--every", "TICKS", options.every, kStride,
+               "write an image every so many ticks, 60 per simulated second", "60");
+    add_size(app, options.size, "set the size of the images", "1280x720");
     add_gl(app, options.gl);
 }
 
 void add_results(CLI::App& app, ResultOptions& options) {
-    app.add_option("--perf", options.perf, "write the performance log, a line per tick")
+    app.add_option("--perf", options.perf, "write a performance log, one line per tick")
         ->type_name("FILE.csv");
     app.add_option("--trace", options.trace,
-                   "write what each frame did, for ui.perfetto.dev or chrome://tracing")
+                   "write a trace of each frame for ui.perfetto.dev or chrome://tracing")
         ->type_name("FILE.json");
-    app.add_option("--summary", options.summary, "write what is printed in the end, and more, as JSON")
-        ->type_name("FILE.json");
+    app.add_option("--summary", options.summary, "write the full summary as JSON")->type_name("FILE.json");
     app.add_flag("--json", options.json, "print the summary as JSON");
 }
 
 void add_run(CLI::App& app, RunOptions& options) {
-    app.add_option("scene", options.scene, "a name from `couloir list`, or a scene file")->type_name("SCENE");
+    app.add_option("scene", options.scene, "name from `couloir list`, or a scene file")->type_name("SCENE");
     auto* terrain =
-        app.add_option("--terrain", options.terrain, "a DEM instead of a scene: GeoTIFF, ESRI ASCII, …")
+        app.add_option("--terrain", options.terrain, "use a DEM instead of a scene: GeoTIFF, ESRI ASCII, …")
             ->type_name("DEM");
-    app.add_option(
-           "--release", options.release,
-           "what starts on it: a depth raster, or GeoJSON polygons with `thickness` in vertical metres")
+    app.add_option("--release", options.release,
+                   "release this material on it: a depth raster, or GeoJSON polygons with a vertical "
+                   "`thickness` in m")
         ->type_name("FILE")
         ->needs(terrain);
     app.add_option("--reference", options.reference,
-                   "what to compare with: a GeoJSON extent, or a raster of the observed change of height; "
-                   "the summary "
-                   "tells the overlap, and how far material was carried")
+                   "compare with observations: a GeoJSON extent, or a raster of the change of height; the "
+                   "summary reports the overlap, and for a raster the transport distance")
         ->type_name("FILE");
     add_material_and_model(app, options.overrides);
     add_references(app, options.overrides);
     app.add_flag("--until-rest", options.until_rest,
-                 "stop when nothing moves; with --seconds, by then at the latest [3600]");
-    add_number(app, "--seconds", "S", options.seconds, kSeconds, "simulated time");
-    app.add_option("--record", options.record, "write the recording here")->type_name("FILE.couloir");
+                 "stop when nothing moves, or after --seconds [3600], whichever is first");
+    add_number(app, "--seconds", "S", options.seconds, kSeconds, "simulate this much time");
+    app.add_option("--record", options.record, "write the recording to this file")->type_name("FILE.couloir");
     app.add_option("--export", options.export_folder,
-                   "write deposit, peak depth and speed, extent, summary, and pictures into DIR/frames")
+                   "write deposit, peak depth and speed, extent and summary here, and images to DIR/frames")
         ->type_name("DIR");
-    add_pictures(app, options.pictures, "write pictures here, and maps of extent and end");
+    add_pictures(app, options.pictures, "write images here, and maps of the extent and the final state");
     add_results(app, options.results);
     add_memory(app, options.overrides.memory);
     add_step_options(app, options.step_options);
 }
 
 void add_replay(CLI::App& app, ReplayOptions& options) {
-    app.add_option("recording", options.recording, "a name from `couloir list`, or a file")
+    app.add_option("recording", options.recording, "name from `couloir list`, or a file")
         ->type_name("RECORDING")
         ->required();
     app.add_flag_callback(
-        "--headless", [] {}, "without a window (replay never opens one)");
-    add_number(app, "--until", "TICK", options.until, kTicks, "stop after so many", "where it ends");
+        "--headless", [] {}, "run without a window (replay never opens one)");
+    add_number(app, "--until", "TICK", options.until, kTicks, "stop at this tick", "its last tick");
     app.add_flag(
         "--verify", options.verify,
-        "compare every recorded state hash and mass ledger; status 0 only if there is one and all are "
-        "equal, else 1");
+        "compare every recorded state hash and mass ledger; exit status 0 only if at least one is compared "
+        "and all are equal, else 1");
     app.add_flag("--paranoid", options.paranoid,
-                 "do every tick twice, with other threads and tiles, and compare; status 1 with a report of "
-                 "where they "
-                 "part, and with --frames its picture, desync.png");
-    add_pictures(app, options.pictures, "write pictures here");
+                 "compute every tick twice, with different threads and tiles, and compare; if they differ, "
+                 "exit with status 1, report where, and with --frames write desync.png");
+    add_pictures(app, options.pictures, "write images here");
     app.add_flag_callback(
         "--no-render", [&options] { options.pictures.folder.reset(); },
-        "draw nothing, whatever else is said");
+        "disable rendering (overrides --frames)");
     add_results(app, options.results);
     add_memory(app, options.memory);
     add_step_options(app, options.step_options);
 }
 
-// Where the maps of a comparison go, and how it is told.
+// Where the maps of a comparison go, and how its result is printed.
 template <class Options>
 void add_telling(CLI::App& app, Options& options, const char* maps) {
     app.add_option(
            maps, options.maps,
-           "write difference.tif and .png here: deposit, the second less the first; the same of peak depth; "
-           "and desync.png, where they part")
+           "write difference.tif and .png here (deposit of the second minus the first), the same for peak "
+           "depth, and desync.png, the point of divergence")
         ->type_name("DIR");
-    app.add_flag("--json", options.json, "print it as JSON");
+    app.add_flag("--json", options.json, "print the comparison as JSON");
     add_memory(app, options.memory);
     add_step_options(app, options.step_options);
 }
 
 void add_compare(CLI::App& app, CompareOptions& options) {
-    app.add_option("first", options.first, "a name from `couloir list`, or a file")
-        ->type_name("A")
-        ->required();
-    app.add_option("second", options.second, "the same")->type_name("B")->required();
+    app.add_option("first", options.first, "name from `couloir list`, or a file")->type_name("A")->required();
+    app.add_option("second", options.second, "name or file of the other")->type_name("B")->required();
     add_number(app, "--tick", "TICK", options.tick, kTicks,
-               "compare them after so many, which both must have", "where each ends");
+               "compare both at this tick, which both must contain", "the last tick of each");
     add_telling(app, options, "--out");
 }
 
 void add_edit(CLI::App& app, EditOptions& options) {
-    app.add_option("recording", options.recording, "a name from `couloir list`, or a file")
+    app.add_option("recording", options.recording, "name from `couloir list`, or a file")
         ->type_name("RECORDING")
         ->required();
-    add_number(app, "--tick", "TICK", options.edit.tick, kTicks, "that the command was given in")->required();
+    add_number(app, "--tick", "TICK", options.edit.tick, kTicks, "tick of the command to edit")->required();
     add_number(app, "--command", "K", options.edit.which, Range<int>{1, 1'000'000},
-               "which of several commands in that tick");
-    auto* change = app.add_option_group("change", "one of these");
+               "choose among several commands in that tick");
+    auto* change = app.add_option_group("change", "exactly one of these");
     change
         ->add_option_function<std::string>(
             "--set", [&](const std::string& text) { options.edit.change = Edit::Set{text}; },
-            "members of the command, as the recording names them: x=80,rate=400,as=standing")
+            "set members of the command, named as in the recording: x=80,rate=400,as=standing")
         ->type_name("NAME=VALUE,...");
     change->add_flag_callback(
-        "--delete", [&] { options.edit.change = Edit::Delete{}; }, "leave the command out");
+        "--delete", [&] { options.edit.change = Edit::Delete{}; }, "delete the command");
     change
         ->add_option_function<std::string>(
             "--move",
@@ -339,7 +340,7 @@ void add_edit(CLI::App& app, EditOptions& options) {
                 const auto [east, north] = pair_of("--move", text, ',', kMove);
                 options.edit.change = Edit::Move{{east, north}};
             },
-            described("to the east and to the north", kMove, ""))
+            described("move the command east and north", kMove, ""))
         ->type_name("EAST,NORTH");
     change
         ->add_option_function<std::string>(
@@ -347,182 +348,186 @@ void add_edit(CLI::App& app, EditOptions& options) {
             [&](const std::string& text) {
                 options.edit.change = Edit::Delay{number_of("--delay", text, kDelay)};
             },
-            described("later, or earlier if negative, to whole ticks", kDelay, ""))
+            described("delay the command, rounded to whole ticks; negative is earlier", kDelay, ""))
         ->type_name("S");
     change->require_option(1);
-    app.add_option("--out", options.out, "record what comes of it here")
+    app.add_option("--out", options.out, "write the new recording to this file")
         ->type_name("NEW.couloir")
         ->required();
     add_telling(app, options, "--maps");
 }
 
 void add_normalise(CLI::App& app, NormaliseOptions& options) {
-    app.add_option("recording", options.recording, "a name from `couloir list`, or a file")
+    app.add_option("recording", options.recording, "name from `couloir list`, or a file")
         ->type_name("RECORDING")
         ->required();
-    app.add_option("--out", options.out, "write it here")->type_name("NEW.couloir")->required();
+    app.add_option("--out", options.out, "write the new recording to this file")
+        ->type_name("NEW.couloir")
+        ->required();
     add_memory(app, options.memory);
     add_step_options(app, options.step_options);
 }
 
 void add_track(CLI::App& app, TrackOptions& options) {
-    app.add_option("mesh", options.mesh, "triangles as a Wavefront OBJ file; followed in its x, y plane")
+    app.add_option("mesh", options.mesh,
+                   "triangle mesh as a Wavefront OBJ file; fronts are tracked in its x, y plane")
         ->type_name("MESH.obj")
         ->required();
     app.add_option("velocities", options.velocities,
-                   "array of frames × vertices × 2 as numpy.save() writes it, little-endian f4 or f8")
+                   "array of frames × vertices × 2 from numpy.save(), little-endian f4 or f8, m/s")
         ->type_name("VELOCITIES.npy")
         ->required();
-    add_number(app, "--dt", "S", options.dt, Range<double>{1e-6, 1e6, "s"}, "time from frame to frame",
+    add_number(app, "--dt", "S", options.dt, Range<double>{1e-6, 1e6, "s"}, "set the time between frames",
                "1/60");
     add_named(app, "--source", options.source, sim::front::source_named, "half, paper, fit, level",
-              "where on its edge a point lies [fit]");
+              "method that locates a point on its edge [fit]");
     app.add_flag("--hold", options.hold,
-                 "of --source paper: points whose front is ahead of them go on to the vertex that it left "
-                 "through (Section 3.3)");
+                 "with --source paper: move points whose front is ahead of them on to the vertex through "
+                 "which it left (Section 3.3)");
     add_named(
         app, "--rule", options.rule, rule_named, "paper, relative",
-        "which edges are cut: paper, where velocity changes by --threshold per metre and by --jump; "
-        "relative, by --jump and by 0.7 of both speeds, as beside rest [paper; with --source level where "
-        "the scalar crosses the level]");
+        "cut the edges on which the velocity changes: paper, by --threshold per metre and by --jump; "
+        "relative, by --jump and by 0.7 of both speeds, as next to a layer at rest [paper; with --source "
+        "level, the edges on which the scalar crosses the level]");
     add_number(app, "--threshold", "NUMBER", options.threshold, Range<double>{1e-9, 1e9, "1/s"},
-               "M of the paper", "jump / 1.5 cells");
+               "set the paper's M, the least velocity gradient", "jump / 1.5 cells");
     add_number(app, "--jump", "NUMBER", options.jump, Range<double>{1e-9, 1e9, "m/s"},
-               "least jump of velocity that cuts an edge", "of rule relative 0.3");
-    app.add_option("--scalar", options.scalar, "for --source level: array of frames × vertices")
+               "set the least velocity jump that cuts an edge", "0.3 with rule relative");
+    app.add_option("--scalar", options.scalar,
+                   "with --source level: read the scalar from an array of frames × vertices")
         ->type_name("R.npy");
     add_number(app, "--level", "NUMBER", options.level, Range<double>{-1e30, 1e30},
-               "for --source level: the level of the scalar");
-    app.add_option("--out", options.out, "write the points here instead of to standard output")
+               "with --source level: set the level of the scalar");
+    app.add_option("--out", options.out, "write the points to this file, not to standard output")
         ->type_name("FILE.csv");
-    app.add_option("--frames", options.pictures, "write pictures here")->type_name("DIR");
+    app.add_option("--frames", options.pictures, "write images here")->type_name("DIR");
     add_number(app, "--every", "FRAMES", options.every, Range<std::int64_t>{1, 1'000'000, "frames"},
-               "between two pictures", "1");
-    add_size(app, options.size, "of the pictures", "800x800");
-    add_number(app, "--threads", "N", options.threads, kThreads, "any number gives the same bits", "1");
+               "write an image every so many frames", "1");
+    add_size(app, options.size, "set the size of the images", "800x800");
+    add_number(app, "--threads", "N", options.threads, kThreads, "use N threads (results are bit-identical)",
+               "1");
     app.footer(
-        "Prints a line for each point of each frame: frame,time_s,i,j,f,x,y,w. The front crosses the edge "
-        "between vertices\n"
-        "i < j, counted from 0, at the share f of the way from i, at x, y; w is its speed along the edge "
-        "from "
-        "i to j, m/s.\n");
+        "Prints one line per point and frame: frame,time_s,i,j,f,x,y,w. The front crosses the edge between\n"
+        "vertices i < j, counted from 0, at x, y, the fraction f of the edge from i. w is its speed along "
+        "the\n"
+        "edge from i to j, m/s.\n");
 }
 
 void add_figures(CLI::App& app, FiguresOptions& options) {
-    app.add_option("--out", options.folder, "write pictures, index.html and numbers.csv here")
+    app.add_option("--out", options.folder, "write images, index.html and numbers.csv here")
         ->type_name("DIR")
         ->required();
     app.add_flag("--quick", options.quick,
-                 "numbers on grids of 30 squares at most: half a minute instead of some five");
+                 "measure on grids of at most 30 squares: takes half a minute instead of about five");
     app.add_option(
            "--only", options.only,
-           fmt::format("make these alone, with commas between: {}", fmt::join(parts_of_figures(), ", ")))
+           fmt::format("make only these parts, separated by commas: {}", fmt::join(parts_of_figures(), ", ")))
         ->delimiter(',')
         ->check(
             [](const std::string& part) {
                 const auto& parts = parts_of_figures();
                 const bool known = std::find(parts.begin(), parts.end(), part) != parts.end();
-                return known ? "" : fmt::format("'{}' is none of {}", part, fmt::join(parts, ", "));
+                return known ? "" : fmt::format("'{}' is not one of: {}", part, fmt::join(parts, ", "));
             },
             "")
         ->type_name("LIST");
     add_number(app, "--pixels", "N", options.pixels, Range<int>{16, 4096, "pixels"},
-               "side of a square picture", "640");
+               "set the side of a square image", "640");
     add_gl(app, options.gl);
-    add_number(app, "--threads", "N", options.threads, kThreads,
-               "any number gives the same figures and numbers", "as many as there are");
+    add_number(app, "--threads", "N", options.threads, kThreads, "use N threads (results are identical)",
+               "one per processor");
 }
 
 void add_bench(CLI::App& app, BenchOptions& options) {
-    app.add_option("recordings", options.recordings,
-                   "names from `couloir list`, or files [all that ship; with --scaling snow-avalanche]")
+    app.add_option(
+           "recordings", options.recordings,
+           "names from `couloir list`, or files [all shipped recordings; snow-avalanche with --scaling]")
         ->type_name("RECORDING");
     app.add_option_function<std::vector<std::string>>(
            "--grid",
            [&options](const std::vector<std::string>& lists) {
                options.squares = numbers_of("--grid", lists, kSquares);
            },
-           described("along the longer side, several with commas between", kSquares,
-                     "80,160; with --scaling 40 to 2048"))
+           described("set the resolution along the longer side; separate several by commas", kSquares,
+                     "80,160; 40 to 2048 with --scaling"))
         ->type_name("N");
     app.add_option("--physics", options.physics,
-                   fmt::format("several with commas between: {} [all; with --scaling the recording's own]",
+                   fmt::format("run with these physics; separate several by commas: {} [all; the recording's "
+                               "own with --scaling]",
                                bench_physics_names()))
         ->delimiter(',')
         ->check(
             [](const std::string& name) {
                 return bench_physics_named(name)
                            ? ""
-                           : fmt::format("'{}' is none of {}", name, bench_physics_names());
+                           : fmt::format("'{}' is not one of: {}", name, bench_physics_names());
             },
             "")
         ->type_name("NAME");
     app.add_flag(
         "--scaling", options.scaling,
-        "how the cost of every part grows with the grid and with the length of the front: one avalanche "
-        "on grid after grid");
+        "measure how the cost of each part grows with grid size and front length: one avalanche on a series "
+        "of grids");
     add_number(app, "--repeats", "N", options.measure.repeats, Range<int>{1, 1000},
-               "of each recording, after a warm-up; not of --scaling", "3");
+               "run each recording N times after a warm-up; ignored with --scaling", "3");
     add_number(app, "--ticks", "N", options.measure.ticks, Range<std::int64_t>{1, kTicks.most, "ticks"},
-               "of each recording at most", "all");
+               "run at most N ticks of each recording", "all");
     add_number(app, "--every", "TICKS", options.measure.every, kStride,
-               "from one drawn frame to the next, 60 in a second", "120");
-    add_size(app, options.size, "of the frames", "640x360");
+               "draw a frame every so many ticks, 60 per simulated second", "120");
+    add_size(app, options.size, "set the size of the frames", "640x360");
     add_gl(app, options.gl);
     app.add_flag_callback(
-        "--no-render", [&options] { options.draws = false; }, "draw nothing");
-    app.add_option("--perf", options.perf, "write a line per tick, or per row of --scaling")
+        "--no-render", [&options] { options.draws = false; }, "disable rendering");
+    app.add_option("--perf", options.perf, "write one line per tick, or per table row with --scaling")
         ->type_name("FILE.csv");
-    app.add_option("--summary", options.summary, "write the report as JSON, to compare with later")
+    app.add_option("--summary", options.summary, "write the report as JSON, for --against")
         ->type_name("FILE.json");
     app.add_flag("--json", options.json, "print the report as JSON instead of tables");
-    app.add_option("--page", options.page, "write tables and plots as one page that needs nothing else")
+    app.add_option("--page", options.page, "write tables and plots as one self-contained page")
         ->type_name("FILE.html");
     app.add_option("--trace", options.trace,
-                   "write the last repeats, for ui.perfetto.dev or chrome://tracing")
+                   "write a trace of the last repeats for ui.perfetto.dev or chrome://tracing")
         ->type_name("FILE.json");
     app.add_option(
            "--against", options.against,
-           "compare with an earlier report; status 1 where a stage takes longer by more than --tolerance")
+           "compare with an earlier report; exit with status 1 if a stage is slower by more than --tolerance")
         ->type_name("FILE.json");
-    add_number(app, "--tolerance", "NUMBER", options.tolerance, Range<double>{1e-6, 1e6}, "as a share",
-               "0.25");
+    add_number(app, "--tolerance", "NUMBER", options.tolerance, Range<double>{1e-6, 1e6},
+               "accept this relative increase in time", "0.25");
     add_memory(app, options.measure.memory);
     add_step_options(app, options.measure.step);
     app.footer(
-        "Status 1 too where a recording does not end in its golden states, or repeats differ: such times "
-        "count for "
-        "nothing.\n");
+        "Exit status 1 also if a recording does not end in its golden states, or if repeats differ. Such "
+        "times are invalid.\n");
 }
 
-// What the options of a track must add up to; says what was left to us.
+// Checks the options of `track` against each other and sets the defaults that depend on others.
 Outcome<void> check(TrackOptions& options) {
     using sim::front::Rule, sim::front::PointSource;
     options.source = options.source.value_or(PointSource::kFit);
     const bool by_level = options.source == PointSource::kLevel;
     options.rule = options.rule.value_or(by_level ? Rule::Kind::kLevel : Rule::Kind::kGradient);
     if (by_level && (!options.scalar || !options.level))
-        return unusable("--source level needs --scalar R.npy and --level NUMBER");
+        return unusable("--source level needs both --scalar R.npy and --level NUMBER");
     if (!by_level && (options.scalar || options.level))
-        return unusable("--scalar and --level are for --source level");
-    if (options.hold && options.source != PointSource::kPaper)
-        return unusable("--hold is for --source paper");
+        return unusable("--scalar and --level need --source level");
+    if (options.hold && options.source != PointSource::kPaper) return unusable("--hold needs --source paper");
     if (options.rule == Rule::Kind::kGradient && !options.jump && !options.threshold)
-        return unusable("track needs --jump or --threshold: what cuts an edge");
+        return unusable("track needs --jump or --threshold, which decide what edges are cut");
     if (options.rule != Rule::Kind::kGradient && options.threshold)
-        return unusable("--threshold is for --rule paper");
+        return unusable("--threshold needs --rule paper");
     return {};
 }
 
-// What the options of a run must add up to.
+// Checks the options of `run` against each other and sets the defaults that depend on others.
 Outcome<void> check(RunOptions& options) {
     if (!options.scene.empty() && options.terrain)
-        return unusable("run takes a scene or --terrain DEM, not both");
+        return unusable("run accepts a scene or --terrain DEM, not both");
     if (options.scene.empty() && !options.terrain)
         return unusable(
-            "run needs a scene, or --terrain DEM with --release FILE; `couloir list` tells the scenes");
+            "run needs a scene, or --terrain DEM with --release FILE; `couloir list` prints the scenes");
     if (options.terrain && !options.release)
-        return unusable("--terrain needs --release FILE: without it nothing would start");
+        return unusable("--terrain needs --release FILE; without it no material would move");
     if (!options.until_rest && !options.seconds) return unusable("run needs --until-rest or --seconds S");
     if (options.export_folder && !options.pictures.folder) {
         options.pictures.folder = *options.export_folder / "frames";
@@ -536,8 +541,8 @@ Outcome<void> check(RunOptions& options) {
 Outcome<int> run_command_line(int argc, char** argv) {
     CLI::App app{
         "Couloir: a sandbox for avalanches and landslides.\n"
-        "Exit status: 0 done; 1 ran, but the answer is bad; 2 unusable arguments or input; 3 the machine "
-        "fails.",
+        "Exit status: 0 success; 1 ran, but a check failed; 2 invalid arguments or input; 3 system failure "
+        "(memory, disk, OpenGL).",
         "couloir"};
     app.set_version_flag("--version", fmt::format("{}, commit {}", kProgram, kCommit));
     app.get_formatter()->column_width(34);
@@ -549,44 +554,46 @@ Outcome<int> run_command_line(int argc, char** argv) {
     ListOptions list_options;
     TrackOptions track_options;
     CLI::App* play_app =
-        app.add_subcommand("play", "open the sandbox in a window (what couloir does without a subcommand)");
-    CLI::App* run_app = app.add_subcommand("run", "run a scene or a real hill without a window");
-    CLI::App* replay_app = app.add_subcommand("replay", "run a recording again, bit for bit");
-    CLI::App* list_app = app.add_subcommand("list", "what ships: scenes, materials, recordings, terrains");
+        app.add_subcommand("play", "open the sandbox in a window (default without a subcommand)");
+    CLI::App* run_app = app.add_subcommand("run", "run a scene or real terrain without a window");
+    CLI::App* replay_app = app.add_subcommand("replay", "replay a recording bit for bit");
+    CLI::App* list_app =
+        app.add_subcommand("list", "list the shipped scenes, materials, recordings and terrains");
     CLI::App* track_app = app.add_subcommand(
-        "track", "follow the fronts in anybody's velocities: where they cross the edges of a mesh, as CSV");
+        "track",
+        "track discontinuities in your own velocity field; print where they cross mesh edges, as CSV");
     add_play(*play_app, play_options);
     add_track(*track_app, track_options);
     add_run(*run_app, run_options);
     add_replay(*replay_app, replay_options);
     FiguresOptions figures_options;
     CLI::App* figures_app = app.add_subcommand("figures",
-                                               "the paper's figures, without and with its method, and a "
-                                               "table of numbers; 1 where one misses its bound");
+                                               "draw the paper's figures, with and without its method, and "
+                                               "measure errors; exit status 1 if a tolerance is exceeded");
     add_figures(*figures_app, figures_options);
     CompareOptions compare_options;
     CLI::App* compare_app = app.add_subcommand(
         "compare",
-        "two recordings on one ground: what differs in the end, and the first tick, stage, field and cell in "
-        "which they part");
+        "compare two recordings on the same terrain: the difference at the end, and the first tick, stage, "
+        "field and cell that differ");
     add_compare(*compare_app, compare_options);
     EditOptions edit_options;
     CLI::App* edit_app = app.add_subcommand(
-        "edit", "change one command of a recording, run it again, and compare what comes of it");
+        "edit", "change one command of a recording, run it again, and compare the results");
     add_edit(*edit_app, edit_options);
     NormaliseOptions normalise_options;
     CLI::App* normalise_app = app.add_subcommand(
         "normalise",
-        "rewrite a recording in the newest format, with the states of this version of the physics");
+        "rewrite a recording in the newest format, with states computed by this version of the physics");
     add_normalise(*normalise_app, normalise_options);
     BenchOptions bench_options;
     CLI::App* bench_app = app.add_subcommand(
-        "bench", "what recordings cost, stage by stage, on several grids and in several physics");
+        "bench", "measure the time of recordings by stage, on several grids and with several physics");
     add_bench(*bench_app, bench_options);
-    CLI::App* verify_app = app.add_subcommand(
-        "verify-physics",
-        "compare the solver with exact answers: errors and orders; 1 where one misses its bound");
-    list_app->add_flag("--json", list_options.json, "as JSON");
+    CLI::App* verify_app = app.add_subcommand("verify-physics",
+                                              "compare the solver with exact solutions: errors and orders; "
+                                              "exit status 1 if a tolerance is exceeded");
+    list_app->add_flag("--json", list_options.json, "print as JSON");
 
     try {
         app.parse(argc, argv);
@@ -594,7 +601,7 @@ Outcome<int> run_command_line(int argc, char** argv) {
         return app.exit(asked);
     } catch (const CLI::ParseError& wrong) {
         return unusable(
-            fmt::format("{} (couloir {}--help tells more)", wrong.what(),
+            fmt::format("{} (see couloir {}--help)", wrong.what(),
                         app.get_subcommands().empty() ? "" : app.get_subcommands()[0]->get_name() + " "));
     }
     if (app.get_subcommands().empty() || play_app->parsed()) return play(play_options);
@@ -611,7 +618,8 @@ Outcome<int> run_command_line(int argc, char** argv) {
     if (edit_app->parsed()) return edit(edit_options);
     if (normalise_app->parsed()) return normalise(normalise_options);
     if (bench_app->parsed()) {
-        if (bench_options.scaling && bench_options.trace) return unusable("--trace is not for --scaling");
+        if (bench_options.scaling && bench_options.trace)
+            return unusable("--trace cannot be used with --scaling");
         return bench(bench_options);
     }
     if (verify_app->parsed()) return verify_physics();

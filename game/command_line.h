@@ -4,9 +4,9 @@
 
 namespace game {
 
-// Reads the command line, runs the subcommand it names and returns its exit status; --help and --version are
-// printed here. Errors: whatever the subcommand's are, or an option that is unknown, missing or out of range
-// (status 2).
+// Parses the command line, runs the subcommand it names and returns its exit status. Prints --help and
+// --version. Errors: those of the subcommand, or an option that is unknown, missing or out of range (status
+// 2).
 Outcome<int> run_command_line(int argc, char** argv);
 
 }  // namespace game

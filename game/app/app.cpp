@@ -17,8 +17,8 @@
 namespace game {
 namespace {
 
-constexpr double kTickBudget = 0.04;         // s of a frame; with more the picture would stutter
-constexpr double kSoftwareResolution = 0.5;  // without a GPU four times the pixels take four times as long
+constexpr double kTickBudget = 0.04;         // s per frame; more would make the display stutter
+constexpr double kSoftwareResolution = 0.5;  // without a GPU, drawing time is proportional to pixels
 
 // Milliseconds since the last call.
 class Stopwatch {
@@ -64,7 +64,7 @@ Outcome<std::unique_ptr<App>> App::begin(Screen& screen, LoadedWorld loaded, con
     app->waits_for_gl_ = render::is_software_renderer();
     if (app->waits_for_gl_) {
         app->display_.resolution = kSoftwareResolution;
-        app->tell("No GPU here: the picture is drawn at half resolution (Display changes it)");
+        app->tell("No GPU found: drawing at half resolution. Change it in the Display panel");
     }
     if (auto begun = app->begin_world(std::move(loaded), record); !begun)
         return tl::unexpected(begun.error());
@@ -87,24 +87,25 @@ bool App::frame() {
     time.frame_ms = static_cast<float>(1000 * elapsed_s);
     Stopwatch watch(screen_);
 
-    // Hands first, so that what they do is seen in this very frame; of these the panels', which lie on top.
+    // Input first, so that its effect is seen in this frame; panels before the world, because they lie on
+    // top.
     const auto events = screen_.poll();
     const ScreenSize size = screen_.size();
     ui_.begin(events, screen_, display_.letters, elapsed_s);
     input_.take(events, size, {ui_.keeps_mouse(), ui_.keeps_keys()}, actions_);
     perform_all();
 
-    // The camera before the brush: the brush is where the cursor meets the ground as it will be seen.
+    // The camera before the brush: the brush is where the cursor meets the ground in the new view.
     if (size.width > 0) move_camera(elapsed_s);
     guide_stroke();
     time.stage_ms[stage_index(Stage::kInput)] = watch.lap();
 
-    // Ticks that are due, each with what the hand gives it: recorded, then done.
+    // Ticks that are due, each with the user's commands: recorded first, then applied.
     run_ticks(elapsed_s, time);
     time.stage_ms[stage_index(Stage::kSolve)] = watch.lap();
 
     if (size.width > 0) {
-        // The world after its ticks, then the panels, which tell of the same tick.
+        // The world after its ticks, then the panels, which describe the same tick.
         draw_world();
         time.stage_ms[stage_index(Stage::kDraw)] = watch.lap();
         draw_panels();
@@ -125,7 +126,7 @@ void App::perform_all() {
     if (input_.close_asked()) leaving_ = true;
     if (input_.dropped())
         for (const auto& path : screen_.dropped()) open_or_tell(path.string(), {});
-    // Panels asked in the frame before. What is performed may ask for more only in the next frame.
+    // Panels requested these in the previous frame. Requests made here wait for the next frame.
     for (std::size_t i = 0; i < actions_.size(); ++i)
         std::visit([this](const auto& action) { perform(action); }, actions_[i]);
     actions_.clear();
@@ -166,9 +167,9 @@ void App::guide_stroke() {
     if (input_.resize_steps() != 0) resize_brush(input_.resize_steps());
     if (input_.brush_pressed()) begin_stroke();
     if (!stroke_) return;
-    // Once the button is up the hand is elsewhere.
+    // After the button is released, the cursor no longer moves the stroke.
     if (!stroke_ends_) stroke_->move_to(ground_ ? std::optional<glm::dvec2>(*ground_) : std::nullopt);
-    // A click shorter than a tick is a stroke too; one while time stands still is none.
+    // A click shorter than a tick is still a stroke, unless the simulation is paused.
     if (!input_.brush_held()) stroke_ends_ = true;
     if (stroke_ends_ && clock_.paused()) stroke_.reset();
 }
@@ -176,16 +177,15 @@ void App::guide_stroke() {
 void App::begin_stroke() {
     if (sandbox_->looks_back()) return tell_hands_off();
     if (sandbox_->scenario().flow)
-        return tell("Nothing to pour on here: this scene shows a flow, and Display has its speeds");
-    // Where the button went down: by now the cursor may be far on.
+        return tell("Brushes do not work in a flow demo. Change its speeds in the Display panel");
+    // Where the button was pressed; the cursor may have moved on since.
     const auto at = ground_under(input_.drag_from());
     if (!at) return;
     const sim::CommandKind deed = deed_of(brush_, input_.inverted());
     stroke_.emplace(deed, glm::dvec2(*at));
     stroke_ends_ = false;
     sandbox_->begin_action(std::string(sim::info_of(deed).name));
-    if (clock_.paused())
-        tell("Time stands still: Space lets it run, . runs one tick with what the hand does");
+    if (clock_.paused()) tell("Paused: the brush acts when time runs. Press Space to run, or . for one tick");
 }
 
 void App::run_ticks(double elapsed_s, FrameTime& time) {
@@ -222,14 +222,14 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
     take_over_at_end();
 }
 
-// Toward a tick that is known, as far as a frame's time lets.
+// Moves toward a known tick, as far as the time budget of the frame allows.
 void App::seek(std::int64_t tick, double begun_s) {
     stroke_.reset();
     const std::int64_t before = sandbox_->session().state().tick;
     const auto there = sandbox_->go_toward(tick, [&] { return screen_.seconds() - begun_s < kTickBudget; });
     if (!there) warn(there.error().sentence);
     if (sandbox_->session().state().tick != before) ++epoch_;
-    if (there && !*there && sandbox_->can_go_back()) return;  // goes on in the next frame
+    if (there && !*there && sandbox_->can_go_back()) return;  // continues in the next frame
     seeking_.reset();
     if (clock_.runs_back() && sandbox_->session().state().tick == 0) {
         clock_.run_back(false);
@@ -238,26 +238,26 @@ void App::seek(std::int64_t tick, double begun_s) {
     if (std::exchange(takes_over_there_, false)) take_over();
 }
 
-// What was watched is the person's once it has come to its end.
+// Hands a watched recording over to the user at its end.
 void App::take_over_at_end() {
     if (!sandbox_->watched_to_end()) return;
-    clock_.set_speed(1);  // whoever hurried through it starts at a pace for hands
+    clock_.set_speed(1);  // the user may have watched at a higher speed
     const Verdict verdict = *sandbox_->verdict();
     const bool proven = verdict.proven_tick == sandbox_->known_until();
     take_over();
     if (verdict.parted)
-        warn(fmt::format("The recording parts from what was played: {}. The world is yours now",
+        warn(fmt::format("End of the recording. Its replay differs: {}. You can continue from here",
                          *verdict.parted));
     else if (!verdict.comparable)
         tell(
-            "The recording has come to its end, played by another version of the physics: the world is "
-            "yours");
+            "End of the recording. It was made by another physics version, so states were not compared. You "
+            "can continue from here");
     else if (!proven)
         tell(
-            "The recording has come to its end; it states nothing to compare with up to there. The world is "
-            "yours");
+            "End of the recording. It has no state up to its end to compare with. You can continue from "
+            "here");
     else
-        tell("The recording has come to its end, met bit for bit: the world is yours");
+        tell("End of the recording, replayed bit for bit. You can continue from here");
 }
 
 void App::draw_world() {

@@ -23,20 +23,20 @@
 
 namespace game {
 
-// The sandbox as a person has it before them: a world, its picture, a hand and the panels, on a screen. Owns
-// everything that outlives a frame.
+// The interactive sandbox on a screen: a world, its image, user input and panels. Owns everything that
+// outlives a frame.
 class App {
   public:
-    // Begins with `loaded` on a screen that outlives the app; `record` as in begin_world. Errors: shaders or
+    // Starts with `loaded` on a screen that outlives the app; `record` as in begin_world. Errors: shaders or
     // assets are missing, or `record` cannot be written (3).
     static Outcome<std::unique_ptr<App>> begin(Screen& screen, LoadedWorld loaded,
                                                const sim::StepOptions& options,
                                                const std::optional<std::filesystem::path>& record);
     ~App();
 
-    // One frame, from events to the picture on the screen. False once the person has asked to leave.
+    // Runs one frame, from events to the image on the screen. False once the user has asked to quit.
     bool frame();
-    // Goes on to this tick of a recording, and takes over there.
+    // Plays a recording up to this tick and takes it over there.
     void take_over_at(std::int64_t tick);
     // Closes the recording. Errors: it cannot be written (3).
     Outcome<void> finish();
@@ -49,13 +49,13 @@ class App {
     const Display& display() const { return display_; }
     const render::Camera& camera() const { return camera_->camera(); }
     const ui::Ui& panels() const { return ui_; }
-    // File that is or was being written; nothing where none could be.
+    // The file that is or was being written; nothing if none could be created.
     const std::optional<std::filesystem::path>& recording() const { return recording_; }
 
   private:
     App(Screen& screen, render::Renderer renderer, Catalogue catalogue, const sim::StepOptions& options);
 
-    // The stops of a frame, in their order.
+    // The stages of a frame, in order.
     void perform_all();
     void move_camera(double elapsed_s);
     void guide_stroke();
@@ -76,16 +76,16 @@ class App {
     void tell_camera_mode();
     void resize_brush(double steps);
     void begin_stroke();
-    std::optional<glm::dvec3> ground_under(glm::dvec2 point) const;  // of the picture
+    std::optional<glm::dvec3> ground_under(glm::dvec2 point) const;  // `point` in image coordinates
     void take_over_at_end();
     void take_over();
-    bool may_go_back();  // else tells why not
+    bool may_go_back();  // false: shows a notice with the reason
     void step_back();
     void run_back();
     void tell_hands_off();
 
-    // Begins anew with `loaded`, recorded in `record` or else in the recordings folder; the world before it
-    // is closed. Errors: `record` cannot be written; nothing has changed then.
+    // Replaces the world by `loaded`, recorded in `record` or else in the recordings folder, and closes the
+    // previous world. Errors: `record` cannot be written, and then nothing has changed.
     Outcome<void> begin_world(LoadedWorld loaded, const std::optional<std::filesystem::path>& record);
     Outcome<std::optional<Recorder>> begin_recording(const Scenario& scenario,
                                                      const std::optional<std::filesystem::path>& wanted);
@@ -94,7 +94,7 @@ class App {
     void tell(std::string sentence) { notices_.tell(Notice::Kind::kInfo, std::move(sentence), now_s_); }
     void warn(std::string sentence) { notices_.tell(Notice::Kind::kWarning, std::move(sentence), now_s_); }
 
-    // What a picture of the world was drawn from: the same again need not be drawn again.
+    // The inputs of the last drawn image. If they are unchanged, it is not drawn again.
     struct Drawn {
         std::int64_t epoch = -1, changed_at = -1;
         render::Camera camera;
@@ -109,15 +109,15 @@ class App {
     ui::Ui ui_;
     Catalogue catalogue_;
     std::string renderer_name_;
-    bool waits_for_gl_ = false;  // without a GPU GL's time is ours, and its stage should say so
+    bool waits_for_gl_ = false;  // software rendering; waiting charges its time to the draw stage
     sim::StepOptions options_;
 
-    LoadedWorld first_;  // what reset goes back to
+    LoadedWorld first_;  // restored by reset
     std::optional<Sandbox> sandbox_;
     std::optional<std::filesystem::path> recording_;
-    std::int64_t epoch_ = 0;  // of the world: grows when it begins anew or goes back in time
-    std::optional<std::filesystem::path> record_;  // where it was asked to be recorded
-    std::optional<std::int64_t> seeking_;          // tick on the way to which time is
+    std::int64_t epoch_ = 0;                       // grows when the world restarts or goes back in time
+    std::optional<std::filesystem::path> record_;  // from --record
+    std::optional<std::int64_t> seeking_;          // target tick of a seek
     bool takes_over_there_ = false;
 
     TickClock clock_;
@@ -125,10 +125,10 @@ class App {
     Actions actions_;
     Brush brush_;
     std::optional<Stroke> stroke_;
-    bool stroke_ends_ = false;               // its button is up; it goes once it has had a tick
-    bool touched_ = false;                   // the person has changed the world
-    std::vector<sim::Command> hand_;         // of one tick; kept for its memory
-    std::vector<sim::Command> set_numbers_;  // by panels, for the next tick
+    bool stroke_ends_ = false;               // its button is released; it ends after its next tick
+    bool touched_ = false;                   // the user has changed the world
+    std::vector<sim::Command> hand_;         // commands of one tick; kept to reuse its memory
+    std::vector<sim::Command> set_numbers_;  // parameters set in panels, for the next tick
 
     std::optional<CameraControl> camera_;
     std::optional<Probe> probe_;

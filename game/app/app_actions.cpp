@@ -1,4 +1,4 @@
-// What an app does for each action; app.cpp has the frame.
+// What the app does for each action. The frame is in app.cpp.
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +15,14 @@ namespace {
 
 constexpr double kSizeStep = 1.15, kStrengthStep = 1.25;
 
-// From a little farther than for a picture: bars lie over the upper and the lower edge.
+// A little farther away than in exported images, because bars cover the upper and lower edges.
 render::Camera overview_beside_panels(const sim::View& world) {
     render::Camera camera = render::overview(world);
     camera.distance_m *= 1.3;
     return camera;
 }
 
-// A fiftieth of the mountain, but never so small that the grid cannot tell.
+// A brush radius of 1/50 of the terrain, but at least 2.5 cells so that the grid resolves it.
 Brush brush_for(const sim::Grid& grid) {
     const auto dx = static_cast<double>(grid.dx);
     const RadiusRange range = radius_range(grid);
@@ -92,7 +92,7 @@ void App::perform(Verb verb) {
             leaving_ = true;
             return;
         default:
-            return;  // a panel's, which ui_ has taken
+            return;  // panel verbs, handled by ui_
     }
 }
 
@@ -115,23 +115,23 @@ void App::perform(const SetNumber& set) {
     sim::Command command;
     command.kind = sim::CommandKind::kSet;
     command.param = set.param;
-    command.value = shortest(set.value);  // a recording says 0.6, and not 0.6000000238418579
+    command.value = shortest(set.value);  // so that a recording contains 0.6, not 0.6000000238418579
     auto all = set_numbers_;
     all.push_back(command);
     auto fault = sim::fault_of(command);
     if (!fault) fault = sim::fault_after(sandbox_->session().state().params, all);
-    if (fault) return warn(fmt::format("Not set: {}", *fault));
+    if (fault) return warn(fmt::format("Parameter not set: {}", *fault));
     set_numbers_ = std::move(all);
     sandbox_->begin_action(fmt::format("set {}", sim::kParams[set.param].name));
-    if (clock_.paused()) tell("Set with the next tick: time stands still");
+    if (clock_.paused()) tell("Paused: the parameter changes on the next tick");
 }
 
-// Neither is to be seen in the picture.
+// Shows a notice, because neither mode is visible in the image.
 void App::tell_camera_mode() {
     if (camera_->mode() == CameraMode::kTopDown)
-        tell("From above, north is up: the middle button moves the view, T goes back");
+        tell("Top view, north up. Drag with the middle button to pan; press T to return");
     if (camera_->mode() == CameraMode::kFly)
-        tell("Flying: W A S D and the arrows move, the right button looks round, F goes back");
+        tell("Fly mode. Move with W A S D or arrows, look with the right button; press F to return");
 }
 
 void App::resize_brush(double steps) {
@@ -143,23 +143,23 @@ void App::undo() {
     stroke_.reset();
     seeking_.reset();
     clock_.run_back(false);
-    // A number that waits for the next tick has done nothing yet: it goes, and nothing else.
+    // Parameters waiting for the next tick have no effect yet: discard them and nothing else.
     if (!set_numbers_.empty()) {
         set_numbers_.clear();
-        return tell("Undone: the numbers that waited for the next tick");
+        return tell("Undone: parameters set for the next tick");
     }
     const auto undone = sandbox_->undo();
     ++epoch_;
     if (!undone && undone.error().status == Failure::kMachine) {
         recording_.reset();
-        return warn(fmt::format("Undone, but the recording ends here: {}", undone.error().sentence));
+        return warn(fmt::format("Undone, but recording has stopped: {}", undone.error().sentence));
     }
     if (!undone) return tell(undone.error().sentence);
     tell(fmt::format("Undone: {}. Back at {:.1f} s", *undone, sandbox_->session().seconds()));
 }
 
 bool App::may_go_back() {
-    if (!sandbox_->can_go_back()) tell("A flow that is shown has no way back");
+    if (!sandbox_->can_go_back()) tell("Flow demos cannot be rewound");
     return sandbox_->can_go_back();
 }
 
@@ -187,7 +187,8 @@ void App::take_over_at(std::int64_t tick) {
 }
 
 void App::take_over() {
-    if (!sandbox_->watches() && !sandbox_->looks_back()) return tell("The world is yours already");
+    if (!sandbox_->watches() && !sandbox_->looks_back())
+        return tell("Already at the present: brushes and parameters work here");
     const auto path = record_ && sandbox_->watches() ? Outcome<std::filesystem::path>(*record_)
                                                      : next_recording(sandbox_->scenario().scene);
     clock_.run_back(false);
@@ -199,28 +200,30 @@ void App::take_over() {
     recording_.reset();
     if (taken && sandbox_->session().recorder()) recording_ = *path;
     catalogue_.own = own_recordings();
-    if (!taken) return warn(fmt::format("Yours, but it is not recorded: {}", taken.error().sentence));
-    tell(fmt::format(
-        "Yours from here, {:.1f} s, in a recording of its own: what came after stays in the one before",
-        seconds));
+    if (!taken)
+        return warn(
+            fmt::format("You can continue from here, but it is not recorded: {}", taken.error().sentence));
+    tell(fmt::format("Branched at {:.1f} s into a new recording. The original keeps what came after",
+                     seconds));
 }
 
 void App::tell_hands_off() {
-    tell(fmt::format("Hands off: this is {}. {} takes over here",
-                     sandbox_->watches() ? "being watched" : "the past", name_of(Verb::kTakeOver)));
+    tell(fmt::format("Read-only: {}. Press {} to continue from here",
+                     sandbox_->watches() ? "watching a recording" : "looking at the past",
+                     name_of(Verb::kTakeOver)));
 }
 
 void App::reset() {
     LoadedWorld again = first_;
-    again.told = fmt::format("Begun anew: {}{}", first_.scene.scenario.title,
-                             recording_ ? ". What was is in its recording" : "");
+    again.told = fmt::format("Restarted: {}{}", first_.scene.scenario.title,
+                             recording_ ? ". The previous session stays in its recording" : "");
     if (const auto begun = begin_world(std::move(again), std::nullopt); !begun) warn(begun.error().sentence);
 }
 
 void App::open_or_tell(const std::string& name_or_path, const Overrides& overrides) {
     Overrides within = overrides;
     within.memory = first_.memory;
-    within.memory.use.sessions = 2;  // the world that is left stands until the other one is there
+    within.memory.use.sessions = 2;  // the old world exists until the new one is loaded
     auto loaded = open_anything(name_or_path, within);
     if (!loaded) return warn(loaded.error().sentence);
     if (const auto begun = begin_world(std::move(*loaded), std::nullopt); !begun)
@@ -228,11 +231,11 @@ void App::open_or_tell(const std::string& name_or_path, const Overrides& overrid
 }
 
 Outcome<void> App::begin_world(LoadedWorld loaded, const std::optional<std::filesystem::path>& record) {
-    // Reset keeps the hand and the eye as they are; another mountain does not.
+    // Reset keeps brush and camera; a different terrain does not.
     const bool same = sandbox_ && ground_hash(sandbox_->scenario()) == ground_hash(loaded.scene.scenario);
     if (const auto& flow = loaded.scene.scenario.look.flow)
         if (auto loaded = renderer_.load(flow->pattern); !loaded) return machine_fails(loaded.error());
-    // A recording is recorded anew only from where it is taken over.
+    // While a recording is watched, nothing is recorded until it is taken over.
     Outcome<std::optional<Recorder>> recorder;
     if (!loaded.watched) recorder = begin_recording(loaded.scene.scenario, record);
     if (!recorder) return tl::unexpected(recorder.error());
@@ -257,7 +260,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, const std::optional<std::file
     const Scenario& scenario = sandbox_->scenario();
     stroke_.reset();
     set_numbers_.clear();
-    if (!same) touched_ = false;  // who begins anew knows how
+    if (!same) touched_ = false;  // after a restart of the same scene the hint is not needed
     seeking_.reset();
     takes_over_there_ = false;
     clock_.run_back(false);
@@ -272,7 +275,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, const std::optional<std::file
     screen_.show_title(fmt::format("Couloir: {}", scenario.title));
     tell(first_.told);
     if (scenario.look.flow && !sandbox_->session().fronts()) tell(Session::kTooFine);
-    now_s_ = screen_.seconds();  // loading took time that the new world does not owe
+    now_s_ = screen_.seconds();  // loading time must not be simulated
     return {};
 }
 
@@ -281,7 +284,7 @@ Outcome<std::optional<Recorder>> App::begin_recording(const Scenario& scenario,
     const auto path = wanted ? Outcome<std::filesystem::path>(*wanted) : next_recording(scenario.scene);
     auto recorder =
         path ? Recorder::create(*path, scenario) : Outcome<Recorder>(tl::unexpected(path.error()));
-    // A file that was asked for is a must; the one that is always made must not keep anybody from playing.
+    // A file given with --record must be writable. The default recording is optional.
     if (!recorder && wanted) return tl::unexpected(recorder.error());
     if (!recorder) {
         warn(fmt::format("This session is not recorded: {}", recorder.error().sentence));

@@ -16,8 +16,8 @@
 namespace game {
 namespace {
 
-constexpr int kLeastWidth = 480, kLeastHeight = 270;  // of the window, below which no panel can be read
-constexpr int kUsualRate = 60;                        // Hz, of a monitor that does not tell
+constexpr int kLeastWidth = 480, kLeastHeight = 270;  // of the window; panels are unreadable below this
+constexpr int kUsualRate = 60;                        // Hz, for a monitor that reports no rate
 constexpr std::size_t kEventsPerFrame = 1024;         // room for a fast mouse and a slow frame
 
 static_assert(GLFW_KEY_LAST < 512, "pressed_ has a place for every key");
@@ -62,7 +62,7 @@ Key key_of(int glfw_key) {
     return named == std::end(kNamedKeys) ? Key::kNone : named->key;
 }
 
-// What is printed on a key, where that is a letter of ours.
+// The letter printed on a key; if there is none from A to Z, the key by its position.
 Key printed_on(int glfw_key, int scancode) {
     const char* name = glfwGetKeyName(glfw_key, scancode);
     if (name == nullptr || name[0] < 'a' || name[0] > 'z' || name[1] != '\0') return key_of(glfw_key);
@@ -73,7 +73,7 @@ Modifiers modifiers(int bits) {
     return {(bits & GLFW_MOD_SHIFT) != 0, (bits & GLFW_MOD_CONTROL) != 0, (bits & GLFW_MOD_ALT) != 0};
 }
 
-// For events that come without.
+// For events that do not carry modifiers.
 Modifiers modifiers_held(GLFWwindow* window) {
     const auto held = [&](int left, int right) {
         return glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
@@ -95,7 +95,7 @@ std::optional<Button> button_of(int glfw_button) {
     }
 }
 
-// The monitor that shows a point of the desktop; the main one for a point that none shows; null without any.
+// The monitor that shows a point of the desktop; else the primary monitor; null if there is no monitor.
 GLFWmonitor* monitor_at(int x, int y) {
     int count = 0;
     GLFWmonitor** monitors = glfwGetMonitors(&count);
@@ -117,7 +117,7 @@ GLFWmonitor* monitor_of(GLFWwindow* window) {
     return monitor_at(x + width / 2, y + height / 2);
 }
 
-// The library's own words for what it last failed at.
+// GLFW's description of its last error.
 std::string last_words() {
     const char* words = nullptr;
     glfwGetError(&words);
@@ -132,8 +132,8 @@ std::string display_tried() {
 }
 
 tl::unexpected<Failure> no_window(std::string_view what, std::string_view why) {
-    return machine_fails(fmt::format("no window: {} ({}; {}); couloir replay draws without a window", what,
-                                     display_tried(), why));
+    return machine_fails(fmt::format("no window: {} ({}; {}); to draw without a window, use couloir replay",
+                                     what, display_tried(), why));
 }
 
 void set_hints() {
@@ -145,13 +145,13 @@ void set_hints() {
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
-    glfwWindowHint(GLFW_ALPHA_BITS, 0);  // or the desktop may shine through
+    glfwWindowHint(GLFW_ALPHA_BITS, 0);  // otherwise the desktop may show through
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "couloir");
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "couloir");
 }
 
-// The library is C: nothing may be thrown through it. What fails here is memory, and then an event is lost.
+// Exceptions must not pass through GLFW, which is C. If memory runs out here, an event is lost.
 template <class Work>
 void guarded(Work&& work) noexcept {
     try {
@@ -170,13 +170,13 @@ struct Window::Callbacks {
     }
 
     static void on_key(GLFWwindow* window, int glfw_key, int scancode, int action, int mods) {
-        if (glfw_key < 0) return;  // a key that the library has no name for
+        if (glfw_key < 0) return;  // a key unknown to GLFW
         Key& pressed = of(window).pressed_[static_cast<std::size_t>(glfw_key)];
-        // A key comes up as what it went down, whatever became of Control meanwhile.
+        // A release reports the same key as its press, even if Control changed in between.
         if (action == GLFW_PRESS)
             pressed = (mods & GLFW_MOD_CONTROL) != 0 ? printed_on(glfw_key, scancode) : key_of(glfw_key);
         if (pressed == Key::kNone) return;
-        // The bits that come with a modifier's own key are those from before.
+        // For a modifier's own key, GLFW reports the modifiers from before the event.
         const bool is_modifier = pressed == Key::kShift || pressed == Key::kControl || pressed == Key::kAlt;
         take(window, KeyEvent{pressed, action != GLFW_RELEASE, action == GLFW_REPEAT,
                               is_modifier ? modifiers_held(window) : modifiers(mods)});
@@ -211,7 +211,7 @@ struct Window::Callbacks {
         });
     }
 
-    // Whether the window does close is for the person at the other end to say.
+    // The app decides whether the window closes.
     static void on_close(GLFWwindow* window) {
         glfwSetWindowShouldClose(window, GLFW_FALSE);
         take(window, CloseEvent{});
@@ -243,21 +243,20 @@ struct Window::Callbacks {
 
 Outcome<std::unique_ptr<Window>> Window::open(const std::string& title, int width, int height) {
 #ifdef GLFW_PLATFORM  // since GLFW 3.4, which asks Wayland first
-    // Where it has no folder for its sockets, Wayland's library prints a line of its own.
+    // Without a folder for its sockets, the Wayland library prints a line itself.
     if (std::getenv("XDG_RUNTIME_DIR") == nullptr) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
 #endif
-    if (glfwInit() == GLFW_FALSE)
-        return no_window("there is no display to open it on", "GLFW: " + last_words());
+    if (glfwInit() == GLFW_FALSE) return no_window("no display is available", "GLFW: " + last_words());
     set_hints();
     GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
     if (window == nullptr) {
         const std::string why = "GLFW: " + last_words();
         glfwTerminate();
-        return no_window("this display has no OpenGL 4.5 core context through EGL", why);
+        return no_window("the display has no OpenGL 4.5 core context through EGL", why);
     }
     std::unique_ptr<Window> opened(new Window(window));
     if (const int version = epoxy_gl_version(); version < 45)
-        return no_window("the OpenGL of this display is older than 4.5", opened->renderer_name());
+        return no_window("the OpenGL version of the display is below 4.5", opened->renderer_name());
     return opened;
 }
 
@@ -277,7 +276,7 @@ Window::~Window() {
     glfwTerminate();
 }
 
-// Sizes are kept, because asking for them is a question to the display server and a frame asks often.
+// Caches the sizes, because each query goes to the display server and a frame needs them often.
 void Window::measure() {
     glfwGetWindowSize(window_, &window_size_.x, &window_size_.y);
     glfwGetFramebufferSize(window_, &framebuffer_size_.x, &framebuffer_size_.y);
@@ -286,7 +285,8 @@ void Window::measure() {
     scale_ = static_cast<double>(std::max(x, y));
 }
 
-// A rate is told in whole hertz, 59.94 as 59. One more can hold up no swap that waits by itself.
+// Rates are reported in whole hertz, 59.94 as 59. Adding one keeps this limit from delaying a synchronised
+// swap.
 void Window::follow_monitor() {
     GLFWmonitor* monitor = monitor_of(window_);
     const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);

@@ -11,16 +11,15 @@ struct GLFWwindow;
 
 namespace game {
 
-// A window of the desktop, with keyboard and mouse. At most one at a time, on the main thread; the only place
-// that knows the windowing library. Its default framebuffer has colour and nothing else: no depth, no alpha.
+// A desktop window with keyboard and mouse. At most one at a time, on the main thread. Only this class uses
+// GLFW. The default framebuffer has colour only: no depth, no alpha.
 //
-// Keys are known by their place on the board, as the letter that a US board has there, so that a hand's usual
-// keys are where the hand is. With Control held a letter is the one that is printed on the key: Ctrl+Z is Z
-// everywhere.
+// Keys are identified by position, as the letter of a US keyboard, so that W A S D lie together on every
+// layout. With Control held, a letter is the one printed on the key, so that Ctrl+Z is Z everywhere.
 class Window final : public Screen {
   public:
-    // Opens it: `width` × `height` as large as the monitor's scale makes them, with a current OpenGL 4.5 core
-    // context got through EGL. Errors (of the machine): no display, no such context; says what was tried.
+    // Opens a window of `width` × `height`, times the monitor's scale, with a current OpenGL 4.5 core context
+    // through EGL. Errors (status 3): no display or no such context; the sentence says what was tried.
     static Outcome<std::unique_ptr<Window>> open(const std::string& title, int width, int height);
     ~Window() override;
     Window(const Window&) = delete;
@@ -31,10 +30,10 @@ class Window final : public Screen {
     ScreenSize size() const override;
     unsigned framebuffer() const override { return 0; }
     double seconds() const override;
-    // Never quicker than the monitor shows pictures, also where swapping does not wait for it.
+    // Never faster than the monitor's refresh rate, even if swapping does not wait for it.
     void present() override;
     void show_title(const std::string& title) override;
-    // On the monitor that holds the window's middle; off again, the window has its old place and size.
+    // Uses the monitor that contains the window's centre. Off restores the old position and size.
     void set_fullscreen(bool on) override;
     bool fullscreen() const override;
     std::string clipboard() const override;
@@ -56,14 +55,14 @@ class Window final : public Screen {
     GLFWwindow* window_;
     std::vector<Event> events_;
     std::vector<std::filesystem::path> dropped_;
-    std::array<Key, 512> pressed_{};  // by the library's number: as what a key went down
+    std::array<Key, 512> pressed_{};  // by GLFW number: the key that was reported as pressed
     Pair window_size_, framebuffer_size_;
     double scale_ = 1;
     bool iconified_ = false;
     Pair place_, extent_;  // before full screen
     Clock::time_point begin_ = Clock::now();
-    Clock::time_point due_ = begin_;  // of the next picture
-    Clock::duration period_{};        // at least between two pictures
+    Clock::time_point due_ = begin_;  // time of the next frame
+    Clock::duration period_{};        // least time between frames
 };
 
 }  // namespace game

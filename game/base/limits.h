@@ -8,17 +8,17 @@
 #include "sim/world/command.h"
 #include "terrains/limits.h"
 
-// What a file from outside may hold, reader by reader. docs/limits.md is this table; a test compares them.
+// Limits on input files, by reader. docs/limits.md repeats this table; a test compares the two.
 namespace game {
 
 // Recordings.
 inline constexpr std::size_t kLongestHeader = std::size_t{256} << 20;  // bytes of the first line
 inline constexpr terrains::JsonLimits kHeaderLimits{.depth = 8, .values = 10'000, .members = 256};
-inline constexpr std::size_t kLongestLine = std::size_t{64} << 10;  // bytes of any other
+inline constexpr std::size_t kLongestLine = std::size_t{64} << 10;  // bytes of any other line
 inline constexpr terrains::JsonLimits kLineLimits{.depth = 4, .values = 4096, .members = 64};
 inline constexpr int kMostVertices = terrains::kMostSquares + 1;  // along a side of the ground
 inline constexpr int kMostTicksPerState = 600;
-inline constexpr std::int64_t kMostTicksOfParent = 10'000'000;  // before a fork's first state line
+inline constexpr std::int64_t kMostTicksOfParent = 10'000'000;  // before the first state line of a fork
 inline constexpr std::size_t kMostCommands = 4'000'000;
 
 // Reports of bench.
@@ -30,7 +30,7 @@ inline constexpr std::size_t kMostTomlBytes = std::size_t{1} << 20;
 inline constexpr std::size_t kMostTomlKeys = 20'000;  // and table headers
 inline constexpr std::size_t kMostDottedKeys = 1000;
 inline constexpr std::size_t kMostKeyParts = 8;
-inline constexpr std::size_t kMostTomlDepth = 32;  // of lists and tables within each other
+inline constexpr std::size_t kMostTomlDepth = 32;  // of nested lists and tables
 
 // Meshes and arrays.
 inline constexpr std::size_t kLongestMeshLine = std::size_t{64} << 10;  // bytes

@@ -12,16 +12,16 @@
 
 namespace game {
 
-// The numbers that an option or a member of a file accepts, both ends included.
+// The range of numbers that an option or a member of a file accepts, both ends included.
 template <class Number>
 struct Range {
     Number least, most;
     std::string_view unit = {};  // "m", "ticks"; empty: a bare number
 };
 
-// The number that the whole of `text` is, in decimal digits: "-" first, and for a real number "." and an
-// exponent, whatever the locale. None: anything else around or in it, a number that the type cannot hold,
-// infinity or NaN.
+// Parses the whole of `text` as a decimal number, in any locale: an optional "-", and for a real number "."
+// and an exponent. None if there are other characters, if the type cannot hold the number, or for infinity or
+// NaN.
 template <class Number>
 std::optional<Number> number_from(std::string_view text) {
     Number number{};
@@ -39,7 +39,7 @@ std::string to_text(const Range<Number>& range) {
     return fmt::format("{} to {}{}{}", range.least, range.most, range.unit.empty() ? "" : " ", range.unit);
 }
 
-// The same within a range. Errors: what was given, and what is accepted.
+// The same within a range. The error names the text and the accepted range.
 template <class Number>
 tl::expected<Number, std::string> number_from(std::string_view text, const Range<Number>& range) {
     const auto number = number_from<Number>(text);

@@ -7,7 +7,7 @@
 
 namespace game {
 
-// Why a command ends early: one sentence for the person, and the exit status.
+// Why a command ends early: one sentence for the user, and the exit status.
 struct Failure {
     enum Status { kBadAnswer = 1, kUnusable = 2, kMachine = 3 };
     Status status;
@@ -17,11 +17,11 @@ struct Failure {
 template <class T>
 using Outcome = tl::expected<T, Failure>;
 
-// Outside data that cannot be used: file, place, fact.
+// Input that cannot be used. The sentence names the file, the place in it, and what is wrong.
 inline tl::unexpected<Failure> unusable(std::string sentence) {
     return tl::unexpected(Failure{Failure::kUnusable, std::move(sentence)});
 }
-// The machine cannot do it: no GL, a folder that cannot be written, a full disk.
+// The system fails: no OpenGL, a folder that cannot be written, a full disk.
 inline tl::unexpected<Failure> machine_fails(std::string sentence) {
     return tl::unexpected(Failure{Failure::kMachine, std::move(sentence)});
 }

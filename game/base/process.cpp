@@ -21,11 +21,11 @@ namespace {
 
 constexpr rlim_t kLeastStack = 1 << 20;  // bytes; half of it is a margin
 
-// The other way round than they are used, so that the use fails as it would have.
+// Opens each for the opposite of its use, so that using it still fails as if it were closed.
 void open_standard_descriptors() {
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (fcntl(descriptor, F_GETFD) < 0 && errno == EBADF)
-            // The lowest number that is free: this one. A folder where there is no /dev.
+            // open() returns the lowest free number, which is this one. Without /dev, a folder is opened.
             if (open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0)
                 static_cast<void>(open("/", O_RDONLY | O_DIRECTORY));
 }
@@ -33,7 +33,7 @@ void open_standard_descriptors() {
 Outcome<void> check_stack() {
     rlimit stack{};
     if (getrlimit(RLIMIT_STACK, &stack) != 0 || stack.rlim_cur >= kLeastStack) return {};
-    return machine_fails(fmt::format("the stack is limited to {} kB, and {} are needed: ulimit -s {}",
+    return machine_fails(fmt::format("the stack is limited to {} kB, but {} kB are needed: run ulimit -s {}",
                                      stack.rlim_cur / 1024, kLeastStack / 1024, kLeastStack / 1024));
 }
 
@@ -59,11 +59,10 @@ Outcome<void> prepare_process() {
 
 Failure failure_of(const std::exception& thrown) {
     if (dynamic_cast<const std::bad_alloc*>(&thrown))
-        return {Failure::kMachine,
-                "there is not enough memory (see ulimit -v, and --grid for a smaller world)"};
+        return {Failure::kMachine, "not enough memory; use a smaller --grid, or raise the limit (ulimit -v)"};
     const auto* of_system = dynamic_cast<const std::system_error*>(&thrown);
     if (of_system && of_system->code() == std::errc::resource_unavailable_try_again)
-        return {Failure::kMachine, "the system has no more threads or memory for them (see --threads)"};
+        return {Failure::kMachine, "the system cannot start more threads; use a smaller --threads"};
     return {Failure::kMachine, thrown.what()};
 }
 
@@ -72,7 +71,7 @@ Outcome<void> finish_standard_output() {
     const bool failed_before = std::ferror(stdout) != 0;
     const bool flushed = std::fflush(stdout) == 0;
     const int reason = errno;
-    // Some file systems say only when a file is closed that they are full.
+    // Some file systems report only on close that they are full.
     const int copy = flushed ? dup(STDOUT_FILENO) : -1;
     const bool closed = copy < 0 || close(copy) == 0;
     if (!failed_before && flushed && closed) return {};

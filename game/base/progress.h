@@ -5,8 +5,8 @@
 
 namespace game {
 
-// A bar on standard error while long work runs, where that is a terminal; nothing elsewhere. Drawn at most
-// ten times a second, wiped when it goes.
+// A progress bar on standard error, shown only if that is a terminal. It is drawn at most ten times a second
+// and erased by the destructor.
 class Progress {
   public:
     explicit Progress(std::string what);
@@ -14,7 +14,7 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    // `share` of the work done, 0 to 1, or negative where nobody knows; `note` stands behind the bar.
+    // `share`: fraction of the work done, 0 to 1, or negative if unknown. `note` is printed after the bar.
     void show(double share, const std::string& note);
 
   private:

@@ -22,8 +22,9 @@ Outcome<std::vector<BenchRecording>> read_all(const std::vector<std::string>& na
         if (!recording) return tl::unexpected(recording.error());
         if (recording->warning) fmt::print(stderr, "couloir: warning: {}\n", *recording->warning);
         if (recording->header.scenario.flow)
-            return unusable(fmt::format("{}: shows a flow, and bench measures avalanches", path->string()));
-        if (recording->last_tick() < 1) return unusable(fmt::format("{}: holds no tick", path->string()));
+            return unusable(
+                fmt::format("{}: is a flow demo; bench measures only avalanches", path->string()));
+        if (recording->last_tick() < 1) return unusable(fmt::format("{}: contains no ticks", path->string()));
         recordings.push_back({path->stem().string(), file_hash(*path), std::move(*recording), *path});
     }
     return recordings;
@@ -84,7 +85,7 @@ Outcome<Scaling> scale(const std::vector<BenchRecording>& recordings, const Benc
     const BenchRecording& recording = recordings.front();
     const Scenario& scenario = recording.recording.header.scenario;
     const auto physics = physics_of(options);
-    // In its own, unless another is asked for.
+    // The recording's own physics, unless another is given.
     auto way = physics.front();
     if (options.physics.empty())
         for (const BenchPhysics& each : physics)
@@ -113,7 +114,7 @@ Outcome<void> write_all(const BenchReport& report, const std::vector<Table>& tab
     return written;
 }
 
-// What another run of this program wrote; whatever is wrong with it is known before anything is measured.
+// The report of an earlier run. It is read first, so that any fault in it is reported before measuring.
 struct Earlier {
     std::vector<BenchEntry> entries;
     std::string processor;
@@ -129,11 +130,11 @@ Outcome<BenchComparison> compare_with(const Earlier& earlier, const BenchReport&
     const Json json = to_json(report);
     BenchComparison comparison = compare_entries(*entries_of(json), earlier.entries, options.tolerance);
     if (comparison.compared == 0)
-        return unusable(fmt::format("{}: measured nothing that this run did", options.against->string()));
+        return unusable(fmt::format("{}: has no case in common with this run", options.against->string()));
     if (const auto here = json.value("/surroundings/processor"_json_pointer, std::string());
         here != earlier.processor)
-        comparison.remarks.push_back(
-            fmt::format("the earlier run was on another processor: {}, here {}", earlier.processor, here));
+        comparison.remarks.push_back(fmt::format("the earlier run used another processor: {}; this one is {}",
+                                                 earlier.processor, here));
     for (const std::string& remark : comparison.remarks) fmt::print(stderr, "couloir: {}\n", remark);
     return comparison;
 }

@@ -17,8 +17,8 @@
 
 namespace game {
 
-// Options of each subcommand, as the command line gives them, and what runs them. Results go to standard
-// output. Each returns its exit status, or why it ended early.
+// Options of each subcommand, as parsed from the command line, and the functions that run them. Results go to
+// standard output. Each function returns its exit status, or the reason why it ended early.
 
 struct PictureOptions {
     std::optional<std::filesystem::path> folder;
@@ -28,7 +28,7 @@ struct PictureOptions {
 };
 
 struct RunOptions {
-    std::string scene;  // empty with a terrain
+    std::string scene;  // empty if there is a terrain
     std::optional<std::filesystem::path> terrain, release, reference;
     Overrides overrides;
     bool until_rest = false;
@@ -53,13 +53,13 @@ Outcome<int> replay(const ReplayOptions& options);
 
 struct CompareOptions {
     std::string first, second;         // names or files
-    std::optional<std::int64_t> tick;  // none: where each ends
+    std::optional<std::int64_t> tick;  // none: the last tick of each
     std::optional<std::filesystem::path> maps;
     bool json = false;
     sim::StepOptions step_options;
     Memory memory;
 };
-// Two recordings on one ground: what differs in the end, and where they part.
+// Compares two recordings on the same terrain: the difference at the end, and where they first differ.
 Outcome<int> compare(const CompareOptions& options);
 
 struct EditOptions {
@@ -71,7 +71,7 @@ struct EditOptions {
     sim::StepOptions step_options;
     Memory memory;
 };
-// One command changed, and run again; compared with what it was.
+// Changes one command of a recording, runs it again, and compares the result with the original.
 Outcome<int> edit(const EditOptions& options);
 
 struct NormaliseOptions {
@@ -80,14 +80,14 @@ struct NormaliseOptions {
     sim::StepOptions step_options;
     Memory memory;
 };
-// A recording rewritten in the newest format, with the states of this version of the physics; 1 where it is
-// of this version and they are others.
+// Rewrites a recording in the newest format, with states computed by this version of the physics. Returns 1
+// if the recording is of this version and the states differ.
 Outcome<int> normalise(const NormaliseOptions& options);
 
 struct PlayOptions {
-    std::string program;                // as it was called
+    std::string program;                // argv[0]
     std::string what;                   // scene, terrain file or recording; empty: the first scene
-    std::optional<std::int64_t> until;  // tick at which a recording is taken over
+    std::optional<std::int64_t> until;  // take over a recording at this tick
     Overrides overrides;
     std::optional<std::filesystem::path> record;
     PictureSize size;
@@ -103,52 +103,52 @@ Outcome<int> list(const ListOptions& options);
 struct TrackOptions {
     std::filesystem::path mesh, velocities;
     double dt = 1.0 / 60;                           // s
-    std::optional<sim::front::PointSource> source;  // the command line sees to it that there is one,
-    std::optional<sim::front::Rule::Kind> rule;     // and one
-    bool hold = false;                              // of source paper
+    std::optional<sim::front::PointSource> source;  // always set by the command line
+    std::optional<sim::front::Rule::Kind> rule;     // always set by the command line
+    bool hold = false;                              // only with source paper
     std::optional<double> threshold, jump;          // 1/s, m/s
     std::optional<std::filesystem::path> scalar;
     std::optional<double> level;
-    std::optional<std::filesystem::path> out;  // else standard output
+    std::optional<std::filesystem::path> out;  // none: standard output
     std::optional<std::filesystem::path> pictures;
     std::int64_t every = 1;  // frames
     PictureSize size{800, 800};
     int threads = 1;
 };
-// Follows the fronts in anybody's velocities on anybody's mesh.
+// Tracks the fronts of a velocity field on a triangle mesh, both read from files.
 Outcome<int> track(const TrackOptions& options);
 
 struct FiguresOptions {
     std::filesystem::path folder;
-    std::vector<std::string> only;  // of parts_of_figures(); empty: all
-    bool quick = false;             // numbers on grids of 30 squares at most
-    int pixels = 640;               // of a square picture, 16 to 4096
+    std::vector<std::string> only;  // names in parts_of_figures(); empty: all
+    bool quick = false;             // measure on grids of at most 30 squares
+    int pixels = 640;               // side of a square image, 16 to 4096
     std::string gl = "auto";
-    int threads = 0;  // 0: as many as there are
+    int threads = 0;  // 0: one per processor
 };
-// What can be made alone: the numbers of the figures, and "numbers".
+// Parts that --only accepts: the figure numbers, and "numbers".
 const std::vector<std::string>& parts_of_figures();
-// The paper's figures and how they measure, as pictures, a page and a CSV; 1 where a number misses its bound.
+// Draws and measures the paper's figures, as images, a page and a CSV; 1 if a tolerance is exceeded.
 Outcome<int> figures(const FiguresOptions& options);
 
 struct BenchOptions {
-    std::vector<std::string> recordings;  // names or files; empty: all that ship, or one to scale
-    std::vector<int> squares;             // empty: 80 and 160, or those of the scaling study
-    std::vector<std::string> physics;     // of kBenchPhysics; empty: all, or the recording's own to scale
+    std::vector<std::string> recordings;  // names or files; empty: all shipped ones, or one with `scaling`
+    std::vector<int> squares;             // empty: 80 and 160, or kScalingSquares with `scaling`
+    std::vector<std::string> physics;  // of kBenchPhysics; empty: all, or the recording's own with `scaling`
     bool scaling = false;
     MeasureOptions measure;
     bool draws = true;
     PictureSize size{640, 360};
     std::string gl = "auto";
     std::optional<std::filesystem::path> perf, summary, page, trace, against;
-    double tolerance = 0.25;  // share by which a stage may take longer than then
+    double tolerance = 0.25;  // relative increase allowed in the time of a stage
     bool json = false;        // instead of tables
 };
-// What recordings cost, stage by stage; 1 where a state is not the one recorded, or a stage is slower than
-// `against` by more than the tolerance.
+// Measures the time of recordings by stage; 1 if a state is not the recorded one, or if a stage is slower
+// than in `against` by more than the tolerance.
 Outcome<int> bench(const BenchOptions& options);
 
-// Prints the table of errors and orders; 1 where one misses its bound.
+// Prints the table of errors and orders; 1 if a tolerance is exceeded.
 Outcome<int> verify_physics();
 
 }  // namespace game

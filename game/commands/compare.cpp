@@ -6,7 +6,7 @@
 namespace game {
 
 Outcome<int> compare(const CompareOptions& options) {
-    // Both are played, and then followed side by side.
+    // Both recordings are played, then run again in lockstep.
     Memory memory = options.memory;
     memory.use = {.sessions = 2, .runs = 2};
     const auto a = open_recording(options.first, memory), b = open_recording(options.second, memory);

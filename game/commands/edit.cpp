@@ -10,7 +10,7 @@
 namespace game {
 namespace {
 
-// Until nothing moves, if that is where the old one ended.
+// Until nothing moves, if the original ended at rest.
 Until until_as(const Played& old, const std::vector<TimedCommand>& commands) {
     if (old.at_rest) return Until::at_rest();
     const std::int64_t given = commands.empty() ? 0 : commands.back().tick + 1;
@@ -20,7 +20,7 @@ Until until_as(const Played& old, const std::vector<TimedCommand>& commands) {
 }  // namespace
 
 Outcome<int> edit(const EditOptions& options) {
-    // Both are played, and then followed side by side.
+    // Both recordings are played, then run again in lockstep.
     Memory memory = options.memory;
     memory.use = {.sessions = 2, .runs = 2};
     const auto old = open_recording(options.recording, memory);

@@ -39,14 +39,14 @@ Outcome<PageFigure> draw_fields(const FiguresOptions& options) {
     return PageFigure{
         kFieldsFigure,
         "the four test flows",
-        "Velocities after 1 s, and the fronts between them, dashed. From the left: a line at rest; a "
-        "line that swings along its normal; two lines that turn about their crossing; a circle that "
-        "goes round in a flow straight down.",
+        "Velocities after 1 s, with the fronts dashed. From the left: a line at rest; a line that oscillates "
+        "along its normal; two lines that rotate about their intersection; a circle that orbits in a flow "
+        "straight down.",
         {{file, "(i), (ii), (iii), (iv)"}}};
 }
 
-// All of them in the order of their numbers; those that are on flows of our own first, for they share a
-// renderer.
+// Draws the wanted figures and returns them sorted by number. Flow figures are drawn first, because they
+// share a renderer.
 Outcome<std::vector<PageFigure>> draw_all(const FiguresOptions& options, int threads, std::string& made_by) {
     std::vector<PageFigure> shown;
     const auto keep = [&](Outcome<PageFigure>&& figure) -> Outcome<void> {
@@ -123,7 +123,7 @@ Outcome<int> figures(const FiguresOptions& options) {
     const auto shown = draw_all(options, threads, made_by);
     if (!shown) return tl::unexpected(shown.error());
     const auto page = options.folder / "index.html";
-    // Numbers take minutes: the pictures can be looked at meanwhile.
+    // The numbers take minutes, so the page is written now without them.
     if (auto written = write_text(page, page_of(*shown, {}, made_by)); !written)
         return tl::unexpected(written.error());
     std::optional<std::string> miss;

@@ -8,7 +8,7 @@
 namespace game {
 namespace {
 
-// The title a shipped TOML file gives itself; its name where it has none.
+// The title in a shipped TOML file; its name if it has none.
 std::string title_of(AssetKind kind, const std::string& name) {
     const auto path = find_asset(kind, name);
     if (!path) return name;

@@ -14,8 +14,8 @@ Outcome<int> normalise(const NormaliseOptions& options) {
     const Header& header = old->recording.header;
     if (header.minor > kFormatMinor)
         return unusable(
-            fmt::format("{}: recorded in format {}.{}, newer than this program's {}.{}: what it does not "
-                        "know would be lost",
+            fmt::format("{}: recorded in format {}.{}, newer than this program's {}.{}; rewriting would lose "
+                        "the members it does not know",
                         options.recording, kFormatMajor, header.minor, kFormatMajor, kFormatMinor));
     Header rewritten = header;
     rewritten.physics_version = kPhysicsVersion;

@@ -11,9 +11,9 @@ namespace {
 
 constexpr const char* kFirstScene = "alpine-valley";
 
-// Where the time of the last frames went, for who wants to know without having looked at the panel.
+// Prints the frame rate and the time per stage of the last frames, as in the performance panel.
 void tell_times(const FrameTimes& times) {
-    fmt::print("{:.1f} frames/s at the end; median ms of a frame:", times.frames_per_second());
+    fmt::print("{:.1f} frames/s at the end; median ms per frame:", times.frames_per_second());
     for (std::size_t i = 0; i < kStages; ++i)
         fmt::print(" {} {:.2f}", kStageNames[i], times.median_ms(static_cast<Stage>(i)));
     fmt::print(", worst tick {:.2f}\n", times.worst_tick_ms());
@@ -22,7 +22,7 @@ void tell_times(const FrameTimes& times) {
 }  // namespace
 
 Outcome<int> play(const PlayOptions& options) {
-    // Before there is a window: a mistake on the command line should not flash one.
+    // Checked before the window opens, so that a mistake on the command line does not flash one.
     Overrides overrides = options.overrides;
     overrides.memory.use = {.draws = true, .goes_back = true};
     auto loaded = open_anything(options.what.empty() ? kFirstScene : options.what, overrides);
@@ -31,12 +31,11 @@ Outcome<int> play(const PlayOptions& options) {
     if (auto sound = use.reads(loaded->scene.files).writes("--record", options.record).check(); !sound)
         return tl::unexpected(sound.error());
     if (options.until && !loaded->watched)
-        return unusable(fmt::format("{}: is no recording, so there is nothing to take over at tick {}",
-                                    options.what, *options.until));
+        return unusable(
+            fmt::format("{}: is no recording, so --until {} cannot be used", options.what, *options.until));
     if (options.until && loaded->scene.scenario.flow)
         return unusable(
-            fmt::format("{}: shows a flow, which nothing can be done to, so there is nothing to take over",
-                        options.what));
+            fmt::format("{}: shows a flow, which has no commands, so --until cannot be used", options.what));
     if (options.until)
         if (auto has = check_tick(*loaded->watched, *options.until, options.what); !has)
             return tl::unexpected(has.error());
@@ -50,9 +49,9 @@ Outcome<int> play(const PlayOptions& options) {
     if (auto finished = (*app)->finish(); !finished) return tl::unexpected(finished.error());
     tell_times((*app)->times());
     if (options.record && !(*app)->recording())
-        return machine_fails(fmt::format("{}: could not be written to the end", options.record->string()));
+        return machine_fails(fmt::format("{}: could not be written completely", options.record->string()));
     if (const auto& recording = (*app)->recording())
-        fmt::print("{:.1f} s played. To watch it and go on: {} play {}\n",
+        fmt::print("{:.1f} s played. To watch and continue it: {} play {}\n",
                    (*app)->sandbox().session().seconds(), options.program, recording->string());
     return 0;
 }

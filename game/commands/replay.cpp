@@ -16,7 +16,7 @@
 namespace game {
 namespace {
 
-// As unlike the way that was asked for as it can be.
+// Execution options that differ from the given ones as much as possible.
 sim::StepOptions other_way(sim::StepOptions step_options) {
     step_options.threads = step_options.threads == 1 ? 3 : 1;
     step_options.tile_width = 32, step_options.tile_height = 8;
@@ -29,7 +29,7 @@ std::string name_of(const sim::StepOptions& step_options, bool swept) {
         fmt::format("{} thread{}", step_options.threads, step_options.threads > 1 ? "s" : "");
     if (!swept) return threads;
     return fmt::format("{}, tiles of {}x{}{}", threads, step_options.tile_width, step_options.tile_height,
-                       step_options.last_tile_first ? " from the last to the first" : "");
+                       step_options.last_tile_first ? " in reverse order" : "");
 }
 
 }  // namespace

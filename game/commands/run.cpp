@@ -33,8 +33,8 @@ FileUse files_of(const RunOptions& options, const Scene& scene) {
     return use;
 }
 
-// Whatever the run is to leave behind is opened before it begins: a folder that cannot be written should not
-// cost a person the run.
+// The outputs of a run. They are opened before it begins, so that a folder that cannot be written fails
+// before the computation.
 struct Leavings {
     std::optional<Recorder> recorder;
     std::optional<Gallery> gallery;

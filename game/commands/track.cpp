@@ -29,7 +29,7 @@ using sim::front::Mesh;
 using sim::front::Rule;
 using sim::front::Tracker;
 
-// An array of frames × vertices × `numbers`, or frames × vertices where that is 1.
+// Opens an array of frames × vertices × `numbers`, or of frames × vertices if `numbers` is 1.
 Outcome<ArrayFile> open_frames(const std::filesystem::path& path, const Mesh& mesh, std::int64_t numbers) {
     auto array = ArrayFile::open(path);
     if (!array) return array;
@@ -37,7 +37,7 @@ Outcome<ArrayFile> open_frames(const std::filesystem::path& path, const Mesh& me
     const bool fits = shape.size() == (numbers == 1 ? 2 : 3) && shape[0] > 0 && shape[1] == mesh.vertices() &&
                       (numbers == 1 || shape[2] == numbers);
     if (fits) return array;
-    return unusable(fmt::format("{}: its shape is {}; wanted are frames × {} vertices{}", path.string(),
+    return unusable(fmt::format("{}: its shape is {}; expected frames × {} vertices{}", path.string(),
                                 array->shape_text(), mesh.vertices(),
                                 numbers == 1 ? "" : fmt::format(" × {}", numbers)));
 }
@@ -67,14 +67,14 @@ Rule rule_of(const TrackOptions& options, const Mesh& mesh) {
     return rule;
 }
 
-// Errors: a point that is nowhere, because of velocities near the end of a float's range.
+// Errors: a point is not finite, because velocities are near the end of a float's range.
 Outcome<void> add_lines(std::string& csv, const Tracker& tracker, std::int64_t frame, double time) {
     for (const auto& point : tracker.points()) {
         const auto [i, j] = tracker.mesh().edge[point.edge];
         const glm::vec2 at = tracker.position(point);
         if (!std::isfinite(point.f + at.x + at.y + point.speed))
             return unusable(
-                fmt::format("frame {}: the front between vertices {} and {} has no finite place or "
+                fmt::format("frame {}: the front between vertices {} and {} has no finite position or "
                             "speed; scale the velocities",
                             frame, i, j));
         fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{}\n", frame, time, i, j, point.f, at.x,
@@ -83,7 +83,7 @@ Outcome<void> add_lines(std::string& csv, const Tracker& tracker, std::int64_t f
     return {};
 }
 
-// To standard output, or into a file that is whole in the end.
+// Writes to standard output, or to a file that appears only when it is complete.
 class Output {
   public:
     static Outcome<Output> open(const std::optional<std::filesystem::path>& path) {
@@ -110,7 +110,7 @@ class Output {
     std::optional<files::WholeFile> file_;
 };
 
-// The arrays of one flow, frame by frame.
+// Reads the arrays of one flow frame by frame.
 class Frames {
   public:
     static Outcome<Frames> open(const TrackOptions& options, const Mesh& mesh) {
@@ -128,7 +128,7 @@ class Frames {
         return frames;
     }
     std::int64_t count() const { return velocities_.shape()[0]; }
-    // Valid until the next.
+    // Valid until the next call.
     Outcome<sim::front::Flow> next() {
         static_assert(sizeof(glm::vec2) == 2 * sizeof(float));
         auto read = velocities_.read_frame({&velocity_[0].x, 2 * velocity_.size()});
@@ -156,7 +156,7 @@ Outcome<void> write_picture(const TrackOptions& options, const Tracker& tracker,
     return {};
 }
 
-// What is told in the end.
+// The counts printed at the end.
 struct Tally {
     std::int64_t points = 0, hasty_frames = 0, outrun = 0;
 
@@ -171,7 +171,7 @@ struct Tally {
         if (outrun > 0)
             fmt::print(stderr,
                        "warning: in {} frames fronts crossed more than half a cell per step, at {} vertices "
-                       "in all: there points are guesses; frames that lie closer in time would tell\n",
+                       "in total; points there are unreliable: use frames closer in time\n",
                        hasty_frames, outrun);
     }
 };

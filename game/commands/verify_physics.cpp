@@ -8,7 +8,7 @@
 namespace game {
 namespace {
 
-// Each grid's error, the order between the last two, and the bounds.
+// The error on each grid, the order between the last two, and the tolerances.
 std::string told(const sim::verification::Series& series) {
     std::string errors;
     for (std::size_t i = 0; i < series.errors.size(); ++i)
@@ -17,16 +17,15 @@ std::string told(const sim::verification::Series& series) {
                                   ? fmt::format("{:5.2f} (≥ {:.2f})", series.order(), series.least_order)
                                   : std::string(14, ' ');
     return fmt::format("  {:<21}{:<15}{:<48}{}  ≤ {:.1e}  {}\n", series.scheme, series.measure, errors, order,
-                       series.most, series.holds() ? "holds" : "MISSED");
+                       series.most, series.holds() ? "ok" : "EXCEEDED");
 }
 
 }  // namespace
 
 Outcome<int> verify_physics() {
     fmt::print(
-        "The solver against exact answers, in double without quanta; relative errors on grids of growing "
-        "fineness\n"
-        "(squares, error), the order between the last two, and the bounds that both must keep.\n");
+        "The solver compared with exact solutions, in double without quanta: relative errors on finer and\n"
+        "finer grids (squares, error), the order between the last two, and the tolerances of both.\n");
     int missed = 0, all = 0;
     for (const sim::verification::Case& each : sim::verification::cases()) {
         fmt::print("\n{}: {}\n", each.name, each.answer);
@@ -37,7 +36,7 @@ Outcome<int> verify_physics() {
             missed += !series.holds();
         }
     }
-    fmt::print("\n{} of {} hold\n", all - missed, all);
+    fmt::print("\n{} of {} within tolerance\n", all - missed, all);
     return missed == 0 ? 0 : Failure::kBadAnswer;
 }
 

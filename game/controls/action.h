@@ -14,21 +14,21 @@
 
 namespace game {
 
-// What a person asks for, whether by key, mouse or panel: the seam between hands and the app. Whatever of it
-// changes the world goes on as a command.
+// User requests, by key, mouse or panel: the interface between input and the app. Requests that change the
+// world become commands.
 
-// What needs no more words.
+// Requests without parameters.
 enum class Verb {
     kPauseOrGoOn,
-    kStepOnce,    // one tick, and stay paused
+    kStepOnce,    // one tick, then pause
     kSlower,      // half the speed
     kFaster,      // twice the speed
     kUsualSpeed,  // 1
-    kStepBack,    // one tick earlier, and stay paused
-    kRunBack,     // time runs back, and forth again
-    kTakeOver,    // hands on again, from this tick
-    kUndo,        // rewinds to just before the last action
-    kReset,       // begins the scene anew
+    kStepBack,    // one tick back, then pause
+    kRunBack,     // toggles rewinding
+    kTakeOver,    // branch: continue from this tick
+    kUndo,        // go back to just before the last action
+    kReset,       // restart the scene
     kPour,
     kDig,
     kBlast,
@@ -37,25 +37,25 @@ enum class Verb {
     kWeakerBrush,
     kStrongerBrush,
     kPourStandingOrRolling,
-    kOverview,     // the camera that shows everything
-    kTopDown,      // to and fro
-    kFly,          // to and fro
+    kOverview,     // camera that shows the whole terrain
+    kTopDown,      // toggles
+    kFly,          // toggles
     kToggleScene,  // panels
     kTogglePhysics,
     kToggleDisplay,
     kTogglePerformance,
     kToggleHelp,
-    kClosePanel,    // the open list, else the help, else the panel opened last
-    kTogglePanels,  // all of them, and what stands in the corners
+    kClosePanel,    // the open list, else the help, else the last opened panel
+    kTogglePanels,  // all of them, and what is in the corners
     kFullscreen,
     kQuit,
 };
 inline constexpr std::size_t kVerbs = static_cast<std::size_t>(Verb::kQuit) + 1;
 
 struct SetSpeed {
-    double speed;  // of simulated against real time, 1/8 to 16
+    double speed;  // simulated time per real time, 1/8 to 16
 };
-// To another tick that is known, earlier or later.
+// Goes to another known tick, earlier or later.
 struct SeekTick {
     std::int64_t tick;
 };
@@ -69,7 +69,7 @@ struct SetNumber {
 struct SetDisplay {
     Display display;
 };
-// Begins anew with a scene, a terrain file or a recording, recognised by what the file is.
+// Opens a scene, a terrain file or a recording, recognised by its file type.
 struct Open {
     std::string name_or_path;
     Overrides overrides;

@@ -8,7 +8,7 @@
 namespace game {
 namespace {
 
-// Of one tick. A way that would need more is a jump, from one ridge to the next as seen from here, and no
+// Per tick. A path that needs more is a jump of the cursor, for example from one ridge to the next, not a
 // stroke.
 constexpr double kMostDiscs = 16;
 
@@ -49,7 +49,7 @@ void Stroke::commands_of(int tick, int ticks, const Brush& brush, double tick_s,
         spread(along(first), along(last), brush, tick_s, commands);
 }
 
-// Blast and settle act at once, so they are repeated by way and not by time.
+// Blast and settle act at once, so they repeat by distance, not by time.
 void Stroke::burst(glm::dvec2 at, const Brush& brush, std::vector<sim::Command>& commands) {
     if (last_burst_ && glm::distance(*last_burst_, at) < brush.radius) return;
     last_burst_ = at;

@@ -18,11 +18,11 @@ inline constexpr std::size_t kTools = 3;
 struct Brush {
     Tool tool = Tool::kPour;
     double radius = 20;  // m, kLeastRadius to kMostRadius
-    // How much, by tool, so that each keeps its own: metres of depth per second for pour and dig, metres of
-    // depth at once for blast; kLeastStrength to kMostStrength.
+    // Strength of each tool: m of depth per second for pour and dig, m of depth at once for blast;
+    // kLeastStrength to kMostStrength.
     std::array<double, kTools> strength{2, 2, 1};
-    bool standing = false;             // pour onto the standing layer; else into the rolling one
-    sim::Part of = sim::Part::kUpper;  // which material is poured, in a world of two
+    bool standing = false;             // pour onto the standing layer, else into the rolling layer
+    sim::Part of = sim::Part::kUpper;  // which material is poured, in a world with two
 
     static constexpr double kLeastRadius = 0.1, kMostRadius = 1000;
     static constexpr double kLeastStrength = 0.05, kMostStrength = 20;
@@ -31,34 +31,32 @@ struct Brush {
     bool operator==(const Brush&) const = default;
 };
 
-// Radii that make sense on a grid, m: from half a cell to half of the terrain, within the brush's own.
+// Useful radii on a grid, m: half a cell to half of the terrain, within the brush's own range.
 struct RadiusRange {
     double least, most;
 };
 RadiusRange radius_range(const sim::Grid& grid);
 
-// What a brush does to the world, inverted (Ctrl) or not: pour and dig change places, a blast becomes a
-// settle.
+// The command of a brush. Inverted (Ctrl), pour and dig are swapped and blast becomes settle.
 sim::CommandKind deed_of(const Brush& brush, bool inverted);
 
-// A stroke, from the press of the button to its release, told as commands tick by tick in world units.
+// A stroke, from button press to release, converted to commands tick by tick in world units.
 class Stroke {
   public:
     Stroke(sim::CommandKind deed, glm::dvec2 at) : deed_(deed), from_(at), to_(at) {}
 
     sim::CommandKind deed() const { return deed_; }
 
-    // Where the hand is now, m; nothing while it is off the ground.
+    // Sets the cursor position, m; nothing while the cursor is off the terrain.
     void move_to(std::optional<glm::dvec2> at) { to_ = at; }
 
-    // Adds what the `tick`-th of `ticks` ticks owes, which share the way since the last arrive() evenly. A
-    // way that is longer than half a radius in one tick is filled with several discs that share the amount;
-    // one of more than eight radii is a jump. Blast and settle go off at the press, and again wherever the
-    // hand has gone on by a radius.
+    // Adds the commands of tick `tick` of `ticks`. The ticks share the path since the last arrive() evenly. A
+    // path longer than half a radius per tick is filled with several discs that share the amount; a path
+    // longer than eight radii is a jump. Blast and settle act at the press, and again after each radius of
+    // movement.
     void commands_of(int tick, int ticks, const Brush& brush, double tick_s,
                      std::vector<sim::Command>& commands);
-    // The ticks of a frame are done, or that share of them that the machine could do; the next way begins
-    // there.
+    // Ends the ticks of a frame, or the completed `share` of them; the next path begins there.
     void arrive(double share);
 
   private:
@@ -68,7 +66,7 @@ class Stroke {
 
     sim::CommandKind deed_;
     std::optional<glm::dvec2> from_, to_;
-    std::optional<glm::dvec2> last_burst_;  // where blast or settle went off last
+    std::optional<glm::dvec2> last_burst_;  // position of the last blast or settle
 };
 
 }  // namespace game

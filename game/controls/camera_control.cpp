@@ -14,16 +14,16 @@ using Drag = CameraWish::Drag;
 
 constexpr double kLowest = 3, kHighest = 89;  // degrees of elevation
 constexpr double kDown = 89.9;                // degrees; north is still up
-constexpr double kTurn = 90;                  // degrees per half width of the picture
-constexpr double kZoom = 0.85;                // of the way, per step
+constexpr double kTurn = 90;                  // degrees per half image width
+constexpr double kZoom = 0.85;                // factor of the distance, per step
 constexpr double kPaces = 0.5;                // of the distance, per second
 constexpr double kFast = 4;
-constexpr double kDelay = 0.08;    // s, in which all but 1/e of the way is done
-constexpr double kLongest = 0.25;  // s, for which keys count in one frame
-constexpr double kSteps = 240;     // per second; hands are followed in steps that all frame rates share
+constexpr double kDelay = 0.08;    // s, in which the remaining path falls to 1/e
+constexpr double kLongest = 0.25;  // s, limit for held keys in one frame
+constexpr double kSteps = 240;     // per second; fixed steps make the path independent of the frame rate
 constexpr double kGrazing = 0.15;  // sine below which a ray is too flat to drag the ground with
 
-// Hands may ask for anything; sums and powers must stay finite.
+// Limits input, so that sums and powers stay finite.
 CameraWish within_reason(CameraWish wish) {
     wish.from = glm::clamp(wish.from, -100.0, 100.0);
     wish.to = glm::clamp(wish.to, -100.0, 100.0);
@@ -36,7 +36,7 @@ glm::dvec2 tangents(glm::dvec2 picture, const render::Camera& camera, double asp
     return picture * glm::dvec2(aspect, 1) * std::tan(glm::radians(camera.field_of_view_deg) / 2);
 }
 
-// The same azimuth, on the short way from another.
+// The same azimuth, reached from another by the shorter rotation.
 double the_short_way(double azimuth, double from) {
     return from + std::remainder(azimuth - from, 360.0);
 }
@@ -56,7 +56,7 @@ bool CameraControl::still() const {
 }
 
 void CameraControl::fly(bool on) {
-    dragging_ = Drag::kNone;  // a hand that drags takes hold anew
+    dragging_ = Drag::kNone;  // a drag in progress grabs a new point
     if (on) {
         top_down(false);
         mode_ = CameraMode::kFly;
@@ -139,8 +139,7 @@ void CameraControl::look_down(const CameraRoom& room) {
     hold_ = {Grip::About::kPoint, middle};
 }
 
-// What a hand takes hold of it holds where it is seen now, although the camera may still be on its way
-// elsewhere.
+// A drag grabs a point where it is visible now, although the camera may still be moving.
 void CameraControl::take_hold(const CameraWish& wish, double aspect, const CameraRoom& room) {
     const bool begins = wish.drag != dragging_;
     dragging_ = wish.drag;
@@ -171,10 +170,10 @@ void CameraControl::zoom(double steps, const CameraRoom& room) {
         double depth = wanted / slant;
         if (steps > 0)  // nearer, or not quite so near
             depth *= std::pow(away / wanted, share);
-        else  // farther, and over the mountain that stands behind
+        else  // farther, and above terrain behind the eye
             there.elevation_deg =
                 glm::mix(goal_.elevation_deg, std::max(goal_.elevation_deg, kHighest), share);
-        there.distance_m = depth;  // the target comes along to where the hand is
+        there.distance_m = depth;  // the target moves along with the cursor
         place(there, hold_.point, {sight.at, depth});
         return there;
     });
@@ -206,10 +205,10 @@ void CameraControl::turn(glm::dvec2 by, double aspect, const CameraRoom& room) {
     });
 }
 
-// Slides the eye over the ground at its own height. A ray that grazes the ground would take it too far; then
-// it slides along the picture.
+// Moves the eye at constant height. If the ray grazes the ground, this would move too far, so the eye moves
+// parallel to the image instead.
 void CameraControl::pan(const CameraWish& wish, glm::dvec2 to, double aspect, const CameraRoom& room) {
-    constexpr double kFarOut = 2;  // picture coordinates; the cursor may be anywhere on the screen
+    constexpr double kFarOut = 2;  // image coordinates; the cursor may be outside the window
     Sight sight = sight_of(hold_.point, goal_);
     sight.at = tangents(glm::clamp(to, -kFarOut, kFarOut), goal_, aspect);
     const Axes a = axes(goal_);
@@ -232,7 +231,7 @@ void CameraControl::walk(const CameraWish& wish, double seconds, const CameraRoo
     const Axes a = axes(goal_);
     const glm::dvec3 ahead = flies ? a.forward : glm::cross(glm::dvec3(0, 0, 1), a.right);
     const double height = room.height_above_ground(goal_);
-    // Looking down by 30°, as one mostly does, both are the same.
+    // Looking down by 30°, as is usual, both are the same.
     const double scale = flies ? 2 * height : std::max(goal_.distance_m, height);
     const double pace =
         kPaces * std::clamp(scale, 4 * room.cell(), room.farthest()) * (wish.fast ? kFast : 1);

@@ -14,46 +14,45 @@ namespace game {
 
 enum class CameraMode { kOrbit, kFly, kTopDown };
 
-// What hands ask of the camera in one frame. Picture coordinates run from −1 (left, bottom) to 1.
+// Camera input of one frame. Image coordinates run from −1 (left, bottom) to 1.
 struct CameraWish {
-    // A drag, from where to where in this frame; `pivot` is the ground under the place where it began.
+    // The drag in this frame; `pivot` is the ground under the point where it began.
     enum class Drag { kNone, kTurn, kPan } drag = Drag::kNone;
     glm::dvec2 from{0}, to{0};
     double zoom_steps = 0;            // of the wheel; forward is nearer
-    std::optional<glm::dvec3> pivot;  // m; what turning, panning and zooming hold on to; nothing over the sky
+    std::optional<glm::dvec3> pivot;  // m; fixed by turn, pan and zoom; nothing over the sky
     glm::dvec3 walk{0};               // held keys: right, forward, up, each −1 to 1
     bool fast = false;                // four times as fast
 };
 
-// Moves a camera as hands ask. A view: it never changes the world.
-//   turn   about the pivot, which stays where it is in the picture; half a turn per width of the picture; the
-//          elevation stays within 3° to 89°. Flying, it looks around instead. From the top nothing turns:
-//          north is up.
-//   pan    the pivot stays under the cursor, at the height of the eye where the ray allows it.
-//   zoom   a step takes 15 % off the way to the pivot, which stays where it is in the picture; from two cells
-//          away to six diagonals of the grid.
-//   walk   along the ground (flying: along the view), about half as far in a second as what it looks at is
-//   away.
-// What is asked is reached smoothly, within a few tenths of a second, on the same path at any frame rate. The
-// eye stays a cell above the surface: where the ground is in the way a turn rises, a zoom stops, a pan backs
+// Moves a camera by user input. It never changes the world.
+//   turn   rotates about the pivot, which stays fixed in the image: 180° per image width, elevation 3° to 89°.
+//          In fly mode it looks around instead. The top view does not turn: north is up.
+//   pan    keeps the pivot under the cursor and the eye at its height if the ray allows it.
+//   zoom   shortens the distance to the pivot by 15 % per step; the pivot stays fixed in the image. Range: two
+//          cells to six grid diagonals.
+//   walk   moves along the ground (in fly mode along the view); in one second about half the distance to what
+//          the camera looks at.
+// The camera moves smoothly, within a few tenths of a second, on the same path at any frame rate. The eye
+// stays one cell above the surface: if the ground is in the way, a turn rises, a zoom stops and a pan backs
 // off.
 class CameraControl {
   public:
-    // `home` is where overview() goes back to.
+    // `home`: the pose that overview() restores.
     CameraControl(const render::Camera& home, const sim::View& world);
 
     const render::Camera& camera() const { return now_; }
     CameraMode mode() const { return mode_; }
-    bool still() const;  // has arrived: the camera stays the same until asked again
+    bool still() const;  // has arrived: the camera does not move until the next input
 
-    void fly(bool on);  // leaves the view from the top
-    // On: straight down on what was in the middle of the picture, as much of it to be seen, north up; from
-    // the next move() on. Off: back to where it stood before.
+    void fly(bool on);  // leaves the top view
+    // On: looks straight down on the image centre at the same scale, north up, from the next move() on. Off:
+    // returns to the previous pose.
     void top_down(bool on);
-    void overview();  // in orbit
+    void overview();  // in orbit mode
 
-    // `aspect` is the picture's width / height. Of a frame that took longer than a quarter of a second the
-    // keys count for that long.
+    // Applies the input of a frame. `aspect`: image width / height. Held keys count for at most 0.25 s per
+    // frame.
     void move(const CameraWish& wish, const sim::View& world, double aspect, double elapsed_s);
 
   private:
@@ -67,9 +66,9 @@ class CameraControl {
 
     render::Camera home_, now_, goal_, before_top_down_;
     CameraMode mode_ = CameraMode::kOrbit, mode_before_top_down_ = CameraMode::kOrbit;
-    Grip hold_;                                            // what the way to the goal goes about
+    Grip hold_;                                            // what stays fixed on the way to the goal
     CameraWish::Drag dragging_ = CameraWish::Drag::kNone;  // in the frame before
-    bool look_down_ = false;  // asked, and move() has yet to see the ground for it
+    bool look_down_ = false;                               // requested; move() has not found the ground yet
 };
 
 }  // namespace game

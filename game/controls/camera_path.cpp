@@ -9,7 +9,7 @@
 namespace game {
 namespace {
 
-constexpr double kFarthestAside = 10;  // tangent; pictures end at about 3
+constexpr double kFarthestAside = 10;  // tangent; images end at about 3
 
 double log_mix(double a, double b, double share) {
     return std::exp(glm::mix(std::log(a), std::log(b), share));

@@ -7,29 +7,29 @@
 
 namespace game {
 
-// Where a camera may be: a cell above the surface, as deep as it lies now, and not lost in the distance.
-// Valid as long as the view.
+// The space allowed for a camera: at least one cell above the current surface and not too far away. Valid as
+// long as the view.
 class CameraRoom {
   public:
     explicit CameraRoom(const sim::View& world);
 
-    double nearest() const { return 2 * cell_; }       // m, from the eye to the ground that it zooms to
-    double farthest() const { return 6 * diagonal_; }  // m, the same
+    double nearest() const { return 2 * cell_; }       // m, least distance from the eye to the zoom pivot
+    double farthest() const { return 6 * diagonal_; }  // m, greatest distance
     double cell() const { return cell_; }              // m
 
-    // Whether a point is so near that metres still have their digits.
+    // Whether a point is near enough for the coordinates to keep their precision.
     bool reaches(glm::dvec3 point) const;
-    // m; beside the grid above the nearest border.
+    // m; outside the grid, above the nearest border.
     double height_above_ground(const render::Camera& camera) const;
-    // Lifted, and pulled back, until it is in the room.
+    // The camera raised and pulled back into the allowed space.
     render::Camera inside(render::Camera camera) const;
 
-    // What `pose(share)` is at the least share of 0 to 1 at which the ground is not in its way; pose(0) where
-    // it always is.
+    // `pose(share)` at the least share from 0 to 1 at which the ground does not obstruct; pose(0) if it
+    // always does.
     template <class Pose>
     render::Camera first_clear(const Pose& pose) const;
 
-    // The ground in the middle of the picture, on the grid; under the target where there is only sky.
+    // The ground at the image centre, on the grid; below the target if there is only sky.
     glm::dvec3 ground_in_the_middle(const render::Camera& camera) const;
 
   private:

@@ -21,7 +21,7 @@ Outcome<std::string> title_of_toml(const Catalogue::Entry& entry) {
     return (*document)["title"].value_or(entry.name);
 }
 
-// From the first line alone: the rest is long, and read when the recording is.
+// Reads only the first line, because recordings are long.
 Outcome<std::string> title_of_recording(const Catalogue::Entry& entry) {
     std::ifstream file(entry.file, std::ios::binary);
     std::string line;
@@ -71,7 +71,7 @@ std::vector<Catalogue::Entry> own_recordings() {
     for (const auto& entry : std::filesystem::directory_iterator(*folder, error))
         if (entry.path().extension() == ".couloir")
             own.push_back({entry.path().stem().string(), entry.path().string(), entry.path()});
-    // Their names begin with the time.
+    // Sorts by time, because the names begin with it.
     std::sort(own.begin(), own.end(), [](const auto& a, const auto& b) { return a.name > b.name; });
     if (own.size() > kMostOwn) own.resize(kMostOwn);
     return own;

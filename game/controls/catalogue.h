@@ -8,20 +8,20 @@
 
 namespace game {
 
-// What there is to begin with, by name and title, for whoever offers a choice.
+// The scenes, materials and recordings that can be opened, by name and title.
 struct Catalogue {
     struct Entry {
         std::string name, title;
         std::filesystem::path file;  // a scene and a recording may share a name
     };
     std::vector<Entry> scenes, materials, recordings;
-    std::vector<Entry> own;  // recordings that the person has made, the newest first
+    std::vector<Entry> own;  // the user's recordings, newest first
 };
 
-// All but `own`. Errors: the assets cannot be found or one of them cannot be read.
+// Reads everything except `own`. Errors: an asset cannot be found or read.
 Outcome<Catalogue> read_catalogue();
 
-// The newest of the recordings folder, kMostOwn at most; none where there is no such folder.
+// The newest recordings in the recordings folder, at most kMostOwn; none if there is no such folder.
 inline constexpr std::size_t kMostOwn = 8;
 std::vector<Catalogue::Entry> own_recordings();
 

@@ -6,17 +6,17 @@
 
 namespace game {
 
-// How a sandbox is shown; nothing of it reaches the world.
+// Display settings; they never affect the world.
 struct Display {
     render::Overlay overlay = render::Overlay::kNone;
     bool contours = false;
-    bool flow_mesh = false;         // edges, fronts and points of what carries a texture
-    sim::fields::FlowNumbers flow;  // of a scene that shows one
-    render::Light light;            // of the scene until the person moves the sun
+    bool flow_mesh = false;         // texture mesh with edges, fronts and points
+    sim::fields::FlowNumbers flow;  // in flow demos
+    render::Light light;            // the scene's until the user moves the sun
     float detail = 1;               // 0 to 1, small-scale relief
-    double resolution = 1;          // drawn pixels per screen pixel along an edge, 0.25 to 1
+    double resolution = 1;          // drawn pixels per screen pixel along each axis, 0.25 to 1
     bool fine = false;              // two by two samples per pixel
-    double letters = 1;             // size of letters against what the monitor asks for, 0.5 to 3
+    double letters = 1;             // text size relative to the monitor's scale, 0.5 to 3
     bool operator==(const Display&) const = default;
 };
 

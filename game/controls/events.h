@@ -5,10 +5,10 @@
 
 namespace game {
 
-// What hands do to a window, free of any windowing library. Positions are in framebuffer pixels from the top
-// left, so that a monitor's scale has no part in anything below.
+// Input events, independent of any windowing library. Positions are in framebuffer pixels from the top left,
+// so they do not depend on the monitor's scale.
 
-// Keys that Couloir knows by name; letters and digits are their ASCII capitals.
+// Named keys; letters and digits are their ASCII capitals.
 enum class Key : std::uint16_t {
     kNone = 0,
     kSpace = ' ',
@@ -42,12 +42,12 @@ constexpr Key key(char letter) {
 constexpr Key function_key(int number) {
     return static_cast<Key>(static_cast<int>(Key::kF1) + number - 1);
 }
-inline constexpr int kKeys = 320;  // more than any of them
+inline constexpr int kKeys = 320;  // greater than any key
 
 enum class Button : std::uint8_t { kLeft, kRight, kMiddle };
 inline constexpr int kButtons = 3;
 
-// Held with a key or a button; its own key's press and release count already.
+// Modifiers held during an event. A modifier key's own press or release is already included.
 struct Modifiers {
     bool shift = false, control = false, alt = false;
     bool operator==(const Modifiers&) const = default;
@@ -56,7 +56,7 @@ struct Modifiers {
 struct KeyEvent {
     Key key;
     bool down;
-    bool repeat;  // the keyboard's own, while the key is held
+    bool repeat;  // automatic repeat while the key is held
     Modifiers with;
 };
 struct ButtonEvent {
@@ -68,14 +68,14 @@ struct MoveEvent {
     double x, y;  // px
 };
 struct WheelEvent {
-    double steps;  // away from the person is positive
+    double steps;  // positive: away from the user
     Modifiers with;
 };
 struct TextEvent {
     char32_t character;
 };
 struct FocusEvent {
-    bool focused;  // after a loss nothing is held any more
+    bool focused;  // when focus is lost, nothing is held any more
 };
 struct DropEvent {};  // files were dropped: Screen::dropped() has their paths
 struct CloseEvent {};

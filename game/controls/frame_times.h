@@ -5,7 +5,7 @@
 
 namespace game {
 
-// Where the time of a frame goes, in the order of the frame.
+// The stages of a frame, in order.
 enum class Stage { kInput, kSolve, kDraw, kPanels, kPresent };
 inline constexpr std::size_t kStages = 5;
 inline constexpr std::array<const char*, kStages> kStageNames{"input", "solve", "draw", "panels", "present"};
@@ -16,12 +16,12 @@ constexpr std::size_t stage_index(Stage stage) {
 
 struct FrameTime {
     std::array<float, kStages> stage_ms{};
-    float frame_ms = 0;       // from begin to begin: what frames/s counts
+    float frame_ms = 0;       // from the begin of one frame to the next; frames/s is computed from it
     float worst_tick_ms = 0;  // of the ticks in this frame
     int ticks = 0;
 };
 
-// The last frames' times. Does not allocate.
+// Times of the last frames. Does not allocate.
 class FrameTimes {
   public:
     static constexpr std::size_t kKept = 240;
@@ -30,7 +30,7 @@ class FrameTimes {
 
     std::size_t size() const { return size_; }
     const FrameTime& operator[](std::size_t i) const;  // 0 is the oldest
-    double frames_per_second() const;                  // over the last second, or what there is
+    double frames_per_second() const;                  // over the last second, or all if shorter
     double median_ms(Stage stage) const;
     float worst_tick_ms() const;
 

@@ -31,7 +31,7 @@ void Input::take(std::span<const Event> events, ScreenSize size, Kept kept, Acti
 }
 
 std::optional<glm::dvec2> Input::cursor() const {
-    // A stroke goes on below a panel: its hand has not left the mountain.
+    // A stroke continues under a panel, because the drag started on the terrain.
     return over_panel_ && !brush_held() ? std::nullopt : at_;
 }
 
@@ -40,7 +40,7 @@ std::optional<Gesture> Input::camera_drag() const {
 }
 
 double Input::held(Held towards, Held away) const {
-    if (with_.control || with_.alt) return 0;  // then the same keys mean something else
+    if (with_.control || with_.alt) return 0;  // with these the keys have other meanings
     bool to = false, fro = false;
     for (const HeldBinding& binding : held_bindings()) {
         const bool down = down_[static_cast<std::size_t>(binding.key)];
@@ -68,7 +68,7 @@ void Input::take_button(const ButtonEvent& event, bool kept) {
     }
     if (kept || drag_) return;  // one drag at a time
     drag_ = gesture_of(event.button, event.with.shift);
-    // Shift changes what a button does only where the table says so.
+    // Without an entry for Shift in the table, the button acts as without Shift.
     if (!drag_) drag_ = gesture_of(event.button, false);
     drag_button_ = event.button;
     brush_pressed_ |= drag_ == Gesture::kBrush;

@@ -13,27 +13,26 @@
 
 namespace game {
 
-// Turns what hands do into what they ask for, by the tables of key_map.h. Knows windows and keys, and nothing
-// of worlds.
+// Converts events to actions, using the tables of key_map.h. Does not depend on the world.
 class Input {
   public:
-    // What the panels keep for themselves in this frame (ui/ui.h).
+    // The input that panels use in this frame (ui/ui.h).
     struct Kept {
         bool mouse = false, keys = false;
     };
-    // Takes the events of a frame; adds what they ask for to `actions`.
+    // Processes the events of a frame and appends the requested actions to `actions`.
     void take(std::span<const Event> events, ScreenSize size, Kept kept, Actions& actions);
 
-    // Where the cursor is, −1 (left, bottom) to 1; nothing over a panel, or before it was first seen.
+    // Cursor position, −1 (left, bottom) to 1; nothing over a panel or before the first event.
     std::optional<glm::dvec2> cursor() const;
     bool inverted() const { return with_.control; }
 
-    // The brush: pressed in this frame, held at its end.
+    // The brush button: pressed in this frame; held at the end of it.
     bool brush_pressed() const { return brush_pressed_; }
     bool brush_held() const { return drag_ == Gesture::kBrush; }
 
-    // The camera. A drag of the camera goes from where the cursor was at the end of the last frame, or where
-    // the button was pressed, to where it is now.
+    // The camera. A drag runs from the cursor at the end of the last frame, or from where the button was
+    // pressed, to the current position.
     std::optional<Gesture> camera_drag() const;  // kTurn or kPan
     bool camera_drag_began() const { return camera_pressed_; }
     glm::dvec2 drag_from() const { return from_; }
@@ -54,9 +53,9 @@ class Input {
     ScreenSize size_;
     Modifiers with_;
     std::array<bool, kKeys> down_{};
-    std::optional<glm::dvec2> at_;  // cursor, in pictures' coordinates
+    std::optional<glm::dvec2> at_;  // cursor, in image coordinates
     bool over_panel_ = false;
-    std::optional<Gesture> drag_;  // that is going on, with its button
+    std::optional<Gesture> drag_;  // in progress, with its button
     Button drag_button_ = Button::kLeft;
     glm::dvec2 from_{0};
     // Of this frame:

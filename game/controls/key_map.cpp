@@ -7,31 +7,30 @@ namespace {
 
 constexpr Modifiers kAlone{}, kShift{true, false, false}, kControl{false, true, false};
 
-// The order is that of the help panel.
+// In the order of the help panel.
 constexpr std::array kKeyBindings{
     KeyBinding{key('1'), kAlone, false, Verb::kPour, "pour"},
     KeyBinding{key('2'), kAlone, false, Verb::kDig, "dig"},
     KeyBinding{key('3'), kAlone, false, Verb::kBlast, "blast"},
-    KeyBinding{Key::kLeftBracket, kAlone, true, Verb::kSmallerBrush, "smaller"},
-    KeyBinding{Key::kRightBracket, kAlone, true, Verb::kLargerBrush, "larger"},
-    KeyBinding{Key::kLeftBracket, kShift, true, Verb::kWeakerBrush, "weaker"},
-    KeyBinding{Key::kRightBracket, kShift, true, Verb::kStrongerBrush, "stronger"},
+    KeyBinding{Key::kLeftBracket, kAlone, true, Verb::kSmallerBrush, "smaller brush"},
+    KeyBinding{Key::kRightBracket, kAlone, true, Verb::kLargerBrush, "larger brush"},
+    KeyBinding{Key::kLeftBracket, kShift, true, Verb::kWeakerBrush, "weaker brush"},
+    KeyBinding{Key::kRightBracket, kShift, true, Verb::kStrongerBrush, "stronger brush"},
     KeyBinding{key('L'), kAlone, false, Verb::kPourStandingOrRolling,
                "pour onto the standing or into the rolling layer"},
-    KeyBinding{Key::kSpace, kAlone, false, Verb::kPauseOrGoOn, "pause or go on"},
-    KeyBinding{Key::kPeriod, kAlone, true, Verb::kStepOnce, "one tick"},
-    KeyBinding{Key::kComma, kAlone, true, Verb::kStepBack, "one tick back"},
-    KeyBinding{Key::kBackspace, kAlone, false, Verb::kRunBack, "let time run back, and forth again"},
-    KeyBinding{Key::kEnter, kAlone, false, Verb::kTakeOver,
-               "take over here what is being watched or looked back at"},
+    KeyBinding{Key::kSpace, kAlone, false, Verb::kPauseOrGoOn, "pause or resume"},
+    KeyBinding{Key::kPeriod, kAlone, true, Verb::kStepOnce, "step one tick"},
+    KeyBinding{Key::kComma, kAlone, true, Verb::kStepBack, "step one tick back"},
+    KeyBinding{Key::kBackspace, kAlone, false, Verb::kRunBack, "rewind, or run forward again"},
+    KeyBinding{Key::kEnter, kAlone, false, Verb::kTakeOver, "continue from here, in the past or a recording"},
     KeyBinding{Key::kMinus, kAlone, false, Verb::kSlower, "half the speed"},
     KeyBinding{Key::kEqual, kAlone, false, Verb::kFaster, "twice the speed"},
-    KeyBinding{key('0'), kAlone, false, Verb::kUsualSpeed, "usual speed"},
-    KeyBinding{key('Z'), kControl, false, Verb::kUndo, "undo: back to just before the last action"},
-    KeyBinding{key('R'), kControl, false, Verb::kReset, "begin the scene anew"},
-    KeyBinding{Key::kHome, kAlone, false, Verb::kOverview, "see the whole mountain"},
-    KeyBinding{key('T'), kAlone, false, Verb::kTopDown, "look straight down, and back"},
-    KeyBinding{key('F'), kAlone, false, Verb::kFly, "fly, and back"},
+    KeyBinding{key('0'), kAlone, false, Verb::kUsualSpeed, "normal speed"},
+    KeyBinding{key('Z'), kControl, false, Verb::kUndo, "undo the last action"},
+    KeyBinding{key('R'), kControl, false, Verb::kReset, "restart the scene"},
+    KeyBinding{Key::kHome, kAlone, false, Verb::kOverview, "show the whole terrain"},
+    KeyBinding{key('T'), kAlone, false, Verb::kTopDown, "top view on or off"},
+    KeyBinding{key('F'), kAlone, false, Verb::kFly, "fly mode on or off"},
     KeyBinding{function_key(1), kAlone, false, Verb::kToggleHelp, "this help"},
     KeyBinding{function_key(2), kAlone, false, Verb::kToggleScene, "scene panel"},
     KeyBinding{function_key(3), kAlone, false, Verb::kTogglePhysics, "physics panel"},
@@ -39,7 +38,7 @@ constexpr std::array kKeyBindings{
     KeyBinding{function_key(5), kAlone, false, Verb::kTogglePerformance, "performance panel"},
     KeyBinding{Key::kEscape, kAlone, false, Verb::kClosePanel, "close a list or a panel"},
     KeyBinding{Key::kTab, kAlone, false, Verb::kTogglePanels, "show or hide all panels"},
-    KeyBinding{function_key(11), kAlone, false, Verb::kFullscreen, "full screen, and back"},
+    KeyBinding{function_key(11), kAlone, false, Verb::kFullscreen, "full screen on or off"},
     KeyBinding{key('Q'), kControl, false, Verb::kQuit, "quit"},
 };
 
@@ -60,14 +59,14 @@ constexpr std::array kHeldBindings{
 
 constexpr std::array kGestureBindings{
     GestureBinding{"Left drag", Button::kLeft, false, Gesture::kBrush,
-                   "use the brush; with Ctrl held pour digs, dig pours, blast settles"},
+                   "use the brush; Ctrl swaps pour and dig, blast settles"},
     GestureBinding{"Right drag", Button::kRight, false, Gesture::kTurn,
-                   "turn about the point under the cursor; when flying, look round"},
-    GestureBinding{"Middle drag", Button::kMiddle, false, Gesture::kPan, "move the mountain along"},
-    GestureBinding{"Shift+right drag", Button::kRight, true, Gesture::kPan, "move the mountain along"},
+                   "rotate about the point under the cursor; in fly mode, look"},
+    GestureBinding{"Middle drag", Button::kMiddle, false, Gesture::kPan, "pan the view"},
+    GestureBinding{"Shift+right drag", Button::kRight, true, Gesture::kPan, "pan the view"},
     GestureBinding{"Wheel", std::nullopt, false, Gesture::kZoom,
-                   "zoom toward the cursor; while brushing, size of the brush"},
-    GestureBinding{"Shift+wheel", std::nullopt, true, Gesture::kResizeBrush, "size of the brush"},
+                   "zoom toward the cursor; while brushing, brush radius"},
+    GestureBinding{"Shift+wheel", std::nullopt, true, Gesture::kResizeBrush, "brush radius"},
 };
 
 std::string_view bare_name(Key key) {

@@ -10,19 +10,19 @@
 
 namespace game {
 
-// Every key and every gesture of the sandbox, once: input acts by these tables and help is printed from them.
+// Tables of all keys and gestures. Input handling and the help panel both use them.
 
-// A key that does something when it goes down.
+// A key that acts when it is pressed.
 struct KeyBinding {
     Key key;
     Modifiers with;  // exactly these
-    bool repeats;    // goes on while the key is held
+    bool repeats;    // repeats while the key is held
     Verb verb;
     std::string_view meaning;
 };
 std::span<const KeyBinding> key_bindings();
 
-// Keys that do something as long as they are held.
+// Keys that act while they are held.
 enum class Held { kForward, kBack, kLeft, kRight, kUp, kDown };
 struct HeldBinding {
     Key key;
@@ -31,7 +31,7 @@ struct HeldBinding {
 };
 std::span<const HeldBinding> held_bindings();
 
-// What the mouse does on the mountain.
+// Mouse actions on the terrain.
 enum class Gesture { kBrush, kTurn, kPan, kZoom, kResizeBrush };
 struct GestureBinding {
     std::string_view hand;         // "Right drag"
@@ -42,10 +42,10 @@ struct GestureBinding {
 };
 std::span<const GestureBinding> gesture_bindings();
 
-// "Ctrl+Z", "Space", "F1", as a person reads it on a key; empty for a key without a name. Short enough for a
-// std::string that does not allocate, but for a key with all three modifiers.
+// The label of a key: "Ctrl+Z", "Space", "F1"; empty for a key without a name. Short enough that std::string
+// does not allocate, except with all three modifiers.
 std::string name_of(Key key, Modifiers with = {});
-// The key of a verb; the first where it has several.
+// The key of a verb; the first if there are several.
 std::string name_of(Verb verb);
 
 }  // namespace game

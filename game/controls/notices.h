@@ -6,12 +6,12 @@
 
 namespace game {
 
-// Sentences for the person at the window, instead of silence: what was loaded, saved, refused and why.
+// A message to the user: what was loaded, saved or refused, and why.
 struct Notice {
     enum class Kind { kInfo, kWarning } kind = Kind::kInfo;
     std::string sentence;
-    double told_s = -1e9;  // when, on the screen's clock
-    int times = 1;         // how often in a row
+    double told_s = -1e9;  // when it was shown, on the screen's clock
+    int times = 1;         // repetitions in a row
 };
 
 class Notices {
@@ -19,7 +19,7 @@ class Notices {
     static constexpr std::size_t kKept = 6;
     static constexpr double kInfoStays = 6, kWarningStays = 12;  // s
 
-    // The same sentence again, while it is still seen, counts up instead of taking a line.
+    // Adds a notice. A repeated sentence that is still visible only increases its count.
     void tell(Notice::Kind kind, std::string sentence, double now_s);
 
     std::size_t size() const { return size_; }

@@ -12,7 +12,7 @@
 namespace game {
 namespace {
 
-constexpr double kBeside = 1e-6;  // of a cell; a ray that meets the border may miss it by a rounding error
+constexpr double kBeside = 1e-6;  // of a cell; a ray at the border may miss it by a rounding error
 constexpr double kLevel = 1e-3;   // tangent
 
 bool on_grid(const sim::Grid& grid, glm::dvec2 at) {
@@ -27,7 +27,7 @@ bool has_data(const Square& square, const sim::Field<sim::Site>& site) {
     return true;
 }
 
-// Of the bilinear patch, tangents to the east and north.
+// Gradient of the bilinear patch: tangents toward east and north.
 glm::dvec2 gradient(const sim::View& world, const Square& square) {
     const auto height = [&](int x, int y) {
         return static_cast<double>(world.bedrock(x, y)) + world.depth(x, y) + world.rolling(x, y);
@@ -43,7 +43,8 @@ glm::dvec2 gradient(const sim::View& world, const Square& square) {
 std::optional<double> aspect(glm::dvec2 rise) {
     if (glm::length(rise) < kLevel) return std::nullopt;
     const double degrees = glm::degrees(std::atan2(-rise.x, -rise.y));
-    return degrees < 0 ? std::fmod(degrees + 360, 360) : degrees;  // a hair below 0 is 0, not 360
+    return degrees < 0 ? std::fmod(degrees + 360, 360)
+                       : degrees;  // a rounding error below 0 gives 0, not 360
 }
 
 }  // namespace
@@ -60,7 +61,7 @@ std::optional<Reading> Probe::read(const sim::View& world, glm::dvec2 at) {
     const glm::dvec2 rise = gradient(world, square);
     reading.slope_deg = glm::degrees(std::atan(glm::length(rise)));
     reading.aspect_deg = aspect(rise);
-    // A breath of dust between the vertices of a fast flow is nothing that is seen to move.
+    // A layer too thin to see has no visible speed, even between vertices of a fast flow.
     if (reading.rolling >= static_cast<double>(Peaks::kVisible))
         reading.speed = std::hypot(between(square, world.velocity_x), between(square, world.velocity_y));
 

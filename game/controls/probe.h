@@ -12,33 +12,33 @@
 
 namespace game {
 
-// What a person asks of a place on the surface.
+// The values shown for a point on the surface.
 struct Reading {
     glm::dvec3 at{0};      // m; z above the terrain's zero
     double slope_deg = 0;  // of the surface
-    // Whither it falls: 0 north, 90 east, below 360; nothing where it is level, gentler than 1 in 1000.
+    // Downslope direction: 0 north, 90 east, below 360; nothing if the slope is gentler than 1 in 1000.
     std::optional<double> aspect_deg;
     double standing = 0, rolling = 0;  // m
-    double speed = 0;  // m/s, of the rolling layer; 0 where it is thinner than Peaks::kVisible
-    // Share of the lower material at the nearest vertex, 0 to 1, in what rolls, else at the surface of what
-    // lies; nothing in a world of one material.
+    double speed = 0;                  // m/s, of the rolling layer; 0 if it is thinner than Peaks::kVisible
+    // Fraction of the lower material at the nearest vertex, 0 to 1: in the rolling layer, else at the surface
+    // of the standing layer; nothing in a world with one material.
     std::optional<double> lower_share;
     std::array<char, 96>
-        where{};  // "47.30012° N 11.43210° E, UTM 32T 683912 5240010"; empty where not placed
+        where{};  // "47.30012° N 11.43210° E, UTM 32T 683912 5240010"; empty without georeference
 };
 
-// Reads the world at places, one after the other, without allocating.
+// Reads the world at single points. Does not allocate.
 class Probe {
   public:
     explicit Probe(const terrains::Georeference& georeference) : locator_(georeference) {}
 
-    // Bilinear between the four vertices around; nothing beside the grid or where one of the four has no
-    // data. A place a millionth of a cell beside the grid counts as on its border.
+    // Interpolates bilinearly between the four surrounding vertices. Nothing outside the grid or if one of
+    // the four has no data. A point up to a millionth of a cell outside counts as on the border.
     std::optional<Reading> read(const sim::View& world, glm::dvec2 at);
 
   private:
     terrains::Locator locator_;
-    std::optional<glm::dvec2> last_;  // the place that where_ is of
+    std::optional<glm::dvec2> last_;  // the point described by where_
     std::array<char, 96> where_{};
 };
 

@@ -9,29 +9,29 @@
 
 namespace game {
 
-// How large a screen is, and how much larger than usual its letters want to be.
+// Size and scale of a screen.
 struct ScreenSize {
     int width = 1280, height = 720;  // framebuffer, px; 0 while minimised
-    double scale = 1;                // of the monitor: 2 where a letter needs twice the pixels
+    double scale = 1;                // of the monitor: 2 if text needs twice the pixels
     bool operator==(const ScreenSize&) const = default;
 };
 
-// Where a sandbox is seen and from where it is handled. A window in the program, a script in tests. Owns a
-// current GL 4.5 core context for as long as it lives.
+// The display and input device of a sandbox: a window in the program, a script in tests. Owns a current GL
+// 4.5 core context during its lifetime.
 class Screen {
   public:
     virtual ~Screen() = default;
 
-    // What happened since the last call, in order; valid until the next. While the screen cannot be seen
-    // (width or height 0) it waits for something to happen, at most a tenth of a second.
+    // Events since the last call, in order; valid until the next call. While the screen is hidden (width or
+    // height 0), waits for an event for at most 0.1 s.
     virtual std::span<const Event> poll() = 0;
-    virtual std::vector<std::filesystem::path> dropped() = 0;  // of the last DropEvent
+    virtual std::vector<std::filesystem::path> dropped() = 0;  // paths of the last DropEvent
 
     virtual ScreenSize size() const = 0;
     virtual unsigned framebuffer() const = 0;  // GL name to draw into
     virtual double seconds() const = 0;        // steady clock
 
-    // Shows what was drawn; waits for the monitor where it has a rhythm.
+    // Shows the drawn frame; waits for the monitor's refresh if it has one.
     virtual void present() = 0;
 
     virtual void show_title(const std::string& title) = 0;

@@ -32,7 +32,7 @@ int TickClock::ticks_due(double elapsed_s, double tick_s) {
 
 void TickClock::ticks_undone(int count) {
     if (due_are_steps_)
-        steps_ += count;  // asked for one by one: none of them is forgotten
+        steps_ += count;  // single steps are never dropped
     else
         lost_ += count;
 }

@@ -2,40 +2,39 @@
 
 namespace game {
 
-// Turns real seconds into ticks due. Speed changes how many ticks a frame runs, never the tick.
+// Converts real time to ticks due. Speed changes the number of ticks per frame, never their length.
 class TickClock {
   public:
     static constexpr double kSlowest = 1.0 / 8, kFastest = 16;
 
     bool paused() const { return paused_; }
     void pause(bool on) { paused_ = on; }
-    bool runs_back() const { return back_; }  // the ticks due are to be taken back
+    bool runs_back() const { return back_; }  // the ticks due are to be rewound
     void run_back(bool on) { back_ = on; }
-    void step_once() { ++steps_; }  // a tick at the next frame, instead of those that time owes
+    void step_once() { ++steps_; }  // one tick in the next frame, instead of those due by time
 
     double speed() const { return speed_; }
     void set_speed(double speed);  // to the nearest power of two within kSlowest … kFastest
 
-    // Ticks that `elapsed_s` seconds owe. A frame that took longer than a quarter second, as when the machine
-    // slept, owes no more than that.
+    // Ticks due after `elapsed_s` seconds. At most 0.25 s count, so that no backlog builds up after a
+    // suspend.
     int ticks_due(double elapsed_s, double tick_s);
 
-    // So many of the ticks due were more than the machine could do. They are forgotten, so that the world
-    // slows instead of stalling.
+    // Reports that `count` of the ticks due were not run. They are dropped, so that the simulation slows down
+    // instead of stalling.
     void ticks_undone(int count);
 
-    // Speed as it was reached over the last half second or so; below speed() where the machine cannot keep
-    // up.
+    // Speed reached over about the last half second; below speed() if the computer cannot keep up.
     double reached_speed() const;
-    bool behind() const;  // reaches less than nine tenths of its speed
+    bool behind() const;  // reaches less than 90 % of its speed
 
   private:
     bool paused_ = false;
     bool back_ = false;
-    int steps_ = 0;  // asked for one by one
+    int steps_ = 0;  // requested single steps
     bool due_are_steps_ = false;
     double speed_ = 1;
-    double owed_ = 0;               // ticks, less than one
+    double owed_ = 0;               // fraction of a tick
     double wanted_ = 0, lost_ = 0;  // ticks of the last half second, fading
 };
 

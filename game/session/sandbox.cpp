@@ -9,9 +9,9 @@ namespace game {
 namespace {
 
 constexpr std::size_t kMostActions = 1000;
-constexpr std::size_t kHandMemory = 4096;  // commands, so that a stroke need not ask for memory
+constexpr std::size_t kHandMemory = 4096;  // commands reserved, so that a stroke does not allocate
 
-// Of a Moment.
+// Size of a Session::Checkpoint.
 std::size_t bytes_per_moment(const Scenario& scenario, bool has_textures) {
     std::size_t per_vertex = 7 * sizeof(float);
     if (scenario.lower) per_vertex += 3 * sizeof(float);
@@ -81,7 +81,7 @@ Outcome<void> Sandbox::take_over(const std::optional<std::filesystem::path>& pat
         told = session_.finish();
         auto fork = !told  ? Outcome<Recorder>(tl::unexpected(told.error()))
                     : path ? fork_in(*path)
-                           : unusable("there is no place for it");
+                           : unusable("no file to record to");
         if (fork) {
             session_.record_in(std::move(*fork));
         } else {
@@ -91,12 +91,12 @@ Outcome<void> Sandbox::take_over(const std::optional<std::filesystem::path>& pat
     }
     if (opening_.watched) forget_from(opening_.scene.commands, session_.state().tick);
     opening_.watched.reset();
-    past_.clear();  // what was done before is the other recording's
+    past_.clear();  // earlier actions belong to the other recording
     forget_after(session_.state().tick);
     return told;
 }
 
-// Of what the hand did, and of what came of it.
+// Drops the user's commands and their results.
 void Sandbox::forget_after(std::int64_t tick) {
     forget_from(by_hand_, tick);
     keyframes_.forget_after(tick);
@@ -116,7 +116,7 @@ void Sandbox::give_due(const std::vector<TimedCommand>& commands) {
 Outcome<void> Sandbox::tick(std::span<const sim::Command> hand) {
     const std::int64_t tick = session_.state().tick;
     const bool knows = looks_back();
-    // What is in store comes first: it was there before the hand.
+    // Commands of the scene or recording come before the user's.
     given_.clear();
     give_due(opening_.scene.commands);
     auto refused = leave_out_clashing(0);
@@ -127,7 +127,7 @@ Outcome<void> Sandbox::tick(std::span<const sim::Command> hand) {
         const std::size_t room =
             std::min(sim::kMostCommandsPerTick - std::min(in_store, sim::kMostCommandsPerTick),
                      sim::kMostRunningCommands - std::min(running, sim::kMostRunningCommands));
-        hand = hand.first(std::min(hand.size(), room));  // the rest of a stroke that no tick could do
+        hand = hand.first(std::min(hand.size(), room));  // drops what exceeds the limits of a tick
         given_.insert(given_.end(), hand.begin(), hand.end());
     }
     if (refused) refused = leave_out_clashing(in_store);
@@ -145,17 +145,17 @@ Outcome<void> Sandbox::tick(std::span<const sim::Command> hand) {
     return advanced ? refused : advanced;
 }
 
-// Numbers from `first` on that do not go with the others are left out, so that time goes on.
+// Drops parameter changes from `first` on if they clash with the others, so that time continues.
 Outcome<void> Sandbox::leave_out_clashing(std::size_t first) {
     const auto fault = sim::fault_after(session_.state().params, given_);
     if (!fault) return {};
     const auto is_set = [](const sim::Command& command) { return command.kind == sim::CommandKind::kSet; };
     given_.erase(std::remove_if(given_.begin() + static_cast<std::ptrdiff_t>(first), given_.end(), is_set),
                  given_.end());
-    return unusable(fmt::format("Not set: {}", *fault));
+    return unusable(fmt::format("Parameter not set: {}", *fault));
 }
 
-// A recording that can no longer be written is left, and the tick is done all the same.
+// If the recording can no longer be written, stops recording and still runs the tick.
 Outcome<void> Sandbox::advance() {
     const std::int64_t tick = session_.state().tick;
     auto advanced = session_.advance(given_);
@@ -175,7 +175,8 @@ void Sandbox::remember() {
 Outcome<std::string> Sandbox::undo() {
     new_action_.reset();
     if (past_.empty()) return unusable("Nothing to undo");
-    if (looks_back()) return unusable("Nothing to undo before the present: go there, or take over here");
+    if (looks_back())
+        return unusable("Cannot undo in the past: go to the present, or continue from here first");
     const Action action = std::move(past_.back());
     past_.pop_back();
     auto rewound = session_.rewind(action.before);

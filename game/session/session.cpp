@@ -12,7 +12,7 @@
 namespace game {
 namespace {
 
-// How fast textures are renewed that a rolling layer carries.
+// Renewal rate of the textures advected with a rolling layer.
 constexpr sim::front::LayerRule kTextures{.shortest_s = 0.5f, .deformation = 0.3f};
 
 template <class Stage>
@@ -54,7 +54,7 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
         return unusable(fmt::format("tick {}: {}", state_.tick, *fault));
     if (const auto fault = sim::float_environment_fault())
         return machine_fails(
-            fmt::format("tick {}: {}, so no replay could meet these bits", state_.tick, *fault));
+            fmt::format("tick {}: {}, so a replay would not be bit-identical", state_.tick, *fault));
     const bool records = recorder_ && state_.tick >= recorded_until_;
     if (records)
         for (const sim::Command& command : commands)
@@ -64,22 +64,21 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
         line_.before.clear();
     else
         line_.before.push_back(line_.hash);
-    // The first tick may find ground too steep to lie, the others only after a command.
+    // In the first tick, ground may be too steep to stand; later only after a command.
     const bool rests = state_.tick > 0 && commands.empty() && sim::at_rest(state_);
     times_ = {};
     times_.solve_ms = ms_of([&] { sim::step(state_, commands, *engine_); });
     find_hash();
 
     if (!rests) changed_at_ = state_.tick;
-    // At rest nothing of them changes; a flow that is shown never rests.
+    // At rest the fronts do not change. A flow demo never rests.
     if ((fronts_ && !rests) || stage_) advance_fronts();
     std::int64_t error = state_.ledger.mass_error();
     if (error == 0 && state_.mixture) error = state_.mixture->ledger.mass_error();
     if (error != 0)
         return tl::unexpected(Failure{
             Failure::kBadAnswer,
-            fmt::format("tick {}: {} m3 of mass appeared from nowhere; a layer deeper than {} m cannot be "
-                        "counted exactly",
+            fmt::format("tick {}: mass not conserved: {} m3; layers deeper than {} m are not counted exactly",
                         state_.tick, cubic_metres(error), sim::kDeepest)});
     times_.peaks_ms = ms_of([&] { watch(); });
     if (!records) return {};
@@ -89,12 +88,12 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
 
 Outcome<void> Session::finish() {
     if (!recorder_) return {};
-    // The last state too, so that the whole of a recording is proven.
+    // Also writes the last state, so that the whole recording can be verified.
     if (auto written = write_state(); !written) return written;
     return recorder_->end(recorded_until_);
 }
 
-// Of the tick up to which all is recorded, unless its line is there already.
+// Writes the state of the last recorded tick, unless its line exists.
 Outcome<void> Session::write_state() {
     if (state_.tick != recorded_until_ || recorder_->last_state() == state_.tick) return {};
     return recorder_->state(line_);

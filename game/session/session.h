@@ -58,7 +58,7 @@ class Session {
     // GL need be able to draw more than kMostFollowed.
     void follow_fronts(const Scenario& scenario, std::size_t most_vertices = kMostFollowed);
     static constexpr const char* kTooFine =
-        "This grid is too fine for textures to travel with what rolls: they do up to 900,000 vertices";
+        "Textures do not move with the flow: the grid has over 900,000 vertices. Use a smaller --grid";
     void follow_nothing() { stage_.reset(), fronts_.reset(); }
     // Nothing while none are followed.
     const sim::front::FlowView* fronts() const {

@@ -16,22 +16,22 @@
 
 namespace game::ui {
 
-// How much of the time before and after this moment is known.
+// The extent of the known time, before and after the current tick.
 struct Timeline {
     std::int64_t known_until = 0;  // tick
-    bool watches = false;          // a recording that has not been taken over
+    bool watches = false;          // a recording is being watched and has not been taken over
     bool can_go_back = true;
 };
 
-// All that panels may tell. References are valid for one frame.
+// Everything that panels can show. References are valid for one frame.
 struct Facts {
-    const Scenario& scenario;  // what the world began with; its params are the defaults
-    const sim::State& state;   // state.params are the numbers now
+    const Scenario& scenario;  // initial state of the world; its params are the defaults
+    const sim::State& state;   // state.params are the current parameters
     const TickClock& clock;
     const Brush& brush;
     bool inverted = false;  // Ctrl is held
-    bool brushing = false;  // a stroke is going on
-    bool touched = false;   // the person has changed the world
+    bool brushing = false;  // a stroke is in progress
+    bool touched = false;   // the user has changed the world
     std::size_t actions_to_undo = 0;
     std::optional<Reading> under_cursor;
     CameraMode camera_mode = CameraMode::kOrbit;
@@ -40,8 +40,8 @@ struct Facts {
     const Notices& notices;
     const Catalogue& catalogue;
     Timeline timeline;
-    bool looks_back() const { return state.tick < timeline.known_until; }  // hands off
-    std::string_view recording;  // file that is being written; empty where none is
+    bool looks_back() const { return state.tick < timeline.known_until; }  // read-only
+    std::string_view recording;  // file that is being written; empty if none
     std::string_view renderer;   // GL's name
     double now_s = 0;            // screen's clock
 };

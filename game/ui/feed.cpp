@@ -9,8 +9,8 @@
 namespace game::ui {
 namespace {
 
-// The keys that ImGui's text fields act on; every other key reaches them as text. An int is what an
-// ImGuiKey_… constant converts to in every version: the name of its type has changed.
+// The keys that ImGui's text fields handle; every other key reaches them as text. ImGuiKey_… constants are
+// stored as int because the name of their type differs between versions.
 constexpr std::pair<int, Key> kEditing[] = {
     {ImGuiKey_Tab, Key::kTab},
     {ImGuiKey_LeftArrow, Key::kLeft},
@@ -66,7 +66,7 @@ bool Feed::take(const KeyEvent& event) {
     if (code >= keys_turned_.size()) return true;
     bool& down = ImGui::GetIO().KeysDown[code];
     if (down != event.down && keys_turned_[code]) return false;
-    // With Ctrl held ImGui throws text away.
+    // ImGui discards text while Ctrl is held.
     if (text_came_ && event.with.control != ImGui::GetIO().KeyCtrl) return false;
     hold(event.with);
     if (down != event.down) keys_turned_.set(code);
@@ -88,7 +88,7 @@ bool Feed::take(const ButtonEvent& event) {
 }
 
 bool Feed::take(const MoveEvent& event) {
-    if (buttons_turned_.any()) return false;  // the button turned where the cursor was then
+    if (buttons_turned_.any()) return false;  // the button changed at the earlier cursor position
     ImGui::GetIO().MousePos = mouse_ = {static_cast<float>(event.x), static_cast<float>(event.y)};
     return true;
 }
@@ -113,7 +113,7 @@ bool Feed::take(const FocusEvent& event) {
     if (event.focused) return true;
     std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
     std::fill(std::begin(io.MouseDown), std::end(io.MouseDown), false);
-    // Away from every widget, so that what was held is let go without being done.
+    // Moved off every widget, so that a held button is released without triggering it.
     io.MousePos = {-FLT_MAX, -FLT_MAX};
     hold({});
     return true;

@@ -12,9 +12,8 @@
 
 namespace game::ui {
 
-// Hands events to ImGui, which sees one state of mouse and keys per frame. What would be lost by that, as the
-// press in a press and release or the place of a press that was dragged on at once, waits for the next frame,
-// in order.
+// Passes events to ImGui, which sees one state of mouse and keys per frame. Events that would be lost (a
+// press and release, or a press and move, in one frame) wait for the next frame, in order.
 class Feed {
   public:
     Feed();  // into the current ImGui context
@@ -33,7 +32,7 @@ class Feed {
     bool take(const CloseEvent&) { return true; }
 
     std::vector<Event> waiting_;
-    ImVec2 mouse_{-FLT_MAX, -FLT_MAX};  // where it was seen last, px
+    ImVec2 mouse_{-FLT_MAX, -FLT_MAX};  // last position, px
     // Of this frame:
     std::bitset<kKeys> keys_turned_;
     std::bitset<kButtons> buttons_turned_;

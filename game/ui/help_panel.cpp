@@ -8,10 +8,10 @@
 namespace game::ui {
 namespace {
 
-constexpr float kTwoColumns = 48;    // em: below, one column
+constexpr float kTwoColumns = 48;    // em: narrower panels have one column
 constexpr float kCapHeight = 1.25f;  // em
 
-// A key, or several that do the same, as it looks on a keyboard; then what it does.
+// Rows of key caps with the same effect, followed by the effect.
 class Table {
   public:
     Table(Desk& desk, float label_width) : desk_(desk), label_width_(label_width) {}
@@ -32,7 +32,7 @@ class Table {
     }
 
     void meaning(std::string_view text) {
-        // In the middle of the caps' height.
+        // Vertically centred on the caps.
         const float lower = (desk_.em() * kCapHeight - ImGui::GetTextLineHeight()) / 2;
         ImGui::SetCursorScreenPos({from_.x + label_width_, from_.y + lower});
         ImGui::PushTextWrapPos(0);
@@ -48,13 +48,13 @@ class Table {
 };
 
 void hands(Desk& desk, Table& table) {
-    desk.widgets.heading("Mouse, on the mountain");
+    desk.widgets.heading("Mouse, over the terrain");
     for (const GestureBinding& binding : gesture_bindings()) {
         table.begin();
         table.cap(binding.hand.data());  // a literal
         table.meaning(binding.meaning);
     }
-    desk.widgets.heading("Keys to hold");
+    desk.widgets.heading("Held keys");
     const auto held = held_bindings();
     for (std::size_t i = 0; i < held.size(); ++i) {
         table.begin();
@@ -88,7 +88,7 @@ void help_panel(Desk& desk) {
     const bool two = width >= kTwoColumns * em;
     if (two) ImGui::Columns(2, "help", false);
     hands(desk, table);
-    keys(desk, table, "Keys of the brush", true);
+    keys(desk, table, "Brush keys", true);
     if (two) ImGui::NextColumn();
     keys(desk, table, "Keys", false);
     if (two) ImGui::Columns(1);

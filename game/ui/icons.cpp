@@ -10,7 +10,7 @@ namespace {
 
 constexpr float kPi = 3.14159265f;
 
-// Draws in a square from −1 to 1, y down.
+// Draws in a square from −1 to 1 with y down.
 class Pen {
   public:
     Pen(ImDrawList& list, ImVec2 centre, float size, ImU32 colour)
@@ -37,7 +37,7 @@ class Pen {
     void ring(float x, float y, float radius) const {
         list_.AddCircle(at(x, y), radius * half_, colour_, 0, width_);
     }
-    // Angles from east, clockwise as seen.
+    // Angles from east, clockwise on screen.
     void arc(float x, float y, float radius, float from, float to) const {
         list_.PathArcTo(at(x, y), radius * half_, from, to);
         list_.PathStroke(colour_, ImDrawFlags_None, width_);

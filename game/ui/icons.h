@@ -4,7 +4,7 @@
 
 namespace game::ui {
 
-// Pictures on buttons, drawn from lines so that they are sharp at any size.
+// Icons of buttons, drawn as vectors so that they are sharp at any size.
 enum class Icon {
     kPour,
     kDig,
@@ -24,7 +24,7 @@ enum class Icon {
     kClose,
 };
 
-// Within a square of `size` px around `centre`.
+// Draws an icon within a square of `size` px around `centre`.
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 colour);
 
 }  // namespace game::ui

@@ -8,8 +8,8 @@ namespace game::ui {
 
 ImU32 packed(const glm::vec3& colour);  // sRGB, 0 to 1
 
-// What the colours of an overlay mean: a bar with numbers below it, as wide as the row. Nothing where there
-// are no stops.
+// Draws the legend of an overlay: a colour bar as wide as the row, with numbers below. Draws nothing without
+// stops.
 void draw_legend(const render::Legend& legend, float em, ImFont& letters);
 
 }  // namespace game::ui

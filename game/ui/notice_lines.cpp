@@ -5,8 +5,7 @@
 #include "game/controls/key_map.h"
 #include "game/ui/panels.h"
 
-// Sentences over the picture: notices and the first hint. They are drawn, not windows: a hand reaches
-// through.
+// Notices and the first hint, drawn over the image. They are not windows, so the mouse passes through them.
 
 namespace game::ui {
 namespace {
@@ -39,7 +38,7 @@ const char* deed(Tool tool) {
         case Tool::kDig:
             return "dig";
         case Tool::kBlast:
-            return "blast loose what lies there";
+            return "blast the ground loose";
         case Tool::kPour:
             break;
     }
@@ -50,13 +49,13 @@ const char* deed(Tool tool) {
 
 void notices(Desk& desk, const Facts& facts, bool warnings_only) {
     const float margin = desk.margin(), em = desk.em();
-    // Beside the time bar where there is room, else above it, beside the readings or the panels.
+    // Beside the time bar if there is room, else above it, beside the readings or the panels.
     const bool column = desk.right_column > 0 && !desk.narrow() && !desk.panels.hidden();
     const bool beside = (desk.beside_time_bar() && !column) || desk.panels.hidden();
     const float right = desk.size.x - (column ? desk.right_column : 0);
     const float room = beside ? desk.time_bar_left : desk.size.x - (kReadingsWidth + 0.6f) * em;
     float bottom = (beside ? desk.size.y : desk.lower_edge) - margin;
-    for (std::size_t i = facts.notices.size(); i-- > 0;) {  // the newest stands lowest
+    for (std::size_t i = facts.notices.size(); i-- > 0;) {  // the newest is lowest
         const Notice& notice = facts.notices[i];
         const bool warning = notice.kind == Notice::Kind::kWarning;
         const auto strength = static_cast<float>(Notices::strength(notice, facts.now_s));
@@ -82,13 +81,13 @@ void hint(Desk& desk, const Facts& facts) {
     const std::string keys = name_of(Verb::kToggleHelp);
     if (facts.scenario.flow)
         std::snprintf(text.data(), text.size(),
-                      "A flow and its fronts: %s has its speeds. %s shows all keys.",
+                      "Flow demo: press %s to change its speeds, %s to show all keys.",
                       name_of(Verb::kToggleDisplay).c_str(), keys.c_str());
     else
         std::snprintf(
-            text.data(), text.size(), "Hold the left button on the mountain to %s%s. %s shows all keys.",
-            deed(facts.brush.tool), pours ? title_in(facts.catalogue.materials, facts.scenario.material) : "",
-            keys.c_str());
+            text.data(), text.size(),
+            "Hold the left button on the terrain to %s%s. Press %s to show all keys.", deed(facts.brush.tool),
+            pours ? title_in(facts.catalogue.materials, facts.scenario.material) : "", keys.c_str());
     const Line line{text.data(), kAccent, 1, desk.size.x - 4 * desk.em()};
     const ImVec2 size = size_of(desk, line);
     const ImVec2 from{(desk.size.x - size.x) / 2, desk.time_bar_top - desk.margin() - size.y};

@@ -4,12 +4,12 @@
 #include "game/base/number.h"
 #include "game/ui/widgets.h"
 
-// The typed number, a page of its own.
+// The widget for a typed number.
 
 namespace game::ui {
 namespace {
 
-// The number that `text` is, with a decimal point or comma and blanks around it; nothing if it is none.
+// Parses a number with a decimal point or comma, ignoring spaces; nothing if `text` is not a number.
 std::optional<double> number_from(std::string_view text) {
     std::array<char, 32> plain{};
     std::size_t length = 0;
@@ -32,7 +32,7 @@ Typed Widgets::typed(std::string_view was) {
 bool Widgets::usual_mark(const Number& number) {
     std::array<char, 64> label, text;
     std::snprintf(label.data(), label.size(), "%s: default", number.label);
-    std::snprintf(text.data(), text.size(), "Back to %.4g %s, its default.", number.usual, number.unit);
+    std::snprintf(text.data(), text.size(), "Resets to the default, %.4g %s.", number.usual, number.unit);
     const float side = ImGui::GetFrameHeight();
     const bool pressed = ImGui::InvisibleButton("##usual", {side, side});
     const ImVec2 from = ImGui::GetItemRectMin();

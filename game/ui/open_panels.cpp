@@ -7,7 +7,7 @@ namespace game::ui {
 namespace {
 
 constexpr float kColumn = 24, kReadingsHeight = 10.2f, kHelp = 56,
-                kBesides = 20;  // em: sizes, and what two columns leave between
+                kBesides = 20;  // em: sizes, and the gap between two columns
 
 bool in_left_column(Panel panel) {
     return panel == Panel::kScene || panel == Panel::kDisplay;
@@ -28,7 +28,7 @@ void build(Desk& desk, Panel panel, const Facts& facts, Actions& actions) {
     }
 }
 
-// Title at the left, a cross at the right.
+// Title on the left, close button on the right.
 void header(Desk& desk, const PanelInfo& info) {
     const float side = ImGui::GetFrameHeight();
     ImGui::AlignTextToFramePadding();
@@ -47,7 +47,7 @@ struct PanelFrame {
 // Returns the panel's height.
 float draw(Desk& desk, const PanelInfo& info, const PanelFrame& frame, const Facts& facts, Actions& actions) {
     ImGui::SetNextWindowPos({frame.x, frame.y});
-    // What lies over other panels hides them.
+    // Panels that overlap others are nearly opaque.
     ImGui::SetNextWindowBgAlpha(info.panel == Panel::kHelp || desk.narrow() ? 0.97f : 0.9f);
     ImGui::SetNextWindowSizeConstraints({frame.width, 0}, {frame.width, frame.most_height});
     ImGui::Begin(info.title, nullptr,
@@ -59,7 +59,7 @@ float draw(Desk& desk, const PanelInfo& info, const PanelFrame& frame, const Fac
     return height;
 }
 
-// One below the other, each with a fair share of the height.
+// Stacks the panels of a column; each gets an equal share of the remaining height.
 void column(Desk& desk, bool left, const Facts& facts, Actions& actions) {
     const auto mine = [&](const PanelInfo& info) {
         return info.panel != Panel::kHelp && in_left_column(info.panel) == left &&
@@ -67,7 +67,7 @@ void column(Desk& desk, bool left, const Facts& facts, Actions& actions) {
     };
     auto waiting = std::count_if(std::begin(kPanelInfos), std::end(kPanelInfos), mine);
     const float width = std::min(kColumn * desk.em(), desk.size.x - 2 * desk.margin());
-    // Above what stands in the corner, where that leaves room enough.
+    // Above the readings in the corner, if there is enough room.
     float bottom = desk.time_bar_top;
     if (left && desk.beside_time_bar())
         bottom = desk.size.y - desk.margin() - std::max(desk.readings_height, kReadingsHeight * desk.em());
@@ -88,7 +88,7 @@ void column(Desk& desk, bool left, const Facts& facts, Actions& actions) {
 
 void OpenPanels::toggle(Panel panel) {
     bool& open = open_[static_cast<std::size_t>(panel)];
-    open = hidden_ || !open;  // what is hidden, a person takes for closed
+    open = hidden_ || !open;  // a hidden panel counts as closed
     hidden_ = false;
     if (open) last_ = panel;
 }

@@ -9,14 +9,14 @@
 namespace game::ui {
 namespace {
 
-// Okabe and Ito's palette (2008), which people with any colour vision tell apart; in the order of Stage.
+// Okabe and Ito's colour-blind-safe palette (2008), in the order of Stage.
 constexpr std::array<ImU32, kStages> kStageColours{IM_COL32(240, 228, 66, 255), IM_COL32(230, 159, 0, 255),
                                                    IM_COL32(86, 180, 233, 255), IM_COL32(0, 158, 115, 255),
                                                    IM_COL32(204, 121, 167, 255)};
-constexpr ImU32 kRest = IM_COL32(110, 118, 128, 255);  // of a frame, beside its stages
+constexpr ImU32 kRest = IM_COL32(110, 118, 128, 255);  // frame time outside the stages
 constexpr std::array kRates{16.7f, 33.3f};             // ms, 60 and 30 frames/s
 
-// The top of the axis: the least of a few round numbers that nineteen of twenty frames stay under.
+// The top of the axis: the least of a few round numbers that 95 % of the frames stay below.
 float top_of(const FrameTimes& times) {
     constexpr std::array kTops{40.f, 80.f, 160.f, 320.f, 640.f, 1280.f, 2560.f};
     for (const float top : kTops) {
@@ -43,7 +43,7 @@ void bar(ImDrawList& list, const Chart& chart, float x, float width, const Frame
     };
     for (std::size_t stage = 0; stage < kStages; ++stage) part(frame.stage_ms[stage], kStageColours[stage]);
     part(frame.frame_ms - ms, kRest);
-    // A frame that the axis cuts off says so.
+    // Marks a frame that exceeds the axis.
     if (frame.frame_ms > chart.top)
         list.AddRectFilled({x, chart.from.y}, {x + width, chart.from.y + 3}, kWarning);
 }
@@ -59,7 +59,7 @@ void axis(Desk& desk, ImDrawList& list, const Chart& chart) {
     };
     for (const float ms : kRates) {
         list.AddLine({chart.from.x, chart.y(ms)}, {chart.to.x, chart.y(ms)}, IM_COL32(255, 255, 255, 90));
-        // 16.7 and 33.3 would lie on each other where the axis is long.
+        // On a long axis the labels 16.7 and 33.3 would overlap.
         if (chart.top <= 160 || ms > 20) label(ms, "%.1f");
     }
     label(0, "%.0f");
@@ -117,10 +117,10 @@ void performance_panel(Desk& desk, const Facts& facts) {
     const FrameTimes& times = facts.times;
     const sim::Grid& grid = facts.state.grid;
     chart(desk, times);
-    widgets.dim("The last 240 frames (amber tip: taller than the axis), and the median of each stage:");
+    widgets.dim("The last 240 frames (amber tip: exceeds the axis), and the median of each stage:");
     for (std::size_t stage = 0; stage < kStages; ++stage)
         stage_row(desk, kStageNames[stage], kStageColours[stage], times.median_ms(static_cast<Stage>(stage)));
-    stage_row(desk, "the rest", kRest, median_rest_ms(times));
+    stage_row(desk, "other", kRest, median_rest_ms(times));
     ImGui::Separator();
     widgets.fact("Frames", "%.1f per second", times.frames_per_second());
     widgets.fact("Worst tick", "%.1f ms", static_cast<double>(times.worst_tick_ms()));

@@ -15,14 +15,14 @@ struct Group {
     const char* title;
     std::array<std::string_view, 7> names;  // of kParams; empty beyond the last
 };
-// What is in none of them comes under the last title.
+// Parameters in no group are listed under the last title.
 constexpr std::array<Group, 5> kGroups{{
-    {"When it starts", {"start_slope", "start_depth", "anchor_gain", "anchor_margin", "anchor_step"}},
-    {"How it rolls",
+    {"Release", {"start_slope", "start_depth", "anchor_gain", "anchor_margin", "anchor_step"}},
+    {"Flow",
      {"rolling_speed", "shear_rate", "speed_per_slope", "max_speed", "relaxation_time", "half_speed_depth"}},
-    {"What it takes along", {"exchange_rate", "exchange_depth", "erosion_slope", "erosion_depth"}},
-    {"When it stops", {"stop_slope", "stop_slope_thick", "stop_fold_depth", "deposit_speed", "freeze_depth"}},
-    {"Steps of the computation", {}},
+    {"Exchange and entrainment", {"exchange_rate", "exchange_depth", "erosion_slope", "erosion_depth"}},
+    {"Deposition", {"stop_slope", "stop_slope_thick", "stop_fold_depth", "deposit_speed", "freeze_depth"}},
+    {"Time steps", {}},
 }};
 
 std::size_t group_of(std::string_view name) {
@@ -32,7 +32,7 @@ std::size_t group_of(std::string_view name) {
     return kGroups.size() - 1;
 }
 
-// The last group is no physics: it stays as a scene set it.
+// The last group is numerical, not physical, and is fixed by the scene.
 bool editable(const sim::ParamInfo& info) {
     return !info.fixed && group_of(info.name) + 1 < kGroups.size();
 }
@@ -41,12 +41,12 @@ bool is_slope(const sim::ParamInfo& info) {
     return info.unit == "1" && info.name.find("_slope") != std::string_view::npos;
 }
 
-// As shown: slopes in degrees.
+// The value as displayed: slopes in degrees.
 double shown(const sim::ParamInfo& info, float value) {
     return is_slope(info) ? std::atan(static_cast<double>(value)) * kDegrees : static_cast<double>(value);
 }
 
-// The float that stands for a typed number.
+// The parameter value for a typed number.
 float meant(const sim::ParamInfo& info, double typed) {
     return static_cast<float>(is_slope(info) ? std::tan(typed / kDegrees) : typed);
 }
@@ -55,7 +55,7 @@ const char* unit_of(const sim::ParamInfo& info) {
     return is_slope(info) ? "°" : info.unit == "1" ? "" : info.unit.data();  // a literal
 }
 
-// "start slope": the name without the unit that some end in.
+// "start slope": the name without a unit suffix.
 std::array<char, 32> label_of(const sim::ParamInfo& info) {
     std::string_view name = info.name;
     if (name.ends_with("_s")) name.remove_suffix(2);
@@ -66,19 +66,19 @@ std::array<char, 32> label_of(const sim::ParamInfo& info) {
 }
 
 void refuse(Desk& desk, std::string_view sentence) {
-    std::snprintf(desk.refusal.data(), desk.refusal.size(), "Not taken: %.*s.",
+    std::snprintf(desk.refusal.data(), desk.refusal.size(), "Not set: %.*s.",
                   static_cast<int>(sentence.size()), sentence.data());
 }
 
-// Nonsense, or a number out of its range; in the unit in which it was typed.
+// Rejects text that is no number, or a number out of range, in the unit in which it was typed.
 void refuse_typed(Desk& desk, const sim::ParamInfo& info, const double* typed) {
     std::array<char, 160> sentence;
     const std::array<char, 32> label = label_of(info);
     if (typed)
-        std::snprintf(sentence.data(), sentence.size(), "%s takes %.4g to %.4g %s, and this is %.4g",
+        std::snprintf(sentence.data(), sentence.size(), "%s must be from %.4g to %.4g %s, not %.4g",
                       label.data(), shown(info, info.least), shown(info, info.most), unit_of(info), *typed);
     else
-        std::snprintf(sentence.data(), sentence.size(), "%s wants a number", label.data());
+        std::snprintf(sentence.data(), sentence.size(), "%s must be a number", label.data());
     refuse(desk, sentence.data());
 }
 
@@ -104,7 +104,7 @@ void write_tooltip(std::span<char> text, const sim::ParamInfo& info, float value
     if (is_slope(info))
         std::snprintf(rest.data(), rest.size(), " Its tangent is %.4g.", static_cast<double>(value));
     else if (!editable(info))
-        std::snprintf(rest.data(), rest.size(), " It stays as the scene has it.");
+        std::snprintf(rest.data(), rest.size(), " Fixed by the scene.");
 }
 
 void number(Desk& desk, const Facts& facts, std::size_t param, Actions& actions) {
@@ -129,7 +129,7 @@ void number(Desk& desk, const Facts& facts, std::size_t param, Actions& actions)
     }
 }
 
-// One after the other, in an order that never breaks the order that thresholds must keep.
+// Resets one parameter at a time, in an order in which the thresholds stay valid after each step.
 void ask_for_defaults(const Facts& facts, Actions& actions) {
     sim::Params params = facts.state.params;
     for (std::size_t pass = 0; pass < std::size(sim::kParams) && params != facts.scenario.params; ++pass)
@@ -145,8 +145,8 @@ void ask_for_defaults(const Facts& facts, Actions& actions) {
 
 void all_defaults(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::BeginDisabled(facts.state.params == facts.scenario.params);
-    if (desk.widgets.button("All defaults", "Every number as the scene began with it.", false,
-                            ImGui::GetContentRegionAvail().x)) {
+    if (desk.widgets.button("All defaults", "Resets every parameter to its value at the start of the scene.",
+                            false, ImGui::GetContentRegionAvail().x)) {
         desk.refusal[0] = 0;
         ask_for_defaults(facts, actions);
     }
@@ -169,7 +169,7 @@ void physics_panel(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::Dummy({0, desk.em() * 0.2f});
     all_defaults(desk, facts, actions);
     ImGui::EndDisabled();
-    // Over the panel's foot: rows that moved would slip from under the hand.
+    // Drawn over the bottom of the panel, so that no row moves under the cursor.
     if (desk.refusal[0] != 0) desk.widgets.warn_over_foot("Refusal", desk.refusal.data());
 }
 

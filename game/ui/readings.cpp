@@ -10,14 +10,14 @@
 namespace game::ui {
 namespace {
 
-constexpr float kLow = 27;  // em: in a lower window the letters are small
+constexpr float kLow = 27;  // em: below this window height the text is small
 constexpr std::array<const char*, 8> kCompass{"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
 
 const char* compass_point(double degrees) {
     return kCompass[static_cast<std::size_t>(std::lround(degrees / 45)) % kCompass.size()];
 }
 
-// The class of a slope as avalanche services colour it; none below the first.
+// The slope class colour used by avalanche services; none below the first class.
 std::optional<ImU32> class_colour(double slope_deg) {
     std::optional<ImU32> colour;
     for (const render::LegendStop& stop : render::legend_of(render::Overlay::kSlope).stops)
@@ -27,7 +27,7 @@ std::optional<ImU32> class_colour(double slope_deg) {
 
 void slope(Desk& desk, const Facts& facts, const Reading& reading) {
     desk.widgets.fact("Slope", "%.1f°", reading.slope_deg);
-    // Of the colours that the ground shows, and only then.
+    // The colour swatch, only if the ground shows slope colours.
     const auto colour = class_colour(reading.slope_deg);
     if (!colour || facts.display.overlay != render::Overlay::kSlope) return;
     ImGui::SameLine(0, desk.em() * 0.5f);
@@ -56,7 +56,7 @@ void rows(Desk& desk, const Facts& facts, const Reading& reading) {
     widgets.fact("Speed", "%.1f m/s", reading.speed);
 }
 
-// Latitude and longitude in one line, UTM in the next.
+// Latitude and longitude on one line, UTM on the next.
 void where(Desk& desk, const Reading& reading) {
     const std::string_view text(reading.where.data());
     const std::size_t comma = std::min(text.find(", "), text.size());
@@ -69,7 +69,7 @@ void where(Desk& desk, const Reading& reading) {
 void readings(Desk& desk, const Facts& facts) {
     if (!facts.under_cursor) return;
     const float width = kReadingsWidth * desk.em(), margin = desk.margin();
-    // Beside the time bar where there is room, else above it.
+    // Beside the time bar if there is room, else above it.
     const float bottom = desk.beside_time_bar() ? desk.size.y : desk.lower_edge;
     ImGui::SetNextWindowPos({margin, bottom - margin}, ImGuiCond_Always, {0, 1});
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, desk.size.y});

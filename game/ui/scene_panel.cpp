@@ -7,23 +7,23 @@
 namespace game::ui {
 namespace {
 
-constexpr const char* kAsTheSceneSays = "as the scene says";
+constexpr const char* kAsTheSceneSays = "scene default";
 constexpr std::array<int, 5> kGrids{40, 80, 160, 256, 512};
 constexpr std::array<const char*, 5> kGridNames{"40 squares", "80 squares", "160 squares", "256 squares",
                                                 "512 squares"};
 constexpr std::array kModels{sim::Model::kBcreInertial, sim::Model::kBcre};
-constexpr std::array<const char*, 2> kModelNames{"bcre-inertial: gains speed", "bcre: rolls at one speed"};
+constexpr std::array<const char*, 2> kModelNames{"bcre-inertial: with inertia", "bcre: no inertia"};
 
 const char* name_of(sim::Model model) {
     return sim::to_string(model).data();  // a literal
 }
 
-// The file's name; all of its path in the tooltip.
+// Shows the file name, with the full path in the tooltip.
 void recording_file(Desk& desk, std::string_view path) {
     const std::string_view name = path.substr(path.rfind('/') + 1);
     desk.widgets.fact("Recording", "%.*s", static_cast<int>(name.size()), name.data());
     std::array<char, 512> text;
-    std::snprintf(text.data(), text.size(), "This session is written to %.*s", static_cast<int>(path.size()),
+    std::snprintf(text.data(), text.size(), "This session is recorded in %.*s", static_cast<int>(path.size()),
                   path.data());
     desk.widgets.tooltip(text.data());
 }
@@ -40,7 +40,7 @@ void what_is_loaded(Desk& desk, const Facts& facts) {
     if (!scenario.licence.empty()) widgets.fact("Licence", "%s", scenario.licence.c_str());
     widgets.fact("Material", "%s", title_in(facts.catalogue.materials, scenario.material));
     if (scenario.lower)
-        widgets.fact("Under it", "%s", title_in(facts.catalogue.materials, scenario.lower->material));
+        widgets.fact("Lower material", "%s", title_in(facts.catalogue.materials, scenario.lower->material));
     widgets.fact("Model", "%s", name_of(scenario.params.model));
     widgets.fact("Grid", "%d × %d squares of %.4g m", grid.nx - 1, grid.ny - 1, dx);
     widgets.fact("Extent", "%.4g × %.4g m", (grid.nx - 1) * dx, (grid.ny - 1) * dx);
@@ -51,7 +51,7 @@ void what_is_loaded(Desk& desk, const Facts& facts) {
     ImGui::PopStyleVar(2);
 }
 
-// Which scene is chosen before anybody has: the one that is loaded, if it ships.
+// The initial choice: the loaded scene if it is shipped, else the first.
 int scene_at_first(const Facts& facts) {
     const auto& scenes = facts.catalogue.scenes;
     const auto found = std::find_if(scenes.begin(), scenes.end(),
@@ -59,7 +59,7 @@ int scene_at_first(const Facts& facts) {
     return found == scenes.end() ? 0 : static_cast<int>(found - scenes.begin());
 }
 
-// A list that begins with what the scene says, which `chosen` has as −1.
+// A list whose first entry is the scene's default, for which `chosen` is −1.
 template <class Name>
 void choice_or_scenes(Desk& desk, const char* label, int& chosen, std::size_t count, const char* tooltip,
                       Name&& name) {
@@ -86,26 +86,26 @@ void what_to_begin(Desk& desk, const Facts& facts, Actions& actions) {
     const auto& materials = facts.catalogue.materials;
     if (scenes.empty()) return;
     if (choice.scene < 0) choice.scene = scene_at_first(facts);
-    desk.widgets.heading("Begin another");
+    desk.widgets.heading("Start a scene");
     desk.widgets.row("Scene");
     desk.widgets.choice("Choose a scene", choice.scene, static_cast<int>(scenes.size()),
-                        "Terrain, cover, light and what happens by itself.",
+                        "Terrain, initial layers, light and scheduled commands.",
                         [&](int i) { return scenes[static_cast<std::size_t>(i)].title.c_str(); });
-    choice_or_scenes(desk, "Of material", choice.material, materials.size(),
-                     "What lies on the terrain and rolls.",
+    choice_or_scenes(desk, "New material", choice.material, materials.size(),
+                     "Material of the standing and rolling layers.",
                      [&](std::size_t i) { return materials[i].title.c_str(); });
-    choice_or_scenes(desk, "By model", choice.model, kModels.size(),
-                     "bcre-inertial gives the material a speed of its own; bcre rolls it at one speed.",
+    choice_or_scenes(desk, "New model", choice.model, kModels.size(),
+                     "bcre-inertial computes the velocity of the flow; bcre takes its speed from a law.",
                      [&](std::size_t i) { return kModelNames[i]; });
-    choice_or_scenes(desk, "On a grid of", choice.grid, kGrids.size(),
-                     "Squares along the longer side: more of them are finer and slower.",
+    choice_or_scenes(desk, "New grid", choice.grid, kGrids.size(),
+                     "Squares along the longer side; more squares are finer and slower.",
                      [&](std::size_t i) { return kGridNames[i]; });
-    if (desk.widgets.button("Begin", "Begins this scene; the session until now stays in its recording.", true,
+    if (desk.widgets.button("Start", "Starts this scene; the current session stays in its recording.", true,
                             ImGui::GetContentRegionAvail().x))
         actions.emplace_back(begin_of(choice, facts));
 }
 
-// All but the one that is being written.
+// Lists all recordings except the one being written.
 void recordings(Desk& desk, const char* heading, const std::vector<Catalogue::Entry>& entries,
                 std::string_view being_written, Actions& actions) {
     const auto open = [&](const Catalogue::Entry& entry) { return entry.file.native() != being_written; };
@@ -125,11 +125,11 @@ void recordings(Desk& desk, const char* heading, const std::vector<Catalogue::En
 void scene_panel(Desk& desk, const Facts& facts, Actions& actions) {
     what_is_loaded(desk, facts);
     what_to_begin(desk, facts, actions);
-    recordings(desk, "Watch a recording, and take over at its end", facts.catalogue.recordings,
+    recordings(desk, "Watch a recording and continue from its end", facts.catalogue.recordings,
                facts.recording, actions);
-    recordings(desk, "Your own, the newest first", facts.catalogue.own, facts.recording, actions);
+    recordings(desk, "Your recordings, newest first", facts.catalogue.own, facts.recording, actions);
     ImGui::Dummy({0, desk.em() * 0.2f});
-    desk.widgets.dim("A scene, a terrain file or a recording can also be dropped onto the window.");
+    desk.widgets.dim("You can also drop a scene, a terrain file or a recording onto the window.");
 }
 
 }  // namespace game::ui

@@ -6,9 +6,9 @@
 namespace game::ui {
 namespace {
 
-constexpr float kSmall = 0.8125f;  // of the usual letters
+constexpr float kSmall = 0.8125f;  // relative to the usual text size
 
-// Latin-1 and what titles, units and names of places may hold besides. Pairs, closed with 0.
+// Latin-1, plus other characters used in titles, units and place names. Ranges in pairs, ending with 0.
 constexpr ImWchar kGlyphs[] = {0x0020, 0x00ff, 0x0100, 0x017f, 0x2010, 0x2027, 0x2032,
                                0x2033, 0x20ac, 0x20ac, 0x215b, 0x215e, 0x2190, 0x21ff,
                                0x2212, 0x2212, 0x2248, 0x2248, 0x2264, 0x2265, 0};
@@ -49,7 +49,7 @@ void set_colours(ImGuiStyle& style) {
     colours[ImGuiCol_HeaderHovered] = colour(faded(kAccent, 0.5f));
     colours[ImGuiCol_HeaderActive] = colour(faded(kAccent, 0.6f));
     colours[ImGuiCol_CheckMark] = colour(kAccent);
-    // A slider's bar ends at its value; a grab there would strike through a letter.
+    // Invisible grabs: a slider's fill ends at its value, and a grab would cover the text.
     colours[ImGuiCol_SliderGrab] = colours[ImGuiCol_SliderGrabActive] = {0, 0, 0, 0};
     colours[ImGuiCol_TextSelectedBg] = colour(faded(kAccent, 0.45f));
     colours[ImGuiCol_ScrollbarBg] = {0, 0, 0, 0};

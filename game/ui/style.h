@@ -7,10 +7,10 @@
 
 namespace game::ui {
 
-// Colours, measures and letters that all panels share. Measures are in em, the height of the usual letters,
-// so that a panel grows with them.
+// Colours, sizes and fonts shared by all panels. Sizes are in em, the height of the usual font, so that
+// panels scale with it.
 
-// sRGB. One accent; amber only where something wants care.
+// sRGB. One accent colour; amber only for warnings.
 inline constexpr ImU32 kText = IM_COL32(233, 238, 243, 255);
 inline constexpr ImU32 kDimText = IM_COL32(159, 171, 184, 255);
 inline constexpr ImU32 kAccent = IM_COL32(88, 184, 240, 255);
@@ -33,8 +33,9 @@ struct Letters {
     ImFont* small = nullptr;
 };
 
-// Makes the atlas of the current context anew with letters `em` px high, and all measures with it. `font`: a
-// TrueType file; if there is none, or it cannot be read, ImGui's own, which have Latin-1 alone.
+// Rebuilds the font atlas of the current context with text `em` px high, and scales all sizes with it.
+// `font`: a TrueType file. If there is none or it cannot be read, uses ImGui's own font, which has only
+// Latin-1.
 Letters set_letters(const std::optional<std::filesystem::path>& font, float em);
 
 }  // namespace game::ui

@@ -14,7 +14,7 @@ constexpr float kWidth = 38;  // em
 constexpr std::array<const char*, 8> kSpeeds{"1/8 ×", "1/4 ×", "1/2 ×", "1 ×", "2 ×", "4 ×", "8 ×", "16 ×"};
 constexpr int kUsual = 3;  // index of 1 ×
 
-// A button that does what a verb's key does, and tells the key.
+// A button for a verb, with the verb's key in the tooltip.
 bool verb_button(Desk& desk, const char* label, Icon icon, Verb verb, const char* text, bool on = false) {
     std::array<char, 128> tooltip;
     std::snprintf(tooltip.data(), tooltip.size(), "%s: %s", name_of(verb).c_str(), text);
@@ -25,40 +25,40 @@ void speed(Desk& desk, const Facts& facts, Actions& actions) {
     int chosen = std::clamp(static_cast<int>(std::lround(std::log2(facts.clock.speed()))) + kUsual, 0,
                             static_cast<int>(kSpeeds.size()) - 1);
     if (desk.widgets.choice(
-            "Speed", chosen, static_cast<int>(kSpeeds.size()), "Simulated seconds for each real one.",
+            "Speed", chosen, static_cast<int>(kSpeeds.size()), "Simulated seconds per real second.",
             [](int i) { return kSpeeds[static_cast<std::size_t>(i)]; }, desk.em() * 5))
         actions.emplace_back(SetSpeed{std::exp2(chosen - kUsual)});
 }
 
 void controls(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::BeginDisabled(!facts.timeline.can_go_back);
-    if (verb_button(desk, "Back in time", Icon::kBack, Verb::kRunBack, "lets time run back, and forth again.",
+    if (verb_button(desk, "Rewind", Icon::kBack, Verb::kRunBack, "rewinds, or runs forward again.",
                     facts.clock.runs_back()))
         actions.emplace_back(Verb::kRunBack);
     ImGui::EndDisabled();
     ImGui::SameLine();
     const bool paused = facts.clock.paused();
-    if (verb_button(desk, paused ? "Go on" : "Pause", paused ? Icon::kPlay : Icon::kPause, Verb::kPauseOrGoOn,
-                    paused ? "lets time run." : "stops time."))
+    if (verb_button(desk, paused ? "Resume" : "Pause", paused ? Icon::kPlay : Icon::kPause,
+                    Verb::kPauseOrGoOn, paused ? "resumes." : "pauses."))
         actions.emplace_back(Verb::kPauseOrGoOn);
     ImGui::SameLine();
-    if (verb_button(desk, "One tick", Icon::kStep, Verb::kStepOnce, "runs one tick and pauses."))
+    if (verb_button(desk, "Step", Icon::kStep, Verb::kStepOnce, "runs one tick and pauses."))
         actions.emplace_back(Verb::kStepOnce);
     ImGui::SameLine();
     speed(desk, facts, actions);
     ImGui::SameLine(0, desk.em());
     ImGui::BeginDisabled(facts.looks_back() || facts.actions_to_undo == 0);
     std::array<char, 96> text;
-    std::snprintf(text.data(), text.size(), "goes back to just before the last action; there are %zu.",
+    std::snprintf(text.data(), text.size(), "undoes the last action; %zu can be undone.",
                   facts.actions_to_undo);
     if (verb_button(desk, "Undo", Icon::kUndo, Verb::kUndo, text.data())) actions.emplace_back(Verb::kUndo);
     ImGui::EndDisabled();
     ImGui::SameLine();
-    if (verb_button(desk, "Reset", Icon::kReset, Verb::kReset, "begins the scene anew."))
+    if (verb_button(desk, "Reset", Icon::kReset, Verb::kReset, "restarts the scene."))
         actions.emplace_back(Verb::kReset);
 }
 
-// What a person should know of the world's pace; empty where there is nothing to say.
+// The state of the clock, for the user; empty at normal speed.
 struct Pace {
     std::array<char, 32> text{};
     ImU32 colour = kDimText;
@@ -70,7 +70,7 @@ Pace pace_of(const Facts& facts) {
         std::snprintf(pace.text.data(), pace.text.size(), "only %.1f ×", facts.clock.reached_speed());
         pace.colour = kWarning;
     } else if (facts.clock.runs_back() && !facts.clock.paused()) {
-        std::snprintf(pace.text.data(), pace.text.size(), "back in time");
+        std::snprintf(pace.text.data(), pace.text.size(), "rewinding");
         pace.colour = kAccent;
     } else if (facts.clock.paused()) {
         std::snprintf(pace.text.data(), pace.text.size(), "paused");
@@ -86,7 +86,7 @@ void coloured(const char* text, ImU32 colour) {
     ImGui::PopStyleColor();
 }
 
-// Time, and the tick too where it leaves room for the pace at the right end.
+// Shows the time, the tick if there is room for it, and the pace at the right end.
 void moment(Desk& desk, const Facts& facts) {
     const double seconds =
         static_cast<double>(facts.state.tick) * static_cast<double>(facts.state.params.tick_s);
@@ -110,11 +110,10 @@ void moment(Desk& desk, const Facts& facts) {
     coloured(pace.text.data(), pace.colour);
     if (pace.text[0] == 0) return;
     desk.widgets.note(pace.text.data());
-    if (facts.clock.behind())
-        desk.widgets.tooltip("The machine cannot keep up with the speed that was asked for.");
+    if (facts.clock.behind()) desk.widgets.tooltip("The computer cannot keep up with the chosen speed.");
 }
 
-// All the time that is known, to drag along.
+// A scrub bar over all known time.
 void timeline(Desk& desk, const Facts& facts, Actions& actions) {
     if (!facts.timeline.can_go_back) return;
     const float em = desk.em(), width = ImGui::GetContentRegionAvail().x;
@@ -153,7 +152,7 @@ void mass(Desk& desk, const Facts& facts) {
                      text[2].data(), dug ? "   dug " : "", dug ? text[3].data() : "", text[4].data());
     desk.widgets.note("Mass");
     desk.widgets.tooltip(
-        "Material that stands, that rolls, that was poured or dug, and that has left the terrain.");
+        "Volume of the standing and rolling layers, and volume poured, dug, and lost over the border.");
 }
 
 }  // namespace

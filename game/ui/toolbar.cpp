@@ -8,7 +8,7 @@
 namespace game::ui {
 namespace {
 
-// Lays groups of known width beside each other, and goes on in the next line where the row is full.
+// Places groups of known width side by side, and continues on the next line if the row is full.
 class Flow {
   public:
     Flow(float most, float gap) : most_(most), gap_(gap) {}
@@ -37,12 +37,11 @@ struct ToolInfo {
 };
 constexpr std::array<ToolInfo, kTools> kToolInfos{{
     {Tool::kPour, Verb::kPour, "Pour", "Dig", Icon::kPour, Icon::kDig,
-     "Hold the left button on the mountain to add material; with Ctrl, to take it away.", "Rate %.2f m/s"},
+     "Hold the left button on the terrain to add material; with Ctrl, to remove it.", "Rate %.2f m/s"},
     {Tool::kDig, Verb::kDig, "Dig", "Pour", Icon::kDig, Icon::kPour,
-     "Hold the left button on the mountain to take material away; with Ctrl, to add it.", "Rate %.2f m/s"},
+     "Hold the left button on the terrain to remove material; with Ctrl, to add it.", "Rate %.2f m/s"},
     {Tool::kBlast, Verb::kBlast, "Blast", "Settle", Icon::kBlast, Icon::kSettle,
-     "Click on the mountain to make what lies there roll; with Ctrl, to make what rolls lie.",
-     "Depth %.2f m"},
+     "Click on the terrain to release the ground; with Ctrl, to deposit the flow.", "Depth %.2f m"},
 }};
 
 void tools(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
@@ -66,17 +65,17 @@ void sizes(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
     flow.next(width, em);
     bool changed = desk.widgets.slider("Radius", brush.radius,
                                        {range.least, range.most, "Radius %.1f m", true, false, width},
-                                       "How far the brush reaches; Shift and the wheel change it too.");
+                                       "Radius of the brush; Shift and the wheel also change it.");
     flow.next(width);
     const char* format = kToolInfos[static_cast<std::size_t>(brush.tool)].strength;
     changed |= desk.widgets.slider("Strength", brush.amount(),
                                    {Brush::kLeastStrength, Brush::kMostStrength, format, true, false, width},
-                                   brush.tool == Tool::kBlast ? "How deep a blast loosens what lies."
-                                                              : "Depth that is added or taken each second.");
+                                   brush.tool == Tool::kBlast ? "Depth of ground that a blast releases."
+                                                              : "Depth added or removed per second.");
     if (changed) actions.emplace_back(SetBrush{brush});
 }
 
-// Which of two materials is poured.
+// Chooses which of two materials is poured.
 void parts(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
     const Scenario& scenario = facts.scenario;
     const std::array<std::pair<sim::Part, const std::string*>, 2> materials{
@@ -86,22 +85,22 @@ void parts(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
         const float width = ImGui::CalcTextSize(title).x + desk.em();
         flow.next(width, part == sim::Part::kUpper ? 0.7f * desk.em() : 0);
         const bool on = facts.brush.of == part;
-        if (!desk.widgets.button(title, "Which material is poured.", on, width) || on) continue;
+        if (!desk.widgets.button(title, "Pours this material.", on, width) || on) continue;
         Brush brush = facts.brush;
         brush.of = part;
         actions.emplace_back(SetBrush{brush});
     }
 }
 
-// Where poured material goes, and what it is.
+// Chooses the layer that receives poured material, and shows the material.
 void material(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
     struct Way {
         const char *label, *tooltip;
         bool standing;
     };
     constexpr std::array<Way, 2> kWays{
-        {{"Rolling", "What is poured rolls at once.", false},
-         {"Standing", "What is poured stands until the slope gives way.", true}}};
+        {{"Rolling", "Pours into the rolling layer: it flows at once.", false},
+         {"Standing", "Pours onto the standing layer: it rests until the slope fails.", true}}};
     const float em = desk.em(), width = 5 * em, gap = ImGui::GetStyle().ItemInnerSpacing.x;
     ImGui::BeginDisabled(deed_of(facts.brush, facts.inverted) != sim::CommandKind::kPour);
     flow.next(2 * width + gap, em);
@@ -121,7 +120,7 @@ void material(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
     ImGui::TextUnformatted(title);
     ImGui::PopStyleColor();
     desk.widgets.note("Material of the world");
-    desk.widgets.tooltip("The material of this world; the scene panel has others.");
+    desk.widgets.tooltip("The material of this world. Choose another in the Scene panel.");
 }
 
 void panel_buttons(Desk& desk, Flow& flow) {
@@ -138,14 +137,14 @@ void panel_buttons(Desk& desk, Flow& flow) {
 
 void past(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(facts.timeline.watches ? "Watching a recording, hands off."
-                                                  : "Looking back, hands off.");
+    ImGui::TextUnformatted(facts.timeline.watches ? "Watching a recording (read-only)."
+                                                  : "Looking at the past (read-only).");
     desk.widgets.note("Watching a recording");
     ImGui::SameLine();
     std::array<char, 96> text;
-    std::snprintf(text.data(), text.size(), "%s: the world is yours from this tick on.",
+    std::snprintf(text.data(), text.size(), "%s: continues from this tick in a new recording.",
                   name_of(Verb::kTakeOver).c_str());
-    if (desk.widgets.button("Take over here", text.data())) actions.emplace_back(Verb::kTakeOver);
+    if (desk.widgets.button("Continue from here", text.data())) actions.emplace_back(Verb::kTakeOver);
 }
 
 }  // namespace

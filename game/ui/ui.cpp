@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kLetterHeight = 16;  // px at scale 1
 
-// ImGui's context, current as long as it lives.
+// ImGui's context, current during its lifetime.
 struct Context {
     Context() {
         IMGUI_CHECKVERSION();
@@ -41,7 +41,7 @@ struct Ui::Parts {
     Desk desk;
     std::optional<std::filesystem::path> font;
     Screen* screen = nullptr;  // lent for a frame
-    std::string clipboard;     // what ImGui was given last
+    std::string clipboard;     // last text given to ImGui
     bool gl_ready = false, letters_stale = false;
 
     ~Parts() {
@@ -64,7 +64,7 @@ void Ui::Parts::lend_clipboard() {
     };
 }
 
-// The frame was built with the old texture's name, and everything in it uses that one texture.
+// The frame was built with the old texture's name. Everything in it uses that one texture, so replace it.
 void Ui::Parts::draw_letters_texture() {
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
@@ -100,7 +100,7 @@ void Ui::begin(std::span<const Event> events, Screen& screen, double letters, do
     desk.size = io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
     io.DeltaTime = static_cast<float>(std::clamp(elapsed_s, 1e-4, 1.0));
     parts.feed.add(events);
-    // A frame that nobody sees, minimised, is begun and never built.
+    // A minimised frame is begun but never built.
     if (ImGui::GetFrameCount() > 0) ImGui::EndFrame();
     ImGui::NewFrame();
 }

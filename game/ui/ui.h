@@ -13,32 +13,32 @@
 
 namespace game::ui {
 
-// Panels, toolbar, readings and notices over the picture, through Dear ImGui. It asks by actions and changes
-// nothing itself but which panels are open. One at a time: ImGui has one context.
+// Panels, toolbar, readings and notices over the image, drawn with Dear ImGui. It requests changes as actions
+// and itself changes only which panels are open. At most one instance, because ImGui has one context.
 class Ui {
   public:
-    // `font`: a TrueType file; without one ImGui's own letters are used. Needs no GL until draw().
+    // `font`: a TrueType file; without one, ImGui's own font is used. Needs no GL until draw().
     explicit Ui(std::optional<std::filesystem::path> font);
     ~Ui();
     Ui(const Ui&) = delete;
     Ui& operator=(const Ui&) = delete;
 
-    // Begins a frame: hands the events on and says what of them the panels keep for themselves. `letters` as
-    // in Display. `screen` lends its clipboard.
+    // Begins a frame with these events; keeps_mouse() and keeps_keys() then say what the panels use of them.
+    // `letters` as in Display. `screen` provides the clipboard.
     void begin(std::span<const Event> events, Screen& screen, double letters, double elapsed_s);
     bool keeps_mouse() const;  // the cursor is over a panel
     bool keeps_keys() const;   // a number is being typed
 
-    // Opens and closes panels; other verbs are not its own. True if it was.
+    // Opens and closes panels. Returns false for other verbs.
     bool perform(Verb verb);
 
-    // All panels that are open, once per frame between begin() and draw().
+    // Builds all open panels; to be called once per frame between begin() and draw().
     void build(const Facts& facts, Actions& actions);
-    // Onto the bound framebuffer. Needs the screen's GL context. Leaves GL's state as it was.
+    // Draws onto the bound framebuffer. Needs the screen's GL context. Preserves the GL state.
     void draw();
 
-    // For tests: where the widget with this label stood in the last frame, in pixels; nothing where it was
-    // not seen. Labels are what a person reads on the widget.
+    // For tests: where the widget with this label was in the last frame, in pixels; nothing if it was not
+    // visible. Labels are the visible text of widgets.
     struct Place {
         double x, y, width, height;
     };

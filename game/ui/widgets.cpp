@@ -19,7 +19,7 @@ ImU32 plate_colour(bool on) {
     return ImGui::IsItemActive() ? kControlHeld : hovered ? kControlHovered : kControl;
 }
 
-// ImDrawList knows nothing of BeginDisabled.
+// Applies BeginDisabled, which ImDrawList ignores.
 ImU32 alive(ImU32 colour) {
     return faded(colour, ImGui::GetStyle().Alpha);
 }
@@ -147,7 +147,7 @@ bool Widgets::toggle(const char* label, bool& on, const char* text) {
     return pressed;
 }
 
-// Behind a slider, from its left to its value.
+// Draws the fill of a slider, from its left to its value.
 void Widgets::fill(const Slide& slide, double value, float width) {
     const double part = slide.logarithmic ? std::log(value / slide.least) / std::log(slide.most / slide.least)
                                           : (value - slide.least) / (slide.most - slide.least);
@@ -273,7 +273,7 @@ const char* write_volume(std::span<char> text, double cubic_metres) {
                          : cubic_metres < 1000 ? "%.1f m³"
                                                : "%.0f m³";
     std::snprintf(text.data(), text.size(), format, cubic_metres);
-    // Digits in threes, from the unit forward.
+    // Groups digits in threes, from the decimal point to the left.
     const std::string_view digits(text.data(), std::min(std::strcspn(text.data(), ". "), text.size()));
     for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3) {
         const std::size_t length = std::strlen(text.data());

@@ -13,7 +13,7 @@
 
 namespace game::ui {
 
-// Where widgets stand, px from the top left. Of a frame, at most kMost: the rest are not noted.
+// Positions of widgets in a frame, px from the top left. Records at most kMost.
 class Places {
   public:
     struct Place {
@@ -23,7 +23,7 @@ class Places {
     static constexpr std::size_t kMost = 320;
 
     void clear() { size_ = 0; }
-    // The last item of ImGui's, if its middle can be seen.
+    // Records ImGui's last item, if its centre is visible.
     void note(std::string_view label);
     void note(std::string_view label, ImVec2 from, ImVec2 to);
     const Place* find(std::string_view label) const;
@@ -35,16 +35,16 @@ class Places {
 
 struct Slide {
     double least, most;
-    const char* format = "%.0f";  // of printf, with the unit
+    const char* format = "%.0f";  // printf format, with the unit
     bool logarithmic = false;
-    bool when_released = false;  // what it shows follows the hand, its value only the hand's end
+    bool when_released = false;  // the shown value follows the drag; the result changes on release
     float width = 0;             // px; 0: the rest of the row
 };
 
-// A number to be typed, as a person reads it.
+// A number that the user can type, as displayed.
 struct Number {
     const char* label;
-    double value, usual;  // a mark leads back to the usual one where they differ
+    double value, usual;  // if they differ, a button resets to the default (`usual`)
     const char* unit;
     const char* tooltip;
     bool editable = true;
@@ -54,8 +54,8 @@ struct Typed {
     double value = 0;
 };
 
-// The few kinds of widget that panels are made of. Each is known to a person, and to Places, by its label,
-// and has a tooltip of one sentence.
+// The kinds of widget used in panels. Each is identified by its label, to the user and to Places, and has a
+// tooltip of one sentence.
 class Widgets {
   public:
     Letters letters;
@@ -68,7 +68,7 @@ class Widgets {
 
     bool button(const char* label, const char* tooltip, bool on = false, float width = 0);
     bool icon_button(const char* label, Icon icon, const char* tooltip, bool on = false);
-    // A picture, a word and a key; the word is left out where `narrow`.
+    // An icon, a word and a key; without the word if `narrow`.
     bool tool_button(const char* label, Icon icon, const char* key, const char* tooltip, bool on,
                      bool narrow);
     float tool_button_width(const char* label, const char* key, bool narrow) const;
@@ -77,7 +77,7 @@ class Widgets {
     bool slider(const char* label, double& value, const Slide& slide, const char* tooltip);
     Typed number(const Number& number);
 
-    // A list to choose from: `name(i)` for i from 0 to `count`. True if `chosen` was changed.
+    // A drop-down list of `name(i)`, i from 0 to `count` − 1. True if `chosen` was changed.
     template <class Name>
     bool choice(const char* label, int& chosen, int count, const char* tooltip, Name&& name,
                 float width = 0) {
@@ -93,15 +93,15 @@ class Widgets {
         return changed;
     }
 
-    // A label at the left of a row; what follows stands at its right and fills it.
+    // Starts a row with a label on the left; the next widget fills the rest.
     void row(const char* label);
     void heading(const char* text);
     void dim(const char* format, ...) IM_FMTARGS(2);                      // small, dim
     void plain(const char* format, ...) IM_FMTARGS(2);                    // wrapped
-    void fact(const char* label, const char* format, ...) IM_FMTARGS(3);  // a row that only tells
-    // The list that is open closes when it is built next.
+    void fact(const char* label, const char* format, ...) IM_FMTARGS(3);  // a read-only row
+    // Closes the open list the next time it is built.
     void close_choice() { closing_choice_ = true; }
-    // A warning over the foot of the window that is being built; nothing moves for it.
+    // A warning drawn over the bottom of the current window; nothing moves.
     void warn_over_foot(const char* label, const char* text);
     void tooltip(const char* text);  // for the last item
 
@@ -114,18 +114,18 @@ class Widgets {
     Typed typed(std::string_view was);
 
     Places places_;
-    // The widget that is being changed, and what it shows meanwhile.
+    // The widget being edited, and the value it shows meanwhile.
     bool closing_choice_ = false;
     ImGuiID changing_ = 0;
     double slid_ = 0;
     std::array<char, 32> typed_{};
-    // Where the item under the cursor stands, and for how long the cursor has been there.
+    // Position of the hovered item, and how long it has been hovered.
     ImVec2 hovered_;
     bool hovering_ = false;  // in this frame
     double hovered_s_ = 0, elapsed_s_ = 0;
 };
 
-// "12 345 m³" for people, into `text`.
+// Writes a volume such as "12 345 m³" into `text`.
 const char* write_volume(std::span<char> text, double cubic_metres);
 
 }  // namespace game::ui

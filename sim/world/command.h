@@ -14,11 +14,11 @@ struct State;
 
 enum class CommandKind : std::uint8_t { kPour, kDig, kBlast, kSettle, kSet };
 enum class Layer : std::uint8_t { kRolling, kStanding };
-enum class Part : std::uint8_t { kUpper, kLower };   // which of two materials (mixture.h)
-enum class Profile : std::uint8_t { kDisc, kCone };  // equal depth within the radius; highest in the middle
+enum class Part : std::uint8_t { kUpper, kLower };   // which of the two materials (mixture.h)
+enum class Profile : std::uint8_t { kDisc, kCone };  // uniform depth within the radius; highest in the centre
 
-// One thing a person does to the world, in world units. Which members a kind uses is in kCommands; the others
-// keep their defaults. Nothing else changes a world.
+// One action of the user on the world, in world units. kCommands lists the members that each kind uses; the
+// others keep their defaults. Nothing else changes a world.
 struct Command {
     CommandKind kind = CommandKind::kPour;
     double x = 0, y = 0;
@@ -44,62 +44,66 @@ struct CommandNumber {
 
 inline constexpr double kFarthest = 1e7;  // m, any coordinate
 
-// Each command that runs costs a tick up to the whole grid: a stroke of the brush gives 16 in a tick.
+// Each running command may visit the whole grid in every tick. A brush stroke issues up to 16 per tick.
 inline constexpr std::size_t kMostCommandsPerTick = 256;
-inline constexpr std::size_t kMostRunningCommands = 1024;  // that run at once
+inline constexpr std::size_t kMostRunningCommands = 1024;  // at the same time
 
 inline constexpr CommandNumber kPourNumbers[] = {
     {"x", "m", &Command::x, -kFarthest, kFarthest, "centre, east of the south-west vertex"},
     {"y", "m", &Command::y, -kFarthest, kFarthest, "centre, north of the south-west vertex"},
-    {"radius", "m", &Command::radius, 0, 1e5, "of the disc; below a cell, the nearest vertex takes all"},
+    {"radius", "m", &Command::radius, 0, 1e5,
+     "radius of the disc; if below one cell, the nearest vertex receives all"},
     {"rate", "m3/s", &Command::rate, 0, 1e8, "volume added per second"},
     {"duration", "s", &Command::duration, 0, 1e5, "rounded to whole ticks, at least one"},
 };
 inline constexpr CommandNumber kDigNumbers[] = {
     {"x", "m", &Command::x, -kFarthest, kFarthest, "centre, east of the south-west vertex"},
     {"y", "m", &Command::y, -kFarthest, kFarthest, "centre, north of the south-west vertex"},
-    {"radius", "m", &Command::radius, 0, 1e5, "of the disc; below a cell, the nearest vertex gives"},
-    {"rate", "m/s", &Command::rate, 0, 100, "depth taken per second, rolling layer first, never bedrock"},
+    {"radius", "m", &Command::radius, 0, 1e5,
+     "radius of the disc; if below one cell, only the nearest vertex is dug"},
+    {"rate", "m/s", &Command::rate, 0, 100, "depth removed per second: rolling layer first, never bedrock"},
     {"duration", "s", &Command::duration, 0, 1e5, "rounded to whole ticks, at least one"},
 };
 inline constexpr CommandNumber kBlastNumbers[] = {
     {"x", "m", &Command::x, -kFarthest, kFarthest, "centre, east of the south-west vertex"},
     {"y", "m", &Command::y, -kFarthest, kFarthest, "centre, north of the south-west vertex"},
-    {"radius", "m", &Command::radius, 0, 1e5, "of the disc; below a cell, the nearest vertex goes"},
-    {"depth", "m", &Command::depth, 0, 100, "erodible depth that becomes rolling layer, at most"},
+    {"radius", "m", &Command::radius, 0, 1e5,
+     "radius of the disc; if below one cell, only the nearest vertex is released"},
+    {"depth", "m", &Command::depth, 0, 100, "greatest erodible depth that becomes rolling layer"},
 };
 
 inline constexpr CommandNumber kSettleNumbers[] = {
     {"x", "m", &Command::x, -kFarthest, kFarthest, "centre, east of the south-west vertex"},
     {"y", "m", &Command::y, -kFarthest, kFarthest, "centre, north of the south-west vertex"},
-    {"radius", "m", &Command::radius, 0, 1e5, "of the disc; below a cell, the nearest vertex settles"},
+    {"radius", "m", &Command::radius, 0, 1e5,
+     "radius of the disc; if below one cell, only the nearest vertex settles"},
 };
 inline constexpr CommandNumber kSetNumbers[] = {
-    {"value", "the parameter's", &Command::value, -1e6, 1e6, "from now on; its own range holds too"},
+    {"value", "the parameter's", &Command::value, -1e6, 1e6,
+     "new value; must also be within the parameter's own range"},
 };
 
-// The manifest: from it come the recording's writer and reader, the scene's, --help, and the tests of all.
+// The manifest that generates the readers and writers of recordings and scenes, and their tests.
 struct CommandInfo {
     CommandKind kind;
     std::string_view name;
     std::span<const CommandNumber> numbers;
     bool has_layer;    // "as": "rolling" or "standing"
     bool has_profile;  // "profile": "disc" or "cone"
-    bool has_part;     // "of": "upper", or in a world of two materials "lower"
-    bool has_param;    // "param": a name of kParams that is not fixed
+    bool has_part;     // "of": "upper", or "lower" in a world with two materials
+    bool has_param;    // "param": name in kParams of one that is not fixed
     std::string_view meaning;
 };
 
 inline constexpr CommandInfo kCommands[] = {
     {CommandKind::kPour, "pour", kPourNumbers, true, true, true, false,
-     "adds material, at rest, for a while"},
-    {CommandKind::kDig, "dig", kDigNumbers, false, false, false, false, "takes material away, for a while"},
+     "adds material at rest for a duration"},
+    {CommandKind::kDig, "dig", kDigNumbers, false, false, false, false, "removes material for a duration"},
     {CommandKind::kBlast, "blast", kBlastNumbers, false, false, false, false,
-     "makes the erodible layer roll, at once"},
+     "releases the erodible layer as rolling layer, at once"},
     {CommandKind::kSettle, "settle", kSettleNumbers, false, false, false, false,
-     "makes the rolling layer lie, at once"},
-    {CommandKind::kSet, "set", kSetNumbers, false, false, false, true,
-     "gives a parameter of the physics another value"},
+     "deposits the rolling layer, at once"},
+    {CommandKind::kSet, "set", kSetNumbers, false, false, false, true, "sets a parameter of the physics"},
 };
 
 const CommandInfo& info_of(CommandKind kind);
@@ -112,23 +116,22 @@ std::optional<Profile> profile_from(std::string_view name);
 std::optional<Part> part_from(std::string_view name);
 std::optional<std::size_t> param_from(std::string_view name);  // index in kParams; none for a fixed one
 
-// What is wrong with a command: a number out of range, a material that the world, where it is known, lacks,
-// or a member that its kind does not use and that is not its default, to the bit: the state hash covers it.
+// What is wrong with a command: a number out of range, a material that the world lacks, or a member that its
+// kind does not use and that is not bit-identical to its default (the state hash covers it).
 std::optional<std::string> fault_of(const Command& command, bool has_lower = true);
-// Does what a kSet says.
+// Applies a kSet command.
 void set_number(Params& params, const Command& set);
-// What would be wrong with the parameters once these commands have set theirs: thresholds must keep their
-// order.
+// What would be wrong with the parameters after these commands: the thresholds must keep their order.
 std::optional<std::string> fault_after(const Params& params, std::span<const Command> commands);
-// Whether a tick has too many commands: those given in it, and those that run in it, the given ones included.
+// Whether a tick has too many commands. `running` includes those given in this tick.
 std::optional<std::string> fault_of_counts(std::size_t given, std::size_t running);
-// How many ticks a command runs for, at least one.
+// Number of ticks for which a command runs, at least one.
 std::int64_t ticks_of(const Command& command, float tick_s);
 
-// Begins these commands at the state's tick and does this tick's share of all that run. Reads grid, site,
-// tick; writes params, depth, rolling, velocity (material is added and eroded at rest), sources, ledger. A
-// vertex whose layer has reached half of kDeepest takes no more, and what falls beside the grid or on no-data
-// never enters the world: the ledger counts what did.
+// Starts these commands at the state's tick and applies this tick's share of all running ones. Reads grid,
+// site, tick; writes params, depth, rolling, velocity (material is added and eroded at rest), sources,
+// ledger. A vertex whose layer has reached half of kDeepest receives no more. Material outside the grid or on
+// no-data never enters the world. The ledger counts what does.
 void apply_commands(State& state, std::span<const Command> commands);
 
 }  // namespace sim

@@ -73,7 +73,7 @@ std::optional<std::string> fault_of(const Params& params) {
         if (params.stop_slope < params.stop_slope_thick) return "stop_slope is below stop_slope_thick";
         if (params.erosion_slope < params.stop_slope) return "erosion_slope is below stop_slope";
         if (params.start_depth < 3 * params.erosion_depth)
-            return "start_depth is below three times erosion_depth, so nothing that starts would go on";
+            return "start_depth is below three times erosion_depth, so released material would stop at once";
     }
     if (params.freeze_depth >= params.start_depth) return "start_depth is not above freeze_depth";
     return std::nullopt;

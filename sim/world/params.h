@@ -9,15 +9,15 @@
 namespace sim {
 
 enum class Model { kBcre, kBcreInertial };                          // README.md, "Two models"
-enum class Scheme { kLaxFriedrichs, kLocalLaxFriedrichs, kMuscl };  // of kBcre; kBcreInertial has its own
+enum class Scheme { kLaxFriedrichs, kLocalLaxFriedrichs, kMuscl };  // kBcre only; kBcreInertial has its own
 enum class Law { kConstant, kSlope, kShear };  // speed in kBcre: (C), (HK), (T) of bcre/velocity.h
 enum class Border { kWall, kOpen, kSink };     // stages.h
 
 enum Side { kWest, kEast, kSouth, kNorth };
 inline constexpr std::array<std::string_view, 4> kSides{"west", "east", "south", "north"};
 
-// Every number of the physics, in SI; slopes are tangents. Defaults make a slow dry sand; the presets in
-// assets/materials are what scenes use. kParams below gives unit, range and meaning of each.
+// Every parameter of the physics, in SI units; slopes are tangents. The defaults describe a slow dry sand.
+// Scenes use the presets in assets/materials. kParams below gives unit, range and meaning of each.
 struct Params {
     Model model = Model::kBcreInertial;
     Scheme scheme = Scheme::kLocalLaxFriedrichs;
@@ -55,58 +55,62 @@ struct Params {
 
 enum class UsedBy { kBoth, kBcre, kBcreInertial };
 
-// One line of the manifest from which scene and recording reader, writer, --help and tests are made.
+// One row of the manifest that generates the readers and writers of scenes and recordings, the panels and
+// tests.
 struct ParamInfo {
     std::string_view name;
-    std::string_view unit;  // "1" is a tangent where the name ends in _slope
+    std::string_view unit;  // "1" is a tangent if the name ends in _slope
     float Params::*value;
     float least, most;
     UsedBy used_by;
     std::string_view meaning;
-    bool fixed = false;  // for the life of a world
+    bool fixed = false;  // cannot change while a world exists
 };
 
 inline constexpr ParamInfo kParams[] = {
-    {"tick_s", "s", &Params::tick_s, 1e-3f, 0.1f, UsedBy::kBoth, "simulated time between two states", true},
+    {"tick_s", "s", &Params::tick_s, 1e-3f, 0.1f, UsedBy::kBoth, "simulated time per tick", true},
     {"courant", "1", &Params::courant, 0.01f, 0.5f, UsedBy::kBoth,
-     "farthest way of the fastest grain in a sub-step, in cells; in bcre-inertial a quarter at most"},
+     "Courant number: most cells the flow may cross per sub-step; at most 0.25 in bcre-inertial"},
     {"exchange_rate", "1/s", &Params::exchange_rate, 0.f, 100.f, UsedBy::kBoth,
-     "how fast layers exchange material, per unit of slope beyond the threshold"},
+     "rate of exchange between the layers, per unit of slope beyond the threshold"},
     {"exchange_depth", "m", &Params::exchange_depth, 1e-3f, 128.f, UsedBy::kBoth,
-     "how much of a thick rolling layer exchanges, the lowest part; 128 is all of it"},
+     "greatest thickness of the rolling layer, from its base, that exchanges; 128: all of it"},
     {"stop_slope", "1", &Params::stop_slope, 0.f, 10.f, UsedBy::kBoth,
-     "below it rolling material deposits; for bcre-inertial, that of a thin layer"},
-    {"start_slope", "1", &Params::start_slope, 0.f, 10.f, UsedBy::kBoth, "above it ground at rest starts"},
-    {"start_depth", "m", &Params::start_depth, 0.f, 10.f, UsedBy::kBoth, "depth that starts at once"},
+     "slope below which the flow deposits; in bcre-inertial, for a thin layer"},
+    {"start_slope", "1", &Params::start_slope, 0.f, 10.f, UsedBy::kBoth,
+     "slope above which ground at rest fails"},
+    {"start_depth", "m", &Params::start_depth, 0.f, 10.f, UsedBy::kBoth,
+     "depth released at once when ground fails"},
     {"freeze_depth", "m", &Params::freeze_depth, 1.25e-4f, 1.f, UsedBy::kBoth,
-     "a rolling layer thinner than this comes to rest"},
+     "depth below which a rolling layer comes to rest"},
     {"rolling_speed", "m/s", &Params::rolling_speed, 0.f, 100.f, UsedBy::kBcre,
-     "speed of the rolling layer; by the law shear, of a thin one"},
+     "speed of the rolling layer; with law shear, of a thin layer"},
     {"shear_rate", "1/s", &Params::shear_rate, 0.f, 1000.f, UsedBy::kBcre,
-     "by the law shear, how much faster a layer is at its surface than at its ground, per depth"},
+     "shear rate of law shear: speed gained from base to surface, per metre of depth"},
     {"speed_per_slope", "m/s", &Params::speed_per_slope, 0.f, 1000.f, UsedBy::kBoth,
-     "terminal speed of a deep layer, per unit of surface slope; by the law slope of bcre, of any layer"},
+     "terminal speed per unit of surface slope, of a deep layer; in bcre with law slope, of any layer"},
     {"max_speed", "m/s", &Params::max_speed, 0.1f, 200.f, UsedBy::kBoth,
-     "greatest terminal speed; greatest of the laws slope and shear of bcre"},
+     "greatest terminal speed; in bcre, greatest speed with laws slope and shear"},
     {"relaxation_time", "s", &Params::relaxation_time, 0.01f, 100.f, UsedBy::kBcreInertial,
-     "time to approach the terminal speed by 1 - 1/e"},
+     "time in which the difference to the terminal speed falls to 1/e"},
     {"half_speed_depth", "m", &Params::half_speed_depth, 1e-4f, 10.f, UsedBy::kBcreInertial,
-     "depth of a layer that reaches half of the terminal speed"},
+     "depth at which a layer reaches half of the terminal speed"},
     {"stop_slope_thick", "1", &Params::stop_slope_thick, 0.f, 10.f, UsedBy::kBcreInertial,
      "stop slope of a thick layer"},
     {"stop_fold_depth", "m", &Params::stop_fold_depth, 1e-4f, 10.f, UsedBy::kBcreInertial,
-     "depth over which the stop slope falls from thin to thick by 1 - 1/e"},
+     "depth over which the stop slope falls from its thin to its thick value, by 1 - 1/e"},
     {"deposit_speed", "m/s", &Params::deposit_speed, 0.01f, 200.f, UsedBy::kBcreInertial,
-     "a layer faster than this deposits nothing"},
+     "speed above which a layer deposits nothing"},
     {"erosion_slope", "1", &Params::erosion_slope, 0.f, 10.f, UsedBy::kBcreInertial,
-     "above it a layer erodes"},
+     "slope above which a layer erodes"},
     {"erosion_depth", "m", &Params::erosion_depth, 0.f, 10.f, UsedBy::kBcreInertial,
-     "a rolling layer thinner than this erodes nothing"},
+     "depth below which a rolling layer erodes nothing"},
     {"anchor_gain", "1", &Params::anchor_gain, 0.f, 10.f, UsedBy::kBcreInertial,
-     "start slope of natural ground, as a multiple of its first slope"},
-    {"anchor_margin", "1", &Params::anchor_margin, 0.f, 10.f, UsedBy::kBcreInertial, "and this more"},
+     "slope at which natural ground fails, as a multiple of its initial slope"},
+    {"anchor_margin", "1", &Params::anchor_margin, 0.f, 10.f, UsedBy::kBcreInertial,
+     "slope added to anchor_gain times the initial slope before natural ground fails"},
     {"anchor_step", "m", &Params::anchor_step, 0.f, 10.f, UsedBy::kBcreInertial,
-     "height of a step between a vertex and the next that natural ground holds besides"},
+     "extra scarp height between neighbouring vertices at which natural ground stays stable"},
 };
 
 inline bool is_used_by(const ParamInfo& info, Model model) {
@@ -123,12 +127,12 @@ std::optional<Scheme> scheme_from(std::string_view name);
 std::optional<Law> law_from(std::string_view name);
 std::optional<Border> border_from(std::string_view name);
 
-// What is wrong with these parameters, as a sentence; nothing if all is well. Checks each number's range and
-// the order that the thresholds must keep.
+// What is wrong with these parameters, as a sentence; nothing if they are valid. Checks the range of each
+// number and the required order of the thresholds.
 std::optional<std::string> fault_of(const Params& params);
 
-// Sub-steps of a tick, and the length of one. Fixed by the parameters and the cell alone, so that a replay
-// never depends on a reduction over the state.
+// Number and length of the sub-steps of a tick. Depends only on the parameters and the cell size, so that a
+// replay never depends on a reduction over the state.
 struct Substeps {
     int count = 1;
     float dt = 0;  // s

@@ -358,7 +358,7 @@ TEST_F(Playing, watches_a_recording_hands_off_and_then_takes_over) {
     frames(3);
     screen_.release(Button::kLeft);
     frames(1);
-    EXPECT_NE(last_notice().find("Hands off"), std::string::npos) << last_notice();
+    EXPECT_NE(last_notice().find("Read-only"), std::string::npos) << last_notice();
     ASSERT_TRUE(app_->sandbox().watches());
     EXPECT_FALSE(app_->recording());
     const auto until = app_->sandbox().known_until();
@@ -383,7 +383,7 @@ TEST_F(Playing, goes_back_and_forth_and_takes_over_its_own_past) {
     EXPECT_EQ(state().tick, present.tick - 1);
     EXPECT_TRUE(app_->clock().paused());
     stroke(3);
-    EXPECT_NE(last_notice().find("Hands off"), std::string::npos) << last_notice();
+    EXPECT_NE(last_notice().find("Read-only"), std::string::npos) << last_notice();
     tap(Key::kPeriod);
     EXPECT_EQ(line(), present) << "back to the unchanged present";
 
@@ -395,7 +395,7 @@ TEST_F(Playing, goes_back_and_forth_and_takes_over_its_own_past) {
     const auto then = state().tick;
     EXPECT_EQ(*app_->recording(), first);
     tap(Key::kEnter);
-    EXPECT_NE(last_notice().find("Yours from here"), std::string::npos) << last_notice();
+    EXPECT_NE(last_notice().find("Branched at"), std::string::npos) << last_notice();
     EXPECT_NE(*app_->recording(), first);
     EXPECT_NEAR(static_cast<double>(app_->sandbox().known_until()), static_cast<double>(then), 3);
     stroke(10);

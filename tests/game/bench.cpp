@@ -519,7 +519,7 @@ TEST_F(BenchProgram, refuses_what_it_cannot_measure) {
         {{"bench", "nowhere"}, "nowhere"},
         {{"bench", "--grid", "5"}, "--grid"},
         {{"bench", "--physics", "muscl"},
-         "'muscl' is none of bcre-inertial, lax-friedrichs, local-lax-friedrichs"},
+         "'muscl' is not one of: bcre-inertial, lax-friedrichs, local-lax-friedrichs"},
         {{"bench", "--repeats", "0"}, "--repeats"},
         {{"bench", "--tolerance", "-1"}, "--tolerance"},
         {{"bench", "--scaling", "--trace", "t.json"}, "--trace"},

@@ -236,7 +236,7 @@ TEST_F(Compared, a_paranoid_replay_does_every_tick_twice) {
     EXPECT_EQ(told.status, 0);
     EXPECT_NE(
         told.out.find("every tick twice, the same bits in all 40: 2 threads, tiles of 64x32, and 1 thread, "
-                      "tiles of 32x8 from the last to the first"),
+                      "tiles of 32x8 in reverse order"),
         std::string::npos)
         << told.out;
 }

@@ -216,7 +216,7 @@ TEST(Figures, refuse_what_they_cannot_make) {
     const std::string out = (folder.path() / "out").string();
     const std::pair<std::vector<std::string>, const char*> wrong[] = {
         {{"figures"}, "--out"},
-        {{"figures", "--out", out, "--only", "2"}, "'2' is none of 1, 6, 7, 8, 9, 10, 11, 12, numbers"},
+        {{"figures", "--out", out, "--only", "2"}, "'2' is not one of: 1, 6, 7, 8, 9, 10, 11, 12, numbers"},
         {{"figures", "--out", out, "--only", "6,all"}, "'all'"},
         {{"figures", "--out", out, "--pixels", "8"}, "--pixels"},
         {{"figures", "--out", out, "--gl", "moon"}, "moon"},

@@ -17,13 +17,13 @@ TEST_F(UiHand, asks_for_the_tool_that_is_clicked) {
 
 TEST_F(UiHand, asks_for_what_the_time_bar_says) {
     EXPECT_EQ(only<Verb>(click("Pause")), Verb::kPauseOrGoOn);
-    EXPECT_EQ(only<Verb>(click("One tick")), Verb::kStepOnce);
+    EXPECT_EQ(only<Verb>(click("Step")), Verb::kStepOnce);
     EXPECT_EQ(only<Verb>(click("Reset")), Verb::kReset);
-    EXPECT_EQ(only<Verb>(click("Back in time")), Verb::kRunBack);
+    EXPECT_EQ(only<Verb>(click("Rewind")), Verb::kRunBack);
     clock_.pause(true);
     frame();
     EXPECT_FALSE(ui_->find("Pause"));
-    EXPECT_EQ(only<Verb>(click("Go on")), Verb::kPauseOrGoOn);
+    EXPECT_EQ(only<Verb>(click("Resume")), Verb::kPauseOrGoOn);
 }
 
 TEST_F(UiHand, seeks_along_the_timeline_for_as_long_as_it_is_held) {
@@ -48,7 +48,7 @@ TEST_F(UiHand, seeks_along_the_timeline_for_as_long_as_it_is_held) {
     timeline_.can_go_back = false;
     settle();
     EXPECT_FALSE(ui_->find("Timeline"));
-    EXPECT_TRUE(click("Back in time").empty());
+    EXPECT_TRUE(click("Rewind").empty());
 }
 
 TEST_F(UiHand, asks_for_each_speed_that_is_chosen) {
@@ -131,7 +131,7 @@ TEST_F(UiHand, greys_the_tools_while_a_recording_is_watched) {
     for (const char* label : {"Dig", "Standing", "Radius", "Undo"})
         EXPECT_TRUE(click(label).empty()) << label;
     EXPECT_EQ(only<Verb>(click("Pause")), Verb::kPauseOrGoOn);
-    EXPECT_EQ(only<Verb>(click("Take over here")), Verb::kTakeOver);
+    EXPECT_EQ(only<Verb>(click("Continue from here")), Verb::kTakeOver);
 }
 
 TEST_F(UiHand, says_when_the_machine_cannot_keep_up) {

@@ -12,11 +12,11 @@ struct PanelFacts {
     std::vector<const char*> widgets;
 };
 const std::vector<PanelFacts> kPanels{
-    {Verb::kToggleScene, "Scene", {"Close Scene", "Terrain", "Choose a scene", "Begin", "Watch slope"}},
+    {Verb::kToggleScene, "Scene", {"Close Scene", "Terrain", "Choose a scene", "Start", "Watch slope"}},
     {Verb::kTogglePhysics, "Physics", {"Close Physics", "start slope", "exchange rate"}},
     {Verb::kToggleDisplay,
      "Display",
-     {"Close Display", "Ground shows", "Contours", "Direction", "Letters", "Fly"}},
+     {"Close Display", "Colour by", "Contours", "Direction", "Text size", "Fly"}},
     {Verb::kTogglePerformance, "Performance", {"Close Performance", "Chart", "solve", "Worst tick"}},
     {Verb::kToggleHelp, "Help", {"Close Help", "one tick"}},
 };
@@ -28,7 +28,7 @@ class UiPanels : public UiHand {
     // Slides the size of letters to so many px beyond the slider's right end, asks for nothing on the way,
     // and lets it go.
     Actions slide_letters(double px) {
-        const auto at = place("Letters");
+        const auto at = place("Text size");
         screen_.move(at.x + at.width * 0.2, at.y + at.height / 2);
         frame();
         screen_.press(Button::kLeft);
@@ -78,10 +78,10 @@ TEST_F(UiPanels, hide_all_at_once_and_come_back_as_they_were) {
     settle();
     ui_->perform(Verb::kTogglePanels);
     settle();
-    for (const char* label : {"Begin", "Pour", "Pause", "Hint"}) EXPECT_FALSE(ui_->find(label)) << label;
+    for (const char* label : {"Start", "Pour", "Pause", "Hint"}) EXPECT_FALSE(ui_->find(label)) << label;
     ui_->perform(Verb::kTogglePanels);
     settle();
-    for (const char* label : {"Begin", "Pour", "Pause", "Hint"}) EXPECT_TRUE(ui_->find(label)) << label;
+    for (const char* label : {"Start", "Pour", "Pause", "Hint"}) EXPECT_TRUE(ui_->find(label)) << label;
 }
 
 TEST_F(UiPanels, close_one_by_one_from_the_top_a_list_before_its_panel) {
@@ -143,7 +143,7 @@ TEST_F(UiPanels, keep_every_button_on_the_screen_at_any_size_and_scale) {
 TEST_F(UiPanels, begin_a_scene_as_it_was_chosen) {
     ui_->perform(Verb::kToggleScene);
     settle();
-    Open open = only<Open>(click("Begin"));
+    Open open = only<Open>(click("Start"));
     EXPECT_EQ(open.name_or_path, "valley");  // what is loaded
     EXPECT_FALSE(open.overrides.material || open.overrides.model || open.overrides.squares ||
                  open.overrides.scheme);
@@ -153,17 +153,17 @@ TEST_F(UiPanels, begin_a_scene_as_it_was_chosen) {
         EXPECT_TRUE(click(item).empty());
     };
     choose("Choose a scene", "A slope");
-    choose("Of material", "dry sand");
-    choose("By model", "bcre: rolls at one speed");
-    choose("On a grid of", "256 squares");
-    open = only<Open>(click("Begin"));
+    choose("New material", "dry sand");
+    choose("New model", "bcre: no inertia");
+    choose("New grid", "256 squares");
+    open = only<Open>(click("Start"));
     EXPECT_EQ(open.name_or_path, "slope");
     EXPECT_EQ(open.overrides.material, "sand");
     EXPECT_EQ(open.overrides.model, sim::Model::kBcre);
     EXPECT_EQ(open.overrides.squares, 256);
 
-    choose("Of material", "as the scene says");
-    EXPECT_FALSE(only<Open>(click("Begin")).overrides.material);
+    choose("New material", "scene default");
+    EXPECT_FALSE(only<Open>(click("Start")).overrides.material);
 }
 
 TEST_F(UiPanels, open_a_recording_by_its_file_because_scenes_have_names_too) {
@@ -183,7 +183,7 @@ TEST_F(UiPanels, change_one_thing_of_the_display_and_leave_the_rest) {
     expected.flow_mesh = true;
     EXPECT_EQ(only<SetDisplay>(click("Fronts")).display, expected);
 
-    EXPECT_TRUE(click("Ground shows").empty());
+    EXPECT_TRUE(click("Colour by").empty());
     expected = display_;
     expected.overlay = render::Overlay::kSpeed;
     EXPECT_EQ(only<SetDisplay>(click("speed")).display, expected);
@@ -191,7 +191,7 @@ TEST_F(UiPanels, change_one_thing_of_the_display_and_leave_the_rest) {
     display_.light.azimuth_deg = 12;
     expected = display_;
     expected.light = scenario_.light;
-    EXPECT_EQ(only<SetDisplay>(click("Sun as the scene says")).display, expected);
+    EXPECT_EQ(only<SetDisplay>(click("Reset sun")).display, expected);
     EXPECT_EQ(only<Verb>(click("Overview")), Verb::kOverview);
 }
 
@@ -200,11 +200,11 @@ TEST_F(UiPanels, change_a_flow_while_it_runs_where_the_scene_shows_one) {
     settle();
     scenario_.flow.emplace();
     settle();
-    EXPECT_TRUE(click("Textures with").empty());
+    EXPECT_TRUE(click("Texture cuts").empty());
     Display expected = display_;
     expected.flow.cut = false;
     EXPECT_EQ(only<SetDisplay>(click("no cuts")).display, expected);
-    EXPECT_TRUE(click("Textures with").empty());
+    EXPECT_TRUE(click("Texture cuts").empty());
     expected = display_;
     expected.flow.source = sim::front::PointSource::kPaper;
     EXPECT_EQ(only<SetDisplay>(click("the paper's points")).display, expected);
@@ -214,7 +214,7 @@ TEST_F(UiPanels, size_letters_only_when_the_slider_is_let_go) {
     begin_anew({2400, 1400, 1});
     ui_->perform(Verb::kToggleDisplay);
     settle();
-    const auto at = place("Letters");
+    const auto at = place("Text size");
     display_ = only<SetDisplay>(slide_letters(-1)).display;
     EXPECT_EQ(display_.letters, 3);
     settle();
@@ -229,8 +229,8 @@ TEST_F(UiPanels, offer_no_letters_so_large_that_panels_lose_their_place) {
     EXPECT_GT(display_.letters, 1.4);
     EXPECT_LT(display_.letters, 1.8);
     settle();
-    EXPECT_TRUE(click("Ground shows").empty());  // can be reached
-    EXPECT_TRUE(ui_->find("steepness"));
+    EXPECT_TRUE(click("Colour by").empty());  // can be reached
+    EXPECT_TRUE(ui_->find("slope"));
     EXPECT_TRUE(click("Close Display").empty());  // closes the list
     EXPECT_TRUE(click("Close Display").empty());
     EXPECT_FALSE(ui_->find("Close Display"));
