@@ -224,7 +224,7 @@ TEST_F(Compared, an_edit_that_cannot_be_done_is_refused_in_a_sentence) {
     edit_refused({"--tick", "20"}, "is required");
     edit_refused({"--tick", "20", "--delete", "--move", "1,1"}, "");
     const std::string before = read_bytes(first_);
-    refused({"edit", first_, "--tick", "20", "--delete", "--out", first_}, "that is read; give another one");
+    refused({"edit", first_, "--tick", "20", "--delete", "--out", first_}, "first.couloir");
     EXPECT_EQ(read_bytes(first_), before);
 }
 
