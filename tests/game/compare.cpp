@@ -143,7 +143,7 @@ TEST_F(Compared, on_another_grid_or_ground_they_are_refused_with_what_differs) {
     Scenario higher = small_scenario();
     higher.bedrock[60] += 1;
     record(file("higher.couloir"), higher, 4, {});
-    refused({"compare", first_, file("higher.couloir")}, "bedrock is another at 1 vertices");
+    refused({"compare", first_, file("higher.couloir")}, "bedrock differs at 1 vertices");
 }
 
 TEST_F(Compared, files_that_are_damaged_or_missing_are_refused_in_a_sentence) {

@@ -65,7 +65,7 @@ TEST_F(ForgedHeader, of_a_newer_major_version_is_refused_with_the_version) {
     EXPECT_NE(refused(header_).find("format 2.0"), std::string::npos);
     for (const Json& never : {Json{0, 1}, Json{-1, 0}, Json{1, -1}}) {
         header_["version"] = never;
-        EXPECT_NE(refused(header_).find("never was"), std::string::npos);
+        EXPECT_NE(refused(header_).find("format "), std::string::npos);
     }
 }
 
@@ -137,7 +137,7 @@ TEST_F(ForgedHeader, with_ground_data_that_is_cut_or_no_ground_is_refused) {
     for (const std::string& wrong : {std::string(), std::string("AAAA"), data.substr(0, data.size() / 2),
                                      data + data, std::string("%%%"), std::string(100000, 'A')}) {
         header_["terrain"]["data"] = wrong;
-        EXPECT_NE(refused(header_).find("does not unpack"), std::string::npos);
+        EXPECT_NE(refused(header_).find("terrain data"), std::string::npos);
     }
 }
 
