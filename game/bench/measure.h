@@ -72,8 +72,8 @@ struct FrameFigures {
     StageFigures frame;      // sum of all parts over the drawn ticks, or over all ticks if none was drawn
     double frame_ms = 0;     // mean tick plus mean drawing
     double slow = 0;         // share of frames that took longer than the time they show
-    double busy_fronts = 0;  // share of track, advect and gradient in the frame, while at least three
-                             // the moving vertices are at least three quarters of their maximum
+    double busy_fronts = 0;  // share of track, advect and gradient in the frame, while the moving
+                             // vertices are at least three quarters of their maximum
 
     double frames_per_s() const { return frame_ms > 0 ? 1000 / frame_ms : 0; }
     double share(Part part) const {  // of the mean frame

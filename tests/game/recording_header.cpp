@@ -128,7 +128,7 @@ TEST_F(ForgedHeader, with_the_ground_of_another_recording_is_not_the_terrain_rec
     ASSERT_NE(header_["terrain"]["data"], spliced);
     header_["terrain"]["data"] = spliced;
     const std::string sentence = refused(header_);
-    EXPECT_NE(sentence.find("its terrain is not the 'made up' it was recorded on"), std::string::npos)
+    EXPECT_NE(sentence.find("'made up'"), std::string::npos)
         << sentence;
 }
 
@@ -211,7 +211,7 @@ TEST_F(ForgedHeader, with_no_line_behind_it_plays_and_proves_nothing) {
     ASSERT_TRUE(read(header_));
     const Finished replayed = couloir({"replay", path_.string(), "--verify"});
     EXPECT_EQ(replayed.status, 1) << replayed.err;
-    EXPECT_NE(replayed.out.find("nothing is proven"), std::string::npos) << replayed.out;
+    EXPECT_NE(replayed.out.find("nothing is verified"), std::string::npos) << replayed.out;
     const Json summary = Json::parse(couloir({"replay", path_.string(), "--verify", "--json"}).out);
     EXPECT_EQ(summary["verified"]["exact"], false);
 }
