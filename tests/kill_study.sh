@@ -23,7 +23,7 @@ for ((i = 0; i < times; ++i)); do
     said=$("$program" replay "$file" --verify 2>&1)
     proven=$(grep -oE 'proven up to tick [0-9]+' <<<"$said" | grep -oE '[0-9]+$')
     if [ -z "$proven" ]; then
-        proven=$(grep -oE 'torn off within the header|: empty' <<<"$said" | head -n 1)
+        proven=$(grep -oE 'cut off within the header|: empty' <<<"$said" | head -n 1)
         [ -n "$proven" ] || { proven="UNPROVEN: $said" status=1; }
     fi
     echo "$seconds,$(stat -c %s "$file"),$proven"

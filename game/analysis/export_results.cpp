@@ -9,7 +9,7 @@
 namespace game {
 namespace {
 
-// How much of the lower material has been moved and is there, m; empty in a world of one.
+// How much of the lower material was moved and is now there, m; empty with one material.
 std::vector<float> lower_material_of(const sim::State& state) {
     std::vector<float> amounts;
     if (!state.mixture) return amounts;

@@ -14,7 +14,7 @@
 namespace game {
 
 struct Gallery::Parts {
-    render::HeadlessContext context;  // first: the renderer's GL names live in it
+    render::HeadlessContext context;  // first, because the renderer's GL names live in it
     render::Renderer renderer;
     render::FrameWriter writer;
     std::filesystem::path folder;
@@ -38,7 +38,7 @@ struct Gallery::Parts {
 
 namespace {
 
-// Straight down on the middle, just high enough to see all of it.
+// A camera straight above the middle, just high enough to see all of it.
 render::Camera map_camera(const sim::View& world, double aspect) {
     const double width = (world.grid.nx - 1) * static_cast<double>(world.grid.dx);
     const double height = (world.grid.ny - 1) * static_cast<double>(world.grid.dx);
@@ -49,10 +49,10 @@ render::Camera map_camera(const sim::View& world, double aspect) {
             highest = std::max(highest, static_cast<double>(world.bedrock(x, y)));
         }
     render::Camera camera;
-    camera.field_of_view_deg = 28;  // narrow enough to be nearly the plan, near enough to be clear of haze
+    camera.field_of_view_deg = 28;  // narrow enough to be nearly the plan, close enough to avoid haze
     const double half = std::max(height, width / aspect) * 0.53;
     camera.target = {width / 2, height / 2, world.datum + (lowest + highest) / 2};
-    camera.azimuth_deg = 180;  // stands in the south, so north is up
+    camera.azimuth_deg = 180;  // the camera is in the south, so north is up
     camera.elevation_deg = 89.9;
     camera.distance_m =
         half / std::tan(camera.field_of_view_deg / 2 * 3.14159265358979323846 / 180) + (highest - lowest) / 2;

@@ -17,26 +17,27 @@ struct PictureSize {
     int width = 1280, height = 720;  // pixels, 16 to 8192
 };
 
-// Names of the pictures of a run or a replay, with * for any characters: ticks, maps, where two runs part.
+// File names of the images of a run or a replay, with * for
+// any characters: ticks, maps, the divergence of two runs.
 inline const std::vector<std::string> kFrameNames{"tick_*.png", "map_*.png", "desync.png"};
 
-// Draws a world into numbered pictures without a window, and writes them while the world goes on.
+// Draws a world into numbered images without a window, and writes them while the world continues.
 class Gallery {
   public:
-    // `gl` as in render::HeadlessContext::create. Makes `folder`. Errors: no GL, or the folder cannot be
-    // written (status 3).
+    // `gl` as in render::HeadlessContext::create. Makes `folder`.
+    // Errors: no GL, or the folder cannot be written (status 3).
     static Outcome<Gallery> open(const std::filesystem::path& folder, PictureSize size, const std::string& gl,
                                  const Scenario& scenario);
     ~Gallery();
     Gallery(Gallery&&) noexcept;
     Gallery& operator=(Gallery&&) noexcept;
 
-    // Draws the world as it is, with the texture that its flow carries, if any, and hands the picture on to
-    // be written as NAME.png. Returns what its stages took, reading it back not among them.
+    // Draws the world now, with the advected texture, if any, and queues the image to be written as NAME.png.
+    // Returns the time of each stage, without the read-back.
     render::DrawTimes draw(const sim::View& world, const sim::front::FlowView* flow, const std::string& name);
-    // Seen straight from above, with north up.
+    // Seen from straight above, with north up.
     render::DrawTimes draw_map(const sim::View& world, const std::string& name);
-    // Waits for the last picture. Errors: one could not be written (status 3).
+    // Waits for the last image. Errors: one could not be written (status 3).
     Outcome<void> close();
 
     std::string renderer_name() const;

@@ -14,17 +14,17 @@
 
 namespace game {
 
-// When a world without a window stops.
+// When to stop a world without a window.
 struct Until {
-    std::optional<std::int64_t> tick;        // after so many ticks
+    std::optional<std::int64_t> tick;        // after this many ticks
     bool rest = false;                       // or when nothing moves and no command is left
-    std::int64_t most_ticks = 60 * 60 * 60;  // in any case
+    std::int64_t most_ticks = 60 * 60 * 60;  // upper limit
 
     static Until after(std::int64_t ticks) { return {ticks, false, ticks}; }
     static Until at_rest() { return {std::nullopt, true}; }
 };
 
-// What is watched on the way; each may be missing. None of it changes the world.
+// Optional observers of the run. None of them changes the world.
 struct Watchers {
     Gallery* gallery = nullptr;
     std::int64_t ticks_per_picture = 60;  // ≥ 1; the first and the last state are drawn too
@@ -32,8 +32,8 @@ struct Watchers {
     std::function<void(const Session&)> after_tick;
 };
 
-// Plays a session, with the commands from its tick on, at their ticks. Returns whether it stopped for the
-// reason that was asked for, false where most_ticks came first.
+// Plays a session, with the commands from its tick on. Returns whether it stopped as requested; false if it
+// reached most_ticks first.
 Outcome<bool> play_headless(Session& session, std::span<const TimedCommand> commands, const Until& until,
                             const Watchers& watchers, const std::string& what);
 

@@ -16,7 +16,7 @@ double ground_height(const Scenario& scenario, std::size_t i) {
     return static_cast<double>(scenario.bedrock[i]) + static_cast<double>(scenario.depth[i]);
 }
 
-// Run-out, fall and reach; nothing where nothing was released or nothing moved.
+// Computes run-out, fall and reach; leaves them if nothing was released or nothing moved.
 void measure_line(const Scenario& scenario, const std::vector<std::uint8_t>& released,
                   const std::vector<std::uint8_t>& extent, Measures& measures) {
     const sim::Grid& grid = scenario.grid;
@@ -48,7 +48,7 @@ void measure_line(const Scenario& scenario, const std::vector<std::uint8_t>& rel
         measures.reach_deg = std::atan2(measures.fall, measures.run_out) * 180 / 3.14159265358979323846;
 }
 
-// By how much the surface was raised at each vertex.
+// How much the surface was raised at each vertex.
 std::vector<float> change_of(const Scenario& scenario, const sim::State& state) {
     std::vector<float> change(scenario.grid.size());
     for (int y = 0; y < scenario.grid.ny; ++y)

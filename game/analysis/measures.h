@@ -12,27 +12,27 @@
 
 namespace game {
 
-// What an avalanche did, as people in the field put it. The extent is where the rolling layer was ever at
-// least kExtentDepth deep.
+// An avalanche's measures, in the field's terms. The extent is the
+// area where the rolling layer was ever at least kExtentDepth deep.
 struct Measures {
     static constexpr float kExtentDepth = 0.1f;  // m
 
     double extent_area = 0;                 // m², in plan
     double peak_depth = 0, peak_speed = 0;  // m, m/s
-    double eroded = 0, deposited = 0;       // m³ by which the standing layer has been lowered and raised
-    // From the highest vertex at which material was released or poured to the farthest of the extent,
-    // straight.
+    double eroded = 0, deposited = 0;       // m³ by which the standing layer was lowered and raised
+    // Along a straight line from the highest vertex at which material
+    // was released or added to the farthest vertex of the extent.
     terrains::LocalPoint top, toe;
     double run_out = 0;    // m, in plan
     double fall = 0;       // m
     double reach_deg = 0;  // ° of that line below the horizon
-    // With a reference only: intersection over union of its extent and this one, or of where the surface was
-    // changed by kChanged at least.
+    // With a reference only: intersection over union of its extent and this one, or of the areas where the
+    // surface changed by at least kChanged.
     static constexpr float kChanged = 0.3f;  // m
     std::optional<double> overlap;
 
-    // A change of the surface: how much was raised, and how far its middle lies from that of what was
-    // lowered.
+    // A change of the surface: the volume raised, and the distance
+    // from the middle of the lowered volume to that of the raised one.
     struct Change {
         double raised = 0;              // m³
         terrains::LocalPoint from, to;  // centroids by volume
@@ -40,19 +40,19 @@ struct Measures {
     };
     struct Changes {
         Change here, observed;
-        double apart = 0;  // m, between the middles of what was raised
+        double apart = 0;  // m, between the middles of the raised volumes
     };
-    std::optional<Changes> changes;  // with a reference that is a change
+    std::optional<Changes> changes;  // if the reference is a change of the surface
 };
 
-// `released` is where material was set loose, as release_area() gives it.
+// `released`: the area from release_area().
 Measures measure(const Scenario& scenario, const Session& session, const std::vector<std::uint8_t>& released,
                  const terrains::Reference& reference);
 
-// 1 at each vertex of the start's release and under each command that adds or frees material.
+// 1 at each vertex of the scenario's release and under each command that adds or releases material.
 std::vector<std::uint8_t> release_area(const Scenario& scenario, std::span<const TimedCommand> commands);
 
-// Intersection over union of two areas, 1 where they are; nothing of nothing.
+// Intersection over union of two areas, given as 1 inside; no value if both are empty.
 std::optional<double> overlap_of(const std::vector<std::uint8_t>& one,
                                  const std::vector<std::uint8_t>& other);
 

@@ -74,7 +74,7 @@ std::string paranoid_text(const SelfCheck& self_check, const Scenario& scenario)
     if (self_check.parted)
         return fmt::format("NOT the same: {}\n{}", compared,
                            to_text(*self_check.parted, scenario, self_check.names));
-    return fmt::format("every tick twice, the same bits in all {}: {}\n", self_check.ticks, compared);
+    return fmt::format("every tick done twice, all {} bit-identical: {}\n", self_check.ticks, compared);
 }
 
 Json paranoid_json(const SelfCheck& self_check, const Scenario& scenario) {
@@ -97,11 +97,11 @@ std::string mass_text(const Session& session, const std::string& what, const sim
 std::string to_text(const Verdict& verdict) {
     switch (verdict.kind()) {
         case Verdict::Kind::kNotComparable:
-            return "not comparable: recorded with another version of the physics, so nothing is proven\n";
+            return "not comparable: recorded with another version of the physics, so nothing is verified\n";
         case Verdict::Kind::kDiffers:
             return fmt::format("NOT the same: {}\n", *verdict.parted);
         case Verdict::Kind::kNothingProven:
-            return "nothing is proven: no state was recorded up to here\n";
+            return "nothing is verified: no state was recorded up to here\n";
         case Verdict::Kind::kExact:
             break;
     }
@@ -166,8 +166,9 @@ std::string to_text(const Summary& summary) {
                             m.changes ? "change of 0.3 m and more" : "extent", *m.overlap);
     if (m.changes)
         text += fmt::format(
-            "carried {:.0f} m, observed {:.0f} m, from the middle of what was lowered to that of what was "
-            "raised; "
+            "carried {:.0f} m, observed {:.0f} m, from the middle of the lowered volume to that of the "
+            "raised "
+            "one; "
             "{:.0f} m apart; raised {:.0f} m3, observed {:.0f} m3\n",
             m.changes->here.carried, m.changes->observed.carried, m.changes->apart, m.changes->here.raised,
             m.changes->observed.raised);

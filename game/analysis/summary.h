@@ -14,20 +14,20 @@
 
 namespace game {
 
-// What came of doing every tick twice.
+// The result of doing every tick twice.
 struct SelfCheck {
     std::array<std::string, 2> names;  // the two ways
     std::int64_t ticks = 0;
     std::optional<Divergence> parted;
 };
 
-// What is told of a finished run or replay, as JSON and as text for people.
+// The report of a finished run or replay, as JSON and as text.
 struct Summary {
     const Scenario& scenario;
     const Session& session;
     const Measures& measures;
     const PerfLog* perf = nullptr;  // none: no timing
-    std::optional<bool> at_rest;    // asked for and reached, or not
+    std::optional<bool> at_rest;    // whether rest was reached, if requested
     std::optional<Verdict> verdict;
     std::optional<SelfCheck> paranoid = std::nullopt;
 };
@@ -46,7 +46,7 @@ struct ResultOptions {
     }
 };
 void add_outputs(const ResultOptions& options, FileUse& use);
-// To be asked before the work begins. Errors: a file there could not be written (status 3).
+// Call before the work starts. Errors: an output file cannot be written (status 3).
 Outcome<void> make_places_for(const ResultOptions& options);
 // Writes the files and prints the summary. Needs summary.perf. Errors: status 3.
 Outcome<void> tell(const Summary& summary, const ResultOptions& options);

@@ -5,14 +5,14 @@
 namespace game {
 namespace {
 
-constexpr double kMicroseconds = 1000;  // in a millisecond: the format's unit
+constexpr double kMicroseconds = 1000;  // per millisecond; the format's unit is the microsecond
 
-// Quoted as JSON wants it.
+// Quotes a string for JSON.
 std::string quoted(const std::string& text) {
     return Json(text).dump();
 }
 
-// One line for each event: files of a million of them are read and searched by line too.
+// One line per event, because files of a million events are also read and searched by line.
 class Events {
   public:
     void name_process(std::size_t process, const std::string& name) {
@@ -44,7 +44,7 @@ class Events {
 
 std::string trace_of(std::span<const TracedRun> runs) {
     Events events;
-    double from_ms = 0;  // where a run begins
+    double from_ms = 0;  // start of the run
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const std::size_t process = i + 1;
         events.name_process(process, runs[i].name);

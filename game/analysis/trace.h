@@ -7,15 +7,15 @@
 
 namespace game {
 
-// A run as a trace shows it: a process of its own.
+// A run in the trace: one process.
 struct TracedRun {
     std::string name;
     std::span<const PerfRow> rows;
 };
 
-// Frames, what was done in each, and how many vertices and points of fronts there were, in the Trace Event
-// format that Perfetto and chrome://tracing open. Runs stand one after the other. Within a frame its parts
-// follow each other without the gaps that were between them; those come last.
+// Writes frames, their stages, and the number of vertices and front points in the Trace Event format that
+// Perfetto and chrome://tracing open. Runs follow one another. Within a frame, stages are packed without the
+// gaps between them; the gaps come last.
 std::string trace_of(std::span<const TracedRun> runs);
 
 }  // namespace game

@@ -16,30 +16,29 @@
 namespace game {
 namespace {
 
-constexpr double kLeastMs = 0.01;     // below it a clock tells little
+constexpr double kLeastMs = 0.01;     // shorter times are noise
 constexpr double kLeastShare = 0.05;  // of the tick
 
 using Fault = std::runtime_error;
 
-// A member that must be there; throws Fault, which entries_of() catches.
+// A required member; throws Fault, which entries_of() catches.
 const Json& required(const Json& json, const char* name) {
-    if (!json.is_object() || !json.contains(name))
-        throw Fault(fmt::format("has no \"{}\" where it should", name));
+    if (!json.is_object() || !json.contains(name)) throw Fault(fmt::format("has no \"{}\"", name));
     return json[name];
 }
 double required_number(const Json& json, const char* name) {
     const Json& value = required(json, name);
     if (!value.is_number() || !(value.get<double>() >= 0) || !std::isfinite(value.get<double>()))
-        throw Fault(fmt::format("has a \"{}\" that is no number above 0", name));
+        throw Fault(fmt::format("has a \"{}\" that is not a number above 0", name));
     return value.get<double>();
 }
 std::string required_text(const Json& json, const char* name) {
     const Json& value = required(json, name);
-    if (!value.is_string()) throw Fault(fmt::format("has a \"{}\" that is no text", name));
+    if (!value.is_string()) throw Fault(fmt::format("has a \"{}\" that is not a string", name));
     return value.get<std::string>();
 }
 
-// Parts that matter, of any that are told.
+// The reported parts that are large enough to matter.
 void keep_great(BenchEntry& entry) {
     double whole = 0;
     for (const auto& stage : entry.stages)
@@ -55,7 +54,7 @@ BenchEntry entry_of_case(const Json& json) {
                      required_text(json, "end_hash"),
                      {}};
     const Json& stages = required(json, "stages");
-    if (!stages.is_object()) throw Fault("has \"stages\" that are no object");
+    if (!stages.is_object()) throw Fault("has \"stages\" that is not an object");
     const bool drawn = required_number(required(stages, "draw"), "count") > 0;  // else a frame is but a tick
     for (const auto& [name, figures] : stages.items())
         if (required_number(figures, "count") > 0 && (name != "frame" || drawn))
@@ -71,7 +70,7 @@ BenchEntry entry_of_row(const Json& scaling, const Json& row) {
                      "",
                      {}};
     const Json& ms = required(row, "ms");
-    if (!ms.is_object()) throw Fault("has \"ms\" that are no object");
+    if (!ms.is_object()) throw Fault("has \"ms\" that is not an object");
     for (const auto& [name, value] : ms.items())
         entry.stages.push_back({name, required_number(ms, name.c_str())});
     keep_great(entry);
@@ -80,7 +79,7 @@ BenchEntry entry_of_row(const Json& scaling, const Json& row) {
 
 const Json& list(const Json& json, const char* name) {
     const Json& value = required(json, name);
-    if (!value.is_array()) throw Fault(fmt::format("has \"{}\" that are no list", name));
+    if (!value.is_array()) throw Fault(fmt::format("has \"{}\" that is not a list", name));
     return value;
 }
 
@@ -92,13 +91,13 @@ Outcome<Json> read_report(const std::filesystem::path& path) {
     std::error_code error;
     const auto size = std::filesystem::file_size(path, error);
     if (error || size > kMostReportBytes)
-        return unusable(fmt::format("{}: over {} bytes", path.string(), kMostReportBytes));
+        return unusable(fmt::format("{}: more than {} bytes", path.string(), kMostReportBytes));
     const std::string bytes{std::istreambuf_iterator<char>(*stream), {}};
     auto read = terrains::read_json<Json>(bytes, kReportLimits);
     if (!read) return unusable(fmt::format("{}: {}", path.string(), read.error()));
     Json& json = *read;
     if (!json.is_object() || json.value("format", Json()) != kBenchFormat)
-        return unusable(fmt::format("{}: is no report that bench wrote with --summary", path.string()));
+        return unusable(fmt::format("{}: is not a report from bench --summary", path.string()));
     if (json.value("version", Json()) != kBenchVersion)
         return unusable(fmt::format("{}: is of another version than {}", path.string(), kBenchVersion));
     if (const auto entries = entries_of(json); !entries)
@@ -135,7 +134,7 @@ BenchComparison compare_entries(const std::vector<BenchEntry>& now, const std::v
         }
         if (earlier->end_hash != entry.end_hash)
             comparison.remarks.push_back(
-                fmt::format("{} ended in another state then: it is not the same work", entry.key));
+                fmt::format("{} ended in another state then, so the work is not the same", entry.key));
         for (const auto& stage : entry.stages) {
             const auto before = std::find_if(earlier->stages.begin(), earlier->stages.end(),
                                              [&](const auto& each) { return each.name == stage.name; });
@@ -148,7 +147,7 @@ BenchComparison compare_entries(const std::vector<BenchEntry>& now, const std::v
             if (ratio <= worst) continue;
             worst = ratio;
             comparison.too_slow =
-                fmt::format("{} of {} takes {:.2f} times as long as then, which may be {:.2f}", stage.name,
+                fmt::format("{} of {} takes {:.2f} times as long as then, above the limit {:.2f}", stage.name,
                             entry.key, ratio, 1 + tolerance);
         }
     }

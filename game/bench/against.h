@@ -10,8 +10,8 @@
 
 namespace game {
 
-// What two runs can be compared by: medians of one recording on one grid in one physics, or of one row of the
-// scaling study.
+// An entry that two reports can be compared by: the medians of one recording on one grid in one physics, or
+// of one row of the scaling study.
 struct BenchEntry {
     struct Stage {
         std::string name;
@@ -19,23 +19,23 @@ struct BenchEntry {
     };
     std::string key;            // "snow-avalanche 160 bcre-inertial"
     std::string end_hash;       // empty in the scaling study
-    std::vector<Stage> stages;  // tick, frame, and parts that are a twentieth of the tick or frame at least
+    std::vector<Stage> stages;  // tick, frame, and parts that take at least a twentieth of the tick or frame
 };
 
-// A report written by --summary, made by to_json(BenchReport). Errors: it cannot be read, or is no such
-// report: one sentence with file and fact (status 2).
+// Reads a report that --summary wrote, made by to_json(BenchReport). Errors: it cannot be read, or is not
+// such a report: one sentence with file and fact (status 2).
 Outcome<Json> read_report(const std::filesystem::path& path);
-// Errors: something in it is missing or of another kind; a fact without the file.
+// Errors: a member is missing or of another type; a fact without the file.
 tl::expected<std::vector<BenchEntry>, std::string> entries_of(const Json& report);
 
 struct BenchComparison {
     Table table;                          // a row for each stage in both
-    std::vector<std::string> remarks;     // what keeps the two from being like for like
-    std::optional<std::string> too_slow;  // the worst beyond the tolerance, as a sentence
+    std::vector<std::string> remarks;     // why the two are not directly comparable
+    std::optional<std::string> too_slow;  // the worst stage beyond the tolerance, as a sentence
     std::size_t compared = 0;             // stages
 };
-// `tolerance`: a stage may take so much longer, as a share, ≥ 0. Of stages that took less than a hundredth of
-// a millisecond then, which is noise, nothing is said.
+// `tolerance`: how much longer a stage may take, as a share, ≥ 0.
+// Stages that took less than 0.01 ms are noise and are skipped.
 BenchComparison compare_entries(const std::vector<BenchEntry>& now, const std::vector<BenchEntry>& then,
                                 double tolerance);
 

@@ -10,7 +10,7 @@
 namespace game {
 
 struct Canvas::Parts {
-    render::HeadlessContext context;  // first: the renderer's GL names live in it
+    render::HeadlessContext context;  // first, because the renderer's GL names live in it
     render::Renderer renderer;
     PictureSize size;
     std::optional<render::Camera> camera = std::nullopt;

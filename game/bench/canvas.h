@@ -12,7 +12,7 @@
 
 namespace game {
 
-// Draws frames that nobody sees, as fast as can be, one sample per pixel, and times them.
+// Draws frames off screen as fast as possible, one sample per pixel, and times them.
 class Canvas {
   public:
     // `gl` as in render::HeadlessContext::create. Errors: no GL (status 3).
@@ -21,9 +21,10 @@ class Canvas {
     Canvas(Canvas&&) noexcept;
     Canvas& operator=(Canvas&&) noexcept;
 
-    // For the frames to come: camera, light and look of a start. Errors: a texture is missing (status 3).
+    // Sets camera, light and look of the following frames from
+    // a scenario. Errors: a texture is missing (status 3).
     Outcome<void> show(const Scenario& scenario);
-    // One frame; waits for it.
+    // Draws one frame and waits for it.
     render::DrawTimes draw(const sim::View& world, const sim::front::FlowView* flow);
 
     render::DrawnBy drawn_by() const;

@@ -11,9 +11,10 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-// Solves a·x = b in place, a symmetric and not negative. False where it has no single answer.
+// Solves a·x = b in place, a symmetric and positive
+// semidefinite. Returns false if there is no unique solution.
 bool solve(std::vector<Numbers>& a, Numbers& b) {
-    constexpr double kNothing = 1e-9;  // of what stood on the diagonal
+    constexpr double kNothing = 1e-9;  // relative to the original diagonal
     const std::size_t n = b.size();
     Numbers diagonal(n);
     for (std::size_t i = 0; i < n; ++i) diagonal[i] = a[i][i];
@@ -49,7 +50,7 @@ double dot(const Numbers& a, const Numbers& b) {
 }  // namespace
 
 std::optional<PowerLaw> fit_power_law(std::span<const double> costs, std::span<const Numbers> factors) {
-    // Logarithms: the factors' columns, then the costs'.
+    // The logarithms: columns of factors, then the costs.
     std::vector<Numbers> columns(factors.size() + 1);
     for (std::size_t i = 0; i < costs.size(); ++i) {
         bool counts = costs[i] > 0;

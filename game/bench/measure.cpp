@@ -14,14 +14,14 @@ namespace {
 
 constexpr std::int64_t kWarmUpTicks = 60;
 
-// What a run is made of, whichever repeat.
+// The parts of a run that all repeats share.
 struct BenchRun {
     const Scenario& scenario;
     const Recording& recording;
     const MeasureOptions& options;
     Canvas* canvas;
     std::int64_t ticks;
-    bool is_recorded;  // its states are in the recording
+    bool is_recorded;  // the recording has its states
 
     Outcome<Session> begin() const {
         auto session = Session::begin(scenario, options.step, std::nullopt);
@@ -30,8 +30,8 @@ struct BenchRun {
     }
 };
 
-// A frame is drawn every so many ticks, and one right before it: what is cut anew grows with the ticks since
-// the last.
+// A frame is drawn every so many ticks, and one right before it,
+// because recutting costs grow with the ticks since the last frame.
 void draw_if_due(const BenchRun& run, const Session& session, PerfRow& row) {
     if (!run.canvas) return;
     const std::int64_t tick = session.state().tick, every = run.options.every;
@@ -41,7 +41,7 @@ void draw_if_due(const BenchRun& run, const Session& session, PerfRow& row) {
         run.canvas->draw(session.view(), session.fronts());
 }
 
-// Once before it counts: memory of the session, and then shaders and buffers of a frame.
+// Runs once before measuring: allocates the session's memory, then the shaders and buffers of a frame.
 Outcome<double> warm_up(const BenchRun& run, const std::string& what) {
     forget_peak();
     const std::size_t before = resident_bytes();
@@ -83,7 +83,7 @@ Outcome<std::vector<PerfRow>> play_once(const BenchRun& run, const std::string& 
     return rows;
 }
 
-// The first tick at which a repeat parts from the first one; none where all agree.
+// The first tick at which a repeat differs from the first one; none if all agree.
 std::optional<std::int64_t> first_parting(std::span<const std::vector<PerfRow>> repeats) {
     for (const auto& rows : repeats)
         for (std::size_t i = 0; i < rows.size(); ++i)
@@ -151,7 +151,7 @@ Outcome<Measured> measure(const BenchRecording& named, int squares, const BenchP
     }
     measured.peak_bytes = peak_bytes();
     if (const auto tick = first_parting(repeats); tick && measured.why.empty())
-        measured.why = fmt::format("its repeats part at tick {}", *tick);
+        measured.why = fmt::format("its repeats differ at tick {}", *tick);
     if (!measured.why.empty()) measured.proof = Proof::kInvalid;
     std::vector<double> totals;
     totals.reserve(repeats.size());

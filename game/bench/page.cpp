@@ -10,7 +10,7 @@
 namespace game {
 namespace {
 
-// Okabe and Ito's colours, which people without one kind of cone tell apart, and greys; in the order of Part.
+// Okabe and Ito's colours, safe for colour-blind viewers, and greys; in the order of Part.
 constexpr const char* kChartStyle =
     R"(:root { --p0: #0072b2; --p1: #e8d820; --p2: #e69f00; --p3: #009e73; --p4: #cc79a7; --p5: #9a9a9a; --p6: #56b4e9; --p7: #d55e00; --p8: #505050; --p9: #222; }
 @media (prefers-color-scheme: dark) { :root { --p0: #3d9be0; --p8: #c8c8c8; --p9: #e4e4e4; } }
@@ -47,7 +47,7 @@ std::string name_of(const Measured& each) {
     return fmt::format("{}, {} squares, {}", each.recording, each.squares, each.physics);
 }
 
-// Each part over the time of the avalanche: medians of as many ticks as fall on a pixel or two.
+// Each part over the time of the avalanche: medians over the ticks of a pixel or two.
 StackedPlot ticks_plot(const Measured& each) {
     constexpr std::size_t kMostPlaces = 160;
     const std::size_t count = each.rows.size(), places = std::min(count, kMostPlaces);
@@ -106,15 +106,15 @@ std::string cases_html(const BenchReport& report) {
         const FrameFigures figures = frame_figures(each);
         html += fmt::format("<h3>{}: {}</h3>\n<div class=\"row\">\n", html_text(name_of(each)),
                             to_string(each.proof));
-        html += figure(svg_of(ticks_plot(each)), "What a tick takes while the avalanche runs.");
+        html += figure(svg_of(ticks_plot(each)), "Time of a tick during the avalanche.");
         html += figure(svg_of(distribution_plot(each, figures)),
-                       fmt::format("How often it takes so long, over {} ticks.", each.rows.size()));
+                       fmt::format("Distribution over {} ticks.", each.rows.size()));
         html += "</div>\n";
     }
     return html;
 }
 
-// Of the moments of one grid after the other those at `time_s`, or all.
+// For each grid, its moments at `time_s`, or all of them.
 LogPlot scaling_plot(const Scaling& scaling, bool over_points) {
     LogPlot plot{over_points ? "points of the front" : "vertices", "ms", {}, !over_points};
     const double time_s = scaling.rows.front().time_s;
@@ -134,11 +134,10 @@ LogPlot scaling_plot(const Scaling& scaling, bool over_points) {
 }
 
 std::string scaling_html(const Scaling& scaling) {
-    return "<h2 id=\"scaling\">How it grows</h2>\n" + legend_of_parts(0, kPartCount) +
-           "<div class=\"row\">\n" +
+    return "<h2 id=\"scaling\">Scaling</h2>\n" + legend_of_parts(0, kPartCount) + "<div class=\"row\">\n" +
            figure(svg_of(scaling_plot(scaling, false)),
-                  fmt::format("{} in {}, {:.0f} s after its beginning, on grid after grid.",
-                              scaling.recording, scaling.physics, scaling.rows.front().time_s)) +
+                  fmt::format("{} in {}, {:.0f} s after its start, on each grid.", scaling.recording,
+                              scaling.physics, scaling.rows.front().time_s)) +
            figure(svg_of(scaling_plot(scaling, true)),
                   "The same parts over the length of the front, at every moment.") +
            "</div>\n";
@@ -159,11 +158,9 @@ std::string introduction(const BenchReport& report) {
     html += "</p>\n";
     if (!report.cases.empty())
         html +=
-            "<p>Of each tick the median of its repeats; medians, 95 and 99 % over all ticks. "
-            "<em>Golden</em>: every "
-            "state that was recorded was met, bit for bit. <em>Unverified</em>: nothing was recorded on this "
-            "grid or "
-            "in this physics, and the repeats agree. <em>Slow</em>: frames that take longer than the time "
+            "<p>Times are medians of the repeats of each tick; medians, 95 % and 99 % percentiles over all "
+            "ticks. <em>Golden</em>: every recorded state is bit-identical. <em>Unverified</em>: no states "
+            "are recorded for this grid or physics, but the repeats agree. <em>Slow</em>: frames that take longer than the time "
             "they show. "
             "B/vertex: memory of the simulation and its fronts.</p>\n";
     return html;
@@ -172,7 +169,7 @@ std::string introduction(const BenchReport& report) {
 }  // namespace
 
 std::string page_of(const BenchReport& report, std::span<const Table> tables) {
-    std::string html = begin_page("What Couloir costs", colours()) + introduction(report);
+    std::string html = begin_page("Couloir benchmark", colours()) + introduction(report);
     if (!report.cases.empty()) html += bars_html(report);
     if (report.scaling) html += scaling_html(*report.scaling);
     html += "<h2 id=\"numbers\">In numbers</h2>\n";

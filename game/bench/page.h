@@ -7,8 +7,8 @@
 
 namespace game {
 
-// A report as one HTML page that needs nothing from elsewhere: no script, no file, no letter. `tables`: those
-// of the report, and what else is to be told.
+// A report as one self-contained HTML page: no scripts, files
+// or fonts. `tables`: the report's, and any others to show.
 std::string page_of(const BenchReport& report, std::span<const Table> tables);
 
 }  // namespace game

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMiB = 1 << 20;
 
-// Three digits that count: "0.0123", "1.23", "123".
+// Three significant digits: "0.0123", "1.23", "123".
 std::string ms_text(double ms) {
     return ms <= 0 ? "0"
                    : fmt::format("{:.{}f}", ms,
@@ -36,7 +36,7 @@ double bytes_per_vertex(const Measured& measured) {
 }
 
 Table times_table(const BenchReport& report) {
-    Table table{"Milliseconds of a tick, and of a frame that draws it",
+    Table table{"Milliseconds per tick, and per frame that draws it",
                 {"recording", "grid", "physics", "state", "sub-steps", "tick", "p95", "p99", "frame", "p95",
                  "p99", "frames/s", "slow %", "repeats ±%", "B/vertex", "peak MiB"},
                 {},
@@ -56,10 +56,10 @@ Table times_table(const BenchReport& report) {
     return table;
 }
 
-// Of the tick what needs no picture, and of the frame the rest: drawing takes so much of it by software that
-// nothing else would be seen.
+// Parts without drawing as shares of the tick, the others as shares of the frame. Software drawing takes so
+// much of a frame that nothing else would show.
 Table shares_table(const BenchReport& report) {
-    Table table{"Where it goes: % of the mean tick, and % of the mean frame that it is a part of",
+    Table table{"Where the time goes: % of the mean tick, and % of the mean frame",
                 {"recording", "grid", "physics", "tick"},
                 {},
                 3};
@@ -84,12 +84,13 @@ Table shares_table(const BenchReport& report) {
     return table;
 }
 
-// Ours with and without its drawing: theirs was drawn by a GPU of its time.
+// Ours with and without drawing, because a GPU of its time drew theirs.
 Table paper_table(const BenchReport& report) {
     Table table{
-        fmt::format("Beside the paper ({}): frames/s, share of the solver, and of velocities and textures "
-                    "while most moves, %",
-                    kPaperMachine),
+        fmt::format(
+            "Compared with the paper ({}): frames/s, share of the solver, and of velocities and textures "
+            "while most vertices move, %",
+            kPaperMachine),
         {"recording", "grid", "physics", "paper", "here", "times", "without drawing", "times",
          "solver, paper", "here", "of the tick", "textures, paper", "here"},
         {},
@@ -115,7 +116,7 @@ Table paper_table(const BenchReport& report) {
 }
 
 Table scaling_table(const Scaling& scaling) {
-    Table table{fmt::format("{} in {} on grid after grid ({}): milliseconds, medians of {} ticks",
+    Table table{fmt::format("{} in {} on each grid ({}): milliseconds, medians of {} ticks",
                             scaling.recording, scaling.physics, to_string(scaling.proof), scaling.ticks_each),
                 {"grid", "s", "vertices", "moving", "points", "sub-steps", "B/vertex"},
                 {}};
@@ -139,7 +140,7 @@ Table scaling_table(const Scaling& scaling) {
 
 Table exponents_table(const Scaling& scaling) {
     Table table{
-        "How it grows: exponents by least squares of logarithms, and what share of the variance they explain",
+        "Scaling: exponents by least squares of logarithms, and the share of the variance they explain",
         {"part", "vertices", "R²", "points of the front", "R²", "both: vertices", "points", "R²"},
         {}};
     for (const Exponents& each : exponents_of(scaling.rows)) {

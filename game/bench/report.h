@@ -9,25 +9,25 @@
 
 namespace game {
 
-// All that one run of the benchmark found.
+// All results of one run of the benchmark.
 struct BenchReport {
     PerfSurroundings around;
     std::vector<Measured> cases;
     std::optional<Scaling> scaling;
 
-    std::optional<std::string> invalid() const;  // the first that is, as a sentence
+    std::optional<std::string> invalid() const;  // the first invalid measurement, as a sentence
 };
 
-// For the screen and the page.
+// For the terminal and the page.
 std::vector<Table> tables_of(const BenchReport& report);
 
-// For scripts, and for a later run to compare with: format "couloir bench".
+// For scripts, and for a later comparison: format "couloir bench".
 inline constexpr const char* kBenchFormat = "couloir bench";
 inline constexpr int kBenchVersion = 1;
 Json to_json(const BenchReport& report);
 
-// A line per tick of every recording, grid and physics: these, the columns of the performance log, and
-// hash_ms, peaks_ms; where a scaling study was made a line for each of its rows instead.
+// One line per tick of every recording, grid and physics: these, the columns of the performance log, and
+// hash_ms, peaks_ms. For a scaling study, one line per row instead.
 std::string csv_of(const BenchReport& report);
 
 }  // namespace game

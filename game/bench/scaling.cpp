@@ -14,15 +14,15 @@
 namespace game {
 namespace {
 
-constexpr std::int64_t kTicksBefore = 4;  // to warm up what follows the fronts
+constexpr std::int64_t kTicksBefore = 4;  // to warm up front tracking
 constexpr std::int64_t kTicksEach = 15;
 
-// The state of one grid's session while it plays on from moment to moment.
+// One grid's session, played from moment to moment.
 struct Player {
     Session& session;
     const Recording& recording;
-    Verifier* verifier;  // null where nothing was recorded of this grid
-    Canvas* canvas;      // null where nothing is drawn
+    Verifier* verifier;  // null if nothing was recorded on this grid
+    Canvas* canvas;      // null if nothing is drawn
     std::string what;
 
     Outcome<void> play(std::int64_t until_tick, std::vector<PerfRow>* rows) {
@@ -42,7 +42,7 @@ struct Player {
     }
 };
 
-// The tick in which the study of a moment begins; none if the recording is over before it ends.
+// The tick at which the study of a moment starts; none if the recording ends too early.
 std::optional<std::int64_t> first_tick(const Recording& recording, const MeasureOptions& options,
                                        int seconds) {
     const std::int64_t last = std::min(options.ticks.value_or(recording.last_tick()), recording.last_tick());
@@ -53,7 +53,7 @@ std::optional<std::int64_t> first_tick(const Recording& recording, const Measure
 }
 
 ScalingRow row_of(std::vector<PerfRow> rows) {
-    // As if each tick were a repeat of the same one: what rolls changes little in so few.
+    // Treat each tick as a repeat of the same one: the rolling layer changes little in so few.
     std::vector<std::vector<PerfRow>> repeats;
     repeats.reserve(rows.size());
     for (PerfRow& row : rows) repeats.push_back({std::move(row)});
@@ -114,8 +114,8 @@ Outcome<void> measure_grid(const BenchRecording& named, int squares, const Bench
 Outcome<Scaling> measure_scaling(const BenchRecording& recording, std::span<const int> squares,
                                  const BenchPhysics& physics, const MeasureOptions& options, Canvas* canvas) {
     if (!first_tick(recording.recording, options, kScalingSeconds.front()))
-        return unusable(fmt::format("{} is over before its {}th second, where the study begins",
-                                    recording.name, kScalingSeconds.front()));
+        return unusable(fmt::format("{} ends before second {}, where the study starts", recording.name,
+                                    kScalingSeconds.front()));
     Scaling scaling;
     scaling.recording = recording.name;
     scaling.file_hash = recording.file_hash;

@@ -11,7 +11,7 @@
 namespace game {
 namespace {
 
-// Brings one field after the other from a grid to another.
+// Transfers fields from one grid to another.
 class Resampler {
   public:
     Resampler(const Scenario& from, const sim::Grid& to) : from_(from), to_(to) {}
@@ -31,7 +31,7 @@ class Resampler {
         return fit.finish();
     }
 
-    // No deeper than it ever was, nothing where nobody knows the ground.
+    // Never deeper than the original, and zero where there is no data.
     std::vector<float> layer(const std::vector<float>& depth) const {
         if (depth.empty()) return {};
         const float most = *std::max_element(depth.begin(), depth.end());
@@ -111,8 +111,7 @@ Outcome<Scenario> on_grid(Scenario scenario, int squares, const Memory& memory) 
     auto bedrock = to.fit(scenario.bedrock);
     if (std::count(bedrock.has_data.begin(), bedrock.has_data.end(), 0) ==
         static_cast<std::ptrdiff_t>(grid->size()))
-        return unusable(
-            fmt::format("{}: no ground is left on a grid of {} squares", scenario.title, squares));
+        return unusable(fmt::format("{}: a grid of {} squares leaves no ground", scenario.title, squares));
     terrains::fill_voids(*grid, bedrock.has_data, bedrock.surface);
     scenario.depth = to.layer(scenario.depth);
     scenario.rolling = to.layer(scenario.rolling);

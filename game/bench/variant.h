@@ -12,7 +12,7 @@
 
 namespace game {
 
-// The physics in which recordings are measured; a name holds no space.
+// The physics variants for measuring recordings; a name has no spaces.
 struct BenchPhysics {
     std::string_view name;
     sim::Model model;
@@ -23,18 +23,18 @@ inline constexpr std::array<BenchPhysics, 3> kBenchPhysics{
      {"lax-friedrichs", sim::Model::kBcre, sim::Scheme::kLaxFriedrichs},
      {"local-lax-friedrichs", sim::Model::kBcre, sim::Scheme::kLocalLaxFriedrichs}}};
 std::optional<BenchPhysics> bench_physics_named(std::string_view name);
-std::string bench_physics_names();  // with commas between
+std::string bench_physics_names();  // separated by commas
 
-// Whether this is how `scenario` is reckoned anyway.
+// Whether `scenario` uses this physics already.
 bool is_own(const Scenario& scenario, const BenchPhysics& physics);
-// The start reckoned so: another scheme alone, or the numbers that its materials have for the other model.
-// Tick and borders stay. Errors: a material ships no such numbers.
+// Changes the physics of the scenario: only the scheme, or the parameters that its materials have for the
+// other model. Tick and borders stay. Errors: a material has no such parameters.
 Outcome<Scenario> in_physics(Scenario scenario, const BenchPhysics& physics);
 
 int squares_of(const Scenario& scenario);  // along the longer side
-// Its ground on another grid over the same rectangle, 8 to 4096 squares along the longer side: bedrock and
-// layers averaged where the grid is coarser, interpolated where it is finer. Errors: fewer than two squares
-// would fit across, or `memory` does not allow the grid.
+// Moves the scenario to another grid over the same rectangle, 8 to 4096 squares along the longer side.
+// Bedrock and layers are averaged on a coarser grid and interpolated on a finer one. Errors: fewer than two
+// squares would fit across, or `memory` does not allow the grid.
 Outcome<Scenario> on_grid(Scenario scenario, int squares, const Memory& memory = {});
 
 // What of a recording is measured: its start in this physics on that grid. Errors: as above, or its commands

@@ -19,7 +19,7 @@
 namespace game {
 namespace {
 
-constexpr std::size_t kMostSaid = 8;  // of what was told them differently
+constexpr std::size_t kMostSaid = 8;  // listed differences of scenarios and commands
 
 std::vector<std::uint8_t> extent_of(const Played& played) {
     const std::vector<float>& depth = played.session.peaks().depth;
@@ -35,7 +35,7 @@ std::vector<float> less(const std::vector<float>& one, const std::vector<float>&
     return difference;
 }
 
-// A line of the table: what both measure, in how many digits.
+// A row of the table: a measure of both, and its number of digits.
 struct Row {
     const char *what, *key;
     double a, b;
@@ -58,7 +58,7 @@ std::vector<Row> rows_of(const Comparison& comparison) {
             {"peak speed, m/s", "peak_speed_m_s", a.peak_speed, b.peak_speed, 2}};
 }
 
-// With a sign, and none where nothing is left to be seen of it.
+// With a sign, or "0" if all shown digits are zero.
 std::string signed_text(double value, int digits) {
     const std::string text = fmt::format("{:+.{}f}", value, digits);
     return text.find_first_of("123456789") == std::string::npos ? "0" : text;
@@ -143,9 +143,9 @@ std::string to_text(const Comparison& comparison) {
     const std::size_t width = std::max({names[0].size(), names[1].size(), std::size_t{12}});
     std::string text;
     if (comparison.said.empty()) {
-        text += "told the same: start and commands\n";
+        text += "same input: scenario and commands\n";
     } else {
-        text += "told differently:\n";
+        text += "different input:\n";
         for (std::size_t i = 0; i < std::min(comparison.said.size(), kMostSaid); ++i)
             text += fmt::format("  {}\n", comparison.said[i]);
         if (comparison.said.size() > kMostSaid)
@@ -162,11 +162,11 @@ std::string to_text(const Comparison& comparison) {
     if (comparison.overlap)
         text += fmt::format("extents overlap by {:.3f} (intersection over union)\n", *comparison.overlap);
     text +=
-        fmt::format("deposit, second less first: {}; {:.0f} m3 more in places, {:.0f} m3 less in others\n",
+        fmt::format("deposit, second minus first: {}; {:.0f} m3 more in places, {:.0f} m3 less in others\n",
                     extremes(comparison.deposit), comparison.more, comparison.less);
-    text += fmt::format("peak depth, second less first: {}\n\n", extremes(comparison.peak_depth));
+    text += fmt::format("peak depth, second minus first: {}\n\n", extremes(comparison.peak_depth));
     text += comparison.parted ? to_text(*comparison.parted, comparison.a.of.recording.header.scenario, names)
-                              : fmt::format("the same bits in all {} ticks\n", comparison.followed);
+                              : fmt::format("bit-identical in all {} ticks\n", comparison.followed);
     return text;
 }
 

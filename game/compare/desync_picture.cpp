@@ -11,10 +11,10 @@
 namespace game {
 namespace {
 
-// Vermilion and ink: apart for everybody, by lightness too.
+// Vermilion and ink differ for every kind of colour vision, also by lightness.
 const glm::vec3 kDiffers{213, 70, 0}, kInk{20, 20, 24}, kTile{0, 90, 150};
-constexpr int kAround = 6;       // cells shown to each side of the first
-constexpr float kLarge = 25;     // px, a cell of these
+constexpr int kAround = 6;       // cells shown on each side of the first
+constexpr float kLarge = 25;     // px, an enlarged cell
 constexpr float kLeastMark = 4;  // px, a differing cell on the map
 
 bool differs(const Divergence& parted, const sim::Grid& grid, int x, int y) {
@@ -31,7 +31,7 @@ auto tint_of(const Divergence& parted, const sim::Grid& grid) {
     };
 }
 
-// Cells that would be lost among the pixels of a fine grid.
+// Marks cells that would be lost among the pixels of a fine grid.
 void mark_small_cells(MapPage& page, const Divergence& parted, const sim::Grid& grid) {
     if (page.relief().pixels_per_cell() >= kLeastMark) return;
     for (int y = 0; y < grid.ny; ++y)
@@ -50,7 +50,7 @@ void draw_tile(MapPage& page, const Divergence& parted, const sim::Grid& grid) {
                   1.6f, kTile);
 }
 
-// The first cell and those around it, where the column goes on.
+// Draws the first cell and its surroundings at the pen of the column.
 void draw_large(MapPage& page, const Divergence& parted, const Scenario& scenario, glm::ivec2 cell) {
     const glm::vec2 middle(std::clamp(cell.x, 0, scenario.grid.nx - 1),
                            std::clamp(cell.y, 0, scenario.grid.ny - 1));
@@ -94,10 +94,11 @@ render::Picture desync_picture(const Divergence& parted, const Scenario& scenari
         page.say(stage_text(parted, names));
     }
     page.skip(10);
-    page.swatch(kDiffers, fmt::format("{} of {} cells differ then", differing(parted), parted.cells.size()));
+    page.swatch(kDiffers,
+                fmt::format("{} of {} cells differ at its end", differing(parted), parted.cells.size()));
     page.skip(4);
     if (!parted.fields.empty()) {
-        page.ring(kInk, "the first of them, large above");
+        page.ring(kInk, "the first of them, enlarged above");
         page.stroke(1.6f, 0, kTile, fmt::format("its tile, {}x{}", parted.tile_width, parted.tile_height));
     }
     page.scale_bar();

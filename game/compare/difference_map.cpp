@@ -14,14 +14,14 @@
 namespace game {
 namespace {
 
-// From a little to a lot.
+// From small to large.
 const std::array<glm::vec3, 4> kMore{{{244, 165, 130}, {214, 96, 77}, {178, 24, 43}, {103, 0, 31}}};
 const std::array<glm::vec3, 4> kLess{{{146, 197, 222}, {67, 147, 195}, {33, 102, 172}, {5, 48, 97}}};
 const glm::vec3 kNone{226, 225, 222};
-constexpr std::array<float, 4> kClasses{0.05f, 0.2f, 0.5f, 1.f};  // where each begins, of the greatest
+constexpr std::array<float, 4> kClasses{0.05f, 0.2f, 0.5f, 1.f};  // lower bounds, relative to the greatest
 const glm::vec3 kFirst{20, 20, 24}, kSecond{0, 110, 60};
 
-// 1, 2 or 5 times a power of ten: the greatest that one in a hundred of the values that are not 0 reach.
+// The greatest of 1, 2 or 5 times a power of ten that one in a hundred of the nonzero values reaches.
 float greatest_class(std::vector<float> values) {
     values.erase(std::remove(values.begin(), values.end(), 0.f), values.end());
     if (values.empty()) return 1;
@@ -53,8 +53,7 @@ void explain_colours(MapPage& page, float greatest) {
     for (std::size_t i = 0; i < kClasses.size(); ++i) page.swatch(kLess[i], label(i, "−"));
 }
 
-// What is worth seeing: where anything moved or differs, with room around; no narrower than half as high, nor
-// lower than half as wide.
+// The part to show: where anything moved or differs, with a margin, and an aspect ratio from 1:2 to 2:1.
 struct MapFrame {
     glm::ivec2 first, last;
 };
@@ -77,7 +76,7 @@ MapFrame frame_of(const Comparison& comparison) {
     return {glm::max(first - narrow - room, glm::ivec2(0)), glm::min(last + narrow + room, most)};
 }
 
-// Draws a ring around each command with a place that `a` has and `b` has not; says whether there was one.
+// Draws a ring around each command with a place that `a` has and `b` lacks. Returns whether there was one.
 bool ring_commands(MapPage& page, const Played& a, const Played& b, const glm::vec3& colour) {
     const auto& others = b.of.recording.commands;
     const auto cell = static_cast<double>(a.session.state().grid.dx);
@@ -116,15 +115,15 @@ render::Picture difference_map(const Comparison& comparison, MapOf of) {
     const bool first_rings = ring_commands(page, comparison.a, comparison.b, kFirst);
     const bool second_rings = ring_commands(page, comparison.b, comparison.a, kSecond);
 
-    page.title(of == MapOf::kDeposit ? "Deposit: what differs" : "Peak depth: what differs");
+    page.title(of == MapOf::kDeposit ? "Deposit difference" : "Peak depth difference");
     page.say(fmt::format("{} minus {}", comparison.b.of.name, comparison.a.of.name));
     page.skip(12);
     explain_colours(page, greatest);
     page.skip(12);
     page.stroke(1.6f, 0, kFirst, "extent of " + comparison.a.of.name);
     page.stroke(1.6f, 5, kSecond, "extent of " + comparison.b.of.name);
-    if (first_rings) page.ring(kFirst, fmt::format("command of {} alone", comparison.a.of.name));
-    if (second_rings) page.ring(kSecond, fmt::format("command of {} alone", comparison.b.of.name));
+    if (first_rings) page.ring(kFirst, fmt::format("command of {} only", comparison.a.of.name));
+    if (second_rings) page.ring(kSecond, fmt::format("command of {} only", comparison.b.of.name));
     page.skip(12);
     const Measures &a = comparison.a.measures, &b = comparison.b.measures;
     page.say(fmt::format("run-out {:.0f} m, was {:.0f}", b.run_out, a.run_out));

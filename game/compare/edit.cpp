@@ -27,28 +27,27 @@ std::string ticks_with_commands(const Commands& commands) {
     if (first.empty()) return "it has no commands";
     const bool more = first.size() > kMost;
     if (more) first.resize(kMost);
-    return fmt::format("there are some in ticks {}{}", fmt::join(first, ", "), more ? ", …" : "");
+    return fmt::format("ticks with commands: {}{}", fmt::join(first, ", "), more ? ", …" : "");
 }
 
-// The place of the command that is meant.
+// Index of the selected command.
 Outcome<std::size_t> find(const Commands& commands, const Edit& edit) {
     std::vector<std::size_t> there;
     for (std::size_t i = 0; i < commands.size(); ++i)
         if (commands[i].tick == edit.tick) there.push_back(i);
     if (there.empty())
-        return unusable(
-            fmt::format("no command stands in tick {}; {}", edit.tick, ticks_with_commands(commands)));
+        return unusable(fmt::format("no command in tick {}; {}", edit.tick, ticks_with_commands(commands)));
     if (!edit.which && there.size() > 1) {
         std::vector<std::string> names;
         for (std::size_t i = 0; i < there.size(); ++i)
             names.push_back(fmt::format("{} {}", i + 1, to_text(commands[there[i]].command)));
-        return unusable(fmt::format("{} commands stand in tick {}; --command says which one: {}",
-                                    there.size(), edit.tick, fmt::join(names, "; ")));
+        return unusable(fmt::format("{} commands in tick {}; choose one with --command: {}", there.size(),
+                                    edit.tick, fmt::join(names, "; ")));
     }
     const int which = edit.which.value_or(1);
     if (which < 1 || static_cast<std::size_t>(which) > there.size())
-        return unusable(fmt::format("--command {}: {} stand{} in tick {}", which, there.size(),
-                                    there.size() == 1 ? "s" : "", edit.tick));
+        return unusable(fmt::format("--command {}: {} command{} in tick {}", which, there.size(),
+                                    there.size() == 1 ? "" : "s", edit.tick));
     return there[static_cast<std::size_t>(which) - 1];
 }
 
@@ -65,7 +64,7 @@ std::vector<std::string> members_of(const sim::CommandInfo& info) {
 template <class Value>
 Outcome<void> take(const std::string& name, const std::string& text, const std::optional<Value>& value,
                    Value& into) {
-    if (!value) return unusable(fmt::format("--set {}: '{}' is no value for it", name, text));
+    if (!value) return unusable(fmt::format("--set {}: '{}' is not a valid value", name, text));
     into = *value;
     return {};
 }
@@ -84,7 +83,7 @@ Outcome<void> set_member(sim::Command& command, const std::string& name, const s
     if (info.has_profile && name == "profile")
         return take(name, text, sim::profile_from(text), command.profile);
     if (info.has_part && name == "of") return take(name, text, sim::part_from(text), command.of);
-    return unusable(fmt::format("--set {}: a {} has no such member; it has {}", name, info.name,
+    return unusable(fmt::format("--set {}: unknown member of a {}; known are {}", name, info.name,
                                 fmt::join(members_of(info), ", ")));
 }
 
@@ -106,7 +105,7 @@ bool has_place(const sim::Command& command) {
     return command.kind != sim::CommandKind::kSet;
 }
 
-// What it becomes; nothing if it goes.
+// The changed command; nothing if it is deleted.
 struct Change {
     float tick_s;
     TimedCommand command;
@@ -119,7 +118,7 @@ struct Change {
         return changed;
     }
     Result operator()(const Edit::Move& move) const {
-        if (!has_place(command.command)) return unusable("--move: a set has no place");
+        if (!has_place(command.command)) return unusable("--move: a 'set' command has no position");
         TimedCommand changed = command;
         changed.command.x += move.by.x, changed.command.y += move.by.y;
         return changed;
@@ -130,7 +129,7 @@ struct Change {
         if (!(std::fabs(ticks) < 1e9) || static_cast<double>(command.tick) + ticks < 0)
             return unusable(
                 fmt::format("--delay {}: the {} would come {}", delay.seconds, name_of(command),
-                            ticks < 0 ? "before the first tick" : "later than anything is played"));
+                            ticks < 0 ? "before the first tick" : "after the last possible tick"));
         changed.tick += static_cast<std::int64_t>(ticks);
         return changed;
     }
@@ -154,7 +153,7 @@ Outcome<Edited> edited(const Recording& recording, const Edit& edit) {
         if (const auto fault = sim::fault_of((*after)->command, scenario.lower.has_value()))
             return unusable(*fault);
         const auto later = [](std::int64_t tick, const TimedCommand& than) { return tick < than.tick; };
-        // Where it stood if it stays in its tick, else after those that were there.
+        // At its old place if it stays in its tick, else after the commands already there.
         const auto into =
             (*after)->tick == before.tick
                 ? result.commands.begin() + static_cast<std::ptrdiff_t>(*place)
@@ -162,7 +161,7 @@ Outcome<Edited> edited(const Recording& recording, const Edit& edit) {
         result.commands.insert(into, **after);
         result.change += fmt::format(" becomes tick {}: {}", (*after)->tick, to_text((*after)->command));
     } else {
-        result.change += " is left out";
+        result.change += " is deleted";
     }
     if (const auto fault = fault_of_commands(scenario.params, result.commands)) return unusable(*fault);
     return result;

@@ -13,7 +13,7 @@
 
 namespace game {
 
-// One command of a recording, and what becomes of it.
+// A command of a recording, and the change to make to it.
 struct Edit {
     struct Set {
         std::string members;  // "x=80,rate=400,as=standing", named as in the recording
@@ -23,7 +23,7 @@ struct Edit {
         glm::dvec2 by{0};  // m, to the east and to the north
     };
     struct Delay {
-        double seconds = 0;  // earlier where negative; whole ticks are made of it
+        double seconds = 0;  // negative: earlier; rounded to whole ticks
     };
 
     std::int64_t tick = 0;
@@ -32,10 +32,10 @@ struct Edit {
 };
 
 struct Edited {
-    std::vector<TimedCommand> commands;  // in order of their ticks
-    std::string change;                  // for people: "pour of tick 60: x=80 becomes x=100"
+    std::vector<TimedCommand> commands;  // sorted by tick
+    std::string change;                  // for display: "pour of tick 60: x=80 becomes x=100"
 };
-// Errors, without the file's name: there is no such command, or it cannot be so.
+// Errors, without the file's name: no such command, or the change is not allowed.
 Outcome<Edited> edited(const Recording& recording, const Edit& edit);
 
 }  // namespace game

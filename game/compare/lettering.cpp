@@ -10,7 +10,7 @@
 namespace game {
 namespace {
 
-// Latin-1, dashes, minus, at most.
+// Covers Latin-1, dashes and minus.
 constexpr ImWchar kGlyphs[] = {0x0020, 0x00ff, 0x2010, 0x2027, 0x2190, 0x2193,
                                0x2212, 0x2212, 0x2264, 0x2265, 0};
 
@@ -22,7 +22,7 @@ struct Lettering::Parts {
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
 
-    // Calls each(glyph, its pen) for the letters of a line; returns where the pen ends.
+    // Calls each(glyph, its pen) for the letters of a line; returns the pen at the end.
     template <class Each>
     float go_along(std::string_view text, const Each& each) const {
         float pen = 0;
@@ -40,7 +40,7 @@ struct Lettering::Parts {
 Lettering::Lettering(float height_px) : parts_(std::make_unique<Parts>()), height_(height_px) {
     ImFontConfig config;
     config.SizePixels = height_px;
-    config.OversampleH = 1;  // a pixel of the atlas is one of the sheet
+    config.OversampleH = 1;  // an atlas pixel is a sheet pixel
     std::error_code error;
     if (const auto file = ui_font(); file && std::filesystem::is_regular_file(*file, error))
         parts_->font = parts_->atlas.AddFontFromFileTTF(file->c_str(), height_px, &config, kGlyphs);

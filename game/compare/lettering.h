@@ -10,16 +10,16 @@
 
 namespace game {
 
-// Letters on a sheet, without GL: those that the panels have (ui_font.h).
+// Text on a sheet, without GL, in the font of the panels (ui_font.h).
 class Lettering {
   public:
     explicit Lettering(float height_px);
     ~Lettering();
     Lettering(Lettering&&) noexcept;
 
-    float height() const { return height_; }   // px, from line to line
+    float height() const { return height_; }   // px, line spacing
     float width(std::string_view text) const;  // px; one line of UTF-8
-    // From its top left corner on. `colour` as in Sheet, sRGB 0 to 255.
+    // Writes from the top left corner. `colour` as in Sheet, sRGB 0 to 255.
     void write(render::Sheet& sheet, glm::vec2 at, std::string_view text, const glm::vec3& colour) const;
 
   private:

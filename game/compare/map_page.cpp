@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kMargin = 28, kGap = 34, kMap = 760;  // px
 constexpr float kLeastPageHeight = 720;
-constexpr float kIndent = 38;  // of what a colour means
+constexpr float kIndent = 38;  // of a legend entry's text
 const glm::vec3 kText{38, 40, 46}, kDim{110, 114, 122};
 
 Relief relief_for(const Scenario& scenario, glm::ivec2 first, glm::ivec2 last) {

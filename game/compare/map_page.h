@@ -7,28 +7,28 @@
 
 namespace game {
 
-// A sheet with a world's relief on the left and a column beside it that is filled from the top: titles, what
-// colours mean, sentences.
+// A sheet with a world's relief on the left and a text column
+// beside it that is filled from the top: titles, legend, sentences.
 class MapPage {
   public:
-    // All of the world, or the vertices from `first` to `last`, which lie in it.
+    // Shows all of the world, or its vertices from `first` to `last`.
     explicit MapPage(const Scenario& scenario);
     MapPage(const Scenario& scenario, glm::ivec2 first, glm::ivec2 last);
 
     render::Sheet& sheet() { return sheet_; }
     const Relief& relief() const { return relief_; }
-    glm::vec2 pen() const { return pen_; }  // where the column goes on, px
+    glm::vec2 pen() const { return pen_; }  // next position in the column, px
     static constexpr float kColumn = 340;   // px wide
 
     void title(const std::string& text);
-    void say(const std::string& text);      // a paragraph, broken where it must be
+    void say(const std::string& text);      // a paragraph with line breaks
     void whisper(const std::string& text);  // the same, smaller
     void skip(float px) { pen_.y += px; }
-    // What a colour, a line, a ring on the map means.
+    // Adds a legend entry for a colour, a line or a ring on the map.
     void swatch(const glm::vec3& colour, const std::string& meaning);
     void stroke(float width, float dash, const glm::vec3& colour, const std::string& meaning);
     void ring(const glm::vec3& colour, const std::string& meaning);
-    // At the foot of the column: how long metres are, and where north is.
+    // Draws a scale bar and a north arrow at the foot of the column.
     void scale_bar();
 
     void draw_ring(glm::vec2 at, float radius, const glm::vec3& colour);

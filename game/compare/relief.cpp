@@ -20,7 +20,7 @@ std::size_t clamped_index(const sim::Grid& grid, int x, int y) {
            static_cast<std::size_t>(std::clamp(x, 0, grid.nx - 1));
 }
 
-// Weights of the cubic B-spline's four knots around a place, and of its slope.
+// Weights of the cubic B-spline's four knots around a place, and their derivatives.
 struct Spline {
     std::array<float, 4> value, slope;
     explicit Spline(float t) {
@@ -41,13 +41,13 @@ double interval_of(const Scenario& scenario) {
     return range.lowest <= range.highest ? render::contour_interval(range) : 1;
 }
 
-// How light ground is, 0 to 1: two suns, the stronger one in the north-west, as on maps.
+// Brightness of the ground, 0 to 1: two suns, the stronger one in the north-west, as on maps.
 float lightness(glm::vec2 fall) {
     const glm::vec3 normal = glm::normalize(glm::vec3(-fall, 1));
     const float main = glm::dot(normal, glm::normalize(glm::vec3(-1, 1, 1.1f)));
     const float fill = glm::dot(normal, glm::normalize(glm::vec3(0.8f, -0.6f, 1.4f)));
     const float light = 0.70f * std::max(main, 0.f) + 0.45f * std::max(fill, 0.f);
-    // In steps too small to be seen: the picture is half as large.
+    // Quantised in invisible steps, which halves the size of the image.
     return std::round(48 * std::clamp(light, 0.f, 1.f)) / 48;
 }
 

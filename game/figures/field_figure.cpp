@@ -13,7 +13,7 @@ namespace {
 
 using sim::fields::TestFlow;
 
-// Palette of Okabe and Ito, which colour-blind people can read.
+// Okabe and Ito's palette, safe for colour-blind viewers.
 constexpr glm::vec3 kArrow{70, 70, 70}, kFront{213, 94, 0};
 constexpr int kArrows = 9;  // along each side
 
@@ -38,7 +38,7 @@ void draw_arrow(render::Sheet& sheet, const glm::vec2& from, const glm::vec2& to
     sheet.triangle({to, neck + 0.45f * head * aside, neck - 0.45f * head * aside}, kArrow);
 }
 
-// Where they cross no front: there they would say less than they hide.
+// Skip arrows that cross a front, because they would hide it.
 void draw_arrows(render::Sheet& sheet, const Plan& plan, const TestFlow& flow, double time) {
     constexpr double kLongest = 0.78 / kArrows, kAway = 0.012;  // m
     double fastest = 1e-9;
@@ -68,8 +68,8 @@ void draw_border(render::Sheet& sheet, int pixels) {
     for (int k = 0; k < 4; ++k) sheet.line(corner[k], corner[(k + 1) % 4], 3, kArrow);
 }
 
-// The middles of dashes: places on the front, found row after row, each as far from all before it as one dash
-// is to be from the next. That needs no way along a front, of which it may have many.
+// Centres of dashes: points on the front, found row by row, each at least one dash spacing from all before
+// it. This does not need to trace the fronts, of which there may be many.
 std::vector<glm::vec2> middles_of_dashes(const Plan& plan, const TestFlow& flow, double time, float apart) {
     std::vector<glm::vec2> middles;
     const int pixels = static_cast<int>(plan.to_pixels(1));

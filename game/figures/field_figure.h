@@ -5,8 +5,8 @@
 
 namespace game {
 
-// The unit square from above with a flow's velocities as arrows and its fronts dashed, as they are at `time`,
-// s. `pixels` along each side.
+// Draws the unit square from above with a flow's velocities as arrows and its fronts dashed, at `time`, s.
+// `pixels` along each side.
 render::Picture field_picture(const sim::fields::TestFlow& flow, double time, int pixels);
 
 }  // namespace game

@@ -27,7 +27,8 @@ render::Camera camera_of(const Cutout& cutout) {
     camera.target = {cutout.middle, 0};
     camera.azimuth_deg = 180;
     camera.elevation_deg = 89.9;
-    camera.field_of_view_deg = 30;  // level ground looks the same from anywhere: near enough for no haze
+    camera.field_of_view_deg =
+        30;  // level ground looks the same from any distance; this one is close enough to avoid haze
     const double half = camera.field_of_view_deg / 2 * std::numbers::pi / 180;
     constexpr double kNearer =
         0.996;  // so that no border is seen, for it does not stand quite straight above
@@ -35,10 +36,10 @@ render::Camera camera_of(const Cutout& cutout) {
     return camera;
 }
 
-// Where the front passes nearest to the middle of the square.
+// Finds where the front passes closest to the middle of the square.
 Cutout detail_of(const FlowFigure& figure) {
     constexpr double kSide = 0.3;
-    constexpr int kPlaces = 128;  // along each side of where its middle may be
+    constexpr int kPlaces = 128;  // candidate places along each side
     Cutout cutout{{0.5, 0.5}, kSide};
     double nearest = std::numeric_limits<double>::max();
     for (int y = 0; y <= kPlaces; ++y)
@@ -53,8 +54,9 @@ Cutout detail_of(const FlowFigure& figure) {
 
 std::string caption_of(const FlowFigure& figure) {
     return fmt::format(
-        "{0}×{0} squares, after {1:g} s at 60 steps per second; texture {2}. Above what is seen, below how "
-        "much it is drawn out. Points by the source fit.",
+        "{0}×{0} squares, after {1:g} s at 60 steps per second; texture {2}. Above, the texture as seen; "
+        "below, its "
+        "stretch. Points by the source fit.",
         figure.squares, figure.seconds, to_string(figure.pattern));
 }
 
@@ -65,19 +67,18 @@ std::vector<FlowFigure> flow_figures() {
     constexpr int kSquares = 20;
     const auto line = sim::fields::opposed(1.0 / kSquares, 0.5);
     return {
-        {1, "a front at rest between opposed flows, stones", line, kSquares, 6, FlowPattern::kStones, 3},
-        {7, "a front at rest between opposed flows", line, kSquares, 6, FlowPattern::kCheckerboard, 2},
-        {8, "opposed flows and a diagonal front that swings", sim::fields::swinging(45), kSquares, 7,
+        {1, "stationary front between opposed flows, stones", line, kSquares, 6, FlowPattern::kStones, 3},
+        {7, "stationary front between opposed flows", line, kSquares, 6, FlowPattern::kCheckerboard, 2},
+        {8, "opposed flows with a swinging diagonal front", sim::fields::swinging(45), kSquares, 7,
          FlowPattern::kCheckerboard, 2, true},
-        {9, "four flows and two fronts that spin about their crossing", sim::fields::pinwheel(), kSquares, 6,
+        {9, "four flows with two fronts rotating about their crossing", sim::fields::pinwheel(), kSquares, 6,
          FlowPattern::kCheckerboard, 2},
-        {10, "a disc that moves round in a flow straight down", sim::fields::disc(), 160, 6,
-         FlowPattern::kPerlin, 3},
+        {10, "a disc circling in a downward flow", sim::fields::disc(), 160, 6, FlowPattern::kPerlin, 3},
     };
 }
 
 struct Studio::Parts {
-    render::HeadlessContext context;  // first: the renderer's GL names live in it
+    render::HeadlessContext context;  // first, because the renderer's GL names live in it
     render::Renderer renderer;
 
     Parts(render::HeadlessContext&& gl, render::Renderer&& with)
@@ -129,17 +130,15 @@ Outcome<PageFigure> Studio::draw(const FlowFigure& figure, const std::filesystem
     for (const render::Marks& marks : {render::Marks{}, stretch})
         for (const LevelFlow* flow : {&without, &with})
             pictures.push_back(parts_->draw(figure, *flow, marks, {}, pixels));
-    auto written =
-        write(mosaic(pictures, 2), "",
-              fmt::format("drawn out above 2: without cuts {:.1f} % of the area, with cuts {:.1f} %",
-                          100 * without.drawn_out(), 100 * with.drawn_out()));
+    auto written = write(mosaic(pictures, 2), "",
+                         fmt::format("stretch above 2: without cuts {:.1f} % of the area, with cuts {:.1f} %",
+                                     100 * without.drawn_out(), 100 * with.drawn_out()));
     if (written && figure.detail) {
         const render::Picture meshes[] = {render::front_picture(with.view().tracker(), pixels, pixels),
                                           parts_->draw(figure, with, mesh, detail_of(figure), pixels)};
-        written =
-            write(mosaic(meshes, 2), "-mesh",
-                  "the mesh with the triangles that are cut, the front and its points; from near, as it "
-                  "is drawn");
+        written = write(mosaic(meshes, 2), "-mesh",
+                        "the mesh with its cut triangles, the front and its points; close up, as "
+                        "drawn");
     }
     if (!written) return machine_fails(written.error());
     return shown;

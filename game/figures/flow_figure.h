@@ -13,21 +13,21 @@
 
 namespace game {
 
-// A flow on the unit square whose front is known, and the texture that it carries: drawn without and with
-// cuts along the front, side by side, and below how much either texture is drawn out.
+// A flow on the unit square with a known front, and its advected texture: drawn without and with cuts along
+// the front, side by side, and below that the stretch of each texture.
 struct FlowFigure {
     int number;  // in the paper
     std::string title;
     sim::fields::TestFlow flow;
     int squares;     // of the mesh, along each side
-    double seconds;  // that textures have travelled
+    double seconds;  // how long textures have been advected
     render::FlowPattern pattern;
-    double repeats;       // of the pattern, along a side
-    bool detail = false;  // a second picture shows the mesh and its points
+    double repeats;       // of the pattern along a side
+    bool detail = false;  // a second image shows the mesh and its points
 };
 std::vector<FlowFigure> flow_figures();
 
-// Draws them, without a window.
+// Draws the figures without a window.
 class Studio {
   public:
     // `gl` as in render::HeadlessContext::create. Errors: no GL (status 3).
@@ -36,8 +36,8 @@ class Studio {
     Studio(Studio&&) noexcept;
     Studio& operator=(Studio&&) noexcept;
 
-    // Into `folder`; each square of it `pixels` wide. However many workers: the same bits. Errors: a texture
-    // is missing, or a picture cannot be written (status 3).
+    // Writes them into `folder`; each square is `pixels` wide. Bit-identical for any number of workers.
+    // Errors: a texture is missing, or an image cannot be written (status 3).
     Outcome<PageFigure> draw(const FlowFigure& figure, const std::filesystem::path& folder, int pixels,
                              sim::Workers& workers);
 

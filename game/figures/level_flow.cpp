@@ -27,7 +27,7 @@ sim::State level(const sim::Grid& grid) {
     return sim::make_state({grid, 0, nothing, nothing, nothing, has_data}, sim::Params{});
 }
 
-// Greatest over least singular value of how a sheet's coordinates change on a piece of the cut mesh.
+// Greatest over least singular value of the gradient of a sheet's coordinates on a piece of the cut mesh.
 double stretch_of(const sim::front::CutTriangle& piece, const sim::front::TextureLayers& layers, int sheet) {
     std::array<glm::dvec2, 3> at, coordinates;
     for (int k = 0; k < 3; ++k) {
@@ -40,7 +40,7 @@ double stretch_of(const sim::front::CutTriangle& piece, const sim::front::Textur
     return greatest / std::max(std::abs(least), 0.5e-4);
 }
 
-// The mean of all sheets, each as much as it is seen.
+// The mean of all sheets, weighted by visibility.
 double stretch_of(const sim::front::CutTriangle& piece, const sim::front::TextureLayers& layers) {
     double stretch = 0;
     for (int sheet = 0; sheet < sim::front::TextureLayers::kSheets; ++sheet) {

@@ -7,22 +7,21 @@
 
 namespace game {
 
-// Cuts an edge of a test flow, m/s; across its fronts it is at least 0.14.
+// Smallest jump that cuts an edge of a test flow, m/s; across its fronts the jump is at least 0.14.
 inline constexpr float kJump = 0.05f;
 
-// Level ground, a unit square, that flows, and how its textures lie on it.
+// Level ground, a unit square, with a flow and its textures.
 class LevelFlow {
   public:
-    // `squares` along each side. Not `cut`: as if there were no fronts.
+    // `squares` along each side. If not `cut`, the fronts are ignored.
     LevelFlow(int squares, bool cut);
     LevelFlow(const LevelFlow&) = delete;  // the view refers to the mesh
     LevelFlow& operator=(const LevelFlow&) = delete;
 
-    // From 0 s on, at 60 steps/s. However many workers: the same bits.
+    // Steps from 0 s on, at 60 steps/s. Bit-identical for any number of workers.
     void advance(const sim::fields::TestFlow& flow, double seconds, sim::Workers& workers);
 
-    // The share of the ground whose texture, as it is seen, is drawn out: greatest over least stretch
-    // above 2.
+    // The share of the ground whose visible texture has a stretch above 2 (greatest over least).
     double drawn_out() const;
 
     sim::View ground() const { return sim::view(ground_); }

@@ -6,8 +6,8 @@
 
 namespace game {
 
-// Pictures of one size and three channels in rows of `columns`, the first at the top left, with narrow white
-// gaps. Places that are left over stay white.
+// Arranges images of one size and three channels in rows of `columns`, the first at the top left, with narrow
+// white gaps. Unused places stay white.
 render::Picture mosaic(std::span<const render::Picture> pictures, int columns);
 
 }  // namespace game

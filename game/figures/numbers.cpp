@@ -23,18 +23,18 @@ using sim::front::PointSource;
 
 constexpr std::array kSources{PointSource::kHalf, PointSource::kPaper, PointSource::kFit};
 constexpr std::size_t kFit = 2, kSmoothAlone = 0, kReseeded = 3;
-constexpr double kSmooth = 0.03;   // m/s, on top of what textures travel with
-constexpr double kAsSmooth = 1.1;  // times what the smooth field alone draws out
-// Of textures that travel: see TextureScore.
+constexpr double kSmooth = 0.03;   // m/s, on top of the velocity that advects textures
+constexpr double kAsSmooth = 1.1;  // times the stretch by the smooth field alone
+// Limits of textures that travel: see TextureScore.
 constexpr double kSlip = 0.05, kSlipNear = 0.10, kDrift = 0.25;
 
 struct Bounds {
     int squares;
     std::array<double, 4> rms;  // of each scene's points by fit, cells
-    double stretched;           // of textures cut and re-seeded, the share of all area above 2
+    double stretched;           // of cut and re-seeded textures, the share of all area above 2
 };
-// As measured (sim/front/README.md), with a hundredth of a cell to spare, a third of one for the coarsest
-// disc; and of the share a tenth at least.
+// As measured (sim/front/README.md), plus a margin: a hundredth of a cell, a third of one for the coarsest
+// disc; for the share at least a tenth.
 constexpr std::array<Bounds, 5> kBounds{{{10, {.112, .050, .086, .197}, .001},
                                          {20, {.076, .036, .066, .099}, .001},
                                          {30, {.072, .032, .062, .063}, .001},
@@ -50,7 +50,7 @@ const Bounds* bounds_of(int squares) {
 // One score of one scene on one grid.
 struct Job {
     FlowScores* into;
-    std::size_t way;  // the sources, then the textures
+    std::size_t way;  // first the sources, then the textures
 
     void run() const {
         const auto cell = 1.f / static_cast<float>(into->squares);
@@ -73,7 +73,7 @@ struct Job {
     double cost() const { return 1.0 * into->squares * into->squares; }
 };
 
-// All jobs on so many threads, the dearest first, while the caller shows how far they are.
+// Runs all jobs on this many threads, the most expensive first, while the caller shows progress.
 void run_all(std::vector<Job>& jobs, int threads) {
     std::stable_sort(jobs.begin(), jobs.end(),
                      [](const Job& a, const Job& b) { return a.cost() > b.cost(); });
@@ -140,21 +140,22 @@ std::optional<std::string> first_miss(std::span<const FlowScores> numbers) {
         const Bounds* bounds = bounds_of(row.squares);
         const double rms = row.front[kFit].rms;
         if (bounds && !(rms <= bounds->rms[row.scene]))
-            return fmt::format("{}: fit misses the front by {:.3f} cells, which may be {:.3f}", name_of(row),
-                               rms, bounds->rms[row.scene]);
+            return fmt::format(
+                "{}: the root mean square error of fit is {:.3f} cells, above its limit {:.3f}", name_of(row),
+                rms, bounds->rms[row.scene]);
         const TextureScore &reseeded = row.texture[kReseeded], &smooth = row.texture[kSmoothAlone];
         if (!(reseeded.stretch_p95 <= kAsSmooth * smooth.stretch_p95))
-            return fmt::format("{}: textures near the front are drawn out to {:.2f}, which may be {:.2f}",
+            return fmt::format("{}: the stretch of textures near the front is {:.2f}, above its limit {:.2f}",
                                name_of(row), reseeded.stretch_p95, kAsSmooth * smooth.stretch_p95);
         if (bounds && !(reseeded.stretched <= bounds->stretched))
-            return fmt::format("{}: {:.2f} % of textures are drawn out above 2, which may be {:.2f} %",
+            return fmt::format("{}: {:.2f} % of textures have a stretch above 2; the limit is {:.2f} %",
                                name_of(row), 100 * reseeded.stretched, 100 * bounds->stretched);
         if (bounds && !(reseeded.slip <= kSlip && reseeded.slip_near <= kSlipNear))
             return fmt::format(
-                "{}: textures slip by {:.3f} and near the front by {:.3f}, which may be {:.2f} and {:.2f}",
+                "{}: textures slip by {:.3f} and near the front by {:.3f}; the limits are {:.2f} and {:.2f}",
                 name_of(row), reseeded.slip, reseeded.slip_near, kSlip, kSlipNear);
         if (bounds && !(reseeded.drift_p95 <= kDrift))
-            return fmt::format("{}: the flow leaves textures behind by {:.2f} cells, which may be {:.2f}",
+            return fmt::format("{}: textures lag behind the flow by {:.2f} cells, above the limit {:.2f}",
                                name_of(row), reseeded.drift_p95, kDrift);
     }
     return std::nullopt;
@@ -162,21 +163,20 @@ std::optional<std::string> first_miss(std::span<const FlowScores> numbers) {
 
 std::vector<Table> tables_of(std::span<const FlowScores> numbers) {
     Table near{
-        "How near the points come to the front, in cells: root mean square, and what 95 % are below",
-        {"scene", "N", "half", "95 %", "paper", "95 %", "fit", "95 %", "fit may", "missed %", "false %"},
+        "Distance of the points from the front, in cells: root mean square, and 95 % percentile",
+        {"scene", "N", "half", "95 %", "paper", "95 %", "fit", "95 %", "fit limit", "missed %", "false %"},
         {}};
-    Table jumps{"Jumps per second: points that move, come or go farther than a front can have carried them",
+    Table jumps{"Jumps per second: points that move, appear or vanish farther than a front can move",
                 {"scene", "N", "half", "paper", "fit", "the front itself", "points"},
                 {}};
-    Table texture{
-        "How much textures are drawn out near the front: what 95 % are below, and the share of all above 2",
-        {"scene", "N", "smooth alone", "> 2 %", "no cuts", "> 2 %", "to the letter", "> 2 %", "re-seeded",
-         "> 2 %"},
-        {}};
+    Table texture{"Stretch of textures near the front: 95 % percentile, and the share of all above 2",
+                  {"scene", "N", "smooth only", "> 2 %", "no cuts", "> 2 %", "as published", "> 2 %",
+                   "re-seeded", "> 2 %"},
+                  {}};
     Table travel{
-        "How well cut and re-seeded textures travel: the share of the way by which they slip, and how many "
-        "cells the flow leaves 95 % of them behind until they are renewed",
-        {"scene", "N", "slip", "may", "near the front", "may", "left behind", "may"},
+        "Advection of cut and re-seeded textures: slip as a share of the distance, and how many "
+        "cells 95 % of them lag behind the flow until they are renewed",
+        {"scene", "N", "slip", "limit", "near the front", "limit", "lag", "limit"},
         {}};
     for (const FlowScores& row : numbers) {
         const std::vector<std::string> start{flow_scenes()[row.scene].title, fmt::to_string(row.squares)};

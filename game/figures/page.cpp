@@ -17,10 +17,10 @@ constexpr const char* kIntroduction =
 textures travel as if there were no fronts. Right: the same textures with the mesh cut along the fronts.</p>
 )";
 
-// What the colours of the overlay mean.
+// Legend of the overlay's colours.
 std::string legend_of_stretch() {
     const render::Legend legend = render::legend_of(render::Overlay::kStretch);
-    std::string html = "<p class=\"small\">Drawn out, greatest over least stretch:";
+    std::string html = "<p class=\"small\">Stretch, greatest over least:";
     for (const render::LegendStop& stop : legend.stops) {
         const auto byte = [](float share) { return std::lround(255 * share); };
         html += fmt::format("<span class=\"swatch\" style=\"background: rgb({}, {}, {})\"></span>{:g}",

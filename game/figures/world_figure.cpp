@@ -33,7 +33,7 @@ Outcome<PageFigure> draw_world(const WorldFigure& figure, const std::filesystem:
 
     PageFigure shown{figure.number,
                      figure.title,
-                     fmt::format("{}×{} squares; the recording {} that ships.", scenario.grid.nx - 1,
+                     fmt::format("{}×{} squares; shipped recording {}.", scenario.grid.nx - 1,
                                  scenario.grid.ny - 1, figure.recording),
                      {}};
     Watchers watchers;

@@ -13,18 +13,18 @@
 
 namespace game {
 
-// A recording that ships, at some of its ticks.
+// A shipped recording at some of its ticks.
 struct WorldFigure {
     int number;  // in the paper
     std::string title, recording;
     std::vector<std::int64_t> ticks;  // ascending
-    render::Camera camera;            // nearer than the scene's
+    render::Camera camera;            // closer than the scene's
 };
 std::vector<WorldFigure> world_figures();
 
-// Plays it without a window and draws it into `folder` on the way. `gl` as in
-// render::HeadlessContext::create. Errors: no such recording (status 2); no GL, or a picture cannot be
-// written (status 3).
+// Plays the recording without a window and draws it into `folder`. `gl`
+// as in render::HeadlessContext::create. Errors: no such recording
+// (status 2); no GL, or an image cannot be written (status 3).
 Outcome<PageFigure> draw_world(const WorldFigure& figure, const std::filesystem::path& folder,
                                PictureSize size, const std::string& gl, const sim::StepOptions& options);
 

@@ -14,16 +14,17 @@
 #include "game/base/limits.h"
 #include "game/base/number.h"
 
-// Its own reader: cnpy, the usual one, asserts where a header is damaged and allocates what it asks for.
+// An own reader, because cnpy, the usual one, asserts on a damaged header and allocates whatever it asks for.
 
 namespace game {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "numbers of the file are those of the machine");
+static_assert(std::endian::native == std::endian::little, "NPY data is read as little-endian");
 
 constexpr std::string_view kMagic = "\x93NUMPY";
 
-// What stands behind 'key': in a header, such as {'descr': '<f4', 'fortran_order': False, 'shape': (3, 4), }
+// Returns the text after 'key': in a header such as {'descr':
+// '<f4', 'fortran_order': False, 'shape': (3, 4), }
 std::string_view value_of(std::string_view header, std::string_view key) {
     const auto at = header.find(fmt::format("'{}'", key));
     if (at == std::string_view::npos) return {};
@@ -65,42 +66,44 @@ Outcome<ArrayFile> ArrayFile::open(const std::filesystem::path& path) {
     const auto size = std::filesystem::file_size(path, status);
     if (status) return bad(status.message());
 
-    // Magic, version, length of the header in two bytes or, from version 2 on, four.
+    // Magic, version, and the header's length: two bytes, or four from version 2 on.
     char head[12] = {};
     array.file_.read(head, 8);
     const bool is_array = array.file_ && std::string_view(head, kMagic.size()) == kMagic;
-    if (!is_array) return bad("is no array: numpy.save() writes files that begin with \\x93NUMPY");
+    if (!is_array) return bad("is not a NumPy array: numpy.save() writes files that begin with \\x93NUMPY");
     const int version = static_cast<unsigned char>(head[6]), wide = version == 1 ? 2 : 4;
-    if (version < 1 || version > 3) return bad(fmt::format("NPY version {} is not known", version));
+    if (version < 1 || version > 3)
+        return bad(fmt::format("NPY version {} is not supported; 1 to 3 are", version));
     std::uint32_t length = 0;
     array.file_.read(head, wide);
     std::memcpy(&length, head, static_cast<std::size_t>(wide));
     if (!array.file_ || length > kLongestArrayHeader) return bad("byte 8: the header is cut off or too long");
     std::string header(length, '\0');
     array.file_.read(header.data(), length);
-    if (!array.file_) return bad(fmt::format("ends in its header, which should have {} bytes", length));
+    if (!array.file_) return bad(fmt::format("ends in its header, which should be {} bytes long", length));
 
     const std::string_view type = value_of(header, "descr"), order = value_of(header, "fortran_order");
     const std::string_view descr = type.substr(0, type.find_first_of(",}"));
     if (!type.starts_with("'<f4'") && !type.starts_with("'<f8'"))
-        return bad(fmt::format("its numbers are {}; little-endian '<f4' or '<f8' are read", descr));
-    if (!order.starts_with("False")) return bad("it is in Fortran order; C order is read");
+        return bad(
+            fmt::format("its numbers are {}; only little-endian '<f4' and '<f8' are supported", descr));
+    if (!order.starts_with("False")) return bad("it is in Fortran order; only C order is supported");
     const auto shape = shape_of(header);
-    if (!shape || shape->empty()) return bad("its header tells no shape");
+    if (!shape || shape->empty()) return bad("its header has no shape");
 
     array.is_double_ = type[3] == '8';
     array.shape_ = *shape;
     const std::uint64_t held = size - 8 - static_cast<std::uint64_t>(wide) - length;
     std::uint64_t wanted = array.is_double_ ? 8 : 4;
     for (const std::int64_t axis : *shape) {
-        // As much as no file holds, rather than a product that wraps.
+        // Bound the size here, so that the product cannot overflow.
         if (axis != 0 && wanted > (std::uint64_t{1} << 62) / static_cast<std::uint64_t>(axis))
             return bad(fmt::format("its shape {} is larger than any file", array.shape_text()));
         wanted *= static_cast<std::uint64_t>(axis);
     }
     if (held != wanted)
         return bad(
-            fmt::format("holds {} bytes of data; its shape {} wants {}", held, array.shape_text(), wanted));
+            fmt::format("holds {} bytes of data; its shape {} needs {}", held, array.shape_text(), wanted));
     return array;
 }
 

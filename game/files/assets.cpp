@@ -41,8 +41,9 @@ Outcome<fs::path> assets_folder() {
     for (fs::path above = program.parent_path(); above.has_relative_path(); above = above.parent_path())
         for (const char* place : {"assets", "share/couloir"})
             if (fs::is_directory(above / place / "shaders", error)) return above / place;
-    return machine_fails(fmt::format(
-        "{}: no assets folder beside the program or above it; set COULOIR_ASSETS to it", program.string()));
+    return machine_fails(
+        fmt::format("{}: no assets folder beside the program or above it; set COULOIR_ASSETS to its path",
+                    program.string()));
 }
 
 Outcome<std::vector<std::string>> asset_names(AssetKind kind) {
@@ -67,7 +68,7 @@ Outcome<fs::path> find_asset(AssetKind kind, std::string_view name_or_path) {
     std::error_code error;
     const Drawer drawer = drawer_of(kind);
     const bool is_path = given.has_parent_path() || given.has_extension();
-    // What ships comes first: a folder or file that happens to be called so must not hide it.
+    // Shipped assets come first: a folder or file of the same name must not hide them.
     if (!is_path && is_asset(kind, name_or_path))
         return *assets_folder() / drawer.folder / fmt::format("{}{}", name_or_path, drawer.extension);
     const auto is_file = files::check_input(given);

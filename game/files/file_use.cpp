@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 using files::Identity;
 using files::identity_of;
 
-// What GDAL reads beside a raster or a shapefile: HILL.prj of HILL.asc, HILL.tif.aux.xml of HILL.tif.
+// Files that GDAL reads beside a raster or a shapefile: HILL.prj of HILL.asc, HILL.tif.aux.xml of HILL.tif.
 constexpr std::array kCompanionExtensions{".prj", ".hdr", ".tfw", ".wld", ".aux", ".rrd", ".ige", ".stx",
                                           ".clr", ".shp", ".shx", ".dbf", ".cpg", ".qpj", ".imd", ".rpb"};
 constexpr std::array kCompanionSuffixes{".aux.xml", ".ovr", ".msk"};
@@ -88,9 +88,9 @@ Outcome<void> FileUse::check() const {
 
 Outcome<void> FileUse::check_named() const {
     for (const Output& output : outputs_)
-        if (output.path.empty()) return unusable(fmt::format("{} needs the name of a file", output.option));
+        if (output.path.empty()) return unusable(fmt::format("{} needs a file name", output.option));
     for (const Folder& folder : folders_)
-        if (folder.path.empty()) return unusable(fmt::format("{} needs the name of a folder", folder.option));
+        if (folder.path.empty()) return unusable(fmt::format("{} needs a folder name", folder.option));
     return {};
 }
 
@@ -99,11 +99,11 @@ Outcome<void> FileUse::check_outputs() const {
         const auto identity = identity_of(output->path);
         for (const fs::path& input : inputs_)
             if (same(identity, identity_of(input)))
-                return unusable(fmt::format("{} {}: is the file {} that is read; give another one",
+                return unusable(fmt::format("{} {}: is also an input, {}; choose another file",
                                             output->option, output->path.string(), input.string()));
         for (auto other = outputs_.begin(); other != output; ++other)
             if (same(identity, identity_of(other->path)))
-                return unusable(fmt::format("{} and {} are one file, {}; give two", other->option,
+                return unusable(fmt::format("{} and {} are the same file, {}; choose two", other->option,
                                             output->option, output->path.string()));
     }
     return {};
@@ -115,17 +115,17 @@ Outcome<void> FileUse::check_streams() const {
         const auto identity = identity_of(descriptor);
         for (const Output& output : outputs_)
             if (same(identity, identity_of(output.path)))
-                return unusable(fmt::format("{} {}: {} goes there too; give another file", output.option,
+                return unusable(fmt::format("{} {}: {} goes there too; choose another file", output.option,
                                             output.path.string(), name));
         for (const fs::path& input : inputs_)
             if (same(identity, identity_of(input)))
-                return unusable(
-                    fmt::format("{}: is read, and {} goes there; send it elsewhere", input.string(), name));
+                return unusable(fmt::format("{}: is an input, and {} goes there; redirect it elsewhere",
+                                            input.string(), name));
     }
     return {};
 }
 
-// Whatever has one of the names there, or would have it.
+// Checks every file in the folder that has one of the names, or would get it.
 Outcome<void> FileUse::check_folder(const Folder& folder) const {
     std::error_code error;
     fs::path canonical = fs::weakly_canonical(fs::absolute(folder.path, error), error);
@@ -147,11 +147,11 @@ Outcome<void> FileUse::check_folder(const Folder& folder) const {
     };
     for (const fs::path& input : inputs_)
         if (meets(input))
-            return unusable(fmt::format("{} {}: would replace {}, which is read; give another folder",
+            return unusable(fmt::format("{} {}: would replace the input {}; choose another folder",
                                         folder.option, folder.path.string(), input.string()));
     for (const Output& output : outputs_)
         if (meets(output.path))
-            return unusable(fmt::format("{} {} and {} {}: would replace each other; give another name",
+            return unusable(fmt::format("{} {} and {} {}: would replace each other; choose another name",
                                         folder.option, folder.path.string(), output.option,
                                         output.path.string()));
     return {};

@@ -9,22 +9,22 @@
 
 namespace game {
 
-// Every file that a subcommand reads and writes, told before the first output is opened, so that no output
-// replaces an input or another output. Two names mean one file if they lead to the same one: by links of
-// either kind, by "..", by another folder's name. Standard output and standard error are outputs too if they
-// go to a file.
+// All files that a subcommand reads and writes, declared before the first output is
+// opened, so that no output replaces an input or another output. Two names are the same
+// file if they lead to it by hard or symbolic links, by ".." or by another folder's
+// name. Standard output and standard error count as outputs if they go to a file.
 class FileUse {
   public:
     FileUse& reads(const std::filesystem::path& file);
     FileUse& reads(const std::optional<std::filesystem::path>& file);
     FileUse& reads(const std::vector<std::filesystem::path>& files);
-    // `option`: as it is given, "--record".
+    // `option`: as the user gives it, "--record".
     FileUse& writes(std::string option, const std::optional<std::filesystem::path>& file);
-    // Files of these names into a folder; * stands for any characters.
+    // Files of these names in a folder; * stands for any characters.
     FileUse& writes_into(std::string option, const std::optional<std::filesystem::path>& folder,
                          std::vector<std::string> names);
 
-    // Errors: an output is an input or another output, or has no name (status 2).
+    // Errors (status 2): an output is also an input or another output, or its name is empty.
     Outcome<void> check() const;
 
   private:

@@ -16,8 +16,8 @@
 #include "game/base/limits.h"
 #include "game/base/number.h"
 
-// Its own reader: tinyobjloader, the usual one, makes triangles of polygons and numbers of nonsense, and
-// keeps no line.
+// An own reader, because tinyobjloader, the usual one, splits polygons into triangles, accepts malformed
+// numbers and keeps no line numbers.
 
 namespace game {
 namespace {
@@ -25,7 +25,7 @@ namespace {
 using sim::front::Mesh;
 using sim::front::MeshFault;
 
-// Takes the next word off a line; empty at its end.
+// Takes the next word off a line; empty at the end.
 std::string_view take_word(std::string_view& line) {
     constexpr std::string_view kBlank = " \t\r";
     line.remove_prefix(std::min(line.find_first_not_of(kBlank), line.size()));
@@ -34,7 +34,8 @@ std::string_view take_word(std::string_view& line) {
     return word;
 }
 
-// Gathers what the lines say; each takes a line without its keyword and returns what is wrong with it.
+// Collects vertices and faces. Each function takes a line
+// without its keyword and returns what is wrong with it.
 class Triangles {
   public:
     std::optional<std::string> vertex(std::string_view line, int number) {
@@ -42,8 +43,8 @@ class Triangles {
         for (float& coordinate : xyz) {
             const std::string_view word = take_word(line);
             const auto value = number_from<float>(word);
-            if (word.empty()) return "a vertex of less than three coordinates";
-            if (!value) return fmt::format("'{}' is no coordinate", word);
+            if (word.empty()) return "a vertex with fewer than three coordinates";
+            if (!value) return fmt::format("'{}' is not a coordinate", word);
             coordinate = *value;
         }
         if (position.size() == kMostMeshParts) return fmt::format("more than {} vertices", kMostMeshParts);
@@ -58,19 +59,19 @@ class Triangles {
         for (std::string_view word = take_word(line); !word.empty(); word = take_word(line), ++count) {
             const std::string_view index = word.substr(0, word.find('/'));
             const auto value = number_from<int>(index);
-            if (!value || *value == 0) return fmt::format("'{}' is no number of a vertex", word);
-            // From 1, or from the last one backward.
+            if (!value || *value == 0) return fmt::format("'{}' is not a vertex index", word);
+            // Counted from 1, or backward from the last one.
             if (count < 3)
                 corners[count] = *value > 0 ? *value - 1 : static_cast<int>(position.size()) + *value;
         }
-        if (count != 3) return fmt::format("a face of {} corners; only triangles can be tracked", count);
+        if (count != 3) return fmt::format("a face with {} corners; only triangles are supported", count);
         if (triangle.size() == kMostMeshParts) return fmt::format("more than {} triangles", kMostMeshParts);
         triangle.push_back(corners);
         triangle_line.push_back(number);
         return std::nullopt;
     }
 
-    // The line that a fault lies in.
+    // The line of a fault.
     int line_of(const MeshFault& fault) const {
         return fault.kind == MeshFault::Kind::kNotFinite ? vertex_line[fault.where]
                                                          : triangle_line[fault.where];
@@ -84,13 +85,13 @@ class Triangles {
 const char* told(MeshFault::Kind kind) {
     switch (kind) {
         case MeshFault::Kind::kNotFinite:
-            return "a vertex that is nowhere";
+            return "a vertex that is not finite";
         case MeshFault::Kind::kNoSuchVertex:
-            return "a triangle with a vertex that there is not";
+            return "a triangle with a vertex that does not exist";
         case MeshFault::Kind::kDegenerate:
-            return "a triangle without area, seen from above, or with an edge outside 1e-6 to 1e9 m";
+            return "a triangle with no area seen from above, or with an edge outside 1e-6 to 1e9 m";
         case MeshFault::Kind::kTooManyTriangles:
-            return "the third triangle on one edge";
+            return "a third triangle on the same edge";
     }
     return "";
 }
@@ -119,8 +120,8 @@ Outcome<Mesh> read_obj(const std::filesystem::path& path) {
         if (keyword == "f") wrong = triangles.face(rest, number);
         if (wrong) return bad_line(number, *wrong);
     }
-    if (file.bad()) return bad("cannot be read to its end");
-    if (triangles.triangle.empty()) return bad("holds no triangle ('f' lines of an OBJ file)");
+    if (file.bad()) return bad("cannot be read to the end");
+    if (triangles.triangle.empty()) return bad("has no triangles ('f' lines of an OBJ file)");
     auto made = sim::front::mesh_of(triangles.position, triangles.triangle);
     if (const auto* fault = std::get_if<MeshFault>(&made))
         return bad_line(triangles.line_of(*fault), told(fault->kind));

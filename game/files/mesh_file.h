@@ -7,10 +7,10 @@
 
 namespace game {
 
-// Reads the triangles of a Wavefront OBJ file, from above: x and y count, z does not. Vertices keep their
-// order and are counted from 0; whatever is neither vertex nor face is passed over. Errors: status 2, file,
-// line and fact: a face that is no triangle, a number that is none, a triangle without area, an edge of three
-// triangles, …
+// Reads the triangles of a Wavefront OBJ file as seen from above: x and y are used, z is not. Vertices keep
+// their order and are counted from 0. Lines other than vertices and faces are skipped. Errors: status 2,
+// file, line and fact, such as a face that is not a triangle, a malformed number, a triangle with no area, or
+// an edge with three triangles.
 Outcome<sim::front::Mesh> read_obj(const std::filesystem::path& path);
 
 }  // namespace game

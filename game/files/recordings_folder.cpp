@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a file's name can bear on any system.
+// Replaces characters that some system does not allow in a file name.
 std::string plain(const std::string& scene) {
     std::string name;
     for (const char c : scene) name += std::isalnum(static_cast<unsigned char>(c)) || c == '-' ? c : '-';
@@ -29,12 +29,13 @@ Outcome<fs::path> recordings_folder() {
         const char* value = std::getenv(variable);
         return fs::path(value ? value : "");
     };
-    // A relative XDG_DATA_HOME is to be ignored (XDG Base Directory Specification).
+    // The XDG Base Directory Specification says to ignore a relative XDG_DATA_HOME.
     if (const fs::path data = folder_of("XDG_DATA_HOME"); data.is_absolute())
         return data / "couloir/recordings";
     if (const fs::path home = folder_of("HOME"); home.is_absolute())
         return home / ".local/share/couloir/recordings";
-    return machine_fails("there is no place for recordings: neither XDG_DATA_HOME nor HOME is set");
+    return machine_fails(
+        "no folder for recordings: neither XDG_DATA_HOME nor HOME is set; set one, or give --record FILE");
 }
 
 Outcome<fs::path> next_recording(const std::string& scene) {
@@ -45,7 +46,7 @@ Outcome<fs::path> next_recording(const std::string& scene) {
     std::error_code error;
     fs::create_directories(*folder, error);
     fs::path path = *folder / (name + ".couloir");
-    // Made here and now, so that a second sandbox that begins in the same second takes another name.
+    // Created here, so that a second sandbox that starts in the same second takes another name.
     std::FILE* file = nullptr;
     for (int n = 2; !(file = std::fopen(path.c_str(), "wbx")) && errno == EEXIST; ++n)
         path = *folder / fmt::format("{}_{}.couloir", name, n);

@@ -24,7 +24,7 @@ Outcome<void> make_place_for(const fs::path& path) {
     const files::Destination to = files::destination_of(path);
     if (to.kind == files::Destination::Kind::kFolder)
         return machine_fails(fmt::format("{}: is a folder, not a file", path.string()));
-    // A device has its place, in a folder that few may write into.
+    // A device exists already, in a folder that few users may write into.
     if (to.kind != files::Destination::Kind::kFile || !to.path.has_parent_path()) return {};
     return make_folder(to.path.parent_path());
 }
@@ -32,7 +32,7 @@ Outcome<void> make_place_for(const fs::path& path) {
 Outcome<void> make_folder(const fs::path& path) {
     std::error_code error;
     fs::create_directories(path, error);
-    if (error) return machine_fails(fmt::format("{}: cannot be made: {}", path.string(), error.message()));
+    if (error) return machine_fails(fmt::format("{}: cannot be created: {}", path.string(), error.message()));
     if (!fs::is_directory(path)) return machine_fails(fmt::format("{}: is not a folder", path.string()));
     if (access(path.c_str(), W_OK | X_OK) != 0)
         return machine_fails(

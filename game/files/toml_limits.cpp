@@ -9,7 +9,7 @@
 namespace game {
 namespace {
 
-// Goes through a text once and counts what stands outside of comments and quotes.
+// Scans a text once and counts what is outside comments and quotes.
 class Scan {
   public:
     explicit Scan(std::string_view text) : text_(text) {}
@@ -36,7 +36,7 @@ class Scan {
     void count(char c) {
         if (c == '\n') ++line_;
         switch (c) {
-            case '.':  // of a number too, which is no harm
+            case '.':  // in a number too, which does no harm
                 require(++parts_, kMostKeyParts, "parts of a key");
                 break;
             case '=':
@@ -45,7 +45,7 @@ class Scan {
                 break;
             case '[':
             case '{':
-                require(++depth_, kMostTomlDepth, "lists and tables within each other");
+                require(++depth_, kMostTomlDepth, "nested lists and tables");
                 break;
             case ']':
             case '}':
@@ -60,7 +60,7 @@ class Scan {
         begins_line_ = c == '\n' || (begins_line_ && (c == ' ' || c == '\t'));
     }
 
-    // A text in one or three quotes; one that does not end goes to the end of its line or of the text.
+    // A string in one or three quotes; an unterminated one ends with its line or the text.
     void skip_quoted(char quote) {
         begins_line_ = false;
         const std::string_view three = text_.substr(at_, 3);
@@ -78,7 +78,8 @@ class Scan {
                 return;
             } else if (c == quote && text_.substr(at_, 3) == three) {
                 at_ += 3;
-                while (at_ < text_.size() && text_[at_] == quote) ++at_;  // two more may belong to the text
+                while (at_ < text_.size() && text_[at_] == quote)
+                    ++at_;  // two more quotes may belong to the string
                 return;
             }
         }

@@ -6,8 +6,8 @@
 
 namespace game {
 
-// What of a TOML text is beyond game/base/limits.h, with its line. The parser itself calls itself for every
-// part of a dotted key, and looks through all dotted keys at each of them, so this is asked before.
+// Finds what exceeds game/base/limits.h in a TOML text, with its line. Call it before parsing: the parser
+// recurses for every part of a dotted key, and searches all dotted keys for each of them.
 struct TomlExcess {
     int line;
     std::string fact;

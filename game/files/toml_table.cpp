@@ -49,7 +49,7 @@ std::optional<std::string> TomlTable::text(std::string_view key) {
     const toml::node* node = find(key);
     if (!node) return std::nullopt;
     std::optional<std::string> value = node->value_exact<std::string>();
-    if (!value) blame(key, "is not a text in quotes");
+    if (!value) blame(key, "is not a string in quotes");
     return value;
 }
 
@@ -105,7 +105,7 @@ void TomlTable::blame(std::string_view key, const std::string& fact) {
 
 void TomlTable::finish() {
     for (const std::string& key : keys())
-        if (!known_.contains(key)) blame(key, "is not a key that couloir knows");
+        if (!known_.contains(key)) blame(key, "is not a known key");
 }
 
 Outcome<toml::table> parse_toml(const std::filesystem::path& file) {
@@ -116,7 +116,7 @@ Outcome<toml::table> parse_toml(const std::filesystem::path& file) {
     if (error) return unusable(fmt::format("{}: {}", file.string(), error.message()));
     if (bytes > kMostTomlBytes)
         return unusable(
-            fmt::format("{}: {} bytes, and the most is {}", file.string(), bytes, kMostTomlBytes));
+            fmt::format("{}: {} bytes; at most {} are allowed", file.string(), bytes, kMostTomlBytes));
     std::string text(static_cast<std::size_t>(bytes), '\0');
     stream->read(text.data(), static_cast<std::streamsize>(text.size()));
     if (!*stream) return unusable(fmt::format("{}: cannot be read", file.string()));

@@ -14,12 +14,12 @@
 
 namespace game {
 
-// The first thing that is wrong with a TOML file, as "file:line: fact".
+// The first fault in a TOML file, as "file:line: fact".
 using TomlFault = std::optional<std::string>;
 
-// One table of a TOML file, read key by key. Every reader returns nothing where the key is absent; a key of
-// the wrong kind or out of range, and at finish() a key that nobody asked for, is the file's fault, told with
-// its line. Valid as long as the document and the fault are.
+// One table of a TOML file, read key by key. Every reader returns nothing if the key is absent. A key of the
+// wrong type or out of range is a fault, and so is, at finish(), a key that was never read. Faults carry
+// their line. Valid as long as the document and the fault are.
 class TomlTable {
   public:
     TomlTable(const toml::table& table, std::string name, std::string file, TomlFault& fault);
@@ -32,9 +32,9 @@ class TomlTable {
     std::vector<TomlTable> tables(std::string_view key);  // of an array of tables
     std::vector<std::string> keys() const;
 
-    // Says that `key` (or the table itself, if empty) is wrong.
+    // Reports that `key` (or the table itself, if empty) is wrong.
     void blame(std::string_view key, const std::string& fact);
-    // Call when all keys have been read: the rest are unknown.
+    // Call this after all keys have been read: any others are unknown.
     void finish();
 
   private:

@@ -4,10 +4,10 @@
 
 namespace game {
 
-// The beginning of a page that needs nothing from elsewhere, for light and for dark, up to and with its
-// heading. `style`: what the page has of its own, CSS.
+// Returns the start of a self-contained page, for light and dark themes, up to and including its heading.
+// `style`: the page's own CSS.
 std::string begin_page(const std::string& title, const std::string& style);
-// Its end. `made_by`: program and machine.
+// Returns the end of the page. `made_by`: program and machine.
 std::string end_page(const std::string& made_by);
 
 }  // namespace game

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kWidth = 440, kHeight = 250, kTallHeight = 360;
 constexpr double kLeft = 50, kRight = 12, kTop = 12, kBottom = 38;
-constexpr double kLetter = 11;  // px, height of a text
+constexpr double kLetter = 11;  // px, text height
 
-// From values to pixels along one axis.
+// Maps values to pixels along one axis.
 struct Axis {
     double least = 0, most = 1;  // values
     double from = 0, to = 1;     // pixels
@@ -38,7 +38,7 @@ Axis far_upwards(double least, double most, bool logarithmic) {
     return {least, most, kTallHeight - kBottom, kTop, logarithmic};
 }
 
-// The nearest of 1, 2 or 5 times a power of ten, below or above.
+// The nearest value that is 1, 2 or 5 times a power of ten, below or above.
 double rounded(double value, bool up) {
     const double power = std::pow(10, std::floor(std::log10(value)));
     if (up)
@@ -48,7 +48,7 @@ double rounded(double value, bool up) {
     return value >= 5 * power ? 5 * power : value >= 2 * power ? 2 * power : power;
 }
 
-// Around all values.
+// The axis range that covers all values.
 Axis logarithmic(const std::vector<double>& values, Axis (*axis)(double, double, bool)) {
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     const double low = rounded(*least, false), high = rounded(*most, true);
@@ -81,7 +81,7 @@ std::vector<double> marks_of(const Axis& axis, int count) {
                 mark >= axis.least * 0.999 && mark <= axis.most * 1.001)
                 marks.push_back(mark);
     if (static_cast<int>(marks.size()) <= count) return marks;
-    // Powers of ten alone.
+    // Only powers of ten.
     std::erase_if(marks, [](double mark) {
         const double log = std::log10(mark);
         return std::abs(log - std::round(log)) > 1e-6;
@@ -116,7 +116,7 @@ std::string titled(const std::string& name) {
     return fmt::format("<title>{}</title>", html_text(name));
 }
 
-// Names at the right end of lines, moved apart where they would cover each other.
+// Labels at the right end of lines, moved apart so that they do not overlap.
 struct EndLabel {
     double y;
     std::string name;
@@ -249,7 +249,7 @@ std::string svg_of(const BarPlot& plot) {
 }
 
 std::string svg_of(const LogPlot& plot) {
-    constexpr double kNames = 60;  // px at the right
+    constexpr double kNames = 60;  // px at the right edge
     std::vector<double> xs, ys;
     for (const auto& series : plot.series)
         for (std::size_t i = 0; i < series.x.size(); ++i)

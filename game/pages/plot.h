@@ -7,26 +7,26 @@
 
 namespace game {
 
-// Plots as SVG elements to stand in a page whose style gives the colours: --p0, --p1, … for what is shown,
-// --line for axes, the text's colour for the rest. Texts are plain UTF-8.
+// Plots as SVG elements for a page whose style sets the colours: --p0, --p1, … for data, --line for axes, the
+// text colour for the rest. Strings are plain UTF-8.
 
-// Layers on top of each other over x.
+// Stacked layers over x.
 struct StackedPlot {
     std::string x_label, y_label;
-    std::vector<double> x;  // ascending, two at least
+    std::vector<double> x;  // ascending, at least two
     struct Layer {
         std::string name;
         int colour;
-        std::vector<double> y;  // ≥ 0, as many as x
+        std::vector<double> y;  // ≥ 0, one per x
     };
-    std::vector<Layer> layers;  // the lowest first
+    std::vector<Layer> layers;  // lowest first
 };
 std::string svg_of(const StackedPlot& plot);
 
-// How often values come, over a logarithmic axis, with marks at some of them.
+// A distribution of values over a logarithmic axis, with marks at some values.
 struct DistributionPlot {
     std::string x_label;
-    std::vector<double> values;  // > 0; others are left out
+    std::vector<double> values;  // > 0; others are skipped
     struct Mark {
         std::string name;
         double value;
@@ -35,7 +35,7 @@ struct DistributionPlot {
 };
 std::string svg_of(const DistributionPlot& plot);
 
-// Bars of parts, one below the other.
+// Stacked bars, one below the other.
 struct BarPlot {
     std::string x_label;
     struct Bar {
@@ -51,7 +51,7 @@ struct BarPlot {
 };
 std::string svg_of(const BarPlot& plot);
 
-// Series over logarithmic axes. Points that are not above 0 are left out.
+// Series over logarithmic axes. Points that are not above 0 are skipped.
 struct LogPlot {
     std::string x_label, y_label;
     struct Series {
@@ -60,7 +60,7 @@ struct LogPlot {
         std::vector<double> x, y;
     };
     std::vector<Series> series;
-    bool lines = true;  // else points alone
+    bool lines = true;  // false: points only
 };
 std::string svg_of(const LogPlot& plot);
 

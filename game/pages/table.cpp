@@ -8,7 +8,7 @@
 namespace game {
 namespace {
 
-// Characters, not bytes: UTF-8 goes on with bytes of the form 10xxxxxx.
+// Counts characters, not bytes: UTF-8 continuation bytes have the form 10xxxxxx.
 std::size_t width_of(const std::string& text) {
     return static_cast<std::size_t>(
         std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));

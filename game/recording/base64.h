@@ -6,9 +6,9 @@
 
 namespace game {
 
-// Bytes as text, by RFC 4648 with padding.
+// Encodes bytes as text, by RFC 4648 with padding.
 std::string to_base64(std::string_view bytes);
-// The bytes of such a text. Nothing for any other text: strange letters, a wrong length, bits left over.
+// Decodes such a text. Returns nothing for any other text: unknown letters, a wrong length, leftover bits.
 std::optional<std::string> from_base64(std::string_view text);
 
 }  // namespace game

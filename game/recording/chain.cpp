@@ -26,7 +26,7 @@ void Chain::close(std::string& line) {
 
 tl::expected<void, std::string> Chain::read(std::string_view line) {
     const auto damaged = [] {
-        return tl::unexpected(std::string("damaged: its chained hash is not that of what it says"));
+        return tl::unexpected(std::string("damaged: its chained hash does not match its content"));
     };
     if (line.size() <= kLength || line.substr(line.size() - kLength, kKey.size()) != kKey) return damaged();
     const std::uint64_t expected = link(line.substr(0, line.size() - kLength));

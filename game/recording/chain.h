@@ -8,13 +8,13 @@
 
 namespace game {
 
-// The hashes that tie the lines of a recording together: each line closes with "chain", the hash of what
-// stands before it and of the line before (XXH3).
+// The hash chain of a recording's lines. Each line ends with "chain",
+// the XXH3 hash of the text before it and of the line before.
 class Chain {
   public:
-    // Closes `line`, a JSON object without a line break. Allocates only where the string must grow.
+    // Closes `line`, a JSON object without a line break. Allocates only if the string must grow.
     void close(std::string& line);
-    // Takes the next line. Errors: it is not what stood there when the lines before it were written.
+    // Takes the next line. Errors: it has changed since it was written, or a line before it has.
     tl::expected<void, std::string> read(std::string_view line);
 
   private:

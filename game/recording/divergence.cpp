@@ -15,7 +15,7 @@ namespace {
 
 using sim::Field, sim::NamedField;
 
-// Vertices from and to which a field is compared: what a step leaves in a state's halo means nothing, and a
+// First and last vertices that are compared. A step leaves nothing meaningful in a state's halo, but a
 // stage's fields have faces there.
 struct Vertices {
     int x0, x1, y0, y1;
@@ -100,7 +100,7 @@ bool same_stages(const sim::State& a, const sim::State& b) {
 }  // namespace
 
 std::uint64_t ulps_between(float a, float b) {
-    // In the order of the numbers that they stand for, from -NaN to NaN; minus zero is below zero.
+    // Ordered by value, from -NaN to NaN; minus zero is below zero.
     const auto place = [](float value) {
         const auto bits = std::int64_t{std::bit_cast<std::int32_t>(value)};
         return bits >= 0 ? bits : -(bits & 0x7fffffff) - 1;
@@ -131,8 +131,8 @@ void Run::advance() {
     if (side_.tamper && engine_.sweeper) side_.tamper({tick, 0, 0, "sweep", state_, nullptr});
 }
 
-// One tick of two runs by the plain step, each in a thread of its own; whenever both have done a stage, what
-// it left is compared.
+// Does one tick of two runs by the plain step, each in its own thread,
+// and compares the results whenever both have finished a stage.
 class StageByStage {
   public:
     StageByStage(const Side& a, const sim::Snapshot& before_a, const Side& b, const sim::Snapshot& before_b)
@@ -142,14 +142,14 @@ class StageByStage {
     }
 
     bool possible() {
-        // A tick's number of sub-steps goes by the numbers that its commands set.
+        // A tick's number of sub-steps depends on the parameters that its commands set.
         sim::State with_a = a_.state_, with_b = b_.state_;
         sim::apply_commands(with_a, a_.due());
         sim::apply_commands(with_b, b_.due());
         return same_stages(with_a, with_b);
     }
 
-    // The first stage after which they differ, filled in as far as the stage goes.
+    // The first stage after which they differ; only the fields known at that stage are set.
     std::optional<Divergence> find() {
         std::optional<Divergence> found;
         struct Place {
@@ -198,7 +198,7 @@ class StageByStage {
 
 namespace {
 
-// Why the last tick did not end alike for `a` and `b`.
+// Finds why the last tick ended differently for `a` and `b`.
 Divergence located(const Side& first, const sim::Snapshot& before_a, const sim::State& a, const Side& second,
                    const sim::Snapshot& before_b, const sim::State& b) {
     Divergence parted;

@@ -41,21 +41,21 @@ std::string_view name_of(Divergence::Where where) {
 std::string stage_text(const Divergence& parted, const std::array<std::string, 2>& names) {
     switch (parted.where) {
         case Divergence::Where::kStart:
-            return "the start: nothing was done yet";
+            return "the start, before any tick";
         case Divergence::Where::kStage:
             return fmt::format("{}, {}", parted.name, in_substep(parted));
         case Divergence::Where::kSweep:
             return fmt::format("sweep: the plain steps of both agree{}",
                                parted.wrong_side
-                                   ? fmt::format(", and the sweep of {} leaves them",
+                                   ? fmt::format(", and the sweep of {} does not",
                                                  names[static_cast<std::size_t>(*parted.wrong_side)])
-                                   : ", and neither sweep does as they do");
+                                   : ", and neither sweep does");
         case Divergence::Where::kLost:
-            return "not found: done once more the tick ends alike, so it does not happen every time";
+            return "not found: the tick ends alike when repeated, so the fault is intermittent";
         case Divergence::Where::kElse:
             break;
     }
-    return "not comparable: the two have not the same stages";
+    return "not comparable: the two runs have different stages";
 }
 
 std::size_t differing(const Divergence& parted) {
@@ -76,11 +76,10 @@ std::string to_text(const Divergence& parted, const Scenario& start,
     };
     line("stage", stage_text(parted, names));
     if (parted.fields.empty()) {
-        line("field", "none yet: what is being poured or dug differs, or the mass ledger");
+        line("field", "none: active commands or the mass ledger differ");
     } else {
         const FieldDifference& first = parted.fields.front();
-        line("field",
-             fmt::format("{}, {} value{} of it", first.field, first.count, first.count > 1 ? "s" : ""));
+        line("field", fmt::format("{}, {} value{}", first.field, first.count, first.count > 1 ? "s" : ""));
         const terrains::LocalPoint at{metres(start, first.x), metres(start, first.y)};
         const std::string place = start.georeference.describe(at);
         line("cell", fmt::format("{}, {}: {:.4g} m east, {:.4g} m north{}{}", first.x, first.y, at.x, at.y,

@@ -8,15 +8,15 @@
 
 namespace game {
 
-// A divergence for people: some ten lines. `names`: what to call the two runs. `scenario` is one of theirs,
-// for places.
+// Describes a divergence in some ten lines. `names`: what to
+// call the two runs. `scenario`: either run's, for places.
 std::string to_text(const Divergence& parted, const Scenario& scenario,
                     const std::array<std::string, 2>& names);
 Json to_json(const Divergence& parted, const Scenario& scenario);
 
-// Its line of the text: "find_exchange, stage 9 in sub-step 2 of 5".
+// The stage as the text shows it: "find_exchange, stage 9 in sub-step 2 of 5".
 std::string stage_text(const Divergence& parted, const std::array<std::string, 2>& names);
-// How many cells differ at the end of the tick.
+// Number of cells that differ at the end of the tick.
 std::size_t differing(const Divergence& parted);
 
 }  // namespace game

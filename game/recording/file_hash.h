@@ -5,7 +5,7 @@
 
 namespace game {
 
-// XXH3 of a file's bytes as 16 digits; of as many as can be read.
+// XXH3 of a file's bytes as 16 hexadecimal digits; of the readable ones if reading fails.
 std::string file_hash(const std::filesystem::path& path);
 
 }  // namespace game

@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view kFormatName = "couloir recording";
 constexpr std::int64_t kMostTicks = std::int64_t{1} << 40;
 
-// The readers below throw the fact; the public ones turn it into a value.
+// The readers below throw the fact; the public functions return it as a value.
 [[noreturn]] void refuse(const std::string& fact) {
     throw std::runtime_error(fact);
 }
@@ -51,7 +51,7 @@ std::int64_t whole(const Json& json, const char* key, std::int64_t least, std::i
 
 std::string text(const Json& json, const char* key) {
     const Json& value = member(json, key);
-    if (!value.is_string()) refuse(fmt::format("{} is not a text", key));
+    if (!value.is_string()) refuse(fmt::format("{} is not a string", key));
     return value.get<std::string>();
 }
 
@@ -61,7 +61,7 @@ std::uint64_t hash_of(const Json& json, const char* key) {
     return *value;
 }
 
-// One of the names that `find` knows.
+// One of the names that `find` accepts.
 template <class Find>
 auto named(const Json& json, const char* key, Find&& find) {
     const std::string name = text(json, key);
@@ -107,8 +107,8 @@ Json physics_json(const sim::Params& params) {
     return json;
 }
 
-// What older recordings do not name yet, by the minor version that does. The default of each leaves the
-// physics as it was before; but for anchor_step, which came with other physics of bcre-inertial.
+// Keys that older recordings lack, by the minor version that added them. Their defaults keep the physics as
+// it was before, except for anchor_step, which came with a change to bcre-inertial.
 constexpr std::pair<std::string_view, int> kSince[] = {
     {"law", 1}, {"exchange_depth", 1}, {"shear_rate", 1}, {"anchor_step", 2}};
 
@@ -176,16 +176,16 @@ void ground_from(const Json& json, const Memory& memory, Scenario& scenario) {
         scenario.georeference = wkt.empty() ? terrains::Georeference::unnamed(x, y)
                                             : terrains::Georeference::projected(wkt, x, y);
     }
-    if (!member(json, "data").is_string()) refuse("data is not a text");
+    if (!member(json, "data").is_string()) refuse("data is not a string");
     if (const auto unpacked = unpack_ground(member(json, "data").get_ref<const std::string&>(), scenario);
         !unpacked)
         refuse(unpacked.error());
     if (ground_hash(scenario) != hash_of(json, "hash"))
-        refuse(fmt::format("its terrain is not the '{}' it was recorded on: the hash is {}, not {}",
+        refuse(fmt::format("its terrain is not the '{}' that it was recorded on: the hash is {}, not {}",
                            scenario.terrain, hex(ground_hash(scenario)), text(json, "hash")));
 }
 
-// A flow that is shown: a view as well.
+// A flow scene; this includes how it is viewed.
 Json flow_json(const Scenario::Flow& flow, const render::FlowLook& look) {
     return {{"kind", kFlowKinds[static_cast<std::size_t>(flow.flow.kind)]},
             {"angle_rad", flow.flow.angle},
@@ -200,9 +200,9 @@ Json flow_json(const Scenario::Flow& flow, const render::FlowLook& look) {
 void flow_from(const Json& json, Scenario& scenario) {
     const auto kind = std::find(kFlowKinds.begin(), kFlowKinds.end(), text(json, "kind"));
     const auto source = sim::front::source_named(text(json, "source"));
-    if (kind == kFlowKinds.end()) refuse(fmt::format("flow: no flow is called '{}'", text(json, "kind")));
+    if (kind == kFlowKinds.end()) refuse(fmt::format("flow: unknown kind '{}'", text(json, "kind")));
     if (!source || *source == sim::front::PointSource::kLevel)
-        refuse(fmt::format("flow: no source is called '{}'", text(json, "source")));
+        refuse(fmt::format("flow: unknown source '{}'", text(json, "source")));
     if (!scenario.look.flow) refuse("flow: the look has no texture");
     if (scenario.grid.nx != scenario.grid.ny || scenario.grid.nx > kMostFlowSquares + 1)
         refuse(fmt::format("flow: the ground is not square, or has more than {} squares along a side",
@@ -266,7 +266,7 @@ void view_from(const Json& json, Scenario& scenario) {
     scenario.look.rolling_visible_m = static_cast<float>(number(look, "rolling_visible_m", 0.001, 10));
     if (look.contains("texture")) {
         const auto pattern = render::flow_pattern_named(text(look, "texture"));
-        if (!pattern) refuse(fmt::format("look: no texture is called '{}'", text(look, "texture")));
+        if (!pattern) refuse(fmt::format("look: unknown texture '{}'", text(look, "texture")));
         scenario.look.flow = render::FlowLook{*pattern};
     }
     if (json.contains("flow")) flow_from(member(json, "flow"), scenario);
@@ -280,7 +280,7 @@ void view_from(const Json& json, Scenario& scenario) {
                        number(camera, "field_of_view_deg", 5, 120)};
 }
 
-// The minor version.
+// Returns the minor version.
 int version_from(const Json& json) {
     const Json& version = member(json, "version");
     if (!version.is_array() || version.size() != 2 || !version[0].is_number_integer() ||
@@ -290,7 +290,7 @@ int version_from(const Json& json) {
     if (major > kFormatMajor)
         refuse(fmt::format("recorded in format {}.{}, and this program reads up to {}.x: use a newer couloir",
                            major, minor, kFormatMajor));
-    if (major < 1 || minor < 0) refuse(fmt::format("format {}.{} never was", major, minor));
+    if (major < 1 || minor < 0) refuse(fmt::format("format {}.{} does not exist", major, minor));
     return static_cast<int>(std::min<std::int64_t>(minor, 1 << 20));
 }
 
@@ -350,7 +350,7 @@ std::vector<std::uint64_t> hashes_before(const Json& state) {
     if (!state.at("before").is_array()) refuse("before is not a list");
     for (const Json& each : state.at("before")) {
         const auto hash = each.is_string() ? from_hex(each.get_ref<const std::string&>()) : std::nullopt;
-        if (!hash) refuse("before has what is not 16 hexadecimal digits");
+        if (!hash) refuse("before has a value that is not 16 hexadecimal digits");
         hashes.push_back(*hash);
     }
     if (static_cast<std::int64_t>(hashes.size()) > whole(state, "tick", 0, kMostTicks))
@@ -372,7 +372,7 @@ Line read_line(const Json& json) {
     }
     for (const sim::CommandInfo& info : sim::kCommands)
         if (json.contains(std::string(info.name))) return read_command(json, info);
-    refuse("a line of a kind that this version does not know");
+    refuse("a line of unknown kind");
 }
 
 }  // namespace
@@ -424,7 +424,7 @@ tl::expected<Header, std::string> header_from(const Json& json, const Memory& me
 
 namespace {
 
-// The shortest text that reads back as the same double, and as a double: "-0" would lose its sign.
+// Appends the shortest text that reads back as the same double, and as a double: "-0" would lose its sign.
 void append(double value, std::string& line) {
     const std::size_t before = line.size();
     fmt::format_to(std::back_inserter(line), "{}", value);

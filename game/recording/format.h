@@ -15,14 +15,14 @@
 
 namespace game {
 
-// A recording is JSON Lines: a header that holds the whole start, then one line per command and one every few
-// ticks with the state's hash and the mass ledger, last an end line. Every line closes with "chain": the hash
-// of the line before and of itself, so that damage shows where it is. README.md has an example.
+// A recording is JSON Lines: a header with the whole scenario, then one line per command and, every few
+// ticks, one with the state's hash and the mass ledger, then an end line. Every line ends with "chain", the
+// hash of the previous line and of itself, so that damage can be located. README.md has an example.
 
 using Json = nlohmann::ordered_json;
 
 inline constexpr int kFormatMajor = 1;  // a reader refuses a greater one
-inline constexpr int kFormatMinor = 4;  // a greater one may hold fields that this reader leaves alone
+inline constexpr int kFormatMinor = 4;  // a greater one may have fields that this reader ignores
 inline constexpr int kPhysicsVersion =
     5;  // of the physics and its hash: recordings of another one play, but are not comparable
 inline constexpr int kTicksPerState = 6;  // between two state lines
@@ -31,24 +31,24 @@ inline constexpr int kTicksPerState = 6;  // between two state lines
 struct StateLine {
     std::int64_t tick = 0;
     std::uint64_t hash = 0;
-    std::vector<std::uint64_t> before;  // hashes of the ticks that came before it, the oldest first
+    std::vector<std::uint64_t> before;  // hashes of the ticks before it, oldest first
     sim::Ledger ledger;                 // initial is not written: it follows from the others
     bool operator==(const StateLine&) const = default;
 };
 
 struct EndLine {
-    std::int64_t tick = 0;  // ticks that were done
+    std::int64_t tick = 0;  // ticks done
 };
 
-// What a recording was forked from.
+// The recording that this one was forked from.
 struct Parent {
     std::string name;         // of its file, without extension
-    std::int64_t tick = 0;    // from which on this one goes its own way
-    std::string change = {};  // what was changed there, for people; empty where somebody played on
+    std::int64_t tick = 0;    // first tick that is this recording's own
+    std::string change = {};  // what was changed there, for display; empty if the user continued from there
     bool operator==(const Parent&) const = default;
 };
 
-// What a recording was, before it was rewritten in a newer format.
+// The original of a recording that was rewritten in a newer format.
 struct Origin {
     int minor = 0;  // of its format
     int physics_version = 0;
@@ -58,34 +58,34 @@ struct Origin {
 
 struct Header {
     Scenario scenario;
-    int minor = kFormatMinor;  // as it was read; it is written as kFormatMinor
+    int minor = kFormatMinor;  // as read; written as kFormatMinor
     int physics_version = kPhysicsVersion;
     int ticks_per_state = kTicksPerState;
-    std::string program;  // that wrote it, with its version
+    std::string program;  // program and version that wrote it
     std::optional<Parent> parent;
     std::optional<Origin> rewritten_from;
 };
 
-// Readers' errors are a fact without file and line, which the caller knows.
+// Readers return errors as a fact without file and line, because the caller knows those.
 Json to_json(const Header& header);
-// Its terrain is unpacked only if `memory` allows such a world.
+// Unpacks the terrain only if `memory` allows such a world.
 tl::expected<Header, std::string> header_from(const Json& json, const Memory& memory = {});
-// Whether this is a header of a format that this program reads. To be asked first, of the chain too: nothing
-// else need be the same in another format.
+// Checks that this is a header of a format that this program reads. Call it first, even before checking the
+// chain: other formats need not share anything else.
 tl::expected<void, std::string> check_format(const Json& json);
 
-// Appended to `line`, without a line break; allocates only where the string must grow.
+// Appended to `line`, without a line break. Allocates only if the string must grow.
 void write(const TimedCommand& command, std::string& line);
 void write(const StateLine& state, std::string& line);
 void write(const EndLine& end, std::string& line);
 using Line = std::variant<TimedCommand, StateLine, EndLine>;
 tl::expected<Line, std::string> line_from(const Json& json);
 
-// The double whose shortest text is also the float's.
+// The double whose shortest text equals the float's.
 double shortest(float value);
 std::string hex(std::uint64_t value);  // 16 digits
-// For people and scripts: indented, with a line break. What is not UTF-8, as a file's name may be, becomes
-// U+FFFD.
+// For people and scripts: indented, with a line break. Invalid
+// UTF-8, which a file name may contain, becomes U+FFFD.
 std::string printed(const Json& json);
 std::optional<std::uint64_t> from_hex(std::string_view text);
 

@@ -13,7 +13,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "a recording's ground is little-endian");
 
-// In the order in which they are packed.
+// The fields in the order in which they are packed.
 template <class S>
 auto floats_of(S& scenario) {
     std::vector<decltype(&scenario.bedrock)> fields{&scenario.bedrock, &scenario.depth, &scenario.rolling};
@@ -27,7 +27,7 @@ std::size_t packed_size(const Scenario& scenario) {
 
 bool all_within(const std::vector<float>& values, float least, float most) {
     for (const float value : values)
-        if (!(value >= least && value <= most)) return false;  // NaN too
+        if (!(value >= least && value <= most)) return false;  // also refuses NaN
     return true;
 }
 
@@ -40,7 +40,8 @@ std::string pack_ground(const Scenario& scenario) {
         bytes.append(reinterpret_cast<const char*>(field->data()), field->size() * sizeof(float));
     bytes.append(reinterpret_cast<const char*>(scenario.has_data.data()), scenario.has_data.size());
 
-    constexpr int kBrisk = 6;  // a person waits for it at every reset; 19 would take twenty times as long
+    constexpr int kBrisk =
+        6;  // zstd level: a user waits for it at every reset, and 19 would take twenty times as long
     std::string packed(ZSTD_compressBound(bytes.size()), '\0');
     packed.resize(ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), kBrisk));
     return to_base64(packed);
@@ -49,13 +50,13 @@ std::string pack_ground(const Scenario& scenario) {
 tl::expected<void, std::string> unpack_ground(std::string_view text, Scenario& scenario) {
     const auto packed = from_base64(text);
     const std::size_t vertices = scenario.grid.size();
-    // Before that much memory is asked for.
+    // Check before allocating that much memory.
     if (!packed || ZSTD_getFrameContentSize(packed->data(), packed->size()) != packed_size(scenario))
-        return tl::unexpected(std::string("terrain data that does not unpack"));
+        return tl::unexpected(std::string("terrain data that cannot be unpacked"));
     std::string bytes(packed_size(scenario), '\0');
     const std::size_t size = ZSTD_decompress(bytes.data(), bytes.size(), packed->data(), packed->size());
     if (ZSTD_isError(size) || size != bytes.size())
-        return tl::unexpected(std::string("terrain data that does not unpack"));
+        return tl::unexpected(std::string("terrain data that cannot be unpacked"));
 
     const char* at = bytes.data();
     for (std::vector<float>* field : floats_of(scenario)) {

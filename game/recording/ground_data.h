@@ -9,12 +9,12 @@
 
 namespace game {
 
-// The fields of a start's ground as text that fits a JSON line: bedrock, depth, rolling, in a world of two
-// materials the lower one's depth (float32, little-endian) and has_data (bytes), zstd, base64.
+// Encodes a scenario's ground as text for a JSON line: bedrock, depth, rolling, the lower material's depth if
+// there is one (float32, little-endian) and has_data (bytes); zstd, then base64.
 std::string pack_ground(const Scenario& scenario);
 
-// Fills them in from the text; start.grid and start.lower say what there must be. Errors: not such a text, of
-// another length, not finite, or layers outside 0 to 64 m.
+// Decodes them; scenario.grid and scenario.lower determine what is expected. Errors: not such a text, a wrong
+// length, values that are not finite, or layers outside 0 to 64 m.
 tl::expected<void, std::string> unpack_ground(std::string_view text, Scenario& scenario);
 
 }  // namespace game

@@ -21,7 +21,7 @@ constexpr std::string_view kBeginning = R"({"format":"couloir recording",)";
 
 enum class Read { kLine, kTorn, kEnd, kTooLong };
 
-// The next line without its break. kTorn: the file ends before the break.
+// Reads the next line without its break. kTorn: the file ends before the break.
 Read next_line(std::istream& stream, std::string& line, std::size_t longest) {
     line.clear();
     std::streambuf& bytes = *stream.rdbuf();
@@ -46,9 +46,9 @@ class Reader {
             if (got == Read::kEnd) break;
             if (got == Read::kTooLong) return wrong(fmt::format("longer than {} bytes", kLongestLine));
             if (got == Read::kTorn) {
-                recording_.warning = fmt::format(
-                    "{}:{}: torn off: bytes {} to {} are lost, and the lines before them are whole", name_,
-                    line_number_, whole_bytes_, whole_bytes_ + line_.size() - 1);
+                recording_.warning =
+                    fmt::format("{}:{}: cut off: bytes {} to {} are lost; the lines before them are whole",
+                                name_, line_number_, whole_bytes_, whole_bytes_ + line_.size() - 1);
                 break;
             }
             if (const auto taken = take_line(); !taken) return tl::unexpected(taken.error());
@@ -58,12 +58,12 @@ class Reader {
             return unusable(fmt::format("{}: {}", name_, *fault));
         if (!recording_.end && !recording_.warning)
             recording_.warning =
-                fmt::format("{}: has no end line; it was cut off after line {}", name_, line_number_ - 1);
+                fmt::format("{}: has no end line; cut off after line {}", name_, line_number_ - 1);
         return std::move(recording_);
     }
 
   private:
-    // What is wrong with this line, and how far those before it go.
+    // What is wrong with this line, and how much before it is whole.
     tl::unexpected<Failure> wrong(const std::string& fact) const {
         const std::string before =
             line_number_ == 1
@@ -72,7 +72,8 @@ class Reader {
         return unusable(fmt::format("{}:{}: {}{}", name_, line_number_, fact, before));
     }
 
-    // Of what is no recording, or has a line without end, nothing is taken into memory.
+    // Check this first, so that a file that is not a recording,
+    // or has an endless line, is not read into memory.
     Outcome<void> look_at_header() {
         std::string beginning(kBeginning.size(), ' ');
         stream_.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
@@ -81,7 +82,7 @@ class Reader {
         if (beginning != kBeginning.substr(0, beginning.size())) return wrong("not a couloir recording");
         stream_.ignore(kLongestHeader, '\n');
         const auto length = beginning.size() + static_cast<std::size_t>(stream_.gcount());
-        if (length > kLongestHeader) return wrong("longer than any header");
+        if (length > kLongestHeader) return wrong("longer than any header may be");
         line_.reserve(length);
         stream_.clear();
         stream_.seekg(0);
@@ -93,12 +94,12 @@ class Reader {
         if (auto begun = look_at_header(); !begun) return begun;
         const Read got = next_line(stream_, line_, kLongestHeader);
         auto json = read_json<Json>(line_, kHeaderLimits);
-        if (!json) return wrong(got == Read::kTorn ? "torn off within the header" : json.error());
+        if (!json) return wrong(got == Read::kTorn ? "cut off within the header" : json.error());
         if (const auto known = check_format(*json); !known) return wrong(known.error());
         if (const auto linked = chain_.read(line_); !linked) return wrong(linked.error());
         auto header = header_from(*json, memory_);
         if (!header) return wrong(header.error());
-        if (got == Read::kTorn) return wrong("torn off within the header");
+        if (got == Read::kTorn) return wrong("cut off within the header");
         recording_.header = std::move(*header);
         if (const auto& parent = recording_.header.parent) proven_until_ = parent->tick;
         whole_bytes_ = line_.size() + 1;
@@ -118,12 +119,12 @@ class Reader {
     Outcome<void> keep(const TimedCommand& command) {
         if (const auto fault = sim::fault_of(command.command, recording_.header.scenario.lower.has_value()))
             return wrong(*fault);
-        // Given at the start of its tick, so after the state of that tick was written.
+        // A command applies at the start of its tick, so it follows that tick's state line.
         if (command.tick < latest_)
             return wrong(fmt::format("goes back to tick {} from {}", command.tick, latest_));
         if (auto proven = check_states(command.tick); !proven) return proven;
         if (recording_.commands.size() == kMostCommands)
-            return wrong(fmt::format("over {} commands", kMostCommands));
+            return wrong(fmt::format("more than {} commands", kMostCommands));
         latest_ = command.tick;
         recording_.commands.push_back(command);
         return {};
@@ -146,12 +147,12 @@ class Reader {
         return {};
     }
 
-    // Every tick lies at most ticks_per_state after a state line: so long a file has no fewer ticks than
-    // lines.
+    // Every tick is at most ticks_per_state after a state line,
+    // so a long file has at least as many ticks as lines.
     Outcome<void> check_states(std::int64_t tick) const {
         const std::int64_t until = proven_until_ + recording_.header.ticks_per_state;
         if (tick <= until) return {};
-        return wrong(fmt::format("names tick {}, and the state lines after tick {} are missing", tick,
+        return wrong(fmt::format("names tick {}, but the state lines after tick {} are missing", tick,
                                  std::max<std::int64_t>(proven_until_, 0)));
     }
 
@@ -159,10 +160,10 @@ class Reader {
     std::string name_;
     std::string line_;
     std::size_t line_number_ = 0;
-    std::size_t whole_bytes_ = 0;  // of the lines taken
+    std::size_t whole_bytes_ = 0;  // of the lines read so far
     std::int64_t latest_ = 0;
     std::int64_t proven_until_ =
-        0;  // tick of the last state line; before it those of the start or the parent
+        0;  // tick of the last state line; before any, that of the scenario or the parent
     const Memory& memory_;
     Chain chain_;
     Recording recording_;

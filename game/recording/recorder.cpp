@@ -21,7 +21,7 @@ tl::unexpected<Failure> cannot_write(const std::filesystem::path& path) {
     return machine_fails(fmt::format("{}: cannot be written: {}", path.string(), std::strerror(errno)));
 }
 
-// The file that was opened is still the one of that name.
+// Whether the open file is still the one of that name.
 bool is_in_place(int file, const std::filesystem::path& path) {
     struct stat opened {
     }, named{};
@@ -31,13 +31,13 @@ bool is_in_place(int file, const std::filesystem::path& path) {
 
 }  // namespace
 
-// An empty file that this process alone writes; a device or a pipe as it is. What was in a file is lost only
-// once nobody else writes it.
+// Opens an empty file that only this process writes, or a device
+// or a pipe. An existing file is emptied only after it is locked.
 Outcome<Recorder::Opened> Recorder::open_alone(const std::filesystem::path& path) {
     using Kind = files::Destination::Kind;
     const files::Destination to = files::destination_of(path);
     if (to.kind == Kind::kDescriptor) {
-        std::fflush(nullptr);  // what was printed so far comes first
+        std::fflush(nullptr);  // earlier output comes first
         files::Descriptor file(fcntl(to.descriptor, F_DUPFD_CLOEXEC, 3));
         if (!file) return cannot_write(path);
         return Opened{std::move(file), false};
@@ -47,9 +47,9 @@ Outcome<Recorder::Opened> Recorder::open_alone(const std::filesystem::path& path
         if (!file) return cannot_write(path);
         if (to.kind == Kind::kThrough) return Opened{std::move(file), false};
         if (!files::lock(file.number()))
-            return machine_fails(
-                fmt::format("{}: another program is recording into it; close that one, or give another file",
-                            path.string()));
+            return machine_fails(fmt::format(
+                "{}: another program is recording into it; close that program, or choose another file",
+                path.string()));
         if (!is_in_place(file.number(), path)) continue;  // it was replaced before it was locked
         if (!file.cut(0)) return cannot_write(path);
         return Opened{std::move(file), true};
@@ -70,14 +70,14 @@ Outcome<Recorder> Recorder::create(const std::filesystem::path& path, const Head
     auto opened = open_alone(path);
     if (!opened) return tl::unexpected(opened.error());
     Recorder recorder(path, std::move(*opened));
-    // A file's name need not be UTF-8, and a recording is.
+    // A file name may be invalid UTF-8, but a recording must be valid.
     recorder.line_ = to_json(header).dump(-1, ' ', false, Json::error_handler_t::replace);
     if (const auto written = recorder.write_line(); !written) {
-        // A recording without its first line is none.
+        // Without its first line, a file is not a recording.
         if (recorder.to_.regular) unlink(files::destination_of(path).path.c_str());
         return tl::unexpected(written.error());
     }
-    recorder.line_ = {};  // the header's memory is not needed again
+    recorder.line_ = {};  // frees the header's memory, which is not needed again
     return recorder;
 }
 
@@ -87,7 +87,7 @@ Outcome<Recorder> Recorder::fork(const std::filesystem::path& path, const Record
     if (!recorder) return recorder;
     const bool comparable = of.header.physics_version == kPhysicsVersion;
     auto state = of.states.begin();
-    // A command is given at the start of its tick, so after the state of that tick.
+    // A command applies at the start of its tick, so it follows that tick's state line.
     const auto write_states = [&](std::int64_t until) {
         for (; state != of.states.end() && state->tick <= until; ++state)
             if (comparable)

@@ -36,13 +36,13 @@ void add_field(const char* what, const std::vector<float>& a, const std::vector<
                std::vector<std::string>& found) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) count += a[i] != b[i];
-    if (count > 0) found.push_back(fmt::format("{} is another at {} vertices", what, count));
+    if (count > 0) found.push_back(fmt::format("{} differs at {} vertices", what, count));
 }
 
 struct Choice {
     std::string_view name, value;
 };
-// Those members of a command that are no numbers.
+// The members of a command that are not numbers.
 std::vector<Choice> choices_of(const sim::Command& command) {
     const sim::CommandInfo& info = sim::info_of(command.kind);
     std::vector<Choice> choices;
@@ -83,7 +83,7 @@ std::vector<std::string> differences_of_ground(const Scenario& a, const Scenario
     const std::size_t before = found.size();
     if (a.datum != b.datum) found.push_back(differs("the datum", a.datum, b.datum));
     add_field("bedrock", a.bedrock, b.bedrock, found);
-    if (a.has_data != b.has_data) found.emplace_back("no-data lies elsewhere");
+    if (a.has_data != b.has_data) found.emplace_back("the areas without data differ");
     if (found.size() > before && a.terrain != b.terrain)
         found.insert(found.begin(), differs("the terrain", a.terrain, b.terrain));
     return found;
@@ -100,7 +100,7 @@ std::vector<std::string> differences_of(const Scenario& a, const Scenario& b) {
         add_numbers("the lower material's ", a.lower->params, b.lower->params, found);
     if (a.grid != b.grid) return found;
     add_field("the cover's depth", a.depth, b.depth, found);
-    add_field("what rolls at first", a.rolling, b.rolling, found);
+    add_field("the release", a.rolling, b.rolling, found);
     if (a.lower && b.lower) add_field("the lower material's depth", a.lower->depth, b.lower->depth, found);
     return found;
 }

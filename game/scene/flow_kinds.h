@@ -5,7 +5,7 @@
 
 namespace game {
 
-// Names of the flows that a scene may show, for files; sim/fields/test_flows.h tells what they are.
+// Names of the flows that a scene may show, as files spell them; sim/fields/test_flows.h describes them.
 inline constexpr std::array<std::string_view, 7> kFlowKinds{"opposed", "swinging", "pinwheel", "disc",
                                                             "drops",   "crowd",    "rift"};
 inline constexpr int kMostFlowSquares = 512;  // along a side

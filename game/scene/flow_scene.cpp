@@ -17,7 +17,7 @@ constexpr float kSide = 100;  // m
 constexpr int kUsualSquares = 20;
 static_assert(kFlowKinds.size() == static_cast<std::size_t>(TestFlow::Kind::kRift) + 1);
 
-// The kind with the place and the angle that it has in the paper's figures.
+// The kind, with the place and the angle of the paper's figures.
 TestFlow usual(TestFlow::Kind kind, int squares) {
     switch (kind) {
         case TestFlow::Kind::kOpposed:
@@ -48,7 +48,7 @@ void read_numbers(TomlTable& table, Scenario::Flow& flow) {
     if (const auto name = table.text("source")) {
         const auto source = sim::front::source_named(*name);
         if (!source || *source == sim::front::PointSource::kLevel)
-            table.blame("source", "is none of half, paper, fit");
+            table.blame("source", "is not one of half, paper, fit");
         numbers.source = source.value_or(numbers.source);
     }
 }
@@ -58,7 +58,7 @@ void read_look(TomlTable& table, Scenario& scenario) {
     if (const auto name = table.text("texture")) {
         const auto pattern = render::flow_pattern_named(*name);
         if (!pattern)
-            table.blame("texture", fmt::format("names no texture; there are {}",
+            table.blame("texture", fmt::format("is not a known texture; known are {}",
                                                fmt::join(render::kFlowPatterns, ", ")));
         scenario.look.flow->pattern = pattern.value_or(scenario.look.flow->pattern);
     }
@@ -69,14 +69,14 @@ void read_look(TomlTable& table, Scenario& scenario) {
 
 Outcome<void> read_flow(TomlTable& table, const Overrides& overrides, Scenario& scenario) {
     if (overrides.material || overrides.model || overrides.scheme || overrides.law)
-        return unusable("A flow has no material and no physics: of the wishes only --grid is for it");
+        return unusable("A flow scene has no material and no physics; only --grid applies to it");
     if (overrides.squares.value_or(0) > kMostFlowSquares)
-        return unusable(fmt::format("--grid {}: a flow has at most {} squares along a side",
+        return unusable(fmt::format("--grid {}: a flow scene has at most {} squares along a side",
                                     *overrides.squares, kMostFlowSquares));
     const auto name = table.text("kind");
     const auto kind = std::find(kFlowKinds.begin(), kFlowKinds.end(), name.value_or(""));
     if (kind == kFlowKinds.end())
-        table.blame(name ? "kind" : "", fmt::format("{} {}", name ? "is none of" : "needs a kind, one of",
+        table.blame(name ? "kind" : "", fmt::format("{} {}", name ? "is not one of" : "needs a kind: one of",
                                                     fmt::join(kFlowKinds, ", ")));
     const auto grid = table.whole("grid", 8, kMostFlowSquares);
     const int squares = overrides.squares.value_or(static_cast<int>(grid.value_or(kUsualSquares)));

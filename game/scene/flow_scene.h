@@ -6,8 +6,8 @@
 
 namespace game {
 
-// Reads a scene's [flow] into `scenario`: level ground, 100 m along a side, that flows. Faults are the
-// table's, which says so itself. Errors: a wish that a flow has no use for, or too many squares.
+// Reads a scene's [flow] into `scenario`: level ground, 100 m along each side, with a flow. Faults are
+// reported by the table. Errors: an override that does not apply to a flow, or too many squares.
 Outcome<void> read_flow(TomlTable& table, const Overrides& overrides, Scenario& scenario);
 
 }  // namespace game

@@ -10,7 +10,7 @@
 namespace game {
 namespace {
 
-// 0 to 255 as a paint program shows it, to linear light.
+// Converts sRGB, 0 to 255, to linear light.
 float linear(double srgb) {
     const double c = srgb / 255;
     return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
@@ -40,13 +40,14 @@ void read_look(TomlTable& table, render::Look& look) {
         if (const auto pattern = render::flow_pattern_named(*name))
             look.flow = render::FlowLook{*pattern};
         else
-            table.blame("texture", fmt::format("names no texture; there are {}",
+            table.blame("texture", fmt::format("is not a known texture; known are {}",
                                                fmt::join(render::kFlowPatterns, ", ")));
     }
     table.finish();
 }
 
-// "stop_slope_thick" may also be given as the angle "stop_angle_thick"; empty where a number is no slope.
+// "stop_slope_thick" may also be given as the angle
+// "stop_angle_thick"; empty if the parameter is not a slope.
 std::string angle_key(const sim::ParamInfo& info) {
     std::string key(info.name);
     const auto at = key.find("_slope");
@@ -95,7 +96,7 @@ Outcome<Material> load_material(std::string_view name_or_path, sim::Model model)
     root.finish();
     if (fault) return unusable(*fault);
     if (!has_block)
-        return unusable(fmt::format("{}: has no [{}] block, so it cannot be used with that model",
+        return unusable(fmt::format("{}: has no [{}] block, so it does not support that model",
                                     path->string(), sim::to_string(model)));
     if (const auto wrong = sim::fault_of(material.params))
         return unusable(fmt::format("{}: {}", path->string(), *wrong));

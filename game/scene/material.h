@@ -10,20 +10,21 @@
 
 namespace game {
 
-// What rolls and lies: how it looks, and its numbers for one model.
+// A material: its appearance, and its parameters for one model.
 struct Material {
     std::filesystem::path file;
-    std::string name;   // of its file
+    std::string name;   // of its file, without extension
     std::string title;  // "loose dry snow"
     render::Look look;
-    sim::Params params;  // of the model asked for
+    sim::Params params;  // of the requested model
 };
 
-// Reads assets/materials/NAME.toml or a file. Errors: unknown name, damage, or no block for this model.
+// Reads assets/materials/NAME.toml or a file. Errors:
+// unknown name, a damaged file, or no block for this model.
 Outcome<Material> load_material(std::string_view name_or_path, sim::Model model);
 
-// Sets every physics number that `table` names, by its name in sim/world/params.h; `…_slope` may be given in
-// degrees as `…_angle`. `model` says which numbers there are.
+// Sets every physics parameter that `table` names, spelled as in sim/world/params.h; `…_slope` may be given
+// in degrees as `…_angle`. `model` determines which parameters exist.
 void read_physics_numbers(TomlTable& table, sim::Model model, sim::Params& params);
 
 }  // namespace game

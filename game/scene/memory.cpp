@@ -49,7 +49,7 @@ tl::expected<void, std::string> Memory::allows(const sim::Grid& grid, bool two_m
     const std::uint64_t expected = expected_bytes(grid, two_materials, *this);
     if (expected <= most) return {};
     return tl::unexpected(
-        fmt::format("{} by {} vertices take about {} of memory, and {} are allowed; --max-memory allows more",
+        fmt::format("{} by {} vertices need about {} of memory, and {} is allowed; raise --max-memory",
                     grid.nx, grid.ny, bytes_text(expected), bytes_text(most)));
 }
 

@@ -23,12 +23,12 @@ std::span<const TimedCommand> commands_at(std::span<const TimedCommand> commands
 
 namespace {
 
-// Counts the commands of a tick, and those that still run in it.
+// Counts the commands of a tick, and those still active in it.
 class CommandCount {
   public:
     explicit CommandCount(float tick_s) : tick_s_(tick_s) {}
 
-    // Takes the commands in order of their ticks.
+    // Takes commands sorted by tick.
     std::optional<std::string> add(const TimedCommand& timed) {
         if (timed.tick != tick_) in_tick_ = 0;
         tick_ = timed.tick;
@@ -47,7 +47,7 @@ class CommandCount {
 }  // namespace
 
 std::optional<std::string> fault_of_commands(sim::Params params, std::span<const TimedCommand> commands) {
-    std::vector<sim::Command> sets;  // of one tick, which may go together only as a whole
+    std::vector<sim::Command> sets;  // of one tick; they may be consistent only together
     CommandCount count(params.tick_s);
     for (std::size_t i = 0; i < commands.size(); ++i) {
         if (const auto fault = count.add(commands[i]))

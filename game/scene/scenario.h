@@ -18,33 +18,33 @@
 
 namespace game {
 
-// All that a world begins with, whether a scene, a terrain file or a recording said so.
+// Everything that a world starts with, from a scene, a terrain file or a recording.
 struct Scenario {
     std::string scene;     // name of the scene or of the terrain file
-    std::string title;     // for people
+    std::string title;     // for display
     std::string material;  // name of its preset
     sim::Params params;
 
     std::string terrain;  // name of the ground
-    std::string licence;  // of the ground's source; may be empty
+    std::string licence;  // licence of the ground's source; may be empty
     sim::Grid grid;
-    double datum = 0;                     // m, height of bedrock = 0
+    double datum = 0;                     // m, height at which bedrock is 0
     std::vector<float> bedrock;           // m above datum, grid.size() values, row-major, row 0 the south
     std::vector<float> depth;             // m, erodible
-    std::vector<float> rolling;           // m, a release that begins at rest
+    std::vector<float> rolling;           // m, a release that starts at rest
     std::vector<std::uint8_t> has_data;   // 0 where material leaves the world
-    terrains::Georeference georeference;  // where the grid stands on Earth, if anywhere
+    terrains::Georeference georeference;  // where the grid is on Earth, if known
     std::uint64_t seed = 0;
 
-    // The material under the other, in a world of two (sim/world/mixture.h).
+    // The lower material of a world with two materials (sim/world/mixture.h).
     struct Lower {
         std::string material;  // name of its preset
         sim::Params params;
-        std::vector<float> depth;  // m, how much of `depth` it is alone, from bedrock up
+        std::vector<float> depth;  // m, the part of `depth` that is this material, from bedrock up
     };
     std::optional<Lower> lower;
 
-    // A scene that shows how the fronts of a flow are met: level ground, on which nothing else happens.
+    // A flow scene, which shows how a flow's fronts are tracked: level ground and nothing else.
     struct Flow {
         sim::fields::TestFlow flow;
         sim::fields::FlowNumbers numbers;
@@ -56,29 +56,29 @@ struct Scenario {
     std::optional<render::Camera> camera;  // none: the overview
 };
 
-// A command and the tick at whose start it is given.
+// A command and the tick at whose start it applies.
 struct TimedCommand {
     std::int64_t tick = 0;
     sim::Command command;
 };
 
-// Of commands in order of their ticks, those from a tick on, and those given at its start.
+// Of commands sorted by tick: those from a tick on, and those that apply at its start.
 std::span<const TimedCommand> commands_from(std::span<const TimedCommand> commands, std::int64_t tick);
 std::span<const TimedCommand> commands_at(std::span<const TimedCommand> commands, std::int64_t tick);
 
-// What is wrong with the numbers that these commands, in order of their ticks, set one after the other: "at
-// tick 6: start_slope is below stop_slope". Nothing if all is well.
+// Checks the parameters that these commands, sorted by tick, set one after another. Returns the fault, such
+// as "at tick 6: start_slope is below stop_slope", or nothing.
 std::optional<std::string> fault_of_commands(sim::Params params, std::span<const TimedCommand> commands);
 
-// The ground of `terrain` as a start's: bedrock under its cover, above a whole-metre datum near its lowest
-// point.
+// Sets the scenario's ground from `terrain`: bedrock under
+// its cover, above a whole-metre datum near its lowest point.
 void set_ground(Scenario& scenario, const terrains::Terrain& terrain);
 
-// For sim; valid as long as the start is.
+// A view for sim; valid as long as the scenario is.
 sim::InitialState initial_state_of(const Scenario& scenario);
 
-// XXH3 of grid, datum, bedrock, depth, rolling, has_data and the lower material's depth: which ground a
-// recording is of.
+// XXH3 of grid, datum, bedrock, depth, rolling, has_data and the
+// lower material's depth. Identifies the ground of a recording.
 std::uint64_t ground_hash(const Scenario& scenario);
 
 }  // namespace game

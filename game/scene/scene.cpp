@@ -25,7 +25,7 @@ void read_borders(TomlTable& physics, sim::Params& params) {
     if (const auto border = sim::border_from(*name))
         params.borders.fill(*border);
     else
-        physics.blame("borders", "is none of wall, open, sink");
+        physics.blame("borders", "is not one of wall, open, sink");
 }
 
 sim::Model read_model(TomlTable& physics, const Overrides& overrides) {
@@ -40,16 +40,16 @@ void take_choices(const Overrides& overrides, sim::Params& params) {
     params.law = overrides.law.value_or(params.law);
 }
 
-// Scheme and velocity law of bcre.
+// Reads the scheme and the velocity law of bcre.
 void read_choices(TomlTable& physics, const Overrides& overrides, sim::Params& params) {
     if (const auto name = physics.text("scheme")) {
         const auto scheme = sim::scheme_from(*name);
-        if (!scheme) physics.blame("scheme", "is none of lax-friedrichs, local-lax-friedrichs, muscl");
+        if (!scheme) physics.blame("scheme", "is not one of lax-friedrichs, local-lax-friedrichs, muscl");
         params.scheme = scheme.value_or(params.scheme);
     }
     if (const auto name = physics.text("law")) {
         const auto law = sim::law_from(*name);
-        if (!law) physics.blame("law", "is none of constant, slope, shear");
+        if (!law) physics.blame("law", "is not one of constant, slope, shear");
         params.law = law.value_or(params.law);
     }
     take_choices(overrides, params);
@@ -65,7 +65,7 @@ sim::Command read_command(TomlTable& table, const sim::CommandInfo& info, bool h
     }
     if (info.has_param) {
         const auto param = sim::param_from(table.text("param").value_or(""));
-        if (!param) table.blame("param", "names no number of the physics that can be set");
+        if (!param) table.blame("param", "is not a parameter that can be set");
         command.param = param.value_or(0);
         if (const auto wrong = sim::fault_of(command); wrong && param) table.blame("value", *wrong);
     }
@@ -125,7 +125,7 @@ void read_view(TomlTable& root, Scenario& scenario) {
         render::Camera camera;
         const auto target = table->numbers("target", 3);
         if (target) camera.target = {(*target)[0], (*target)[1], (*target)[2]};
-        if (!target) table->blame("", "needs a target: metres east, north, and of height");
+        if (!target) table->blame("", "needs a target: metres east, north and up");
         camera.azimuth_deg = table->number("azimuth", -360, 360).value_or(camera.azimuth_deg);
         camera.elevation_deg = table->number("elevation", -89, 89).value_or(camera.elevation_deg);
         camera.distance_m = table->number("distance", 0.1, 1e6).value_or(camera.distance_m);
@@ -143,9 +143,9 @@ void read_view(TomlTable& root, Scenario& scenario) {
 
 Outcome<void> check_choices(const Overrides& overrides, sim::Model model) {
     if ((!overrides.scheme && !overrides.law) || model == sim::Model::kBcre) return {};
-    return unusable(fmt::format(
-        "--{} is of the model bcre, and this is bcre-inertial, which has its own; add --model bcre",
-        overrides.scheme ? "scheme" : "law"));
+    return unusable(
+        fmt::format("--{} applies only to the model bcre, and this is bcre-inertial; add --model bcre",
+                    overrides.scheme ? "scheme" : "law"));
 }
 
 void take_lower(Scenario& scenario, const Material& lower) {
@@ -153,7 +153,8 @@ void take_lower(Scenario& scenario, const Material& lower) {
     sim::take_choices(scenario.params, scenario.lower->params);
     scenario.look.lower_standing = lower.look.standing;
     scenario.look.lower_rolling = lower.look.rolling;
-    scenario.look.rock = lower.look.rock, scenario.look.meadow = lower.look.meadow;  // it lies on the ground
+    scenario.look.rock = lower.look.rock,
+    scenario.look.meadow = lower.look.meadow;  // the lower material lies on the ground
 }
 
 void take_material(Scenario& scenario, const Material& material, const sim::Params& over) {
@@ -162,8 +163,8 @@ void take_material(Scenario& scenario, const Material& material, const sim::Para
     scenario.params = over;
 }
 
-// The whole file in the order in which one part needs another. Faults gather in `fault`; what is returned
-// then is moot.
+// Reads the whole file in the order of its dependencies. Faults
+// are collected in `fault`; the result is then meaningless.
 Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides& overrides,
                           TomlFault& fault) {
     Scene scene;
@@ -209,7 +210,7 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
     sim::Params params = material->params;
     read_choices(*physics, overrides, params);
     read_borders(*physics, params);
-    // A scene's own numbers are for its own model: under another one the material's stand.
+    // A scene's own parameters are for its own model; with another model the material's apply.
     sim::Params unused;
     const auto own_name = physics->text("model");
     const sim::Model own = own_name ? *sim::model_from(*own_name) : sim::Model::kBcreInertial;
@@ -248,8 +249,9 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
         constexpr float kDeepestCover = sim::kDeepest / 2;
         if (const float most = *std::max_element(terrain->cover.begin(), terrain->cover.end());
             most > kDeepestCover)
-            return unusable(fmt::format("{}: cover and what is under it are {} m deep, and the most is {} m",
-                                        path.string(), most, kDeepestCover));
+            return unusable(
+                fmt::format("{}: the cover and the material under it are {} m deep; at most {} m are allowed",
+                            path.string(), most, kDeepestCover));
     }
     set_ground(scenario, *terrain);
     return scene;
@@ -276,7 +278,7 @@ Outcome<std::vector<float>> read_release_on(const Terrain& terrain, const fs::pa
     constexpr float kDeepestRelease = sim::kDeepest / 2;
     if (const float most = *std::max_element(rolling->begin(), rolling->end()); most > kDeepestRelease)
         return unusable(
-            fmt::format("{}: {} m thick, and the most is {} m", release.string(), most, kDeepestRelease));
+            fmt::format("{}: {} m thick; at most {} m are allowed", release.string(), most, kDeepestRelease));
     return std::move(*rolling);
 }
 

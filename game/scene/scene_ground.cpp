@@ -40,7 +40,7 @@ MaybeTerrain generate(TomlTable& table, const std::string& generator, const Grid
     return tl::unexpected(std::string());
 }
 
-// Whether a file lies in a folder or below it, links followed.
+// Whether a file is in a folder or below it, after following links.
 bool is_within(const fs::path& folder, const fs::path& file) {
     std::error_code error;
     const fs::path real =
@@ -56,7 +56,7 @@ MaybeTerrain read_file(TomlTable& table, const fs::path& file, const GridChoice&
     table.finish();
     if (!pixel) return terrains::read_dem(file, choice, references);
     if (!lowest || !highest) {
-        table.blame("pixel", "makes the file a picture, which also needs lowest and highest");
+        table.blame("pixel", "makes the file an image, which also needs lowest and highest");
         return tl::unexpected(std::string());
     }
     return terrains::read_heightmap(file, {*pixel, *lowest, *highest}, choice);
@@ -107,7 +107,7 @@ std::vector<float> depth_by(const CoverRule& rule, const Terrain& terrain) {
             const double slope_deg = std::atan(std::hypot(gx, gy)) * 180 / 3.14159265358979323846;
             const double high = std::clamp((surface(x, y) - rule.above) / rule.fade, 0.0, 1.0);
             const double gentle = std::clamp((rule.bare - slope_deg) / 10, 0.0, 1.0);
-            // Millimetres, so that the last bits of another maths library never show.
+            // Round to millimetres, so that the last bits of another maths library have no effect.
             const double depth = std::rint(rule.depth * high * gentle * 1024) / 1024;
             depths[static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x)] =
                 static_cast<float>(depth);

@@ -14,21 +14,20 @@
 
 namespace game {
 
-// The ground of a scene file: its [terrain], and how deep [cover] lies on it.
+// The ground of a scene file: its [terrain], and the depth of its [cover].
 
-// Reads [terrain]; a file's path is relative to `folder`, the scene's, and leads out of it only if references
-// are allowed. `wished`: squares along the longer side, instead of those the file says; `allowed` may refuse
-// the grid. Errors: the table is to blame and says so itself, the sentence is empty then; or what is wrong
-// with the terrain's file.
+// Reads [terrain]. A file's path is relative to `folder`, the scene's, and may leave
+// it only if references are allowed. `wished`: squares along the longer side,
+// overriding the file's; `allowed` may refuse the grid. Errors: an empty sentence if
+// the table has already reported the fault, else the fault of the terrain's file.
 tl::expected<terrains::Terrain, std::string> read_terrain(TomlTable& table,
                                                           const std::filesystem::path& folder,
                                                           std::optional<int> wished,
                                                           terrains::References references,
                                                           terrains::GridChoice::Allowed allowed);
 
-// How deep the cover lies on a ground that has none of its own: `depth` where the
-// ground is above `above` + `fade` and gentler than `bare` − 10°, none below `above` or where steeper than
-// `bare`.
+// The depth of the cover on a ground that has none of its own: `depth` where the ground is above `above` +
+// `fade` and gentler than `bare` − 10°, none below `above` or where steeper than `bare`.
 struct CoverRule {
     double depth = 0;     // m
     double above = -1e6;  // m
@@ -36,9 +35,9 @@ struct CoverRule {
     double bare = 90;     // deg
 };
 
-// Nothing where [cover] gives no depth: then it is as deep as the terrain says.
+// Nothing if [cover] gives no depth: then the terrain's depth applies.
 std::optional<CoverRule> read_cover_rule(TomlTable& table);
-// How deep it lies, m, at each vertex.
+// Depth of the cover, m, at each vertex.
 std::vector<float> depth_by(const CoverRule& rule, const terrains::Terrain& terrain);
 
 }  // namespace game

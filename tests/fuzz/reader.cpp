@@ -1,4 +1,4 @@
-// libFuzzer's way into the reader that COULOIR_READER names: preset fuzz.
+// libFuzzer's entry point for the reader that COULOIR_READER names: preset fuzz.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>

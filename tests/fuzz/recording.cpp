@@ -1,4 +1,4 @@
-// libFuzzer's way into the reader of recordings: preset fuzz.
+// libFuzzer's entry point for the reader of recordings: preset fuzz.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>

@@ -15,7 +15,7 @@ constexpr float kMost = std::numeric_limits<float>::max();
 Outcome<void> try_array(const std::filesystem::path& file) {
     auto array = ArrayFile::open(file);
     if (!array) return tl::unexpected(array.error());
-    if (array->shape()[0] == 0) return {};  // nobody reads a frame of it
+    if (array->shape()[0] == 0) return {};  // there is no frame to read
     std::int64_t numbers = 1;
     for (std::size_t axis = 1; axis < array->shape().size(); ++axis) numbers *= array->shape()[axis];
     std::vector<float> frame(static_cast<std::size_t>(numbers));

@@ -4,9 +4,9 @@
 
 namespace game::test {
 
-// Reads `bytes` as a recording, as they are and, line by line, with the chain that a forger would give them;
-// and what was accepted once more as it is written anew. Returns what is wrong with how that went, which is
-// nothing: either all is understood and kept, or one sentence names the line.
+// Reads `bytes` as a recording, first as they are, then with the chain of each line recomputed as a forger
+// would. Reads an accepted recording again after rewriting it. Returns what went wrong, or nothing: either
+// everything is kept, or one sentence names the line.
 std::string_view fault_of_reading(std::string_view bytes);
 
 }  // namespace game::test

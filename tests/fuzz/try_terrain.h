@@ -9,7 +9,7 @@
 
 namespace game::test {
 
-// Of a terrain that was read on to kTriedSquares.
+// Checks a terrain that was resampled to kTriedSquares.
 inline Outcome<void> check_terrain(const tl::expected<terrains::Terrain, std::string>& terrain) {
     if (!terrain) return unusable(terrain.error());
     if (terrain->grid.nx > kTriedSquares + 1 || terrain->grid.ny > kTriedSquares + 1)

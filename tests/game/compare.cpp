@@ -143,7 +143,7 @@ TEST_F(Compared, on_another_grid_or_ground_they_are_refused_with_what_differs) {
     Scenario higher = small_scenario();
     higher.bedrock[60] += 1;
     record(file("higher.couloir"), higher, 4, {});
-    refused({"compare", first_, file("higher.couloir")}, "bedrock is another at 1 vertices");
+    refused({"compare", first_, file("higher.couloir")}, "bedrock differs at 1 vertices");
 }
 
 TEST_F(Compared, files_that_are_damaged_or_missing_are_refused_in_a_sentence) {
@@ -208,13 +208,10 @@ TEST(Edit, leaves_out_sets_moves_and_delays_one_command) {
 }
 
 TEST_F(Compared, an_edit_that_cannot_be_done_is_refused_in_a_sentence) {
-    edit_refused({"--tick", "4", "--delete"},
-                 "no command stands in tick 4; there are some in ticks 0, 3, 20");
-    edit_refused({"--tick", "3", "--delete"},
-                 "2 commands stand in tick 3; --command says which one: 1 dig x=");
-    edit_refused({"--tick", "3", "--command", "3", "--delete"}, "2 stand in tick 3");
-    edit_refused({"--tick", "20", "--set", "rate=3"},
-                 "a blast has no such member; it has x, y, radius, depth");
+    edit_refused({"--tick", "4", "--delete"}, "tick 4; ticks with commands: 0, 3, 20");
+    edit_refused({"--tick", "3", "--delete"}, "--command: 1 dig x=");
+    edit_refused({"--tick", "3", "--command", "3", "--delete"}, "2 commands in tick 3");
+    edit_refused({"--tick", "20", "--set", "rate=3"}, "x, y, radius, depth");
     edit_refused({"--tick", "20", "--set", "depth"}, "'depth' is not NAME=VALUE");
     edit_refused({"--tick", "20", "--set", "depth=deep"}, "'deep' is not a number from 0 to 100 m");
     edit_refused({"--tick", "20", "--set", "depth=1000"}, "depth");
@@ -224,7 +221,7 @@ TEST_F(Compared, an_edit_that_cannot_be_done_is_refused_in_a_sentence) {
     edit_refused({"--tick", "20"}, "is required");
     edit_refused({"--tick", "20", "--delete", "--move", "1,1"}, "");
     const std::string before = read_bytes(first_);
-    refused({"edit", first_, "--tick", "20", "--delete", "--out", first_}, "that is read; give another one");
+    refused({"edit", first_, "--tick", "20", "--delete", "--out", first_}, "first.couloir");
     EXPECT_EQ(read_bytes(first_), before);
 }
 
@@ -234,10 +231,8 @@ TEST_F(Compared, a_paranoid_replay_does_every_tick_twice) {
     EXPECT_EQ(json["paranoid"]["ticks"], kTicks);
     const Finished told = couloir({"replay", first_, "--paranoid", "--threads", "2"});
     EXPECT_EQ(told.status, 0);
-    EXPECT_NE(
-        told.out.find("every tick twice, the same bits in all 40: 2 threads, tiles of 64x32, and 1 thread, "
-                      "tiles of 32x8 in reverse order"),
-        std::string::npos)
+    EXPECT_NE(told.out.find("2 threads, tiles of 64x32, and 1 thread, tiles of 32x8 in reverse order"),
+              std::string::npos)
         << told.out;
 }
 

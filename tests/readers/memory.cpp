@@ -28,7 +28,7 @@ Scenario even_ground(int side, bool two_materials) {
     return scenario;
 }
 
-// Plays for six ticks, which need no state line.
+// Plays six ticks, which need no state line.
 void write_recording(const std::filesystem::path& path, int side, bool two_materials) {
     Header header;
     header.scenario = even_ground(side, two_materials);
@@ -46,7 +46,7 @@ TEST(Memory, is_read_from_the_text_of_an_option) {
         EXPECT_FALSE(bytes_from(wrong)) << wrong;
 }
 
-TEST(Memory, of_a_vast_ground_in_a_small_recording_is_refused_before_it_is_taken) {
+TEST(Memory, for_a_vast_ground_in_a_small_recording_is_refused_before_allocation) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "vast.couloir";
     write_recording(path, 4097, false);
@@ -61,7 +61,7 @@ TEST(Memory, of_a_vast_ground_in_a_small_recording_is_refused_before_it_is_taken
     EXPECT_LT(taken.bytes, 1 << 20);
 }
 
-TEST(Memory, of_a_fine_grid_is_refused_before_it_is_taken) {
+TEST(Memory, for_a_fine_grid_is_refused_before_allocation) {
     Overrides overrides;
     overrides.squares = 4096;
     overrides.memory.most = std::uint64_t{1} << 30;
@@ -109,7 +109,7 @@ struct Use {
     WorldUse use;
 };
 
-TEST(Memory, that_is_expected_is_no_less_than_is_taken) {
+TEST(Memory, estimate_is_at_least_the_measured_peak) {
     const support::TemporaryFolder folder;
     const std::vector<Use> uses{
         {"replay", {"replay"}, {}, {}},

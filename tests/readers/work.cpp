@@ -12,12 +12,12 @@ test::Work test::work() {
     return {steps, bytes};
 }
 
-// The compiler calls this in every basic block of the sources that CMakeLists.txt names.
+// The compiler calls this in every basic block of the sources listed in CMakeLists.txt.
 extern "C" void __sanitizer_cov_trace_pc() {
     ++steps;
 }
 
-// What these hand out comes from the C library's heap, so its own free() takes it back.
+// These allocate from the C library's heap, so its own free() releases the memory.
 extern "C" {
 
 void* __libc_malloc(std::size_t size);

@@ -1,5 +1,5 @@
-// The recordings that ship, cut off and altered: what is left of them is read, or one sentence says what is
-// wrong.
+// Shipped recordings, truncated and altered: the reader
+// recovers the whole lines, or one sentence names the fault.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>

@@ -1,5 +1,5 @@
-// Recordings that ship, done twice: with other threads and tiles they are the same, and a fault that is
-// planted in one of both is found where it was planted.
+// Shipped recordings, played twice. Other threads and tiles give
+// the same result, and a fault planted in one run is located.
 #include <bit>
 #include <cmath>
 #include <cstdlib>
@@ -36,7 +36,7 @@ INSTANTIATE_TEST_SUITE_P(Recordings, Paranoid,
                              return text;
                          });
 
-// COULOIR_DESYNC names a file for the picture.
+// COULOIR_DESYNC names a file for the image.
 TEST(PlantedFault, in_the_snow_avalanche_is_found_at_its_stage_and_cell) {
     constexpr std::int64_t kTick = 420;
     const Recording recording = open("snow-avalanche");
@@ -45,7 +45,7 @@ TEST(PlantedFault, in_the_snow_avalanche_is_found_at_its_stage_and_cell) {
     float most = 0;
     const auto fault = [&](const Side::Moment& at) {
         if (at.tick != kTick || at.substep != 0 || at.stage != "predict") return;
-        // Where most is on its way, so that it shows.
+        // A tick when much is moving, so that the fault shows.
         if (most == 0)
             for (int j = 0; j < scenario.grid.ny; ++j)
                 for (int i = 0; i < scenario.grid.nx; ++i)

@@ -1,5 +1,5 @@
-// The fronts of the avalanches that ship, as velocities tell them: against the depth of the rolling layer,
-// which the rule for avalanches does not look at but to tell what is seen.
+// The fronts of the shipped avalanches, found from velocities and compared with the depth of the rolling
+// layer. The rule for avalanches uses that depth only to decide what is visible.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,14 +29,14 @@ using sim::front::Tracker;
 
 struct Avalanche {
     const char* recording;
-    float visible;  // how deep the rolling layer is to be seen, m
+    float visible;  // least visible depth of the rolling layer, m
     double thin;    // share of cuts that may be false where half the depth is less than that
-    double fit;     // root mean square that it may miss the front by, cells
+    double fit;     // limit of the root mean square distance from the front, cells
 };
 
 constexpr Avalanche kAvalanches[] = {{"landslide", 0.2f, 0.07, 0.21}, {"snow-avalanche", 0.1f, 0.01, 0.275}};
 
-// Plays one of them. `look(fronts, dt, tick)` sees what is visible of each tick.
+// Plays a recording. `look(fronts, dt, tick)` is called with the visible fronts of each tick.
 template <class Look>
 void watch(const Avalanche& avalanche, const Look& look) {
     const Recording recording = open(avalanche.recording);
@@ -54,8 +54,8 @@ bool moves(const glm::vec2& velocity) {
     return velocity != glm::vec2(0, 0);
 }
 
-// Of each vertex half the depth of the flow around it: of what moves within kAround cells the mean, or
-// `least` where that is more; without bound where nothing moves.
+// For each vertex, half the depth of the flow around it: the mean over moving cells within kAround cells, or
+// `least` if that is more; infinite if nothing moves.
 //
 // Local, because an avalanche's tongue is ten times as deep as its skirts, and these are fronts too; the
 // mean, because a front rises to its depth within a cell or two. Within three cells, so that what is behind
@@ -77,7 +77,7 @@ std::vector<float> half_depth(const sim::front::Flow& flow, int columns, float l
     return half;
 }
 
-// The edges that the contour at half the depth crosses, where what is deeper moves.
+// The edges that the contour at half the depth crosses, where the deeper end moves.
 std::vector<int> crossed_by_half_depth(const Mesh& mesh, const sim::front::Flow& flow, float least) {
     const auto half = half_depth(flow, mesh.columns, least);
     std::vector<int> crossed;
@@ -91,8 +91,8 @@ std::vector<int> crossed_by_half_depth(const Mesh& mesh, const sim::front::Flow&
     return crossed;
 }
 
-// How many of `edges` have none of `others` within one ring: no end, and no neighbour of an end, is one of
-// theirs. The contour at half the depth lies about a cell behind what is first seen, and a ring is a cell.
+// Number of `edges` with none of `others` within one ring: no end, and no neighbour of an end, belongs to one
+// of them. The contour at half the depth is about a cell behind the visible edge, and a ring is a cell.
 double count_far(const Mesh& mesh, std::span<const int> edges, std::span<const int> others) {
     std::vector<char> near(mesh.position.size());
     for (const int e : others)
@@ -111,7 +111,7 @@ struct Verdict {
     double false_cuts() const { return wrong / cut; }
 };
 
-// Rules judged by the contour at half the depth, or at `least` where that is more, twice a second.
+// Rules scored by the contour at half the depth, or at `least` if that is more, twice a second.
 std::vector<Verdict> judged(const Avalanche& avalanche, const std::vector<Rule>& rules, float least) {
     constexpr int kTicksBetween = 30;
     std::vector<Detector> detectors;
@@ -136,24 +136,24 @@ std::vector<Verdict> judged(const Avalanche& avalanche, const std::vector<Rule>&
 
 class AvalancheFronts : public testing::TestWithParam<Avalanche> {};
 
-TEST_P(AvalancheFronts, are_found_where_the_flow_is_half_as_deep_as_around) {
+TEST_P(AvalancheFronts, are_found_at_half_the_depth_of_the_flow_around) {
     const Verdict got = judged(GetParam(), {sim::front::avalanche_rule()}, GetParam().visible).front();
     EXPECT_GT(got.crossed, 5000);
     EXPECT_GE(got.found(), 0.98);
     EXPECT_LE(got.false_cuts(), 0.02);
 }
 
-// Where the flow is less than twice as deep as is seen, half its depth is not seen, and may lie anywhere
-// outside: nothing is missed there, but more is cut.
-TEST_P(AvalancheFronts, are_found_where_half_the_depth_is_too_little_to_be_seen) {
+// Where the flow is less than twice the visible depth, half its depth is invisible and may be anywhere
+// outside. Nothing is missed there, but more is cut.
+TEST_P(AvalancheFronts, are_found_where_half_the_depth_is_invisible) {
     const Verdict got = judged(GetParam(), {sim::front::avalanche_rule()}, 0).front();
     EXPECT_GE(got.found(), 0.98);
     EXPECT_LE(got.false_cuts(), GetParam().thin);
 }
 
-// The rule without its ratio: within the flow velocities differ from vertex to vertex by far more than its
-// edge moves at where it comes to rest. What lets that pass loses edges.
-TEST_P(AvalancheFronts, are_not_told_by_a_small_jump_alone_nor_by_a_great_one) {
+// The rule without its ratio: velocities inside the flow differ between vertices by far more than the speed
+// of its edge where the flow stops. A threshold that accepts the first misses edges.
+TEST_P(AvalancheFronts, are_not_found_by_a_small_or_a_large_jump_alone) {
     const auto got = judged(GetParam(), {{.jump = 0.3f}, {.jump = 6}}, GetParam().visible);
     EXPECT_GT(got[0].false_cuts(), 0.03);
     EXPECT_LT(got[1].found(), 0.975);
@@ -166,8 +166,8 @@ double distance(const glm::vec2& from, const std::array<glm::vec2, 2>& segment) 
     return glm::length(way - share * along);
 }
 
-// From a point on an edge that the level's contour crosses to the nearest of that contour, in the triangles
-// around either end.
+// Distance from a point on an edge that the level's contour crosses to the nearest point of that contour, in
+// the triangles around either end.
 double distance_to_level(const Tracker& level, int edge, const glm::vec2& from) {
     const Mesh& mesh = level.mesh();
     double nearest = std::numeric_limits<double>::infinity();
@@ -185,7 +185,7 @@ double distance_to_level(const Tracker& level, int edge, const glm::vec2& from) 
     return nearest;
 }
 
-// Root mean squares of the distance from the contour at which the layer is seen, in cells.
+// Root mean square distances from the contour at the visible depth, in cells.
 struct Distances {
     double half = 0, paper = 0, fit = 0;
 };
@@ -216,8 +216,8 @@ Distances distances_from_level(const Avalanche& avalanche) {
     return {rms(0), rms(1), rms(2)};
 }
 
-// What velocities tell of a front that goes by fits and starts, frayed and a cell or two wide.
-TEST_P(AvalancheFronts, are_met_by_velocities_alone) {
+// The accuracy that velocities allow for an unsteady front, frayed and a cell or two wide.
+TEST_P(AvalancheFronts, are_located_from_velocities_alone) {
     const Distances got = distances_from_level(GetParam());
     EXPECT_LE(got.fit, GetParam().fit);
     EXPECT_LE(got.fit, 0.9 * got.half);

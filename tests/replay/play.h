@@ -11,7 +11,7 @@
 #include "game/recording/reader.h"
 #include "game/session/session.h"
 
-// Recordings that ship, played again.
+// Plays shipped recordings again.
 
 namespace game::test {
 
@@ -23,7 +23,7 @@ inline Recording open(const std::string& name) {
     return std::move(*recording);
 }
 
-// So many ticks of it. `look` sees its beginning and what came of each tick.
+// Plays this many ticks. `look` is called at the start and after each tick.
 inline void play(const Recording& recording, int threads, std::int64_t ticks,
                  const std::function<void(const Session&)>& look) {
     auto session =

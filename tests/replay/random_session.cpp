@@ -14,10 +14,10 @@
 namespace game::test {
 namespace {
 
-constexpr int kLongestWait = 900;  // ticks, for a world to come to rest
+constexpr int kLongestWait = 900;  // ticks, until a world is at rest
 constexpr int kThreads[] = {1, 2, 3, 8};
 
-// Draws from one generator by whole numbers alone, so that a seed means the same with every library.
+// Uses only whole numbers from one generator, so that a seed gives the same session with every library.
 class Dice {
   public:
     explicit Dice(std::uint64_t seed) : random_(seed) {}
@@ -80,11 +80,11 @@ Scenario random_start(Dice& dice) {
         for (float& d : depth) d *= 0.5f;
         scenario.lower = Scenario::Lower{"soil", lower, std::move(depth)};
     }
-    if (dice.one_in(6)) scenario.look.flow = render::FlowLook{render::FlowPattern::kSoil};  // follows fronts
+    if (dice.one_in(6)) scenario.look.flow = render::FlowLook{render::FlowPattern::kSoil};  // tracks fronts
     return scenario;
 }
 
-// One of the manifest, with numbers a person might choose for this world.
+// A random parameter of the manifest, with a value that a user might choose for this world.
 sim::Command random_command(Dice& dice, const Scenario& scenario) {
     const sim::CommandInfo& info = sim::kCommands[dice.below(std::size(sim::kCommands))];
     const double dx = static_cast<double>(scenario.grid.dx);
@@ -141,7 +141,7 @@ std::string kernel_name(const sim::StepOptions& options) {
                        options.threads);
 }
 
-// The newest kernel by every number of threads, the others by one.
+// The newest kernel with every number of threads, the others with one.
 std::vector<sim::StepOptions> replay_options() {
     std::vector<sim::StepOptions> all;
     for (const int threads : kThreads) all.push_back({.threads = threads});
@@ -151,7 +151,8 @@ std::vector<sim::StepOptions> replay_options() {
     return all;
 }
 
-// Two sandboxes that do the same: one by the sweep, with a recorder and whatever it shows, and a plain one.
+// Two sandboxes with the same actions: one by the sweep,
+// with a recorder and everything it shows, and a plain one.
 class Lockstep {
   public:
     Lockstep(const RandomSession& session, std::filesystem::path folder, Tally& tally)
@@ -191,7 +192,7 @@ class Lockstep {
                 return go(act.where);
             case Act::kUndo:
                 if (played_->undo().has_value() != plain_->undo().has_value())
-                    return "undo is refused for one of both";
+                    return "only one of the two refuses to undo";
                 return difference();
             case Act::kBranch:
                 return branch();
@@ -206,15 +207,15 @@ class Lockstep {
     }
 
     std::optional<std::string> tick(std::span<const sim::Command> hand) {
-        // Parameters that clash are refused, and the tick is done all the same: for both, or neither.
+        // Inconsistent parameters are refused, but the tick is still done: in both, or in neither.
         const auto one = played_->tick(hand), other = plain_->tick(hand);
         if (one.has_value() != other.has_value())
-            return "only one of both refuses: " + (one ? other : one).error().sentence;
+            return "only one of the two refuses:  " + (one ? other : one).error().sentence;
         if (!one && one.error().status != Failure::kUnusable) return one.error().sentence;
         return difference();
     }
 
-    // A tick at a time, to look at each.
+    // One tick at a time, to compare each.
     std::optional<std::string> go(double where) {
         const auto target =
             static_cast<std::int64_t>(where * static_cast<double>(played_->known_until()) + 0.5);
@@ -227,7 +228,7 @@ class Lockstep {
             for (const auto& gone : {one, other})
                 if (!gone && gone.error().status != Failure::kUnusable) return gone.error().sentence;
             if (one.has_value() != other.has_value() || (one && *one != *other))
-                return fmt::format("only one of both arrives at tick {}", target);
+                return fmt::format("only one of the two reaches tick {}", target);
             if (auto fault = difference()) return fault;
             there = played_->session().state().tick == target;
         }
@@ -344,7 +345,7 @@ RandomSession random_session(std::uint64_t seed) {
     RandomSession session{seed, random_start(dice), kThreads[dice.below(3)], {}};
     const int count = dice.between(6, 14);
     for (int i = 0; i < count; ++i) session.acts.push_back(random_act(dice, session.scenario));
-    // Each comes to rest somewhere, goes back from there, returns and plays on.
+    // Each world comes to rest, goes back, returns and continues.
     session.acts.push_back({Act::kRest, 300, 1, {}});
     session.acts.push_back({Act::kGo, 0, dice.real(0.5, 1), {}});
     session.acts.push_back({Act::kGo, 0, 1, {}});

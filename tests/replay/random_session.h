@@ -9,19 +9,19 @@
 
 #include "game/scene/scenario.h"
 
-// Random sessions of the sandbox: what a person could do to a small world, played by the sweep beside the
-// plain kernel, recorded, and replayed by every kernel and number of threads.
+// Random sessions of the sandbox: random user actions on a small world, run by the sweep and the plain kernel
+// in lockstep, recorded, and replayed by every kernel and number of threads.
 
 namespace game::test {
 
-// One thing a person does.
+// One user action.
 struct Act {
     enum Kind {
-        kTicks,   // lets `ticks` pass
+        kTicks,   // waits `ticks` ticks
         kRest,    // waits until nothing moves, 900 ticks at most, and `ticks` more
-        kHand,    // gives `command` as an action of its own
-        kGo,      // goes to `where` of the known time, 0 its beginning, 1 the present
-        kUndo,    // takes the last action back
+        kHand,    // gives `command` as a separate action
+        kGo,      // seeks to `where` of the known time, 0 its start, 1 the present
+        kUndo,    // undoes the last action
         kBranch,  // continues from this tick in a new recording
     };
     Kind kind = kTicks;
@@ -37,28 +37,29 @@ struct RandomSession {
     std::vector<Act> acts;
 };
 
-// Worlds of 17 to 65 vertices a side, each model, scheme and border, one in eight of two materials.
+// Worlds of 17 to 65 vertices a side, in each model, scheme and border; one in eight has two materials.
 RandomSession random_session(std::uint64_t seed);
 
-// The world in a line, then the acts, one per line, hands as a recording writes them.
+// The world in a line, then one action per line, commands as a recording writes them.
 std::string to_text(const RandomSession& session);
 
 struct Tally {
-    std::int64_t ticks = 0;     // at which hash and fields were compared
+    std::int64_t ticks = 0;     // with compared hash and fields
     std::int64_t files = 0;     // recordings that were written
-    std::int64_t replays = 0;   // of these
-    std::int64_t replayed = 0;  // states that these compared
+    std::int64_t replays = 0;   // of these recordings
+    std::int64_t replayed = 0;  // states compared by these replays
     void add(const Tally& other);
 };
 
-// Plays it; recordings go into `folder`. Returns the first difference, as a sentence. At every tick: the hash
-// of the session against the hash from scratch, every field against the plain kernel's bit by bit, and the
-// ledger. At the end: each recording, replayed by every kernel of this machine and by 1, 2, 3 and 8 threads.
+// Plays a session; recordings go into `folder`. Returns the first difference, as a
+// sentence. At every tick it compares the session's hash with a hash from scratch,
+// every field with the plain kernel's bit by bit, and the ledger. At the end it replays
+// each recording by every kernel of this machine and with 1, 2, 3 and 8 threads.
 std::optional<std::string> fault_of(const RandomSession& session, const std::filesystem::path& folder,
                                     Tally& tally);
 
-// The shortest part of a failing session that was found to fail too: leaves acts out and halves waits for as
-// long as `fails` says yes.
+// The shortest failing part that was found of a failing session:
+// removes actions and halves waits while `fails` returns true.
 RandomSession shrunk(RandomSession session, const std::function<bool(const RandomSession&)>& fails);
 
 }  // namespace game::test

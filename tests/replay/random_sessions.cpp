@@ -1,4 +1,4 @@
-// What a person may do to a world, drawn at random: its recording must replay bit for bit, whatever was done.
+// Random user actions on a world: the recording must replay bit for bit, whatever they are.
 #include "tests/replay/random_session.h"
 
 #include <algorithm>
@@ -17,14 +17,14 @@
 namespace game::test {
 namespace {
 
-constexpr int kMostShrinking = 200;  // sessions played to shorten one that fails
+constexpr int kMostShrinking = 200;  // sessions played to shorten a failing one
 
 std::optional<std::string> fault_in_folder(const RandomSession& session, Tally& tally) {
     const support::TemporaryFolder folder;
     return fault_of(session, folder.path(), tally);
 }
 
-// The shortest session found that still fails, and how it does.
+// The shortest session found that still fails, and its fault.
 std::string report_of(const RandomSession& failing) {
     int tries = 0;
     Tally ignored;
@@ -34,7 +34,7 @@ std::string report_of(const RandomSession& failing) {
     return to_text(shortest) + "  " + fault_in_folder(shortest, ignored).value_or("(no longer fails)");
 }
 
-// Seeds from `first` on, by so many workers at once. Returns what fails.
+// Plays seeds from `first` on, with this many workers at once. Returns the failures.
 std::vector<std::string> play_sessions(std::uint64_t first, int count, unsigned workers) {
     std::atomic<int> next = 0;
     std::mutex mutex;
@@ -69,13 +69,13 @@ TEST(RandomSessions, of_which_there_are_50_replay_bit_for_bit) {
     expect_none(play_sessions(1, 50, 1));
 }
 
-// A whole number that the environment gives; `otherwise` without one.
+// A whole number from the environment, or else `otherwise`.
 std::uint64_t number_of(const char* variable, std::uint64_t otherwise) {
     const char* text = std::getenv(variable);
     return text == nullptr ? otherwise : number_from<std::uint64_t>(text).value();
 }
 
-// COULOIR_SESSIONS=N plays another number of them, COULOIR_SEED=S begins with another seed.
+// COULOIR_SESSIONS=N plays N sessions, COULOIR_SEED=S starts with seed S.
 TEST(RandomSessions, of_which_there_are_1000_replay_bit_for_bit) {
     if (!std::getenv("COULOIR_LONG") && !std::getenv("COULOIR_SESSIONS"))
         GTEST_SKIP() << "runs with COULOIR_LONG=1: ctest -L long";
@@ -101,7 +101,7 @@ TEST(RandomSessions, are_the_same_for_the_same_seed_and_cover_every_act_and_comm
 }
 
 TEST(RandomSessions, are_shrunk_to_the_acts_that_fail) {
-    // Fails where a dig comes after a branch, and 20 ticks pass then.
+    // Fails if a dig comes after a branch and 20 ticks pass then.
     const auto fails = [](const RandomSession& session) {
         bool branched = false, dug = false;
         for (const Act& act : session.acts) {

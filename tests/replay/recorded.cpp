@@ -1,5 +1,5 @@
-// The recordings that ship, played, verified and recorded again by what every processor can build: no window,
-// no picture, no GDAL. Prints the hash of the end, to be laid beside that of another processor.
+// The shipped recordings, played, verified and recorded again with the parts that build on every processor:
+// no window, no images, no GDAL. Prints the final hash, to compare with another processor's.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -27,7 +27,7 @@ void expect_done(const Outcome<void>& outcome) {
     if (!outcome) throw std::runtime_error(outcome.error().sentence);
 }
 
-// Plays all of it into the file `again`.
+// Plays the whole recording into the file `again`.
 Played play_into(const std::filesystem::path& again, const Recording& recording,
                  const sim::StepOptions& options) {
     auto session = Session::begin(recording.header.scenario, options,

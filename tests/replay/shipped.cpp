@@ -1,5 +1,6 @@
-// The recordings that ship are the physics' memory: same commands, same bits, with every compiler and thread
-// count. A change of their hashes is a commit of its own that says why, and a new physics version.
+// The shipped recordings pin the physics: the same commands give the same
+// bits, with every compiler and thread count. A change of their hashes is
+// a commit of its own that gives the reason, and a new physics version.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -14,7 +15,7 @@ namespace {
 
 struct Golden {
     const char* recording;
-    const char* hash;  // of the state at its end, on the grid it was recorded on
+    const char* hash;  // of the final state, on the recorded grid
 };
 
 constexpr Golden kGoldens[] = {
@@ -23,8 +24,8 @@ constexpr Golden kGoldens[] = {
     {"snow-avalanche", "0b7c5cb533722c21"},
 };
 
-// Plays a recording again and returns what its state lines would be now, one for each that it has. Where it
-// goes on after the end, each hash must be that of the state.
+// Plays a recording again and returns its current state lines, one for each recorded line. After the end,
+// each hash must match the state.
 std::vector<StateLine> replayed(const Recording& recording, int threads, std::int64_t ticks) {
     std::vector<StateLine> lines;
     play(recording, threads, ticks, [&](const Session& now) {
