@@ -166,9 +166,8 @@ std::string to_text(const Summary& summary) {
                             m.changes ? "change of 0.3 m and more" : "extent", *m.overlap);
     if (m.changes)
         text += fmt::format(
-            "carried {:.0f} m, observed {:.0f} m, from the middle of the lowered volume to that of the "
-            "raised "
-            "one; "
+            "carried {:.0f} m, observed {:.0f} m, from the middle of the lowered volume to that of "
+            "the raised one; "
             "{:.0f} m apart; raised {:.0f} m3, observed {:.0f} m3\n",
             m.changes->here.carried, m.changes->observed.carried, m.changes->apart, m.changes->here.raised,
             m.changes->observed.raised);
