@@ -173,7 +173,7 @@ std::string to_text(const Summary& summary) {
             m.changes->observed.raised);
     text += mass_text(session, "mass", session.state().ledger);
     if (scenario.lower)
-        text += mass_text(session, "of it " + scenario.lower->material, session.state().mixture->ledger);
+        text += mass_text(session, "mass of " + scenario.lower->material, session.state().mixture->ledger);
     text += fmt::format("eroded {:.0f} m3, deposited {:.0f} m3 (entrainment has no reference)\n", m.eroded,
                         m.deposited);
     text += fmt::format("state hash {}\n", hex(session.state_line().hash));

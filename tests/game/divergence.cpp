@@ -271,7 +271,7 @@ TEST(DivergenceReport, names_tick_stage_field_tile_cell_bits_and_distance) {
     ASSERT_TRUE(parted);
     const std::string text = to_text(*parted, scenario, {"sound", "faulty"});
     for (const char* told :
-         {"tick 3 (at 0.05 s)", "commands, before the first sub-step", "depth, 1 value of it",
+         {"tick 3 (at 0.05 s)", "commands, before the first sub-step", "depth, 1 value",
           "4, 5: 8.4 m east, 10.5 m north", "0, 0 of 64x32 vertices", "1 ULP\n", "sound ", "faulty "})
         EXPECT_NE(text.find(told), std::string::npos) << told << " in\n" << text;
     const Json json = to_json(*parted, scenario);

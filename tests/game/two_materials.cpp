@@ -122,7 +122,7 @@ TEST_F(SnowOnSoil, replays_bit_identically_from_its_recording) {
     EXPECT_EQ(verified.status, 0) << verified.err;
     EXPECT_NE(verified.out.find("proven up to tick 90"), std::string::npos) << verified.out;
     EXPECT_NE(verified.out.find("snow-wet on soil"), std::string::npos) << verified.out;
-    EXPECT_NE(verified.out.find("of it soil: standing"), std::string::npos) << verified.out;
+    EXPECT_NE(verified.out.find("mass of soil: standing"), std::string::npos) << verified.out;
     const Json summary = Json::parse(couloir({"replay", path_.string(), "--json"}).out);
     EXPECT_EQ(summary["lower"]["material"], "soil");
     EXPECT_EQ(summary["lower"]["mass"]["error_quanta"], 0);
