@@ -166,15 +166,14 @@ std::string to_text(const Summary& summary) {
                             m.changes ? "change of 0.3 m and more" : "extent", *m.overlap);
     if (m.changes)
         text += fmt::format(
-            "carried {:.0f} m, observed {:.0f} m, from the middle of the lowered volume to that of the "
-            "raised "
-            "one; "
+            "carried {:.0f} m, observed {:.0f} m, from the middle of the lowered volume to that of "
+            "the raised one; "
             "{:.0f} m apart; raised {:.0f} m3, observed {:.0f} m3\n",
             m.changes->here.carried, m.changes->observed.carried, m.changes->apart, m.changes->here.raised,
             m.changes->observed.raised);
     text += mass_text(session, "mass", session.state().ledger);
     if (scenario.lower)
-        text += mass_text(session, "of it " + scenario.lower->material, session.state().mixture->ledger);
+        text += mass_text(session, "mass of " + scenario.lower->material, session.state().mixture->ledger);
     text += fmt::format("eroded {:.0f} m3, deposited {:.0f} m3 (entrainment has no reference)\n", m.eroded,
                         m.deposited);
     text += fmt::format("state hash {}\n", hex(session.state_line().hash));

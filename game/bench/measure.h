@@ -51,7 +51,7 @@ struct Measured {
     std::string why;                // why it is invalid
     double session_bytes = 0;       // of the world, its fronts and their working memory
     std::size_t peak_bytes = 0;     // of the whole program
-    double slowest_by_fastest = 1;  // ratio of the repeats' total tick times
+    double slowest_by_fastest = 1;  // slowest over fastest repeat, by total tick time
 };
 
 // Plays a few ticks to warm up, then the recording repeatedly, drawn by `canvas` if there is one. `what`

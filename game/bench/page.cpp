@@ -160,9 +160,8 @@ std::string introduction(const BenchReport& report) {
         html +=
             "<p>Times are medians of the repeats of each tick; medians, 95 % and 99 % percentiles over all "
             "ticks. <em>Golden</em>: every recorded state is bit-identical. <em>Unverified</em>: no states "
-            "are recorded for this grid or physics, but the repeats agree. <em>Slow</em>: frames that take longer than the time "
-            "they show. "
-            "B/vertex: memory of the simulation and its fronts.</p>\n";
+            "are recorded for this grid or physics, but the repeats agree. <em>Slow</em>: frames that take "
+            "longer than the time they show. B/vertex: memory of the simulation and its fronts.</p>\n";
     return html;
 }
 

@@ -37,11 +37,11 @@ int squares_of(const Scenario& scenario);  // along the longer side
 // squares would fit across, or `memory` does not allow the grid.
 Outcome<Scenario> on_grid(Scenario scenario, int squares, const Memory& memory = {});
 
-// What of a recording is measured: its start in this physics on that grid. Errors: as above, or its commands
-// set numbers that do not go together there.
+// The scenario of a recording in this physics on that grid. Errors: as above, or its commands set parameters
+// that are inconsistent there.
 Outcome<Scenario> scenario_of(const Recording& recording, int squares, const BenchPhysics& physics,
                               const Memory& memory);
-// Whether the states that it recorded are of that start.
+// Whether the recorded states are of that scenario.
 bool has_states_of(const Recording& recording, int squares, const BenchPhysics& physics);
 
 }  // namespace game

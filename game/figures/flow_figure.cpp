@@ -55,8 +55,7 @@ Cutout detail_of(const FlowFigure& figure) {
 std::string caption_of(const FlowFigure& figure) {
     return fmt::format(
         "{0}×{0} squares, after {1:g} s at 60 steps per second; texture {2}. Above, the texture as seen; "
-        "below, its "
-        "stretch. Points by the source fit.",
+        "below, its stretch. Points by the source fit.",
         figure.squares, figure.seconds, to_string(figure.pattern));
 }
 
@@ -137,8 +136,7 @@ Outcome<PageFigure> Studio::draw(const FlowFigure& figure, const std::filesystem
         const render::Picture meshes[] = {render::front_picture(with.view().tracker(), pixels, pixels),
                                           parts_->draw(figure, with, mesh, detail_of(figure), pixels)};
         written = write(mosaic(meshes, 2), "-mesh",
-                        "the mesh with its cut triangles, the front and its points; close up, as "
-                        "drawn");
+                        "the mesh with its cut triangles, the front and its points; close up");
     }
     if (!written) return machine_fails(written.error());
     return shown;

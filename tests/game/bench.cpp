@@ -17,7 +17,7 @@
 #include "tests/game/recording_files.h"
 #include "tests/support/places.h"
 
-// What bench makes of what it measured, on numbers that were made up: no test looks at a clock.
+// Tests of bench's evaluation, on invented measurements: no test reads a clock.
 
 namespace game::test {
 namespace {
@@ -90,7 +90,7 @@ Scaling scaling_of() {
     return scaling;
 }
 
-TEST(PowerLaw, of_made_up_costs_is_found_again) {
+TEST(PowerLaw, of_invented_costs_is_recovered) {
     const std::vector<std::vector<double>> factors{{10, 20, 40, 80, 160, 320}, {3, 9, 5, 30, 11, 70}};
     std::vector<double> costs;
     for (std::size_t i = 0; i < factors[0].size(); ++i)
@@ -103,12 +103,12 @@ TEST(PowerLaw, of_made_up_costs_is_found_again) {
 
     const auto alone = fit_power_law(costs, std::span(factors).first(1));
     ASSERT_TRUE(alone);
-    EXPECT_LT(alone->exponents[0], 1.5);  // the other's share is taken for its own
+    EXPECT_LT(alone->exponents[0], 1.5);  // it is credited with the other factor's share
     EXPECT_GT(alone->r2, 0.9);
     EXPECT_LT(alone->r2, 1 - 1e-6);
 }
 
-TEST(PowerLaw, leaves_out_what_has_no_logarithm) {
+TEST(PowerLaw, skips_values_without_a_logarithm) {
     const std::vector<std::vector<double>> factors{{1, 2, 0, 4, 8, 16}};
     const std::vector<double> costs{1, 4, 7, 16, 0, 256};
     const auto law = fit_power_law(costs, factors);
@@ -116,7 +116,7 @@ TEST(PowerLaw, leaves_out_what_has_no_logarithm) {
     EXPECT_NEAR(law->exponents[0], 2, 1e-9);
 }
 
-TEST(PowerLaw, is_none_where_the_factors_do_not_tell_it) {
+TEST(PowerLaw, is_none_if_the_factors_do_not_determine_it) {
     const std::vector<double> costs{1, 2, 3, 4};
     const std::vector<std::vector<double>> same{{5, 5, 5, 5}}, together{{1, 2, 4, 8}, {1, 4, 16, 64}},
         few{{1, 2, 0, 0}};
@@ -126,7 +126,7 @@ TEST(PowerLaw, is_none_where_the_factors_do_not_tell_it) {
     EXPECT_FALSE(fit_power_law({}, std::vector<std::vector<double>>(1)));
 }
 
-TEST(Exponents, tell_what_grows_with_the_vertices_from_what_grows_with_the_front) {
+TEST(Exponents, separate_growth_with_vertices_from_growth_with_the_front) {
     for (const Exponents& each : exponents_of(scaling_of().rows)) {
         if (each.part == "solve") {
             ASSERT_TRUE(each.by_vertices && each.by_both);
@@ -162,9 +162,9 @@ TEST(Medians, are_of_each_tick_and_part_over_the_repeats) {
     EXPECT_DOUBLE_EQ(rows[1].begin_ms, rows[0].frame_ms);
 }
 
-TEST(FrameFigures, have_shares_that_add_up_and_count_drawn_frames_alone) {
+TEST(FrameFigures, have_shares_that_add_up_and_count_only_drawn_frames) {
     const FrameFigures figures = frame_figures(measured_of("landslide", 80));
-    // Ticks of 1.75 to 10.75 ms; two of them drawn for 13 more.
+    // Ticks of 1.75 to 10.75 ms; two of them with 13 ms of drawing.
     EXPECT_DOUBLE_EQ(figures.tick.mean, 6.25);
     EXPECT_DOUBLE_EQ(figures.tick.median, 5.75);
     EXPECT_DOUBLE_EQ(figures.frame_ms, 19.25);
@@ -174,7 +174,7 @@ TEST(FrameFigures, have_shares_that_add_up_and_count_drawn_frames_alone) {
     double shares = 0;
     for (std::size_t part = 0; part < kPartCount; ++part) shares += figures.share(static_cast<Part>(part));
     EXPECT_NEAR(shares, 1, 1e-12);
-    // While 800 vertices and more move: three ticks of 8.75, 9.75 and 10.75 ms.
+    // While at least 800 vertices move: three ticks of 8.75, 9.75 and 10.75 ms.
     EXPECT_NEAR(figures.busy_fronts, 1.5 / (29.25 + 3 * 13), 1e-12);
 
     Measured undrawn = measured_of("landslide", 80);
@@ -188,7 +188,7 @@ TEST(FrameFigures, have_shares_that_add_up_and_count_drawn_frames_alone) {
     EXPECT_DOUBLE_EQ(bare.slow, 0);
 }
 
-TEST(Trace, is_json_whose_parts_lie_in_their_frames_one_after_the_other) {
+TEST(Trace, is_json_with_consecutive_parts_within_their_frames) {
     const Measured a = measured_of("land \"slide\"", 80), b = measured_of("snow", 160);
     const TracedRun runs[] = {{a.recording, a.last}, {b.recording, b.last}};
     const Json trace = Json::parse(trace_of(runs));
@@ -257,7 +257,7 @@ TEST(BenchReport, csv_has_as_many_cells_in_every_line_as_names) {
     EXPECT_NE(csv_of(report_of()).find("landslide, file hash 0123456789abcdef"), std::string::npos);
 }
 
-TEST(BenchPage, needs_nothing_from_elsewhere_and_shows_all_there_is) {
+TEST(BenchPage, is_self_contained_and_complete) {
     BenchReport report = report_of();
     report.scaling = scaling_of();
     const auto tables = tables_of(report);
@@ -286,7 +286,7 @@ TEST(Plot, has_round_numbers_at_its_axes) {
     EXPECT_EQ(round_numbers(3, 3, 5), (std::vector<double>{3}));
 }
 
-// A report written and read back.
+// Writes a report and reads it back.
 class Against : public testing::Test {
   protected:
     std::filesystem::path write(const std::string& text) {
@@ -300,7 +300,7 @@ class Against : public testing::Test {
     support::TemporaryFolder folder;
 };
 
-TEST_F(Against, finds_itself_again_without_a_difference) {
+TEST_F(Against, finds_no_difference_to_itself) {
     BenchReport report = report_of();
     report.scaling = scaling_of();
     const auto then = read_report(write(printed(to_json(report))));
@@ -312,13 +312,13 @@ TEST_F(Against, finds_itself_again_without_a_difference) {
     EXPECT_TRUE(same.remarks.empty());
 }
 
-TEST_F(Against, tells_the_worst_beyond_the_tolerance_and_lets_pass_what_is_within) {
+TEST_F(Against, reports_the_worst_beyond_the_tolerance_and_accepts_the_rest) {
     const auto then = entries(report_of()), now = entries(report_of(1.2));
     EXPECT_FALSE(compare_entries(now, then, 0.25).too_slow);
     const auto slow = compare_entries(now, then, 0.1);
     ASSERT_TRUE(slow.too_slow);
     EXPECT_NE(slow.too_slow->find("solve of landslide 80 bcre-inertial"), std::string::npos);
-    EXPECT_FALSE(compare_entries(then, now, 0).too_slow);  // faster is no fault
+    EXPECT_FALSE(compare_entries(then, now, 0).too_slow);  // faster is fine
 }
 
 TEST_F(Against, remarks_on_what_is_not_the_same_work) {
@@ -366,7 +366,7 @@ Scenario shipped(const std::string& name) {
     return read_recording(find_asset(AssetKind::kRecording, name).value()).value().header.scenario;
 }
 
-TEST(BenchPhysics, of_a_landslide_in_bcre_are_those_it_was_recorded_in) {
+TEST(BenchPhysics, of_a_landslide_in_bcre_are_the_recorded_ones) {
     const Scenario own = shipped("landslide"), bcre = shipped("landslide-bcre");
     const auto local = bench_physics_named("local-lax-friedrichs").value();
     EXPECT_FALSE(is_own(own, local));
@@ -380,7 +380,7 @@ TEST(BenchPhysics, of_a_landslide_in_bcre_are_those_it_was_recorded_in) {
     EXPECT_FALSE(bench_physics_named("muscl"));
 }
 
-TEST(BenchPhysics, of_a_material_that_does_not_ship_cannot_be_had) {
+TEST(BenchPhysics, of_an_unknown_material_is_refused) {
     Scenario scenario = small_scenario();
     scenario.material = "cheese";
     EXPECT_FALSE(in_physics(scenario, bench_physics_named("lax-friedrichs").value()));
@@ -415,18 +415,19 @@ TEST(OnGrid, keeps_the_rectangle_the_slope_and_how_deep_the_cover_is) {
     const Scenario finer = on_grid(plane, 30).value();
     for (int y = 0; y < finer.grid.ny; ++y)
         for (int x = 0; x < finer.grid.nx; ++x) {
-            if (finer.has_data[static_cast<std::size_t>(y * finer.grid.nx + x)] == 0) continue;  // is made up
+            if (finer.has_data[static_cast<std::size_t>(y * finer.grid.nx + x)] == 0)
+                continue;  // interpolated
             const double cells = static_cast<double>(finer.grid.dx / plane.grid.dx);
             EXPECT_NEAR(finer.bedrock[static_cast<std::size_t>(y * finer.grid.nx + x)],
                         cells * (2 * x - 3 * y), 1e-3);
         }
     EXPECT_GT(std::count(finer.has_data.begin(), finer.has_data.end(), 1), 600);
-    // The corner that nobody knows stays so, and nothing lies there.
+    // The corner without data stays without data, and is empty.
     EXPECT_EQ(finer.has_data[0], 0);
     EXPECT_EQ(finer.depth[0], 0);
 }
 
-// The program itself, on a recording of a second.
+// The program itself, on a one-second recording.
 class BenchProgram : public testing::Test {
   protected:
     void SetUp() override {
@@ -445,7 +446,7 @@ class BenchProgram : public testing::Test {
     std::filesystem::path path;
 };
 
-TEST_F(BenchProgram, measures_a_recording_and_writes_all_it_found) {
+TEST_F(BenchProgram, measures_a_recording_and_writes_all_results) {
     const Finished done = bench(
         {"--summary", at("a.json"), "--perf", at("a.csv"), "--page", at("a.html"), "--trace", at("t.json")},
         "12,20");
@@ -466,7 +467,7 @@ TEST_F(BenchProgram, measures_a_recording_and_writes_all_it_found) {
     EXPECT_GT(Json::parse(read_bytes(at("t.json")))["traceEvents"].size(), 120u);
 }
 
-TEST_F(BenchProgram, calls_a_run_invalid_that_does_not_meet_a_recorded_hash) {
+TEST_F(BenchProgram, calls_a_run_invalid_if_a_recorded_hash_differs) {
     auto bodies = bodies_of(read_bytes(path));
     for (std::string& body : bodies) {
         Json line = json_of(body);
@@ -482,7 +483,7 @@ TEST_F(BenchProgram, calls_a_run_invalid_that_does_not_meet_a_recorded_hash) {
     const Json report = Json::parse(read_bytes(at("a.json")));
     EXPECT_EQ(report["valid"], false);
     EXPECT_EQ(report["cases"][0]["proof"], "INVALID");
-    // The ticks before it are as good as ever, and so is another grid.
+    // Earlier ticks are still valid, and so is another grid.
     EXPECT_EQ(bench({"--ticks", "29"}).status, 0);
     EXPECT_EQ(
         couloir({"bench", path.string(), "--grid", "20", "--physics", "bcre-inertial", "--no-render"}).status,
@@ -499,7 +500,7 @@ TEST_F(BenchProgram, compares_with_an_earlier_run) {
     EXPECT_EQ(run({"--against", at("then.json"), "--tolerance", "1e6"}).status, 0);
     EXPECT_EQ(run({"--against", at("then.json"), "--tolerance", "1e6"}).out.find("bcre-inertial  frame"),
               std::string::npos);  // nothing was drawn
-    // As if 40,000 vertices had taken no longer than a hundredth of a millisecond.
+    // As if 40,000 vertices had taken no longer than 0.01 ms.
     for (auto& [name, stage] : then["cases"][0]["stages"].items())
         stage["median_ms"] = name == "tick" ? 0.0101 : 0.0;
     write_bytes(at("then.json"), then.dump());

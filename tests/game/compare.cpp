@@ -28,7 +28,7 @@ Recording recording_of(const std::vector<TimedCommand>& commands) {
     return recording;
 }
 
-// A recording of small_start(), and what the subcommands make of it.
+// A recording of small_start(), and the output of the subcommands for it.
 class Compared : public testing::Test {
   protected:
     Compared() { record(first_, small_scenario(), kTicks, some_commands()); }
@@ -41,7 +41,7 @@ class Compared : public testing::Test {
         return Json::parse(finished.out);
     }
 
-    // Status 2 and one sentence that holds `told`; nothing is left behind.
+    // Expects status 2, one sentence that contains `told`, and no leftover files.
     void refused(const Arguments& arguments, const std::string& told) {
         const Finished finished = couloir(arguments);
         EXPECT_EQ(finished.status, 2) << finished.err;
@@ -60,7 +60,7 @@ class Compared : public testing::Test {
     std::string first_ = file("first.couloir");
 };
 
-TEST_F(Compared, with_itself_a_recording_differs_in_nothing) {
+TEST_F(Compared, a_recording_equals_itself) {
     const Json json = json_of({"compare", first_, first_, "--json", "--out", file("maps")});
     for (const auto& [name, value] : json["difference"].items()) EXPECT_EQ(value, 0) << name;
     EXPECT_EQ(json["deposit"]["least_m"], 0);
@@ -110,7 +110,7 @@ TEST_F(Compared, a_tick_after_the_end_of_one_is_refused) {
     EXPECT_FALSE(std::filesystem::exists(file("maps")));
 }
 
-TEST_F(Compared, differences_are_the_second_less_the_first_and_add_up) {
+TEST_F(Compared, differences_are_the_second_minus_the_first_and_add_up) {
     auto commands = some_commands();
     commands[2].command.rate *= 3;
     const Named one{"first", first_, recording_of(some_commands())};
@@ -125,7 +125,7 @@ TEST_F(Compared, differences_are_the_second_less_the_first_and_add_up) {
         sum += static_cast<double>(forth.deposit[i]) * a.session.state().grid.cell_area();
     }
     EXPECT_NEAR(forth.more - forth.less, sum, 1e-9);
-    // What is in one world and not in the other was poured, or has left it.
+    // Material that is in only one world was added, or has left the other.
     const auto &mass = a.session.state().ledger, &other_mass = b.session.state().ledger;
     const auto gained =
         (other_mass.poured - other_mass.out - other_mass.dug) - (mass.poured - mass.out - mass.dug);
@@ -159,7 +159,7 @@ TEST_F(Compared, files_that_are_damaged_or_missing_are_refused_in_a_sentence) {
     refused({"compare", first_}, "second is required");
 }
 
-TEST_F(Compared, an_edit_that_moves_a_command_moves_it_alone) {
+TEST_F(Compared, an_edit_moves_only_its_command) {
     const std::string out = file("new.couloir");
     const Json json = json_of({"edit", first_, "--tick", "20", "--move", "2.1,-4.2", "--out", out, "--json"});
     EXPECT_EQ(json["parted"]["tick"], 20);
@@ -187,7 +187,7 @@ Edited edited_to(Edit edit) {
     return edited(recording, edit).value();
 }
 
-TEST(Edit, leaves_out_sets_moves_and_delays_one_command) {
+TEST(Edit, deletes_sets_moves_and_delays_one_command) {
     const auto before = some_commands();
     const auto without = edited_to({20, {}, Edit::Delete{}});
     EXPECT_EQ(without.commands.size(), before.size() - 1);
@@ -202,7 +202,7 @@ TEST(Edit, leaves_out_sets_moves_and_delays_one_command) {
 
     const auto later = edited_to({0, {}, Edit::Delay{0.05}});
     EXPECT_EQ(later.commands[2].tick, 3);
-    EXPECT_EQ(later.commands[2].command, before[0].command);  // after those that stood there
+    EXPECT_EQ(later.commands[2].command, before[0].command);  // after the commands already there
     const auto earlier = edited_to({20, {}, Edit::Delay{-0.25}});
     EXPECT_EQ(earlier.commands[3].tick, 5);
 }
@@ -236,7 +236,7 @@ TEST_F(Compared, a_paranoid_replay_does_every_tick_twice) {
         << told.out;
 }
 
-// How many pixels are redder than blue by a lot, and bluer.
+// Number of pixels that are much redder than blue, and much bluer than red.
 std::pair<int, int> reds_and_blues(const render::Picture& picture) {
     int red = 0, blue = 0;
     for (std::size_t i = 0; i < picture.pixels.size(); i += 3) {

@@ -1,4 +1,4 @@
-// What the fuzzer found worth keeping: each file is a kind of recording, whole or damaged.
+// The fuzzer's corpus: each file is a distinct kind of recording, whole or damaged.
 #include <filesystem>
 #include <sstream>
 
@@ -12,7 +12,7 @@
 namespace game::test {
 namespace {
 
-// Calls try_file(path, bytes) for each file of a folder and returns how many there were.
+// Calls try_file(path, bytes) for each file of a folder and returns their number.
 template <class TryFile>
 int for_each_file(const std::filesystem::path& folder, const TryFile& try_file) {
     int files = 0;
@@ -41,7 +41,7 @@ TEST(RecordingCorpus, is_understood_or_refused_in_one_sentence_file_by_file) {
     EXPECT_GT(for_each_file(COULOIR_RECORDING_CORPUS, expect_no_fault), 400);
 }
 
-TEST(RecordingRegressions, are_refused_or_accepted_as_their_folder_tells) {
+TEST(RecordingRegressions, are_refused_or_accepted_as_their_folder_says) {
     EXPECT_GT(expect_regressions("refused", false), 20);
     EXPECT_GT(expect_regressions("accepted", true), 0);
 }

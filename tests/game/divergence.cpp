@@ -29,7 +29,7 @@ sim::StepOptions plainly(int threads = 1) {
     return {.threads = threads, .plain = true};
 }
 
-// One value of one field changed by so many ULPs when a stage is done.
+// One value of one field, changed by this many ULPs after a stage.
 struct Plant {
     const char* name;
     sim::Model model;
@@ -58,8 +58,8 @@ constexpr auto kInertial = sim::Model::kBcreInertial;
 constexpr auto kBcre = sim::Model::kBcre;
 constexpr auto kLocal = sim::Scheme::kLocalLaxFriedrichs;
 
-// What a stage reckons with is rounded to whole quanta in the end: a single ULP of it would be lost there, so
-// more are planted; fields of a state keep one.
+// A stage's intermediate results are finally rounded to whole quanta, which would lose a single ULP, so these
+// faults are larger. Faults in a state's fields are one ULP.
 constexpr std::int32_t kMany = 1 << 22;
 const Plant kPlants[] = {
     {"commands_depth", kInertial, kLocal, 3, -1, 1, "commands", "depth", 4, 5, 1},
@@ -127,7 +127,7 @@ TEST(Divergence, of_equal_runs_is_none_in_either_model_and_every_scheme_swept_or
         }
 }
 
-TEST(Divergence, of_a_sweep_is_told_as_the_sweeps_and_whose) {
+TEST(Divergence, of_a_sweep_is_reported_with_the_run_at_fault) {
     const Scenario scenario = small_scenario();
     const auto commands = some_commands();
     const auto fault = [](const Side::Moment& at) {
@@ -150,7 +150,7 @@ TEST(Divergence, of_a_sweep_is_told_as_the_sweeps_and_whose) {
     }
 }
 
-TEST(Divergence, that_does_not_come_back_is_told_so) {
+TEST(Divergence, that_is_intermittent_is_reported_as_such) {
     const Scenario scenario = small_scenario();
     const auto commands = some_commands();
     bool done = false;
@@ -167,7 +167,7 @@ TEST(Divergence, that_does_not_come_back_is_told_so) {
     EXPECT_EQ(parted->fields.at(0).field, "depth");
 }
 
-TEST(Divergence, of_another_command_stands_at_the_commands_of_its_tick) {
+TEST(Divergence, of_another_command_is_found_at_the_commands_of_its_tick) {
     const Scenario scenario = small_scenario();
     const auto commands = some_commands();
     auto moved = commands;
@@ -184,7 +184,7 @@ TEST(Divergence, of_another_command_stands_at_the_commands_of_its_tick) {
             "at tick 3 the dig's x is 12.933333333333334 in the first and 14.933333333333334 in the second"});
 }
 
-TEST(Divergence, of_a_source_that_runs_on_for_longer_is_found_before_any_field_has_it) {
+TEST(Divergence, of_a_longer_running_source_is_found_before_any_field_differs) {
     const Scenario scenario = small_scenario();
     const auto commands = some_commands();
     auto longer = commands;
@@ -197,7 +197,7 @@ TEST(Divergence, of_a_source_that_runs_on_for_longer_is_found_before_any_field_h
     EXPECT_TRUE(parted->fields.empty());
 }
 
-TEST(Divergence, of_the_start_is_told_before_any_tick) {
+TEST(Divergence, of_the_start_is_reported_before_any_tick) {
     const Scenario scenario = small_scenario();
     Scenario deeper = scenario;
     deeper.depth[deeper.depth.size() - 1] += 0.5f;
@@ -213,7 +213,7 @@ TEST(Divergence, of_the_start_is_told_before_any_tick) {
               std::vector<std::string>{"the cover's depth differs at 1 vertices"});
 }
 
-TEST(Divergence, of_other_numbers_is_found_at_the_stage_that_uses_them) {
+TEST(Divergence, of_other_parameters_is_found_at_the_stage_that_uses_them) {
     const Scenario scenario = scenario_of(kInertial, kLocal);
     Scenario quicker = scenario;
     quicker.params.relaxation_time *= 0.5f;
@@ -225,7 +225,7 @@ TEST(Divergence, of_other_numbers_is_found_at_the_stage_that_uses_them) {
               std::vector<std::string>{"relaxation_time is 1.5 in the first and 0.75 in the second"});
 }
 
-TEST(Divergence, of_other_stages_is_told_without_one) {
+TEST(Divergence, of_other_stages_is_reported_without_a_stage) {
     const Scenario scenario = scenario_of(kBcre, kLocal), other = scenario_of(kBcre, sim::Scheme::kMuscl);
     const auto parted =
         first_divergence({scenario, {}, {}, nullptr}, {other, {}, {}, nullptr}, kComparedTicks);
@@ -234,7 +234,7 @@ TEST(Divergence, of_other_stages_is_told_without_one) {
     EXPECT_FALSE(parted->fields.empty());
 }
 
-TEST(StartDifference, is_none_of_equal_starts_and_of_what_is_only_seen) {
+TEST(StartDifference, is_empty_for_equal_scenarios_and_ignores_appearance) {
     const Scenario scenario = small_scenario();
     Scenario seen = scenario;
     seen.light.azimuth_deg += 1, seen.look.flow.reset(), seen.title = "another";
@@ -242,7 +242,7 @@ TEST(StartDifference, is_none_of_equal_starts_and_of_what_is_only_seen) {
     EXPECT_TRUE(differences_of(some_commands(), some_commands()).empty());
 }
 
-TEST(StartDifference, of_a_command_that_only_one_has_is_that_command) {
+TEST(StartDifference, names_a_command_that_only_one_has) {
     const auto commands = some_commands();
     auto without = commands;
     without.erase(without.begin() + 3);
@@ -271,7 +271,7 @@ TEST(DivergenceReport, names_tick_stage_field_tile_cell_bits_and_distance) {
     ASSERT_TRUE(parted);
     const std::string text = to_text(*parted, scenario, {"sound", "faulty"});
     for (const char* told :
-         {"tick 3 (at 0.05 s)", "commands, before the first sub-step", "depth, 1 value of it",
+         {"tick 3 (at 0.05 s)", "commands, before the first sub-step", "depth, 1 value",
           "4, 5: 8.4 m east, 10.5 m north", "0, 0 of 64x32 vertices", "1 ULP\n", "sound ", "faulty "})
         EXPECT_NE(text.find(told), std::string::npos) << told << " in\n" << text;
     const Json json = to_json(*parted, scenario);

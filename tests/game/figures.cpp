@@ -18,7 +18,7 @@
 #include "tests/game/program.h"
 #include "tests/support/places.h"
 
-// The paper's figures, as far as they need no GL: gl_figures.cpp has the rest.
+// Tests of the paper's figures that need no GL; gl_figures.cpp has the others.
 
 namespace game::test {
 namespace {
@@ -31,7 +31,7 @@ std::vector<std::string> split(const std::string& text, char at) {
     return parts;
 }
 
-// Of each scene on 10×10 squares, as nobody measured them: all within their bounds.
+// Scores of each scene on 10×10 squares, invented, all within their limits.
 std::vector<FlowScores> invented() {
     std::vector<FlowScores> numbers;
     for (int scene = 0; scene < static_cast<int>(flow_scenes().size()); ++scene) {
@@ -140,17 +140,17 @@ TEST(FigurePage, shows_what_it_is_given_and_nothing_from_elsewhere) {
     EXPECT_EQ(page_of(figures, {}, "us").find("numbers.csv"), std::string::npos);
 }
 
-TEST(LevelFlow, is_drawn_out_along_a_front_only_where_the_mesh_is_not_cut) {
+TEST(LevelFlow, stretches_along_a_front_only_if_the_mesh_is_not_cut) {
     sim::Workers workers(1);
     const auto line = sim::fields::opposed(0.1, 0.5);
     LevelFlow without(10, false), with(10, true);
     without.advance(line, 4, workers), with.advance(line, 4, workers);
-    EXPECT_GT(without.drawn_out(), 0.1);  // a row of ten
+    EXPECT_GT(without.drawn_out(), 0.1);  // one row in ten
     EXPECT_LT(without.drawn_out(), 0.4);
     EXPECT_EQ(with.drawn_out(), 0);
 }
 
-// Pixels of the front's colour.
+// Number of pixels in the front's colour.
 std::vector<glm::dvec2> of_the_front(const render::Picture& picture) {
     std::vector<glm::dvec2> places;
     for (int y = 0; y < picture.height; ++y)
@@ -183,7 +183,7 @@ TEST(FieldPicture, has_dashes_along_the_fronts_and_nowhere_else) {
     }
 }
 
-TEST(FieldPicture, is_another_for_another_moment) {
+TEST(FieldPicture, differs_at_another_time) {
     EXPECT_NE(field_picture(sim::fields::disc(), 1, 200).pixels,
               field_picture(sim::fields::disc(), 2, 200).pixels);
 }
@@ -225,19 +225,19 @@ TEST(Figures, refuse_what_they_cannot_make) {
     EXPECT_FALSE(std::filesystem::exists(out));
 }
 
-TEST(Figures, end_with_3_where_their_folder_cannot_be) {
+TEST(Figures, end_with_3_if_their_folder_cannot_be_created) {
     const support::TemporaryFolder folder;
     write_bytes(folder.path() / "file", "kept");
     const Finished done = couloir({"figures", "--only", "6", "--out", (folder.path() / "file").string()});
     EXPECT_EQ(done.status, 3);
     EXPECT_EQ(std::count(done.err.begin(), done.err.end(), '\n'), 1) << done.err;
     EXPECT_EQ(read_bytes(folder.path() / "file"), "kept");
-    // A folder stands where a picture should go.
+    // A folder has the name of an image.
     std::filesystem::create_directories(folder.path() / "out" / "figure-06.png" / "x");
     EXPECT_EQ(couloir({"figures", "--only", "6", "--out", (folder.path() / "out").string()}).status, 3);
 }
 
-TEST(Figures, make_what_is_asked_for_alone) {
+TEST(Figures, make_only_what_is_requested) {
     const support::TemporaryFolder folder;
     const Finished done =
         couloir({"figures", "--only", "6", "--pixels", "64", "--out", (folder.path() / "a").string()});

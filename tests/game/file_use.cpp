@@ -44,7 +44,7 @@ TEST_F(FileUseTest, knows_a_file_by_all_its_names) {
             EXPECT_TRUE(is_refused(FileUse().writes("--a", at(one)).writes("--b", at(other))))
                 << one << other;
         }
-    // And one that is not there yet.
+    // Also for a file that does not exist yet.
     const std::vector<std::string> of_new{"a/b/new", "a/b/../b/new", "short/new", "nowhere"};
     for (const std::string& one : of_new)
         for (const std::string& other : of_new)
@@ -70,7 +70,7 @@ TEST_F(FileUseTest, lets_different_files_and_devices_pass) {
     EXPECT_TRUE(FileUse().reads(at("hard")).writes("--a", std::nullopt).check());
 }
 
-TEST_F(FileUseTest, knows_what_gdal_reads_beside_a_raster) {
+TEST_F(FileUseTest, knows_the_files_that_gdal_reads_beside_a_raster) {
     for (const char* name : {"hill.prj", "hill.PRJ", "hill.tif.aux.xml", "hill.tif.ovr"}) {
         write_bytes(at(name), "kept");
         EXPECT_TRUE(is_refused(FileUse().reads(at("hill.tif")).writes("--out", at(name)))) << name;
@@ -79,7 +79,7 @@ TEST_F(FileUseTest, knows_what_gdal_reads_beside_a_raster) {
     EXPECT_TRUE(FileUse().reads(at("hill.tif")).writes("--out", at("hill.json")).check());
 }
 
-TEST_F(FileUseTest, looks_into_folders_by_the_names_that_are_written_there) {
+TEST_F(FileUseTest, checks_folders_for_the_names_written_there) {
     const auto into = [&](const std::string& folder, std::vector<std::string> names) {
         return FileUse().reads(at("hard")).writes_into("--frames", at(folder), std::move(names));
     };
@@ -89,14 +89,14 @@ TEST_F(FileUseTest, looks_into_folders_by_the_names_that_are_written_there) {
     EXPECT_TRUE(into("a/b", {"fil", "ile"}).check());
     EXPECT_TRUE(into("a", {"*"}).check());
     EXPECT_TRUE(into("none", {"*"}).check());
-    // Outputs that are not there yet.
+    // Outputs that do not exist yet.
     EXPECT_TRUE(is_refused(into("none", {"*.png"}).writes("--out", at("none/a.png"))));
     EXPECT_TRUE(is_refused(into("none/", {"*.png"}).writes("--out", at("none/a.png"))));
     EXPECT_TRUE(is_refused(into("none", {"*.png"}).writes("--out", at("none"))));
     EXPECT_TRUE(into("none", {"*.png"}).writes("--out", at("none/a.csv")).check());
 }
 
-TEST_F(FileUseTest, asks_for_names) {
+TEST_F(FileUseTest, requires_names) {
     EXPECT_TRUE(is_refused(FileUse().writes("--out", fs::path())));
     EXPECT_TRUE(is_refused(FileUse().writes_into("--frames", fs::path(), {"*"})));
 }

@@ -7,7 +7,7 @@
 #include "tests/game/recording_files.h"
 #include "tests/support/places.h"
 
-// Scenes that show how the fronts of a flow are met.
+// Flow scenes, which show how a flow's fronts are tracked.
 namespace game::test {
 namespace {
 
@@ -24,10 +24,10 @@ TEST_P(FlowScenes, that_ship_play_and_are_followed) {
     const std::uint64_t before = session.state_line().hash;
     for (int i = 0; i < 60; ++i) ASSERT_TRUE(session.advance({}));
     EXPECT_GT(session.fronts()->tracker().points().size(), 20u);
-    EXPECT_EQ(session.changed_at(), 60);  // its picture changes though its world does not
+    EXPECT_EQ(session.changed_at(), 60);  // its image changes although its world does not
     EXPECT_EQ(session.state().ledger.mass_error(), 0);
     EXPECT_NE(session.state_line().hash, before);  // ticks count
-    // Speeds are set while it runs, and no cuts leave no points.
+    // Speeds can change while it runs; without cuts there are no points.
     sim::fields::FlowNumbers numbers = scene->scenario.flow->numbers;
     numbers.cut = false;
     session.set_flow(numbers);
@@ -61,7 +61,7 @@ TEST(FlowScene, that_is_damaged_is_refused_with_file_and_line) {
     }
 }
 
-TEST(FlowScene, is_recorded_and_watched_as_it_was_begun) {
+TEST(FlowScene, is_recorded_and_replayed_with_its_initial_settings) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "flow.couloir";
     const Scenario before = load_scene("flow-disc", {})->scenario;
@@ -76,7 +76,7 @@ TEST(FlowScene, is_recorded_and_watched_as_it_was_begun) {
     EXPECT_EQ(after.look.flow, before.look.flow);
 }
 
-TEST(FlowScene, refuses_wishes_that_it_has_no_use_for) {
+TEST(FlowScene, refuses_overrides_that_do_not_apply) {
     Overrides material, fine, well;
     material.material = "sand";
     fine.squares = 4096;
@@ -90,7 +90,7 @@ TEST(FlowScene, refuses_wishes_that_it_has_no_use_for) {
     EXPECT_EQ(load_scene("flow-disc", well)->scenario.grid.nx, 41);
 }
 
-TEST(FlowScene, whose_recording_was_forged_is_refused) {
+TEST(FlowScene, of_a_forged_recording_is_refused) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "flow.couloir";
     record(path, load_scene("flow-disc", {})->scenario, 3, {});
@@ -119,7 +119,7 @@ TEST(FlowScene, whose_recording_was_forged_is_refused) {
         EXPECT_FALSE(accepted(place, value)) << place;
 }
 
-TEST(FlowScene, and_all_worlds_are_followed_up_to_a_size) {
+TEST(FlowScene, and_all_worlds_have_tracked_fronts_up_to_a_size) {
     Scenario scenario = load_scene("flow-disc", {})->scenario;
     const auto resize = [&](int vertices) {
         scenario.flow.reset();

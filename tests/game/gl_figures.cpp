@@ -9,7 +9,7 @@
 #include "tests/game/program.h"
 #include "tests/support/places.h"
 
-// The paper's figures, drawn.
+// The paper's figures, drawn with GL.
 
 namespace game::test {
 namespace {
@@ -28,7 +28,7 @@ Finished draw(const std::filesystem::path& folder, const std::string& only, cons
                     "--out", folder.string()});
 }
 
-// The squares of a figure: texture without and with cuts, and how much either is drawn out.
+// The squares of a figure: texture without and with cuts, and the stretch of each.
 struct Squares {
     std::vector<std::uint8_t> pixels;
     int width = 0;
@@ -36,7 +36,7 @@ struct Squares {
         return &pixels[3ul * static_cast<unsigned>((row * (kPixels + kGap) + y) * width +
                                                    column * (kPixels + kGap) + x)];
     }
-    // Of a square, the share in dark red or darker: drawn out above 2.
+    // The share of a square in dark red or darker: a stretch above 2.
     double drawn_out(int column) const {
         int count = 0;
         for (int y = 0; y < kPixels; ++y)
@@ -67,7 +67,7 @@ Squares read_squares(const std::filesystem::path& path) {
     return squares;
 }
 
-TEST(DrawnFigures, show_textures_drawn_out_without_the_method_and_not_with_it) {
+TEST(DrawnFigures, show_stretched_textures_only_without_the_method) {
     const support::TemporaryFolder folder;
     const Finished done = draw(folder.path(), "1,7,8,9", "1");
     ASSERT_EQ(done.status, 0) << done.err;

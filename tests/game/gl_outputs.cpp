@@ -1,4 +1,4 @@
-// The folders of pictures that subcommands draw with OpenGL, as tests/game/outputs.cpp has the others.
+// The image folders that subcommands draw with OpenGL; tests/game/outputs.cpp has the other outputs.
 
 #include <filesystem>
 #include <set>
@@ -54,7 +54,7 @@ TEST(DrawnOutputs, that_do_not_fit_the_disk_leave_no_half_picture) {
     const support::TemporaryFolder in, out;
     for (const Subcommand& each : writing_subcommands(in.path()))
         for (const std::string& option : each.drawn)
-            for (const rlim_t limit : {300u, 1500u}) {  // room for the sentence
+            for (const rlim_t limit : {300u, 1500u}) {  // enough for the error message
                 const fs::path made = out.path() / "made";
                 auto call = each.with({{option, made}}, in.path());
                 call.insert(call.end(), {"--size", "128x128"});

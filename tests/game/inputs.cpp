@@ -1,4 +1,4 @@
-// A file that cannot be read to an end, or that leads out of its folder, is refused at once.
+// A file that cannot be read to its end, or that leads out of its folder, is refused at once.
 
 #include <sys/stat.h>
 
@@ -36,7 +36,7 @@ void expect_unusable(const Outcome<T>& outcome, const fs::path& path) {
     EXPECT_EQ(outcome.error().sentence.rfind(path.string() + ": ", 0), 0u) << outcome.error().sentence;
 }
 
-TEST(Inputs, that_are_pipes_devices_or_folders_keep_no_reader_waiting) {
+TEST(Inputs, that_are_pipes_devices_or_folders_block_no_reader) {
     const support::TemporaryFolder folder;
     for (const fs::path& path : {pipe_in(folder, "pipe"), fs::path("/dev/zero"), folder.path()}) {
         expect_unusable(read_recording(path), path);
@@ -97,7 +97,7 @@ class SceneOfStranger : public testing::Test {
     fs::path scene_ = folder_.path() / "scenes" / "hill.toml";
 };
 
-TEST_F(SceneOfStranger, reads_terrain_in_its_folder_and_other_only_where_references_are_allowed) {
+TEST_F(SceneOfStranger, reads_terrain_outside_its_folder_only_if_references_are_allowed) {
     using terrains::References;
     for (const auto& [file, is_inside] : std::vector<std::pair<std::string, bool>>{
              {"hills/hill.asc", true},

@@ -1,4 +1,4 @@
-// What the machine or whoever starts the program does not give: room for files, memory, a stack, descriptors.
+// Resources that the machine or the caller may not provide: room for files, memory, a stack, descriptors.
 
 #include <sys/wait.h>
 
@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using Arguments = std::vector<std::string>;
 
-// Ends with status 3 and says so in its last line.
+// Expects status 3 and a message in the last line.
 void expect_machine_fails(const Finished& finished, const std::string& told) {
     EXPECT_EQ(finished.status, 3) << finished.err;
     const auto end = finished.err.find_last_not_of('\n');
@@ -36,7 +36,7 @@ void expect_machine_fails(const Finished& finished, const std::string& told) {
     EXPECT_NE(last.find(told), std::string::npos) << finished.err;
 }
 
-// Nothing that is empty, cut or half written; a recording has whole lines.
+// Expects no empty, truncated or half-written files; a recording has whole lines.
 void expect_whole_files_only(const fs::path& folder, const std::string& whole) {
     if (!fs::exists(folder)) return;
     for (const auto& entry : fs::directory_iterator(folder)) {
@@ -58,7 +58,7 @@ std::uintmax_t largest_in(const fs::path& path) {
     return most;
 }
 
-// A limit on the size of files stands for a disk that is full: the system refuses the same call.
+// A limit on file sizes stands for a full disk: the system refuses the same call.
 TEST(FullDisk, is_told_by_every_writer_and_leaves_no_half_file) {
     const support::TemporaryFolder in, out;
     for (const Subcommand& each : writing_subcommands(in.path())) {
@@ -121,7 +121,7 @@ TEST(StandardOutput, that_is_closed_lends_its_number_to_no_file) {
     }
 }
 
-// Never a signal, whatever is not given.
+// Never a signal, whatever is missing.
 TEST(Memory, that_is_not_given_is_the_machines_failure) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     GTEST_SKIP() << "a sanitizer needs terabytes of addresses";
@@ -129,7 +129,7 @@ TEST(Memory, that_is_not_given_is_the_machines_failure) {
     const auto with = [](const Arguments& call, rlim_t megabytes) {
         return couloir(call, {.limits = {{RLIMIT_AS, megabytes << 20}}});
     };
-    rlim_t least = 50;  // MB in which the libraries can be loaded
+    rlim_t least = 50;  // MB, enough to load the libraries
     while (with({"--version"}, least).status != 0) ASSERT_LT(least += 50, 4000u);
     const Arguments call{"run", "landslide", "--grid", "256", "--seconds", "0.1", "--threads", "8"};
     int failed = 0, done = 0;
@@ -146,7 +146,7 @@ TEST(Memory, that_is_not_given_is_the_machines_failure) {
     EXPECT_GT(failed, 0);
 }
 
-TEST(Stack, that_is_too_small_is_the_machines_failure) {
+TEST(Stack, that_is_too_small_is_a_machine_failure) {
     for (const rlim_t kilobytes : {256u, 512u})
         expect_machine_fails(couloir({"list"}, {.limits = {{RLIMIT_STACK, kilobytes << 10}}}), "stack");
     EXPECT_EQ(couloir({"run", "landslide", "--seconds", "0.1", "--threads", "4"},
@@ -172,14 +172,14 @@ TEST(RecordingLock, keeps_others_from_a_recording_that_is_being_written) {
         expect_machine_fails(couloir({"replay", "landslide", "--until", "1", "--summary", name.string()}),
                              name.string() + ": ");
     }
-    EXPECT_EQ(couloir({"replay", path.string(), "--until", "6"}).status, 0);  // anybody may read it
+    EXPECT_EQ(couloir({"replay", path.string(), "--until", "6"}).status, 0);  // reading is always allowed
     kill(child, SIGKILL);
     int status = 0;
     waitpid(child, &status, 0);
     const auto read = read_recording(path);
     ASSERT_TRUE(read) << read.error().sentence;
     EXPECT_GT(read->last_tick(), 0);
-    EXPECT_EQ(couloir(once(path)).status, 0);  // the lock went with its process
+    EXPECT_EQ(couloir(once(path)).status, 0);  // the lock ended with its process
 }
 
 TEST(RecordingLock, lets_one_of_several_that_begin_at_once) {
@@ -205,7 +205,7 @@ TEST(RecordingLock, lets_one_of_several_that_begin_at_once) {
     }
 }
 
-TEST(Recorder, of_one_process_locks_as_well) {
+TEST(Recorder, locks_within_one_process_too) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "a.couloir";
     {

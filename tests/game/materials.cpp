@@ -19,7 +19,7 @@ namespace {
 
 constexpr sim::Model kModels[] = {sim::Model::kBcre, sim::Model::kBcreInertial};
 
-TEST(ShippedMaterials, have_numbers_for_either_model) {
+TEST(ShippedMaterials, have_parameters_for_either_model) {
     const auto names = asset_names(AssetKind::kMaterial).value();
     ASSERT_GE(names.size(), 5u);
     for (const std::string& name : names)
@@ -32,7 +32,7 @@ TEST(ShippedMaterials, have_numbers_for_either_model) {
         }
 }
 
-// The unit of a number as a material names it: a slope, there, is an angle.
+// The unit of a parameter in a material file, where a slope is given as an angle.
 std::string unit_of(std::string key) {
     if (const auto at = key.find("_angle"); at != std::string::npos) return "deg";
     for (const sim::ParamInfo& info : sim::kParams)
@@ -40,7 +40,7 @@ std::string unit_of(std::string key) {
     return "unknown";
 }
 
-TEST(ShippedMaterials, tell_of_each_number_its_unit_its_range_and_where_it_comes_from) {
+TEST(ShippedMaterials, state_unit_range_and_source_of_each_parameter) {
     const std::regex number(R"((\w+) = ([0-9.]+) +# ([^;]+); ([0-9.]+) to ([0-9.]+); (.+))");
     const auto names = asset_names(AssetKind::kMaterial).value();
     for (const std::string& name : names) {
@@ -64,7 +64,7 @@ TEST(ShippedMaterials, tell_of_each_number_its_unit_its_range_and_where_it_comes
     }
 }
 
-TEST(Material, without_a_block_for_a_model_is_refused_for_it) {
+TEST(Material, without_a_block_for_a_model_is_refused_with_it) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "mine.toml";
     write_bytes(path, "[bcre]\nstop_angle = 25\n");
@@ -76,7 +76,7 @@ TEST(Material, without_a_block_for_a_model_is_refused_for_it) {
         << material.error().sentence;
 }
 
-TEST(Material, takes_angles_as_slopes_and_paint_as_light) {
+TEST(Material, converts_angles_to_slopes_and_srgb_to_linear_light) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "mine.toml";
     write_bytes(path, "[look]\nstanding = [255, 0, 188]\n[bcre]\nstop_angle = 25\nstart_slope = 0.8125\n");

@@ -29,11 +29,11 @@ struct Hill {
         for (const auto& [x, y] : places) flags[at(x, y)] = 1;
         return flags;
     }
-    // The peaks of a session that has not begun are its release.
+    // Before a session starts, its peaks are its release.
     Session session() const { return Session::begin(scenario, sim::StepOptions{}, std::nullopt).value(); }
 };
 
-TEST(Measures, are_those_worked_out_by_hand) {
+TEST(Measures, match_manual_calculation) {
     Hill hill;
     hill.scenario.rolling[hill.at(5, 8)] = 1.f;
     hill.scenario.rolling[hill.at(5, 6)] = 2.5f;
@@ -57,7 +57,7 @@ TEST(Measures, are_those_worked_out_by_hand) {
     EXPECT_DOUBLE_EQ(m.deposited, 0);
 }
 
-TEST(Measures, without_release_or_reference_leave_line_and_overlap_out) {
+TEST(Measures, without_release_or_reference_have_no_line_and_no_overlap) {
     Hill hill;
     hill.scenario.rolling[hill.at(5, 6)] = 1.f;
     const Session session = hill.session();
@@ -70,7 +70,7 @@ TEST(Measures, without_release_or_reference_leave_line_and_overlap_out) {
         << "nothing over nothing";
 }
 
-TEST(Measures, count_what_the_standing_layer_lost_and_won) {
+TEST(Measures, count_erosion_and_deposition_of_the_standing_layer) {
     const Hill hill;
     Session session = hill.session();
     sim::Command dig, pour;
@@ -118,7 +118,7 @@ TEST(Measures, compare_a_change_of_the_surface_with_an_observed_one) {
     EXPECT_NEAR(m.changes->apart, 18, 1e-6);
 }
 
-TEST(ReleaseArea, is_the_release_and_what_pours_and_blasts_cover) {
+TEST(ReleaseArea, is_the_release_and_the_area_of_pours_and_blasts) {
     Hill hill;
     hill.scenario.rolling[hill.at(1, 1)] = 0.5f;
     sim::Command pour, blast, dig;
@@ -132,7 +132,7 @@ TEST(ReleaseArea, is_the_release_and_what_pours_and_blasts_cover) {
     dig.kind = sim::CommandKind::kDig;
     dig.x = 20;
     dig.y = 70;
-    // What takes away, comes to rest or only sets a number frees nothing.
+    // Commands that remove, deposit or set a parameter release nothing.
     sim::Command settle, set;
     settle.kind = sim::CommandKind::kSettle;
     settle.x = settle.y = 70;
@@ -142,7 +142,7 @@ TEST(ReleaseArea, is_the_release_and_what_pours_and_blasts_cover) {
               hill.flags({{1, 1}, {5, 4}, {4, 4}, {6, 4}, {5, 3}, {5, 5}, {9, 4}}));
 }
 
-TEST(ReleaseArea, of_a_disc_below_a_cell_is_the_vertex_that_takes_it) {
+TEST(ReleaseArea, of_a_disc_smaller_than_a_cell_is_its_vertex) {
     const Hill hill;
     for (const auto& [x, y] : {std::pair(44.9, 44.9), std::pair(36.0, 44.0), std::pair(40.0, 40.0)})
         for (const double radius : {0.0, 3.0, 9.0}) {

@@ -1,5 +1,5 @@
-// tests/recordings holds a recording for each format there was and for each feature of one, none of which is
-// ever made anew: what people have recorded must go on playing.
+// tests/recordings has a recording for each past format and for each feature of a format. None is ever
+// recreated, because users' recordings must keep playing.
 #include <filesystem>
 #include <fstream>
 
@@ -19,8 +19,8 @@ struct Old {
     int minor;
     int commands;
     std::int64_t last_tick;
-    bool whole;        // has its end
-    bool two = false;  // materials
+    bool whole;        // has an end line
+    bool two = false;  // has two materials
     const char* texture = nullptr;
     bool flow = false;
     bool parent = false;
@@ -76,7 +76,7 @@ TEST_P(OldRecording, plays_to_its_end_and_is_exact_or_of_another_physics) {
     }
 }
 
-TEST_P(OldRecording, verified_by_the_program_says_which_and_is_never_called_wrong) {
+TEST_P(OldRecording, verified_by_the_program_is_exact_or_not_comparable_never_wrong) {
     const Finished finished = couloir({"replay", path_of(old_).string(), "--verify"});
     const bool comparable = recording_.header.physics_version == kPhysicsVersion;
     EXPECT_EQ(finished.status, comparable ? 0 : 1) << finished.err;
@@ -128,7 +128,7 @@ constexpr Old kOld[] = {
 INSTANTIATE_TEST_SUITE_P(Files, OldRecording, testing::ValuesIn(kOld),
                          [](const auto& old) { return std::string(old.param.name); });
 
-TEST(OldRecordings, are_all_that_lie_in_the_folder) {
+TEST(OldRecordings, are_all_files_in_the_folder) {
     std::vector<std::string> known, there;
     for (const Old& old : kOld) known.emplace_back(old.name);
     for (const auto& entry :
@@ -138,7 +138,7 @@ TEST(OldRecordings, are_all_that_lie_in_the_folder) {
     EXPECT_EQ(there, known);
 }
 
-TEST(NewerRecording, is_not_normalised_for_something_would_be_lost) {
+TEST(NewerRecording, is_not_normalised_because_data_would_be_lost) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "small.couloir", out = folder.path() / "new.couloir";
     record(path, small_scenario(), 6, {});

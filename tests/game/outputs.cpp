@@ -1,4 +1,4 @@
-// Every subcommand, every option under which it writes, every file that it reads.
+// Every subcommand, with every output option and every input file.
 
 #include <algorithm>
 #include <array>
@@ -44,7 +44,7 @@ class Outputs : public testing::Test {
     fs::path out() const { return out_.path(); }
     const std::vector<Subcommand>& all() const { return all_; }
 
-    // The call is refused as a mistake of the caller, and no file is made or changed.
+    // Expects that the call is refused as a user error, and that no file is created or changed.
     void expect_refused(const std::vector<std::string>& arguments) {
         SCOPED_TRACE(line_of(arguments));
         const auto before = files_below(in()), beside = files_below(out());
@@ -55,7 +55,7 @@ class Outputs : public testing::Test {
         EXPECT_EQ(files_below(out()), beside);
     }
 
-    // Another name of a file; the ways take turns.
+    // Another name of a file; successive calls use different kinds.
     fs::path another_name(const fs::path& file) {
         const fs::path name = out() / ("name" + std::to_string(names_++));
         switch (names_ % 4) {
@@ -104,7 +104,7 @@ TEST_F(Outputs, have_a_name) {
             for (const std::string& option : *options) expect_refused(each.with({{option, ""}}, out()));
 }
 
-// Whatever a subcommand leaves in a folder, found by running it: none of these names may lead to an input.
+// The file names that a subcommand writes into a folder, found by running it: none may lead to an input.
 TEST_F(Outputs, in_a_folder_never_replace_an_input) {
     for (const Subcommand& each : all())
         for (const std::string& option : each.folders) {
@@ -124,12 +124,12 @@ TEST_F(Outputs, in_a_folder_never_replace_an_input) {
         }
 }
 
-// A pipe that is read to its end by a thread.
+// A pipe that a thread reads to its end.
 class Pipe {
   public:
     explicit Pipe(const fs::path& path) : path_(path) {
         EXPECT_EQ(mkfifo(path.c_str(), 0600), 0);
-        keep_ = open(path.c_str(), O_RDWR | O_CLOEXEC);  // so that nobody waits for the other end
+        keep_ = open(path.c_str(), O_RDWR | O_CLOEXEC);  // so that opening the other end does not block
         reader_ = std::thread([this] {
             std::array<char, 4096> bytes{};
             for (ssize_t n; (n = read(keep_, bytes.data(), bytes.size())) > 0;) {
@@ -168,7 +168,7 @@ TEST_F(Outputs, go_through_pipes_and_links) {
             const std::string text = reader.finish();
             EXPECT_EQ(through.status, 0) << through.err;
             EXPECT_TRUE(fs::is_fifo(pipe));
-            // Once to nothing yet, once to a file that is there.
+            // Once to a new file, once to an existing one.
             for (int time = 0; time < 2; ++time) {
                 const Finished replaced = couloir(each.with({{option, folder / "to_file"}}, folder));
                 EXPECT_EQ(replaced.status, 0) << replaced.err;

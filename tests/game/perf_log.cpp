@@ -15,7 +15,7 @@
 namespace game::test {
 namespace {
 
-// The contract's, in its order.
+// The documented columns, in order.
 constexpr const char* kColumns =
     "frame,tick,time_s,substeps,solve_ms,track_ms,gradient_ms,advect_ms,upload_ms,remesh_ms,draw_ms,frame_ms,"
     "active_cells,"
@@ -62,7 +62,7 @@ TEST(PerfLog, without_rows_takes_no_more_memory_and_has_the_same_figures_to_a_hu
     PerfLog figures({"trial", "", 1, std::nullopt}, PerfLog::Keeps::kFigures);
     std::int64_t most_allocations = 0;
     for (int i = 0; i < 20'000; ++i) {
-        // From a nanosecond to some minutes, and none in between in which the stage did not run.
+        // From a nanosecond to some minutes, and zeros, when the stage did not run.
         const double ms = std::exp(std::fmod(i * 0.618, 1.0) * 27 - 14);
         const PerfRow each = row(i, ms, i % 7 == 0 ? std::optional(3 * ms) : std::nullopt);
         rows.add(each);
@@ -108,7 +108,7 @@ TEST(PerfLog, json_gives_each_stage_its_share_of_the_frame) {
     EXPECT_DOUBLE_EQ(json["ticks_per_s"], 40);
 }
 
-TEST(PerfLog, csv_has_the_contracts_columns_in_every_row) {
+TEST(PerfLog, csv_has_the_documented_columns_in_every_row) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "new folder" / "log.csv";
     PerfLog log({"trial, with a comma", "0123456789abcdef", 2,
@@ -122,7 +122,7 @@ TEST(PerfLog, csv_has_the_contracts_columns_in_every_row) {
     full.ms(Part::kTrack) = 0.5;
     full.ms(Part::kGradient) = 0.25;
     full.ms(Part::kAdvect) = 0.125;
-    full.ms(Part::kHash) = 7;  // in JSON alone
+    full.ms(Part::kHash) = 7;  // only in JSON
     full.ms.add({0.75, 0.875, 2.5});
     full.frame_ms = 3.75;
     full.active_cells = 42;

@@ -1,4 +1,4 @@
-// The command line on a real mountain, from the trial data that COULOIR_DEM_DIR names.
+// The command line on a real mountain, with the test data that COULOIR_DEM_DIR names.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -39,7 +39,7 @@ class RealTerrain : public testing::Test {
     }
 };
 
-// Metres between two places a few kilometres apart at most.
+// Metres between two places that are at most a few kilometres apart.
 double metres_between(const Json& a, const Json& b) {
     const double metres_per_degree = 111200, shrink = std::cos(47.3 * 3.14159265358979323846 / 180);
     return metres_per_degree *
@@ -86,8 +86,8 @@ TEST_F(RealTerrain, that_is_damaged_is_refused_in_one_line_that_names_the_file) 
     expect_refused(boast);
 }
 
-// A real landslide near Mount St Helens against the change of height that was observed afterwards. Nothing
-// was fitted for it but `mud`.
+// A real landslide near Mount St Helens, compared with the
+// observed change of height. Only `mud` was fitted to it.
 TEST_F(RealTerrain, carries_a_landslide_as_far_as_it_went) {
     const auto landslide = *support::dem_dir() / "landslide";
     const struct {

@@ -15,7 +15,7 @@
 namespace game::test {
 namespace {
 
-// A short recording, and the same file with something done to it.
+// A short recording, and damaged versions of the same file.
 class DamagedRecording : public testing::Test {
   protected:
     DamagedRecording() : path_(folder_.path() / "small.couloir") {
@@ -29,7 +29,7 @@ class DamagedRecording : public testing::Test {
         return read_recording(path_);
     }
 
-    // An error that names the file and this line, in words; returns them.
+    // Expects an error with the file, this line and a description; returns the sentence.
     std::string refused_at(std::size_t line, const Outcome<Recording>& outcome) {
         if (outcome) {
             ADD_FAILURE() << "accepted, warning: " << outcome->warning.value_or("none");
@@ -47,8 +47,7 @@ class DamagedRecording : public testing::Test {
         return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
     }
 
-    // Cut to its first `length` bytes: an error within the header, else a warning and all lines that are
-    // whole.
+    // Truncated to `length` bytes: an error within the header, else a warning and all whole lines.
     void expect_cut(std::size_t length) {
         SCOPED_TRACE("cut to " + std::to_string(length) + " of " + std::to_string(whole_.size()) + " bytes");
         const std::string prefix = whole_.substr(0, length);
@@ -72,7 +71,7 @@ class DamagedRecording : public testing::Test {
     std::size_t header_end_ = 0;
 };
 
-TEST_F(DamagedRecording, is_none_as_it_was_written) {
+TEST_F(DamagedRecording, is_accepted_undamaged) {
     const auto recording = read(whole_);
     ASSERT_TRUE(recording) << recording.error().sentence;
     EXPECT_FALSE(recording->warning);
@@ -147,7 +146,7 @@ TEST_F(DamagedRecording, with_lines_dropped_doubled_or_swapped_names_the_line) {
     EXPECT_NE(refused_at(lines.size(), read(joined(lines))).find("after the end line"), std::string::npos);
 }
 
-// From here on a forger chains the lines anew: the hashes are right and the story is not.
+// From here on the lines are rechained, as by a forger: the hashes match, but the content is inconsistent.
 
 TEST_F(DamagedRecording, that_goes_back_in_time_is_refused) {
     auto bodies = bodies_of(whole_);
@@ -167,8 +166,8 @@ TEST_F(DamagedRecording, without_the_state_lines_that_lead_to_a_tick_is_refused)
     const auto is_state = [](const std::string& body) {
         return body.find("\"hash\":\"") != std::string::npos;
     };
-    // Any one state line but the first: some tick is then further from a state than ticks_per_state, unless
-    // the next line is the end's.
+    // After removing any state line but the first, some tick is more than ticks_per_state from a state,
+    // unless the next line is the end's.
     for (std::size_t i = 2; i < whole.size(); ++i) {
         if (!is_state(whole[i]) || !is_state(whole[i - 1])) continue;
         auto bodies = whole;
@@ -192,7 +191,7 @@ TEST_F(DamagedRecording, without_the_state_lines_that_lead_to_a_tick_is_refused)
     refused_at(1, read(chained({body_of(forked), "{\"end\":1099511627776"})));
 }
 
-TEST_F(DamagedRecording, with_more_commands_than_a_tick_can_do_is_refused) {
+TEST_F(DamagedRecording, with_too_many_commands_in_a_tick_is_refused) {
     const auto whole = bodies_of(whole_);
     const auto with = [&](std::size_t count, std::int64_t apart, const sim::Command& command) {
         std::vector<std::string> bodies{whole[0]};
@@ -247,14 +246,14 @@ TEST_F(DamagedRecording, nested_deeper_than_any_recording_is_refused) {
     EXPECT_NE(refused_at(1, read(chained({nested}))).find("nested"), std::string::npos);
 }
 
-// The address sanitizer keeps what is freed: there, memory says nothing of us.
+// The address sanitizer keeps freed memory, so there the memory use means nothing.
 #ifdef __SANITIZE_ADDRESS__
 constexpr bool kMemoryIsOurs = false;
 #else
 constexpr bool kMemoryIsOurs = true;
 #endif
 
-// The greatest resident size so far, bytes.
+// Peak resident size so far, bytes.
 std::size_t most_memory() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -264,7 +263,7 @@ std::size_t most_memory() {
 TEST_F(DamagedRecording, with_an_endless_line_is_refused_before_it_is_read) {
     write_bytes(path_, whole_);
     std::filesystem::resize_file(path_,
-                                 whole_.size() + (100u << 20));  // zeros, and none of them a line break
+                                 whole_.size() + (100u << 20));  // zeros without a line break
     const std::size_t before = most_memory();
     EXPECT_NE(refused_at(lines_in(whole_) + 1, read_recording(path_)).find("longer than"), std::string::npos);
     if (kMemoryIsOurs) {
@@ -275,7 +274,7 @@ TEST_F(DamagedRecording, with_an_endless_line_is_refused_before_it_is_read) {
 TEST_F(DamagedRecording, that_begins_with_a_line_of_a_gigabyte_takes_no_memory) {
     for (const std::string beginning : {"", "[[[[[[[[", R"({"format":"couloir recording","a":")"}) {
         write_bytes(path_, beginning);
-        std::filesystem::resize_file(path_, 1u << 30);  // zeros, and none of them a line break
+        std::filesystem::resize_file(path_, 1u << 30);  // zeros without a line break
         const std::size_t before = most_memory();
         refused_at(1, read_recording(path_));
         if (kMemoryIsOurs) {
@@ -296,7 +295,7 @@ TEST_F(DamagedRecording, of_a_small_file_that_claims_a_vast_ground_takes_no_memo
     }
 }
 
-TEST_F(DamagedRecording, that_is_empty_missing_or_a_folder_is_said_so) {
+TEST_F(DamagedRecording, that_is_empty_missing_or_a_folder_is_reported_as_such) {
     const auto empty = read("");
     ASSERT_FALSE(empty);
     EXPECT_EQ(empty.error().sentence, path_.string() + ": empty");

@@ -15,7 +15,7 @@
 namespace game::test {
 namespace {
 
-// Through text, as a file would.
+// Round-trips through text, as a file would.
 Json through_text(const Json& json) {
     return Json::parse(json.dump());
 }
@@ -26,7 +26,7 @@ Scenario through_header(const Scenario& scenario) {
     return header_from(through_text(to_json(header))).value().scenario;
 }
 
-TEST(RecordingHeader, keeps_physics_ground_and_names_to_the_bit) {
+TEST(RecordingHeader, keeps_physics_ground_and_names_bit_identical) {
     const Scenario before = small_scenario(), after = through_header(before);
     EXPECT_EQ(after.params, before.params);
     EXPECT_EQ(ground_hash(after), ground_hash(before));
@@ -44,7 +44,7 @@ TEST(RecordingHeader, keeps_physics_ground_and_names_to_the_bit) {
     EXPECT_EQ(after.licence, before.licence);
 }
 
-TEST(RecordingHeader, keeps_the_view_to_the_bit) {
+TEST(RecordingHeader, keeps_the_view_bit_identical) {
     const Scenario before = small_scenario(), after = through_header(before);
     EXPECT_EQ(after.look.rock, before.look.rock);
     EXPECT_EQ(after.look.meadow, before.look.meadow);
@@ -85,11 +85,11 @@ TEST(RecordingHeader, keeps_the_place_on_earth) {
     EXPECT_FALSE(through_header(scenario).georeference.has_coordinates());
 }
 
-TEST(RecordingHeader, keeps_every_physics_number_to_the_bit) {
+TEST(RecordingHeader, keeps_every_parameter_bit_identical) {
     for (const sim::ParamInfo& info : sim::kParams) {
         Scenario scenario = small_scenario();
         const float usual = scenario.params.*info.value;
-        // Its neighbours among the floats: what only the shortest exact decimal tells apart.
+        // Neighbouring floats, which only the shortest exact decimal distinguishes.
         for (const float value : {std::nextafter(usual, 1e9f), std::nextafter(usual, -1e9f)}) {
             scenario.params.*info.value = value;
             if (sim::fault_of(scenario.params)) continue;
@@ -125,7 +125,7 @@ Json through_line(const Value& value) {
     return Json::parse(line);
 }
 
-TEST(RecordingLine, keeps_every_number_of_every_command_to_the_bit) {
+TEST(RecordingLine, keeps_every_number_of_every_command_bit_identical) {
     constexpr std::array kAwkward{
         0.1,  1.0 / 3,           1e7,         -1e7,  5e-324, 2.2250738585072014e-308,
         -0.0, 99999.99999999999, 1 + 2.3e-16, 100.0, 0.3,    7e-7};
@@ -149,8 +149,8 @@ TEST(RecordingLine, keeps_every_number_of_every_command_to_the_bit) {
             }
 }
 
-// What the state hash covers of a command, and no line would hold, would be another state in the replay.
-TEST(RecordingLine, keeps_every_member_of_any_command_that_a_world_takes) {
+// The state hash covers these members; if a line dropped one, the replay would have another state.
+TEST(RecordingLine, keeps_every_member_of_any_valid_command) {
     constexpr double sim::Command::*kMembers[] = {
         &sim::Command::x,        &sim::Command::y,     &sim::Command::radius, &sim::Command::rate,
         &sim::Command::duration, &sim::Command::depth, &sim::Command::value};
@@ -201,7 +201,7 @@ TEST(RecordingLine, keeps_every_parameter_that_can_be_set_and_refuses_fixed_ones
         ASSERT_EQ(line.has_value(), !sim::kParams[i].fixed) << sim::kParams[i].name;
         if (!line) continue;
         EXPECT_EQ(std::get<TimedCommand>(*line).command, set.command);
-        // The least is a float that is no round decimal: what a person writes for it must do.
+        // The minimum is a float without a short decimal; a value that a user writes for it must work.
         TimedCommand least = set;
         least.command.value = shortest(sim::kParams[i].least);
         EXPECT_TRUE(line_from(through_line(least))) << sim::kParams[i].name;

@@ -15,7 +15,7 @@
 namespace game::test {
 namespace {
 
-// A recording whose header somebody edited, chained anew: only the header's own checks are left to notice.
+// A recording with an edited header, rechained: only the header's own checks can detect the change.
 class ForgedHeader : public testing::Test {
   protected:
     ForgedHeader() : path_(folder_.path() / "forged.couloir") {
@@ -49,7 +49,7 @@ class ForgedHeader : public testing::Test {
     Json header_;
 };
 
-TEST_F(ForgedHeader, is_whole_as_it_was_written) {
+TEST_F(ForgedHeader, is_accepted_unchanged) {
     const auto recording = read(header_);
     ASSERT_TRUE(recording) << recording.error().sentence;
     EXPECT_FALSE(recording->warning);
@@ -57,7 +57,7 @@ TEST_F(ForgedHeader, is_whole_as_it_was_written) {
 
 TEST_F(ForgedHeader, of_a_newer_major_version_is_refused_with_the_version) {
     header_["version"] = {2, 0};
-    // Nothing else need be the same in another format, the chain neither.
+    // Another format may differ in everything else, including the chain.
     write_bytes(path_, header_.dump() + "\n");
     const auto outcome = read_recording(path_);
     ASSERT_FALSE(outcome);
@@ -69,7 +69,7 @@ TEST_F(ForgedHeader, of_a_newer_major_version_is_refused_with_the_version) {
     }
 }
 
-TEST_F(ForgedHeader, of_an_older_minor_version_need_not_name_what_came_later) {
+TEST_F(ForgedHeader, of_an_older_minor_version_may_lack_newer_keys) {
     const char* const later[] = {"law", "exchange_depth", "shear_rate", "anchor_step"};
     for (const char* name : later) header_["physics"].erase(name);
     EXPECT_NE(refused(header_).find("has no "), std::string::npos);
@@ -80,7 +80,7 @@ TEST_F(ForgedHeader, of_an_older_minor_version_need_not_name_what_came_later) {
     EXPECT_EQ(recording->header.scenario.params.exchange_depth, sim::Params{}.exchange_depth);
 }
 
-TEST_F(ForgedHeader, of_a_newer_minor_version_may_hold_fields_that_nobody_knows) {
+TEST_F(ForgedHeader, of_a_newer_minor_version_may_have_unknown_fields) {
     header_["version"] = {1, 7};
     header_["snow_crystals"] = {{"kind", "dendrite"}};
     header_["physics"]["cohesion"] = 3;
@@ -92,7 +92,7 @@ TEST_F(ForgedHeader, of_a_newer_minor_version_may_hold_fields_that_nobody_knows)
     EXPECT_EQ(recording->header.scenario.params, small_scenario().params);
 }
 
-TEST_F(ForgedHeader, tells_what_it_was_forked_or_rewritten_from_and_is_refused_where_that_is_nonsense) {
+TEST_F(ForgedHeader, keeps_its_valid_origin_and_refuses_an_invalid_one) {
     EXPECT_FALSE(read(header_)->header.parent || read(header_)->header.rewritten_from);
     Json told = header_;
     told["parent"] = {{"name", "valley"}, {"tick", 60}, {"change", "the pour is left out"}};
@@ -119,7 +119,7 @@ TEST_F(ForgedHeader, tells_what_it_was_forked_or_rewritten_from_and_is_refused_w
     }
 }
 
-TEST_F(ForgedHeader, with_the_ground_of_another_recording_is_not_the_terrain_recorded_on) {
+TEST_F(ForgedHeader, with_the_ground_of_another_recording_is_refused) {
     Scenario other = small_scenario();
     other.bedrock[40] += 0.5f;
     Header of_other;
@@ -128,11 +128,10 @@ TEST_F(ForgedHeader, with_the_ground_of_another_recording_is_not_the_terrain_rec
     ASSERT_NE(header_["terrain"]["data"], spliced);
     header_["terrain"]["data"] = spliced;
     const std::string sentence = refused(header_);
-    EXPECT_NE(sentence.find("'made up'"), std::string::npos)
-        << sentence;
+    EXPECT_NE(sentence.find("'made up'"), std::string::npos) << sentence;
 }
 
-TEST_F(ForgedHeader, with_ground_data_that_is_cut_or_no_ground_is_refused) {
+TEST_F(ForgedHeader, with_truncated_or_invalid_ground_data_is_refused) {
     const std::string data = header_["terrain"]["data"];
     for (const std::string& wrong : {std::string(), std::string("AAAA"), data.substr(0, data.size() / 2),
                                      data + data, std::string("%%%"), std::string(100000, 'A')}) {
@@ -164,7 +163,7 @@ TEST_F(ForgedHeader, of_another_physics_version_plays_but_is_not_comparable) {
     EXPECT_NE(couloir({"replay", path_.string(), "--verify"}).out.find("not comparable"), std::string::npos);
 }
 
-TEST_F(ForgedHeader, with_a_number_beyond_all_numbers_is_refused) {
+TEST_F(ForgedHeader, with_a_number_beyond_double_range_is_refused) {
     std::string body = body_of(header_);
     const std::string key = "\"courant\":";
     const auto at = body.find(key) + key.size();
@@ -174,7 +173,7 @@ TEST_F(ForgedHeader, with_a_number_beyond_all_numbers_is_refused) {
     EXPECT_FALSE(read_recording(path_));
 }
 
-// Where these stand in a header they are as good as what stood there.
+// Valid values in these places are as good as the original ones.
 bool may_stand(const std::string& place, const Json& value) {
     static const std::set<std::string> kNames{
         "/program",  "/scene",        "/title",           "/terrain/georeference/wkt",
@@ -192,7 +191,7 @@ TEST_F(ForgedHeader, with_a_wrong_kind_of_value_anywhere_is_refused) {
     for (const auto& [leaf, value] : leaves.items()) {
         const std::string path = leaf;
         for (auto end = path.size(); end != 0 && end != std::string::npos; end = path.rfind('/', end - 1))
-            places.insert(path.substr(0, end));  // the leaf and all that hold it
+            places.insert(path.substr(0, end));  // the leaf and everything that contains it
     }
     ASSERT_GT(places.size(), 50u);
     const std::array<Json, 5> wrongs{Json(nullptr), Json("snow"), Json(-1), Json::array(), Json(true)};
@@ -206,7 +205,7 @@ TEST_F(ForgedHeader, with_a_wrong_kind_of_value_anywhere_is_refused) {
         }
 }
 
-TEST_F(ForgedHeader, with_no_line_behind_it_plays_and_proves_nothing) {
+TEST_F(ForgedHeader, without_further_lines_plays_but_verifies_nothing) {
     bodies_.resize(1);
     ASSERT_TRUE(read(header_));
     const Finished replayed = couloir({"replay", path_.string(), "--verify"});

@@ -15,7 +15,7 @@
 namespace game::test {
 namespace {
 
-// Kills a running recorder once its file is this long; false if it never gets there.
+// Kills a running recorder once its file has this length; false if it never reaches it.
 bool kill_at_size(const std::filesystem::path& path, std::uintmax_t size) {
     const pid_t child =
         start_couloir({"run", "landslide", "--grid", "40", "--seconds", "3600", "--record", path.string()});
@@ -32,7 +32,7 @@ bool kill_at_size(const std::filesystem::path& path, std::uintmax_t size) {
     return reached && WIFSIGNALED(options) && WTERMSIG(options) == SIGKILL;
 }
 
-TEST(KilledRecording, opens_and_says_up_to_where_it_is_proven) {
+TEST(KilledRecording, opens_and_reports_the_last_verified_tick) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "killed.couloir";
     std::int64_t before = -1;

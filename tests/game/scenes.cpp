@@ -56,7 +56,7 @@ TEST(ShippedScenes, load_on_their_own_grid_and_on_a_coarser_one) {
         const auto own = load_scene(name, {});
         ASSERT_TRUE(own) << own.error().sentence;
         EXPECT_EQ(own->scenario.scene, name);
-        // Left to the person, or a flow, on which nothing else happens.
+        // Empty until the user acts, or a flow, on which nothing else happens.
         EXPECT_EQ(own->commands.empty(), name == "alpine-valley" || own->scenario.flow);
         Overrides coarse;
         coarse.squares = 16;
@@ -65,7 +65,7 @@ TEST(ShippedScenes, load_on_their_own_grid_and_on_a_coarser_one) {
         const sim::Grid &fine = own->scenario.grid, &grid = coarser->scenario.grid;
         EXPECT_EQ(std::max(grid.nx, grid.ny), 17);
         EXPECT_GT(std::max(fine.nx, fine.ny), 17);
-        // The domain stays, only the cell changes.
+        // The domain stays; only the cell size changes.
         EXPECT_FLOAT_EQ(grid.dx * 16, fine.dx * static_cast<float>(std::max(fine.nx, fine.ny) - 1));
         EXPECT_EQ(coarser->scenario.params, own->scenario.params);
     }
@@ -85,7 +85,7 @@ TEST_F(SceneFile, is_read_with_its_terrain_material_commands_and_view) {
     EXPECT_EQ(scene->scenario.light.azimuth_deg, 255);
 }
 
-TEST_F(SceneFile, gives_its_own_numbers_to_its_own_model_only) {
+TEST_F(SceneFile, applies_its_own_parameters_to_its_own_model_only) {
     const std::string text = with("borders = \"open\"", "borders = \"wall\"\nmax_speed = 7.5");
     const auto own = load(text);
     ASSERT_TRUE(own) << own.error().sentence;
@@ -112,7 +112,7 @@ TEST_F(SceneFile, sorts_its_commands_by_time) {
 struct Fault {
     const char *old_text, *new_text;
     int line;
-    const char* key;  // or the fact, where a whole table is meant
+    const char* key;  // or the fact, if the fault is in a whole table
 };
 
 constexpr Fault kFaults[] = {
@@ -200,14 +200,14 @@ TEST_F(SceneFile, without_a_section_is_refused_by_name) {
     }
 }
 
-TEST_F(SceneFile, with_numbers_that_contradict_each_other_is_refused) {
+TEST_F(SceneFile, with_inconsistent_parameters_is_refused) {
     const auto scene = load(with("borders = \"open\"", "borders = \"open\"\nstop_angle = 50"));
     ASSERT_FALSE(scene);
     EXPECT_EQ(scene.error().sentence.rfind(path_.string() + ": ", 0), 0u) << scene.error().sentence;
     EXPECT_NE(scene.error().sentence.find("stop_slope"), std::string::npos) << scene.error().sentence;
 }
 
-TEST_F(SceneFile, finds_its_terrain_beside_it_and_lays_cover_by_its_rule) {
+TEST_F(SceneFile, finds_its_terrain_beside_it_and_applies_its_cover_rule) {
     std::string asc = "ncols 9\nnrows 9\nxllcorner 0\nyllcorner 0\ncellsize 10\n";
     for (int row = 0; row < 9; ++row)
         for (int column = 0; column < 9; ++column)
@@ -228,7 +228,7 @@ TEST_F(SceneFile, finds_its_terrain_beside_it_and_lays_cover_by_its_rule) {
                 1e-3);
 }
 
-TEST_F(SceneFile, that_is_no_file_is_said_so) {
+TEST_F(SceneFile, that_is_not_a_file_is_reported_as_such) {
     for (const char* name : {"no-such-scene", "no/such/scene.toml"}) {
         const auto scene = load_scene(name, {});
         ASSERT_FALSE(scene);

@@ -23,7 +23,7 @@ using namespace std::string_literals;
 
 constexpr int kSquares = 12, kRow = kSquares + 1, kVertices = kRow * kRow;
 
-// A unit square of squares, each in two triangles.
+// A unit square divided into squares, each of two triangles.
 std::string square_obj() {
     std::string text = "# made by a test\nmtllib none.mtl\n";
     for (int v = 0; v < kVertices; ++v)
@@ -63,7 +63,7 @@ class Track : public testing::Test {
     std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
     std::string mesh() const { return put("mesh.obj", square_obj()); }
 
-    // Opposed ways on either side of y = `height(frame)`.
+    // Opposed flows on either side of y = `height(frame)`.
     std::string lines(int frames, const std::function<double(int)>& height) const {
         std::vector<double> numbers;
         for (int frame = 0; frame < frames; ++frame)
@@ -126,8 +126,8 @@ TEST_F(Track, prints_where_a_front_crosses_the_edges_and_how_fast) {
     EXPECT_EQ(done.err.find("warning"), std::string::npos) << done.err;
 }
 
-TEST_F(Track, holds_points_whose_front_is_ahead_of_them_where_it_is_asked_to) {
-    // From frame 90 on twice as fast, so that its points are late at the next vertices.
+TEST_F(Track, holds_points_behind_their_front_if_requested) {
+    // Twice as fast from frame 90 on, so that its points are late at the next vertices.
     const auto height = [](int frame) { return 0.1 + 0.1 * (frame + std::max(0, frame - 90)) / 60; };
     const std::string obj = mesh(), velocities = lines(120, height);
     const auto edges_left_behind = [&](const std::vector<std::string>& options) {
@@ -184,7 +184,7 @@ TEST_F(Track, writes_a_whole_file_and_pictures) {
     EXPECT_EQ(read_bytes(at("pictures/front_000001.png")), "");
 }
 
-TEST_F(Track, leaves_nothing_where_its_input_ends_in_damage) {
+TEST_F(Track, leaves_no_output_if_its_input_ends_in_damage) {
     std::vector<float> numbers(static_cast<std::size_t>(3) * 2 * kVertices, 0.f);
     numbers[(static_cast<std::size_t>(2) * kVertices + 17) * 2 + 1] = std::numeric_limits<float>::quiet_NaN();
     const std::string velocities =
@@ -196,7 +196,7 @@ TEST_F(Track, leaves_nothing_where_its_input_ends_in_damage) {
     EXPECT_FALSE(std::filesystem::exists(at("points.csv.part")));
 }
 
-TEST_F(Track, refuses_what_does_not_fit_together) {
+TEST_F(Track, refuses_inconsistent_inputs) {
     const std::string obj = mesh(), velocities = lines(3, [](int) { return 0.5; });
     const std::string other = put("w.npy", npy(header_of("<f4", "(3, 7, 2)"), std::string(168, '\0')));
     const std::string scalar = put(
@@ -232,7 +232,7 @@ TEST_F(Track, refuses_what_does_not_fit_together) {
     }
 }
 
-TEST_F(Track, quotes_a_file_in_one_line_whatever_it_holds) {
+TEST_F(Track, quotes_any_file_in_one_line) {
     const std::string velocities = put("v.npy", npy("{'descr': '\n\x1b[31m\r\0<f4', 'fortran_order'"s, ""));
     const Finished done = couloir({"track", mesh(), velocities, "--jump", "1"});
     EXPECT_EQ(done.status, 2);
@@ -296,8 +296,8 @@ TEST_F(Track, names_the_line_of_a_damaged_mesh) {
     }
 }
 
-// Every mesh that is read has cells that floats can measure, whatever its unit.
-TEST_F(Track, takes_a_mesh_of_any_scale_or_refuses_it) {
+// Every accepted mesh has cell sizes that floats can represent, whatever its unit.
+TEST_F(Track, accepts_or_refuses_a_mesh_of_any_scale) {
     for (int power = -45; power <= 38; ++power) {
         const std::string side = fmt::format("1e{}", power);
         const std::string obj =
@@ -316,7 +316,7 @@ TEST_F(Track, takes_a_mesh_of_any_scale_or_refuses_it) {
     }
 }
 
-TEST_F(Track, refuses_a_time_between_frames_that_floats_cannot_measure) {
+TEST_F(Track, refuses_a_time_step_that_floats_cannot_represent) {
     const std::string still =
         put("still.npy", npy(header_of("<f4", fmt::format("(3, {}, 2)", kVertices)),
                              std::string(static_cast<std::size_t>(3 * kVertices) * 2 * sizeof(float), '\0')));
@@ -324,7 +324,7 @@ TEST_F(Track, refuses_a_time_between_frames_that_floats_cannot_measure) {
         EXPECT_EQ(couloir({"track", mesh(), still, "--jump", "0.1", "--dt", dt}).status, 2) << dt;
 }
 
-TEST_F(Track, reads_a_mesh_as_it_is_counted_in_its_file) {
+TEST_F(Track, keeps_the_vertex_order_of_a_mesh_file) {
     const auto read = read_obj(mesh());
     ASSERT_TRUE(read) << read.error().sentence;
     EXPECT_EQ(read->vertices(), kVertices);

@@ -1,5 +1,5 @@
-// Every reader of strangers' files, with files that are whole, cut off, and changed in a few bytes: what
-// libFuzzer does for longer (tests/fuzz).
+// Every reader of untrusted files, with files that are whole, truncated, or changed in a few bytes; libFuzzer
+// does the same for longer (tests/fuzz).
 #include <algorithm>
 #include <random>
 #include <string>
@@ -23,7 +23,7 @@ std::vector<std::string> shipped(AssetKind kind) {
     return all;
 }
 
-// In a folder that need not be there.
+// In a folder that may be missing.
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
     std::vector<std::filesystem::path> files;
     std::error_code error;
@@ -63,14 +63,14 @@ TEST_P(EveryReader, accepts_whole_files) {
     }
 }
 
-TEST_P(EveryReader, accepts_or_refuses_in_one_line_what_fuzzing_has_found) {
-    testing::internal::CaptureStderr();  // the libraries that it calls print nothing of their own
+TEST_P(EveryReader, accepts_or_refuses_in_one_line_files_found_by_fuzzing) {
+    testing::internal::CaptureStderr();  // the libraries must not print anything themselves
     for (const auto& file : files_in(support::source_dir() / "tests/fuzz/found" / GetParam().name))
         expect_sound(read_bytes(file), file.filename().string());
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
-TEST_P(EveryReader, accepts_or_refuses_in_one_line_what_was_cut_off) {
+TEST_P(EveryReader, accepts_or_refuses_in_one_line_truncated_files) {
     for (const std::string& bytes : seeds(GetParam()))
         for (std::size_t i = 0; i < 40; ++i) {
             const std::size_t length = bytes.size() * i / 40;
@@ -78,7 +78,7 @@ TEST_P(EveryReader, accepts_or_refuses_in_one_line_what_was_cut_off) {
         }
 }
 
-TEST_P(EveryReader, accepts_or_refuses_in_one_line_what_was_changed) {
+TEST_P(EveryReader, accepts_or_refuses_in_one_line_changed_files) {
     std::mt19937 random(11);
     const auto all = seeds(GetParam());
     for (int i = 0; i < 300; ++i) {

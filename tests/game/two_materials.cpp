@@ -97,7 +97,7 @@ TEST_F(SnowOnSoil, with_a_fault_is_refused_with_line_and_fact) {
         const std::string scenario = scene_.string() + ":" + std::to_string(fault.line) + ": " + fault.fact;
         EXPECT_EQ(scene.error().sentence.rfind(scenario, 0), 0u) << scene.error().sentence;
     }
-    // Both may be as deep as is allowed, but not together.
+    // Each may have the greatest depth, but not both together.
     std::string deep = kSnowOnSoil;
     deep.replace(deep.find("depth = 0.5"), 11, "depth = 40 ");
     const auto scene = load(deep, "depth = 0.25", "depth = 40");
@@ -105,7 +105,7 @@ TEST_F(SnowOnSoil, with_a_fault_is_refused_with_line_and_fact) {
     EXPECT_NE(scene.error().sentence.find("80 m deep"), std::string::npos) << scene.error().sentence;
 }
 
-TEST_F(SnowOnSoil, replays_from_its_recording_to_the_same_hash) {
+TEST_F(SnowOnSoil, replays_bit_identically_from_its_recording) {
     const Scene scene = loaded();
     const StateLine last = record(path_, scene.scenario, 90, scene.commands);
     const auto recording = read_recording(path_);
@@ -122,7 +122,7 @@ TEST_F(SnowOnSoil, replays_from_its_recording_to_the_same_hash) {
     EXPECT_EQ(verified.status, 0) << verified.err;
     EXPECT_NE(verified.out.find("proven up to tick 90"), std::string::npos) << verified.out;
     EXPECT_NE(verified.out.find("snow-wet on soil"), std::string::npos) << verified.out;
-    EXPECT_NE(verified.out.find("of it soil: standing"), std::string::npos) << verified.out;
+    EXPECT_NE(verified.out.find("mass of soil: standing"), std::string::npos) << verified.out;
     const Json summary = Json::parse(couloir({"replay", path_.string(), "--json"}).out);
     EXPECT_EQ(summary["lower"]["material"], "soil");
     EXPECT_EQ(summary["lower"]["mass"]["error_quanta"], 0);
@@ -150,11 +150,11 @@ TEST_F(SnowOnSoil, recorded_with_other_soil_is_refused) {
     header["lower"] = 7;
     EXPECT_NE(refused(header).find(":1: has no "), std::string::npos) << refused(header);
     header = whole;
-    header.erase("lower");  // then the ground's data are too long
+    header.erase("lower");  // then the ground data are too long
     EXPECT_NE(refused(header).find(":1: terrain data"), std::string::npos) << refused(header);
 }
 
-TEST_F(SnowOnSoil, is_what_it_takes_to_pour_the_lower_material) {
+TEST_F(SnowOnSoil, is_required_to_pour_the_lower_material) {
     TimedCommand pour{3, sim::Command{}};
     pour.command.of = sim::Part::kLower;
     auto session = Session::begin(small_scenario(), {}, std::nullopt);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kTicks = 20;
 
-// A recording of 20 ticks, and what `replay --verify` makes of it once it was changed.
+// A recording of 20 ticks, and the result of `replay --verify` after a change to it.
 class Verdicts : public testing::Test {
   protected:
     Verdicts() {
@@ -21,7 +21,7 @@ class Verdicts : public testing::Test {
         bodies_ = bodies_of(read_bytes(path_));
     }
 
-    // The status of the program; the summary says `outcome`, and up to which tick the recording is proven.
+    // Expects this exit status of the program, `outcome` in the summary, and this last verified tick.
     void expect(int status, const std::string& outcome, std::int64_t proven,
                 const std::vector<std::string>& options = {}) const {
         write_bytes(path_, chained(bodies_));
@@ -34,7 +34,7 @@ class Verdicts : public testing::Test {
         EXPECT_EQ(verified["proven_tick"], proven);
         EXPECT_EQ(verified["exact"], status == 0);
     }
-    // Changes one member of the state line of this tick.
+    // Changes one member of this tick's state line.
     void set(std::int64_t tick, const char* key, const Json& value) {
         for (std::string& body : bodies_) {
             Json json = json_of(body);
@@ -98,9 +98,9 @@ TEST_F(Verdicts, is_1_from_the_first_tick_on_that_differs) {
     expect(1, "differs", 11);
 }
 
-TEST_F(Verdicts, is_1_if_one_of_two_lines_that_tell_of_a_tick_is_wrong) {
-    // The line of tick 12 tells the states of 7 to 11, too, and could go back further than the line of
-    // tick 6.
+TEST_F(Verdicts, is_1_if_one_of_two_lines_about_a_tick_is_wrong) {
+    // The line of tick 12 also reports the states of 7 to
+    // 11, and could go back further than the line of tick 6.
     Json before = Json::array();
     for (int tick = 5; tick < 12; ++tick) before.push_back("0123456789abcdef");
     set(12, "before", before);
