@@ -216,8 +216,8 @@ TEST_F(Track, refuses_inconsistent_inputs) {
         {{obj, velocities, "--source", "level", "--scalar", scalar}, "--level"},
         {{obj, velocities, "--source", "level", "--scalar", scalar, "--level", "nan"}, "--level"},
         {{obj, velocities, "--source", "level", "--scalar", scalar, "--level", "1"}, "has 3 frames and"},
-        {{obj, other, "--jump", "1"}, "its shape is (3, 7, 2); wanted are frames × 169 vertices × 2"},
-        {{obj, scalar, "--jump", "1"}, "wanted are frames × 169 vertices × 2"},
+        {{obj, other, "--jump", "1"}, "(3, 7, 2)"},
+        {{obj, scalar, "--jump", "1"}, "frames × 169 vertices × 2"},
         {{obj, at("none.npy"), "--jump", "1"}, "none.npy: there is no such file"},
         {{at("none.obj"), velocities, "--jump", "1"}, "none.obj: there is no such file"},
     };
@@ -269,8 +269,8 @@ TEST_F(Track, prints_finite_numbers_only_whatever_the_velocities_and_times) {
 TEST_F(Track, names_the_line_of_a_damaged_mesh) {
     const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
     const std::pair<std::string, const char*> wrong[] = {
-        {corners + "f 1 2 4 3\n", ":5: a face of 4 corners"},
-        {corners + "f 1 2\n", ":5: a face of 2 corners"},
+        {corners + "f 1 2 4 3\n", ":5: a face with 4 corners"},
+        {corners + "f 1 2\n", ":5: a face with 2 corners"},
         {corners + "f 1 2 5\n", ":5: a triangle with a vertex"},
         {corners + "f 1 2 -5\n", ":5: a triangle with a vertex"},
         {corners + "f 1 2 0\n", ":5: '0' is not a vertex index"},

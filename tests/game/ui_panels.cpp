@@ -18,7 +18,7 @@ const std::vector<PanelFacts> kPanels{
      "Display",
      {"Close Display", "Colour by", "Contours", "Direction", "Text size", "Fly"}},
     {Verb::kTogglePerformance, "Performance", {"Close Performance", "Chart", "solve", "Worst tick"}},
-    {Verb::kToggleHelp, "Help", {"Close Help", "one tick"}},
+    {Verb::kToggleHelp, "Help", {"Close Help", "step one tick"}},
 };
 
 class UiPanels : public UiHand {
