@@ -9,7 +9,7 @@
 
 namespace sim {
 
-// How a step is reckoned; never what comes out.
+// Execution options of a step; they never affect results.
 struct StepOptions {
     int threads = 1;     // ≥ 1
     bool plain = false;  // stage by stage over the fields (bcre/plain.h), as a mixed world always is
@@ -19,8 +19,8 @@ struct StepOptions {
     bool last_tile_first = false;  // the order in which a thread sweeps its tiles
 };
 
-// What a step works with: made once for a world, so that a step allocates nothing; holds nothing of it from
-// one sub-step to the next. Lays the state's tiles out anew, all awake.
+// The working memory of a step, made once per world so that a step allocates nothing. Keeps no state between
+// sub-steps. The constructor replaces the state's tiles; all are awake.
 struct Engine {
     explicit Engine(State& state, const StepOptions& options = {});
 

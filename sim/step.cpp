@@ -53,7 +53,7 @@ void substep_plainly(State& state, Engine& engine, const Substep<float>& sub) {
 }  // namespace
 
 void step(State& state, std::span<const Command> commands, Engine& engine) {
-    // A person's hand first: what is poured in this tick rolls in this tick, by the numbers set for it.
+    // Commands come first: material poured in this tick rolls in this tick, with the parameters set for it.
     engine.watch.begin(StageWatch::kCommands);
     apply_commands(state, commands);
     engine.watch.done("commands");
@@ -70,7 +70,7 @@ void step(State& state, std::span<const Command> commands, Engine& engine) {
             substep_plainly(state, engine, sub);
     }
 
-    // bcre's velocity follows from the layers; who looks on wants it where they are now.
+    // bcre's velocity follows from the layers; views need it for the current layers.
     engine.watch.begin(substeps.count);
     if (engine.sweeper) {
         engine.sweeper->find_velocity(state, engine.workers, engine.options.instruction_set);

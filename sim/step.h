@@ -10,10 +10,10 @@ namespace sim {
 struct Engine;
 struct Substeps;
 
-// One tick: the commands given for it, then as many sub-steps as the parameters ask for. The only way in
-// which a state changes. Same state and commands: same bits, whatever compiler, level,
-// instruction set, number of threads or way of reckoning. `engine` is one made for this state's world.
-// Allocates nothing unless more sources run than ever before.
+// Runs one tick: its commands, then as many sub-steps as the parameters require. A state changes in no other
+// way. The result is bit-identical for any compiler, optimisation level, instruction set, number of threads
+// and executor. `engine` must be made for this state's world. Allocates only if more commands run than ever
+// before.
 void step(State& state, std::span<const Command> commands, Engine& engine);
 
 // How many sub-steps a tick of this world has, and how long they are: in a mixed one, as the faster material

@@ -10,17 +10,17 @@ namespace sim::bcre {
 
 inline constexpr double kLittle = 0.133;  // e^kGrowsLittle − 1
 
-// γ R Δt/Δx up to which the exchange of a sub-step hardly changes the slope it goes by.
+// γ R Δt/Δx up to which the exchange of a sub-step hardly changes the slope that drives it.
 inline constexpr double kWeakExchange = 0.2;
 
-// What the formulas of a sub-step take from parameters, cell and sub-step: the same for all vertices. A fall
-// is a slope times Δx, what the ground falls over a cell.
+// Constants of a sub-step, computed from parameters, cell size and sub-step. They are the same for all
+// vertices. `slope_dx` is a slope times Δx: the drop over a cell.
 template <class Scalar>
 struct Constants {
     Scalar courant;                 // Δt/Δx, s/m
     Dither<Scalar> dither;          // of the sub-step
-    bool outflow_may_exceed_layer;  // at this Courant number a peak might give more than it has
-    Scalar greatest_outflow;        // of muscl: of R of both levels, to all sides (flux_muscl.h)
+    bool outflow_may_exceed_layer;  // at this Courant number the outflow of a peak may exceed its layer
+    Scalar greatest_outflow;        // muscl: per R of both states, to all sides (flux_muscl.h)
 
     Law law;
     Scalar rolling_speed, half_shear_rate, speed_per_slope_dx, max_speed;
@@ -30,9 +30,9 @@ struct Constants {
     Scalar room_per_growth;      // Δx / (κ γ Δt), m
     Scalar strong_pace;          // γ κ Δt/Δx, 1/m
     Scalar exchange_depth;       // R_c, m
-    Scalar rate_depth;           // R_c, or less: from which layer on a rate takes S to the threshold, m
-    Scalar thick_exchange;       // m per growth, of a layer thicker than it
-    Scalar little_per_rolling;  // 1/m: kLittle by the layer from which on the exchange is not the exponential
+    Scalar rate_depth;           // R_c, or less: the layer from which a rate takes S to the threshold, m
+    Scalar thick_exchange;       // m per growth, for a layer thicker than exchange_depth
+    Scalar little_per_rolling;   // 1/m: kLittle / the layer above which the exponential no longer holds
 
     Scalar start_slope_dx, start_depth, freeze_depth;  // m
 };
@@ -40,8 +40,8 @@ struct Constants {
 template <class Scalar>
 Constants<Scalar> constants_of(const Params& p, float cell, Substep<Scalar> sub) {
     constexpr Scalar kSpread = Scalar(1.41421356237309505);                               // κ
-    constexpr Scalar kNotZero = Scalar(1e-30);                                            // under a rate of 0
-    constexpr Scalar kPeakGives = Scalar(2 * 1.41421356237309505), kMost = Scalar(0.75);  // of R
+    constexpr Scalar kNotZero = Scalar(1e-30);                                            // if the rate is 0
+    constexpr Scalar kPeakGives = Scalar(2 * 1.41421356237309505), kMost = Scalar(0.75);  // times R
     constexpr Scalar kMostGiven = Scalar(1.5 * 1.0001);                                   // and for rounding
     const Scalar dx = cell, courant = sub.dt / dx, growth = p.exchange_rate * sub.dt;
     const Scalar speed = p.law == Law::kConstant ? p.rolling_speed : p.max_speed;

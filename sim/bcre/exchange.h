@@ -8,26 +8,26 @@
 // lower neighbours of h (slope.h). In a thick flow only the lowest R_c of the layer reaches the ground:
 // γ min(R, R_c) p (Boutreux, Raphaël and de Gennes 1998).
 //
-// Where p changes little in a sub-step the solution is the exponential, R e^(γ p Δt), and R + γ R_c p Δt in a
-// thick flow. Else p falls with what is eroded, with the lower neighbours held: a logistic equation in R,
-// whose solution never takes S past the threshold,
+// If p changes little in a sub-step, the solution is the exponential R e^(γ p Δt), or R + γ R_c p Δt in a
+// thick flow. Otherwise p decreases as material is eroded. With the lower neighbours held fixed this is a
+// logistic equation in R, whose solution never takes S past the threshold,
 //
 //     R ← R / (E + R a φ(aK))      a = γ κ Δt/Δx,  K = R + p Δx/κ,  E = e^(−aK),  φ(u) = (1 − e^(−u))/u
 //
-// and in a thick flow an exponential in p: p (Δx/κ) (1 − e^(−γ R_c κ Δt/Δx)). κ = √2, the most that S falls
-// with what is eroded; it depends on where the lower neighbours lie, and a vertex that is raised may come
-// above one that was not lower before.
+// and in a thick flow an exponential in p: p (Δx/κ) (1 − e^(−γ R_c κ Δt/Δx)). κ = √2 is the most that S
+// decreases per Δ/Δx of erosion Δ. The actual κ depends on where the lower neighbours lie, and a raised
+// vertex may come above a neighbour that was not lower before.
 
 namespace sim::bcre {
 
-inline constexpr double kMostDeposited = -31;  // m in a sub-step, which in_quanta can still count
+inline constexpr double kMostDeposited = -31;  // m in a sub-step; in_quanta can still round it
 
-// What becomes rolling, m, negative where it is deposited; the closed forms where p does change.
+// The material that begins to roll, m, negative for deposition. Uses the closed forms for a changing p.
 template <class Number>
 [[gnu::always_inline]] inline Number exchanged_strongly(const Number& rolling, const Number& growth,
                                                         const Constants<Scalar<Number>>& c) {
     using S = Scalar<Number>;
-    const Number room = growth * c.room_per_growth;       // p Δx/κ: what takes S to the threshold
+    const Number room = growth * c.room_per_growth;  // p Δx/κ: the erosion that takes S to the threshold
     const Number end = (rolling + room) * c.strong_pace;  // aK
     const Number left = -expm1(-end);                     // 1 − E
     const auto tiny = abs(end) < S(1e-6);
@@ -44,8 +44,9 @@ template <class Number>
     return slope_dx * c.growth_per_slope_dx - c.growth_at_level;
 }
 
-// What becomes rolling in whole quanta, at least −R. `weak_growth` = e^growth − 1 by grown_little(): the
-// answer where p changes little. Where the growth is not little, neither is this, and it only says so.
+// The material that begins to roll, in whole quanta, at least −R. `weak_growth` = e^growth − 1 by
+// expm1_small(), which gives the result if p changes little. If the growth is not small, neither is
+// `weak_growth`, and it only selects the closed form.
 template <class Number>
 [[gnu::always_inline]] inline Number exchanged(const Number& rolling, const Number& slope_dx,
                                                const Number& weak_growth,
@@ -57,8 +58,8 @@ template <class Number>
     return select(changes_much, max(strong, -rolling), weak);
 }
 
-// The rate of this moment for a sub-step, which the scheme of second order takes the mean of; held to what
-// takes S to the threshold where the cells are too coarse for it.
+// The exchange of a sub-step at the current rate, m. The second-order scheme averages two of these. If the
+// cells are too coarse for the rate, the exchange stops at the amount that takes S to the threshold.
 template <class Number>
 [[gnu::always_inline]] inline Number exchanged_at_rate(const Number& rolling, const Number& depth,
                                                        const Number& growth,
@@ -68,8 +69,8 @@ template <class Number>
     return max(min(wanted, depth), most_deposited);
 }
 
-// Moves `amount`, whole quanta and at least −R, from the standing to the rolling layer, as far as there is
-// any.
+// Moves `amount`, whole quanta and at least −R, from the standing to the rolling layer, but no more than
+// `depth`.
 template <class Number>
 [[gnu::always_inline]] inline void transfer(const Number& amount, Number& depth, Number& rolling) {
     const Number moved = min(amount, depth);

@@ -12,15 +12,15 @@
 
 namespace sim::bcre {
 
-// A Runge–Kutta state: the two layers, and how they lie and move. A face lies west (x) or south (y) of its
-// vertex. `Values` is a field, or its rows.
+// A Runge–Kutta state: the two layers with their slopes and velocities. A face lies west (x) or south (y) of
+// its vertex. `Values` is a field, or its rows.
 template <class Values>
 struct RkState {
     Values depth, rolling;            // m
     Values drop_x, drop_y;            // m by which h falls through each face, to the east, to the north
     Values curvature_x, curvature_y;  // muscl: second-order part of a drop, m
     Values slope_dx;                  // slope times Δx, m
-    Values velocity_x, velocity_y;    // muscl: m/s; lax-friedrichs: m more forward and less backward
+    Values velocity_x, velocity_y;    // muscl: m/s; lax-friedrichs: m added forward and subtracted backward
 };
 template <class Visit, class... States>
 constexpr void each_layer(Visit&& visit, States&... u) {
@@ -40,12 +40,12 @@ constexpr void each_rate(Visit&& visit, States&... u) {
 
 template <class Values>
 struct Fields {
-    RkState<Values> u0;  // as the sub-step finds the layers, and leaves them
+    RkState<Values> u0;  // the layers before the sub-step, and after it
     RkState<Values> u1;  // muscl: the predicted state at its end
 
     Values outflow;         // per metre of drop; lax-friedrichs: m to each side
     Values flux_x, flux_y;  // m through each face, to the east, to the north
-    Values exchanged;       // muscl: m that the first half erodes
+    Values exchanged;       // muscl: m that the first RK stage erodes
     Values share;           // muscl: the share of its wanted outflow that a vertex can give
 };
 template <class Visit, class... Lists>
@@ -56,7 +56,7 @@ constexpr void each_transfer(Visit&& visit, Lists&... f) {
     visit("exchanged", f.exchanged...);
     visit("share", f.share...);
 }
-// All but the layers of u0, which are the world's.
+// Visits all fields except the layers of u0, which belong to the world.
 template <class Visit, class... Lists>
 void each_field(Visit&& visit, Lists&... f) {
     each_rate(with_prefix("u0.", visit), f.u0...);
@@ -74,7 +74,7 @@ static_assert(members_visited<Fields<char>>([](auto visit, auto& f) { each_trans
 template <class Scalar>
 using StateRows = RkState<Rows<Scalar>>;
 
-// What the stages read and write: rows of the fields, and what is the same for all vertices.
+// What the stages read and write: rows of the fields, and values that all vertices share.
 template <class Scalar>
 struct StageRows : Fields<Rows<Scalar>> {
     int nx, ny;

@@ -6,8 +6,8 @@
 //
 //              F_n              R_C ← R_C + (F_w − F_e) + (F_s − F_n)
 //               ↑
-//      F_w →    C    → F_e      a flux splitting: F is what either side gives by its own velocity, so that
-//               ↑               from an empty vertex nothing comes
+//      F_w →    C    → F_e      a flux splitting: each side contributes to F by its own velocity, so nothing
+//               ↑               flows out of an empty vertex
 //              F_s
 //
 // A face bears the number of the vertex east or north of it: F_w and F_s are those of C. Each scheme is a
@@ -15,17 +15,17 @@
 
 namespace sim::bcre {
 
-// Rounding may add a quantum at each face; with four a vertex keeps four in hand, m.
+// The reserve of a vertex, m. Rounding may add a quantum at each of its four faces.
 template <class Number>
 inline constexpr Scalar<Number> kInHand = 4 * kGrain<Number>;
 
-// What a vertex can give to all sides together, m.
+// The most that may flow out of a vertex through all faces, m.
 template <class Number>
 [[gnu::always_inline]] inline Number spare_of(const Number& rolling) {
     return max(rolling - kInHand<Number>, Number(0));
 }
 
-// By which share a vertex has to give less than the `all` that it wants to give, to give what it can spare.
+// The factor, at most 1, that limits the wanted outflow `all` of a vertex to what it can spare.
 template <class Number>
 [[gnu::always_inline]] inline Number outflow_share(const Number& all, const Number& rolling) {
     using S = Scalar<Number>;
@@ -36,7 +36,7 @@ template <class Number>
     return select(too_much, had * kLess / select(too_much, all, Number(1)), Number(1));
 }
 
-// In whole quanta, the same for both signs.
+// Rounds to whole quanta, symmetrically for both signs.
 template <class Number>
 [[gnu::always_inline]] inline Number quantised(const Number& flux, const Constants<Scalar<Number>>& c) {
     return with_its_sign(flux, [&](const Number& size) { return in_quanta(size, c.dither); });

@@ -2,18 +2,18 @@
 
 #include "sim/bcre/flux.h"
 
-// Lax–Friedrichs, as published: a vertex gives a quarter to each neighbour, more to those it moves toward.
+// Lax–Friedrichs, as published: a quarter of a vertex flows to each neighbour, more to those downstream.
 //
 //     W → C                    F_w = (¼ R + ½ R v_x Δt/Δx)_W − (¼ R − ½ R v_x Δt/Δx)_C
-//                              F_s alike, with v_x = v_E − v_W of velocity.h
+//                              F_s likewise, with v_x = v_E − v_W of velocity.h
 //
-// At Courant numbers up to ½ both parentheses are ≥ 0, and the four of a vertex are together what it has. Of
-// that it keeps what rounding may add. Its defect: a layer at rest spreads all the same, with Δx²/4Δt along
-// each axis, and odd and even vertices do not know of each other. Kept for comparison.
+// At Courant numbers up to ½ both parentheses are ≥ 0, and the four outflows of a vertex sum to its layer.
+// The vertex keeps a reserve for rounding. The scheme has two defects: a layer at rest still spreads, with
+// diffusivity Δx²/4Δt along each axis, and odd and even vertices decouple. It is kept for comparison.
 
 namespace sim::bcre {
 
-// What a vertex gives to each side, m, and how much more forth and less back along either axis.
+// The outflow of a vertex to each side, m, and what is added forward and subtracted backward on each axis.
 template <class Number>
 struct Quarters {
     Number quarter, along_x, along_y;
@@ -28,7 +28,7 @@ template <class Number>
     return {moving * S(0.25), velocity.x * half, velocity.y * half};
 }
 
-// From the vertices on both sides.
+// Flux through a face, from the outflows of the vertices on both sides.
 template <class Number>
 [[gnu::always_inline]] inline Number flux_lax_friedrichs(const Number& quarter_back, const Number& along_back,
                                                          const Number& quarter_ahead,

@@ -2,20 +2,21 @@
 
 #include "sim/bcre/flux.h"
 
-// Local Lax–Friedrichs, split by each vertex's own speed, f± = ½ (R v ± R |v|): a vertex gives whither it
-// moves, and nothing the other way. Down is toward one side of a face only, and that side's other one gives:
+// Local Lax–Friedrichs, split by each vertex's own speed, f± = ½ (R v ± R |v|): material leaves a vertex only
+// in its direction of motion. Only one side of a face is the lower one, so the flux comes from the other
+// side:
 //
-//     W → C                    F_w = R_W v_E(W) Δt/Δx     where the ground falls to the east,  D > 0
-//         D = h_W − h_C            = −R_C v_W(C) Δt/Δx    where it falls to the west;
-//                              F_s alike
+//     W → C                    F_w = R_W v_E(W) Δt/Δx     if the ground falls to the east,  D > 0
+//         D = h_W − h_C            = −R_C v_W(C) Δt/Δx    if it falls to the west;
+//                              F_s likewise
 //
-// No diffusion where nothing moves. At Courant numbers up to ¼ no more than 0.71 R leaves a vertex, a peak
-// with four lower neighbours, so that a layer of 16 quanta has the four that rounding may add; a thinner one
-// waits.
+// Material at rest does not diffuse. At Courant numbers up to ¼ at most 0.71 R leaves a vertex; the extreme
+// is a peak with four lower neighbours. So a layer of 16 quanta keeps the four that rounding may add. A
+// thinner layer does not flow.
 
 namespace sim::bcre {
 
-// R k Δt/Δx: what a vertex gives to a side, m, per metre that it falls to there.
+// R k Δt/Δx: the outflow of a vertex to one side, m, per metre of drop to that side.
 template <class Number>
 [[gnu::always_inline]] inline Number outflow_per_drop(const Number& rolling, const Number& pace,
                                                       const Constants<Scalar<Number>>& c) {
@@ -23,7 +24,7 @@ template <class Number>
     return moving * c.courant * pace;
 }
 
-// `back` and `ahead`: given_per_drop of the vertices on both sides.
+// `back` and `ahead`: outflow_per_drop of the vertices on both sides.
 template <class Number>
 [[gnu::always_inline]] inline Number flux_local_lax_friedrichs(const Number& drop, const Number& back,
                                                                const Number& ahead) {

@@ -3,12 +3,12 @@
 #include "sim/bcre/fields.h"
 #include "sim/world/forward.h"
 
-// A sub-step of `bcre` stage by stage over whole fields. It is the readable reference of the sweep, which
+// A sub-step of `bcre`, stage by stage over whole fields. It is the readable reference for the sweep, which
 // runs the same stages row after row (sweep/).
 
 namespace sim::bcre {
 
-// All rows of a world, for the stages of its sub-step.
+// Returns all rows of a world for the stages of a sub-step.
 template <class Number>
 StageRows<Number> stage_rows(Layers<Number>& layers, const Params& params, Fields<Field<Number>>& fields,
                              Substep<Number> sub);
@@ -17,7 +17,7 @@ template <class Number>
 void substep(Layers<Number>& layers, const Params& params, Fields<Field<Number>>& fields,
              const PlainContext& context, Workers& workers, Substep<Number> sub);
 
-// The velocity at the end of a tick for views, 0 where nothing moves.
+// Computes the velocity for views at the end of a tick; it is 0 where nothing moves.
 void find_velocity(Layers<float>& layers, const Params& params, Fields<Field<float>>& fields,
                    const PlainContext& context, Workers& workers);
 

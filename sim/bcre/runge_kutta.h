@@ -2,18 +2,18 @@
 
 #include "sim/simd/numbers.h"
 
-// Second order in time (SSP-RK2; Gottlieb, Shu and Tadmor 2001), with L what transport and exchange do in a
-// sub-step:
+// Second order in time (SSP-RK2; Gottlieb, Shu and Tadmor 2001). L is the change by transport and exchange in
+// a sub-step:
 //
 //     u₁ = u₀ + L(u₀)        u = u₀ + ½ (L(u₀) + L(u₁))
 //
-// As a mean of forward sub-steps it keeps what each of them keeps. What is transferred is a flux or an
-// exchange in both halves, so the mean of them is too: mass is booked once, at the end, in whole quanta. u₁
-// only serves to find L(u₁).
+// The result is a mean of forward sub-steps, so it preserves every invariant that each of them preserves.
+// Both stages transfer mass as fluxes and exchange, and so does their mean. Mass is quantised once, at the
+// end. u₁ serves only to find L(u₁).
 
 namespace sim::bcre {
 
-// What is reckoned with u₀, and what with u₁.
+// Whether a value is computed from u₀ or from u₁.
 enum class RkStage { kFirst, kSecond };
 
 template <class Number>
@@ -21,7 +21,7 @@ template <class Number>
     return Scalar<Number>(0.5) * (first + second);
 }
 
-// R of u₁, from what transport left and the exchange; a rounding below 0 is none.
+// R of u₁, from R after transport and the exchange. Clamps rounding errors below 0.
 template <class Number>
 [[gnu::always_inline]] inline Number predicted_rolling(const Number& carried, const Number& exchanged) {
     return max(carried + exchanged, Number(0));

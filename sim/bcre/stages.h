@@ -13,7 +13,7 @@
 #include "sim/bcre/yield.h"
 #include "sim/stages/stages.h"
 
-// The stages of `bcre`, in call order, after halo and drops (sim/stages/stages.h).
+// The stages of `bcre` in call order. They follow halo and drops (sim/stages/stages.h).
 
 namespace sim::bcre {
 
@@ -39,7 +39,7 @@ auto find_limited_slope_dx(const StateRows<S>& u, Rows<S>& to, int y) {
     };
 }
 
-// The sum of what leaves vertex i through its faces: Σ max(0, outward).
+// The sum of all outflows of vertex i through its faces: Σ max(0, outward).
 template <class Number, class S = Scalar<Number>>
 [[gnu::always_inline]] inline Number sum_outward(const S* in_x, const S* south, const S* north, int i) {
     const Number none(0);
@@ -131,8 +131,8 @@ void end_velocity(const StageRows<S>& w, Rows<S>& velocity_x, int y) {
     S* u = velocity_x[y];
     u[-1] = u[0], u[w.nx] = u[w.nx - 1];
 }
-// Then faces y = 0 … ny. Reads R, velocity_x, velocity_y of a state; writes flux_x, flux_y as wanted: those
-// of u0 first, then the mean of them and those of u1.
+// Then faces y = 0 … ny. Reads R, velocity_x, velocity_y of a state; writes flux_x, flux_y, still unlimited:
+// first those of u0, then the mean of those of u0 and u1.
 template <class Number, RkStage stage, class S = Scalar<Number>>
 auto find_muscl_fluxes(const StageRows<S>& w, Rows<S>& to_x, Rows<S>& to_y, int y) {
     constexpr bool kSecond = stage == RkStage::kSecond;
@@ -170,7 +170,7 @@ template <class Number, class S = Scalar<Number>>
                    at<Number>(flux_south, i), at<Number>(flux_north, i));
 }
 
-// muscl: what vertex i of a row would erode at the rate of a state.
+// muscl: the erosion of vertex i of a row at the rate of a state, m.
 template <class Number, class S = Scalar<Number>>
 [[gnu::always_inline]] inline Number exchanged_at(const S* depth, const S* rolling, const S* slope_dx, int i,
                                                   const Constants<S>& c) {
@@ -178,8 +178,8 @@ template <class Number, class S = Scalar<Number>>
                              growth_of(at<Number>(slope_dx, i), c), c);
 }
 
-// muscl, rows y = 0 … ny-1. The state to which fluxes and exchange lead, unrounded: only fluxes and exchange
-// are computed from it. Reads d, R, slope_dx of u0, flux_x, flux_y; writes exchanged, and d, R of u1.
+// muscl, rows y = 0 … ny-1. Predicts the state u1, unrounded, because only fluxes and exchange are computed
+// from it. Reads d, R, slope_dx of u0, flux_x, flux_y; writes exchanged, and d, R of u1.
 template <class Number, class S = Scalar<Number>>
 auto predict(const StageRows<S>& w, Rows<S>& to, StateRows<S>& u1, int y) {
     return [c = w.c, depth = w.u0.depth[y], rolling = w.u0.rolling[y], slope_dx = w.u0.slope_dx[y],
@@ -192,9 +192,9 @@ auto predict(const StageRows<S>& w, Rows<S>& to, StateRows<S>& u1, int y) {
     };
 }
 
-// muscl, rows y = 0 … ny-1. Reads R, flux_x, flux_y; writes share. `less` is set if a vertex may give less
-// than it wants. It needs a world of one material, in which the layers of both states tell which vertices
-// may.
+// muscl, rows y = 0 … ny-1. Reads R, flux_x, flux_y; writes share. Sets `less` if the outflow of a vertex may
+// be limited. `less` needs a world of one material, because only there do the layers of both states bound the
+// outflow (greatest_outflow).
 template <class Number, class S = Scalar<Number>>
 auto find_share(const StageRows<S>& w, Rows<S>& to, int y, bool* less = nullptr) {
     return [c = w.c, rolling = w.u0.rolling[y], next = w.u1.rolling[y], flux_x = w.flux_x[y],
@@ -217,7 +217,7 @@ void end_share(const StageRows<S>& w, Rows<S>& to, int y, Span x) {
     else
         std::fill(share + x.first, share + x.last, S{0});
 }
-// Faces y = 0 … ny. Reads share; limits flux_x, flux_y to what the vertices can give.
+// Faces y = 0 … ny. Reads share; limits flux_x, flux_y to the layers of the vertices.
 template <class Number, class S = Scalar<Number>>
 auto share_fluxes(const StageRows<S>& w, Rows<S>& to_x, Rows<S>& to_y, int y) {
     return [share = w.share[y], share_south = w.share[y - 1], flux_x = to_x[y], flux_y = to_y[y]](int i) {
@@ -226,7 +226,7 @@ auto share_fluxes(const StageRows<S>& w, Rows<S>& to_x, Rows<S>& to_y, int y) {
         store<Number>(in_y * select(in_y > S{0}, at<Number>(share_south, i), here), flux_y + i);
     };
 }
-// Rounds to whole quanta. Faces y = 0 … ny.
+// Rounds the fluxes to whole quanta. Faces y = 0 … ny.
 template <class Number, class S = Scalar<Number>>
 auto quantise_fluxes(const StageRows<S>& w, Rows<S>& to_x, Rows<S>& to_y, int y) {
     return [c = w.c, flux_x = to_x[y], flux_y = to_y[y]](int i) {
@@ -235,10 +235,10 @@ auto quantise_fluxes(const StageRows<S>& w, Rows<S>& to_x, Rows<S>& to_y, int y)
     };
 }
 
-// Rows y = 0 … ny-1: applies fluxes and exchange, starts what is too steep to stay and freezes what is too
-// thin to move. Reads slope_dx and, for muscl, exchanged and the predicted state; writes d, R, up to vertex
-// `end`. `active`, if given, has a byte for each run of lanes, which is set where anything moved or came to
-// rest.
+// Rows y = 0 … ny-1: applies fluxes and exchange, then starts ground that is too steep and freezes layers
+// that are too thin. Reads slope_dx and, for muscl, exchanged and the predicted state; writes d, R, up to
+// vertex `end`. `active`, if given, has one byte per vector of lanes, which is set if anything moved or came
+// to rest.
 template <class Number, Scheme scheme, class S = Scalar<Number>>
 auto settle(const StageRows<S>& w, StateRows<S>& u, int y, int end, std::uint8_t* active = nullptr) {
     constexpr bool kSecond = scheme == Scheme::kMuscl;
@@ -267,7 +267,7 @@ auto settle(const StageRows<S>& w, StateRows<S>& u, int y, int end, std::uint8_t
     };
 }
 
-// The velocity for views at the end of a tick, 0 where R is: rows y = 0 … ny-1, up to vertex `end`. Reads R,
+// The velocity for views at the end of a tick, 0 where R = 0: rows y = 0 … ny-1, up to vertex `end`. Reads R,
 // drop_x, drop_y; writes velocity_x, velocity_y.
 template <class Number, class S = Scalar<Number>>
 auto find_velocity(const StageRows<S>& w, Rows<S>& to_u, Rows<S>& to_v, int y, int end) {

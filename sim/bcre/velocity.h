@@ -4,21 +4,21 @@
 #include "sim/stages/slope.h"
 
 // Velocity of the rolling layer in `bcre`: from a vertex to each of its lower neighbours, in proportion to
-// the drop, at the speed of a law. The ground says it, also where nothing rolls: it has no inertia.
+// the drop, at the speed of a law. It depends on the ground, and is defined even where nothing rolls. It has
+// no inertia.
 //
 //             N              v_E = k max(0, D_E),  k = V / |f|   toward east; the same for W, N and S
 //             ↑
 //         W ← C → E          (C)  V = v₀                         one speed
 //             ↓              (HK) V = min(v_max, k_v S)          Hadeler and Kuttler 1999
-//             S              (T)  V = min(v_max, v₀ + ½ γ̇ R)     a layer sheared at the rate γ̇; its mean
-//             speed
+//             S              (T)  V = min(v_max, v₀ + ½ γ̇ R)     mean speed of a layer with shear rate γ̇
 //
-// On a slope two of the four are not 0 and are the components of a vector of length V; on a ridge material
-// leaves to both sides, and in a pit it stays. D and f are of slope.h, so that flow and exchange agree on
-// what is down.
+// On a slope two of the four are not 0; they are the components of a vector of length V. On a ridge material
+// leaves to both sides, and in a pit it stays. D and f come from slope.h, so flow and exchange agree on the
+// downhill direction.
 //
-// For muscl to second order, v = −V g/|g| from central differences, g = ((h_E − h_W), (h_N − h_S)) / 2. (The
-// drops with a correction are of second order too, but what h has of single vertices would come back in ∇·v.)
+// muscl uses second order, v = −V g/|g| from central differences, g = ((h_E − h_W), (h_N − h_S)) / 2. (Drops
+// with a curvature correction are second order too, but they pass grid-scale noise of h on to ∇·v.)
 
 namespace sim::bcre {
 
@@ -41,7 +41,7 @@ template <class Number>
     return Number(c.rolling_speed);
 }
 
-// A fall that is none, m: what the pace is reckoned with on level ground.
+// The least slope_dx, m, with which the pace is computed on level ground.
 template <class Number>
 inline constexpr auto kFlat = Scalar<Number>(1e-12);
 
@@ -52,7 +52,7 @@ template <class Number>
     return law_speed(slope_dx, rolling, c) / max(slope_dx, Number(kFlat<Number>));
 }
 
-// Of what goes to either side.
+// The net velocity, from the motion to opposite sides.
 template <class Number>
 [[gnu::always_inline]] inline Vector<Number> net_velocity(const Drops<Number>& drop, const Number& pace) {
     const Number none(0);
@@ -60,7 +60,7 @@ template <class Number>
             (max(drop.north, none) - max(drop.south, none)) * pace};
 }
 
-// For muscl. `fall_x` = h_W − h_E and `fall_y` = h_S − h_N, m: over two cells.
+// Velocity for muscl. `fall_x` = h_W − h_E and `fall_y` = h_S − h_N are drops over two cells, m.
 template <class Number>
 [[gnu::always_inline]] inline Vector<Number> central_velocity(const Number& fall_x, const Number& fall_y,
                                                               const Number& rolling,

@@ -8,8 +8,8 @@
 //     S > s_start and d + R ≥ R_min   start:   min(d, start_depth) begins to roll
 //     else                            freeze:  the thin layer joins the standing one
 //
-// so a pile between its two thresholds comes to a rest that is exact, and holds no denormals. Less than R_min
-// in all lies on any slope, as dust does.
+// So a pile between its two thresholds comes to rest exactly and leaves no denormals. A total depth below
+// R_min stays on any slope, like dust.
 
 namespace sim::bcre {
 

@@ -3,29 +3,29 @@
 #include "sim/inertial/fields.h"
 #include "sim/stages/stages.h"
 
-// Exchange between the layers, S the slope of h toward its lower neighbours, erosion positive:
+// Exchange between the layers, erosion positive. S is the slope of h toward the lower neighbours:
 //
 //     S > s_ero:      Γ = +γ min(R_e, R_c) (S − s_ero)                R_e = max(0, R − R_ero)² / R
 //     S < s_stop(R):  Γ = −γ min(R, R_c) (s_stop − S) max(0, 1 − |v|/v_dep)
 //     s_stop(R) = s_thick + (s_thin − s_thick) e^(−R/R_fold)
 //
 // Between s_stop and s_ero nothing is exchanged. The speed gate, not inertia, carries a flow over benches and
-// pits. Erosion sets in smoothly where R passes R_ero: by a leap, or with a kink, the edges of a flow, thin
-// as they are, grow by what the grid does to them, and outlines show the grid.
+// pits. Erosion begins smoothly as R passes R_ero. With a jump or a kink, the thin edges of a flow would
+// amplify grid noise, and outlines would show the grid.
 //
 //            N              D_W = h_C − h_W
-//            |              S first order:   g_x = max(0, D_W, D_E) / Δx,  |g|;  what natural ground holds is
-//   WW — W — C — E — EE                      measured by it, so it is left to yield
+//            |              S first order:   g_x = max(0, D_W, D_E) / Δx,  |g|;  only for yield, because the
+//   WW — W — C — E — EE                      strength of natural ground is measured with it
 //            |              S second order:  D_W + ½ minmod(h_E − 2 h_C + h_W, h_C − 2 h_W + h_WW)  for D_W;
-//            S                               what Γ reckons with (Osher and Shu 1991)
+//            S                               used for Γ (Osher and Shu 1991)
 //
-// κ = (g_x + g_y)/|g|: lowering C by Δ lowers S by at most κ Δ/Δx, raising raises it by at most √2 Δ/Δx. So
-// neither erosion nor deposition takes S past its threshold. Beyond the halo nothing is known, and the
-// term with minmod is left out.
+// κ = (g_x + g_y)/|g|: lowering C by Δ lowers S by at most κ Δ/Δx; raising C raises S by at most √2 Δ/Δx. So
+// neither erosion nor deposition takes S past its threshold. Beyond the halo nothing is known, so the minmod
+// term is 0 there.
 
 namespace sim::inertial {
 
-// S toward the lower neighbours and (g_x + g_y)/|g|, 1 to √2.
+// S toward the lower neighbours, and the spread κ = (g_x + g_y)/|g|, 1 to √2.
 template <class Number>
 struct Slope {
     Number tangent, spread;
@@ -40,8 +40,8 @@ template <class Number>
     return {tangent, select(leads_down, (gx + gy) / select(leads_down, tangent, Number(1)), Number(1))};
 }
 
-// Rows y = 0 … ny-1. Reads d, R, velocity, drops and bends; writes exchanged, what a sub-step exchanges at
-// the rate of this moment.
+// Rows y = 0 … ny-1. Reads d, R, velocity, drops and curvature of a state; writes exchanged, the exchange of
+// a sub-step at the state's rate.
 template <class Number, class S = Scalar<Number>>
 auto find_exchange(const StageRows<S>& w, const StateRows<S>& level, Rows<S>& exchanged, int y) {
     constexpr S kGreatestSpread = S(1.41421356237309505);
@@ -67,7 +67,7 @@ auto find_exchange(const StageRows<S>& w, const StateRows<S>& level, Rows<S>& ex
             const Number erodes = min(above * above / max(r, Number(S(kNothing))), Number(c.exchange_depth));
             const Number pace = c.pace * erodes;
             eroded = min(pace * steep, at<Number>(depth, i));
-            if (any(pace > S(0.99) / kGreatestSpread * c.dx))  // else it stays above its threshold
+            if (any(pace > S(0.99) / kGreatestSpread * c.dx))  // otherwise S stays above its threshold
                 eroded = min(eroded, steep * c.dx / slope_of(drop, c.per_cell).spread);
         }
         if (any(slope < c.greatest_stop_slope)) {

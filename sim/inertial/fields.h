@@ -13,10 +13,11 @@
 
 namespace sim::inertial {
 
-// Thinner than this a layer is none, m; a quantum is 7.6e-6.
+// A layer thinner than this counts as none, m; a quantum is 7.6e-6 m.
 inline constexpr float kNothing = 1e-12f;
 
-// What the formulas take from parameters, cell and sub-step: the same for all vertices.
+// Constants of a sub-step, computed from parameters, cell size and sub-step. They are the same for all
+// vertices.
 template <class Scalar>
 struct Constants {
     Scalar courant;         // Δt/Δx, s/m
@@ -24,12 +25,12 @@ struct Constants {
     Scalar dx, per_cell;    // m, 1/m
 
     Scalar speed_per_slope, max_speed, half_speed_depth;
-    Scalar nearly_capped_squared;  // of a slope, a hair below the one that makes it as fast as may be
-    Scalar relaxed;                // share of the way to the terminal velocity in half a sub-step
+    Scalar nearly_capped_squared;  // squared slope just below the one that gives max_speed
+    Scalar relaxed;                // relaxed share of v_eq − v in half a sub-step
 
     Scalar pace;  // γ Δt
     Scalar exchange_depth, stop_slope_thick, stop_slope_more, per_fold_depth;
-    Scalar greatest_stop_slope;  // a hair above what any layer stops at
+    Scalar greatest_stop_slope;  // just above the stop slope of any layer
     Scalar per_deposit_speed, erosion_slope, erosion_depth;
 
     Scalar start_slope, start_depth, freeze_depth, slow_squared, anchor_gain, anchor_margin;
@@ -109,10 +110,10 @@ constexpr void each_rate(Visit&& visit, States&... u) {
 
 template <class Values>
 struct Fields {
-    RkState<Values> u0;  // as the sub-step finds the layers, and leaves them
+    RkState<Values> u0;  // the layers before the sub-step, and after it
     RkState<Values> u1;  // the predicted state at its end
 };
-// All but the layers of u0, which are the world's.
+// Visits all fields except the layers of u0, which belong to the world.
 template <class Visit, class... Lists>
 void each_field(Visit&& visit, Lists&... f) {
     each_rate(with_prefix("u0.", visit), f.u0...);
@@ -127,7 +128,7 @@ static_assert(members_visited<RkState<char>>([](auto visit, auto& u) {
 template <class Scalar>
 using StateRows = RkState<Rows<Scalar>>;
 
-// What the stages read and write: rows of the fields, and what is the same for all vertices.
+// What the stages read and write: rows of the fields, and values that all vertices share.
 template <class Scalar>
 struct StageRows : Fields<Rows<Scalar>> {
     int nx, ny;

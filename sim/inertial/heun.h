@@ -5,34 +5,34 @@
 #include "sim/inertial/fields.h"
 #include "sim/stages/stages.h"
 
-// Heun's method, which is the second-order one of Gottlieb, Shu and Tadmor (2001), between two halves of
-// relaxation A (Strang 1968). L is what transport and exchange do in a sub-step:
+// Heun's method, the second-order method of Gottlieb, Shu and Tadmor (2001), between two halves of relaxation
+// A (Strang 1968). L is the change by transport and exchange in a sub-step:
 //
 //     u₀ ← A(½Δt) u₀      u₁ = u₀ + L(u₀)      u₂ = u₁ + L(u₁)      u ← A(½Δt) ½ (u₀ + u₂)
 //
 //              F_n
 //               ↑            R ← R − (F_e − F_w) − (F_n − F_s) + X
 //      F_w →    C    → F_e   R v likewise with the momentum of each flux
-//               ↑            X > 0 starts at rest; X < 0 takes its momentum along: what stays keeps its speed
+//               ↑            X > 0 starts at rest; X < 0 removes its momentum: the remainder keeps its speed
 //              F_s
 //
-// Mass is booked once, as the mean of both stages' fluxes and exchange, in whole quanta; velocities have
-// none, and become the mean by mass, (R₀ v₀ + R₂ v₂) / (R₀ + R₂). The last half of A reckons with the
-// terminal velocity on u₁, which is as good there to second order and known already.
+// Mass is quantised once, from the mean of both stages' fluxes and exchange. Velocities are not quantised;
+// they become the mean weighted by mass, (R₀ v₀ + R₂ v₂) / (R₀ + R₂). The last half of A uses the terminal
+// velocity of u₁, which is already known and keeps second order.
 
 namespace sim::inertial {
 
-// Of a vertex that gave nearly all it had a residue of rounding is left, and so of its momentum; their
-// quotient means nothing and must not grow. No velocity passes this (m/s; no numbers allow half of it).
+// The greatest velocity, m/s; no parameters allow half of it. A vertex that lost nearly all its layer keeps
+// rounding residues of mass and momentum. Their quotient is meaningless and must not grow.
 inline constexpr float kFastest = 400;
 
-// What rolls at a vertex at the end of a stage, and how much of what it would exchange it can.
+// The rolling layer of a vertex at the end of a stage, and its exchange, limited to the available layer.
 template <class Number>
 struct Rolling {
     Number depth, u, v, exchanged;
 };
 
-// A row of a level with what flows over its faces.
+// A row of a state with the fluxes through its faces.
 template <class S>
 struct FlowRow {
     const S *rolling, *u, *v, *exchanged;
@@ -57,7 +57,7 @@ template <class Number, class S = Scalar<Number>>
     const Number carried = max(before - leaving<Number>(row.flux_x, row.flux_south, row.flux_north, i), none);
     const Number exchanged = max(at<Number>(row.exchanged, i), -carried);
     const Number end = carried + exchanged;
-    // Divided by all the mass that has this momentum: what came and stayed, or that and what was eroded.
+    // Divide by all mass with this momentum: the transported layer, and what it eroded.
     const auto rolls = end >= S(kNothing);
     const Number per_depth = Number(1) / select(rolls, max(carried, end), Number(1));
     const auto speed = [&](const S* of, const S* in_x, const S* south, const S* north) {
@@ -69,9 +69,8 @@ template <class Number, class S = Scalar<Number>>
             speed(row.v, row.xv, row.yv_south, row.yv_north), exchanged};
 }
 
-// Where the rates of `now` lead, unrounded, and never stored: it only serves to find rates. Rows y = 0 …
-// ny-1. Reads all of `now`; writes its exchanged, no more than there is after transport, and the layers of
-// `then`.
+// Predicts the state u1 from the rates of u0, unrounded; u1 serves only to find rates. Rows y = 0 … ny-1.
+// Reads all of u0; writes its exchanged, limited to the layer after transport, and the layers of u1.
 template <class Number, class S = Scalar<Number>>
 auto predict(const StageRows<S>& w, StateRows<S>& u0, StateRows<S>& u1, int y) {
     return
@@ -84,8 +83,8 @@ auto predict(const StageRows<S>& w, StateRows<S>& u0, StateRows<S>& u1, int y) {
         };
 }
 
-// The means of the fluxes of both levels in whole quanta, so that both sides of a face book the same. Faces
-// y = 0 … ny. Reads flux_x, flux_y of both; writes those of `now`.
+// Rounds the mean fluxes of both states to whole quanta, so that both sides of a face transfer the same
+// amount. Faces y = 0 … ny. Reads flux_x, flux_y of both; writes those of u0.
 template <class Number, class S = Scalar<Number>>
 auto quantise_fluxes(const StageRows<S>& w, StateRows<S>& u0, int y) {
     return [c = w.c, one_x = u0.flux_x[y], one_y = u0.flux_y[y], other_x = w.u1.flux_x[y],
@@ -99,9 +98,9 @@ auto quantise_fluxes(const StageRows<S>& w, StateRows<S>& u0, int y) {
     };
 }
 
-// The layers become the mean of themselves and of where `then` leads: rows y = 0 … ny-1. Reads all of both
-// levels; writes the layers of `now`, up to vertex `end`. `active`, if there is one: a byte for each run of
-// lanes, set where anything rolled.
+// Sets the layers of u0 to the mean of u₀ and u₂: rows y = 0 … ny-1. Reads all of both states; writes the
+// layers of u0, up to vertex `end`. `active`, if given, has one byte per vector of lanes, which is set if
+// anything rolled.
 template <class Number, class S = Scalar<Number>>
 auto finish(const StageRows<S>& w, StateRows<S>& u0, int y, int end, std::uint8_t* active = nullptr) {
     return [c = w.c, second = flow_row(w.u1, y), flux_x = w.u0.flux_x[y], flux_south = w.u0.flux_y[y],

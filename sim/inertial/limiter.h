@@ -4,10 +4,9 @@
 
 namespace sim::inertial {
 
-// Half of the slope of a value across its cell, which is what it carries to a face, from the differences to
-// either neighbour: the slope is their mean, but no steeper than either of them twice, and 0 at an extremum
-// (monotonized central; van Leer 1977). At a face the value lies between those beside it, so a value ≥ 0 is
-// at most doubled.
+// Half the limited slope of a value across its cell, from the differences to both neighbours. The slope is
+// their mean, but at most twice either difference, and 0 at an extremum (monotonized central; van Leer 1977).
+// The value at a face lies between those of its two vertices, so a value ≥ 0 is at most doubled.
 template <class Number>
 [[gnu::always_inline]] inline Number half_monotonized(const Number& back, const Number& ahead) {
     const Number half_mean = Scalar<Number>(0.25) * (back + ahead);

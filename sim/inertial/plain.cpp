@@ -34,7 +34,7 @@ void substep(Layers<Number>& layers, const Params& params, Fields<Field<Number>>
         context, params, [&](const Params& blend) { return constants_of(blend, layers.grid.dx, sub); });
     const OverRows<Number, StageRows<Number>> over(workers, w, blends, context.watch);
     const Span all = over.all();
-    // The exchange and transport of a state.
+    // Finds exchange and transport of a state.
     const auto find_rates = [&](StateRows<Number>& u) {
         over.each_face(
             "find_drops", [&](int y) { return find_drops<Number>(w, u, u.drop_x, u.drop_y, y); },

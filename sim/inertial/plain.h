@@ -3,12 +3,12 @@
 #include "sim/inertial/fields.h"
 #include "sim/world/forward.h"
 
-// A sub-step of `bcre-inertial` stage by stage over whole fields. It is the readable reference of the sweep,
-// which runs the same stages row after row (sweep/).
+// A sub-step of `bcre-inertial`, stage by stage over whole fields. It is the readable reference for the
+// sweep, which runs the same stages row after row (sweep/).
 
 namespace sim::inertial {
 
-// All rows of a world, for the stages of its sub-step.
+// Returns all rows of a world for the stages of a sub-step.
 template <class Number>
 StageRows<Number> stage_rows(Layers<Number>& layers, const Params& params, Fields<Field<Number>>& fields,
                              Substep<Number> sub);

@@ -1,7 +1,7 @@
 #pragma once
 
-// The stages of `bcre-inertial`, in call order: half of a sub-step's relaxation, transport and exchange by
-// Heun's method, and the other half (heun.h).
+// The stages of `bcre-inertial` in call order: half of the relaxation, transport and exchange by Heun's
+// method, and the other half of the relaxation (heun.h).
 #include "sim/inertial/exchange.h"
 #include "sim/inertial/heun.h"
 #include "sim/inertial/transport.h"

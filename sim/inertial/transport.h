@@ -4,24 +4,23 @@
 #include "sim/inertial/limiter.h"
 #include "sim/stages/stages.h"
 
-// Layer and momentum through a face, second order where they are smooth:
+// Flux of layer and momentum through a face, second order if both are smooth:
 //
-//     beyond   left | right   beyond      q_l = q_left + ½ σ_left,  q_r = q_right − ½ σ_right   for q = R, u,
-//     v
-//      x−2     x−1  |   x      x+1        σ the limited slope of a vertex (limiter.h)
+//     beyond   left | right   beyond      q_l = q_left + ½ σ_left,  q_r = q_right − ½ σ_right
+//      x−2     x−1  |   x      x+1        q = R, u, v; σ the limited slope of a vertex (limiter.h)
 //
 //     w = (R_l v_l + R_r v_r) / (R_l + R_r)     the joint velocity across the face
 //     w > 0:  F = min(R_l w Δt/Δx, ¼ R_left),    momentum F (u_l, v_l)
 //     w < 0:  the mirror image
 //
-// One velocity of the material on both sides together: if each vertex gave by its own (as in flux-vector
-// splitting), streams that meet in a gully would pass through each other, and a real avalanche spread over
-// three times its ground. Through each of four faces goes a quarter of a vertex at most, which no flow asks
-// for at a Courant number below a quarter: so none gives more than it has.
+// The face has one velocity for the material on both sides. If each vertex used its own (as in flux-vector
+// splitting), streams that meet in a gully would pass through each other, and a real avalanche would cover
+// three times its area. At most a quarter of a vertex passes each of its four faces, so its outflow never
+// exceeds its layer. At Courant numbers below a quarter this limit is not reached.
 //
-// What began the sub-step with ten quanta or less gives nothing; so neither does what was empty. The mean of
-// two stages leaves a vertex at least half of what it began with, and rounding four faces and the exchange
-// takes less than a quantum each. Walls let nothing pass.
+// A vertex that began the sub-step with ten quanta or less has no outflow. The mean of two stages leaves at
+// least half of the initial layer at a vertex. Rounding at four faces and of the exchange takes less than a
+// quantum each. Nothing passes a wall.
 
 namespace sim::inertial {
 
@@ -56,12 +55,12 @@ void end_slopes(const StageRows<S>& w, StateRows<S>& out, int y, Span x) {
             std::fill(row + x.first, row + x.last, S{0});
 }
 
-// A value on both sides of a face.
+// The values on both sides of a face.
 template <class Number>
 struct Sides {
     Number left, right;
 };
-// From values and half slopes at the vertices.
+// Extrapolates to the face from values and half slopes at the vertices.
 template <class Number>
 [[gnu::always_inline]] inline Sides<Number> at_face(const Sides<Number>& value,
                                                     const Sides<Number>& half_slope) {
@@ -70,11 +69,11 @@ template <class Number>
 
 template <class Number>
 struct Flux {
-    Number depth, across, along;  // m, and of both velocities the momentum that it takes along, m²/s
+    Number depth, across, along;  // m, and its momentum of both velocity components, m²/s
 };
 
-// `begun` and `rolls` at the vertices beside the face, the rest at the face: `across` is the velocity through
-// it, `along` the other.
+// Computes the flux through a face. `begun` (R at the start of the sub-step) and `rolls` are values at the
+// vertices, the others at the face. `across` is the velocity through the face, `along` the other component.
 template <class Number>
 [[gnu::always_inline]] inline Flux<Number> flux_of(const Sides<Number>& begun, const Sides<Number>& rolls,
                                                    const Sides<Number>& rolling, const Sides<Number>& across,
@@ -83,9 +82,9 @@ template <class Number>
     using S = Scalar<Number>;
     constexpr S kMost = S(0.25), kThin = 10 * kGrain<Number>;
     const Number none(0);
-    // Rounding may leave a face of nothing a hair below it, and w no mean any more.
+    // Rounding may leave R at an empty face slightly below 0; then w would no longer be a mean.
     const Number r_l = max(rolling.left, none), r_r = max(rolling.right, none);
-    const Number both = max(r_l + r_r, Number(S(1e-30)));  // of nothing, 0 of anything
+    const Number both = max(r_l + r_r, Number(S(1e-30)));  // avoids 0/0
     const Number w = (r_l * across.left + r_r * across.right) / both;
     const auto forth = w > S{0};
     const auto may = select(forth, begun.left, begun.right) > kThin;
@@ -94,7 +93,7 @@ template <class Number>
     return {f, f * select(forth, across.left, across.right), f * select(forth, along.left, along.right)};
 }
 
-// Along x, faces y = 0 … ny. Reads R, velocity and their slopes, and R of `now`; writes fluxes and momentum.
+// Along x, faces y = 0 … ny. Reads R, velocity and their slopes, and R of u0; writes fluxes and momentum.
 template <class Number, class S = Scalar<Number>>
 auto find_fluxes_x(const StageRows<S>& w, const StateRows<S>& from, StateRows<S>& out, int y) {
     return [c = w.c, begun = w.u0.rolling[y], rolling = from.rolling[y], u = from.velocity_x[y],
@@ -104,7 +103,7 @@ auto find_fluxes_x(const StageRows<S>& w, const StateRows<S>& from, StateRows<S>
             return Sides<Number>{at<Number>(row, i - 1), at<Number>(row, i)};
         };
         const Sides<Number> rolls = beside(rolling);
-        if (!any(max(rolls.left, rolls.right) > S{0})) {  // as it is nearly everywhere
+        if (!any(max(rolls.left, rolls.right) > S{0})) {  // true nearly everywhere
             for (S* row : {flux, to_u, to_v}) store(Number(0), row + i);
             return;
         }
@@ -138,7 +137,7 @@ auto find_fluxes_y(const StageRows<S>& w, const StateRows<S>& from, StateRows<S>
     };
 }
 
-// Through a wall nothing passes. Faces y = 0 … ny.
+// Nothing passes a wall. Faces y = 0 … ny.
 template <class Number, class S = Scalar<Number>>
 void end_fluxes(const StageRows<S>& w, StateRows<S>& out, int y, Span x) {
     for (S* row : {out.flux_x[y], out.momentum_xu[y], out.momentum_xv[y]}) {

@@ -3,8 +3,8 @@
 #include "sim/inertial/fields.h"
 #include "sim/stages/stages.h"
 
-// The velocity at which a layer would end on the surface as it lies now, by central differences over the
-// vertex's four neighbours:
+// The terminal velocity of a layer on the current surface, by central differences over the four neighbours of
+// the vertex:
 //
 //            N              g_x = (E − W) / 2Δx
 //            |              g_y = (N − S) / 2Δx          of z = h + R
@@ -12,13 +12,13 @@
 //            |              v_eq = −(g/|g|) min(v_max, k_v |g|) R / (R + R_h)
 //            S
 //
-// The slope of z rather than of h: it carries the lateral pressure, without which a flow digs itself into
-// rills along the grid. Bedrock and layers are differenced apart: their sum would lose the layers' last
-// digits.
+// It uses the slope of z rather than h, because z includes the lateral pressure. Without it a flow would
+// erode rills along the grid. Bedrock and layers are differenced separately, because their sum would lose the
+// last digits of the layers.
 //
-// v += (1 − e^(−Δt/2τ)) (v_eq − v) for half a sub-step. It leaves b, d and R as they are, so v_eq stands
-// while it lasts and the exponential is its exact answer, however short τ. Half of it before transport and
-// exchange and half after (heun.h) make the sub-step second order (Strang 1968).
+// Relaxation: v += (1 − e^(−Δt/2τ)) (v_eq − v) for half a sub-step. It does not change b, d and R, so v_eq is
+// constant and the exponential is the exact solution, however short τ. One half before transport and exchange
+// and one half after (heun.h) make the sub-step second order (Strang 1968).
 
 namespace sim::inertial {
 
@@ -27,7 +27,7 @@ struct Velocity {
     Number u, v;  // m/s
 };
 
-// z on a row, and by how much it is higher at one vertex than at another, each so far aside of i.
+// The parts of z on a row. rise() is z at vertex j of `to` minus z at vertex i of `from`, m.
 template <class S>
 struct SurfaceRow {
     const S *bedrock, *depth, *rolling;
@@ -39,7 +39,7 @@ template <class Number, class S = Scalar<Number>>
             (at<Number>(from.depth, i) + at<Number>(from.rolling, i)));
 }
 
-// Of vertex i of `here`.
+// The terminal velocity of vertex i of row `here`.
 template <class Number, class S = Scalar<Number>>
 [[gnu::always_inline]] inline Velocity<Number> terminal(const SurfaceRow<S>& south, const SurfaceRow<S>& here,
                                                         const SurfaceRow<S>& north, int i,
@@ -64,8 +64,8 @@ template <class S>
     return {w.bedrock[y], level.depth[y], level.rolling[y]};
 }
 
-// Half of a sub-step's relaxation, toward the terminal velocity of a level: rows y = 0 … ny-1. Reads b and
-// that level's d, R, and R of `now`; writes velocity of `now`, up to vertex `end`.
+// Half of a sub-step's relaxation, toward the terminal velocity of a state: rows y = 0 … ny-1. Reads b, d and
+// R of that state, and R of u0; writes velocity of u0, up to vertex `end`.
 template <class Number, class S = Scalar<Number>>
 auto relax(const StageRows<S>& w, const StateRows<S>& toward, StateRows<S>& out, int y, int end) {
     return [c = w.c, south = surface_row(w, toward, y - 1), here = surface_row(w, toward, y),
@@ -79,8 +79,8 @@ auto relax(const StageRows<S>& w, const StateRows<S>& toward, StateRows<S>& out,
     };
 }
 
-// Beyond the border what rolls has no velocity, but at a wall, where it is mirrored. Rows y = 0 … ny-1, the
-// first and the last for the halo beside them too.
+// Sets the velocity in the halo: mirrored at a wall, otherwise 0. Rows y = 0 … ny-1; the first and the last
+// also fill the halo rows beside them.
 template <class Number, class S = Scalar<Number>>
 void end_velocity(const StageRows<S>& w, StateRows<S>& out, int y, Span x) {
     S *u = out.velocity_x[y], *v = out.velocity_y[y];

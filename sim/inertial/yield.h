@@ -9,30 +9,31 @@
 // Two thresholds (Daerr & Douady 1999). A vertex whose rolling layer is thinner than R_min and slow is at
 // rest:
 //
-//     S > s_start and d + R ≥ R_min   start:   what can start does, no more than start_depth at once
+//     S > s_start and d + R ≥ R_min   start:   loose or all ground starts, at most start_depth at once
 //     else                            freeze:  the thin layer joins the standing one
 //
-// Slow is what deposits; without that a front, which is thin where it arrives, would be stopped the more
-// often the shorter the sub-step. A layer of any depth that stands still freezes too if the vertex holds when
-// it has: S + κ R/Δx ≤ s_start.
+// A layer is slow if its speed allows deposition, |v| ≤ v_dep. Without this condition a front, which is thin
+// at its tip, would be stopped more often with shorter sub-steps. A layer of any depth that stands still also
+// freezes if the vertex holds afterwards: S + κ R/Δx ≤ s_start.
 //
-// Natural ground holds: a vertex that was steep from the first starts only when it has become steeper yet,
+// Natural ground is stronger: a vertex that was steep from the start must become even steeper to start,
 //
 //     s_start = max(start_slope, anchor_gain S₀ + anchor_margin + anchor_step / Δx).
 //
-// The step is a height, whatever the cell: what an avalanche has bared beside a vertex is a scarp of so many
-// metres, the steeper the finer the grid, and one would set off the next all over a face.
+// anchor_step is a height, independent of the cell. An avalanche leaves a scarp of some metres beside a
+// vertex, whose slope increases as the grid gets finer. Without the step one scarp would trigger the next
+// across a whole face.
 //
-// Only natural ground holds so. What lies above the first surface, d > d₀, is loose: it starts above the
-// erosion slope, at which a flow would take it up, and by itself; the ground under it only above its own
-// s_start. So a heap tipped on a slope goes, whatever the slope under it holds.
+// Material above the first surface, d > d₀, is loose. It starts on its own above the erosion slope, at which
+// a flow would erode it. The ground under it starts only above its own s_start. So a heap dumped on a slope
+// starts, however strong the ground under it.
 
 namespace sim::inertial {
 
 inline constexpr float kStandsStill = 1e-3f;  // m/s; a grain on a slope is faster after its first sub-step
 
-// Rows y = 0 … ny-1. Reads drops of `then`, first_slope, first_depth; writes d, R, velocity, up to vertex
-// `end`. `active`, if there is one: a byte for each run of lanes, set where anything rolls.
+// Rows y = 0 … ny-1. Reads drops of u1, first_slope, first_depth; writes d, R, velocity of u0, up to vertex
+// `end`. `active`, if given, has one byte per vector of lanes, which is set if anything rolls.
 template <class Number, class S = Scalar<Number>>
 auto yield(const StageRows<S>& w, StateRows<S>& u0, int y, int end, std::uint8_t* active = nullptr) {
     const auto tell = [end, active](const Number& rolls, int i) {
@@ -67,7 +68,7 @@ auto yield(const StageRows<S>& w, StateRows<S>& u0, int y, int end, std::uint8_t
         if (any_before(end - i, changes)) {
             const auto left = rolls > S{0};
             const Number kept =
-                select(left, before / select(left, rolls, Number(1)), none);  // what starts is at rest
+                select(left, before / select(left, rolls, Number(1)), none);  // started material is at rest
             store_before<Number>(end, d - moved, depth, i);
             store_before(end, rolls, rolling, i);
             store_before<Number>(end, select(changes, u * kept, u), to_u, i);

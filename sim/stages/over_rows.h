@@ -7,9 +7,9 @@
 
 namespace sim {
 
-// A plain step's way: a stage goes over all rows, or all rows of faces, before the next one begins; the rows
-// are shared out among threads. In a mixed world a stage's constants are those of the vertex, and the stage
-// is made anew where they change. Each stage has a name, for who watches.
+// Runs each stage of a plain step over all rows, or all rows of faces, before the next one begins. Threads
+// share the rows. In a mixed world the constants depend on the vertex, and the stage is remade when they
+// change. Each stage has a name for the watch.
 template <class Number, class Work>
 class OverRows {
   public:
@@ -31,7 +31,7 @@ class OverRows {
     void each_row(std::string_view name, Stage&& stage) const {
         each_row(name, stage, [](int) {});
     }
-    // The same for what goes by the numbers of the bed (mixture.h).
+    // The same, with the parameters of the bed (mixture.h).
     template <class Stage, class End>
     void each_row_of_bed(std::string_view name, Stage&& stage, End&& end) const {
         each_vertex(blends_ ? blends_->bed : nullptr, stage, end);
@@ -41,7 +41,7 @@ class OverRows {
     void each_row_of_bed(std::string_view name, Stage&& stage) const {
         each_row_of_bed(name, stage, [](int) {});
     }
-    // Faces know no material: what passes is what vertices give.
+    // Faces have no material, because the vertices determine the fluxes.
     template <class Stage, class End>
     void each_face(std::string_view name, Stage&& stage, End&& end) const {
         each(w_.ny + 1, [&](int y) { along<Number>(all().faces(), stage(y)), end(y); });
@@ -51,7 +51,7 @@ class OverRows {
     void each_face(std::string_view name, Stage&& stage) const {
         each_face(name, stage, [](int) {});
     }
-    // What is no stage.
+    // Runs work that is not a stage.
     template <class Do>
     void each_row_do(std::string_view name, Do&& work) const {
         each(w_.ny, work);

@@ -10,7 +10,7 @@
 
 namespace sim {
 
-// What the plain step of either model needs beside fields.
+// What the plain step of either model needs besides fields.
 struct PlainContext {
     Outlets outlets;
 

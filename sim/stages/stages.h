@@ -18,8 +18,8 @@
 // one more than vertices, along x and along y; a face lies west or south of the vertex whose number it bears.
 // Lanes beyond the end of a row mean nothing; what ends a row is set by end_… when it is done.
 //
-// All are templates on Number, those too that do not reckon with it: they are compiled for instruction sets
-// that a machine may lack (sweep/sweep.h), and must not be shared with what is not.
+// All are templates on Number, even those that do not compute with it. They are compiled for instruction sets
+// that a machine may lack (sweep/sweep.h), so they must not be shared with other code.
 
 namespace sim {
 
@@ -75,8 +75,8 @@ auto find_drops(const Work& w, const State& u, Rows<S>& to_x, Rows<S>& to_y, int
     };
 }
 
-// What makes them of second order: faces y = 0 … ny. Reads drop_x, drop_y; writes bend_x, bend_y. Beyond the
-// halo h goes on as it came.
+// The curvature correction, for second order: faces y = 0 … ny. Reads drop_x, drop_y; writes curvature_x,
+// curvature_y. Beyond the halo h continues linearly.
 template <class Number, class Work, class S = Scalar<Number>>
 void end_drops(const Work& w, Rows<S>& drop_x, int y) {
     S* drop = drop_x[y];
@@ -93,8 +93,7 @@ auto find_curvature(const Work& w, const State& u, Rows<S>& to_x, Rows<S>& to_y,
               curvature_y + i);
     };
 }
-// What was carried into no-data has left the world. Rows y = 0 … ny-1; writes d, R, and velocity that is
-// state.
+// Removes material that flowed into no-data. Rows y = 0 … ny-1; writes d, R, and velocity if it is state.
 template <class Number, class State>
 void clear_drains(State& u, const Outlets::View& outlets, int y, Span x) {
     Scalar<Number>*d = u.depth[y], *r = u.rolling[y];
@@ -106,7 +105,8 @@ void clear_drains(State& u, const Outlets::View& outlets, int y, Span x) {
     }
 }
 
-// What left the world from row y, in quanta, within the vertices of x. Reads flux_x, flux_y, booked.
+// The outflow from row y out of the world, in quanta, within the vertices of x. Reads flux_x, flux_y,
+// quantised.
 template <class Number, class Fluxes>
 std::int64_t drained(const Fluxes& through, const Outlets::View& outlets, int y, Span x) {
     std::int64_t quanta = 0;

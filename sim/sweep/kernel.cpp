@@ -6,11 +6,11 @@
 // the rows of a job: each stage runs as soon as the rows that it reads are done, and only the last few rows
 // of what it writes are kept, so that they are still in a near cache when the next stage wants them.
 //
-//     drops (t)  ─►  fall (t − 1)  ─►  given (t − 1)  ─►  fluxes (t − 1)  ─►  d, R (t − 2)
+//     drops (t)  ─►  slope_dx (t − 1)  ─►  outflow (t − 1)  ─►  fluxes (t − 1)  ─►  d, R (t − 2)
 //
-// The layers' rows are overwritten when no stage reads any more what they were. Of what lies beside a job the
-// stages are reckoned too, each on so many rows more (`beside`) as those that read it need: the last on none,
-// the first of all on what kApron covers. Two jobs find the same there, to the bit.
+// A row of the layers is overwritten once no stage reads its old values. Stages are also computed on rows
+// beside a job (`beside`), on as many as later stages read: the last on none, the first on all that kApron
+// covers. Two neighbouring jobs compute bit-identical values there.
 
 namespace sim::sweep {
 

@@ -55,7 +55,7 @@ struct Kernels {
     // Sweeps a job through one sub-step. Returns what left the world, in quanta. `work` points to x = 0 of
     // the first work row, `active` to a byte for each run of lanes in a row, all 0.
     std::int64_t (*sweep)(const Ground& ground, const Job& job, float* work, std::uint8_t* active);
-    // The velocity at the end of a tick, for who looks on; 0 where nothing rolls.
+    // Computes the velocity for views at the end of a tick; 0 where nothing rolls.
     void (*velocity)(const Ground& ground, const Job& job, float* work);
     // What a layer holds on `width` by `height` vertices from `first` on, rows `stride` apart, in quanta:
     // exact.

@@ -14,8 +14,8 @@ struct Tiles;
 
 namespace sweep {
 
-// Shares the tiles that are awake out among threads, and sweeps them. Made once per world; allocates nothing
-// afterwards. Holds nothing from one sub-step to the next.
+// Distributes the awake tiles among threads and sweeps them. Made once per world; allocates nothing
+// afterwards. Keeps no state between sub-steps.
 class Sweeper {
   public:
     Sweeper(const State& state, int threads, bool last_tile_first);
@@ -23,7 +23,7 @@ class Sweeper {
     // One sub-step, without commands; returns what left the world, in quanta.
     std::int64_t substep(State& state, Workers& workers, InstructionSet set, Substep<float> sub);
 
-    // Once a tick, after its sub-steps: the velocity for who looks on.
+    // Computes the velocity for views, once a tick after its sub-steps.
     void find_velocity(State& state, Workers& workers, InstructionSet set);
 
   private:

@@ -10,14 +10,14 @@
 
 namespace sim {
 
-// Of a mixed world: the numbers of both materials, blended in so many proportions, 0 to 1 of the lower one.
+// The number of blends of both materials' parameters in a mixed world, 0 to 1 of the lower one.
 inline constexpr int kBlends = 33;
 
 inline int nearest_blend(float share) {
     return static_cast<int>(std::floor(share * (kBlends - 1) + 0.5f));
 }
 
-// Linear in each number; exactly the one or the other at the ends.
+// Blends linearly in each parameter; exact at both ends.
 inline Params blended(const Params& upper, const Params& lower, int blend) {
     const float share = static_cast<float>(blend) / (kBlends - 1);
     Params params = upper;
@@ -26,7 +26,7 @@ inline Params blended(const Params& upper, const Params& lower, int blend) {
     return params;
 }
 
-// What the formulas of a model take from the numbers, for each blend, and which one each vertex goes by.
+// A model's constants for each blend, and the blend of each vertex.
 template <class Constants>
 struct Blends {
     std::array<Constants, kBlends> constants;

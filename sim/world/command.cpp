@@ -259,7 +259,7 @@ void apply_commands(State& state, std::span<const Command> commands) {
             case CommandKind::kSet:
                 set_number(state.params, c);
                 if (state.mixture) take_choices(state.params, state.mixture->lower);
-                state.tiles.wake_all();  // what held by the old number may start by the new one
+                state.tiles.wake_all();  // ground that held with the old value may start with the new one
                 break;
         }
     }

@@ -17,10 +17,10 @@ enum class Site : std::uint8_t {
     kWall,    // nothing passes: the halo of wall borders
 };
 
-// What lies and what rolls on a grid, and what it lies on. All lengths are vertical metres.
+// The bedrock, standing layer and rolling layer on a grid. All lengths are vertical metres.
 // Number is float in a world: depth and rolling are whole multiples of kQuantum (quanta.h), so that sums and
-// differences of them are exact. It is double where schemes are compared with exact answers: there are no
-// quanta then, and all stages are the same code.
+// differences of them are exact. It is double for comparing schemes with exact solutions: then there are no
+// quanta, but the stages are the same code.
 template <class Number>
 struct Layers {
     Grid grid;

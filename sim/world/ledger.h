@@ -11,7 +11,7 @@ inline constexpr float kQuantum = 1.f / 131072.f;  // 2⁻¹⁷ m, 7.6 µm
 inline constexpr float kDeepest = 128.f;
 
 // Where the mass is, in quanta of depth times cells: exact whole numbers, one quantum is kQuantum · dx² m³.
-// standing + rolling + out − poured + dug = initial, always; mass_error says by how much it is not so.
+// standing + rolling + out − poured + dug = initial, always; mass_error() is the deviation.
 struct Ledger {
     std::int64_t initial = 0;   // standing and rolling when the world began
     std::int64_t standing = 0;  // as counted last

@@ -20,9 +20,9 @@
 // model says; the mixture goes along with it, exactly: every amount here is whole quanta, none is below 0 or
 // above its layer, and what there is of the lower material is accounted for as all mass is.
 //
-// The mixture says by which numbers a vertex goes: those of both materials, blended in proportion (blend.h).
-// A layer flows by the numbers of what rolls. It erodes, deposits, starts and freezes by the mean of what
-// rolls and what lies, for there the one rubs on the other.
+// The mixture determines the parameters of a vertex: those of both materials, blended in proportion
+// (blend.h). A layer flows with the parameters of the rolling mixture. It erodes, deposits, starts and
+// freezes with the mean of the rolling and the standing mixture, because there one rubs on the other.
 
 namespace sim {
 
@@ -60,7 +60,7 @@ void dig_mixture(State& state, int x, int y, float from_rolling, float from_stan
 void start_mixture(State& state, int x, int y, float amount);
 void stop_mixture(State& state, int x, int y, float amount);
 
-// What a sub-step of a mixed world needs beside a plain step's. Made once for a world.
+// The extra working memory for a sub-step of a mixed world. Made once per world.
 struct Mixing {
     Mixing(const State& state);
 
@@ -69,7 +69,7 @@ struct Mixing {
     Field<float> lower_x, lower_y;  // m of the lower material through each face, to the east, to the north
 };
 
-// Before a sub-step: finds the blends and remembers the layers.
+// Finds the blends and stores the layers, before a sub-step.
 void begin_mixing(const State& state, Mixing& mixing, Workers& workers);
 // After it: the mixture goes along with what went through the faces (m, whole quanta), and with what was
 // exchanged. `dither`, 0 to 1, as the sub-step rounded.

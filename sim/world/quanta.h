@@ -10,8 +10,8 @@ namespace sim {
 
 // A sub-step's length, and the dither with which it rounds to quanta: one number for all of it, equally
 // spread over (0, 1) from sub-step to sub-step (golden-ratio sequence). So rounding is right on average over
-// time, and a film whose flux is less than a quantum per sub-step still flows; always rounding to nearest
-// would nail it to its place.
+// time, and a film whose flux is less than a quantum per sub-step still flows. Rounding to nearest would keep
+// it in place.
 template <class Number>
 struct Substep {
     Number dt = 0;        // s

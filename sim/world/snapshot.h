@@ -8,8 +8,8 @@
 
 namespace sim {
 
-// What of a state changes while its world stays: a plain value. Restoring it into a state of the same world
-// gives the same hash and the same future, to the bit.
+// The part of a state that changes in a fixed world: a plain value. Restoring it into a state of the same
+// world gives the same hash and a bit-identical future.
 struct Snapshot {
     Params params;
     Field<float> depth, rolling, velocity_x, velocity_y, first_depth;  // as in State

@@ -16,16 +16,16 @@
 
 namespace sim {
 
-// A command that is being done: a pour or a dig may go on for more than the tick it began in.
+// A running command: a pour or a dig may last longer than its first tick.
 struct RunningCommand {
     Command command;
     std::int64_t first_tick = 0;
     bool operator==(const RunningCommand&) const = default;
 };
 
-// All that a step changes, and the ground it changes it on. A plain value: copy it to keep it.
+// All that a step changes, and the ground under it. A plain value: copy it to keep it.
 struct State : Layers<float> {
-    Params params;  // the numbers of the physics, as the last command left them
+    Params params;  // current parameters, including those set by commands
 
     double datum = 0;  // m, height of b = 0 above the terrain's zero; bedrock is kept small so that slopes
                        // keep their digits
