@@ -21,8 +21,8 @@ std::vector<NamedField> fields_of(const State& s) {
 
 std::vector<NamedField> fields_of(const Scratch<float>& s) {
     std::vector<NamedField> fields;
-    const auto add = [&](std::string_view name, const Field<float>& values) {
-        fields.push_back({std::string(name), &values});
+    const auto add = [&](FieldName name, const Field<float>& values) {
+        fields.push_back({name.text(), &values});
     };
     std::visit([&](const auto& of_model) { each_field(add, of_model); }, s.fields);
     if (const auto& mixing = s.context.mixing) {

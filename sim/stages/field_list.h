@@ -12,11 +12,20 @@
 
 namespace sim {
 
+// The name of a field in two parts, joined only for a report: rows are made in every sub-step.
+struct FieldName {
+    std::string_view prefix, name;  // "u0." or nothing; "depth"
+
+    FieldName(std::string_view its_prefix, std::string_view its_name) : prefix(its_prefix), name(its_name) {}
+    FieldName(const char* whole) : name(whole) {}
+    std::string text() const { return std::string(prefix) + std::string(name); }
+};
+
 // Visits with "u0." before each name.
 template <class Visit>
-constexpr auto with_prefix(std::string_view prefix, Visit& visit) {
+auto with_prefix(std::string_view prefix, Visit& visit) {
     return [prefix, &visit](std::string_view name, auto&... fields) {
-        visit(std::string(prefix) + std::string(name), fields...);
+        visit(FieldName(prefix, name), fields...);
     };
 }
 
@@ -32,15 +41,15 @@ constexpr std::size_t members_visited(Each&& each) {
 
 template <template <class> class List, class Number>
 void allocate(List<Field<Number>>& fields, const Grid& grid) {
-    each_field([&](std::string_view, Field<Number>& field) { field = Field<Number>(grid); }, fields);
+    each_field([&](FieldName, Field<Number>& field) { field = Field<Number>(grid); }, fields);
 }
 
 // Rows of whole fields, for a stage that goes over all of them.
 template <template <class> class List, class Number>
 List<Rows<Number>> rows_of(List<Field<Number>>& fields) {
     List<Rows<Number>> rows;
-    each_field([](std::string_view, Rows<Number>& its, Field<Number>& field) { its = Rows<Number>(field); },
-               rows, fields);
+    each_field([](FieldName, Rows<Number>& its, Field<Number>& field) { its = Rows<Number>(field); }, rows,
+               fields);
     return rows;
 }
 
