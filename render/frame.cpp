@@ -89,9 +89,9 @@ std::optional<DrawTimes> Renderer::stage_times() const {
     return parts_->clock.times();
 }
 
-void Renderer::draw(const sim::View& world, const Camera& camera, const Light& light, const Look& look,
-                    const Marks& marks, int width, int height, const sim::front::FlowView* flow) {
+void Renderer::draw(const FrameInput& input) {
     Parts& p = *parts_;
+    const auto& [world, camera, light, look, marks, flow, width, height] = input;
     const int samples = samples_of(p.quality);
     const ScopedState state;  // restores the state for other users of the context
 
@@ -100,9 +100,8 @@ void Renderer::draw(const sim::View& world, const Camera& camera, const Light& l
 
     // Upload the world first: everything below reads these textures, and only they change with the state.
     const bool new_terrain = p.fields.upload(world);
-    const FrameBlock frame =
-        make_frame_block(world, p.fields.heights(), camera, light, look, marks, {width, height, samples},
-                         flows ? std::optional(p.flow_tint(look, marks)) : std::nullopt);
+    const FrameBlock frame = make_frame_block(input, p.fields.heights(), samples,
+                                              flows ? std::optional(p.flow_tint(look, marks)) : std::nullopt);
     glNamedBufferSubData(p.frame_block.name(), 0, sizeof frame, &frame);
     glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_FRAME, p.frame_block.name());
     p.fields.bind();

@@ -7,14 +7,10 @@
 
 #include <tl/expected.hpp>
 
-#include "render/camera.h"
 #include "render/context.h"
 #include "render/draw_times.h"
-#include "render/look.h"
-#include "render/marks.h"
+#include "render/frame_input.h"
 #include "render/picture.h"
-#include "sim/front/flow_view.h"
-#include "sim/world/state.h"
 
 namespace render {
 
@@ -24,8 +20,8 @@ enum class Quality {
 };
 
 // Draws a world. Needs a current GL 4.5 context, from headless EGL or a window, throughout its lifetime.
-// Views are read, never kept, and rendering never affects the simulation. A frame depends only on the
-// arguments of draw().
+// Views are read, never kept, and rendering never affects the simulation. A frame depends only on its
+// FrameInput and the quality.
 class Renderer {
   public:
     // `assets` is the folder that holds shaders/. Errors name the shader file and line.
@@ -42,13 +38,10 @@ class Renderer {
     // Sets the quality of the following frames.
     void set_quality(Quality quality);
 
-    // Runs all passes, in order, into an offscreen target of the given size in pixels, > 0. `flow` is drawn
-    // as look.flow says; its mesh is the heightfield of the world's grid. Without either, no texture is
-    // advected. GL state is restored, except that texture units are left empty and bindings of uniform blocks
-    // and image units may change. Allocates nothing while size, quality and terrain are those of the last
-    // frame.
-    void draw(const sim::View& world, const Camera& camera, const Light& light, const Look& look,
-              const Marks& marks, int width, int height, const sim::front::FlowView* flow = nullptr);
+    // Runs all passes, in order, into an offscreen target of the frame's size. GL state is restored, except
+    // that texture units are left empty and bindings of uniform blocks and image units may change. Allocates
+    // nothing while size, quality and terrain are those of the last frame.
+    void draw(const FrameInput& input);
 
     // Returns the last drawn frame, top row first, sRGB 8 bit, 3 channels. Waits for the frame.
     Picture read_back() const;

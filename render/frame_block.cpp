@@ -85,17 +85,18 @@ int most_rows(const sim::Grid& grid) {
     return std::max(grid.nx, grid.ny);
 }
 
-FrameBlock make_frame_block(const sim::View& world, HeightRange heights, const Camera& camera,
-                            const Light& light, const Look& look, const Marks& marks, FrameSize size,
+FrameBlock make_frame_block(const FrameInput& input, HeightRange heights, int samples,
                             const std::optional<glm::vec3>& flow_tint) {
+    const sim::View& world = input.world;
+    const Look& look = input.look;
     const double side = static_cast<double>(std::max(world.grid.nx, world.grid.ny) - 1) * world.grid.dx;
     FrameBlock block{};
     block.eye.w = static_cast<float>(kDetailTilesPerSide / side);
-    set_view(block, camera, world.datum, static_cast<double>(size.width) / size.height);
-    set_sun(block, light);
+    set_view(block, input.camera, world.datum, static_cast<double>(input.width) / input.height);
+    set_sun(block, input.light);
     block.ground = glm::dvec4(world.grid.dx, heights.lowest - block_depth(world.grid), heights.lowest,
                               std::max(heights.highest, heights.lowest + 1));
-    block.haze = glm::dvec4(kHazeBegins * camera.distance_m, 1 / (kHazeLength * side), 0, look.detail);
+    block.haze = glm::dvec4(kHazeBegins * input.camera.distance_m, 1 / (kHazeLength * side), 0, look.detail);
     set_sweep(block, world.grid);
     block.rock = glm::vec4(look.rock, 0);
     block.meadow = glm::vec4(look.meadow, 0);
@@ -103,14 +104,14 @@ FrameBlock make_frame_block(const sim::View& world, HeightRange heights, const C
     block.rolling = glm::vec4(look.rolling, look.rolling_visible_m);
     block.lower_standing = glm::vec4(look.lower_standing, world.mixture ? 1 : 0);
     block.lower_rolling = glm::vec4(look.lower_rolling, 0);
-    const double pixel = 2 * glm::length(glm::dvec3(block.ray_up)) / (size.height * size.samples);
+    const double pixel = 2 * glm::length(glm::dvec3(block.ray_up)) / (input.height * samples);
     if (flow_tint) {
         block.flow = glm::dvec4(look.flow->repeats / side,
                                 look.flow->everywhere ? FLOW_EVERYWHERE : FLOW_ROLLING, 0, 0);
         block.flow_tint = glm::vec4(*flow_tint, 0);
     }
-    block.material = glm::dvec4(look.roughness * look.detail, pixel, size.samples, 0);
-    set_marks(block, marks, heights, world.datum);
+    block.material = glm::dvec4(look.roughness * look.detail, pixel, samples, 0);
+    set_marks(block, input.marks, heights, world.datum);
     return block;
 }
 

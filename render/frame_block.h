@@ -7,11 +7,8 @@
 #include <glm/vec4.hpp>
 
 #include "assets/shaders/slots.glsl"
-#include "render/camera.h"
+#include "render/frame_input.h"
 #include "render/height_range.h"
-#include "render/look.h"
-#include "render/marks.h"
-#include "sim/world/state.h"
 
 namespace render {
 
@@ -40,14 +37,9 @@ int most_rays(const sim::Grid& grid);
 // The largest `size.w`: rows of the sun sweep.
 int most_rows(const sim::Grid& grid);
 
-// The size of a frame: pixels, and samples along the edge of a pixel.
-struct FrameSize {
-    int width = 0, height = 0, samples = 1;
-};
-
-// `flow_tint`: the factor for the colours of the advected texture. None: no texture is shown.
-FrameBlock make_frame_block(const sim::View& world, HeightRange heights, const Camera& camera,
-                            const Light& light, const Look& look, const Marks& marks, FrameSize size,
+// `heights`: of the bedrock. `samples`: along the edge of a pixel. `flow_tint`: the factor for the colours of the
+// advected texture. None: no texture is shown.
+FrameBlock make_frame_block(const FrameInput& input, HeightRange heights, int samples,
                             const std::optional<glm::vec3>& flow_tint);
 
 }  // namespace render

@@ -29,7 +29,13 @@ struct Gallery::Parts {
 
     render::DrawTimes draw(const sim::View& world, const sim::front::FlowView* flow,
                            const render::Camera& from, const std::string& name) {
-        renderer.draw(world, from, light, look, {}, size.width, size.height, flow);
+        renderer.draw({.world = world,
+                       .camera = from,
+                       .light = light,
+                       .look = look,
+                       .flow = flow,
+                       .width = size.width,
+                       .height = size.height});
         writer.submit(renderer.read_back(), folder / (name + ".png"));
         ++pictures;
         return *renderer.stage_times();

@@ -265,7 +265,6 @@ void App::draw_world() {
     const auto scaled = [&](int pixels) {
         return std::max(1, static_cast<int>(std::lround(pixels * display_.resolution)));
     };
-    const sim::View world = sandbox_->session().view();
     render::Marks marks{
         .overlay = display_.overlay, .contours = display_.contours, .flow_mesh = display_.flow_mesh};
     if (ground_ && !sandbox_->looks_back() && !sandbox_->scenario().flow) {
@@ -284,8 +283,14 @@ void App::draw_world() {
         render::Look look = sandbox_->scenario().look;
         look.detail = display_.detail;
         renderer_.set_quality(display_.fine ? render::Quality::kFine : render::Quality::kFast);
-        renderer_.draw(world, wanted.camera, display_.light, look, marks, wanted.width, wanted.height,
-                       sandbox_->session().fronts());
+        renderer_.draw({.world = sandbox_->session().view(),
+                        .camera = wanted.camera,
+                        .light = display_.light,
+                        .look = look,
+                        .marks = marks,
+                        .flow = sandbox_->session().fronts(),
+                        .width = wanted.width,
+                        .height = wanted.height});
     }
     renderer_.show_on(screen_.framebuffer(), size.width, size.height);
     if (waits_for_gl_) renderer_.wait();

@@ -47,7 +47,13 @@ Outcome<void> Canvas::show(const Scenario& scenario) {
 render::DrawTimes Canvas::draw(const sim::View& world, const sim::front::FlowView* flow) {
     Parts& p = *parts_;
     if (!p.camera) p.camera = render::overview(world);
-    p.renderer.draw(world, *p.camera, p.light, p.look, {}, p.size.width, p.size.height, flow);
+    p.renderer.draw({.world = world,
+                     .camera = *p.camera,
+                     .light = p.light,
+                     .look = p.look,
+                     .flow = flow,
+                     .width = p.size.width,
+                     .height = p.size.height});
     return *p.renderer.stage_times();
 }
 

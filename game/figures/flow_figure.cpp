@@ -90,7 +90,14 @@ struct Studio::Parts {
         look.detail = 0;
         render::Light light;
         light.azimuth_deg = 315, light.elevation_deg = 50;
-        renderer.draw(flow.ground(), camera_of(cutout), light, look, marks, pixels, pixels, &flow.view());
+        renderer.draw({.world = flow.ground(),
+                       .camera = camera_of(cutout),
+                       .light = light,
+                       .look = look,
+                       .marks = marks,
+                       .flow = &flow.view(),
+                       .width = pixels,
+                       .height = pixels});
         return renderer.read_back();
     }
 };

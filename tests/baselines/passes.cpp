@@ -40,7 +40,7 @@ class Pass : public testing::Test {
     render::Picture draw(const World& world, const Camera& camera, const Light& light = {},
                          const Look& look = {}, const Marks& marks = {},
                          const sim::front::FlowView* flow = nullptr) {
-        renderer_->draw(world.view(), camera, light, look, marks, kWidth, kHeight, flow);
+        renderer_->draw({world.view(), camera, light, look, marks, flow, kWidth, kHeight});
         return renderer_->read_back();
     }
 

@@ -45,8 +45,8 @@ class Flow : public Gl {
     // Straight down on the whole ground.
     Picture seen(const FlowView& of, const Look& look, const Light& light = {135, 60},
                  const Marks& marks = {}) {
-        renderer_->draw(ground.view(), from_above({kSide / 2, kSide / 2, 0}, kSide), light, look, marks,
-                        kPixels, kPixels, &of);
+        renderer_->draw({ground.view(), from_above({kSide / 2, kSide / 2, 0}, kSide), light, look, marks, &of,
+                         kPixels, kPixels});
         return renderer_->read_back();
     }
 
@@ -231,7 +231,7 @@ TEST_F(Flow, is_hidden_by_hills_and_visible_only_within_its_layer) {
     const auto drawn = [&](const Camera& camera, bool with) {
         look.flow.reset();
         if (with) look.flow = FlowLook{FlowPattern::kSnow, 9, false};
-        renderer_->draw(world.view(), camera, {180, 40}, look, {}, 160, 90, &its_flow);
+        renderer_->draw({world.view(), camera, {180, 40}, look, {}, &its_flow, 160, 90});
         return renderer_->read_back().pixels;
     };
     EXPECT_EQ(drawn(from_south, true), drawn(from_south, false));
@@ -259,8 +259,14 @@ TEST_F(Flow, that_came_to_rest_keeps_its_texture_as_deposit) {
     look.flow = FlowLook{FlowPattern::kSnow, 1, false};
     const auto drawn = [&](bool known) {
         flow.set_rise(known ? std::span<const float>(rise) : std::span<const float>());
-        renderer_->draw(world.view(), from_above({kSide / 2, kSide / 2, 0}, kSide), {135, 40}, look, {},
-                        kPixels, kPixels, &flow);
+        renderer_->draw({world.view(),
+                         from_above({kSide / 2, kSide / 2, 0}, kSide),
+                         {135, 40},
+                         look,
+                         {},
+                         &flow,
+                         kPixels,
+                         kPixels});
         return renderer_->read_back();
     };
     // Share of pixels of a part of the ground that have another colour.
@@ -303,8 +309,14 @@ TEST_F(Flow, draws_without_allocating_or_creating_objects) {
             },
             1);
         const std::int64_t before = support::allocations_of_all_threads();
-        renderer_->draw(ground.view(), from_above({kSide / 2, kSide / 2, 0}, kSide), Light(), flowing(), {},
-                        64, 64, &flow);
+        renderer_->draw({ground.view(),
+                         from_above({kSide / 2, kSide / 2, 0}, kSide),
+                         Light(),
+                         flowing(),
+                         {},
+                         &flow,
+                         64,
+                         64});
         return support::allocations_of_all_threads() - before;
     };
     for (int i = 0; i < 60; ++i) frame(i);

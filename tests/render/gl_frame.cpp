@@ -118,7 +118,7 @@ TEST_F(Gl, differs_between_fine_and_fast_quality_only_at_edges) {
     const Picture fast = draw(world, overview(world.view()), Light(), plain_look(), 160, 90);
     auto fine_renderer = Renderer::create(support::source_dir() / "assets", Quality::kFine);
     ASSERT_TRUE(fine_renderer) << fine_renderer.error();
-    fine_renderer->draw(world.view(), overview(world.view()), Light(), plain_look(), {}, 160, 90);
+    fine_renderer->draw({world.view(), overview(world.view()), Light(), plain_look(), {}, nullptr, 160, 90});
     const Picture fine = fine_renderer->read_back();
     double sum = 0;
     for (std::size_t i = 0; i < fast.pixels.size(); ++i) sum += std::abs(fast.pixels[i] - fine.pixels[i]);

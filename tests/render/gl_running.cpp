@@ -31,7 +31,7 @@ TEST_F(Gl, allocates_nothing_and_creates_no_object_in_later_frames) {
         world.rolling(20 + i, 20) = 1;  // the simulation continues
         camera.azimuth_deg += 1;
         const Marks marks = i % 3 == 0 ? Marks() : all_marks(i % 3 == 1 ? Overlay::kNone : Overlay::kSpeed);
-        renderer_->draw(world.view(), camera, Light(), Look(), marks, 160, 90);
+        renderer_->draw({world.view(), camera, Light(), Look(), marks, nullptr, 160, 90});
         glFinish();
     };
     for (int i = 0; i < 6; ++i) frame(i);
@@ -46,7 +46,7 @@ TEST_F(Gl, allocates_nothing_and_creates_no_object_in_later_frames) {
     EXPECT_EQ(gl_objects, 0);
 
     // The same counters detect a frame of another size, and a plain allocation.
-    renderer_->draw(world.view(), camera, Light(), Look(), {}, 100, 60);
+    renderer_->draw({world.view(), camera, Light(), Look(), {}, nullptr, 100, 60});
     EXPECT_GE(gl_objects, 4);
     const std::int64_t after = support::allocations_of_all_threads();
     operator delete(operator new(8));  // the compiler may omit a new expression
@@ -58,7 +58,7 @@ TEST_F(Gl, changes_its_quality_between_frames) {
     const Camera camera = overview(world.view());
     auto fine = Renderer::create(support::source_dir() / "assets", Quality::kFine);
     ASSERT_TRUE(fine) << fine.error();
-    fine->draw(world.view(), camera, Light(), Look(), {}, 160, 90);
+    fine->draw({world.view(), camera, Light(), Look(), {}, nullptr, 160, 90});
 
     const Picture fast = draw(world, camera, Light(), Look(), 160, 90);
     renderer_->set_quality(Quality::kFine);

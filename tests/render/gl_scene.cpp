@@ -86,7 +86,7 @@ void Gl::SetUp() {
 
 Picture Gl::draw(const World& world, const Camera& camera, const Light& light, const Look& look, int width,
                  int height, const Marks& marks) {
-    renderer_->draw(world.view(), camera, light, look, marks, width, height);
+    renderer_->draw({world.view(), camera, light, look, marks, nullptr, width, height});
     return renderer_->read_back();
 }
 

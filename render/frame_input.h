@@ -1,0 +1,25 @@
+#pragma once
+
+#include "render/camera.h"
+#include "render/look.h"
+#include "render/marks.h"
+#include "sim/front/flow_view.h"
+#include "sim/world/state.h"
+
+namespace render {
+
+// Everything that a frame shows. A plain value, of which draw() keeps nothing: `world` and `flow` are views that
+// must be valid during the call only.
+struct FrameInput {
+    sim::View world;
+    Camera camera;
+    Light light = {};
+    Look look = {};
+    Marks marks = {};
+    // Drawn as look.flow says; its mesh is the heightfield of the world's grid. Without either, no texture is
+    // advected.
+    const sim::front::FlowView* flow = nullptr;
+    int width = 0, height = 0;  // of the frame, pixels, > 0
+};
+
+}  // namespace render
