@@ -115,11 +115,6 @@ std::optional<Value> found(const Infos& names, std::string_view name) {
     return std::nullopt;
 }
 
-// Every real member of a command.
-constexpr double Command::*kNumbers[] = {&Command::x,    &Command::y,        &Command::radius,
-                                         &Command::rate, &Command::duration, &Command::depth,
-                                         &Command::value};
-
 // What is wrong with the members that a kind does not use. Compared as bits: -0 is hashed as another number
 // than 0.
 std::optional<std::string> fault_of_unused(const Command& command, const CommandInfo& info) {
@@ -132,9 +127,11 @@ std::optional<std::string> fault_of_unused(const Command& command, const Command
                 (info.has_profile || command.profile == defaults.profile) &&
                 (info.has_part || command.of == defaults.of) &&
                 (info.has_param || command.param == defaults.param);
-    for (const auto member : kNumbers)
-        kept = kept && (is_used(member) || std::bit_cast<std::uint64_t>(command.*member) ==
-                                               std::bit_cast<std::uint64_t>(defaults.*member));
+    for (const CommandInfo& other : kCommands)
+        for (const CommandNumber& number : other.numbers)
+            kept =
+                kept && (is_used(number.value) || std::bit_cast<std::uint64_t>(command.*number.value) ==
+                                                      std::bit_cast<std::uint64_t>(defaults.*number.value));
     if (kept) return std::nullopt;
     return std::string(info.name) + " has a member that only other commands have";
 }

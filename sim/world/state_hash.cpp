@@ -7,6 +7,7 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <initializer_list>
 #include <utility>
@@ -75,6 +76,24 @@ class Digest {
     XXH3_state_t state_;
 };
 
+// All members that the command's kind uses. Every kind hashes the members of the first physics version, used or
+// not; any other member only the kinds that use it, as kCommands says. So a new member or kind changes no hash
+// of an older command.
+void add_command(Digest& digest, const Command& c) {
+    constexpr std::array kAlways{&Command::x,    &Command::y,        &Command::radius,
+                                 &Command::rate, &Command::duration, &Command::depth};
+    const CommandInfo& info = info_of(c.kind);
+    digest.add(c.kind);
+    for (const auto member : kAlways) digest.add(c.*member);
+    digest.add(c.layer);
+    digest.add(c.profile);
+    if (c.of != Part::kUpper) digest.add(c.of);  // younger than the first physics version
+    for (const CommandNumber& number : info.numbers)
+        if (std::find(kAlways.begin(), kAlways.end(), number.value) == kAlways.end())
+            digest.add(c.*number.value);
+    if (info.has_param) digest.add(static_cast<std::uint64_t>(c.param));
+}
+
 // Of the hashes of all blocks, row by row: hash(i) is that of block i.
 template <class Hash>
 std::uint64_t hash_of_blocks(const Blocks& blocks, const Hash& hash) {
@@ -93,12 +112,7 @@ std::uint64_t whole_hash(const State& s, std::uint64_t bedrock, std::uint64_t mo
     digest.add(moving);
     digest.add(s.tick);
     for (const RunningCommand& source : s.running_commands) {
-        const Command& c = source.command;
-        digest.add(c.kind);
-        for (const double number : {c.x, c.y, c.radius, c.rate, c.duration, c.depth}) digest.add(number);
-        digest.add(c.layer);
-        digest.add(c.profile);
-        if (c.of != Part::kUpper) digest.add(c.of);
+        add_command(digest, source.command);
         digest.add(source.first_tick);
     }
     digest.add(s.seed);

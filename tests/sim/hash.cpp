@@ -75,6 +75,51 @@ TEST(StateHash, includes_tick_commands_and_seed_but_not_the_halo) {
     EXPECT_EQ(sim::state_hash(play.state), before);
 }
 
+// Two values that the command may have: its own, and one bit more.
+template <class Value>
+std::uint64_t hash_with(World& play, sim::Command command, Value sim::Command::*member, Value value) {
+    command.*member = value;
+    play.state.running_commands = {{command, 0}};
+    return sim::state_hash(play.state);
+}
+
+// As the manifest says, so that a command with a new member needs no line here.
+TEST(StateHash, includes_every_member_that_a_kind_of_command_uses) {
+    World play;
+    for (const sim::CommandInfo& info : sim::kCommands) {
+        const sim::Command command{.kind = info.kind};
+        const auto differs = [&](auto sim::Command::*member, auto one, auto other) {
+            return hash_with(play, command, member, one) != hash_with(play, command, member, other);
+        };
+        for (const sim::CommandNumber& number : info.numbers)
+            EXPECT_TRUE(differs(number.value, number.most, std::nextafter(number.most, 0.)))
+                << info.name << "'s " << number.name;
+        if (info.has_layer) {
+            EXPECT_TRUE(differs(&sim::Command::layer, sim::Layer::kRolling, sim::Layer::kStanding));
+        }
+        if (info.has_profile) {
+            EXPECT_TRUE(differs(&sim::Command::profile, sim::Profile::kDisc, sim::Profile::kCone));
+        }
+        if (info.has_part) {
+            EXPECT_TRUE(differs(&sim::Command::of, sim::Part::kUpper, sim::Part::kLower));
+        }
+        if (info.has_param) {
+            EXPECT_TRUE(differs(&sim::Command::param, std::size_t{0}, std::size_t{1}));
+        }
+    }
+}
+
+// Recordings compare with it: a new member must not change the hash of a command without it.
+TEST(StateHash, of_the_first_kinds_of_command_stays_as_recorded) {
+    sim::State state;
+    const sim::Command pour = support::pour_at(1, 2, 3, 4, 5);
+    sim::Command dig = pour, cone = pour;
+    dig.kind = sim::CommandKind::kDig;
+    cone.of = sim::Part::kLower, cone.layer = sim::Layer::kStanding, cone.profile = sim::Profile::kCone;
+    state.running_commands = {{pour, 6}, {dig, 7}, {cone, 8}};
+    EXPECT_EQ(sim::state_hash(state), 0xb523bc271788bdc6);
+}
+
 // User input on the way.
 std::vector<sim::Command> hand_at(int tick) {
     if (tick == 20) return {support::pour_at(30, 40, 9, 60, 0.5)};
