@@ -21,7 +21,10 @@ struct Until {
     std::int64_t most_ticks = 60 * 60 * 60;  // upper limit
 
     static Until after(std::int64_t ticks) { return {ticks, false, ticks}; }
-    static Until at_rest() { return {std::nullopt, true}; }
+    // At rest, or `most_ticks` after this tick.
+    static Until at_rest(std::int64_t earliest = 0) {
+        return {std::nullopt, true, earliest + Until().most_ticks};
+    }
 };
 
 // Optional observers of the run. None of them changes the world.

@@ -10,11 +10,10 @@
 namespace game {
 namespace {
 
-// Until nothing moves, if the original ended at rest.
+// Until nothing moves, if the original ended at rest; in any case until every command was applied.
 Until until_as(const Played& old, const std::vector<TimedCommand>& commands) {
-    if (old.at_rest) return Until::at_rest();
     const std::int64_t given = commands.empty() ? 0 : commands.back().tick + 1;
-    return Until::after(std::max(old.session.state().tick, given));
+    return old.at_rest ? Until::at_rest(given) : Until::after(std::max(old.session.state().tick, given));
 }
 
 }  // namespace

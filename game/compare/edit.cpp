@@ -108,6 +108,7 @@ bool has_place(const sim::Command& command) {
 // The changed command; nothing if it is deleted.
 struct Change {
     float tick_s;
+    std::int64_t last_tick;  // of the recording
     TimedCommand command;
 
     using Result = Outcome<std::optional<TimedCommand>>;
@@ -125,12 +126,18 @@ struct Change {
     }
     Result operator()(const Edit::Delay& delay) const {
         TimedCommand changed = command;
-        const double ticks = std::round(delay.seconds / static_cast<double>(tick_s));
-        if (!(std::fabs(ticks) < 1e9) || static_cast<double>(command.tick) + ticks < 0)
+        const double tick =
+            static_cast<double>(command.tick) + std::round(delay.seconds / static_cast<double>(tick_s));
+        const std::int64_t latest = last_tick + kMostTicksAfterEnd;
+        if (!(tick >= 0))
+            return unusable(fmt::format("--delay {}: the {} would come before the first tick", delay.seconds,
+                                        name_of(command)));
+        if (!(tick <= static_cast<double>(latest)))
             return unusable(
-                fmt::format("--delay {}: the {} would come {}", delay.seconds, name_of(command),
-                            ticks < 0 ? "before the first tick" : "after the last possible tick"));
-        changed.tick += static_cast<std::int64_t>(ticks);
+                fmt::format("--delay {}: the {} would come after tick {}, more than {} ticks after the end "
+                            "of the recording",
+                            delay.seconds, name_of(command), latest, kMostTicksAfterEnd));
+        changed.tick = static_cast<std::int64_t>(tick);
         return changed;
     }
 };
@@ -144,7 +151,7 @@ Outcome<Edited> edited(const Recording& recording, const Edit& edit) {
     const auto at = result.commands.begin() + static_cast<std::ptrdiff_t>(*place);
     const TimedCommand before = *at;
     const Scenario& scenario = recording.header.scenario;
-    const auto after = std::visit(Change{scenario.params.tick_s, before}, edit.change);
+    const auto after = std::visit(Change{scenario.params.tick_s, recording.last_tick(), before}, edit.change);
     if (!after) return tl::unexpected(after.error());
 
     result.change = fmt::format("tick {}: {}", before.tick, to_text(before.command));

@@ -13,6 +13,10 @@
 
 namespace game {
 
+// How long after the end of the recording a delayed command may come: an hour. All of that time is run and
+// recorded.
+inline constexpr std::int64_t kMostTicksAfterEnd = 60 * 60 * 60;
+
 // A command of a recording, and the change to make to it.
 struct Edit {
     struct Set {

@@ -207,6 +207,23 @@ TEST(Edit, deletes_sets_moves_and_delays_one_command) {
     EXPECT_EQ(earlier.commands[3].tick, 5);
 }
 
+// Before the end, at it, and after the hour in which a run to rest would give up.
+TEST_F(Compared, an_edit_runs_until_every_command_was_applied) {
+    const std::string resting = file("resting.couloir"), out = file("new.couloir");
+    record(resting, small_scenario(), 3000, some_commands());
+    for (const auto& [original, seconds] :
+         {std::pair(first_, "-0.1"), {first_, "0.5"}, {first_, "30"}, {resting, "30"}, {resting, "3600"}}) {
+        const Json json =
+            json_of({"edit", original, "--tick", "20", "--delay", seconds, "--out", out, "--json"});
+        EXPECT_EQ(json["first"]["at_rest"], original == resting);
+        const Recording made = read_recording(out).value();
+        ASSERT_EQ(made.commands.size(), some_commands().size()) << seconds;
+        const auto expected = 20 + std::llround(60 * std::stod(seconds));
+        EXPECT_EQ(made.commands.back().tick, expected);
+        EXPECT_GT(made.last_tick(), expected);
+    }
+}
+
 TEST_F(Compared, an_edit_that_cannot_be_done_is_refused_in_a_sentence) {
     edit_refused({"--tick", "4", "--delete"}, "tick 4; ticks with commands: 0, 3, 20");
     edit_refused({"--tick", "3", "--delete"}, "--command: 1 dig x=");
@@ -218,6 +235,8 @@ TEST_F(Compared, an_edit_that_cannot_be_done_is_refused_in_a_sentence) {
     edit_refused({"--tick", "0", "--set", "of=lower"}, "lower");
     edit_refused({"--tick", "20", "--move", "5"}, "'5' is not two numbers");
     edit_refused({"--tick", "20", "--delay", "-1"}, "before the first tick");
+    edit_refused({"--tick", "20", "--delay", "3601"}, "216040");
+    edit_refused({"--tick", "20", "--delay", "1e7"}, "216040");
     edit_refused({"--tick", "20"}, "is required");
     edit_refused({"--tick", "20", "--delete", "--move", "1,1"}, "");
     const std::string before = read_bytes(first_);
