@@ -227,10 +227,10 @@ void add_gl(CLI::App& app, std::string& gl) {
         ->type_name("WAY");
 }
 
-void add_pictures(CLI::App& app, PictureOptions& options, const char* where) {
+void add_pictures(CLI::App& app, PictureOptions& options, const char* where, std::string_view usually) {
     app.add_option("--frames", options.folder, where)->type_name("DIR");
     add_number(app, "--every", "TICKS", options.every, kStride,
-               "write an image every so many ticks, 60 per simulated second", "60");
+               "write an image every so many ticks, 60 per simulated second", usually);
     add_size(app, options.size, "set the size of the images", "1280x720");
     add_gl(app, options.gl);
 }
@@ -268,7 +268,8 @@ void add_run(CLI::App& app, RunOptions& options) {
     app.add_option("--export", options.export_folder,
                    "write deposit, peak depth and speed, extent and summary here, and images to DIR/frames")
         ->type_name("DIR");
-    add_pictures(app, options.pictures, "write images here, and maps of the extent and the final state");
+    add_pictures(app, options.pictures, "write images here, and maps of the extent and the final state",
+                 fmt::format("{}; {} with --export alone", kTicksPerPicture, kTicksPerExportedPicture));
     add_results(app, options.results);
     add_memory(app, options.overrides.memory);
     add_step_options(app, options.step_options);
@@ -288,7 +289,7 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
     app.add_flag("--paranoid", options.paranoid,
                  "compute every tick twice, with different threads and tiles, and compare; if they differ, "
                  "exit with status 1, report where, and with --frames write desync.png");
-    add_pictures(app, options.pictures, "write images here");
+    add_pictures(app, options.pictures, "write images here", fmt::format("{}", kTicksPerPicture));
     app.add_flag_callback(
         "--no-render", [&options] { options.pictures.folder.reset(); },
         "disable rendering (overrides --frames)");
@@ -531,7 +532,7 @@ Outcome<void> check(RunOptions& options) {
     if (!options.until_rest && !options.seconds) return unusable("run needs --until-rest or --seconds S");
     if (options.export_folder && !options.pictures.folder) {
         options.pictures.folder = *options.export_folder / "frames";
-        options.pictures.every = std::max<std::int64_t>(options.pictures.every, 600);
+        if (!options.pictures.every) options.pictures.every = kTicksPerExportedPicture;
     }
     return {};
 }

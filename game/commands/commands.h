@@ -20,9 +20,12 @@ namespace game {
 // Options of each subcommand, as parsed from the command line, and the functions that run them. Results go to
 // standard output. Each function returns its exit status, or the reason why it ended early.
 
+// Ticks between two images unless --every says otherwise: of --frames, and of --export without --frames.
+inline constexpr std::int64_t kTicksPerPicture = 60, kTicksPerExportedPicture = 600;
+
 struct PictureOptions {
     std::optional<std::filesystem::path> folder;
-    std::int64_t every = 60;  // ticks
+    std::optional<std::int64_t> every;  // ticks; none: the subcommand's default
     PictureSize size;
     std::string gl = "auto";
 };

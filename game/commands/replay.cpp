@@ -76,7 +76,7 @@ Outcome<int> replay(const ReplayOptions& options) {
     const auto until = Until::after(options.until.value_or(recording->last_tick()));
     Watchers watchers;
     watchers.gallery = gallery ? &*gallery : nullptr;
-    watchers.ticks_per_picture = options.pictures.every;
+    watchers.ticks_per_picture = options.pictures.every.value_or(kTicksPerPicture);
     watchers.perf = &perf;
     if (options.verify) verifier.look_at(*session);
     const Side way{scenario, recording->commands, options.step_options},

@@ -52,16 +52,17 @@ Outcome<Leavings> open_leavings(const RunOptions& options, const Scenario& scena
     if (options.export_folder)
         if (auto made = make_folder(*options.export_folder); !made) return tl::unexpected(made.error());
     if (auto placed = make_places_for(options.results); !placed) return tl::unexpected(placed.error());
-    if (options.record) {
-        auto recorder = Recorder::create(*options.record, scenario);
-        if (!recorder) return tl::unexpected(recorder.error());
-        leavings.recorder = std::move(*recorder);
-    }
     if (options.pictures.folder) {
         auto gallery =
             Gallery::open(*options.pictures.folder, options.pictures.size, options.pictures.gl, scenario);
         if (!gallery) return tl::unexpected(gallery.error());
         leavings.gallery = std::move(*gallery);
+    }
+    // Last, because a recording proves nothing before its first state, and a failure above must not replace one.
+    if (options.record) {
+        auto recorder = Recorder::create(*options.record, scenario);
+        if (!recorder) return tl::unexpected(recorder.error());
+        leavings.recorder = std::move(*recorder);
     }
     return leavings;
 }
@@ -102,7 +103,7 @@ Outcome<int> run(const RunOptions& options) {
                  options.results.log_keeps());
     Watchers watchers;
     watchers.gallery = gallery ? &*gallery : nullptr;
-    watchers.ticks_per_picture = options.pictures.every;
+    watchers.ticks_per_picture = options.pictures.every.value_or(kTicksPerPicture);
     watchers.perf = &perf;
     const auto finished =
         play_headless(*session, scene->commands, until_of(options, scenario.params), watchers, "running");

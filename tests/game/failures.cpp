@@ -72,6 +72,17 @@ TEST(Recorder, that_cannot_write_is_the_machines_failure) {
         << full.error().sentence;
 }
 
+// The earlier recording of that name is worth more than a header without states.
+TEST(Recorder, is_not_begun_by_a_run_that_cannot_draw) {
+    const support::TemporaryFolder folder;
+    const fs::path file = folder.path() / "kept.couloir", frames = folder.path() / "frames";
+    write_bytes(file, "kept");
+    const Finished run = couloir(
+        {"run", "landslide", "--seconds", "0.1", "--record", file, "--frames", frames, "--gl", "device:255"});
+    EXPECT_EQ(run.status, 3) << run.err;
+    EXPECT_EQ(read_bytes(file), "kept");
+}
+
 TEST(Recorder, writes_names_that_are_not_utf_8_as_well_as_it_can) {
     const support::TemporaryFolder folder;
     Scenario scenario = small_scenario();
