@@ -204,7 +204,7 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
         touched_ |= !hand_.empty();
         if (const auto done = sandbox_->tick(hand_); !done) {
             warn(done.error().sentence);
-            if (done.error().status == Failure::kMachine) recording_.reset();
+            if (done.error().status == Failure::kMachine) stop_recording(done.error());
             if (done.error().status == Failure::kBadAnswer) {
                 clock_.pause(true);
                 break;

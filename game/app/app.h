@@ -49,8 +49,11 @@ class App {
     const Display& display() const { return display_; }
     const render::Camera& camera() const { return camera_->camera(); }
     const ui::Ui& panels() const { return ui_; }
-    // The file that is or was being written; nothing if none could be created.
+    // The file that this session is written to; nothing while a recording is watched, if none could be created,
+    // or if writing failed.
     const std::optional<std::filesystem::path>& recording() const { return recording_; }
+    // Why a file of this or of an earlier session could not be written completely; the first failure.
+    const std::optional<Failure>& recording_failure() const { return recording_failure_; }
 
   private:
     App(Screen& screen, render::Renderer renderer, Catalogue catalogue, const sim::StepOptions& options);
@@ -86,10 +89,11 @@ class App {
 
     // Replaces the world by `loaded`, recorded in `record` or else in the recordings folder, and closes the
     // previous world. Errors: `record` cannot be written, and then nothing has changed.
-    Outcome<void> begin_world(LoadedWorld loaded, const std::optional<std::filesystem::path>& record);
+    Outcome<void> begin_world(LoadedWorld loaded, std::optional<std::filesystem::path> record);
     Outcome<std::optional<Recorder>> begin_recording(const Scenario& scenario,
                                                      const std::optional<std::filesystem::path>& wanted);
     void open_or_tell(const std::string& name_or_path, const Overrides& overrides);
+    void stop_recording(const Failure& failure);
 
     void tell(std::string sentence) { notices_.tell(Notice::Kind::kInfo, std::move(sentence), now_s_); }
     void warn(std::string sentence) { notices_.tell(Notice::Kind::kWarning, std::move(sentence), now_s_); }
@@ -116,8 +120,9 @@ class App {
     std::optional<Sandbox> sandbox_;
     std::optional<std::filesystem::path> recording_;
     std::int64_t epoch_ = 0;                       // grows when the world restarts or goes back in time
-    std::optional<std::filesystem::path> record_;  // from --record
-    std::optional<std::int64_t> seeking_;          // target tick of a seek
+    std::optional<std::filesystem::path> record_;  // from --record, until a session is written to it
+    std::optional<Failure> recording_failure_;
+    std::optional<std::int64_t> seeking_;  // target tick of a seek
     bool takes_over_there_ = false;
 
     TickClock clock_;

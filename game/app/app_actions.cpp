@@ -151,7 +151,7 @@ void App::undo() {
     const auto undone = sandbox_->undo();
     ++epoch_;
     if (!undone && undone.error().status == Failure::kMachine) {
-        recording_.reset();
+        stop_recording(undone.error());
         return warn(fmt::format("Undone, but recording has stopped: {}", undone.error().sentence));
     }
     if (!undone) return tell(undone.error().sentence);
@@ -197,12 +197,15 @@ void App::take_over() {
     const double seconds = sandbox_->session().seconds();
     auto taken = sandbox_->take_over(path ? std::optional(*path) : std::nullopt);
     if (!path) taken = tl::unexpected(path.error());
-    recording_.reset();
-    if (taken && sandbox_->session().recorder()) recording_ = *path;
     catalogue_.own = own_recordings();
-    if (!taken)
+    if (!taken) {
+        stop_recording(taken.error());
         return warn(
             fmt::format("You can continue from here, but it is not recorded: {}", taken.error().sentence));
+    }
+    recording_.reset();
+    if (sandbox_->session().recorder()) recording_ = *path;
+    if (record_ == recording_) record_.reset();
     tell(fmt::format("Branched at {:.1f} s into a new recording. The original keeps what came after",
                      seconds));
 }
@@ -217,7 +220,13 @@ void App::reset() {
     LoadedWorld again = first_;
     again.told = fmt::format("Restarted: {}{}", first_.scene.scenario.title,
                              recording_ ? ". The previous session stays in its recording" : "");
-    if (const auto begun = begin_world(std::move(again), std::nullopt); !begun) warn(begun.error().sentence);
+    if (const auto begun = begin_world(std::move(again), record_); !begun) warn(begun.error().sentence);
+}
+
+void App::stop_recording(const Failure& failure) {
+    // A file in the recordings folder is optional: that none could be created is only a notice.
+    if ((recording_ || record_) && !recording_failure_) recording_failure_ = failure;
+    recording_.reset();
 }
 
 void App::open_or_tell(const std::string& name_or_path, const Overrides& overrides) {
@@ -230,7 +239,7 @@ void App::open_or_tell(const std::string& name_or_path, const Overrides& overrid
         warn(begun.error().sentence);
 }
 
-Outcome<void> App::begin_world(LoadedWorld loaded, const std::optional<std::filesystem::path>& record) {
+Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem::path> record) {
     // Reset keeps brush and camera; a different terrain does not.
     const bool same = sandbox_ && ground_hash(sandbox_->scenario()) == ground_hash(loaded.scene.scenario);
     if (const auto& flow = loaded.scene.scenario.look.flow)
@@ -249,11 +258,15 @@ Outcome<void> App::begin_world(LoadedWorld loaded, const std::optional<std::file
     }
     if (!begun) return tl::unexpected(begun.error());
     if (sandbox_)
-        if (const auto closed = sandbox_->finish(); !closed) warn(closed.error().sentence);
+        if (const auto closed = sandbox_->finish(); !closed) {
+            stop_recording(closed.error());
+            warn(closed.error().sentence);
+        }
     sandbox_ = std::move(*begun);
     first_ = std::move(loaded);
     recording_ = std::move(recording);
-    record_ = record;
+    if (recording_) record.reset();  // it is used now
+    record_ = std::move(record);
     catalogue_.own = own_recordings();
     ++epoch_;
 

@@ -13,6 +13,7 @@ constexpr const char* kFirstScene = "alpine-valley";
 
 // Prints the frame rate and the time per stage of the last frames, as in the performance panel.
 void tell_times(const FrameTimes& times) {
+    if (times.frames_per_second() == 0) return;  // too few to measure
     fmt::print("{:.1f} frames/s at the end; median ms per frame:", times.frames_per_second());
     for (std::size_t i = 0; i < kStages; ++i)
         fmt::print(" {} {:.2f}", kStageNames[i], times.median_ms(static_cast<Stage>(i)));
@@ -48,8 +49,7 @@ Outcome<int> play(const PlayOptions& options) {
     }
     if (auto finished = (*app)->finish(); !finished) return tl::unexpected(finished.error());
     tell_times((*app)->times());
-    if (options.record && !(*app)->recording())
-        return machine_fails(fmt::format("{}: could not be written completely", options.record->string()));
+    if (const auto& failure = (*app)->recording_failure()) return tl::unexpected(*failure);
     if (const auto& recording = (*app)->recording())
         fmt::print("{:.1f} s played. To watch and continue it: {} play {}\n",
                    (*app)->sandbox().session().seconds(), options.program, recording->string());

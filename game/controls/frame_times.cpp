@@ -5,6 +5,11 @@
 #include "sim/core/check.h"
 
 namespace game {
+namespace {
+
+constexpr double kLeastMeasured = 100;  // ms; one frame is no rate, least of all the first
+
+}  // namespace
 
 void FrameTimes::add(const FrameTime& frame) {
     frames_[next_] = frame;
@@ -22,7 +27,7 @@ double FrameTimes::frames_per_second() const {
     std::size_t count = 0;
     for (; count < size_ && ms < 1000; ++count)
         ms += static_cast<double>((*this)[size_ - 1 - count].frame_ms);
-    return ms > 0 ? static_cast<double>(count) * 1000 / ms : 0;
+    return ms >= kLeastMeasured ? static_cast<double>(count) * 1000 / ms : 0;
 }
 
 double FrameTimes::median_ms(Stage stage) const {

@@ -30,7 +30,7 @@ class FrameTimes {
 
     std::size_t size() const { return size_; }
     const FrameTime& operator[](std::size_t i) const;  // 0 is the oldest
-    double frames_per_second() const;                  // over the last second, or all if shorter
+    double frames_per_second() const;  // over the last second, or all if shorter; 0 below 0.1 s
     double median_ms(Stage stage) const;
     float worst_tick_ms() const;
 

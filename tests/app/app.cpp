@@ -373,6 +373,36 @@ TEST_F(Playing, watches_a_recording_hands_off_and_then_takes_over) {
     expect_recording_replays();
 }
 
+// --record of a watched recording is written from the moment it is taken over, whatever else happens.
+TEST_F(Playing, leaves_a_whole_file_of_a_watched_recording_however_it_is_left) {
+    const auto file = folder_.path() / "session.couloir";
+    struct Way {
+        const char* name;
+        std::vector<char> keys;  // E: Enter, R: Ctrl+R
+        bool is_written_at_end;
+    };
+    for (const Way& way :
+         {Way{"quit", {}, true}, Way{"restart", {'R'}, true}, Way{"take over", {'E'}, true},
+          Way{"take over, restart", {'E', 'R'}, false}, Way{"restart, take over", {'R', 'E'}, true},
+          Way{"take over, restart, take over", {'E', 'R', 'E'}, true}}) {
+        std::filesystem::remove(file);
+        begin("landslide.couloir", 0);
+        frames(3);
+        for (const char key : way.keys) {
+            if (key == 'E') tap(Key::kEnter);
+            if (key == 'R') tap(game::key('R'), {.control = true});
+            frames(2);
+        }
+        ASSERT_TRUE(app_->finish()) << way.name;
+        EXPECT_FALSE(app_->recording_failure()) << way.name;
+        EXPECT_EQ(app_->recording().has_value(), way.is_written_at_end) << way.name;
+        const auto recording = read_recording(file);
+        ASSERT_TRUE(recording) << way.name << ": " << recording.error().sentence;
+        EXPECT_FALSE(recording->warning) << way.name;
+        app_.reset();
+    }
+}
+
 TEST_F(Playing, goes_back_and_forth_and_takes_over_its_own_past) {
     begin();
     stroke(20);

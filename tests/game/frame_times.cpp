@@ -37,6 +37,17 @@ TEST(FrameTimes, count_frames_of_the_last_second_alone) {
     EXPECT_DOUBLE_EQ(times.frames_per_second(), 100);
 }
 
+// The first frame lasts from loading to the first event, which is no time at all.
+TEST(FrameTimes, are_no_rate_before_a_tenth_of_a_second_has_passed) {
+    FrameTimes times;
+    times.add(frame_of(0.006f));
+    EXPECT_EQ(times.frames_per_second(), 0);
+    times.add(frame_of(60));
+    EXPECT_EQ(times.frames_per_second(), 0);
+    times.add(frame_of(60));
+    EXPECT_NEAR(times.frames_per_second(), 25, 0.1);
+}
+
 TEST(FrameTimes, are_told_by_a_median_that_one_hiccup_does_not_move) {
     FrameTimes times;
     for (const float ms : {3.f, 1.f, 900.f, 2.f, 4.f}) times.add(frame_of(16, ms));
