@@ -18,7 +18,7 @@ inline constexpr std::size_t kLongestLine = std::size_t{64} << 10;  // bytes of 
 inline constexpr terrains::JsonLimits kLineLimits{.depth = 4, .values = 4096, .members = 64};
 inline constexpr int kMostVertices = terrains::kMostSquares + 1;  // along a side of the ground
 inline constexpr int kMostTicksPerState = 600;
-inline constexpr std::int64_t kMostTicksOfParent = 10'000'000;  // before the first state line of a fork
+inline constexpr std::int64_t kMostTicksOfParent = 1'000'000;  // before the first state line of a fork
 inline constexpr std::size_t kMostCommands = 4'000'000;
 
 // Reports of bench.

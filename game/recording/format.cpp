@@ -301,7 +301,7 @@ int read_version(const Json& json) {
 }
 
 Parent parent_from(const Json& json) {
-    return {text(json, "name"), whole(json, "tick", 0, kMostTicksOfParent),
+    return {text(json, "name"), whole(json, "tick", 0, kMostTicks),
             json.contains("change") ? text(json, "change") : ""};
 }
 
@@ -416,10 +416,20 @@ tl::expected<void, std::string> check_format(const Json& json) try {
     return tl::unexpected(std::string(wrong.what()));
 }
 
-tl::expected<Header, std::string> header_from(const Json& json, const Memory& memory) try {
-    return read_header(json, read_version(json), memory);
-} catch (const std::exception& wrong) {
-    return tl::unexpected(std::string(wrong.what()));
+tl::expected<Header, std::string> header_from(const Json& json, const Memory& memory) {
+    int minor = 0;
+    try {
+        minor = read_version(json);
+        return read_header(json, minor, memory);
+    } catch (const std::exception& wrong) {
+        return tl::unexpected(noting_newer(wrong.what(), minor));
+    }
+}
+
+std::string noting_newer(std::string fact, int minor) {
+    if (minor <= kFormatMinor) return fact;
+    return fmt::format("{}; recorded in format {}.{}, and this program knows {}.{}: use a newer couloir",
+                       fact, kFormatMajor, minor, kFormatMajor, kFormatMinor);
 }
 
 namespace {

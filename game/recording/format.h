@@ -70,6 +70,9 @@ struct Header {
 Json to_json(const Header& header);
 // Unpacks the terrain only if `memory` allows such a world.
 tl::expected<Header, std::string> header_from(const Json& json, const Memory& memory = {});
+// The fact that is wrong with a recording. If its format is newer than this program's, the format is named too,
+// because what looks like damage may be new.
+std::string noting_newer(std::string fact, int minor);
 // Checks that this is a header of a format that this program reads. Call it first, even before checking the
 // chain: other formats need not share anything else.
 tl::expected<void, std::string> check_format(const Json& json);

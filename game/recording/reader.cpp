@@ -101,7 +101,8 @@ class Reader {
         if (!header) return wrong(header.error());
         if (got == Read::kTorn) return wrong("cut off within the header");
         recording_.header = std::move(*header);
-        if (const auto& parent = recording_.header.parent) proven_until_ = parent->tick;
+        if (const auto& parent = recording_.header.parent)
+            proven_until_ = std::min(parent->tick, kMostTicksOfParent);
         whole_bytes_ = line_.size() + 1;
         return {};
     }
@@ -112,7 +113,7 @@ class Reader {
         const auto json = read_json<Json>(line_, kLineLimits);
         if (!json) return wrong(json.error());
         const auto line = line_from(*json);
-        if (!line) return wrong(line.error());
+        if (!line) return wrong(noting_newer(line.error(), recording_.header.minor));
         return std::visit([&](const auto& each) { return keep(each); }, *line);
     }
 

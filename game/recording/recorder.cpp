@@ -13,6 +13,7 @@
 
 #include "files/destination.h"
 #include "files/lock.h"
+#include "game/base/limits.h"
 
 namespace game {
 namespace {
@@ -83,9 +84,14 @@ Outcome<Recorder> Recorder::create(const std::filesystem::path& path, const Head
 
 Outcome<Recorder> Recorder::fork(const std::filesystem::path& path, const Recording& of,
                                  const std::string& name, std::int64_t tick) {
+    const bool comparable = of.header.physics_version == kPhysicsVersion;
+    if (!comparable && tick > kMostTicksOfParent)
+        return unusable(
+            fmt::format("{} was recorded with another version of the physics, so it cannot be continued "
+                        "after tick {}; use couloir normalise first",
+                        name, kMostTicksOfParent));
     auto recorder = create(path, of.header.scenario, Parent{name, tick});
     if (!recorder) return recorder;
-    const bool comparable = of.header.physics_version == kPhysicsVersion;
     auto state = of.states.begin();
     // A command applies at the start of its tick, so it follows that tick's state line.
     const auto write_states = [&](std::int64_t until) {

@@ -3,6 +3,7 @@
 #include <set>
 #include <string>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "game/analysis/headless.h"
@@ -78,6 +79,24 @@ TEST_F(ForgedHeader, of_an_older_minor_version_may_lack_newer_keys) {
     ASSERT_TRUE(recording) << recording.error().sentence;
     EXPECT_EQ(recording->header.scenario.params.law, sim::Law::kConstant);
     EXPECT_EQ(recording->header.scenario.params.exchange_depth, sim::Params{}.exchange_depth);
+}
+
+// What an older program cannot read of it is not damage.
+TEST_F(ForgedHeader, of_a_newer_minor_version_is_named_where_something_in_it_is_unknown) {
+    header_["version"] = {1, kFormatMinor + 1};
+    const auto refused_with = [this](const std::string& line) {
+        bodies_[1] = line;
+        const auto recording = read(header_);
+        ASSERT_FALSE(recording);
+        EXPECT_EQ(recording.error().status, Failure::kUnusable);
+        for (const std::string& fact :
+             {fmt::format("1.{}", kFormatMinor + 1), fmt::format("1.{}", kFormatMinor)})
+            EXPECT_NE(recording.error().sentence.find(fact), std::string::npos) << recording.error().sentence;
+    };
+    refused_with(R"({"tick":0,"snow":{"rate":1})");
+    refused_with(R"({"tick":0,"pour":{"x":1,"wind":2})");
+    header_["physics"]["model"] = "voellmy";
+    refused_with("{\"end\":0");
 }
 
 TEST_F(ForgedHeader, of_a_newer_minor_version_may_have_unknown_fields) {
