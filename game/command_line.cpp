@@ -419,7 +419,7 @@ void add_figures(CLI::App& app, FiguresOptions& options) {
         ->type_name("DIR")
         ->required();
     app.add_flag("--quick", options.quick,
-                 "measure on grids of at most 30 squares: takes half a minute instead of about five");
+                 "measure on grids of at most 30 squares: takes about a minute instead of about five");
     app.add_option(
            "--only", options.only,
            fmt::format("make only these parts, separated by commas: {}", fmt::join(parts_of_figures(), ", ")))

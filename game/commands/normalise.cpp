@@ -39,10 +39,12 @@ Outcome<int> normalise(const NormaliseOptions& options) {
         return tl::unexpected(done.error());
     if (auto closed = session->finish(); !closed) return tl::unexpected(closed.error());
 
-    fmt::print("{}: format {}.{}, physics {} → {}: format {}.{}, physics {}; {} commands, {} ticks\n{}",
+    const std::size_t commands = old->recording.commands.size();
+    const std::int64_t ticks = session->state().tick;
+    fmt::print("{}: format {}.{}, physics {} → {}: format {}.{}, physics {}; {} {}, {} {}\n{}",
                options.recording, kFormatMajor, header.minor, header.physics_version, options.out.string(),
-               kFormatMajor, kFormatMinor, kPhysicsVersion, old->recording.commands.size(),
-               session->state().tick, to_text(verifier.verdict()));
+               kFormatMajor, kFormatMinor, kPhysicsVersion, commands, commands == 1 ? "command" : "commands",
+               ticks, ticks == 1 ? "tick" : "ticks", to_text(verifier.verdict()));
     return verifier.verdict().parted ? Failure::kBadAnswer : 0;
 }
 

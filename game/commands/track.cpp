@@ -165,14 +165,15 @@ struct Tally {
         outrun += tracker.outrun(), hasty_frames += tracker.outrun() > 0;
     }
     void tell(std::int64_t frames, const Tracker& tracker) const {
-        fmt::print(stderr, "{} frames of {} vertices, {:.1f} points in each, by {}\n", frames,
-                   tracker.mesh().vertices(), static_cast<double>(points) / static_cast<double>(frames),
-                   to_string(tracker.source()));
+        fmt::print(stderr, "{} {} of {} vertices, {:.1f} points in each, by {}\n", frames,
+                   frames == 1 ? "frame" : "frames", tracker.mesh().vertices(),
+                   static_cast<double>(points) / static_cast<double>(frames), to_string(tracker.source()));
         if (outrun > 0)
             fmt::print(stderr,
-                       "warning: in {} frames fronts crossed more than half a cell per step, at {} vertices "
+                       "warning: in {} {} fronts crossed more than half a cell per step, at {} {} "
                        "in total; points there are unreliable: use frames closer in time\n",
-                       hasty_frames, outrun);
+                       hasty_frames, hasty_frames == 1 ? "frame" : "frames", outrun,
+                       outrun == 1 ? "vertex" : "vertices");
     }
 };
 

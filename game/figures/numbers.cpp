@@ -33,8 +33,8 @@ struct Bounds {
     std::array<double, 4> rms;  // of each scene's points by fit, cells
     double stretched;           // of cut and re-seeded textures, the share of all area above 2
 };
-// As measured (sim/front/README.md), plus a margin: a hundredth of a cell, a third of one for the coarsest
-// disc; for the share at least a tenth.
+// As measured (docs/results/front-accuracy.md), plus a margin: a hundredth of a cell, a third of one for the
+// coarsest disc; for the share at least a tenth.
 constexpr std::array<Bounds, 5> kBounds{{{10, {.112, .050, .086, .197}, .001},
                                          {20, {.076, .036, .066, .099}, .001},
                                          {30, {.072, .032, .062, .063}, .001},

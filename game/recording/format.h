@@ -17,7 +17,7 @@ namespace game {
 
 // A recording is JSON Lines: a header with the whole scenario, then one line per command and, every few
 // ticks, one with the state's hash and the mass ledger, then an end line. Every line ends with "chain", the
-// hash of the previous line and of itself, so that damage can be located. README.md has an example.
+// hash of the previous line and of itself, so that damage can be located. docs/recording.md has an example.
 
 using Json = nlohmann::ordered_json;
 

@@ -30,7 +30,7 @@ std::uint64_t Memory::for_undo() const {
 }
 
 std::uint64_t expected_bytes(const sim::Grid& grid, bool two_materials, const Memory& memory) {
-    // Bytes per vertex, measured (docs/limits.md).
+    // Bytes per vertex, measured (docs/results/costs.md#memory).
     const WorldUse& use = memory.use;
     const std::uint64_t reading = 130;
     const std::uint64_t start = two_materials ? 70 : 50;

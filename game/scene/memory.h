@@ -39,7 +39,7 @@ struct Memory {
 };
 
 // Expected peak of the whole program, bytes: of reading the ground or of using it, whichever is more.
-// docs/limits.md has the measurements.
+// docs/results/costs.md#memory has the measurements.
 std::uint64_t expected_bytes(const sim::Grid& grid, bool two_materials, const Memory& memory);
 
 // Parses "800M", "4G", "1073741824": bytes, or multiples of

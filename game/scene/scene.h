@@ -31,8 +31,8 @@ struct Scene {
     std::vector<std::filesystem::path> files = {};  // that it was read from
 };
 
-// Reads a scene by name or file (README.md lists every key), its material and its terrain. Errors: damage,
-// with file and line, or a fault of the terrain or the material.
+// Reads a scene by name or file (docs/scenes.md lists every key), its material and its terrain. Errors:
+// damage, with file and line, or a fault of the terrain or the material.
 Outcome<Scene> load_scene(std::string_view name_or_path, const Overrides& overrides);
 
 // A scene of a real hill: a DEM, a material (default snow-dry), no cover, borders and no-data as sinks, and

@@ -20,7 +20,7 @@ Keyframes::Keyframes(std::size_t bytes, std::size_t bytes_each)
 
 void Keyframes::pass(const Session& session) {
     const std::int64_t tick = session.state().tick;
-    // What is behind the last one has been kept, or was forgotten on purpose.
+    // Ticks before the last keyframe were kept already, or were dropped on purpose.
     if (tick % spacing_ != 0 || (!moments_.empty() && moments_.back().world.tick >= tick)) return;
     while (moments_.size() == most_) {
         spacing_ *= 2;

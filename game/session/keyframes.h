@@ -8,19 +8,18 @@
 
 namespace game {
 
-// Moments of a session to come back to, a number of ticks apart, within a budget of memory: when that is
-// spent every other one is forgotten, and they are kept half as often from there on. The beginning is always
-// among them.
+// Checkpoints of a session at equal distances in ticks, within a memory budget. Over budget, drops every
+// other keyframe and doubles the distance. Always keeps tick 0.
 class Keyframes {
   public:
-    // `bytes` for all of them, each of which takes `bytes_each`; at least two are kept.
+    // `bytes`: the budget; `bytes_each`: size of one. Keeps at least two.
     Keyframes(std::size_t bytes, std::size_t bytes_each);
 
-    // To be called before the first tick and after every one; keeps the moment if it is due.
+    // Call before the first tick and after every tick. Keeps a checkpoint if one is due.
     void pass(const Session& session);
-    // The latest one at `tick` or before.
+    // Returns the latest one at `tick` or before.
     const Session::Checkpoint& before(std::int64_t tick) const;
-    // Those after `tick` never were.
+    // Drops keyframes after `tick`.
     void forget_after(std::int64_t tick);
 
     std::size_t count() const { return moments_.size(); }
@@ -29,7 +28,7 @@ class Keyframes {
   private:
     std::size_t most_;
     std::int64_t spacing_ = 16;
-    std::vector<Session::Checkpoint> moments_;  // in order of their ticks
+    std::vector<Session::Checkpoint> moments_;  // sorted by tick
 };
 
 }  // namespace game

@@ -15,21 +15,21 @@
 
 namespace game {
 
-// What of a frame is timed, in the order in which it happens.
+// Timed parts of a frame, in order.
 enum class Part { kSolve, kHash, kTrack, kAdvect, kGradient, kPeaks, kUpload, kRemesh, kDraw };
 inline constexpr std::size_t kPartCount = 9;
 inline constexpr std::array<const char*, kPartCount> kPartNames{
     "solve", "hash", "track", "advect", "gradient", "peaks", "upload", "remesh", "draw"};
-inline constexpr std::size_t kTickParts = 6;  // the first, which need no picture
+inline constexpr std::size_t kTickParts = 6;  // the first six, which run without a frame
 
-// Milliseconds of each; none where it did not run.
+// Milliseconds of each part; none if it did not run.
 struct PartTimes : std::array<std::optional<double>, kPartCount> {
     std::optional<double>& operator()(Part part) { return (*this)[static_cast<std::size_t>(part)]; }
     const std::optional<double>& operator()(Part part) const {
         return (*this)[static_cast<std::size_t>(part)];
     }
-    double tick() const;  // all that need no picture
-    double sum() const;   // all
+    double tick() const;  // the parts of a tick
+    double sum() const;   // all parts
     bool drawn() const { return (*this)(Part::kDraw).has_value(); }
     void add(const render::DrawTimes& times);
 };
@@ -43,23 +43,23 @@ struct PerfRow {
     double begin_ms = 0;  // since the log began
     double frame_ms = 0;  // all of the tick
     std::size_t active_cells = 0;
-    std::optional<std::size_t> points, cut_triangles;  // of the fronts, where they are followed
+    std::optional<std::size_t> points, cut_triangles;  // if fronts are tracked
     double standing_m3 = 0, rolling_m3 = 0, out_m3 = 0, error_m3 = 0;
     std::uint64_t state_hash = 0;
 };
-// What a session tells of its last tick, but for begin, frame and cut triangles.
+// Measures of the last tick, without begin, frame and cut triangles.
 PerfRow perf_row(const Session& session);
-// None where no fronts are followed. Looks at every triangle: for after the frame.
+// None if no fronts are tracked. Visits every triangle, so call it after the frame.
 std::optional<std::size_t> cut_triangles(const Session& session);
 
-// What of the surroundings a measurement depends on; the log's first lines.
+// Environment of a measurement; the first lines of the log.
 struct PerfSurroundings {
     std::string what;       // scene or recording
     std::string file_hash;  // of the recording; empty without one
     int threads = 1;
     std::optional<render::DrawnBy> drawn;
 };
-// Program, commit, compiler, processor, and what is given: as lines that begin with #, and as JSON.
+// Formats program, commit, compiler, processor and `surroundings` as lines that begin with #, and as JSON.
 std::string to_text(const PerfSurroundings& surroundings);
 Json to_json(const PerfSurroundings& surroundings);
 
@@ -71,8 +71,8 @@ struct StageFigures {
 };
 StageFigures figures_of(std::string stage, std::vector<double> ms);
 
-// The figures of a stage without its values: in as much memory after a year as after a second. Count, mean,
-// most and total are exact, ranks to 1 % between 10 ns and 15 min.
+// The figures of a stage without its values, in constant memory. Count, mean, most and total are exact;
+// ranks are within 1 % between 10 ns and 15 min.
 class StageDigest {
   public:
     void add(double ms);
@@ -90,7 +90,7 @@ class StageDigest {
 };
 // Each part, then "frame".
 std::vector<StageFigures> figures_of(std::span<const PerfRow> rows);
-// By the names of its stages; `whole`: of what share is told, ms.
+// Keyed by stage; shares are of `whole_ms`.
 Json to_json(std::span<const StageFigures> figures, double whole_ms);
 
 // What the paper reports of its own scenes (Section 5.1).
@@ -99,7 +99,7 @@ struct PaperScene {
     const char* recording;  // of ours
     int squares;
     double frames_per_s, solve_share;
-    const char* fronts_share;  // of velocities, textures and least squares; empty where it does not say
+    const char* fronts_share;  // of velocities, textures and least squares; empty if the paper has none
 };
 inline constexpr const char* kPaperMachine = "Intel i7-3770K, NVIDIA GTX 660";
 inline constexpr std::array<PaperScene, 2> kPaperScenes{
@@ -110,7 +110,7 @@ inline constexpr std::array<PaperScene, 2> kPaperScenes{
 std::string_view perf_columns();
 std::string csv_line(std::size_t frame, const PerfRow& row);
 
-// Collects ticks; tells of them as CSV and as figures.
+// Collects ticks and writes them as CSV and as figures.
 class PerfLog {
   public:
     // Whether each tick is kept, for a log or a trace, or only what figures need, in bounded memory.
@@ -120,12 +120,12 @@ class PerfLog {
         : surroundings_(std::move(surroundings)), keeps_(keeps) {}
     void add(const PerfRow& row);
 
-    // Of the rows that are kept. Writes beside `path` and renames. Errors: the machine's.
+    // Writes the kept rows beside `path` and renames. Errors: the file cannot be written.
     Outcome<void> write_csv(const std::filesystem::path& path) const;
     std::span<const PerfRow> rows() const { return rows_; }
-    // Ranks are exact where rows are kept, else to 1 %.
+    // Ranks are exact if rows are kept, else within 1 %.
     std::vector<StageFigures> figures() const;
-    Json to_json() const;  // figures, shares of the frame, and the paper's beside them
+    Json to_json() const;  // figures, shares of the frame, and the paper's figures
 
   private:
     PerfSurroundings surroundings_;

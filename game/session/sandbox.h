@@ -17,12 +17,12 @@
 
 namespace game {
 
-// A world in a person's hands, without a window: what the scene or a watched recording has in store, what the
-// hand adds, and the way back and forth in time.
+// An interactive session without a window: scheduled commands of a scene or a watched recording, user
+// commands, seeking and undo.
 class Sandbox {
   public:
-    // Where the session is recorded; without a recorder it is not, and a watched recording needs none before
-    // it is taken over.
+    // Without a recorder the session is not recorded. A watched recording needs none until the user takes
+    // over.
     static Outcome<Sandbox> begin(LoadedWorld loaded, const sim::StepOptions& options,
                                   std::optional<Recorder> recorder);
 
@@ -30,40 +30,40 @@ class Sandbox {
     const Session& session() const { return session_; }
     void set_flow(const sim::fields::FlowNumbers& numbers) { session_.set_flow(numbers); }
 
-    // Up to this tick it is known what happens: the recording tells, or the person has been there.
+    // Last tick whose commands are known, from the recording or because it was played before.
     std::int64_t known_until() const { return known_until_; }
-    // Time stands before that, and goes on as it is known to: hands off.
+    // True while replaying a known tick; user commands are ignored.
     bool looks_back() const { return session_.state().tick < known_until_; }
-    // A recording that somebody made is being watched, or was until just now and has not been taken over.
+    // True for a watched recording until the user takes over.
     bool watches() const { return opening_.watched.has_value(); }
     bool watched_to_end() const { return watches() && !looks_back(); }
-    // How the watched recording compared so far.
+    // The comparison with the watched recording so far.
     std::optional<Verdict> verdict() const;
 
-    // Toward `tick`, from 0 to known_until(), earlier or later, for as long as `may_go_on` says; true once
-    // there. A flow that is shown cannot go back: false. Errors: as of tick().
+    // Seeks toward `tick`, 0 to known_until(), while `may_go_on` returns true. Returns true on arrival. A
+    // flow demo cannot seek: false. Errors: as for tick().
     Outcome<bool> go_toward(std::int64_t tick, const std::function<bool()>& may_go_on);
     bool can_go_back() const { return !scenario().flow; }
     const Keyframes& keyframes() const { return keyframes_; }
 
-    // From here on the world is the person's. What was known to come after this tick is given up; it stays in
-    // the recording that told it, if one did, and `path` goes on from that one; without it nothing is
-    // recorded. Errors: a recording cannot be read or written, and then the world goes on without one.
+    // Continues from this tick; later known commands are discarded. The earlier recording, if any, keeps
+    // them, and `path` becomes its fork. Without `path` nothing is recorded. Errors: a recording cannot be
+    // read or written; the session then continues unrecorded.
     Outcome<void> take_over(const std::optional<std::filesystem::path>& path);
 
-    // What the hand gives from here on is one action, undone as a whole. `name` is for people: "pour".
+    // Later user commands form one undoable action. `name` is shown to the user: "pour".
     void begin_action(std::string name);
-    // One tick, with what the hand gives; nothing while it looks back. Errors, in words for a notice, though
-    // the tick was done: numbers that do not go together were left out; the recording cannot be written, and
-    // the world goes on without one; or mass was lost.
+    // Runs one tick with the user commands in `hand`; they are ignored while replaying. Errors, worded as a
+    // notice (the tick was done): inconsistent parameters were dropped; the recording cannot be written, and
+    // the session continues unrecorded; or mass was not conserved.
     Outcome<void> tick(std::span<const sim::Command> hand);
 
     std::size_t actions() const { return past_.size(); }  // that can be undone
-    // Rewinds world and recording to just before the last action. Returns its name. Errors: nothing to undo,
-    // time stands before it, or the recording cannot be written.
+    // Rewinds world and recording to just before the last action. Returns its name. Errors: there is nothing
+    // to undo, the current tick is in the past, or the recording cannot be written.
     Outcome<std::string> undo();
 
-    // Closes the recording. Errors: it cannot be written.
+    // Closes the recording. Errors: the recording cannot be written.
     Outcome<void> finish() { return session_.finish(); }
 
   private:
@@ -82,11 +82,11 @@ class Sandbox {
     LoadedWorld opening_;
     Session session_;
     std::optional<Verifier> verifier_;
-    std::vector<TimedCommand> by_hand_;  // in order of their ticks
-    std::vector<sim::Command> given_;    // of this tick; kept for its memory
+    std::vector<TimedCommand> by_hand_;  // sorted by tick
+    std::vector<sim::Command> given_;    // of this tick; a member to keep its capacity
     Keyframes keyframes_;
     std::int64_t known_until_ = 0;
-    std::optional<std::string> new_action_;  // begun, and nothing given yet
+    std::optional<std::string> new_action_;  // begun, without a command yet
     std::deque<Action> past_;
     std::size_t most_actions_ = 1;
 };

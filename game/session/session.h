@@ -16,29 +16,27 @@
 
 namespace game {
 
-// Milliseconds that the stages of the last tick took. Grows with the stages.
+// Milliseconds that the stages of the last tick took. Add a member for each new stage.
 struct TickTimes {
     double solve_ms = 0;
     double hash_ms = 0;
-    // Of its fronts, where they are followed: finding them, carrying textures, what is seen of these.
-    double track_ms = 0, advect_ms = 0, gradient_ms = 0;  // of a flow that is shown, all under track_ms
-    double peaks_ms = 0;  // what each vertex has seen at most, and how many move
+    // Tracking, advection and blending, if fronts are tracked.
+    double track_ms = 0, advect_ms = 0, gradient_ms = 0;  // track_ms has all three in a flow demo
+    double peaks_ms = 0;                                  // per-vertex maxima; count of moving vertices
 };
 
-// The greatest values that each vertex has seen, grid.size() each: what an avalanche did, when it is over. A
-// view.
+// Per-vertex maxima since tick 0, grid.size() values each. A view: never affects the world.
 struct Peaks {
     std::vector<float> depth;                 // m, of the rolling layer
     std::vector<float> speed;                 // m/s, where that layer was at least kVisible deep
     static constexpr float kVisible = 0.01f;  // m
 };
 
-// A world being played, with or without a window: commands in, views out. Whatever it is told it records
-// first, if it has a recorder, and then does.
+// Plays a world, with or without a window: commands in, views out. Records each command, if there is a
+// recorder, then applies it.
 class Session {
   public:
-    // All of a session at one tick, to come back to: a plain value of some 24 bytes per vertex, and 80 more
-    // where fronts are followed.
+    // Everything needed to restore one tick: about 24 bytes per vertex, and 80 more if fronts are tracked.
     struct Checkpoint {
         sim::Snapshot world;
         std::optional<sim::front::TextureLayers::Memory> textures;
@@ -52,53 +50,51 @@ class Session {
     static Outcome<Session> begin(const Scenario& scenario, const sim::StepOptions& options,
                                   std::optional<Recorder> recorder);
 
-    // From here on, for who draws or measures it: fronts, and what is carried with the flow that `scenario`
-    // shows or, if its look says that it carries anything, with the rolling layer.
-    // Where there are more vertices than that nothing is followed, and whoever asked should say kTooFine: no
-    // GL need be able to draw more than kMostFollowed.
+    // Starts front tracking and texture advection for a viewer: with the flow demo of `scenario`, or with the
+    // rolling layer if its look has an advected texture. Does nothing above `most_vertices`; the caller then
+    // reports kTooFine. OpenGL does not guarantee that more than kMostFollowed can be drawn.
     void follow_fronts(const Scenario& scenario, std::size_t most_vertices = kMostFollowed);
     static constexpr const char* kTooFine =
         "Textures do not move with the flow: the grid has over 900,000 vertices. Use a smaller --grid";
     void follow_nothing() { stage_.reset(), fronts_.reset(); }
-    // Nothing while none are followed.
+    // Null if no fronts are tracked.
     const sim::front::FlowView* fronts() const {
         return stage_ ? &stage_->view() : fronts_ ? &fronts_->view() : nullptr;
     }
-    // Of a start's flow that is followed, from the next tick on; without one nothing happens. Not recorded: a
-    // view.
+    // Sets the speeds of a flow demo from the next tick on; no effect otherwise. Not recorded.
     void set_flow(const sim::fields::FlowNumbers& numbers) {
         if (stage_) stage_->set(numbers);
     }
 
-    // One tick, with the commands given at its start. Errors: a command is out of range or the numbers set do
-    // not go together, and then nothing has changed; the recording cannot be written; or mass was lost, which
-    // is checked every tick.
+    // Runs one tick; `commands` apply at its start. Errors: a command is out of range or the parameters are
+    // inconsistent, and then nothing has changed; the recording cannot be written; or mass was not conserved,
+    // which is checked every tick.
     Outcome<void> advance(std::span<const sim::Command> commands);
     // Closes the recording.
     Outcome<void> finish();
 
     Checkpoint moment() const;
-    // Takes back all that came after `moment`, in the world and in the recording, to the bit. A flow that
-    // is shown goes on: nothing that a hand does touches it. Errors: the recording cannot be written.
+    // Discards everything after `moment` in the world and in the recording; the state is bit-identical. A
+    // flow demo is not rewound. Errors: the recording cannot be written.
     Outcome<void> rewind(const Checkpoint& moment);
-    // To `moment`, earlier or later. The recording stays as it is: what it has already, up to
-    // recorded_until(), is not written again. Errors: it cannot be written.
+    // Goes to `moment`, earlier or later. Keeps the recording: ticks up to recorded_until() are not written
+    // again. Errors: the recording cannot be written.
     Outcome<void> go_to(const Checkpoint& moment);
 
     const Recorder* recorder() const { return recorder_ ? &*recorder_ : nullptr; }
     std::int64_t recorded_until() const { return recorded_until_; }  // tick
-    // From here on in this recording, which has all up to this tick.
+    // Continues in `recorder`, which already holds all ticks so far.
     void record_in(Recorder recorder);
-    // Leaves the file as it is, without an end, and plays on unrecorded.
+    // Leaves the file as it is, without an end line, and continues unrecorded.
     void stop_recording() { recorder_.reset(); }
 
     sim::View view() const { return sim::view(state_); }
     const sim::State& state() const { return state_; }
-    // The tick that changed the fields last: while the world is at rest its picture stays the same.
+    // The last tick that changed the fields. While the world is at rest, its frame stays the same.
     std::int64_t changed_at() const { return changed_at_; }
     const Peaks& peaks() const { return peaks_; }
     const TickTimes& times() const { return times_; }
-    // Of this tick; `before` goes back to the last tick that a recording has a line of.
+    // The state line of this tick; `before` has the hashes since the last recorded state line.
     const StateLine& state_line() const { return line_; }
     std::size_t active_cells() const { return active_cells_; }  // vertices whose rolling layer is not empty
     double seconds() const {

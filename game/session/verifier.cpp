@@ -47,7 +47,7 @@ Verifier::Verifier(const Recording& recording) {
         hashes_.push_back({line.tick, line.hash});
         masses_.push_back({line.tick, line.ledger});
     }
-    // Lines may overlap, where somebody went back and played on.
+    // Lines overlap if the user went back and continued.
     std::ranges::stable_sort(hashes_, {}, &Hash::tick);
 }
 

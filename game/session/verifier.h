@@ -11,31 +11,31 @@
 
 namespace game {
 
-// How a recording's states compared with those of its replay.
+// Result of comparing a recording's states with those of its replay.
 struct Verdict {
     enum class Kind {
         kExact,          // at least one state was compared, and every recorded one so far is equal
-        kDiffers,        // one is not
-        kNothingProven,  // none was recorded up to here
-        kNotComparable,  // they are of another version of the physics
+        kDiffers,        // at least one differs
+        kNothingProven,  // no state was recorded so far
+        kNotComparable,  // recorded by another version of the physics
     };
     Kind kind() const;
 
     bool comparable = true;             // same physics version
     std::size_t compared = 0;           // ticks; recordings have a state for each since format 1.4
-    std::int64_t proven_tick = -1;      // every recorded state up to here was met exactly; −1: none
+    std::int64_t proven_tick = -1;      // every recorded state up to here is equal; −1: none
     std::optional<std::string> parted;  // where and how the two first differ
 };
 
 std::string_view to_string(Verdict::Kind kind);  // "exact", "differs", "nothing proven", "not comparable"
 
-// Compares each recorded state with the replay's as it passes, also where several lines tell the state of one
-// tick.
+// Compares each recorded state with the replay's during the replay, even if several lines have the state of
+// one tick.
 class Verifier {
   public:
     explicit Verifier(const Recording& recording);
 
-    // To be called after every tick, and before the first.
+    // Call before the first tick and after every tick.
     void look_at(const Session& session);
 
     const Verdict& verdict() const { return verdict_; }
@@ -50,7 +50,7 @@ class Verifier {
         sim::Ledger ledger;
     };
 
-    std::vector<Hash> hashes_;  // of all lines, by tick
+    std::vector<Hash> hashes_;  // of all lines, sorted by tick
     std::vector<Mass> masses_;
     std::size_t next_hash_ = 0, next_mass_ = 0;  // the first of this tick or a later one
     Verdict verdict_;

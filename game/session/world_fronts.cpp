@@ -42,7 +42,7 @@ void WorldFronts::track(const sim::View& world, double dt, sim::Workers& workers
 
 void WorldFronts::restore(const sim::View& world, const sim::front::TextureLayers::Memory& memory,
                           sim::Workers& workers) {
-    // A level has no past: a tracker that begins here finds the same points.
+    // Points at a level do not depend on the past: a new tracker finds the same ones.
     begin();
     track(world, 1, workers);
     view_->layers().restore(memory);

@@ -8,7 +8,7 @@
 namespace sim {
 namespace {
 
-// Of a layer, on vertices x0 … x1-1 by y0 … y1-1.
+// Returns the sum of a layer on vertices x0 … x1-1 by y0 … y1-1.
 std::int64_t quanta_in(const Field<float>& layer, InstructionSet set, int x0, int x1, int y0, int y1) {
     return sweep::kernels_for(set).quanta(layer.row(y0) + x0, layer.stride(), x1 - x0, y1 - y0);
 }

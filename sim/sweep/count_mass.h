@@ -6,8 +6,8 @@ namespace sim {
 
 struct State;
 
-// Counts standing and rolling layers anew, and of a mixed world the lower material in them, exactly, in any
-// order.
+// Counts the standing and rolling layers exactly, and in a world of two materials the lower material in
+// them. The result does not depend on the order.
 void count_mass(State& state);
 // The same, but reuses the counts of tiles that cannot have changed since. The first call counts all tiles.
 void count_changed_mass(State& state, InstructionSet set);

@@ -2,25 +2,25 @@
 #include "sim/inertial/stages.h"
 #include "sim/sweep/sweep.h"
 
-// The sweep, for lanes of any number. The stages of the plain step (bcre/stages.h) follow one another over
-// the rows of a job: each stage runs as soon as the rows that it reads are done, and only the last few rows
-// of what it writes are kept, so that they are still in a near cache when the next stage wants them.
+// The sweep, for any number of lanes. Runs the stages of the plain step (bcre/stages.h) row by row over a job.
+// A stage runs as soon as the rows that it reads are done. Only the last few rows of its results are kept, so
+// that they are still in a near cache when the next stage reads them.
 //
 //     drops (t)  ─►  slope_dx (t − 1)  ─►  outflow (t − 1)  ─►  fluxes (t − 1)  ─►  d, R (t − 2)
 //
-// A row of the layers is overwritten once no stage reads its old values. Stages are also computed on rows
-// beside a job (`beside`), on as many as later stages read: the last on none, the first on all that kApron
-// covers. Two neighbouring jobs compute bit-identical values there.
+// A row of the layers is overwritten when no stage reads its old values any more. Stages also run on rows
+// outside the job (`beside`), as many as later stages read: the last on none, the first on all that kApron
+// covers. Two adjacent jobs compute bit-identical values there.
 
 namespace sim::sweep {
 
-// Rows to work with, handed out one after the other.
+// Hands out work rows one after the other.
 class WorkRows {
   public:
     WorkRows(float* first, std::ptrdiff_t stride) : next_(first), stride_(stride) {}
 
-    // Visits the fields of a list and keeps the last `count` rows of each. There is no loop over pointers to
-    // fields: the compiler keeps in registers what nothing points to.
+    // Visits the fields of a list and keeps the last `count` rows of each. Does not loop over pointers to
+    // fields, because the compiler keeps a field in registers only if nothing points to it.
     auto keep(int count) {
         return [ this, count ](std::string_view, Rows<float> & field) __attribute__((always_inline)) {
             field = {next_, stride_, count};
@@ -81,8 +81,8 @@ class Kernel {
         each_layer(rows.keep(8), u1);
         each_transfer(rows.keep(8), w);
         each_rate(rows.keep(4), u0), each_rate(rows.keep(4), u1);
-        bool limits_outflow[2] = {};  // whether a vertex of the last two rows may
-        // The rates of a state, from the drops of row y on.
+        bool limits_outflow[2] = {};  // whether a vertex limits its outflow, in either of the last two rows
+        // Computes the rates of a state, beginning with the drops of row y.
         const auto find_rates = [&](StateRows<float>& u, int y, int beside) {
             if (is_face(y, beside + 1)) run(find_drops<Lanes>(w, u, u.drop_x, u.drop_y, y));
             if (is_face(y, beside + 1)) end_drops<Lanes>(w, u.drop_x, y);
@@ -182,11 +182,11 @@ class Kernel {
         return drained_;
     }
 
-    // The velocity for views, at the end of a tick.
+    // Computes the velocity for views at the end of a tick.
     void find_velocity(float* work) {
         WorkRows rows(work, g_.stride);
         bcre::StageRows<float> w = begun<bcre::StageRows<float>>(g_.bcre);
-        w.u0.depth = Rows<float>(g_.depth, g_.stride);  // nobody changes it now
+        w.u0.depth = Rows<float>(g_.depth, g_.stride);  // nothing changes it now
         each_rate(rows.keep(2), w.u0);
         w.u0.velocity_x = Rows<float>(g_.velocity_x, g_.stride);
         w.u0.velocity_y = Rows<float>(g_.velocity_y, g_.stride);
@@ -202,26 +202,26 @@ class Kernel {
     }
 
   private:
-    // A stage on all that lies near. Each has a loop of its own: a processor looks ahead over some hundred
-    // operations, which are many vertices of a short stage and hardly two of a long one. But one that waits
-    // for the divider goes together with one that has no use for it and none for what the other writes; both
-    // on the rows that either needs.
+    // Runs a stage over the job and its margin. Most stages have a loop of their own: a processor looks ahead
+    // over some hundred operations, which are many vertices of a short stage but hardly two of a long one. A
+    // stage that waits for the divider shares a loop with an independent one that does not divide; both run on
+    // all rows that either needs.
     template <class... Stages>
     void run(const Stages&... stages) const {
-        const bool at_border = wide().last == g_.nx;  // elsewhere nobody reads so far
+        const bool at_border = wide().last == g_.nx;  // elsewhere no stage reads that far
         along<Lanes>(at_border ? wide().faces() : wide(), stages...);
     }
-    // Runs along with a stage and meanwhile brings a row near that will be read next. One with each: a core
-    // waits for a dozen lines at most.
+    // Prefetches a row that will be read next, in the loop of another stage. One row for each stage, because a
+    // core can wait for only about a dozen cache lines.
     auto fetch(const Rows<float>& rows, int y) const {
         return [row = rows[std::clamp(y, job_.y0, job_.y1 - 1)]](int i) { __builtin_prefetch(row + i); };
     }
 
-    // Vertices of the job, and those beside it whose stages its own ones read.
+    // Columns of the job; `wide` has its margin too, whose results the job reads.
     Span narrow() const { return {job_.x0, job_.x1}; }
     Span wide() const { return {std::max(job_.x0 - kBeside, 0), std::min(job_.x1 + kBeside, g_.nx)}; }
 
-    // Whether y is a row, or a face, of the job or of so many rows beside it; `near` is a row or of the halo.
+    // Whether y is a row, or a face, of the job or of `beside` rows outside it. is_near() includes the halo.
     bool is_row(int y, int beside) const {
         return y >= std::max(job_.y0 - beside, 0) && y < std::min(job_.y1 + beside, g_.ny);
     }
@@ -232,8 +232,8 @@ class Kernel {
         return y >= std::max(job_.y0 - beside, 0) && y <= std::min(job_.y1 + beside, g_.ny);
     }
 
-    // The layers as the sub-step finds them. What lies beside a job may have been changed by another, and was
-    // copied before.
+    // Returns the layers as before the sub-step. Rows outside the job are read from copies, because another
+    // job may have changed them.
     template <class Work, class Constants>
     Work begun(const Constants& constants) const {
         Work w{};
@@ -256,7 +256,7 @@ class Kernel {
         along<Lanes>(narrow(), bcre::settle<Lanes, scheme>(w, w.u0, y, job_.x1, active), fetch);
         end_row(w.u0, w, y, active);
     }
-    // `through` has the fluxes.
+    // `through`: the fluxes.
     template <class State, class Fluxes>
     void end_row(State& u0, const Fluxes& through, int y, std::uint8_t* active) {
         drained_ += drained<Lanes>(through, g_.outlets, y, narrow());
@@ -266,14 +266,14 @@ class Kernel {
         if (ends_tiles) tile_end_ += g_.tile_height;
     }
 
-    // Which edges of its tiles row y lies near, kSomewhere with them.
+    // Returns kSomewhere and the tile edges that row y is close to.
     std::uint8_t edges_at(int y) const {
         return static_cast<std::uint8_t>(kSomewhere |
                                          (y < tile_end_ - g_.tile_height + kReach ? kNearSouth : 0) |
                                          (y >= tile_end_ - kReach ? kNearNorth : 0));
     }
 
-    // After rows up to y that lie near the same edges.
+    // Marks active tiles. Call after the last row y that is close to the same edges.
     void tell_active(std::uint8_t edges, int y, std::uint8_t* active) const {
         std::uint8_t* tiles = g_.active + y / g_.tile_height * g_.tile_columns;
         for (int x = job_.x0; x < job_.x1; x += kLanes<Lanes>) {
@@ -290,7 +290,7 @@ class Kernel {
 
     const Ground& g_;
     const Job job_;
-    int tile_end_;  // where the tiles of its rows end
+    int tile_end_;  // end of the current row of tiles
     std::int64_t drained_ = 0;
 };
 
@@ -299,7 +299,7 @@ void run_velocity(const Ground& ground, const Job& job, float* work) {
     Kernel<Lanes>(ground, job).find_velocity(work);
 }
 
-// A layer is at most 2²⁴ quanta thick, so that many fit in 32 bits, in which they are added faster.
+// A layer is at most 2²⁴ quanta thick, so many values add up in 32 bits, which is faster than in 64.
 template <class Lanes>
 std::int64_t quanta(const float* first, std::ptrdiff_t stride, int width, int height) {
     using Whole = stdx::rebind_simd_t<std::int32_t, Lanes>;
@@ -314,7 +314,7 @@ std::int64_t quanta(const float* first, std::ptrdiff_t stride, int width, int he
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; x += kLanes<Lanes>) {
             const float* row = first + y * stride;
-            __builtin_prefetch(row + 2 * stride + x);  // rows of a tile are too short to be foreseen
+            __builtin_prefetch(row + 2 * stride + x);  // too short a row for the hardware prefetcher
             const Lanes metres = only_before(width, at<Lanes>(row, x), x);
             part += stdx::static_simd_cast<Whole>(metres * (1 / kQuantum));
             if (++added == kTogether) take_part();

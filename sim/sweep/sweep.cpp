@@ -10,8 +10,8 @@
 namespace sim::sweep {
 namespace {
 
-constexpr int kAproned = 4;             // fields that a job changes while others read beside it
-constexpr int kApronRows = kApron + 1;  // of each, on a side: with the halo, if the world ends there
+constexpr int kAproned = 4;             // fields that a job changes while adjacent jobs read them
+constexpr int kApronRows = kApron + 1;  // of each field on each side; one more for the halo at a border
 
 }  // namespace
 
@@ -29,8 +29,8 @@ Sweeper::Sweeper(const State& s, int threads, bool last_tile_first)
     drained_.reserve(active_.size());
 }
 
-// Marked tiles as rectangles: runs of them along x, and as many rows of them as have the same runs, but so
-// that each thread gets some.
+// Splits the marked tiles into rectangles: runs along x, over consecutive rows with equal runs, but few enough
+// rows that each thread gets a job.
 void Sweeper::find_jobs(const Grid& grid, Tiles& tiles, const std::vector<std::uint8_t>& marked,
                         int threads) {
     jobs_.clear();
@@ -59,7 +59,7 @@ void Sweeper::find_jobs(const Grid& grid, Tiles& tiles, const std::vector<std::u
     drained_.assign(jobs_.size(), 0);
 }
 
-// Rows beside a job as they are before anybody changes them.
+// Copies the rows outside a job before any job changes them.
 void Sweeper::copy_aprons(const State& s, const Job& job) const {
     const int from = std::max(job.x0 - kBeside, -1), to = std::min(job.x1 + kBeside, s.grid.nx + 1);
     const auto copy = [&](const Field<float>& field, const Job::Apron& apron) {
@@ -130,8 +130,8 @@ std::int64_t Sweeper::substep(State& s, Workers& workers, InstructionSet set, Su
 }
 
 void Sweeper::find_velocity(State& s, Workers& workers, InstructionSet set) {
-    if (s.params.model != Model::kBcre) return;  // it is state, and there already
-    // What was written in this tick, and what lies beside it: a velocity follows from the slope there.
+    if (s.params.model != Model::kBcre) return;  // velocity is state there and already known
+    // Tiles written in this tick and their neighbours, because velocity depends on the slope.
     std::transform(s.tiles.awake.begin(), s.tiles.awake.end(), s.tiles.uncounted.begin(), stale_.begin(),
                    [](std::uint8_t awake, std::uint8_t written) { return std::uint8_t(awake | written); });
     const Ground ground = open(s, stale_, workers.threads(), {});

@@ -10,11 +10,11 @@
 #include "sim/simd/instruction_set.h"
 #include "sim/world/outlets.h"
 
-// A sub-step in one sweep over the rows, many vertices at a time: the stages of the plain step
-// (bcre/stages.h, inertial/stages.h), and the same bits, without a field between them.
+// A sub-step in one sweep over the rows, many vertices at a time. Runs the stages of the plain step
+// (bcre/stages.h, inertial/stages.h) without whole fields between them. Results are bit-identical.
 //
-// Nothing here is more than pointers and numbers. kernel.cpp is compiled for instruction sets that a machine
-// may lack, so it must not share a function with the rest of the program.
+// This header has only pointers and numbers. kernel.cpp is compiled for instruction sets that a machine may
+// lack, so it must not share a function with the rest of the program.
 
 namespace sim::sweep {
 
@@ -35,30 +35,30 @@ struct Ground {
 };
 
 // A rectangle of vertices that one thread sweeps, x0 … x1-1 by y0 … y1-1. Its rows change in place while
-// others sweep the rows beside it, so what lies beyond was copied before: kApron rows on each side. Along x
-// only what sleeps lies beside it, a tile at least: twice kBeside, so that two jobs do not meet in it. Its
-// stages read less than kBeside vertices of it; so many fill a cache line, and lanes keep to theirs.
+// other threads sweep adjacent rows, so rows outside the job were copied before: kApron on each side. Along x
+// a job has only sleeping tiles beside it. A tile is at least twice kBeside wide, so two jobs do not overlap.
+// Stages read fewer than kBeside vertices outside. kBeside fills a cache line, so lanes stay aligned.
 inline constexpr int kApron = 5, kBeside = kRowPadding;
 struct Job {
     int x0, x1, y0, y1;
-    struct Apron {  // where row y0 would follow on what lies below, and row y1 above; x = 0
+    struct Apron {  // x = 0 of the copied row at y0, for rows below it, and at y1, for rows above it
         float *below, *above;
     };
     Apron depth, rolling, velocity_x, velocity_y;
 };
 
-// Rows that a thread works with, each `stride` floats: the most that a sweep takes is 168, for bcre-inertial.
+// Work rows of a thread, each `stride` floats. bcre-inertial needs the most: 168.
 inline constexpr int kWorkRows = 192;
 
-// What is compiled for each instruction set (kernel.cpp).
+// Functions compiled for each instruction set (kernel.cpp).
 struct Kernels {
-    // Sweeps a job through one sub-step. Returns what left the world, in quanta. `work` points to x = 0 of
+    // Sweeps a job through one sub-step. Returns the mass that left the world, in quanta. `work` points to x = 0 of
     // the first work row, `active` to a byte for each run of lanes in a row, all 0.
     std::int64_t (*sweep)(const Ground& ground, const Job& job, float* work, std::uint8_t* active);
-    // Computes the velocity for views at the end of a tick; 0 where nothing rolls.
+    // Computes the velocity for views at the end of a tick; 0 where the rolling layer is empty.
     void (*velocity)(const Ground& ground, const Job& job, float* work);
-    // What a layer holds on `width` by `height` vertices from `first` on, rows `stride` apart, in quanta:
-    // exact.
+    // Returns the exact sum of a layer in quanta, on `width` by `height` vertices from `first` on, rows
+    // `stride` apart.
     std::int64_t (*quanta)(const float* first, std::ptrdiff_t stride, int width, int height);
 };
 template <InstructionSet set>
@@ -70,7 +70,7 @@ const Kernels& kernels<InstructionSet::kX86_64_v3>();
 template <>
 const Kernels& kernels<InstructionSet::kX86_64_v4>();
 
-// Of an instruction set that this machine has.
+// Returns the kernels for `set`, which this machine must support.
 inline const Kernels& kernels_for(InstructionSet set) {
     return with_instruction_set(set, [](auto its) -> const Kernels& { return kernels<its()>(); });
 }

@@ -20,14 +20,15 @@ class Sweeper {
   public:
     Sweeper(const State& state, int threads, bool last_tile_first);
 
-    // One sub-step, without commands; returns what left the world, in quanta.
+    // Runs one sub-step, without commands. Returns the mass that left the world, in quanta.
     std::int64_t substep(State& state, Workers& workers, InstructionSet set, Substep<float> sub);
 
     // Computes the velocity for views, once a tick after its sub-steps.
     void find_velocity(State& state, Workers& workers, InstructionSet set);
 
   private:
-    // The only way to pointers that a kernel writes through: makes jobs of the marked tiles and opens these.
+    // Splits the marked tiles into jobs and opens these tiles. The only source of pointers that a kernel
+    // writes through.
     Ground open(State& state, const std::vector<std::uint8_t>& marked, int threads, Substep<float> sub);
     void find_jobs(const Grid& grid, Tiles& tiles, const std::vector<std::uint8_t>& marked, int threads);
     void copy_aprons(const State& state, const Job& job) const;
@@ -41,9 +42,9 @@ class Sweeper {
     AlignedVector<float> work_;             // kWorkRows for each thread
     std::vector<std::uint8_t> row_active_;  // a row for each thread
     std::vector<std::uint8_t> active_;      // of each tile, in this sub-step, as Activity
-    std::vector<std::uint8_t> stale_;       // of each tile: whether its velocity is to be computed
+    std::vector<std::uint8_t> stale_;       // of each tile: 1 if its velocity must be computed
     std::vector<Job> jobs_;
-    std::vector<std::int64_t> drained_;  // by each job
+    std::vector<std::int64_t> drained_;  // of each job
 };
 
 }  // namespace sweep

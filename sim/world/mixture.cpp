@@ -20,9 +20,9 @@ float metres_of(Quanta quanta) {
     return static_cast<float>(quanta) * kQuantum;
 }
 
-// Of `whole` quanta `part` are the lower material: how many are in the first `amount` of them. Rounded up
-// where the fraction is beyond 1 - dither. Between any two amounts there are never more than lie between
-// them, so that what is given in several parts adds up, and neither material becomes less than none.
+// Returns how many of the first `amount` quanta are the lower material, if `part` of `whole` are. Rounds up
+// if the fraction exceeds 1 - dither. The difference for two amounts is never more than the difference of the
+// amounts. So parts add up, and neither material can become negative.
 Quanta lower_in_first(Quanta amount, Quanta part, Quanta whole, float dither) {
     if (part == 0 || amount == 0) return 0;
     CHECK(amount <= whole && part <= whole);
@@ -30,9 +30,10 @@ Quanta lower_in_first(Quanta amount, Quanta part, Quanta whole, float dither) {
     return (part * amount + up) / whole;
 }
 
-constexpr float kNearest = 0.5f;  // dither of what is rounded once
+constexpr float kNearest = 0.5f;  // dither of amounts that are rounded once
 
-// Takes `amount` off what rolls, or off what lies, and returns the lower material in it. `whole`: the layer.
+// Take `amount` from the rolling or the standing layer and return the lower material in it. `whole`: the
+// depth of the layer.
 Quanta take_rolling(Mixture& m, int x, int y, Quanta amount, Quanta whole, float dither) {
     const Quanta part = quanta_of(m.rolling(x, y));
     const Quanta taken = lower_in_first(amount, part, whole, dither);
@@ -52,7 +53,7 @@ void add(Field<float>& field, int x, int y, Quanta amount) {
     field(x, y) = metres_of(quanta_of(field(x, y)) + amount);
 }
 
-// What leaves a vertex through its faces, in the order in which it is told apart.
+// Outflow of a vertex through each face, in rounding order.
 struct Leaving {
     Quanta east, west, north, south;
 
@@ -63,7 +64,7 @@ struct Leaving {
           south(quanta_of(std::max(-flux_y(x, y), 0.f))) {}
 };
 
-// The lower material in what a vertex gives after `before` and until `until`.
+// Returns the lower material in the outflow of a vertex from quantum `before` to `until`.
 float lower_given(const Mixture& m, const Mixing& mixing, int x, int y, Quanta before, Quanta until,
                   float dither) {
     const Quanta part = quanta_of(m.rolling(x, y)), whole = quanta_of(mixing.rolling(x, y));
@@ -99,7 +100,7 @@ void find_lower_fluxes(const Mixture& m, Mixing& mixing, const Field<float>& flu
     }
 }
 
-// What comes and goes through the faces of a vertex, then what is exchanged.
+// Applies the fluxes through the faces of a vertex, then the exchange.
 void take_along(State& s, Mixture& m, const Mixing& mixing, const Field<float>& flux_x,
                 const Field<float>& flux_y, float dither, int x, int y) {
     if (s.site(x, y) != Site::kGround) {
@@ -119,7 +120,7 @@ void take_along(State& s, Mixture& m, const Mixing& mixing, const Field<float>& 
         add(m.settled, x, y, take_rolling(m, x, y, stands - stood, carried, dither));
 }
 
-// What of the lower material left the world.
+// Returns the lower material that left the world.
 Quanta lower_out(const Mixing& mixing, const Outlets& outlets) {
     Quanta out = 0;
     for (const Outlets::Face& face : outlets.faces) {

@@ -8,7 +8,7 @@
 
 namespace sim {
 
-enum class Model { kBcre, kBcreInertial };                          // README.md, "Two models"
+enum class Model { kBcre, kBcreInertial };                          // docs/physics.md, "Equations"
 enum class Scheme { kLaxFriedrichs, kLocalLaxFriedrichs, kMuscl };  // kBcre only; kBcreInertial has its own
 enum class Law { kConstant, kSlope, kShear };  // speed in kBcre: (C), (HK), (T) of bcre/velocity.h
 enum class Border { kWall, kOpen, kSink };     // stages.h

@@ -23,7 +23,7 @@ StateLine record(const std::filesystem::path& path, const Scenario& scenario, in
 // A recording's lines as text, without their chain and closing brace, so that tests can change them ...
 std::vector<std::string> bodies_of(const std::string& recording);
 // ... and the same rechained, as a forger would: with the
-// hash that README.md describes, not with our own Chain.
+// hash that docs/recording.md describes, not with our own Chain.
 std::string chained(const std::vector<std::string>& bodies);
 // One line without its chain, from and to JSON.
 Json json_of(const std::string& body);
