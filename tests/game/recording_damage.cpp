@@ -190,7 +190,8 @@ TEST_F(DamagedRecording, without_the_state_lines_that_lead_to_a_tick_is_refused)
     EXPECT_TRUE(read(chained({body_of(forked), "{\"end\":1006"})));
     refused_at(2, read(chained({body_of(forked), "{\"end\":1007"})));
     // However late a fork begins, its reader does not compute more ticks than this without a state line.
-    for (const std::int64_t late : {kMostTicksOfParent + kMostTicksPerState, std::int64_t{9'999'999}, std::int64_t{1} << 40}) {
+    for (const std::int64_t late :
+         {kMostTicksOfParent + kMostTicksPerState, std::int64_t{9'999'999}, std::int64_t{1} << 40}) {
         forked["parent"]["tick"] = late;
         refused_at(2, read(chained({body_of(forked), fmt::format("{{\"end\":{}", late)})));
     }
