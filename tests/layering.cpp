@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <string>
 
+#include "tests/architecture.h"
 #include "tests/support/include_rules.h"
 #include "tests/support/places.h"
 
@@ -107,6 +109,22 @@ TEST(Layering, lets_the_arrows_through) {
              Planted{"tests/layering.cpp", "#include \"game/scene/scene.h\""},
          })
         EXPECT_TRUE(breaches_in(planted.file, planted.line).empty()) << planted.file << ": " << planted.line;
+}
+
+// COULOIR_RENEW_ARCHITECTURE=1 writes the picture instead.
+TEST(Architecture, picture_is_what_the_includes_say) {
+    const auto file = support::source_dir() / "docs/architecture.svg";
+    const architecture::Picture picture = architecture::draw(support::source_dir());
+    for (const std::string& fault : picture.faults) ADD_FAILURE() << fault;
+    ASSERT_TRUE(picture.faults.empty());
+    if (std::getenv("COULOIR_RENEW_ARCHITECTURE")) {
+        std::ofstream(file, std::ios::binary) << picture.svg;
+        GTEST_SKIP() << "renewed " << file;
+    }
+    std::ifstream stream(file, std::ios::binary);
+    const std::string kept{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    EXPECT_TRUE(kept == picture.svg)
+        << file << " differs from the includes; renew it with COULOIR_RENEW_ARCHITECTURE=1 layering_test";
 }
 
 }  // namespace

@@ -149,27 +149,34 @@ std::string resolve(std::string_view file, char quote, const std::string& name) 
 
 }  // namespace
 
-std::vector<Breach> breaches_in(std::string_view file, std::string_view text) {
+std::vector<Include> includes_of(std::string_view file, std::string_view text) {
     static const std::regex kInclude(
         R"(^\s*#\s*(?:include|include_next|import)\b\s*(?:([<"])([^>"]+)[>"])?.*)");
-    const Room* room = room_of(file);
-    if (!room) return {{std::string(file), 0, "is in no room that the include rules know"}};
-
-    std::vector<Breach> breaches;
+    std::vector<Include> includes;
     std::istringstream lines{std::string(text)};
     std::string line;
     for (int number = 1; std::getline(lines, line); ++number) {
         std::smatch match;
         if (!std::regex_match(line, match, kInclude)) continue;
-        if (!match[1].matched) {
-            breaches.push_back(
-                {std::string(file), number, "includes a name that cannot be read off the line"});
+        includes.push_back(
+            {number, match[1].matched ? resolve(file, *match[1].first, match[2]) : std::string()});
+    }
+    return includes;
+}
+
+std::vector<Breach> breaches_in(std::string_view file, std::string_view text) {
+    const Room* room = room_of(file);
+    if (!room) return {{std::string(file), 0, "is in no room that the include rules know"}};
+
+    std::vector<Breach> breaches;
+    for (const auto& [line, header] : includes_of(file, text)) {
+        if (header.empty()) {
+            breaches.push_back({std::string(file), line, "includes a name that cannot be read off the line"});
             continue;
         }
-        const std::string header = resolve(file, *match[1].first, match[2]);
         if (may_include(*room, file, header)) continue;
         const std::string shown = is_in_the_house(header) ? header : "<" + header + ">";
-        breaches.push_back({std::string(file), number,
+        breaches.push_back({std::string(file), line,
                             (is_kept_from(file, header) ? std::string(file) : std::string(room->name)) +
                                 " may not include " + shown});
     }

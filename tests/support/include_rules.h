@@ -25,9 +25,18 @@ struct Breach {
     std::string fact;  // "sim may not include <fstream>"
 };
 
+// One #include line.
+struct Include {
+    int line = 0;        // from 1
+    std::string header;  // "sim/core/grid.h", or a library's name as written; empty if a macro names it
+};
+
+// Returns the includes of one source text, in order, read as the preprocessor does, except that those disabled
+// by #if count too. Our own headers get their path from the top of the checkout.
+std::vector<Include> includes_of(std::string_view file, std::string_view text);
+
 // Returns the violations in one source text. `file` is its path from the top of the checkout and begins with
-// its room. Reads includes as the preprocessor does, except that it counts those disabled by #if, and reports
-// a name from a macro as a violation.
+// its room. A name from a macro is a violation.
 std::vector<Breach> breaches_in(std::string_view file, std::string_view text);
 
 // The C++ files of the rooms under `top`, as paths from there, sorted.
