@@ -37,4 +37,12 @@ tl::expected<std::ifstream, std::string> open_input(const fs::path& path) {
     return file;
 }
 
+bool is_within(const fs::path& folder, const fs::path& path) {
+    std::error_code error;
+    const fs::path real =
+        fs::weakly_canonical(path, error)
+            .lexically_relative(fs::canonical(folder.empty() ? fs::path(".") : folder, error));
+    return !error && !real.empty() && *real.begin() != "..";
+}
+
 }  // namespace files

@@ -16,4 +16,8 @@ tl::expected<void, std::string> check_input(const std::filesystem::path& path);
 // Opens a file for reading, in bytes. Errors: those of check_input(), and no permission to read.
 tl::expected<std::ifstream, std::string> open_input(const std::filesystem::path& path);
 
+// Whether `path` is in the folder or below it, after following links; "" is the working folder. False if either
+// cannot be resolved.
+bool is_within(const std::filesystem::path& folder, const std::filesystem::path& path);
+
 }  // namespace files

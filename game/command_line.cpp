@@ -172,8 +172,8 @@ void add_grid(CLI::App& app, Overrides& overrides) {
 void add_references(CLI::App& app, Overrides& overrides) {
     app.add_flag_callback(
         "--allow-references", [&overrides] { overrides.references = terrains::References::kAllowed; },
-        "allow virtual rasters (VRT) to read the files they name, and scenes to read terrain outside their "
-        "folder; the network is never used");
+        "allow virtual rasters (VRT) to read the files they name, and scenes to read terrain and materials "
+        "outside their folder; the network is never used");
 }
 
 void add_material_and_model(CLI::App& app, Overrides& overrides) {

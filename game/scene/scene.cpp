@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "files/input.h"
 #include "game/files/assets.h"
 #include "game/files/toml_table.h"
 #include "game/scene/flow_scene.h"
@@ -163,12 +164,26 @@ void take_material(Scenario& scenario, const Material& material, const sim::Para
     scenario.params = over;
 }
 
+// A material that a scene names: a shipped one, or a file beside or below the scene, as terrain is. Errors,
+// without the place: it may not or cannot be read.
+Outcome<Material> material_of_scene(const std::string& name, const fs::path& folder,
+                                    terrains::References references, sim::Model model) {
+    const bool is_shipped = is_asset(AssetKind::kMaterial, name);
+    const fs::path file = folder / name;
+    if (!is_shipped && references != terrains::References::kAllowed && !files::is_within(folder, file))
+        return unusable("lies outside the scene's folder; add --allow-references if you trust the scene");
+    auto material = load_material(is_shipped ? name : file.string(), model);
+    if (!material) return unusable("cannot be used: " + material.error().sentence);
+    return material;
+}
+
 // Reads the whole file in the order of its dependencies. Faults
 // are collected in `fault`; the result is then meaningless.
 Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides& overrides,
                           TomlFault& fault) {
     Scene scene;
     Scenario& scenario = scene.scenario;
+    const fs::path folder = path.parent_path();
     scene.files.push_back(path);
     scenario.scene = path.stem().string();
     scenario.title = root.text("title").value_or(scenario.scene);
@@ -202,9 +217,9 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
     if (fault) return unusable(*fault);
     if (const auto sound = check_choices(overrides, model); !sound) return tl::unexpected(sound.error());
 
-    const auto material = load_material(overrides.material.value_or(*named), model);
-    if (!material && !overrides.material)
-        cover->blame("material", "cannot be used: " + material.error().sentence);
+    const auto material = overrides.material ? load_material(*overrides.material, model)
+                                             : material_of_scene(*named, folder, overrides.references, model);
+    if (!material && !overrides.material) cover->blame("material", material.error().sentence);
     if (!material) return fault ? unusable(*fault) : tl::unexpected(material.error());
     scene.files.push_back(material->file);
     sim::Params params = material->params;
@@ -218,8 +233,8 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
     physics->finish();
     take_material(scenario, *material, params);
     if (under_rule) {
-        const auto lower = load_material(*under_named, model);
-        if (!lower) under->blame("material", "cannot be used: " + lower.error().sentence);
+        const auto lower = material_of_scene(*under_named, folder, overrides.references, model);
+        if (!lower) under->blame("material", lower.error().sentence);
         if (!lower) return unusable(*fault);
         scene.files.push_back(lower->file);
         take_lower(scenario, *lower);
@@ -236,9 +251,9 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
     if (const auto wrong = fault_of_commands(params, scene.commands))
         return unusable(fmt::format("{}: {}", path.string(), *wrong));
 
-    if (const auto file = ground->text("file")) scene.files.push_back(path.parent_path() / *file);
+    if (const auto file = ground->text("file")) scene.files.push_back(folder / *file);
     auto terrain = read_terrain(
-        *ground, path.parent_path(), overrides.squares, overrides.references,
+        *ground, folder, overrides.squares, overrides.references,
         [&](const sim::Grid& grid) { return overrides.memory.allows(grid, scenario.lower.has_value()); });
     if (fault) return unusable(*fault);
     if (!terrain) return unusable(terrain.error());

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "files/input.h"
 #include "terrains/dem_gdal.h"
 #include "terrains/generate.h"
 #include "terrains/heightmap_image.h"
@@ -40,15 +41,6 @@ MaybeTerrain generate(TomlTable& table, const std::string& generator, const Grid
     return tl::unexpected(std::string());
 }
 
-// Whether a file is in a folder or below it, after following links.
-bool is_within(const fs::path& folder, const fs::path& file) {
-    std::error_code error;
-    const fs::path real =
-        fs::weakly_canonical(file, error)
-            .lexically_relative(fs::canonical(folder.empty() ? fs::path(".") : folder, error));
-    return !error && !real.empty() && *real.begin() != "..";
-}
-
 MaybeTerrain read_file(TomlTable& table, const fs::path& file, const GridChoice& choice,
                        terrains::References references) {
     const auto pixel = table.number("pixel", 1e-3, 1e5);
@@ -73,7 +65,7 @@ MaybeTerrain read_terrain(TomlTable& table, const fs::path& folder, std::optiona
     if (!grid || generator.has_value() == file.has_value()) return tl::unexpected(std::string());
     const GridChoice choice(wished.value_or(static_cast<int>(*grid)), std::move(allowed));
     if (generator) return generate(table, *generator, choice);
-    if (references != terrains::References::kAllowed && !is_within(folder, folder / *file)) {
+    if (references != terrains::References::kAllowed && !files::is_within(folder, folder / *file)) {
         table.blame("file", "lies outside the scene's folder; add --allow-references if you trust the scene");
         return tl::unexpected(std::string());
     }

@@ -85,9 +85,11 @@ class SceneOfStranger : public testing::Test {
         fs::create_symlink(folder_.path() / "hill.asc", scene_.parent_path() / "link.asc");
     }
 
-    Outcome<Scene> load(const std::string& file, terrains::References references) {
-        write_bytes(scene_, "[terrain]\nfile = \"" + file +
-                                "\"\ngrid = 8\n[cover]\nmaterial = \"soil\"\ndepth = 1\n[physics]\n");
+    Outcome<Scene> load(const std::string& file, terrains::References references,
+                        const std::string& material = "soil", const std::string& under = "") {
+        write_bytes(scene_, "[terrain]\nfile = \"" + file + "\"\ngrid = 8\n[cover]\nmaterial = \"" +
+                                material + "\"\ndepth = 1\n[physics]\n" +
+                                (under.empty() ? "" : "[under]\ndepth = 1\nmaterial = \"" + under + "\"\n"));
         Overrides overrides;
         overrides.references = references;
         return load_scene(scene_.string(), overrides);
@@ -114,6 +116,33 @@ TEST_F(SceneOfStranger, reads_terrain_outside_its_folder_only_if_references_are_
         const auto allowed = load(file, References::kAllowed);
         EXPECT_TRUE(allowed) << file << ": " << allowed.error().sentence;
     }
+}
+
+TEST_F(SceneOfStranger, reads_materials_outside_its_folder_only_if_references_are_allowed) {
+    using terrains::References;
+    const std::string soil = read_bytes(support::source_dir() / "assets/materials/soil.toml");
+    write_bytes(folder_.path() / "own.toml", soil);
+    write_bytes(scene_.parent_path() / "hills" / "own.toml", soil);
+    fs::create_symlink(folder_.path() / "own.toml", scene_.parent_path() / "link.toml");
+    for (const auto& [file, is_inside] : std::vector<std::pair<std::string, bool>>{
+             {"hills/own.toml", true},
+             {"../own.toml", false},
+             {"link.toml", false},
+             {(folder_.path() / "own.toml").string(), false},
+             {"/etc/passwd", false},
+         })
+        for (const bool is_upper : {true, false}) {
+            const auto read = [&](References references) {
+                return load("hills/hill.asc", references, is_upper ? file : "soil", is_upper ? "" : file);
+            };
+            const auto refused = read(References::kRefused);
+            EXPECT_EQ(refused.has_value(), is_inside) << file;
+            if (!is_inside) {
+                EXPECT_NE(refused.error().sentence.find("--allow-references"), std::string::npos)
+                    << refused.error().sentence;
+            }
+            if (file != "/etc/passwd") EXPECT_TRUE(read(References::kAllowed)) << file;
+        }
 }
 
 }  // namespace
