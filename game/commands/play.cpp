@@ -4,6 +4,7 @@
 #include "game/app/window.h"
 #include "game/commands/commands.h"
 #include "game/files/file_use.h"
+#include "game/files/assets.h"
 #include "game/recording/reader.h"
 
 namespace game {
@@ -28,7 +29,9 @@ Outcome<int> play(const PlayOptions& options) {
     auto loaded = open_anything(options.what.empty() ? kFirstScene : options.what, overrides);
     if (!loaded) return tl::unexpected(loaded.error());
     FileUse use;
-    if (auto sound = use.reads(loaded->scene.files).writes("--record", options.record).check(); !sound)
+    if (auto sound =
+            use.reads(loaded->scene.files).reads(drawing_assets()).writes("--record", options.record).check();
+        !sound)
         return tl::unexpected(sound.error());
     if (options.until && !loaded->watched)
         return unusable(

@@ -89,6 +89,30 @@ TEST_F(Outputs, never_replace_another_output) {
     const fs::path there = out() / "there";
     write_bytes(there, "kept");
     for (const Subcommand& each : all())
+// An input with the name of an image or an export. Refused before anything is drawn, so this needs no GL.
+TEST_F(Outputs, that_are_drawn_never_replace_an_input) {
+    const std::map<std::string, fs::path> names{{"--frames", "tick_000000.png"},
+                                                {"--export", "frames/tick_000000.png"}};
+    for (const Subcommand& each : all())
+        for (const std::string& option : each.drawn)
+            for (const fs::path& input : each.inputs) {
+                const fs::path folder = out() / "drawn", name = folder / names.at(option);
+                fs::create_directories(name.parent_path());
+                fs::create_hard_link(input, name);
+                expect_refused(each.with({{option, folder}}, out()));
+                fs::remove_all(folder);
+            }
+}
+
+// The inputs of `only_refused` are refused because they are inputs: to another name, reading succeeds.
+TEST_F(Outputs, are_refused_only_because_they_are_inputs) {
+    for (const Subcommand& each : all()) {
+        if (each.arguments[0] != "run") continue;
+        const Finished finished = couloir(each.with({{"--summary", out() / "new"}}, out()));
+        EXPECT_EQ(finished.status, 0) << each.name << finished.err;
+    }
+}
+
         for (std::size_t a = 0; a < each.outputs.size(); ++a)
             for (std::size_t b = 0; b < a; ++b) {
                 const fs::path name = (a + b) % 2 == 0 ? there : out() / "new" / "name";
