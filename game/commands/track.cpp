@@ -187,6 +187,7 @@ Outcome<int> track(const TrackOptions& options) {
     use.reads(options.mesh).reads(options.velocities).reads(options.scalar);
     use.writes("--out", options.out).writes_into("--frames", options.pictures, {"front_*.png"});
     if (auto sound = use.check(); !sound) return tl::unexpected(sound.error());
+    if (options.out) use.leaves_standard_output();
     if (options.pictures) {
         if (auto made = make_folder(*options.pictures); !made) return tl::unexpected(made.error());
     }

@@ -18,6 +18,7 @@ namespace {
 void redirect(const std::filesystem::path& path, int flags, int descriptor) {
     const int file = open(path.c_str(), flags | O_CLOEXEC, 0600);
     if (file < 0 || dup2(file, descriptor) < 0) std::_Exit(127);
+    if (file == descriptor) fcntl(file, F_SETFD, 0);  // dup2() would clear it
 }
 
 pid_t start(const std::vector<std::string>& arguments, const std::filesystem::path& out,
@@ -32,6 +33,7 @@ pid_t start(const std::vector<std::string>& arguments, const std::filesystem::pa
     redirect("/dev/null", O_RDONLY, STDIN_FILENO);
     redirect(out, O_WRONLY | O_CREAT | O_TRUNC, STDOUT_FILENO);
     redirect(err, O_WRONLY | O_CREAT | O_TRUNC, STDERR_FILENO);
+    for (const auto& [descriptor, path] : around.opened) redirect(path, O_RDWR | O_CREAT, descriptor);
     for (const int descriptor : around.closed) close(descriptor);
     for (const auto& [resource, most] : around.limits) {
         const rlimit limit{most, most};

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 #include <vector>
+#include <utility>
 
 namespace game::test {
 
@@ -21,6 +22,9 @@ struct Surroundings {
     std::vector<int> closed = {};    // descriptors
     struct Limit {
         int resource;  // RLIMIT_FSIZE
+    // Files that are open for reading and writing, by descriptor, above 3.
+    std::vector<std::pair<int, std::filesystem::path>> opened = {};
+    std::vector<std::pair<std::string, std::string>> environment = {};  // set in addition
         rlim_t most;
     };
     std::vector<Limit> limits = {};
