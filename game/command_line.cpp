@@ -149,8 +149,8 @@ void add_memory(CLI::App& app, Memory& memory) {
                        "'" + text + "' is not a size in bytes, such as 4G, 512M or 1073741824");
                memory.most = *bytes;
            },
-           "refuse a grid whose estimated memory exceeds this many bytes; suffixes K, M, G, T [half of the "
-           "machine's memory]")
+           "refuse a grid and images whose estimated memory exceeds this many bytes; suffixes K, M, G, T "
+           "[half of the machine's memory]")
         ->type_name("BYTES");
 }
 

@@ -59,6 +59,7 @@ MeasureOptions measure_options_of(const BenchOptions& options) {
     MeasureOptions measure = options.measure;
     measure.memory.use.draws = options.draws;
     return measure;
+    if (options.draws) measure.memory.use.frames = {options.size.width, options.size.height, 1};
 }
 
 Outcome<std::vector<Measured>> measure_cases(const std::vector<BenchRecording>& recordings,

@@ -25,7 +25,8 @@ void tell_times(const FrameTimes& times) {
 Outcome<int> play(const PlayOptions& options) {
     // Checked before the window opens, so that a mistake on the command line does not flash one.
     Overrides overrides = options.overrides;
-    overrides.memory.use = {.draws = true, .goes_back = true};
+    overrides.memory.use = {
+        .draws = true, .frames = {options.size.width, options.size.height}, .goes_back = true};
     auto loaded = open_anything(options.what.empty() ? kFirstScene : options.what, overrides);
     if (!loaded) return tl::unexpected(loaded.error());
     FileUse use;

@@ -41,6 +41,8 @@ Outcome<int> replay(const ReplayOptions& options) {
     memory.use.runs = options.paranoid ? 2 : 0;
     memory.use.draws = options.pictures.folder || options.results.perf || options.results.trace;
     const auto recording = read_recording(*path, memory);
+    if (options.pictures.folder)
+        memory.use.frames = {options.pictures.size.width, options.pictures.size.height};
     if (!recording) return tl::unexpected(recording.error());
     if (recording->warning) fmt::print(stderr, "couloir: warning: {}\n", *recording->warning);
     if (options.until)

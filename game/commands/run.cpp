@@ -19,6 +19,8 @@ Outcome<Scene> scene_of(const RunOptions& options) {
     Overrides overrides = options.overrides;
     overrides.memory.use.draws = options.pictures.folder || options.results.perf || options.results.trace;
     if (!options.terrain) return load_scene(options.scene, overrides);
+    if (options.pictures.folder)
+        overrides.memory.use.frames = {options.pictures.size.width, options.pictures.size.height};
     return scene_of_terrain(*options.terrain, *options.release, overrides);
 }
 

@@ -60,6 +60,14 @@ pid_t start_couloir(const std::vector<std::string>& arguments) {
 }
 
 std::string read_bytes(const std::filesystem::path& path) {
+Peak peak_of(const std::vector<std::string>& arguments) {
+    const pid_t child = start_couloir(arguments);
+    int status = 0;
+    rusage usage{};
+    if (wait4(child, &status, 0, &usage) != child) return {};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, static_cast<std::uint64_t>(usage.ru_maxrss) * 1024};
+}
+
     std::ifstream stream(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
 }

@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 #include <sys/types.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -35,6 +36,13 @@ Finished couloir(const std::vector<std::string>& arguments, const Surroundings& 
 
 // Starts it and returns at once; what it prints is lost. The caller waits for it.
 pid_t start_couloir(const std::vector<std::string>& arguments);
+
+// Runs it to its end. What it prints is lost.
+struct Peak {
+    int status = -1;          // its exit status, or -1
+    std::uint64_t bytes = 0;  // its greatest resident size
+};
+Peak peak_of(const std::vector<std::string>& arguments);
 
 // Whole files, as bytes. Reading a file that is not there gives nothing.
 std::string read_bytes(const std::filesystem::path& path);
