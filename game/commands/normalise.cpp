@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "game/analysis/summary.h"
+#include "game/base/print.h"
 #include "game/commands/commands.h"
 #include "game/compare/comparison.h"
 #include "game/files/file_use.h"
@@ -39,10 +40,11 @@ Outcome<int> normalise(const NormaliseOptions& options) {
         return tl::unexpected(done.error());
     if (auto closed = session->finish(); !closed) return tl::unexpected(closed.error());
 
-    fmt::print("{}: format {}.{}, physics {} → {}: format {}.{}, physics {}; {} commands, {} ticks\n{}",
+    print_line(stdout, "{}: format {}.{}, physics {} → {}: format {}.{}, physics {}; {} commands, {} ticks",
                options.recording, kFormatMajor, header.minor, header.physics_version, options.out.string(),
                kFormatMajor, kFormatMinor, kPhysicsVersion, old->recording.commands.size(),
-               session->state().tick, to_text(verifier.verdict()));
+               session->state().tick);
+    print_text(to_text(verifier.verdict()));
     return verifier.verdict().parted ? Failure::kBadAnswer : 0;
 }
 

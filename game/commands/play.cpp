@@ -2,9 +2,10 @@
 
 #include "game/app/app.h"
 #include "game/app/window.h"
+#include "game/base/print.h"
 #include "game/commands/commands.h"
-#include "game/files/file_use.h"
 #include "game/files/assets.h"
+#include "game/files/file_use.h"
 #include "game/recording/reader.h"
 
 namespace game {
@@ -14,10 +15,11 @@ constexpr const char* kFirstScene = "alpine-valley";
 
 // Prints the frame rate and the time per stage of the last frames, as in the performance panel.
 void tell_times(const FrameTimes& times) {
-    fmt::print("{:.1f} frames/s at the end; median ms per frame:", times.frames_per_second());
+    std::string text =
+        fmt::format("{:.1f} frames/s at the end; median ms per frame:", times.frames_per_second());
     for (std::size_t i = 0; i < kStages; ++i)
-        fmt::print(" {} {:.2f}", kStageNames[i], times.median_ms(static_cast<Stage>(i)));
-    fmt::print(", worst tick {:.2f}\n", times.worst_tick_ms());
+        text += fmt::format(" {} {:.2f}", kStageNames[i], times.median_ms(static_cast<Stage>(i)));
+    print_line(stdout, "{}, worst tick {:.2f}", text, times.worst_tick_ms());
 }
 
 }  // namespace
@@ -55,7 +57,7 @@ Outcome<int> play(const PlayOptions& options) {
     if (options.record && !(*app)->recording())
         return machine_fails(fmt::format("{}: could not be written completely", options.record->string()));
     if (const auto& recording = (*app)->recording())
-        fmt::print("{:.1f} s played. To watch and continue it: {} play {}\n",
+        print_line(stdout, "{:.1f} s played. To watch and continue it: {} play {}",
                    (*app)->sandbox().session().seconds(), options.program, recording->string());
     return 0;
 }

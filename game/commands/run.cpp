@@ -6,6 +6,7 @@
 #include "game/analysis/headless.h"
 #include "game/analysis/measures.h"
 #include "game/analysis/summary.h"
+#include "game/base/print.h"
 #include "game/commands/commands.h"
 #include "game/files/assets.h"
 #include "game/files/file_use.h"
@@ -18,9 +19,9 @@ namespace {
 Outcome<Scene> scene_of(const RunOptions& options) {
     Overrides overrides = options.overrides;
     overrides.memory.use.draws = options.pictures.folder || options.results.perf || options.results.trace;
-    if (!options.terrain) return load_scene(options.scene, overrides);
     if (options.pictures.folder)
         overrides.memory.use.frames = {options.pictures.size.width, options.pictures.size.height};
+    if (!options.terrain) return load_scene(options.scene, overrides);
     return scene_of_terrain(*options.terrain, *options.release, overrides);
 }
 
@@ -99,7 +100,7 @@ Outcome<int> run(const RunOptions& options) {
 
     if (leavings->gallery || options.results.perf || options.results.trace) {
         session->follow_fronts(scenario);
-        if (scenario.look.flow && !session->fronts()) fmt::print(stderr, "couloir: {}\n", Session::kTooFine);
+        if (scenario.look.flow && !session->fronts()) print_line(stderr, "couloir: {}", Session::kTooFine);
     }
     std::optional<Gallery>& gallery = leavings->gallery;
     PerfLog perf({scenario.scene, "", options.step_options.threads,

@@ -35,6 +35,7 @@ pid_t start(const std::vector<std::string>& arguments, const std::filesystem::pa
     redirect(err, O_WRONLY | O_CREAT | O_TRUNC, STDERR_FILENO);
     for (const auto& [descriptor, path] : around.opened) redirect(path, O_RDWR | O_CREAT, descriptor);
     for (const int descriptor : around.closed) close(descriptor);
+    for (const auto& [variable, value] : around.environment) setenv(variable.c_str(), value.c_str(), 1);
     for (const auto& [resource, most] : around.limits) {
         const rlimit limit{most, most};
         setrlimit(static_cast<__rlimit_resource>(resource), &limit);
@@ -59,7 +60,6 @@ pid_t start_couloir(const std::vector<std::string>& arguments) {
     return start(arguments, "/dev/null", "/dev/null");
 }
 
-std::string read_bytes(const std::filesystem::path& path) {
 Peak peak_of(const std::vector<std::string>& arguments) {
     const pid_t child = start_couloir(arguments);
     int status = 0;
@@ -68,6 +68,7 @@ Peak peak_of(const std::vector<std::string>& arguments) {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, static_cast<std::uint64_t>(usage.ru_maxrss) * 1024};
 }
 
+std::string read_bytes(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
 }

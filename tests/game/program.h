@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
-#include <vector>
 #include <utility>
+#include <vector>
 
 namespace game::test {
 
@@ -21,11 +21,11 @@ struct Finished {
 struct Surroundings {
     std::filesystem::path out = {};  // standard output goes here; empty: is kept
     std::vector<int> closed = {};    // descriptors
-    struct Limit {
-        int resource;  // RLIMIT_FSIZE
     // Files that are open for reading and writing, by descriptor, above 3.
     std::vector<std::pair<int, std::filesystem::path>> opened = {};
     std::vector<std::pair<std::string, std::string>> environment = {};  // set in addition
+    struct Limit {
+        int resource;  // RLIMIT_FSIZE
         rlim_t most;
     };
     std::vector<Limit> limits = {};
