@@ -27,7 +27,7 @@ std::optional<int> descriptor_of(const fs::path& path) {
 }
 
 std::optional<Identity> identity_of(const struct stat& status) {
-    if (!S_ISREG(status.st_mode)) return std::nullopt;
+    if (S_ISCHR(status.st_mode) || S_ISDIR(status.st_mode)) return std::nullopt;
     return Identity{status.st_dev, status.st_ino, {}};
 }
 
@@ -50,7 +50,7 @@ Destination destination_of(const fs::path& path) {
 
 std::optional<Identity> identity_of(const fs::path& path) {
     const Destination destination = destination_of(path);
-    if (destination.kind != Destination::Kind::kFile) return std::nullopt;
+    if (destination.kind == Destination::Kind::kDescriptor) return identity_of(destination.descriptor);
     struct stat status {};
     if (stat(destination.path.c_str(), &status) == 0) return identity_of(status);
     std::error_code error;

@@ -30,9 +30,10 @@ struct Identity {
 
     bool operator==(const Identity&) const = default;
 };
-// Empty for devices, FIFOs and folders: writing there replaces nothing.
+// FIFOs, sockets and block devices have one too, because two outputs there would be mixed. A path such as
+// /dev/fd/N has that of what the descriptor refers to. Empty for character devices (terminals, /dev/null),
+// which any number of outputs may share, and for folders.
 std::optional<Identity> identity_of(const std::filesystem::path& path);
-// The identity of an open descriptor; empty unless it is a regular file.
 std::optional<Identity> identity_of(int descriptor);
 
 }  // namespace files

@@ -149,8 +149,8 @@ void add_memory(CLI::App& app, Memory& memory) {
                        "'" + text + "' is not a size in bytes, such as 4G, 512M or 1073741824");
                memory.most = *bytes;
            },
-           "refuse a grid whose estimated memory exceeds this many bytes; suffixes K, M, G, T [half of the "
-           "machine's memory]")
+           "refuse a grid and images whose estimated memory exceeds this many bytes; suffixes K, M, G, T "
+           "[half of the machine's memory]")
         ->type_name("BYTES");
 }
 
@@ -543,7 +543,10 @@ Outcome<int> run_command_line(int argc, char** argv) {
     CLI::App app{
         "Couloir: a sandbox for avalanches and landslides.\n"
         "Exit status: 0 success; 1 ran, but a check failed; 2 invalid arguments or input; 3 system failure "
-        "(memory, disk, OpenGL).",
+        "(memory, disk, OpenGL).\n"
+        "No output replaces an input or another output. Standard output is for what is printed: no other "
+        "output\n"
+        "may go there, unless it is a terminal or /dev/null. To pipe JSON, use --json.",
         "couloir"};
     app.set_version_flag("--version", fmt::format("{}, commit {}", kProgram, kCommit));
     app.get_formatter()->column_width(34);

@@ -184,6 +184,7 @@ tl::expected<Terrain, std::string> read_dem(const std::filesystem::path& path, c
     auto terrain = read(dataset->get(), path, choice);
     if (!terrain) return tl::unexpected(fmt::format("{}: {}", path.string(), terrain.error()));
     terrain->name = path.filename().string();
+    terrain->files = dataset->files();
     return terrain;
 }
 

@@ -175,27 +175,30 @@ tl::expected<std::vector<float>, std::string> read(GDALDatasetH dataset, Meaning
 }
 
 tl::expected<std::vector<float>, std::string> read(const std::filesystem::path& path, Meaning meaning,
-                                                   const Terrain& terrain, References references) {
+                                                   const Terrain& terrain, References references,
+                                                   std::vector<std::filesystem::path>* files) {
     const GdalErrors errors;
     const auto dataset = Raster::open(path, references);
     if (!dataset) return tl::unexpected(dataset.error());
     auto values = read(dataset->get(), meaning, terrain);
     if (!values) return tl::unexpected(fmt::format("{}: {}", path.string(), values.error()));
+    if (files != nullptr) *files = dataset->files();
     return values;
 }
 
 }  // namespace
 
 tl::expected<std::vector<float>, std::string> read_depth_raster(const std::filesystem::path& path,
-                                                                const Terrain& terrain,
-                                                                References references) {
-    return read(path, Meaning::kAmount, terrain, references);
+                                                                const Terrain& terrain, References references,
+                                                                std::vector<std::filesystem::path>* files) {
+    return read(path, Meaning::kAmount, terrain, references, files);
 }
 
 tl::expected<std::vector<float>, std::string> read_signed_raster(const std::filesystem::path& path,
                                                                  const Terrain& terrain,
-                                                                 References references) {
-    return read(path, Meaning::kSigned, terrain, references);
+                                                                 References references,
+                                                                 std::vector<std::filesystem::path>* files) {
+    return read(path, Meaning::kSigned, terrain, references, files);
 }
 
 }  // namespace terrains

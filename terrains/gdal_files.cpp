@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 // Permissions are process-wide, because GDAL has one file system and its worker threads open files too.
 struct Allowed {
     std::mutex mutex;
-    std::vector<const RasterFiles*> rasters;
+    std::vector<RasterFiles*> rasters;
     fs::path data;  // GDAL's data tables
 };
 
@@ -86,6 +86,7 @@ void* open_file(void*, const char* name, const char* access) {
         errno = EACCES;
         return nullptr;
     }
+    note_read(name);
     return new OpenFile{descriptor};
 }
 
@@ -161,6 +162,12 @@ CPLHTTPResult* refuse_request(const char*, CSLConstList, GDALProgressFunc, void*
 
 }  // namespace
 
+void note_read(const fs::path& file) {
+    Allowed& all = allowed();
+    const std::lock_guard lock(all.mutex);
+    for (RasterFiles* raster : all.rasters) raster->note(file);
+}
+
 bool close_file_system_to_gdal() {
     if (const char* table = CPLFindFile("gdal", "gdalvrt.xsd"))
         allowed().data = fs::path(table).parent_path();
@@ -223,6 +230,16 @@ bool RasterFiles::includes(const fs::path& file) const {
     if (error || !is_own_folder(folder) || !is_own_folder(real.parent_path())) return false;
     const std::string name = lower_case(file.filename().string());
     return is_binary_grid_ ? name.ends_with(".adf") : name.starts_with(beginning_);
+}
+
+void RasterFiles::note(const fs::path& file) {
+    std::error_code error;
+    if (includes(file)) read_.insert(fs::canonical(file, error));
+}
+
+std::vector<fs::path> RasterFiles::read() const {
+    const std::lock_guard lock(allowed().mutex);
+    return {read_.begin(), read_.end()};
 }
 
 }  // namespace terrains

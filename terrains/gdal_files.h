@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
+#include <vector>
 
 #include "terrains/references.h"
 
@@ -25,6 +27,11 @@ class RasterFiles {
 
     bool includes(const std::filesystem::path& file) const;
 
+    // Adds `file` to read(), if it is included. Locks nothing: only note_read() calls it.
+    void note(const std::filesystem::path& file);
+    // Every file that GDAL has opened for the raster so far, and every one noted; canonical.
+    std::vector<std::filesystem::path> read() const;
+
   private:
     bool is_own_folder(const std::filesystem::path& folder) const;
 
@@ -33,6 +40,10 @@ class RasterFiles {
     std::string beginning_;  // of the names of its parts, "hill."
     bool is_binary_grid_ = false;
     References references_;
+    std::set<std::filesystem::path> read_;
 };
+
+// Adds `file` to what was read for every raster that includes it.
+void note_read(const std::filesystem::path& file);
 
 }  // namespace terrains

@@ -7,6 +7,7 @@
 #include <string>
 
 #include <cpl_error.h>
+#include <cpl_string.h>
 #include <fmt/format.h>
 #include <gdal_frmts.h>
 #include <ogr_srs_api.h>
@@ -88,6 +89,13 @@ bool names_a_path(const std::string& wkt) {
     return std::regex_search(wkt, path_of_grid);
 }
 
+// GDAL opens the sources of a virtual raster only when it reads their pixels, which may be never.
+void note_named_files(GDALDatasetH dataset) {
+    char** names = GDALGetFileList(dataset);
+    for (char** name = names; name != nullptr && *name != nullptr; ++name) note_read(*name);
+    CSLDestroy(names);
+}
+
 }  // namespace
 
 GdalErrors::GdalErrors() {
@@ -136,7 +144,10 @@ tl::expected<Raster, std::string> Raster::open(const std::filesystem::path& path
     raster.dataset_.reset(GDALOpenEx(absolute.c_str(),
                                      GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr,
                                      nullptr, nullptr));
-    if (raster.get() != nullptr && GDALGetRasterCount(raster.get()) >= 1) return raster;
+    if (raster.get() != nullptr && GDALGetRasterCount(raster.get()) >= 1) {
+        note_named_files(raster.get());
+        return raster;
+    }
     if (const std::string reference = reference_in(path); !reference.empty()) return bad(reference);
     return bad(fmt::format("not a readable raster ({})", errors.first()));
 }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <gdal.h>
 #include <tl/expected.hpp>
@@ -58,6 +59,10 @@ class Raster {
     static tl::expected<Raster, std::string> open(const std::filesystem::path& path, References references);
 
     GDALDatasetH get() const { return dataset_.get(); }
+
+    // Every file that was read for the raster so far, and every one that it names, such as the sources of a
+    // virtual raster; canonical.
+    std::vector<std::filesystem::path> files() const { return files_->read(); }
 
   private:
     Raster() = default;

@@ -19,15 +19,16 @@ tl::expected<Terrain, std::string> read_dem(const std::filesystem::path& path, c
 }
 
 tl::expected<std::vector<float>, std::string> read_depth_raster(const std::filesystem::path& path,
-                                                                const Terrain& terrain,
-                                                                References references) {
-    return door().read_depth_raster(path, terrain, references);
+                                                                const Terrain& terrain, References references,
+                                                                std::vector<std::filesystem::path>* files) {
+    return door().read_depth_raster(path, terrain, references, files);
 }
 
 tl::expected<std::vector<float>, std::string> read_signed_raster(const std::filesystem::path& path,
                                                                  const Terrain& terrain,
-                                                                 References references) {
-    return door().read_signed_raster(path, terrain, references);
+                                                                 References references,
+                                                                 std::vector<std::filesystem::path>* files) {
+    return door().read_signed_raster(path, terrain, references, files);
 }
 
 tl::expected<std::string, std::string> encode_geotiff(const sim::Grid& grid, const Georeference& place,

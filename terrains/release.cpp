@@ -31,10 +31,12 @@ bool empty(const std::vector<float>& thickness) {
 tl::expected<std::vector<float>, std::string> read_release(const std::filesystem::path& path,
                                                            const Terrain& terrain,
                                                            std::optional<double> default_thickness,
-                                                           References references) {
+                                                           References references,
+                                                           std::vector<std::filesystem::path>* files) {
+    if (files != nullptr) *files = {path};
     if (auto is_file = files::check_input(path); !is_file) return tl::unexpected(is_file.error());
     auto thickness = looks_like_json(path) ? of_areas(path, terrain, default_thickness)
-                                           : read_depth_raster(path, terrain, references);
+                                           : read_depth_raster(path, terrain, references, files);
     if (!thickness) return thickness;
     for (std::size_t i = 0; i < thickness->size(); ++i)
         if (terrain.has_data[i] == 0) (*thickness)[i] = 0;
@@ -61,12 +63,13 @@ tl::expected<Reference, std::string> read_reference(const std::filesystem::path&
                                                     References references) {
     if (auto is_file = files::check_input(path); !is_file) return tl::unexpected(is_file.error());
     Reference reference;
+    reference.files = {path};
     if (looks_like_json(path)) {
         auto extent = read_extent(path, terrain);
         if (!extent) return tl::unexpected(extent.error());
         reference.extent = std::move(*extent);
     } else {
-        auto change = read_signed_raster(path, terrain, references);
+        auto change = read_signed_raster(path, terrain, references, &reference.files);
         if (!change) return tl::unexpected(change.error());
         if (std::all_of(change->begin(), change->end(), [](float metres) { return metres == 0; }))
             return tl::unexpected(

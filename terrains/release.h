@@ -26,16 +26,18 @@ namespace terrains {
 //                 ambiguous.
 // Where the terrain has no data the thickness is 0, because material there would leave the world at once.
 // Errors, in one sentence that names the file: those of read_areas(), a damaged raster, a depth over 200 m,
-// two files that cannot be aligned, and a release that touches no ground of the grid.
-tl::expected<std::vector<float>, std::string> read_release(const std::filesystem::path& path,
-                                                           const Terrain& terrain,
-                                                           std::optional<double> default_thickness = {},
-                                                           References references = References::kRefused);
+// two files that cannot be aligned, and a release that touches no ground of the grid. `files` gets every file
+// that was read, unless null.
+tl::expected<std::vector<float>, std::string> read_release(
+    const std::filesystem::path& path, const Terrain& terrain, std::optional<double> default_thickness = {},
+    References references = References::kRefused, std::vector<std::filesystem::path>* files = nullptr);
 
 // A reference to compare with, observed or simulated: one of the two fields, the other is empty.
 struct Reference {
     std::vector<std::uint8_t> extent;  // 1 where the avalanche was
     std::vector<float> change;         // change of surface height, m, below 0 where lowered
+
+    std::vector<std::filesystem::path> files = {};  // that it was read from
 
     bool empty() const { return extent.empty() && change.empty(); }
 };

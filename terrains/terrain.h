@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct Terrain {
     std::vector<std::uint8_t> has_data;
 
     Georeference georeference;  // position of the grid's (0, 0) on Earth; not placed for generated terrain
+
+    // Every file that a raster was read from, and every one that it names. Empty for other terrains.
+    std::vector<std::filesystem::path> files = {};
 };
 
 }  // namespace terrains

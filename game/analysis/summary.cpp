@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "game/analysis/trace.h"
+#include "game/base/print.h"
 #include "game/base/version.h"
 #include "game/files/text_file.h"
 #include "game/recording/divergence_report.h"
@@ -146,10 +147,11 @@ std::string to_text(const Summary& summary) {
                                       ? fmt::format("{} on {}", scenario.material, scenario.lower->material)
                                       : scenario.material;
     const Session& session = summary.session;
-    std::string text = fmt::format("{}: {} on {}, {}x{} squares of {:.4g} m, {}\n", scenario.title, materials,
-                                   scenario.terrain, scenario.grid.nx - 1, scenario.grid.ny - 1,
-                                   scenario.grid.dx, sim::to_string(scenario.params.model));
-    if (!scenario.licence.empty()) text += fmt::format("terrain: {}\n", scenario.licence);
+    std::string text =
+        fmt::format("{}: {} on {}, {}x{} squares of {:.4g} m, {}\n", one_line(scenario.title),
+                    one_line(materials), one_line(scenario.terrain), scenario.grid.nx - 1,
+                    scenario.grid.ny - 1, scenario.grid.dx, sim::to_string(scenario.params.model));
+    if (!scenario.licence.empty()) text += fmt::format("terrain: {}\n", one_line(scenario.licence));
     text += fmt::format("{} ticks, {:.1f} s{}\n", session.state().tick, session.seconds(),
                         !summary.at_rest   ? ""
                         : *summary.at_rest ? ", at rest"
@@ -173,7 +175,8 @@ std::string to_text(const Summary& summary) {
             m.changes->observed.raised);
     text += mass_text(session, "mass", session.state().ledger);
     if (scenario.lower)
-        text += mass_text(session, "mass of " + scenario.lower->material, session.state().mixture->ledger);
+        text += mass_text(session, fmt::format("mass of {}", one_line(scenario.lower->material)),
+                          session.state().mixture->ledger);
     text += fmt::format("eroded {:.0f} m3, deposited {:.0f} m3 (entrainment has no reference)\n", m.eroded,
                         m.deposited);
     text += fmt::format("state hash {}\n", hex(session.state_line().hash));
@@ -210,7 +213,7 @@ Outcome<void> tell(const Summary& summary, const ResultOptions& options) {
         const TracedRun run{summary.scenario.scene, summary.perf->rows()};
         if (auto written = write_text(*options.trace, trace_of(std::span(&run, 1))); !written) return written;
     }
-    fmt::print("{}", options.json ? printed(to_json(summary)) : to_text(summary));
+    print_text(options.json ? printed(to_json(summary)) : to_text(summary));
     return {};
 }
 

@@ -16,6 +16,8 @@
 
 #include <fmt/format.h>
 
+#include "game/base/one_line.h"
+
 namespace game {
 namespace {
 
@@ -41,7 +43,7 @@ Outcome<void> check_stack() {
     try {
         if (std::current_exception()) std::rethrow_exception(std::current_exception());
     } catch (const std::exception& thrown) {
-        std::fprintf(stderr, "couloir: %s\n", failure_of(thrown).sentence.c_str());
+        std::fprintf(stderr, "couloir: %s\n", one_line(failure_of(thrown).sentence).c_str());
         std::_Exit(Failure::kMachine);
     } catch (...) {
     }

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "game/base/one_line.h"
+
 namespace game {
 
 Progress::Progress(std::string what) : what_(std::move(what)), terminal_(isatty(STDERR_FILENO) == 1) {}
@@ -29,7 +31,7 @@ void Progress::show(double share, const std::string& note) {
         bar = fmt::format("[{}{}] {:3.0f} % ", std::string(full, '#'), std::string(kWidth - full, '.'),
                           100 * share);
     }
-    fmt::print(stderr, "\r\x1b[K{} {}{}", what_, bar, note);
+    fmt::print(stderr, "\r\x1b[K{} {}{}", one_line(what_), bar, one_line(note));
     std::fflush(stderr);
 }
 

@@ -100,7 +100,11 @@ int squares_of(const Scenario& scenario) {
 }
 
 Outcome<Scenario> on_grid(Scenario scenario, int squares, const Memory& memory) {
-    if (squares == squares_of(scenario)) return scenario;
+    if (squares == squares_of(scenario)) {
+        if (auto allowed = memory.allows(scenario.grid, scenario.lower.has_value()); !allowed)
+            return unusable(fmt::format("{}: {}", scenario.title, allowed.error()));
+        return scenario;
+    }
     const double dx = scenario.grid.dx;
     const auto grid = terrains::grid_over((scenario.grid.nx - 1) * dx, (scenario.grid.ny - 1) * dx,
                                           {squares, [&](const sim::Grid& wanted) {

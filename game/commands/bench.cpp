@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "game/analysis/trace.h"
+#include "game/base/print.h"
 #include "game/bench/against.h"
 #include "game/bench/page.h"
 #include "game/bench/report.h"
@@ -20,7 +21,7 @@ Outcome<std::vector<BenchRecording>> read_all(const std::vector<std::string>& na
         if (!path) return tl::unexpected(path.error());
         auto recording = read_recording(*path, memory);
         if (!recording) return tl::unexpected(recording.error());
-        if (recording->warning) fmt::print(stderr, "couloir: warning: {}\n", *recording->warning);
+        if (recording->warning) print_line(stderr, "couloir: warning: {}", *recording->warning);
         if (recording->header.scenario.flow)
             return unusable(
                 fmt::format("{}: is a flow demo; bench measures only avalanches", path->string()));
@@ -58,6 +59,7 @@ std::vector<BenchPhysics> physics_of(const BenchOptions& options) {
 MeasureOptions measure_options_of(const BenchOptions& options) {
     MeasureOptions measure = options.measure;
     measure.memory.use.draws = options.draws;
+    if (options.draws) measure.memory.use.frames = {options.size.width, options.size.height, 1};
     return measure;
 }
 
@@ -135,7 +137,7 @@ Outcome<BenchComparison> compare_with(const Earlier& earlier, const BenchReport&
         here != earlier.processor)
         comparison.remarks.push_back(fmt::format("the earlier run used another processor: {}; this one is {}",
                                                  earlier.processor, here));
-    for (const std::string& remark : comparison.remarks) fmt::print(stderr, "couloir: {}\n", remark);
+    for (const std::string& remark : comparison.remarks) print_line(stderr, "couloir: {}", remark);
     return comparison;
 }
 
@@ -184,9 +186,9 @@ Outcome<int> bench(const BenchOptions& options) {
     }
     if (auto written = write_all(report, tables, options); !written) return tl::unexpected(written.error());
     if (options.json)
-        fmt::print("{}", printed(to_json(report)));
+        print_text(printed(to_json(report)));
     else
-        for (const Table& table : tables) fmt::print("{}\n", as_text(table));
+        for (const Table& table : tables) print_text(as_text(table) + "\n");
     if (const auto fault = report.invalid()) return tl::unexpected(Failure{Failure::kBadAnswer, *fault});
     if (comparison && comparison->too_slow)
         return tl::unexpected(Failure{Failure::kBadAnswer, *comparison->too_slow});

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "game/base/print.h"
 #include "game/base/progress.h"
 #include "game/base/version.h"
 #include "game/commands/commands.h"
@@ -133,10 +134,10 @@ Outcome<int> figures(const FiguresOptions& options) {
         auto written = write_text(options.folder / "numbers.csv", csv_of(numbers));
         if (written) written = write_text(page, page_of(*shown, tables, made_by));
         if (!written) return tl::unexpected(written.error());
-        for (const Table& table : tables) fmt::print("{}\n", as_text(table));
+        for (const Table& table : tables) print_text(as_text(table) + "\n");
         miss = first_miss(numbers);
     }
-    fmt::print("{}\n", page.string());
+    print_line(stdout, "{}", page.string());
     if (miss) return tl::unexpected(Failure{Failure::kBadAnswer, *miss});
     return 0;
 }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "game/base/print.h"
 #include "game/commands/commands.h"
 #include "game/files/assets.h"
 #include "game/files/toml_table.h"
@@ -37,12 +38,13 @@ Outcome<int> list(const ListOptions& options) {
             const bool titled = shelf.kind != AssetKind::kRecording;
             const std::string title = titled ? title_of(shelf.kind, name) : "";
             json[shelf.key].push_back(titled ? Json{{"name", name}, {"title", title}} : Json{{"name", name}});
-            text += titled ? fmt::format("  {:<16}{}\n", name, title) : fmt::format("  {}\n", name);
+            text += titled ? fmt::format("  {:<16}{}\n", one_line(name), one_line(title))
+                           : fmt::format("  {}\n", one_line(name));
         }
     }
     text += "terrains (generator = \"NAME\" in a scene)\n  slope-of-soil\n  alpine-valley\n";
     json["terrains"] = {{{"name", "slope-of-soil"}}, {{"name", "alpine-valley"}}};
-    fmt::print("{}", options.json ? printed(json) : text);
+    print_text(options.json ? printed(json) : text);
     return 0;
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "game/analysis/summary.h"
+#include "game/base/print.h"
 #include "game/commands/commands.h"
 #include "game/compare/comparison.h"
 #include "game/files/file_use.h"
@@ -41,10 +42,11 @@ Outcome<int> normalise(const NormaliseOptions& options) {
 
     const std::size_t commands = old->recording.commands.size();
     const std::int64_t ticks = session->state().tick;
-    fmt::print("{}: format {}.{}, physics {} → {}: format {}.{}, physics {}; {} {}, {} {}\n{}",
+    print_line(stdout, "{}: format {}.{}, physics {} → {}: format {}.{}, physics {}; {} {}, {} {}",
                options.recording, kFormatMajor, header.minor, header.physics_version, options.out.string(),
                kFormatMajor, kFormatMinor, kPhysicsVersion, commands, commands == 1 ? "command" : "commands",
-               ticks, ticks == 1 ? "tick" : "ticks", to_text(verifier.verdict()));
+               ticks, ticks == 1 ? "tick" : "ticks");
+    print_text(to_text(verifier.verdict()));
     return verifier.verdict().parted ? Failure::kBadAnswer : 0;
 }
 

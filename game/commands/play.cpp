@@ -2,7 +2,9 @@
 
 #include "game/app/app.h"
 #include "game/app/window.h"
+#include "game/base/print.h"
 #include "game/commands/commands.h"
+#include "game/files/assets.h"
 #include "game/files/file_use.h"
 #include "game/recording/reader.h"
 
@@ -14,10 +16,11 @@ constexpr const char* kFirstScene = "alpine-valley";
 // Prints the frame rate and the time per stage of the last frames, as in the performance panel.
 void tell_times(const FrameTimes& times) {
     if (times.frames_per_second() == 0) return;  // too few to measure
-    fmt::print("{:.1f} frames/s at the end; median ms per frame:", times.frames_per_second());
+    std::string text =
+        fmt::format("{:.1f} frames/s at the end; median ms per frame:", times.frames_per_second());
     for (std::size_t i = 0; i < kStages; ++i)
-        fmt::print(" {} {:.2f}", kStageNames[i], times.median_ms(static_cast<Stage>(i)));
-    fmt::print(", worst tick {:.2f}\n", times.worst_tick_ms());
+        text += fmt::format(" {} {:.2f}", kStageNames[i], times.median_ms(static_cast<Stage>(i)));
+    print_line(stdout, "{}, worst tick {:.2f}", text, times.worst_tick_ms());
 }
 
 }  // namespace
@@ -25,11 +28,14 @@ void tell_times(const FrameTimes& times) {
 Outcome<int> play(const PlayOptions& options) {
     // Checked before the window opens, so that a mistake on the command line does not flash one.
     Overrides overrides = options.overrides;
-    overrides.memory.use = {.draws = true, .goes_back = true};
+    overrides.memory.use = {
+        .draws = true, .frames = {options.size.width, options.size.height}, .goes_back = true};
     auto loaded = open_anything(options.what.empty() ? kFirstScene : options.what, overrides);
     if (!loaded) return tl::unexpected(loaded.error());
     FileUse use;
-    if (auto sound = use.reads(loaded->scene.files).writes("--record", options.record).check(); !sound)
+    if (auto sound =
+            use.reads(loaded->scene.files).reads(drawing_assets()).writes("--record", options.record).check();
+        !sound)
         return tl::unexpected(sound.error());
     if (options.until && !loaded->watched)
         return unusable(
@@ -51,7 +57,7 @@ Outcome<int> play(const PlayOptions& options) {
     tell_times((*app)->times());
     if (const auto& failure = (*app)->recording_failure()) return tl::unexpected(*failure);
     if (const auto& recording = (*app)->recording())
-        fmt::print("{:.1f} s played. To watch and continue it: {} play {}\n",
+        print_line(stdout, "{:.1f} s played. To watch and continue it: {} play {}",
                    (*app)->sandbox().session().seconds(), options.program, recording->string());
     return 0;
 }

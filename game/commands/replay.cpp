@@ -5,6 +5,7 @@
 #include "game/analysis/headless.h"
 #include "game/analysis/measures.h"
 #include "game/analysis/summary.h"
+#include "game/base/print.h"
 #include "game/commands/commands.h"
 #include "game/compare/desync_picture.h"
 #include "game/files/assets.h"
@@ -40,9 +41,11 @@ Outcome<int> replay(const ReplayOptions& options) {
     Memory memory = options.memory;
     memory.use.runs = options.paranoid ? 2 : 0;
     memory.use.draws = options.pictures.folder || options.results.perf || options.results.trace;
+    if (options.pictures.folder)
+        memory.use.frames = {options.pictures.size.width, options.pictures.size.height};
     const auto recording = read_recording(*path, memory);
     if (!recording) return tl::unexpected(recording.error());
-    if (recording->warning) fmt::print(stderr, "couloir: warning: {}\n", *recording->warning);
+    if (recording->warning) print_line(stderr, "couloir: warning: {}", *recording->warning);
     if (options.until)
         if (auto has = check_tick(*recording, *options.until, options.recording); !has)
             return tl::unexpected(has.error());
@@ -59,7 +62,7 @@ Outcome<int> replay(const ReplayOptions& options) {
     if (!session) return tl::unexpected(session.error());
     if (options.pictures.folder || options.results.perf || options.results.trace) {
         session->follow_fronts(scenario);
-        if (scenario.look.flow && !session->fronts()) fmt::print(stderr, "couloir: {}\n", Session::kTooFine);
+        if (scenario.look.flow && !session->fronts()) print_line(stderr, "couloir: {}", Session::kTooFine);
     }
     std::optional<Gallery> gallery;
     if (options.pictures.folder) {

@@ -6,6 +6,7 @@
 #include "game/analysis/headless.h"
 #include "game/analysis/measures.h"
 #include "game/analysis/summary.h"
+#include "game/base/print.h"
 #include "game/commands/commands.h"
 #include "game/files/assets.h"
 #include "game/files/file_use.h"
@@ -18,13 +19,23 @@ namespace {
 Outcome<Scene> scene_of(const RunOptions& options) {
     Overrides overrides = options.overrides;
     overrides.memory.use.draws = options.pictures.folder || options.results.perf || options.results.trace;
+    if (options.pictures.folder)
+        overrides.memory.use.frames = {options.pictures.size.width, options.pictures.size.height};
     if (!options.terrain) return load_scene(options.scene, overrides);
     return scene_of_terrain(*options.terrain, *options.release, overrides);
 }
 
-FileUse files_of(const RunOptions& options, const Scene& scene) {
+Outcome<terrains::Reference> reference_of(const RunOptions& options, const Scenario& scenario) {
+    if (!options.reference) return terrains::Reference();
+    auto reference =
+        terrains::read_reference(*options.reference, ground_of(scenario), options.overrides.references);
+    if (!reference) return unusable(reference.error());
+    return std::move(*reference);
+}
+
+FileUse files_of(const RunOptions& options, const Scene& scene, const terrains::Reference& reference) {
     FileUse use;
-    use.reads(scene.files).reads(options.reference);
+    use.reads(scene.files).reads(reference.files);
     if (options.pictures.folder) use.reads(drawing_assets());
     use.writes("--record", options.record);
     add_outputs(options.results, use);
@@ -38,17 +49,10 @@ FileUse files_of(const RunOptions& options, const Scene& scene) {
 struct Leavings {
     std::optional<Recorder> recorder;
     std::optional<Gallery> gallery;
-    terrains::Reference reference;
 };
 
-Outcome<Leavings> open_leavings(const RunOptions& options, const Scenario& scenario,
-                                const terrains::Terrain& ground) {
+Outcome<Leavings> open_leavings(const RunOptions& options, const Scenario& scenario) {
     Leavings leavings;
-    if (options.reference) {
-        auto reference = terrains::read_reference(*options.reference, ground, options.overrides.references);
-        if (!reference) return unusable(reference.error());
-        leavings.reference = std::move(*reference);
-    }
     if (options.export_folder)
         if (auto made = make_folder(*options.export_folder); !made) return tl::unexpected(made.error());
     if (auto placed = make_places_for(options.results); !placed) return tl::unexpected(placed.error());
@@ -85,17 +89,19 @@ Until until_of(const RunOptions& options, const sim::Params& params) {
 Outcome<int> run(const RunOptions& options) {
     const auto scene = scene_of(options);
     if (!scene) return tl::unexpected(scene.error());
-    if (auto sound = files_of(options, *scene).check(); !sound) return tl::unexpected(sound.error());
     const Scenario& scenario = scene->scenario;
-    const terrains::Terrain ground = ground_of(scenario);
-    auto leavings = open_leavings(options, scenario, ground);
+    const auto reference = reference_of(options, scenario);
+    if (!reference) return tl::unexpected(reference.error());
+    if (auto sound = files_of(options, *scene, *reference).check(); !sound)
+        return tl::unexpected(sound.error());
+    auto leavings = open_leavings(options, scenario);
     if (!leavings) return tl::unexpected(leavings.error());
     auto session = Session::begin(scenario, options.step_options, std::move(leavings->recorder));
     if (!session) return tl::unexpected(session.error());
 
     if (leavings->gallery || options.results.perf || options.results.trace) {
         session->follow_fronts(scenario);
-        if (scenario.look.flow && !session->fronts()) fmt::print(stderr, "couloir: {}\n", Session::kTooFine);
+        if (scenario.look.flow && !session->fronts()) print_line(stderr, "couloir: {}", Session::kTooFine);
     }
     std::optional<Gallery>& gallery = leavings->gallery;
     PerfLog perf({scenario.scene, "", options.step_options.threads,
@@ -111,7 +117,7 @@ Outcome<int> run(const RunOptions& options) {
     if (auto closed = session->finish(); !closed) return tl::unexpected(closed.error());
 
     const Measures measures =
-        measure(scenario, *session, release_area(scenario, scene->commands), leavings->reference);
+        measure(scenario, *session, release_area(scenario, scene->commands), *reference);
     Summary summary{scenario, *session, measures, &perf, std::nullopt, std::nullopt};
     if (options.until_rest) summary.at_rest = *finished;
     if (gallery) {

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "files/whole_file.h"
+#include "game/base/print.h"
 #include "game/base/progress.h"
 #include "game/commands/commands.h"
 #include "game/files/array_file.h"
@@ -165,15 +166,16 @@ struct Tally {
         outrun += tracker.outrun(), hasty_frames += tracker.outrun() > 0;
     }
     void tell(std::int64_t frames, const Tracker& tracker) const {
-        fmt::print(stderr, "{} {} of {} vertices, {:.1f} points in each, by {}\n", frames,
+        print_line(stderr, "{} {} of {} vertices, {:.1f} points in each, by {}", frames,
                    frames == 1 ? "frame" : "frames", tracker.mesh().vertices(),
                    static_cast<double>(points) / static_cast<double>(frames), to_string(tracker.source()));
         if (outrun > 0)
-            fmt::print(stderr,
-                       "warning: in {} {} fronts crossed more than half a cell per step, at {} {} "
-                       "in total; points there are unreliable: use frames closer in time\n",
-                       hasty_frames, hasty_frames == 1 ? "frame" : "frames", outrun,
-                       outrun == 1 ? "vertex" : "vertices");
+            print_line(
+                stderr,
+                "warning: in {} {} fronts crossed more than half a cell per step, at {} {} in total; points "
+                "there are unreliable: use frames closer in time",
+                hasty_frames, hasty_frames == 1 ? "frame" : "frames", outrun,
+                outrun == 1 ? "vertex" : "vertices");
     }
 };
 
@@ -187,6 +189,7 @@ Outcome<int> track(const TrackOptions& options) {
     FileUse use;
     use.reads(options.mesh).reads(options.velocities).reads(options.scalar);
     use.writes("--out", options.out).writes_into("--frames", options.pictures, {"front_*.png"});
+    if (options.out) use.leaves_standard_output();
     if (auto sound = use.check(); !sound) return tl::unexpected(sound.error());
     if (options.pictures) {
         if (auto made = make_folder(*options.pictures); !made) return tl::unexpected(made.error());

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "game/base/print.h"
 #include "game/commands/commands.h"
 #include "sim/verification/cases.h"
 
@@ -23,20 +24,20 @@ std::string told(const sim::verification::Series& series) {
 }  // namespace
 
 Outcome<int> verify_physics() {
-    fmt::print(
+    print_text(
         "The solver compared with exact solutions, in double without quanta: relative errors on finer and\n"
         "finer grids (squares, error), the order between the last two, and the tolerances of both.\n");
     int missed = 0, all = 0;
     for (const sim::verification::Case& each : sim::verification::cases()) {
-        fmt::print("\n{}: {}\n", each.name, each.answer);
+        print_text(fmt::format("\n{}: {}\n", each.name, each.answer));
         std::fflush(stdout);  // a case takes seconds
         for (const sim::verification::Series& series : each.run()) {
-            fmt::print("{}", told(series));
+            print_text(told(series));
             ++all;
             missed += !series.holds();
         }
     }
-    fmt::print("\n{} of {} within tolerance\n", all - missed, all);
+    print_text(fmt::format("\n{} of {} within tolerance\n", all - missed, all));
     return missed == 0 ? 0 : Failure::kBadAnswer;
 }
 

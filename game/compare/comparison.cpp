@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "game/analysis/export_results.h"
+#include "game/base/print.h"
 #include "game/base/progress.h"
 #include "game/compare/desync_picture.h"
 #include "game/compare/difference_map.h"
@@ -70,7 +71,7 @@ std::string extremes(const std::vector<float>& field) {
 }
 
 std::array<std::string, 2> names_of(const Comparison& comparison) {
-    return {comparison.a.of.name, comparison.b.of.name};
+    return {one_line(comparison.a.of.name), one_line(comparison.b.of.name)};
 }
 
 }  // namespace
@@ -80,12 +81,12 @@ Outcome<Named> open_recording(const std::string& name_or_path, const Memory& mem
     if (!path) return tl::unexpected(path.error());
     auto recording = read_recording(*path, memory);
     if (!recording) return tl::unexpected(recording.error());
-    if (recording->warning) fmt::print(stderr, "couloir: warning: {}\n", *recording->warning);
+    if (recording->warning) print_line(stderr, "couloir: warning: {}", *recording->warning);
     if (recording->header.physics_version != kPhysicsVersion)
-        fmt::print(
+        print_line(
             stderr,
             "couloir: {}: recorded with version {} of the physics, played with version {}: its states are "
-            "not comparable with the recorded ones\n",
+            "not comparable with the recorded ones",
             path->string(), recording->header.physics_version, kPhysicsVersion);
     return Named{path->stem().string(), *path, std::move(*recording)};
 }
@@ -227,7 +228,7 @@ Outcome<void> tell(const Comparison& comparison, const std::optional<std::filesy
                    bool json) {
     if (maps)
         if (auto written = write_maps(*maps, comparison); !written) return written;
-    fmt::print("{}", json ? printed(to_json(comparison)) : to_text(comparison));
+    print_text(json ? printed(to_json(comparison)) : to_text(comparison));
     return {};
 }
 

@@ -23,6 +23,9 @@ constexpr std::array kCompanionExtensions{".prj", ".hdr", ".tfw", ".wld", ".aux"
                                           ".clr", ".shp", ".shx", ".dbf", ".cpg", ".qpj", ".imd", ".rpb"};
 constexpr std::array kCompanionSuffixes{".aux.xml", ".ovr", ".msk"};
 
+constexpr std::array kStreams{std::pair{STDOUT_FILENO, "standard output"},
+                              std::pair{STDERR_FILENO, "standard error"}};
+
 std::string upper(std::string text) {
     for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     return text;
@@ -77,6 +80,11 @@ FileUse& FileUse::writes_into(std::string option, const std::optional<fs::path>&
     return *this;
 }
 
+FileUse& FileUse::leaves_standard_output() {
+    prints_ = false;
+    return *this;
+}
+
 Outcome<void> FileUse::check() const {
     if (auto named = check_named(); !named) return named;
     if (auto apart = check_outputs(); !apart) return apart;
@@ -110,13 +118,13 @@ Outcome<void> FileUse::check_outputs() const {
 }
 
 Outcome<void> FileUse::check_streams() const {
-    for (const auto& [descriptor, name] :
-         {std::pair{STDOUT_FILENO, "standard output"}, {STDERR_FILENO, "standard error"}}) {
+    for (const auto& [descriptor, name] : kStreams) {
         const auto identity = identity_of(descriptor);
         for (const Output& output : outputs_)
-            if (same(identity, identity_of(output.path)))
-                return unusable(fmt::format("{} {}: {} goes there too; choose another file", output.option,
-                                            output.path.string(), name));
+            if ((prints_ || descriptor != STDOUT_FILENO) && same(identity, identity_of(output.path)))
+                return unusable(
+                    fmt::format("{} {}: what is printed to {} goes there too; choose another file",
+                                output.option, output.path.string(), name));
         for (const fs::path& input : inputs_)
             if (same(identity, identity_of(input)))
                 return unusable(fmt::format("{}: is an input, and {} goes there; redirect it elsewhere",
@@ -149,6 +157,14 @@ Outcome<void> FileUse::check_folder(const Folder& folder) const {
         if (meets(input))
             return unusable(fmt::format("{} {}: would replace the input {}; choose another folder",
                                         folder.option, folder.path.string(), input.string()));
+    for (const auto& [descriptor, name] : kStreams) {
+        const auto identity = identity_of(descriptor);
+        if (std::any_of(there.begin(), there.end(),
+                        [&, &of = identity](const auto& each) { return same(of, each.second); }))
+            return unusable(
+                fmt::format("{} {}: would replace the file that {} goes to; choose another folder",
+                            folder.option, folder.path.string(), name));
+    }
     for (const Output& output : outputs_)
         if (meets(output.path))
             return unusable(fmt::format("{} {} and {} {}: would replace each other; choose another name",

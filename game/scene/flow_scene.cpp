@@ -81,6 +81,8 @@ Outcome<void> read_flow(TomlTable& table, const Overrides& overrides, Scenario& 
     const auto grid = table.whole("grid", 8, kMostFlowSquares);
     const int squares = overrides.squares.value_or(static_cast<int>(grid.value_or(kUsualSquares)));
     const auto which = kind == kFlowKinds.end() ? 0 : kind - kFlowKinds.begin();
+    const sim::Grid level_grid{squares + 1, squares + 1, kSide / static_cast<float>(squares)};
+    if (auto allowed = overrides.memory.allows(level_grid, false); !allowed) return unusable(allowed.error());
     scenario.flow = Scenario::Flow{usual(static_cast<TestFlow::Kind>(which), squares), {}};
     read_numbers(table, *scenario.flow);
 
@@ -94,7 +96,7 @@ Outcome<void> read_flow(TomlTable& table, const Overrides& overrides, Scenario& 
 
     terrains::Terrain level;
     level.name = "level ground";
-    level.grid = {squares + 1, squares + 1, kSide / static_cast<float>(squares)};
+    level.grid = level_grid;
     level.surface.assign(level.grid.size(), 0.f);
     level.cover.assign(level.grid.size(), 0.f);
     level.has_data.assign(level.grid.size(), 1);

@@ -14,6 +14,19 @@ namespace {
 
 constexpr std::uint64_t kMiB = std::uint64_t{1} << 20;
 
+// Buffers of a frame (render/target.h and render/passes/flow_pass.h), and images on their way to a file.
+std::uint64_t bytes_of(const FrameUse& frames) {
+    constexpr std::uint64_t kDepth = 4, kLinear = 8, kScreen = 4;  // per sample or pixel: 32F, RGBA16F, RGBA8
+    constexpr std::uint64_t kPerSample = kDepth + 2 * kLinear;     // depth, and the flow's albedo and relief
+    // One image that was read back, four that wait (render::FrameWriter), one being encoded, and three times
+    // an image for the bytes of the file while they grow.
+    constexpr std::uint64_t kImage = 3, kImages = 1 + 4 + 1 + 3;
+    const auto samples = static_cast<std::uint64_t>(frames.samples * frames.samples);
+    const std::uint64_t colours = samples > 1 ? (samples + 1) * kLinear : kLinear;
+    return (samples * kPerSample + colours + kScreen + kImages * kImage) *
+           static_cast<std::uint64_t>(frames.width) * static_cast<std::uint64_t>(frames.height);
+}
+
 }  // namespace
 
 std::uint64_t machine_memory() {
@@ -40,7 +53,8 @@ std::uint64_t expected_bytes(const sim::Grid& grid, bool two_materials, const Me
                              run * static_cast<std::uint64_t>(use.runs);
     if (use.draws) using_it += grid.size() <= kMostFollowed ? 950 : 250;
     std::uint64_t bytes = 60 * kMiB + std::max(reading, using_it) * grid.size();
-    if (use.draws) bytes += 240 * kMiB;
+    if (use.draws) bytes += 190 * kMiB;  // OpenGL by software, shaders and patterns
+    bytes += bytes_of(use.frames);
     if (use.goes_back) bytes += memory.for_keyframes() + memory.for_undo();
     return bytes;
 }
@@ -48,9 +62,12 @@ std::uint64_t expected_bytes(const sim::Grid& grid, bool two_materials, const Me
 tl::expected<void, std::string> Memory::allows(const sim::Grid& grid, bool two_materials) const {
     const std::uint64_t expected = expected_bytes(grid, two_materials, *this);
     if (expected <= most) return {};
+    const std::string images = use.frames.width > 0 ? fmt::format(" and images of {} by {} pixels",
+                                                                  use.frames.width, use.frames.height)
+                                                    : "";
     return tl::unexpected(
-        fmt::format("{} by {} vertices need about {} of memory, and {} is allowed; raise --max-memory",
-                    grid.nx, grid.ny, bytes_text(expected), bytes_text(most)));
+        fmt::format("{} by {} vertices{} need about {} of memory, and {} is allowed; raise --max-memory",
+                    grid.nx, grid.ny, images, bytes_text(expected), bytes_text(most)));
 }
 
 std::optional<std::uint64_t> bytes_from(std::string_view text) {

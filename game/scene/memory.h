@@ -15,11 +15,20 @@ namespace game {
 // The most vertices of a grid whose fronts and textures are tracked.
 inline constexpr std::size_t kMostFollowed = 900'000;
 
+// The size of the images that a subcommand draws. A software renderer keeps their buffers in main memory.
+struct FrameUse {
+    int width = 0, height = 0;  // pixels; 0: none
+    int samples = 2;            // along the edge of a pixel, as in render::Target
+
+    bool operator==(const FrameUse&) const = default;
+};
+
 // What a command keeps in memory for one ground.
 struct WorldUse {
     int sessions = 1;        // worlds that are stepped and measured
     int runs = 0;            // further worlds that are only stepped, for comparison
-    bool draws = false;      // fronts, textures and frames
+    bool draws = false;      // fronts and textures
+    FrameUse frames = {};    // images, or the window
     bool goes_back = false;  // keyframes and undo
 };
 

@@ -149,6 +149,10 @@ Outcome<void> check_choices(const Overrides& overrides, sim::Model model) {
                     overrides.scheme ? "scheme" : "law"));
 }
 
+void add_files(const std::vector<fs::path>& files, Scene& scene) {
+    scene.files.insert(scene.files.end(), files.begin(), files.end());
+}
+
 void take_lower(Scenario& scenario, const Material& lower) {
     scenario.lower = Scenario::Lower{lower.name, lower.params, {}};
     sim::take_choices(scenario.params, scenario.lower->params);
@@ -257,6 +261,7 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
         [&](const sim::Grid& grid) { return overrides.memory.allows(grid, scenario.lower.has_value()); });
     if (fault) return unusable(*fault);
     if (!terrain) return unusable(terrain.error());
+    add_files(terrain->files, scene);
     if (rule) terrain->cover = depth_by(*rule, *terrain);
     if (under_rule) {
         scenario.lower->depth = depth_by(*under_rule, *terrain);
@@ -287,13 +292,15 @@ Outcome<Scene> load_scene(std::string_view name_or_path, const Overrides& overri
 namespace {
 
 Outcome<std::vector<float>> read_release_on(const Terrain& terrain, const fs::path& release,
-                                            terrains::References references) {
-    auto rolling = terrains::read_release(release, terrain, std::nullopt, references);
+                                            terrains::References references, Scene& scene) {
+    std::vector<fs::path> files;
+    auto rolling = terrains::read_release(release, terrain, std::nullopt, references, &files);
     if (!rolling) return unusable(rolling.error());
     constexpr float kDeepestRelease = sim::kDeepest / 2;
     if (const float most = *std::max_element(rolling->begin(), rolling->end()); most > kDeepestRelease)
         return unusable(
             fmt::format("{}: {} m thick; at most {} m are allowed", release.string(), most, kDeepestRelease));
+    add_files(files, scene);
     return std::move(*rolling);
 }
 
@@ -315,6 +322,7 @@ Outcome<Scene> scene_of_terrain(const fs::path& dem, const std::optional<fs::pat
 
     Scene scene;
     scene.files = {dem, material->file};
+    add_files(terrain->files, scene);
     scene.scenario.scene = scene.scenario.title = terrain->name;
     sim::Params params = material->params;
     take_choices(overrides, params);
@@ -322,7 +330,7 @@ Outcome<Scene> scene_of_terrain(const fs::path& dem, const std::optional<fs::pat
     take_material(scene.scenario, *material, params);
     set_ground(scene.scenario, *terrain);
     if (release) {
-        auto rolling = read_release_on(*terrain, *release, overrides.references);
+        auto rolling = read_release_on(*terrain, *release, overrides.references, scene);
         if (!rolling) return tl::unexpected(rolling.error());
         scene.scenario.rolling = std::move(*rolling);
         scene.files.push_back(*release);

@@ -28,7 +28,7 @@ struct Overrides {
 struct Scene {
     Scenario scenario;
     std::vector<TimedCommand> commands;             // sorted by tick
-    std::vector<std::filesystem::path> files = {};  // that it was read from
+    std::vector<std::filesystem::path> files = {};  // that it was read from, sources of a VRT included
 };
 
 // Reads a scene by name or file (docs/scenes.md lists every key), its material and its terrain. Errors:

@@ -2,6 +2,10 @@
 
 #include <filesystem>
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <gtest/gtest.h>
 
 #include "tests/game/program.h"
@@ -65,9 +69,60 @@ TEST_F(FileUseTest, knows_a_relative_name) {
 TEST_F(FileUseTest, lets_different_files_and_devices_pass) {
     EXPECT_TRUE(FileUse().reads(at("hard")).writes("--a", at("a/new")).writes("--b", at("new")).check());
     EXPECT_TRUE(FileUse().writes("--a", "/dev/null").writes("--b", "/dev/null").check());
-    EXPECT_TRUE(FileUse().writes("--a", "/dev/stdout").writes("--b", "/dev/stdout").check());
     EXPECT_TRUE(FileUse().reads(at("hard")).writes("--a", at("loop")).check());
     EXPECT_TRUE(FileUse().reads(at("hard")).writes("--a", std::nullopt).check());
+}
+
+// Opens `path` for reading and writing during its lifetime.
+class Open {
+  public:
+    explicit Open(const fs::path& path) : number_(open(path.c_str(), O_RDWR | O_CLOEXEC)) {
+        EXPECT_GE(number_, 0);
+    }
+    Open(const Open&) = delete;
+    Open& operator=(const Open&) = delete;
+    ~Open() { close(number_); }
+    std::vector<std::string> names() const {
+        std::vector<std::string> all;
+        for (const char* folder : {"/dev/fd", "/proc/self/fd", "/proc/thread-self/fd"})
+            all.push_back(std::string(folder) + "/" + std::to_string(number_));
+        return all;
+    }
+
+  private:
+    int number_;
+};
+
+TEST_F(FileUseTest, knows_a_file_by_its_descriptors) {
+    const Open one(at("soft")), other(at("hard"));
+    for (const std::string& name : one.names()) {
+        EXPECT_TRUE(is_refused(FileUse().reads(at("hard")).writes("--out", name))) << name;
+        EXPECT_TRUE(is_refused(FileUse().reads(fs::path(name)).writes("--out", at("hard")))) << name;
+        EXPECT_TRUE(is_refused(FileUse().writes("--a", at("short/file")).writes("--b", name))) << name;
+        EXPECT_TRUE(is_refused(FileUse().reads(fs::path(name)).writes_into("--frames", at("a/b"), {"f*"})))
+            << name;
+        for (const std::string& second : other.names())
+            EXPECT_TRUE(is_refused(FileUse().writes("--a", name).writes("--b", second))) << name << second;
+    }
+}
+
+TEST_F(FileUseTest, does_not_mix_outputs_in_a_pipe) {
+    ASSERT_EQ(mkfifo(at("pipe").c_str(), 0600), 0);
+    const Open pipe(at("pipe"));
+    EXPECT_TRUE(FileUse().writes("--a", at("pipe")).check());
+    EXPECT_TRUE(is_refused(FileUse().writes("--a", at("pipe")).writes("--b", at("pipe"))));
+    for (const char* folder : {"/dev/fd", "/proc/self/fd"}) {
+        const std::string name = std::string(folder) + pipe.names()[0].substr(7);
+        EXPECT_TRUE(FileUse().writes("--a", name).check());
+        EXPECT_TRUE(is_refused(FileUse().writes("--a", at("pipe")).writes("--b", name)));
+    }
+}
+
+TEST_F(FileUseTest, lets_many_outputs_share_a_character_device) {
+    const Open null("/dev/null");
+    for (const std::string& name : null.names())
+        EXPECT_TRUE(FileUse().writes("--a", name).writes("--b", name).writes("--c", "/dev/null").check())
+            << name;
 }
 
 TEST_F(FileUseTest, knows_the_files_that_gdal_reads_beside_a_raster) {

@@ -27,7 +27,7 @@ std::set<std::string> names_below(const fs::path& folder) {
 TEST(DrawnOutputs, in_a_folder_never_replace_an_input) {
     const support::TemporaryFolder in, out;
     for (const Subcommand& each : writing_subcommands(in.path()))
-        for (const std::string& option : each.drawn) {
+        for (const std::string& option : each.only_refused ? std::vector<std::string>() : each.drawn) {
             const fs::path made = out.path() / "made", again = out.path() / "again";
             const auto draw = [&](const fs::path& folder) {
                 auto call = each.with({{option, folder}}, in.path());
@@ -81,7 +81,7 @@ TEST(DrawnOutputs, come_every_so_many_ticks_as_the_option_says) {
 TEST(DrawnOutputs, that_do_not_fit_the_disk_leave_no_half_picture) {
     const support::TemporaryFolder in, out;
     for (const Subcommand& each : writing_subcommands(in.path()))
-        for (const std::string& option : each.drawn)
+        for (const std::string& option : each.only_refused ? std::vector<std::string>() : each.drawn)
             for (const rlim_t limit : {300u, 1500u}) {  // enough for the error message
                 const fs::path made = out.path() / "made";
                 auto call = each.with({{option, made}}, in.path());

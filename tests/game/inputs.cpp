@@ -141,7 +141,9 @@ TEST_F(SceneOfStranger, reads_materials_outside_its_folder_only_if_references_ar
                 EXPECT_NE(refused.error().sentence.find("--allow-references"), std::string::npos)
                     << refused.error().sentence;
             }
-            if (file != "/etc/passwd") EXPECT_TRUE(read(References::kAllowed)) << file;
+            if (file != "/etc/passwd") {
+                EXPECT_TRUE(read(References::kAllowed)) << file;
+            }
         }
 }
 

@@ -18,6 +18,7 @@ namespace {
 void redirect(const std::filesystem::path& path, int flags, int descriptor) {
     const int file = open(path.c_str(), flags | O_CLOEXEC, 0600);
     if (file < 0 || dup2(file, descriptor) < 0) std::_Exit(127);
+    if (file == descriptor) fcntl(file, F_SETFD, 0);  // dup2() would clear it
 }
 
 pid_t start(const std::vector<std::string>& arguments, const std::filesystem::path& out,
@@ -32,7 +33,9 @@ pid_t start(const std::vector<std::string>& arguments, const std::filesystem::pa
     redirect("/dev/null", O_RDONLY, STDIN_FILENO);
     redirect(out, O_WRONLY | O_CREAT | O_TRUNC, STDOUT_FILENO);
     redirect(err, O_WRONLY | O_CREAT | O_TRUNC, STDERR_FILENO);
+    for (const auto& [descriptor, path] : around.opened) redirect(path, O_RDWR | O_CREAT, descriptor);
     for (const int descriptor : around.closed) close(descriptor);
+    for (const auto& [variable, value] : around.environment) setenv(variable.c_str(), value.c_str(), 1);
     for (const auto& [resource, most] : around.limits) {
         const rlimit limit{most, most};
         setrlimit(static_cast<__rlimit_resource>(resource), &limit);
@@ -55,6 +58,14 @@ Finished couloir(const std::vector<std::string>& arguments, const Surroundings& 
 
 pid_t start_couloir(const std::vector<std::string>& arguments) {
     return start(arguments, "/dev/null", "/dev/null");
+}
+
+Peak peak_of(const std::vector<std::string>& arguments) {
+    const pid_t child = start_couloir(arguments);
+    int status = 0;
+    rusage usage{};
+    if (wait4(child, &status, 0, &usage) != child) return {};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, static_cast<std::uint64_t>(usage.ru_maxrss) * 1024};
 }
 
 std::string read_bytes(const std::filesystem::path& path) {

@@ -33,6 +33,16 @@ constexpr const char* kUtm32 =
     R"(PARAMETER["Central_Meridian",9.0],PARAMETER["Scale_Factor",0.9996],PARAMETER["Latitude_Of_Origin",0.0],)"
     R"(UNIT["Meter",1.0]])";
 
+// A virtual raster of the size of raster(), whose values are those of another file in its folder.
+std::string virtual_raster(const std::string& source) {
+    return fmt::format(
+        R"(<VRTDataset rasterXSize="{0}" rasterYSize="{0}"><SRS>EPSG:32632</SRS>)"
+        R"(<GeoTransform>500000,5,0,5200085,0,-5</GeoTransform><VRTRasterBand dataType="Float32" band="1">)"
+        R"(<SimpleSource><SourceFilename relativeToVRT="1">{1}</SourceFilename><SourceBand>1</SourceBand>)"
+        R"(</SimpleSource></VRTRasterBand></VRTDataset>)",
+        kRows, source);
+}
+
 std::string array(const std::string& shape, std::size_t bytes) {
     std::string header = fmt::format("{{'descr': '<f4', 'fortran_order': False, 'shape': {}, }}", shape);
     while ((header.size() + 11) % 64 != 0) header += ' ';
@@ -69,6 +79,32 @@ std::vector<Subcommand> writing_subcommands(const fs::path& folder) {
     };
     const std::string release = put("release.asc", raster(patch)),
                       reference = put("reference.asc", raster(patch));
+    // Rasters that name others, which name others: every file of each chain is an input.
+    const auto chain = [&put](const std::string& name, const std::string& values) {
+        return std::vector<fs::path>{put((name + ".vrt").c_str(), virtual_raster(name + "_middle.vrt")),
+                                     put((name + "_middle.vrt").c_str(), virtual_raster(name + "_base.asc")),
+                                     put((name + "_base.asc").c_str(), values),
+                                     put((name + "_base.prj").c_str(), kUtm32)};
+    };
+    const auto hill_chain = chain("far_hill", read_bytes(hill)),
+               release_chain = chain("far_release", raster(patch)),
+               reference_chain = chain("far_reference", raster(patch));
+    std::vector<fs::path> chains = hill_chain;
+    for (const auto* each : {&release_chain, &reference_chain})
+        chains.insert(chains.end(), each->begin(), each->end());
+    const std::string far_scene =
+        put("far_scene.toml",
+            "[terrain]\nfile = \"far_hill.vrt\"\ngrid = 8\n[cover]\nmaterial = \"soil\"\ndepth = 1\n"
+            "[physics]\nmodel = \"bcre\"\n");
+    // A binary raster, its header, and statistics beside it.
+    const std::string bil = put("plane.bil", std::string(kRows * kRows * 2, '\4')),
+                      header =
+                          put("plane.hdr",
+                              fmt::format("nrows {0}\nncols {0}\nnbands 1\nnbits 16\npixeltype signedint\n"
+                                          "layout bil\nulxmap 500000\nulymap 5200080\nxdim 5\nydim 5\n",
+                                          kRows)),
+                      beside = put("plane.bil.aux.xml", "<PAMDataset></PAMDataset>"),
+                      bil_prj = put("plane.prj", kUtm32);
     const std::string material =
         put("own.toml", read_bytes(support::source_dir() / "assets/materials/soil.toml"));
     const std::string scene =
@@ -103,6 +139,26 @@ std::vector<Subcommand> writing_subcommands(const fs::path& folder) {
          .inputs = {hill, prj, release, reference, material},
          .outputs = {"--record", "--summary", "--perf", "--trace"},
          .drawn = {"--frames", "--export"}},
+        {.name = "run rasters that name others",
+         .arguments = {"run", "--terrain", hill_chain[0].string(), "--release", release_chain[0].string(),
+                       "--reference", reference_chain[0].string(), "--grid", "8", "--seconds", "0.3",
+                       "--allow-references"},
+         .inputs = chains,
+         .outputs = {"--record", "--summary", "--perf", "--trace"},
+         .drawn = {"--frames", "--export"},
+         .only_refused = true},
+        {.name = "run a scene on a raster that names others",
+         .arguments = {"run", far_scene, "--seconds", "0.3", "--allow-references"},
+         .inputs = hill_chain,
+         .outputs = {"--record", "--summary"},
+         .drawn = {"--frames", "--export"},
+         .only_refused = true},
+        {.name = "run a raster of several files",
+         .arguments = {"run", "--terrain", bil, "--release", release, "--grid", "8", "--seconds", "0.3"},
+         .inputs = {bil, header, beside, bil_prj},
+         .outputs = {"--record", "--summary"},
+         .drawn = {"--frames", "--export"},
+         .only_refused = true},
         {.name = "replay",
          .arguments = {"replay", recording},
          .inputs = {recording},
@@ -147,6 +203,11 @@ std::vector<Subcommand> writing_subcommands(const fs::path& folder) {
         {.name = "play a scene",
          .arguments = {"play", scene},
          .inputs = {scene, material, hill, prj},
+         .outputs = {"--record"},
+         .only_refused = true},
+        {.name = "play a raster that names others",
+         .arguments = {"play", hill_chain[0].string(), "--allow-references"},
+         .inputs = hill_chain,
          .outputs = {"--record"},
          .only_refused = true},
         {.name = "play a recording",

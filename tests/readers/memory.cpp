@@ -1,10 +1,8 @@
 #include "game/scene/memory.h"
 
-#include <sys/resource.h>
-#include <sys/wait.h>
-
 #include <gtest/gtest.h>
 
+#include "game/files/assets.h"
 #include "game/recording/reader.h"
 #include "game/scene/scene.h"
 #include "tests/game/program.h"
@@ -93,14 +91,43 @@ TEST(Memory, is_an_option_of_every_subcommand_that_builds_a_world) {
     EXPECT_FALSE(std::filesystem::exists(out));
 }
 
-// The peak of a run of the program, bytes.
-std::uint64_t peak_of(const std::vector<std::string>& arguments) {
-    const pid_t child = start_couloir(arguments);
-    int status = 0;
-    rusage usage{};
-    EXPECT_EQ(wait4(child, &status, 0, &usage), child);
-    EXPECT_EQ(status, 0) << arguments[0];
-    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+TEST(Memory, that_is_too_little_for_the_images_is_refused_with_both_figures) {
+    const support::TemporaryFolder folder;
+    const std::string out = (folder.path() / "out").string();
+    const std::vector<std::vector<std::string>> commands{
+        {"play", "alpine-valley"},
+        {"play", "landslide.couloir"},
+        {"run", "landslide", "--grid", "64", "--seconds", "0", "--frames", out},
+        {"run", "landslide", "--grid", "64", "--seconds", "0", "--export", out},
+        {"run", "flow-disc", "--seconds", "0", "--frames", out},
+        {"replay", "landslide", "--frames", out},
+        {"bench", "landslide", "--ticks", "1"}};
+    for (std::vector<std::string> arguments : commands) {
+        arguments.insert(arguments.end(), {"--size", "8192x8192", "--max-memory", "3G"});
+        const Finished refused = couloir(arguments);
+        EXPECT_EQ(refused.status, 2) << arguments[0] << refused.err;
+        const auto first = refused.err.find(" GiB"), second = refused.err.find("3.0 GiB");
+        EXPECT_LT(first, second) << refused.err;
+        EXPECT_NE(second, std::string::npos) << refused.err;
+    }
+    EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(Memory, is_checked_for_every_scene_and_recording) {
+    for (const AssetKind kind : {AssetKind::kScene, AssetKind::kRecording}) {
+        const std::vector<std::string> names = asset_names(kind).value();
+        for (const std::string& name : names) {
+            const bool scene = kind == AssetKind::kScene;
+            std::vector<std::string> arguments{scene ? "run" : "replay", name, "--max-memory", "1M"};
+            if (scene) arguments.insert(arguments.end(), {"--seconds", "0"});
+            const Finished refused = couloir(arguments);
+            EXPECT_EQ(refused.status, 2) << name;
+            EXPECT_NE(refused.err.find("1.0 MiB"), std::string::npos) << refused.err;
+        }
+    }
+    const Finished flow =
+        couloir({"run", "flow-disc", "--grid", "512", "--seconds", "0", "--max-memory", "1M"});
+    EXPECT_EQ(flow.status, 2) << flow.err;
 }
 
 struct Use {
@@ -127,7 +154,8 @@ TEST(Memory, estimate_is_at_least_the_measured_peak) {
             Memory memory;
             memory.use = each.use;
             const std::uint64_t expected = expected_bytes({kSide, kSide, 2.f}, two_materials, memory);
-            const std::uint64_t taken = peak_of(arguments);
+            const auto [status, taken] = peak_of(arguments);
+            EXPECT_EQ(status, 0) << arguments[0];
             RecordProperty(each.name + std::to_string(two_materials),
                            bytes_text(expected) + " " + bytes_text(taken));
             EXPECT_LE(taken, expected) << each.name << two_materials;
