@@ -190,11 +190,24 @@ void add_material_and_model(CLI::App& app, Overrides& overrides) {
     add_grid(app, overrides);
 }
 
+void add_look(CLI::App& app, LookFrom& look) {
+    app.add_option_function<std::string>(
+           "--look",
+           [&look](const std::string& from) {
+               if (from != "shipped" && from != "recorded")
+                   throw CLI::ValidationError("--look", "'" + from + "' is not one of: shipped, recorded");
+               look = from == "recorded" ? LookFrom::kRecorded : LookFrom::kShipped;
+           },
+           "draw a recording with the colours of: shipped (its materials as they ship now), recorded "
+           "[shipped]")
+        ->type_name("FROM");
+}
+
 void add_play(CLI::App& app, PlayOptions& options) {
     app.add_option(
            "what", options.what,
            "name of a scene, or a file: a scene (.toml), a recording to watch and continue (.couloir), or an "
-           "elevation raster [alpine-valley]")
+           "elevation raster [winter-valley]")
         ->type_name("SCENE");
     add_number(app, "--until", "TICK", options.until, kTicks,
                "take over the recording at this tick, not at its end");
@@ -204,6 +217,7 @@ void add_play(CLI::App& app, PlayOptions& options) {
         ->type_name("FILE.couloir");
     add_material_and_model(app, options.overrides);
     add_references(app, options.overrides);
+    add_look(app, options.overrides.look);
     add_size(app, options.size, "set the size of the window", "1280x720");
     add_memory(app, options.overrides.memory);
     add_step_options(app, options.step_options);
@@ -290,6 +304,7 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
                  "compute every tick twice, with different threads and tiles, and compare; if they differ, "
                  "exit with status 1, report where, and with --frames write desync.png");
     add_pictures(app, options.pictures, "write images here", fmt::format("{}", kTicksPerPicture));
+    add_look(app, options.look);
     app.add_flag_callback(
         "--no-render", [&options] { options.pictures.folder.reset(); },
         "disable rendering (overrides --frames)");

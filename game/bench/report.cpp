@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "game/base/one_line.h"
+
 namespace game {
 namespace {
 
@@ -46,7 +48,7 @@ Table times_table(const BenchReport& report) {
         const bool drawn = is_drawn(f);
         const auto of_frame = [&](double ms) { return drawn ? ms_text(ms) : ""; };
         table.rows.push_back(
-            {each.recording, grid_text(each.grid), each.physics, std::string(to_string(each.proof)),
+            {one_line(each.recording), grid_text(each.grid), each.physics, std::string(to_string(each.proof)),
              each.rows.empty() ? "" : fmt::to_string(each.rows.front().substeps), ms_text(f.tick.median),
              ms_text(f.tick.p95), ms_text(f.tick.p99), of_frame(f.frame.median), of_frame(f.frame.p95),
              of_frame(f.frame.p99), fmt::format("{:.0f}", f.frames_per_s()), percent(f.slow),
@@ -68,7 +70,7 @@ Table shares_table(const BenchReport& report) {
     table.head.insert(table.head.end(), kPartNames.begin() + kTickParts, kPartNames.end());
     for (const Measured& each : report.cases) {
         const FrameFigures f = frame_figures(each);
-        std::vector<std::string> row{each.recording, grid_text(each.grid), each.physics,
+        std::vector<std::string> row{one_line(each.recording), grid_text(each.grid), each.physics,
                                      ms_text(f.tick.mean)};
         const auto add = [&](double ms, double of, bool ran) {
             row.push_back(ran && of > 0 ? percent(ms / of) : "");
@@ -102,7 +104,7 @@ Table paper_table(const BenchReport& report) {
             const bool drawn = is_drawn(f);
             const double ticks_per_s = f.tick.mean > 0 ? 1000 / f.tick.mean : 0;
             const double solve = f.parts[static_cast<std::size_t>(Part::kSolve)].mean;
-            table.rows.push_back({each.recording, grid_text(each.grid), each.physics,
+            table.rows.push_back({one_line(each.recording), grid_text(each.grid), each.physics,
                                   fmt::format("{:.0f}", paper.frames_per_s),
                                   drawn ? fmt::format("{:.1f}", f.frames_per_s()) : "",
                                   drawn ? fmt::format("{:.2f}", f.frames_per_s() / paper.frames_per_s) : "",

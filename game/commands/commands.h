@@ -47,6 +47,7 @@ struct ReplayOptions {
     std::string recording;  // name or file
     std::optional<std::int64_t> until;
     bool verify = false, paranoid = false;
+    LookFrom look = LookFrom::kShipped;
     PictureOptions pictures;
     ResultOptions results;
     sim::StepOptions step_options;

@@ -11,7 +11,7 @@
 namespace game {
 namespace {
 
-constexpr const char* kFirstScene = "alpine-valley";
+constexpr const char* kFirstScene = "winter-valley";
 
 // Prints the frame rate and the time per stage of the last frames, as in the performance panel.
 void tell_times(const FrameTimes& times) {

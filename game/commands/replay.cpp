@@ -43,12 +43,15 @@ Outcome<int> replay(const ReplayOptions& options) {
     memory.use.draws = options.pictures.folder || options.results.perf || options.results.trace;
     if (options.pictures.folder)
         memory.use.frames = {options.pictures.size.width, options.pictures.size.height};
-    const auto recording = read_recording(*path, memory);
+    auto recording = read_recording(*path, memory);
     if (!recording) return tl::unexpected(recording.error());
     if (recording->warning) print_line(stderr, "couloir: warning: {}", *recording->warning);
     if (options.until)
         if (auto has = check_tick(*recording, *options.until, options.recording); !has)
             return tl::unexpected(has.error());
+    if (options.look == LookFrom::kShipped)
+        if (auto taken = take_shipped_look(recording->header.scenario); !taken)
+            return tl::unexpected(taken.error());
     const Scenario& scenario = recording->header.scenario;
 
     FileUse use;

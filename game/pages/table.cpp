@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "game/base/one_line.h"
-
 namespace game {
 namespace {
 
@@ -25,11 +23,7 @@ std::string html_row(const std::vector<std::string>& cells, std::size_t left, co
 
 }  // namespace
 
-std::string as_text(const Table& given) {
-    Table table = given;
-    for (std::string& cell : table.head) cell = one_line(cell);
-    for (auto& row : table.rows)
-        for (std::string& cell : row) cell = one_line(cell);
+std::string as_text(const Table& table) {
     std::vector<std::size_t> width(table.head.size());
     for (std::size_t c = 0; c < width.size(); ++c) {
         width[c] = width_of(table.head[c]);

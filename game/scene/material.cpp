@@ -69,6 +69,13 @@ void read_physics_numbers(TomlTable& table, sim::Model model, sim::Params& param
     }
 }
 
+void take_look_of_lower(const render::Look& lower, render::Look& look) {
+    look.lower_standing = lower.standing;
+    look.lower_rolling = lower.rolling;
+    look.rock = lower.rock;
+    look.meadow = lower.meadow;
+}
+
 Outcome<Material> load_material(std::string_view name_or_path, sim::Model model) {
     const auto path = find_asset(AssetKind::kMaterial, name_or_path);
     if (!path) return tl::unexpected(path.error());

@@ -23,6 +23,9 @@ struct Material {
 // unknown name, a damaged file, or no block for this model.
 Outcome<Material> load_material(std::string_view name_or_path, sim::Model model);
 
+// Adds the look of a lower material to that of the upper one: it lies on the ground.
+void take_look_of_lower(const render::Look& lower, render::Look& look);
+
 // Sets every physics parameter that `table` names, spelled as in sim/world/params.h; `…_slope` may be given
 // in degrees as `…_angle`. `model` determines which parameters exist.
 void read_physics_numbers(TomlTable& table, sim::Model model, sim::Params& params);

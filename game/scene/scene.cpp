@@ -156,10 +156,7 @@ void add_files(const std::vector<fs::path>& files, Scene& scene) {
 void take_lower(Scenario& scenario, const Material& lower) {
     scenario.lower = Scenario::Lower{lower.name, lower.params, {}};
     sim::take_choices(scenario.params, scenario.lower->params);
-    scenario.look.lower_standing = lower.look.standing;
-    scenario.look.lower_rolling = lower.look.rolling;
-    scenario.look.rock = lower.look.rock,
-    scenario.look.meadow = lower.look.meadow;  // the lower material lies on the ground
+    take_look_of_lower(lower.look, scenario.look);
 }
 
 void take_material(Scenario& scenario, const Material& material, const sim::Params& over) {

@@ -8,6 +8,7 @@
 #include "game/base/outcome.h"
 #include "game/scene/memory.h"
 #include "game/scene/scenario.h"
+#include "game/scene/shipped_look.h"
 #include "terrains/references.h"
 
 namespace game {
@@ -21,7 +22,8 @@ struct Overrides {
     std::optional<sim::Law> law;
     // Whether a virtual raster may refer to its sources, and a scene to a terrain outside its folder.
     terrains::References references = terrains::References::kRefused;
-    Memory memory;  // that the world may take
+    LookFrom look = LookFrom::kShipped;  // of a recording
+    Memory memory;                       // that the world may take
 };
 
 // A scenario and its commands.

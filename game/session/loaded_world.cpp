@@ -18,19 +18,22 @@ Outcome<LoadedWorld> open_scene(const std::string& name_or_path, const Overrides
     return LoadedWorld{std::move(*scene), {}, std::nullopt, std::move(told), overrides.memory};
 }
 
-Outcome<LoadedWorld> open_recording(const fs::path& path, const Memory& memory) {
+Outcome<LoadedWorld> open_recording(const fs::path& path, const Overrides& overrides) {
     std::error_code error;
     const bool is_file = fs::exists(path, error);
     const auto found = is_file || path.has_parent_path()
                            ? Outcome<fs::path>(path)
                            : find_asset(AssetKind::kRecording, path.stem().string());
     if (!found) return tl::unexpected(found.error());
-    auto recording = read_recording(*found, memory);
+    auto recording = read_recording(*found, overrides.memory);
     if (!recording) return tl::unexpected(recording.error());
     LoadedWorld loaded;
-    loaded.memory = memory;
+    loaded.memory = overrides.memory;
     loaded.name = found->stem().string();
     loaded.scene.scenario = recording->header.scenario;
+    if (overrides.look == LookFrom::kShipped)
+        if (auto taken = take_shipped_look(loaded.scene.scenario); !taken)
+            return tl::unexpected(taken.error());
     loaded.scene.commands = recording->commands;
     loaded.scene.files = {*found};
     loaded.told = recording->warning.value_or(fmt::format("Watching {}", found->filename().string()));
@@ -51,7 +54,7 @@ Outcome<LoadedWorld> open_terrain(const fs::path& path, const Overrides& overrid
 
 Outcome<LoadedWorld> open_anything(const std::string& name_or_path, const Overrides& overrides) {
     const fs::path path(name_or_path);
-    if (path.extension() == ".couloir") return open_recording(path, overrides.memory);
+    if (path.extension() == ".couloir") return open_recording(path, overrides);
     std::error_code error;
     const bool is_raster =
         path.extension() != ".toml" && fs::exists(path, error) && !is_asset(AssetKind::kScene, name_or_path);

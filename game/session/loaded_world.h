@@ -19,7 +19,8 @@ struct LoadedWorld {
 };
 
 // Opens a scene by its name, or a file: a scene (.toml), a recording (.couloir) or else an elevation raster.
-// Shipped recordings are found by NAME.couloir. `overrides` apply to scenes and rasters, not to recordings.
+// Shipped recordings are found by NAME.couloir. `overrides` apply to scenes and rasters; only `look` and
+// `memory` apply to recordings.
 // Errors: the file cannot be read or is damaged.
 Outcome<LoadedWorld> open_anything(const std::string& name_or_path, const Overrides& overrides);
 

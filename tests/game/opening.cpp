@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "game/scene/material.h"
 #include "tests/game/recording_files.h"
 #include "tests/support/places.h"
 
@@ -30,6 +31,39 @@ TEST(LoadedWorld, tells_a_torn_recording_and_takes_it_all_the_same) {
     const auto loaded = open_anything(path.string(), {});
     ASSERT_TRUE(loaded);
     EXPECT_NE(loaded->told.find("cut off"), std::string::npos);
+}
+
+// An old recording looks as new as the program. What the file says is kept: a continuation writes it again.
+TEST(LoadedWorld, of_a_recording_looks_as_its_materials_ship_now) {
+    const support::TemporaryFolder folder;
+    const std::string path = folder.path() / "old.couloir";
+    const Material soil = load_material("soil", sim::Model::kBcreInertial).value(),
+                   wet = load_material("snow-wet", sim::Model::kBcreInertial).value();
+    const Scenario small = small_scenario();
+    const auto opened = [&](const Scenario& scenario, LookFrom from) {
+        record(path, scenario, 6, {});
+        Overrides overrides;
+        overrides.look = from;
+        const LoadedWorld loaded = open_anything(path, overrides).value();
+        EXPECT_EQ(loaded.watched->header.scenario.look.standing, small.look.standing);
+        return loaded.scene.scenario.look;
+    };
+    ASSERT_NE(small.look.rolling, soil.look.rolling);
+    EXPECT_EQ(opened(small, LookFrom::kRecorded).rolling, small.look.rolling);
+    EXPECT_EQ(opened(small, LookFrom::kShipped).rolling, soil.look.rolling);
+    EXPECT_EQ(opened(small, LookFrom::kShipped).flow, soil.look.flow);
+
+    Scenario own = small;
+    own.material = "of-my-own";
+    EXPECT_EQ(opened(own, LookFrom::kShipped).rolling, small.look.rolling);
+
+    Scenario two = small;
+    two.material = "snow-wet";
+    two.lower = Scenario::Lower{"soil", small.params, std::vector<float>(small.depth.size(), 0.f)};
+    const render::Look mixed = opened(two, LookFrom::kShipped);
+    EXPECT_EQ(mixed.rolling, wet.look.rolling);
+    EXPECT_EQ(mixed.lower_rolling, soil.look.rolling);
+    EXPECT_EQ(mixed.rock, soil.look.rock);
 }
 
 TEST(LoadedWorld, refuses_in_one_sentence_that_names_the_thing) {

@@ -1,0 +1,25 @@
+#include "game/scene/shipped_look.h"
+
+#include "game/files/assets.h"
+#include "game/scene/material.h"
+
+namespace game {
+
+Outcome<void> take_shipped_look(Scenario& scenario) {
+    if (scenario.flow) return {};
+    if (is_asset(AssetKind::kMaterial, scenario.material)) {
+        const auto upper = load_material(scenario.material, scenario.params.model);
+        if (!upper) return tl::unexpected(upper.error());
+        render::Look look = upper->look;
+        look.lower_standing = scenario.look.lower_standing;
+        look.lower_rolling = scenario.look.lower_rolling;
+        scenario.look = look;
+    }
+    if (!scenario.lower || !is_asset(AssetKind::kMaterial, scenario.lower->material)) return {};
+    const auto lower = load_material(scenario.lower->material, scenario.params.model);
+    if (!lower) return tl::unexpected(lower.error());
+    take_look_of_lower(lower->look, scenario.look);
+    return {};
+}
+
+}  // namespace game
