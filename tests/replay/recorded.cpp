@@ -77,7 +77,7 @@ TEST_P(Recorded, again_is_the_same_by_the_plain_kernel) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Recordings, Recorded,
-                         testing::Values("landslide", "landslide-bcre", "snow-avalanche"),
+                         testing::Values("landslide", "landslide-bcre", "snow-avalanche", "winter-avalanche"),
                          [](const auto& name) {
                              std::string text = name.param;
                              std::replace(text.begin(), text.end(), '-', '_');

@@ -22,6 +22,7 @@ constexpr Golden kGoldens[] = {
     {"landslide", "adad45daf27b34f5"},
     {"landslide-bcre", "d941fb9cf4d1fed0"},
     {"snow-avalanche", "0b7c5cb533722c21"},
+    {"winter-avalanche", "19a12f43d536f98c"},
 };
 
 // Plays a recording again and returns its current state lines, one for each recorded line. After the end,
