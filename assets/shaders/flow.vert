@@ -7,6 +7,7 @@ struct OfVertex {
     int beside;     // its index among the gradients
     float deposit;  // m
     int shows;      // vertex whose offsets are drawn
+    float stretch;  // 0: not stretched
 };
 layout(std430, binding = SLOT_FLOW_VERTICES) readonly buffer FlowVertices { OfVertex vertices[]; };
 layout(std430, binding = SLOT_FLOW_GRADIENTS) readonly buffer FlowGradients { mat2 gradients[]; };
@@ -14,6 +15,7 @@ layout(std430, binding = SLOT_FLOW_GRADIENTS) readonly buffer FlowGradients { ma
 out vec2 at;          // m
 out vec4 offset[3];   // of each latency, m: xy the first phase's, zw the second's
 out vec4 mixture;     // shares of the second phases; latency
+out float stretch;    // 0: not stretched
 out float lies;       // amount of deposit, half at the depth that is drawn; 0 to 1
 out float gl_CullDistance[1];
 
@@ -35,6 +37,7 @@ void main() {
     for (int k = 0; k < 3; ++k)
         offset[k] = vec4(carried_on(v.side, 2 * k, way, v.on_front), carried_on(v.side, 2 * k + 1, way, v.on_front));
     mixture = mixes[v.side];
+    stretch = vertices[v.side].stretch;
     lies = clamp(0.5 * vertices[v.side].deposit / frame.rolling.w, 0.0, 1.0);
     gl_CullDistance[0] = is_seen(v.side) ? 1.0 : -1.0;
     gl_Position = frame.clip_from_world * vec4(at, height_at(relief, at), 1.0);

@@ -37,7 +37,7 @@
 // Reused while a flow is drawn, because an OpenGL may have only eight
 #define SLOT_FLOW_OFFSETS 4      // six vec2 of each vertex: sim::front::TextureLayers::Offsets, m
 #define SLOT_FLOW_MIX 5          // vec4 of each vertex: shares of the second phases, latency
-#define SLOT_FLOW_VERTICES 6     // of each vertex: its index beside a front, -1: none; deposit, m; vertex whose offsets are drawn
+#define SLOT_FLOW_VERTICES 6     // of each vertex: its index beside a front, -1: none; deposit, m; vertex whose offsets are drawn; stretch
 #define SLOT_FLOW_GRADIENTS 7    // six mat2 of each vertex beside a front
 
 // Image units
@@ -63,6 +63,8 @@
 #define FLOW_EVERYWHERE 2
 
 #define STEEPEST_GRAIN 2.0 // steepest slope that a flow texture can store
+#define STRETCH_KEPT 0.35  // stretch of a flow texture up to which it is drawn whole
+#define STRETCH_GONE 0.7   // and from which it is not drawn
 
 #define MOST_STOPS 8 // of a legend
 
