@@ -110,7 +110,8 @@ FrameBlock make_frame_block(const FrameInput& input, HeightRange heights, int sa
                                 look.flow->everywhere ? FLOW_EVERYWHERE : FLOW_ROLLING, 0, 0);
         block.flow_tint = glm::vec4(*flow_tint, 0);
     }
-    block.material = glm::dvec4(look.roughness * look.detail, pixel, samples, 0);
+    block.material =
+        glm::dvec4(look.roughness * look.detail, pixel, samples, input.first_depth.empty() ? 0 : 1);
     set_marks(block, input.marks, heights, world.datum);
     return block;
 }
