@@ -154,6 +154,7 @@ void take_lower(Scenario& scenario, const Material& lower) {
     sim::take_choices(scenario.params, scenario.lower->params);
     scenario.look.lower_standing = lower.look.standing;
     scenario.look.lower_rolling = lower.look.rolling;
+    scenario.look.lower_turf = lower.look.turf;
     scenario.look.rock = lower.look.rock,
     scenario.look.meadow = lower.look.meadow;  // the lower material lies on the ground
 }

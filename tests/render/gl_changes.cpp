@@ -3,7 +3,7 @@
 
 #include "tests/render/gl_scene.h"
 
-// What a slide leaves: deposits and scars.
+// What a slide leaves: deposits, scars, and turf where nothing happened.
 namespace render::test {
 namespace {
 
@@ -50,6 +50,14 @@ class Changes : public Gl {
     std::vector<float> first_depth_;
 };
 
+Look soil_under_turf() {
+    Look look;
+    look.standing = {0.22f, 0.135f, 0.07f};
+    look.rolling = {0.138f, 0.089f, 0.048f};
+    look.turf = glm::vec3(0.19f, 0.20f, 0.075f);
+    return look;
+}
+
 TEST_F(Changes, are_rough_and_what_never_changed_looks_as_without_them) {
     const Picture before = drawn(Look(), {}), after = drawn(Look(), first_depth_);
     EXPECT_EQ(untouched(after), untouched(before));
@@ -65,6 +73,29 @@ TEST_F(Changes, leave_a_frame_as_it_was_if_nothing_changed) {
     EXPECT_EQ(drawn(Look(), same).pixels, unknown.pixels);
     EXPECT_NE(drawn(Look(), first_depth_).pixels, unknown.pixels);
     EXPECT_EQ(drawn(Look(), {}).pixels, unknown.pixels);  // drawn earlier, it leaves no trace
+}
+
+TEST_F(Changes, break_the_turf) {
+    Look bare = soil_under_turf();
+    bare.turf.reset();
+    const Picture with = drawn(soil_under_turf(), first_depth_), without = drawn(bare, first_depth_);
+    EXPECT_EQ(scar(with), scar(without));
+    EXPECT_EQ(deposit(with), deposit(without));
+    const Colour grass = untouched(with);
+    EXPECT_GT(grass[1], grass[0]);
+    EXPECT_EQ(drawn(soil_under_turf(), {}).pixels,
+              drawn(bare, {}).pixels);  // no turf if the first depth is unknown
+}
+
+TEST_F(Changes, of_soil_differ_from_turf_by_5_in_all_colour_vision) {
+    const Picture picture = drawn(soil_under_turf(), first_depth_);
+    for (const Colour& changed : {scar(picture), deposit(picture)}) {
+        double least = colour_distance(changed, untouched(picture));
+        for (const Cone cone : {Cone::kLong, Cone::kMiddle})
+            least =
+                std::min(least, colour_distance(without(cone, changed), without(cone, untouched(picture))));
+        EXPECT_GT(least, 5);
+    }
 }
 
 TEST_F(Changes, of_depth_end_at_no_data) {
