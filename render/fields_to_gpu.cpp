@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "assets/shaders/slots.glsl"
+#include "sim/core/check.h"
 
 namespace render {
 namespace {
@@ -31,7 +32,7 @@ void send(const Texture& texture, const sim::Field<T>& field, GLenum format, GLe
 
 }  // namespace
 
-bool FieldsToGpu::upload(const sim::View& world) {
+bool FieldsToGpu::upload(const sim::View& world, std::span<const float> first_depth) {
     const bool changed = !is_known(world);
     if (changed) {
         if (!(grid_ == world.grid)) allocate(world.grid);
@@ -44,7 +45,19 @@ bool FieldsToGpu::upload(const sim::View& world) {
     send(velocity_x_texture_, world.velocity_x, GL_RED, GL_FLOAT);
     send(velocity_y_texture_, world.velocity_y, GL_RED, GL_FLOAT);
     if (world.mixture) send_mixture(world);
+    if (!first_depth.empty()) send_first_depth(first_depth);
     return changed;
+}
+
+// It never changes while a world runs.
+void FieldsToGpu::send_first_depth(std::span<const float> first_depth) {
+    CHECK(first_depth.size() == grid_.size());
+    if (first_depth_.size() == first_depth.size() &&
+        std::memcmp(first_depth_.data(), first_depth.data(), first_depth.size_bytes()) == 0)
+        return;
+    first_depth_.assign(first_depth.begin(), first_depth.end());
+    glTextureSubImage2D(first_depth_texture_.name(), 0, 0, 0, grid_.nx, grid_.ny, GL_RED, GL_FLOAT,
+                        first_depth_.data());
 }
 
 // Where a layer is empty, its mixture is copied from the neighbouring vertices, so that the layer keeps its
@@ -80,6 +93,7 @@ void FieldsToGpu::bind() const {
     glBindTextureUnit(SLOT_VELOCITY_Y, velocity_y_texture_.name());
     glBindTextureUnit(SLOT_SITE, site_texture_.name());
     glBindTextureUnit(SLOT_MIXTURE, mixture_texture_.name());
+    glBindTextureUnit(SLOT_FIRST_DEPTH, first_depth_texture_.name());
 }
 
 bool FieldsToGpu::is_known(const sim::View& world) const {
@@ -87,9 +101,10 @@ bool FieldsToGpu::is_known(const sim::View& world) const {
 }
 
 void FieldsToGpu::allocate(const sim::Grid& grid) {
-    for (Texture* texture :
-         {&bedrock_texture_, &depth_texture_, &rolling_texture_, &velocity_x_texture_, &velocity_y_texture_})
+    for (Texture* texture : {&bedrock_texture_, &depth_texture_, &rolling_texture_, &velocity_x_texture_,
+                             &velocity_y_texture_, &first_depth_texture_})
         *texture = make_texture(GL_R32F, grid.nx, grid.ny, GL_NEAREST);
+    first_depth_.clear();
     site_texture_ = make_texture(GL_R8UI, grid.nx, grid.ny, GL_NEAREST);
     mixture_texture_ = make_texture(GL_RG8, grid.nx, grid.ny, GL_LINEAR);
 }

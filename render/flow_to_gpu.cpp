@@ -13,6 +13,7 @@ using sim::front::TextureLayers;
 static_assert(sizeof(TextureLayers::Offsets) == 6 * 2 * sizeof(float));
 static_assert(sizeof(TextureLayers::Mix) == 4 * sizeof(float));
 static_assert(sizeof(TextureLayers::Gradients) == 6 * 4 * sizeof(float));
+static_assert(sizeof(FlowVertex) == 16);
 
 constexpr std::size_t kLeastGradients = 256;
 
@@ -31,23 +32,14 @@ void FlowToGpu::upload(const sim::front::FlowView& flow) {
         vertices_ = vertices;
         offsets_ = make_storage(vertices * sizeof(TextureLayers::Offsets));
         mixes_ = make_storage(vertices * sizeof(TextureLayers::Mix));
-        vertex_buffer_ = make_storage(vertices * sizeof(OfVertex));
+        vertex_buffer_ = make_storage(vertices * sizeof(FlowVertex));
         of_vertex_.resize(vertices);
     }
     if (beside > gradients_fit_ || gradients_fit_ == 0) {  // with room for fronts to grow
         gradients_fit_ = std::max(2 * beside, kLeastGradients);
         gradients_ = make_storage(gradients_fit_ * sizeof(TextureLayers::Gradients));
     }
-    const int count = static_cast<int>(vertices);
-    for (int v = 0; v < count; ++v) of_vertex_[v] = {-1, flow.deposit(v), v};
-    // The deposit is extended by one vertex. Otherwise its texture would be stretched to that of untouched
-    // ground.
-    for (int v = 0; v < count; ++v)
-        if (of_vertex_[v].deposit > 0)
-            for (const auto& spoke : flow.mesh().around(v))
-                if (!layers.has_moved(spoke.vertex)) of_vertex_[spoke.vertex].shows = v;
-    for (std::size_t i = 0; i < beside; ++i)
-        of_vertex_[layers.beside_front()[i]].beside = static_cast<int>(i);
+    describe(flow, of_vertex_);
     send(offsets_, layers.offsets());
     send(mixes_, layers.mix());
     send(vertex_buffer_, of_vertex_);

@@ -91,7 +91,7 @@ std::optional<DrawTimes> Renderer::stage_times() const {
 
 void Renderer::draw(const FrameInput& input) {
     Parts& p = *parts_;
-    const auto& [world, camera, light, look, marks, flow, width, height] = input;
+    const auto& [world, camera, light, look, marks, flow, width, height, first_depth] = input;
     const int samples = samples_of(p.quality);
     const ScopedState state;  // restores the state for other users of the context
 
@@ -99,7 +99,7 @@ void Renderer::draw(const FrameInput& input) {
     p.clock.begin();
 
     // Upload the world first: everything below reads these textures, and only they change with the state.
-    const bool new_terrain = p.fields.upload(world);
+    const bool new_terrain = p.fields.upload(world, first_depth);
     const FrameBlock frame = make_frame_block(input, p.fields.heights(), samples,
                                               flows ? std::optional(p.flow_tint(look, marks)) : std::nullopt);
     glNamedBufferSubData(p.frame_block.name(), 0, sizeof frame, &frame);

@@ -104,13 +104,16 @@ FrameBlock make_frame_block(const FrameInput& input, HeightRange heights, int sa
     block.rolling = glm::vec4(look.rolling, look.rolling_visible_m);
     block.lower_standing = glm::vec4(look.lower_standing, world.mixture ? 1 : 0);
     block.lower_rolling = glm::vec4(look.lower_rolling, 0);
+    if (look.turf) block.turf = glm::vec4(*look.turf, 1);
+    if (look.lower_turf) block.lower_turf = glm::vec4(*look.lower_turf, 1);
     const double pixel = 2 * glm::length(glm::dvec3(block.ray_up)) / (input.height * samples);
     if (flow_tint) {
         block.flow = glm::dvec4(look.flow->repeats / side,
                                 look.flow->everywhere ? FLOW_EVERYWHERE : FLOW_ROLLING, 0, 0);
         block.flow_tint = glm::vec4(*flow_tint, 0);
     }
-    block.material = glm::dvec4(look.roughness * look.detail, pixel, samples, 0);
+    block.material =
+        glm::dvec4(look.roughness * look.detail, pixel, samples, input.first_depth.empty() ? 0 : 1);
     set_marks(block, input.marks, heights, world.datum);
     return block;
 }

@@ -23,14 +23,14 @@ struct FrameBlock {
     glm::ivec4 size;
     glm::vec4 sweep;
     glm::vec4 haze;
-    glm::vec4 rock, meadow, standing, rolling, lower_standing, lower_rolling, material;
+    glm::vec4 rock, meadow, standing, rolling, lower_standing, lower_rolling, turf, lower_turf, material;
     glm::vec4 ring, ring_colour;
     glm::vec4 contours;
     glm::vec4 flow, flow_tint;
     glm::ivec4 overlay;
     std::array<glm::vec4, MOST_STOPS> stops;
 };
-static_assert(sizeof(FrameBlock) == 64 + (22 + MOST_STOPS) * 16);
+static_assert(sizeof(FrameBlock) == 64 + (24 + MOST_STOPS) * 16);
 
 // The largest `size.z` that any light needs on a grid: rays of the sun sweep.
 int most_rays(const sim::Grid& grid);

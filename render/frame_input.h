@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "render/camera.h"
 #include "render/look.h"
 #include "render/marks.h"
@@ -20,6 +22,9 @@ struct FrameInput {
     // advected.
     const sim::front::FlowView* flow = nullptr;
     int width = 0, height = 0;  // of the frame, pixels, > 0
+    // Depth of the standing layer at tick 0, m, one value per vertex, row 0 the south; valid during the call. It
+    // tells deposits and scars from untouched ground. If empty, they are unknown.
+    std::span<const float> first_depth = {};
 };
 
 }  // namespace render

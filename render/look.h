@@ -31,6 +31,8 @@ struct Look {
     glm::vec3 rolling{0.42f, 0.58f, 0.84f};         // rolling layer
     glm::vec3 lower_standing{0.30f, 0.22f, 0.14f};  // of the lower material in a world of two
     glm::vec3 lower_rolling{0.36f, 0.25f, 0.14f};
+    // Grass on the standing layer where nothing has changed it since tick 0; none: it is drawn bare.
+    std::optional<glm::vec3> turf, lower_turf;
     float roughness = 0.5f;           // 0 to 1, strength of the rolling layer's small-scale relief
     float cover_visible_m = 0.05f;    // depth at which the standing layer hides the ground, m, > 0
     float rolling_visible_m = 0.05f;  // depth at which the rolling layer is drawn, m, ≥ 0.001

@@ -3,13 +3,15 @@
 in vec2 at;
 in vec4 offset[3];
 in vec4 mixture;
+in float stretch;
 in float lies;
 layout(location = 0) out vec4 skin_albedo;
 layout(location = 1) out vec4 skin_relief;
 
-const int kSheets = 6;
+const int kAdvected = 6;  // two phases for each of three latencies
+const int kSheets = kAdvected + 1;
 
-// One set of coordinates: two phases for each of three latencies.
+// One set of coordinates.
 struct Sheet {
     vec2 place;     // tiles
     mat2 gradient;  // of the place, times the size of a tile
@@ -31,19 +33,20 @@ void main() {
     // A triangle seen edge-on has no area. Its few visible samples are drawn without relief.
     mat2 to_pixel = abs(area) > 1e-12 ? inverse(pixel) : mat2(0.0);
     Sheet sheets[kSheets];
-    float drawn_out = 0.0;  // 0: not stretched
-    for (int s = 0; s < kSheets; ++s) {
+    // Where the advected sheets are stretched, a sheet that lies still replaces them: fresh debris. The stretch is
+    // interpolated between vertices, so no triangle is seen.
+    float keep = int(frame.flow.y) == FLOW_EVERYWHERE ? 1.0 : 1.0 - smoothstep(STRETCH_KEPT, STRETCH_GONE, stretch);
+    for (int s = 0; s < kAdvected; ++s) {
         int k = s / 2;
         vec2 place = at + (s % 2 == 0 ? offset[k].xy : offset[k].zw);
         float layer = max(0.0, 1.0 - abs(mixture.w - float(k)));
         float share = s % 2 == 0 ? 1.0 - mixture[k] : mixture[k];
-        sheets[s] = Sheet(place * frame.flow.x, mat2(dFdx(place), dFdy(place)) * to_pixel, layer * share);
-        mat2 apart = sheets[s].gradient - mat2(1.0);
-        drawn_out += sheets[s].weight * sqrt(dot(apart[0], apart[0]) + dot(apart[1], apart[1]));
+        sheets[s] = Sheet(place * frame.flow.x, mat2(dFdx(place), dFdy(place)) * to_pixel, keep * layer * share);
     }
+    // Rotated and moved, so that it does not resemble sheets that have hardly moved.
+    sheets[kAdvected] = Sheet((at.yx + vec2(37.0, 11.0)) * frame.flow.x, mat2(0.0, 1.0, 1.0, 0.0), 1.0 - keep);
     float footprint = sqrt(length(pixel[0]) * length(pixel[1])) * frame.flow.x;
     Paint seen = paint(sheets, footprint);
     skin_albedo = vec4(seen.albedo * frame.flow_tint.rgb, 1.0);
-    // Between separate deposits the texture would be stretched; there it is not shown.
-    skin_relief = vec4(seen.rise, seen.open, lies * smoothstep(2.0, 1.0, drawn_out));
+    skin_relief = vec4(seen.rise, seen.open, lies);
 }

@@ -17,7 +17,9 @@ layout(std140, binding = SLOT_FRAME) uniform Frame {
     vec4 rolling;           // w: depth at which it is drawn, m
     vec4 lower_standing;    // of the lower material; w: 1 in a world of two
     vec4 lower_rolling;
-    vec4 material;          // roughness 0 to 1; height of a sample at a distance of 1; samples along the edge of a pixel
+    vec4 turf;              // of the standing layer where it never changed; w: 1 if there is any
+    vec4 lower_turf;        // of the lower material
+    vec4 material;          // roughness 0 to 1; height of a sample at a distance of 1; samples along the edge of a pixel; 1: first depth is known
     vec4 ring;              // centre m, radius m; 1: is drawn
     vec4 ring_colour;       // linear light
     vec4 contours;          // lines per metre of height, 0: none; line, counted from a heavy one, at z = 0

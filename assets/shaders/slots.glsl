@@ -11,7 +11,7 @@
 #define SLOT_VELOCITY_Y 4 // R32F, m/s
 #define SLOT_SITE 5       // R8UI: sim::Site
 #define SLOT_RELIEF 6     // RGBA32F: height m above datum, slope along x, slope along y, openness
-#define SLOT_LAYERS 7     // RGBA8: share of cover, share of rolling layer (half at the visible depth), speed, ground; 0 to 1
+#define SLOT_LAYERS 7     // RGBA8: share of cover, share of rolling layer (half at the visible depth), speed, change of d since tick 0 (128: none, 127 steps to MOST_CHANGE); 0 to 1
 #define SLOT_OPENNESS 8   // R16F: share of the sky that a vertex sees
 #define SLOT_SUN_CEILING 9 // R32F: height below which the sun is hidden, in the sheared grid of shadow.comp
 #define SLOT_DETAIL 10    // RGBA8 array: small-scale relief, one layer per kind
@@ -23,7 +23,8 @@
 #define SLOT_PAINT 16     // SRGB8: its colours; for a stochastic one a row, one per height
 #define SLOT_SKIN_ALBEDO 17 // RGBA16F: colour of the flow, per sample; alpha 0: none
 #define SLOT_SKIN_RELIEF 18 // RGBA16F: slopes that it adds, sky share of its hollows, amount of deposit (half at the visible depth)
-#define SLOT_UNITS 19     // number of texture units
+#define SLOT_FIRST_DEPTH 19 // R32F: d at tick 0, m
+#define SLOT_UNITS 20     // number of texture units
 
 // Storage buffers; cut_vertex.glsl reads the first four
 #define SLOT_MESH_POSITIONS 0    // vec2 of each vertex, m
@@ -37,7 +38,7 @@
 // Reused while a flow is drawn, because an OpenGL may have only eight
 #define SLOT_FLOW_OFFSETS 4      // six vec2 of each vertex: sim::front::TextureLayers::Offsets, m
 #define SLOT_FLOW_MIX 5          // vec4 of each vertex: shares of the second phases, latency
-#define SLOT_FLOW_VERTICES 6     // of each vertex: its index beside a front, -1: none; deposit, m; vertex whose offsets are drawn
+#define SLOT_FLOW_VERTICES 6     // of each vertex: its index beside a front, -1: none; deposit, m; vertex whose offsets are drawn; stretch
 #define SLOT_FLOW_GRADIENTS 7    // six mat2 of each vertex beside a front
 
 // Image units
@@ -63,6 +64,9 @@
 #define FLOW_EVERYWHERE 2
 
 #define STEEPEST_GRAIN 2.0 // steepest slope that a flow texture can store
+#define MOST_CHANGE 0.5    // m, change of the standing layer that can still be told from a greater one
+#define STRETCH_KEPT 0.35  // stretch of a flow texture up to which it is drawn whole
+#define STRETCH_GONE 0.7   // and from which it is not drawn
 
 #define MOST_STOPS 8 // of a legend
 

@@ -3,6 +3,7 @@ layout(local_size_x = GROUP_SQUARE, local_size_y = GROUP_SQUARE) in;
 
 layout(binding = SLOT_BEDROCK) uniform sampler2D bedrock;
 layout(binding = SLOT_DEPTH) uniform sampler2D depth;
+layout(binding = SLOT_FIRST_DEPTH) uniform sampler2D first_depth;
 layout(binding = SLOT_ROLLING) uniform sampler2D rolling;
 layout(binding = SLOT_VELOCITY_X) uniform sampler2D velocity_x;
 layout(binding = SLOT_VELOCITY_Y) uniform sampler2D velocity_y;
@@ -55,6 +56,8 @@ void main() {
     float d = texelFetch(depth, v, 0).r, r = texelFetch(rolling, v, 0).r;
     float speed = length(vec2(texelFetch(velocity_x, v, 0).r, texelFetch(velocity_y, v, 0).r));
     vec2 share = clamp(vec2(0.5 * d / frame.standing.w, 0.5 * r / frame.rolling.w), 0.0, 1.0);
-    imageStore(layers, v, vec4(share, speed / (speed + kHalfSpeed), ground ? 1.0 : 0.0));
+    // No data counts as unchanged. Any other value would be interpolated into the ground beside it.
+    float change = frame.material.w > 0.0 && ground ? (d - texelFetch(first_depth, v, 0).r) / MOST_CHANGE : 0.0;
+    imageStore(layers, v, vec4(share, speed / (speed + kHalfSpeed), (128.0 + 127.0 * clamp(change, -1.0, 1.0)) / 255.0));
     imageStore(measure, v, vec4(ground ? measured(rise, d, r, share.y, speed) : vec2(0.0), 0.0, 0.0));
 }

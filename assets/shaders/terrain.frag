@@ -70,6 +70,12 @@ Skin cover(vec3 albedo, vec4 broad, vec4 soft, vec4 rock, vec4 fine) {
     return Skin(albedo * tint, 0.15 * soft.xy + 0.14 * broad.xy + 0.04 * rock.xy + 0.04 * fine.xy, 0.9 + 0.1 * soft.z);
 }
 
+// Grass on a standing layer that nothing has touched. `turf`: its colour times its share, and the share.
+Skin grown(vec4 turf, vec4 broad, vec4 soft, vec4 fine, vec4 crumbs) {
+    vec3 grass = turf.rgb / max(turf.w, 1e-3) * mix(vec3(0.65, 0.75, 0.70), vec3(1.50, 1.25, 1.10), broad.w);
+    return Skin(grass * (0.50 + 0.45 * soft.z + 0.60 * crumbs.z), 0.2 * soft.xy + 0.2 * fine.xy, 0.80 + 0.3 * soft.z);
+}
+
 // The rolling layer: clumps at two scales; lighter where it moves fast.
 Skin moving(vec3 albedo, vec4 broad, vec4 soft, vec4 clumps, vec4 crumbs, float speed) {
     float rough = frame.material.x;
@@ -132,13 +138,25 @@ void main() {
 
     vec2 lower = frame.lower_standing.w > 0.0 ? lower_shares(p, soft, clumps) : vec2(0.0);
     vec3 lies = mix(frame.standing.rgb, frame.lower_standing.rgb, lower.x);
+    vec3 rolling_colour = mix(frame.rolling.rgb, frame.lower_rolling.rgb, lower.y);
     Skin skin = blend(ground(p, broad, soft, rock, fine), cover(lies, broad, soft, rock, fine), covered);
+
+    // What slides left. Where the standing layer is thinner than at tick 0, a scar: greyed and rough. Where it is
+    // thicker, a deposit: debris that lies still, under the advected texture if there is one. Edges are ragged, and
+    // no change stays none.
+    float change = MOST_CHANGE / 127.0 * (255.0 * layer.w - 128.0);  // m
+    change *= 1.0 + frame.haze.w * (1.2 * (clumps.z - 0.5) + 0.8 * (crumbs.z - 0.5));
+    float scar = smoothstep(0.01, 0.12, -change) * covered, deposit = smoothstep(0.01, 0.10, change) * covered;
+    skin.albedo *= mix(vec3(1.0), vec3(0.90, 0.925, 0.95) + 0.10 * (rock.z - 0.5), scar);
+    skin.rise += scar * (0.30 * rock.xy + 0.20 * crumbs.xy);
+    vec4 turf = frame.material.w * mix(frame.turf, frame.lower_turf, lower.x);
+    skin = blend(skin, grown(turf, broad, soft, fine, crumbs), turf.w * covered * smoothstep(0.06, 0.03, abs(change)));
+    skin = blend(skin, moving(mix(lies, rolling_colour, 0.35), broad, soft, clumps, crumbs, 0.0), deposit);
 
     // Distance from the front, in cells, negative outside: a dark foot before it, a lit lip on it.
     float from_front = (share - 0.5) / max(steepness, 0.15);
     float foot = smoothstep(-0.7, 0.0, from_front) * smoothstep(0.0, 0.2, layer.y) * (1.0 - rolls);
     float lip = smoothstep(0.9, 0.0, from_front) * smoothstep(0.1, 0.3, steepness);
-    vec3 rolling_colour = mix(frame.rolling.rgb, frame.lower_rolling.rgb, lower.y);
     Skin debris = moving(rolling_colour, broad, soft, clumps, crumbs, layer.z);
     if (int(frame.flow.y) != FLOW_NOWHERE) {
         // Material with its advected texture. Frayed detail beyond the cut mesh uses the texture at its

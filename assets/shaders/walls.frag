@@ -1,5 +1,5 @@
 // Walls: the sides of the block of terrain. Earth in layers, darker downward, turf on top.
-layout(binding = SLOT_LAYERS) uniform sampler2D layers;
+layout(binding = SLOT_SITE) uniform usampler2D site;
 layout(binding = SLOT_DETAIL) uniform sampler2DArray detail_texture;
 
 in vec3 at;
@@ -12,7 +12,11 @@ const float kOpen = 1.6;  // walls stand free and receive light from all sides
 // no-data zigzag with the grid.
 float ground(vec2 cell) {
     vec2 inside = clamp(min(cell, vec2(frame.size.xy - 1) - cell) + 0.5, 0.0, 1.0);
-    return inside.x * inside.y * texture(layers, (cell + 0.5) / vec2(frame.size.xy)).w;
+    uvec4 sites = textureGather(site, (floor(cell) + 1.0) / vec2(frame.size.xy));  // counterclockwise from the upper left
+    vec4 is_ground = vec4(notEqual(sites, uvec4(SITE_DRAIN)));
+    vec2 between = fract(cell);
+    vec2 row = mix(is_ground.wx, is_ground.zy, between.x);
+    return inside.x * inside.y * mix(row.x, row.y, between.y);
 }
 
 void main() {

@@ -22,6 +22,7 @@ struct Gallery::Parts {
     std::optional<render::Camera> camera;
     render::Light light;
     render::Look look;
+    std::vector<float> first_depth;  // m
     int pictures = 0;
 
     Parts(render::HeadlessContext&& gl, render::Renderer&& with)
@@ -35,7 +36,8 @@ struct Gallery::Parts {
                        .look = look,
                        .flow = flow,
                        .width = size.width,
-                       .height = size.height});
+                       .height = size.height,
+                       .first_depth = first_depth});
         writer.submit(renderer.read_back(), folder / (name + ".png"));
         ++pictures;
         return *renderer.stage_times();
@@ -87,6 +89,7 @@ Outcome<Gallery> Gallery::open(const std::filesystem::path& folder, PictureSize 
     parts->camera = scenario.camera;
     parts->light = scenario.light;
     parts->look = scenario.look;
+    parts->first_depth = scenario.depth;
     return Gallery(std::move(parts));
 }
 

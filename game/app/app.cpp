@@ -290,7 +290,8 @@ void App::draw_world() {
                         .marks = marks,
                         .flow = sandbox_->session().fronts(),
                         .width = wanted.width,
-                        .height = wanted.height});
+                        .height = wanted.height,
+                        .first_depth = sandbox_->scenario().depth});
     }
     renderer_.show_on(screen_.framebuffer(), size.width, size.height);
     if (waits_for_gl_) renderer_.wait();

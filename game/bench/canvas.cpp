@@ -16,6 +16,7 @@ struct Canvas::Parts {
     std::optional<render::Camera> camera = std::nullopt;
     render::Light light = {};
     render::Look look = {};
+    std::vector<float> first_depth = {};  // m
 };
 
 Outcome<Canvas> Canvas::open(PictureSize size, const std::string& gl) {
@@ -41,6 +42,7 @@ Outcome<void> Canvas::show(const Scenario& scenario) {
     parts_->camera = scenario.camera;
     parts_->light = scenario.light;
     parts_->look = scenario.look;
+    parts_->first_depth = scenario.depth;
     return {};
 }
 
@@ -53,7 +55,8 @@ render::DrawTimes Canvas::draw(const sim::View& world, const sim::front::FlowVie
                      .look = p.look,
                      .flow = flow,
                      .width = p.size.width,
-                     .height = p.size.height});
+                     .height = p.size.height,
+                     .first_depth = p.first_depth});
     return *p.renderer.stage_times();
 }
 

@@ -21,7 +21,7 @@ class Canvas {
     Canvas(Canvas&&) noexcept;
     Canvas& operator=(Canvas&&) noexcept;
 
-    // Sets camera, light and look of the following frames from
+    // Sets camera, light, look and first depth of the following frames from
     // a scenario. Errors: a texture is missing (status 3).
     Outcome<void> show(const Scenario& scenario);
     // Draws one frame and waits for it.

@@ -238,6 +238,8 @@ Json view_json(const Scenario& scenario) {
         json["look"]["lower_standing"] = colour(look.lower_standing);
         json["look"]["lower_rolling"] = colour(look.lower_rolling);
     }
+    if (look.turf) json["look"]["turf"] = colour(*look.turf);
+    if (look.lower_turf) json["look"]["lower_turf"] = colour(*look.lower_turf);
     if (look.flow) json["look"]["texture"] = to_string(look.flow->pattern);
     if (scenario.flow) json["flow"] = flow_json(*scenario.flow, *look.flow);
     json["light"] = {{"azimuth_deg", scenario.light.azimuth_deg},
@@ -261,6 +263,8 @@ void view_from(const Json& json, Scenario& scenario) {
         scenario.look.lower_standing = triple(look, "lower_standing", 0, 1);
         scenario.look.lower_rolling = triple(look, "lower_rolling", 0, 1);
     }
+    if (look.contains("turf")) scenario.look.turf = glm::vec3(triple(look, "turf", 0, 1));
+    if (look.contains("lower_turf")) scenario.look.lower_turf = glm::vec3(triple(look, "lower_turf", 0, 1));
     scenario.look.roughness = static_cast<float>(number(look, "roughness", 0, 1));
     scenario.look.cover_visible_m = static_cast<float>(number(look, "cover_visible_m", 0, 10));
     scenario.look.rolling_visible_m = static_cast<float>(number(look, "rolling_visible_m", 0.001, 10));

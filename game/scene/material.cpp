@@ -29,6 +29,7 @@ void read_look(TomlTable& table, render::Look& look) {
     read_colour(table, "meadow", look.meadow);
     read_colour(table, "standing", look.standing);
     read_colour(table, "rolling", look.rolling);
+    if (glm::vec3 turf{-1}; read_colour(table, "turf", turf), turf.x >= 0) look.turf = turf;
     const auto set = [&](std::string_view key, float& value, double most) {
         if (const auto number = table.number(key, 0, most)) value = static_cast<float>(*number);
     };
@@ -72,6 +73,7 @@ void read_physics_numbers(TomlTable& table, sim::Model model, sim::Params& param
 void take_look_of_lower(const render::Look& lower, render::Look& look) {
     look.lower_standing = lower.standing;
     look.lower_rolling = lower.rolling;
+    look.lower_turf = lower.turf;
     look.rock = lower.rock;
     look.meadow = lower.meadow;
 }

@@ -13,6 +13,7 @@ Outcome<void> take_shipped_look(Scenario& scenario) {
         render::Look look = upper->look;
         look.lower_standing = scenario.look.lower_standing;
         look.lower_rolling = scenario.look.lower_rolling;
+        look.lower_turf = scenario.look.lower_turf;
         scenario.look = look;
     }
     if (!scenario.lower || !is_asset(AssetKind::kMaterial, scenario.lower->material)) return {};

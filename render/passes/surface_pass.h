@@ -10,7 +10,7 @@
 
 namespace render {
 
-// Computes the draw data from the fields. Reads the fields. Writes SLOT_RELIEF, SLOT_LAYERS and SLOT_MEASURE
+// Computes the draw data from the fields. Reads the fields and SLOT_FIRST_DEPTH. Writes SLOT_RELIEF, SLOT_LAYERS and SLOT_MEASURE
 // for every frame, SLOT_OPENNESS once per terrain.
 class SurfacePass {
   public:

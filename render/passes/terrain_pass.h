@@ -25,7 +25,7 @@ class TerrainPass {
     void draw_depth() const;  // reads SLOT_RELIEF
     // Reads SLOT_SCENE_DEPTH, SLOT_RELIEF, SLOT_LAYERS, SLOT_MEASURE, SLOT_SUN_CEILING, SLOT_DETAIL.
     void shade(const Marks& marks) const;
-    void draw_walls() const;  // reads SLOT_RELIEF, SLOT_SUN_CEILING, SLOT_DETAIL
+    void draw_walls() const;  // reads SLOT_RELIEF, SLOT_SITE, SLOT_SUN_CEILING, SLOT_DETAIL
 
   private:
     // Indexed triangles without attributes: heights come from textures, positions from the index.

@@ -79,7 +79,9 @@ TEST(Material, without_a_block_for_a_model_is_refused_with_it) {
 TEST(Material, converts_angles_to_slopes_and_srgb_to_linear_light) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "mine.toml";
-    write_bytes(path, "[look]\nstanding = [255, 0, 188]\n[bcre]\nstop_angle = 25\nstart_slope = 0.8125\n");
+    write_bytes(path,
+                "[look]\nstanding = [255, 0, 188]\nturf = [188, 255, 0]\n[bcre]\nstop_angle = "
+                "25\nstart_slope = 0.8125\n");
     const auto material = load_material(path.string(), sim::Model::kBcre);
     ASSERT_TRUE(material) << material.error().sentence;
     EXPECT_FLOAT_EQ(material->params.stop_slope, 0.46630766f);  // tan 25°
@@ -87,6 +89,8 @@ TEST(Material, converts_angles_to_slopes_and_srgb_to_linear_light) {
     EXPECT_FLOAT_EQ(material->look.standing.x, 1);
     EXPECT_FLOAT_EQ(material->look.standing.y, 0);
     EXPECT_NEAR(material->look.standing.z, 0.5028865, 1e-6);  // sRGB 188
+    ASSERT_TRUE(material->look.turf);
+    EXPECT_NEAR(material->look.turf->x, 0.5028865, 1e-6);
     EXPECT_EQ(material->title, "mine");
 }
 

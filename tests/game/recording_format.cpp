@@ -54,6 +54,10 @@ TEST(RecordingHeader, keeps_the_view_bit_identical) {
     EXPECT_EQ(after.look.cover_visible_m, before.look.cover_visible_m);
     EXPECT_EQ(after.look.rolling_visible_m, before.look.rolling_visible_m);
     EXPECT_EQ(after.look.flow, before.look.flow);
+    EXPECT_EQ(after.look.turf, std::nullopt);
+    Scenario green = before;
+    green.look.turf = glm::vec3(0.135f, 0.15f, 0.052f);
+    EXPECT_EQ(through_header(green).look.turf, green.look.turf);
     Scenario plain = before;
     plain.look.flow.reset();
     EXPECT_EQ(through_header(plain).look.flow, std::nullopt);

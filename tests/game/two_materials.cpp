@@ -68,6 +68,8 @@ TEST_F(SnowOnSoil, is_read_with_both_materials) {
     EXPECT_EQ(scenario.params.max_speed, 20);            // wet snow's
     EXPECT_EQ(scenario.lower->params.borders, scenario.params.borders);
     EXPECT_NE(scenario.look.lower_standing, scenario.look.standing);
+    EXPECT_TRUE(scenario.look.lower_turf);
+    EXPECT_FALSE(scenario.look.turf);
     const std::size_t middle = scenario.grid.size() / 2;
     EXPECT_EQ(scenario.depth[middle], 0.75f);
     EXPECT_EQ(scenario.lower->depth[middle], 0.25f);
@@ -116,6 +118,7 @@ TEST_F(SnowOnSoil, replays_bit_identically_from_its_recording) {
     EXPECT_EQ(scenario.lower->params, scene.scenario.lower->params);
     EXPECT_EQ(scenario.lower->depth, scene.scenario.lower->depth);
     EXPECT_EQ(scenario.look.lower_rolling, scene.scenario.look.lower_rolling);
+    EXPECT_EQ(scenario.look.lower_turf, scene.scenario.look.lower_turf);
     EXPECT_EQ(recording->states.back().hash, last.hash);
 
     const Finished verified = couloir({"replay", path_.string(), "--verify", "--threads", "2"});

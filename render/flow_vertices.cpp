@@ -1,0 +1,69 @@
+#include "render/flow_vertices.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "assets/shaders/slots.glsl"
+#include "sim/core/check.h"
+
+namespace render {
+namespace {
+
+using sim::front::FlowView;
+using sim::front::TextureLayers;
+
+// How far the textures of two vertices differ, by the mix of the first, m.
+float apart(const TextureLayers& layers, int vertex, int other) {
+    float sum = 0;
+    for (int s = 0; s < TextureLayers::kSheets; ++s)
+        if (const float weight = layers.weight(vertex, s); weight > 0)
+            sum += weight * glm::length(layers.offsets()[other][s] - layers.offsets()[vertex][s]);
+    return sum;
+}
+
+float stretch_at(const FlowView& flow, const std::vector<FlowVertex>& vertices, int vertex) {
+    const sim::front::Mesh& mesh = flow.mesh();
+    const TextureLayers& layers = flow.layers();
+    if (!layers.has_moved(vertex)) return static_cast<float>(STRETCH_GONE);
+    const int own = vertices[vertex].shows;
+    float sum = 0;
+    int count = 0;
+    for (const auto& [neighbour, edge] : mesh.around(vertex)) {
+        const int other = vertices[neighbour].shows;
+        if (!layers.has_moved(other) || flow.tracker().detector().is_cut(edge)) continue;
+        if (other != own) {
+            const float stretch = apart(layers, own, other) / mesh.length[edge];
+            sum += stretch * stretch;
+        }
+        ++count;
+    }
+    return count > 0 ? std::sqrt(sum / static_cast<float>(count)) : 0;
+}
+
+}  // namespace
+
+void describe(const FlowView& flow, std::vector<FlowVertex>& vertices) {
+    const TextureLayers& layers = flow.layers();
+    const int count = flow.mesh().vertices();
+    CHECK(vertices.size() == flow.mesh().position.size());
+    for (int v = 0; v < count; ++v) vertices[v] = {-1, flow.deposit(v), v, 0};
+    // The deposit is extended by one vertex. Otherwise its texture would be stretched to that of untouched
+    // ground.
+    for (int v = 0; v < count; ++v)
+        if (vertices[v].deposit > 0)
+            for (const auto& spoke : flow.mesh().around(v))
+                if (!layers.has_moved(spoke.vertex)) vertices[spoke.vertex].shows = v;
+    for (int v = 0; v < count; ++v) vertices[v].stretch = stretch_at(flow, vertices, v);
+    for (std::size_t i = 0; i < layers.beside_front().size(); ++i)
+        vertices[layers.beside_front()[i]].beside = static_cast<int>(i);
+}
+
+float kept_share(float stretch) {
+    constexpr auto kKept = static_cast<float>(STRETCH_KEPT), kGone = static_cast<float>(STRETCH_GONE);
+    const float t = std::clamp((kGone - stretch) / (kGone - kKept), 0.f, 1.f);
+    return t * t * (3 - 2 * t);
+}
+
+}  // namespace render
