@@ -32,7 +32,7 @@ struct Renderer::Parts {
     ShadowPass shadow;
     TerrainPass terrain;
     FlowPass flow;
-    FullscreenPass sky;
+    FullscreenPass day_sky, night_sky;
     FullscreenPass tone;
     Target target;
     Quality quality;
@@ -56,16 +56,21 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     if (!terrain) return tl::unexpected(terrain.error());
     auto flow = FlowPass::create(shaders);
     if (!flow) return tl::unexpected(flow.error());
-    auto sky = FullscreenPass::create(shaders, {"slots.glsl", "frame.glsl", "light.glsl", "sky.frag"});
-    if (!sky) return tl::unexpected(sky.error());
+    auto day_sky = FullscreenPass::create(
+        shaders, {"slots.glsl", "frame.glsl", "light.glsl", "sky.frag", "stars_none.glsl"});
+    if (!day_sky) return tl::unexpected(day_sky.error());
+    auto night_sky =
+        FullscreenPass::create(shaders, {"slots.glsl", "frame.glsl", "light.glsl", "sky.frag", "stars.glsl"});
+    if (!night_sky) return tl::unexpected(night_sky.error());
     auto tone = FullscreenPass::create(shaders, {"slots.glsl", "tone_curve.glsl", "tone.frag"});
     if (!tone) return tl::unexpected(tone.error());
 
     Buffer frame_block = make_buffer();
     glNamedBufferStorage(frame_block.name(), sizeof(FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    return Renderer(std::make_unique<Parts>(Parts{
-        FieldsToGpu(), std::move(frame_block), std::move(*surface), std::move(*shadow), std::move(*terrain),
-        std::move(*flow), std::move(*sky), std::move(*tone), Target(), quality, assets, StageClock()}));
+    return Renderer(std::make_unique<Parts>(
+        Parts{FieldsToGpu(), std::move(frame_block), std::move(*surface), std::move(*shadow),
+              std::move(*terrain), std::move(*flow), std::move(*day_sky), std::move(*night_sky),
+              std::move(*tone), Target(), quality, assets, StageClock()}));
 }
 
 Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -145,7 +150,7 @@ void Renderer::draw(const FrameInput& input) {
 
     // Draw the walls, which hide surface behind them, then the sky where neither was drawn.
     p.terrain.draw_walls();
-    p.sky.draw_behind();
+    (frame.above.w > 0 ? p.night_sky : p.day_sky).draw_behind();
 
     // Tone mapping is last, because light adds up only while it is linear.
     p.target.begin_picture();

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "render/ground_mesh.h"
+#include "render/sky_light.h"
 
 namespace render {
 namespace {
@@ -17,10 +19,11 @@ static_assert(OVERLAY_SPEED == static_cast<int>(Overlay::kSpeed));
 static_assert(OVERLAY_STRETCH == static_cast<int>(Overlay::kStretch));
 
 constexpr double kDetailTilesPerSide = 9;  // repeats of the detail texture along the longer side
-constexpr double kHazeBegins = 0.85;       // of the camera's distance
-constexpr double kHazeLength = 6.0;        // in longer sides
-constexpr double kHighestSun = 89;         // degrees; at 90 there is no horizontal direction to sweep along
-constexpr double kLowestSun = 1;           // degrees
+constexpr double kHazeLength = 24000;      // m, in which clear mountain air keeps 1/e of green light
+constexpr double kHighestLamp = 89;        // degrees; at 90 there is no horizontal direction to sweep along
+constexpr double kLowestLamp = 1;          // degrees; below it a sweep has no end
+constexpr double kDiscRadius =
+    0.6;  // degrees, twice that of sun and moon: a screen shows less than the eye sees
 
 // Sets the sun sweep over the grid, see shadow.comp. Its rows run across the larger horizontal component of
 // the sun's direction.
@@ -39,11 +42,29 @@ void set_sweep(FrameBlock& block, const sim::Grid& grid) {
     block.haze.z = main > 0 ? 1.f : 0.f;
 }
 
-void set_sun(FrameBlock& block, const Light& light) {
-    const double azimuth = glm::radians(light.azimuth_deg);
-    const double elevation = glm::radians(std::clamp(light.elevation_deg, kLowestSun, kHighestSun));
-    block.sun = glm::dvec4(std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation),
-                           std::sin(elevation), std::tan(elevation));
+glm::dvec3 direction(double azimuth, double elevation) {
+    return {std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation),
+            std::sin(elevation)};
+}
+
+// Sets the lamp (sun or moon) and all colours of light and sky. The moon stands opposite the sun, as a full
+// moon does.
+void set_light(FrameBlock& block, const Light& light) {
+    const SkyLight sky = sky_light(std::clamp(light.elevation_deg, kLowestSunDeg, kHighestSunDeg));
+    const double sun_azimuth = glm::radians(light.azimuth_deg);
+    const double azimuth = sky.moon ? sun_azimuth + glm::pi<double>() : sun_azimuth;
+    const double elevation = glm::radians(std::clamp(sky.lamp_elevation_deg, kLowestLamp, kHighestLamp));
+    block.sun = glm::dvec4(direction(azimuth, elevation), std::tan(elevation));
+    block.lamp = glm::dvec4(sky.lamp, sky.openness_contrast);
+    block.above = glm::dvec4(sky.above, sky.stars);
+    block.below = glm::dvec4(sky.below, sky.haze);
+    block.toward = glm::dvec4(sky.toward, std::sin(sun_azimuth));
+    block.away = glm::dvec4(sky.away, std::cos(sun_azimuth));
+    block.zenith = glm::dvec4(sky.zenith, 0);
+    block.glow = glm::dvec4(sky.glow, sky.moon ? 3 : 6);
+    block.cloud = glm::dvec4(sky.cloud, 0);
+    block.disc = glm::dvec4(direction(azimuth, glm::radians(sky.lamp_elevation_deg)),
+                            std::cos(glm::radians(kDiscRadius)));
 }
 
 void set_view(FrameBlock& block, const Camera& camera, double datum, double aspect) {
@@ -93,10 +114,10 @@ FrameBlock make_frame_block(const FrameInput& input, HeightRange heights, int sa
     FrameBlock block{};
     block.eye.w = static_cast<float>(kDetailTilesPerSide / side);
     set_view(block, input.camera, world.datum, static_cast<double>(input.width) / input.height);
-    set_sun(block, input.light);
+    set_light(block, input.light);
     block.ground = glm::dvec4(world.grid.dx, heights.lowest - block_depth(world.grid), heights.lowest,
                               std::max(heights.highest, heights.lowest + 1));
-    block.haze = glm::dvec4(kHazeBegins * input.camera.distance_m, 1 / (kHazeLength * side), 0, look.detail);
+    block.haze = glm::dvec4(1 / kHazeLength, heights.lowest, 0, look.detail);
     set_sweep(block, world.grid);
     block.rock = glm::vec4(look.rock, 0);
     block.meadow = glm::vec4(look.meadow, 0);

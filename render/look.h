@@ -11,7 +11,7 @@ namespace render {
 // Colours are linear-light sRGB primaries, 0 to 1.
 struct Light {
     double azimuth_deg = 135;   // of the sun: 0 north, 90 east
-    double elevation_deg = 40;  // above the horizon, 1 to 90
+    double elevation_deg = 40;  // above the horizon, −18 to 90: sky_light.h
     bool operator==(const Light&) const = default;
 };
 

@@ -6,11 +6,11 @@ layout(std140, binding = SLOT_FRAME) uniform Frame {
     vec4 ray_forward;       // view rays: forward + x · right + y · up, x and y in −1 to 1; w: near plane, m
     vec4 ray_right;
     vec4 ray_up;
-    vec4 sun;               // xyz: unit vector to the sun; w: tangent of its elevation
+    vec4 sun;               // xyz: unit vector to the light that casts shadows, sun or moon; w: tangent of its elevation
     vec4 ground;            // cell m, base of the block m, lowest and highest bedrock m
     ivec4 size;             // vertices along x and y; rays and rows of the sun sweep
     vec4 sweep;             // shear (cells per row), first ray (cells), fall of the light per row (m), 1: rows are columns
-    vec4 haze;              // distance at which it begins m, 1 / its length 1/m; 1: sweep starts at the last row; detail 0 to 1
+    vec4 haze;              // 1 / its length high up 1/m; height of the valley m; 1: sweep starts at the last row; detail 0 to 1
     vec4 rock;
     vec4 meadow;
     vec4 standing;          // w: depth that hides the ground, m
@@ -27,4 +27,13 @@ layout(std140, binding = SLOT_FRAME) uniform Frame {
     vec4 flow_tint;         // factor on the texture's colours; 0
     ivec4 overlay;          // OVERLAY_*, 0: none; stops of its legend; 1: they are steps
     vec4 stops[MOST_STOPS]; // colour in sRGB; w: value
+    vec4 lamp;              // light of sun or moon on a surface that faces it; w: contrast of openness 0 to 1. Linear, as all below
+    vec4 above;             // light from the open sky; w: share of stars 0 to 1
+    vec4 below;             // light from the ground; w: brightness of haze beside the horizon
+    vec4 toward;            // sky at the horizon below the sun; w: x of the horizontal unit vector to the sun
+    vec4 away;              // sky at the horizon opposite; w: its y
+    vec4 zenith;            // sky at the zenith; w: 0
+    vec4 glow;              // air round the lamp; w: brightness of its disc
+    vec4 cloud;             // thin cloud; w: 0
+    vec4 disc;              // xyz: unit vector to the lamp in the sky; w: cosine of its radius
 } frame;

@@ -1,34 +1,47 @@
-// One light for every pass: a warm sun, blue sky light from above, reflected light from below. Linear light.
-const vec3 kSun = vec3(1.42, 1.27, 1.05);
-const vec3 kSkyLight = vec3(0.15, 0.215, 0.34);
-const vec3 kGroundLight = vec3(0.12, 0.11, 0.10);
-const vec3 kHorizon = vec3(0.66, 0.79, 0.92);
+// One light for every pass: sun or moon, light from the sky above and from the ground below, and the air between.
+// Its colours come from render/sky_light.h. Linear light.
 
 // Light reflected by a matt surface. `sunlit` and `open` are 0 to 1: sun not hidden, visible share of the
 // sky.
 vec3 lit(vec3 albedo, vec3 normal, float sunlit, float open) {
-    vec3 around = mix(kGroundLight, kSkyLight, 0.5 + 0.5 * normal.z) * open;
-    return albedo * (kSun * (max(dot(normal, frame.sun.xyz), 0.0) * sunlit) + around);
+    // The sky is brighter on the lamp's side, which gives shape to slopes in the shade.
+    vec3 sky = frame.above.rgb * (1.0 + 0.5 * dot(normal.xy, frame.sun.xy));
+    // Under a high sun even slopes look flat. Hollows are drawn darker then, as a photographer prints them.
+    float hollow = min(open + 0.25, 1.0);
+    sunlit *= mix(1.0, hollow, 0.35 * frame.lamp.w);
+    open *= mix(1.0, hollow, frame.lamp.w);
+    vec3 around = mix(frame.below.rgb, sky, 0.5 + 0.5 * normal.z) * open;
+    return albedo * (frame.lamp.rgb * (max(dot(normal, frame.sun.xyz), 0.0) * sunlit) + around);
 }
 
-// The haze near the sun is brighter and warmer.
-vec3 glow(vec3 direction) {
-    float toward_sun = max(dot(direction, frame.sun.xyz), 0.0);
-    toward_sun *= toward_sun;
-    return vec3(0.26, 0.20, 0.12) * (toward_sun * toward_sun);
+// The sky at the horizon in a direction: warm toward a low sun, bluer opposite.
+vec3 horizon(vec3 direction) {
+    float toward_sun = 0.5 + 0.5 * dot(direction.xy, vec2(frame.toward.w, frame.away.w));
+    return mix(frame.away.rgb, frame.toward.rgb, toward_sun * toward_sun);
 }
 
-// Haze between the eye and a point shows distance.
+// The air near the lamp is brighter. `toward_lamp`: cosine of the angle to it.
+vec3 glow(float toward_lamp) {
+    float t = max(toward_lamp, 0.0), t4 = t * t * t * t, t16 = t4 * t4 * t4 * t4;
+    float t64 = t16 * t16 * t16 * t16, t256 = t64 * t64 * t64 * t64;
+    return frame.glow.rgb * (0.12 * t4 + 0.30 * t16 + 0.45 * t256);
+}
+
+// Haze between the eye and a point shows distance: twice as thick in the valley as high above it. It takes blue
+// light first.
 vec3 through_air(vec3 colour, vec3 at) {
     vec3 path = at - frame.eye.xyz;
     float distance_m = length(path);
-    float thickness = max(distance_m - frame.haze.x, 0.0) * frame.haze.y;
-    return mix(colour, kHorizon + glow(path / distance_m), thickness / (1.0 + thickness));
+    vec3 direction = path / distance_m;
+    float height = max(mix(at.z, frame.eye.z, 0.25) - frame.haze.y, 0.0);  // of the middle of the haze
+    float thickness = distance_m * frame.haze.x * (1.0 + exp2(height / -140.0));
+    vec3 kept = exp2(-1.44 * thickness * vec3(0.80, 1.0, 1.30));
+    return mix(frame.below.w * horizon(direction) + glow(dot(direction, frame.disc.xyz)), colour, kept);
 }
 
 // Brightness of legend colours in this light: 1 for level ground in the sun, never dark.
 float shade(vec3 light) {
     const vec3 kLuminance = vec3(0.21, 0.72, 0.07);
-    float full = dot(kSun * frame.sun.z + kSkyLight, kLuminance);
+    float full = dot(frame.lamp.rgb * frame.sun.z + frame.above.rgb, kLuminance);
     return 0.5 + 0.5 * min(dot(light, kLuminance) / full, 1.3);
 }

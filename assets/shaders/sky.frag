@@ -1,14 +1,30 @@
-// Sky: where nothing was drawn. Above the horizon the sky, below it haze that deepens.
+// Sky: where nothing was drawn. Above the horizon the sky with thin clouds, below it a valley under haze.
+layout(binding = SLOT_DETAIL) uniform sampler2DArray detail_texture;
+
 in vec2 ndc;
 out vec4 colour;
 
-const vec3 kZenith = vec3(0.10, 0.25, 0.55);
-const vec3 kNadir = vec3(0.16, 0.30, 0.50);
+// Light of stars in a direction, in stars.glsl or stars_none.glsl.
+vec3 stars(vec3 direction);
+
+// Share of thin cloud on a plane far above. The plane curves down to the horizon, as the sky does.
+float cloud(vec3 direction, float steep) {
+    vec2 at = direction.xy / (abs(direction.z) + 0.16);
+    vec4 veil = textureLod(detail_texture, vec3(at * vec2(0.095, 0.21) + 0.31, DETAIL_SOFT), 1.0);
+    float thick = clamp(2.1 * (veil.w + 0.55 * veil.z) - 1.45, 0.0, 1.0);
+    return thick * min(3.0 * steep, 1.0);
+}
 
 void main() {
     vec3 direction = normalize(frame.ray_forward.xyz + ndc.x * frame.ray_right.xyz + ndc.y * frame.ray_up.xyz);
-    float steep = 2.8 * abs(direction.z);
-    vec3 sky = mix(kHorizon, direction.z > 0.0 ? kZenith : kNadir, steep / (0.35 + steep) * min(1.0, 3.0 * steep));
-    float disc = smoothstep(0.9994, 0.9997, dot(direction, frame.sun.xyz));
-    colour = vec4(sky + glow(direction) + disc * vec3(3.0, 2.7, 2.2), 1.0);
+    float up = abs(direction.z), toward_lamp = dot(direction, frame.disc.xyz);
+    float steep = 1.0 - exp2(-3.6 * up - 9.0 * up * up);
+    vec3 low = horizon(direction);
+    vec3 far = direction.z > 0.0 ? frame.zenith.rgb : 0.32 * low + 0.35 * frame.zenith.rgb;
+    vec3 sky = mix(low, far, steep) + glow(toward_lamp) * (1.0 - 0.6 * steep);
+    float veil = cloud(direction, steep);
+    float lamp = smoothstep(0.0, 0.00008, toward_lamp - frame.disc.w);
+    vec3 lights = frame.lamp.rgb * (frame.glow.w * lamp) + stars(direction);
+    sky += direction.z > 0.0 ? lights * (1.0 - 0.8 * veil) : vec3(0.0);
+    colour = vec4(mix(sky, frame.cloud.rgb + glow(toward_lamp), (direction.z > 0.0 ? 0.55 : 0.25) * veil), 1.0);
 }

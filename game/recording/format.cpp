@@ -12,6 +12,7 @@
 #include "game/base/version.h"
 #include "game/recording/ground_data.h"
 #include "game/scene/flow_kinds.h"
+#include "render/sky_light.h"
 
 namespace game {
 namespace {
@@ -275,7 +276,8 @@ void view_from(const Json& json, Scenario& scenario) {
     }
     if (json.contains("flow")) flow_from(member(json, "flow"), scenario);
     const Json& light = member(json, "light");
-    scenario.light = {number(light, "azimuth_deg", -360, 360), number(light, "elevation_deg", 1, 90)};
+    scenario.light = {number(light, "azimuth_deg", -360, 360),
+                      number(light, "elevation_deg", render::kLowestSunDeg, render::kHighestSunDeg)};
     if (!json.contains("camera")) return;
     const Json& camera = member(json, "camera");
     scenario.camera =

@@ -11,6 +11,7 @@
 #include "game/scene/flow_scene.h"
 #include "game/scene/material.h"
 #include "game/scene/scene_ground.h"
+#include "render/sky_light.h"
 #include "terrains/dem_gdal.h"
 #include "terrains/release.h"
 
@@ -137,7 +138,8 @@ void read_view(TomlTable& root, Scenario& scenario) {
     if (auto table = root.table("light")) {
         scenario.light.azimuth_deg = table->number("azimuth", -360, 360).value_or(scenario.light.azimuth_deg);
         scenario.light.elevation_deg =
-            table->number("elevation", 1, 90).value_or(scenario.light.elevation_deg);
+            table->number("elevation", render::kLowestSunDeg, render::kHighestSunDeg)
+                .value_or(scenario.light.elevation_deg);
         table->finish();
     }
 }

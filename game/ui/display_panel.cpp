@@ -4,6 +4,7 @@
 
 #include "game/ui/legend.h"
 #include "game/ui/panels.h"
+#include "render/sky_light.h"
 
 namespace game::ui {
 namespace {
@@ -43,8 +44,11 @@ bool sun(Desk& desk, const Facts& facts, Display& display) {
     bool changed = desk.widgets.slider("Direction", display.light.azimuth_deg, {0, 360, "%.0f°"},
                                        "Azimuth of the sun: 0 is north, 90 east.");
     desk.widgets.row("Height above horizon");
-    changed |= desk.widgets.slider("Height above horizon", display.light.elevation_deg, {1, 90, "%.0f°"},
-                                   "Elevation of the sun; a low sun shows the shape of the ground.");
+    changed |=
+        desk.widgets.slider("Height above horizon", display.light.elevation_deg,
+                            {render::kLowestSunDeg, render::kHighestSunDeg, "%.0f°"},
+                            "Elevation of the sun; a low sun shows the shape of the ground. Below 0: dusk, "
+                            "then night with a moon opposite.");
     if (desk.widgets.button("Reset sun", "Restores the sun position of the scene.")) {
         display.light = facts.scenario.light;
         changed = true;

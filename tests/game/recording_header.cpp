@@ -197,10 +197,10 @@ bool may_stand(const std::string& place, const Json& value) {
     static const std::set<std::string> kNames{
         "/program",  "/scene",        "/title",           "/terrain/georeference/wkt",
         "/material", "/terrain/name", "/terrain/licence", "/view/look/texture"};
-    static const std::set<std::string> kSigned{"/terrain/georeference/x",    "/terrain/georeference/y",
-                                               "/view/light/azimuth_deg",    "/view/camera/azimuth_deg",
-                                               "/view/camera/elevation_deg", "/view/camera/target/0",
-                                               "/view/camera/target/1",      "/view/camera/target/2"};
+    static const std::set<std::string> kSigned{
+        "/terrain/georeference/x",   "/terrain/georeference/y",  "/view/light/azimuth_deg",
+        "/view/light/elevation_deg", "/view/camera/azimuth_deg", "/view/camera/elevation_deg",
+        "/view/camera/target/0",     "/view/camera/target/1",    "/view/camera/target/2"};
     return value.is_string() ? kNames.contains(place) : value.is_number() && kSigned.contains(place);
 }
 

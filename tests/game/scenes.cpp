@@ -148,7 +148,7 @@ constexpr Fault kFaults[] = {
     {"at = 1.5", "at = -1", 11, "command.at"},
     {"radius = 9", "radius = -9", 12, "pour.radius"},
     {"rate = 38", "rate = inf", 12, "pour.rate"},
-    {"azimuth = 255", "elevation = 0", 16, "light.elevation"},
+    {"azimuth = 255", "elevation = -19", 16, "light.elevation"},
     // Unknown names.
     {"\"slope-of-soil\"", "\"the-moon\"", 3, "terrain.generator"},
     {"\"soil\"", "\"cheese\"", 6, "cover.material"},

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "render/sky_light.h"
 #include "tests/render/gl_scene.h"
 
 namespace render::test {
@@ -40,14 +41,16 @@ TEST_F(Colours, a_level_plane_has_the_colour_computed_by_hand) {
     plane.depth.fill(1);
     for (const double elevation_deg : {15.0, 40.0}) {
         const Picture p = draw(plane, from_above({80, 80, 1}, 8), {135, elevation_deg}, plain_look());
-        // light.glsl: albedo · (sun · n·l + sky), n·l the sine of the sun's elevation on level ground.
+        // light.glsl: albedo · (sun · n·l + sky), n·l the sine of the sun's elevation on level ground. Smooth
+        // cover hides 5 % of the sky from itself (terrain.frag).
         const double n_l = std::sin(elevation_deg * 3.14159265358979 / 180);
-        const Colour sun{1.42, 1.27, 1.05}, sky{0.15, 0.215, 0.34};
+        const SkyLight light = sky_light(elevation_deg);
         const Colour seen = mean_colour(p, 48, 48, 10);
-        for (std::size_t c = 0; c < 3; ++c) {
-            const double linear = 0.5 * (sun[c] * n_l + sky[c]);
+        for (int c = 0; c < 3; ++c) {
+            const double linear = 0.5 * (light.lamp[c] * n_l + 0.95 * light.above[c]);
             ASSERT_LT(linear, 0.6);  // below the knee of the tone curve
-            EXPECT_NEAR(seen[c], 255 * (1.055 * std::pow(linear, 1 / 2.4) - 0.055), 1.5)
+            EXPECT_NEAR(seen[static_cast<std::size_t>(c)], 255 * (1.055 * std::pow(linear, 1 / 2.4) - 0.055),
+                        1.5)
                 << elevation_deg << ", " << c;
         }
     }
@@ -58,8 +61,11 @@ TEST_F(Colours, a_slope_that_faces_the_sun_is_lit_by_the_cosine_between_them) {
     slope.depth.fill(1);
     const Picture p = draw(slope, from_above({80, 80, 41}, 8), {270, 30}, plain_look());
     const double n_z = 1 / std::sqrt(1.25), n_l = n_z * (0.5 * std::cos(0.5235988) + std::sin(0.5235988));
-    const double up = 0.5 + 0.5 * n_z;
-    const double red = 0.5 * (1.42 * n_l + (0.12 + (0.15 - 0.12) * up));
+    // The sky is brighter on the sun's side: half of the cosine between their horizontal parts.
+    const double up = 0.5 + 0.5 * n_z, aside = 0.5 * n_z * std::cos(0.5235988);
+    const SkyLight light = sky_light(30);
+    const double sky = light.above.r * (1 + 0.5 * aside);
+    const double red = 0.5 * (light.lamp.r * n_l + light.below.r + (sky - light.below.r) * up);
     const double knee = red < 0.6 ? red : 0.6 + 0.4 * (1 - std::pow(1 + (red - 0.6) / 1.6, -4));
     // The plane's own horizon hides a little of the sky.
     EXPECT_NEAR(mean_colour(p, 48, 48, 10)[0], 255 * (1.055 * std::pow(knee, 1 / 2.4) - 0.055), 3);
