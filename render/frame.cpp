@@ -32,7 +32,7 @@ struct Renderer::Parts {
     ShadowPass shadow;
     TerrainPass terrain;
     FlowPass flow;
-    FullscreenPass day_sky, night_sky;
+    FullscreenPass sky, day_lights, night_lights;
     FullscreenPass tone;
     Target target;
     Quality quality;
@@ -56,12 +56,14 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     if (!terrain) return tl::unexpected(terrain.error());
     auto flow = FlowPass::create(shaders);
     if (!flow) return tl::unexpected(flow.error());
-    auto day_sky = FullscreenPass::create(
-        shaders, {"slots.glsl", "frame.glsl", "light.glsl", "sky.frag", "stars_none.glsl"});
-    if (!day_sky) return tl::unexpected(day_sky.error());
-    auto night_sky =
-        FullscreenPass::create(shaders, {"slots.glsl", "frame.glsl", "light.glsl", "sky.frag", "stars.glsl"});
-    if (!night_sky) return tl::unexpected(night_sky.error());
+    auto sky = FullscreenPass::create(shaders, {"slots.glsl", "frame.glsl", "light.glsl", "sky.frag"});
+    if (!sky) return tl::unexpected(sky.error());
+    auto day_lights =
+        FullscreenPass::create(shaders, {"slots.glsl", "frame.glsl", "sky_lights.frag", "stars_none.glsl"});
+    if (!day_lights) return tl::unexpected(day_lights.error());
+    auto night_lights =
+        FullscreenPass::create(shaders, {"slots.glsl", "frame.glsl", "sky_lights.frag", "stars.glsl"});
+    if (!night_lights) return tl::unexpected(night_lights.error());
     auto tone = FullscreenPass::create(shaders, {"slots.glsl", "tone_curve.glsl", "tone.frag"});
     if (!tone) return tl::unexpected(tone.error());
 
@@ -69,8 +71,8 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     glNamedBufferStorage(frame_block.name(), sizeof(FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
     return Renderer(std::make_unique<Parts>(
         Parts{FieldsToGpu(), std::move(frame_block), std::move(*surface), std::move(*shadow),
-              std::move(*terrain), std::move(*flow), std::move(*day_sky), std::move(*night_sky),
-              std::move(*tone), Target(), quality, assets, StageClock()}));
+              std::move(*terrain), std::move(*flow), std::move(*sky), std::move(*day_lights),
+              std::move(*night_lights), std::move(*tone), Target(), quality, assets, StageClock()}));
 }
 
 Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -148,9 +150,13 @@ void Renderer::draw(const FrameInput& input) {
 
     if (flows && marks.flow_mesh) p.flow.draw_mesh(samples);
 
-    // Draw the walls, which hide surface behind them, then the sky where neither was drawn.
+    // Draw the walls, which hide surface behind them, then the sky where neither was drawn. The sky is smooth, so
+    // that a sixteenth of its pixels are enough; sun, moon and stars are not.
     p.terrain.draw_walls();
-    (frame.above.w > 0 ? p.night_sky : p.day_sky).draw_behind();
+    p.target.begin_sky();
+    p.sky.draw_behind();
+    p.target.begin_backdrop();
+    (frame.above.w > 0 ? p.night_lights : p.day_lights).draw_behind();
 
     // Tone mapping is last, because light adds up only while it is linear.
     p.target.begin_picture();

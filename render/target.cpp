@@ -6,6 +6,13 @@
 #include "sim/core/check.h"
 
 namespace render {
+namespace {
+
+int quarter(int samples) {
+    return (samples + 3) / 4;
+}
+
+}  // namespace
 
 void Target::resize(int width, int height, int samples) {
     CHECK(width > 0 && height > 0 && (samples == 1 || samples == 2));
@@ -17,13 +24,16 @@ void Target::resize(int width, int height, int samples) {
     colour_ = make_texture(GL_RGBA16F, width, height, GL_NEAREST);
     samples_colour_ =
         samples_ > 1 ? make_texture(GL_RGBA16F, width * samples_, height * samples_, GL_LINEAR) : Texture();
+    sky_colour_ = make_texture(GL_RGBA16F, quarter(samples_across()), quarter(samples_up()), GL_LINEAR);
     picture_ = make_texture(GL_SRGB8_ALPHA8, width, height, GL_LINEAR);
     scene_ = make_framebuffer();
+    sky_ = make_framebuffer();
     averaged_ = make_framebuffer();
     output_ = make_framebuffer();
     glNamedFramebufferTexture(scene_.name(), GL_DEPTH_ATTACHMENT, depth_.name(), 0);
     glNamedFramebufferTexture(scene_.name(), GL_COLOR_ATTACHMENT0,
                               (samples_ > 1 ? samples_colour_ : colour_).name(), 0);
+    glNamedFramebufferTexture(sky_.name(), GL_COLOR_ATTACHMENT0, sky_colour_.name(), 0);
     glNamedFramebufferTexture(averaged_.name(), GL_COLOR_ATTACHMENT0, colour_.name(), 0);
     glNamedFramebufferTexture(output_.name(), GL_COLOR_ATTACHMENT0, picture_.name(), 0);
 }
@@ -43,6 +53,17 @@ void Target::begin_shading() const {
     glBindFramebuffer(GL_FRAMEBUFFER, scene_.name());
     glTextureBarrier();
     glBindTextureUnit(SLOT_SCENE_DEPTH, depth_.name());
+}
+
+void Target::begin_sky() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, sky_.name());
+    glViewport(0, 0, quarter(samples_across()), quarter(samples_up()));
+}
+
+void Target::begin_backdrop() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, scene_.name());
+    glViewport(0, 0, samples_across(), samples_up());
+    glBindTextureUnit(SLOT_SKY, sky_colour_.name());
 }
 
 void Target::begin_picture() const {

@@ -18,6 +18,9 @@ class Target {
     int samples_across() const { return width_ * samples_; }
     int samples_up() const { return height_ * samples_; }
     void begin_shading() const;  // binds depth at SLOT_SCENE_DEPTH for reading; do not write it
+    void begin_sky() const;      // draw the sky at a quarter of the resolution; there is no depth
+    void begin_backdrop()
+        const;  // binds that sky at SLOT_SKY; draw linear colour, with the depth of the scene
     void begin_picture() const;  // averages the samples and binds them at SLOT_COLOUR; draw the 8-bit image
 
     Picture read_back() const;
@@ -26,8 +29,8 @@ class Target {
 
   private:
     int width_ = 0, height_ = 0, samples_ = 1;
-    Texture depth_, samples_colour_, colour_, picture_;
-    Framebuffer scene_, averaged_, output_;
+    Texture depth_, samples_colour_, colour_, sky_colour_, picture_;
+    Framebuffer scene_, sky_, averaged_, output_;
 };
 
 }  // namespace render

@@ -1,11 +1,9 @@
-// Sky: where nothing was drawn. Above the horizon the sky with thin clouds, below it a valley under haze.
+// Sky: above the horizon the sky with thin clouds, below it a valley under haze. At a quarter of the resolution;
+// sky_lights.frag puts it where nothing was drawn.
 layout(binding = SLOT_DETAIL) uniform sampler2DArray detail_texture;
 
 in vec2 ndc;
 out vec4 colour;
-
-// Light of stars in a direction, in stars.glsl or stars_none.glsl.
-vec3 stars(vec3 direction);
 
 // Share of thin cloud on a plane far above. The plane curves down to the horizon, as the sky does.
 float cloud(vec3 direction, float steep) {
@@ -23,8 +21,7 @@ void main() {
     vec3 far = direction.z > 0.0 ? frame.zenith.rgb : 0.32 * low + 0.35 * frame.zenith.rgb;
     vec3 sky = mix(low, far, steep) + glow(toward_lamp) * (1.0 - 0.6 * steep);
     float veil = cloud(direction, steep);
-    float lamp = smoothstep(0.0, 0.00008, toward_lamp - frame.disc.w);
-    vec3 lights = frame.lamp.rgb * (frame.glow.w * lamp) + stars(direction);
-    sky += direction.z > 0.0 ? lights * (1.0 - 0.8 * veil) : vec3(0.0);
-    colour = vec4(mix(sky, frame.cloud.rgb + glow(toward_lamp), (direction.z > 0.0 ? 0.55 : 0.25) * veil), 1.0);
+    bool above = direction.z > 0.0;
+    sky = mix(sky, frame.cloud.rgb + glow(toward_lamp), (above ? 0.55 : 0.25) * veil);
+    colour = vec4(sky, above ? 1.0 - 0.8 * veil : 0.0);
 }
