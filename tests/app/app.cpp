@@ -92,7 +92,7 @@ class Playing : public testing::Test {
         EXPECT_EQ(session->state_line(), live);
     }
 
-    static constexpr double kAtX = 430, kAtY = 230;
+    static constexpr double kAtX = 250, kAtY = 140;
     support::TemporaryFolder folder_;
     GlScreen screen_{640, 360};
     Overrides wishes_;
