@@ -18,6 +18,7 @@ namespace game {
 namespace {
 
 constexpr double kTickBudget = 0.04;         // s per frame; more would make the display stutter
+constexpr double kStillAfter = 0.4;          // s without a change, until an image is finished
 constexpr double kSoftwareResolution = 0.5;  // without a GPU, drawing time is proportional to pixels
 
 // Milliseconds since the last call.
@@ -64,7 +65,7 @@ Outcome<std::unique_ptr<App>> App::begin(Screen& screen, LoadedWorld loaded, con
     app->waits_for_gl_ = render::is_software_renderer();
     if (app->waits_for_gl_) {
         app->display_.resolution = kSoftwareResolution;
-        app->tell("No GPU found: drawing at half resolution. Change it in the Display panel");
+        app->tell("No GPU found: motion is drawn at half resolution. Change it in the Display panel");
     }
     if (auto begun = app->begin_world(std::move(loaded), record); !begun)
         return tl::unexpected(begun.error());
@@ -271,18 +272,28 @@ void App::draw_world() {
         const auto deed = stroke_ ? stroke_->deed() : deed_of(brush_, input_.inverted());
         marks.ring = render::Ring{glm::dvec2(*ground_), brush_.radius, ring_colour(deed)};
     }
-    const Drawn wanted{epoch_,
-                       sandbox_->session().changed_at(),
-                       camera_->camera(),
-                       display_,
-                       marks,
-                       scaled(size.width),
-                       scaled(size.height)};
+    Drawn wanted{epoch_,
+                 sandbox_->session().changed_at(),
+                 camera_->camera(),
+                 display_,
+                 marks,
+                 scaled(size.width),
+                 scaled(size.height),
+                 display_.fine};
+    // An image that stands still is the best one: full resolution, smooth edges, drawn once.
+    if (!(wanted == moving_)) {
+        moving_ = wanted;
+        still_since_ = now_s_;
+    } else if (now_s_ - still_since_ >= kStillAfter) {
+        wanted.width = std::max(wanted.width, size.width);
+        wanted.height = std::max(wanted.height, size.height);
+        wanted.fine = true;
+    }
     if (!(wanted == drawn_)) {
         drawn_ = wanted;
         render::Look look = sandbox_->scenario().look;
         look.detail = display_.detail;
-        renderer_.set_quality(display_.fine ? render::Quality::kFine : render::Quality::kFast);
+        renderer_.set_quality(wanted.fine ? render::Quality::kFine : render::Quality::kFast);
         renderer_.draw({.world = sandbox_->session().view(),
                         .camera = wanted.camera,
                         .light = display_.light,

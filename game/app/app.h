@@ -105,6 +105,7 @@ class App {
         Display display;
         render::Marks marks;
         int width = 0, height = 0;
+        bool fine = false;
         bool operator==(const Drawn&) const = default;
     };
 
@@ -140,7 +141,8 @@ class App {
     std::optional<glm::dvec3> drag_pivot_;
     std::optional<glm::dvec3> ground_;  // under the cursor
     Display display_;
-    Drawn drawn_;
+    Drawn drawn_, moving_;    // the last image; what it would be without the finish of a still one
+    double still_since_ = 0;  // s, when moving_ last changed
     Notices notices_;
     FrameTimes times_;
     double now_s_ = 0;

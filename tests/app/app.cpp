@@ -154,6 +154,35 @@ TEST_F(Playing, allocates_nothing_in_a_frame_once_it_has_played_for_a_while) {
     EXPECT_GT(without, 30);
 }
 
+// The pixels of a part of the image where there is neither a panel nor the ring.
+std::vector<std::uint8_t> part_of(const render::Picture& picture) {
+    std::vector<std::uint8_t> part;
+    for (int y = 80; y < 130; ++y) {
+        const auto row = picture.pixels.begin() + 3 * (y * picture.width + 200);
+        part.insert(part.end(), row, row + 3 * 260);
+    }
+    return part;
+}
+
+TEST_F(Playing, finishes_an_image_that_stands_still_until_something_moves) {
+    begin();
+    tap(Key::kSpace);
+    screen_.move(300, 250);
+    frames(2);
+    const auto half = part_of(screen_.picture());  // of the resolution, on a processor
+    frames(40);
+    const auto whole = part_of(screen_.picture());
+    EXPECT_NE(whole, half);
+    EXPECT_EQ(app_->display().resolution, 0.5) << "the setting stays";
+    frames(5);
+    EXPECT_EQ(part_of(screen_.picture()), whole);
+    screen_.move(310, 250);  // the ring follows
+    frames(1);
+    EXPECT_EQ(part_of(screen_.picture()), half);
+    frames(40);
+    EXPECT_EQ(part_of(screen_.picture()), whole);
+}
+
 TEST_F(Playing, digs_and_blasts_and_inverts_both_with_control) {
     begin();
     tap(key('2'));
