@@ -17,10 +17,10 @@ struct FlowVertex {
 
 // Describes all vertices of a flow in `vertices`, which has one for each vertex of its mesh.
 //
-// The stretch of a vertex is the root mean square over its neighbours of how far offsets differ per metre, weighted by the
-// mix of the sheets. Neighbours across a front and neighbours without a texture do not count. A vertex where
-// nothing ever moved has no texture of its own; it counts as fully stretched, so that debris that lies still is
-// drawn there.
+// The stretch of a vertex is the root mean square over its neighbours of how far offsets differ per metre,
+// weighted by the mix of the sheets. Neighbours across a front and neighbours without a texture do not count.
+// A vertex where nothing ever moved has no texture of its own; it counts as fully stretched, so that debris
+// that lies still is drawn there.
 void describe(const sim::front::FlowView& flow, std::vector<FlowVertex>& vertices);
 
 // Share of the advected sheets in the texture that is drawn at a stretch, 0 to 1. A sheet that lies still takes

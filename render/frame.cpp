@@ -150,8 +150,8 @@ void Renderer::draw(const FrameInput& input) {
 
     if (flows && marks.flow_mesh) p.flow.draw_mesh(samples);
 
-    // Draw the walls, which hide surface behind them, then the sky where neither was drawn. The sky is smooth, so
-    // that a sixteenth of its pixels are enough; sun, moon and stars are not.
+    // Draw the walls, which hide surface behind them, then the sky where neither was drawn. The sky is
+    // smooth, so that a sixteenth of its pixels are enough; sun, moon and stars are not.
     p.terrain.draw_walls();
     p.target.begin_sky();
     p.sky.draw_behind();

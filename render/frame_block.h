@@ -38,8 +38,8 @@ int most_rays(const sim::Grid& grid);
 // The largest `size.w`: rows of the sun sweep.
 int most_rows(const sim::Grid& grid);
 
-// `heights`: of the bedrock. `samples`: along the edge of a pixel. `flow_tint`: the factor for the colours of the
-// advected texture. None: no texture is shown.
+// `heights`: of the bedrock. `samples`: along the edge of a pixel. `flow_tint`: the factor for the colours of
+// the advected texture. None: no texture is shown.
 FrameBlock make_frame_block(const FrameInput& input, HeightRange heights, int samples,
                             const std::optional<glm::vec3>& flow_tint);
 

@@ -10,8 +10,8 @@
 
 namespace render {
 
-// Everything that a frame shows. A plain value, of which draw() keeps nothing: `world` and `flow` are views that
-// must be valid during the call only.
+// Everything that a frame shows. A plain value, of which draw() keeps nothing: `world` and `flow` are views
+// that must be valid during the call only.
 struct FrameInput {
     sim::View world;
     Camera camera;
@@ -22,8 +22,8 @@ struct FrameInput {
     // advected.
     const sim::front::FlowView* flow = nullptr;
     int width = 0, height = 0;  // of the frame, pixels, > 0
-    // Depth of the standing layer at tick 0, m, one value per vertex, row 0 the south; valid during the call. It
-    // tells deposits and scars from untouched ground. If empty, they are unknown.
+    // Depth of the standing layer at tick 0, m, one value per vertex, row 0 the south; valid during the call.
+    // It tells deposits and scars from untouched ground. If empty, they are unknown.
     std::span<const float> first_depth = {};
 };
 

@@ -1,5 +1,5 @@
-// What the Markdown files promise: their commands parse, and their test filters match tests. And what lies beside
-// README.md.
+// What the Markdown files promise: their commands parse, and their test filters match tests. And what lies
+// beside README.md.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -37,8 +37,8 @@ std::vector<fs::path> pages() {
     return all;
 }
 
-// Lines of code blocks, continued lines joined, without comments; and the code within sentences, which may go on in
-// the next line.
+// Lines of code blocks, continued lines joined, without comments; and the code within sentences, which may go
+// on in the next line.
 std::vector<Quoted> code_in(const std::string& page, std::istream& lines) {
     std::vector<Quoted> code;
     std::string prose, continued;
@@ -126,8 +126,8 @@ std::string fault_of_call(const Words& words, Help& help) {
         const std::string option = word.substr(0, word.find_first_of("=,.;:)"));
         if (!std::regex_search(*known, std::regex(option + "[^a-z-]"))) return "there is no option " + option;
     }
-    // Placeholders in capitals and "…" cannot be parsed, nor can a fragment that ends in an option. All else can:
-    // --help ends the call before anything is run.
+    // Placeholders in capitals and "…" cannot be parsed, nor can a fragment that ends in an option. All else
+    // can: --help ends the call before anything is run.
     const bool is_literal = !words.back().starts_with("--") &&
                             std::none_of(words.begin(), words.end(), [](const std::string& word) {
                                 return word.find("…") != std::string::npos ||

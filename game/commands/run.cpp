@@ -62,7 +62,8 @@ Outcome<Leavings> open_leavings(const RunOptions& options, const Scenario& scena
         if (!gallery) return tl::unexpected(gallery.error());
         leavings.gallery = std::move(*gallery);
     }
-    // Last, because a recording proves nothing before its first state, and a failure above must not replace one.
+    // Last, because a recording proves nothing before its first state, and a failure above must not replace
+    // one.
     if (options.record) {
         auto recorder = Recorder::create(*options.record, scenario);
         if (!recorder) return tl::unexpected(recorder.error());

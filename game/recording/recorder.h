@@ -23,8 +23,9 @@ class Recorder {
     static Outcome<Recorder> create(const std::filesystem::path& path, const Header& header);
 
     // Creates a file that continues from `of` at `tick`. It includes everything in `of` up to there, except
-    // states of another version of the physics. `name`: the name of `of`. Errors: without these states, more than
-    // kMostTicksOfParent ticks would lie before the first one, and no reader would accept the file (status 2).
+    // states of another version of the physics. `name`: the name of `of`. Errors: without these states, more
+    // than kMostTicksOfParent ticks would lie before the first one, and no reader would accept the file
+    // (status 2).
     static Outcome<Recorder> fork(const std::filesystem::path& path, const Recording& of,
                                   const std::string& name, std::int64_t tick);
 

@@ -10,8 +10,8 @@
 
 namespace render {
 
-// Computes the draw data from the fields. Reads the fields and SLOT_FIRST_DEPTH. Writes SLOT_RELIEF, SLOT_LAYERS and SLOT_MEASURE
-// for every frame, SLOT_OPENNESS once per terrain.
+// Computes the draw data from the fields. Reads the fields and SLOT_FIRST_DEPTH. Writes SLOT_RELIEF,
+// SLOT_LAYERS and SLOT_MEASURE for every frame, SLOT_OPENNESS once per terrain.
 class SurfacePass {
   public:
     static tl::expected<SurfacePass, std::string> create(const std::filesystem::path& shaders);

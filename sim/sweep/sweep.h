@@ -52,8 +52,8 @@ inline constexpr int kWorkRows = 192;
 
 // Functions compiled for each instruction set (kernel.cpp).
 struct Kernels {
-    // Sweeps a job through one sub-step. Returns the mass that left the world, in quanta. `work` points to x = 0 of
-    // the first work row, `active` to a byte for each run of lanes in a row, all 0.
+    // Sweeps a job through one sub-step. Returns the mass that left the world, in quanta. `work` points to x
+    // = 0 of the first work row, `active` to a byte for each run of lanes in a row, all 0.
     std::int64_t (*sweep)(const Ground& ground, const Job& job, float* work, std::uint8_t* active);
     // Computes the velocity for views at the end of a tick; 0 where the rolling layer is empty.
     void (*velocity)(const Ground& ground, const Job& job, float* work);

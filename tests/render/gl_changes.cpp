@@ -11,8 +11,8 @@ class Changes : public Gl {
   protected:
     static constexpr int kPixels = 96;
 
-    // Level ground under a metre of a standing layer. The west part is 0.4 m thinner than it was, the east part as
-    // much thicker.
+    // Level ground under a metre of a standing layer. The west part is 0.4 m thinner than it was, the east
+    // part as much thicker.
     Changes() {
         world_.depth.fill(1);
         first_depth_.assign(world_.grid.size(), 1);
