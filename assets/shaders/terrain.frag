@@ -132,7 +132,10 @@ void main() {
     float pixel = p.footprint / frame.ground.x;  // cells
 
     float thin = layer.x - 0.30 * (rock.z + 0.5 * fine.z - 0.75) * length(p.slope);
-    float covered = clamp((thin - 0.5) / (pixel + 0.03) + 0.5, 0.0, 1.0);
+    // The edge is as wide as a pixel, not more: where the cover is evenly thin, a larger pixel must not show more.
+    vec2 cover_along = vec2(smoothed.along_x.x, smoothed.along_y.x);
+    float cover_slope = length(cover_along);
+    float covered = clamp((thin - 0.5) / (0.03 + pixel * clamp(cover_slope, 0.05, 1.0)) + 0.5, 0.0, 1.0);
     float share = layer.y + 0.5 * (0.5 * (clumps.z - 0.5) + 0.3 * (crumbs.z - 0.5) + (soft.z - 0.5)) * frame.material.x;
     float rolls = clamp((share - 0.5) / (0.7 * pixel + 0.02) + 0.5, 0.0, 1.0);
 
@@ -152,6 +155,15 @@ void main() {
     vec4 turf = frame.material.w * mix(frame.turf, frame.lower_turf, lower.x);
     skin = blend(skin, grown(turf, broad, soft, fine, crumbs), turf.w * covered * smoothstep(0.06, 0.03, abs(change)));
     skin = blend(skin, moving(mix(lies, rolling_colour, 0.35), broad, soft, clumps, crumbs, 0.0), deposit);
+
+    // The edge of the cover is thick: ground before it lies in its shade, and its rim is rounded. Where the cover
+    // thins out slowly, there is no edge.
+    float from_edge = (thin - 0.5) / max(cover_slope, 0.15), sharp = smoothstep(0.15, 0.45, cover_slope) * frame.haze.w;
+    float shaded = smoothstep(-0.45, 0.0, from_edge) * (1.0 - covered) * sharp;
+    float rim = smoothstep(0.45, 0.0, from_edge) * covered * sharp;
+    skin.albedo *= 1.0 - 0.40 * shaded;
+    skin.open *= 1.0 - 0.40 * shaded;
+    skin.rise += rim * 0.8 * cover_along / max(cover_slope, 1e-4);
 
     // Distance from the front, in cells, negative outside: a dark foot before it, a lit lip on it.
     float from_front = (share - 0.5) / max(steepness, 0.15);
