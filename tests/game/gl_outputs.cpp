@@ -1,6 +1,5 @@
 // The image folders that subcommands draw with OpenGL; tests/game/outputs.cpp has the other outputs.
 
-#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <string>
