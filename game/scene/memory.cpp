@@ -21,7 +21,7 @@ std::uint64_t bytes_of(const FrameUse& frames) {
     // One image that was read back, four that wait (render::FrameWriter), one being encoded, and three times
     // an image for the bytes of the file while they grow.
     constexpr std::uint64_t kImage = 3, kImages = 1 + 4 + 1 + 3;
-    const auto samples = static_cast<std::uint64_t>(frames.samples * frames.samples);
+    const auto along_edge = static_cast<std::uint64_t>(frames.samples), samples = along_edge * along_edge;
     const std::uint64_t colours = samples > 1 ? (samples + 1) * kLinear : kLinear;
     return (samples * kPerSample + colours + kScreen + kImages * kImage) *
            static_cast<std::uint64_t>(frames.width) * static_cast<std::uint64_t>(frames.height);
