@@ -184,9 +184,10 @@ Graph reduced(const Graph& graph) {
     for (const auto& [name, included] : graph)
         for (const std::string& to : included) {
             const bool mutual = reaches(graph, to, name);
-            const bool follows = std::any_of(included.begin(), included.end(), [&](const std::string& over) {
-                return over != to && reaches(graph, over, to) && !reaches(graph, over, name);
-            });
+            const bool follows =
+                std::any_of(included.begin(), included.end(), [&, from = name](const std::string& over) {
+                    return over != to && reaches(graph, over, to) && !reaches(graph, over, from);
+                });
             if (!mutual && !follows) rest[name].insert(to);
         }
     return rest;

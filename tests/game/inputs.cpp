@@ -124,7 +124,11 @@ TEST_F(SceneOfStranger, reads_materials_outside_its_folder_only_if_references_ar
     write_bytes(folder_.path() / "own.toml", soil);
     write_bytes(scene_.parent_path() / "hills" / "own.toml", soil);
     fs::create_symlink(folder_.path() / "own.toml", scene_.parent_path() / "link.toml");
-    for (const auto& [file, is_inside] : std::vector<std::pair<std::string, bool>>{
+    struct Named {
+        std::string file;
+        bool is_inside;
+    };
+    for (const Named& named : std::vector<Named>{
              {"hills/own.toml", true},
              {"../own.toml", false},
              {"link.toml", false},
@@ -133,16 +137,17 @@ TEST_F(SceneOfStranger, reads_materials_outside_its_folder_only_if_references_ar
          })
         for (const bool is_upper : {true, false}) {
             const auto read = [&](References references) {
-                return load("hills/hill.asc", references, is_upper ? file : "soil", is_upper ? "" : file);
+                return load("hills/hill.asc", references, is_upper ? named.file : "soil",
+                            is_upper ? "" : named.file);
             };
             const auto refused = read(References::kRefused);
-            EXPECT_EQ(refused.has_value(), is_inside) << file;
-            if (!is_inside) {
+            EXPECT_EQ(refused.has_value(), named.is_inside) << named.file;
+            if (!named.is_inside) {
                 EXPECT_NE(refused.error().sentence.find("--allow-references"), std::string::npos)
                     << refused.error().sentence;
             }
-            if (file != "/etc/passwd") {
-                EXPECT_TRUE(read(References::kAllowed)) << file;
+            if (named.file != "/etc/passwd") {
+                EXPECT_TRUE(read(References::kAllowed)) << named.file;
             }
         }
 }
