@@ -175,6 +175,20 @@ std::optional<int> matches(const std::string& program, const std::string& filter
     return pclose(pipe) == 0 ? std::optional(tests) : std::nullopt;
 }
 
+// Whether a CMakeLists.txt below tests/ declares this program, although this build leaves it out, as the one with
+// sanitizers does with some.
+bool is_left_out(const std::string& program) {
+    if (fs::exists(support::build_dir() / "tests" / program)) return false;
+    const std::string call = "couloir_test(" + program.substr(0, program.rfind("_test")) + "\n";
+    for (const auto& entry : fs::recursive_directory_iterator(support::source_dir() / "tests")) {
+        if (entry.path().filename() != "CMakeLists.txt") continue;
+        std::ifstream file(entry.path());
+        const std::string text{std::istreambuf_iterator<char>(file), {}};
+        if (text.find(call) != std::string::npos) return true;
+    }
+    return false;
+}
+
 // GoogleTest calls a filter that matches nothing a success.
 TEST(Documents, name_test_filters_that_each_match_a_test) {
     const std::regex call(R"(([a-z_]+_test) (?:.* )?--gtest_filter=['"]?([^'" ]+))");
@@ -184,6 +198,7 @@ TEST(Documents, name_test_filters_that_each_match_a_test) {
         if (!std::regex_search(quoted.text, found, call)) continue;
         std::istringstream parts(found[2]);
         for (std::string part; std::getline(parts, part, ':'); ++tried) {
+            if (is_left_out(found[1])) continue;
             const auto count = matches(found[1], part);
             ASSERT_TRUE(count) << quoted.page << ": " << found[1]
                                << " is not built or does not list its tests";
@@ -193,6 +208,7 @@ TEST(Documents, name_test_filters_that_each_match_a_test) {
     EXPECT_GT(tried, 8u);
     EXPECT_EQ(matches("documents_test", "Documents.*"), 3);
     EXPECT_EQ(matches("documents_test", "Nothing.*"), 0);
+    EXPECT_FALSE(is_left_out("writers_test"));
 }
 
 // What tools drop there must not be committed.
