@@ -63,6 +63,13 @@ bool is_asset(AssetKind kind, std::string_view name) {
     return names && std::find(names->begin(), names->end(), name) != names->end();
 }
 
+tl::unexpected<Failure> unknown_asset(AssetKind kind, std::string_view name) {
+    const auto names = asset_names(kind);
+    if (!names) return tl::unexpected(names.error());
+    return unusable(fmt::format("no {} is named '{}'; there are {}", drawer_of(kind).noun, name,
+                                fmt::join(*names, ", ")));
+}
+
 Outcome<fs::path> find_asset(AssetKind kind, std::string_view name_or_path) {
     const fs::path given(name_or_path);
     std::error_code error;
@@ -74,11 +81,7 @@ Outcome<fs::path> find_asset(AssetKind kind, std::string_view name_or_path) {
     const auto is_file = files::check_input(given);
     if (is_file) return given;
     if (is_path || fs::exists(given, error)) return unusable(is_file.error());
-
-    const auto names = asset_names(kind);
-    if (!names) return tl::unexpected(names.error());
-    return unusable(
-        fmt::format("no {} is named '{}'; there are {}", drawer.noun, name_or_path, fmt::join(*names, ", ")));
+    return unknown_asset(kind, name_or_path);
 }
 
 std::vector<fs::path> drawing_assets() {

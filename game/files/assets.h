@@ -19,6 +19,9 @@ Outcome<std::vector<std::string>> asset_names(AssetKind kind);
 
 bool is_asset(AssetKind kind, std::string_view name);
 
+// The error for a name that no shipped asset has: it lists the names there are.
+tl::unexpected<Failure> unknown_asset(AssetKind kind, std::string_view name);
+
 // Finds a shipped asset by its name, or a file by its path. Errors: neither; lists the known names.
 Outcome<std::filesystem::path> find_asset(AssetKind kind, std::string_view name_or_path);
 

@@ -175,6 +175,10 @@ Outcome<Material> material_of_scene(const std::string& name, const fs::path& fol
     const fs::path file = folder / name;
     if (!is_shipped && references != terrains::References::kAllowed && !files::is_within(folder, file))
         return unusable("lies outside the scene's folder; add --allow-references if you trust the scene");
+    std::error_code error;
+    const bool is_name = !fs::path(name).has_parent_path() && !fs::path(name).has_extension();
+    if (!is_shipped && is_name && !fs::exists(file, error))
+        return unusable("cannot be used: " + unknown_asset(AssetKind::kMaterial, name).value().sentence);
     auto material = load_material(is_shipped ? name : file.string(), model);
     if (!material) return unusable("cannot be used: " + material.error().sentence);
     return material;

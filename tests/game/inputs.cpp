@@ -152,5 +152,12 @@ TEST_F(SceneOfStranger, reads_materials_outside_its_folder_only_if_references_ar
         }
 }
 
+TEST_F(SceneOfStranger, with_an_unknown_material_is_refused_with_the_names_there_are) {
+    const auto refused = load("hills/hill.asc", terrains::References::kRefused, "soill");
+    ASSERT_FALSE(refused);
+    for (const char* fact : {"'soill'", "snow-dry", "soil"})
+        EXPECT_NE(refused.error().sentence.find(fact), std::string::npos) << refused.error().sentence;
+}
+
 }  // namespace
 }  // namespace game::test
