@@ -27,7 +27,7 @@ Outcome<std::vector<BenchRecording>> read_all(const std::vector<std::string>& na
             return unusable(
                 fmt::format("{}: is a flow demo; bench measures only avalanches", path->string()));
         if (recording->last_tick() < 1) return unusable(fmt::format("{}: contains no ticks", path->string()));
-        if (auto taken = take_shipped_look(recording->header.scenario); !taken)
+        if (auto taken = take_look(LookFrom::kShipped, recording->header.scenario); !taken)
             return tl::unexpected(taken.error());
         recordings.push_back({path->stem().string(), file_hash(*path), std::move(*recording), *path});
     }

@@ -49,9 +49,8 @@ Outcome<int> replay(const ReplayOptions& options) {
     if (options.until)
         if (auto has = check_tick(*recording, *options.until, options.recording); !has)
             return tl::unexpected(has.error());
-    if (options.look == LookFrom::kShipped)
-        if (auto taken = take_shipped_look(recording->header.scenario); !taken)
-            return tl::unexpected(taken.error());
+    if (auto taken = take_look(options.look, recording->header.scenario); !taken)
+        return tl::unexpected(taken.error());
     const Scenario& scenario = recording->header.scenario;
 
     FileUse use;

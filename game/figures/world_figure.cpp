@@ -26,7 +26,7 @@ Outcome<PageFigure> draw_world(const WorldFigure& figure, const std::filesystem:
     if (!recording) return tl::unexpected(recording.error());
     Scenario& scenario = recording->header.scenario;
     scenario.camera = figure.camera;
-    if (auto taken = take_shipped_look(scenario); !taken) return tl::unexpected(taken.error());
+    if (auto taken = take_look(LookFrom::kShipped, scenario); !taken) return tl::unexpected(taken.error());
     auto session = Session::begin(scenario, options, std::nullopt);
     if (!session) return tl::unexpected(session.error());
     session->follow_fronts(scenario);

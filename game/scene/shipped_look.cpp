@@ -5,8 +5,8 @@
 
 namespace game {
 
-Outcome<void> take_shipped_look(Scenario& scenario) {
-    if (scenario.flow) return {};
+Outcome<void> take_look(LookFrom from, Scenario& scenario) {
+    if (from == LookFrom::kRecorded || scenario.flow) return {};
     if (is_asset(AssetKind::kMaterial, scenario.material)) {
         const auto upper = load_material(scenario.material, scenario.params.model);
         if (!upper) return tl::unexpected(upper.error());

@@ -11,8 +11,8 @@ enum class LookFrom {
     kRecorded,  // the recording, as drawn when it was made
 };
 
-// Gives a recorded scenario the look that its materials ship with now. What is not shipped keeps the recorded
-// look: a material of the user's own, and the texture of a flow demo. Errors: a shipped material is damaged.
-Outcome<void> take_shipped_look(Scenario& scenario);
+// Gives a recorded scenario its look. With kShipped, what is not shipped keeps the recorded look: a material of
+// the user's own, and the texture of a flow demo. Errors: a shipped material is damaged.
+Outcome<void> take_look(LookFrom from, Scenario& scenario);
 
 }  // namespace game

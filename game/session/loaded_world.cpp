@@ -31,9 +31,8 @@ Outcome<LoadedWorld> open_recording(const fs::path& path, const Overrides& overr
     loaded.memory = overrides.memory;
     loaded.name = found->stem().string();
     loaded.scene.scenario = recording->header.scenario;
-    if (overrides.look == LookFrom::kShipped)
-        if (auto taken = take_shipped_look(loaded.scene.scenario); !taken)
-            return tl::unexpected(taken.error());
+    if (auto taken = take_look(overrides.look, loaded.scene.scenario); !taken)
+        return tl::unexpected(taken.error());
     loaded.scene.commands = recording->commands;
     loaded.scene.files = {*found};
     loaded.told = recording->warning.value_or(fmt::format("Watching {}", found->filename().string()));
