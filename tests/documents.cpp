@@ -1,5 +1,5 @@
-// What the Markdown files promise: their commands parse, and their test filters match tests. And what lies
-// beside README.md.
+// What the Markdown files promise: their commands parse, and their test filters match tests. And which
+// files stand beside README.md.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -162,17 +162,25 @@ TEST(Documents, find_every_kind_of_planted_fault) {
     }
 }
 
+// What a shell command prints, by line; none if it fails.
+std::optional<Words> lines_of(const std::string& call) {
+    FILE* const pipe = popen(call.c_str(), "r");
+    if (!pipe) return std::nullopt;
+    Words lines;
+    char line[4096];
+    while (std::fgets(line, sizeof line, pipe)) lines.emplace_back(line);
+    return pclose(pipe) == 0 ? std::optional(lines) : std::nullopt;
+}
+
 // Number of tests of a program that match a filter; none if there is no such program.
 std::optional<int> matches(const std::string& program, const std::string& filter) {
     const fs::path path = support::build_dir() / "tests" / program;
     if (!fs::exists(path)) return std::nullopt;
     const std::string call = path.string() + " --gtest_list_tests --gtest_filter='" + filter + "'";
-    FILE* const pipe = popen(call.c_str(), "r");
-    if (!pipe) return std::nullopt;
-    int tests = 0;
-    char line[4096];
-    while (std::fgets(line, sizeof line, pipe)) tests += line[0] == ' ';
-    return pclose(pipe) == 0 ? std::optional(tests) : std::nullopt;
+    const auto lines = lines_of(call);
+    if (!lines) return std::nullopt;
+    return static_cast<int>(
+        std::count_if(lines->begin(), lines->end(), [](const std::string& line) { return line[0] == ' '; }));
 }
 
 // Whether a CMakeLists.txt below tests/ declares this program, although this build leaves it out, as the one with
@@ -214,15 +222,10 @@ TEST(Documents, name_test_filters_that_each_match_a_test) {
 // What tools drop there must not be committed.
 TEST(Root, holds_only_these_files_and_folders) {
     const std::string call = "git -C '" + support::source_dir().string() + "' ls-files 2>/dev/null";
-    FILE* const pipe = popen(call.c_str(), "r");
-    ASSERT_TRUE(pipe);
+    const auto lines = lines_of(call);
+    if (!lines) GTEST_SKIP() << "not a git checkout, or git is not installed";
     std::set<std::string> names;
-    char line[4096];
-    while (std::fgets(line, sizeof line, pipe)) {
-        std::string name = line;
-        names.insert(name.substr(0, name.find_first_of("/\n")));
-    }
-    if (pclose(pipe) != 0) GTEST_SKIP() << "not a git checkout, or git is not installed";
+    for (const std::string& line : *lines) names.insert(line.substr(0, line.find_first_of("/\n")));
     EXPECT_GT(names.size(), 20u);
     for (const char* known : {".ci",
                               ".clang-format",
