@@ -11,6 +11,7 @@
 #include "render/passes/scoped_state.h"
 #include "render/passes/shadow_pass.h"
 #include "render/passes/surface_pass.h"
+#include "render/passes/surroundings_pass.h"
 #include "render/passes/terrain_pass.h"
 #include "render/stage_clock.h"
 #include "render/target.h"
@@ -32,6 +33,7 @@ struct Renderer::Parts {
     ShadowPass shadow;
     TerrainPass terrain;
     FlowPass flow;
+    SurroundingsPass surroundings;
     FullscreenPass sky, day_lights, night_lights;
     FullscreenPass tone;
     Target target;
@@ -56,6 +58,8 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     if (!terrain) return tl::unexpected(terrain.error());
     auto flow = FlowPass::create(shaders);
     if (!flow) return tl::unexpected(flow.error());
+    auto surroundings = SurroundingsPass::create(shaders);
+    if (!surroundings) return tl::unexpected(surroundings.error());
     auto sky = FullscreenPass::create(shaders, {"slots.glsl", "frame.glsl", "light.glsl", "sky.frag"});
     if (!sky) return tl::unexpected(sky.error());
     auto day_lights =
@@ -69,10 +73,10 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
 
     Buffer frame_block = make_buffer();
     glNamedBufferStorage(frame_block.name(), sizeof(FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    return Renderer(std::make_unique<Parts>(
-        Parts{FieldsToGpu(), std::move(frame_block), std::move(*surface), std::move(*shadow),
-              std::move(*terrain), std::move(*flow), std::move(*sky), std::move(*day_lights),
-              std::move(*night_lights), std::move(*tone), Target(), quality, assets, StageClock()}));
+    return Renderer(std::make_unique<Parts>(Parts{
+        FieldsToGpu(), std::move(frame_block), std::move(*surface), std::move(*shadow), std::move(*terrain),
+        std::move(*flow), std::move(*surroundings), std::move(*sky), std::move(*day_lights),
+        std::move(*night_lights), std::move(*tone), Target(), quality, assets, StageClock()}));
 }
 
 Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -98,7 +102,7 @@ std::optional<DrawTimes> Renderer::stage_times() const {
 
 void Renderer::draw(const FrameInput& input) {
     Parts& p = *parts_;
-    const auto& [world, camera, light, look, marks, flow, width, height, first_depth] = input;
+    const auto& [world, camera, light, look, marks, flow, width, height, first_depth, around] = input;
     const int samples = samples_of(p.quality);
     const ScopedState state;  // restores the state for other users of the context
 
@@ -132,6 +136,13 @@ void Renderer::draw(const FrameInput& input) {
     p.surface.run();
     p.surface.bind();
 
+    // What lies around the block casts shadows on it.
+    const bool goes_on = around && !around->empty();
+    if (goes_on) {
+        p.surroundings.survey(*around, frame);
+        p.surroundings.bind();
+    }
+
     // The sun sweep needs the surface of this frame, because heaps cast shadows too.
     p.shadow.run(frame);
     p.shadow.bind();
@@ -150,9 +161,12 @@ void Renderer::draw(const FrameInput& input) {
 
     if (flows && marks.flow_mesh) p.flow.draw_mesh(samples);
 
-    // Draw the walls, which hide surface behind them, then the sky where neither was drawn. The sky is
-    // smooth, so that a sixteenth of its pixels are enough; sun, moon and stars are not.
-    p.terrain.draw_walls();
+    // Draw what stands around the surface, mountains or the walls of a block, then the sky where neither was
+    // drawn. The sky is smooth, so that a sixteenth of its pixels are enough; sun, moon and stars are not.
+    if (goes_on)
+        p.surroundings.draw(frame);
+    else
+        p.terrain.draw_walls();
     p.target.begin_sky();
     p.sky.draw_behind();
     p.target.begin_backdrop();

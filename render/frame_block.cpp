@@ -135,6 +135,8 @@ FrameBlock make_frame_block(const FrameInput& input, HeightRange heights, int sa
     }
     block.material =
         glm::dvec4(look.roughness * look.detail, pixel, samples, input.first_depth.empty() ? 0 : 1);
+    if (input.surroundings && !input.surroundings->empty())
+        block.beyond = glm::dvec4(input.surroundings->rough_origin(), input.surroundings->rough_cell(), 1);
     set_marks(block, input.marks, heights, world.datum);
     return block;
 }

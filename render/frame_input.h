@@ -5,13 +5,14 @@
 #include "render/camera.h"
 #include "render/look.h"
 #include "render/marks.h"
+#include "render/surroundings.h"
 #include "sim/front/flow_view.h"
 #include "sim/world/state.h"
 
 namespace render {
 
-// Everything that a frame shows. A plain value, of which draw() keeps nothing: `world` and `flow` are views
-// that must be valid during the call only.
+// Everything that a frame shows. A plain value, of which draw() keeps nothing: `world`, `flow` and
+// `surroundings` must be valid during the call only.
 struct FrameInput {
     sim::View world;
     Camera camera;
@@ -25,6 +26,8 @@ struct FrameInput {
     // Depth of the standing layer at tick 0, m, one value per vertex, row 0 the south; valid during the call.
     // It tells deposits and scars from untouched ground. If empty, they are unknown.
     std::span<const float> first_depth = {};
+    // Of this world, with this first depth. If null, the block of terrain stands by itself, with walls.
+    const Surroundings* surroundings = nullptr;
 };
 
 }  // namespace render

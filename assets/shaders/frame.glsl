@@ -20,6 +20,7 @@ layout(std140, binding = SLOT_FRAME) uniform Frame {
     vec4 turf;              // of the standing layer where it never changed; w: 1 if there is any
     vec4 lower_turf;        // of the lower material
     vec4 material;          // roughness 0 to 1; height of a sample at a distance of 1; samples along the edge of a pixel; 1: first depth is known
+    vec4 beyond;            // of the rough heights around the block: place of vertex (0, 0) m, cell m; 1: there are any
     vec4 ring;              // centre m, radius m; 1: is drawn
     vec4 ring_colour;       // linear light
     vec4 contours;          // lines per metre of height, 0: none; line, counted from a heavy one, at z = 0

@@ -6,6 +6,7 @@
 
 #include "game/files/assets.h"
 #include "game/files/text_file.h"
+#include "game/scene/mountains.h"
 #include "render/context.h"
 #include "render/frame.h"
 #include "render/frame_writer.h"
@@ -23,13 +24,15 @@ struct Gallery::Parts {
     render::Light light;
     render::Look look;
     std::vector<float> first_depth;  // m
+    render::Surroundings surroundings;
     int pictures = 0;
 
     Parts(render::HeadlessContext&& gl, render::Renderer&& with)
         : context(std::move(gl)), renderer(std::move(with)) {}
 
     render::DrawTimes draw(const sim::View& world, const sim::front::FlowView* flow,
-                           const render::Camera& from, const std::string& name) {
+                           const render::Camera& from, const render::Surroundings* around,
+                           const std::string& name) {
         renderer.draw({.world = world,
                        .camera = from,
                        .light = light,
@@ -37,7 +40,8 @@ struct Gallery::Parts {
                        .flow = flow,
                        .width = size.width,
                        .height = size.height,
-                       .first_depth = first_depth});
+                       .first_depth = first_depth,
+                       .surroundings = around});
         writer.submit(renderer.read_back(), folder / (name + ".png"));
         ++pictures;
         return *renderer.stage_times();
@@ -90,6 +94,7 @@ Outcome<Gallery> Gallery::open(const std::filesystem::path& folder, PictureSize 
     parts->light = scenario.light;
     parts->look = scenario.look;
     parts->first_depth = scenario.depth;
+    if (!scenario.model) parts->surroundings = mountains_around(scenario);
     return Gallery(std::move(parts));
 }
 
@@ -101,13 +106,13 @@ Gallery& Gallery::operator=(Gallery&&) noexcept = default;
 render::DrawTimes Gallery::draw(const sim::View& world, const sim::front::FlowView* flow,
                                 const std::string& name) {
     if (!parts_->camera) parts_->camera = render::overview(world);
-    return parts_->draw(world, flow, *parts_->camera, name);
+    return parts_->draw(world, flow, *parts_->camera, &parts_->surroundings, name);
 }
 
 render::DrawTimes Gallery::draw_map(const sim::View& world, const std::string& name) {
     return parts_->draw(world, nullptr,
                         map_camera(world, static_cast<double>(parts_->size.width) / parts_->size.height),
-                        name);
+                        nullptr, name);  // a map ends at its border
 }
 
 Outcome<void> Gallery::close() {

@@ -133,10 +133,27 @@ void App::perform_all() {
     actions_.clear();
 }
 
-std::optional<glm::dvec3> App::ground_under(glm::dvec2 point) const {
+const render::Surroundings& App::surroundings() const {
+    static const render::Surroundings none;
+    return display_.surroundings ? mountains_ : none;
+}
+
+render::Ray App::ray_under(glm::dvec2 point) const {
     const ScreenSize size = screen_.size();
-    const double aspect = static_cast<double>(size.width) / size.height;
-    return render::pick(sandbox_->session().view(), render::ray_through(camera_->camera(), aspect, point));
+    return render::ray_through(camera_->camera(), static_cast<double>(size.width) / size.height, point);
+}
+
+std::optional<double> App::mountain_along(render::Ray ray) const {
+    ray.from.z -= sandbox_->session().view().datum;
+    return surroundings().meet(ray.from, ray.along);
+}
+
+std::optional<glm::dvec3> App::ground_under(glm::dvec2 point) const {
+    const render::Ray ray = ray_under(point);
+    const auto ground = render::pick(sandbox_->session().view(), ray);
+    if (!ground) return std::nullopt;
+    const auto mountain = mountain_along(ray);
+    return mountain && *mountain < glm::distance(ray.from, *ground) ? std::nullopt : ground;
 }
 
 void App::move_camera(double elapsed_s) {
@@ -159,7 +176,7 @@ void App::move_camera(double elapsed_s) {
     wish.walk = {input_.held(Held::kRight, Held::kLeft), input_.held(Held::kForward, Held::kBack),
                  input_.held(Held::kUp, Held::kDown)};
     wish.fast = input_.fast();
-    camera_->move(wish, world, aspect, elapsed_s);
+    camera_->move(wish, world, surroundings(), aspect, elapsed_s);
 
     ground_ = cursor ? ground_under(*cursor) : std::nullopt;
 }
@@ -181,7 +198,11 @@ void App::begin_stroke() {
         return tell("Brushes do not work in a flow demo. Change its speeds in the Display panel");
     // Where the button was pressed; the cursor may have moved on since.
     const auto at = ground_under(input_.drag_from());
-    if (!at) return;
+    if (!at) {
+        if (mountain_along(ray_under(input_.drag_from())))
+            tell("Beyond the grid there is only scenery: brushes work inside its border");
+        return;
+    }
     const sim::CommandKind deed = deed_of(brush_, input_.inverted());
     stroke_.emplace(deed, glm::dvec2(*at));
     stroke_ends_ = false;
@@ -302,7 +323,8 @@ void App::draw_world() {
                         .flow = sandbox_->session().fronts(),
                         .width = wanted.width,
                         .height = wanted.height,
-                        .first_depth = sandbox_->scenario().depth});
+                        .first_depth = sandbox_->scenario().depth,
+                        .surroundings = &surroundings()});
     }
     renderer_.show_on(screen_.framebuffer(), size.width, size.height);
     if (waits_for_gl_) renderer_.wait();

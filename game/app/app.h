@@ -20,6 +20,7 @@
 #include "game/session/sandbox.h"
 #include "game/ui/ui.h"
 #include "render/frame.h"
+#include "render/pick.h"
 
 namespace game {
 
@@ -79,13 +80,17 @@ class App {
     void tell_camera_mode();
     void resize_brush(double steps);
     void begin_stroke();
-    std::optional<glm::dvec3> ground_under(glm::dvec2 point) const;  // `point` in image coordinates
+    render::Ray ray_under(glm::dvec2 point) const;  // `point` in image coordinates
+    // m along the ray to the mountains around the grid.
+    std::optional<double> mountain_along(render::Ray ray) const;
+    std::optional<glm::dvec3> ground_under(glm::dvec2 point) const;
     void take_over_at_end();
     void take_over();
     bool may_go_back();  // false: shows a notice with the reason
     void step_back();
     void run_back();
     void tell_hands_off();
+    const render::Surroundings& surroundings() const;  // as displayed
 
     // Replaces the world by `loaded`, recorded in `record` or else in the recordings folder, and closes the
     // previous world. Errors: `record` cannot be written, and then nothing has changed.
@@ -136,6 +141,7 @@ class App {
     std::vector<sim::Command> hand_;         // commands of one tick; kept to reuse its memory
     std::vector<sim::Command> set_numbers_;  // parameters set in panels, for the next tick
 
+    render::Surroundings mountains_;  // around the world
     std::optional<CameraControl> camera_;
     std::optional<Probe> probe_;
     std::optional<glm::dvec3> drag_pivot_;

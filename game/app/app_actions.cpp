@@ -8,6 +8,7 @@
 #include "game/app/app.h"
 #include "game/files/recordings_folder.h"
 #include "game/recording/format.h"
+#include "game/scene/mountains.h"
 #include "render/overview.h"
 
 namespace game {
@@ -279,9 +280,11 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     clock_.run_back(false);
     if (!same) {
         const sim::View world = sandbox_->session().view();
+        mountains_ = mountains_around(scenario);
+        display_.surroundings = !scenario.model;
         brush_ = brush_for(scenario.grid);
         display_.light = scenario.light;
-        camera_.emplace(scenario.camera.value_or(overview_beside_panels(world)), world);
+        camera_.emplace(scenario.camera.value_or(overview_beside_panels(world)), world, surroundings());
     }
     if (scenario.flow) display_.flow = scenario.flow->numbers;
     probe_.emplace(scenario.georeference);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "game/files/assets.h"
+#include "game/scene/mountains.h"
 #include "render/context.h"
 #include "render/frame.h"
 #include "render/overview.h"
@@ -17,6 +18,7 @@ struct Canvas::Parts {
     render::Light light = {};
     render::Look look = {};
     std::vector<float> first_depth = {};  // m
+    render::Surroundings surroundings = {};
 };
 
 Outcome<Canvas> Canvas::open(PictureSize size, const std::string& gl) {
@@ -43,6 +45,7 @@ Outcome<void> Canvas::show(const Scenario& scenario) {
     parts_->light = scenario.light;
     parts_->look = scenario.look;
     parts_->first_depth = scenario.depth;
+    parts_->surroundings = scenario.model ? render::Surroundings() : mountains_around(scenario);
     return {};
 }
 
@@ -56,7 +59,8 @@ render::DrawTimes Canvas::draw(const sim::View& world, const sim::front::FlowVie
                      .flow = flow,
                      .width = p.size.width,
                      .height = p.size.height,
-                     .first_depth = p.first_depth});
+                     .first_depth = p.first_depth,
+                     .surroundings = &p.surroundings});
     return *p.renderer.stage_times();
 }
 

@@ -48,8 +48,9 @@ bool same(const render::Camera& a, const render::Camera& b) {
 
 }  // namespace
 
-CameraControl::CameraControl(const render::Camera& home, const sim::View& world)
-    : home_(CameraRoom(world).inside(home)), now_(home_), goal_(home_), before_top_down_(home_) {}
+CameraControl::CameraControl(const render::Camera& home, const sim::View& world,
+                             const render::Surroundings& around)
+    : home_(CameraRoom(world, around).inside(home)), now_(home_), goal_(home_), before_top_down_(home_) {}
 
 bool CameraControl::still() const {
     return !look_down_ && same(now_, goal_);
@@ -95,9 +96,9 @@ void CameraControl::overview() {
     look_down_ = false;
 }
 
-void CameraControl::move(const CameraWish& asked, const sim::View& world, double asked_aspect,
-                         double elapsed_s) {
-    const CameraRoom room(world);
+void CameraControl::move(const CameraWish& asked, const sim::View& world, const render::Surroundings& around,
+                         double asked_aspect, double elapsed_s) {
+    const CameraRoom room(world, around);
     const CameraWish wish = within_reason(asked);
     const double aspect =
         asked_aspect > 0 ? std::min(asked_aspect, 100.0) : 1;  // a minimised window has none

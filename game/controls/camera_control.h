@@ -39,7 +39,7 @@ struct CameraWish {
 class CameraControl {
   public:
     // `home`: the pose that overview() restores.
-    CameraControl(const render::Camera& home, const sim::View& world);
+    CameraControl(const render::Camera& home, const sim::View& world, const render::Surroundings& around);
 
     const render::Camera& camera() const { return now_; }
     CameraMode mode() const { return mode_; }
@@ -53,7 +53,8 @@ class CameraControl {
 
     // Applies the input of a frame. `aspect`: image width / height. Held keys count for at most 0.25 s per
     // frame.
-    void move(const CameraWish& wish, const sim::View& world, double aspect, double elapsed_s);
+    void move(const CameraWish& wish, const sim::View& world, const render::Surroundings& around,
+              double aspect, double elapsed_s);
 
   private:
     void look_down(const CameraRoom& room);

@@ -11,7 +11,8 @@
 
 namespace game {
 
-CameraRoom::CameraRoom(const sim::View& world) : world_(world), cell_(world.grid.dx) {
+CameraRoom::CameraRoom(const sim::View& world, const render::Surroundings& around)
+    : world_(world), around_(around), cell_(world.grid.dx) {
     const glm::dvec2 size = cell_ * glm::dvec2(world.grid.nx - 1, world.grid.ny - 1);
     diagonal_ = glm::length(size);
     centre_ = {size / 2.0, surface_height(world, size / 2.0)};
@@ -23,7 +24,12 @@ bool CameraRoom::reaches(glm::dvec3 point) const {
 
 double CameraRoom::height_above_ground(const render::Camera& camera) const {
     const glm::dvec3 eye = render::eye(camera);
-    return eye.z - surface_height(world_, eye);
+    return eye.z - ground_at(eye);
+}
+
+double CameraRoom::ground_at(glm::dvec2 at) const {
+    if (around_.empty() || around_.away(at) == 0) return surface_height(world_, at);
+    return world_.datum + around_.height(at);
 }
 
 bool CameraRoom::clear(const render::Camera& camera) const {
@@ -42,7 +48,7 @@ glm::dvec3 CameraRoom::ground_in_the_middle(const render::Camera& camera) const 
     const glm::dvec3 eye = render::eye(camera), forward = axes(camera).forward;
     const auto above = [&](double depth) {
         const glm::dvec3 p = eye + depth * forward;
-        return p.z - surface_height(world_, p);
+        return p.z - ground_at(p);
     };
     double before = 0, depth = 0;
     while (depth < 3 * farthest() && above(depth) > 0) {

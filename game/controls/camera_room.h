@@ -3,15 +3,16 @@
 #include <glm/vec3.hpp>
 
 #include "render/camera.h"
+#include "render/surroundings.h"
 #include "sim/world/state.h"
 
 namespace game {
 
-// The space allowed for a camera: at least one cell above the current surface and not too far away. Valid as
-// long as the view.
+// The space allowed for a camera: at least one cell above the current surface and its surroundings, and not
+// too far away. Valid as long as both.
 class CameraRoom {
   public:
-    explicit CameraRoom(const sim::View& world);
+    CameraRoom(const sim::View& world, const render::Surroundings& around);
 
     double nearest() const { return 2 * cell_; }       // m, least distance from the eye to the zoom pivot
     double farthest() const { return 6 * diagonal_; }  // m, greatest distance
@@ -19,7 +20,7 @@ class CameraRoom {
 
     // Whether a point is near enough for the coordinates to keep their precision.
     bool reaches(glm::dvec3 point) const;
-    // m; outside the grid, above the nearest border.
+    // m; outside the grid above the surroundings or, without them, above the nearest border.
     double height_above_ground(const render::Camera& camera) const;
     // The camera raised and pulled back into the allowed space.
     render::Camera inside(render::Camera camera) const;
@@ -33,9 +34,11 @@ class CameraRoom {
     glm::dvec3 ground_in_the_middle(const render::Camera& camera) const;
 
   private:
+    double ground_at(glm::dvec2 at) const;
     bool clear(const render::Camera& camera) const;
 
     const sim::View& world_;
+    const render::Surroundings& around_;
     double cell_, diagonal_;  // m
     glm::dvec3 centre_;       // on the ground
 };

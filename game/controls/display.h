@@ -14,6 +14,7 @@ struct Display {
     sim::fields::FlowNumbers flow;  // in flow demos
     render::Light light;            // the scene's until the user moves the sun
     float detail = 1;               // 0 to 1, small-scale relief
+    bool surroundings = true;       // mountains around the grid; else a block cut from them
     double resolution = 1;          // drawn pixels per screen pixel along each axis, 0.25 to 1
     bool fine = false;              // two by two samples per pixel
     double letters = 1;             // text size relative to the monitor's scale, 0.5 to 3

@@ -241,6 +241,7 @@ Json view_json(const Scenario& scenario) {
     }
     if (look.turf) json["look"]["turf"] = colour(*look.turf);
     if (look.lower_turf) json["look"]["lower_turf"] = colour(*look.lower_turf);
+    if (scenario.model) json["look"]["style"] = "model";
     if (look.flow) json["look"]["texture"] = to_string(look.flow->pattern);
     if (scenario.flow) json["flow"] = flow_json(*scenario.flow, *look.flow);
     json["light"] = {{"azimuth_deg", scenario.light.azimuth_deg},
@@ -269,6 +270,10 @@ void view_from(const Json& json, Scenario& scenario) {
     scenario.look.roughness = static_cast<float>(number(look, "roughness", 0, 1));
     scenario.look.cover_visible_m = static_cast<float>(number(look, "cover_visible_m", 0, 10));
     scenario.look.rolling_visible_m = static_cast<float>(number(look, "rolling_visible_m", 0.001, 10));
+    if (look.contains("style")) {
+        scenario.model = text(look, "style") == "model";
+        if (!scenario.model) refuse(fmt::format("look: unknown style '{}'", text(look, "style")));
+    }
     if (look.contains("texture")) {
         const auto pattern = render::flow_pattern_named(text(look, "texture"));
         if (!pattern) refuse(fmt::format("look: unknown texture '{}'", text(look, "texture")));

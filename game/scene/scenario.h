@@ -54,6 +54,7 @@ struct Scenario {
     render::Look look;
     render::Light light;
     std::optional<render::Camera> camera;  // none: the overview
+    bool model = false;                    // drawn as a block cut from its mountains
 };
 
 // A command and the tick at whose start it applies.

@@ -123,6 +123,14 @@ std::vector<TimedCommand> read_commands(TomlTable& root, double tick_s, bool has
 }
 
 void read_view(TomlTable& root, Scenario& scenario) {
+    if (auto table = root.table("look")) {
+        if (const auto style = table->text("style")) {
+            if (*style != "landscape" && *style != "model")
+                table->blame("style", "is neither landscape nor model");
+            scenario.model = *style == "model";
+        }
+        table->finish();
+    }
     if (auto table = root.table("camera")) {
         render::Camera camera;
         const auto target = table->numbers("target", 3);

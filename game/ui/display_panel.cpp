@@ -35,6 +35,9 @@ bool colours(Desk& desk, Display& display) {
     changed |= desk.widgets.toggle("Contours", display.contours, "Lines of equal height.");
     changed |= desk.widgets.toggle("Fronts", display.flow_mesh,
                                    "Shows the texture mesh, cut along the fronts, and the front points.");
+    changed |=
+        desk.widgets.toggle("Surroundings", display.surroundings,
+                            "Mountains around the grid, for the eye alone. Off: a block cut from them.");
     return changed;
 }
 

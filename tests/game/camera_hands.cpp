@@ -87,14 +87,14 @@ std::vector<Case> cases() {
 }
 
 Hands::Hands(sim::State world, const render::Camera& home)
-    : state(std::move(world)), control(home, sim::view(state)) {}
+    : state(std::move(world)), control(home, sim::view(state), around) {}
 
 std::optional<glm::dvec3> Hands::ground(glm::dvec2 place) const {
     return ground_at(camera(), sim::view(state), place);
 }
 
 void Hands::frame(const CameraWish& wish, double seconds) {
-    control.move(wish, sim::view(state), kAspect, seconds);
+    control.move(wish, sim::view(state), around, kAspect, seconds);
 }
 
 void Hands::settle(const std::function<void()>& each) {

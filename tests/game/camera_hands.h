@@ -41,6 +41,7 @@ std::vector<Case> cases();
 // A control over a world, with the frames that hands need.
 struct Hands {
     sim::State state;
+    render::Surroundings around;  // none
     CameraControl control;
 
     Hands(sim::State world, const render::Camera& home);

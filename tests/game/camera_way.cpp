@@ -142,7 +142,8 @@ TEST(CameraControl, bears_frames_of_no_time_and_of_ten_seconds_and_wild_hands) {
                 wish.walk = glm::dvec3(much);
                 wish.pivot = much > 1e9 ? glm::dvec3(much) : hands.ground({0, 0}).value();
                 for (int i = 0; i < 5; ++i) {
-                    hands.control.move(wish, sim::view(hands.state), i % 2 == 0 ? kAspect : 0, seconds);
+                    hands.control.move(wish, sim::view(hands.state), hands.around, i % 2 == 0 ? kAspect : 0,
+                                       seconds);
                     ASSERT_TRUE(finite(hands.camera()));
                     ASSERT_GT(clearance(hands.camera(), sim::view(hands.state)), 0.99 * kCell);
                 }

@@ -1,0 +1,86 @@
+#include "render/passes/surroundings_pass.h"
+
+#include <cstddef>
+#include <utility>
+
+#include "assets/shaders/slots.glsl"
+#include "render/passes/scoped_state.h"
+#include "render/program.h"
+
+namespace render {
+
+tl::expected<SurroundingsPass, std::string> SurroundingsPass::create(const std::filesystem::path& shaders) {
+    auto program = link_program(
+        shaders, {{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "surroundings.vert"}},
+                  {GL_FRAGMENT_SHADER, {"slots.glsl", "frame.glsl", "light.glsl", "surroundings.frag"}}});
+    if (!program) return tl::unexpected(program.error());
+    SurroundingsPass pass;
+    pass.program_ = std::move(*program);
+    return pass;
+}
+
+void SurroundingsPass::survey(const Surroundings& around, const FrameBlock& frame) {
+    const bool is_new = known_ != around.fingerprint();
+    if (is_new) {
+        known_ = around.fingerprint();
+        mesh_ = surroundings_mesh(around);
+        vertex_array_ = make_vertex_array();
+        vertices_ = make_buffer();
+        indices_ = make_buffer();
+        sunlit_buffer_ = make_buffer();
+        const auto send = [](const Buffer& buffer, const auto& values) {
+            glNamedBufferData(buffer.name(), static_cast<GLsizeiptr>(values.size() * sizeof values[0]),
+                              values.data(), GL_STATIC_DRAW);
+        };
+        send(vertices_, mesh_.vertices);
+        send(indices_, mesh_.indices);
+        const GLuint array = vertex_array_.name();
+        glVertexArrayElementBuffer(array, indices_.name());
+        const auto attribute = [&](GLuint location, GLuint buffer, int components, std::size_t offset) {
+            glEnableVertexArrayAttrib(array, location);
+            glVertexArrayAttribFormat(array, location, components, GL_FLOAT, GL_FALSE,
+                                      static_cast<GLuint>(offset));
+            glVertexArrayAttribBinding(array, location, buffer);
+        };
+        using Vertex = SurroundingsVertex;
+        glVertexArrayVertexBuffer(array, 0, vertices_.name(), 0, sizeof(Vertex));
+        glVertexArrayVertexBuffer(array, 1, sunlit_buffer_.name(), 0, sizeof(float));
+        attribute(0, 0, 3, offsetof(Vertex, at));
+        attribute(1, 0, 4, offsetof(Vertex, slope));  // and source
+        attribute(2, 0, 3, offsetof(Vertex, depth));  // openness, on grid
+        attribute(3, 1, 1, 0);
+        heights_ = make_texture(GL_R32F, Surroundings::kRough, Surroundings::kRough, GL_LINEAR);
+        glTextureSubImage2D(heights_.name(), 0, 0, 0, Surroundings::kRough, Surroundings::kRough, GL_RED,
+                            GL_FLOAT, around.rough_heights().data());
+        for (auto* reserved : {&counts_}) reserved->reserve(mesh_.patches.size());
+        firsts_.reserve(mesh_.patches.size());
+        visible_.reserve(mesh_.patches.size());
+    }
+    if (is_new || known_sun_ != frame.sun) {
+        known_sun_ = frame.sun;
+        sunlit(around, mesh_.vertices, glm::dvec3(frame.sun), sunlit_);
+        glNamedBufferData(sunlit_buffer_.name(), static_cast<GLsizeiptr>(sunlit_.size() * sizeof(float)),
+                          sunlit_.data(), GL_DYNAMIC_DRAW);
+    }
+}
+
+void SurroundingsPass::bind() const {
+    glBindTextureUnit(SLOT_SURROUNDINGS, heights_.name());
+}
+
+void SurroundingsPass::draw(const FrameBlock& frame) {
+    visible_patches(mesh_.patches, frame.clip_from_world, glm::vec3(frame.eye), visible_);
+    counts_.clear();
+    firsts_.clear();
+    for (const SurroundingsPatch* patch : visible_) {
+        counts_.push_back(static_cast<GLsizei>(patch->count));
+        firsts_.push_back(reinterpret_cast<const void*>(patch->first * sizeof(std::uint32_t)));
+    }
+    const Enabled depth_test(GL_DEPTH_TEST), cull_face(GL_CULL_FACE);
+    glUseProgram(program_.name());
+    glBindVertexArray(vertex_array_.name());
+    glMultiDrawElements(GL_TRIANGLES, counts_.data(), GL_UNSIGNED_INT, firsts_.data(),
+                        static_cast<GLsizei>(counts_.size()));
+}
+
+}  // namespace render
