@@ -66,14 +66,14 @@ float stony(Place p, vec4 broad, vec4 rock) {
 // Bare ground: straw-coloured turf with greener hollows, and rock in beds that dip and wave.
 Skin ground(Place p, float bare, float tone, vec4 broad, vec4 soft, vec4 rock, vec4 clumps, vec4 fine) {
     vec3 grass = frame.meadow.rgb * mix(vec3(0.68, 0.76, 0.72), vec3(1.55, 1.30, 1.15), tone);
-    grass *= 0.40 + 0.35 * soft.z + 0.30 * clumps.z + 0.50 * fine.z;
+    grass *= 0.40 + 0.22 * soft.z + 0.22 * rock.z + 0.20 * clumps.z + 0.50 * fine.z;
     float bed = dot(p.at, vec3(0.008, 0.005, 0.09)) + 2.0 * broad.z + 0.8 * soft.z + 0.4 * rock.z;
     vec2 beds = abs(fract(bed * vec2(1.0, 3.7)) * 2.0 - 1.0) - 0.5;  // two thicknesses
     beds *= clamp(vec2(1.3, 1.2) - p.footprint * vec2(0.12, 0.45), 0.0, 1.0) * frame.haze.w;
     float band = 0.26 * beds.x + 0.22 * beds.y;
     vec3 stone = frame.rock.rgb * (0.42 + 0.75 * rock.z + 0.45 * fine.z + band) * mix(vec3(1.10, 1.0, 0.88), vec3(0.92, 1.0, 1.09), tone);
     return Skin(mix(grass, stone, bare),
-                mix(0.20 * soft.xy + 0.12 * clumps.xy + 0.30 * fine.xy, 0.8 * rock.xy + 0.5 * fine.xy + 1.5 * band * p.slope, bare),
+                mix(0.20 * soft.xy + 0.06 * clumps.xy + 0.30 * fine.xy, 0.8 * rock.xy + 0.5 * fine.xy + 1.5 * band * p.slope, bare),
                 mix(0.75 + 0.25 * soft.z + 0.25 * clumps.z, 0.60 + 0.8 * rock.z, bare));
 }
 
@@ -98,7 +98,7 @@ Skin cover(vec3 albedo, float tone, vec4 broad, vec4 soft, vec4 rock, vec4 fine)
 // Grass on a standing layer that nothing has touched. `turf`: its colour times its share, and the share.
 Skin grown(vec4 turf, float tone, vec4 soft, vec4 clumps, vec4 fine) {
     vec3 grass = turf.rgb / max(turf.w, 1e-3) * mix(vec3(0.65, 0.75, 0.70), vec3(1.50, 1.25, 1.10), tone);
-    return Skin(grass * (0.40 + 0.35 * soft.z + 0.30 * clumps.z + 0.50 * fine.z), 0.2 * soft.xy + 0.12 * clumps.xy + 0.30 * fine.xy,
+    return Skin(grass * (0.40 + 0.35 * soft.z + 0.24 * clumps.z + 0.50 * fine.z), 0.2 * soft.xy + 0.08 * clumps.xy + 0.30 * fine.xy,
                 0.75 + 0.25 * soft.z + 0.25 * clumps.z);
 }
 
@@ -130,16 +130,17 @@ Skin at_rest(Skin carried, vec3 rolls, vec3 lies) {
 float sparkle(Place p) {
     float size = log2(max(1.2 * p.footprint, 0.012)), smaller = floor(size);
     float turn = 40.0 * dot(normalize(p.ray), vec3(0.7, 0.5, 0.3));
-    vec2 lit = vec2(0.0);
+    ivec2 cell = ivec2(floor(p.at.xy * exp2(-smaller)));
+    vec2 shines = vec2(0.0);
     for (int k = 0; k < 2; ++k) {
-        uvec2 cell = uvec2(ivec2(floor(p.at.xy * exp2(-smaller - float(k)))));
-        uint h = (cell.x * 0x9E3779B1u) ^ (cell.y * 0x85EBCA77u);
+        uvec2 c = uvec2(cell >> k);
+        uint h = (c.x * 0x9E3779B1u) ^ (c.y * 0x85EBCA77u);
         h = (h ^ (h >> 15)) * 0x2C1B3C6Du;
         h ^= h >> 13;
         float phase = fract(float(h & 0xFFFFu) / 65536.0 + turn);
-        lit[k] = float((h >> 16) > 65100u) * smoothstep(0.5, 1.0, abs(2.0 * phase - 1.0));
+        shines[k] = (h >> 16) > 65100u ? max(abs(4.0 * phase - 2.0) - 1.0, 0.0) : 0.0;
     }
-    return mix(lit.x, lit.y, size - smaller) * smoothstep(0.16, 0.04, p.footprint);
+    return mix(shines.x, shines.y, size - smaller) * smoothstep(0.16, 0.04, p.footprint);
 }
 
 Skin blend(Skin a, Skin b, float share) {
@@ -158,7 +159,7 @@ Place find_place(float depth) {
     // At a low viewing angle a pixel covers a long strip: use the mean of its length and width.
     float facing = dot(vec3(-r.yz, 1.0), ray) / sqrt((1.0 + dot(r.yz, r.yz)) * dot(ray, ray));
     p.footprint = p.forward * frame.material.y * inversesqrt(clamp(-facing, 0.06, 1.0));
-    p.level = log2(p.footprint * float(textureSize(detail_texture, 0).x)) - 0.2;
+    p.level = log2(p.footprint * float(textureSize(detail_texture, 0).x));
     return p;
 }
 
@@ -169,9 +170,9 @@ void main() {
     // noise, which hides its lattice and its repeats. It bends by little, or its 256 steps would show.
     float widest = 1.0 / frame.eye.w;
     vec4 broad = detail(p, DETAIL_SOFT, p.at.xy, turned(0.921, 0.389, widest), widest);
-    vec2 at = p.at.xy + (broad.zw - 0.5) * (0.03 * widest);
+    vec2 at = p.at.xy + (broad.zw - 0.5) * (0.06 * widest);
     vec4 soft = detail(p, DETAIL_SOFT, at, turned(0.267, 0.964, 64.0), 64.0);
-    float tone = mix(broad.w, soft.w, 0.35);
+    float tone = mix(broad.w, soft.w, 0.25);
     at = p.at.xy + (soft.zw - 0.5) * 10.0;
     bool side = upright(p, soft.z - 0.5);
     vec4 rock = detail(p, DETAIL_ROCK, side ? from_side(p) : at, turned(-0.588, 0.809, 43.0), 43.0);
