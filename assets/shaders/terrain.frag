@@ -186,10 +186,12 @@ void main() {
     float steepness = length(along);
     float pixel = p.footprint / frame.ground.x;  // cells
 
-    // Noise makes thin cover patchy up to 0.3 m at a visible depth of 0.05 m; on steep ground rocks poke out of more.
+    // Noise makes cover patchy up to about four visible depths, and more on steep ground, where rocks poke out. Beyond
+    // that it counts a quarter: a flat limit would leave half-covered stains.
     float steep = min(length(p.slope), 1.2);
     float patchy = 0.8 * (tone - 0.373) + 0.3 * (soft.z - 0.53) + (0.15 + 0.45 * steep) * (rock.z - 0.40) + 0.12 * (clumps.z - 0.59);
-    float thin = layer.x - 0.5 - min(patchy, 0.36 + 0.10 * steep) * frame.haze.w;
+    float most = 0.30 + 0.12 * steep;
+    float thin = layer.x - 0.5 - min(patchy, mix(most, patchy, 0.25)) * frame.haze.w;
     // The edge is as wide as a pixel, not more: where the cover is evenly thin, a larger pixel must not show more.
     vec2 cover_along = vec2(smoothed.along_x.x, smoothed.along_y.x);
     float cover_slope = length(cover_along);
