@@ -18,10 +18,10 @@ static_assert(OVERLAY_ROLLING == static_cast<int>(Overlay::kRolling));
 static_assert(OVERLAY_SPEED == static_cast<int>(Overlay::kSpeed));
 static_assert(OVERLAY_STRETCH == static_cast<int>(Overlay::kStretch));
 
-constexpr double kDetailTilesPerSide = 9;  // repeats of the detail texture along the longer side
-constexpr double kHazeLength = 24000;      // m, in which clear mountain air keeps 1/e of green light
-constexpr double kHighestLamp = 89;        // degrees; at 90 there is no horizontal direction to sweep along
-constexpr double kLowestLamp = 1;          // degrees; below it a sweep has no end
+constexpr double kWidestDetail = 600;  // m, least width of a tile of the broadest detail
+constexpr double kHazeLength = 24000;  // m, in which clear mountain air keeps 1/e of green light
+constexpr double kHighestLamp = 89;    // degrees; at 90 there is no horizontal direction to sweep along
+constexpr double kLowestLamp = 1;      // degrees; below it a sweep has no end
 constexpr double kDiscRadius =
     0.6;  // degrees, twice that of sun and moon: a screen shows less than the eye sees
 
@@ -112,7 +112,7 @@ FrameBlock make_frame_block(const FrameInput& input, HeightRange heights, int sa
     const Look& look = input.look;
     const double side = static_cast<double>(std::max(world.grid.nx, world.grid.ny) - 1) * world.grid.dx;
     FrameBlock block{};
-    block.eye.w = static_cast<float>(kDetailTilesPerSide / side);
+    block.eye.w = static_cast<float>(1 / std::max(kWidestDetail, side / 3));
     set_view(block, input.camera, world.datum, static_cast<double>(input.width) / input.height);
     set_light(block, input.light);
     block.ground = glm::dvec4(world.grid.dx, heights.lowest - block_depth(world.grid), heights.lowest,

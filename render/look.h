@@ -26,7 +26,7 @@ struct FlowLook {
 // The look of ground and material. It belongs to a scene and its material, never to the simulation.
 struct Look {
     glm::vec3 rock{0.23f, 0.21f, 0.20f};            // steep bare ground
-    glm::vec3 meadow{0.16f, 0.20f, 0.08f};          // gentle bare ground
+    glm::vec3 meadow{0.205f, 0.185f, 0.085f};       // gentle bare ground
     glm::vec3 standing{0.86f, 0.89f, 0.93f};        // erodible layer
     glm::vec3 rolling{0.42f, 0.58f, 0.84f};         // rolling layer
     glm::vec3 lower_standing{0.30f, 0.22f, 0.14f};  // of the lower material in a world of two

@@ -2,7 +2,7 @@
 // from vertex (0, 0), z above datum.
 layout(std140, binding = SLOT_FRAME) uniform Frame {
     mat4 clip_from_world;   // reversed depth: 1 at the near plane, 0 at infinity
-    vec4 eye;               // xyz; w: 1 / width of the detail texture, 1/m
+    vec4 eye;               // xyz; w: 1 / width of a tile of the broadest detail, 1/m
     vec4 ray_forward;       // view rays: forward + x · right + y · up, x and y in −1 to 1; w: near plane, m
     vec4 ray_right;
     vec4 ray_up;

@@ -51,11 +51,12 @@ void main() {
     vec2 rise = ground ? vec2(slope(v, ivec2(1, 0), here), slope(v, ivec2(0, 1), here)) : vec2(0);
     imageStore(relief, v, vec4(here, rise, texelFetch(openness, v, 0).r));
 
-    // Clamped shares, not depths, are interpolated later. A front is then equally sharp at any depth, and
-    // lies midway between the last vertex inside and the first outside.
+    // Shares up to 1, not depths, are interpolated later. A front is then equally sharp at any depth, and lies
+    // midway between the last vertex inside and the first outside. The share of the standing layer still grows where
+    // it is deep, so that noise can leave patches of ground in it.
     float d = texelFetch(depth, v, 0).r, r = texelFetch(rolling, v, 0).r;
     float speed = length(vec2(texelFetch(velocity_x, v, 0).r, texelFetch(velocity_y, v, 0).r));
-    vec2 share = clamp(vec2(0.5 * d / frame.standing.w, 0.5 * r / frame.rolling.w), 0.0, 1.0);
+    vec2 share = vec2(d / (d + frame.standing.w), min(0.5 * r / frame.rolling.w, 1.0));
     // No data counts as unchanged. Any other value would be interpolated into the ground beside it.
     float change = frame.material.w > 0.0 && ground ? (d - texelFetch(first_depth, v, 0).r) / MOST_CHANGE : 0.0;
     imageStore(layers, v, vec4(share, speed / (speed + kHalfSpeed), (128.0 + 127.0 * clamp(change, -1.0, 1.0)) / 255.0));

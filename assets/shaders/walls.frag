@@ -21,7 +21,7 @@ float ground(vec2 cell) {
 
 void main() {
     float tall = frame.ground.w - frame.ground.y;
-    vec2 along_wall = vec2(at.x + at.y, 2.0 * at.z) * (0.8 * frame.eye.w);
+    vec2 along_wall = vec2(at.x + at.y, 2.0 * at.z) / 120.0;  // a tile is 120 m wide
     vec4 rock = texture(detail_texture, vec3(along_wall, DETAIL_ROCK));
     // Layers of earth, wavy and uneven. A smoothed sawtooth is as good as a sine and much cheaper.
     float layers = abs(2.0 * fract(9.0 * at.z / tall + 1.2 * rock.w) - 1.0);
