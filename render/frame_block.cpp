@@ -60,7 +60,7 @@ void set_light(FrameBlock& block, const Light& light) {
     block.below = glm::dvec4(sky.below, sky.haze);
     block.toward = glm::dvec4(sky.toward, std::sin(sun_azimuth));
     block.away = glm::dvec4(sky.away, std::cos(sun_azimuth));
-    block.zenith = glm::dvec4(sky.zenith, 0);
+    block.zenith = glm::dvec4(sky.zenith, sky.sunward);
     block.glow = glm::dvec4(sky.glow, sky.moon ? 3 : 6);
     block.cloud = glm::dvec4(sky.cloud, 0);
     block.disc = glm::dvec4(direction(azimuth, glm::radians(sky.lamp_elevation_deg)),

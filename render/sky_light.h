@@ -17,6 +17,7 @@ struct SkyLight {
     double openness_contrast = 0;   // 0 to 1: how much stronger hollows darken the light from the sky
     glm::dvec3 toward{0}, away{0};  // horizon below the sun, and opposite
     glm::dvec3 zenith{0};
+    double sunward = 0;   // how much more light comes from the sky on the sun's side; < 0: on the moon's
     double haze = 0;      // brightness of haze beside the horizon: a low sun leaves valleys in the shade
     glm::dvec3 glow{0};   // air round the lamp
     glm::dvec3 cloud{0};  // thin cloud

@@ -4,12 +4,14 @@
 // Light reflected by a matt surface. `sunlit` and `open` are 0 to 1: sun not hidden, visible share of the
 // sky.
 vec3 lit(vec3 albedo, vec3 normal, float sunlit, float open) {
-    // The sky is brighter on the lamp's side, which gives shape to slopes in the shade.
-    vec3 sky = frame.above.rgb * (1.0 + 0.5 * dot(normal.xy, frame.sun.xy));
-    // Under a high sun even slopes look flat. Hollows are drawn darker then, as a photographer prints them.
-    float hollow = min(open + 0.25, 1.0);
-    sunlit *= mix(1.0, hollow, 0.35 * frame.lamp.w);
-    open *= mix(1.0, hollow, frame.lamp.w);
+    // The sky is brighter on one side and has the colours of its horizon, which gives shape to slopes in the shade.
+    float sunward = dot(normal.xy, vec2(frame.toward.w, frame.away.w)), glowing = 0.5 * max(frame.zenith.w, 0.0);
+    vec3 sky = frame.above.rgb * (1.0 + frame.zenith.w * sunward) +
+               (glowing * sunward) * (frame.toward.rgb - frame.away.rgb);
+    // Under a high sun even slopes look flat. Hollows are drawn darker then, as a photographer prints them, and
+    // bluer, as snow is there: they lose more of the sun than of the sky.
+    sunlit *= mix(1.0, min(open + 0.1, 1.0), 0.9 * frame.lamp.w);
+    open *= mix(1.0, min(open + 0.25, 1.0), frame.lamp.w);
     vec3 around = mix(frame.below.rgb, sky, 0.5 + 0.5 * normal.z) * open;
     return albedo * (frame.lamp.rgb * (max(dot(normal, frame.sun.xyz), 0.0) * sunlit) + around);
 }

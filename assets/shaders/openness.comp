@@ -1,4 +1,5 @@
-// Openness: the share of the sky that a vertex of the bedrock sees, from its horizon in twelve directions. Once per terrain.
+// Openness: the share of the sky that a vertex of the bedrock sees, from its horizon in twelve directions. Hollows
+// of one to four cells, which hardly raise a horizon, count more than they hide. Once per terrain.
 layout(local_size_x = GROUP_SQUARE, local_size_y = GROUP_SQUARE) in;
 
 layout(binding = SLOT_BEDROCK) uniform sampler2D bedrock;
@@ -7,6 +8,26 @@ layout(binding = IMAGE_OPENNESS, r16f) uniform writeonly image2D openness;
 
 const int kDirections = 12;
 const float kReach = 0.25;  // of the longer side; farther terrain hardly raises a horizon
+const float kHollow = 1.8;  // weight of small hollows, by the mean tangent of their sides
+
+// How far the ground rises from a vertex on both sides of it, beyond its slope: the mean tangent over one, two and
+// four cells in four directions. Above 0 in a hollow, below 0 on a ridge.
+float hollow(ivec2 v, float here) {
+    float sum = 0.0;
+    int count = 0;
+    for (int cells = 1; cells <= 4; cells *= 2) {
+        for (int i = 0; i < 4; ++i) {
+            ivec2 along = cells * ivec2(i == 3 ? 0 : 1, i == 3 ? 1 : i - 1);  // SE, E, NE, N
+            ivec2 a = v + along, b = v - along;
+            if (any(lessThan(min(a, b), ivec2(0))) || any(greaterThanEqual(max(a, b), frame.size.xy))) continue;
+            if (texelFetch(site, a, 0).r == SITE_DRAIN || texelFetch(site, b, 0).r == SITE_DRAIN) continue;
+            float rise = 0.5 * (texelFetch(bedrock, a, 0).r + texelFetch(bedrock, b, 0).r) - here;
+            sum += rise / (frame.ground.x * length(vec2(along)));
+            ++count;
+        }
+    }
+    return count > 0 ? sum / float(count) : 0.0;
+}
 
 void main() {
     ivec2 v = ivec2(gl_GlobalInvocationID.xy);
@@ -27,5 +48,6 @@ void main() {
         }
         open += 1.0 / (1.0 + horizon * horizon);  // cos² of the horizon's elevation
     }
-    imageStore(openness, v, vec4(open / float(kDirections)));
+    open *= (1.0 - kHollow * hollow(v, here)) / float(kDirections);
+    imageStore(openness, v, vec4(clamp(open, 0.0, 1.0)));
 }

@@ -1,5 +1,6 @@
 #include "game/files/toml_table.h"
 
+#include <chrono>
 #include <cmath>
 #include <fstream>
 
@@ -63,6 +64,30 @@ std::optional<std::vector<double>> TomlTable::numbers(std::string_view key, std:
                 values.push_back(*value);
     if (values.size() == count && node->as_array()->size() == count) return values;
     blame(key, fmt::format("is not a list of {} numbers", count));
+    return std::nullopt;
+}
+
+std::optional<double> TomlTable::moment(std::string_view key, int first, int last) {
+    constexpr const char* kExample = "2026-02-14T08:30:00+01:00";
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    const auto value = node->value_exact<toml::date_time>();
+    if (!value)
+        blame(key, fmt::format("is not a date and time without quotes, such as {}", kExample));
+    else if (!value->offset)
+        blame(key,
+              fmt::format("has no offset from UTC; add it at the end, as in {}, or Z for UTC", kExample));
+    else if (value->date.year < first || value->date.year > last)
+        blame(key, fmt::format("is in the year {}, outside {} to {}", value->date.year, first, last));
+    else {
+        using namespace std::chrono;
+        const toml::time& time = value->time;
+        const sys_days date =
+            year(value->date.year) / month(value->date.month) / std::chrono::day(value->date.day);
+        const auto since = date.time_since_epoch() + hours(time.hour) + minutes(time.minute) +
+                           seconds(time.second) - minutes(value->offset->minutes);
+        return duration<double>(since).count() + 1e-9 * time.nanosecond;
+    }
     return std::nullopt;
 }
 

@@ -11,7 +11,7 @@
 #include "game/scene/flow_scene.h"
 #include "game/scene/material.h"
 #include "game/scene/scene_ground.h"
-#include "render/sky_light.h"
+#include "game/scene/scene_light.h"
 #include "terrains/dem_gdal.h"
 #include "terrains/release.h"
 
@@ -122,7 +122,8 @@ std::vector<TimedCommand> read_commands(TomlTable& root, double tick_s, bool has
     return commands;
 }
 
-void read_view(TomlTable& root, Scenario& scenario) {
+// Reads [look], [camera] and [light]. Returns the moment whose sun lights the scene, if [light] gives one.
+std::optional<SunMoment> read_view(TomlTable& root, Scenario& scenario) {
     if (auto table = root.table("look")) {
         if (const auto style = table->text("style")) {
             if (*style != "landscape" && *style != "model")
@@ -143,13 +144,15 @@ void read_view(TomlTable& root, Scenario& scenario) {
         table->finish();
         scenario.camera = camera;
     }
-    if (auto table = root.table("light")) {
-        scenario.light.azimuth_deg = table->number("azimuth", -360, 360).value_or(scenario.light.azimuth_deg);
-        scenario.light.elevation_deg =
-            table->number("elevation", render::kLowestSunDeg, render::kHighestSunDeg)
-                .value_or(scenario.light.elevation_deg);
-        table->finish();
-    }
+    if (auto table = root.table("light")) return read_light(*table, scenario.light);
+    return std::nullopt;
+}
+
+void light_by(const std::optional<SunMoment>& moment, TomlTable& root, Scenario& scenario) {
+    if (moment && !set_sun(*moment, scenario))
+        root.blame(
+            "light",
+            "needs latitude and longitude beside time, because the terrain's place on Earth is unknown");
 }
 
 Outcome<void> check_choices(const Overrides& overrides, sim::Model model) {
@@ -205,7 +208,7 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
 
     if (auto flow = root.table("flow")) {
         if (auto read = read_flow(*flow, overrides, scenario); !read) return tl::unexpected(read.error());
-        read_view(root, scenario);
+        light_by(read_view(root, scenario), root, scenario);
         root.finish();
         if (fault) return unusable(*fault);
         return scene;
@@ -258,7 +261,7 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
     }
     if (under) under->finish();
     scene.commands = read_commands(root, params.tick_s, scenario.lower.has_value());
-    read_view(root, scenario);
+    const auto sun = read_view(root, scenario);
     root.finish();
     if (fault) return unusable(*fault);
     if (const auto wrong = sim::fault_of(params))
@@ -285,6 +288,8 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
                             path.string(), most, kDeepestCover));
     }
     set_ground(scenario, *terrain);
+    light_by(sun, root, scenario);
+    if (fault) return unusable(*fault);
     return scene;
 }
 

@@ -8,6 +8,7 @@
 #include "game/files/assets.h"
 #include "tests/game/program.h"
 #include "tests/support/places.h"
+#include "tests/terrains/files.h"
 
 namespace game::test {
 namespace {
@@ -149,6 +150,25 @@ constexpr Fault kFaults[] = {
     {"radius = 9", "radius = -9", 12, "pour.radius"},
     {"rate = 38", "rate = inf", 12, "pour.rate"},
     {"azimuth = 255", "elevation = -19", 16, "light.elevation"},
+    {"azimuth = 255", "time = 1899-12-31T23:59:59Z", 16,
+     "light.time is in the year 1899, outside 1900 to 2100"},
+    {"azimuth = 255", "time = 2101-01-01T00:00:00Z", 16,
+     "light.time is in the year 2101, outside 1900 to 2100"},
+    {"azimuth = 255", "latitude = 90.1\nlongitude = 11\ntime = 2026-02-14T08:30:00Z", 16, "light.latitude"},
+    {"azimuth = 255", "latitude = 47\nlongitude = 181\ntime = 2026-02-14T08:30:00Z", 17, "light.longitude"},
+    // The sun by place and time.
+    {"azimuth = 255", "time = \"noon\"", 16, "light.time is not a date and time"},
+    {"azimuth = 255", "time = 2026-02-14", 16, "light.time is not a date and time"},
+    {"azimuth = 255", "time = 2026-02-14T08:30:00", 16, "light.time has no offset"},
+    {"azimuth = 255", "time = 2026-02-29T08:30:00Z", 16, ""},  // no such day
+    {"azimuth = 255", "time = 2026-13-01T08:30:00Z", 16, ""},
+    {"azimuth = 255", "time = 2026-02-14T24:30:00Z", 16, ""},
+    {"azimuth = 255", "azimuth = 255\ntime = 2026-02-14T08:30:00Z", 16, "light.azimuth is given beside"},
+    {"azimuth = 255", "elevation = 9\ntime = 2026-02-14T08:30:00Z", 16, "light.elevation is given beside"},
+    {"azimuth = 255", "latitude = 47\nlongitude = 11", 16, "light.latitude is given without light.time"},
+    {"azimuth = 255", "latitude = 47\ntime = 2026-02-14T08:30:00Z", 16, "light.latitude needs both"},
+    {"azimuth = 255", "longitude = 11\ntime = 2026-02-14T08:30:00Z", 16, "light.longitude needs both"},
+    {"azimuth = 255", "time = 2026-02-14T08:30:00Z", 15, "light needs latitude and longitude"},
     // Unknown names.
     {"\"slope-of-soil\"", "\"the-moon\"", 3, "terrain.generator"},
     {"\"soil\"", "\"cheese\"", 6, "cover.material"},
@@ -227,6 +247,60 @@ TEST_F(SceneFile, finds_its_terrain_beside_it_and_applies_its_cover_rule) {
     EXPECT_EQ(scenario.depth[scenario.grid.size() - 5], 0.5f);  // the north edge, at 1016 m
     EXPECT_NEAR(scenario.datum + static_cast<double>(scenario.bedrock[scenario.grid.size() - 5]), 1016 - 0.5,
                 1e-3);
+}
+
+constexpr const char* kPlace = "latitude = 39.742476\nlongitude = -105.1786\n";
+
+// The example of the Solar Position Algorithm, see tests/render/sun_position.cpp.
+TEST_F(SceneFile, lights_its_ground_by_place_and_time) {
+    for (const char* time :
+         {"2003-10-17T12:30:30-07:00", "2003-10-17T19:30:30Z", "2003-10-18T01:00:30.0+05:30"}) {
+        const auto scene = load(with("azimuth = 255", std::string(kPlace) + "time = " + time));
+        ASSERT_TRUE(scene) << scene.error().sentence;
+        EXPECT_NEAR(scene->scenario.light.elevation_deg, 90 - 50.11162, 0.01) << time;
+        EXPECT_NEAR(scene->scenario.light.azimuth_deg, 194.34024, 0.01) << time;
+    }
+}
+
+TEST_F(SceneFile, of_a_flow_is_lit_by_place_and_time_too) {
+    const std::string flow = "[flow]\nkind = \"disc\"\n[light]\ntime = 2003-10-17T12:30:30-07:00\n";
+    const auto scene = load(flow + kPlace);
+    ASSERT_TRUE(scene) << scene.error().sentence;
+    EXPECT_NEAR(scene->scenario.light.azimuth_deg, 194.34024, 0.01);
+    const auto nowhere = load(flow);
+    ASSERT_FALSE(nowhere);
+    EXPECT_EQ(nowhere.error().sentence.rfind(path_.string() + ":3: light needs latitude", 0), 0u)
+        << nowhere.error().sentence;
+}
+
+TEST_F(SceneFile, has_the_lowest_sun_at_any_time_of_a_deeper_night) {
+    const auto scene = load(with("azimuth = 255", std::string(kPlace) + "time = 2003-10-17T00:30:00-07:00"));
+    ASSERT_TRUE(scene) << scene.error().sentence;
+    EXPECT_EQ(scene->scenario.light.elevation_deg, -18);
+}
+
+// The grid of a projected map is turned from north by the convergence of its meridians: here
+// (11.416° − 9°) · sin 47.321°.
+TEST_F(SceneFile, finds_the_place_of_its_sun_by_its_terrain) {
+    std::string asc = "ncols 9\nnrows 9\nxllcorner 682563\nyllcorner 5243665\ncellsize 10\n";
+    for (int row = 0; row < 9; ++row) asc += "1000 1000 1000 1000 1000 1000 1000 1000 1000\n";
+    write_bytes(folder_.path() / "plain.asc", asc);
+    write_bytes(folder_.path() / "plain.prj", terrains::test::utm_32n());
+    std::string text = with("generator = \"slope-of-soil\"", "file = \"plain.asc\"");
+    text.replace(text.find("grid = 16"), 9, "grid = 8 ");
+    const std::string time = "time = 2026-02-14T08:30:00+01:00\n";
+    const std::string by_terrain = text.replace(text.find("azimuth = 255"), 13, time);
+    const auto here = load(by_terrain);
+    ASSERT_TRUE(here) << here.error().sentence;
+    const auto same = load(by_terrain + "latitude = 47.32137\nlongitude = 11.41665\n");
+    ASSERT_TRUE(same) << same.error().sentence;
+    const auto elsewhere = load(with("azimuth = 255", time + "latitude = 47.32137\nlongitude = 11.41665\n"));
+    ASSERT_TRUE(elsewhere) << elsewhere.error().sentence;
+    const render::Light sun = elsewhere->scenario.light;
+    for (const auto& scene : {*here, *same}) {
+        EXPECT_NEAR(scene.scenario.light.elevation_deg, sun.elevation_deg, 1e-3);
+        EXPECT_NEAR(scene.scenario.light.azimuth_deg, sun.azimuth_deg - 1.777, 0.01);
+    }
 }
 
 TEST_F(SceneFile, that_is_not_a_file_is_reported_as_such) {

@@ -71,6 +71,27 @@ TEST_F(Colours, a_slope_that_faces_the_sun_is_lit_by_the_cosine_between_them) {
     EXPECT_NEAR(mean_colour(p, 48, 48, 10)[0], 255 * (1.055 * std::pow(knee, 1 / 2.4) - 0.055), 3);
 }
 
+TEST_F(Colours, at_dusk_a_slope_toward_the_glow_is_lighter_and_warmer_than_one_away_from_it) {
+    World slope = make_world(40, 4, [](double x, double) { return 0.5 * x; });  // faces west
+    const Camera camera = from_above({80, 80, 41}, 8);
+    slope.depth.fill(1);
+    const auto toward = mean_colour(draw(slope, camera, {270, -3}, plain_look()), 48, 48, 10),
+               away = mean_colour(draw(slope, camera, {90, -3}, plain_look()), 48, 48, 10);
+    EXPECT_GT(toward[0], away[0] + 10);
+    EXPECT_GT(toward[0] - toward[2], away[0] - away[2] + 10);
+}
+
+TEST_F(Colours, a_small_hollow_is_darker_than_the_slope_beside_it_under_a_high_sun) {
+    // A trough down the slope, two cells wide and too shallow to hide the sky.
+    World slope = make_world(
+        40, 4, [](double x, double y) { return 0.5 * y - 1.5 * std::exp(-(x - 80) * (x - 80) / 32); });
+    slope.depth.fill(1);
+    const auto at = [&](double x) {
+        return mean_colour(draw(slope, from_above({x, 80, 41}, 8), {180, 60}, plain_look()), 48, 48, 6);
+    };
+    EXPECT_LT(at(80)[0], at(40)[0] - 6);
+}
+
 TEST_F(Colours, rolling_snow_differs_from_standing_snow_by_10_in_all_colour_vision) {
     for (const double sun : {90.0, 180.0, 270.0}) EXPECT_GT(apart(Look(), sun), 10) << sun;
 }

@@ -33,7 +33,8 @@ TEST_F(Shadow, is_as_long_as_the_ridge_is_high_over_the_tangent_of_the_sun) {
     const double length = 20 / std::tan(30 * 3.14159265358979 / 180);  // 34.6 m
     EXPECT_LT(green(with_ridge(), west, 160 + length - 6, 160), 0.7 * lit(with_ridge(), west));
     EXPECT_GT(green(with_ridge(), west, 160 + length + 6, 160), 0.97 * lit(with_ridge(), west));
-    EXPECT_GT(green(with_ridge(), west, 160 - 12, 160), 0.97 * lit(with_ridge(), west));
+    // Beside the ridge a part of the sky is hidden.
+    EXPECT_GT(green(with_ridge(), west, 160 - 12, 160), 0.92 * lit(with_ridge(), west));
 }
 
 TEST_F(Shadow, falls_away_from_the_sun_on_all_four_sides) {
@@ -53,7 +54,7 @@ TEST_F(Shadow, falls_away_from_the_sun_on_all_four_sides) {
             << sun_deg;
         EXPECT_GT(green(world, light, 160 + outside * x, 160 + outside * y), 0.97 * lit(world, light))
             << sun_deg;
-        EXPECT_GT(green(world, light, 160 - 12 * x, 160 - 12 * y), 0.97 * lit(world, light)) << sun_deg;
+        EXPECT_GT(green(world, light, 160 - 12 * x, 160 - 12 * y), 0.92 * lit(world, light)) << sun_deg;
     }
 }
 

@@ -65,6 +65,7 @@ TEST(SkyLight, changes_by_less_than_a_twentieth_in_a_tenth_of_a_degree) {
         const auto was = colours(before), is = colours(light);
         for (std::size_t i = 0; i < is.size(); ++i)
             for (int c = 0; c < 3; ++c) EXPECT_NEAR(is[i][c], was[i][c], 0.05) << h << ", colour " << i;
+        EXPECT_NEAR(light.sunward, before.sunward, 0.05) << h;
         before = light;
     });
 }
@@ -107,6 +108,22 @@ TEST(SkyLight, is_bluer_and_darker_from_the_sky_than_from_the_sun_by_day) {
         const SkyLight light = sky_light(h);
         EXPECT_GT(light.above.b / light.above.r, 1.3 * light.lamp.b / light.lamp.r) << h;
         EXPECT_LT(luminance(light.above), 0.5 * luminance(light.lamp)) << h;
+    }
+}
+
+TEST(SkyLight, is_brighter_on_the_side_of_the_sun_and_at_night_of_the_moon) {
+    for (double h = 80; h >= -6; h -= 0.5) EXPECT_GT(sky_light(h).sunward, 0) << h;
+    for (double h = -15; h >= -90; h -= 0.5) EXPECT_LT(sky_light(h).sunward, 0) << h;
+    for_all_heights([](const SkyLight& light, double h) { EXPECT_LT(std::abs(light.sunward), 1) << h; });
+}
+
+// A slope of snow that faces the sun is then the brightest ground of a frame; if it were white it would have no
+// shape.
+TEST(SkyLight, keeps_snow_that_faces_the_sun_at_noon_below_white) {
+    for (double h = 50; h <= 70; h += 0.5) {
+        const SkyLight light = sky_light(h);
+        const glm::dvec3 snow = glm::dvec3(0.86, 0.89, 0.93) * (light.lamp + light.above);
+        EXPECT_LT(shown(std::max({snow.r, snow.g, snow.b})), 0.79) << h;  // sRGB 230
     }
 }
 
