@@ -454,6 +454,21 @@ void add_figures(CLI::App& app, FiguresOptions& options) {
                "one per processor");
 }
 
+void add_gallery(CLI::App& app, GalleryOptions& options) {
+    app.add_option("--out", options.folder, "write images and index.html here")->type_name("DIR")->required();
+    app.add_option("--terrain", options.terrain, "draw this hill too: GeoTIFF, Arc/Info ASCII, BIL, VRT, …")
+        ->type_name("DEM");
+    add_size(app, options.size, "set the size of the images", "1280x720");
+    add_gl(app, options.gl);
+    add_memory(app, options.memory);
+    add_step_options(app, options.step_options);
+    app.footer(
+        "Draws eleven views, and with --terrain twelve: a valley at four times of day, a slide, its "
+        "deposit,\n"
+        "a landslide, and two materials. The page has the time of each pass, the camera and the state "
+        "hash.\n");
+}
+
 void add_bench(CLI::App& app, BenchOptions& options) {
     app.add_option(
            "recordings", options.recordings,
@@ -590,6 +605,10 @@ Outcome<int> run_command_line(int argc, char** argv) {
                                                "draw the paper's figures, with and without its method, and "
                                                "measure errors; exit status 1 if a tolerance is exceeded");
     add_figures(*figures_app, figures_options);
+    GalleryOptions gallery_options;
+    CLI::App* gallery_app = app.add_subcommand(
+        "gallery", "draw fixed views of the shipped scenes as a page, with the time of each pass");
+    add_gallery(*gallery_app, gallery_options);
     CompareOptions compare_options;
     CLI::App* compare_app = app.add_subcommand(
         "compare",
@@ -633,6 +652,7 @@ Outcome<int> run_command_line(int argc, char** argv) {
         return track(track_options);
     }
     if (figures_app->parsed()) return figures(figures_options);
+    if (gallery_app->parsed()) return gallery(gallery_options);
     if (compare_app->parsed()) return compare(compare_options);
     if (edit_app->parsed()) return edit(edit_options);
     if (normalise_app->parsed()) return normalise(normalise_options);

@@ -117,11 +117,11 @@ void Renderer::draw(const FrameInput& input) {
     glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_FRAME, p.frame_block.name());
     p.fields.bind();
     if (flows) p.flow.send(*flow);
-    p.clock.mark();
+    p.clock.mark(Pass::kUpload);
 
     // Apply what changed along the fronts since the last frame.
     if (flows) p.flow.cut(*flow, world.grid);
-    p.clock.mark();
+    p.clock.mark(Pass::kRemesh);
 
     // Data that depends only on the bedrock is computed here, once per terrain, because it needs the fields
     // and the frame block.
@@ -135,6 +135,7 @@ void Renderer::draw(const FrameInput& input) {
     // Compute heights, slopes and shares of the layers once per vertex, before the two passes that read them.
     p.surface.run();
     p.surface.bind();
+    p.clock.mark(Pass::kSurface);
 
     // What lies around the block casts shadows on it.
     const bool goes_on = around && !around->empty();
@@ -146,20 +147,27 @@ void Renderer::draw(const FrameInput& input) {
     // The sun sweep needs the surface of this frame, because heaps cast shadows too.
     p.shadow.run(frame);
     p.shadow.bind();
+    p.clock.mark(Pass::kShadow);
 
     // Draw depth first, because shading is expensive.
     p.target.resize(width, height, samples);
     p.target.begin_scene();
     p.terrain.draw_depth();
+    p.clock.mark(Pass::kDepth);
 
     // Draw the visible colours of the flow unlit, so that terrain and flow are lit together.
     if (flows) p.flow.draw(look.flow->pattern, marks.overlay, p.target);
+    p.clock.mark(Pass::kFlow);
 
     // Shade each pixel once, whatever the number of triangles under it.
     p.target.begin_shading();
     p.terrain.shade(marks);
+    p.clock.mark(Pass::kTerrain);
 
-    if (flows && marks.flow_mesh) p.flow.draw_mesh(samples);
+    if (flows && marks.flow_mesh) {
+        p.flow.draw_mesh(samples);
+        p.clock.mark(Pass::kFlow);
+    }
 
     // Draw what stands around the surface, mountains or the walls of a block, then the sky where neither was
     // drawn. The sky is smooth, so that a sixteenth of its pixels are enough; sun, moon and stars are not.
@@ -167,15 +175,17 @@ void Renderer::draw(const FrameInput& input) {
         p.surroundings.draw(frame);
     else
         p.terrain.draw_walls();
+    p.clock.mark(Pass::kSurroundings);
     p.target.begin_sky();
     p.sky.draw_behind();
     p.target.begin_backdrop();
     (frame.above.w > 0 ? p.night_lights : p.day_lights).draw_behind();
+    p.clock.mark(Pass::kSky);
 
     // Tone mapping is last, because light adds up only while it is linear.
     p.target.begin_picture();
     p.tone.draw_encoded();
-    p.clock.mark();
+    p.clock.mark(Pass::kTone);
     CHECK(glGetError() == GL_NO_ERROR);
 }
 

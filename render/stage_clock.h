@@ -9,25 +9,31 @@
 
 namespace render {
 
-// Measures the stages of successive frames. Needs the context throughout its lifetime.
+// Measures the passes of successive frames. Does nothing with Timing::kNone. Needs the context throughout its
+// lifetime.
 class StageClock {
   public:
     StageClock() = default;
     explicit StageClock(Timing timing);
 
-    // Call at the beginning of a frame, then mark() after uploads, after cutting, and at its end.
-    void begin() { count_ = 0, mark(); }
-    void mark();
+    // Begins a frame.
+    void begin();
+    // Counts everything since the last call toward `pass`. A pass may be marked more than once.
+    void mark(Pass pass);
     // Times of the last frame; waits for it. Empty if it was not timed.
     std::optional<DrawTimes> times() const;
 
   private:
-    static constexpr std::size_t kMarks = 4;
+    static constexpr std::size_t kMostStamps = 16;
+    static_assert(kMostStamps > kPassCount + 1);  // the beginning, each pass, and one that is marked twice
+
+    void stamp();
 
     Timing timing_ = Timing::kNone;
-    std::size_t count_ = 0;
-    std::array<double, kMarks> finished_ms_{};
-    std::array<Query, kMarks> stamp_;
+    std::size_t count_ = 0;                 // stamps of this frame
+    std::array<Pass, kMostStamps> pass_{};  // which ended with a stamp; not of the first
+    std::array<double, kMostStamps> at_ms_{};
+    std::array<Query, kMostStamps> query_;
 };
 
 }  // namespace render

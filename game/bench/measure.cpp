@@ -179,6 +179,12 @@ std::vector<PerfRow> medians_of(std::span<const std::vector<PerfRow>> repeats) {
             for (const auto& repeat : repeats) ms.push_back(*repeat[i].ms[part]);
             rows[i].ms[part] = median_of(std::move(ms));
         }
+        if (rows[i].ms.passes)
+            for (std::size_t pass = 0; pass < render::kPassCount; ++pass) {
+                std::vector<double> ms;
+                for (const auto& repeat : repeats) ms.push_back(repeat[i].ms.passes->ms[pass]);
+                rows[i].ms.passes->ms[pass] = median_of(std::move(ms));
+            }
         rows[i].frame_ms = rows[i].ms.sum();
         rows[i].begin_ms = begin_ms;
         begin_ms += rows[i].frame_ms;

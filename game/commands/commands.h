@@ -135,6 +135,17 @@ const std::vector<std::string>& parts_of_figures();
 // Draws and measures the paper's figures, as images, a page and a CSV; 1 if a tolerance is exceeded.
 Outcome<int> figures(const FiguresOptions& options);
 
+struct GalleryOptions {
+    std::filesystem::path folder;
+    std::optional<std::filesystem::path> terrain;  // of the view of a real hill; none: without this view
+    PictureSize size;
+    std::string gl = "auto";
+    sim::StepOptions step_options;
+    Memory memory;
+};
+// Draws the fixed views (figures/gallery_views.h) as images and a page, with the time of each pass.
+Outcome<int> gallery(const GalleryOptions& options);
+
 struct BenchOptions {
     std::vector<std::string> recordings;  // names or files; empty: all shipped ones, or one with `scaling`
     std::vector<int> squares;             // empty: 80 and 160, or kScalingSquares with `scaling`

@@ -15,12 +15,6 @@
 namespace game {
 namespace {
 
-constexpr std::string_view kColumns =
-    "frame,tick,time_s,substeps,solve_ms,track_ms,gradient_ms,advect_ms,upload_ms,remesh_ms,draw_ms,frame_ms,"
-    "active_cells,"
-    "discontinuity_points,cut_triangles,mass_standing_m3,mass_rolling_m3,mass_out_m3,mass_error_m3,state_"
-    "hash";
-
 std::string processor() {
     std::ifstream info("/proc/cpuinfo");
     std::string model = "unknown";
@@ -55,9 +49,10 @@ double PartTimes::sum() const {
 }
 
 void PartTimes::add(const render::DrawTimes& times) {
-    (*this)(Part::kUpload) = times.upload_ms;
-    (*this)(Part::kRemesh) = times.remesh_ms;
-    (*this)(Part::kDraw) = times.draw_ms;
+    (*this)(Part::kUpload) = times(render::Pass::kUpload);
+    (*this)(Part::kRemesh) = times(render::Pass::kRemesh);
+    (*this)(Part::kDraw) = times.draw_ms();
+    passes = times;
 }
 
 PerfRow perf_row(const Session& session) {
@@ -186,15 +181,23 @@ Json to_json(std::span<const StageFigures> figures, double whole_ms) {
     return stages;
 }
 
-std::string_view perf_columns() {
-    return kColumns;
+std::string perf_columns() {
+    std::string columns = "frame,tick,time_s,substeps,solve_ms,track_ms,gradient_ms,advect_ms,";
+    for (const char* pass : render::kPassNames) columns += fmt::format("{}_ms,", pass);
+    return columns +
+           "draw_ms,frame_ms,active_cells,discontinuity_points,cut_triangles,mass_standing_m3,"
+           "mass_rolling_m3,mass_out_m3,mass_error_m3,state_hash";
 }
 
 std::string csv_line(std::size_t frame, const PerfRow& row) {
     std::string parts;
-    for (const Part part : {Part::kSolve, Part::kTrack, Part::kGradient, Part::kAdvect, Part::kUpload,
-                            Part::kRemesh, Part::kDraw})
-        parts += row.ms(part) ? fmt::format("{:.4f},", *row.ms(part)) : ",";
+    const auto add = [&](const std::optional<double>& ms) {
+        parts += ms ? fmt::format("{:.4f},", *ms) : ",";
+    };
+    for (const Part part : {Part::kSolve, Part::kTrack, Part::kGradient, Part::kAdvect}) add(row.ms(part));
+    for (std::size_t pass = 0; pass < render::kPassCount; ++pass)
+        add(row.ms.passes ? std::optional(row.ms.passes->ms[pass]) : std::nullopt);
+    add(row.ms(Part::kDraw));
     return fmt::format("{},{},{:.4f},{},{}{:.4f},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{}", frame, row.tick,
                        row.time_s, row.substeps, parts, row.frame_ms, row.active_cells,
                        count_or_none(row.points), count_or_none(row.cut_triangles), row.standing_m3,
@@ -220,7 +223,7 @@ std::vector<StageFigures> PerfLog::figures() const {
 
 Outcome<void> PerfLog::write_csv(const std::filesystem::path& path) const {
     std::string text = to_text(surroundings_);
-    text += fmt::format("{}\n", kColumns);
+    text += perf_columns() + "\n";
     for (std::size_t i = 0; i < rows_.size(); ++i) text += csv_line(i, rows_[i]) + "\n";
     return write_text(path, text);
 }

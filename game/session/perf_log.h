@@ -32,6 +32,8 @@ struct PartTimes : std::array<std::optional<double>, kPartCount> {
     double sum() const;   // all parts
     bool drawn() const { return (*this)(Part::kDraw).has_value(); }
     void add(const render::DrawTimes& times);
+
+    std::optional<render::DrawTimes> passes;  // what kUpload, kRemesh and kDraw are the sums of
 };
 
 // One tick's line of the performance log.
@@ -107,7 +109,7 @@ inline constexpr std::array<PaperScene, 2> kPaperScenes{
      {"snow_avalanche_160x160", "snow-avalanche", 160, 7, 0.14, "25-50 %"}}};
 
 // The columns of the log, and a line below them, without line breaks.
-std::string_view perf_columns();
+std::string perf_columns();
 std::string csv_line(std::size_t frame, const PerfRow& row);
 
 // Collects ticks and writes them as CSV and as figures.

@@ -159,6 +159,8 @@ TEST(Medians, are_of_each_tick_and_part_over_the_repeats) {
     EXPECT_DOUBLE_EQ(rows[0].frame_ms, 3 + 9.97 + 0.25);
     EXPECT_DOUBLE_EQ(*rows[1].ms(Part::kSolve), 6);
     EXPECT_DOUBLE_EQ(*rows[1].ms(Part::kDraw), 3);
+    ASSERT_TRUE(rows[1].ms.passes);
+    EXPECT_DOUBLE_EQ((*rows[1].ms.passes)(render::Pass::kSurface), 3);
     EXPECT_DOUBLE_EQ(rows[1].begin_ms, rows[0].frame_ms);
 }
 

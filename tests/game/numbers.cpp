@@ -140,7 +140,8 @@ std::vector<std::string> beginning(const std::string& subcommand) {
         {"normalise", {"no.couloir", "--out", "no/new.couloir"}},
         {"bench", {"no.couloir"}},
         {"track", {"no.obj", "no.npy"}},
-        {"figures", {"--out", "/dev/null/no"}}};
+        {"figures", {"--out", "/dev/null/no"}},
+        {"gallery", {"--out", "/dev/null/no"}}};
     std::vector<std::string> arguments{"couloir", subcommand};
     if (const auto found = kOperands.find(subcommand); found != kOperands.end())
         arguments.insert(arguments.end(), found->second.begin(), found->second.end());

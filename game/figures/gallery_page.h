@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "render/camera.h"
+#include "render/draw_times.h"
+#include "render/look.h"
+
+namespace game {
+
+// A drawn view, with what is needed to draw it again and to tell whether the world or only its look changed.
+struct DrawnView {
+    std::string file, title, scene;
+    std::int64_t tick = 0;
+    std::string state_hash;
+    render::Camera camera;
+    render::Light light;
+    render::DrawTimes fast, fine;  // of one frame by quality
+};
+
+// A page that needs only the images beside it. `note`: a sentence about all views; empty: none.
+std::string gallery_page(std::span<const DrawnView> views, const render::DrawnBy& drawn_by,
+                         const std::string& note, const std::string& made_by);
+
+}  // namespace game
