@@ -12,6 +12,7 @@
 #include "game/files/file_use.h"
 #include "game/files/text_file.h"
 #include "game/recording/format.h"
+#include "game/scene/mountains.h"
 #include "render/frame.h"
 #include "render/overview.h"
 
@@ -50,7 +51,8 @@ render::DrawTimes timed(render::Renderer& renderer, const render::FrameInput& in
 
 // Draws one view of the session and writes its image. The files of all views are fine, and drawn last.
 Outcome<DrawnView> draw(render::Renderer& renderer, const GalleryView& view, const Scene& scene,
-                        const Session& session, const GalleryOptions& options) {
+                        const Session& session, const render::Surroundings& mountains,
+                        const GalleryOptions& options) {
     const Scenario& scenario = scene.scenario;
     const render::Camera own =
         scenario.camera ? *scenario.camera : render::overview(sim::view(session.state()));
@@ -69,7 +71,8 @@ Outcome<DrawnView> draw(render::Renderer& renderer, const GalleryView& view, con
                                    .flow = session.fronts(),
                                    .width = options.size.width,
                                    .height = options.size.height,
-                                   .first_depth = scenario.depth};
+                                   .first_depth = scenario.depth,
+                                   .surroundings = scenario.model ? nullptr : &mountains};
     drawn.fast = timed(renderer, input, render::Quality::kFast);
     drawn.fine = timed(renderer, input, render::Quality::kFine);
     if (auto written = render::write_png(renderer.read_back(), options.folder / drawn.file); !written)
@@ -90,6 +93,7 @@ Outcome<std::vector<DrawnView>> draw_all(std::span<const GalleryView> views, con
     std::vector<DrawnView> all;
     std::optional<Session> session;
     std::string playing;
+    render::Surroundings mountains;
     for (const GalleryView& view : views) {
         const Scene& scene = scenes.at(view.scene);
         if (!session || playing != view.scene) {
@@ -101,10 +105,11 @@ Outcome<std::vector<DrawnView>> draw_all(std::span<const GalleryView> views, con
             session.emplace(std::move(*begun));
             session->follow_fronts(scene.scenario);
             playing = view.scene;
+            mountains = mountains_around(scene.scenario);
         }
         if (auto advanced = advance(*session, scene, view); !advanced)
             return tl::unexpected(advanced.error());
-        auto drawn = draw(renderer, view, scene, *session, options);
+        auto drawn = draw(renderer, view, scene, *session, mountains, options);
         if (!drawn) return tl::unexpected(drawn.error());
         all.push_back(std::move(*drawn));
         print_line(stderr, "couloir: {} of {}: {}", all.size(), views.size(), view.title);

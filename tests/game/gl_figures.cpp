@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -102,6 +104,65 @@ TEST(DrawnFigures, are_all_on_the_page) {
     }
     EXPECT_EQ(shown, files.size());
     EXPECT_EQ(shown, 6u);
+}
+
+// Whether an image has more than one colour.
+bool shows_something(const std::filesystem::path& path) {
+    const auto input = OIIO::ImageInput::open(path.string());
+    if (!input) return false;
+    const auto& spec = input->spec();
+    std::vector<std::uint8_t> pixels(spec.image_pixels() * static_cast<unsigned>(spec.nchannels));
+    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, pixels.data())) return false;
+    return std::any_of(pixels.begin(), pixels.end(),
+                       [&](std::uint8_t each) { return std::abs(each - pixels[0]) > 8; });
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+    return found;
+}
+
+TEST(DrawnGallery, has_every_view_with_its_image_and_its_times) {
+    const support::TemporaryFolder in, out;
+    std::string hill = "ncols 17\nnrows 17\nxllcorner 500000\nyllcorner 5200000\ncellsize 5\n";
+    for (int row = 0; row < 17; ++row)
+        for (int column = 0; column < 17; ++column) hill += std::to_string(1000 + 3 * row + column % 3) + " ";
+    write_bytes(in.path() / "hill.asc", hill);
+    write_bytes(in.path() / "hill.prj",
+                R"(PROJCS["WGS_1984_UTM_Zone_32N",GEOGCS["GCS_WGS_1984",DATUM["D_WGS_1984",)"
+                R"(SPHEROID["WGS_1984",6378137.0,298.257223563]],PRIMEM["Greenwich",0.0],)"
+                R"(UNIT["Degree",0.0174532925199433]],PROJECTION["Transverse_Mercator"],)"
+                R"(PARAMETER["False_Easting",500000.0],PARAMETER["False_Northing",0.0],)"
+                R"(PARAMETER["Central_Meridian",9.0],PARAMETER["Scale_Factor",0.9996],)"
+                R"(PARAMETER["Latitude_Of_Origin",0.0],UNIT["Meter",1.0]])");
+    std::vector<std::string> call{"gallery", "--size", "64x36", "--out", (out.path() / "without").string()};
+    for (const std::size_t views : {11u, 12u}) {
+        if (views == 12)
+            call = {"gallery",
+                    "--size",
+                    "64x36",
+                    "--out",
+                    (out.path() / "with").string(),
+                    "--terrain",
+                    (in.path() / "hill.asc").string()};
+        const Finished finished = couloir(call);
+        ASSERT_EQ(finished.status, 0) << finished.err;
+        const std::filesystem::path folder = call[4];
+        EXPECT_EQ(finished.out, (folder / "index.html").string() + "\n");
+        const std::string page = read_bytes(folder / "index.html");
+        EXPECT_EQ(count(page, "<img "), views);
+        EXPECT_EQ(count(page, "<table"), views);
+        EXPECT_EQ(count(page, "://"), 0u) << "the page needs nothing from elsewhere";
+        std::size_t images = 0;
+        for (const auto& [name, bytes] : files_of(folder)) {
+            if (name == "index.html") continue;
+            ++images;
+            EXPECT_EQ(count(page, "<img src=\"" + name + "\""), 1u) << name;
+            EXPECT_TRUE(shows_something(folder / name)) << name;
+        }
+        EXPECT_EQ(images, views);
+    }
 }
 
 }  // namespace
