@@ -20,8 +20,10 @@ static_assert(OVERLAY_STRETCH == static_cast<int>(Overlay::kStretch));
 
 constexpr double kWidestDetail = 600;  // m, least width of a tile of the broadest detail
 constexpr double kHazeLength = 24000;  // m, in which clear mountain air keeps 1/e of green light
-constexpr double kHighestLamp = 89;    // degrees; at 90 there is no horizontal direction to sweep along
-constexpr double kLowestLamp = 1;      // degrees; below it a sweep has no end
+constexpr double kWideView =
+    3000;  // m, side of a terrain from which on the air is drawn clearer in proportion
+constexpr double kHighestLamp = 89;  // degrees; at 90 there is no horizontal direction to sweep along
+constexpr double kLowestLamp = 1;    // degrees; below it a sweep has no end
 constexpr double kDiscRadius =
     0.6;  // degrees, twice that of sun and moon: a screen shows less than the eye sees
 
@@ -117,7 +119,8 @@ FrameBlock make_frame_block(const FrameInput& input, HeightRange heights, int sa
     set_light(block, input.light);
     block.ground = glm::dvec4(world.grid.dx, heights.lowest - block_depth(world.grid), heights.lowest,
                               std::max(heights.highest, heights.lowest + 1));
-    block.haze = glm::dvec4(1 / kHazeLength, heights.lowest, 0, look.detail);
+    block.haze =
+        glm::dvec4(1 / (kHazeLength * std::max(1.0, side / kWideView)), heights.lowest, 0, look.detail);
     set_sweep(block, world.grid);
     block.rock = glm::vec4(look.rock, 0);
     block.meadow = glm::vec4(look.meadow, 0);

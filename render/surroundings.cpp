@@ -196,9 +196,9 @@ double Surroundings::height(glm::dvec2 at) const {
     const double far = ramp(0.8, 3.2, sides);
     z += relief_ * far * (0.95 * ridges(at, 2.6 * side_, spacing, 70) - 0.15);
     // The limit is a soft one, and 0 above the border at the border, or a step would show.
-    const double limit =
-        on_grid(surface_, at) + 0.02 * relief_ * ramp(0, 0.05, sides) + 0.16 * out + far * relief_;
-    const double soft = 0.02 * relief_ + 0.08 * out, over = z - (limit - soft);
+    const double lift = 0.02 * relief_ * ramp(0, 0.05, sides);
+    const double limit = on_grid(surface_, at) + lift + 0.16 * out + far * relief_;
+    const double soft = lift + 0.08 * out, over = z - (limit - soft);
     if (over > 0) z = limit - soft + soft * (1 - std::exp(-over / soft));
     return std::min(z, highest());
 }

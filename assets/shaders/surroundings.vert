@@ -16,7 +16,7 @@ out vec4 cover_lower_open_sun;
 void main() {
     at = position;
     slope = slope_source.xy;
-    float cover = 0.5 * depth_open_on.x / frame.standing.w, open = depth_open_on.y;
+    float cover = depth_open_on.x / (depth_open_on.x + frame.standing.w), open = depth_open_on.y;
     if (depth_open_on.z > 0.5) {
         ivec2 v = ivec2(position.xy / frame.ground.x + 0.5);
         vec4 here = texelFetch(relief, v, 0);
@@ -26,6 +26,6 @@ void main() {
         cover = texelFetch(layers, v, 0).x;
     }
     float lower = frame.lower_standing.w > 0.0 ? texture(mixture, (slope_source.zw + 0.5) / vec2(frame.size.xy)).r : 0.0;
-    cover_lower_open_sun = vec4(min(cover, 1.0), lower, open, sun);
+    cover_lower_open_sun = vec4(cover, lower, open, sun);
     gl_Position = frame.clip_from_world * vec4(at, 1.0);
 }

@@ -30,8 +30,8 @@ Texture make_detail_texture() {
 // Creates the surface's shading with the files that define what is drawn on it.
 tl::expected<FullscreenPass, std::string> make_shading(const std::filesystem::path& shaders,
                                                        std::initializer_list<std::string_view> marks) {
-    std::vector<std::string_view> files{"slots.glsl",      "frame.glsl",  "light.glsl",  "sun_ceiling.glsl",
-                                        "tone_curve.glsl", "spline.glsl", "terrain.frag"};
+    std::vector<std::string_view> files{"slots.glsl",  "frame.glsl",      "light.glsl",  "sun_ceiling.glsl",
+                                        "ground.glsl", "tone_curve.glsl", "spline.glsl", "terrain.frag"};
     files.insert(files.end(), marks);
     return FullscreenPass::create(shaders, files);
 }
