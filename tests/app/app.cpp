@@ -114,6 +114,27 @@ TEST_F(Playing, pours_by_holding_and_dragging_and_the_recording_replays_to_the_s
     expect_recording_replays();
 }
 
+TEST_F(Playing, says_of_the_mountains_around_that_brushes_do_nothing_there) {
+    begin("winter-valley");
+    bool told = false;
+    for (double x = 630; x > 200 && !told; x -= 8) {  // from the right, where the grid has ended
+        screen_.move(x, 160);
+        frames(1);
+        screen_.press(Button::kLeft);
+        frames(1);
+        told = last_notice().find("scenery") != std::string::npos;
+        screen_.release(Button::kLeft);
+        frames(1);
+    }
+    EXPECT_TRUE(told) << last_notice();
+    const auto poured = mass().poured;
+    screen_.press(Button::kLeft);
+    frames(10);
+    screen_.release(Button::kLeft);
+    frames(2);
+    EXPECT_EQ(mass().poured, poured);
+}
+
 TEST_F(Playing, shows_what_the_hand_does_within_two_frames) {
     begin();
     tap(Key::kTab);  // hides the clock

@@ -118,6 +118,35 @@ TEST(CameraControl, keeps_its_eye_above_the_ground_whatever_hands_do) {
     }
 }
 
+TEST(CameraControl, keeps_its_eye_above_the_mountains_around) {
+    Hands hands(valley(), over({300, 300}, 1040, 0, 30, 400));
+    std::vector<float> bedrock, depth(hands.state.grid.size());
+    const std::vector<std::uint8_t> has_data(hands.state.grid.size(), 1);
+    for (int y = 0; y < hands.state.grid.ny; ++y)
+        for (int x = 0; x < hands.state.grid.nx; ++x) bedrock.push_back(hands.state.bedrock(x, y));
+    hands.around = {hands.state.grid, bedrock, depth, has_data};
+    int outside = 0;
+    for (int i = 0; i < 24; ++i) {
+        CameraWish wish;
+        wish.walk = {std::round(std::sin(i)), 1, -1};  // down and away
+        wish.fast = true;
+        if (i % 6 == 0) hands.control.overview();
+        hands.control.fly(true);
+        wish.drag = Drag::kTurn;
+        wish.to = {0.3, 0};
+        hands.frame(wish);
+        wish.drag = Drag::kNone;
+        for (int k = 0; k < 60; ++k) {
+            hands.frame(wish);
+            const glm::dvec3 eye = render::eye(hands.camera());
+            if (hands.around.away(eye) == 0) continue;
+            ++outside;
+            ASSERT_GT(eye.z - hands.state.datum - hands.around.height(eye), 0.99 * kCell);
+        }
+    }
+    EXPECT_GT(outside, 200);
+}
+
 TEST(CameraControl, is_lifted_by_ground_that_rises) {
     Hands hands(level(), over({300, 300}, 0, 180, 89, 2.5 * kCell));
     for (int i = 0; i < 120; ++i) {
