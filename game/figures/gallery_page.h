@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -20,8 +21,10 @@ struct DrawnView {
     render::DrawTimes fast, fine;  // of one frame by quality
 };
 
-// A page that needs only the images beside it. `note`: a sentence about all views; empty: none.
+// A page that needs only the images beside it. `note`: a sentence about all views; empty: none. `reload_s`: see
+// begin_page().
 std::string gallery_page(std::span<const DrawnView> views, const render::DrawnBy& drawn_by,
-                         const std::string& note, const std::string& made_by);
+                         const std::string& note, const std::string& made_by,
+                         std::optional<int> reload_s = std::nullopt);
 
 }  // namespace game
