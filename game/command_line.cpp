@@ -456,7 +456,7 @@ void add_figures(CLI::App& app, FiguresOptions& options) {
 
 void add_gallery(CLI::App& app, GalleryOptions& options) {
     app.add_option("--out", options.folder, "write images and index.html here")->type_name("DIR")->required();
-    app.add_option("--terrain", options.terrain, "draw this hill too: GeoTIFF, Arc/Info ASCII, BIL, VRT, …")
+    app.add_option("--terrain", options.terrain, "draw this hill too: GeoTIFF, ESRI ASCII, …")
         ->type_name("DEM");
     app.add_flag(
         "--hold", options.hold,
