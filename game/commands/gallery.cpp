@@ -59,6 +59,7 @@ struct Moment {
     GalleryView view;
     World* world;
     Session::Checkpoint state;
+    bool still_moving;
 };
 
 Outcome<Worlds> begin_worlds(const Scenes& scenes, const GalleryOptions& options) {
@@ -80,9 +81,9 @@ Outcome<std::vector<Moment>> simulate(std::span<const GalleryView> views, Worlds
         const std::vector<TimedCommand>& commands = world.scene->commands;
         const std::int64_t last_command = commands.empty() ? 0 : commands.back().tick;
         const Until until = view.tick ? Until::after(*view.tick) : Until::at_rest(last_command);
-        const auto played = play_headless(world.session, commands, until, {}, world.scene->scenario.scene);
-        if (!played) return tl::unexpected(played.error());
-        moments.push_back({view, &world, world.session.moment()});
+        const auto stopped = play_headless(world.session, commands, until, {}, world.scene->scenario.scene);
+        if (!stopped) return tl::unexpected(stopped.error());
+        moments.push_back({view, &world, world.session.moment(), !*stopped});
     }
     return moments;
 }
@@ -121,6 +122,7 @@ Outcome<DrawnView> draw(render::Renderer& renderer, const Moment& moment, const 
     drawn.title = moment.view.title;
     drawn.scene = scenario.scene;
     drawn.tick = session.state().tick;
+    drawn.still_moving = moment.still_moving;
     drawn.state_hash = hex(session.state_line().hash);
     drawn.camera = moment.view.camera.value_or(own);
     drawn.light = moment.view.light;

@@ -15,6 +15,7 @@ namespace game {
 struct DrawnView {
     std::string file, title, scene;
     std::int64_t tick = 0;
+    bool still_moving = false;  // although the view is of a world at rest: the longest run did not get there
     std::string state_hash;
     render::Camera camera;
     render::Light light;
