@@ -32,6 +32,7 @@ Outcome<Scenes> load_scenes(const GalleryOptions& options, std::span<const Galle
     Overrides overrides;
     overrides.memory = options.memory;
     overrides.memory.use.draws = true;
+    // At most: the state that each view keeps is smaller than a session.
     overrides.memory.use.sessions = static_cast<int>(views.size());
     overrides.memory.use.frames = {options.size.width, options.size.height};
     Scenes scenes;
