@@ -456,8 +456,11 @@ void add_figures(CLI::App& app, FiguresOptions& options) {
 
 void add_gallery(CLI::App& app, GalleryOptions& options) {
     app.add_option("--out", options.folder, "write images and index.html here")->type_name("DIR")->required();
-    app.add_option("--terrain", options.terrain, "draw this hill too: GeoTIFF, Arc/Info ASCII, BIL, VRT, …")
+    app.add_option("--terrain", options.terrain, "draw this hill too: GeoTIFF, ESRI ASCII, …")
         ->type_name("DEM");
+    app.add_flag(
+        "--hold", options.hold,
+        "stay, and draw again when a shader or texture changes, until Ctrl+C; the page reloads itself");
     add_size(app, options.size, "set the size of the images", "1280x720");
     add_gl(app, options.gl);
     add_memory(app, options.memory);

@@ -50,6 +50,14 @@ Outcome<void> check_stack() {
     std::abort();
 }
 
+// The one state that a signal may change.
+volatile std::sig_atomic_t was_interrupted = 0;
+
+extern "C" void note_interrupt(int signal) {
+    was_interrupted = 1;
+    std::signal(signal, SIG_DFL);
+}
+
 }  // namespace
 
 Outcome<void> prepare_process() {
@@ -66,6 +74,14 @@ Failure failure_of(const std::exception& thrown) {
     if (of_system && of_system->code() == std::errc::resource_unavailable_try_again)
         return {Failure::kMachine, "the system cannot start more threads; use a smaller --threads"};
     return {Failure::kMachine, thrown.what()};
+}
+
+void note_interrupts() {
+    std::signal(SIGINT, note_interrupt);
+}
+
+bool interrupted() {
+    return was_interrupted != 0;
 }
 
 Outcome<void> finish_standard_output() {

@@ -16,6 +16,10 @@ Outcome<void> prepare_process();
 // 3.
 Failure failure_of(const std::exception& thrown);
 
+// From now on Ctrl+C (SIGINT) only answers interrupted(); a second one ends the process.
+void note_interrupts();
+bool interrupted();
+
 // Flushes standard output. Errors: some of it could not be written, now or before.
 Outcome<void> finish_standard_output();
 

@@ -142,8 +142,10 @@ struct GalleryOptions {
     std::string gl = "auto";
     sim::StepOptions step_options;
     Memory memory;
+    bool hold = false;  // stay, and draw again when a shader or texture changes
 };
-// Draws the fixed views (figures/gallery_views.h) as images and a page, with the time of each pass.
+// Draws the fixed views (figures/gallery_views.h) as images and a page, with the time of each pass. With `hold`
+// it returns after Ctrl+C.
 Outcome<int> gallery(const GalleryOptions& options);
 
 struct BenchOptions {

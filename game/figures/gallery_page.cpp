@@ -38,19 +38,21 @@ std::string html_of(const DrawnView& view) {
     const render::Camera& c = view.camera;
     return fmt::format(
         "<figure>\n<a href=\"{0}\"><img src=\"{0}\" alt=\"{1}\"></a>\n<h2>{1}</h2>\n<figcaption>Scene {2}, "
-        "tick {3}, state {4}. Camera: target {5:.0f}, {6:.0f}, {7:.0f} m, azimuth {8:g}°, elevation {9:g}°, "
+        "tick {3}{15}, state {4}. Camera: target {5:.0f}, {6:.0f}, {7:.0f} m, azimuth {8:g}°, elevation "
+        "{9:g}°, "
         "distance {10:.0f} m, field of view {11:g}°. Sun: azimuth {12:g}°, elevation {13:g}°.</figcaption>\n"
         "<div class=\"wide\">{14}</div>\n</figure>\n",
         html_text(view.file), html_text(view.title), html_text(view.scene), view.tick, view.state_hash,
         c.target.x, c.target.y, c.target.z, c.azimuth_deg, c.elevation_deg, c.distance_m, c.field_of_view_deg,
-        view.light.azimuth_deg, view.light.elevation_deg, as_html(times_table(view)));
+        view.light.azimuth_deg, view.light.elevation_deg, as_html(times_table(view)),
+        view.still_moving ? ", still moving after an hour" : "");
 }
 
 }  // namespace
 
 std::string gallery_page(std::span<const DrawnView> views, const render::DrawnBy& drawn_by,
-                         const std::string& note, const std::string& made_by) {
-    std::string html = begin_page("Couloir: fixed views", kStyle);
+                         const std::string& note, const std::string& made_by, std::optional<int> reload_s) {
+    std::string html = begin_page("Couloir: fixed views", kStyle, reload_s);
     html += fmt::format(
         "<p>{} {} views by {}, {}. Times: {}, of a frame whose world is that of the frame before. Quality "
         "fast has one sample per pixel, fine has four; the images are fine.</p>\n<div class=\"views\">\n",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -14,14 +15,17 @@ namespace game {
 struct DrawnView {
     std::string file, title, scene;
     std::int64_t tick = 0;
+    bool still_moving = false;  // although the view is of a world at rest: the longest run did not get there
     std::string state_hash;
     render::Camera camera;
     render::Light light;
     render::DrawTimes fast, fine;  // of one frame by quality
 };
 
-// A page that needs only the images beside it. `note`: a sentence about all views; empty: none.
+// A page that needs only the images beside it. `note`: a sentence about all views; empty: none. `reload_s`: see
+// begin_page().
 std::string gallery_page(std::span<const DrawnView> views, const render::DrawnBy& drawn_by,
-                         const std::string& note, const std::string& made_by);
+                         const std::string& note, const std::string& made_by,
+                         std::optional<int> reload_s = std::nullopt);
 
 }  // namespace game

@@ -25,20 +25,22 @@ th.left, td.left { text-align: left; }
 
 }  // namespace
 
-std::string begin_page(const std::string& title, const std::string& style) {
+std::string begin_page(const std::string& title, const std::string& style, std::optional<int> reload_s) {
+    const std::string reload =
+        reload_s ? fmt::format("<meta http-equiv=\"refresh\" content=\"{}\">\n", *reload_s) : "";
     return fmt::format(R"(<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<title>{0}</title>
+{3}<title>{0}</title>
 <style>
 {1}{2}</style>
 </head>
 <body>
 <h1>{0}</h1>
 )",
-                       html_text(title), kStyle, style);
+                       html_text(title), kStyle, style, reload);
 }
 
 std::string end_page(const std::string& made_by) {

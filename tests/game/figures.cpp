@@ -11,6 +11,7 @@
 
 #include "game/base/number.h"
 #include "game/figures/field_figure.h"
+#include "game/figures/gallery_page.h"
 #include "game/figures/level_flow.h"
 #include "game/figures/mosaic.h"
 #include "game/figures/numbers.h"
@@ -247,6 +248,19 @@ TEST(Figures, make_only_what_is_requested) {
     for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "a"))
         files.insert(entry.path().filename().string());
     EXPECT_EQ(files, (std::set<std::string>{"figure-06.png", "index.html"}));
+}
+
+TEST(GalleryPage, marks_a_view_that_did_not_come_to_rest_and_reloads_itself_only_on_request) {
+    DrawnView view;
+    view.file = "deposit.png";
+    view.tick = 216000;
+    const std::string resting = gallery_page(std::span(&view, 1), {}, "", "a test");
+    view.still_moving = true;
+    const std::string moving = gallery_page(std::span(&view, 1), {}, "", "a test", 3);
+    EXPECT_NE(resting.find("tick 216000, state"), std::string::npos);
+    EXPECT_NE(moving.find("tick 216000, still moving after an hour, state"), std::string::npos);
+    EXPECT_EQ(resting.find("refresh"), std::string::npos);
+    EXPECT_NE(moving.find("<meta http-equiv=\"refresh\" content=\"3\">"), std::string::npos);
 }
 
 }  // namespace

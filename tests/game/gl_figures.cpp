@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -10,6 +11,7 @@
 
 #include "tests/game/program.h"
 #include "tests/support/places.h"
+#include "tests/window/child.h"
 
 // The paper's figures, drawn with GL.
 
@@ -163,6 +165,40 @@ TEST(DrawnGallery, has_every_view_with_its_image_and_its_times) {
         }
         EXPECT_EQ(images, views);
     }
+}
+
+// A fault in a shader is reported and the page stays; the next change draws it again.
+TEST(DrawnGallery, is_drawn_again_when_a_shader_changes_until_it_is_interrupted) {
+    const support::TemporaryFolder folder;
+    const auto assets = folder.path() / "assets", out = folder.path() / "out", page = out / "index.html",
+               image = out / "valley-noon.png", shader = assets / "shaders" / "tone.frag",
+               err = folder.path() / "err";
+    std::filesystem::copy(support::source_dir() / "assets", assets, std::filesystem::copy_options::recursive);
+    Child held({support::program().string(), "gallery", "--hold", "--size", "64x36", "--out", out.string()},
+               {{"COULOIR_ASSETS", assets.string()}}, folder.path() / "printed", err);
+    const auto says = [&](const std::string& part) { return count(read_bytes(err), part) > 0; };
+    ASSERT_TRUE(within(240, [&] { return says("Ctrl+C"); })) << read_bytes(err);
+    const auto first = std::filesystem::last_write_time(page);
+    const std::string first_image = read_bytes(image), sound = read_bytes(shader);
+    EXPECT_EQ(count(read_bytes(page), "http-equiv=\"refresh\""), 1u);
+    EXPECT_EQ(read_bytes(folder.path() / "printed"), page.string() + "\n");
+
+    write_bytes(shader, sound + "fault\n");
+    ASSERT_TRUE(within(60, [&] { return says(shader.string() + ":"); })) << read_bytes(err);
+    EXPECT_FALSE(held.ended());
+    EXPECT_EQ(std::filesystem::last_write_time(page), first);
+
+    // A sound shader that paints all black.
+    const std::size_t end = sound.rfind('}');
+    ASSERT_NE(end, std::string::npos);
+    write_bytes(shader, sound.substr(0, end) + "    colour = vec4(0, 0, 0, 1);\n}\n");
+    ASSERT_TRUE(within(120, [&] { return std::filesystem::last_write_time(page) > first; }))
+        << read_bytes(err);
+    EXPECT_NE(read_bytes(image), first_image);
+    EXPECT_FALSE(shows_something(image));
+
+    held.signal(SIGINT);
+    EXPECT_EQ(held.wait(60), 0);
 }
 
 }  // namespace

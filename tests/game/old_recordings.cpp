@@ -47,6 +47,7 @@ TEST_P(OldRecording, is_read_as_it_was_written) {
     EXPECT_LE(scenario.grid.ny, 25);
     EXPECT_EQ(scenario.lower.has_value(), old_.two);
     EXPECT_EQ(scenario.flow.has_value(), old_.flow);
+    EXPECT_FALSE(scenario.model);  // none names a style
     EXPECT_EQ(recording_.header.parent.has_value(), old_.parent);
     ASSERT_EQ(scenario.look.flow.has_value(), old_.texture != nullptr);
     if (old_.texture) {

@@ -89,10 +89,10 @@ TEST_F(Outputs, never_replace_an_input) {
                 expect_refused(each.with({{option, another_name(input)}}, out()));
 }
 
-// An input with the name of an image or an export. Refused before anything is drawn, so this needs no GL.
+// An input with the name of an image, an export or a page. Refused before anything is drawn, so this needs no GL.
 TEST_F(Outputs, that_are_drawn_never_replace_an_input) {
-    const std::map<std::string, fs::path> names{{"--frames", "tick_000000.png"},
-                                                {"--export", "frames/tick_000000.png"}};
+    const std::map<std::string, fs::path> names{
+        {"--frames", "tick_000000.png"}, {"--export", "frames/tick_000000.png"}, {"--out", "index.html"}};
     for (const Subcommand& each : all())
         for (const std::string& option : each.drawn)
             for (const fs::path& input : each.inputs) {

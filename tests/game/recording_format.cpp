@@ -74,6 +74,23 @@ TEST(RecordingHeader, keeps_the_view_bit_identical) {
     EXPECT_FALSE(through_header(without).camera);
 }
 
+TEST(RecordingHeader, keeps_the_style_and_refuses_an_unknown_one) {
+    Header header;
+    header.scenario = small_scenario();
+    const Json landscape = to_json(header);
+    EXPECT_FALSE(landscape["view"]["look"].contains("style"));
+    EXPECT_FALSE(header_from(landscape).value().scenario.model);
+    header.scenario.model = true;
+    EXPECT_TRUE(through_header(header.scenario).model);
+    for (const Json& unknown : {Json("cubist"), Json("landscape "), Json(true), Json(nullptr)}) {
+        Json wrong = landscape;
+        wrong["view"]["look"]["style"] = unknown;
+        const auto refused = header_from(wrong);
+        ASSERT_FALSE(refused) << unknown;
+        EXPECT_NE(refused.error().find("style"), std::string::npos) << refused.error();
+    }
+}
+
 TEST(RecordingHeader, keeps_the_place_on_earth) {
     Scenario scenario = small_scenario();
     const auto here = scenario.georeference.to_lat_lon({7, 9}).value();

@@ -101,6 +101,17 @@ TEST_F(SceneFile, applies_its_own_parameters_to_its_own_model_only) {
     EXPECT_NE(bcre->scenario.params.max_speed, 7.5f);
 }
 
+TEST_F(SceneFile, is_a_landscape_unless_its_style_is_model) {
+    const auto is_model = [this](const std::string& look) {
+        const auto scene = load(with("[light]", look + "[light]"));
+        EXPECT_TRUE(scene) << scene.error().sentence;
+        return scene && scene->scenario.model;
+    };
+    EXPECT_FALSE(is_model(""));
+    EXPECT_FALSE(is_model("[look]\nstyle = \"landscape\"\n"));
+    EXPECT_TRUE(is_model("[look]\nstyle = \"model\"\n"));
+}
+
 TEST_F(SceneFile, sorts_its_commands_by_time) {
     const auto scene = load(with(
         "[camera]", "[[command]]\nat = 0.25\nblast = { x = 1, y = 2, radius = 3, depth = 0.5 }\n[camera]"));
@@ -128,6 +139,7 @@ constexpr Fault kFaults[] = {
     {"azimuth = 255", "azimuth = 255\ncolour = 3", 17, "light.colour"},
     {"target = [80, 72, -48]", "target = [80, 72, -48]\nroll = 3", 15, "camera.roll"},
     {"[light]", "[goals]\nx = 1\n[light]", 15, "goals"},
+    {"[light]", "[look]\ncolour = 3\n[light]", 16, "look.colour"},
     // Wrong kinds.
     {"title = \"A trial\"", "title = 3", 1, "title"},
     {"grid = 16", "grid = 16.5", 4, "terrain.grid"},
@@ -139,6 +151,7 @@ constexpr Fault kFaults[] = {
     {"[80, 72, -48]", "[80, 72]", 14, "camera.target"},
     {"[80, 72, -48]", "[80, 72, \"x\"]", 14, "camera.target"},
     {"[[command]]", "[command]", 10, "command"},
+    {"[light]", "[look]\nstyle = true\n[light]", 16, "look.style"},
     // Out of range.
     {"grid = 16", "grid = 7", 4, "terrain.grid"},
     {"grid = 16", "grid = 4097", 4, "terrain.grid"},
@@ -175,6 +188,7 @@ constexpr Fault kFaults[] = {
     {"\"bcre-inertial\"", "\"newton\"", 8, "physics.model"},
     {"\"open\"", "\"ajar\"", 9, "physics.borders"},
     {"\"open\"", "\"open\"\nscheme = \"upwind\"", 10, "physics.scheme"},
+    {"[light]", "[look]\nstyle = \"cubist\"\n[light]", 16, "look.style is neither landscape nor model"},
     {"duration = 1", "duration = 1, as = \"flying\"", 12, "pour.as"},
     {"duration = 1", "duration = 1, profile = \"star\"", 12, "pour.profile"},
     // Missing.

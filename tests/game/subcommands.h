@@ -14,7 +14,7 @@ struct Subcommand {
     std::vector<std::string> outputs = {};  // options that take a file
     std::vector<std::string> folders = {};  // options that take a folder, and need no GL
     std::vector<std::string> drawn = {};    // the same that need GL
-    std::vector<std::string> needed = {};   // of `outputs` and `folders`: it does not run without them
+    std::vector<std::string> needed = {};   // of the options above: it does not run without them
     bool only_refused = false;  // it needs a display, or takes long: tests call it only to be refused
 
     // With each of these options and a path for it, and with those needed somewhere below `folder`.
