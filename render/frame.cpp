@@ -13,6 +13,7 @@
 #include "render/passes/surface_pass.h"
 #include "render/passes/surroundings_pass.h"
 #include "render/passes/terrain_pass.h"
+#include "render/slide_tiles.h"
 #include "render/stage_clock.h"
 #include "render/target.h"
 #include "sim/core/check.h"
@@ -32,6 +33,7 @@ struct Renderer::Parts {
     SurfacePass surface;
     ShadowPass shadow;
     TerrainPass terrain;
+    SlideTiles tiles;
     FlowPass flow;
     SurroundingsPass surroundings;
     FullscreenPass sky, day_lights, night_lights;
@@ -75,7 +77,7 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     glNamedBufferStorage(frame_block.name(), sizeof(FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
     return Renderer(std::make_unique<Parts>(Parts{
         FieldsToGpu(), std::move(frame_block), std::move(*surface), std::move(*shadow), std::move(*terrain),
-        std::move(*flow), std::move(*surroundings), std::move(*sky), std::move(*day_lights),
+        SlideTiles(), std::move(*flow), std::move(*surroundings), std::move(*sky), std::move(*day_lights),
         std::move(*night_lights), std::move(*tone), Target(), quality, assets, StageClock()}));
 }
 
@@ -161,7 +163,8 @@ void Renderer::draw(const FrameInput& input) {
 
     // Shade each pixel once, whatever the number of triangles under it.
     p.target.begin_shading();
-    p.terrain.shade(marks);
+    p.tiles.find(input, frame.clip_from_world, p.target.samples_across(), p.target.samples_up());
+    p.terrain.shade(marks, p.tiles, p.target.samples_across(), p.target.samples_up());
     p.clock.mark(Pass::kTerrain);
 
     if (flows && marks.flow_mesh) {

@@ -21,15 +21,6 @@ void FullscreenPass::draw_behind() const {
     draw();
 }
 
-void FullscreenPass::draw_on() const {
-    const Enabled depth_test(GL_DEPTH_TEST);
-    glDepthMask(GL_FALSE);
-    glDepthFunc(GL_LESS);
-    draw();
-    glDepthFunc(GL_GEQUAL);
-    glDepthMask(GL_TRUE);
-}
-
 void FullscreenPass::draw_encoded() const {
     const Enabled encoding(GL_FRAMEBUFFER_SRGB);
     draw();

@@ -17,8 +17,7 @@ class FullscreenPass {
     static tl::expected<FullscreenPass, std::string> create(
         const std::filesystem::path& shaders, const std::vector<std::string_view>& fragment_files);
 
-    void draw_behind() const;  // only where nothing was drawn
-    void draw_on() const;  // only where something was drawn; leaves depth alone, so the shader may read it
+    void draw_behind() const;   // only where nothing was drawn
     void draw_encoded() const;  // everywhere, from linear light to the sRGB target
 
   private:

@@ -27,13 +27,13 @@ Texture make_detail_texture() {
     return texture;
 }
 
-// Creates the surface's shading with the files that define what is drawn on it.
-tl::expected<FullscreenPass, std::string> make_shading(const std::filesystem::path& shaders,
-                                                       std::initializer_list<std::string_view> marks) {
+// Creates the surface's shading with the files that define slides and marks.
+tl::expected<RectanglePass, std::string> make_shading(const std::filesystem::path& shaders,
+                                                      std::initializer_list<std::string_view> variant) {
     std::vector<std::string_view> files{"slots.glsl",  "frame.glsl",      "light.glsl",  "sun_ceiling.glsl",
                                         "ground.glsl", "tone_curve.glsl", "spline.glsl", "terrain.frag"};
-    files.insert(files.end(), marks);
-    return FullscreenPass::create(shaders, files);
+    files.insert(files.end(), variant);
+    return RectanglePass::create(shaders, files);
 }
 
 }  // namespace
@@ -42,22 +42,29 @@ tl::expected<TerrainPass, std::string> TerrainPass::create(const std::filesystem
     const ShaderStage vertex{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "terrain.vert"}};
     auto depth = link_program(shaders, {vertex, {GL_FRAGMENT_SHADER, {"depth.frag"}}});
     if (!depth) return tl::unexpected(depth.error());
-    auto plain = make_shading(shaders, {"marks_none.glsl"});
-    if (!plain) return tl::unexpected(plain.error());
-    auto marked = make_shading(shaders, {"marks.glsl", "overlay_none.glsl"});
-    if (!marked) return tl::unexpected(marked.error());
-    auto overlaid = make_shading(shaders, {"marks.glsl", "overlay.glsl"});
-    if (!overlaid) return tl::unexpected(overlaid.error());
     auto walls = link_program(
         shaders,
         {vertex,
          {GL_FRAGMENT_SHADER, {"slots.glsl", "frame.glsl", "light.glsl", "sun_ceiling.glsl", "walls.frag"}}});
     if (!walls) return tl::unexpected(walls.error());
     TerrainPass pass;
+    struct Variant {
+        RectanglePass& to;
+        std::initializer_list<std::string_view> files;
+    };
+    for (const Variant& variant : {
+             Variant{pass.plain_.with_slides, {"slides.glsl", "marks_none.glsl"}},
+             Variant{pass.plain_.without, {"slides_none.glsl", "marks_none.glsl"}},
+             Variant{pass.marked_.with_slides, {"slides.glsl", "marks.glsl", "overlay_none.glsl"}},
+             Variant{pass.marked_.without, {"slides_none.glsl", "marks.glsl", "overlay_none.glsl"}},
+             Variant{pass.overlaid_.with_slides, {"slides.glsl", "marks.glsl", "overlay.glsl"}},
+             Variant{pass.overlaid_.without, {"slides_none.glsl", "marks.glsl", "overlay.glsl"}},
+         }) {
+        auto shading = make_shading(shaders, variant.files);
+        if (!shading) return tl::unexpected(shading.error());
+        variant.to = std::move(*shading);
+    }
     pass.depth_program_ = std::move(*depth);
-    pass.plain_shading_ = std::move(*plain);
-    pass.marked_shading_ = std::move(*marked);
-    pass.overlaid_shading_ = std::move(*overlaid);
     pass.wall_program_ = std::move(*walls);
     pass.detail_texture_ = make_detail_texture();
     return pass;
@@ -90,13 +97,14 @@ void TerrainPass::draw_depth() const {
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void TerrainPass::shade(const Marks& marks) const {
+void TerrainPass::shade(const Marks& marks, const SlideTiles& tiles, int width, int height) {
     glBindTextureUnit(SLOT_DETAIL, detail_texture_.name());
     const bool lines = marks.contours || marks.ring;
-    const FullscreenPass& shading = marks.overlay != Overlay::kNone ? overlaid_shading_
-                                    : lines                         ? marked_shading_
-                                                                    : plain_shading_;
-    shading.draw_on();
+    const Shading& shading = marks.overlay != Overlay::kNone ? overlaid_ : lines ? marked_ : plain_;
+    with_slides_.send(tiles.with_slides(), width, height);
+    without_.send(tiles.without(), width, height);
+    shading.with_slides.draw_on(with_slides_);
+    shading.without.draw_on(without_);
 }
 
 void TerrainPass::draw_walls() const {

@@ -10,7 +10,7 @@
 #include "render/gl_handle.h"
 #include "render/ground_mesh.h"
 #include "render/marks.h"
-#include "render/passes/fullscreen_pass.h"
+#include "render/passes/rectangle_pass.h"
 
 namespace render {
 
@@ -24,7 +24,7 @@ class TerrainPass {
     void send_mesh(const GroundMesh& mesh);
     void draw_depth() const;  // reads SLOT_RELIEF
     // Reads SLOT_SCENE_DEPTH, SLOT_RELIEF, SLOT_LAYERS, SLOT_MEASURE, SLOT_SUN_CEILING, SLOT_DETAIL.
-    void shade(const Marks& marks) const;
+    void shade(const Marks& marks, const SlideTiles& tiles, int width, int height);
     void draw_walls() const;  // reads SLOT_RELIEF, SLOT_SITE, SLOT_SUN_CEILING, SLOT_DETAIL
 
   private:
@@ -39,8 +39,12 @@ class TerrainPass {
     };
 
     ProgramName depth_program_, wall_program_;
-    // Three variants, because shader code costs time even if its branch is not taken.
-    FullscreenPass plain_shading_, marked_shading_, overlaid_shading_;
+    // Variants, because shader code costs time even if its branch is not taken.
+    struct Shading {
+        RectanglePass with_slides, without;
+    };
+    Shading plain_, marked_, overlaid_;
+    Rectangles with_slides_, without_;
     Indexed surface_, walls_;
     Texture detail_texture_;
 };

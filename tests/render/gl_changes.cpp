@@ -106,5 +106,26 @@ TEST_F(Changes, of_depth_end_at_no_data) {
     EXPECT_EQ(mean_colour(with, 40, 48, 2), mean_colour(without, 40, 48, 2));  // untouched, beside the hole
 }
 
+// Ground without slides is shaded by a cheaper program, which must draw the same.
+TEST_F(Changes, are_drawn_alike_by_both_programs) {
+    World everywhere = world_;
+    everywhere.rolling.fill(1e-12f);  // not to be seen, but it counts as a slide
+    const auto of = [&](const World& world) {
+        renderer_->draw({.world = world.view(),
+                         .camera = from_above({world.side() / 2, world.side() / 2, 0}, world.side()),
+                         .light = {135, 40},
+                         .look = soil_under_turf(),
+                         .width = 120,
+                         .height = 120,
+                         .first_depth = first_depth_});
+        return renderer_->read_back();
+    };
+    const Picture some = of(world_), all = of(everywhere);
+    int worst = 0;
+    for (std::size_t i = 0; i < some.pixels.size(); ++i)
+        worst = std::max(worst, std::abs(some.pixels[i] - all.pixels[i]));
+    EXPECT_LE(worst, 1);
+}
+
 }  // namespace
 }  // namespace render::test

@@ -1,0 +1,70 @@
+// Slides: what they left, and what rolls now.
+layout(binding = SLOT_SKIN_ALBEDO) uniform sampler2D skin_albedo;
+layout(binding = SLOT_SKIN_RELIEF) uniform sampler2D skin_relief;
+
+// The rolling layer: clumps; lighter where it moves fast.
+Skin moving(vec3 albedo, Detail d, float speed) {
+    float rough = frame.material.x;
+    float lump = 0.70 * d.clumps.z + 0.30 * d.soft.z;
+    return Skin(albedo * (0.62 + 0.60 * lump + 0.25 * d.broad.w) * (1.0 + 0.12 * speed),
+                rough * (1.5 * d.clumps.xy + 0.7 * d.soft.xy + 0.4 * d.broad.xy),
+                mix(1.0, 0.40 + 1.1 * lump, rough));
+}
+
+// The rolling layer's advected texture: weaker than the texture itself, and as uneven overall as the ground.
+Skin worn(Skin carried, vec3 albedo, Detail d) {
+    const vec3 kLuminance = vec3(0.21, 0.72, 0.07);
+    float rough = frame.material.x, light = dot(carried.albedo, kLuminance) / max(dot(albedo, kLuminance), 1e-3);
+    return Skin(albedo * (mix(1.0, light, rough) * (0.85 + 0.3 * d.broad.w)), rough * (carried.rise + 0.2 * d.broad.xy),
+                mix(1.0, carried.open, rough));
+}
+
+// The same for a deposit: nearly the colour of the standing layer, as crushed material is darker.
+Skin at_rest(Skin carried, vec3 rolls, vec3 lies) {
+    carried.albedo *= mix(lies, rolls, 0.35) / max(rolls, 1e-3);
+    return carried;
+}
+
+Skin left_by_slides(Skin skin, Skin grown, float turf, Slide slide, Detail d, float covered) {
+    // Where the standing layer is thinner than at tick 0, a scar: greyed and rough. Where it is thicker, a deposit:
+    // debris that lies still, under the advected texture if there is one. Edges are ragged, and no change stays none.
+    float change = MOST_CHANGE / 127.0 * (255.0 * slide.layer.value.w - 128.0);  // m
+    change *= 1.0 + frame.haze.w * 1.7 * (d.clumps.z - 0.5);
+    float scar = smoothstep(0.01, 0.12, -change) * covered, deposit = smoothstep(0.01, 0.10, change) * covered;
+    skin.albedo *= mix(vec3(1.0), vec3(0.90, 0.925, 0.95) + 0.10 * (d.rock.z - 0.5), scar);
+    skin.rise += scar * (0.30 * d.rock.xy + 0.20 * d.clumps.xy);
+    skin = blend(skin, grown, turf * covered * smoothstep(0.06, 0.03, abs(change)));
+    return blend(skin, moving(mix(slide.lies, slide.rolls, 0.35), d, 0.0), deposit);
+}
+
+Skin under_flow(Skin skin, Slide slide, Place p, Detail d, float covered, out float rolls) {
+    vec4 layer = slide.layer.value;
+    vec2 along = vec2(slide.layer.along_x.y, slide.layer.along_y.y);
+    float steepness = length(along), pixel = p.footprint / frame.ground.x;
+    float share = layer.y + 0.5 * (0.7 * (d.clumps.z - 0.5) + (d.soft.z - 0.5)) * frame.material.x;
+    rolls = clamp((share - 0.5) / (0.7 * pixel + 0.02) + 0.5, 0.0, 1.0);
+
+    // Distance from the front, in cells, negative outside: a dark foot before it, a lit lip on it.
+    float from_front = (share - 0.5) / max(steepness, 0.15);
+    float foot = smoothstep(-0.35, 0.0, from_front) * smoothstep(0.1, 0.35, layer.y) * (1.0 - rolls);
+    float lip = smoothstep(0.9, 0.0, from_front) * smoothstep(0.1, 0.3, steepness);
+    Skin debris = moving(slide.rolls, d, layer.z);
+    if (int(frame.flow.y) != FLOW_NOWHERE) {
+        // Material with its advected texture. Frayed detail beyond the cut mesh uses the texture at its
+        // place.
+        vec4 albedo = texelFetch(skin_albedo, ivec2(gl_FragCoord.xy), 0), rise = texelFetch(skin_relief, ivec2(gl_FragCoord.xy), 0);
+        Skin carried = Skin(albedo.rgb, rise.xy, rise.z);
+        if (int(frame.flow.y) == FLOW_EVERYWHERE)
+            rolls = albedo.a;
+        else if (frame.overlay.x != OVERLAY_STRETCH) {
+            carried = worn(carried, slide.rolls, d);
+            skin = blend(skin, at_rest(carried, slide.rolls, slide.lies), covered * smoothstep(0.1, 0.5, rise.w));
+        }
+        debris = blend(debris, carried, albedo.a);
+    }
+    debris.rise += lip * 0.9 * along / max(steepness, 1e-4);
+    skin = blend(skin, debris, rolls);
+    skin.open *= 1.0 - 0.45 * foot;
+    skin.albedo *= 1.0 - 0.35 * foot;
+    return skin;
+}

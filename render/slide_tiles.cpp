@@ -1,0 +1,132 @@
+#include "render/slide_tiles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace render {
+namespace {
+
+constexpr int kTile = 32;  // samples along an edge
+constexpr int kBlock = 8;  // vertices
+constexpr int kReach =
+    3;  // vertices from one that moved to the last place where it shows: splines, ragged edges
+
+// Blocks that hold vertices from `first` to `last`, which may lie outside the grid.
+int block_from(int first) {
+    return std::max(first, 0) / kBlock;
+}
+int block_to(int last, int vertices) {
+    return std::min(last, vertices - 1) / kBlock;
+}
+
+}  // namespace
+
+void SlideTiles::find(const FrameInput& input, const glm::mat4& clip_from_world, int width, int height) {
+    resize(input.world.grid, width, height);
+    // A texture may lie wherever it moved before; without the first depth nobody knows where.
+    const bool everywhere =
+        input.look.flow && input.flow && (input.look.flow->everywhere || input.first_depth.empty());
+    std::fill(tiles_.begin(), tiles_.end(), static_cast<std::uint8_t>(everywhere));
+    if (!everywhere && find_blocks(input)) {
+        for (int y = 0; y < blocks_along_y_; ++y)
+            for (int x = 0; x < blocks_along_x_; ++x) {
+                const auto i = static_cast<std::size_t>(y * blocks_along_x_ + x);
+                if (blocks_[i] && !project(input.world, x, y, clip_from_world))
+                    std::fill(tiles_.begin(), tiles_.end(), std::uint8_t{1});
+            }
+    }
+    collect();
+}
+
+// Returns whether there is any slide.
+bool SlideTiles::find_blocks(const FrameInput& input) {
+    const sim::View& world = input.world;
+    std::fill(blocks_.begin(), blocks_.end(), std::uint8_t{0});
+    bool any = false;
+    for (int y = 0; y < grid_.ny; ++y) {
+        const float *rolling = world.rolling.row(y), *depth = world.depth.row(y);
+        const float* first =
+            input.first_depth.empty()
+                ? depth
+                : &input.first_depth[static_cast<std::size_t>(y) * static_cast<std::size_t>(grid_.nx)];
+        for (int x = 0; x < grid_.nx; ++x) {
+            if (rolling[x] == 0 && depth[x] == first[x]) continue;
+            any = true;
+            for (int j = block_from(y - kReach); j <= block_to(y + kReach, grid_.ny); ++j)
+                for (int i = block_from(x - kReach); i <= block_to(x + kReach, grid_.nx); ++i)
+                    blocks_[static_cast<std::size_t>(j * blocks_along_x_ + i)] = 1;
+        }
+    }
+    return any;
+}
+
+// Marks the tiles in which a block may be seen. False: it reaches behind the eye, and may be seen anywhere.
+bool SlideTiles::project(const sim::View& world, int x, int y, const glm::mat4& clip_from_world) {
+    const int x0 = std::max(x * kBlock - 1, 0), x1 = std::min((x + 1) * kBlock, grid_.nx - 1);
+    const int y0 = std::max(y * kBlock - 1, 0), y1 = std::min((y + 1) * kBlock, grid_.ny - 1);
+    float lowest = std::numeric_limits<float>::max(), highest = std::numeric_limits<float>::lowest();
+    for (int j = y0; j <= y1; ++j)
+        for (int i = x0; i <= x1; ++i) {
+            const float z = world.bedrock(i, j) + world.depth(i, j) + world.rolling(i, j);
+            lowest = std::min(lowest, z);
+            highest = std::max(highest, z);
+        }
+    glm::vec2 least(std::numeric_limits<float>::max()), most(std::numeric_limits<float>::lowest());
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec4 at(grid_.dx * static_cast<float>(corner & 1 ? x1 : x0),
+                           grid_.dx * static_cast<float>(corner & 2 ? y1 : y0), corner & 4 ? highest : lowest,
+                           1);
+        const glm::vec4 clip = clip_from_world * at;
+        if (clip.w < static_cast<float>(kNear)) return false;
+        const glm::vec2 ndc = glm::vec2(clip) / clip.w;
+        least = glm::min(least, ndc);
+        most = glm::max(most, ndc);
+    }
+    // One sample more on each side, for rounding.
+    const auto tile = [](float ndc, int samples, float beyond) {
+        const float at = (0.5f + 0.5f * std::clamp(ndc, -2.f, 2.f)) * static_cast<float>(samples) + beyond;
+        return static_cast<int>(std::floor(at / kTile));
+    };
+    const int left = std::max(tile(least.x, width_, -1), 0),
+              right = std::min(tile(most.x, width_, 1), columns_ - 1);
+    const int bottom = std::max(tile(least.y, height_, -1), 0),
+              top = std::min(tile(most.y, height_, 1), rows_ - 1);
+    for (int row = bottom; row <= top; ++row)
+        for (int column = left; column <= right; ++column)
+            tiles_[static_cast<std::size_t>(row * columns_ + column)] = 1;
+    return true;
+}
+
+void SlideTiles::resize(const sim::Grid& grid, int width, int height) {
+    if (grid == grid_ && width == width_ && height == height_) return;
+    grid_ = grid;
+    width_ = width;
+    height_ = height;
+    columns_ = (width + kTile - 1) / kTile;
+    rows_ = (height + kTile - 1) / kTile;
+    blocks_along_x_ = (grid.nx + kBlock - 1) / kBlock;
+    blocks_along_y_ = (grid.ny + kBlock - 1) / kBlock;
+    tiles_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+    blocks_.resize(static_cast<std::size_t>(blocks_along_x_) * static_cast<std::size_t>(blocks_along_y_));
+    with_slides_.reserve(tiles_.size());
+    without_.reserve(tiles_.size());
+}
+
+// Joins tiles of one kind along each row.
+void SlideTiles::collect() {
+    with_slides_.clear();
+    without_.clear();
+    for (int row = 0; row < rows_; ++row)
+        for (int column = 0; column < columns_;) {
+            const auto kind = [&](int i) { return tiles_[static_cast<std::size_t>(row * columns_ + i)]; };
+            int end = column + 1;
+            while (end < columns_ && kind(end) == kind(column)) ++end;
+            (kind(column) ? with_slides_ : without_)
+                .push_back({column * kTile, row * kTile, std::min(end * kTile, width_),
+                            std::min((row + 1) * kTile, height_)});
+            column = end;
+        }
+}
+
+}  // namespace render

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+
+#include "render/frame_input.h"
+
+namespace render {
+
+// Part of a frame, in samples from its lower left corner.
+struct Rectangle {
+    int left = 0, bottom = 0, right = 0, top = 0;
+    bool operator==(const Rectangle&) const = default;
+};
+
+// Divides a frame into parts where a slide may be seen, moving or at rest, and parts where none can be. Ground
+// without slides is much cheaper to shade.
+class SlideTiles {
+  public:
+    // `width` and `height` in samples. Allocates nothing while they and the grid are those of the last call.
+    void find(const FrameInput& input, const glm::mat4& clip_from_world, int width, int height);
+
+    // Together they cover the frame, each sample once.
+    std::span<const Rectangle> with_slides() const { return with_slides_; }
+    std::span<const Rectangle> without() const { return without_; }
+
+  private:
+    bool find_blocks(const FrameInput& input);
+    bool project(const sim::View& world, int x, int y, const glm::mat4& clip_from_world);
+    void resize(const sim::Grid& grid, int width, int height);
+    void collect();
+
+    sim::Grid grid_;
+    int width_ = 0, height_ = 0;                   // samples
+    int columns_ = 0, rows_ = 0;                   // tiles of the frame
+    int blocks_along_x_ = 0, blocks_along_y_ = 0;  // of the grid
+    std::vector<std::uint8_t> blocks_, tiles_;     // 1: a slide
+    std::vector<Rectangle> with_slides_, without_;
+};
+
+}  // namespace render

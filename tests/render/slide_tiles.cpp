@@ -1,0 +1,77 @@
+#include "render/slide_tiles.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/render/world.h"
+
+namespace render::test {
+namespace {
+
+constexpr int kWidth = 200, kHeight = 130;
+
+// How often each sample of the frame is covered.
+std::vector<int> coverage(std::span<const Rectangle> rectangles) {
+    std::vector<int> covered(kWidth * kHeight);
+    for (const Rectangle& r : rectangles)
+        for (int y = r.bottom; y < r.top; ++y)
+            for (int x = r.left; x < r.right; ++x) ++covered[static_cast<std::size_t>(y * kWidth + x)];
+    return covered;
+}
+
+struct Tiles {
+    World world = make_world(64, 5, [](double x, double) { return 0.2 * x; });
+    Camera camera = from_above({160, 160, 30}, 400);
+    std::vector<float> first_depth = std::vector<float>(world.grid.size());
+    SlideTiles tiles;
+
+    void find() {
+        const FrameInput input{.world = world.view(),
+                               .camera = camera,
+                               .width = kWidth,
+                               .height = kHeight,
+                               .first_depth = first_depth};
+        const glm::mat4 clip =
+            projection_matrix(camera, static_cast<double>(kWidth) / kHeight) * view_matrix(camera);
+        tiles.find(input, clip, kWidth, kHeight);
+        const std::vector<int> with = coverage(tiles.with_slides()), without = coverage(tiles.without());
+        for (std::size_t i = 0; i < with.size(); ++i) ASSERT_EQ(with[i] + without[i], 1) << "sample " << i;
+    }
+    std::size_t samples_with_slides() const {
+        std::size_t sum = 0;
+        for (const int each : coverage(tiles.with_slides())) sum += static_cast<std::size_t>(each);
+        return sum;
+    }
+};
+
+TEST(SlideTiles, are_none_where_nothing_moved) {
+    Tiles t;
+    t.world.depth.fill(2);
+    t.first_depth.assign(t.first_depth.size(), 2.f);
+    t.find();
+    EXPECT_EQ(t.samples_with_slides(), 0u);
+}
+
+TEST(SlideTiles, hold_what_rolls_and_what_changed) {
+    for (const bool rolls : {true, false}) {
+        Tiles t;
+        (rolls ? t.world.rolling : t.world.depth)(32, 32) = 0.01f;  // in the middle of the frame
+        t.find();
+        EXPECT_GT(t.samples_with_slides(), 0u);
+        EXPECT_LT(t.samples_with_slides(), static_cast<std::size_t>(kWidth * kHeight / 2));
+        EXPECT_EQ(
+            coverage(t.tiles.with_slides())[static_cast<std::size_t>(kHeight / 2 * kWidth + kWidth / 2)], 1);
+    }
+}
+
+TEST(SlideTiles, are_all_where_a_slide_reaches_behind_the_eye) {
+    Tiles t;
+    t.world.rolling(32, 32) = 1;
+    t.camera.target = {162, 162, 33};
+    t.camera.elevation_deg = 10;
+    t.camera.distance_m = 3;
+    t.find();
+    EXPECT_EQ(t.samples_with_slides(), static_cast<std::size_t>(kWidth * kHeight));
+}
+
+}  // namespace
+}  // namespace render::test
