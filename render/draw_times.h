@@ -21,8 +21,8 @@ enum class Pass {
     kSky,
     kTone,
 };
-inline constexpr std::array kPassNames{"upload", "remesh",  "surface", "shadow", "depth",
-                                       "flow",   "terrain", "surroundings", "sky", "tone"};
+inline constexpr std::array kPassNames{"upload", "remesh",  "surface",      "shadow", "depth",
+                                       "flow",   "terrain", "surroundings", "sky",    "tone"};
 inline constexpr std::size_t kPassCount = kPassNames.size();
 inline constexpr std::size_t kFirstDrawingPass = static_cast<std::size_t>(Pass::kSurface);
 

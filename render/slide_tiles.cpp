@@ -20,6 +20,11 @@ int block_to(int last, int vertices) {
     return std::min(last, vertices - 1) / kBlock;
 }
 
+std::size_t index(int column, int row, int columns) {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
+}
+
 }  // namespace
 
 void SlideTiles::find(const FrameInput& input, const glm::mat4& clip_from_world, int width, int height) {
@@ -31,7 +36,7 @@ void SlideTiles::find(const FrameInput& input, const glm::mat4& clip_from_world,
     if (!everywhere && find_blocks(input)) {
         for (int y = 0; y < blocks_along_y_; ++y)
             for (int x = 0; x < blocks_along_x_; ++x) {
-                const auto i = static_cast<std::size_t>(y * blocks_along_x_ + x);
+                const auto i = index(x, y, blocks_along_x_);
                 if (blocks_[i] && !project(input.world, x, y, clip_from_world))
                     std::fill(tiles_.begin(), tiles_.end(), std::uint8_t{1});
             }
@@ -55,7 +60,7 @@ bool SlideTiles::find_blocks(const FrameInput& input) {
             any = true;
             for (int j = block_from(y - kReach); j <= block_to(y + kReach, grid_.ny); ++j)
                 for (int i = block_from(x - kReach); i <= block_to(x + kReach, grid_.nx); ++i)
-                    blocks_[static_cast<std::size_t>(j * blocks_along_x_ + i)] = 1;
+                    blocks_[index(i, j, blocks_along_x_)] = 1;
         }
     }
     return any;
@@ -93,8 +98,7 @@ bool SlideTiles::project(const sim::View& world, int x, int y, const glm::mat4& 
     const int bottom = std::max(tile(least.y, height_, -1), 0),
               top = std::min(tile(most.y, height_, 1), rows_ - 1);
     for (int row = bottom; row <= top; ++row)
-        for (int column = left; column <= right; ++column)
-            tiles_[static_cast<std::size_t>(row * columns_ + column)] = 1;
+        for (int column = left; column <= right; ++column) tiles_[index(column, row, columns_)] = 1;
     return true;
 }
 
@@ -119,7 +123,7 @@ void SlideTiles::collect() {
     without_.clear();
     for (int row = 0; row < rows_; ++row)
         for (int column = 0; column < columns_;) {
-            const auto kind = [&](int i) { return tiles_[static_cast<std::size_t>(row * columns_ + i)]; };
+            const auto kind = [&](int i) { return tiles_[index(i, row, columns_)]; };
             int end = column + 1;
             while (end < columns_ && kind(end) == kind(column)) ++end;
             (kind(column) ? with_slides_ : without_)

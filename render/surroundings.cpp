@@ -227,12 +227,15 @@ std::optional<double> Surroundings::meet(glm::dvec3 from, glm::dvec3 along) cons
         return away(p) > 0 && p.z < height(p);
     };
     double before = 0;
-    for (double t = 0; t < most; before = t) {
+    while (before < most) {
         // Steps as long as the ground is far below, and never longer than a ridge is wide.
-        const glm::dvec3 p = from + t * along;
-        t += std::max(0.3 * cell_, 0.4 * std::max(0.0, p.z - rough_height(p)));
-        t = std::min(t, most);
-        if (!below(t)) continue;
+        const glm::dvec3 p = from + before * along;
+        const double step = std::max(0.3 * cell_, 0.4 * std::max(0.0, p.z - rough_height(p)));
+        double t = std::min(before + step, most);
+        if (!below(t)) {
+            before = t;
+            continue;
+        }
         for (int i = 0; i < 30; ++i) {
             const double middle = 0.5 * (before + t);
             (below(middle) ? t : before) = middle;

@@ -53,7 +53,7 @@ void SurroundingsPass::survey(const Surroundings& around, const FrameBlock& fram
         heights_ = make_texture(GL_R32F, Surroundings::kRough, Surroundings::kRough, GL_LINEAR);
         glTextureSubImage2D(heights_.name(), 0, 0, 0, Surroundings::kRough, Surroundings::kRough, GL_RED,
                             GL_FLOAT, around.rough_heights().data());
-        for (auto* reserved : {&counts_}) reserved->reserve(mesh_.patches.size());
+        counts_.reserve(mesh_.patches.size());
         firsts_.reserve(mesh_.patches.size());
         visible_.reserve(mesh_.patches.size());
     }
@@ -75,7 +75,9 @@ void SurroundingsPass::draw(const FrameBlock& frame) {
     firsts_.clear();
     for (const SurroundingsPatch* patch : visible_) {
         counts_.push_back(static_cast<GLsizei>(patch->count));
-        firsts_.push_back(reinterpret_cast<const void*>(patch->first * sizeof(std::uint32_t)));
+        // OpenGL takes an offset into the buffer as a pointer.
+        const std::uintptr_t offset = patch->first * sizeof(std::uint32_t);
+        firsts_.push_back(reinterpret_cast<const void*>(offset));  // NOLINT(performance-no-int-to-ptr)
     }
     const Enabled depth_test(GL_DEPTH_TEST), cull_face(GL_CULL_FACE);
     glUseProgram(program_.name());

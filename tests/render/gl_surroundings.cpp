@@ -23,7 +23,8 @@ class AroundTheBlock : public Gl {
 };
 
 World hills() {
-    World world = make_world(40, 5, [](double x, double y) { return 15 * std::sin(x / 40) * std::cos(y / 30); });
+    World world =
+        make_world(40, 5, [](double x, double y) { return 15 * std::sin(x / 40) * std::cos(y / 30); });
     world.depth.fill(1);
     return world;
 }
@@ -62,8 +63,9 @@ TEST_F(AroundTheBlock, there_is_no_gap_where_a_heap_lies_on_the_border) {
     // The lower half shows ground only.
     for (int y = picture.height / 2; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {
-            const auto* p = &picture.pixels[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
-                                                 static_cast<std::size_t>(x))];
+            const auto* p =
+                &picture.pixels[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                                     static_cast<std::size_t>(x))];
             EXPECT_LT(p[2] - p[0], 60) << x << " " << y;
         }
 }
@@ -107,7 +109,8 @@ TEST_F(AroundTheBlock, strips_holes_and_no_ground_at_all_are_drawn) {
     World nothing = hills();
     nothing.site.fill(sim::Site::kDrain);
     const Surroundings none = mountains_around(nothing);
-    EXPECT_EQ(drawn(nothing, camera, {135, 50}, &none).pixels, drawn(nothing, camera, {135, 50}, nullptr).pixels);
+    EXPECT_EQ(drawn(nothing, camera, {135, 50}, &none).pixels,
+              drawn(nothing, camera, {135, 50}, nullptr).pixels);
 }
 
 }  // namespace

@@ -60,7 +60,8 @@ TEST(Surroundings, rise_to_ranges_and_end) {
     const Surroundings around = mountains_around(world);
     double lowest = 1e9, highest = -1e9;
     for (int i = 0; i < 360; ++i) {
-        const double z = around.height(glm::dvec2(250) + 1500.0 * glm::dvec2(std::cos(i * kPi / 180), std::sin(i * kPi / 180)));
+        const double z = around.height(glm::dvec2(250) +
+                                       1500.0 * glm::dvec2(std::cos(i * kPi / 180), std::sin(i * kPi / 180)));
         lowest = std::min(lowest, z);
         highest = std::max(highest, z);
     }
@@ -107,7 +108,8 @@ TEST(Surroundings, meet_a_ray_at_their_surface) {
     const Surroundings around = mountains_around(world);
     int met = 0;
     for (int i = 0; i < 200; ++i) {
-        const glm::dvec3 along = glm::normalize(glm::dvec3(std::cos(0.7 * i), std::sin(0.7 * i), -0.01 - 0.004 * i));
+        const glm::dvec3 along =
+            glm::normalize(glm::dvec3(std::cos(0.7 * i), std::sin(0.7 * i), -0.01 - 0.004 * i));
         const glm::dvec3 from(250, 250, 400);
         const auto t = around.meet(from, along);
         if (!t) continue;
@@ -149,7 +151,8 @@ void expect_no_gap(const Surroundings& around, int border_edges) {
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
         const glm::dvec2 a(mesh.vertices[mesh.indices[i]].at), b(mesh.vertices[mesh.indices[i + 1]].at),
             c(mesh.vertices[mesh.indices[i + 2]].at);
-        EXPECT_GT((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x), 0) << "seen from above it is turned away";
+        EXPECT_GT((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x), 0)
+            << "seen from above it is turned away";
     }
     for (const SurroundingsVertex& v : mesh.vertices) {
         EXPECT_TRUE(std::isfinite(v.at.z + v.slope.x + v.slope.y));
@@ -218,12 +221,14 @@ TEST(Surroundings, are_drawn_from_near_to_far_where_a_camera_sees_them) {
             if (std::find(visible.begin(), visible.end(), &patch) != visible.end()) continue;
             for (std::uint32_t k = patch.first; k < patch.first + patch.count; ++k) {
                 const glm::dvec4 p = clip * glm::dvec4(mesh.vertices[mesh.indices[k]].at, 1);
-                EXPECT_FALSE(p.w > 0 && std::abs(p.x) < p.w && std::abs(p.y) < p.w) << "a visible vertex is left out";
+                EXPECT_FALSE(p.w > 0 && std::abs(p.x) < p.w && std::abs(p.y) < p.w)
+                    << "a visible vertex is left out";
             }
         }
         const auto distance = [&](const SurroundingsPatch* patch) {
             const glm::dvec3 from = eye(camera);
-            return glm::distance(from, glm::clamp(from, glm::dvec3(patch->lowest), glm::dvec3(patch->highest)));
+            return glm::distance(from,
+                                 glm::clamp(from, glm::dvec3(patch->lowest), glm::dvec3(patch->highest)));
         };
         for (std::size_t k = 1; k < visible.size(); ++k)
             EXPECT_LE(distance(visible[k - 1]), distance(visible[k]) + 0.01);
