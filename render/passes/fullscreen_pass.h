@@ -20,6 +20,9 @@ class FullscreenPass {
     void draw_behind() const;  // only where nothing was drawn
     void draw_on() const;  // only where something was drawn; leaves depth alone, so the shader may read it
     void draw_encoded() const;  // everywhere, from linear light to the sRGB target
+    // A CPU renderer runs both sides of a branch, but no shader for blocks of pixels that the stencil rejects.
+    void draw_marks() const;     // sets the stencil to 1 where the shader discards nothing; draws no colour
+    void draw_on_marks() const;  // where the stencil is 1, in values of the target that are not linear
 
   private:
     void draw() const;

@@ -19,7 +19,7 @@ namespace {
 constexpr const char* kColumns =
     "frame,tick,time_s,substeps,solve_ms,track_ms,gradient_ms,advect_ms,upload_ms,remesh_ms,surface_ms,"
     "shadow_ms,"
-    "depth_ms,flow_ms,terrain_ms,surroundings_ms,sky_ms,tone_ms,draw_ms,frame_ms,"
+    "depth_ms,flow_ms,terrain_ms,surroundings_ms,sky_ms,tone_ms,edges_ms,draw_ms,frame_ms,"
     "active_cells,"
     "discontinuity_points,cut_triangles,mass_standing_m3,mass_rolling_m3,mass_out_m3,mass_error_m3,state_"
     "hash";
