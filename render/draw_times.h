@@ -20,9 +20,10 @@ enum class Pass {
     kSurroundings,  // mountains around the grid, or the walls of a block
     kSky,
     kTone,
+    kEdges,
 };
-inline constexpr std::array kPassNames{"upload", "remesh",  "surface",      "shadow", "depth",
-                                       "flow",   "terrain", "surroundings", "sky",    "tone"};
+inline constexpr std::array kPassNames{"upload",  "remesh",       "surface", "shadow", "depth", "flow",
+                                       "terrain", "surroundings", "sky",     "tone",   "edges"};
 inline constexpr std::size_t kPassCount = kPassNames.size();
 inline constexpr std::size_t kFirstDrawingPass = static_cast<std::size_t>(Pass::kSurface);
 

@@ -38,6 +38,7 @@ struct Renderer::Parts {
     SurroundingsPass surroundings;
     FullscreenPass sky, day_lights, night_lights;
     FullscreenPass tone;
+    FullscreenPass edge_marks, edges;
     Target target;
     Quality quality;
     std::filesystem::path assets;
@@ -72,13 +73,18 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     if (!night_lights) return tl::unexpected(night_lights.error());
     auto tone = FullscreenPass::create(shaders, {"slots.glsl", "tone_curve.glsl", "tone.frag"});
     if (!tone) return tl::unexpected(tone.error());
+    auto edge_marks = FullscreenPass::create(shaders, {"slots.glsl", "edges_mark.frag"});
+    if (!edge_marks) return tl::unexpected(edge_marks.error());
+    auto edges = FullscreenPass::create(shaders, {"slots.glsl", "edges.frag"});
+    if (!edges) return tl::unexpected(edges.error());
 
     Buffer frame_block = make_buffer();
     glNamedBufferStorage(frame_block.name(), sizeof(FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    return Renderer(std::make_unique<Parts>(Parts{
-        FieldsToGpu(), std::move(frame_block), std::move(*surface), std::move(*shadow), std::move(*terrain),
-        SlideTiles(), std::move(*flow), std::move(*surroundings), std::move(*sky), std::move(*day_lights),
-        std::move(*night_lights), std::move(*tone), Target(), quality, assets, StageClock()}));
+    return Renderer(std::make_unique<Parts>(
+        Parts{FieldsToGpu(), std::move(frame_block), std::move(*surface), std::move(*shadow),
+              std::move(*terrain), SlideTiles(), std::move(*flow), std::move(*surroundings), std::move(*sky),
+              std::move(*day_lights), std::move(*night_lights), std::move(*tone), std::move(*edge_marks),
+              std::move(*edges), Target(), quality, assets, StageClock()}));
 }
 
 Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -189,6 +195,15 @@ void Renderer::draw(const FrameInput& input) {
     p.target.begin_picture();
     p.tone.draw_encoded();
     p.clock.mark(Pass::kTone);
+
+    // With one sample per pixel edges have stairs. Smooth them last of all, in the colours that the screen
+    // shows, because what looks like an edge is decided there.
+    if (samples == 1) {
+        p.target.begin_edges();
+        p.edge_marks.draw_marks();
+        p.edges.draw_on_marks();
+    }
+    p.clock.mark(Pass::kEdges);
     CHECK(glGetError() == GL_NO_ERROR);
 }
 

@@ -2,14 +2,30 @@
 
 namespace render {
 
-Texture make_texture(GLenum format, int width, int height, GLint filter) {
-    GLuint name = 0;
-    glCreateTextures(GL_TEXTURE_2D, 1, &name);
-    glTextureStorage2D(name, 1, format, width, height);
+namespace {
+
+void set_sampling(GLuint name, GLint filter) {
     glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, filter);
     glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, filter);
     glTextureParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTextureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+}  // namespace
+
+Texture make_texture(GLenum format, int width, int height, GLint filter) {
+    GLuint name = 0;
+    glCreateTextures(GL_TEXTURE_2D, 1, &name);
+    glTextureStorage2D(name, 1, format, width, height);
+    set_sampling(name, filter);
+    return Texture(name);
+}
+
+Texture make_view(const Texture& texture, GLenum format, GLint filter) {
+    GLuint name = 0;
+    glGenTextures(1, &name);
+    glTextureView(name, GL_TEXTURE_2D, texture.name(), format, 0, 1, 0, 1);
+    set_sampling(name, filter);
     return Texture(name);
 }
 

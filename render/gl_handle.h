@@ -70,6 +70,8 @@ using ProgramName = GlHandle<DeleteProgram>;
 
 // Creates a 2D texture of one level, clamped to its edge. `filter` is GL_NEAREST or GL_LINEAR.
 Texture make_texture(GLenum format, int width, int height, GLint filter);
+// Creates another name for the texels of `texture`, read in `format`, which has as many bits.
+Texture make_view(const Texture& texture, GLenum format, GLint filter);
 Buffer make_buffer();
 // Creates a storage buffer of a fixed size in bytes, bound for shaders. Without `data` its contents are
 // undefined.

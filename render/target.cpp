@@ -25,17 +25,23 @@ void Target::resize(int width, int height, int samples) {
     samples_colour_ =
         samples_ > 1 ? make_texture(GL_RGBA16F, width * samples_, height * samples_, GL_LINEAR) : Texture();
     sky_colour_ = make_texture(GL_RGBA16F, quarter(samples_across()), quarter(samples_up()), GL_LINEAR);
+    stepped_ = make_texture(GL_SRGB8_ALPHA8, width, height, GL_LINEAR);
+    stepped_codes_ = make_view(stepped_, GL_RGBA8, GL_LINEAR);
     picture_ = make_texture(GL_SRGB8_ALPHA8, width, height, GL_LINEAR);
+    edge_marks_ = make_texture(GL_STENCIL_INDEX8, width, height, GL_NEAREST);
     scene_ = make_framebuffer();
     sky_ = make_framebuffer();
     averaged_ = make_framebuffer();
+    stepped_output_ = make_framebuffer();
     output_ = make_framebuffer();
     glNamedFramebufferTexture(scene_.name(), GL_DEPTH_ATTACHMENT, depth_.name(), 0);
     glNamedFramebufferTexture(scene_.name(), GL_COLOR_ATTACHMENT0,
                               (samples_ > 1 ? samples_colour_ : colour_).name(), 0);
     glNamedFramebufferTexture(sky_.name(), GL_COLOR_ATTACHMENT0, sky_colour_.name(), 0);
     glNamedFramebufferTexture(averaged_.name(), GL_COLOR_ATTACHMENT0, colour_.name(), 0);
+    glNamedFramebufferTexture(stepped_output_.name(), GL_COLOR_ATTACHMENT0, stepped_.name(), 0);
     glNamedFramebufferTexture(output_.name(), GL_COLOR_ATTACHMENT0, picture_.name(), 0);
+    glNamedFramebufferTexture(output_.name(), GL_STENCIL_ATTACHMENT, edge_marks_.name(), 0);
 }
 
 void Target::begin_scene() const {
@@ -70,9 +76,18 @@ void Target::begin_picture() const {
     if (samples_ > 1)  // the linear filter samples halfway between samples and so averages them
         glBlitNamedFramebuffer(scene_.name(), averaged_.name(), 0, 0, width_ * samples_, height_ * samples_,
                                0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_LINEAR);
-    glBindFramebuffer(GL_FRAMEBUFFER, output_.name());
+    glBindFramebuffer(GL_FRAMEBUFFER, (samples_ > 1 ? output_ : stepped_output_).name());
     glViewport(0, 0, width_, height_);
     glBindTextureUnit(SLOT_COLOUR, colour_.name());
+}
+
+void Target::begin_edges() const {
+    glCopyImageSubData(stepped_.name(), GL_TEXTURE_2D, 0, 0, 0, 0, picture_.name(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                       width_, height_, 1);
+    constexpr GLint kNoEdge = 0;
+    glClearNamedFramebufferiv(output_.name(), GL_STENCIL, 0, &kNoEdge);
+    glBindFramebuffer(GL_FRAMEBUFFER, output_.name());
+    glBindTextureUnit(SLOT_PICTURE, stepped_codes_.name());
 }
 
 Picture Target::read_back() const {

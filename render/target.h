@@ -22,6 +22,8 @@ class Target {
     void begin_backdrop()
         const;  // binds that sky at SLOT_SKY; draw linear colour, with the depth of the scene
     void begin_picture() const;  // averages the samples and binds them at SLOT_COLOUR; draw the 8-bit image
+    // Binds that image, not decoded, at SLOT_PICTURE, copies it and clears the stencil; draw on the copy.
+    void begin_edges() const;
 
     Picture read_back() const;
     // Stretches the image over a framebuffer (0 is the window) of the given size in pixels.
@@ -29,8 +31,8 @@ class Target {
 
   private:
     int width_ = 0, height_ = 0, samples_ = 1;
-    Texture depth_, samples_colour_, colour_, sky_colour_, picture_;
-    Framebuffer scene_, sky_, averaged_, output_;
+    Texture depth_, samples_colour_, colour_, sky_colour_, stepped_, stepped_codes_, picture_, edge_marks_;
+    Framebuffer scene_, sky_, averaged_, stepped_output_, output_;
 };
 
 }  // namespace render

@@ -26,7 +26,8 @@
 #define SLOT_FIRST_DEPTH 19 // R32F: d at tick 0, m
 #define SLOT_SKY 20 // RGBA16F: the sky at a quarter of the resolution; a: what thin cloud leaves of lights behind it
 #define SLOT_SURROUNDINGS 21 // R32F: rough heights around the block, m above datum
-#define SLOT_UNITS 22     // number of texture units
+#define SLOT_PICTURE 22   // RGBA8: the frame as the screen shows it, not linear
+#define SLOT_UNITS 23     // number of texture units
 
 // Storage buffers; cut_vertex.glsl reads the first four
 #define SLOT_MESH_POSITIONS 0    // vec2 of each vertex, m

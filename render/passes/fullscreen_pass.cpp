@@ -26,6 +26,24 @@ void FullscreenPass::draw_encoded() const {
     draw();
 }
 
+void FullscreenPass::draw_marks() const {
+    const Enabled stencil_test(GL_STENCIL_TEST);
+    glStencilFunc(GL_ALWAYS, 1, ~0u);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    draw();
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    glStencilFunc(GL_ALWAYS, 0, ~0u);
+}
+
+void FullscreenPass::draw_on_marks() const {
+    const Enabled stencil_test(GL_STENCIL_TEST);
+    glStencilFunc(GL_EQUAL, 1, ~0u);
+    draw();
+    glStencilFunc(GL_ALWAYS, 0, ~0u);
+}
+
 void FullscreenPass::draw() const {
     glUseProgram(program_.name());
     glBindVertexArray(no_vertices_.name());

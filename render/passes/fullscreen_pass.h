@@ -19,6 +19,9 @@ class FullscreenPass {
 
     void draw_behind() const;   // only where nothing was drawn
     void draw_encoded() const;  // everywhere, from linear light to the sRGB target
+    // A CPU renderer runs both sides of a branch, but no shader for blocks of pixels that the stencil rejects.
+    void draw_marks() const;     // sets the stencil to 1 where the shader discards nothing; draws no colour
+    void draw_on_marks() const;  // where the stencil is 1, in values of the target that are not linear
 
   private:
     void draw() const;

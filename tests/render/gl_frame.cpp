@@ -1,5 +1,6 @@
 #include <cmath>
 #include <cstring>
+#include <numeric>
 
 #include <epoxy/gl.h>
 
@@ -111,6 +112,51 @@ TEST_F(Gl, restores_the_state_of_gl) {
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
     glDepthFunc(GL_LESS);
+}
+
+// A square of ground from above, turned so that its edges are slanted: it fills the middle, the sky the corners.
+Picture slanted_square(Renderer& renderer) {
+    const World world = make_world(24, 5, [](double, double) { return 0; });
+    Camera camera = from_above({60, 60, 0}, 240);
+    camera.azimuth_deg += 20;
+    renderer.draw({world.view(), camera, Light(), plain_look(), {}, nullptr, 120, 120});
+    return renderer.read_back();
+}
+
+// Of each row, the pixels whose green is well between those of the corner and the middle of the image.
+std::vector<int> between_of_rows(const Picture& picture) {
+    const double sky = mean_colour(picture, 3, 3, 2)[1], ground = mean_colour(picture, 60, 60, 2)[1];
+    EXPECT_GT(std::abs(ground - sky), 30);
+    std::vector<int> between(static_cast<std::size_t>(picture.height));
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            const double share = (mean_colour(picture, x, y, 0)[1] - sky) / (ground - sky);
+            between[static_cast<std::size_t>(y)] += share > 0.2 && share < 0.8;
+        }
+    }
+    return between;
+}
+
+TEST_F(Gl, smooths_slanted_edges_with_one_sample_per_pixel) {
+    const std::vector<int> between = between_of_rows(slanted_square(*renderer_));
+    const int all = std::accumulate(between.begin(), between.end(), 0);
+    EXPECT_GE(all, 60);
+    EXPECT_LE(all, 400);  // only a pixel or two on each side of the edge
+    EXPECT_EQ(between[3], 0);
+    const auto middle = between[60];
+    EXPECT_LE(middle, 4);
+}
+
+TEST_F(Gl, leaves_the_stencil_test_as_it_was) {
+    draw(hill(), overview(hill().view()), Light(), Look());
+    GLint function = 0, reference = 1, pass = 0;
+    glGetIntegerv(GL_STENCIL_FUNC, &function);
+    glGetIntegerv(GL_STENCIL_REF, &reference);
+    glGetIntegerv(GL_STENCIL_PASS_DEPTH_PASS, &pass);
+    EXPECT_EQ(function, GL_ALWAYS);
+    EXPECT_EQ(reference, 0);
+    EXPECT_EQ(pass, GL_KEEP);
+    EXPECT_FALSE(glIsEnabled(GL_STENCIL_TEST));
 }
 
 TEST_F(Gl, differs_between_fine_and_fast_quality_only_at_edges) {

@@ -114,8 +114,8 @@ TEST_F(MarksOnGround, ring_stands_between_dark_hairlines_on_white_ground) {
     double darkest_inside = 255, darkest_outside = 255;
     for (int x = 240; x < 250; ++x) darkest_inside = std::min(darkest_inside, mean_colour(p, x, 150, 0)[1]);
     for (int x = 250; x < 260; ++x) darkest_outside = std::min(darkest_outside, mean_colour(p, x, 150, 0)[1]);
-    EXPECT_LT(darkest_inside, mean_colour(p, 200, 150, 3)[1] - 40);
-    EXPECT_LT(darkest_outside, mean_colour(p, 280, 150, 3)[1] - 40);
+    EXPECT_LT(darkest_inside, mean_colour(p, 200, 150, 3)[1] - 35);
+    EXPECT_LT(darkest_outside, mean_colour(p, 280, 150, 3)[1] - 35);
 }
 
 TEST_F(MarksOnGround, contours_are_at_multiples_of_the_interval_above_the_zero_of_the_terrain) {
