@@ -36,6 +36,7 @@ struct Look {
     float roughness = 0.5f;           // 0 to 1, strength of the rolling layer's small-scale relief
     float cover_visible_m = 0.05f;    // depth at which the standing layer hides the ground, m, > 0
     float rolling_visible_m = 0.05f;  // depth at which the rolling layer is drawn, m, ≥ 0.001
+    float old_cover_m = 0;  // old snow that lies on gentle ground and never moves, m, ≥ 0; for the eye alone
     float detail = 1;  // 0 to 1, strength of all small-scale relief and colour variation; 0: plain colours
     std::optional<FlowLook> flow;  // none: no texture is advected
 };

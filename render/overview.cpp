@@ -13,9 +13,7 @@ namespace render {
 namespace {
 
 constexpr double kAspect = 16.0 / 9.0;
-constexpr double kElevation = 28;    // degrees
 constexpr double kOffFallLine = 28;  // degrees
-constexpr double kFilled = 0.95;     // share of the image that the terrain fills
 constexpr double kFlatSlope = 0.01;  // tangent below which there is no fall line
 
 struct Bounds {
@@ -84,31 +82,65 @@ Reach reach(const sim::View& world, const glm::dmat4& turn, glm::dvec3 centre, d
     return r;
 }
 
-}  // namespace
-
-Camera overview(const sim::View& world) {
-    const Bounds bounds = height_bounds(world);
+// From the low side of a terrain at `centre`, a little off the fall line.
+Camera from_low_side(const sim::View& world, glm::dvec3 centre, double elevation_deg) {
     const glm::dvec2 slope = mean_slope(world);
-    const glm::dvec3 centre(0.5 * (world.grid.nx - 1) * world.grid.dx,
-                            0.5 * (world.grid.ny - 1) * world.grid.dx,
-                            0.5 * (bounds.lowest + bounds.highest));
     Camera camera;
-    camera.elevation_deg = kElevation;
+    camera.elevation_deg = elevation_deg;
     camera.azimuth_deg = 180;
+    camera.distance_m = 1000;
     if (glm::length(slope) > kFlatSlope)
         camera.azimuth_deg =
             std::fmod(glm::degrees(std::atan2(-slope.x, -slope.y)) + kOffFallLine + 360, 360);
     camera.target = centre;
+    return camera;
+}
 
-    const double tan_y = kFilled * std::tan(glm::radians(camera.field_of_view_deg) / 2),
-                 tan_x = tan_y * kAspect;
-    const glm::dmat4 turn = view_matrix(camera);
-    const Reach r = reach(world, turn, centre, bounds.lowest - block_depth(world.grid), tan_x, tan_y);
-    camera.distance_m = 1000;
+glm::dvec3 centre_of(const sim::Grid& grid, Bounds bounds) {
+    return {0.5 * (grid.nx - 1) * grid.dx, 0.5 * (grid.ny - 1) * grid.dx,
+            0.5 * (bounds.lowest + bounds.highest)};
+}
+
+// Moves the camera back, and aside within its image plane; heights so far are above the world's datum.
+void place(Camera& camera, const glm::dmat4& turn, double distance_m, glm::dvec2 aside) {
+    camera.distance_m = distance_m;
+    camera.target += glm::dvec3(glm::transpose(turn) * glm::dvec4(aside, 0, 0));
+}
+
+}  // namespace
+
+Camera overview(const sim::View& world) {
+    constexpr double kElevation = 28;  // degrees
+    constexpr double kFilled = 0.95;   // share of the image that the terrain fills
+    const Bounds bounds = height_bounds(world);
+    const glm::dvec3 centre = centre_of(world.grid, bounds);
+    Camera camera = from_low_side(world, centre, kElevation);
     if (bounds.lowest <= bounds.highest) {
-        camera.distance_m = std::max((r.right + r.left) / (2 * tan_x), (r.up + r.down) / (2 * tan_y));
-        const glm::dvec2 aside(0.5 * (r.right - r.left), 0.5 * (r.up - r.down));
-        camera.target += glm::dvec3(glm::transpose(turn) * glm::dvec4(aside, 0, 0));
+        const double tan_y = kFilled * std::tan(glm::radians(camera.field_of_view_deg) / 2),
+                     tan_x = tan_y * kAspect;
+        const glm::dmat4 turn = view_matrix(camera);
+        const Reach r = reach(world, turn, centre, bounds.lowest - block_depth(world.grid), tan_x, tan_y);
+        place(camera, turn, std::max((r.right + r.left) / (2 * tan_x), (r.up + r.down) / (2 * tan_y)),
+              0.5 * glm::dvec2(r.right - r.left, r.up - r.down));
+    }
+    camera.target.z += world.datum;
+    return camera;
+}
+
+Camera landscape_view(const sim::View& world) {
+    constexpr double kElevation = 14;  // degrees
+    constexpr double kAcross = 0.85;   // width of the terrain as a share of that of the image
+    constexpr double kSkyline = 0.7;   // height of the highest ground in the image, from −1 to 1
+    const Bounds bounds = height_bounds(world);
+    const glm::dvec3 centre = centre_of(world.grid, bounds);
+    Camera camera = from_low_side(world, centre, kElevation);
+    if (bounds.lowest <= bounds.highest) {
+        const double tan_y = std::tan(glm::radians(camera.field_of_view_deg) / 2);
+        const double across = kAcross * kAspect * tan_y, skyline = kSkyline * tan_y;
+        const glm::dmat4 turn = view_matrix(camera);
+        const Reach r = reach(world, turn, centre, bounds.lowest, across, skyline);
+        const double distance_m = (r.right + r.left) / (2 * across);
+        place(camera, turn, distance_m, {0.5 * (r.right - r.left), r.up - skyline * distance_m});
     }
     camera.target.z += world.datum;
     return camera;

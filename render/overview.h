@@ -10,4 +10,8 @@ namespace render {
 // the south.
 Camera overview(const sim::View& world);
 
+// Returns a camera for a terrain with mountains around it: from the same side, but lower and so near that the
+// terrain's borders are outside of the image.
+Camera landscape_view(const sim::View& world);
+
 }  // namespace render

@@ -14,7 +14,7 @@ struct SkyLight {
     double lamp_elevation_deg = 0;  // of that light
     glm::dvec3 lamp{0};             // light that reaches a surface facing it; 0 where sun and moon change
     glm::dvec3 above{0}, below{0};  // light from the open sky, and from the ground
-    double openness_contrast = 0;   // 0 to 1: how much stronger hollows darken the light from the sky
+    double openness_contrast = 0;   // 0 to 1: of slopes in the sun and of hollows, beyond what they are
     glm::dvec3 toward{0}, away{0};  // horizon below the sun, and opposite
     glm::dvec3 zenith{0};
     double sunward = 0;   // how much more light comes from the sky on the sun's side; < 0: on the moon's

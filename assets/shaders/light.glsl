@@ -8,12 +8,14 @@ vec3 lit(vec3 albedo, vec3 normal, float sunlit, float open) {
     float sunward = dot(normal.xy, vec2(frame.toward.w, frame.away.w)), glowing = 0.5 * max(frame.zenith.w, 0.0);
     vec3 sky = frame.above.rgb * (1.0 + frame.zenith.w * sunward) +
                (glowing * sunward) * (frame.toward.rgb - frame.away.rgb);
-    // Under a high sun even slopes look flat. Hollows are drawn darker then, as a photographer prints them, and
-    // bluer, as snow is there: they lose more of the sun than of the sky.
+    // Under a high sun even slopes look flat. They are drawn with more contrast then, as a photographer prints them,
+    // by their difference from level ground; and hollows darker and bluer, as snow is there: they lose sun, not sky.
+    const float kContrast = 0.75;
+    float facing = max(dot(normal, frame.sun.xyz), 0.0);
+    facing *= 1.0 + kContrast * frame.lamp.w * (facing - frame.sun.z);
     sunlit *= mix(1.0, min(open + 0.1, 1.0), 0.9 * frame.lamp.w);
-    open *= mix(1.0, min(open + 0.25, 1.0), frame.lamp.w);
     vec3 around = mix(frame.below.rgb, sky, 0.5 + 0.5 * normal.z) * open;
-    return albedo * (frame.lamp.rgb * (max(dot(normal, frame.sun.xyz), 0.0) * sunlit) + around);
+    return albedo * (frame.lamp.rgb * (facing * sunlit) + around);
 }
 
 // The sky at the horizon in a direction: warm toward a low sun, bluer opposite.

@@ -8,14 +8,14 @@ layout(binding = IMAGE_OPENNESS, r16f) uniform writeonly image2D openness;
 
 const int kDirections = 12;
 const float kReach = 0.25;  // of the longer side; farther terrain hardly raises a horizon
-const float kHollow = 1.8;  // weight of small hollows, by the mean tangent of their sides
+const float kHollow = 3.0;  // weight of small hollows, by the mean tangent of their sides
 
 // How far the ground rises from a vertex on both sides of it, beyond its slope: the mean tangent over one, two and
 // four cells in four directions. Above 0 in a hollow, below 0 on a ridge.
 float hollow(ivec2 v, float here) {
     float sum = 0.0;
     int count = 0;
-    for (int cells = 1; cells <= 4; cells *= 2) {
+    for (int cells = 1; cells <= max(4, max(frame.size.x, frame.size.y) / 10); cells *= 2) {
         for (int i = 0; i < 4; ++i) {
             ivec2 along = cells * ivec2(i == 3 ? 0 : 1, i == 3 ? 1 : i - 1);  // SE, E, NE, N
             ivec2 a = v + along, b = v - along;

@@ -56,7 +56,7 @@ void main() {
     // it is deep, so that noise can leave patches of ground in it.
     float d = texelFetch(depth, v, 0).r, r = texelFetch(rolling, v, 0).r;
     float speed = length(vec2(texelFetch(velocity_x, v, 0).r, texelFetch(velocity_y, v, 0).r));
-    vec2 share = vec2(d / (d + frame.standing.w), min(0.5 * r / frame.rolling.w, 1.0));
+    vec2 share = vec2(cover_share(d, rise), min(0.5 * r / frame.rolling.w, 1.0));
     // No data counts as unchanged. Any other value would be interpolated into the ground beside it.
     float change = frame.material.w > 0.0 && ground ? (d - texelFetch(first_depth, v, 0).r) / MOST_CHANGE : 0.0;
     imageStore(layers, v, vec4(share, speed / (speed + kHalfSpeed), (128.0 + 127.0 * clamp(change, -1.0, 1.0)) / 255.0));

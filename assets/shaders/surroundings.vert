@@ -16,7 +16,7 @@ out vec4 cover_lower_open_sun;
 void main() {
     at = position;
     slope = slope_source.xy;
-    float cover = depth_open_on.x / (depth_open_on.x + frame.standing.w), open = depth_open_on.y;
+    float cover = cover_share(depth_open_on.x, slope), open = depth_open_on.y;
     if (depth_open_on.z > 0.5) {
         ivec2 v = ivec2(position.xy / frame.ground.x + 0.5);
         vec4 here = texelFetch(relief, v, 0);

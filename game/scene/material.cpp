@@ -35,6 +35,7 @@ void read_look(TomlTable& table, render::Look& look) {
     };
     set("roughness", look.roughness, 1);
     set("cover_visible", look.cover_visible_m, 10);
+    set("old_cover", look.old_cover_m, 10);
     if (const auto visible = table.number("rolling_visible", 0.001, 10))
         look.rolling_visible_m = static_cast<float>(*visible);
     if (const auto name = table.text("texture")) {

@@ -76,6 +76,13 @@ void set_ground(Scenario& scenario, const terrains::Terrain& terrain) {
     for (std::size_t i = 0; i < scenario.bedrock.size(); ++i)
         scenario.bedrock[i] = static_cast<float>(static_cast<double>(terrain.surface[i]) - scenario.datum -
                                                  static_cast<double>(terrain.cover[i]));
+    leave_old_cover_on_bare_ground(scenario);
+}
+
+void leave_old_cover_on_bare_ground(Scenario& scenario) {
+    const bool bare =
+        std::all_of(scenario.depth.begin(), scenario.depth.end(), [](float depth) { return depth == 0; });
+    if (!bare || scenario.flow) scenario.look.old_cover_m = 0;
 }
 
 sim::InitialState initial_state_of(const Scenario& scenario) {

@@ -75,6 +75,10 @@ std::optional<std::string> fault_of_commands(sim::Params params, std::span<const
 // its cover, above a whole-metre datum near its lowest point.
 void set_ground(Scenario& scenario, const terrains::Terrain& terrain);
 
+// Old cover is drawn only where a world starts without any standing layer: without it, real winter terrain would
+// look like summer. Elsewhere what is bare is meant to be.
+void leave_old_cover_on_bare_ground(Scenario& scenario);
+
 // A view for sim; valid as long as the scenario is.
 sim::InitialState initial_state_of(const Scenario& scenario);
 

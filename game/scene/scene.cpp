@@ -12,6 +12,7 @@
 #include "game/scene/material.h"
 #include "game/scene/scene_ground.h"
 #include "game/scene/scene_light.h"
+#include "render/overview.h"
 #include "terrains/dem_gdal.h"
 #include "terrains/release.h"
 
@@ -120,6 +121,17 @@ std::vector<TimedCommand> read_commands(TomlTable& root, double tick_s, bool has
     std::stable_sort(commands.begin(), commands.end(),
                      [](const TimedCommand& a, const TimedCommand& b) { return a.tick < b.tick; });
     return commands;
+}
+
+// Terrain without a view of its own is seen from the valley, with the sun low and beside the slope, on its southern
+// side, because that shows its shape.
+void view_from_valley(Scenario& scenario) {
+    const sim::State state = sim::make_state(initial_state_of(scenario), scenario.params);
+    scenario.camera = render::landscape_view(sim::view(state));
+    constexpr double kBeside = 70, kHeight = 24;  // degrees
+    const double from = scenario.camera->azimuth_deg;
+    const double southward = std::remainder(180 - from, 360);
+    scenario.light = {std::fmod(from + std::copysign(kBeside, southward) + 360, 360), kHeight};
 }
 
 // Reads [look], [camera] and [light]. Returns the moment whose sun lights the scene, if [light] gives one.
@@ -345,6 +357,7 @@ Outcome<Scene> scene_of_terrain(const fs::path& dem, const std::optional<fs::pat
     params.borders.fill(sim::Border::kSink);
     take_material(scene.scenario, *material, params);
     set_ground(scene.scenario, *terrain);
+    view_from_valley(scene.scenario);
     if (release) {
         auto rolling = read_release_on(*terrain, *release, overrides.references, scene);
         if (!rolling) return tl::unexpected(rolling.error());

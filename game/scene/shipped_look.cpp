@@ -15,6 +15,7 @@ Outcome<void> take_look(LookFrom from, Scenario& scenario) {
         look.lower_rolling = scenario.look.lower_rolling;
         look.lower_turf = scenario.look.lower_turf;
         scenario.look = look;
+        leave_old_cover_on_bare_ground(scenario);
     }
     if (!scenario.lower || !is_asset(AssetKind::kMaterial, scenario.lower->material)) return {};
     const auto lower = load_material(scenario.lower->material, scenario.params.model);

@@ -11,7 +11,7 @@ namespace render {
 
 tl::expected<SurroundingsPass, std::string> SurroundingsPass::create(const std::filesystem::path& shaders) {
     auto program = link_program(
-        shaders, {{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "surroundings.vert"}},
+        shaders, {{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "cover.glsl", "surroundings.vert"}},
                   {GL_FRAGMENT_SHADER,
                    {"slots.glsl", "frame.glsl", "light.glsl", "ground.glsl", "surroundings.frag"}}});
     if (!program) return tl::unexpected(program.error());

@@ -56,7 +56,7 @@ TEST_F(Colours, a_level_plane_has_the_colour_computed_by_hand) {
     }
 }
 
-TEST_F(Colours, a_slope_that_faces_the_sun_is_lit_by_the_cosine_between_them) {
+TEST_F(Colours, a_slope_that_faces_the_sun_is_lit_by_the_cosine_between_them_with_contrast) {
     World slope = make_world(40, 4, [](double x, double) { return 0.5 * x; });  // faces west
     slope.depth.fill(1);
     const Picture p = draw(slope, from_above({80, 80, 41}, 8), {270, 30}, plain_look());
@@ -65,7 +65,9 @@ TEST_F(Colours, a_slope_that_faces_the_sun_is_lit_by_the_cosine_between_them) {
     const double up = 0.5 + 0.5 * n_z, aside = 0.5 * n_z * std::cos(0.5235988);
     const SkyLight light = sky_light(30);
     const double sky = light.above.r * (1 + 0.5 * aside);
-    const double red = 0.5 * (light.lamp.r * n_l + light.below.r + (sky - light.below.r) * up);
+    // It is drawn with more contrast to level ground than it has.
+    const double drawn = n_l * (1 + 0.75 * light.openness_contrast * (n_l - 0.5));
+    const double red = 0.5 * (light.lamp.r * drawn + light.below.r + (sky - light.below.r) * up);
     const double knee = red < 0.6 ? red : 0.6 + 0.4 * (1 - std::pow(1 + (red - 0.6) / 1.6, -4));
     // The plane's own horizon hides a little of the sky.
     EXPECT_NEAR(mean_colour(p, 48, 48, 10)[0], 255 * (1.055 * std::pow(knee, 1 / 2.4) - 0.055), 3);

@@ -48,6 +48,21 @@ TEST_F(Cover, hides_the_same_share_at_any_resolution) {
     for (const int pixels : {96, 192, 768}) EXPECT_NEAR(share(world, pixels), whole, 0.02) << pixels;
 }
 
+// Level ground, beyond it a slope of 60 degrees; all bare.
+TEST_F(Cover, shows_old_snow_on_bare_ground_that_is_not_steep) {
+    const World world = make_world(48, 10, [](double x, double) { return 1.7 * std::max(0.0, x - 240); });
+    Look look;
+    look.standing = glm::vec3(0.8f);
+    look.rock = look.meadow = glm::vec3(0.02f);
+    const auto brightness = [&](float old_cover_m, int x) {
+        look.old_cover_m = old_cover_m;
+        return mean_colour(draw(world, from_above({240, 240, 400}, 440), {270, 60}, look, 100, 100), x, 50,
+                           10)[1];
+    };
+    EXPECT_GT(brightness(0.8f, 25), brightness(0, 25) + 60);
+    EXPECT_NEAR(brightness(0.8f, 75), brightness(0, 75), 3);
+}
+
 TEST_F(Cover, hides_the_same_share_on_any_grid) {
     const double usual = share(thinly_covered(160), 384);
     for (const int squares : {80, 320, 512})

@@ -20,11 +20,14 @@ test::World western_slope() {
     return world;
 }
 
-TEST(Overview, has_every_vertex_in_a_picture_of_16_to_9_and_leaves_little_of_it_empty) {
-    const test::World world = western_slope();
-    const Camera camera = overview(world.view());
+// Where the vertices lie in an image of 16 to 9, from −1 to 1.
+struct Extent {
+    glm::dvec2 lowest{1}, highest{-1};
+};
+
+Extent extent_in_image(const test::World& world, const Camera& camera) {
     const glm::dmat4 clip_from_world = projection_matrix(camera, 16.0 / 9.0) * view_matrix(camera);
-    glm::dvec2 lowest(1), highest(-1);
+    auto [lowest, highest] = Extent();
     for (int y = 0; y < world.grid.ny; ++y) {
         for (int x = 0; x < world.grid.nx; ++x) {
             const glm::dvec4 clip =
@@ -33,6 +36,12 @@ TEST(Overview, has_every_vertex_in_a_picture_of_16_to_9_and_leaves_little_of_it_
             highest = {std::max(highest.x, clip.x / clip.w), std::max(highest.y, clip.y / clip.w)};
         }
     }
+    return {lowest, highest};
+}
+
+TEST(Overview, has_every_vertex_in_a_picture_of_16_to_9_and_leaves_little_of_it_empty) {
+    const test::World world = western_slope();
+    const auto [lowest, highest] = extent_in_image(world, overview(world.view()));
     EXPECT_GT(lowest.x, -1);
     EXPECT_GT(lowest.y, -1);
     EXPECT_LT(highest.x, 1);
@@ -49,6 +58,22 @@ TEST(Overview, stands_on_the_low_side_and_off_the_fall_line) {
 TEST(Overview, looks_at_flat_ground_from_the_south) {
     const test::World flat = test::make_world(10, 5, [](double, double) { return 3; });
     EXPECT_DOUBLE_EQ(overview(flat.view()).azimuth_deg, 180);
+}
+
+TEST(LandscapeView, has_sky_over_the_highest_ground_and_terrain_almost_from_side_to_side) {
+    const test::World world = western_slope();
+    const auto [lowest, highest] = extent_in_image(world, landscape_view(world.view()));
+    EXPECT_NEAR(highest.y, 0.7, 1e-3);
+    EXPECT_GT(highest.x - lowest.x, 1.2);  // of 2
+    EXPECT_LT(highest.x, 1);
+    EXPECT_GT(lowest.x, -1);
+}
+
+TEST(LandscapeView, stands_lower_than_the_overview_on_the_same_side) {
+    const test::World world = western_slope();
+    const Camera far = overview(world.view()), near = landscape_view(world.view());
+    EXPECT_LT(near.elevation_deg, far.elevation_deg);
+    EXPECT_DOUBLE_EQ(near.azimuth_deg, far.azimuth_deg);
 }
 
 }  // namespace
