@@ -64,7 +64,7 @@ SkyLight sky_light(double sun_elevation_deg) {
     };
     // The air dims a low sun to a hundredth. A camera would follow, and so does this exposure. At noon it keeps
     // slopes of snow that face the sun below white.
-    const double exposure = (1.0 + 1.5 * std::exp(-h / 18)) * (1 - 0.32 * noon);
+    const double exposure = (1.0 + 1.5 * std::exp(-h / 18)) * (1 - 0.28 * noon);
     const glm::dvec3 through = transmitted(h);
     const double up = ramp(-1, 1.5, sun_elevation_deg);  // share of the sun above the horizon
 
