@@ -7,7 +7,7 @@ layout(std430, binding = SLOT_FLOW_MIX) readonly buffer FlowMix { vec4 mixes[]; 
 struct OfVertex {
     int beside;     // its index among the gradients
     float deposit;  // m
-    int shows;      // vertex whose offsets are drawn
+    int shows;      // vertex whose texture is drawn
     float stretch;  // 0: not stretched
 };
 layout(std430, binding = SLOT_FLOW_VERTICES) readonly buffer FlowVertices { OfVertex vertices[]; };
@@ -44,7 +44,7 @@ void main() {
     vec2 way = at - mesh_positions[v.side];
     for (int k = 0; k < 3; ++k)
         offset[k] = vec4(carried_on(v.side, 2 * k, way, v.on_front), carried_on(v.side, 2 * k + 1, way, v.on_front));
-    mixture = mixes[v.side];
+    mixture = mixes[vertices[v.side].shows];
     stretch = vertices[v.side].stretch;
     lies = clamp(0.5 * deposit(v.side) / frame.rolling.w, 0.0, 1.0);
     gl_CullDistance[0] = is_seen(v.side) ? 1.0 : -1.0;

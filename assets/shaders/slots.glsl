@@ -41,7 +41,7 @@
 // Reused while a flow is drawn, because an OpenGL may have only eight
 #define SLOT_FLOW_OFFSETS 4      // six vec2 of each vertex: sim::front::TextureLayers::Offsets, m
 #define SLOT_FLOW_MIX 5          // vec4 of each vertex: shares of the second phases, latency
-#define SLOT_FLOW_VERTICES 6     // of each vertex: its index beside a front, -1: none; deposit, m; vertex whose offsets are drawn; stretch
+#define SLOT_FLOW_VERTICES 6     // of each vertex: its index beside a front, -1: none; deposit, m; vertex whose texture is drawn; stretch
 #define SLOT_FLOW_GRADIENTS 7    // six mat2 of each vertex beside a front
 
 // Image units
