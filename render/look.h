@@ -25,7 +25,7 @@ struct FlowLook {
 
 // The look of ground and material. It belongs to a scene and its material, never to the simulation.
 struct Look {
-    glm::vec3 rock{0.23f, 0.21f, 0.20f};            // steep bare ground
+    glm::vec3 rock{0.145f, 0.13f, 0.12f};           // steep bare ground
     glm::vec3 meadow{0.205f, 0.185f, 0.085f};       // gentle bare ground
     glm::vec3 standing{0.86f, 0.89f, 0.93f};        // erodible layer
     glm::vec3 rolling{0.42f, 0.58f, 0.84f};         // rolling layer

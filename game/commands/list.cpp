@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "game/base/print.h"
@@ -34,11 +36,13 @@ Outcome<int> list(const ListOptions& options) {
         if (!names) return tl::unexpected(names.error());
         text += fmt::format("{}\n", shelf.heading);
         json[shelf.key] = Json::array();
+        std::size_t longest = 0;
+        for (const std::string& name : *names) longest = std::max(longest, one_line(name).size());
         for (const std::string& name : *names) {
             const bool titled = shelf.kind != AssetKind::kRecording;
             const std::string title = titled ? title_of(shelf.kind, name) : "";
             json[shelf.key].push_back(titled ? Json{{"name", name}, {"title", title}} : Json{{"name", name}});
-            text += titled ? fmt::format("  {:<16}{}\n", one_line(name), one_line(title))
+            text += titled ? fmt::format("  {:<{}}  {}\n", one_line(name), longest, one_line(title))
                            : fmt::format("  {}\n", one_line(name));
         }
     }
