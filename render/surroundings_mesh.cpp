@@ -61,7 +61,7 @@ class Builder {
                              around_.height(at + north) - around_.height(at - north)) /
                   (2 * reach);
         v.source = around_.source(at) / around_.cell();
-        v.depth = static_cast<float>(around_.depth(at));
+        v.cover = around_.cover_by_height(at);
         v.open = openness(at, z);
         mesh_.vertices.push_back(v);
         return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
@@ -119,7 +119,20 @@ class Builder {
         return ring;
     }
 
-    // Triangles between two rings; the one that is behind advances.
+    // Whether an edge is nearer to the ground in its middle than another one. A crest or a gully between two
+    // rings lies on the ground with one diagonal of a square and is cut into needles with the other.
+    bool is_closer(std::pair<std::uint32_t, std::uint32_t> edge,
+                   std::pair<std::uint32_t, std::uint32_t> other) const {
+        const auto off = [&](std::pair<std::uint32_t, std::uint32_t> ends) {
+            const glm::dvec3 middle = 0.5 * (glm::dvec3(mesh_.vertices[ends.first].at) +
+                                             glm::dvec3(mesh_.vertices[ends.second].at));
+            return std::abs(middle.z - around_.height(middle));
+        };
+        return off(edge) < off(other);
+    }
+
+    // Triangles between two rings; the one that is behind advances, and at a square the one whose advance makes
+    // the better diagonal.
     void stitch(const Ring& inner, const Ring& outer, int number) {
         std::size_t i = 0, o = 0;
         const auto way = [](const Ring& ring, std::size_t k) {
@@ -129,8 +142,12 @@ class Builder {
             return ring.vertex[k % ring.vertex.size()];
         };
         while (i < inner.way.size() || o < outer.way.size()) {
-            const bool outside =
-                o < outer.way.size() && (i == inner.way.size() || way(outer, o + 1) <= way(inner, i + 1));
+            const bool square =
+                o < outer.way.size() && i < inner.way.size() && way(outer, o + 1) == way(inner, i + 1);
+            const bool outside = square ? is_closer({vertex(inner, i), vertex(outer, o + 1)},
+                                                    {vertex(inner, i + 1), vertex(outer, o)})
+                                        : o < outer.way.size() && (i == inner.way.size() ||
+                                                                   way(outer, o + 1) < way(inner, i + 1));
             const double middle = std::min(way(outer, o), way(inner, i));
             const std::pair key{number / kRingsInPatch, static_cast<int>(middle / 4 * kPatchesAround)};
             if (outside) {

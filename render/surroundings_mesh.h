@@ -15,7 +15,7 @@ struct SurroundingsVertex {
     glm::vec3 at;       // m, as in shaders
     glm::vec2 slope;    // along x and y
     glm::vec2 source;   // cells, place on the grid whose material is drawn here
-    float depth;        // of the standing layer, m
+    glm::vec2 cover;    // added to that of the source: depth, m, and share of the lower material
     float open;         // share of the sky that is seen, 0 to 1
     float on_grid = 0;  // 1: a vertex of the grid's ground, whose height now is that of the world
 };

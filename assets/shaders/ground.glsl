@@ -93,6 +93,22 @@ float thinned(Place p, Detail d, float share) {
     return share - 0.5 - min(patchy, mix(most, patchy, 0.25)) * frame.haze.w;
 }
 
+// Where one material ends on another that nothing has touched, as snow does in spring: the border reaches down into
+// hollows and gullies and frays into patches. It is taken from a place as far away as this, m: uphill for the upper
+// material to reach lower.
+vec2 frayed(Place p, Detail d) {
+    float most = 0.035 * frame.ground.x * float(max(frame.size.x, frame.size.y));
+    float lower = 0.8 * (d.broad.z - 0.5) + 0.8 * (d.tone - 0.4) + 0.6 * (d.soft.z - 0.53) + 0.5 * (0.40 - d.rock.z) + 0.3 * (d.clumps.z - 0.59) + 3.0 * (0.85 - p.open);
+    return clamp(lower, -1.0, 1.0) * most * frame.haze.w * p.slope * inversesqrt(0.02 + dot(p.slope, p.slope));
+}
+
+// The visible share of the lower of two materials where nothing has touched them: clods and patches of either.
+float patchy_share(Detail d, float share) {
+    float lump = 1.2 * (d.clumps.z - 0.59) + 0.9 * (d.rock.z - 0.40) + 0.5 * (d.soft.z - 0.53);
+    float ragged = clamp((share - 0.5 + 4.0 * lump * share * (1.0 - share)) * 5.0 + 0.5, 0.0, 1.0);
+    return mix(share, ragged, frame.haze.w);
+}
+
 // Share of rock in bare ground: steep or high.
 float stony(Place p, Detail d) {
     float altitude = (p.at.z - frame.ground.z) / (frame.ground.w - frame.ground.z);

@@ -27,7 +27,8 @@
 #define SLOT_SKY 20 // RGBA16F: the sky at a quarter of the resolution; a: what thin cloud leaves of lights behind it
 #define SLOT_SURROUNDINGS 21 // R32F: rough heights around the block, m above datum
 #define SLOT_PICTURE 22   // RGBA8: the frame as the screen shows it, not linear
-#define SLOT_UNITS 23     // number of texture units
+#define SLOT_FIRST_COVER 23 // RG16F: the standing layer at tick 0, holes filled: depth, m; share of the lower material at its surface
+#define SLOT_UNITS 24     // number of texture units
 
 // Storage buffers; cut_vertex.glsl reads the first four
 #define SLOT_MESH_POSITIONS 0    // vec2 of each vertex, m

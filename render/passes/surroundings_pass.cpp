@@ -1,5 +1,7 @@
 #include "render/passes/surroundings_pass.h"
 
+#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <utility>
 
@@ -9,11 +11,31 @@
 
 namespace render {
 
+namespace {
+
+// Mip-mapped, because a pixel of far mountains covers many vertices of the grid.
+Texture make_cover_texture(const Surroundings& around) {
+    const int columns = around.columns(), rows = around.rows();
+    GLuint name = 0;
+    glCreateTextures(GL_TEXTURE_2D, 1, &name);
+    glTextureStorage2D(name, std::bit_width(static_cast<unsigned>(std::max(columns, rows))), GL_RG16F,
+                       columns, rows);
+    glTextureSubImage2D(name, 0, 0, 0, columns, rows, GL_RG, GL_FLOAT, around.cover().data());
+    glGenerateTextureMipmap(name);
+    glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+    glTextureParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return Texture(name);
+}
+
+}  // namespace
+
 tl::expected<SurroundingsPass, std::string> SurroundingsPass::create(const std::filesystem::path& shaders) {
     auto program = link_program(
-        shaders, {{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "cover.glsl", "surroundings.vert"}},
-                  {GL_FRAGMENT_SHADER,
-                   {"slots.glsl", "frame.glsl", "light.glsl", "ground.glsl", "surroundings.frag"}}});
+        shaders,
+        {{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "cover.glsl", "surroundings.vert"}},
+         {GL_FRAGMENT_SHADER,
+          {"slots.glsl", "frame.glsl", "cover.glsl", "light.glsl", "ground.glsl", "surroundings.frag"}}});
     if (!program) return tl::unexpected(program.error());
     SurroundingsPass pass;
     pass.program_ = std::move(*program);
@@ -48,11 +70,12 @@ void SurroundingsPass::survey(const Surroundings& around, const FrameBlock& fram
         glVertexArrayVertexBuffer(array, 1, sunlit_buffer_.name(), 0, sizeof(float));
         attribute(0, 0, 3, offsetof(Vertex, at));
         attribute(1, 0, 4, offsetof(Vertex, slope));  // and source
-        attribute(2, 0, 3, offsetof(Vertex, depth));  // openness, on grid
+        attribute(2, 0, 4, offsetof(Vertex, cover));  // openness, on grid
         attribute(3, 1, 1, 0);
         heights_ = make_texture(GL_R32F, Surroundings::kRough, Surroundings::kRough, GL_LINEAR);
         glTextureSubImage2D(heights_.name(), 0, 0, 0, Surroundings::kRough, Surroundings::kRough, GL_RED,
                             GL_FLOAT, around.rough_heights().data());
+        cover_ = make_cover_texture(around);
         counts_.reserve(mesh_.patches.size());
         firsts_.reserve(mesh_.patches.size());
         visible_.reserve(mesh_.patches.size());
@@ -67,6 +90,7 @@ void SurroundingsPass::survey(const Surroundings& around, const FrameBlock& fram
 
 void SurroundingsPass::bind() const {
     glBindTextureUnit(SLOT_SURROUNDINGS, heights_.name());
+    glBindTextureUnit(SLOT_FIRST_COVER, cover_.name());
 }
 
 void SurroundingsPass::draw(const FrameBlock& frame) {

@@ -22,9 +22,9 @@ class SurroundingsPass {
     // Computes and uploads what depends on the surroundings, and on the direction of the sun: a tenth of a second
     // and a few hundredths. Does nothing if both are known.
     void survey(const Surroundings& around, const FrameBlock& frame);
-    void bind() const;  // SLOT_SURROUNDINGS: the rough heights
+    void bind() const;  // SLOT_SURROUNDINGS: the rough heights; SLOT_FIRST_COVER
     // Draws colour and depth, where nothing nearer was drawn. Reads SLOT_RELIEF, SLOT_LAYERS, SLOT_MIXTURE,
-    // SLOT_DETAIL.
+    // SLOT_DETAIL, SLOT_FIRST_COVER.
     void draw(const FrameBlock& frame);
 
   private:
@@ -35,7 +35,7 @@ class SurroundingsPass {
     std::vector<float> sunlit_;
     VertexArray vertex_array_;
     Buffer vertices_, sunlit_buffer_, indices_;
-    Texture heights_;
+    Texture heights_, cover_;
     // Of one frame; kept so that a frame allocates nothing.
     std::vector<const SurroundingsPatch*> visible_;
     std::vector<GLsizei> counts_;

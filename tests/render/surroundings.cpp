@@ -1,7 +1,9 @@
 #include "render/surroundings.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -78,6 +80,100 @@ TEST(Surroundings, fill_holes_from_their_rim) {
         }
     const Surroundings around = mountains_around(world);
     for (double x = 50; x <= 145; x += 5) EXPECT_NEAR(around.height({x, 100}), x, 12) << x;
+}
+
+TEST(Surroundings, are_as_rough_in_a_hole_as_the_ground_around_it) {
+    World world = make_world(120, 5, [](double x, double y) {
+        return 0.4 * x + 14 * std::sin(x / 22) * std::cos(y / 17) + 4 * std::sin(x / 7 + y / 9);
+    });
+    for (int y = 0; y <= 120; ++y)
+        for (int x = 60; x <= 120; ++x) world.site(x, y) = sim::Site::kDrain;
+    const Surroundings around = mountains_around(world);
+    const auto roughness = [&](double from, double to) {
+        double sum = 0;
+        int count = 0;
+        for (double y = 50; y <= 550; y += 5)
+            for (double x = from; x <= to; x += 5, ++count)
+                sum += std::abs(around.height({x - 15, y}) - 2 * around.height({x, y}) +
+                                around.height({x + 15, y}));
+        return sum / count;
+    };
+    const double known = roughness(50, 250), invented = roughness(370, 550);
+    EXPECT_GT(invented, 0.4 * known);
+    EXPECT_LT(invented, 2.5 * known);
+}
+
+// The height of a mesh's surface above a place outside the grid, by the triangle there.
+std::optional<double> mesh_height(const SurroundingsMesh& mesh, glm::dvec2 at) {
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const glm::dvec3 a(mesh.vertices[mesh.indices[i]].at), b(mesh.vertices[mesh.indices[i + 1]].at),
+            c(mesh.vertices[mesh.indices[i + 2]].at);
+        const auto area = [](glm::dvec2 u, glm::dvec2 v, glm::dvec2 w) {
+            return (v.x - u.x) * (w.y - u.y) - (v.y - u.y) * (w.x - u.x);
+        };
+        const double of_a = area(at, b, c), of_b = area(at, c, a), of_c = area(at, a, b);
+        if (of_a < 0 || of_b < 0 || of_c < 0) continue;
+        return (of_a * a.z + of_b * b.z + of_c * c.z) / (of_a + of_b + of_c);
+    }
+    return std::nullopt;
+}
+
+TEST(Surroundings, have_crests_without_needles) {
+    // A sharp crest that leaves the grid over its eastern border. On the ground it changes slowly; a mesh that cuts
+    // it has a gap between each two rings.
+    const World world = make_world(160, 12.5, [](double, double y) { return 900 - std::abs(y - 1812); });
+    const Surroundings around = mountains_around(world);
+    const SurroundingsMesh mesh = surroundings_mesh(around);
+    std::vector<double> crest;
+    for (double x = 2030; x < 2500; x += 9) {
+        double highest = 0;
+        for (double y = 1770; y < 1850; y += 2)
+            highest = std::max(highest, mesh_height(mesh, {x, y}).value_or(0));
+        crest.push_back(highest);
+    }
+    double bends = 0;
+    for (std::size_t i = 1; i + 1 < crest.size(); ++i)
+        bends = std::max(bends, std::abs(crest[i - 1] - 2 * crest[i] + crest[i + 1]));
+    EXPECT_LT(bends, 8) << "m in steps of 9 m";
+}
+
+TEST(Surroundings, are_covered_like_the_grid_at_their_height) {
+    // Snow above a line, and a bare patch in it.
+    World world = make_world(100, 5, [](double x, double y) { return 0.5 * x + 10 * std::sin(y / 40); });
+    for (int y = 0; y <= 100; ++y)
+        for (int x = 0; x <= 100; ++x)
+            world.depth(x, y) = world.bedrock(x, y) > 125 && std::hypot(x - 80, y - 50) > 6 ? 1.f : 0.f;
+    const Surroundings around = mountains_around(world);
+    const auto depth_at_source = [&](glm::dvec2 at) {
+        const glm::ivec2 v(around.source(at) / around.cell() + 0.5);
+        return static_cast<double>(
+            around.cover()[static_cast<std::size_t>(v.y) * 101 + static_cast<std::size_t>(v.x)].x);
+    };
+    int high = 0, low = 0;
+    double on_high = 0, on_low = 0;
+    for (double x = -240; x < 740; x += 11)
+        for (double y = -240; y < 740; y += 11) {
+            const glm::dvec2 at(x, y);
+            if (around.away(at) == 0) continue;
+            const double depth = std::clamp(depth_at_source(at) + around.cover_by_height(at).x, 0.0, 1.0);
+            const double z = around.height(at);
+            if (z > 150) on_high += depth, ++high;
+            if (z < 100) on_low += depth, ++low;
+        }
+    ASSERT_GT(std::min(high, low), 100);
+    EXPECT_GT(on_high / high, 0.9);
+    EXPECT_LT(on_low / low, 0.1);
+}
+
+TEST(Surroundings, know_what_lies_at_the_surface_of_two_materials) {
+    const World world = make_world(10, 5, [](double x, double) { return x; });
+    std::vector<float> bedrock(121, 0), depth(121, 1), lower(121, 0.5f);
+    lower[0] = 1;
+    lower[1] = 0.975f;
+    const Surroundings around(world.grid, bedrock, depth, std::vector<std::uint8_t>(121, 1), lower);
+    EXPECT_EQ(around.cover()[0], glm::vec2(1, 1));
+    EXPECT_NEAR(around.cover()[1].y, 0.5, 1e-4);
+    EXPECT_EQ(around.cover()[2], glm::vec2(1, 0));
 }
 
 TEST(Surroundings, need_ground) {
