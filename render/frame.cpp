@@ -170,7 +170,8 @@ void Renderer::draw(const FrameInput& input) {
     // Shade each pixel once, whatever the number of triangles under it.
     p.target.begin_shading();
     p.tiles.find(input, frame.clip_from_world, p.target.samples_across(), p.target.samples_up());
-    p.terrain.shade(marks, p.tiles, p.target.samples_across(), p.target.samples_up());
+    p.terrain.shade(marks, p.tiles, world.mixture != nullptr, p.target.samples_across(),
+                    p.target.samples_up());
     p.clock.mark(Pass::kTerrain);
 
     if (flows && marks.flow_mesh) {

@@ -7,18 +7,14 @@ in vec2 source;
 in vec4 cover_lower_open_sun;
 out vec4 colour;
 
-// The shares of cover and of its lower material, by pixel: vertices are farther apart than patches are wide.
-vec2 cover_at(Place p, Detail d) {
-    vec2 first = texture(first_cover, (source + 0.5) / vec2(frame.size.xy)).xy;
-    vec2 cover = clamp(vec2(cover_share(first.x, slope), first.y) + cover_lower_open_sun.xy, 0.0, 1.0);
-    if (frame.lower_standing.w > 0.0) {
-        // East and north at the source, which is mirrored.
-        vec2 turned = sign(dFdx(source) * dFdx(at.xy) + dFdy(source) * dFdy(at.xy));
-        vec2 there = source + turned * frayed(p, d) / frame.ground.x;
-        float lower = texture(first_cover, (there + 0.5) / vec2(frame.size.xy)).y;
-        cover.y = patchy_share(d, clamp(lower + cover_lower_open_sun.y, 0.0, 1.0));
-    }
-    return cover;
+// The visible share of the lower material, in surroundings_two.glsl; surroundings_one.glsl is for one material.
+// `source` in cells; `added`: to the share there.
+float lower_share(Place p, Detail d, vec2 source, float added);
+
+// The share of cover, by pixel: vertices are farther apart than bare patches are wide.
+float cover_here() {
+    float depth = texture(first_cover, (source + 0.5) / vec2(frame.size.xy)).x;
+    return clamp(cover_share(depth, slope) + cover_lower_open_sun.x, 0.0, 1.0);
 }
 
 void main() {
@@ -26,11 +22,11 @@ void main() {
     float forward = dot(ray, frame.ray_forward.xyz);
     Place p = place_at(at, ray / forward, forward, slope, cover_lower_open_sun.z);
     Detail d = detail_at(p);
-    vec2 cover_lower = cover_at(p, d);
-    float thin = thinned(p, d, cover_lower.x);
+    float thin = thinned(p, d, cover_here());
+    float lower = lower_share(p, d, source, cover_lower_open_sun.y);
     float covered = clamp(thin / (0.015 + min(0.035 * p.footprint, 0.2) + 0.2 * p.footprint / frame.ground.x) + 0.5, 0.0, 1.0);
-    vec3 lies = mix(frame.standing.rgb, frame.lower_standing.rgb, cover_lower.y);
-    vec4 turf = frame.material.w * mix(frame.turf, frame.lower_turf, cover_lower.y);
+    vec3 lies = mix(frame.standing.rgb, frame.lower_standing.rgb, lower);
+    vec4 turf = frame.material.w * mix(frame.turf, frame.lower_turf, lower);
     vec4 fine = fine_at(p, d, covered);
     Skin skin = blend(ground(p, d, fine), blend(cover(lies, d, fine), grown(turf, d, fine), turf.w), covered);
 

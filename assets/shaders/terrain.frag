@@ -3,7 +3,6 @@
 layout(binding = SLOT_SCENE_DEPTH) uniform sampler2D scene_depth;
 layout(binding = SLOT_RELIEF) uniform sampler2D relief;
 layout(binding = SLOT_LAYERS) uniform sampler2D layers;
-layout(binding = SLOT_MIXTURE) uniform sampler2D mixture;
 
 in vec2 ndc;
 out vec4 colour;
@@ -24,22 +23,9 @@ Skin under_flow(Skin skin, Slide slide, Place p, Detail d, float covered, out fl
 // reflects.
 vec3 marked(vec3 seen, Place p, vec3 light);
 
-// 1 where the standing layer is as deep as at tick 0; `change` as in `layers`.
-float unchanged(float change) { return clamp(3.0 - abs(255.0 * change - 128.0), 0.0, 1.0); }
-
-// With two materials: the visible share of the lower one, in the standing and rolling layers. It appears as
-// clods of one in the other, as large as small relief.
-vec2 lower_shares(Place p, Detail d, float change) {
-    vec2 share = texture(mixture, (p.at.xy / frame.ground.x + 0.5) / vec2(frame.size.xy)).rg;
-    float lump = (d.clumps.z - 0.5) + 0.5 * (d.soft.z - 0.5);
-    share = clamp(share + 2.4 * lump * share * (1.0 - share) * frame.haze.w, 0.0, 1.0);
-
-    // Where no slide has been, here and there, the border is frayed.
-    vec2 there = ((p.at.xy + frayed(p, d)) / frame.ground.x + 0.5) / vec2(frame.size.xy);
-    float untouched = unchanged(change) * unchanged(texture(layers, there).w);
-    share.x = mix(share.x, patchy_share(d, texture(mixture, there).r), untouched);
-    return share;
-}
+// The visible share of the lower material, in the standing and rolling layers, in materials_two.glsl;
+// materials_one.glsl is for worlds of one material. `change` as in `layers`.
+vec2 lower_shares(Place p, Detail d, float change);
 
 Place find_place(float depth) {
     vec3 ray = frame.ray_forward.xyz + ndc.x * frame.ray_right.xyz + ndc.y * frame.ray_up.xyz;
@@ -63,7 +49,7 @@ void main() {
     float cover_slope = length(cover_along);
     float covered = clamp(thin / (0.015 + min(0.035 * p.footprint, 0.2) + pixel * clamp(cover_slope, 0.05, 1.0)) + 0.5, 0.0, 1.0);
 
-    vec2 lower = frame.lower_standing.w > 0.0 ? lower_shares(p, d, smoothed.value.w) : vec2(0.0);
+    vec2 lower = lower_shares(p, d, smoothed.value.w);
     vec3 lies = frame.standing.rgb * (1.0 - lower.x) + frame.lower_standing.rgb * lower.x;  // exact if unmixed, unlike mix
     vec3 rolling_colour = frame.rolling.rgb * (1.0 - lower.y) + frame.lower_rolling.rgb * lower.y;
     Slide slide = Slide(smoothed, lies, rolling_colour);

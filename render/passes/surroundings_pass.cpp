@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <string_view>
 #include <utility>
 
 #include "assets/shaders/slots.glsl"
@@ -31,14 +32,19 @@ Texture make_cover_texture(const Surroundings& around) {
 }  // namespace
 
 tl::expected<SurroundingsPass, std::string> SurroundingsPass::create(const std::filesystem::path& shaders) {
-    auto program = link_program(
-        shaders,
-        {{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "cover.glsl", "surroundings.vert"}},
-         {GL_FRAGMENT_SHADER,
-          {"slots.glsl", "frame.glsl", "cover.glsl", "light.glsl", "ground.glsl", "surroundings.frag"}}});
-    if (!program) return tl::unexpected(program.error());
+    const auto link = [&](std::string_view materials) {
+        return link_program(
+            shaders, {{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "cover.glsl", "surroundings.vert"}},
+                      {GL_FRAGMENT_SHADER,
+                       {"slots.glsl", "frame.glsl", "cover.glsl", "light.glsl", "ground.glsl",
+                        "surroundings.frag", materials}}});
+    };
+    auto one = link("surroundings_one.glsl"), two = link("surroundings_two.glsl");
+    if (!one) return tl::unexpected(one.error());
+    if (!two) return tl::unexpected(two.error());
     SurroundingsPass pass;
-    pass.program_ = std::move(*program);
+    pass.one_material_ = std::move(*one);
+    pass.two_materials_ = std::move(*two);
     return pass;
 }
 
@@ -104,7 +110,7 @@ void SurroundingsPass::draw(const FrameBlock& frame) {
         firsts_.push_back(reinterpret_cast<const void*>(offset));  // NOLINT(performance-no-int-to-ptr)
     }
     const Enabled depth_test(GL_DEPTH_TEST), cull_face(GL_CULL_FACE);
-    glUseProgram(program_.name());
+    glUseProgram((frame.lower_standing.w > 0 ? two_materials_ : one_material_).name());
     glBindVertexArray(vertex_array_.name());
     glMultiDrawElements(GL_TRIANGLES, counts_.data(), GL_UNSIGNED_INT, firsts_.data(),
                         static_cast<GLsizei>(counts_.size()));

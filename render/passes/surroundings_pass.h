@@ -28,7 +28,8 @@ class SurroundingsPass {
     void draw(const FrameBlock& frame);
 
   private:
-    ProgramName program_;
+    // Variants, because shader code costs time even if its branch is not taken.
+    ProgramName one_material_, two_materials_;
     std::uint64_t known_ = 0;  // fingerprint
     glm::vec4 known_sun_{0};
     SurroundingsMesh mesh_;

@@ -27,7 +27,7 @@ Texture make_detail_texture() {
     return texture;
 }
 
-// Creates the surface's shading with the files that define slides and marks.
+// Creates the surface's shading with the files that define materials, slides and marks.
 tl::expected<RectanglePass, std::string> make_shading(const std::filesystem::path& shaders,
                                                       std::initializer_list<std::string_view> variant) {
     std::vector<std::string_view> files{"slots.glsl",  "frame.glsl",      "light.glsl",  "sun_ceiling.glsl",
@@ -52,17 +52,23 @@ tl::expected<TerrainPass, std::string> TerrainPass::create(const std::filesystem
         RectanglePass& to;
         std::initializer_list<std::string_view> files;
     };
-    for (const Variant& variant : {
-             Variant{pass.plain_.with_slides, {"slides.glsl", "marks_none.glsl"}},
-             Variant{pass.plain_.without, {"slides_none.glsl", "marks_none.glsl"}},
-             Variant{pass.marked_.with_slides, {"slides.glsl", "marks.glsl", "overlay_none.glsl"}},
-             Variant{pass.marked_.without, {"slides_none.glsl", "marks.glsl", "overlay_none.glsl"}},
-             Variant{pass.overlaid_.with_slides, {"slides.glsl", "marks.glsl", "overlay.glsl"}},
-             Variant{pass.overlaid_.without, {"slides_none.glsl", "marks.glsl", "overlay.glsl"}},
-         }) {
-        auto shading = make_shading(shaders, variant.files);
-        if (!shading) return tl::unexpected(shading.error());
-        variant.to = std::move(*shading);
+    for (const bool two : {false, true}) {
+        Shadings& to = two ? pass.two_materials_ : pass.one_material_;
+        const std::string_view materials = two ? "materials_two.glsl" : "materials_one.glsl";
+        for (const Variant& variant : {
+                 Variant{to.plain.with_slides, {materials, "slides.glsl", "marks_none.glsl"}},
+                 Variant{to.plain.without, {materials, "slides_none.glsl", "marks_none.glsl"}},
+                 Variant{to.marked.with_slides,
+                         {materials, "slides.glsl", "marks.glsl", "overlay_none.glsl"}},
+                 Variant{to.marked.without,
+                         {materials, "slides_none.glsl", "marks.glsl", "overlay_none.glsl"}},
+                 Variant{to.overlaid.with_slides, {materials, "slides.glsl", "marks.glsl", "overlay.glsl"}},
+                 Variant{to.overlaid.without, {materials, "slides_none.glsl", "marks.glsl", "overlay.glsl"}},
+             }) {
+            auto shading = make_shading(shaders, variant.files);
+            if (!shading) return tl::unexpected(shading.error());
+            variant.to = std::move(*shading);
+        }
     }
     pass.depth_program_ = std::move(*depth);
     pass.wall_program_ = std::move(*walls);
@@ -97,10 +103,14 @@ void TerrainPass::draw_depth() const {
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void TerrainPass::shade(const Marks& marks, const SlideTiles& tiles, int width, int height) {
+void TerrainPass::shade(const Marks& marks, const SlideTiles& tiles, bool two_materials, int width,
+                        int height) {
     glBindTextureUnit(SLOT_DETAIL, detail_texture_.name());
     const bool lines = marks.contours || marks.ring;
-    const Shading& shading = marks.overlay != Overlay::kNone ? overlaid_ : lines ? marked_ : plain_;
+    const Shadings& shadings = two_materials ? two_materials_ : one_material_;
+    const Shading& shading = marks.overlay != Overlay::kNone ? shadings.overlaid
+                             : lines                         ? shadings.marked
+                                                             : shadings.plain;
     with_slides_.send(tiles.with_slides(), width, height);
     without_.send(tiles.without(), width, height);
     shading.with_slides.draw_on(with_slides_);

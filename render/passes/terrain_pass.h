@@ -24,7 +24,7 @@ class TerrainPass {
     void send_mesh(const GroundMesh& mesh);
     void draw_depth() const;  // reads SLOT_RELIEF
     // Reads SLOT_SCENE_DEPTH, SLOT_RELIEF, SLOT_LAYERS, SLOT_MEASURE, SLOT_SUN_CEILING, SLOT_DETAIL.
-    void shade(const Marks& marks, const SlideTiles& tiles, int width, int height);
+    void shade(const Marks& marks, const SlideTiles& tiles, bool two_materials, int width, int height);
     void draw_walls() const;  // reads SLOT_RELIEF, SLOT_SITE, SLOT_SUN_CEILING, SLOT_DETAIL
 
   private:
@@ -43,7 +43,10 @@ class TerrainPass {
     struct Shading {
         RectanglePass with_slides, without;
     };
-    Shading plain_, marked_, overlaid_;
+    struct Shadings {
+        Shading plain, marked, overlaid;
+    };
+    Shadings one_material_, two_materials_;
     Rectangles with_slides_, without_;
     Indexed surface_, walls_;
     Texture detail_texture_;
