@@ -259,16 +259,33 @@ void add_results(CLI::App& app, ResultOptions& options) {
     app.add_flag("--json", options.json, "print the summary as JSON");
 }
 
+CLI::Option* add_thickness(CLI::App& app, std::optional<terrains::Thickness>& thickness) {
+    return app
+        .add_option_function<std::string>(
+            "--thickness",
+            [&thickness](const std::string& measured) {
+                if (measured != "vertical" && measured != "normal")
+                    throw CLI::ValidationError("--thickness",
+                                               "'" + measured + "' is not one of: vertical, normal");
+                thickness =
+                    measured == "normal" ? terrains::Thickness::kNormal : terrains::Thickness::kVertical;
+            },
+            "how the raster of --release is measured: vertical, normal (to the slope) [vertical]")
+        ->type_name("DIRECTION");
+}
+
 void add_run(CLI::App& app, RunOptions& options) {
     app.add_option("scene", options.scene, "name from `couloir list`, or a scene file")->type_name("SCENE");
     auto* terrain =
         app.add_option("--terrain", options.terrain, "use a DEM instead of a scene: GeoTIFF, ESRI ASCII, …")
             ->type_name("DEM");
-    app.add_option("--release", options.release,
-                   "release this material on it: a depth raster, or GeoJSON polygons with a vertical "
-                   "`thickness` in m")
-        ->type_name("FILE")
-        ->needs(terrain);
+    auto* release =
+        app.add_option("--release", options.release,
+                       "release this material on it: a depth raster, or GeoJSON polygons with a vertical "
+                       "`thickness` in m or a `thickness_normal` to the slope")
+            ->type_name("FILE")
+            ->needs(terrain);
+    add_thickness(app, options.thickness)->needs(release);
     app.add_option("--reference", options.reference,
                    "compare with observations: a GeoJSON extent, or a raster of the change of height; the "
                    "summary reports the overlap, and for a raster the transport distance")

@@ -56,11 +56,17 @@ Done check_system(const Json& root) {
     return tl::unexpected(fmt::format("its coordinate system is {}; convert it to WGS 84 degrees", name));
 }
 
+// How thick a feature is.
+struct Stated {
+    double thickness = 0;  // m
+    bool normal = false;
+};
+
 // Rings as in the file, x longitude and y latitude, until all are transformed to the plane at once.
 struct Outlines {
     std::vector<double> x, y;
     std::vector<std::vector<std::size_t>> ring_sizes;  // per polygon
-    std::vector<double> thickness;                     // per polygon, m
+    std::vector<Stated> thickness;                     // per polygon
 };
 
 Done add_ring(const Json& ring, Outlines& outlines) {
@@ -82,7 +88,7 @@ Done add_ring(const Json& ring, Outlines& outlines) {
     return {};
 }
 
-Done add_polygon(const Json& rings, double thickness, Outlines& outlines) {
+Done add_polygon(const Json& rings, Stated thickness, Outlines& outlines) {
     if (!rings.is_array() || rings.empty()) return tl::unexpected<std::string>("a polygon has no rings");
     outlines.ring_sizes.emplace_back();
     outlines.thickness.push_back(thickness);
@@ -91,7 +97,7 @@ Done add_polygon(const Json& rings, double thickness, Outlines& outlines) {
     return {};
 }
 
-Done add_geometry(const Json& geometry, double thickness, Outlines& outlines) {
+Done add_geometry(const Json& geometry, Stated thickness, Outlines& outlines) {
     const std::string type = text_of(member(geometry, "type"));
     const Json& coordinates = member(geometry, "coordinates");
     if (type == "Polygon") return add_polygon(coordinates, thickness, outlines);
@@ -104,38 +110,44 @@ Done add_geometry(const Json& geometry, double thickness, Outlines& outlines) {
     return {};
 }
 
-tl::expected<double, std::string> thickness_of(const Json& feature, const ThicknessRule& rule) {
-    if (rule.property.empty()) return 0.0;
-    const Json& stated = member(member(feature, "properties"), rule.property.c_str());
-    if (stated.is_null() && rule.default_value) return *rule.default_value;
-    if (stated.is_null())
-        return tl::unexpected(fmt::format("it has no '{}' (vertical metres)", rule.property));
-    if (!stated.is_number()) return tl::unexpected(fmt::format("its '{}' is not a number", rule.property));
+tl::expected<Stated, std::string> thickness_of(const Json& feature,
+                                               const std::optional<ThicknessNames>& names) {
+    if (!names) return Stated();
+    const Json& properties = member(feature, "properties");
+    const bool has_vertical = !member(properties, names->vertical.c_str()).is_null();
+    const bool normal = !member(properties, names->normal.c_str()).is_null();
+    if (has_vertical == normal)
+        return tl::unexpected(
+            fmt::format("it has {} '{}' (vertical metres) {} '{}' (metres normal to the slope)",
+                        normal ? "both" : "neither", names->vertical, normal ? "and" : "nor", names->normal));
+    const std::string& name = normal ? names->normal : names->vertical;
+    const Json& stated = member(properties, name.c_str());
+    if (!stated.is_number()) return tl::unexpected(fmt::format("its '{}' is not a number", name));
     const double thickness = stated.get<double>();
     if (!(thickness > 0 && thickness <= kMostThickness))
-        return tl::unexpected(fmt::format("its '{}' is {} m; it must be above 0 and at most {} m",
-                                          rule.property, thickness, kMostThickness));
-    return thickness;
+        return tl::unexpected(fmt::format("its '{}' is {} m; it must be above 0 and at most {} m", name,
+                                          thickness, kMostThickness));
+    return Stated{thickness, normal};
 }
 
-Done add_feature(const Json& feature, const ThicknessRule& rule, Outlines& outlines) {
+Done add_feature(const Json& feature, const std::optional<ThicknessNames>& names, Outlines& outlines) {
     const bool bare = text_of(member(feature, "type")) != "Feature";
-    const auto thickness = thickness_of(feature, rule);
+    const auto thickness = thickness_of(feature, names);
     if (!thickness) return tl::unexpected(thickness.error());
     return add_geometry(bare ? feature : member(feature, "geometry"), *thickness, outlines);
 }
 
-tl::expected<Outlines, std::string> collect(const Json& root, const ThicknessRule& rule) {
+tl::expected<Outlines, std::string> collect(const Json& root, const std::optional<ThicknessNames>& names) {
     if (auto right = check_system(root); !right) return tl::unexpected(right.error());
     Outlines outlines;
     if (text_of(member(root, "type")) != "FeatureCollection") {
-        if (auto added = add_feature(root, rule, outlines); !added) return tl::unexpected(added.error());
+        if (auto added = add_feature(root, names, outlines); !added) return tl::unexpected(added.error());
         return outlines;
     }
     const Json& features = member(root, "features");
     if (!features.is_array() || features.empty()) return tl::unexpected<std::string>("it has no features");
     for (std::size_t i = 0; i < features.size(); ++i)
-        if (auto added = add_feature(features[i], rule, outlines); !added)
+        if (auto added = add_feature(features[i], names, outlines); !added)
             return tl::unexpected(fmt::format("feature {}: {}", i + 1, added.error()));
     return outlines;
 }
@@ -152,7 +164,7 @@ tl::expected<std::vector<Area>, std::string> on_plane(Outlines outlines, const G
     std::vector<Area> areas;
     std::size_t next = 0;
     for (std::size_t polygon = 0; polygon < outlines.ring_sizes.size(); ++polygon) {
-        areas.push_back({{}, outlines.thickness[polygon]});
+        areas.push_back({{}, outlines.thickness[polygon].thickness, outlines.thickness[polygon].normal});
         for (const std::size_t size : outlines.ring_sizes[polygon]) {
             auto& ring = areas.back().rings.emplace_back();
             for (const std::size_t end = next + size; next < end; ++next)
@@ -175,11 +187,11 @@ bool looks_like_json(const std::filesystem::path& path) {
 
 tl::expected<std::vector<Area>, std::string> read_areas(const std::filesystem::path& path,
                                                         const Georeference& georeference,
-                                                        const ThicknessRule& rule) {
+                                                        const std::optional<ThicknessNames>& names) {
     if (auto is_file = files::check_input(path); !is_file) return tl::unexpected(is_file.error());
     auto areas =
         parse(path)
-            .and_then([&](const Json& root) { return collect(root, rule); })
+            .and_then([&](const Json& root) { return collect(root, names); })
             .and_then([&](Outlines outlines) { return on_plane(std::move(outlines), georeference); });
     if (!areas) return tl::unexpected(fmt::format("{}: {}", path.string(), areas.error()));
     return areas;

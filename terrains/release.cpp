@@ -1,6 +1,8 @@
 #include "terrains/release.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -12,13 +14,53 @@
 namespace terrains {
 namespace {
 
+// How much thicker a layer at a vertex is vertically than normal to the slope: 1/cosθ. Where there is no data, the
+// surface extends its neighbours' slope.
+double vertical_per_normal(const Terrain& terrain, int x, int y) {
+    const sim::Grid& grid = terrain.grid;
+    const auto height = [&](int i, int j) {
+        return static_cast<double>(
+            terrain.surface[static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.nx) +
+                            static_cast<std::size_t>(i)]);
+    };
+    const int west = std::max(x - 1, 0), east = std::min(x + 1, grid.nx - 1);
+    const int south = std::max(y - 1, 0), north = std::min(y + 1, grid.ny - 1);
+    const double dx = static_cast<double>(grid.dx);
+    return std::hypot(1.0, (height(east, y) - height(west, y)) / (dx * (east - west)),
+                      (height(x, north) - height(x, south)) / (dx * (north - south)));
+}
+
+void make_vertical(const Terrain& terrain, std::vector<float>& normal) {
+    std::size_t i = 0;
+    for (int y = 0; y < terrain.grid.ny; ++y)
+        for (int x = 0; x < terrain.grid.nx; ++x, ++i)
+            if (normal[i] != 0)
+                normal[i] =
+                    static_cast<float>(static_cast<double>(normal[i]) * vertical_per_normal(terrain, x, y));
+}
+
 tl::expected<std::vector<float>, std::string> of_areas(const std::filesystem::path& path,
-                                                       const Terrain& terrain,
-                                                       std::optional<double> default_thickness) {
-    const auto areas = read_areas(path, terrain.georeference, {"thickness", default_thickness});
+                                                       const Terrain& terrain) {
+    auto areas = read_areas(path, terrain.georeference, ThicknessNames());
     if (!areas) return tl::unexpected(areas.error());
-    auto thickness = mean_thickness(terrain.grid, *areas);
-    if (!thickness) return tl::unexpected(fmt::format("{}: {}", path.string(), thickness.error()));
+    const auto vertical_from =
+        std::partition(areas->begin(), areas->end(), [](const Area& a) { return a.normal; });
+    auto thickness = mean_thickness(terrain.grid, {areas->begin(), vertical_from});
+    const auto vertical = mean_thickness(terrain.grid, {vertical_from, areas->end()});
+    for (const auto* mean : {&std::as_const(thickness), &vertical})
+        if (!*mean) return tl::unexpected(fmt::format("{}: {}", path.string(), mean->error()));
+    make_vertical(terrain, *thickness);
+    for (std::size_t i = 0; i < thickness->size(); ++i)
+        (*thickness)[i] = std::max((*thickness)[i], (*vertical)[i]);
+    return thickness;
+}
+
+tl::expected<std::vector<float>, std::string> of_raster(const std::filesystem::path& path,
+                                                        const Terrain& terrain, Thickness measured,
+                                                        References references,
+                                                        std::vector<std::filesystem::path>* files) {
+    auto thickness = read_depth_raster(path, terrain, references, files);
+    if (thickness && measured == Thickness::kNormal) make_vertical(terrain, *thickness);
     return thickness;
 }
 
@@ -30,13 +72,20 @@ bool empty(const std::vector<float>& thickness) {
 
 tl::expected<std::vector<float>, std::string> read_release(const std::filesystem::path& path,
                                                            const Terrain& terrain,
-                                                           std::optional<double> default_thickness,
+                                                           std::optional<Thickness> measured,
                                                            References references,
                                                            std::vector<std::filesystem::path>* files) {
     if (files != nullptr) *files = {path};
     if (auto is_file = files::check_input(path); !is_file) return tl::unexpected(is_file.error());
-    auto thickness = looks_like_json(path) ? of_areas(path, terrain, default_thickness)
-                                           : read_depth_raster(path, terrain, references, files);
+    const bool areas = looks_like_json(path);
+    if (areas && measured)
+        return tl::unexpected(
+            fmt::format("{}: its features say how they are measured, by thickness or thickness_normal; leave "
+                        "--thickness out",
+                        path.string()));
+    auto thickness =
+        areas ? of_areas(path, terrain)
+              : of_raster(path, terrain, measured.value_or(Thickness::kVertical), references, files);
     if (!thickness) return thickness;
     for (std::size_t i = 0; i < thickness->size(); ++i)
         if (terrain.has_data[i] == 0) (*thickness)[i] = 0;
@@ -47,7 +96,7 @@ tl::expected<std::vector<float>, std::string> read_release(const std::filesystem
 
 tl::expected<std::vector<std::uint8_t>, std::string> read_extent(const std::filesystem::path& path,
                                                                  const Terrain& terrain) {
-    auto areas = read_areas(path, terrain.georeference, {});
+    auto areas = read_areas(path, terrain.georeference, std::nullopt);
     if (!areas) return tl::unexpected(areas.error());
     for (Area& area : *areas) area.thickness = 1;  // so that the mean thickness is the share covered
     const auto share = mean_thickness(terrain.grid, *areas);

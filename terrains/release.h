@@ -13,23 +13,27 @@
 
 namespace terrains {
 
+// How thickness is measured. A layer on a slope of θ is 1/cosθ times as thick vertically as normal to the slope.
+enum class Thickness { kVertical, kNormal };
+
 // Reads the release: a thickness in vertical metres per vertex of the terrain's grid, from one of
-//   GeoJSON       polygons in WGS 84 degrees with the property `thickness` (vertical m), or default_thickness
-//                 if it is missing. A vertex gets the thickness times the covered share of its cell, from
-//                 8 × 8 samples. The volume is accurate to one per cent for areas of some 10 cells or more.
-//                 Where polygons overlap the thickest counts.
+//   GeoJSON       polygons in WGS 84 degrees with the property `thickness` (vertical m) or `thickness_normal`
+//                 (m normal to the slope of the terrain's surface). A vertex gets the thickness times the
+//                 covered share of its cell, from 8 × 8 samples. The volume is accurate to one per cent for
+//                 areas of some 10 cells or more. Where polygons overlap the thickest counts.
 //   depth raster  any raster that read_dem() reads, metres, up to 100 million pixels; no data is 0. It is
 //                 resampled by coordinates, never by index, bilinear between pixel centres, so that its
 //                 volume is conserved. A raster without a coordinate system shares the terrain's, unless the
 //                 terrain uses a local plane of its own. If all values are ≤ 0, they are a lowering and
 //                 count as their amounts. Both signs in one file are refused, because the meaning is
-//                 ambiguous.
+//                 ambiguous. `measured` tells how it is measured, by default vertically.
 // Where the terrain has no data the thickness is 0, because material there would leave the world at once.
 // Errors, in one sentence that names the file: those of read_areas(), a damaged raster, a depth over 200 m,
-// two files that cannot be aligned, and a release that touches no ground of the grid. `files` gets every file
+// two files that cannot be aligned, `measured` given for GeoJSON, and a release that touches no ground of the
+// grid. `files` gets every file
 // that was read, unless null.
 tl::expected<std::vector<float>, std::string> read_release(
-    const std::filesystem::path& path, const Terrain& terrain, std::optional<double> default_thickness = {},
+    const std::filesystem::path& path, const Terrain& terrain, std::optional<Thickness> measured = {},
     References references = References::kRefused, std::vector<std::filesystem::path>* files = nullptr);
 
 // A reference to compare with, observed or simulated: one of the two fields, the other is empty.

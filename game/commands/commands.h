@@ -33,6 +33,7 @@ struct PictureOptions {
 struct RunOptions {
     std::string scene;  // empty if there is a terrain
     std::optional<std::filesystem::path> terrain, release, reference;
+    std::optional<terrains::Thickness> thickness;  // of a release that is a raster
     Overrides overrides;
     bool until_rest = false;
     std::optional<double> seconds;

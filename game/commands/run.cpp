@@ -22,7 +22,7 @@ Outcome<Scene> scene_of(const RunOptions& options) {
     if (options.pictures.folder)
         overrides.memory.use.frames = {options.pictures.size.width, options.pictures.size.height};
     if (!options.terrain) return load_scene(options.scene, overrides);
-    return scene_of_terrain(*options.terrain, *options.release, overrides);
+    return scene_of_terrain(*options.terrain, ReleaseFile{*options.release, options.thickness}, overrides);
 }
 
 Outcome<terrains::Reference> reference_of(const RunOptions& options, const Scenario& scenario) {

@@ -319,22 +319,22 @@ Outcome<Scene> load_scene(std::string_view name_or_path, const Overrides& overri
 
 namespace {
 
-Outcome<std::vector<float>> read_release_on(const Terrain& terrain, const fs::path& release,
+Outcome<std::vector<float>> read_release_on(const Terrain& terrain, const ReleaseFile& release,
                                             terrains::References references, Scene& scene) {
     std::vector<fs::path> files;
-    auto rolling = terrains::read_release(release, terrain, std::nullopt, references, &files);
+    auto rolling = terrains::read_release(release.path, terrain, release.measured, references, &files);
     if (!rolling) return unusable(rolling.error());
     constexpr float kDeepestRelease = sim::kDeepest / 2;
     if (const float most = *std::max_element(rolling->begin(), rolling->end()); most > kDeepestRelease)
-        return unusable(
-            fmt::format("{}: {} m thick; at most {} m are allowed", release.string(), most, kDeepestRelease));
+        return unusable(fmt::format("{}: {} m thick; at most {} m are allowed", release.path.string(), most,
+                                    kDeepestRelease));
     add_files(files, scene);
     return std::move(*rolling);
 }
 
 }  // namespace
 
-Outcome<Scene> scene_of_terrain(const fs::path& dem, const std::optional<fs::path>& release,
+Outcome<Scene> scene_of_terrain(const fs::path& dem, const std::optional<ReleaseFile>& release,
                                 const Overrides& overrides) {
     constexpr int kUsualSquares = 256;
     const sim::Model model = overrides.model.value_or(sim::Model::kBcreInertial);
@@ -362,7 +362,7 @@ Outcome<Scene> scene_of_terrain(const fs::path& dem, const std::optional<fs::pat
         auto rolling = read_release_on(*terrain, *release, overrides.references, scene);
         if (!rolling) return tl::unexpected(rolling.error());
         scene.scenario.rolling = std::move(*rolling);
-        scene.files.push_back(*release);
+        scene.files.push_back(release->path);
     }
     return scene;
 }

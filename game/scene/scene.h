@@ -10,6 +10,7 @@
 #include "game/scene/scenario.h"
 #include "game/scene/shipped_look.h"
 #include "terrains/references.h"
+#include "terrains/release.h"
 
 namespace game {
 
@@ -37,10 +38,15 @@ struct Scene {
 // damage, with file and line, or a fault of the terrain or the material.
 Outcome<Scene> load_scene(std::string_view name_or_path, const Overrides& overrides);
 
+// A release to read, and how it is measured if it is a raster (terrains/release.h).
+struct ReleaseFile {
+    std::filesystem::path path;
+    std::optional<terrains::Thickness> measured;
+};
+
 // A scene of a real hill: a DEM, a material (default snow-dry), no cover, borders and no-data as sinks, and
 // `release`, if any (raster or GeoJSON, terrains/release.h), as rolling layer at rest.
-Outcome<Scene> scene_of_terrain(const std::filesystem::path& dem,
-                                const std::optional<std::filesystem::path>& release,
+Outcome<Scene> scene_of_terrain(const std::filesystem::path& dem, const std::optional<ReleaseFile>& release,
                                 const Overrides& overrides);
 
 }  // namespace game

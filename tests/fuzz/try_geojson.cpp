@@ -22,7 +22,7 @@ const terrains::Terrain& slope() {
 }
 
 Outcome<void> try_release(const std::filesystem::path& file) {
-    const auto depth = terrains::read_release(file, slope(), 1.5);
+    const auto depth = terrains::read_release(file, slope());
     if (!depth) return unusable(depth.error());
     return check_numbers(*depth, 0, 200, "a release");
 }

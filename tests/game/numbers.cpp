@@ -92,6 +92,7 @@ const std::map<std::string, std::vector<std::string>> kTypes{
     {"NAME=VALUE,...", {}},  // Number.of_a_command_is_in_the_range_of_the_manifest
     {"NAME", {}},
     {"FROM", {}},
+    {"DIRECTION", {}},
     {"BYTES", {}},  // has a unit: Memory.is_read_from_the_text_of_an_option
     {"LIST", {}},
     {"FILE", {}},

@@ -165,7 +165,7 @@ bool reads_recording(const fs::path& path) {
 }
 bool reads_areas(const fs::path& path) {
     const auto place = terrains::Georeference::local({47, 11}, 0, 0);
-    return terrains::read_areas(path, place, {"thickness", std::nullopt}).has_value();
+    return terrains::read_areas(path, place, terrains::ThicknessNames()).has_value();
 }
 bool reads_toml(const fs::path& path) {
     return parse_toml(path).has_value();

@@ -61,10 +61,9 @@ std::string collection(const std::string& features, const std::string& more = ""
 
 class Release : public testing::Test {
   protected:
-    tl::expected<std::vector<float>, std::string> read(const std::string& text, const Terrain& terrain,
-                                                       std::optional<double> default_thickness = {}) {
+    tl::expected<std::vector<float>, std::string> read(const std::string& text, const Terrain& terrain) {
         test::write_text(path_, text);
-        return read_release(path_, terrain, default_thickness);
+        return read_release(path_, terrain);
     }
     std::string refusal(const std::string& text, const Terrain& terrain) {
         const auto thickness = read(text, terrain);
@@ -101,20 +100,75 @@ TEST_F(Release, conserves_the_volume_for_any_polygon_or_plane) {
     }
 }
 
-TEST_F(Release, accepts_one_feature_and_a_bare_geometry) {
+TEST_F(Release, accepts_one_feature_and_an_extent_a_bare_geometry_too) {
     const Terrain terrain = utm_ground();
     const std::string coordinates = "[" + ring(terrain, 95, 45, 145, 75) + "]";
     EXPECT_TRUE(read(feature(R"("thickness": 1)", "Polygon", coordinates), terrain));
-    EXPECT_TRUE(read(R"({ "type": "Polygon", "coordinates": )" + coordinates + " }", terrain, 2.0));
+    test::write_text(path_, R"({ "type": "Polygon", "coordinates": )" + coordinates + " }");
+    EXPECT_TRUE(read_extent(path_, terrain));
 }
 
-TEST_F(Release, requires_a_thickness_unless_a_default_is_given) {
+TEST_F(Release, requires_one_thickness) {
     const Terrain terrain = utm_ground();
-    const std::string text = collection(feature("", "Polygon", "[" + ring(terrain, 95, 45, 145, 75) + "]"));
-    EXPECT_NE(refusal(text, terrain).find("feature 1: it has no 'thickness'"), std::string::npos);
-    const auto given = read(text, terrain, 0.75);
-    ASSERT_TRUE(given) << given.error();
-    EXPECT_NEAR(volume(terrain, *given), 0.75 * 50 * 30, 0.1);
+    const std::string area = "[" + ring(terrain, 95, 45, 145, 75) + "]";
+    EXPECT_NE(refusal(collection(feature("", "Polygon", area)), terrain)
+                  .find("feature 1: it has neither 'thickness'"),
+              std::string::npos);
+    EXPECT_NE(
+        refusal(collection(feature(R"("thickness": 1, "thickness_normal": 1)", "Polygon", area)), terrain)
+            .find("feature 1: it has both 'thickness'"),
+        std::string::npos);
+}
+
+// A plane with slopes of .8 and .6: a layer is √2 times as thick vertically as normal to it.
+Terrain tilted(Terrain terrain) {
+    for (int y = 0; y < terrain.grid.ny; ++y)
+        for (int x = 0; x < terrain.grid.nx; ++x)
+            terrain.surface[static_cast<std::size_t>(y * terrain.grid.nx + x)] =
+                terrain.grid.dx * (0.8f * static_cast<float>(x) - 0.6f * static_cast<float>(y));
+    return terrain;
+}
+
+TEST_F(Release, is_thicker_vertically_than_normal_to_the_slope) {
+    const Terrain terrain = tilted(utm_ground());
+    const std::string area = "[" + ring(terrain, 95, 45, 145, 75) + "]";
+    const std::string far = "[" + ring(terrain, 195, 145, 245, 175) + "]";
+    const auto both = read(collection(feature(R"("thickness_normal": 1.5)", "Polygon", area) + "," +
+                                      feature(R"("thickness": 1)", "Polygon", far)),
+                           terrain);
+    ASSERT_TRUE(both) << both.error();
+    EXPECT_NEAR(volume(terrain, *both), (1.5 * std::sqrt(2.0) + 1) * 50 * 30, 1);
+
+    // The plane reaches the border, where differences are one-sided.
+    const auto whole = read(collection(feature(R"("thickness_normal": 1)", "Polygon",
+                                               "[" + ring(terrain, -100, -100, 900, 900) + "]")),
+                            terrain);
+    ASSERT_TRUE(whole) << whole.error();
+    for (const float thickness : *whole) EXPECT_NEAR(thickness, std::sqrt(2.0), 1e-3);
+}
+
+TEST_F(Release, of_a_raster_is_measured_as_one_says) {
+    const Terrain terrain = tilted(utm_ground());
+    const auto path = test::write_ascii_grid(folder_.path(), "depth",
+                                             {.columns = 12,
+                                              .rows = 9,
+                                              .west = kEast + 113,
+                                              .south = kNorth + 92,
+                                              .cell = 7,
+                                              .prj = test::utm_32n()},
+                                             [](double, double) { return 3.0; });
+    const auto vertical = read_release(path, terrain),
+               same = read_release(path, terrain, Thickness::kVertical),
+               normal = read_release(path, terrain, Thickness::kNormal);
+    ASSERT_TRUE(vertical && same && normal);
+    EXPECT_EQ(*vertical, *same);
+    EXPECT_NEAR(volume(terrain, *normal), std::sqrt(2.0) * volume(terrain, *vertical), 1);
+
+    test::write_text(path_, collection(feature(R"("thickness": 1)", "Polygon",
+                                               "[" + ring(terrain, 95, 45, 145, 75) + "]")));
+    const auto areas = read_release(path_, terrain, Thickness::kNormal);
+    ASSERT_FALSE(areas);
+    EXPECT_NE(areas.error().find("leave --thickness out"), std::string::npos) << areas.error();
 }
 
 TEST_F(Release, names_byte_or_feature_of_damage) {
