@@ -180,7 +180,7 @@ void add_material_and_model(CLI::App& app, Overrides& overrides) {
     app.add_option("--material", overrides.material,
                    "use this material: a name from `couloir list`, or a material file")
         ->type_name("NAME");
-    add_named(app, "--model", overrides.model, sim::model_from, "bcre, bcre-inertial",
+    add_named(app, "--model", overrides.model, sim::model_from, "bcre, bcre-inertial, voellmy",
               "use this physics model");
     add_named(app, "--scheme", overrides.scheme, sim::scheme_from,
               "lax-friedrichs, local-lax-friedrichs, muscl",

@@ -1,20 +1,33 @@
 #include "sim/scratch.h"
 
+#include <algorithm>
+#include <numeric>
+
 #include "sim/stages/stages.h"
 
 namespace sim {
 
 template <class Number>
 Scratch<Number>::Scratch(const Layers<Number>& layers, Model model)
-    : context{Outlets(layers.grid, layers.site)} {
+    : limited(static_cast<std::size_t>(layers.grid.ny)), context{Outlets(layers.grid, layers.site)} {
+    context.limited_in_row = limited.data();
     if (model == Model::kBcreInertial) fields.template emplace<Inertial>();
+    if (model == Model::kVoellmy) fields.template emplace<Voellmy>();
     std::visit([&](auto& of_model) { allocate(of_model, layers.grid); }, fields);
 }
 
 template <class Number>
 typename Scratch<Number>::Fluxes Scratch<Number>::fluxes() {
     if (std::holds_alternative<Bcre>(fields)) return {bcre().flux_x, bcre().flux_y};
+    if (std::holds_alternative<Voellmy>(fields)) return {voellmy().flux_x, voellmy().flux_y};
     return {inertial().u0.flux_x, inertial().u0.flux_y};
+}
+
+std::int64_t take_limited(Scratch<float>& scratch) {
+    const std::int64_t count =
+        std::accumulate(scratch.limited.begin(), scratch.limited.end(), std::int64_t{0});
+    std::fill(scratch.limited.begin(), scratch.limited.end(), 0);
+    return count;
 }
 
 std::int64_t drained(Scratch<float>& scratch) {

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <variant>
+#include <vector>
 
 #include "sim/bcre/fields.h"
 #include "sim/core/grid.h"
 #include "sim/inertial/fields.h"
 #include "sim/stages/plain_context.h"
+#include "sim/voellmy/fields.h"
 #include "sim/world/layers.h"
 #include "sim/world/params.h"
 
@@ -20,9 +22,11 @@ struct Scratch {
 
     using Bcre = bcre::Fields<Field<Number>>;
     using Inertial = inertial::Fields<Field<Number>>;
-    std::variant<Bcre, Inertial> fields;  // of the model
+    using Voellmy = voellmy::Fields<Field<Number>>;
+    std::variant<Bcre, Inertial, Voellmy> fields;  // of the model
     Bcre& bcre() { return std::get<Bcre>(fields); }
     Inertial& inertial() { return std::get<Inertial>(fields); }
+    Voellmy& voellmy() { return std::get<Voellmy>(fields); }
 
     // Through the faces, in the last sub-step, m.
     struct Fluxes {
@@ -30,8 +34,13 @@ struct Scratch {
     };
     Fluxes fluxes();
 
+    std::vector<std::int64_t> limited;  // of each row, in the last sub-step (State::limited)
+
     PlainContext context;
 };
+
+// Takes how many vertices the last sub-step limited.
+std::int64_t take_limited(Scratch<float>& scratch);
 
 // What the fluxes of the last sub-step carried into drains, in whole quanta.
 std::int64_t drained(Scratch<float>& scratch);

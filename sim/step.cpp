@@ -4,6 +4,7 @@
 #include "sim/engine.h"
 #include "sim/inertial/plain.h"
 #include "sim/sweep/count_mass.h"
+#include "sim/voellmy/plain.h"
 #include "sim/world/params.h"
 #include "sim/world/quanta.h"
 #include "sim/world/state.h"
@@ -13,10 +14,14 @@ namespace sim {
 template <class Number>
 void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch, Workers& workers,
              Substep<Number> sub) {
-    if (params.model == Model::kBcre)
-        bcre::substep(layers, params, scratch.bcre(), scratch.context, workers, sub);
-    else
-        inertial::substep(layers, params, scratch.inertial(), scratch.context, workers, sub);
+    switch (params.model) {
+        case Model::kBcre:
+            return bcre::substep(layers, params, scratch.bcre(), scratch.context, workers, sub);
+        case Model::kBcreInertial:
+            return inertial::substep(layers, params, scratch.inertial(), scratch.context, workers, sub);
+        case Model::kVoellmy:
+            return voellmy::substep(layers, params, scratch.voellmy(), scratch.context, workers, sub);
+    }
 }
 
 template void substep(Layers<float>&, const Params&, Scratch<float>&, Workers&, Substep<float>);
@@ -42,6 +47,7 @@ void substep_plainly(State& state, Engine& engine, const Substep<float>& sub) {
     }
     substep(state, state.params, scratch, workers, sub);
     state.ledger.out += drained(scratch);
+    state.limited += take_limited(scratch);
     if (state.mixture) {
         const auto [flux_x, flux_y] = scratch.fluxes();
         finish_mixing(state, *scratch.context.mixing, flux_x, flux_y, scratch.context.outlets, sub.dither,
@@ -63,11 +69,14 @@ void step(State& state, std::span<const Command> commands, Engine& engine) {
         const std::int64_t substeps_done = state.tick * substeps.count + i;
         const Substep<float> sub{substeps.dt, dither_of(substeps_done)};
         engine.watch.begin(i);
-        if (engine.sweeper)
-            state.ledger.out +=
+        if (engine.sweeper) {
+            const sweep::Booked booked =
                 engine.sweeper->substep(state, engine.workers, engine.options.instruction_set, sub);
-        else
+            state.ledger.out += booked.drained;
+            state.limited += booked.limited;
+        } else {
             substep_plainly(state, engine, sub);
+        }
     }
 
     // bcre's velocity follows from the layers; views need it for the current layers.
@@ -81,6 +90,7 @@ void step(State& state, std::span<const Command> commands, Engine& engine) {
 
     ++state.tick;
     count_changed_mass(state, engine.options.instruction_set);
+    count_still_ticks(state);
 }
 
 }  // namespace sim

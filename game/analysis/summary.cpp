@@ -130,6 +130,7 @@ Json to_json(const Summary& summary) {
         json["scheme"] = sim::to_string(scenario.params.scheme);
         json["law"] = sim::to_string(scenario.params.law);
     }
+    if (state.limited > 0) json["speed_limited"] = state.limited;
     if (scenario.lower)
         json["lower"] = {{"material", scenario.lower->material},
                          {"mass", mass_json(summary.session, state.mixture->ledger)}};
@@ -179,6 +180,10 @@ std::string to_text(const Summary& summary) {
                           session.state().mixture->ledger);
     text += fmt::format("eroded {:.0f} m3, deposited {:.0f} m3 (entrainment has no reference)\n", m.eroded,
                         m.deposited);
+    if (session.state().limited > 0)
+        text += fmt::format(
+            "LIMITED: the speed passed {} m/s and was cut {} times, each at one vertex in one sub-step\n",
+            sim::kGreatestPlanSpeed, session.state().limited);
     text += fmt::format("state hash {}\n", hex(session.state_line().hash));
     if (summary.verdict) text += to_text(*summary.verdict);
     if (summary.paranoid) text += paranoid_text(*summary.paranoid, scenario);

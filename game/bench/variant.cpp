@@ -74,7 +74,7 @@ std::string bench_physics_names() {
 
 bool is_own(const Scenario& scenario, const BenchPhysics& physics) {
     return scenario.params.model == physics.model &&
-           (physics.model == sim::Model::kBcreInertial || scenario.params.scheme == physics.scheme);
+           (physics.model != sim::Model::kBcre || scenario.params.scheme == physics.scheme);
 }
 
 Outcome<Scenario> in_physics(Scenario scenario, const BenchPhysics& physics) {

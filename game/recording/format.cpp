@@ -111,7 +111,7 @@ Json physics_json(const sim::Params& params) {
 // Keys that older recordings lack, by the minor version that added them. Their defaults keep the physics as
 // it was before, except for anchor_step, which came with a change to bcre-inertial.
 constexpr std::pair<std::string_view, int> kSince[] = {
-    {"law", 1}, {"exchange_depth", 1}, {"shear_rate", 1}, {"anchor_step", 2}};
+    {"law", 1}, {"exchange_depth", 1}, {"shear_rate", 1}, {"anchor_step", 2}, {"friction", 5}, {"drag", 5}};
 
 bool is_named_in(int minor, std::string_view name) {
     for (const auto& [key, since] : kSince)

@@ -22,7 +22,7 @@ namespace game {
 using Json = nlohmann::ordered_json;
 
 inline constexpr int kFormatMajor = 1;  // a reader refuses a greater one
-inline constexpr int kFormatMinor = 4;  // a greater one may have fields that this reader ignores
+inline constexpr int kFormatMinor = 5;  // a greater one may have fields that this reader ignores
 inline constexpr int kPhysicsVersion =
     5;  // of the physics and its hash: recordings of another one play, but are not comparable
 inline constexpr int kTicksPerState = 6;  // between two state lines

@@ -95,7 +95,7 @@ Outcome<Material> load_material(std::string_view name_or_path, sim::Model model)
     if (auto look = root.table("look")) read_look(*look, material.look);
 
     bool has_block = false;
-    for (const sim::Model each : {sim::Model::kBcre, sim::Model::kBcreInertial}) {
+    for (const sim::Model each : sim::kEveryModel) {
         auto block = root.table(sim::to_string(each));
         if (!block) continue;
         sim::Params unused;

@@ -23,7 +23,8 @@ std::uint64_t bytes_of(const FrameUse& frames) {
     constexpr std::uint64_t kImage = 3, kImages = 1 + 4 + 1 + 3;
     const auto along_edge = static_cast<std::uint64_t>(frames.samples), samples = along_edge * along_edge;
     const std::uint64_t colours = samples > 1 ? (samples + 1) * kLinear : kLinear;
-    return (samples * kPerSample + colours + kScreen + kImages * kImage) *
+    constexpr std::uint64_t kSmoothing = kScreen + 1;  // the image with stairs, and a stencil of edges
+    return (samples * kPerSample + colours + kScreen + kSmoothing + kImages * kImage) *
            static_cast<std::uint64_t>(frames.width) * static_cast<std::uint64_t>(frames.height);
 }
 
@@ -51,9 +52,9 @@ std::uint64_t expected_bytes(const sim::Grid& grid, bool two_materials, const Me
     const std::uint64_t run = two_materials ? 235 : 55;
     std::uint64_t using_it = start + session * static_cast<std::uint64_t>(use.sessions) +
                              run * static_cast<std::uint64_t>(use.runs);
-    if (use.draws) using_it += grid.size() <= kMostFollowed ? 950 : 250;
+    if (use.draws) using_it += grid.size() <= kMostFollowed ? 980 : 280;
     std::uint64_t bytes = 60 * kMiB + std::max(reading, using_it) * grid.size();
-    if (use.draws) bytes += 190 * kMiB;  // OpenGL by software, shaders and patterns
+    if (use.draws) bytes += 220 * kMiB;  // OpenGL by software, shaders and patterns
     bytes += bytes_of(use.frames);
     if (use.goes_back) bytes += memory.for_keyframes() + memory.for_undo();
     return bytes;

@@ -34,7 +34,7 @@ void read_borders(TomlTable& physics, sim::Params& params) {
 sim::Model read_model(TomlTable& physics, const Overrides& overrides) {
     const auto name = physics.text("model");
     const auto model = name ? sim::model_from(*name) : sim::Model::kBcreInertial;
-    if (!model) physics.blame("model", "is neither bcre nor bcre-inertial");
+    if (!model) physics.blame("model", "is not one of bcre, bcre-inertial, voellmy");
     return overrides.model.value_or(model.value_or(sim::Model::kBcreInertial));
 }
 
@@ -169,9 +169,8 @@ void light_by(const std::optional<SunMoment>& moment, TomlTable& root, Scenario&
 
 Outcome<void> check_choices(const Overrides& overrides, sim::Model model) {
     if ((!overrides.scheme && !overrides.law) || model == sim::Model::kBcre) return {};
-    return unusable(
-        fmt::format("--{} applies only to the model bcre, and this is bcre-inertial; add --model bcre",
-                    overrides.scheme ? "scheme" : "law"));
+    return unusable(fmt::format("--{} applies only to the model bcre, and this is {}; add --model bcre",
+                                overrides.scheme ? "scheme" : "law", sim::to_string(model)));
 }
 
 void add_files(const std::vector<fs::path>& files, Scene& scene) {

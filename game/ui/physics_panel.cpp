@@ -13,13 +13,14 @@ constexpr double kDegrees = 180 / 3.14159265358979323846;
 
 struct Group {
     const char* title;
-    std::array<std::string_view, 7> names;  // of kParams; empty beyond the last
+    std::array<std::string_view, 8> names;  // of kParams; empty beyond the last
 };
 // Parameters in no group are listed under the last title.
 constexpr std::array<Group, 5> kGroups{{
     {"Release", {"start_slope", "start_depth", "anchor_gain", "anchor_margin", "anchor_step"}},
     {"Flow",
-     {"rolling_speed", "shear_rate", "speed_per_slope", "max_speed", "relaxation_time", "half_speed_depth"}},
+     {"rolling_speed", "shear_rate", "speed_per_slope", "max_speed", "relaxation_time", "half_speed_depth",
+      "friction", "drag"}},
     {"Exchange and entrainment", {"exchange_rate", "exchange_depth", "erosion_slope", "erosion_depth"}},
     {"Deposition", {"stop_slope", "stop_slope_thick", "stop_fold_depth", "deposit_speed", "freeze_depth"}},
     {"Time steps", {}},

@@ -11,8 +11,9 @@ constexpr const char* kAsTheSceneSays = "scene default";
 constexpr std::array<int, 5> kGrids{40, 80, 160, 256, 512};
 constexpr std::array<const char*, 5> kGridNames{"40 squares", "80 squares", "160 squares", "256 squares",
                                                 "512 squares"};
-constexpr std::array kModels{sim::Model::kBcreInertial, sim::Model::kBcre};
-constexpr std::array<const char*, 2> kModelNames{"bcre-inertial: with inertia", "bcre: no inertia"};
+constexpr std::array kModels{sim::Model::kBcreInertial, sim::Model::kBcre, sim::Model::kVoellmy};
+constexpr std::array<const char*, 3> kModelNames{"bcre-inertial: with inertia", "bcre: no inertia",
+                                                 "voellmy: gravity and friction"};
 
 const char* name_of(sim::Model model) {
     return sim::to_string(model).data();  // a literal
@@ -94,9 +95,11 @@ void what_to_begin(Desk& desk, const Facts& facts, Actions& actions) {
     choice_or_scenes(desk, "New material", choice.material, materials.size(),
                      "Material of the standing and rolling layers.",
                      [&](std::size_t i) { return materials[i].title.c_str(); });
-    choice_or_scenes(desk, "New model", choice.model, kModels.size(),
-                     "bcre-inertial computes the velocity of the flow; bcre takes its speed from a law.",
-                     [&](std::size_t i) { return kModelNames[i]; });
+    choice_or_scenes(
+        desk, "New model", choice.model, kModels.size(),
+        "bcre-inertial computes the velocity of the flow; bcre takes its speed from a law; voellmy "
+        "has forces, but neither erosion nor deposits.",
+        [&](std::size_t i) { return kModelNames[i]; });
     choice_or_scenes(desk, "New grid", choice.grid, kGrids.size(),
                      "Squares along the longer side; more squares are finer and slower.",
                      [&](std::size_t i) { return kGridNames[i]; });

@@ -70,6 +70,7 @@ Constants<Scalar> constants_of(const Params& p, float cell, Substep<Scalar> sub)
 // south (y) of its vertex. `Values` is a field, or its rows.
 template <class Values>
 struct RkState {
+    static constexpr bool kVelocityIsState = true;
     Values depth, rolling, velocity_x, velocity_y;  // m, m/s
     Values drop_x, drop_y;            // m by which h falls through each face, to the east, to the north
     Values curvature_x, curvature_y;  // second-order part of a drop, m

@@ -48,6 +48,15 @@ template <class T, class Abi>
     return stdx::any_of(condition && first_lanes<stdx::simd<T, Abi>>(count));
 }
 
+// How many of the first `count` lanes fulfil the condition.
+[[gnu::always_inline]] inline int count_before(int, bool condition) {
+    return condition ? 1 : 0;
+}
+template <class T, class Abi>
+[[gnu::always_inline]] inline int count_before(int count, const stdx::simd_mask<T, Abi>& condition) {
+    return stdx::popcount(condition && first_lanes<stdx::simd<T, Abi>>(count));
+}
+
 // Per lane: `yes` if the condition holds, else `no`.
 template <class Condition, class Number>
 [[gnu::always_inline]] inline Number select(const Condition& condition, const Number& yes,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "sim/stages/stage_watch.h"
@@ -17,6 +18,9 @@ struct PlainContext {
     // Of a world of two materials; the owner of the state sets them.
     const Params* lower = nullptr;
     std::optional<Mixing> mixing = std::nullopt;
+
+    // voellmy: counts limited vertices, one number for each row.
+    std::int64_t* limited_in_row = nullptr;
 
     StageWatch* watch = nullptr;  // none: no stage is reported
 };

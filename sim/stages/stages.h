@@ -101,7 +101,8 @@ void clear_drains(State& u, const Outlets::View& outlets, int y, Span x) {
         const int drain = outlets.drains[i];
         if (drain < x.first || drain >= x.last) continue;
         d[drain] = r[drain] = 0;
-        if constexpr (requires { u.momentum_xu; }) u.velocity_x[y][drain] = u.velocity_y[y][drain] = 0;
+        if constexpr (requires { State::kVelocityIsState; })
+            u.velocity_x[y][drain] = u.velocity_y[y][drain] = 0;
     }
 }
 

@@ -1,6 +1,7 @@
 #include "sim/bcre/stages.h"
 #include "sim/inertial/stages.h"
 #include "sim/sweep/sweep.h"
+#include "sim/voellmy/stages.h"
 
 // The sweep, for any number of lanes. Runs the stages of the plain step (bcre/stages.h) row by row over a job.
 // A stage runs as soon as the rows that it reads are done. Only the last few rows of its results are kept, so
@@ -40,7 +41,7 @@ class Kernel {
         : g_(ground), job_(job), tile_end_(job.y0 + ground.tile_height) {}
 
     template <Scheme scheme>
-    [[gnu::flatten]] std::int64_t first_order(float* work, std::uint8_t* active) {
+    [[gnu::flatten]] Booked first_order(float* work, std::uint8_t* active) {
         using namespace bcre;
         StageRows<float> w = begun<StageRows<float>>(g_.bcre);
         WorkRows rows(work, g_.stride);
@@ -70,10 +71,10 @@ class Kernel {
                 close_walls<Lanes>(w, w.flux_x, w.flux_y, t - 1, wide());
             if (is_row(t - 2, 0)) finish<scheme>(w, t - 2, active, fetch(u0.rolling, t + 1));
         }
-        return drained_;
+        return booked_;
     }
 
-    [[gnu::flatten]] std::int64_t second_order(float* work, std::uint8_t* active) {
+    [[gnu::flatten]] Booked second_order(float* work, std::uint8_t* active) {
         using namespace bcre;
         StageRows<float> w = begun<StageRows<float>>(g_.bcre);
         WorkRows rows(work, g_.stride);
@@ -120,10 +121,10 @@ class Kernel {
             if (is_face(t - 4, 0)) run(quantise_fluxes<Lanes>(w, w.flux_x, w.flux_y, t - 4));
             if (is_row(t - 5, 0)) finish<Scheme::kMuscl>(w, t - 5, active, fetch(u0.rolling, t + 1));
         }
-        return drained_;
+        return booked_;
     }
 
-    [[gnu::flatten]] std::int64_t inertial(float* work, std::uint8_t* active) {
+    [[gnu::flatten]] Booked inertial(float* work, std::uint8_t* active) {
         using namespace sim::inertial;
         WorkRows rows(work, g_.stride);
         StageRows<float> w = begun<StageRows<float>>(g_.inertial);
@@ -179,7 +180,46 @@ class Kernel {
                 end_row(u0, u0, t - 5, active);
             }
         }
-        return drained_;
+        return booked_;
+    }
+
+    [[gnu::flatten]] Booked voellmy(float* work, std::uint8_t* active) {
+        using namespace sim::voellmy;
+        WorkRows rows(work, g_.stride);
+        StageRows<float> w = begun<StageRows<float>>(g_.voellmy);
+        LayerRows<float>& u0 = w.u0;
+        u0.velocity_x = beside_job(g_.velocity_x, job_.velocity_x);
+        u0.velocity_y = beside_job(g_.velocity_y, job_.velocity_y);
+        each_field(rows.keep(4), w);
+        // The row beyond the border is written with the last one.
+        for (Rows<float>* driven : {&w.driven_u, &w.driven_v}) rows.keep(8)({}, *driven);
+        bool limits_outflow[2] = {};  // whether a vertex limits its outflow, in either of the last two rows
+        for (int t = job_.y0 - 4; t < job_.y1 + 4; ++t) {
+            if (is_row(t, 4)) fill_halo<Lanes>(w, u0, t, wide());
+            if (is_row(t - 1, 3)) run(find_ground<Lanes>(w, w, t - 1), fetch(u0.rolling, t + 1));
+            if (is_near(t - 1, 3)) end_ground<Lanes>(w, w, t - 1, wide());
+            if (is_row(t - 1, 3)) run(drive<Lanes>(w, w, t - 1), fetch(w.bedrock, t + 1));
+            if (is_row(t - 1, 3)) end_drive<Lanes>(w, w, t - 1, wide());
+            if (is_row(t - 2, 2)) run(reconstruct<Lanes>(w, w, t - 2), fetch(u0.depth, t + 1));
+            if (is_near(t - 2, 2)) end_reconstruct<Lanes>(w, w, t - 2, wide());
+            if (is_face(t - 2, 1)) run(find_fluxes_x<Lanes>(w, w, t - 2));
+            if (is_face(t - 2, 1)) run(find_fluxes_y<Lanes>(w, w, t - 2), fetch(u0.velocity_x, t));
+            if (is_face(t - 2, 1)) end_fluxes<Lanes>(w, w, t - 2, wide());
+            if (is_row(t - 3, 1)) {
+                limits_outflow[t & 1] = false;
+                run(find_share<Lanes>(w, w.share, t - 3, &limits_outflow[t & 1]));
+            }
+            if (is_near(t - 3, 1)) end_share<Lanes>(w, w.share, t - 3, wide());
+            if (is_face(t - 3, 0) && (limits_outflow[0] || limits_outflow[1]))
+                run(share_fluxes<Lanes>(w, w, t - 3));
+            if (is_face(t - 3, 0)) run(quantise_fluxes<Lanes>(w, w, t - 3), fetch(u0.velocity_y, t));
+            if (is_row(t - 4, 0)) {
+                along<Lanes>(narrow(),
+                             sim::voellmy::finish<Lanes>(w, u0, t - 4, job_.x1, &booked_.limited, active));
+                end_row(u0, w, t - 4, active);
+            }
+        }
+        return booked_;
     }
 
     // Computes the velocity for views at the end of a tick.
@@ -259,7 +299,7 @@ class Kernel {
     // `through`: the fluxes.
     template <class State, class Fluxes>
     void end_row(State& u0, const Fluxes& through, int y, std::uint8_t* active) {
-        drained_ += drained<Lanes>(through, g_.outlets, y, narrow());
+        booked_.drained += drained<Lanes>(through, g_.outlets, y, narrow());
         clear_drains<Lanes>(u0, g_.outlets, y, narrow());
         const bool ends_tiles = y + 1 == tile_end_ || y + 1 == job_.y1;
         if (ends_tiles || edges_at(y + 1) != edges_at(y)) tell_active(edges_at(y), y, active);
@@ -291,7 +331,7 @@ class Kernel {
     const Ground& g_;
     const Job job_;
     int tile_end_;  // end of the current row of tiles
-    std::int64_t drained_ = 0;
+    Booked booked_;
 };
 
 template <class Lanes>
@@ -324,8 +364,9 @@ std::int64_t quanta(const float* first, std::ptrdiff_t stride, int width, int he
 }
 
 template <class Lanes>
-std::int64_t run(const Ground& ground, const Job& job, float* work, std::uint8_t* active) {
+Booked run(const Ground& ground, const Job& job, float* work, std::uint8_t* active) {
     Kernel<Lanes> kernel(ground, job);
+    if (ground.model == Model::kVoellmy) return kernel.voellmy(work, active);
     if (ground.model == Model::kBcreInertial) return kernel.inertial(work, active);
     switch (ground.scheme) {
         case Scheme::kLaxFriedrichs:

@@ -26,7 +26,7 @@ Sweeper::Sweeper(const State& s, int threads, bool last_tile_first)
       active_(s.tiles.awake.size()),
       stale_(active_.size()) {
     jobs_.reserve(active_.size());
-    drained_.reserve(active_.size());
+    booked_.reserve(active_.size());
 }
 
 // Splits the marked tiles into rectangles: runs along x, over consecutive rows with equal runs, but few enough
@@ -56,7 +56,7 @@ void Sweeper::find_jobs(const Grid& grid, Tiles& tiles, const std::vector<std::u
         row = end;
     }
     if (last_tile_first_) std::reverse(jobs_.begin(), jobs_.end());
-    drained_.assign(jobs_.size(), 0);
+    booked_.assign(jobs_.size(), Booked{});
 }
 
 // Copies the rows outside a job before any job changes them.
@@ -98,6 +98,7 @@ Ground Sweeper::ground_of(State& s, Substep<float> sub) {
             .scheme = s.params.scheme,
             .bcre = bcre::constants_of(s.params, s.grid.dx, sub),
             .inertial = inertial::constants_of(s.params, s.grid.dx, sub),
+            .voellmy = voellmy::constants_of(s.params, s.grid.dx, sub),
             .tile_width = s.tiles.width,
             .tile_height = s.tiles.height,
             .tile_columns = s.tiles.columns,
@@ -109,9 +110,9 @@ Ground Sweeper::open(State& s, const std::vector<std::uint8_t>& marked, int thre
     return ground_of(s, sub);
 }
 
-std::int64_t Sweeper::substep(State& s, Workers& workers, InstructionSet set, Substep<float> sub) {
+Booked Sweeper::substep(State& s, Workers& workers, InstructionSet set, Substep<float> sub) {
     const Ground ground = open(s, s.tiles.awake, workers.threads(), sub);
-    if (jobs_.empty()) return 0;
+    if (jobs_.empty()) return {};
 
     const auto sweep = kernels_for(set).sweep;
     const int count = static_cast<int>(jobs_.size());
@@ -122,11 +123,13 @@ std::int64_t Sweeper::substep(State& s, Workers& workers, InstructionSet set, Su
     workers.each_member(count, [&](int member, int first, int last) {
         for (int i = first; i < last; ++i) {
             const auto job = static_cast<std::size_t>(i);
-            drained_[job] = sweep(ground, jobs_[job], work_of(member), row_active_.data() + member * stride_);
+            booked_[job] = sweep(ground, jobs_[job], work_of(member), row_active_.data() + member * stride_);
         }
     });
     s.tiles.keep_awake(active_);
-    return std::accumulate(drained_.begin(), drained_.end(), std::int64_t{0});
+    Booked all;
+    for (const Booked& each : booked_) all.drained += each.drained, all.limited += each.limited;
+    return all;
 }
 
 void Sweeper::find_velocity(State& s, Workers& workers, InstructionSet set) {

@@ -8,10 +8,11 @@
 #include "sim/core/activity.h"
 #include "sim/inertial/fields.h"
 #include "sim/simd/instruction_set.h"
+#include "sim/voellmy/fields.h"
 #include "sim/world/outlets.h"
 
 // A sub-step in one sweep over the rows, many vertices at a time. Runs the stages of the plain step
-// (bcre/stages.h, inertial/stages.h) without whole fields between them. Results are bit-identical.
+// (bcre/stages.h, inertial/stages.h, voellmy/stages.h) without whole fields between them. Results are bit-identical.
 //
 // This header has only pointers and numbers. kernel.cpp is compiled for instruction sets that a machine may
 // lack, so it must not share a function with the rest of the program.
@@ -29,6 +30,7 @@ struct Ground {
     Scheme scheme;
     bcre::Constants<float> bcre;
     inertial::Constants<float> inertial;
+    voellmy::Constants<float> voellmy;
 
     int tile_width, tile_height, tile_columns;
     std::uint8_t* active;  // of each tile, as Activity
@@ -50,11 +52,17 @@ struct Job {
 // Work rows of a thread, each `stride` floats. bcre-inertial needs the most: 168.
 inline constexpr int kWorkRows = 192;
 
+// What a sub-step books besides the layers.
+struct Booked {
+    std::int64_t drained = 0;  // mass that left the world, in quanta
+    std::int64_t limited = 0;  // vertices whose speed was limited (State::limited)
+};
+
 // Functions compiled for each instruction set (kernel.cpp).
 struct Kernels {
-    // Sweeps a job through one sub-step. Returns the mass that left the world, in quanta. `work` points to x
-    // = 0 of the first work row, `active` to a byte for each run of lanes in a row, all 0.
-    std::int64_t (*sweep)(const Ground& ground, const Job& job, float* work, std::uint8_t* active);
+    // Sweeps a job through one sub-step. `work` points to x = 0 of the first work row, `active` to a byte for
+    // each run of lanes in a row, all 0.
+    Booked (*sweep)(const Ground& ground, const Job& job, float* work, std::uint8_t* active);
     // Computes the velocity for views at the end of a tick; 0 where the rolling layer is empty.
     void (*velocity)(const Ground& ground, const Job& job, float* work);
     // Returns the exact sum of a layer in quanta, on `width` by `height` vertices from `first` on, rows

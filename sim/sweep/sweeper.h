@@ -20,8 +20,8 @@ class Sweeper {
   public:
     Sweeper(const State& state, int threads, bool last_tile_first);
 
-    // Runs one sub-step, without commands. Returns the mass that left the world, in quanta.
-    std::int64_t substep(State& state, Workers& workers, InstructionSet set, Substep<float> sub);
+    // Runs one sub-step, without commands.
+    Booked substep(State& state, Workers& workers, InstructionSet set, Substep<float> sub);
 
     // Computes the velocity for views, once a tick after its sub-steps.
     void find_velocity(State& state, Workers& workers, InstructionSet set);
@@ -44,7 +44,7 @@ class Sweeper {
     std::vector<std::uint8_t> active_;      // of each tile, in this sub-step, as Activity
     std::vector<std::uint8_t> stale_;       // of each tile: 1 if its velocity must be computed
     std::vector<Job> jobs_;
-    std::vector<std::int64_t> drained_;  // of each job
+    std::vector<Booked> booked_;  // of each job
 };
 
 }  // namespace sweep

@@ -11,5 +11,7 @@ extern const Case kManufactured;                                                
 extern const Case kEroding, kDepositing;                                          // inertial.cpp
 extern const Case kStrip, kSquare, kDisk;                                         // tables.cpp
 extern const Case kGrowth, kTerminalSpeed, kSpeedGate, kRestingLayer;             // uniform.cpp
+extern const Case kFreeSlab, kCoulombSlab, kStopping, kVoellmyTerminal;           // voellmy.cpp
+extern const Case kFreeRamp, kCoulombRamp, kSpread, kRitter, kMangeney, kSwing;   // voellmy_flows.cpp
 
 }  // namespace sim::verification

@@ -12,7 +12,8 @@ struct Named {
     std::string_view name;
 };
 
-constexpr Named<Model> kModels[] = {{Model::kBcre, "bcre"}, {Model::kBcreInertial, "bcre-inertial"}};
+constexpr Named<Model> kModels[] = {
+    {Model::kBcre, "bcre"}, {Model::kBcreInertial, "bcre-inertial"}, {Model::kVoellmy, "voellmy"}};
 constexpr Named<Scheme> kSchemes[] = {{Scheme::kLaxFriedrichs, "lax-friedrichs"},
                                       {Scheme::kLocalLaxFriedrichs, "local-lax-friedrichs"},
                                       {Scheme::kMuscl, "muscl"}};
@@ -80,6 +81,11 @@ std::optional<std::string> fault_of(const Params& params) {
 }
 
 Substeps substeps_of(const Params& params, float dx) {
+    if (params.model == Model::kVoellmy) {
+        constexpr float kDiagonal = 1.41421356f * kGreatestPlanSpeed;  // the sum of both components
+        const int needed = static_cast<int>(std::ceil(kDiagonal * params.tick_s / dx));
+        return {needed, params.tick_s / static_cast<float>(needed)};
+    }
     const bool constant = params.model == Model::kBcre && params.law == Law::kConstant;
     const float speed = constant ? params.rolling_speed : params.max_speed;
     const float courant =

@@ -8,7 +8,8 @@
 
 namespace sim {
 
-enum class Model { kBcre, kBcreInertial };                          // docs/physics.md, "Equations"
+enum class Model { kBcre, kBcreInertial, kVoellmy };  // docs/physics.md, "Equations"
+inline constexpr std::array kEveryModel{Model::kBcre, Model::kBcreInertial, Model::kVoellmy};
 enum class Scheme { kLaxFriedrichs, kLocalLaxFriedrichs, kMuscl };  // kBcre only; kBcreInertial has its own
 enum class Law { kConstant, kSlope, kShear };  // speed in kBcre: (C), (HK), (T) of bcre/velocity.h
 enum class Border { kWall, kOpen, kSink };     // stages.h
@@ -50,10 +51,13 @@ struct Params {
     float anchor_margin = 0.02f;
     float anchor_step = 1.f;
 
+    float friction = 0.25f;
+    float drag = 1500.f;
+
     bool operator==(const Params&) const = default;
 };
 
-enum class UsedBy { kBoth, kBcre, kBcreInertial };
+enum class UsedBy { kAll, kBoth, kBcre, kBcreInertial, kVoellmy };  // kBoth: both with exchange
 
 // One row of the manifest that generates the readers and writers of scenes and recordings, the panels and
 // tests.
@@ -68,7 +72,7 @@ struct ParamInfo {
 };
 
 inline constexpr ParamInfo kParams[] = {
-    {"tick_s", "s", &Params::tick_s, 1e-3f, 0.1f, UsedBy::kBoth, "simulated time per tick", true},
+    {"tick_s", "s", &Params::tick_s, 1e-3f, 0.1f, UsedBy::kAll, "simulated time per tick", true},
     {"courant", "1", &Params::courant, 0.01f, 0.5f, UsedBy::kBoth,
      "Courant number: most cells the flow may cross per sub-step; at most 0.25 in bcre-inertial"},
     {"exchange_rate", "1/s", &Params::exchange_rate, 0.f, 100.f, UsedBy::kBoth,
@@ -111,11 +115,26 @@ inline constexpr ParamInfo kParams[] = {
      "slope added to anchor_gain times the initial slope before natural ground fails"},
     {"anchor_step", "m", &Params::anchor_step, 0.f, 10.f, UsedBy::kBcreInertial,
      "extra scarp height between neighbouring vertices at which natural ground stays stable"},
+    {"friction", "1", &Params::friction, 0.f, 2.f, UsedBy::kVoellmy,
+     "Coulomb friction: shear stress per normal stress at the base"},
+    {"drag", "m/s2", &Params::drag, 10.f, 1e6f, UsedBy::kVoellmy,
+     "turbulent friction coefficient xi; smaller is slower; 1e6: hardly any drag"},
 };
 
 inline bool is_used_by(const ParamInfo& info, Model model) {
-    return info.used_by == UsedBy::kBoth ||
-           info.used_by == (model == Model::kBcre ? UsedBy::kBcre : UsedBy::kBcreInertial);
+    switch (info.used_by) {
+        case UsedBy::kAll:
+            return true;
+        case UsedBy::kBoth:
+            return model != Model::kVoellmy;
+        case UsedBy::kBcre:
+            return model == Model::kBcre;
+        case UsedBy::kBcreInertial:
+            return model == Model::kBcreInertial;
+        case UsedBy::kVoellmy:
+            return model == Model::kVoellmy;
+    }
+    return false;
 }
 
 std::string_view to_string(Model model);
@@ -130,6 +149,10 @@ std::optional<Border> border_from(std::string_view name);
 // What is wrong with these parameters, as a sentence; nothing if they are valid. Checks the range of each
 // number and the required order of the thresholds.
 std::optional<std::string> fault_of(const Params& params);
+
+// The greatest speed of voellmy in plan, m/s. It bounds the sub-steps; a faster layer is slowed to it, which
+// State::limited counts. Along real paths and steep planes speeds of 103 to 113 m/s occur.
+inline constexpr float kGreatestPlanSpeed = 150;
 
 // Number and length of the sub-steps of a tick. Depends only on the parameters and the cell size, so that a
 // replay never depends on a reduction over the state.

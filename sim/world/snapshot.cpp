@@ -4,7 +4,7 @@ namespace sim {
 
 Snapshot take_snapshot(const State& s) {
     return {s.params,           s.depth, s.rolling, s.velocity_x, s.velocity_y, s.first_depth, s.tick,
-            s.running_commands, s.seed,  s.ledger,  s.mixture};
+            s.running_commands, s.seed,  s.ledger,  s.mixture,    s.limited};
 }
 
 void restore(const Snapshot& snapshot, State& s) {
@@ -20,6 +20,8 @@ void restore(const Snapshot& snapshot, State& s) {
     s.seed = snapshot.seed;
     s.ledger = snapshot.ledger;
     s.mixture = snapshot.mixture;
+    s.limited = snapshot.limited;
+    s.still_ticks = 0;  // known again after two ticks
     s.tiles.wake_all();
 }
 

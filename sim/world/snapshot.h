@@ -18,6 +18,7 @@ struct Snapshot {
     std::uint64_t seed = 0;
     Ledger ledger;
     std::optional<Mixture> mixture;
+    std::int64_t limited = 0;
 };
 
 Snapshot take_snapshot(const State& state);

@@ -37,14 +37,23 @@ struct State : Layers<float> {
 
     std::optional<Mixture> mixture;  // of a world of two materials
 
+    // Vertices times sub-steps whose speed passed kGreatestPlanSpeed and was cut to it, since the world began;
+    // voellmy only. Not part of the hash, because it follows from the rest.
+    std::int64_t limited = 0;
+    // voellmy: consecutive ticks at whose end no layer had a velocity, at most 2. Not part of the hash.
+    int still_ticks = 0;
+
     // What is known about the above; never part of the hash, because it changes no bit.
     Tiles tiles;
     BlockHashes block_hashes;
 };
 
 // Nothing rolls and nothing is being poured or dug: with no further command every later tick leaves the same
-// fields.
+// fields. In voellmy, whose layer is not deposited, nothing moved for two ticks.
 bool at_rest(const State& state);
+
+// Counts still_ticks. Call at the end of a tick.
+void count_still_ticks(State& state);
 
 // Read-only view that everything outside sim gets. Valid as long as the state is.
 struct View {

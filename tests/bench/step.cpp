@@ -181,6 +181,7 @@ int main(int argc, char** argv) {
     for (const Scheme scheme : {Scheme::kLaxFriedrichs, Scheme::kLocalLaxFriedrichs, Scheme::kMuscl})
         add_ways(std::string(sim::to_string(scheme)), Model::kBcre, scheme);
     add_ways("bcre-inertial", Model::kBcreInertial, Scheme::kLocalLaxFriedrichs);
+    add_ways("voellmy", Model::kVoellmy, Scheme::kLocalLaxFriedrichs);
     bench::add_stages();
     bench::add_fronts();
     benchmark::RegisterBenchmark("state hash", hash_of_state)->Arg(160)->Arg(1024);

@@ -48,7 +48,7 @@ TEST(ShippedMaterials, state_unit_range_and_source_of_each_parameter) {
         int told = 0;
         bool physics = false;
         for (std::string line; std::getline(lines, line);) {
-            if (line.starts_with("[")) physics = line.starts_with("[bcre");
+            if (line.starts_with("[")) physics = line.starts_with("[bcre") || line.starts_with("[voellmy");
             if (!physics || line.empty() || line.starts_with("[")) continue;
             std::smatch part;
             ASSERT_TRUE(std::regex_match(line, part, number)) << name << ": " << line;
@@ -62,6 +62,16 @@ TEST(ShippedMaterials, state_unit_range_and_source_of_each_parameter) {
         }
         EXPECT_GE(told, 20) << name;
     }
+}
+
+TEST(ShippedMaterials, of_snow_support_voellmy) {
+    for (const char* name : {"snow-dry", "snow-wet"}) {
+        const auto material = load_material(name, sim::Model::kVoellmy);
+        ASSERT_TRUE(material) << material.error().sentence;
+        EXPECT_GT(material->params.friction, 0);
+        EXPECT_NE(material->params.drag, sim::Params{}.drag);
+    }
+    EXPECT_FALSE(load_material("soil", sim::Model::kVoellmy));
 }
 
 TEST(Material, without_a_block_for_a_model_is_refused_with_it) {

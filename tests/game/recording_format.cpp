@@ -120,9 +120,9 @@ TEST(RecordingHeader, keeps_every_parameter_bit_identical) {
     }
 }
 
-TEST(RecordingHeader, keeps_both_models_every_scheme_and_border) {
+TEST(RecordingHeader, keeps_every_model_scheme_and_border) {
     Scenario scenario = small_scenario();
-    for (const auto model : {sim::Model::kBcre, sim::Model::kBcreInertial})
+    for (const auto model : sim::kEveryModel)
         for (const auto scheme :
              {sim::Scheme::kLaxFriedrichs, sim::Scheme::kLocalLaxFriedrichs, sim::Scheme::kMuscl})
             for (const auto border : {sim::Border::kWall, sim::Border::kOpen, sim::Border::kSink}) {

@@ -71,7 +71,7 @@ TEST_F(ForgedHeader, of_a_newer_major_version_is_refused_with_the_version) {
 }
 
 TEST_F(ForgedHeader, of_an_older_minor_version_may_lack_newer_keys) {
-    const char* const later[] = {"law", "exchange_depth", "shear_rate", "anchor_step"};
+    const char* const later[] = {"law", "exchange_depth", "shear_rate", "anchor_step", "friction", "drag"};
     for (const char* name : later) header_["physics"].erase(name);
     EXPECT_NE(refused(header_).find("has no "), std::string::npos);
     header_["version"] = {1, 0};
@@ -95,7 +95,7 @@ TEST_F(ForgedHeader, of_a_newer_minor_version_is_named_where_something_in_it_is_
     };
     refused_with(R"({"tick":0,"snow":{"rate":1})");
     refused_with(R"({"tick":0,"pour":{"x":1,"wind":2})");
-    header_["physics"]["model"] = "voellmy";
+    header_["physics"]["model"] = "newton";
     refused_with("{\"end\":0");
 }
 

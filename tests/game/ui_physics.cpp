@@ -32,7 +32,7 @@ class UiPhysics : public UiHand {
 };
 
 TEST_F(UiPhysics, shows_every_number_that_the_model_uses_and_no_other) {
-    for (const sim::Model model : {sim::Model::kBcre, sim::Model::kBcreInertial}) {
+    for (const sim::Model model : sim::kEveryModel) {
         scenario_.params.model = state_.params.model = model;
         settle();
         for (const sim::ParamInfo& info : sim::kParams)

@@ -60,7 +60,8 @@ Scenario random_start(Dice& dice) {
     scenario.scene = scenario.terrain = "random";
     scenario.title = "A random session";
     scenario.material = "snow-dry";
-    const support::Physics physics = support::kPhysics[dice.below(4)];
+    const support::Physics physics =
+        support::kPhysics[dice.below(static_cast<int>(std::size(support::kPhysics)))];
     scenario.params = support::lively(physics.model, physics.scheme);
     constexpr sim::Law kLaws[] = {sim::Law::kConstant, sim::Law::kSlope, sim::Law::kShear};
     scenario.params.law = kLaws[dice.below(3)];

@@ -148,6 +148,7 @@ TEST(Mixture, of_two_materials_with_equal_parameters_moves_as_one) {
             expect_layers(mixed.state, alone.state, physics.name());
             if (HasFatalFailure()) return;
         }
+        if (physics.model == sim::Model::kVoellmy) continue;  // it takes nothing along
         EXPECT_GT(mixed.state.mixture->ledger.rolling, 0) << physics.name();
     }
 }

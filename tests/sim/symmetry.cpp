@@ -44,7 +44,7 @@ TEST(Symmetry, mirrored_transposed_and_turned_worlds_evolve_bit_identically) {
         {"transposed", [](int x, int y, int) { return std::pair(y, x); }},
         {"quarter turn", [](int x, int y, int last) { return std::pair(y, last - x); }},
     };
-    for (const auto model : {sim::Model::kBcre, sim::Model::kBcreInertial})
+    for (const auto model : sim::kEveryModel)
         for (const auto scheme :
              {sim::Scheme::kLaxFriedrichs, sim::Scheme::kLocalLaxFriedrichs, sim::Scheme::kMuscl})
             for (const auto& [name, turn] : turns) {

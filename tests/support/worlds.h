@@ -46,7 +46,7 @@ struct Play {
     void ticks(int count, std::span<const sim::Command> first = {});
 };
 
-// Each scheme of bcre, and bcre-inertial.
+// Each scheme of bcre, and the other models.
 struct Physics {
     sim::Model model;
     sim::Scheme scheme;
@@ -57,9 +57,10 @@ struct Physics {
 inline constexpr Physics kPhysics[] = {{sim::Model::kBcre, sim::Scheme::kLaxFriedrichs},
                                        {sim::Model::kBcre, sim::Scheme::kLocalLaxFriedrichs},
                                        {sim::Model::kBcre, sim::Scheme::kMuscl},
-                                       {sim::Model::kBcreInertial, sim::Scheme::kLocalLaxFriedrichs}};
+                                       {sim::Model::kBcreInertial, sim::Scheme::kLocalLaxFriedrichs},
+                                       {sim::Model::kVoellmy, sim::Scheme::kLocalLaxFriedrichs}};
 
-// Parameters that make both models active on grounds of a few metres per cell.
+// Parameters that make all models active on grounds of a few metres per cell.
 sim::Params lively(sim::Model model, sim::Scheme scheme = sim::Scheme::kLocalLaxFriedrichs);
 
 // Whether two fields are bit-identical, without the halo.

@@ -1,0 +1,75 @@
+#include "sim/voellmy/plain.h"
+
+#include "sim/stages/over_rows.h"
+#include "sim/stages/plain_context.h"
+#include "sim/voellmy/stages.h"
+#include "sim/world/layers.h"
+
+namespace sim::voellmy {
+
+template <class Number>
+StageRows<Number> stage_rows(Layers<Number>& layers, const Params& params, Fields<Field<Number>>& fields,
+                             Substep<Number> sub) {
+    return {rows_of(fields),
+            layers.grid.nx,
+            layers.grid.ny,
+            params.borders,
+            constants_of(params, layers.grid.dx, sub),
+            Rows<Number>(layers.bedrock),
+            {Rows<Number>(layers.depth), Rows<Number>(layers.rolling), Rows<Number>(layers.velocity_x),
+             Rows<Number>(layers.velocity_y)}};
+}
+
+template <class Number>
+void substep(Layers<Number>& layers, const Params& params, Fields<Field<Number>>& fields,
+             const PlainContext& context, Workers& workers, Substep<Number> sub) {
+    StageRows<Number> w = stage_rows(layers, params, fields, sub);
+    const Outlets::View outlets = context.outlets.view();
+    const auto blends = blends_of<Constants<Number>>(
+        context, params, [&](const Params& blend) { return constants_of(blend, layers.grid.dx, sub); });
+    const OverRows<Number, StageRows<Number>> over(workers, w, blends, context.watch);
+    const Span all = over.all();
+    // A row ends with the halo beside it; the first and the last also with the row beyond.
+    const auto with_beyond = [&](auto&& end) {
+        return [&w, end](int y) {
+            end(y);
+            if (y == 0) end(-1);
+            if (y == w.ny - 1) end(w.ny);
+        };
+    };
+
+    over.each_row_do("fill_halo", [&](int y) { fill_halo<Number>(w, w.u0, y, all); });
+    over.each_row(
+        "find_ground", [&](auto& its, int y) { return find_ground<Number>(its, w, y); },
+        with_beyond([&](int y) { end_ground<Number>(w, w, y, all); }));
+    over.each_row(
+        "drive", [&](auto& its, int y) { return drive<Number>(its, w, y); },
+        [&](int y) { end_drive<Number>(w, w, y, all); });
+    over.each_row(
+        "reconstruct", [&](auto& its, int y) { return reconstruct<Number>(its, w, y); },
+        with_beyond([&](int y) { end_reconstruct<Number>(w, w, y, all); }));
+    over.each_face("find_fluxes_x", [&](int y) { return find_fluxes_x<Number>(w, w, y); });
+    over.each_face(
+        "find_fluxes_y", [&](int y) { return find_fluxes_y<Number>(w, w, y); },
+        [&](int y) { end_fluxes<Number>(w, w, y, all); });
+    over.each_row(
+        "find_share", [&](auto& its, int y) { return find_share<Number>(its, w.share, y); },
+        with_beyond([&](int y) { end_share<Number>(w, w.share, y, all); }));
+    over.each_face("share_fluxes", [&](int y) { return share_fluxes<Number>(w, w, y); });
+    over.each_face("quantise_fluxes", [&](int y) { return quantise_fluxes<Number>(w, w, y); });
+    over.each_row(
+        "finish",
+        [&](auto& its, int y) {
+            std::int64_t* limited = context.limited_in_row ? context.limited_in_row + y : nullptr;
+            return finish<Number>(its, w.u0, y, its.nx, limited);
+        },
+        [&](int y) { clear_drains<Number>(w.u0, outlets, y, all); });
+}
+
+template StageRows<float> stage_rows(Layers<float>&, const Params&, Fields<Field<float>>&, Substep<float>);
+template void substep(Layers<float>&, const Params&, Fields<Field<float>>&, const PlainContext&, Workers&,
+                      Substep<float>);
+template void substep(Layers<double>&, const Params&, Fields<Field<double>>&, const PlainContext&, Workers&,
+                      Substep<double>);
+
+}  // namespace sim::voellmy

@@ -1,0 +1,278 @@
+#pragma once
+
+#include "sim/voellmy/fields.h"
+#include "sim/voellmy/ground.h"
+
+// Transport of the layer and its momentum through a face, second order if both are smooth (van Leer 1979,
+// Hancock):
+//
+//     beyond   left | right   beyond      q = R, u, v;  σ = minmod slope of a vertex
+//      x−2     x−1  |   x      x+1        q* = q − ½ Δt (v·∇q), for R also − ½ Δt R ∇·v: at half of the sub-step
+//                                         q_l = q*_left + ½ σ_left,  q_r = q*_right − ½ σ_right
+//
+//     w = (R_l u_l + R_r u_r)/(R_l + R_r)      the joint velocity across the face
+//     w > 0:  F = R_l w Δt/Δx                  carries (u_l, v_l)
+//     w < 0:  the mirror image
+//
+// Prediction makes it second order in time with one flux per face. It also takes the part of σ that would leave
+// less momentum behind than a vertex keeps: what leaves is the part nearest to the face.
+//
+// The velocity turns with the ground. What crosses a face has velocity (u, v, B·v) in space, on the plane of the
+// vertex where it comes from. It is projected onto the tangent plane of the vertex where it arrives, and rescaled
+// to its speed along the slope. So no bend of the ground takes or gives energy.
+//
+// If the wanted fluxes out of a vertex exceed its layer, all are reduced by the same share. A vertex keeps four
+// quanta, because rounding takes less than one at each face.
+
+namespace sim::voellmy {
+
+// The gentler of both differences, halved.
+template <class Number>
+[[gnu::always_inline]] inline Number half_slope(const Number& back, const Number& ahead) {
+    return Scalar<Number>(0.5) * minmod(back, ahead);
+}
+
+// Rows y = 0 … ny-1. Reads R, driven_u, driven_v; writes half slopes and the values at half of the sub-step.
+template <class Number, class S = Scalar<Number>>
+auto reconstruct(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
+    struct Of {
+        const S *south, *here, *north;
+        S *mid, *to_x, *to_y;
+        Number value(int i) const { return at<Number>(here, i); }
+        Number x(int i) const {
+            return half_slope<Number>(value(i) - at<Number>(here, i - 1), at<Number>(here, i + 1) - value(i));
+        }
+        Number y(int i) const {
+            return half_slope<Number>(value(i) - at<Number>(south, i), at<Number>(north, i) - value(i));
+        }
+    };
+    const auto of = [y](const Rows<S>& rows, Rows<S>& mid, Rows<S>& to_x, Rows<S>& to_y) {
+        return Of{rows[y - 1], rows[y], rows[y + 1], mid[y], to_x[y], to_y[y]};
+    };
+    return
+        [c = w.c, rolling = of(w.u0.rolling, to.mid_rolling, to.rolling_x, to.rolling_y),
+         u = of(w.driven_u, to.mid_u, to.u_x, to.u_y), v = of(w.driven_v, to.mid_v, to.v_x, to.v_y)](int i) {
+            const Number r = rolling.value(i);
+            if (!any(r > S{0})) {
+                for (const Of& each : {rolling, u, v})
+                    store(Number(0), each.mid + i), store(Number(0), each.to_x + i),
+                        store(Number(0), each.to_y + i);
+                return;
+            }
+            const Number cross_x = c.courant * u.value(i), cross_y = c.courant * v.value(i);
+            const auto predict = [&](const Of& each, const Number& x, const Number& y) {
+                store(x, each.to_x + i), store(y, each.to_y + i);
+                return each.value(i) - (cross_x * x + cross_y * y);
+            };
+            const Number u_x = u.x(i), v_y = v.y(i);
+            store<Number>(predict(rolling, rolling.x(i), rolling.y(i)) - r * (c.courant * (u_x + v_y)),
+                          rolling.mid + i);
+            store<Number>(predict(u, u_x, u.y(i)), u.mid + i);
+            store<Number>(predict(v, v.x(i), v_y), v.mid + i);
+        };
+}
+// Beyond the border nothing rolls. Rows y = -1 … ny.
+template <class Number, class S = Scalar<Number>>
+void end_reconstruct(const StageRows<S>& w, Fields<Rows<S>>& to, int y, Span x) {
+    for (S* row : {to.mid_rolling[y], to.mid_u[y], to.mid_v[y], to.rolling_x[y], to.u_x[y], to.v_x[y],
+                   to.rolling_y[y], to.u_y[y], to.v_y[y]}) {
+        if (w.is_ground(y))
+            row[-1] = row[w.nx] = 0;
+        else
+            std::fill(row + x.first, row + x.last, S{0});
+    }
+}
+
+template <class Number>
+struct Velocity {
+    Number u, v;  // m/s
+};
+template <class Number>
+struct Plane {
+    Number x, y, cosine;  // slope B, and cos θ
+};
+
+// Turns a velocity on the ground `from` onto the ground `to`. It keeps its speed along the slope.
+template <class Number>
+[[gnu::always_inline]] inline Velocity<Number> turned(const Velocity<Number>& velocity,
+                                                      const Plane<Number>& from, const Plane<Number>& to) {
+    using S = Scalar<Number>;
+    const Number u = velocity.u, v = velocity.v;
+    const Number rises = from.x * u + from.y * v;
+    const Number off = (rises - (to.x * u + to.y * v)) * (to.cosine * to.cosine);
+    const Number along_u = u + off * to.x, along_v = v + off * to.y;
+    const Number risen = to.x * along_u + to.y * along_v;
+    const Number had = (u * u + v * v) + rises * rises;
+    const Number has = (along_u * along_u + along_v * along_v) + risen * risen;
+    const Number scale = sqrt(had / max(has, Number(S(1e-30))));
+    return {along_u * scale, along_v * scale};
+}
+
+// The values of a vertex pair at the face between them.
+template <class Number>
+struct Sides {
+    Number left, right;
+};
+template <class Number>
+[[gnu::always_inline]] inline Number of_side(const auto& is_left, const Sides<Number>& sides) {
+    return select(is_left, sides.left, sides.right);
+}
+
+// A value on both sides of faces along x or y: of the vertices, or carried to the face.
+template <class Number, class S = Scalar<Number>>
+struct FaceRow {
+    const S *left, *right;  // the same row, one vertex apart, or two rows
+    Sides<Number> at_vertices(int i) const { return {at<Number>(left, i), at<Number>(right, i)}; }
+    Sides<Number> at_face(const FaceRow& half, int i) const {
+        return {at<Number>(left, i) + at<Number>(half.left, i),
+                at<Number>(right, i) - at<Number>(half.right, i)};
+    }
+};
+
+// Faces of one direction. `across` is the component of velocity through the face, `along` the other; slopes
+// likewise.
+template <class Number, class S = Scalar<Number>>
+struct Faces {
+    Constants<S> c;
+    FaceRow<Number> begun, rolling, across, along;  // R before the sub-step; the others at half of it
+    FaceRow<Number> rolling_half, across_half, along_half;
+    FaceRow<Number> slope_across, slope_along, cosine;
+    S *flux, *leaving_across, *leaving_along, *turned_across, *turned_along;
+
+    [[gnu::always_inline]] void operator()(int i) const {
+        const Number none(0);
+        const Sides<Number> had = begun.at_vertices(i);
+        if (!any(max(had.left, had.right) > S{0})) {  // true nearly everywhere
+            store(none, flux + i);
+            return;
+        }
+        const Sides<Number> r = rolling.at_face(rolling_half, i), u = across.at_face(across_half, i),
+                            v = along.at_face(along_half, i);
+        // Prediction may leave R at a nearly empty face below 0; then w would no longer be a mean.
+        const Number r_l = max(r.left, none), r_r = max(r.right, none);
+        const Number w = (r_l * u.left + r_r * u.right) / max(r_l + r_r, Number(S(1e-30)));
+        const auto forth = w > S{0};
+        const auto may = of_side<Number>(forth, had) > kThin<Number>;
+        store(select(may, c.courant * select(forth, r_l, r_r) * w, none), flux + i);
+
+        const Velocity<Number> leaves{of_side(forth, u), of_side(forth, v)};
+        const Sides<Number> bx = slope_across.at_vertices(i), by = slope_along.at_vertices(i),
+                            cos = cosine.at_vertices(i);
+        const Plane<Number> left{bx.left, by.left, cos.left}, right{bx.right, by.right, cos.right};
+        const auto pick = [&](const Plane<Number>& a, const Plane<Number>& b) {
+            return Plane<Number>{select(forth, a.x, b.x), select(forth, a.y, b.y),
+                                 select(forth, a.cosine, b.cosine)};
+        };
+        const Velocity<Number> arrives = turned(leaves, pick(left, right), pick(right, left));
+        store(leaves.u, leaving_across + i), store(leaves.v, leaving_along + i);
+        store(arrives.u, turned_across + i), store(arrives.v, turned_along + i);
+    }
+};
+
+// Along x, faces y = 0 … ny. Reads what reconstruct() and find_ground() wrote, and R; writes the wanted flux, and
+// its velocity where it leaves and where it arrives.
+template <class Number, class S = Scalar<Number>>
+auto find_fluxes_x(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
+    const auto row = [y](const Rows<S>& rows) { return FaceRow<Number>{rows[y] - 1, rows[y]}; };
+    return Faces<Number>{w.c,
+                         row(w.u0.rolling),
+                         row(w.mid_rolling),
+                         row(w.mid_u),
+                         row(w.mid_v),
+                         row(w.rolling_x),
+                         row(w.u_x),
+                         row(w.v_x),
+                         row(w.slope_x),
+                         row(w.slope_y),
+                         row(w.cosine),
+                         to.flux_x[y],
+                         to.leaving_xu[y],
+                         to.leaving_xv[y],
+                         to.turned_xu[y],
+                         to.turned_xv[y]};
+}
+// Along y.
+template <class Number, class S = Scalar<Number>>
+auto find_fluxes_y(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
+    const auto row = [y](const Rows<S>& rows) { return FaceRow<Number>{rows[y - 1], rows[y]}; };
+    return Faces<Number>{w.c,
+                         row(w.u0.rolling),
+                         row(w.mid_rolling),
+                         row(w.mid_v),
+                         row(w.mid_u),
+                         row(w.rolling_y),
+                         row(w.v_y),
+                         row(w.u_y),
+                         row(w.slope_y),
+                         row(w.slope_x),
+                         row(w.cosine),
+                         to.flux_y[y],
+                         to.leaving_yv[y],
+                         to.leaving_yu[y],
+                         to.turned_yv[y],
+                         to.turned_yu[y]};
+}
+// Nothing passes a wall. Faces y = 0 … ny.
+template <class Number, class S = Scalar<Number>>
+void end_fluxes(const StageRows<S>& w, Fields<Rows<S>>& to, int y, Span x) {
+    S* flux = to.flux_x[y];
+    if (w.is_wall(kWest)) flux[0] = 0;
+    if (w.is_wall(kEast)) flux[w.nx] = 0;
+    if ((y == 0 && w.is_wall(kSouth)) || (y == w.ny && w.is_wall(kNorth)))
+        std::fill(to.flux_y[y] + x.first, to.flux_y[y] + x.last, S{0});
+}
+
+// Rows y = 0 … ny-1. Reads R, wanted fluxes; writes share. Sets `less` if a vertex must reduce its outflow.
+template <class Number, class S = Scalar<Number>>
+auto find_share(const StageRows<S>& w, Rows<S>& to, int y, bool* less = nullptr) {
+    return [rolling = w.u0.rolling[y], flux_x = w.flux_x[y], south = w.flux_y[y], north = w.flux_y[y + 1],
+            share = to[y], less](int i) {
+        constexpr S kInHand = 4 * kGrain<Number>;
+        constexpr S kLess = kHasQuanta<Number> ? S(1 - 1e-6) : S(1);  // for the rounding of the products
+        const Number none(0);
+        const Drops<Number> out = outward<Number>(flux_x, south, north, i);
+        const Number wanted =
+            (max(out.east, none) + max(out.west, none)) + (max(out.north, none) + max(out.south, none));
+        const Number has = max(at<Number>(rolling, i) - kInHand, none);
+        const auto too_much = wanted > has;
+        if (!any(too_much)) {
+            store(Number(1), share + i);
+            return;
+        }
+        store<Number>(select(too_much, has * kLess / select(too_much, wanted, Number(1)), Number(1)),
+                      share + i);
+        if (less) *less = true;
+    };
+}
+// Nothing leaves the halo. Rows y = -1 … ny.
+template <class Number, class S = Scalar<Number>>
+void end_share(const StageRows<S>& w, Rows<S>& to, int y, Span x) {
+    if (w.is_ground(y))
+        to[y][-1] = to[y][w.nx] = 0;
+    else
+        std::fill(to[y] + x.first, to[y] + x.last, S{0});
+}
+// Faces y = 0 … ny. Reads share; limits flux_x, flux_y to the layers of the vertices.
+template <class Number, class S = Scalar<Number>>
+auto share_fluxes(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
+    return [share = w.share[y], share_south = w.share[y - 1], flux_x = to.flux_x[y],
+            flux_y = to.flux_y[y]](int i) {
+        const Number here = at<Number>(share, i), in_x = at<Number>(flux_x, i), in_y = at<Number>(flux_y, i);
+        store<Number>(in_x * select(in_x > S{0}, at<Number>(share, i - 1), here), flux_x + i);
+        store<Number>(in_y * select(in_y > S{0}, at<Number>(share_south, i), here), flux_y + i);
+    };
+}
+// Rounds the fluxes to whole quanta, so that both sides of a face transfer the same amount. Faces y = 0 … ny.
+template <class Number, class S = Scalar<Number>>
+auto quantise_fluxes(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
+    return [c = w.c, flux_x = to.flux_x[y], flux_y = to.flux_y[y]](int i) {
+        const auto book = [&](S* flux) {
+            store(with_its_sign(at<Number>(flux, i),
+                                [&](const Number& size) { return in_quanta(size, c.dither); }),
+                  flux + i);
+        };
+        book(flux_x), book(flux_y);
+    };
+}
+
+}  // namespace sim::voellmy
