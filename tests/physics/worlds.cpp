@@ -17,7 +17,8 @@ using support::Play;
 
 TEST(World, conserves_mass_exactly_over_a_hundred_thousand_ticks) {
     for (const auto& [model, scheme] : {std::pair(Model::kBcre, Scheme::kMuscl),
-                                        std::pair(Model::kBcreInertial, Scheme::kLocalLaxFriedrichs)}) {
+                                        std::pair(Model::kBcreInertial, Scheme::kLocalLaxFriedrichs),
+                                        std::pair(Model::kVoellmy, Scheme::kLocalLaxFriedrichs)}) {
         Play play(support::rough(9, 5, 5), support::lively(model, scheme));
         std::mt19937 random(2);
         for (int tick = 0; tick < 100'000; ++tick) {
