@@ -13,7 +13,8 @@ GLuint groups(int vertices) {
 }  // namespace
 
 tl::expected<SurfacePass, std::string> SurfacePass::create(const std::filesystem::path& shaders) {
-    auto surface = link_program(shaders, {{GL_COMPUTE_SHADER, {"slots.glsl", "frame.glsl", "cover.glsl", "surface.comp"}}});
+    auto surface = link_program(
+        shaders, {{GL_COMPUTE_SHADER, {"slots.glsl", "frame.glsl", "cover.glsl", "surface.comp"}}});
     if (!surface) return tl::unexpected(surface.error());
     auto openness =
         link_program(shaders, {{GL_COMPUTE_SHADER, {"slots.glsl", "frame.glsl", "openness.comp"}}});
