@@ -13,7 +13,7 @@ namespace sim::verification {
 namespace {
 
 constexpr double kGravity = 9.81;
-constexpr std::array kAngles_deg{20., 35., 50.};
+constexpr std::array kAnglesDeg{20., 35., 50.};
 
 double radians(double degrees) {
     return degrees * std::numbers::pi / 180;
@@ -48,7 +48,7 @@ Vector middle_after(const Params& params, double angle, double azimuth, double r
 // The greatest relative error over slopes and orientations, of a block that starts from rest.
 std::vector<Series> sliding(double friction, std::string_view measure) {
     Series series{"voellmy", measure, 1e-12, 0, {160}, {0}};
-    for (const double angle_deg : kAngles_deg)
+    for (const double angle_deg : kAnglesDeg)
         for (const double azimuth_deg : {0., 30., 45.}) {
             constexpr double kSeconds = 1;
             const double angle = radians(angle_deg), azimuth = radians(azimuth_deg);
@@ -93,7 +93,7 @@ std::vector<Series> terminal() {
     constexpr double kFriction = 0.25, kDrag = 500, kRolling = 1;
     const Params params = numbers(kFriction, kDrag);
     Series stays{"voellmy", "v at terminal", 1e-12, 0, {160}, {0}};
-    for (const double angle_deg : kAngles_deg) {
+    for (const double angle_deg : kAnglesDeg) {
         const double angle = radians(angle_deg), normal = kRolling * std::cos(angle);
         const double end = std::sqrt(kDrag * normal * (std::sin(angle) - kFriction * std::cos(angle)));
         const double plan = end * std::cos(angle);
