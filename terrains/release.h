@@ -30,8 +30,7 @@ enum class Thickness { kVertical, kNormal };
 // Where the terrain has no data the thickness is 0, because material there would leave the world at once.
 // Errors, in one sentence that names the file: those of read_areas(), a damaged raster, a depth over 200 m,
 // two files that cannot be aligned, `measured` given for GeoJSON, and a release that touches no ground of the
-// grid. `files` gets every file
-// that was read, unless null.
+// grid. `files` gets every file that was read, unless null.
 tl::expected<std::vector<float>, std::string> read_release(
     const std::filesystem::path& path, const Terrain& terrain, std::optional<Thickness> measured = {},
     References references = References::kRefused, std::vector<std::filesystem::path>* files = nullptr);

@@ -1,5 +1,5 @@
 // Openness: the share of the sky that a vertex of the bedrock sees, from its horizon in twelve directions. Hollows
-// of one to four cells, which hardly raise a horizon, count more than they hide. Once per terrain.
+// of one cell to a tenth of the grid, which hardly raise a horizon, count more than they hide. Once per terrain.
 layout(local_size_x = GROUP_SQUARE, local_size_y = GROUP_SQUARE) in;
 
 layout(binding = SLOT_BEDROCK) uniform sampler2D bedrock;
@@ -8,10 +8,10 @@ layout(binding = IMAGE_OPENNESS, r16f) uniform writeonly image2D openness;
 
 const int kDirections = 12;
 const float kReach = 0.25;  // of the longer side; farther terrain hardly raises a horizon
-const float kHollow = 3.0;  // weight of small hollows, by the mean tangent of their sides
+const float kHollow = 3.0;  // weight of hollows, by the mean tangent of their sides
 
-// How far the ground rises from a vertex on both sides of it, beyond its slope: the mean tangent over one, two and
-// four cells in four directions. Above 0 in a hollow, below 0 on a ridge.
+// How far the ground rises from a vertex on both sides of it, beyond its slope: the mean tangent over one, two,
+// four … cells in four directions. Above 0 in a hollow, below 0 on a ridge.
 float hollow(ivec2 v, float here) {
     float sum = 0.0;
     int count = 0;

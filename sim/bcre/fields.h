@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
 #include <string_view>
 
 #include "sim/bcre/constants.h"
 #include "sim/simd/rows.h"
 #include "sim/stages/field_list.h"
+#include "sim/stages/world_rows.h"
 #include "sim/world/params.h"
 
 // The fields that the stages of `bcre` work on: the only list of them.
@@ -76,14 +76,6 @@ using StateRows = RkState<Rows<Scalar>>;
 
 // What the stages read and write: rows of the fields, and values that all vertices share.
 template <class Scalar>
-struct StageRows : Fields<Rows<Scalar>> {
-    int nx, ny;
-    std::array<Border, 4> borders;  // by Side
-    Constants<Scalar> c;
-    Rows<Scalar> bedrock;
-
-    bool is_ground(int y) const { return y >= 0 && y < ny; }
-    bool is_wall(Side side) const { return borders[side] == Border::kWall; }
-};
+struct StageRows : Fields<Rows<Scalar>>, WorldRows<Constants<Scalar>, Scalar> {};
 
 }  // namespace sim::bcre

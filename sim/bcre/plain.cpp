@@ -11,11 +11,8 @@ template <class Number>
 StageRows<Number> stage_rows(Layers<Number>& layers, const Params& params, Fields<Field<Number>>& fields,
                              Substep<Number> sub) {
     StageRows<Number> w{rows_of(fields),
-                        layers.grid.nx,
-                        layers.grid.ny,
-                        params.borders,
-                        constants_of(params, layers.grid.dx, sub),
-                        Rows<Number>(layers.bedrock)};
+                        {layers.grid.nx, layers.grid.ny, params.borders,
+                         constants_of(params, layers.grid.dx, sub), Rows<Number>(layers.bedrock)}};
     w.u0.depth = Rows<Number>(layers.depth);
     w.u0.rolling = Rows<Number>(layers.rolling);
     return w;

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
 #include <string_view>
 
 #include "sim/simd/exponential.h"
 #include "sim/simd/rows.h"
 #include "sim/stages/field_list.h"
+#include "sim/stages/world_rows.h"
 #include "sim/world/params.h"
 #include "sim/world/quanta.h"
 
@@ -131,14 +131,8 @@ using StateRows = RkState<Rows<Scalar>>;
 
 // What the stages read and write: rows of the fields, and values that all vertices share.
 template <class Scalar>
-struct StageRows : Fields<Rows<Scalar>> {
-    int nx, ny;
-    std::array<Border, 4> borders;  // by Side
-    Constants<Scalar> c;
-    Rows<Scalar> bedrock, first_slope, first_depth;
-
-    bool is_ground(int y) const { return y >= 0 && y < ny; }
-    bool is_wall(Side side) const { return borders[side] == Border::kWall; }
+struct StageRows : Fields<Rows<Scalar>>, WorldRows<Constants<Scalar>, Scalar> {
+    Rows<Scalar> first_slope, first_depth;
 };
 
 }  // namespace sim::inertial

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <string_view>
 
 #include "sim/simd/rows.h"
 #include "sim/stages/field_list.h"
+#include "sim/stages/world_rows.h"
 #include "sim/world/params.h"
 #include "sim/world/quanta.h"
 
@@ -103,15 +103,8 @@ using LayerRows = MovingLayers<Rows<Scalar>>;
 
 // What the stages read and write: rows of the fields, and values that all vertices share.
 template <class Scalar>
-struct StageRows : Fields<Rows<Scalar>> {
-    int nx, ny;
-    std::array<Border, 4> borders;  // by Side
-    Constants<Scalar> c;
-    Rows<Scalar> bedrock;
+struct StageRows : Fields<Rows<Scalar>>, WorldRows<Constants<Scalar>, Scalar> {
     LayerRows<Scalar> u0;
-
-    bool is_ground(int y) const { return y >= 0 && y < ny; }
-    bool is_wall(Side side) const { return borders[side] == Border::kWall; }
 };
 
 }  // namespace sim::voellmy

@@ -11,11 +11,8 @@ template <class Number>
 StageRows<Number> stage_rows(Layers<Number>& layers, const Params& params, Fields<Field<Number>>& fields,
                              Substep<Number> sub) {
     return {rows_of(fields),
-            layers.grid.nx,
-            layers.grid.ny,
-            params.borders,
-            constants_of(params, layers.grid.dx, sub),
-            Rows<Number>(layers.bedrock),
+            {layers.grid.nx, layers.grid.ny, params.borders, constants_of(params, layers.grid.dx, sub),
+             Rows<Number>(layers.bedrock)},
             {Rows<Number>(layers.depth), Rows<Number>(layers.rolling), Rows<Number>(layers.velocity_x),
              Rows<Number>(layers.velocity_y)}};
 }
