@@ -15,6 +15,8 @@ Engine::Engine(State& state, const StepOptions& as) : options(as), workers(as.th
     } else {
         sweeper.emplace(state, options.threads, options.last_tile_first);
     }
+    if (has_momentum(state.params.model))
+        smoother.emplace(state.grid, options.tile_width, options.tile_height, options.threads);
 }
 
 }  // namespace sim

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "sim/core/workers.h"
+#include "sim/momentum/smooth_ground.h"
 #include "sim/scratch.h"
 #include "sim/stages/stage_watch.h"
 #include "sim/sweep/sweeper.h"
@@ -29,6 +30,7 @@ struct Engine {
     StageWatch watch;                       // of the plain step
     std::optional<Scratch<float>> scratch;  // of it
     std::optional<sweep::Sweeper> sweeper;
+    std::optional<momentum::GroundSmoother> smoother;  // of the models with momentum
 };
 
 }  // namespace sim

@@ -1,6 +1,7 @@
 #include "sim/initial_state.h"
 
-#include "sim/bcre/stages.h"
+#include "sim/momentum/smooth_ground.h"
+#include "sim/momentum/stages.h"
 #include "sim/sweep/count_mass.h"
 #include "sim/world/quanta.h"
 
@@ -30,23 +31,21 @@ void continue_bedrock(Layers<Number>& s, const Params& params) {
 template <class Number>
 void enclose(Layers<Number>& s, const Params& params) {
     continue_bedrock(s, params);
-    Field<Number> drop_x(s.grid), drop_y(s.grid);
-    bcre::StageRows<Number> w{};
+    momentum::StageRows<Number> w{};
     w.nx = s.grid.nx, w.ny = s.grid.ny;
     w.borders = params.borders;
+    w.c = momentum::constants_of(params, s.grid.dx, Substep<Number>{});
     w.bedrock = Rows<Number>(s.bedrock);
     w.u0.depth = Rows<Number>(s.depth), w.u0.rolling = Rows<Number>(s.rolling);
-    w.u0.drop_x = Rows<Number>(drop_x), w.u0.drop_y = Rows<Number>(drop_y);
-    w.u0.slope_dx = Rows<Number>(s.first_slope);
     const Span all{0, w.nx};
     for (int y = 0; y < w.ny; ++y) fill_halo<Number>(w, w.u0, y, all);
-    for (int y = 0; y <= w.ny; ++y)
-        along<Number>(all.faces(), find_drops<Number>(w, w.u0, w.u0.drop_x, w.u0.drop_y, y));
     for (int y = 0; y < w.ny; ++y) {
-        along<Number>(all, bcre::find_slope_dx<Number>(w.u0, w.u0.slope_dx, y));
-        for (int x = 0; x < w.nx; ++x) s.first_slope(x, y) /= s.grid.dx;
+        const auto ground = momentum::ground_rows(w, w.u0.depth, y);
+        for (int x = 0; x < w.nx; ++x)
+            s.first_slope(x, y) = sqrt(Number(momentum::gradient<Number>(ground, x, w.c).squared()));
     }
     s.first_depth = s.depth;
+    if (has_momentum(params.model)) momentum::GroundSmoother::smooth_all(s);
 }
 
 State make_state(const InitialState& world, const Params& params) {

@@ -8,9 +8,10 @@
 namespace sim {
 
 std::vector<NamedField> fields_of(const State& s) {
-    std::vector<NamedField> fields{{"bedrock", &s.bedrock},       {"depth", &s.depth},
-                                   {"rolling", &s.rolling},       {"velocity_x", &s.velocity_x},
-                                   {"velocity_y", &s.velocity_y}, {"first_depth", &s.first_depth}};
+    std::vector<NamedField> fields{{"bedrock", &s.bedrock},          {"depth", &s.depth},
+                                   {"rolling", &s.rolling},          {"velocity_x", &s.velocity_x},
+                                   {"velocity_y", &s.velocity_y},    {"first_depth", &s.first_depth},
+                                   {"smooth_depth", &s.smooth_depth}};
     if (s.mixture) {
         fields.push_back({"mixture.rolling", &s.mixture->rolling});
         fields.push_back({"mixture.settled", &s.mixture->settled});

@@ -11,16 +11,14 @@ template <class Number>
 Scratch<Number>::Scratch(const Layers<Number>& layers, Model model)
     : limited(static_cast<std::size_t>(layers.grid.ny)), context{Outlets(layers.grid, layers.site)} {
     context.limited_in_row = limited.data();
-    if (model == Model::kBcreInertial) fields.template emplace<Inertial>();
-    if (model == Model::kVoellmy) fields.template emplace<Voellmy>();
+    if (has_momentum(model)) fields.template emplace<Momentum>();
     std::visit([&](auto& of_model) { allocate(of_model, layers.grid); }, fields);
 }
 
 template <class Number>
 typename Scratch<Number>::Fluxes Scratch<Number>::fluxes() {
     if (std::holds_alternative<Bcre>(fields)) return {bcre().flux_x, bcre().flux_y};
-    if (std::holds_alternative<Voellmy>(fields)) return {voellmy().flux_x, voellmy().flux_y};
-    return {inertial().u0.flux_x, inertial().u0.flux_y};
+    return {momentum().flux_x, momentum().flux_y};
 }
 
 std::int64_t take_limited(Scratch<float>& scratch) {

@@ -6,9 +6,8 @@
 
 #include "sim/bcre/fields.h"
 #include "sim/core/grid.h"
-#include "sim/inertial/fields.h"
+#include "sim/momentum/fields.h"
 #include "sim/stages/plain_context.h"
-#include "sim/voellmy/fields.h"
 #include "sim/world/layers.h"
 #include "sim/world/params.h"
 
@@ -21,12 +20,10 @@ struct Scratch {
     Scratch(const Layers<Number>& layers, Model model);
 
     using Bcre = bcre::Fields<Field<Number>>;
-    using Inertial = inertial::Fields<Field<Number>>;
-    using Voellmy = voellmy::Fields<Field<Number>>;
-    std::variant<Bcre, Inertial, Voellmy> fields;  // of the model
+    using Momentum = momentum::Fields<Field<Number>>;
+    std::variant<Bcre, Momentum> fields;  // of the model
     Bcre& bcre() { return std::get<Bcre>(fields); }
-    Inertial& inertial() { return std::get<Inertial>(fields); }
-    Voellmy& voellmy() { return std::get<Voellmy>(fields); }
+    Momentum& momentum() { return std::get<Momentum>(fields); }
 
     // Through the faces, in the last sub-step, m.
     struct Fluxes {

@@ -2,9 +2,8 @@
 
 #include "sim/bcre/plain.h"
 #include "sim/engine.h"
-#include "sim/inertial/plain.h"
+#include "sim/momentum/plain.h"
 #include "sim/sweep/count_mass.h"
-#include "sim/voellmy/plain.h"
 #include "sim/world/params.h"
 #include "sim/world/quanta.h"
 #include "sim/world/state.h"
@@ -14,14 +13,10 @@ namespace sim {
 template <class Number>
 void substep(Layers<Number>& layers, const Params& params, Scratch<Number>& scratch, Workers& workers,
              Substep<Number> sub) {
-    switch (params.model) {
-        case Model::kBcre:
-            return bcre::substep(layers, params, scratch.bcre(), scratch.context, workers, sub);
-        case Model::kBcreInertial:
-            return inertial::substep(layers, params, scratch.inertial(), scratch.context, workers, sub);
-        case Model::kVoellmy:
-            return voellmy::substep(layers, params, scratch.voellmy(), scratch.context, workers, sub);
-    }
+    if (has_momentum(params.model))
+        momentum::substep(layers, params, scratch.momentum(), scratch.context, workers, sub);
+    else
+        bcre::substep(layers, params, scratch.bcre(), scratch.context, workers, sub);
 }
 
 template void substep(Layers<float>&, const Params&, Scratch<float>&, Workers&, Substep<float>);
@@ -39,7 +34,7 @@ namespace {
 void substep_plainly(State& state, Engine& engine, const Substep<float>& sub) {
     Scratch<float>& scratch = *engine.scratch;
     Workers& workers = engine.workers;
-    state.tiles.open_all();
+    state.tiles.wake_all();
     if (state.mixture) {
         scratch.context.lower = &state.mixture->lower;
         begin_mixing(state, *scratch.context.mixing, workers);
@@ -50,6 +45,8 @@ void substep_plainly(State& state, Engine& engine, const Substep<float>& sub) {
     state.limited += take_limited(scratch);
     if (state.mixture) {
         const auto [flux_x, flux_y] = scratch.fluxes();
+        if (state.params.model == Model::kBcreInertial)
+            mix_exchange(state, *scratch.context.mixing, scratch.momentum().exchanged, sub.dither, workers);
         finish_mixing(state, *scratch.context.mixing, flux_x, flux_y, scratch.context.outlets, sub.dither,
                       workers);
         engine.watch.done("finish_mixing");
@@ -63,6 +60,10 @@ void step(State& state, std::span<const Command> commands, Engine& engine) {
     engine.watch.begin(StageWatch::kCommands);
     apply_commands(state, commands);
     engine.watch.done("commands");
+    if (engine.smoother && state.tick % momentum::kTicksPerSmoothing == 0) {
+        engine.smoother->smooth(state, engine.workers);
+        engine.watch.done("smooth_ground");
+    }
 
     const Substeps substeps = substeps_of(state);
     for (int i = 0; i < substeps.count; ++i) {

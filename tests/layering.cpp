@@ -57,7 +57,7 @@ TEST(Layering, finds_every_kind_of_planted_breach) {
              Planted{"sim/step.cpp", "#include <render/frame.h>"},
              Planted{"sim/core/grid.h", "#include \"sim/simd/rows.h\""},
              Planted{"sim/world/layers.cpp", "#include \"sim/bcre/stages.h\""},
-             Planted{"sim/bcre/yield.h", "#include \"sim/inertial/yield.h\""},
+             Planted{"sim/bcre/yield.h", "#include \"sim/momentum/yield.h\""},
              Planted{"sim/front/scan.h", "#include \"sim/sweep/sweep.h\""},
              Planted{"game/session/session.cpp", "#include \"game/analysis/summary.h\""},
              Planted{"game/ui/ui.cpp", "#include \"game/app/app.h\""},

@@ -143,7 +143,7 @@ Outcome<Scenario> scenario_of(const Recording& recording, int squares, const Ben
 bool has_states_of(const Recording& recording, int squares, const BenchPhysics& physics) {
     const Header& header = recording.header;
     return squares == squares_of(header.scenario) && is_own(header.scenario, physics) &&
-           header.physics_version == kPhysicsVersion;
+           is_comparable(header);
 }
 
 }  // namespace game

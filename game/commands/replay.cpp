@@ -12,6 +12,7 @@
 #include "game/files/file_use.h"
 #include "game/files/text_file.h"
 #include "game/recording/file_hash.h"
+#include "game/session/renew.h"
 #include "game/session/verifier.h"
 
 namespace game {
@@ -45,6 +46,7 @@ Outcome<int> replay(const ReplayOptions& options) {
         memory.use.frames = {options.pictures.size.width, options.pictures.size.height};
     auto recording = read_recording(*path, memory);
     if (!recording) return tl::unexpected(recording.error());
+    renew(*recording);
     if (recording->warning) print_line(stderr, "couloir: warning: {}", *recording->warning);
     if (options.until)
         if (auto has = check_tick(*recording, *options.until, options.recording); !has)

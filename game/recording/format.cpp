@@ -111,7 +111,12 @@ Json physics_json(const sim::Params& params) {
 // Keys that older recordings lack, by the minor version that added them. Their defaults keep the physics as
 // it was before, except for anchor_step, which came with a change to bcre-inertial.
 constexpr std::pair<std::string_view, int> kSince[] = {
-    {"law", 1}, {"exchange_depth", 1}, {"shear_rate", 1}, {"anchor_step", 2}, {"friction", 5}, {"drag", 5}};
+    {"law", 1},          {"exchange_depth", 1}, {"shear_rate", 1},    {"anchor_step", 2},
+    {"friction", 5},     {"drag", 5},           {"friction_thin", 6}, {"friction_fold_depth", 6},
+    {"erosion_rate", 6}, {"deposit_rate", 6},   {"loose_slope", 6}};
+constexpr int kNewNumbers = 6;  // the minor version since which forces drive bcre-inertial
+constexpr std::string_view kGone[] = {"relaxation_time", "half_speed_depth", "stop_slope_thick",
+                                      "stop_fold_depth"};
 
 bool is_named_in(int minor, std::string_view name) {
     for (const auto& [key, since] : kSince)
@@ -124,6 +129,7 @@ void numbers_from(const Json& json, int minor, sim::Params& params) {
         if (is_named_in(minor, info.name))
             params.*info.value =
                 static_cast<float>(number(json, info.name.data(), info.least - 1e-6, info.most + 1e-6));
+    if (minor < kNewNumbers && params.model == sim::Model::kBcreInertial) take_numbers(sim::Params{}, params);
     if (const auto wrong = sim::fault_of(params)) refuse(*wrong);
 }
 
@@ -335,10 +341,18 @@ Header read_header(const Json& json, int minor, const Memory& memory) {
     scenario.material = text(json, "material");
     scenario.seed = hash_of(json, "seed");
     scenario.params = physics_from(member(json, "physics"), minor);
+    header.renewed = minor < kNewNumbers && scenario.params.model == sim::Model::kBcreInertial;
     if (json.contains("lower")) scenario.lower = lower_from(json.at("lower"), minor, scenario.params);
     view_from(member(json, "view"), scenario);
     ground_from(member(json, "terrain"), memory, scenario);
     return header;
+}
+
+// A `set` of a number that is gone.
+bool sets_what_is_gone(const Json& numbers, const sim::CommandInfo& info) {
+    return info.has_param && numbers.is_object() && numbers.contains("param") &&
+           numbers.at("param").is_string() &&
+           std::ranges::find(kGone, numbers.at("param").get_ref<const std::string&>()) != std::end(kGone);
 }
 
 TimedCommand read_command(const Json& json, const sim::CommandInfo& info) {
@@ -369,7 +383,7 @@ std::vector<std::uint64_t> hashes_before(const Json& state) {
     return hashes;
 }
 
-Line read_line(const Json& json) {
+Line read_line(const Json& json, int minor) {
     if (!json.is_object()) refuse("not an object");
     if (json.contains("end")) return EndLine{whole(json, "end", 0, kMostTicks)};
     if (json.contains("hash")) {
@@ -382,7 +396,11 @@ Line read_line(const Json& json) {
             {0, quanta("standing"), quanta("rolling"), quanta("out"), quanta("poured"), quanta("dug")}};
     }
     for (const sim::CommandInfo& info : sim::kCommands)
-        if (json.contains(std::string(info.name))) return read_command(json, info);
+        if (const std::string name(info.name); json.contains(name)) {
+            if (minor < kNewNumbers && sets_what_is_gone(json.at(name), info))
+                return LeftOut{whole(json, "tick", 0, kMostTicks)};
+            return read_command(json, info);
+        }
     refuse("a line of unknown kind");
 }
 
@@ -435,6 +453,17 @@ tl::expected<Header, std::string> header_from(const Json& json, const Memory& me
     } catch (const std::exception& wrong) {
         return tl::unexpected(noting_newer(wrong.what(), minor));
     }
+}
+
+void take_numbers(const sim::Params& from, sim::Params& to) {
+    for (const sim::ParamInfo& info : sim::kParams)
+        if (!info.fixed) to.*info.value = from.*info.value;
+}
+
+bool is_comparable(const Header& header) {
+    return header.physics_version == kPhysicsVersion ||
+           (header.scenario.params.model == sim::Model::kBcre && header.physics_version >= kSameBcreSince &&
+            header.physics_version < kPhysicsVersion);
 }
 
 std::string noting_newer(std::string fact, int minor) {
@@ -491,8 +520,8 @@ void write(const EndLine& end, std::string& line) {
     fmt::format_to(std::back_inserter(line), R"({{"end":{}}})", end.tick);
 }
 
-tl::expected<Line, std::string> line_from(const Json& json) try {
-    return read_line(json);
+tl::expected<Line, std::string> line_from(const Json& json, int minor) try {
+    return read_line(json, minor);
 } catch (const std::exception& wrong) {
     return tl::unexpected(std::string(wrong.what()));
 }

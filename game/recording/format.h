@@ -22,9 +22,10 @@ namespace game {
 using Json = nlohmann::ordered_json;
 
 inline constexpr int kFormatMajor = 1;  // a reader refuses a greater one
-inline constexpr int kFormatMinor = 5;  // a greater one may have fields that this reader ignores
+inline constexpr int kFormatMinor = 6;  // a greater one may have fields that this reader ignores
 inline constexpr int kPhysicsVersion =
-    5;  // of the physics and its hash: recordings of another one play, but are not comparable
+    6;  // of the physics and its hash: recordings of another one play, but are not comparable
+inline constexpr int kSameBcreSince = 5;  // the model bcre has not changed since
 inline constexpr int kTicksPerState = 6;  // between two state lines
 
 // The state after `tick` ticks.
@@ -64,7 +65,16 @@ struct Header {
     std::string program;  // program and version that wrote it
     std::optional<Parent> parent;
     std::optional<Origin> rewritten_from;
+
+    // Read from a format that had other numbers for bcre-inertial: it has the defaults, until renew() (session/renew.h)
+    // takes its material's, and `set` commands are left out.
+    bool renewed = false;
 };
+
+// Takes all numbers that may change while a world exists.
+void take_numbers(const sim::Params& from, sim::Params& to);
+// Whether its states are those that this program computes.
+bool is_comparable(const Header& header);
 
 // Readers return errors as a fact without file and line, because the caller knows those.
 Json to_json(const Header& header);
@@ -81,8 +91,12 @@ tl::expected<void, std::string> check_format(const Json& json);
 void write(const TimedCommand& command, std::string& line);
 void write(const StateLine& state, std::string& line);
 void write(const EndLine& end, std::string& line);
-using Line = std::variant<TimedCommand, StateLine, EndLine>;
-tl::expected<Line, std::string> line_from(const Json& json);
+// A `set` of a number that the physics no longer has.
+struct LeftOut {
+    std::int64_t tick = 0;
+};
+using Line = std::variant<TimedCommand, StateLine, EndLine, LeftOut>;
+tl::expected<Line, std::string> line_from(const Json& json, int minor = kFormatMinor);
 
 // The double whose shortest text equals the float's.
 double shortest(float value);

@@ -59,6 +59,14 @@ class Reader {
         if (!recording_.end && !recording_.warning)
             recording_.warning =
                 fmt::format("{}: has no end line; cut off after line {}", name_, line_number_ - 1);
+        if (recording_.header.renewed) {
+            const std::string renewed = fmt::format(
+                "{}: recorded before forces drove bcre-inertial; plays with the numbers of today's {}, "
+                "without "
+                "changes of parameters, and is not comparable",
+                name_, recording_.header.scenario.material);
+            recording_.warning = recording_.warning ? *recording_.warning + "; " + renewed : renewed;
+        }
         return std::move(recording_);
     }
 
@@ -112,7 +120,7 @@ class Reader {
         if (const auto linked = chain_.read(line_); !linked) return wrong(linked.error());
         const auto json = read_json<Json>(line_, kLineLimits);
         if (!json) return wrong(json.error());
-        const auto line = line_from(*json);
+        const auto line = line_from(*json, recording_.header.minor);
         if (!line) return wrong(noting_newer(line.error(), recording_.header.minor));
         return std::visit([&](const auto& each) { return keep(each); }, *line);
     }
@@ -127,7 +135,16 @@ class Reader {
         if (recording_.commands.size() == kMostCommands)
             return wrong(fmt::format("more than {} commands", kMostCommands));
         latest_ = command.tick;
+        if (recording_.header.renewed && command.command.kind == sim::CommandKind::kSet) return {};
         recording_.commands.push_back(command);
+        return {};
+    }
+
+    Outcome<void> keep(const LeftOut& line) {
+        if (line.tick < latest_)
+            return wrong(fmt::format("goes back to tick {} from {}", line.tick, latest_));
+        if (auto proven = check_states(line.tick); !proven) return proven;
+        latest_ = line.tick;
         return {};
     }
 

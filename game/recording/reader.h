@@ -16,7 +16,8 @@ struct Recording {
     std::vector<TimedCommand> commands;  // sorted by tick
     std::vector<StateLine> states;       // sorted by tick
     std::optional<std::int64_t> end;     // ticks done; none if the recorder was cut off
-    std::optional<std::string> warning;  // a torn last line or a missing end
+    std::optional<std::string>
+        warning;  // a torn last line, a missing end, or numbers that are not the recorded ones
 
     // The last tick known from the file: its end, or else the last tick that it names.
     std::int64_t last_tick() const;

@@ -84,7 +84,7 @@ Outcome<Recorder> Recorder::create(const std::filesystem::path& path, const Head
 
 Outcome<Recorder> Recorder::fork(const std::filesystem::path& path, const Recording& of,
                                  const std::string& name, std::int64_t tick) {
-    const bool comparable = of.header.physics_version == kPhysicsVersion;
+    const bool comparable = is_comparable(of.header);
     if (!comparable && tick > kMostTicksOfParent)
         return unusable(
             fmt::format("{} was recorded with another version of the physics, so it cannot be continued "

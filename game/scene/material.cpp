@@ -48,8 +48,7 @@ void read_look(TomlTable& table, render::Look& look) {
     table.finish();
 }
 
-// "stop_slope_thick" may also be given as the angle
-// "stop_angle_thick"; empty if the parameter is not a slope.
+// "start_slope" may also be given as the angle "start_angle"; empty if the parameter is not a slope.
 std::string angle_key(const sim::ParamInfo& info) {
     std::string key(info.name);
     const auto at = key.find("_slope");
@@ -57,9 +56,31 @@ std::string angle_key(const sim::ParamInfo& info) {
     return key.replace(at, 6, "_angle");
 }
 
+// Keys that bcre-inertial had before forces drove it, and what to write instead.
+constexpr std::pair<std::string_view, std::string_view> kReplaced[] = {
+    {"speed_per_slope", "drag and friction: forces give the speed"},
+    {"max_speed", "drag and friction: forces give the speed"},
+    {"relaxation_time", "nothing: forces give the acceleration"},
+    {"half_speed_depth", "friction_thin and friction_fold_depth"},
+    {"stop_angle", "friction_thin, a number"},
+    {"stop_slope", "friction_thin"},
+    {"stop_angle_thick", "friction, a number"},
+    {"stop_slope_thick", "friction"},
+    {"stop_fold_depth", "friction_fold_depth"},
+    {"exchange_rate", "erosion_rate and deposit_rate"},
+    {"exchange_depth", "nothing: all of the layer exchanges"},
+    {"courant", "nothing: sub-steps are made for 150 m/s"},
+};
+
+void refuse_replaced(TomlTable& table) {
+    for (const auto& [key, by] : kReplaced)
+        if (table.has(key)) return table.blame(key, fmt::format("is gone from bcre-inertial; write {}", by));
+}
+
 }  // namespace
 
 void read_physics_numbers(TomlTable& table, sim::Model model, sim::Params& params) {
+    if (model == sim::Model::kBcreInertial) refuse_replaced(table);
     for (const sim::ParamInfo& info : sim::kParams) {
         if (!sim::is_used_by(info, model)) continue;
         if (const auto value = table.number(info.name, info.least, info.most))

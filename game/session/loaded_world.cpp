@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "game/files/assets.h"
+#include "game/session/renew.h"
 
 namespace game {
 namespace {
@@ -27,6 +28,7 @@ Outcome<LoadedWorld> open_recording(const fs::path& path, const Overrides& overr
     if (!found) return tl::unexpected(found.error());
     auto recording = read_recording(*found, overrides.memory);
     if (!recording) return tl::unexpected(recording.error());
+    renew(*recording);
     LoadedWorld loaded;
     loaded.memory = overrides.memory;
     loaded.name = found->stem().string();

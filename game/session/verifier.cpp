@@ -40,7 +40,7 @@ std::string_view to_string(Verdict::Kind kind) {
 }
 
 Verifier::Verifier(const Recording& recording) {
-    verdict_.comparable = recording.header.physics_version == kPhysicsVersion;
+    verdict_.comparable = is_comparable(recording.header);
     for (const StateLine& line : recording.states) {
         std::int64_t tick = line.tick - static_cast<std::int64_t>(line.before.size());
         for (const std::uint64_t hash : line.before) hashes_.push_back({tick++, hash});

@@ -17,12 +17,13 @@ struct Group {
 };
 // Parameters in no group are listed under the last title.
 constexpr std::array<Group, 5> kGroups{{
-    {"Release", {"start_slope", "start_depth", "anchor_gain", "anchor_margin", "anchor_step"}},
+    {"Release", {"start_slope", "start_depth", "loose_slope", "anchor_gain", "anchor_margin", "anchor_step"}},
     {"Flow",
-     {"rolling_speed", "shear_rate", "speed_per_slope", "max_speed", "relaxation_time", "half_speed_depth",
-      "friction", "drag"}},
-    {"Exchange and entrainment", {"exchange_rate", "exchange_depth", "erosion_slope", "erosion_depth"}},
-    {"Deposition", {"stop_slope", "stop_slope_thick", "stop_fold_depth", "deposit_speed", "freeze_depth"}},
+     {"rolling_speed", "shear_rate", "speed_per_slope", "max_speed", "friction", "drag", "friction_thin",
+      "friction_fold_depth"}},
+    {"Exchange and entrainment",
+     {"exchange_rate", "exchange_depth", "erosion_rate", "erosion_slope", "erosion_depth"}},
+    {"Deposition", {"stop_slope", "deposit_rate", "deposit_speed", "freeze_depth"}},
     {"Time steps", {}},
 }};
 

@@ -14,7 +14,8 @@ Tiles::Tiles(const Grid& grid, int tile_width, int tile_height)
       awake(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 1),
       uncounted(awake),
       mass(awake.size()),
-      unhashed(awake) {
+      unhashed(awake),
+      unsmoothed(awake) {
     CHECK(width > 0 && height > 0 && width % (2 * kRowPadding) == 0);
 }
 
@@ -30,11 +31,14 @@ void Tiles::open_all() {
 
 void Tiles::wake_all() {
     open_all();
+    std::fill(unsmoothed.begin(), unsmoothed.end(), std::uint8_t{1});
     std::fill(awake.begin(), awake.end(), std::uint8_t{1});
 }
 
 void Tiles::wake(int x0, int x1, int y0, int y1) {
     open(x0 / width, x1 / width, y0 / height, y1 / height);
+    for (int row = y0 / height; row <= y1 / height; ++row)
+        for (int column = x0 / width; column <= x1 / width; ++column) unsmoothed[number(column, row)] = 1;
     wake_tiles(std::max(x0 - kReach, 0) / width, std::min((x1 + kReach) / width, columns - 1),
                std::max(y0 - kReach, 0) / height, std::min((y1 + kReach) / height, rows - 1));
 }
@@ -45,6 +49,8 @@ void Tiles::wake_tiles(int first_column, int last_column, int first_row, int las
 }
 
 void Tiles::keep_awake(const std::vector<std::uint8_t>& active) {
+    std::transform(active.begin(), active.end(), unsmoothed.begin(), unsmoothed.begin(),
+                   [](std::uint8_t where, std::uint8_t was) { return std::uint8_t(where != kQuiet || was); });
     if (!may_sleep) return;
     std::fill(awake.begin(), awake.end(), std::uint8_t{0});
     const int beside = (kReach + height - 1) / height;  // rows of tiles; a column is wider than kReach

@@ -38,6 +38,8 @@ struct Tiles {
     std::vector<std::uint8_t> uncounted;
     std::vector<Mass> mass;
     std::vector<std::uint8_t> unhashed;
+    // Ground may have changed there since it was last smoothed (momentum/smooth_ground.h).
+    std::vector<std::uint8_t> unsmoothed;
 
     // Opens tiles for writing; columns and rows of tiles, inclusive.
     void open(int first_column, int last_column, int first_row, int last_row);

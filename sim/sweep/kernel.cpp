@@ -1,7 +1,6 @@
 #include "sim/bcre/stages.h"
-#include "sim/inertial/stages.h"
+#include "sim/momentum/stages.h"
 #include "sim/sweep/sweep.h"
-#include "sim/voellmy/stages.h"
 
 // The sweep, for any number of lanes. Runs the stages of the plain step (bcre/stages.h) row by row over a job.
 // A stage runs as soon as the rows that it reads are done. Only the last few rows of its results are kept, so
@@ -124,98 +123,64 @@ class Kernel {
         return booked_;
     }
 
-    [[gnu::flatten]] Booked inertial(float* work, std::uint8_t* active) {
-        using namespace sim::inertial;
+    template <bool exchanges>
+    [[gnu::flatten]] Booked momentum(float* work, std::uint8_t* active) {
+        using namespace sim::momentum;
         WorkRows rows(work, g_.stride);
-        StageRows<float> w = begun<StageRows<float>>(g_.inertial);
-        StateRows<float>&u0 = w.u0, &u1 = w.u1;
-        w.first_slope = Rows<float>(g_.first_slope, g_.stride);
-        w.first_depth = Rows<float>(g_.first_depth, g_.stride);
-        u0.velocity_x = beside_job(g_.velocity_x, job_.velocity_x);
-        u0.velocity_y = beside_job(g_.velocity_y, job_.velocity_y);
-        each_layer(rows.keep(8), u1);
-        each_rate(rows.keep(4), u0), each_rate(rows.keep(4), u1);
-        const auto find_rates = [&](StateRows<float>& u, int y, int beside) {
-            if (is_face(y - 1, beside)) run(find_curvature<Lanes>(w, u, u.curvature_x, u.curvature_y, y - 1));
-            if (is_row(y - 2, beside)) run(find_exchange<Lanes>(w, u, u.exchanged, y - 2));
-        };
-        const auto find_slopes_of = [&](StateRows<float>& u, int y, int beside) {
-            if (is_row(y, beside)) run(find_slopes<Lanes>(u, u, y));
-            if (is_near(y, beside)) end_slopes<Lanes>(w, u, y, wide());
-        };
-        for (int t = job_.y0 - 5; t < job_.y1 + 5; ++t) {
-            if (is_row(t, 5)) fill_halo<Lanes>(w, u0, t, wide());
-            if (is_face(t, 3))
-                run(find_drops<Lanes>(w, u0, u0.drop_x, u0.drop_y, t), fetch(u0.rolling, t + 1));
-            if (is_face(t, 3)) end_drops<Lanes>(w, u0.drop_x, t);
-            if (is_row(t - 1, 4)) {
-                along<Lanes>(wide(), relax<Lanes>(w, u0, u0, t - 1, wide().last));
-                end_velocity<Lanes>(w, u0, t - 1, wide());
-            }
-            find_rates(u0, t, 2);
-            find_slopes_of(u0, t - 2, 3);
-            if (is_face(t - 2, 2)) run(find_fluxes_x<Lanes>(w, u0, u0, t - 2), fetch(w.bedrock, t + 1));
-            if (is_face(t - 2, 2)) run(find_fluxes_y<Lanes>(w, u0, u0, t - 2));
-            if (is_face(t - 2, 2)) end_fluxes<Lanes>(w, u0, t - 2, wide());
-            if (is_row(t - 3, 2)) run(predict<Lanes>(w, u0, u1, t - 3), fetch(u0.depth, t + 1));
-            if (is_row(t - 3, 2)) {
-                clear_drains<Lanes>(u1, g_.outlets, t - 3, wide());
-                fill_halo<Lanes>(w, u1, t - 3, wide());
-                end_velocity<Lanes>(w, u1, t - 3, wide());
-            }
-
-            if (is_face(t - 3, 1)) run(find_drops<Lanes>(w, u1, u1.drop_x, u1.drop_y, t - 3));
-            if (is_face(t - 3, 1)) end_drops<Lanes>(w, u1.drop_x, t - 3);
-            find_rates(u1, t - 3, 0);
-            find_slopes_of(u1, t - 4, 1);
-            if (is_face(t - 4, 0)) run(find_fluxes_x<Lanes>(w, u1, u1, t - 4), fetch(u0.velocity_x, t));
-            if (is_face(t - 4, 0)) run(find_fluxes_y<Lanes>(w, u1, u1, t - 4));
-            if (is_face(t - 4, 0)) end_fluxes<Lanes>(w, u1, t - 4, wide());
-            if (is_face(t - 4, 0)) run(quantise_fluxes<Lanes>(w, u0, t - 4), fetch(u0.velocity_y, t));
-            if (is_row(t - 5, 0)) {
-                along<Lanes>(narrow(), sim::inertial::finish<Lanes>(w, u0, t - 5, job_.x1, active));
-                clear_drains<Lanes>(u0, g_.outlets, t - 5, narrow());
-                along<Lanes>(narrow(), relax<Lanes>(w, u1, u0, t - 5, job_.x1));
-                along<Lanes>(narrow(), yield<Lanes>(w, u0, t - 5, job_.x1, active));
-                end_row(u0, u0, t - 5, active);
-            }
-        }
-        return booked_;
-    }
-
-    [[gnu::flatten]] Booked voellmy(float* work, std::uint8_t* active) {
-        using namespace sim::voellmy;
-        WorkRows rows(work, g_.stride);
-        StageRows<float> w = begun<StageRows<float>>(g_.voellmy);
+        StageRows<float> w = begun<StageRows<float>>(g_.momentum);
         LayerRows<float>& u0 = w.u0;
         u0.velocity_x = beside_job(g_.velocity_x, job_.velocity_x);
         u0.velocity_y = beside_job(g_.velocity_y, job_.velocity_y);
+        w.smooth_depth = Rows<float>(g_.smooth_depth, g_.stride);
+        w.first_slope = Rows<float>(g_.first_slope, g_.stride);
+        w.first_depth = Rows<float>(g_.first_depth, g_.stride);
         each_field(rows.keep(4), w);
         // The row beyond the border is written with the last one.
-        for (Rows<float>* driven : {&w.driven_u, &w.driven_v}) rows.keep(8)({}, *driven);
+        for (Rows<float>* early : {&w.driven_u, &w.driven_v, &w.fed}) rows.keep(8)({}, *early);
+        if constexpr (!exchanges) w.exchange_nothing();
+        constexpr int kMore = exchanges ? 1 : 0;  // start and rest read the neighbours after transport
         bool limits_outflow[2] = {};  // whether a vertex limits its outflow, in either of the last two rows
-        for (int t = job_.y0 - 4; t < job_.y1 + 4; ++t) {
-            if (is_row(t, 4)) fill_halo<Lanes>(w, u0, t, wide());
-            if (is_row(t - 1, 3)) run(find_ground<Lanes>(w, w, t - 1), fetch(u0.rolling, t + 1));
-            if (is_near(t - 1, 3)) end_ground<Lanes>(w, w, t - 1, wide());
-            if (is_row(t - 1, 3)) run(drive<Lanes>(w, w, t - 1), fetch(w.bedrock, t + 1));
-            if (is_row(t - 1, 3)) end_drive<Lanes>(w, w, t - 1, wide());
-            if (is_row(t - 2, 2)) run(reconstruct<Lanes>(w, w, t - 2), fetch(u0.depth, t + 1));
-            if (is_near(t - 2, 2)) end_reconstruct<Lanes>(w, w, t - 2, wide());
-            if (is_face(t - 2, 1)) run(find_fluxes_x<Lanes>(w, w, t - 2));
-            if (is_face(t - 2, 1)) run(find_fluxes_y<Lanes>(w, w, t - 2), fetch(u0.velocity_x, t));
-            if (is_face(t - 2, 1)) end_fluxes<Lanes>(w, w, t - 2, wide());
-            if (is_row(t - 3, 1)) {
+        for (int t = job_.y0 - 4 - kMore; t < job_.y1 + 4 + kMore; ++t) {
+            if (is_row(t, 4 + kMore)) fill_halo<Lanes>(w, u0, t, wide());
+            if (is_row(t - 1, 3 + kMore)) run(find_ground<Lanes>(w, w, t - 1), fetch(u0.rolling, t + 1));
+            if (is_near(t - 1, 3 + kMore)) end_ground<Lanes>(w, w, t - 1, wide());
+            if (is_row(t - 1, 3 + kMore)) {
+                run(drive<Lanes, exchanges>(w, w, t - 1), fetch(w.bedrock, t + 1));
+                if constexpr (exchanges) {
+                    run(exchange<Lanes>(w, w, t - 1));
+                    end_exchange<Lanes>(w, w, t - 1, wide());
+                }
+                end_drive<Lanes>(w, w, t - 1, wide());
+            }
+            if (is_row(t - 2, 2 + kMore)) run(reconstruct<Lanes>(w, w, t - 2), fetch(u0.depth, t + 1));
+            if (is_near(t - 2, 2 + kMore)) end_reconstruct<Lanes>(w, w, t - 2, wide());
+            if (is_face(t - 2, 1 + kMore)) run(find_fluxes_x<Lanes>(w, w, t - 2));
+            if (is_face(t - 2, 1 + kMore)) run(find_fluxes_y<Lanes>(w, w, t - 2), fetch(u0.velocity_x, t));
+            if (is_face(t - 2, 1 + kMore)) end_fluxes<Lanes>(w, w, t - 2, wide());
+            if (is_row(t - 3, 1 + kMore)) {
                 limits_outflow[t & 1] = false;
                 run(find_share<Lanes>(w, w.share, t - 3, &limits_outflow[t & 1]));
             }
-            if (is_near(t - 3, 1)) end_share<Lanes>(w, w.share, t - 3, wide());
-            if (is_face(t - 3, 0) && (limits_outflow[0] || limits_outflow[1]))
+            if (is_near(t - 3, 1 + kMore)) end_share<Lanes>(w, w.share, t - 3, wide());
+            if (is_face(t - 3, kMore) && (limits_outflow[0] || limits_outflow[1]))
                 run(share_fluxes<Lanes>(w, w, t - 3));
-            if (is_face(t - 3, 0)) run(quantise_fluxes<Lanes>(w, w, t - 3), fetch(u0.velocity_y, t));
-            if (is_row(t - 4, 0)) {
+            if (is_face(t - 3, kMore)) run(quantise_fluxes<Lanes>(w, w, t - 3), fetch(u0.velocity_y, t));
+            if constexpr (exchanges) {
+                if (is_row(t - 4, 1)) {
+                    finish_beside(w, t - 4);
+                    run(find_quiet<Lanes>(w, w, t - 4));
+                    LayerRows<float> moved = w.moved();
+                    clear_drains<Lanes>(moved, g_.outlets, t - 4, wide());
+                    fill_halo<Lanes>(w, moved, t - 4, wide());
+                }
+                if (is_near(t - 4, 1)) end_quiet<Lanes>(w, w, t - 4, wide());
+                if (is_row(t - 5, 0)) {
+                    along<Lanes>(narrow(), yield<Lanes>(w, u0, t - 5, job_.x1, active));
+                    end_row(u0, w, t - 5, active);
+                }
+            } else if (is_row(t - 4, 0)) {
                 along<Lanes>(narrow(),
-                             sim::voellmy::finish<Lanes>(w, u0, t - 4, job_.x1, &booked_.limited, active));
+                             sim::momentum::finish<Lanes>(w, w, t - 4, job_.x1, &booked_.limited, active));
                 end_row(u0, w, t - 4, active);
             }
         }
@@ -296,6 +261,16 @@ class Kernel {
         along<Lanes>(narrow(), bcre::settle<Lanes, scheme>(w, w.u0, y, job_.x1, active), fetch);
         end_row(w.u0, w, y, active);
     }
+    // Transport ends on a row of the job, and beside it, where limited vertices are another job's to count.
+    void finish_beside(momentum::StageRows<float>& w, int y) {
+        const Span all = wide();
+        const auto finish = [&](Span x, std::int64_t* limited) {
+            if (x.first < x.last) along<Lanes>(x, momentum::finish<Lanes>(w, w, y, x.last, limited));
+        };
+        finish({all.first, job_.x0}, nullptr);
+        finish({job_.x0, job_.x1}, y >= job_.y0 && y < job_.y1 ? &booked_.limited : nullptr);
+        finish({job_.x1, all.last}, nullptr);
+    }
     // `through`: the fluxes.
     template <class State, class Fluxes>
     void end_row(State& u0, const Fluxes& through, int y, std::uint8_t* active) {
@@ -366,8 +341,8 @@ std::int64_t quanta(const float* first, std::ptrdiff_t stride, int width, int he
 template <class Lanes>
 Booked run(const Ground& ground, const Job& job, float* work, std::uint8_t* active) {
     Kernel<Lanes> kernel(ground, job);
-    if (ground.model == Model::kVoellmy) return kernel.voellmy(work, active);
-    if (ground.model == Model::kBcreInertial) return kernel.inertial(work, active);
+    if (ground.model == Model::kVoellmy) return kernel.template momentum<false>(work, active);
+    if (ground.model == Model::kBcreInertial) return kernel.template momentum<true>(work, active);
     switch (ground.scheme) {
         case Scheme::kLaxFriedrichs:
             return kernel.template first_order<Scheme::kLaxFriedrichs>(work, active);

@@ -6,13 +6,12 @@
 
 #include "sim/bcre/constants.h"
 #include "sim/core/activity.h"
-#include "sim/inertial/fields.h"
+#include "sim/momentum/fields.h"
 #include "sim/simd/instruction_set.h"
-#include "sim/voellmy/fields.h"
 #include "sim/world/outlets.h"
 
 // A sub-step in one sweep over the rows, many vertices at a time. Runs the stages of the plain step
-// (bcre/stages.h, inertial/stages.h, voellmy/stages.h) without whole fields between them. Results are bit-identical.
+// (bcre/stages.h, momentum/stages.h) without whole fields between them. Results are bit-identical.
 //
 // This header has only pointers and numbers. kernel.cpp is compiled for instruction sets that a machine may
 // lack, so it must not share a function with the rest of the program.
@@ -23,14 +22,13 @@ namespace sim::sweep {
 struct Ground {
     int nx, ny;
     std::ptrdiff_t stride;
-    float *bedrock, *depth, *rolling, *velocity_x, *velocity_y, *first_slope, *first_depth;
+    float *bedrock, *depth, *rolling, *velocity_x, *velocity_y, *first_slope, *first_depth, *smooth_depth;
     std::array<Border, 4> borders;  // by Side
     Outlets::View outlets;
     Model model;
     Scheme scheme;
     bcre::Constants<float> bcre;
-    inertial::Constants<float> inertial;
-    voellmy::Constants<float> voellmy;
+    momentum::Constants<float> momentum;
 
     int tile_width, tile_height, tile_columns;
     std::uint8_t* active;  // of each tile, as Activity
@@ -49,7 +47,7 @@ struct Job {
     Apron depth, rolling, velocity_x, velocity_y;
 };
 
-// Work rows of a thread, each `stride` floats. bcre-inertial needs the most: 168.
+// Work rows of a thread, each `stride` floats. bcre-inertial needs the most: 164.
 inline constexpr int kWorkRows = 192;
 
 // What a sub-step books besides the layers.

@@ -8,9 +8,9 @@ namespace sim::verification {
 
 extern const Case kDecay, kSimpleWave, kObliqueWave, kDepositFront, kThickPulse;  // waves.cpp
 extern const Case kManufactured;                                                  // manufactured.cpp
-extern const Case kEroding, kDepositing;                                          // inertial.cpp
+extern const Case kEntraining, kDepositing, kFilm;                                // inertial.cpp
 extern const Case kStrip, kSquare, kDisk;                                         // tables.cpp
-extern const Case kGrowth, kTerminalSpeed, kSpeedGate, kRestingLayer;             // uniform.cpp
+extern const Case kGrowth, kRestingLayer;                                         // uniform.cpp
 extern const Case kFreeSlab, kCoulombSlab, kStopping, kVoellmyTerminal;           // voellmy.cpp
 extern const Case kFreeRamp, kCoulombRamp, kSpread, kRitter, kMangeney, kSwing;   // voellmy_flows.cpp
 

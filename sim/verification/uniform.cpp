@@ -64,51 +64,6 @@ std::vector<Series> growth() {
     return table;
 }
 
-Params inertial() {
-    Params params = bare_params(Model::kBcreInertial, Scheme::kLocalLaxFriedrichs);
-    params.half_speed_depth = 0;
-    params.speed_per_slope = 0.25f;
-    params.max_speed = 1;
-    params.relaxation_time = 0.5f;
-    params.stop_slope = params.stop_slope_thick = 0.5f;
-    params.erosion_slope = 1e6f;
-    params.deposit_speed = 0.25f;
-    params.exchange_rate = 2;
-    return params;
-}
-
-// v = v_eq (1 − e^{−t/τ}), toward k_v tan a, or toward v_max on a steeper plane; too fast for deposition.
-std::vector<Series> terminal_speed() {
-    Params params = inertial();
-    params.deposit_speed = 1e-3f;
-    Series relaxes{"bcre-inertial", "v at 0.5 s", 1e-12, 0, {kSquares}};
-    const double speed = after(params, kTangent, 1, 0.5, 0.0625, 0.5, 32).velocity;
-    const double terminal = 0.25 * kTangent;
-    relaxes.errors.push_back(std::fabs(speed / (terminal + (0.0625 - terminal) * std::exp(-1.)) - 1));
-
-    Series capped{"bcre-inertial", "v, capped", 1e-12, 0, {kSquares}};
-    params.max_speed = 0.03125f;
-    const double end = after(params, kTangent, 1, 0.5, 0.0625, 0.5, 32).velocity;
-    capped.errors.push_back(std::fabs(end / (0.03125 * (1 + std::exp(-1.))) - 1));
-    return {relaxes, capped};
-}
-
-// Below the deposit speed, on a plane gentler than the stop slope: R = R₀ e^{−γ (1 − v/v_dep)(s − tan a) t}.
-// The remaining flow keeps its speed.
-std::vector<Series> speed_gate() {
-    constexpr double kGentle = 0.25, kSpeed = 0.25 * kGentle;
-    Series layer{"bcre-inertial", "R at 1 s", 2.7e-6, 1.9, {16, 32, 64}};  // sub-steps per second
-    Series speed{"bcre-inertial", "v at 1 s", 1e-12, 0, {kSquares}};
-    const double left = 1e-3 * std::exp(-2 * (1 - kSpeed / 0.25) * (0.5 - kGentle));
-    Middle middle{};
-    for (const int substeps : layer.squares) {
-        middle = after(inertial(), kGentle, 1, 1e-3, kSpeed, 1, substeps);
-        layer.errors.push_back(std::fabs(middle.rolling / left - 1));
-    }
-    speed.errors.push_back(std::fabs(middle.velocity / kSpeed - 1));
-    return {layer, speed};
-}
-
 // The known defect of lax-friedrichs, as large as theory says: a layer at rest spreads by dx²/4 Δt along each
 // axis, which is half a cell squared per sub-step. The local scheme does not move it.
 std::vector<Series> resting_layer() {
@@ -138,9 +93,6 @@ std::vector<Series> resting_layer() {
 }  // namespace
 
 extern const Case kGrowth{"uniform growth, saturation", "R = R0 exp(g p t), ends at R0 + d0", growth};
-extern const Case kTerminalSpeed{"terminal speed", "v = veq + (v0 - veq) exp(-t/tau)", terminal_speed};
-extern const Case kSpeedGate{"deposition below the deposit speed",
-                             "R = R0 exp(-g (1 - v/vdep) (s - tan a) t), v stays", speed_gate};
 extern const Case kRestingLayer{"spread of a layer at rest",
                                 "lax-friedrichs dx2/4dt along each axis, the others none", resting_layer};
 

@@ -179,7 +179,7 @@ std::vector<Series> swing() {
         return std::max(0., kDeep * (1 - off * off));
     };
     Series once{"voellmy", "R, 1 period", 6e-4, 1.5, {60, 120, 240}};
-    Series often{"voellmy", "R, 10 periods", 6e-4, 1.7, {60, 120, 240}};
+    Series often{"voellmy", "R, 10 periods", 9e-4, 1.7, {60, 120, 240}};
     for (const int n : once.squares) {
         Trial trial(column(n, kSide), numbers(0),
                     {[&](double x, double) {

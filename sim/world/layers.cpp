@@ -29,7 +29,7 @@ Layers<Number> make_layers(const Grid& grid, const Params& params, std::span<con
     Layers<Number> s;
     s.grid = grid;
     s.bedrock = s.depth = s.rolling = s.velocity_x = s.velocity_y = s.first_slope = s.first_depth =
-        Field<Number>(grid);
+        s.smooth_depth = Field<Number>(grid);
     s.site = Field<Site>(grid);
     set_sites(s, params, has_data);
     return s;

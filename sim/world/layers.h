@@ -29,9 +29,11 @@ struct Layers {
     Field<Number> rolling;      // R ≥ 0, m, rolling layer
     Field<Number> velocity_x;   // m/s, of the rolling layer; 0 where R = 0
     Field<Number> velocity_y;   // m/s
-    Field<Number> first_slope;  // tangent of the first surface's steepest descent: natural ground holds it
+    Field<Number> first_slope;  // |∇(b + d)| of the first surface, central: natural ground holds it
     Field<Number>
         first_depth;  // m, d of the first surface, or of what was settled: what lies above it is loose
+    Field<Number>
+        smooth_depth;  // s, m; b + s is the smoothed ground (momentum/smooth_ground.h), unused in bcre
     Field<Site> site;
 };
 

@@ -212,6 +212,24 @@ void begin_mixing(const State& state, Mixing& mixing, Workers& workers) {
     });
 }
 
+void mix_exchange(State& s, Mixing& mixing, const Field<float>& exchanged, float dither, Workers& workers) {
+    Mixture& m = *s.mixture;
+    workers.each_band(s.grid.ny, [&](int first, int last) {
+        for (int y = first; y < last; ++y)
+            for (int x = 0; x < s.grid.nx; ++x) {
+                const Quanta eroded = quanta_of(exchanged(x, y));
+                if (eroded == 0) continue;
+                const Quanta stood = quanta_of(mixing.depth(x, y)), rolled = quanta_of(mixing.rolling(x, y));
+                if (eroded > 0)
+                    add(m.rolling, x, y, take_standing(m, x, y, eroded, stood, dither));
+                else
+                    add(m.settled, x, y, take_rolling(m, x, y, -eroded, rolled, dither));
+                mixing.depth(x, y) = metres_of(stood - eroded);
+                mixing.rolling(x, y) = metres_of(rolled + eroded);
+            }
+    });
+}
+
 void finish_mixing(State& s, Mixing& mixing, const Field<float>& flux_x, const Field<float>& flux_y,
                    const Outlets& outlets, float dither, Workers& workers) {
     Mixture& m = *s.mixture;

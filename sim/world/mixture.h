@@ -71,6 +71,9 @@ struct Mixing {
 
 // Finds the blends and stores the layers. Call before a sub-step.
 void begin_mixing(const State& state, Mixing& mixing, Workers& workers);
+// Moves the lower material with an exchange that comes before the fluxes, m in whole quanta, erosion positive.
+void mix_exchange(State& state, Mixing& mixing, const Field<float>& exchanged, float dither,
+                  Workers& workers);
 // Moves the lower material with the fluxes through the faces (m, whole quanta) and with the exchange. Call
 // after a sub-step. `dither`: that of the sub-step, 0 to 1.
 void finish_mixing(State& state, Mixing& mixing, const Field<float>& flux_x, const Field<float>& flux_y,

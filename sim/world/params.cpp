@@ -69,28 +69,36 @@ std::optional<std::string> fault_of(const Params& params) {
             return std::string(info.name) + " is " + std::to_string(value) + " " + std::string(info.unit) +
                    ", outside " + std::to_string(info.least) + " to " + std::to_string(info.most);
     }
-    if (params.start_slope < params.stop_slope) return "start_slope is below stop_slope";
+    if (params.model == Model::kBcre && params.start_slope < params.stop_slope)
+        return "start_slope is below stop_slope";
     if (params.model == Model::kBcreInertial) {
-        if (params.stop_slope < params.stop_slope_thick) return "stop_slope is below stop_slope_thick";
-        if (params.erosion_slope < params.stop_slope) return "erosion_slope is below stop_slope";
+        if (params.friction > params.friction_thin) return "friction is above friction_thin";
+        const double started = friction_of(params, double{params.start_depth});
+        if (started >= std::min(params.start_slope, params.loose_slope))
+            return "friction of a layer of start_depth is not below start_slope and loose_slope, so what "
+                   "starts "
+                   "would stop at once";
         if (params.start_depth < 3 * params.erosion_depth)
-            return "start_depth is below three times erosion_depth, so released material would stop at once";
+            return "start_depth is below three times erosion_depth, so released material would erode nothing";
     }
-    if (params.freeze_depth >= params.start_depth) return "start_depth is not above freeze_depth";
+    if (params.model != Model::kVoellmy && params.freeze_depth >= params.start_depth)
+        return "start_depth is not above freeze_depth";
     return std::nullopt;
 }
 
+double friction_of(const Params& params, double h) {
+    const double more = double{params.friction_thin} - double{params.friction};
+    return double{params.friction} + more * std::exp(-h / double{params.friction_fold_depth});
+}
+
 Substeps substeps_of(const Params& params, float dx) {
-    if (params.model == Model::kVoellmy) {
+    if (has_momentum(params.model)) {
         constexpr float kDiagonal = 1.41421356f * kGreatestPlanSpeed;  // the sum of both components
         const int needed = static_cast<int>(std::ceil(kDiagonal * params.tick_s / dx));
         return {needed, params.tick_s / static_cast<float>(needed)};
     }
-    const bool constant = params.model == Model::kBcre && params.law == Law::kConstant;
-    const float speed = constant ? params.rolling_speed : params.max_speed;
-    const float courant =
-        params.model == Model::kBcreInertial ? std::min(params.courant, 0.25f) : params.courant;
-    const int count = static_cast<int>(std::ceil(speed * params.tick_s / (courant * dx)));
+    const float speed = params.law == Law::kConstant ? params.rolling_speed : params.max_speed;
+    const int count = static_cast<int>(std::ceil(speed * params.tick_s / (params.courant * dx)));
     const int at_least_one = count > 1 ? count : 1;
     return {at_least_one, params.tick_s / static_cast<float>(at_least_one)};
 }

@@ -10,7 +10,11 @@ namespace sim {
 
 enum class Model { kBcre, kBcreInertial, kVoellmy };  // docs/physics.md, "Equations"
 inline constexpr std::array kEveryModel{Model::kBcre, Model::kBcreInertial, Model::kVoellmy};
-enum class Scheme { kLaxFriedrichs, kLocalLaxFriedrichs, kMuscl };  // kBcre only; kBcreInertial has its own
+// Whether forces change the velocity of the rolling layer; in bcre its speed is given.
+inline constexpr bool has_momentum(Model model) {
+    return model != Model::kBcre;
+}
+enum class Scheme { kLaxFriedrichs, kLocalLaxFriedrichs, kMuscl };  // kBcre only; the others have their own
 enum class Law { kConstant, kSlope, kShear };  // speed in kBcre: (C), (HK), (T) of bcre/velocity.h
 enum class Border { kWall, kOpen, kSink };     // stages.h
 
@@ -28,36 +32,36 @@ struct Params {
     float tick_s = 1.f / 60.f;
     float courant = 0.25f;
 
-    float exchange_rate = 1.5f;
-    float exchange_depth = 128.f;
-    float stop_slope = 0.6249f;
     float start_slope = 0.7002f;
     float start_depth = 0.3f;
     float freeze_depth = 0.005f;
 
+    float exchange_rate = 1.5f;
+    float exchange_depth = 128.f;
+    float stop_slope = 0.6249f;
     float rolling_speed = 1.f;
     float shear_rate = 1.f;
-
     float speed_per_slope = 15.f;
     float max_speed = 12.f;
-    float relaxation_time = 1.5f;
-    float half_speed_depth = 0.1f;
-    float stop_slope_thick = 0.4663f;
-    float stop_fold_depth = 0.1f;
-    float deposit_speed = 2.5f;
+
+    float friction = 0.55f;
+    float drag = 400.f;
+    float friction_thin = 0.7002f;
+    float friction_fold_depth = 0.1f;
+    float erosion_rate = 0.3f;
     float erosion_slope = 0.6494f;
     float erosion_depth = 0.05f;
+    float deposit_rate = 5.f;
+    float deposit_speed = 1.f;
+    float loose_slope = 0.6494f;
     float anchor_gain = 1.02f;
     float anchor_margin = 0.02f;
     float anchor_step = 1.f;
 
-    float friction = 0.25f;
-    float drag = 1500.f;
-
     bool operator==(const Params&) const = default;
 };
 
-enum class UsedBy { kAll, kBoth, kBcre, kBcreInertial, kVoellmy };  // kBoth: both with exchange
+enum class UsedBy { kAll, kBcre, kBcreInertial, kExchange, kMomentum };  // the models that have it
 
 // One row of the manifest that generates the readers and writers of scenes and recordings, the panels and
 // tests.
@@ -73,66 +77,67 @@ struct ParamInfo {
 
 inline constexpr ParamInfo kParams[] = {
     {"tick_s", "s", &Params::tick_s, 1e-3f, 0.1f, UsedBy::kAll, "simulated time per tick", true},
-    {"courant", "1", &Params::courant, 0.01f, 0.5f, UsedBy::kBoth,
-     "Courant number: most cells the flow may cross per sub-step; at most 0.25 in bcre-inertial"},
-    {"exchange_rate", "1/s", &Params::exchange_rate, 0.f, 100.f, UsedBy::kBoth,
+    {"courant", "1", &Params::courant, 0.01f, 0.5f, UsedBy::kBcre,
+     "Courant number: most cells the flow may cross per sub-step"},
+    {"exchange_rate", "1/s", &Params::exchange_rate, 0.f, 100.f, UsedBy::kBcre,
      "rate of exchange between the layers, per unit of slope beyond the threshold"},
-    {"exchange_depth", "m", &Params::exchange_depth, 1e-3f, 128.f, UsedBy::kBoth,
+    {"exchange_depth", "m", &Params::exchange_depth, 1e-3f, 128.f, UsedBy::kBcre,
      "greatest thickness of the rolling layer, from its base, that exchanges; 128: all of it"},
-    {"stop_slope", "1", &Params::stop_slope, 0.f, 10.f, UsedBy::kBoth,
-     "slope below which the flow deposits; in bcre-inertial, for a thin layer"},
-    {"start_slope", "1", &Params::start_slope, 0.f, 10.f, UsedBy::kBoth,
+    {"stop_slope", "1", &Params::stop_slope, 0.f, 10.f, UsedBy::kBcre, "slope below which the flow deposits"},
+    {"start_slope", "1", &Params::start_slope, 0.f, 10.f, UsedBy::kExchange,
      "slope above which ground at rest fails"},
-    {"start_depth", "m", &Params::start_depth, 0.f, 10.f, UsedBy::kBoth,
+    {"start_depth", "m", &Params::start_depth, 0.f, 10.f, UsedBy::kExchange,
      "depth released at once when ground fails"},
-    {"freeze_depth", "m", &Params::freeze_depth, 1.25e-4f, 1.f, UsedBy::kBoth,
+    {"freeze_depth", "m", &Params::freeze_depth, 1.25e-4f, 1.f, UsedBy::kExchange,
      "depth below which a rolling layer comes to rest"},
     {"rolling_speed", "m/s", &Params::rolling_speed, 0.f, 100.f, UsedBy::kBcre,
      "speed of the rolling layer; with law shear, of a thin layer"},
     {"shear_rate", "1/s", &Params::shear_rate, 0.f, 1000.f, UsedBy::kBcre,
      "shear rate of law shear: speed gained from base to surface, per metre of depth"},
-    {"speed_per_slope", "m/s", &Params::speed_per_slope, 0.f, 1000.f, UsedBy::kBoth,
-     "terminal speed per unit of surface slope, of a deep layer; in bcre with law slope, of any layer"},
-    {"max_speed", "m/s", &Params::max_speed, 0.1f, 200.f, UsedBy::kBoth,
-     "greatest terminal speed; in bcre, greatest speed with laws slope and shear"},
-    {"relaxation_time", "s", &Params::relaxation_time, 0.01f, 100.f, UsedBy::kBcreInertial,
-     "time in which the difference to the terminal speed falls to 1/e"},
-    {"half_speed_depth", "m", &Params::half_speed_depth, 1e-4f, 10.f, UsedBy::kBcreInertial,
-     "depth at which a layer reaches half of the terminal speed"},
-    {"stop_slope_thick", "1", &Params::stop_slope_thick, 0.f, 10.f, UsedBy::kBcreInertial,
-     "stop slope of a thick layer"},
-    {"stop_fold_depth", "m", &Params::stop_fold_depth, 1e-4f, 10.f, UsedBy::kBcreInertial,
-     "depth over which the stop slope falls from its thin to its thick value, by 1 - 1/e"},
-    {"deposit_speed", "m/s", &Params::deposit_speed, 0.01f, 200.f, UsedBy::kBcreInertial,
-     "speed above which a layer deposits nothing"},
+    {"speed_per_slope", "m/s", &Params::speed_per_slope, 0.f, 1000.f, UsedBy::kBcre,
+     "speed per unit of surface slope, with law slope"},
+    {"max_speed", "m/s", &Params::max_speed, 0.1f, 200.f, UsedBy::kBcre,
+     "greatest speed with laws slope and shear"},
+    {"friction", "1", &Params::friction, 0.f, 2.f, UsedBy::kMomentum,
+     "Coulomb friction of a thick layer: shear stress per normal stress at the base"},
+    {"drag", "m/s2", &Params::drag, 10.f, 1e6f, UsedBy::kMomentum,
+     "turbulent friction coefficient xi; smaller is slower; 1e6: hardly any drag"},
+    {"friction_thin", "1", &Params::friction_thin, 0.f, 2.f, UsedBy::kBcreInertial,
+     "Coulomb friction of a layer whose thickness goes to 0"},
+    {"friction_fold_depth", "m", &Params::friction_fold_depth, 1e-4f, 10.f, UsedBy::kBcreInertial,
+     "thickness over which friction falls from friction_thin toward friction, by 1 - 1/e"},
+    {"erosion_rate", "1", &Params::erosion_rate, 0.f, 10.f, UsedBy::kBcreInertial,
+     "depth eroded per distance travelled, per unit of slope beyond erosion_slope"},
     {"erosion_slope", "1", &Params::erosion_slope, 0.f, 10.f, UsedBy::kBcreInertial,
-     "slope above which a layer erodes"},
+     "slope of the standing layer above which a flow erodes it"},
     {"erosion_depth", "m", &Params::erosion_depth, 0.f, 10.f, UsedBy::kBcreInertial,
      "depth below which a rolling layer erodes nothing"},
+    {"deposit_rate", "1/s", &Params::deposit_rate, 0.f, 100.f, UsedBy::kBcreInertial,
+     "share of a slow layer that is deposited per second, per unit of slope below its friction"},
+    {"deposit_speed", "m/s", &Params::deposit_speed, 0.01f, 200.f, UsedBy::kBcreInertial,
+     "speed above which a layer deposits nothing"},
+    {"loose_slope", "1", &Params::loose_slope, 0.f, 10.f, UsedBy::kBcreInertial,
+     "slope above which loose material starts: what was poured or deposited"},
     {"anchor_gain", "1", &Params::anchor_gain, 0.f, 10.f, UsedBy::kBcreInertial,
      "slope at which natural ground fails, as a multiple of its initial slope"},
     {"anchor_margin", "1", &Params::anchor_margin, 0.f, 10.f, UsedBy::kBcreInertial,
      "slope added to anchor_gain times the initial slope before natural ground fails"},
     {"anchor_step", "m", &Params::anchor_step, 0.f, 10.f, UsedBy::kBcreInertial,
-     "extra scarp height between neighbouring vertices at which natural ground stays stable"},
-    {"friction", "1", &Params::friction, 0.f, 2.f, UsedBy::kVoellmy,
-     "Coulomb friction: shear stress per normal stress at the base"},
-    {"drag", "m/s2", &Params::drag, 10.f, 1e6f, UsedBy::kVoellmy,
-     "turbulent friction coefficient xi; smaller is slower; 1e6: hardly any drag"},
+     "height of a scarp across two cells at which natural ground beside it stays stable"},
 };
 
 inline bool is_used_by(const ParamInfo& info, Model model) {
     switch (info.used_by) {
         case UsedBy::kAll:
             return true;
-        case UsedBy::kBoth:
-            return model != Model::kVoellmy;
         case UsedBy::kBcre:
             return model == Model::kBcre;
         case UsedBy::kBcreInertial:
             return model == Model::kBcreInertial;
-        case UsedBy::kVoellmy:
-            return model == Model::kVoellmy;
+        case UsedBy::kExchange:
+            return model != Model::kVoellmy;
+        case UsedBy::kMomentum:
+            return has_momentum(model);
     }
     return false;
 }
@@ -150,7 +155,11 @@ std::optional<Border> border_from(std::string_view name);
 // number and the required order of the thresholds.
 std::optional<std::string> fault_of(const Params& params);
 
-// The greatest speed of voellmy in plan, m/s. It bounds the sub-steps; a faster layer is slowed to it, which
+// Friction of a layer of thickness h normal to the slope, m, in bcre-inertial (Pouliquen 1999, with an
+// exponential).
+double friction_of(const Params& params, double h);
+
+// The greatest speed in plan of the models with momentum, m/s. It bounds the sub-steps; a faster layer is slowed to it, which
 // State::limited counts. Along real paths and steep planes speeds of 103 to 113 m/s occur.
 inline constexpr float kGreatestPlanSpeed = 150;
 

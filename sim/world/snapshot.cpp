@@ -3,8 +3,9 @@
 namespace sim {
 
 Snapshot take_snapshot(const State& s) {
-    return {s.params,           s.depth, s.rolling, s.velocity_x, s.velocity_y, s.first_depth, s.tick,
-            s.running_commands, s.seed,  s.ledger,  s.mixture,    s.limited};
+    return {s.params,      s.depth,        s.rolling, s.velocity_x,       s.velocity_y,
+            s.first_depth, s.smooth_depth, s.tick,    s.running_commands, s.seed,
+            s.ledger,      s.mixture,      s.limited};
 }
 
 void restore(const Snapshot& snapshot, State& s) {
@@ -15,6 +16,7 @@ void restore(const Snapshot& snapshot, State& s) {
     s.velocity_x = snapshot.velocity_x;
     s.velocity_y = snapshot.velocity_y;
     s.first_depth = snapshot.first_depth;
+    s.smooth_depth = snapshot.smooth_depth;
     s.tick = snapshot.tick;
     s.running_commands = snapshot.running_commands;
     s.seed = snapshot.seed;

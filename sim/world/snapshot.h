@@ -12,7 +12,7 @@ namespace sim {
 // world gives the same hash and a bit-identical future.
 struct Snapshot {
     Params params;
-    Field<float> depth, rolling, velocity_x, velocity_y, first_depth;  // as in State
+    Field<float> depth, rolling, velocity_x, velocity_y, first_depth, smooth_depth;  // as in State
     std::int64_t tick = 0;
     std::vector<RunningCommand> running_commands;
     std::uint64_t seed = 0;

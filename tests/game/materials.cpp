@@ -64,14 +64,16 @@ TEST(ShippedMaterials, state_unit_range_and_source_of_each_parameter) {
     }
 }
 
-TEST(ShippedMaterials, of_snow_support_voellmy) {
-    for (const char* name : {"snow-dry", "snow-wet"}) {
+TEST(ShippedMaterials, support_voellmy_with_the_friction_of_bcre_inertial) {
+    const auto names = asset_names(AssetKind::kMaterial).value();
+    for (const std::string& name : names) {
         const auto material = load_material(name, sim::Model::kVoellmy);
         ASSERT_TRUE(material) << material.error().sentence;
-        EXPECT_GT(material->params.friction, 0);
-        EXPECT_NE(material->params.drag, sim::Params{}.drag);
+        const auto exchanging = load_material(name, sim::Model::kBcreInertial);
+        ASSERT_TRUE(exchanging) << exchanging.error().sentence;
+        EXPECT_EQ(material->params.friction, exchanging->params.friction) << name;
+        EXPECT_EQ(material->params.drag, exchanging->params.drag) << name;
     }
-    EXPECT_FALSE(load_material("soil", sim::Model::kVoellmy));
 }
 
 TEST(Material, without_a_block_for_a_model_is_refused_with_it) {
@@ -111,7 +113,11 @@ TEST(Material, with_a_fault_is_refused_with_file_line_and_key) {
         {"[bcre]\nviscosity = 3\n", ":2: bcre.viscosity"},
         {"[bcre]\ndeposit_speed = 3\n", ":2: bcre.deposit_speed"},  // of the other model
         {"[bcre]\nrolling_speed = -1\n", ":2: bcre.rolling_speed"},
-        {"[bcre]\n[bcre-inertial]\nmax_speed = -1\n", ":3: bcre-inertial.max_speed"},
+        {"[bcre]\n[bcre-inertial]\nrelaxation_time = 2\n",
+         ":3: bcre-inertial.relaxation_time is gone from bcre-inertial; write nothing"},
+        {"[bcre]\n[bcre-inertial]\nstop_angle = 30\n",
+         ":3: bcre-inertial.stop_angle is gone from bcre-inertial; write friction_thin"},
+        {"[bcre]\n[bcre-inertial]\nfriction = -1\n", ":3: bcre-inertial.friction"},
         {"[bcre]\nstop_angle = \"steep\"\n", ":2: bcre.stop_angle"},
         {"[look]\nstanding = [1, 2, 256]\n[bcre]\n", ":2: look.standing"},
         {"[look]\nstanding = [1, 2]\n[bcre]\n", ":2: look.standing"},

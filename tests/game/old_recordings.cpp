@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "game/analysis/headless.h"
+#include "game/session/renew.h"
 #include "game/session/verifier.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"
@@ -33,7 +34,12 @@ std::filesystem::path path_of(const Old& old) {
 class OldRecording : public testing::TestWithParam<Old> {
   protected:
     Old old_ = GetParam();
-    Recording recording_ = read_recording(path_of(old_)).value();
+    static Recording opened(const Old& old) {
+        Recording recording = read_recording(path_of(old)).value();
+        renew(recording);
+        return recording;
+    }
+    Recording recording_ = opened(old_);
 };
 
 TEST_P(OldRecording, is_read_as_it_was_written) {
@@ -42,7 +48,8 @@ TEST_P(OldRecording, is_read_as_it_was_written) {
     EXPECT_EQ(recording_.commands.size(), static_cast<std::size_t>(old_.commands));
     EXPECT_EQ(recording_.last_tick(), old_.last_tick);
     EXPECT_EQ(recording_.end.has_value(), old_.whole);
-    EXPECT_EQ(recording_.warning.has_value(), !old_.whole);
+    EXPECT_EQ(recording_.warning.has_value(), !old_.whole || recording_.header.renewed);
+    EXPECT_EQ(recording_.header.renewed, scenario.params.model == sim::Model::kBcreInertial);
     EXPECT_LE(scenario.grid.nx, 25);
     EXPECT_LE(scenario.grid.ny, 25);
     EXPECT_EQ(scenario.lower.has_value(), old_.two);
@@ -67,7 +74,7 @@ TEST_P(OldRecording, plays_to_its_end_and_is_exact_or_of_another_physics) {
     EXPECT_EQ(session.state().tick, old_.last_tick);
     EXPECT_EQ(session.state().ledger.mass_error(), 0);
     const Verdict& verdict = verifier.verdict();
-    EXPECT_EQ(verdict.comparable, recording_.header.physics_version == kPhysicsVersion);
+    EXPECT_EQ(verdict.comparable, is_comparable(recording_.header));
     if (verdict.comparable) {
         EXPECT_FALSE(verdict.parted) << *verdict.parted;
         std::size_t recorded = 0;
@@ -79,11 +86,12 @@ TEST_P(OldRecording, plays_to_its_end_and_is_exact_or_of_another_physics) {
 
 TEST_P(OldRecording, verified_by_the_program_is_exact_or_not_comparable_never_wrong) {
     const Finished finished = couloir({"replay", path_of(old_).string(), "--verify"});
-    const bool comparable = recording_.header.physics_version == kPhysicsVersion;
+    const bool comparable = is_comparable(recording_.header);
     EXPECT_EQ(finished.status, comparable ? 0 : 1) << finished.err;
     EXPECT_NE(finished.out.find(comparable ? "exact: all" : "not comparable"), std::string::npos)
         << finished.out;
-    EXPECT_EQ(finished.err.find("warning") != std::string::npos, !old_.whole) << finished.err;
+    EXPECT_EQ(finished.err.find("warning") != std::string::npos, !old_.whole || recording_.header.renewed)
+        << finished.err;
 }
 
 TEST_P(OldRecording, normalised_is_of_the_newest_format_and_exact) {
@@ -91,7 +99,7 @@ TEST_P(OldRecording, normalised_is_of_the_newest_format_and_exact) {
     const auto out = folder.path() / "new.couloir";
     const Finished finished = couloir({"normalise", path_of(old_).string(), "--out", out.string()});
     ASSERT_EQ(finished.status, 0) << finished.err;
-    const bool comparable = recording_.header.physics_version == kPhysicsVersion;
+    const bool comparable = is_comparable(recording_.header);
     EXPECT_EQ(finished.out.find("not comparable") == std::string::npos, comparable) << finished.out;
 
     const Recording made = read_recording(out).value();

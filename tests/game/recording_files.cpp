@@ -19,7 +19,8 @@ Scenario small_scenario() {
     scenario.title = "A small slope, \"quoted\"\n and öpen";
     scenario.material = "soil";
     scenario.params.stop_slope = 1.f / 3.f;
-    scenario.params.stop_slope_thick = 0.1f;
+    scenario.params.friction = 0.3f;
+    scenario.params.friction_thin = 1;
     scenario.params.tick_s = 1.f / 60.f;
     scenario.params.borders = {sim::Border::kWall, sim::Border::kOpen, sim::Border::kSink,
                                sim::Border::kOpen};

@@ -88,17 +88,17 @@ TEST_F(SceneFile, is_read_with_its_terrain_material_commands_and_view) {
 }
 
 TEST_F(SceneFile, applies_its_own_parameters_to_its_own_model_only) {
-    const std::string text = with("borders = \"open\"", "borders = \"wall\"\nmax_speed = 7.5");
+    const std::string text = with("borders = \"open\"", "borders = \"wall\"\ndrag = 750");
     const auto own = load(text);
     ASSERT_TRUE(own) << own.error().sentence;
-    EXPECT_EQ(own->scenario.params.max_speed, 7.5f);
+    EXPECT_EQ(own->scenario.params.drag, 750.f);
     EXPECT_EQ(own->scenario.params.borders[sim::kEast], sim::Border::kWall);
     Overrides other;
     other.model = sim::Model::kBcre;
     const auto bcre = load(text, other);
     ASSERT_TRUE(bcre) << bcre.error().sentence;
     EXPECT_EQ(bcre->scenario.params.model, sim::Model::kBcre);
-    EXPECT_NE(bcre->scenario.params.max_speed, 7.5f);
+    EXPECT_NE(bcre->scenario.params.drag, 750.f);
 }
 
 TEST_F(SceneFile, is_a_landscape_unless_its_style_is_model) {
@@ -145,7 +145,7 @@ constexpr Fault kFaults[] = {
     {"grid = 16", "grid = 16.5", 4, "terrain.grid"},
     {"grid = 16", "grid = \"16\"", 4, "terrain.grid"},
     {"material = \"soil\"", "material = 3", 6, "cover.material"},
-    {"borders = \"open\"", "borders = \"open\"\nmax_speed = \"fast\"", 10, "physics.max_speed"},
+    {"borders = \"open\"", "borders = \"open\"\ndrag = \"fast\"", 10, "physics.drag"},
     {"at = 1.5", "at = \"noon\"", 11, "command.at"},
     {"radius = 9", "radius = [9]", 12, "pour.radius"},
     {"[80, 72, -48]", "[80, 72]", 14, "camera.target"},
@@ -236,10 +236,10 @@ TEST_F(SceneFile, without_a_section_is_refused_by_name) {
 }
 
 TEST_F(SceneFile, with_inconsistent_parameters_is_refused) {
-    const auto scene = load(with("borders = \"open\"", "borders = \"open\"\nstop_angle = 50"));
+    const auto scene = load(with("borders = \"open\"", "borders = \"open\"\nfriction = 1.5"));
     ASSERT_FALSE(scene);
     EXPECT_EQ(scene.error().sentence.rfind(path_.string() + ": ", 0), 0u) << scene.error().sentence;
-    EXPECT_NE(scene.error().sentence.find("stop_slope"), std::string::npos) << scene.error().sentence;
+    EXPECT_NE(scene.error().sentence.find("friction_thin"), std::string::npos) << scene.error().sentence;
 }
 
 TEST_F(SceneFile, finds_its_terrain_beside_it_and_applies_its_cover_rule) {

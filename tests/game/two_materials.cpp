@@ -26,7 +26,7 @@ depth = 0.5
 [under]
 material = "soil"
 depth = 0.25
-exchange_rate = 3
+start_angle = 48
 [physics]
 model = "bcre-inertial"
 borders = "open"
@@ -63,9 +63,9 @@ TEST_F(SnowOnSoil, is_read_with_both_materials) {
     ASSERT_TRUE(scenario.lower);
     EXPECT_EQ(scenario.material, "snow-wet");
     EXPECT_EQ(scenario.lower->material, "soil");
-    EXPECT_EQ(scenario.lower->params.exchange_rate, 3);  // the scene's own
-    EXPECT_EQ(scenario.lower->params.max_speed, 12);     // soil's
-    EXPECT_EQ(scenario.params.max_speed, 20);            // wet snow's
+    EXPECT_NEAR(scenario.lower->params.start_slope, 1.1106, 1e-4);  // the scene's own
+    EXPECT_EQ(scenario.lower->params.drag, 500);                    // soil's
+    EXPECT_EQ(scenario.params.drag, 1000);                          // wet snow's
     EXPECT_EQ(scenario.lower->params.borders, scenario.params.borders);
     EXPECT_NE(scenario.look.lower_standing, scenario.look.standing);
     EXPECT_TRUE(scenario.look.lower_turf);
@@ -86,10 +86,10 @@ TEST_F(SnowOnSoil, with_a_fault_is_refused_with_line_and_fact) {
     } faults[] = {{"material = \"soil\"\n", "", 8, "under needs a material"},
                   {"depth = 0.25\n", "", 8, "under needs a depth"},
                   {"\"soil\"\ndepth", "\"cheese\"\ndepth", 9, "under.material cannot be used"},
-                  {"exchange_rate = 3", "colour = 3", 11, "under.colour"},
-                  {"exchange_rate = 3", "stop_angle = 60", 8, "under start_slope is below stop_slope"},
+                  {"start_angle = 48", "colour = 3", 11, "under.colour"},
+                  {"start_angle = 48", "friction = 1.5", 8, "under friction is above friction_thin"},
                   {"\"lower\"", "\"middle\"", 20, "pour.of"},
-                  {"[under]\nmaterial = \"soil\"\ndepth = 0.25\nexchange_rate = 3\n", "", 16, "pour.of"},
+                  {"[under]\nmaterial = \"soil\"\ndepth = 0.25\nstart_angle = 48\n", "", 16, "pour.of"},
                   {"depth = 0.25", "depth = 51", 10, "under.depth"}};
     for (const auto& fault : faults) {
         SCOPED_TRACE(fault.new_text);
@@ -147,8 +147,8 @@ TEST_F(SnowOnSoil, recorded_with_other_soil_is_refused) {
     header["lower"]["physics"].erase("stop_slope");
     EXPECT_NE(refused(header).find(":1: has no stop_slope"), std::string::npos) << refused(header);
     header = whole;
-    header["lower"]["physics"]["start_slope"] = 0.01;
-    EXPECT_NE(refused(header).find(":1: start_slope is below stop_slope"), std::string::npos);
+    header["lower"]["physics"]["friction"] = 1.5;
+    EXPECT_NE(refused(header).find(":1: friction is above friction_thin"), std::string::npos);
     header = whole;
     header["lower"] = 7;
     EXPECT_NE(refused(header).find(":1: has no "), std::string::npos) << refused(header);

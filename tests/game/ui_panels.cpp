@@ -13,7 +13,7 @@ struct PanelFacts {
 };
 const std::vector<PanelFacts> kPanels{
     {Verb::kToggleScene, "Scene", {"Close Scene", "Terrain", "Choose a scene", "Start", "Watch slope"}},
-    {Verb::kTogglePhysics, "Physics", {"Close Physics", "start slope", "exchange rate"}},
+    {Verb::kTogglePhysics, "Physics", {"Close Physics", "start slope", "erosion rate"}},
     {Verb::kToggleDisplay,
      "Display",
      {"Close Display", "Colour by", "Contours", "Direction", "Text size", "Fly"}},

@@ -41,14 +41,14 @@ TEST_F(UiPhysics, shows_every_number_that_the_model_uses_and_no_other) {
 }
 
 TEST_F(UiPhysics, sets_a_number_that_was_typed) {
-    const auto set = only<SetNumber>(type_into("relaxation time", "2.75"));
-    EXPECT_EQ(set.param, index_of("relaxation_time"));
-    EXPECT_EQ(set.value, 2.75f);
+    const auto set = only<SetNumber>(type_into("drag", "275"));
+    EXPECT_EQ(set.param, index_of("drag"));
+    EXPECT_EQ(set.value, 275.f);
     EXPECT_FALSE(refused());
 }
 
 TEST_F(UiPhysics, takes_a_comma_and_blanks_as_people_write_them) {
-    EXPECT_EQ(only<SetNumber>(type_into("relaxation time", " 2,5 ")).value, 2.5f);
+    EXPECT_EQ(only<SetNumber>(type_into("drag", " 27,5 ")).value, 27.5f);
 }
 
 TEST_F(UiPhysics, reads_slopes_in_degrees) {
@@ -58,7 +58,7 @@ TEST_F(UiPhysics, reads_slopes_in_degrees) {
 }
 
 TEST_F(UiPhysics, sets_nothing_before_the_number_is_whole) {
-    EXPECT_TRUE(click("relaxation time").empty());
+    EXPECT_TRUE(click("drag").empty());
     screen_.type("2");
     settle(2);
     screen_.type("5");
@@ -68,10 +68,10 @@ TEST_F(UiPhysics, sets_nothing_before_the_number_is_whole) {
 }
 
 TEST_F(UiPhysics, sets_nothing_where_the_same_number_was_typed_or_the_edit_given_up) {
-    state_.params.relaxation_time = scenario_.params.relaxation_time = 1.5f;
+    state_.params.drag = scenario_.params.drag = 1500;
     frame();
-    EXPECT_TRUE(type_into("relaxation time", "1.50").empty());
-    EXPECT_TRUE(click("relaxation time").empty());
+    EXPECT_TRUE(type_into("drag", "1500.0").empty());
+    EXPECT_TRUE(click("drag").empty());
     screen_.type("9");
     screen_.tap(Key::kEscape);
     settle();
@@ -80,9 +80,9 @@ TEST_F(UiPhysics, sets_nothing_where_the_same_number_was_typed_or_the_edit_given
 TEST_F(UiPhysics, refuses_what_is_wrong_with_a_sentence_and_sets_nothing) {
     EXPECT_FALSE(refused());
     for (const char* nonsense : {"fast", "1.2.3", " ", "12 m", "nan", "1e99", "-1", "0"}) {
-        EXPECT_TRUE(type_into("max speed", nonsense).empty()) << nonsense;
+        EXPECT_TRUE(type_into("deposit speed", nonsense).empty()) << nonsense;
         EXPECT_TRUE(refused()) << nonsense;
-        EXPECT_EQ(only<SetNumber>(type_into("relaxation time", "2.75")).value, 2.75f);
+        EXPECT_EQ(only<SetNumber>(type_into("drag", "27.5")).value, 27.5f);
         EXPECT_FALSE(refused());
     }
     EXPECT_TRUE(type_into("start slope", "90").empty());
@@ -90,16 +90,16 @@ TEST_F(UiPhysics, refuses_what_is_wrong_with_a_sentence_and_sets_nothing) {
 }
 
 TEST_F(UiPhysics, moves_no_row_for_what_it_refuses) {
-    const ui::Ui::Place before = place("relaxation time");
-    EXPECT_TRUE(type_into("max speed", "fast").empty());
+    const ui::Ui::Place before = place("drag");
+    EXPECT_TRUE(type_into("deposit speed", "fast").empty());
     settle();
     EXPECT_TRUE(refused());
-    EXPECT_EQ(place("relaxation time").y, before.y);
-    EXPECT_EQ(place("relaxation time").x, before.x);
+    EXPECT_EQ(place("drag").y, before.y);
+    EXPECT_EQ(place("drag").x, before.x);
 }
 
 TEST_F(UiPhysics, refuses_thresholds_in_the_wrong_order) {
-    EXPECT_TRUE(type_into("start slope", "1").empty());  // below the stop slope
+    EXPECT_TRUE(type_into("friction", "1.9").empty());  // above that of a thin layer
     EXPECT_TRUE(refused());
 }
 
@@ -116,11 +116,11 @@ TEST_F(UiPhysics, leads_back_to_a_default_to_the_bit) {
 TEST_F(UiPhysics, leads_back_to_all_defaults_in_an_order_in_which_each_step_holds) {
     EXPECT_TRUE(click("All defaults").empty());
     sim::Params& now = state_.params;
-    now.stop_slope_thick = scenario_.params.stop_slope * 0.5f;
-    now.stop_slope = scenario_.params.stop_slope * 0.6f;
-    now.erosion_slope = scenario_.params.stop_slope * 0.7f;
-    now.start_slope = scenario_.params.stop_slope * 0.8f;  // below the default of what must lie below it
-    now.relaxation_time = 7;
+    now.friction = scenario_.params.friction * 0.5f;
+    now.friction_thin = scenario_.params.friction * 0.6f;
+    now.loose_slope = scenario_.params.friction * 0.7f;
+    now.start_slope = scenario_.params.friction * 0.8f;  // below the default of what must lie below it
+    now.drag = 700;
     ASSERT_FALSE(sim::fault_of(now)) << *sim::fault_of(now);
     frame();
     const Actions actions = click("All defaults");
@@ -134,12 +134,12 @@ TEST_F(UiPhysics, leads_back_to_all_defaults_in_an_order_in_which_each_step_hold
 }
 
 TEST_F(UiPhysics, lets_nobody_change_the_steps_of_the_computation) {
-    for (const char* label : {"tick", "courant"}) EXPECT_TRUE(type_into(label, "0.02").empty()) << label;
+    EXPECT_TRUE(type_into("tick", "0.02").empty());
 }
 
 TEST_F(UiPhysics, keeps_the_keys_only_while_a_number_is_typed) {
     EXPECT_FALSE(ui_->keeps_keys());
-    click("max speed");
+    click("deposit speed");
     frame();
     EXPECT_TRUE(ui_->keeps_keys());
     screen_.tap(Key::kEnter);
@@ -149,7 +149,7 @@ TEST_F(UiPhysics, keeps_the_keys_only_while_a_number_is_typed) {
 
 TEST_F(UiPhysics, edits_as_text_fields_do) {
     constexpr Modifiers kControl{false, true, false};
-    click("max speed");
+    click("deposit speed");
     screen_.type("12");
     screen_.happen({KeyEvent{Key::kBackspace, true, false, {}}});
     screen_.type("7");  // after the key, though in the same frame
@@ -164,7 +164,7 @@ TEST_F(UiPhysics, edits_as_text_fields_do) {
     EXPECT_EQ(screen_.clipboard(), "17");
 
     screen_.set_clipboard("23.5");
-    click("max speed");
+    click("deposit speed");
     screen_.tap(key('V'), kControl);
     screen_.tap(Key::kEnter);
     all.clear();

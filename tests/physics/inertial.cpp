@@ -23,20 +23,18 @@ sim::Params loose_dry_snow() {
         return static_cast<float>(std::tan(angle_deg * std::numbers::pi / 180));
     };
     sim::Params params;
-    params.speed_per_slope = 41;
-    params.max_speed = 45;
-    params.relaxation_time = 3;
-    params.half_speed_depth = 0.1f;
-    params.deposit_speed = 6;
-    params.exchange_rate = 1.5f;
-    params.stop_slope = tangent(32);
-    params.stop_slope_thick = tangent(20);
-    params.stop_fold_depth = 0.1f;
-    params.start_slope = tangent(40);
-    params.erosion_slope = tangent(33);
+    params.friction = 0.2f;
+    params.drag = 1500;
+    params.friction_thin = 1;
+    params.friction_fold_depth = 0.1f;
+    params.erosion_rate = 0.1f;
+    params.erosion_slope = params.loose_slope = tangent(33);
     params.erosion_depth = 0.1f;
+    params.deposit_rate = 1.5f;
+    params.deposit_speed = 6;
+    params.start_slope = tangent(40);
     params.start_depth = 0.5f;
-    params.freeze_depth = 0.005f;
+    params.freeze_depth = 0.02f;
     return params;
 }
 
@@ -203,47 +201,44 @@ Outlines release_on_a_hill(double azimuth_deg, double cover) {
     return {outline(peaks, kSide, kDx, kLevel, azimuth), outline(gained, kSide, kDx, kLevel, azimuth)};
 }
 
-// A cell is 10 m.
-void expect_outlines_within_a_cell(double cover) {
+// A cell is 10 m. Nineteen of twenty points lie within one and a half, on average within half of one.
+void expect_same_outlines(double cover) {
     const Outlines along = release_on_a_hill(0, cover), oblique = release_on_a_hill(22.5, cover);
     const Apart extent = apart(along.extent, oblique.extent), deposit = apart(along.deposit, oblique.deposit);
-    EXPECT_LE(extent.p95, 10);
+    EXPECT_LE(extent.p95, 15);
     EXPECT_LE(extent.mean, 5);
-    EXPECT_LE(deposit.p95, 10);
+    EXPECT_LE(deposit.p95, 15);
     EXPECT_LE(deposit.mean, 5);
 }
 
-TEST(Avalanche, has_the_same_outline_within_a_cell_for_any_orientation_of_the_hill) {
-    expect_outlines_within_a_cell(0);
+TEST(Avalanche, has_the_same_outline_for_any_orientation_of_the_hill) {
+    expect_same_outlines(0);
 }
 
-TEST(Avalanche, with_entrainment_has_the_same_outline_within_a_cell_for_any_orientation_of_the_hill) {
-    expect_outlines_within_a_cell(0.5);
+TEST(Avalanche, with_entrainment_has_the_same_outline_for_any_orientation_of_the_hill) {
+    expect_same_outlines(0.5);
 }
 
-// Random rolling material with random velocities, dense and patchy, over random ground, at the greatest
-// Courant number.
-TEST(Avalanche, stays_positive_and_conserves_mass_at_its_courant_limit) {
+// Random rolling material with random velocities, dense and patchy, over random ground, at speeds that the
+// sub-steps are just made for.
+TEST(Avalanche, stays_positive_and_conserves_mass_at_its_greatest_speed) {
     std::mt19937 random(11);
     const auto within = [&](double most) { return most * static_cast<double>(random()) / 4294967296.0; };
     for (int round = 0; round < 60; ++round) {
-        Ground ground({17, 17, 1});
-        ground.set(ground.bedrock, [&](double x, double) { return -0.5 * x + within(1.5); });
+        Ground ground({17, 17, 4});
+        ground.set(ground.bedrock, [&](double x, double) { return -0.5 * x + within(6); });
         ground.set(ground.depth, [&](double, double) { return within(0.3); });
         ground.set(ground.rolling,
                    [&](double, double) { return random() % 3 ? within(random() % 2 ? 0.5 : 3e-4) : 0; });
         sim::Params params = support::lively(Model::kBcreInertial);
-        params.courant = 0.5f;
-        params.max_speed = 0.25f * 60;  // a quarter of a cell per tick: one sub-step
-        params.speed_per_slope = 100;
-        params.relaxation_time = 0.05f;
-        params.exchange_rate = static_cast<float>(within(50));
+        params.erosion_rate = static_cast<float>(within(10));
+        params.deposit_rate = static_cast<float>(within(100));
         Play play(ground, params);
-        ASSERT_EQ(sim::substeps_of(params, 1).count, 1);
+        const float most = sim::kGreatestPlanSpeed;
         for (int y = 0; y < 17; ++y)
             for (int x = 0; x < 17; ++x) {
-                play.state.velocity_x(x, y) = static_cast<float>(within(30) - 15);
-                play.state.velocity_y(x, y) = static_cast<float>(within(30) - 15);
+                play.state.velocity_x(x, y) = static_cast<float>(within(2) - 1) * most;
+                play.state.velocity_y(x, y) = static_cast<float>(within(2) - 1) * most;
             }
         for (int tick = 0; tick < 60; ++tick) {
             play.ticks(1);
@@ -251,7 +246,8 @@ TEST(Avalanche, stays_positive_and_conserves_mass_at_its_courant_limit) {
                 for (int x = 0; x < 17; ++x) {
                     ASSERT_GE(play.state.rolling(x, y), 0);
                     ASSERT_GE(play.state.depth(x, y), 0);
-                    ASSERT_LE(std::hypot(play.state.velocity_x(x, y), play.state.velocity_y(x, y)), 2 * 15.f);
+                    ASSERT_LE(std::hypot(play.state.velocity_x(x, y), play.state.velocity_y(x, y)),
+                              1.001f * most);
                 }
             ASSERT_EQ(play.state.ledger.mass_error(), 0);
         }

@@ -78,12 +78,12 @@ double run_out(double turned_deg) {
         return std::max(0., 3 * (1 - std::hypot(along(x, y) + 200, across(x, y)) / 60));
     });
     sim::Params params;  // loose dry snow
-    params.speed_per_slope = 41;
-    params.max_speed = 45;
-    params.relaxation_time = 3;
+    params.friction = 0.2f;
+    params.drag = 1500;
+    params.friction_thin = 1;
+    params.deposit_rate = 1.5f;
     params.deposit_speed = 6;
     params.start_slope = 0.84f;
-    params.erosion_slope = 0.65f;
     Play play(ground, params, {.threads = 2});
     for (int tick = 0; tick < 60 * 90 && !sim::at_rest(play.state); ++tick) play.ticks(1);
     EXPECT_TRUE(sim::at_rest(play.state));

@@ -44,7 +44,7 @@ TEST(PlantedFault, in_the_snow_avalanche_is_found_at_its_stage_and_cell) {
     int x = 0, y = 0;
     float most = 0;
     const auto fault = [&](const Side::Moment& at) {
-        if (at.tick != kTick || at.substep != 0 || at.stage != "predict") return;
+        if (at.tick != kTick || at.substep != 0 || at.stage != "drive") return;
         // A tick when much is moving, so that the fault shows.
         if (most == 0)
             for (int j = 0; j < scenario.grid.ny; ++j)
@@ -52,7 +52,7 @@ TEST(PlantedFault, in_the_snow_avalanche_is_found_at_its_stage_and_cell) {
                     if (const float flow = at.state.rolling(i, j) * std::fabs(at.state.velocity_y(i, j));
                         flow > most)
                         most = flow, x = i, y = j;
-        float& value = at.scratch->inertial().u1.velocity_x(x, y);
+        float& value = at.scratch->momentum().driven_u(x, y);
         value = std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) + 4096);
     };
     const sim::StepOptions plainly{.plain = true};
@@ -62,9 +62,9 @@ TEST(PlantedFault, in_the_snow_avalanche_is_found_at_its_stage_and_cell) {
     EXPECT_EQ(parted->where, Divergence::Where::kStage);
     EXPECT_EQ(parted->tick, kTick);
     EXPECT_EQ(parted->substep, 0);
-    EXPECT_EQ(parted->name, "predict");
+    EXPECT_EQ(parted->name, "drive");
     ASSERT_EQ(parted->fields.size(), 1u);
-    EXPECT_EQ(parted->fields[0].field, "u1.velocity_x");
+    EXPECT_EQ(parted->fields[0].field, "driven_u");
     EXPECT_EQ(parted->fields[0].x, x);
     EXPECT_EQ(parted->fields[0].y, y);
     EXPECT_EQ(parted->fields[0].ulps, 4096u);

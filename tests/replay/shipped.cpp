@@ -19,10 +19,10 @@ struct Golden {
 };
 
 constexpr Golden kGoldens[] = {
-    {"landslide", "adad45daf27b34f5"},
+    {"landslide", "e623b3608d6777cf"},
     {"landslide-bcre", "d941fb9cf4d1fed0"},
-    {"snow-avalanche", "0b7c5cb533722c21"},
-    {"winter-avalanche", "19a12f43d536f98c"},
+    {"snow-avalanche", "a963c52d21e65c2b"},
+    {"winter-avalanche", "d74b6f7f96221f98"},
 };
 
 // Plays a recording again and returns its current state lines, one for each recorded line. After the end,
@@ -43,7 +43,7 @@ class Shipped : public testing::TestWithParam<Golden> {};
 
 TEST_P(Shipped, recording_replays_bit_for_bit_with_one_thread_and_with_two_and_rests_after_its_end) {
     const Recording recording = open(GetParam().recording);
-    ASSERT_EQ(recording.header.physics_version, kPhysicsVersion);
+    ASSERT_TRUE(is_comparable(recording.header));
     for (const int threads : {1, 2}) {
         const auto lines = replayed(recording, threads, recording.last_tick() + 350);
         ASSERT_EQ(lines.size(), recording.states.size());

@@ -214,17 +214,17 @@ TEST(Set, of_start_slope_and_anchor_releases_ground_that_held) {
     Play play(support::plane(20, 1, 0.6, 1), params);
     play.ticks(10);
     ASSERT_EQ(play.state.ledger.rolling, 0);
-    const Command sets[] = {set_to("start_slope", 0.5), set_to("anchor_gain", 0), set_to("anchor_step", 0),
-                            set_to("stop_slope", 0.45)};
+    const Command sets[] = {set_to("start_slope", 0.5), set_to("anchor_gain", 0), set_to("anchor_step", 0)};
     play.ticks(1, sets);
     EXPECT_GT(play.state.ledger.rolling, 0);
 }
 
 TEST(Set, is_checked_with_all_others_of_its_tick) {
     const sim::Params params = support::lively(sim::Model::kBcreInertial);
-    const Command low_start = set_to("start_slope", 0.4), low_stop = set_to("stop_slope", 0.38);
-    EXPECT_TRUE(sim::fault_after(params, {&low_start, 1}));
-    const Command both[] = {low_start, low_stop};
+    const Command much = set_to("friction", 0.8), more = set_to("friction_thin", 0.9),
+                  steeper = set_to("loose_slope", 0.9), higher = set_to("start_slope", 0.9);
+    EXPECT_TRUE(sim::fault_after(params, {&much, 1}));
+    const Command both[] = {much, more, steeper, higher};
     EXPECT_FALSE(sim::fault_after(params, both));
     EXPECT_FALSE(sim::fault_after(params, {}));
 }

@@ -31,9 +31,11 @@ sim::Params lower_of(const Physics& physics) {
     params.max_speed = 6;
     params.speed_per_slope = 8;
     params.stop_slope = 0.55f;
-    params.stop_slope_thick = 0.45f;
+    params.friction = 0.45f;
+    params.friction_thin = 0.85f;
+    params.drag = 400;
     params.start_slope = 0.8f;
-    params.erosion_slope = 0.6f;
+    params.erosion_slope = params.loose_slope = 0.6f;
     return params;
 }
 
@@ -235,8 +237,8 @@ TEST(Mixture, is_advected_without_bias) {
 // Snow over soil on a slope that holds the soil: the slide entrains the snow and leaves the soil bare.
 TEST(Mixture, erodes_each_material_by_its_own_threshold) {
     sim::Params snow = upper_of(kPhysics[3]), soil = snow;
-    snow.stop_slope = snow.stop_slope_thick = 0.3f, snow.erosion_slope = 0.5f, snow.start_slope = 0.9f;
-    soil.stop_slope = soil.stop_slope_thick = 0.5f, soil.erosion_slope = 2, soil.start_slope = 3;
+    snow.friction = 0.3f, snow.erosion_slope = 0.5f, snow.start_slope = 0.9f;
+    soil.friction = 0.5f, soil.erosion_slope = 2, soil.start_slope = 3;
     Ground ground = support::plane(60, 2, 0.75, 2);
     ground.lower = soil;
     for (float& depth : ground.lower_depth) depth = 1;

@@ -5,8 +5,8 @@
 
 #include "sim/bcre/plain.h"
 #include "sim/bcre/stages.h"
-#include "sim/inertial/plain.h"
-#include "sim/inertial/stages.h"
+#include "sim/momentum/plain.h"
+#include "sim/momentum/stages.h"
 #include "sim/world/quanta.h"
 #include "tests/support/worlds.h"
 
@@ -43,16 +43,48 @@ struct Stages {
     }
 };
 
-// The rows of a world of bcre-inertial that steps plainly, its halo filled.
-sim::inertial::StageRows<float> stage_rows_of(Play& play) {
-    auto w = sim::inertial::stage_rows(play.state, play.state.params, play.engine.scratch->inertial(),
-                                       kHalfQuantum);
-    for (int y = 0; y < w.ny; ++y) {
-        sim::fill_halo<float>(w, w.u0, y, {0, w.nx});
-        sim::inertial::end_velocity<float>(w, w.u0, y, {0, w.nx});
+// A world of bcre-inertial, 5 by 5 vertices, in which stages run one after the other; their results are in w.
+struct Momentum {
+    Play play;
+    sim::momentum::StageRows<float> w;
+
+    explicit Momentum(const support::Ground& ground, const sim::Params& params = lively(Model::kBcreInertial))
+        : play(ground, params, {.plain = true}),
+          w(sim::momentum::stage_rows(play.state, play.state.params, play.engine.scratch->momentum(),
+                                      kHalfQuantum)) {}
+
+    template <class Stage>
+    void each_row(Stage&& stage) {
+        for (int y = 0; y < w.ny; ++y) sim::along<float>({0, w.nx}, stage(y));
     }
-    return w;
-}
+    void find_forces() {
+        for (int y = 0; y < w.ny; ++y) sim::fill_halo<float>(w, w.u0, y, {0, w.nx});
+        each_row([&](int y) { return sim::momentum::find_ground<float>(w, w, y); });
+        each_row([&](int y) { return sim::momentum::drive<float, true>(w, w, y); });
+    }
+    // Exchange under a layer that moves at `speed`.
+    void exchange_at(float speed) {
+        find_forces();
+        for (int y = 0; y < w.ny; ++y)
+            for (int x = 0; x < w.nx; ++x) w.driven_u[y][x] = 0, w.driven_v[y][x] = speed;
+        each_row([&](int y) { return sim::momentum::exchange<float>(w, w, y); });
+    }
+    // Start and rest, where nothing is transported or exchanged.
+    void yield() {
+        find_forces();
+        for (int y = 0; y < w.ny; ++y)
+            for (int x = 0; x < w.nx; ++x) {
+                w.exchanged[y][x] = 0;
+                w.moved_rolling[y][x] = w.u0.rolling[y][x];
+                w.moved_u[y][x] = w.u0.velocity_x[y][x], w.moved_v[y][x] = w.u0.velocity_y[y][x];
+            }
+        each_row([&](int y) { return sim::momentum::find_quiet<float>(w, w, y); });
+        auto moved = w.moved();
+        for (int y = 0; y < w.ny; ++y) sim::fill_halo<float>(w, moved, y, {0, w.nx});
+        for (int y = -1; y <= w.ny; ++y) sim::momentum::end_quiet<float>(w, w, y, {0, w.nx});
+        each_row([&](int y) { return sim::momentum::yield<float>(w, w.u0, y, w.nx); });
+    }
+};
 
 // A flux in whole quanta differs from the exact one by less than one quantum.
 constexpr double kRounded = 8e-6;
@@ -95,18 +127,28 @@ TEST(Velocity, of_the_laws_slope_and_shear_grows_up_to_the_greatest) {
     EXPECT_NEAR(speed(sim::Law::kShear, 6), 6, 1e-5);
 }
 
-TEST(Velocity, of_the_inertial_model_relaxes_toward_the_terminal_one_for_half_a_sub_step) {
-    support::Ground ground({5, 5, 2});
-    ground.set(ground.bedrock, [](double x, double y) { return -0.3 * x + 0.4 * y; });
-    ground.set(ground.rolling, [](double, double) { return 0.3; });
-    Play play(ground, lively(Model::kBcreInertial), {.plain = true});
-    play.state.velocity_x(2, 2) = 1;
-    auto w = stage_rows_of(play);
-    sim::along<float>({0, 5}, sim::inertial::relax<float>(w, w.u0, w.u0, 2, 5));
-    const double terminal = 15 * 0.5 * (0.3 / (0.3 + 0.1));  // k_v |∇z| R/(R + R_h)
-    const double gained = 1 - std::exp(-0.01 / 1.5);
-    EXPECT_NEAR(play.state.velocity_x(2, 2), 1 + gained * (0.6 * terminal - 1), 1e-5);
-    EXPECT_NEAR(play.state.velocity_y(2, 2), gained * -0.8 * terminal, 1e-5);
+TEST(Forces, of_a_thin_layer_have_the_friction_of_its_thickness) {
+    for (const double rolling : {0.1, 0.5}) {
+        support::Ground ground = support::plane(4, 2, 0.75, 1);
+        ground.set(ground.rolling, [&](double, double) { return rolling; });
+        Momentum momentum(ground);
+        momentum.find_forces();
+        const double cos = 0.8, sin = 0.6, friction = 0.36 + 0.39 * std::exp(-rolling * cos / 0.1);
+        EXPECT_NEAR(momentum.w.driven_v[2][2], 9.81 * (sin - friction * cos) * cos * 0.02, 1e-6) << rolling;
+        EXPECT_EQ(momentum.w.held[2][2], 0);
+    }
+}
+
+TEST(Forces, hold_a_film_that_is_thin_enough) {
+    support::Ground ground = support::plane(4, 2, 0.5, 1);
+    const double holds = 0.1 * std::log(0.39 / 0.14) * std::hypot(1, 0.5);
+    for (const double part : {0.99, 1.01}) {
+        ground.set(ground.rolling, [&](double, double) { return part * holds; });
+        Momentum momentum(ground);
+        momentum.find_forces();
+        EXPECT_EQ(momentum.w.driven_v[2][2] > 0, part > 1);
+        EXPECT_EQ(momentum.w.held[2][2], part > 1 ? 0.f : 1.f);
+    }
 }
 
 TEST(Fluxes, of_local_lax_friedrichs_go_to_the_lower_neighbours_by_their_drops) {
@@ -279,134 +321,95 @@ TEST(Exchange, never_carries_the_slope_past_its_threshold) {
     }
 }
 
-// Of row 2.
-void find_fluxes(sim::inertial::StageRows<float>& w) {
-    for (int y = 1; y <= 3; ++y) {
-        sim::along<float>({0, w.nx}, sim::inertial::find_slopes<float>(w.u0, w.u0, y));
-        sim::inertial::end_slopes<float>(w, w.u0, y, {0, w.nx});
-    }
-    sim::along<float>({0, w.nx + 1}, sim::inertial::find_fluxes_x<float>(w, w.u0, w.u0, 2),
-                      sim::inertial::find_fluxes_y<float>(w, w.u0, w.u0, 2));
-}
-
-TEST(InertialTransport, takes_layer_and_momentum_at_the_face) {
-    support::Ground ground({7, 5, 2});
-    const float depths[] = {0, 0.1f, 0.3f, 0.4f, 0.6f, 0.6f, 0}, speeds[] = {0, 1, 2, 4, 4, 4, 0};
-    for (int x = 0; x < 7; ++x) ground.rolling[ground.at(x, 2)] = depths[x];
-    Play play(ground, lively(Model::kBcreInertial), {.plain = true});
-    for (int x = 0; x < 7; ++x) play.state.velocity_x(x, 2) = speeds[x];
-    auto w = stage_rows_of(play);
-    find_fluxes(w);
-    // Between 0.3 m at 2 m/s and 0.4 m at 4: the slopes of R are 0.15 and 0.15, those of u 1.5 and 0.
-    const double left = 0.3 + 0.075, right = 0.4 - 0.075, joint = (left * 2.75 + right * 4) / (left + right);
-    const double flux = left * joint * 0.02 / 2;
-    EXPECT_NEAR(w.u0.flux_x[2][3], flux, 1e-6);
-    EXPECT_NEAR(w.u0.momentum_xu[2][3], flux * 2.75, 2e-6);
-    EXPECT_EQ(w.u0.momentum_xv[2][3], 0);
-    EXPECT_EQ(w.u0.flux_x[2][1], 0);  // what is empty gives nothing
-    EXPECT_EQ(w.u0.flux_y[2][2], 0);
-}
-
-TEST(InertialTransport, takes_a_quarter_of_a_vertex_through_a_face_at_most) {
-    support::Ground ground({5, 5, 1});
-    ground.rolling[ground.at(2, 2)] = 0.5f;
-    Play play(ground, lively(Model::kBcreInertial), {.plain = true});
-    play.state.velocity_x(2, 2) = 1000;
-    auto w = stage_rows_of(play);
-    find_fluxes(w);
-    EXPECT_EQ(w.u0.flux_x[2][3], 0.125f);
-}
-
-// The slopes of `level`, and what would be exchanged, on all of a world of 5 by 5 vertices.
-void find_exchange(const sim::inertial::StageRows<float>& w, sim::inertial::StateRows<float>& u) {
-    for (int y = 0; y <= 5; ++y)
-        sim::along<float>({0, 6}, sim::find_drops<float>(w, u, u.drop_x, u.drop_y, y)),
-            sim::end_drops<float>(w, u.drop_x, y);
-    for (int y = 0; y <= 5; ++y)
-        sim::along<float>({0, 6}, sim::find_curvature<float>(w, u, u.curvature_x, u.curvature_y, y));
-    for (int y = 0; y < 5; ++y)
-        sim::along<float>({0, 5}, sim::inertial::find_exchange<float>(w, u, u.exchanged, y));
-}
-
-// Runs a stage of the exchange alone on material that moves at `speed`; the result is in scratch.
-void exchange_stage(Play& play, float speed) {
-    play.state.velocity_y.fill(speed);
-    auto w = stage_rows_of(play);
-    find_exchange(w, w.u0);
-    for (int y = 0; y < 5; ++y) sim::along<float>({0, 5}, sim::inertial::predict<float>(w, w.u0, w.u1, y));
-}
-
-TEST(InertialExchange, deposits_nothing_above_the_deposit_speed) {
+TEST(MomentumExchange, deposits_nothing_above_the_deposit_speed) {
     for (const float speed : {2.f, 3.f}) {  // the gate is at 2.5 m/s
-        support::Ground ground = support::plane(4, 2, 0.1);
+        support::Ground ground = support::plane(4, 2, 0.1, 1);
         ground.set(ground.rolling, [](double, double) { return 0.5; });
-        Play play(ground, lively(Model::kBcreInertial), {.plain = true});
-        exchange_stage(play, speed);
-        const double stop = 0.36 + (0.5 - 0.36) * std::exp(-5.);  // of 0.5 m
-        EXPECT_NEAR(play.engine.scratch->inertial().u1.depth(2, 2),
-                    2 * 0.5 * (stop - 0.1) * std::max(0., 1 - speed / 2.5) * 0.02, 1e-6);
-        EXPECT_EQ(play.engine.scratch->inertial().u1.velocity_y(2, 2),
-                  speed);  // what stays moving keeps its speed
+        Momentum momentum(ground);
+        momentum.exchange_at(speed);
+        const double friction = 0.36 + 0.39 * std::exp(-5 / std::hypot(1, 0.1));
+        EXPECT_NEAR(momentum.w.exchanged[2][2],
+                    -2 * 0.5 * (friction - 0.1) * std::max(0., 1 - speed / 2.5) * 0.02, 1e-5);
+        EXPECT_EQ(momentum.w.driven_v[2][2], speed);  // what stays moving keeps its speed
     }
 }
 
-TEST(InertialExchange, does_nothing_between_stop_and_erosion_slope) {
-    support::Ground ground = support::plane(4, 2, 0.52, 1);  // stop .5, erosion .55
-    ground.set(ground.rolling, [](double, double) { return 0.5; });
-    Play play(ground, lively(Model::kBcreInertial), {.plain = true});
-    exchange_stage(play, 1);
-    EXPECT_EQ(play.engine.scratch->inertial().u1.depth(2, 2), 1);
-}
-
-TEST(InertialExchange, erodes_smoothly_from_the_erosion_depth_on_and_from_rest) {
+TEST(MomentumExchange, erodes_by_its_way_from_the_erosion_depth_on_and_from_rest) {
     for (const double rolling : {0.04, 0.06, 0.5}) {
         support::Ground ground = support::plane(4, 2, 0.9, 1);
         ground.set(ground.rolling, [&](double, double) { return rolling; });
-        Play play(ground, lively(Model::kBcreInertial), {.plain = true});
-        exchange_stage(play, 4);
-        const double above = std::max(0., rolling - 0.05), eroded = 2 * above * above / rolling * 0.35 * 0.02;
-        EXPECT_NEAR(play.engine.scratch->inertial().u1.rolling(2, 2), rolling + eroded, 1e-5) << rolling;
-        EXPECT_NEAR(play.engine.scratch->inertial().u1.rolling(2, 2) *
-                        play.engine.scratch->inertial().u1.velocity_y(2, 2),
-                    rolling * 4, 1e-4)
-            << rolling;
+        Momentum momentum(ground);
+        momentum.exchange_at(4);
+        const double above = std::max(0., rolling - 0.05);
+        const double eroded = 0.3 * 4 * 0.02 * 0.35 * above / rolling;
+        EXPECT_NEAR(momentum.w.exchanged[2][2], eroded, 1e-5) << rolling;
+        EXPECT_EQ(momentum.w.fed[2][2], momentum.w.u0.rolling[2][2] + momentum.w.exchanged[2][2]);
+        EXPECT_NEAR(momentum.w.fed[2][2] * momentum.w.driven_v[2][2], rolling * 4, 1e-4) << rolling;
     }
 }
 
-// Finds the slopes toward lower neighbours, then yields.
-void yield_stage(Play& play) {
-    auto w = stage_rows_of(play);
-    w.u1.depth = w.u0.depth, w.u1.rolling = w.u0.rolling;  // the slopes of what is
-    find_exchange(w, w.u1);
-    for (int y = 0; y < 5; ++y) sim::along<float>({0, 5}, sim::inertial::yield<float>(w, w.u0, y, 5));
+TEST(MomentumExchange, takes_no_more_than_lies_there) {
+    support::Ground ground = support::plane(4, 2, 0.9, 0.001);
+    ground.set(ground.rolling, [](double, double) { return 0.5; });
+    Momentum momentum(ground);
+    momentum.exchange_at(40);
+    EXPECT_EQ(momentum.w.exchanged[2][2], sim::nearest_quanta(0.001f));
 }
 
-TEST(Yield, starts_above_the_start_slope_and_freezes_thin_slow_layers) {
+TEST(Yield, starts_above_the_start_slope) {
     sim::Params params = lively(Model::kBcreInertial);
     params.anchor_gain = params.anchor_margin = params.anchor_step = 0;
-    Play play(support::plane(4, 2, 0.75, 1), params, {.plain = true});  // start .7
-    yield_stage(play);
-    EXPECT_NEAR(play.state.rolling(2, 2), params.start_depth, 1e-5);
-
-    support::Ground gentle = support::plane(4, 2, 0.4, 1);
-    gentle.set(gentle.rolling, [](double, double) { return 0.004; });
-    for (const float speed : {1.f, 4.f}) {
-        Play thin(gentle, params, {.plain = true});
-        thin.state.velocity_y.fill(speed);
-        yield_stage(thin);
-        EXPECT_EQ(thin.state.rolling(2, 2) == 0, speed < params.deposit_speed) << speed;
+    for (const double tangent : {0.69, 0.71}) {  // start .7
+        Momentum momentum(support::plane(4, 2, tangent, 1), params);
+        momentum.yield();
+        EXPECT_NEAR(momentum.play.state.rolling(2, 2), tangent > 0.7 ? params.start_depth : 0, 1e-5);
     }
 }
 
-TEST(Yield, starts_loose_material_above_the_erosion_slope_but_not_natural_ground) {
-    const sim::Params params = lively(Model::kBcreInertial);
-    for (const double tangent : {0.5, 0.6}) {  // erosion .55, start .7
-        Play play(support::plane(4, 2, tangent, 1), params, {.plain = true});
+TEST(Yield, starts_nothing_that_friction_would_hold) {
+    sim::Params params = lively(Model::kBcreInertial);
+    params.anchor_gain = params.anchor_margin = params.anchor_step = 0;
+    Momentum momentum(support::plane(4, 2, 0.71, 0.004), params);  // a film, whose friction is .73
+    momentum.play.state.params.freeze_depth = 0.001f;
+    momentum.w.c.freeze_depth = 0.001f;
+    momentum.yield();
+    EXPECT_EQ(momentum.play.state.rolling(2, 2), 0);
+}
+
+TEST(Yield, freezes_a_thin_layer_only_among_quiet_neighbours) {
+    support::Ground ground = support::plane(4, 2, 0.4, 1);
+    ground.set(ground.rolling, [](double, double) { return 0.004; });
+    for (const bool flows : {false, true}) {
+        if (flows) ground.rolling[ground.at(1, 2)] = 0.5f;
+        Momentum momentum(ground);
+        momentum.play.state.velocity_y.fill(1);
+        momentum.yield();
+        EXPECT_EQ(momentum.play.state.rolling(2, 2) == 0, !flows);
+        EXPECT_EQ(momentum.play.state.velocity_y(2, 2), flows ? 1.f : 0.f);
+        EXPECT_EQ(momentum.play.state.rolling(3, 2), 0);  // its neighbours are thin too
+    }
+}
+
+TEST(Yield, freezes_a_deep_layer_that_is_held_and_slow) {
+    support::Ground ground = support::plane(4, 2, 0.3, 1);  // friction .36
+    ground.set(ground.rolling, [](double, double) { return 0.5; });
+    for (const float speed : {0.1f, 0.3f}) {
+        Momentum momentum(ground);
+        momentum.play.state.velocity_y.fill(speed);
+        momentum.yield();
+        EXPECT_EQ(momentum.play.state.rolling(2, 2) == 0, speed < sim::momentum::kNearlyAtRest) << speed;
+    }
+}
+
+TEST(Yield, starts_loose_material_above_the_loose_slope_but_not_natural_ground) {
+    for (const double tangent : {0.5, 0.6}) {  // loose .55, start .7
+        Momentum momentum(support::plane(4, 2, tangent, 1));
+        sim::State& state = momentum.play.state;
         for (int y = 0; y < 5; ++y)
-            for (int x = 0; x < 5; ++x) play.state.depth(x, y) += 0.125f;
-        yield_stage(play);
-        EXPECT_EQ(play.state.rolling(2, 2), tangent > 0.55 ? 0.125f : 0.f);
-        EXPECT_EQ(play.state.depth(2, 2), tangent > 0.55 ? 1.f : 1.125f);
+            for (int x = 0; x < 5; ++x) state.depth(x, y) += 0.125f;
+        momentum.yield();
+        EXPECT_EQ(state.rolling(2, 2), tangent > 0.55 ? 0.125f : 0.f);
+        EXPECT_EQ(state.depth(2, 2), tangent > 0.55 ? 1.f : 1.125f);
     }
 }
 

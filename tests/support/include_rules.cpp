@@ -47,10 +47,9 @@ std::vector<Room> make_rooms() {
     in_sim("sim/world", {"sim/world/", "sim/simd/", "sim/core/"});
     in_sim("sim/stages", {"sim/stages/", "sim/world/", "sim/simd/", "sim/core/"});
     in_sim("sim/bcre", {"sim/bcre/", "sim/stages/", "sim/world/", "sim/simd/", "sim/core/"});
-    in_sim("sim/inertial", {"sim/inertial/", "sim/stages/", "sim/world/", "sim/simd/", "sim/core/"});
-    in_sim("sim/voellmy", {"sim/voellmy/", "sim/stages/", "sim/world/", "sim/simd/", "sim/core/"});
-    in_sim("sim/sweep", {"sim/sweep/", "sim/bcre/", "sim/inertial/", "sim/voellmy/", "sim/stages/",
-                         "sim/world/", "sim/simd/", "sim/core/"});
+    in_sim("sim/momentum", {"sim/momentum/", "sim/stages/", "sim/world/", "sim/simd/", "sim/core/"});
+    in_sim("sim/sweep", {"sim/sweep/", "sim/bcre/", "sim/momentum/", "sim/stages/", "sim/world/", "sim/simd/",
+                         "sim/core/"});
     in_sim("sim/front", {"sim/front/", "sim/simd/", "sim/core/"});
     in_sim("sim/fields", {"sim/fields/", "sim/front/", "sim/core/"});
     in_sim("sim", {"sim/"});

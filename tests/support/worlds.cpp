@@ -76,9 +76,13 @@ sim::Params lively(sim::Model model, sim::Scheme scheme) {
     params.exchange_rate = 2;
     params.rolling_speed = 5;
     params.stop_slope = 0.5f;
-    params.stop_slope_thick = 0.36f;
     params.start_slope = 0.7f;
-    params.erosion_slope = 0.55f;
+    params.friction = 0.36f;
+    params.friction_thin = 0.75f;
+    params.drag = 1000;
+    params.erosion_slope = params.loose_slope = 0.55f;
+    params.deposit_rate = 2;
+    params.deposit_speed = 2.5f;
     return params;
 }
 

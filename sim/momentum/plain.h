@@ -1,12 +1,12 @@
 #pragma once
 
-#include "sim/voellmy/fields.h"
+#include "sim/momentum/fields.h"
 #include "sim/world/forward.h"
 
-// A sub-step of `voellmy`, stage by stage over whole fields. It is the readable reference for the sweep, which
-// runs the same stages row after row (sweep/).
+// A sub-step of a model with momentum, stage by stage over whole fields. It is the readable reference for the
+// sweep, which runs the same stages row after row (sweep/).
 
-namespace sim::voellmy {
+namespace sim::momentum {
 
 // Returns all rows of a world for the stages of a sub-step.
 template <class Number>
@@ -17,4 +17,4 @@ template <class Number>
 void substep(Layers<Number>& layers, const Params& params, Fields<Field<Number>>& fields,
              const PlainContext& context, Workers& workers, Substep<Number> sub);
 
-}  // namespace sim::voellmy
+}  // namespace sim::momentum

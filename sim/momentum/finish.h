@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/voellmy/fields.h"
-#include "sim/voellmy/transport.h"
+#include "sim/momentum/fields.h"
+#include "sim/momentum/transport.h"
 
 // The layers after the fluxes of a sub-step:
 //
@@ -11,13 +11,13 @@
 //               ↑
 //              F_s
 
-namespace sim::voellmy {
+namespace sim::momentum {
 
-// Rows y = 0 … ny-1. Reads R, driven velocity, fluxes and their velocities; writes R and velocity of u0, up to
-// vertex `end`. Speeds above kGreatestPlanSpeed are cut; `limited`, if given, counts them. `active`, if given,
+// Rows y = 0 … ny-1. Reads fed, driven velocity, fluxes and their velocities; writes R and velocity after transport,
+// up to vertex `end`. Speeds above kGreatestPlanSpeed are cut; `limited`, if given, counts them. `active`, if given,
 // has one byte per vector of lanes, which is set if anything moves, came to rest or passed.
 template <class Number, class S = Scalar<Number>>
-auto finish(const StageRows<S>& w, LayerRows<S>& u0, int y, int end, std::int64_t* limited = nullptr,
+auto finish(const StageRows<S>& w, Fields<Rows<S>>& to, int y, int end, std::int64_t* limited = nullptr,
             std::uint8_t* active = nullptr) {
     struct Through {
         const S *flux, *leaving_u, *leaving_v, *turned_u, *turned_v;
@@ -35,15 +35,20 @@ auto finish(const StageRows<S>& w, LayerRows<S>& u0, int y, int end, std::int64_
                        w.turned_yv[row]};
     };
     return [x, south = of_y(y), north = of_y(y + 1), driven_u = w.driven_u[y], driven_v = w.driven_v[y],
-            rolling = u0.rolling[y], to_u = u0.velocity_x[y], to_v = u0.velocity_y[y], end, limited,
-            active](int i) {
+            rolling = w.fed[y], to_rolling = to.moved_rolling[y], to_u = to.moved_u[y], to_v = to.moved_v[y],
+            end, limited, active](int i) {
         const Number none(0), r = at<Number>(rolling, i);
         Number e, e_u, e_v, west, west_u, west_v, n, n_u, n_v, s, s_u, s_v;
         x.take(i + 1, S(1), e, e_u, e_v), x.take(i, S(-1), west, west_u, west_v);
         north.take(i, S(1), n, n_u, n_v), south.take(i, S(-1), s, s_u, s_v);
         const Number rolls = r - ((e + west) + (n + s));
         const Number had_u = at<Number>(to_u, i), had_v = at<Number>(to_v, i);
-        if (!any(max(r, rolls) > S{0})) return;
+        if (!any(max(r, rolls) > S{0})) {
+            if (to_rolling == rolling) return;  // as it is already
+            store_before(end, none, to_rolling, i);
+            store_before(end, none, to_u, i), store_before(end, none, to_v, i);
+            return;
+        }
 
         const auto moves = rolls > kThin<Number>;
         const Number per_depth = Number(1) / select(moves, rolls, Number(1));
@@ -61,10 +66,10 @@ auto finish(const StageRows<S>& w, LayerRows<S>& u0, int y, int end, std::int64_
         const Number change = abs(rolls - r) + ((abs(had_u) + abs(had_v)) + (abs(u) + abs(v)));
         if (active && any_before(end - i, change > S{0}))
             active[static_cast<unsigned>(i) / kLanes<Number>] = 1;
-        store_before(end, rolls, rolling, i);
+        store_before(end, rolls, to_rolling, i);
         store_before(end, u, to_u, i);
         store_before(end, v, to_v, i);
     };
 }
 
-}  // namespace sim::voellmy
+}  // namespace sim::momentum

@@ -1,11 +1,11 @@
-#include "sim/voellmy/plain.h"
+#include "sim/momentum/plain.h"
 
+#include "sim/momentum/stages.h"
 #include "sim/stages/over_rows.h"
 #include "sim/stages/plain_context.h"
-#include "sim/voellmy/stages.h"
 #include "sim/world/layers.h"
 
-namespace sim::voellmy {
+namespace sim::momentum {
 
 template <class Number>
 StageRows<Number> stage_rows(Layers<Number>& layers, const Params& params, Fields<Field<Number>>& fields,
@@ -14,13 +14,18 @@ StageRows<Number> stage_rows(Layers<Number>& layers, const Params& params, Field
             {layers.grid.nx, layers.grid.ny, params.borders, constants_of(params, layers.grid.dx, sub),
              Rows<Number>(layers.bedrock)},
             {Rows<Number>(layers.depth), Rows<Number>(layers.rolling), Rows<Number>(layers.velocity_x),
-             Rows<Number>(layers.velocity_y)}};
+             Rows<Number>(layers.velocity_y)},
+            Rows<Number>(layers.smooth_depth),
+            Rows<Number>(layers.first_slope),
+            Rows<Number>(layers.first_depth)};
 }
 
 template <class Number>
 void substep(Layers<Number>& layers, const Params& params, Fields<Field<Number>>& fields,
              const PlainContext& context, Workers& workers, Substep<Number> sub) {
     StageRows<Number> w = stage_rows(layers, params, fields, sub);
+    const bool exchanges = params.model == Model::kBcreInertial;
+    if (!exchanges) w.exchange_nothing();
     const Outlets::View outlets = context.outlets.view();
     const auto blends = blends_of<Constants<Number>>(
         context, params, [&](const Params& blend) { return constants_of(blend, layers.grid.dx, sub); });
@@ -39,9 +44,16 @@ void substep(Layers<Number>& layers, const Params& params, Fields<Field<Number>>
     over.each_row(
         "find_ground", [&](auto& its, int y) { return find_ground<Number>(its, w, y); },
         with_beyond([&](int y) { end_ground<Number>(w, w, y, all); }));
-    over.each_row(
-        "drive", [&](auto& its, int y) { return drive<Number>(its, w, y); },
-        [&](int y) { end_drive<Number>(w, w, y, all); });
+    if (exchanges) {
+        over.each_row("drive", [&](auto& its, int y) { return drive<Number, true>(its, w, y); });
+        over.each_row_of_bed(
+            "exchange", [&](auto& its, int y) { return exchange<Number>(its, w, y); },
+            [&](int y) { end_drive<Number>(w, w, y, all), end_exchange<Number>(w, w, y, all); });
+    } else {
+        over.each_row(
+            "drive", [&](auto& its, int y) { return drive<Number, false>(its, w, y); },
+            [&](int y) { end_drive<Number>(w, w, y, all); });
+    }
     over.each_row(
         "reconstruct", [&](auto& its, int y) { return reconstruct<Number>(its, w, y); },
         with_beyond([&](int y) { end_reconstruct<Number>(w, w, y, all); }));
@@ -58,8 +70,22 @@ void substep(Layers<Number>& layers, const Params& params, Fields<Field<Number>>
         "finish",
         [&](auto& its, int y) {
             std::int64_t* limited = context.limited_in_row ? context.limited_in_row + y : nullptr;
-            return finish<Number>(its, w.u0, y, its.nx, limited);
+            return finish<Number>(its, w, y, its.nx, limited);
         },
+        [&](int y) {
+            if (!exchanges) clear_drains<Number>(w.u0, outlets, y, all);
+        });
+    if (!exchanges) return;
+    over.each_row_of_bed(
+        "find_quiet", [&](auto& its, int y) { return find_quiet<Number>(its, w, y); },
+        [&](int y) {
+            LayerRows<Number> moved = w.moved();
+            clear_drains<Number>(moved, outlets, y, all);
+            fill_halo<Number>(w, moved, y, all);
+        });
+    for (int y = -1; y <= w.ny; ++y) end_quiet<Number>(w, w, y, all);
+    over.each_row_of_bed(
+        "yield", [&](auto& its, int y) { return yield<Number>(its, its.u0, y, its.nx); },
         [&](int y) { clear_drains<Number>(w.u0, outlets, y, all); });
 }
 
@@ -69,4 +95,4 @@ template void substep(Layers<float>&, const Params&, Fields<Field<float>>&, cons
 template void substep(Layers<double>&, const Params&, Fields<Field<double>>&, const PlainContext&, Workers&,
                       Substep<double>);
 
-}  // namespace sim::voellmy
+}  // namespace sim::momentum

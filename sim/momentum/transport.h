@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/voellmy/fields.h"
-#include "sim/voellmy/ground.h"
+#include "sim/momentum/fields.h"
+#include "sim/momentum/ground.h"
 
 // Transport of the layer and its momentum through a face, second order if both are smooth (van Leer 1979,
 // Hancock):
@@ -24,7 +24,7 @@
 // If the wanted fluxes out of a vertex exceed its layer, all are reduced by the same share. A vertex keeps four
 // quanta, because rounding takes less than one at each face.
 
-namespace sim::voellmy {
+namespace sim::momentum {
 
 // The gentler of both differences, halved.
 template <class Number>
@@ -32,7 +32,7 @@ template <class Number>
     return Scalar<Number>(0.5) * minmod(back, ahead);
 }
 
-// Rows y = 0 … ny-1. Reads R, driven_u, driven_v; writes half slopes and the values at half of the sub-step.
+// Rows y = 0 … ny-1. Reads fed, driven_u, driven_v; writes half slopes and the values at half of the sub-step.
 template <class Number, class S = Scalar<Number>>
 auto reconstruct(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
     struct Of {
@@ -50,7 +50,7 @@ auto reconstruct(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
         return Of{rows[y - 1], rows[y], rows[y + 1], mid[y], to_x[y], to_y[y]};
     };
     return
-        [c = w.c, rolling = of(w.u0.rolling, to.mid_rolling, to.rolling_x, to.rolling_y),
+        [c = w.c, rolling = of(w.fed, to.mid_rolling, to.rolling_x, to.rolling_y),
          u = of(w.driven_u, to.mid_u, to.u_x, to.u_y), v = of(w.driven_v, to.mid_v, to.v_x, to.v_y)](int i) {
             const Number r = rolling.value(i);
             if (!any(r > S{0})) {
@@ -134,7 +134,7 @@ struct FaceRow {
 template <class Number, class S = Scalar<Number>>
 struct Faces {
     Constants<S> c;
-    FaceRow<Number> begun, rolling, across, along;  // R before the sub-step; the others at half of it
+    FaceRow<Number> begun, rolling, across, along;  // R before transport; the others at half of the sub-step
     FaceRow<Number> rolling_half, across_half, along_half;
     FaceRow<Number> slope_across, slope_along, cosine;
     S *flux, *leaving_across, *leaving_along, *turned_across, *turned_along;
@@ -169,13 +169,13 @@ struct Faces {
     }
 };
 
-// Along x, faces y = 0 … ny. Reads what reconstruct() and find_ground() wrote, and R; writes the wanted flux, and
+// Along x, faces y = 0 … ny. Reads what reconstruct() and find_ground() wrote, and fed; writes the wanted flux, and
 // its velocity where it leaves and where it arrives.
 template <class Number, class S = Scalar<Number>>
 auto find_fluxes_x(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
     const auto row = [y](const Rows<S>& rows) { return FaceRow<Number>{rows[y] - 1, rows[y]}; };
     return Faces<Number>{w.c,
-                         row(w.u0.rolling),
+                         row(w.fed),
                          row(w.mid_rolling),
                          row(w.mid_u),
                          row(w.mid_v),
@@ -196,7 +196,7 @@ template <class Number, class S = Scalar<Number>>
 auto find_fluxes_y(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
     const auto row = [y](const Rows<S>& rows) { return FaceRow<Number>{rows[y - 1], rows[y]}; };
     return Faces<Number>{w.c,
-                         row(w.u0.rolling),
+                         row(w.fed),
                          row(w.mid_rolling),
                          row(w.mid_v),
                          row(w.mid_u),
@@ -222,10 +222,10 @@ void end_fluxes(const StageRows<S>& w, Fields<Rows<S>>& to, int y, Span x) {
         std::fill(to.flux_y[y] + x.first, to.flux_y[y] + x.last, S{0});
 }
 
-// Rows y = 0 … ny-1. Reads R, wanted fluxes; writes share. Sets `less` if a vertex must reduce its outflow.
+// Rows y = 0 … ny-1. Reads fed, wanted fluxes; writes share. Sets `less` if a vertex must reduce its outflow.
 template <class Number, class S = Scalar<Number>>
 auto find_share(const StageRows<S>& w, Rows<S>& to, int y, bool* less = nullptr) {
-    return [rolling = w.u0.rolling[y], flux_x = w.flux_x[y], south = w.flux_y[y], north = w.flux_y[y + 1],
+    return [rolling = w.fed[y], flux_x = w.flux_x[y], south = w.flux_y[y], north = w.flux_y[y + 1],
             share = to[y], less](int i) {
         constexpr S kInHand = 4 * kGrain<Number>;
         constexpr S kLess = kHasQuanta<Number> ? S(1 - 1e-6) : S(1);  // for the rounding of the products
@@ -275,4 +275,4 @@ auto quantise_fluxes(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
     };
 }
 
-}  // namespace sim::voellmy
+}  // namespace sim::momentum

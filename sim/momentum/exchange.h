@@ -1,0 +1,71 @@
+#pragma once
+
+#include "sim/momentum/fields.h"
+#include "sim/momentum/ground.h"
+
+// Exchange between the layers of bcre-inertial, after the forces. S = |∇(b + d)| is the slope of the standing
+// ground, without the rolling layer, whose face would otherwise erode the more, the finer the grid.
+//
+//     S > s_ero:  Γ = +k |v| (S − s_ero) max(0, R − R_ero)/R       at most d, and half of R in a sub-step
+//     S < μ(h):   Γ = −γ R (μ(h) − S) max(0, 1 − |v|/v_dep)
+//
+// Erosion goes with speed: a rate that goes with thickness alone brakes like 1/τ at any speed. As drag it equals
+// ξ = g/(k (S − s_ero)). What is eroded joins at rest, v ← v R/(R + ΔR); what is deposited takes its momentum
+// along, so that the rest keeps its speed.
+
+namespace sim::momentum {
+
+// Rows y = 0 … ny-1. Reads b, d, R and cosine; writes exchanged and fed, both in whole quanta, and slows driven_u
+// and driven_v.
+template <class Number, class S = Scalar<Number>>
+auto exchange(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
+    return [c = w.c, ground = ground_rows(w, w.u0.depth, y), rolling = w.u0.rolling[y], cosine = w.cosine[y],
+            to_u = to.driven_u[y], to_v = to.driven_v[y], to_exchanged = to.exchanged[y],
+            to_fed = to.fed[y]](int i) {
+        const Number none(0), r = at<Number>(rolling, i);
+        const Number u = at<Number>(to_u, i), v = at<Number>(to_v, i), squared = u * u + v * v;
+        const auto moves = squared > S{0};
+        if (!any(moves)) {
+            store(none, to_exchanged + i), store(r, to_fed + i);
+            return;
+        }
+        const Number speed = sqrt(squared), d = at<Number>(ground.here.depth, i);
+        const Number slope = sqrt(Number(gradient<Number>(ground, i, c).squared()));
+
+        const Number steep = max(slope - c.erosion_slope, none), above = max(r - c.erosion_depth, none);
+        Number change = none;
+        if (any(steep * above > S{0})) {
+            const Number wanted = (c.eroded_per_speed * speed) * (steep * above / max(r, Number(S(1e-12))));
+            change = min(min(wanted, d), S(0.5) * r);
+        }
+        const Number slow = max(Number(1) - speed * c.per_deposit_speed, none);
+        if (any(slow > S{0})) {
+            const Number flat = max(friction_of(Number(r * at<Number>(cosine, i)), c) - slope, none);
+            change -= min(c.deposit_pace * r * (flat * slow), r);
+        }
+        const Number whole =
+            with_its_sign(change, [&](const Number& size) { return in_quanta(size, c.dither); });
+        const Number exchanged = select(moves, min(max(whole, -r), d), none);
+        const Number fed = r + exchanged;
+        const auto feeds = exchanged > S{0};
+        const Number kept = select(feeds, r / select(feeds, fed, Number(1)), Number(1));
+        store(exchanged, to_exchanged + i), store(fed, to_fed + i);
+        store<Number>(u * kept, to_u + i), store<Number>(v * kept, to_v + i);
+    };
+}
+// Sets R in the halo, as fill_halo() does. Rows y = 0 … ny-1; the first and the last also fill the halo rows
+// beside them.
+template <class Number, class S = Scalar<Number>>
+void end_exchange(const StageRows<S>& w, Fields<Rows<S>>& to, int y, Span x) {
+    S* fed = to.fed[y];
+    const auto mirrored = [&](Side side, S value) { return w.is_wall(side) ? value : S{0}; };
+    fed[-1] = mirrored(kWest, fed[0]), fed[w.nx] = mirrored(kEast, fed[w.nx - 1]);
+    const auto beyond = [&](Side side, int row) {
+        S* fed_beyond = to.fed[row];
+        for (int i = x.first; i < x.last; ++i) fed_beyond[i] = mirrored(side, fed[i]);
+    };
+    if (y == 0) beyond(kSouth, -1);
+    if (y == w.ny - 1) beyond(kNorth, w.ny);
+}
+
+}  // namespace sim::momentum

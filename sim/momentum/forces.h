@@ -1,0 +1,125 @@
+#pragma once
+
+#include "sim/momentum/fields.h"
+#include "sim/momentum/ground.h"
+
+// The forces of a sub-step on a layer of vertical thickness R with velocity v in plan, on ground with slope B
+// and inclination θ, under the surface z = b + d + R:
+//
+//     gravity, pressure    v ← v − Δt G ∇z                      G = g/(1 + max(B·∇z, 0))
+//     Coulomb              |v|ₛ ← max(0, |v|ₛ − Δt μ N)         N = cos θ · max(g + vᵀ H v, 0), at most 4 g cos θ
+//     drag                 |v|ₛ ← |v|ₛ / (1 + Δt g |v₀|ₛ/(ξ R cos θ))
+//
+// |v|ₛ = √(|v|² + (B·v)²) is the speed along the slope, and friction scales v by what it leaves of it. The
+// denominator of the pressure is 1 + B·∇z, not 1 + |∇z|²: pressure acts with cos⁴θ down the slope, cos²θ
+// across it, and never turns around.
+//
+// Friction is implicit: it takes at most the speed that is there, after all other forces. So a layer stops
+// exactly, within a sub-step, and a layer at rest stays at rest while the driving force is at most μ N. Drag is
+// linearised around the speed before, v₀; terminal speed is exact.
+//
+// In bcre-inertial μ grows from that of a thick layer to μ_thin as R cos θ goes to 0, so that films hold.
+
+namespace sim::momentum {
+
+// The greatest normal acceleration, as a multiple of g: where the ground bends within few cells, H is a guess.
+inline constexpr float kGreatestNormal = 4;
+
+// (G |∇z|ₛ)², by which gravity and pressure drive a layer along the slope, times Δt².
+template <class Number, class S = Scalar<Number>>
+[[gnu::always_inline]] inline Number drive_squared(const Gradient<Number>& b, const Gradient<Number>& z,
+                                                   S fall) {
+    const Number rises = b.x * z.x + b.y * z.y;
+    const Number pull = fall / (Number(1) + max(rises, Number(0)));
+    return (pull * pull) * (z.squared() + rises * rises);
+}
+
+// ∇z as it drives a layer of thickness `own` with velocity (u, v). In a pit along x or y, where the surface rises on
+// both sides, a side where less than half as much rolls may brake, but not drive: what stands still beside a layer,
+// as the wall of a hole does, would push it for ever.
+template <class Number, class S = Scalar<Number>>
+[[gnu::always_inline]] inline Gradient<Number> driving_gradient(const GroundRows<S>& ground,
+                                                                const LayerAround<S>& rolling, int i,
+                                                                const Number& own, const Number& u,
+                                                                const Number& v, const Constants<S>& c) {
+    const Number none(0), r = at<Number>(rolling.here, i);
+    const auto of = [&](const Number& rise_back, const Number& rise_ahead, const Number& r_back,
+                        const Number& r_ahead, const Number& velocity) {
+        const Number back = rise_back + (r - r_back), ahead = rise_ahead + (r_ahead - r);
+        const Number mean = (back + ahead) * c.per_two_cells;
+        const auto pit = back < S{0} && ahead > S{0} && mean * velocity <= S{0};
+        const Number beside = select(mean < S{0}, r_back, r_ahead);  // on the higher side
+        return select(pit && beside < S(0.5) * own, none, mean);
+    };
+    return {
+        of(rise<Number>(ground.here, i - 1, ground.here, i), rise<Number>(ground.here, i, ground.here, i + 1),
+           at<Number>(rolling.here, i - 1), at<Number>(rolling.here, i + 1), u),
+        of(rise<Number>(ground.south, i, ground.here, i), rise<Number>(ground.here, i, ground.north, i),
+           at<Number>(rolling.south, i), at<Number>(rolling.north, i), v)};
+}
+
+// Rows y = 0 … ny-1. Reads b, d, s, R, velocity, slope and cosine; writes driven_u, driven_v and, if `exchanges`,
+// held: whether gravity and pressure are at most the friction of a layer at rest, or friction stopped it.
+template <class Number, bool exchanges, class S = Scalar<Number>>
+auto drive(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
+    return [c = w.c, ground = ground_rows(w, w.u0.depth, y), smooth = ground_rows(w, w.smooth_depth, y),
+            rolling = around(w.u0.rolling, y), from_u = w.u0.velocity_x[y], from_v = w.u0.velocity_y[y],
+            slope_x = w.slope_x[y], slope_y = w.slope_y[y], cosine = w.cosine[y], to_u = to.driven_u[y],
+            to_v = to.driven_v[y], to_held = to.held[y]](int i) {
+        const Number none(0), r = at<Number>(rolling.here, i);
+        const auto rolls = r > kThin<Number>;
+        if (!any(rolls)) {  // as it is in most places
+            store(none, to_u + i), store(none, to_v + i);
+            if constexpr (exchanges) store(none, to_held + i);
+            return;
+        }
+        const Gradient<Number> b{at<Number>(slope_x, i), at<Number>(slope_y, i)};
+        const Number cos = at<Number>(cosine, i), u = at<Number>(from_u, i), v = at<Number>(from_v, i);
+        const auto squared_along_slope = [&](const Number& x, const Number& y) {
+            const Number rises = b.x * x + b.y * y;
+            return (x * x + y * y) + rises * rises;
+        };
+        const Gradient<Number> z = driving_gradient<Number>(ground, rolling, i, r, u, v, c);
+        const Number pull = c.fall / (Number(1) + max(b.x * z.x + b.y * z.y, none));
+        const Number driven_u = u - pull * z.x, driven_v = v - pull * z.y;
+
+        const Number before = squared_along_slope(u, v);
+        Number normal = Number(S(kGravity));
+        if (any(before > S{0}))
+            normal =
+                min(max(normal + bending(smooth, i, u, v, c), none), Number(S(kGreatestNormal * kGravity)));
+        const Number thick = r * cos;
+        const Number friction = friction_of(thick, c) * cos;
+        const Number speed = sqrt(squared_along_slope(driven_u, driven_v));
+        const Number left = max(speed - (c.time * friction) * normal, none);
+        const Number kept =
+            left * thick / max(speed * (thick + c.drag_length * sqrt(before)), Number(S(1e-30)));
+        store(select(rolls, driven_u * kept, none), to_u + i);
+        store(select(rolls, driven_v * kept, none), to_v + i);
+        if constexpr (exchanges) {
+            const Number holds = c.fall * friction;
+            const auto held = left <= S{0} || drive_squared(b, z, c.fall) <= holds * holds;
+            store(select(rolls && held, Number(1), none), to_held + i);
+        }
+    };
+}
+// Sets driven velocity in the halo: mirrored at a wall, otherwise 0. Rows y = 0 … ny-1; the first and the last
+// also fill the halo rows beside them.
+template <class Number, class S = Scalar<Number>>
+void end_drive(const StageRows<S>& w, Fields<Rows<S>>& to, int y, Span x) {
+    S *u = to.driven_u[y], *v = to.driven_v[y];
+    const auto mirrored = [&](Side side, S value) { return w.is_wall(side) ? value : S{0}; };
+    u[-1] = mirrored(kWest, -u[0]), v[-1] = mirrored(kWest, v[0]);
+    u[w.nx] = mirrored(kEast, -u[w.nx - 1]), v[w.nx] = mirrored(kEast, v[w.nx - 1]);
+    const auto beyond = [&](Side side, int row) {
+        S *u_beyond = to.driven_u[row], *v_beyond = to.driven_v[row];
+        for (int i = x.first; i < x.last; ++i) {
+            u_beyond[i] = mirrored(side, u[i]);
+            v_beyond[i] = mirrored(side, -v[i]);
+        }
+    };
+    if (y == 0) beyond(kSouth, -1);
+    if (y == w.ny - 1) beyond(kNorth, w.ny);
+}
+
+}  // namespace sim::momentum
