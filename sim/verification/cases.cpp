@@ -20,11 +20,11 @@ bool Series::holds() const {
 
 std::span<const Case> cases() {
     static const std::array kCases{
-        kDecay,         kSimpleWave,  kObliqueWave, kDepositFront,    kThickPulse,
-        kManufactured,  kGrowth,      kStrip,       kSquare,          kDisk,
-        kTerminalSpeed, kSpeedGate,   kEroding,     kDepositing,      kRestingLayer,
-        kFreeSlab,      kCoulombSlab, kStopping,    kVoellmyTerminal, kFreeRamp,
-        kCoulombRamp,   kSpread,      kRitter,      kMangeney,        kSwing};
+        kDecay,           kSimpleWave, kObliqueWave,  kDepositFront, kThickPulse,    kManufactured,
+        kGrowth,          kStrip,      kSquare,       kDisk,         kTerminalSpeed, kSpeedGate,
+        kEroding,         kDepositing, kRestingLayer, kFreeSlab,     kCoulombSlab,   kStopping,
+        kVoellmyTerminal, kFreeRamp,   kCoulombRamp,  kSpread,       kRitter,        kMangeney,
+        kSwing,           kBowl,       kCircularBend, kSlidingHeap};
     return kCases;
 }
 
