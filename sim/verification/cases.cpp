@@ -24,7 +24,7 @@ std::span<const Case> cases() {
         kGrowth,          kStrip,      kSquare,       kDisk,         kTerminalSpeed, kSpeedGate,
         kEroding,         kDepositing, kRestingLayer, kFreeSlab,     kCoulombSlab,   kStopping,
         kVoellmyTerminal, kFreeRamp,   kCoulombRamp,  kSpread,       kRitter,        kMangeney,
-        kSwing,           kBowl,       kCircularBend, kSlidingHeap};
+        kSwing,           kBowl,       kCircularBend, kSlidingHeap,  kSmoothEnergy};
     return kCases;
 }
 
