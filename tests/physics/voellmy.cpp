@@ -237,7 +237,9 @@ class RandomWorlds {
     struct Vertex {
         double bedrock, rolling, u, v;
     };
-    static std::size_t at(int x, int y) { return static_cast<std::size_t>(y * kSide + x); }
+    static std::size_t at(int x, int y) {
+        return static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x);
+    }
 
     bool hollows_;
     std::array<Vertex, std::size_t{kSide} * kSide> vertices_{};
