@@ -239,7 +239,7 @@ std::vector<Series> bowl() {
     };
     Series form{"voellmy", "R, 10 periods", 6e-3, 1.7, {40, 80, 160}};
     Series beat{"voellmy", "period", 1e-4, 2, form.squares};
-    Series energy{"voellmy", "energy, 10 periods", 2.2e-3, 2.6, form.squares};
+    Series energy{"voellmy", "energy, 10 per.", 2.2e-3, 2.6, form.squares};
     for (const int n : form.squares) {
         Trial trial(
             {n + 1, n + 1, static_cast<float>(kSide / n)}, numbers(0),
@@ -425,9 +425,9 @@ struct SmoothGround {
 };
 std::vector<Series> smooth_energy() {
     const SmoothGround steep{400, 0.04, 0.3, 11, 180}, gentle{2, 40, 0.1, 90, 90};
-    Series thin{"voellmy", "steep, thin layer", 2.7e-4, 1.8, {40, 80, 160}};
-    Series stored{"voellmy", "the same, as stored", 1.7e-2, 0.95, thin.squares};
-    Series thick{"voellmy", "gentle, thick layer", 1.8e-4, 1.75, thin.squares};
+    Series thin{"voellmy", "steep, thin", 2.7e-4, 1.8, {40, 80, 160}};
+    Series stored{"voellmy", "steep, stored", 1.7e-2, 0.95, thin.squares};
+    Series thick{"voellmy", "gentle, thick", 1.8e-4, 1.75, thin.squares};
     for (const int n : thin.squares) {
         const auto gained = steep.after(n);
         thin.errors.push_back(std::fabs(gained.energy));
