@@ -72,4 +72,21 @@ auto finish(const StageRows<S>& w, Fields<Rows<S>>& to, int y, int end, std::int
     };
 }
 
+// A wall takes the momentum toward it, at the speed at which a layer that fills up passes it back: v is divided by
+// 1 + (v + √(g R)) Δt/Δx. Otherwise gravity would speed up a layer that cannot fall. Rows y = 0 … ny-1.
+template <class Number, class S = Scalar<Number>>
+void end_finish(const StageRows<S>& w, Fields<Rows<S>>& to, int y, Span x) {
+    const S* rolling = w.moved_rolling[y];
+    S *u = to.moved_u[y], *v = to.moved_v[y];
+    const auto take = [&](Side side, S sign, S* velocity, int i) {
+        const S toward = sign * velocity[i];
+        if (w.is_wall(side) && toward > S{0})
+            velocity[i] /= S{1} + (toward + sqrt(S(kGravity) * rolling[i])) * w.c.courant;
+    };
+    if (x.first == 0) take(kWest, S{-1}, u, 0);
+    if (x.last == w.nx) take(kEast, S{1}, u, w.nx - 1);
+    for (int i = x.first; y == 0 && i < x.last; ++i) take(kSouth, S{-1}, v, i);
+    for (int i = x.first; y == w.ny - 1 && i < x.last; ++i) take(kNorth, S{1}, v, i);
+}
+
 }  // namespace sim::momentum

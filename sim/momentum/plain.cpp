@@ -73,6 +73,7 @@ void substep(Layers<Number>& layers, const Params& params, Fields<Field<Number>>
             return finish<Number>(its, w, y, its.nx, limited);
         },
         [&](int y) {
+            end_finish<Number>(w, w, y, all);
             if (!exchanges) clear_drains<Number>(w.u0, outlets, y, all);
         });
     if (!exchanges) return;

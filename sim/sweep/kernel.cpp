@@ -168,6 +168,7 @@ class Kernel {
             if constexpr (exchanges) {
                 if (is_row(t - 4, 1)) {
                     finish_beside(w, t - 4);
+                    end_finish<Lanes>(w, w, t - 4, wide());
                     run(find_quiet<Lanes>(w, w, t - 4));
                     LayerRows<float> moved = w.moved();
                     clear_drains<Lanes>(moved, g_.outlets, t - 4, wide());
@@ -181,6 +182,7 @@ class Kernel {
             } else if (is_row(t - 4, 0)) {
                 along<Lanes>(narrow(),
                              sim::momentum::finish<Lanes>(w, w, t - 4, job_.x1, &booked_.limited, active));
+                end_finish<Lanes>(w, w, t - 4, narrow());
                 end_row(u0, w, t - 4, active);
             }
         }

@@ -13,5 +13,6 @@ extern const Case kStrip, kSquare, kDisk;                                       
 extern const Case kGrowth, kRestingLayer;                                         // uniform.cpp
 extern const Case kFreeSlab, kCoulombSlab, kStopping, kVoellmyTerminal;           // voellmy.cpp
 extern const Case kFreeRamp, kCoulombRamp, kSpread, kRitter, kMangeney, kSwing;   // voellmy_flows.cpp
+extern const Case kBowl, kCircularBend, kSlidingHeap, kSmoothEnergy;              // voellmy_flows.cpp
 
 }  // namespace sim::verification
