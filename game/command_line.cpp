@@ -297,7 +297,7 @@ void add_run(CLI::App& app, RunOptions& options) {
     add_number(app, "--seconds", "S", options.seconds, kSeconds, "simulate this much time");
     app.add_option("--record", options.record, "write the recording to this file")->type_name("FILE.couloir");
     app.add_option("--export", options.export_folder,
-                   "write deposit, peak depth and speed, extent and summary here, and images to DIR/frames")
+                   "write deposit, peak depth and speeds, extent and summary here, and images to DIR/frames")
         ->type_name("DIR");
     add_pictures(app, options.pictures, "write images here, and maps of the extent and the final state",
                  fmt::format("{}; {} with --export alone", kTicksPerPicture, kTicksPerExportedPicture));

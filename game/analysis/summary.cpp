@@ -35,7 +35,8 @@ Json measures_json(const Summary& summary) {
               {"reach_deg", m.reach_deg},
               {"extent_ha", m.extent_area / 1e4},
               {"peak_depth_m", m.peak_depth},
-              {"peak_speed_m_s", m.peak_speed},
+              {"peak_speed_slope_m_s", m.peak_speed_slope},
+              {"peak_speed_plan_m_s", m.peak_speed_plan},
               {"eroded_m3", m.eroded},
               {"deposited_m3", m.deposited},
               {"top", place_json(summary.scenario, m.top)},
@@ -159,9 +160,10 @@ std::string to_text(const Summary& summary) {
                                            : ", NOT yet at rest");
     if (m.run_out > 0) {
         text += fmt::format(
-            "run-out {:.0f} m, fall {:.0f} m, reach {:.1f} deg; extent {:.2f} ha, up to {:.1f} m deep and "
-            "{:.1f} m/s\n",
-            m.run_out, m.fall, m.reach_deg, m.extent_area / 1e4, m.peak_depth, m.peak_speed);
+            "run-out {:.0f} m, fall {:.0f} m, reach {:.1f} deg; extent {:.2f} ha, up to {:.1f} m deep\n",
+            m.run_out, m.fall, m.reach_deg, m.extent_area / 1e4, m.peak_depth);
+        text += fmt::format("peak speed {:.1f} m/s along the slope, {:.1f} m/s in plan\n", m.peak_speed_slope,
+                            m.peak_speed_plan);
         text += fmt::format("from {}\n  to {}\n", placed(scenario, m.top), placed(scenario, m.toe));
     }
     if (m.overlap)

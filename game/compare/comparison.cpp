@@ -56,7 +56,8 @@ std::vector<Row> rows_of(const Comparison& comparison) {
             {"deposited, m3", "deposited_m3", a.deposited, b.deposited, 0},
             {"left the world, m3", "out_m3", out(one), out(other), 0},
             {"peak depth, m", "peak_depth_m", a.peak_depth, b.peak_depth, 2},
-            {"peak speed, m/s", "peak_speed_m_s", a.peak_speed, b.peak_speed, 2}};
+            {"peak speed on slope, m/s", "peak_speed_slope_m_s", a.peak_speed_slope, b.peak_speed_slope, 2},
+            {"peak speed in plan, m/s", "peak_speed_plan_m_s", a.peak_speed_plan, b.peak_speed_plan, 2}};
 }
 
 // With a sign, or "0" if all shown digits are zero.
@@ -153,12 +154,12 @@ std::string to_text(const Comparison& comparison) {
             text += fmt::format("  and {} more\n", comparison.said.size() - kMostSaid);
     }
     text +=
-        fmt::format("\n{:<20}{:>{}}  {:>{}}  {:>12}\n", "", names[0], width, names[1], width, "difference");
+        fmt::format("\n{:<25}{:>{}}  {:>{}}  {:>12}\n", "", names[0], width, names[1], width, "difference");
     for (const Row& row : rows_of(comparison))
-        text += fmt::format("{:<20}{:>{}.{}f}  {:>{}.{}f}  {:>12}\n", row.what, row.a, width, row.digits,
+        text += fmt::format("{:<25}{:>{}.{}f}  {:>{}.{}f}  {:>12}\n", row.what, row.a, width, row.digits,
                             row.b, width, row.digits, signed_text(row.b - row.a, row.digits));
     const auto rests = [](const Played& played) { return played.at_rest ? "yes" : "no"; };
-    text += fmt::format("{:<20}{:>{}}  {:>{}}\n\n", "at rest", rests(comparison.a), width,
+    text += fmt::format("{:<25}{:>{}}  {:>{}}\n\n", "at rest", rests(comparison.a), width,
                         rests(comparison.b), width);
     if (comparison.overlap)
         text += fmt::format("extents overlap by {:.3f} (intersection over union)\n", *comparison.overlap);

@@ -19,7 +19,9 @@ struct Reading {
     // Downslope direction: 0 north, 90 east, below 360; nothing if the slope is gentler than 1 in 1000.
     std::optional<double> aspect_deg;
     double standing = 0, rolling = 0;  // m
-    double speed = 0;                  // m/s, of the rolling layer; 0 if it is thinner than Peaks::kVisible
+    // m/s, of the rolling layer, along the slope of the ground and in plan; 0 if it is thinner than
+    // Peaks::kVisible.
+    double speed_slope = 0, speed_plan = 0;
     // Fraction of the lower material at the nearest vertex, 0 to 1: in the rolling layer, else at the surface
     // of the standing layer; nothing in a world with one material.
     std::optional<double> lower_share;

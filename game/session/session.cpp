@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "game/scene/surface.h"
 #include "sim/core/float_environment.h"
 #include "sim/step.h"
 
@@ -29,7 +30,8 @@ Session::Session(const Scenario& scenario, const sim::StepOptions& options, std:
       engine_(std::make_unique<sim::Engine>(state_, options)),
       recorder_(std::move(recorder)) {
     peaks_.depth.assign(state_.grid.size(), 0.f);
-    peaks_.speed.assign(state_.grid.size(), 0.f);
+    peaks_.speed_plan.assign(state_.grid.size(), 0.f);
+    peaks_.speed_slope.assign(state_.grid.size(), 0.f);
     line_.before.reserve(kTicksPerState);
     find_hash();
     watch();
@@ -174,17 +176,22 @@ void Session::advance_fronts() {
 
 void Session::watch() {
     active_cells_ = 0;
+    const sim::View world = view();
     const auto nx = static_cast<std::size_t>(state_.grid.nx);
     for (int y = 0; y < state_.grid.ny; ++y) {
         const float* rolling = state_.rolling.row(y);
         const float *u = state_.velocity_x.row(y), *v = state_.velocity_y.row(y);
         float* depth = peaks_.depth.data() + static_cast<std::size_t>(y) * nx;
-        float* speed = peaks_.speed.data() + static_cast<std::size_t>(y) * nx;
+        float* plan = peaks_.speed_plan.data() + static_cast<std::size_t>(y) * nx;
+        float* slope = peaks_.speed_slope.data() + static_cast<std::size_t>(y) * nx;
         for (std::size_t x = 0; x < nx; ++x) {
             if (rolling[x] == 0) continue;
             ++active_cells_;
             depth[x] = std::max(depth[x], rolling[x]);
-            if (rolling[x] >= Peaks::kVisible) speed[x] = std::max(speed[x], std::hypot(u[x], v[x]));
+            if (rolling[x] < Peaks::kVisible || (u[x] == 0 && v[x] == 0)) continue;
+            plan[x] = std::max(plan[x], std::hypot(u[x], v[x]));
+            slope[x] = std::max(slope[x], static_cast<float>(speed_along_slope(
+                                              {u[x], v[x]}, ground_slope(world, static_cast<int>(x), y))));
         }
     }
 }

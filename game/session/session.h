@@ -28,7 +28,8 @@ struct TickTimes {
 // Per-vertex maxima since tick 0, grid.size() values each. A view: never affects the world.
 struct Peaks {
     std::vector<float> depth;                 // m, of the rolling layer
-    std::vector<float> speed;                 // m/s, where that layer was at least kVisible deep
+    std::vector<float> speed_plan;            // m/s, where that layer was at least kVisible deep
+    std::vector<float> speed_slope;           // m/s, the same along the slope of the ground
     static constexpr float kVisible = 0.01f;  // m
 };
 
@@ -36,7 +37,7 @@ struct Peaks {
 // recorder, then applies it.
 class Session {
   public:
-    // Everything needed to restore one tick: about 24 bytes per vertex, and 80 more if fronts are tracked.
+    // Everything needed to restore one tick: about 28 bytes per vertex, and 80 more if fronts are tracked.
     struct Checkpoint {
         sim::Snapshot world;
         std::optional<sim::front::TextureLayers::Memory> textures;

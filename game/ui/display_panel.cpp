@@ -18,7 +18,7 @@ constexpr std::array<OverlayName, 6> kOverlays{{
     {render::Overlay::kSlope, "slope"},
     {render::Overlay::kStanding, "standing depth"},
     {render::Overlay::kRolling, "rolling depth"},
-    {render::Overlay::kSpeed, "speed"},
+    {render::Overlay::kSpeed, "speed in plan"},
     {render::Overlay::kStretch, "texture stretch"},
 }};
 

@@ -53,7 +53,8 @@ void rows(Desk& desk, const Facts& facts, const Reading& reading) {
     if (reading.lower_share)
         widgets.fact("Mixture", "%.0f %% %s", 100 * *reading.lower_share,
                      title_in(facts.catalogue.materials, facts.scenario.lower->material));
-    widgets.fact("Speed", "%.1f m/s", reading.speed);
+    widgets.fact("Speed on slope", "%.1f m/s", reading.speed_slope);
+    widgets.fact("Speed in plan", "%.1f m/s", reading.speed_plan);
 }
 
 // Latitude and longitude on one line, UTM on the next.

@@ -221,8 +221,8 @@ TEST(CommandLine, run_tells_the_same_as_json_on_screen_and_in_the_file) {
     for (const char* field : {"program", "scene", "terrain", "material", "model", "squares", "cell_m",
                               "ticks", "seconds", "state_hash", "mass", "measures", "performance"})
         EXPECT_TRUE(summary.contains(field)) << field;
-    for (const char* field :
-         {"run_out_m", "fall_m", "reach_deg", "extent_ha", "peak_depth_m", "peak_speed_m_s", "top", "toe"})
+    for (const char* field : {"run_out_m", "fall_m", "reach_deg", "extent_ha", "peak_depth_m",
+                              "peak_speed_slope_m_s", "peak_speed_plan_m_s", "top", "toe"})
         EXPECT_TRUE(summary["measures"].contains(field)) << field;
     EXPECT_EQ(summary["scene"], "landslide");
     EXPECT_EQ(summary["ticks"], 30);
