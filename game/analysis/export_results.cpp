@@ -50,6 +50,7 @@ Outcome<void> export_results(const std::filesystem::path& folder, const Scenario
         {"peak_depth", &session.peaks().depth},
         {"peak_speed_slope", &session.peaks().speed_slope},
         {"peak_speed_plan", &session.peaks().speed_plan}};
+    if (session.densities()) fields.emplace_back("peak_pressure", &session.peaks().pressure);
     if (scenario.lower) fields.emplace_back("lower_material", &lower);
     for (const auto& [name, field] : fields)
         for (const auto& written :

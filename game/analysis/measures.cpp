@@ -119,6 +119,8 @@ Measures measure(const Scenario& scenario, const Session& session, const std::ve
                 static_cast<double>(session.state().depth(x, y)) - static_cast<double>(scenario.depth[i]);
             (change < 0 ? measures.eroded : measures.deposited) += std::fabs(change) * cell;
         }
+    if (!peaks.pressure.empty())
+        measures.peak_pressure = *std::max_element(peaks.pressure.begin(), peaks.pressure.end());
     if (!reference.extent.empty()) measures.overlap = overlap_of(extent, reference.extent);
     if (!reference.change.empty()) {
         const std::vector<float> change = change_of(scenario, session.state());

@@ -20,6 +20,7 @@ struct Measures {
     double extent_area = 0;                            // m², in plan
     double peak_depth = 0;                             // m
     double peak_speed_slope = 0, peak_speed_plan = 0;  // m/s, along the slope and in plan
+    std::optional<double> peak_pressure;               // kPa; nothing if a density is unknown
     double eroded = 0, deposited = 0;  // m³ by which the standing layer was lowered and raised
     // Along a straight line from the highest vertex at which material
     // was released or added to the farthest vertex of the extent.

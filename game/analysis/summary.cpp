@@ -1,5 +1,7 @@
 #include "game/analysis/summary.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "game/analysis/trace.h"
@@ -41,6 +43,7 @@ Json measures_json(const Summary& summary) {
               {"deposited_m3", m.deposited},
               {"top", place_json(summary.scenario, m.top)},
               {"toe", place_json(summary.scenario, m.toe)}};
+    if (m.peak_pressure) json["peak_pressure_kpa"] = *m.peak_pressure;
     if (m.overlap) json["overlap"] = *m.overlap;
     if (m.changes) {
         const auto of = [&](const Measures::Change& change) {
@@ -83,6 +86,12 @@ Json paranoid_json(const SelfCheck& self_check, const Scenario& scenario) {
     Json json{{"ticks", self_check.ticks}, {"ways", self_check.names}, {"same", !self_check.parted}};
     if (self_check.parted) json["parted"] = to_json(*self_check.parted, scenario);
     return json;
+}
+
+std::string density_text(const Densities& densities) {
+    if (densities.upper == densities.lower) return fmt::format("{:g} kg/m3", densities.upper);
+    return fmt::format("{:g} to {:g} kg/m3", std::min(densities.upper, densities.lower),
+                       std::max(densities.upper, densities.lower));
 }
 
 std::string mass_text(const Session& session, const std::string& what, const sim::Ledger& mass) {
@@ -135,6 +144,8 @@ Json to_json(const Summary& summary) {
     if (scenario.lower)
         json["lower"] = {{"material", scenario.lower->material},
                          {"mass", mass_json(summary.session, state.mixture->ledger)}};
+    if (scenario.density) json["density_kg_m3"] = *scenario.density;
+    if (scenario.lower && scenario.lower->density) json["lower"]["density_kg_m3"] = *scenario.lower->density;
     if (summary.at_rest) json["at_rest"] = *summary.at_rest;
     if (summary.verdict) json["verified"] = verdict_json(*summary.verdict);
     if (summary.paranoid) json["paranoid"] = paranoid_json(*summary.paranoid, scenario);
@@ -164,6 +175,10 @@ std::string to_text(const Summary& summary) {
             m.run_out, m.fall, m.reach_deg, m.extent_area / 1e4, m.peak_depth);
         text += fmt::format("peak speed {:.1f} m/s along the slope, {:.1f} m/s in plan\n", m.peak_speed_slope,
                             m.peak_speed_plan);
+        if (m.peak_pressure)
+            text +=
+                fmt::format("peak pressure {:.1f} kPa: {} times the square of the speed along the slope\n",
+                            *m.peak_pressure, density_text(*session.densities()));
         text += fmt::format("from {}\n  to {}\n", placed(scenario, m.top), placed(scenario, m.toe));
     }
     if (m.overlap)

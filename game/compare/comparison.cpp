@@ -47,17 +47,21 @@ std::vector<Row> rows_of(const Comparison& comparison) {
     const Measures &a = comparison.a.measures, &b = comparison.b.measures;
     const Session &one = comparison.a.session, &other = comparison.b.session;
     const auto out = [](const Session& session) { return session.cubic_metres(session.state().ledger.out); };
-    return {{"time, s", "seconds", one.seconds(), other.seconds(), 1},
-            {"run-out, m", "run_out_m", a.run_out, b.run_out, 1},
-            {"fall, m", "fall_m", a.fall, b.fall, 1},
-            {"reach, deg", "reach_deg", a.reach_deg, b.reach_deg, 2},
-            {"extent, ha", "extent_ha", a.extent_area / 1e4, b.extent_area / 1e4, 3},
-            {"eroded, m3", "eroded_m3", a.eroded, b.eroded, 0},
-            {"deposited, m3", "deposited_m3", a.deposited, b.deposited, 0},
-            {"left the world, m3", "out_m3", out(one), out(other), 0},
-            {"peak depth, m", "peak_depth_m", a.peak_depth, b.peak_depth, 2},
-            {"peak speed on slope, m/s", "peak_speed_slope_m_s", a.peak_speed_slope, b.peak_speed_slope, 2},
-            {"peak speed in plan, m/s", "peak_speed_plan_m_s", a.peak_speed_plan, b.peak_speed_plan, 2}};
+    std::vector<Row> rows{
+        {"time, s", "seconds", one.seconds(), other.seconds(), 1},
+        {"run-out, m", "run_out_m", a.run_out, b.run_out, 1},
+        {"fall, m", "fall_m", a.fall, b.fall, 1},
+        {"reach, deg", "reach_deg", a.reach_deg, b.reach_deg, 2},
+        {"extent, ha", "extent_ha", a.extent_area / 1e4, b.extent_area / 1e4, 3},
+        {"eroded, m3", "eroded_m3", a.eroded, b.eroded, 0},
+        {"deposited, m3", "deposited_m3", a.deposited, b.deposited, 0},
+        {"left the world, m3", "out_m3", out(one), out(other), 0},
+        {"peak depth, m", "peak_depth_m", a.peak_depth, b.peak_depth, 2},
+        {"peak speed on slope, m/s", "peak_speed_slope_m_s", a.peak_speed_slope, b.peak_speed_slope, 2},
+        {"peak speed in plan, m/s", "peak_speed_plan_m_s", a.peak_speed_plan, b.peak_speed_plan, 2}};
+    if (a.peak_pressure && b.peak_pressure)
+        rows.push_back({"peak pressure, kPa", "peak_pressure_kpa", *a.peak_pressure, *b.peak_pressure, 1});
+    return rows;
 }
 
 // With a sign, or "0" if all shown digits are zero.

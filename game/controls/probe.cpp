@@ -83,6 +83,12 @@ std::optional<Reading> Probe::read(const sim::View& world, glm::dvec2 at) {
                                                         : sim::share_at_surface(world, x, y));
     }
 
+    if (densities_) {
+        const bool mixed = world.mixture && reading.rolling > 0;
+        reading.pressure =
+            impact_pressure(densities_->of(mixed ? *reading.lower_share : 0), reading.speed_slope);
+    }
+
     if (last_ != at) {
         locator_.describe({at.x, at.y}, where_);
         last_ = at;

@@ -178,13 +178,14 @@ void add_files(const std::vector<fs::path>& files, Scene& scene) {
 }
 
 void take_lower(Scenario& scenario, const Material& lower) {
-    scenario.lower = Scenario::Lower{lower.name, lower.params, {}};
+    scenario.lower = Scenario::Lower{lower.name, lower.params, {}, lower.density};
     sim::take_choices(scenario.params, scenario.lower->params);
     take_look_of_lower(lower.look, scenario.look);
 }
 
 void take_material(Scenario& scenario, const Material& material, const sim::Params& over) {
     scenario.material = material.name;
+    scenario.density = material.density;
     scenario.look = material.look;
     scenario.params = over;
 }

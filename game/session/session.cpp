@@ -28,10 +28,12 @@ double ms_of(const Stage& stage) {
 Session::Session(const Scenario& scenario, const sim::StepOptions& options, std::optional<Recorder> recorder)
     : state_(sim::make_state(initial_state_of(scenario), scenario.params)),
       engine_(std::make_unique<sim::Engine>(state_, options)),
-      recorder_(std::move(recorder)) {
+      recorder_(std::move(recorder)),
+      densities_(densities_of(scenario)) {
     peaks_.depth.assign(state_.grid.size(), 0.f);
     peaks_.speed_plan.assign(state_.grid.size(), 0.f);
     peaks_.speed_slope.assign(state_.grid.size(), 0.f);
+    if (densities_) peaks_.pressure.assign(state_.grid.size(), 0.f);
     line_.before.reserve(kTicksPerState);
     find_hash();
     watch();
@@ -189,9 +191,15 @@ void Session::watch() {
             ++active_cells_;
             depth[x] = std::max(depth[x], rolling[x]);
             if (rolling[x] < Peaks::kVisible || (u[x] == 0 && v[x] == 0)) continue;
+            const int column = static_cast<int>(x);
+            const double along = speed_along_slope({u[x], v[x]}, ground_slope(world, column, y));
             plan[x] = std::max(plan[x], std::hypot(u[x], v[x]));
-            slope[x] = std::max(slope[x], static_cast<float>(speed_along_slope(
-                                              {u[x], v[x]}, ground_slope(world, static_cast<int>(x), y))));
+            slope[x] = std::max(slope[x], static_cast<float>(along));
+            if (!densities_) continue;
+            float& pressure = peaks_.pressure[static_cast<std::size_t>(y) * nx + x];
+            const double share =
+                world.mixture ? static_cast<double>(sim::share_in_rolling(world, column, y)) : 0;
+            pressure = std::max(pressure, static_cast<float>(impact_pressure(densities_->of(share), along)));
         }
     }
 }

@@ -95,6 +95,19 @@ TEST(Probe, reads_the_speed_along_the_slope_of_the_ground) {
     }
 }
 
+TEST(Probe, reads_the_pressure_of_the_mixture_under_it) {
+    support::Ground ground = support::plane(20, 5, 1, 2);
+    ground.lower = sim::Params{};
+    for (float& depth : ground.lower_depth) depth = 1;
+    ground.rolling.assign(ground.grid.size(), 1.f);
+    sim::State state = sim::make_state(ground.world(), {});
+    state.mixture->rolling.fill(0.25f);
+    state.velocity_y.fill(10);
+    EXPECT_FALSE(Probe(nowhere()).read(sim::view(state), {50, 50})->pressure);
+    EXPECT_NEAR(*Probe(nowhere(), Densities{200, 1800}).read(sim::view(state), {50, 50})->pressure,
+                600 * 200 / 1000., 1e-3);  // kg/m³ and m²/s²
+}
+
 TEST(Probe, reads_up_to_the_border_and_not_beyond) {
     const auto state = hillside(0.5, 0);
     Probe probe(nowhere());
