@@ -13,6 +13,7 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include "game/analysis/export_iseesnow.h"
 #include "game/base/number.h"
 #include "game/base/version.h"
 #include "game/commands/commands.h"
@@ -190,6 +191,36 @@ void add_material_and_model(CLI::App& app, Overrides& overrides) {
     add_grid(app, overrides);
 }
 
+// A parameter of the physics, as NAME=VALUE. Throws its error message as a CLI11 exception.
+Overrides::Set set_from(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) throw CLI::ValidationError("--set", "'" + text + "' is not NAME=VALUE");
+    const std::string name = text.substr(0, equals);
+    for (const sim::ParamInfo& info : sim::kParams) {
+        if (info.name != name) continue;
+        const Range<double> range{static_cast<double>(info.least), static_cast<double>(info.most), info.unit};
+        const auto value = number_from(std::string_view(text).substr(equals + 1), range);
+        if (!value) throw CLI::ValidationError("--set", name + ": " + value.error());
+        return {&info, static_cast<float>(*value)};
+    }
+    throw CLI::ValidationError("--set", "'" + name + "' is not a parameter; docs/scenes.md has all of them");
+}
+
+void add_set(CLI::App& app, Overrides& overrides) {
+    app.add_option_function<std::string>(
+           "--set",
+           [&overrides](const std::string& all) {
+               for (std::size_t from = 0; from <= all.size();) {
+                   const std::size_t to = std::min(all.find(',', from), all.size());
+                   overrides.set.push_back(set_from(all.substr(from, to - from)));
+                   from = to + 1;
+               }
+           },
+           "give parameters of the physics these values: friction=0.4,drag=2000")
+        ->join(',')
+        ->type_name("NAME=VALUE,...");
+}
+
 void add_look(CLI::App& app, LookFrom& look) {
     app.add_option_function<std::string>(
            "--look",
@@ -286,19 +317,42 @@ void add_run(CLI::App& app, RunOptions& options) {
             ->type_name("FILE")
             ->needs(terrain);
     add_thickness(app, options.thickness)->needs(release);
+    app.add_option("--crs", options.overrides.crs,
+                   "coordinate system of a DEM that names none: EPSG:31287, or WKT of a system in metres")
+        ->type_name("SYSTEM")
+        ->needs(terrain);
     app.add_option("--reference", options.reference,
                    "compare with observations: a GeoJSON extent, or a raster of the change of height; the "
                    "summary reports the overlap, and for a raster the transport distance")
         ->type_name("FILE");
     add_material_and_model(app, options.overrides);
+    add_set(app, options.overrides);
     add_references(app, options.overrides);
     app.add_flag("--until-rest", options.until_rest,
                  "stop when nothing moves, or after --seconds [3600], whichever is first");
     add_number(app, "--seconds", "S", options.seconds, kSeconds, "simulate this much time");
     app.add_option("--record", options.record, "write the recording to this file")->type_name("FILE.couloir");
     app.add_option("--export", options.export_folder,
-                   "write deposit, peak depth and speed, extent and summary here, and images to DIR/frames")
+                   "write deposit, peak depth and speeds, extent and summary here, and images to DIR/frames")
         ->type_name("DIR");
+    auto* format =
+        app.add_option_function<std::string>(
+               "--export-format",
+               [&options](const std::string& name) {
+                   if (name != "couloir" && name != "iseesnow")
+                       throw CLI::ValidationError("--export-format",
+                                                  "'" + name + "' is not one of: couloir, iseesnow");
+                   options.iseesnow = name == "iseesnow";
+               },
+               "what --export writes: couloir; iseesnow: peak flow thickness, velocity and pressure "
+               "and a configuration, named and measured as in that intercomparison, on the DEM's own "
+               "grid [couloir]")
+            ->type_name("NAME");
+    app.add_option("--export-name", options.export_name,
+                   "with --export-format iseesnow: first parts of the names of its files, such as "
+                   "release1HS_01IdealizedTopo [names of release and DEM]")
+        ->type_name("RELEASE_ID")
+        ->needs(format);
     add_pictures(app, options.pictures, "write images here, and maps of the extent and the final state",
                  fmt::format("{}; {} with --export alone", kTicksPerPicture, kTicksPerExportedPicture));
     add_results(app, options.results);
@@ -580,7 +634,25 @@ Outcome<void> check(RunOptions& options) {
     if (options.terrain && !options.release)
         return unusable("--terrain needs --release FILE; without it no material would move");
     if (!options.until_rest && !options.seconds) return unusable("run needs --until-rest or --seconds S");
-    if (options.export_folder && !options.pictures.folder) {
+    if (options.iseesnow) {
+        if (!options.export_folder) return unusable("--export-format needs --export DIR");
+        if (!options.terrain)
+            return unusable("--export-format iseesnow needs --terrain DEM, whose grid its files have");
+        if (options.overrides.squares)
+            return unusable(
+                "--export-format iseesnow writes on the DEM's own grid, and a run with --grid has another "
+                "one; "
+                "leave out --grid");
+        options.overrides.own_grid = true;
+        if (!options.export_name) options.export_name = iseesnow_name(*options.release, *options.terrain);
+    }
+    if (options.export_name && !options.iseesnow)
+        return unusable("--export-name needs --export-format iseesnow");
+    if (options.export_name && !is_iseesnow_name(*options.export_name))
+        return unusable(fmt::format(
+            "--export-name: '{}' is not two parts of letters and digits, separated by one underscore",
+            *options.export_name));
+    if (options.export_folder && !options.pictures.folder && !options.iseesnow) {
         options.pictures.folder = *options.export_folder / "frames";
         if (!options.pictures.every) options.pictures.every = kTicksPerExportedPicture;
     }

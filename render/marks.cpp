@@ -49,8 +49,17 @@ constexpr std::array<LegendStop, 5> kStretch{{
     {4, {0.25f, 0.04f, 0.28f}},
 }};
 
+// Classes of impact pressure, one hue from light to dark, so that it is mistaken for neither speed nor depth.
+constexpr std::array<LegendStop, 5> kPressure{{
+    {1, {0.98f, 0.75f, 0.80f}},
+    {3, {0.96f, 0.52f, 0.68f}},
+    {10, {0.86f, 0.25f, 0.56f}},
+    {30, {0.62f, 0.04f, 0.48f}},
+    {100, {0.29f, 0.00f, 0.37f}},
+}};
+
 static_assert(kSlope.size() <= MOST_STOPS && kDepth.size() <= MOST_STOPS && kSpeed.size() <= MOST_STOPS &&
-              kStretch.size() <= MOST_STOPS);
+              kStretch.size() <= MOST_STOPS && kPressure.size() <= MOST_STOPS);
 
 }  // namespace
 
@@ -65,6 +74,8 @@ Legend legend_of(Overlay overlay) {
             return {kSpeed, "m/s", false};
         case Overlay::kStretch:
             return {kStretch, ": 1", false};
+        case Overlay::kPressure:
+            return {kPressure, "kPa", true};
         case Overlay::kNone:
             break;
     }

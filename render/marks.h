@@ -16,8 +16,9 @@ enum class Overlay {
     kSlope,     // classes of the surface's steepness, in the colours of avalanche services
     kStanding,  // depth of the standing layer
     kRolling,   // depth of the rolling layer
-    kSpeed,     // of the rolling layer
+    kSpeed,     // of the rolling layer, in plan
     kStretch,   // distortion of the textures that a flow advects: greatest over least stretch
+    kPressure,  // impact pressure ρ v² of the rolling layer, v along the slope; needs Marks::density
 };
 
 // A circle around a place, draped on the surface.
@@ -34,6 +35,7 @@ struct Marks {
     bool contours = false;   // lines of equal height, contour_interval() apart, every fifth one heavier
     bool flow_mesh = false;  // edges of a flow's cut mesh, its fronts and their points
     std::optional<Ring> ring = std::nullopt;
+    glm::vec2 density{0};  // kg/m³, of the upper and the lower material, for kPressure; 0 if unknown
     bool operator==(const Marks&) const = default;
 };
 

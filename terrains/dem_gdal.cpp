@@ -163,7 +163,15 @@ tl::expected<Terrain, std::string> read(GDALDatasetH dataset, const std::filesys
     if (auto whole = check_ascii_count(dataset, path); !whole) return tl::unexpected(whole.error());
     const auto place = RasterPlace::of_dem(dataset);
     if (!place) return tl::unexpected(place.error());
-    const auto grid = grid_over(place->max_x - place->min_x, place->max_y - place->min_y, choice);
+    GridChoice wanted = choice;
+    if (choice.squares == GridChoice::kOwn) {
+        if (std::abs(place->reach_x - place->reach_y) > 1e-6 * place->reach_x ||
+            place->georeference.is_local())
+            return tl::unexpected<std::string>(
+                "its pixels are not square on the map, so no grid can have them; give --grid");
+        wanted.squares = std::max(GDALGetRasterXSize(dataset), GDALGetRasterYSize(dataset)) - 1;
+    }
+    const auto grid = grid_over(place->max_x - place->min_x, place->max_y - place->min_y, wanted);
     if (!grid) return tl::unexpected(grid.error());
     Terrain terrain;
     terrain.licence = licence_of(dataset);
@@ -186,6 +194,18 @@ tl::expected<Terrain, std::string> read_dem(const std::filesystem::path& path, c
     terrain->name = path.filename().string();
     terrain->files = dataset->files();
     return terrain;
+}
+
+tl::expected<void, std::string> set_system(const std::string& system, Terrain& terrain) {
+    if (terrain.georeference.placed())
+        return tl::unexpected<std::string>("it names a coordinate system already; leave out --crs");
+    const GdalErrors errors;
+    const double x = terrain.georeference.origin_x(), y = terrain.georeference.origin_y();
+    auto placed = place_in(system, x, y, x + (terrain.grid.nx - 1) * static_cast<double>(terrain.grid.dx) / 2,
+                           y + (terrain.grid.ny - 1) * static_cast<double>(terrain.grid.dx) / 2);
+    if (!placed) return tl::unexpected(placed.error());
+    terrain.georeference = std::move(*placed);
+    return {};
 }
 
 }  // namespace terrains

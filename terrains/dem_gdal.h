@@ -12,7 +12,7 @@
 namespace terrains {
 
 // Reads a mountain from the first band of an elevation raster (formats in README.md) and resamples it to
-// square cells with `squares` (8 to 4096) along the longer side. Vertices run from the first pixel's centre
+// square cells with `squares` (8 to 4096) along the longer side, or with its own pixels. Vertices run from the first pixel's centre
 // to the last one's. Every plane is reproduced exactly, and finer rasters are antialiased (PlaneFit).
 //
 // Plane. A coordinate system in metres that are true to 0.5 % here (UTM, national grids) keeps its own axes.
@@ -34,5 +34,10 @@ namespace terrains {
 // last number cannot be distinguished from a whole one.
 tl::expected<Terrain, std::string> read_dem(const std::filesystem::path& path, const GridChoice& choice,
                                             References references = References::kRefused);
+
+// Gives a DEM that names no coordinate system one in metres, such as "EPSG:31287" or WKT. Nothing is read from
+// the network. Errors, in one sentence: the DEM has a system, the text names none, its unit is not the metre, or
+// it is not true to 0.5 % there.
+tl::expected<void, std::string> set_system(const std::string& system, Terrain& terrain);
 
 }  // namespace terrains

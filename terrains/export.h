@@ -23,10 +23,17 @@ using Written = tl::expected<void, std::string>;
 Written write_geotiff(const std::filesystem::path& path, const sim::Grid& grid,
                       const Georeference& georeference, std::span<const float> field);
 
+// What the header of an ESRI ASCII file places, and how the file writes no data.
+enum class AsciiStyle {
+    kCorner,   // xllcorner, yllcorner: the corner of the south-west pixel; −9999
+    kCentred,  // xllcenter, yllcenter: its centre, as in ISeeSnow's files; nan
+};
+
 // ESRI ASCII. Each float has enough digits to restore it exactly. The coordinate system goes into a .prj
 // beside the file; an existing .prj of that name is replaced or removed.
 Written write_ascii(const std::filesystem::path& path, const sim::Grid& grid,
-                    const Georeference& georeference, std::span<const float> field);
+                    const Georeference& georeference, std::span<const float> field,
+                    AsciiStyle style = AsciiStyle::kCorner);
 
 // GeoJSON (RFC 7946): one polygon, with its holes, around each connected patch of vertices whose mask is not
 // 0, along the borders of their cells. Each has `area_m2`. Coordinates are WGS 84 degrees if the grid is

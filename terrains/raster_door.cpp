@@ -18,6 +18,10 @@ tl::expected<Terrain, std::string> read_dem(const std::filesystem::path& path, c
     return door().read_dem(path, choice, references);
 }
 
+tl::expected<void, std::string> set_system(const std::string& system, Terrain& terrain) {
+    return door().set_system(system, terrain);
+}
+
 tl::expected<std::vector<float>, std::string> read_depth_raster(const std::filesystem::path& path,
                                                                 const Terrain& terrain, References references,
                                                                 std::vector<std::filesystem::path>* files) {

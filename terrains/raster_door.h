@@ -13,6 +13,7 @@ namespace terrains {
 // contain no GDAL types.
 struct RasterDoor {
     decltype(&terrains::read_dem) read_dem;
+    decltype(&terrains::set_system) set_system;
     decltype(&terrains::read_depth_raster) read_depth_raster;
     decltype(&terrains::read_signed_raster) read_signed_raster;
     decltype(&terrains::encode_geotiff) encode_geotiff;

@@ -4,6 +4,7 @@
 extern "C" {
 [[gnu::visibility("default")]] extern const terrains::RasterDoor couloir_rasters;
 const terrains::RasterDoor couloir_rasters{terrains::read_dem,
+                                           terrains::set_system,
                                            terrains::read_depth_raster,
                                            terrains::read_signed_raster,
                                            terrains::encode_geotiff,

@@ -1,10 +1,12 @@
 #include "terrains/raster_place.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -94,6 +96,35 @@ RasterSystem system_of(GDALDatasetH dataset) {
     system.metres_per_unit = OSRGetLinearUnits(own.get(), nullptr);
     if (system.geographic || system.projected) system.wkt = to_wkt(own.get());
     return system;
+}
+
+tl::expected<Georeference, std::string> place_in(const std::string& text, double x, double y, double middle_x,
+                                                 double middle_y) {
+    const std::unique_ptr<void, void (*)(void*)> system(OSRNewSpatialReference(nullptr),
+                                                        OSRDestroySpatialReference);
+    // Other forms of GDAL's "user input" may name files or addresses.
+    constexpr std::string_view kPrefix = "EPSG:";
+    const bool by_code = std::string_view(text).starts_with(kPrefix);
+    int code = 0;
+    const char* const end = text.data() + text.size();
+    const bool whole =
+        by_code && std::from_chars(text.data() + kPrefix.size(), end, code).ptr == end && code > 0;
+    const bool read = by_code ? whole && OSRImportFromEPSG(system.get(), code) == OGRERR_NONE
+                              : static_cast<bool>(SpatialReference::from_wkt(text)) &&
+                                    OSRSetFromUserInput(system.get(), text.c_str()) == OGRERR_NONE;
+    if (!read)
+        return tl::unexpected(fmt::format(
+            "--crs '{}' is neither the code of a known system, such as EPSG:31287, nor WKT", text));
+    if (OSRIsProjected(system.get()) == 0 || OSRGetLinearUnits(system.get(), nullptr) != 1)
+        return tl::unexpected(
+            fmt::format("--crs '{}' is no system in metres; put a .prj beside the file", text));
+    const std::string wkt = to_wkt(system.get());
+    const auto to_degrees = PlaneTransform::between(wkt, wgs84_wkt());
+    if (!to_degrees) return tl::unexpected(to_degrees.error());
+    if (!(std::abs(scale_at(*to_degrees, middle_x, middle_y) - 1) <= kTrueScale))
+        return tl::unexpected(
+            fmt::format("--crs '{}' is not true to 0.5 % there; is it the file's system?", text));
+    return Georeference::projected(wkt, x, y);
 }
 
 tl::expected<RasterPlace, std::string> RasterPlace::of_dem(GDALDatasetH dataset) {

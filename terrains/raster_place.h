@@ -67,4 +67,9 @@ struct RasterSystem {
 };
 RasterSystem system_of(GDALDatasetH dataset);
 
+// A grid in a metric system given as "EPSG:n" or WKT, with vertex (0, 0) at x, y. Errors: those of
+// set_system(), which are checked at (middle_x, middle_y).
+tl::expected<Georeference, std::string> place_in(const std::string& system, double x, double y,
+                                                 double middle_x, double middle_y);
+
 }  // namespace terrains

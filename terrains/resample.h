@@ -20,7 +20,8 @@ struct GridChoice {
     GridChoice(int along_longer, Allowed may_have = nullptr)
         : squares(along_longer), allowed(std::move(may_have)) {}
 
-    int squares;  // along the longer side, 8 to 4096
+    int squares;  // along the longer side, 8 to 4096; kOwn: of a raster with square pixels, one per pixel
+    static constexpr int kOwn = 0;
     Allowed allowed;
 };
 

@@ -61,6 +61,7 @@
 #define OVERLAY_ROLLING 3
 #define OVERLAY_SPEED 4
 #define OVERLAY_STRETCH 5
+#define OVERLAY_PRESSURE 6
 
 // Where a flow's texture is drawn
 #define FLOW_NOWHERE 0

@@ -8,6 +8,7 @@ layout(binding = SLOT_ROLLING) uniform sampler2D rolling;
 layout(binding = SLOT_VELOCITY_X) uniform sampler2D velocity_x;
 layout(binding = SLOT_VELOCITY_Y) uniform sampler2D velocity_y;
 layout(binding = SLOT_SITE) uniform usampler2D site;
+layout(binding = SLOT_MIXTURE) uniform sampler2D mixture;
 layout(binding = SLOT_OPENNESS) uniform sampler2D openness;
 layout(binding = IMAGE_RELIEF, rgba32f) uniform writeonly image2D relief;
 layout(binding = IMAGE_LAYERS, rgba8) uniform writeonly image2D layers;
@@ -31,14 +32,31 @@ float slope(ivec2 v, ivec2 along, float here) {
     return rise / (frame.ground.x * (ahead && behind ? 2.0 : 1.0));
 }
 
+float ground(ivec2 v) { return texelFetch(bedrock, v, 0).r + texelFetch(depth, v, 0).r; }
+
+// The same for the ground under the rolling layer.
+float ground_slope(ivec2 v, ivec2 along) {
+    bool ahead = is_ground(v + along), behind = is_ground(v - along);
+    float rise = ground(ahead ? v + along : v) - ground(behind ? v - along : v);
+    return rise / (frame.ground.x * (ahead && behind ? 2.0 : 1.0));
+}
+
+// Impact pressure: density times the square of the speed along the slope, kPa.
+float pressure(ivec2 v, vec2 velocity) {
+    float rise = dot(velocity, vec2(ground_slope(v, ivec2(1, 0)), ground_slope(v, ivec2(0, 1))));
+    float lower = frame.lower_standing.w > 0.5 ? texelFetch(mixture, v, 0).g : 0.0;
+    return mix(frame.density.x, frame.density.y, lower) * (dot(velocity, velocity) + rise * rise) / 1000.0;
+}
+
 // The overlay's value times its weight, and the weight. Without a rolling layer the weight is 0, so that no
 // depth or speed mixes into the front beside it.
-vec2 measured(vec2 rise, float d, float r, float rolls, float speed) {
+vec2 measured(ivec2 v, vec2 rise, float d, float r, float rolls, vec2 velocity) {
     switch (frame.overlay.x) {
         case OVERLAY_SLOPE: return vec2(degrees(atan(length(rise))), 1.0);
         case OVERLAY_STANDING: return vec2(d, 1.0);
         case OVERLAY_ROLLING: return vec2(r, 1.0) * rolls;
-        case OVERLAY_SPEED: return vec2(speed, 1.0) * rolls;
+        case OVERLAY_SPEED: return vec2(length(velocity), 1.0) * rolls;
+        case OVERLAY_PRESSURE: return vec2(pressure(v, velocity), 1.0) * rolls;
     }
     return vec2(0.0);
 }
@@ -47,18 +65,19 @@ void main() {
     ivec2 v = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(v, frame.size.xy))) return;
     float here = height(v);
-    bool ground = is_ground(v);
-    vec2 rise = ground ? vec2(slope(v, ivec2(1, 0), here), slope(v, ivec2(0, 1), here)) : vec2(0);
+    bool known = is_ground(v);
+    vec2 rise = known ? vec2(slope(v, ivec2(1, 0), here), slope(v, ivec2(0, 1), here)) : vec2(0);
     imageStore(relief, v, vec4(here, rise, texelFetch(openness, v, 0).r));
 
     // Shares up to 1, not depths, are interpolated later. A front is then equally sharp at any depth, and lies
     // midway between the last vertex inside and the first outside. The share of the standing layer still grows where
     // it is deep, so that noise can leave patches of ground in it.
     float d = texelFetch(depth, v, 0).r, r = texelFetch(rolling, v, 0).r;
-    float speed = length(vec2(texelFetch(velocity_x, v, 0).r, texelFetch(velocity_y, v, 0).r));
+    vec2 velocity = vec2(texelFetch(velocity_x, v, 0).r, texelFetch(velocity_y, v, 0).r);
+    float speed = length(velocity);
     vec2 share = vec2(cover_share(d, rise), min(0.5 * r / frame.rolling.w, 1.0));
     // No data counts as unchanged. Any other value would be interpolated into the ground beside it.
-    float change = frame.material.w > 0.0 && ground ? (d - texelFetch(first_depth, v, 0).r) / MOST_CHANGE : 0.0;
+    float change = frame.material.w > 0.0 && known ? (d - texelFetch(first_depth, v, 0).r) / MOST_CHANGE : 0.0;
     imageStore(layers, v, vec4(share, speed / (speed + kHalfSpeed), (128.0 + 127.0 * clamp(change, -1.0, 1.0)) / 255.0));
-    imageStore(measure, v, vec4(ground ? measured(rise, d, r, share.y, speed) : vec2(0.0), 0.0, 0.0));
+    imageStore(measure, v, vec4(known ? measured(v, rise, d, r, share.y, velocity) : vec2(0.0), 0.0, 0.0));
 }

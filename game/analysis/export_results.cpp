@@ -48,7 +48,9 @@ Outcome<void> export_results(const std::filesystem::path& folder, const Scenario
     std::vector<std::pair<std::string, const std::vector<float>*>> fields{
         {"deposit", &deposit},
         {"peak_depth", &session.peaks().depth},
-        {"peak_speed", &session.peaks().speed}};
+        {"peak_speed_slope", &session.peaks().speed_slope},
+        {"peak_speed_plan", &session.peaks().speed_plan}};
+    if (session.densities()) fields.emplace_back("peak_pressure", &session.peaks().pressure);
     if (scenario.lower) fields.emplace_back("lower_material", &lower);
     for (const auto& [name, field] : fields)
         for (const auto& written :

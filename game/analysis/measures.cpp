@@ -111,11 +111,16 @@ Measures measure(const Scenario& scenario, const Session& session, const std::ve
             extent[i] = peaks.depth[i] >= Measures::kExtentDepth;
             measures.extent_area += extent[i] * cell;
             measures.peak_depth = std::max(measures.peak_depth, static_cast<double>(peaks.depth[i]));
-            measures.peak_speed = std::max(measures.peak_speed, static_cast<double>(peaks.speed[i]));
+            measures.peak_speed_slope =
+                std::max(measures.peak_speed_slope, static_cast<double>(peaks.speed_slope[i]));
+            measures.peak_speed_plan =
+                std::max(measures.peak_speed_plan, static_cast<double>(peaks.speed_plan[i]));
             const double change =
                 static_cast<double>(session.state().depth(x, y)) - static_cast<double>(scenario.depth[i]);
             (change < 0 ? measures.eroded : measures.deposited) += std::fabs(change) * cell;
         }
+    if (!peaks.pressure.empty())
+        measures.peak_pressure = *std::max_element(peaks.pressure.begin(), peaks.pressure.end());
     if (!reference.extent.empty()) measures.overlap = overlap_of(extent, reference.extent);
     if (!reference.change.empty()) {
         const std::vector<float> change = change_of(scenario, session.state());

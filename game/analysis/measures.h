@@ -17,9 +17,11 @@ namespace game {
 struct Measures {
     static constexpr float kExtentDepth = 0.1f;  // m
 
-    double extent_area = 0;                 // m², in plan
-    double peak_depth = 0, peak_speed = 0;  // m, m/s
-    double eroded = 0, deposited = 0;       // m³ by which the standing layer was lowered and raised
+    double extent_area = 0;                            // m², in plan
+    double peak_depth = 0;                             // m
+    double peak_speed_slope = 0, peak_speed_plan = 0;  // m/s, along the slope and in plan
+    std::optional<double> peak_pressure;               // kPa; nothing if a density is unknown
+    double eroded = 0, deposited = 0;  // m³ by which the standing layer was lowered and raised
     // Along a straight line from the highest vertex at which material
     // was released or added to the farthest vertex of the extent.
     terrains::LocalPoint top, toe;

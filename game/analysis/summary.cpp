@@ -1,5 +1,7 @@
 #include "game/analysis/summary.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "game/analysis/trace.h"
@@ -35,11 +37,13 @@ Json measures_json(const Summary& summary) {
               {"reach_deg", m.reach_deg},
               {"extent_ha", m.extent_area / 1e4},
               {"peak_depth_m", m.peak_depth},
-              {"peak_speed_m_s", m.peak_speed},
+              {"peak_speed_slope_m_s", m.peak_speed_slope},
+              {"peak_speed_plan_m_s", m.peak_speed_plan},
               {"eroded_m3", m.eroded},
               {"deposited_m3", m.deposited},
               {"top", place_json(summary.scenario, m.top)},
               {"toe", place_json(summary.scenario, m.toe)}};
+    if (m.peak_pressure) json["peak_pressure_kpa"] = *m.peak_pressure;
     if (m.overlap) json["overlap"] = *m.overlap;
     if (m.changes) {
         const auto of = [&](const Measures::Change& change) {
@@ -82,6 +86,12 @@ Json paranoid_json(const SelfCheck& self_check, const Scenario& scenario) {
     Json json{{"ticks", self_check.ticks}, {"ways", self_check.names}, {"same", !self_check.parted}};
     if (self_check.parted) json["parted"] = to_json(*self_check.parted, scenario);
     return json;
+}
+
+std::string density_text(const Densities& densities) {
+    if (densities.upper == densities.lower) return fmt::format("{:g} kg/m3", densities.upper);
+    return fmt::format("{:g} to {:g} kg/m3", std::min(densities.upper, densities.lower),
+                       std::max(densities.upper, densities.lower));
 }
 
 std::string mass_text(const Session& session, const std::string& what, const sim::Ledger& mass) {
@@ -134,6 +144,8 @@ Json to_json(const Summary& summary) {
     if (scenario.lower)
         json["lower"] = {{"material", scenario.lower->material},
                          {"mass", mass_json(summary.session, state.mixture->ledger)}};
+    if (scenario.density) json["density_kg_m3"] = *scenario.density;
+    if (scenario.lower && scenario.lower->density) json["lower"]["density_kg_m3"] = *scenario.lower->density;
     if (summary.at_rest) json["at_rest"] = *summary.at_rest;
     if (summary.verdict) json["verified"] = verdict_json(*summary.verdict);
     if (summary.paranoid) json["paranoid"] = paranoid_json(*summary.paranoid, scenario);
@@ -159,9 +171,14 @@ std::string to_text(const Summary& summary) {
                                            : ", NOT yet at rest");
     if (m.run_out > 0) {
         text += fmt::format(
-            "run-out {:.0f} m, fall {:.0f} m, reach {:.1f} deg; extent {:.2f} ha, up to {:.1f} m deep and "
-            "{:.1f} m/s\n",
-            m.run_out, m.fall, m.reach_deg, m.extent_area / 1e4, m.peak_depth, m.peak_speed);
+            "run-out {:.0f} m, fall {:.0f} m, reach {:.1f} deg; extent {:.2f} ha, up to {:.1f} m deep\n",
+            m.run_out, m.fall, m.reach_deg, m.extent_area / 1e4, m.peak_depth);
+        text += fmt::format("peak speed {:.1f} m/s along the slope, {:.1f} m/s in plan\n", m.peak_speed_slope,
+                            m.peak_speed_plan);
+        if (m.peak_pressure)
+            text +=
+                fmt::format("peak pressure {:.1f} kPa: {} times the square of the speed along the slope\n",
+                            *m.peak_pressure, density_text(*session.densities()));
         text += fmt::format("from {}\n  to {}\n", placed(scenario, m.top), placed(scenario, m.toe));
     }
     if (m.overlap)

@@ -289,6 +289,8 @@ void App::draw_world() {
     };
     render::Marks marks{
         .overlay = display_.overlay, .contours = display_.contours, .flow_mesh = display_.flow_mesh};
+    if (const auto& densities = sandbox_->session().densities())
+        marks.density = glm::dvec2(densities->upper, densities->lower);
     if (ground_ && !sandbox_->looks_back() && !sandbox_->scenario().flow) {
         const auto deed = stroke_ ? stroke_->deed() : deed_of(brush_, input_.inverted());
         marks.ring = render::Ring{glm::dvec2(*ground_), brush_.radius, ring_colour(deed)};

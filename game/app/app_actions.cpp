@@ -287,7 +287,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
         camera_.emplace(scenario.camera.value_or(overview_beside_panels(world)), world, surroundings());
     }
     if (scenario.flow) display_.flow = scenario.flow->numbers;
-    probe_.emplace(scenario.georeference);
+    probe_.emplace(scenario.georeference, densities_of(scenario));
     screen_.show_title(fmt::format("Couloir: {}", scenario.title));
     tell(first_.told);
     if (scenario.look.flow && !sandbox_->session().fronts()) tell(Session::kTooFine);

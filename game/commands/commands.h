@@ -38,6 +38,8 @@ struct RunOptions {
     bool until_rest = false;
     std::optional<double> seconds;
     std::optional<std::filesystem::path> record, export_folder;
+    bool iseesnow = false;                   // export in ISeeSnow's format
+    std::optional<std::string> export_name;  // of its files
     PictureOptions pictures;
     ResultOptions results;
     sim::StepOptions step_options;

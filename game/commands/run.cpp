@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "game/analysis/export_iseesnow.h"
 #include "game/analysis/export_results.h"
 #include "game/analysis/headless.h"
 #include "game/analysis/measures.h"
@@ -39,7 +40,7 @@ FileUse files_of(const RunOptions& options, const Scene& scene, const terrains::
     if (options.pictures.folder) use.reads(drawing_assets());
     use.writes("--record", options.record);
     add_outputs(options.results, use);
-    use.writes_into("--export", options.export_folder, kExportedNames);
+    use.writes_into("--export", options.export_folder, options.iseesnow ? kIseesnowNames : kExportedNames);
     use.writes_into(options.export_folder ? "--export" : "--frames", options.pictures.folder, kFrameNames);
     return use;
 }
@@ -125,9 +126,13 @@ Outcome<int> run(const RunOptions& options) {
         draw_results(*gallery, *session);
         if (auto closed = gallery->close(); !closed) return tl::unexpected(closed.error());
     }
-    if (options.export_folder)
-        if (auto exported = export_results(*options.export_folder, scenario, *session, summary); !exported)
-            return tl::unexpected(exported.error());
+    if (options.export_folder) {
+        const auto exported =
+            options.iseesnow
+                ? export_iseesnow(*options.export_folder, *options.export_name, *options.release, summary)
+                : export_results(*options.export_folder, scenario, *session, summary);
+        if (!exported) return tl::unexpected(exported.error());
+    }
     if (auto told = tell(summary, options.results); !told) return tl::unexpected(told.error());
     return *finished ? 0 : Failure::kBadAnswer;
 }

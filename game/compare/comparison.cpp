@@ -48,16 +48,21 @@ std::vector<Row> rows_of(const Comparison& comparison) {
     const Measures &a = comparison.a.measures, &b = comparison.b.measures;
     const Session &one = comparison.a.session, &other = comparison.b.session;
     const auto out = [](const Session& session) { return session.cubic_metres(session.state().ledger.out); };
-    return {{"time, s", "seconds", one.seconds(), other.seconds(), 1},
-            {"run-out, m", "run_out_m", a.run_out, b.run_out, 1},
-            {"fall, m", "fall_m", a.fall, b.fall, 1},
-            {"reach, deg", "reach_deg", a.reach_deg, b.reach_deg, 2},
-            {"extent, ha", "extent_ha", a.extent_area / 1e4, b.extent_area / 1e4, 3},
-            {"eroded, m3", "eroded_m3", a.eroded, b.eroded, 0},
-            {"deposited, m3", "deposited_m3", a.deposited, b.deposited, 0},
-            {"left the world, m3", "out_m3", out(one), out(other), 0},
-            {"peak depth, m", "peak_depth_m", a.peak_depth, b.peak_depth, 2},
-            {"peak speed, m/s", "peak_speed_m_s", a.peak_speed, b.peak_speed, 2}};
+    std::vector<Row> rows{
+        {"time, s", "seconds", one.seconds(), other.seconds(), 1},
+        {"run-out, m", "run_out_m", a.run_out, b.run_out, 1},
+        {"fall, m", "fall_m", a.fall, b.fall, 1},
+        {"reach, deg", "reach_deg", a.reach_deg, b.reach_deg, 2},
+        {"extent, ha", "extent_ha", a.extent_area / 1e4, b.extent_area / 1e4, 3},
+        {"eroded, m3", "eroded_m3", a.eroded, b.eroded, 0},
+        {"deposited, m3", "deposited_m3", a.deposited, b.deposited, 0},
+        {"left the world, m3", "out_m3", out(one), out(other), 0},
+        {"peak depth, m", "peak_depth_m", a.peak_depth, b.peak_depth, 2},
+        {"peak speed on slope, m/s", "peak_speed_slope_m_s", a.peak_speed_slope, b.peak_speed_slope, 2},
+        {"peak speed in plan, m/s", "peak_speed_plan_m_s", a.peak_speed_plan, b.peak_speed_plan, 2}};
+    if (a.peak_pressure && b.peak_pressure)
+        rows.push_back({"peak pressure, kPa", "peak_pressure_kpa", *a.peak_pressure, *b.peak_pressure, 1});
+    return rows;
 }
 
 // With a sign, or "0" if all shown digits are zero.
@@ -155,12 +160,12 @@ std::string to_text(const Comparison& comparison) {
             text += fmt::format("  and {} more\n", comparison.said.size() - kMostSaid);
     }
     text +=
-        fmt::format("\n{:<20}{:>{}}  {:>{}}  {:>12}\n", "", names[0], width, names[1], width, "difference");
+        fmt::format("\n{:<25}{:>{}}  {:>{}}  {:>12}\n", "", names[0], width, names[1], width, "difference");
     for (const Row& row : rows_of(comparison))
-        text += fmt::format("{:<20}{:>{}.{}f}  {:>{}.{}f}  {:>12}\n", row.what, row.a, width, row.digits,
+        text += fmt::format("{:<25}{:>{}.{}f}  {:>{}.{}f}  {:>12}\n", row.what, row.a, width, row.digits,
                             row.b, width, row.digits, signed_text(row.b - row.a, row.digits));
     const auto rests = [](const Played& played) { return played.at_rest ? "yes" : "no"; };
-    text += fmt::format("{:<20}{:>{}}  {:>{}}\n\n", "at rest", rests(comparison.a), width,
+    text += fmt::format("{:<25}{:>{}}  {:>{}}\n\n", "at rest", rests(comparison.a), width,
                         rests(comparison.b), width);
     if (comparison.overlap)
         text += fmt::format("extents overlap by {:.3f} (intersection over union)\n", *comparison.overlap);

@@ -128,7 +128,8 @@ render::Picture difference_map(const Comparison& comparison, MapOf of) {
     const Measures &a = comparison.a.measures, &b = comparison.b.measures;
     page.say(fmt::format("run-out {:.0f} m, was {:.0f}", b.run_out, a.run_out));
     page.say(fmt::format("extent {:.2f} ha, was {:.2f}", b.extent_area / 1e4, a.extent_area / 1e4));
-    page.say(fmt::format("peak speed {:.1f} m/s, was {:.1f}", b.peak_speed, a.peak_speed));
+    page.say(
+        fmt::format("peak speed on slope {:.1f} m/s, was {:.1f}", b.peak_speed_slope, a.peak_speed_slope));
     if (of == MapOf::kDeposit)
         page.say(fmt::format("{:.0f} m³ more, {:.0f} m³ less", comparison.more, comparison.less));
     page.skip(10);

@@ -40,6 +40,14 @@ glm::dvec2 gradient(const sim::View& world, const Square& square) {
            static_cast<double>(world.grid.dx);
 }
 
+// Tangents of the ground, interpolated between the vertices, so that at a vertex they are those of its peaks.
+glm::dvec2 slope_of_ground(const sim::View& world, const Square& square) {
+    const auto [x, y, across] = square;
+    const auto at = [&](int i, int j) { return glm::dvec2(ground_slope(world, i, j)); };
+    return glm::mix(glm::mix(at(x, y), at(x + 1, y), across.x),
+                    glm::mix(at(x, y + 1), at(x + 1, y + 1), across.x), across.y);
+}
+
 std::optional<double> aspect(glm::dvec2 rise) {
     if (glm::length(rise) < kLevel) return std::nullopt;
     const double degrees = glm::degrees(std::atan2(-rise.x, -rise.y));
@@ -62,14 +70,23 @@ std::optional<Reading> Probe::read(const sim::View& world, glm::dvec2 at) {
     reading.slope_deg = glm::degrees(std::atan(glm::length(rise)));
     reading.aspect_deg = aspect(rise);
     // A layer too thin to see has no visible speed, even between vertices of a fast flow.
-    if (reading.rolling >= static_cast<double>(Peaks::kVisible))
-        reading.speed = std::hypot(between(square, world.velocity_x), between(square, world.velocity_y));
+    if (reading.rolling >= static_cast<double>(Peaks::kVisible)) {
+        const glm::dvec2 velocity(between(square, world.velocity_x), between(square, world.velocity_y));
+        reading.speed_plan = glm::length(velocity);
+        reading.speed_slope = speed_along_slope(velocity, slope_of_ground(world, square));
+    }
 
     if (world.mixture) {
         const int x = square.x + (square.across.x >= 0.5), y = square.y + (square.across.y >= 0.5);
         reading.lower_share =
             static_cast<double>(world.rolling(x, y) > 0 ? sim::share_in_rolling(world, x, y)
                                                         : sim::share_at_surface(world, x, y));
+    }
+
+    if (densities_) {
+        const bool mixed = world.mixture && reading.rolling > 0;
+        reading.pressure =
+            impact_pressure(densities_->of(mixed ? *reading.lower_share : 0), reading.speed_slope);
     }
 
     if (last_ != at) {

@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "game/scene/pressure.h"
 #include "sim/world/state.h"
 #include "terrains/georeference.h"
 #include "terrains/locator.h"
@@ -19,7 +20,10 @@ struct Reading {
     // Downslope direction: 0 north, 90 east, below 360; nothing if the slope is gentler than 1 in 1000.
     std::optional<double> aspect_deg;
     double standing = 0, rolling = 0;  // m
-    double speed = 0;                  // m/s, of the rolling layer; 0 if it is thinner than Peaks::kVisible
+    // m/s, of the rolling layer, along the slope of the ground and in plan; 0 if it is thinner than
+    // Peaks::kVisible.
+    double speed_slope = 0, speed_plan = 0;
+    std::optional<double> pressure;  // kPa, impact pressure; nothing if a density is unknown
     // Fraction of the lower material at the nearest vertex, 0 to 1: in the rolling layer, else at the surface
     // of the standing layer; nothing in a world with one material.
     std::optional<double> lower_share;
@@ -30,7 +34,9 @@ struct Reading {
 // Reads the world at single points. Does not allocate.
 class Probe {
   public:
-    explicit Probe(const terrains::Georeference& georeference) : locator_(georeference) {}
+    // `densities`: of the world's materials; without them there is no pressure.
+    explicit Probe(const terrains::Georeference& georeference, std::optional<Densities> densities = {})
+        : locator_(georeference), densities_(densities) {}
 
     // Interpolates bilinearly between the four surrounding vertices. Nothing outside the grid or if one of
     // the four has no data. A point up to a millionth of a cell outside counts as on the border.
@@ -38,6 +44,7 @@ class Probe {
 
   private:
     terrains::Locator locator_;
+    std::optional<Densities> densities_;
     std::optional<glm::dvec2> last_;  // the point described by where_
     std::array<char, 96> where_{};
 };

@@ -144,8 +144,13 @@ sim::Params physics_from(const Json& json, int minor) {
     return params;
 }
 
+std::optional<double> density_from(const Json& json) {
+    if (!json.contains("density")) return std::nullopt;
+    return number(json, "density", kLeastDensity, kGreatestDensity);
+}
+
 Scenario::Lower lower_from(const Json& json, int minor, const sim::Params& world) {
-    Scenario::Lower lower{text(json, "material"), world, {}};
+    Scenario::Lower lower{text(json, "material"), world, {}, density_from(json)};
     numbers_from(member(json, "physics"), minor, lower.params);
     sim::take_choices(world, lower.params);
     return lower;
@@ -339,6 +344,7 @@ Header read_header(const Json& json, int minor, const Memory& memory) {
     scenario.scene = text(json, "scene");
     scenario.title = text(json, "title");
     scenario.material = text(json, "material");
+    scenario.density = density_from(json);
     scenario.seed = hash_of(json, "seed");
     scenario.params = physics_from(member(json, "physics"), minor);
     header.renewed = minor < kNewNumbers && scenario.params.model == sim::Model::kBcreInertial;
@@ -423,6 +429,7 @@ Json to_json(const Header& header) {
               {"ticks_per_state", header.ticks_per_state},
               {"physics", physics_json(scenario.params)},
               {"view", view_json(scenario)}};
+    if (scenario.density) json["density"] = *scenario.density;
     if (const auto& parent = header.parent) {
         json["parent"] = {{"name", parent->name}, {"tick", parent->tick}};
         if (!parent->change.empty()) json["parent"]["change"] = parent->change;
@@ -434,6 +441,7 @@ Json to_json(const Header& header) {
     if (scenario.lower)
         json["lower"] = {{"material", scenario.lower->material},
                          {"physics", numbers_json(scenario.lower->params)}};
+    if (scenario.lower && scenario.lower->density) json["lower"]["density"] = *scenario.lower->density;
     json["terrain"] = ground_json(scenario);
     return json;
 }

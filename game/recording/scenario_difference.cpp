@@ -89,15 +89,26 @@ std::vector<std::string> differences_of_ground(const Scenario& a, const Scenario
     return found;
 }
 
+void add_density(const std::string& what, std::optional<double> a, std::optional<double> b,
+                 std::vector<std::string>& found) {
+    const auto text = [](std::optional<double> density) {
+        return density ? fmt::format("{:g} kg/m3", *density) : "unknown";
+    };
+    if (a != b) found.push_back(differs(what, text(a), text(b)));
+}
+
 std::vector<std::string> differences_of(const Scenario& a, const Scenario& b) {
     std::vector<std::string> found = differences_of_ground(a, b);
     add_choices(a.params, b.params, found);
     add_numbers("", a.params, b.params, found);
+    add_density("the density", a.density, b.density, found);
     if (a.lower.has_value() != b.lower.has_value())
         found.push_back(
             fmt::format("only the {} has a second material", a.lower.has_value() ? "first" : "second"));
-    else if (a.lower)
+    else if (a.lower) {
         add_numbers("the lower material's ", a.lower->params, b.lower->params, found);
+        add_density("the lower material's density", a.lower->density, b.lower->density, found);
+    }
     if (a.grid != b.grid) return found;
     add_field("the cover's depth", a.depth, b.depth, found);
     add_field("the release", a.rolling, b.rolling, found);

@@ -113,6 +113,7 @@ Outcome<Material> load_material(std::string_view name_or_path, sim::Model model)
     TomlFault fault;
     TomlTable root(*document, "", path->string(), fault);
     material.title = root.text("title").value_or(material.name);
+    material.density = root.number("density", kLeastDensity, kGreatestDensity);
     if (auto look = root.table("look")) read_look(*look, material.look);
 
     bool has_block = false;

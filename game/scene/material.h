@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "game/base/outcome.h"
@@ -13,8 +14,9 @@ namespace game {
 // A material: its appearance, and its parameters for one model.
 struct Material {
     std::filesystem::path file;
-    std::string name;   // of its file, without extension
-    std::string title;  // "loose dry snow"
+    std::string name;               // of its file, without extension
+    std::string title;              // "loose dry snow"
+    std::optional<double> density;  // kg/m³, while it flows; 1 to 3000
     render::Look look;
     sim::Params params;  // of the requested model
 };

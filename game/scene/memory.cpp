@@ -48,11 +48,11 @@ std::uint64_t expected_bytes(const sim::Grid& grid, bool two_materials, const Me
     const WorldUse& use = memory.use;
     const std::uint64_t reading = 130;
     const std::uint64_t start = two_materials ? 70 : 50;
-    const std::uint64_t session = two_materials ? 310 : 65;
+    const std::uint64_t session = two_materials ? 318 : 73;
     const std::uint64_t run = two_materials ? 235 : 55;
     std::uint64_t using_it = start + session * static_cast<std::uint64_t>(use.sessions) +
                              run * static_cast<std::uint64_t>(use.runs);
-    if (use.draws) using_it += grid.size() <= kMostFollowed ? 980 : 280;
+    if (use.draws) using_it += grid.size() <= kMostFollowed ? 1020 : 280;
     std::uint64_t bytes = 60 * kMiB + std::max(reading, using_it) * grid.size();
     if (use.draws) bytes += 220 * kMiB;  // OpenGL by software, shaders and patterns
     bytes += bytes_of(use.frames);

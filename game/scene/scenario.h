@@ -24,6 +24,7 @@ struct Scenario {
     std::string title;     // for display
     std::string material;  // name of its preset
     sim::Params params;
+    std::optional<double> density;  // kg/m³, of the flowing material; serves impact pressure only
 
     std::string terrain;  // name of the ground
     std::string licence;  // licence of the ground's source; may be empty
@@ -40,7 +41,8 @@ struct Scenario {
     struct Lower {
         std::string material;  // name of its preset
         sim::Params params;
-        std::vector<float> depth;  // m, the part of `depth` that is this material, from bedrock up
+        std::vector<float> depth;            // m, the part of `depth` that is this material, from bedrock up
+        std::optional<double> density = {};  // kg/m³
     };
     std::optional<Lower> lower;
 
@@ -56,6 +58,8 @@ struct Scenario {
     std::optional<render::Camera> camera;  // none: the overview
     bool model = false;                    // drawn as a block cut from its mountains
 };
+
+inline constexpr double kLeastDensity = 1, kGreatestDensity = 3000;  // kg/m³
 
 // A command and the tick at whose start it applies.
 struct TimedCommand {

@@ -43,6 +43,18 @@ void take_choices(const Overrides& overrides, sim::Params& params) {
     params.law = overrides.law.value_or(params.law);
 }
 
+Outcome<void> take_set(const Overrides& overrides, sim::Params& params) {
+    for (const Overrides::Set& each : overrides.set) {
+        if (!sim::is_used_by(*each.param, params.model))
+            return unusable(fmt::format("--set {}: the model {} does not use it", each.param->name,
+                                        sim::to_string(params.model)));
+        params.*each.param->value = each.value;
+    }
+    if (overrides.set.empty()) return {};
+    if (const auto wrong = sim::fault_of(params)) return unusable(fmt::format("--set: {}", *wrong));
+    return {};
+}
+
 // Reads the scheme and the velocity law of bcre.
 void read_choices(TomlTable& physics, const Overrides& overrides, sim::Params& params) {
     if (const auto name = physics.text("scheme")) {
@@ -178,13 +190,14 @@ void add_files(const std::vector<fs::path>& files, Scene& scene) {
 }
 
 void take_lower(Scenario& scenario, const Material& lower) {
-    scenario.lower = Scenario::Lower{lower.name, lower.params, {}};
+    scenario.lower = Scenario::Lower{lower.name, lower.params, {}, lower.density};
     sim::take_choices(scenario.params, scenario.lower->params);
     take_look_of_lower(lower.look, scenario.look);
 }
 
 void take_material(Scenario& scenario, const Material& material, const sim::Params& over) {
     scenario.material = material.name;
+    scenario.density = material.density;
     scenario.look = material.look;
     scenario.params = over;
 }
@@ -260,6 +273,7 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
     const sim::Model own = own_name ? *sim::model_from(*own_name) : sim::Model::kBcreInertial;
     read_physics_numbers(*physics, own, own == model ? params : unused);
     physics->finish();
+    if (const auto set = take_set(overrides, params); !set) return tl::unexpected(set.error());
     take_material(scenario, *material, params);
     if (under_rule) {
         const auto lower = material_of_scene(*under_named, folder, overrides.references, model);
@@ -340,12 +354,16 @@ Outcome<Scene> scene_of_terrain(const fs::path& dem, const std::optional<Release
     if (const auto sound = check_choices(overrides, model); !sound) return tl::unexpected(sound.error());
     const auto material = load_material(overrides.material.value_or("snow-dry"), model);
     if (!material) return tl::unexpected(material.error());
-    const auto terrain =
+    const int usual = overrides.own_grid ? terrains::GridChoice::kOwn : kUsualSquares;
+    auto terrain =
         terrains::read_dem(dem,
-                           {overrides.squares.value_or(kUsualSquares),
+                           {overrides.squares.value_or(usual),
                             [&](const sim::Grid& grid) { return overrides.memory.allows(grid, false); }},
                            overrides.references);
     if (!terrain) return unusable(terrain.error());
+    if (overrides.crs)
+        if (const auto set = terrains::set_system(*overrides.crs, *terrain); !set)
+            return unusable(fmt::format("{}: {}", dem.string(), set.error()));
 
     Scene scene;
     scene.files = {dem, material->file};
@@ -353,6 +371,7 @@ Outcome<Scene> scene_of_terrain(const fs::path& dem, const std::optional<Release
     scene.scenario.scene = scene.scenario.title = terrain->name;
     sim::Params params = material->params;
     take_choices(overrides, params);
+    if (const auto set = take_set(overrides, params); !set) return tl::unexpected(set.error());
     params.borders.fill(sim::Border::kSink);
     take_material(scene.scenario, *material, params);
     set_ground(scene.scenario, *terrain);

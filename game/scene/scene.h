@@ -21,6 +21,14 @@ struct Overrides {
     std::optional<sim::Model> model;
     std::optional<sim::Scheme> scheme;
     std::optional<sim::Law> law;
+    // Parameters of the (upper) material, after those of the scene.
+    struct Set {
+        const sim::ParamInfo* param;
+        float value;
+    };
+    std::vector<Set> set;
+    bool own_grid = false;           // a terrain's own pixels, if `squares` is not given
+    std::optional<std::string> crs;  // of a terrain that names none, "EPSG:31287" or WKT
     // Whether a virtual raster may refer to its sources, and a scene to a terrain outside its folder.
     terrains::References references = terrains::References::kRefused;
     LookFrom look = LookFrom::kShipped;  // of a recording

@@ -1,8 +1,10 @@
 #include "game/scene/surface.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace game {
 
@@ -25,6 +27,26 @@ double surface_height(const sim::View& world, glm::dvec2 at) {
     const Square square = square_under(world.grid, at);
     return between(square, world.bedrock) + between(square, world.depth) + between(square, world.rolling) +
            world.datum;
+}
+
+glm::vec2 ground_slope(const sim::View& world, int x, int y) {
+    const auto along = [&](int dx, int dy) {
+        const bool ahead = world.site(x + dx, y + dy) == sim::Site::kGround,
+                   behind = world.site(x - dx, y - dy) == sim::Site::kGround;
+        if (!ahead && !behind) return 0.f;
+        const int x1 = ahead ? x + dx : x, y1 = ahead ? y + dy : y;
+        const int x0 = behind ? x - dx : x, y0 = behind ? y - dy : y;
+        // Separate differences keep the last digits of the layer.
+        const float rise =
+            (world.bedrock(x1, y1) - world.bedrock(x0, y0)) + (world.depth(x1, y1) - world.depth(x0, y0));
+        return rise / (world.grid.dx * (ahead && behind ? 2.f : 1.f));
+    };
+    return {along(1, 0), along(0, 1)};
+}
+
+double speed_along_slope(glm::dvec2 velocity, glm::dvec2 slope) {
+    const double rise = glm::dot(slope, velocity);
+    return std::sqrt(glm::dot(velocity, velocity) + rise * rise);
 }
 
 }  // namespace game

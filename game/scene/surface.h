@@ -21,4 +21,11 @@ double between(const Square& square, const sim::Field<float>& field);
 // Height of the surface above the terrain's zero, bilinear, m; outside the grid that of the nearest border.
 double surface_height(const sim::View& world, glm::dvec2 at);
 
+// Tangents of the ground, bedrock and standing layer, toward east and north at a vertex: central differences,
+// one-sided beside a border or no data.
+glm::vec2 ground_slope(const sim::View& world, int x, int y);
+
+// Speed along the slope of a velocity in plan on ground with tangents `slope`: √(|v|² + (slope·v)²).
+double speed_along_slope(glm::dvec2 velocity, glm::dvec2 slope);
+
 }  // namespace game

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "game/scene/surface.h"
 #include "sim/core/float_environment.h"
 #include "sim/step.h"
 
@@ -27,9 +28,12 @@ double ms_of(const Stage& stage) {
 Session::Session(const Scenario& scenario, const sim::StepOptions& options, std::optional<Recorder> recorder)
     : state_(sim::make_state(initial_state_of(scenario), scenario.params)),
       engine_(std::make_unique<sim::Engine>(state_, options)),
-      recorder_(std::move(recorder)) {
+      recorder_(std::move(recorder)),
+      densities_(densities_of(scenario)) {
     peaks_.depth.assign(state_.grid.size(), 0.f);
-    peaks_.speed.assign(state_.grid.size(), 0.f);
+    peaks_.speed_plan.assign(state_.grid.size(), 0.f);
+    peaks_.speed_slope.assign(state_.grid.size(), 0.f);
+    if (densities_) peaks_.pressure.assign(state_.grid.size(), 0.f);
     line_.before.reserve(kTicksPerState);
     find_hash();
     watch();
@@ -174,17 +178,28 @@ void Session::advance_fronts() {
 
 void Session::watch() {
     active_cells_ = 0;
+    const sim::View world = view();
     const auto nx = static_cast<std::size_t>(state_.grid.nx);
     for (int y = 0; y < state_.grid.ny; ++y) {
         const float* rolling = state_.rolling.row(y);
         const float *u = state_.velocity_x.row(y), *v = state_.velocity_y.row(y);
         float* depth = peaks_.depth.data() + static_cast<std::size_t>(y) * nx;
-        float* speed = peaks_.speed.data() + static_cast<std::size_t>(y) * nx;
+        float* plan = peaks_.speed_plan.data() + static_cast<std::size_t>(y) * nx;
+        float* slope = peaks_.speed_slope.data() + static_cast<std::size_t>(y) * nx;
         for (std::size_t x = 0; x < nx; ++x) {
             if (rolling[x] == 0) continue;
             ++active_cells_;
             depth[x] = std::max(depth[x], rolling[x]);
-            if (rolling[x] >= Peaks::kVisible) speed[x] = std::max(speed[x], std::hypot(u[x], v[x]));
+            if (rolling[x] < Peaks::kVisible || (u[x] == 0 && v[x] == 0)) continue;
+            const int column = static_cast<int>(x);
+            const double along = speed_along_slope({u[x], v[x]}, ground_slope(world, column, y));
+            plan[x] = std::max(plan[x], std::hypot(u[x], v[x]));
+            slope[x] = std::max(slope[x], static_cast<float>(along));
+            if (!densities_) continue;
+            float& pressure = peaks_.pressure[static_cast<std::size_t>(y) * nx + x];
+            const double share =
+                world.mixture ? static_cast<double>(sim::share_in_rolling(world, column, y)) : 0;
+            pressure = std::max(pressure, static_cast<float>(impact_pressure(densities_->of(share), along)));
         }
     }
 }

@@ -8,6 +8,7 @@
 #include "game/base/outcome.h"
 #include "game/recording/recorder.h"
 #include "game/scene/memory.h"
+#include "game/scene/pressure.h"
 #include "game/scene/scenario.h"
 #include "game/session/world_fronts.h"
 #include "sim/engine.h"
@@ -28,7 +29,9 @@ struct TickTimes {
 // Per-vertex maxima since tick 0, grid.size() values each. A view: never affects the world.
 struct Peaks {
     std::vector<float> depth;                 // m, of the rolling layer
-    std::vector<float> speed;                 // m/s, where that layer was at least kVisible deep
+    std::vector<float> speed_plan;            // m/s, where that layer was at least kVisible deep
+    std::vector<float> speed_slope;           // m/s, the same along the slope of the ground
+    std::vector<float> pressure;              // kPa, impact pressure; empty if a density is unknown
     static constexpr float kVisible = 0.01f;  // m
 };
 
@@ -36,7 +39,7 @@ struct Peaks {
 // recorder, then applies it.
 class Session {
   public:
-    // Everything needed to restore one tick: about 24 bytes per vertex, and 80 more if fronts are tracked.
+    // Everything needed to restore one tick: about 32 bytes per vertex, and 80 more if fronts are tracked.
     struct Checkpoint {
         sim::Snapshot world;
         std::optional<sim::front::TextureLayers::Memory> textures;
@@ -93,6 +96,7 @@ class Session {
     // The last tick that changed the fields. While the world is at rest, its frame stays the same.
     std::int64_t changed_at() const { return changed_at_; }
     const Peaks& peaks() const { return peaks_; }
+    const std::optional<Densities>& densities() const { return densities_; }
     const TickTimes& times() const { return times_; }
     // The state line of this tick; `before` has the hashes since the last recorded state line.
     const StateLine& state_line() const { return line_; }
@@ -116,6 +120,7 @@ class Session {
     std::unique_ptr<sim::fields::FlowStage> stage_;
     std::unique_ptr<WorldFronts> fronts_;
     Peaks peaks_;
+    std::optional<Densities> densities_;
     TickTimes times_;
     std::size_t active_cells_ = 0;
     std::int64_t changed_at_ = 0;

@@ -13,16 +13,17 @@ struct OverlayName {
     render::Overlay overlay;
     const char* name;
 };
-constexpr std::array<OverlayName, 6> kOverlays{{
+constexpr std::array<OverlayName, 7> kOverlays{{
     {render::Overlay::kNone, "material"},
     {render::Overlay::kSlope, "slope"},
     {render::Overlay::kStanding, "standing depth"},
     {render::Overlay::kRolling, "rolling depth"},
-    {render::Overlay::kSpeed, "speed"},
+    {render::Overlay::kSpeed, "speed in plan"},
+    {render::Overlay::kPressure, "pressure"},
     {render::Overlay::kStretch, "texture stretch"},
 }};
 
-bool colours(Desk& desk, Display& display) {
+bool colours(Desk& desk, const Facts& facts, Display& display) {
     int chosen = 0;
     for (std::size_t i = 0; i < kOverlays.size(); ++i)
         if (kOverlays[i].overlay == display.overlay) chosen = static_cast<int>(i);
@@ -32,6 +33,8 @@ bool colours(Desk& desk, Display& display) {
                                        [](int i) { return kOverlays[static_cast<std::size_t>(i)].name; });
     if (changed) display.overlay = kOverlays[static_cast<std::size_t>(chosen)].overlay;
     draw_legend(render::legend_of(display.overlay), desk.em(), *desk.widgets.letters.small);
+    if (display.overlay == render::Overlay::kPressure && !densities_of(facts.scenario))
+        desk.widgets.dim("Pressure needs the density of every material, and a file here has none.");
     changed |= desk.widgets.toggle("Contours", display.contours, "Lines of equal height.");
     changed |= desk.widgets.toggle("Fronts", display.flow_mesh,
                                    "Shows the texture mesh, cut along the fronts, and the front points.");
@@ -151,7 +154,7 @@ void camera(Desk& desk, const Facts& facts, Actions& actions) {
 
 void display_panel(Desk& desk, const Facts& facts, Actions& actions) {
     Display display = facts.display;
-    bool changed = colours(desk, display);
+    bool changed = colours(desk, facts, display);
     if (facts.scenario.flow) changed |= flow(desk, display);
     changed |= sun(desk, facts, display);
     changed |= picture(desk, display);

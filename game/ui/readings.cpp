@@ -53,7 +53,9 @@ void rows(Desk& desk, const Facts& facts, const Reading& reading) {
     if (reading.lower_share)
         widgets.fact("Mixture", "%.0f %% %s", 100 * *reading.lower_share,
                      title_in(facts.catalogue.materials, facts.scenario.lower->material));
-    widgets.fact("Speed", "%.1f m/s", reading.speed);
+    widgets.fact("Speed on slope", "%.1f m/s", reading.speed_slope);
+    widgets.fact("Speed in plan", "%.1f m/s", reading.speed_plan);
+    if (reading.pressure) widgets.fact("Pressure", "%.1f kPa", *reading.pressure);
 }
 
 // Latitude and longitude on one line, UTM on the next.
@@ -75,7 +77,7 @@ void readings(Desk& desk, const Facts& facts) {
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, desk.size.y});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     const bool low = desk.size.y < kLow * desk.em();
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, low ? 0 : desk.em() * 0.12f});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, low ? 0 : desk.em() * 0.05f});
     ImGui::Begin("Readings", nullptr,
                  kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
     ImGui::PushFont(low ? desk.widgets.letters.small : desk.widgets.letters.usual);

@@ -118,8 +118,10 @@ TEST_F(Pass, overlays_colour_what_they_measure) {
     for (const auto& [overlay, name] : {std::pair{Overlay::kSlope, "slope"},
                                         {Overlay::kStanding, "standing"},
                                         {Overlay::kRolling, "rolling"},
-                                        {Overlay::kSpeed, "speed"}}) {
+                                        {Overlay::kSpeed, "speed"},
+                                        {Overlay::kPressure, "pressure"}}) {
         Marks marks;
+        marks.density = glm::vec2(200);
         marks.overlay = overlay;
         EXPECT_TRUE(matches_baseline(draw(world, render::overview(world.view()), {}, {}, marks),
                                      std::string("pass_overlay_") + name));

@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <filesystem>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "game/recording/format.h"
@@ -221,14 +224,114 @@ TEST(CommandLine, run_tells_the_same_as_json_on_screen_and_in_the_file) {
     for (const char* field : {"program", "scene", "terrain", "material", "model", "squares", "cell_m",
                               "ticks", "seconds", "state_hash", "mass", "measures", "performance"})
         EXPECT_TRUE(summary.contains(field)) << field;
-    for (const char* field :
-         {"run_out_m", "fall_m", "reach_deg", "extent_ha", "peak_depth_m", "peak_speed_m_s", "top", "toe"})
+    for (const char* field : {"run_out_m", "fall_m", "reach_deg", "extent_ha", "peak_depth_m",
+                              "peak_speed_slope_m_s", "peak_speed_plan_m_s", "top", "toe"})
         EXPECT_TRUE(summary["measures"].contains(field)) << field;
     EXPECT_EQ(summary["scene"], "landslide");
     EXPECT_EQ(summary["ticks"], 30);
     EXPECT_EQ(summary["squares"], Json({16, 16}));
     EXPECT_EQ(summary["mass"]["error_quanta"], 0);
     EXPECT_FALSE(summary.contains("at_rest")) << "nobody asked";
+}
+
+TEST(CommandLine, run_takes_parameters_and_refuses_what_is_none) {
+    const auto hash = [](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"run", "landslide", "--grid", "16", "--seconds", "3"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Finished finished = couloir(arguments);
+        EXPECT_EQ(finished.status, 0) << finished.err;
+        return Json::parse(finished.out)["state_hash"];
+    };
+    const Json usual = hash({"--json"});
+    EXPECT_NE(hash({"--json", "--set", "max_speed=2"}), usual);
+    EXPECT_EQ(hash({"--json", "--set", "max_speed=2,exchange_rate=0.5"}),
+              hash({"--json", "--set", "exchange_rate=0.5", "--set", "max_speed=2"}));
+    for (const auto& [set, fact] : {std::pair{"start_depth", "NAME=VALUE"},
+                                    {"", "NAME=VALUE"},
+                                    {"depth=3", "'depth' is not a parameter"},
+                                    {"start_depth=11", "0 to 10 m"},
+                                    {"start_depth=-1", "0 to 10 m"},
+                                    {"start_depth=nan", "0 to 10 m"},
+                                    {"friction=0.4", "does not use it"},
+                                    {"stop_slope=2", "start_slope is below stop_slope"}}) {
+        const Finished finished = couloir(short_run({"--set", set}));
+        EXPECT_EQ(finished.status, 2) << set;
+        EXPECT_NE(finished.err.find("--set"), std::string::npos) << finished.err;
+        EXPECT_NE(finished.err.find(fact), std::string::npos) << finished.err;
+    }
+}
+
+// A plane of 45° in the dialect of ISeeSnow, with a hole, and a release of 1 m normal to it.
+TEST(CommandLine, run_exports_what_iseesnow_asks_for) {
+    const support::TemporaryFolder folder;
+    const auto dem = folder.path() / "DEM_a.asc", release = folder.path() / "rel_1.asc";
+    const std::string header = "ncols 20\nnrows 30\nxllcenter 1000.00\nyllcenter -500.00\ncellsize 5.00\n";
+    std::string heights = header + "nodata_value -9999.00\n", thickness = header + "nodata_value nan\n";
+    for (int row = 0; row < 30; ++row)
+        for (int column = 0; column < 20; ++column) {
+            heights += row == 0 && column < 2 ? "-9999 " : fmt::format("{} ", 5 * (29 - row));
+            thickness += row == 29 ? "nan " : row > 4 && row < 9 && column > 6 && column < 12 ? "1 " : "0 ";
+        }
+    write_bytes(dem, heights), write_bytes(release, thickness);
+    const auto out = folder.path() / "out";
+    const std::vector<std::string> run{
+        "run",         "--terrain", dem.string(), "--release",       release.string(),
+        "--thickness", "normal",    "--model",    "voellmy",         "--seconds",
+        "3",           "--export",  out.string(), "--export-format", "iseesnow"};
+    const Finished finished = couloir(run);
+    ASSERT_EQ(finished.status, 0) << finished.err;
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(out)) names.insert(entry.path().filename());
+    EXPECT_EQ(names, (std::set<std::string>{"rel1_DEMa_null_couloir.txt", "rel1_DEMa_null_couloir_pft.asc",
+                                            "rel1_DEMa_null_couloir_pfv.asc",
+                                            "rel1_DEMa_null_couloir_ppr.asc", "simulationResultTable.csv"}));
+    const std::string pft = read_bytes(out / "rel1_DEMa_null_couloir_pft.asc");
+    EXPECT_EQ(
+        pft.rfind("ncols 20\nnrows 30\nxllcenter 1000\nyllcenter -500\ncellsize 5\nNODATA_value nan\n", 0),
+        0u)
+        << pft.substr(0, 100);
+    std::vector<std::string> rows;
+    std::istringstream lines(pft);
+    for (std::string line; std::getline(lines, line);) rows.push_back(line);
+    ASSERT_EQ(rows.size(), 36u);
+    const auto value = [&](int row, int column) {
+        std::istringstream line(rows[static_cast<std::size_t>(6 + row)]);
+        std::string text;
+        for (int i = 0; i <= column; ++i) line >> text;
+        return text;
+    };
+    EXPECT_EQ(value(0, 1), "nan");
+    EXPECT_EQ(value(0, 5), "0");
+    EXPECT_NEAR(std::stod(value(6, 9)), 1, 2e-3) << "the release is 1 m thick, normal to the slope";
+    EXPECT_EQ(couloir({"run", "--terrain", dem.string(), "--release",
+                       (out / "rel1_DEMa_null_couloir_pft.asc").string(), "--seconds", "0.1"})
+                  .status,
+              0)
+        << "what it wrote can be read, although it begins with nan";
+    const std::string text = read_bytes(out / "rel1_DEMa_null_couloir.txt");
+    for (const char* line : {"[MODEL]\n", "model = voellmy\n", "friction = 0.25\n", "drag = 2000\n",
+                             "density = 200\n", "cell_m = 5\n", "release = rel_1.asc\n", "flow_time_s = 3"})
+        EXPECT_NE(text.find(line), std::string::npos) << line << text;
+
+    for (const auto& more : std::vector<std::vector<std::string>>{{"--grid", "20"},
+                                                                  {"--export-name", "two_under_scores"},
+                                                                  {"--export-name", "none"},
+                                                                  {"--export-name", "_"},
+                                                                  {"--export-name", "a/b_c"}}) {
+        auto wrong = run;
+        wrong.insert(wrong.end(), more.begin(), more.end());
+        EXPECT_EQ(couloir(wrong).status, 2) << more.back();
+    }
+    EXPECT_EQ(couloir({"run", "landslide", "--seconds", "1", "--export", out.string(), "--export-format",
+                       "iseesnow"})
+                  .status,
+              2)
+        << "a scene has no DEM";
+    EXPECT_EQ(couloir({"run", "landslide", "--seconds", "1", "--export-format", "iseesnow"}).status, 2);
+    EXPECT_EQ(
+        couloir({"run", "landslide", "--seconds", "1", "--export", out.string(), "--export-format", "csv"})
+            .status,
+        2);
 }
 
 TEST(CommandLine, run_and_verified_replay_agree_with_any_number_of_threads) {

@@ -46,8 +46,12 @@ TEST(ShippedMaterials, state_unit_range_and_source_of_each_parameter) {
     for (const std::string& name : names) {
         std::istringstream lines(read_bytes(find_asset(AssetKind::kMaterial, name).value()));
         int told = 0;
-        bool physics = false;
+        bool physics = false, has_density = false;
         for (std::string line; std::getline(lines, line);) {
+            if (line.starts_with("density")) {
+                EXPECT_TRUE(std::regex_match(line, number)) << name << ": " << line;
+                has_density = true;
+            }
             if (line.starts_with("[")) physics = line.starts_with("[bcre") || line.starts_with("[voellmy");
             if (!physics || line.empty() || line.starts_with("[")) continue;
             std::smatch part;
@@ -61,6 +65,7 @@ TEST(ShippedMaterials, state_unit_range_and_source_of_each_parameter) {
             ++told;
         }
         EXPECT_GE(told, 20) << name;
+        EXPECT_TRUE(has_density) << name;
     }
 }
 
@@ -104,6 +109,9 @@ TEST(Material, converts_angles_to_slopes_and_srgb_to_linear_light) {
     ASSERT_TRUE(material->look.turf);
     EXPECT_NEAR(material->look.turf->x, 0.5028865, 1e-6);
     EXPECT_EQ(material->title, "mine");
+    EXPECT_FALSE(material->density);
+    write_bytes(path, "density = 312.5\n[bcre]\n");
+    EXPECT_EQ(load_material(path.string(), sim::Model::kBcre).value().density, 312.5);
 }
 
 TEST(Material, with_a_fault_is_refused_with_file_line_and_key) {
@@ -125,6 +133,10 @@ TEST(Material, with_a_fault_is_refused_with_file_line_and_key) {
         {"[look]\ntexture = \"wood\"\n[bcre]\n", ":2: look.texture"},
         {"[look]\nroughness = 2\n[bcre]\n", ":2: look.roughness"},
         {"price = 1\n[bcre]\n", ":1: price"},
+        {"density = 0\n[bcre]\n", ":1: density"},
+        {"density = -200\n[bcre]\n", ":1: density"},
+        {"density = 3001\n[bcre]\n", ":1: density"},
+        {"density = \"heavy\"\n[bcre]\n", ":1: density"},
         {"[bcre]\nstop_angle = 40\nstart_angle = 30\n", ": start_slope is below stop_slope"},
         {"bcre = 3\n", ":1: bcre is not a table"},
     };

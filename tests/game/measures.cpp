@@ -57,6 +57,54 @@ TEST(Measures, match_manual_calculation) {
     EXPECT_DOUBLE_EQ(m.deposited, 0);
 }
 
+// A slab on a plane of 45° under voellmy, whose velocity in plan goes straight down the plane.
+TEST(Measures,
+     of_a_plane_of_45_degrees_have_a_speed_along_the_slope_of_the_square_root_of_2_times_that_in_plan) {
+    Hill hill;
+    hill.scenario.params.model = sim::Model::kVoellmy;
+    for (int y = 0; y < 9; ++y)
+        for (int x = 0; x < 11; ++x) hill.scenario.bedrock[hill.at(x, y)] = 10.f * static_cast<float>(y);
+    hill.scenario.rolling.assign(hill.scenario.grid.size(), 1.f);
+    Session session = hill.session();
+    for (int tick = 0; tick < 30; ++tick) ASSERT_TRUE(session.advance({}));
+    const std::size_t middle = hill.at(5, 4);
+    const float plan = session.peaks().speed_plan[middle], slope = session.peaks().speed_slope[middle];
+    EXPECT_GT(plan, 1);
+    EXPECT_FLOAT_EQ(slope, std::sqrt(2.f) * plan);
+    const Measures m = measure(hill.scenario, session, hill.flags({}), {});
+    EXPECT_GE(m.peak_speed_plan, plan);
+    EXPECT_GE(m.peak_speed_slope, slope);
+    EXPECT_GT(m.peak_speed_slope, m.peak_speed_plan);
+    EXPECT_FALSE(m.peak_pressure) << "the density is unknown";
+}
+
+TEST(Measures, of_pressure_are_density_times_the_square_of_the_speed_along_the_slope) {
+    Hill hill;
+    hill.scenario.params.model = sim::Model::kVoellmy;
+    hill.scenario.density = 250;
+    hill.scenario.rolling.assign(hill.scenario.grid.size(), 1.f);
+    Session session = hill.session();
+    for (int tick = 0; tick < 30; ++tick) ASSERT_TRUE(session.advance({}));
+    const Measures m = measure(hill.scenario, session, hill.flags({}), {});
+    ASSERT_TRUE(m.peak_pressure);
+    EXPECT_GT(*m.peak_pressure, 0.1);
+    EXPECT_NEAR(*m.peak_pressure, 250 * m.peak_speed_slope * m.peak_speed_slope / 1000,
+                1e-6 * *m.peak_pressure);
+}
+
+TEST(Densities, are_known_only_if_every_material_has_one_and_mix_by_volume) {
+    Scenario scenario;
+    EXPECT_FALSE(densities_of(scenario));
+    scenario.density = 200;
+    EXPECT_EQ(densities_of(scenario).value().of(0), 200);
+    EXPECT_EQ(densities_of(scenario).value().of(1), 200);
+    scenario.lower.emplace();
+    EXPECT_FALSE(densities_of(scenario));
+    scenario.lower->density = 1800;
+    EXPECT_EQ(densities_of(scenario).value().of(0.25), 600);
+    EXPECT_EQ(impact_pressure(200, 10), 20);  // kPa
+}
+
 TEST(Measures, without_release_or_reference_have_no_line_and_no_overlap) {
     Hill hill;
     hill.scenario.rolling[hill.at(5, 6)] = 1.f;

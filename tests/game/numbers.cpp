@@ -89,9 +89,11 @@ const std::map<std::string, std::vector<std::string>> kTypes{
     {"WAY", {"device:{}"}},
     {"EAST,NORTH", {"{},5", "5,{}"}},
     {"", {}},
-    {"NAME=VALUE,...", {}},  // Number.of_a_command_is_in_the_range_of_the_manifest
+    {"NAME=VALUE,...", {}},  // Number.of_a_command_is_in_the_range_of_the_manifest, Number.of_a_parameter_…
     {"NAME", {}},
     {"FROM", {}},
+    {"SYSTEM", {}},
+    {"RELEASE_ID", {}},
     {"DIRECTION", {}},
     {"BYTES", {}},  // has a unit: Memory.is_read_from_the_text_of_an_option
     {"LIST", {}},

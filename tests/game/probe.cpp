@@ -60,16 +60,52 @@ TEST(Probe, is_bilinear_between_four_vertices) {
     EXPECT_DOUBLE_EQ(reading.at.z, 1000 + (11 + 14) / 2.0);  // 10 + ¼ · 4 and 12 + ¼ · 8
     EXPECT_DOUBLE_EQ(reading.rolling, 2 * 0.25 * 0.5);
     EXPECT_DOUBLE_EQ(reading.standing, 0);
-    EXPECT_DOUBLE_EQ(reading.speed, 5 * 0.25 * 0.5);
+    EXPECT_DOUBLE_EQ(reading.speed_plan, 5 * 0.25 * 0.5);
     EXPECT_NEAR(reading.slope_deg, std::atan(std::hypot((4 + 8) / 2.0, 2 + 0.25 * 4) / 5) / kDegree, 1e-9);
 }
 
 TEST(Probe, names_no_speed_where_nothing_rolls) {
     auto state = hillside(0, 0);
     state.velocity_x(4, 6) = 3;
-    EXPECT_EQ(Probe(nowhere()).read(sim::view(state), {20, 30}).value().speed, 0);
+    const Reading thin = Probe(nowhere()).read(sim::view(state), {20, 30}).value();
+    EXPECT_EQ(thin.speed_plan, 0);
+    EXPECT_EQ(thin.speed_slope, 0);
     state.rolling(4, 6) = 1;
-    EXPECT_EQ(Probe(nowhere()).read(sim::view(state), {20, 30}).value().speed, 3);
+    const Reading thick = Probe(nowhere()).read(sim::view(state), {20, 30}).value();
+    EXPECT_EQ(thick.speed_plan, 3);
+    EXPECT_EQ(thick.speed_slope, 3) << "the ground is level";
+}
+
+// Down and across a plane of 45°, in the middle, on the border and beside no data.
+TEST(Probe, reads_the_speed_along_the_slope_of_the_ground) {
+    auto state = hillside(1, 0);
+    state.site(10, 11) = sim::Site::kDrain, state.bedrock(10, 11) = -500;
+    state.rolling.fill(1);
+    Probe probe(nowhere());
+    for (const glm::dvec2 at :
+         {glm::dvec2(21, 32), glm::dvec2(0, 30), glm::dvec2(100, 110), glm::dvec2(43, 56)}) {
+        state.velocity_x.fill(-3), state.velocity_y.fill(0);
+        const Reading down = probe.read(sim::view(state), at).value();
+        EXPECT_EQ(down.speed_plan, 3);
+        EXPECT_NEAR(down.speed_slope, 3 * std::sqrt(2.), 1e-6);
+        state.velocity_x.fill(0), state.velocity_y.fill(3);
+        const Reading across = probe.read(sim::view(state), at).value();
+        EXPECT_EQ(across.speed_plan, 3);
+        EXPECT_NEAR(across.speed_slope, 3, 1e-6);
+    }
+}
+
+TEST(Probe, reads_the_pressure_of_the_mixture_under_it) {
+    support::Ground ground = support::plane(20, 5, 1, 2);
+    ground.lower = sim::Params{};
+    for (float& depth : ground.lower_depth) depth = 1;
+    ground.rolling.assign(ground.grid.size(), 1.f);
+    sim::State state = sim::make_state(ground.world(), {});
+    state.mixture->rolling.fill(0.25f);
+    state.velocity_y.fill(10);
+    EXPECT_FALSE(Probe(nowhere()).read(sim::view(state), {50, 50})->pressure);
+    EXPECT_NEAR(*Probe(nowhere(), Densities{200, 1800}).read(sim::view(state), {50, 50})->pressure,
+                600 * 200 / 1000., 1e-3);  // kg/m³ and m²/s²
 }
 
 TEST(Probe, reads_up_to_the_border_and_not_beyond) {

@@ -64,6 +64,33 @@ TEST_F(RealTerrain, runs_the_same_avalanche_from_three_coordinate_systems) {
     EXPECT_LT(metres_between(toes[0], toes[2]), 150);
 }
 
+// A DEM as AvaFrame ships it, without a .prj, and a release in degrees.
+TEST_F(RealTerrain, that_names_no_coordinate_system_takes_that_of_the_command_line) {
+    const support::TemporaryFolder folder;
+    const auto bare = folder.path() / "bare.asc";
+    std::filesystem::copy_file(file("alr.asc"), bare);
+    const auto top_with = [&](std::vector<std::string> more, const std::filesystem::path& dem) {
+        std::vector<std::string> arguments{
+            "run",    "--terrain", dem.string(), "--release", file("release.geojson"),
+            "--grid", "96",        "--seconds",  "5",         "--json"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Finished finished = couloir(arguments);
+        return finished.status == 0 ? Json::parse(finished.out)["measures"]["top"] : Json(finished.err);
+    };
+    EXPECT_NE(top_with({}, bare).dump().find("degrees"), std::string::npos) << top_with({}, bare);
+    const Json known = top_with({}, file("alr.asc")), named = top_with({"--crs", "EPSG:31287"}, bare);
+    ASSERT_TRUE(known.is_object() && named.is_object()) << known << named;
+    EXPECT_LT(metres_between(known, named), 1);
+    for (const char* wrong : {"EPSG:4326", "EPSG:", "EPSG:0", "EPSG:31287x", "EPSG:999999", "31287", "",
+                              "Tyrol", "/etc/passwd", "EPSG:3857"}) {
+        const Json refused = top_with({"--crs", wrong}, bare);
+        ASSERT_TRUE(refused.is_string()) << wrong;
+        EXPECT_NE(refused.dump().find("bare.asc"), std::string::npos) << refused;
+    }
+    EXPECT_NE(top_with({"--crs", "EPSG:31287"}, file("alr.asc")).dump().find("leave out --crs"),
+              std::string::npos);
+}
+
 TEST_F(RealTerrain, that_is_damaged_is_refused_in_one_line_that_names_the_file) {
     const support::TemporaryFolder folder;
     for (const char* name : {"alr_utm32n.tif", "alr.asc"}) {

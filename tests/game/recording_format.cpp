@@ -91,6 +91,26 @@ TEST(RecordingHeader, keeps_the_style_and_refuses_an_unknown_one) {
     }
 }
 
+TEST(RecordingHeader, keeps_the_density_of_each_material_or_that_it_is_unknown) {
+    Header header;
+    header.scenario = small_scenario();
+    header.scenario.lower =
+        Scenario::Lower{"soil", header.scenario.params, std::vector<float>(header.scenario.depth.size())};
+    const Header unknown = header_from(to_json(header)).value();
+    EXPECT_FALSE(unknown.scenario.density);
+    EXPECT_FALSE(unknown.scenario.lower->density);
+    header.scenario.density = 212.5;
+    header.scenario.lower->density = 1800;
+    const Header known = header_from(to_json(header)).value();
+    EXPECT_EQ(known.scenario.density, 212.5);
+    EXPECT_EQ(known.scenario.lower->density, 1800);
+    for (const Json& never : {Json(0), Json(-200), Json(3001), Json("heavy")}) {
+        Json json = to_json(header);
+        json["density"] = never;
+        EXPECT_FALSE(header_from(json)) << never;
+    }
+}
+
 TEST(RecordingHeader, keeps_the_place_on_earth) {
     Scenario scenario = small_scenario();
     const auto here = scenario.georeference.to_lat_lon({7, 9}).value();

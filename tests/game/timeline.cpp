@@ -104,7 +104,8 @@ TEST(Timeline, shows_at_a_tick_what_is_seen_there_without_a_seek) {
     go(bent, 500);
     EXPECT_EQ(bent.session().state_line().hash, straight.session().state_line().hash);
     EXPECT_EQ(bent.session().peaks().depth, straight.session().peaks().depth);
-    EXPECT_EQ(bent.session().peaks().speed, straight.session().peaks().speed);
+    EXPECT_EQ(bent.session().peaks().speed_plan, straight.session().peaks().speed_plan);
+    EXPECT_EQ(bent.session().peaks().speed_slope, straight.session().peaks().speed_slope);
     EXPECT_EQ(bent.session().active_cells(), straight.session().active_cells());
     ASSERT_TRUE(straight.session().fronts());
     const auto &there = straight.session().fronts()->layers().memory(),

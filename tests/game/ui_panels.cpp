@@ -186,7 +186,7 @@ TEST_F(UiPanels, change_one_thing_of_the_display_and_leave_the_rest) {
     EXPECT_TRUE(click("Colour by").empty());
     expected = display_;
     expected.overlay = render::Overlay::kSpeed;
-    EXPECT_EQ(only<SetDisplay>(click("speed")).display, expected);
+    EXPECT_EQ(only<SetDisplay>(click("speed in plan")).display, expected);
 
     display_.light.azimuth_deg = 12;
     expected = display_;

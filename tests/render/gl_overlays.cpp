@@ -88,6 +88,41 @@ TEST_F(Overlays, of_speed_has_the_colours_of_its_legend_in_every_direction) {
               2);
 }
 
+// On level ground and down a plane of 45°, where speed along the slope is √2 times that in plan.
+TEST_F(Overlays, of_pressure_have_the_colour_of_the_class_of_density_times_speed_squared) {
+    const auto seen = [&](World world, float speed, glm::vec2 density) {
+        world.rolling.fill(0.5f);
+        world.velocity_y.fill(-speed);
+        Marks marks;
+        marks.overlay = Overlay::kPressure;
+        marks.density = density;
+        const double z = static_cast<double>(world.bedrock(20, 20));
+        return draw(world, from_above({80, 80, z}, 8), {180, z > 0 ? 67.5 : 90}, plain_look(), 96, 96, marks);
+    };
+    const auto colour = [](const Picture& picture) { return mean_colour(picture, 48, 48, 10); };
+    const auto stops = legend_of(Overlay::kPressure).stops;
+    for (std::size_t i = 0; i < stops.size(); ++i)
+        for (const float density : {200.f, 1800.f}) {
+            const float speed = std::sqrt(1000 * 1.02f * stops[i].value / density);
+            EXPECT_LT(colour_distance(colour(seen(level(), speed, {density, density})), of_legend(stops[i])),
+                      5)
+                << stops[i].value;
+            EXPECT_LT(colour_distance(colour(seen(tilted(45), speed / std::sqrt(2.f), {density, density})),
+                                      of_legend(stops[i])),
+                      5)
+                << stops[i].value;
+            if (i > 0)
+                EXPECT_LT(colour_distance(colour(seen(level(), speed * 0.98f, {density, density})),
+                                          of_legend(stops[i - 1])),
+                          5)
+                    << "below " << stops[i].value;
+        }
+    World flow = level();
+    flow.rolling.fill(0.5f);
+    flow.velocity_y.fill(-20);
+    EXPECT_EQ(shot(flow, Overlay::kPressure).pixels, shot(flow, Overlay::kNone).pixels) << "unknown density";
+}
+
 TEST_F(Overlays, of_depth_and_speed_do_not_colour_bare_or_resting_ground) {
     const World bare = level();
     for (const Overlay overlay : {Overlay::kStanding, Overlay::kRolling, Overlay::kSpeed})
@@ -120,7 +155,8 @@ TEST_F(Overlays, show_the_shape_of_the_ground_by_its_shade) {
 }
 
 TEST_F(Overlays, have_stops_distinguishable_in_all_colour_vision) {
-    for (const Overlay overlay : {Overlay::kSlope, Overlay::kStanding, Overlay::kRolling, Overlay::kSpeed}) {
+    for (const Overlay overlay :
+         {Overlay::kSlope, Overlay::kStanding, Overlay::kRolling, Overlay::kSpeed, Overlay::kPressure}) {
         const auto stops = legend_of(overlay).stops;
         for (std::size_t i = 1; i < stops.size(); ++i) {
             const Colour a = of_legend(stops[i - 1]), b = of_legend(stops[i]);
