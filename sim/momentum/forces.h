@@ -35,7 +35,7 @@ template <class Number, class S = Scalar<Number>>
 }
 
 // ∇z as it drives a layer of thickness `own` with velocity (u, v). In a pit along x or y, where the surface rises on
-// both sides, a side where less than half as much rolls may brake, but not drive: what stands still beside a layer,
+// both sides by more than that, a side where less than half as much rolls may brake, but not drive: what stands still beside a layer,
 // as the wall of a hole does, would push it for ever.
 template <class Number, class S = Scalar<Number>>
 [[gnu::always_inline]] inline Gradient<Number> driving_gradient(const GroundRows<S>& ground,
@@ -47,7 +47,7 @@ template <class Number, class S = Scalar<Number>>
                         const Number& r_ahead, const Number& velocity) {
         const Number back = rise_back + (r - r_back), ahead = rise_ahead + (r_ahead - r);
         const Number mean = (back + ahead) * c.per_two_cells;
-        const auto pit = back < S{0} && ahead > S{0} && mean * velocity <= S{0};
+        const auto pit = min(-back, ahead) > own && mean * velocity <= S{0};
         const Number beside = select(mean < S{0}, r_back, r_ahead);  // on the higher side
         return select(pit && beside < S(0.5) * own, none, mean);
     };

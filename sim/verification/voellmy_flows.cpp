@@ -179,7 +179,7 @@ std::vector<Series> swing() {
         return std::max(0., kDeep * (1 - off * off));
     };
     Series once{"voellmy", "R, 1 period", 6e-4, 1.5, {60, 120, 240}};
-    Series often{"voellmy", "R, 10 periods", 9e-4, 1.7, {60, 120, 240}};
+    Series often{"voellmy", "R, 10 periods", 6e-4, 1.7, {60, 120, 240}};
     for (const int n : once.squares) {
         Trial trial(column(n, kSide), numbers(0),
                     {[&](double x, double) {
@@ -427,7 +427,7 @@ std::vector<Series> smooth_energy() {
     const SmoothGround steep{400, 0.04, 0.3, 11, 180}, gentle{2, 40, 0.1, 90, 90};
     Series thin{"voellmy", "steep, thin", 2.7e-4, 1.8, {40, 80, 160}};
     Series stored{"voellmy", "steep, stored", 1.7e-2, 0.95, thin.squares};
-    Series thick{"voellmy", "gentle, thick", 1.8e-4, 1.75, thin.squares};
+    Series thick{"voellmy", "gentle, thick", 2.2e-4, 1.75, thin.squares};
     for (const int n : thin.squares) {
         const auto gained = steep.after(n);
         thin.errors.push_back(std::fabs(gained.energy));

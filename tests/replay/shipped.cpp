@@ -19,10 +19,10 @@ struct Golden {
 };
 
 constexpr Golden kGoldens[] = {
-    {"landslide", "e623b3608d6777cf"},
+    {"landslide", "94e0076896ae05e8"},
     {"landslide-bcre", "d941fb9cf4d1fed0"},
-    {"snow-avalanche", "a963c52d21e65c2b"},
-    {"winter-avalanche", "d74b6f7f96221f98"},
+    {"snow-avalanche", "800e9d18bf17785a"},
+    {"winter-avalanche", "a776e847e6c61e69"},
 };
 
 // Plays a recording again and returns its current state lines, one for each recorded line. After the end,
