@@ -30,6 +30,7 @@ double surface_height(const sim::View& world, glm::dvec2 at) {
 }
 
 glm::vec2 ground_slope(const sim::View& world, int x, int y) {
+    const sim::Field<float>& depth = world.smooth_depth ? *world.smooth_depth : world.depth;
     const auto along = [&](int dx, int dy) {
         const bool ahead = world.site(x + dx, y + dy) == sim::Site::kGround,
                    behind = world.site(x - dx, y - dy) == sim::Site::kGround;
@@ -37,8 +38,7 @@ glm::vec2 ground_slope(const sim::View& world, int x, int y) {
         const int x1 = ahead ? x + dx : x, y1 = ahead ? y + dy : y;
         const int x0 = behind ? x - dx : x, y0 = behind ? y - dy : y;
         // Separate differences keep the last digits of the layer.
-        const float rise =
-            (world.bedrock(x1, y1) - world.bedrock(x0, y0)) + (world.depth(x1, y1) - world.depth(x0, y0));
+        const float rise = (world.bedrock(x1, y1) - world.bedrock(x0, y0)) + (depth(x1, y1) - depth(x0, y0));
         return rise / (world.grid.dx * (ahead && behind ? 2.f : 1.f));
     };
     return {along(1, 0), along(0, 1)};

@@ -21,8 +21,9 @@ double between(const Square& square, const sim::Field<float>& field);
 // Height of the surface above the terrain's zero, bilinear, m; outside the grid that of the nearest border.
 double surface_height(const sim::View& world, glm::dvec2 at);
 
-// Tangents of the ground, bedrock and standing layer, toward east and north at a vertex: central differences,
-// one-sided beside a border or no data.
+// Tangents of the ground along which the rolling layer moves, toward east and north at a vertex: of bedrock and
+// standing layer, in a model with momentum smoothed as it has them. Central differences, one-sided beside a border
+// or no data.
 glm::vec2 ground_slope(const sim::View& world, int x, int y);
 
 // Speed along the slope of a velocity in plan on ground with tangents `slope`: √(|v|² + (slope·v)²).

@@ -64,15 +64,24 @@ struct View {
     const Field<float>& velocity_x;  // m/s
     const Field<float>& velocity_y;  // m/s
     const Field<Site>& site;
-    const Mixture* mixture;  // null in a world of one material
-    double datum;            // m; height above the terrain's zero is datum + bedrock + depth + rolling
-    std::int64_t tick;       // ticks done
+    const Field<float>* smooth_depth;  // m; of the smoothed ground, along which a layer moves; null in bcre
+    const Mixture* mixture;            // null in a world of one material
+    double datum;       // m; height above the terrain's zero is datum + bedrock + depth + rolling
+    std::int64_t tick;  // ticks done
 };
 
 inline View view(const State& s) {
-    return {s.grid,       s.bedrock,    s.depth, s.rolling,
-            s.velocity_x, s.velocity_y, s.site,  s.mixture ? &*s.mixture : nullptr,
-            s.datum,      s.tick};
+    return {s.grid,
+            s.bedrock,
+            s.depth,
+            s.rolling,
+            s.velocity_x,
+            s.velocity_y,
+            s.site,
+            has_momentum(s.params.model) ? &s.smooth_depth : nullptr,
+            s.mixture ? &*s.mixture : nullptr,
+            s.datum,
+            s.tick};
 }
 
 }  // namespace sim

@@ -243,17 +243,17 @@ TEST(CommandLine, run_takes_parameters_and_refuses_what_is_none) {
         return Json::parse(finished.out)["state_hash"];
     };
     const Json usual = hash({"--json"});
-    EXPECT_NE(hash({"--json", "--set", "max_speed=2"}), usual);
-    EXPECT_EQ(hash({"--json", "--set", "max_speed=2,exchange_rate=0.5"}),
-              hash({"--json", "--set", "exchange_rate=0.5", "--set", "max_speed=2"}));
+    EXPECT_NE(hash({"--json", "--set", "drag=20"}), usual);
+    EXPECT_EQ(hash({"--json", "--set", "drag=20,erosion_rate=0.5"}),
+              hash({"--json", "--set", "erosion_rate=0.5", "--set", "drag=20"}));
     for (const auto& [set, fact] : {std::pair{"start_depth", "NAME=VALUE"},
                                     {"", "NAME=VALUE"},
                                     {"depth=3", "'depth' is not a parameter"},
                                     {"start_depth=11", "0 to 10 m"},
                                     {"start_depth=-1", "0 to 10 m"},
                                     {"start_depth=nan", "0 to 10 m"},
-                                    {"friction=0.4", "does not use it"},
-                                    {"stop_slope=2", "start_slope is below stop_slope"}}) {
+                                    {"rolling_speed=2", "does not use it"},
+                                    {"friction=1.9", "friction is above friction_thin"}}) {
         const Finished finished = couloir(short_run({"--set", set}));
         EXPECT_EQ(finished.status, 2) << set;
         EXPECT_NE(finished.err.find("--set"), std::string::npos) << finished.err;
@@ -309,7 +309,7 @@ TEST(CommandLine, run_exports_what_iseesnow_asks_for) {
               0)
         << "what it wrote can be read, although it begins with nan";
     const std::string text = read_bytes(out / "rel1_DEMa_null_couloir.txt");
-    for (const char* line : {"[MODEL]\n", "model = voellmy\n", "friction = 0.25\n", "drag = 2000\n",
+    for (const char* line : {"[MODEL]\n", "model = voellmy\n", "friction = 0.2\n", "drag = 1500\n",
                              "density = 200\n", "cell_m = 5\n", "release = rel_1.asc\n", "flow_time_s = 3"})
         EXPECT_NE(text.find(line), std::string::npos) << line << text;
 

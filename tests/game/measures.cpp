@@ -81,6 +81,7 @@ TEST(Measures,
 TEST(Measures, of_pressure_are_density_times_the_square_of_the_speed_along_the_slope) {
     Hill hill;
     hill.scenario.params.model = sim::Model::kVoellmy;
+    hill.scenario.params.friction = 0.1f;
     hill.scenario.density = 250;
     hill.scenario.rolling.assign(hill.scenario.grid.size(), 1.f);
     Session session = hill.session();
