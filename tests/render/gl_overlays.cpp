@@ -111,11 +111,12 @@ TEST_F(Overlays, of_pressure_have_the_colour_of_the_class_of_density_times_speed
                                       of_legend(stops[i])),
                       5)
                 << stops[i].value;
-            if (i > 0)
+            if (i > 0) {
                 EXPECT_LT(colour_distance(colour(seen(level(), speed * 0.98f, {density, density})),
                                           of_legend(stops[i - 1])),
                           5)
                     << "below " << stops[i].value;
+            }
         }
     World flow = level();
     flow.rolling.fill(0.5f);
