@@ -17,8 +17,10 @@ struct World {
     double datum = 0;
 
     sim::View view() const {
-        return {grid,  bedrock, depth, rolling, velocity_x, velocity_y, site, nullptr, mixture ? &*mixture : nullptr,
-                datum, 0};
+        return {grid,    bedrock,    depth,
+                rolling, velocity_x, velocity_y,
+                site,    nullptr,    mixture ? &*mixture : nullptr,
+                datum,   0};
     }
     double side() const { return (grid.nx - 1) * static_cast<double>(grid.dx); }  // m
 };
