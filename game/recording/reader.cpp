@@ -62,8 +62,7 @@ class Reader {
         if (recording_.header.renewed) {
             const std::string renewed = fmt::format(
                 "{}: recorded before forces drove bcre-inertial; plays with the numbers of today's {}, "
-                "without "
-                "changes of parameters, and is not comparable",
+                "without changes of parameters, and is not comparable",
                 name_, recording_.header.scenario.material);
             recording_.warning = recording_.warning ? *recording_.warning + "; " + renewed : renewed;
         }

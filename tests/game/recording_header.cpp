@@ -8,6 +8,8 @@
 
 #include "game/analysis/headless.h"
 #include "game/recording/reader.h"
+#include "game/scene/material.h"
+#include "game/session/renew.h"
 #include "game/session/session.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"
@@ -180,6 +182,39 @@ TEST_F(ForgedHeader, of_another_physics_version_plays_but_is_not_comparable) {
     EXPECT_EQ(summary["verified"]["comparable"], false);
     EXPECT_EQ(summary["verified"]["exact"], false);
     EXPECT_NE(couloir({"replay", path_.string(), "--verify"}).out.find("not comparable"), std::string::npos);
+}
+
+// Format 1.5 had numbers for bcre-inertial that forces replaced.
+TEST_F(ForgedHeader, of_the_former_bcre_inertial_plays_with_the_numbers_of_todays_material) {
+    header_["version"] = {1, 5};
+    header_["physics_version"] = 5;
+    for (const char* key :
+         {"friction_thin", "friction_fold_depth", "erosion_rate", "deposit_rate", "loose_slope"})
+        header_["physics"].erase(key);
+    header_["physics"]["relaxation_time"] = 1.5;
+    bodies_[0] = body_of(header_);
+    bodies_.insert(bodies_.begin() + 1,
+                   body_of(Json::parse(R"({"tick":0,"set":{"param":"relaxation_time","value":2.0}})")));
+    bodies_.insert(bodies_.begin() + 2,
+                   body_of(Json::parse(R"({"tick":0,"set":{"param":"start_slope","value":0.9}})")));
+    write_bytes(path_, chained(bodies_));
+    auto recording = read_recording(path_);
+    ASSERT_TRUE(recording) << recording.error().sentence;
+    EXPECT_TRUE(recording->header.renewed);
+    EXPECT_FALSE(is_comparable(recording->header));
+    ASSERT_TRUE(recording->warning);
+    EXPECT_NE(recording->warning->find("numbers of today's soil"), std::string::npos) << *recording->warning;
+    for (const TimedCommand& command : recording->commands)
+        EXPECT_NE(command.command.kind, sim::CommandKind::kSet);
+    renew(*recording);
+    const sim::Params soil = load_material("soil", sim::Model::kBcreInertial)->params;
+    EXPECT_EQ(recording->header.scenario.params.friction_thin, soil.friction_thin);
+    EXPECT_EQ(recording->header.scenario.params.drag, soil.drag);
+
+    header_["version"] = {1, 6};  // today nothing has that number
+    bodies_[0] = body_of(header_);
+    write_bytes(path_, chained(bodies_));
+    EXPECT_FALSE(read_recording(path_));
 }
 
 TEST_F(ForgedHeader, with_a_number_beyond_double_range_is_refused) {
