@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "game/files/assets.h"
+#include "game/scene/scenario.h"
 
 namespace game {
 namespace {
