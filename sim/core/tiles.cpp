@@ -20,9 +20,8 @@ Tiles::Tiles(const Grid& grid, int tile_width, int tile_height)
 }
 
 void Tiles::open(int first_column, int last_column, int first_row, int last_row) {
-    for (int row = first_row; row <= last_row; ++row)
-        for (int column = first_column; column <= last_column; ++column)
-            uncounted[number(column, row)] = unhashed[number(column, row)] = 1;
+    mark(uncounted, first_column, last_column, first_row, last_row);
+    mark(unhashed, first_column, last_column, first_row, last_row);
 }
 
 void Tiles::open_all() {
@@ -37,15 +36,15 @@ void Tiles::wake_all() {
 
 void Tiles::wake(int x0, int x1, int y0, int y1) {
     open(x0 / width, x1 / width, y0 / height, y1 / height);
-    for (int row = y0 / height; row <= y1 / height; ++row)
-        for (int column = x0 / width; column <= x1 / width; ++column) unsmoothed[number(column, row)] = 1;
-    wake_tiles(std::max(x0 - kReach, 0) / width, std::min((x1 + kReach) / width, columns - 1),
-               std::max(y0 - kReach, 0) / height, std::min((y1 + kReach) / height, rows - 1));
+    mark(unsmoothed, x0 / width, x1 / width, y0 / height, y1 / height);
+    mark(awake, std::max(x0 - kReach, 0) / width, std::min((x1 + kReach) / width, columns - 1),
+         std::max(y0 - kReach, 0) / height, std::min((y1 + kReach) / height, rows - 1));
 }
 
-void Tiles::wake_tiles(int first_column, int last_column, int first_row, int last_row) {
+void Tiles::mark(std::vector<std::uint8_t>& tiles, int first_column, int last_column, int first_row,
+                 int last_row) const {
     for (int row = first_row; row <= last_row; ++row)
-        for (int column = first_column; column <= last_column; ++column) awake[number(column, row)] = 1;
+        for (int column = first_column; column <= last_column; ++column) tiles[number(column, row)] = 1;
 }
 
 void Tiles::keep_awake(const std::vector<std::uint8_t>& active) {
@@ -58,10 +57,10 @@ void Tiles::keep_awake(const std::vector<std::uint8_t>& active) {
         for (int column = 0; column < columns; ++column) {
             const std::uint8_t where = active[number(column, row)];
             if (where == kQuiet) continue;
-            wake_tiles(where & kNearWest ? std::max(column - 1, 0) : column,
-                       where & kNearEast ? std::min(column + 1, columns - 1) : column,
-                       where & kNearSouth ? std::max(row - beside, 0) : row,
-                       where & kNearNorth ? std::min(row + beside, rows - 1) : row);
+            mark(awake, where & kNearWest ? std::max(column - 1, 0) : column,
+                 where & kNearEast ? std::min(column + 1, columns - 1) : column,
+                 where & kNearSouth ? std::max(row - beside, 0) : row,
+                 where & kNearNorth ? std::min(row + beside, rows - 1) : row);
         }
 }
 

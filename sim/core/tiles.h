@@ -53,8 +53,9 @@ struct Tiles {
     // as Activity.
     void keep_awake(const std::vector<std::uint8_t>& active);
 
-  private:
-    void wake_tiles(int first_column, int last_column, int first_row, int last_row);  // inclusive
+    // Sets tiles, inclusive, in one of the arrays, or in another one like them.
+    void mark(std::vector<std::uint8_t>& tiles, int first_column, int last_column, int first_row,
+              int last_row) const;
 };
 
 }  // namespace sim

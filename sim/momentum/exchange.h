@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/momentum/fields.h"
+#include "sim/momentum/forces.h"
 #include "sim/momentum/ground.h"
 
 // Exchange between the layers of bcre-inertial, after the forces. S = |∇(b + d)| is the slope of the standing
@@ -53,19 +54,9 @@ auto exchange(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
         store<Number>(u * kept, to_u + i), store<Number>(v * kept, to_v + i);
     };
 }
-// Sets R in the halo, as fill_halo() does. Rows y = 0 … ny-1; the first and the last also fill the halo rows
-// beside them.
 template <class Number, class S = Scalar<Number>>
 void end_exchange(const StageRows<S>& w, Fields<Rows<S>>& to, int y, Span x) {
-    S* fed = to.fed[y];
-    const auto mirrored = [&](Side side, S value) { return w.is_wall(side) ? value : S{0}; };
-    fed[-1] = mirrored(kWest, fed[0]), fed[w.nx] = mirrored(kEast, fed[w.nx - 1]);
-    const auto beyond = [&](Side side, int row) {
-        S* fed_beyond = to.fed[row];
-        for (int i = x.first; i < x.last; ++i) fed_beyond[i] = mirrored(side, fed[i]);
-    };
-    if (y == 0) beyond(kSouth, -1);
-    if (y == w.ny - 1) beyond(kNorth, w.ny);
+    end_mirrored<Number>(w, to.fed, S{1}, S{1}, y, x);
 }
 
 }  // namespace sim::momentum

@@ -94,7 +94,7 @@ struct Fields {
     Values turned_xu, turned_xv, turned_yu, turned_yv;      // the same on the ground where it arrives
     Values share;  // the share of its wanted outflow that a vertex can give
     Values moved_depth, moved_rolling, moved_u, moved_v;  // the layers after transport, m, m/s
-    Values quiet;                                         // 1 where what rolls may come to rest, else 0
+    Values quiet;  // 1 where the rolling layer may come to rest, else 0
 };
 template <class Visit, class... Lists>
 constexpr void each_field(Visit&& visit, Lists&... f) {

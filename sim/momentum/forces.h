@@ -103,23 +103,23 @@ auto drive(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
         }
     };
 }
-// Sets driven velocity in the halo: mirrored at a wall, otherwise 0. Rows y = 0 … ny-1; the first and the last
-// also fill the halo rows beside them.
+// Sets values in the halo: mirrored at a wall, with this sign along x or y, otherwise 0. Rows y = 0 … ny-1; the
+// first and the last also fill the halo rows beside them.
+template <class Number, class S = Scalar<Number>>
+void end_mirrored(const StageRows<S>& w, Rows<S>& to, S sign_x, S sign_y, int y, Span x) {
+    S* row = to[y];
+    const auto mirrored = [&](Side side, S value) { return w.is_wall(side) ? value : S{0}; };
+    row[-1] = mirrored(kWest, sign_x * row[0]), row[w.nx] = mirrored(kEast, sign_x * row[w.nx - 1]);
+    const auto beyond = [&](Side side, S* halo) {
+        for (int i = x.first; i < x.last; ++i) halo[i] = mirrored(side, sign_y * row[i]);
+    };
+    if (y == 0) beyond(kSouth, to[-1]);
+    if (y == w.ny - 1) beyond(kNorth, to[w.ny]);
+}
 template <class Number, class S = Scalar<Number>>
 void end_drive(const StageRows<S>& w, Fields<Rows<S>>& to, int y, Span x) {
-    S *u = to.driven_u[y], *v = to.driven_v[y];
-    const auto mirrored = [&](Side side, S value) { return w.is_wall(side) ? value : S{0}; };
-    u[-1] = mirrored(kWest, -u[0]), v[-1] = mirrored(kWest, v[0]);
-    u[w.nx] = mirrored(kEast, -u[w.nx - 1]), v[w.nx] = mirrored(kEast, v[w.nx - 1]);
-    const auto beyond = [&](Side side, int row) {
-        S *u_beyond = to.driven_u[row], *v_beyond = to.driven_v[row];
-        for (int i = x.first; i < x.last; ++i) {
-            u_beyond[i] = mirrored(side, u[i]);
-            v_beyond[i] = mirrored(side, -v[i]);
-        }
-    };
-    if (y == 0) beyond(kSouth, -1);
-    if (y == w.ny - 1) beyond(kNorth, w.ny);
+    end_mirrored<Number>(w, to.driven_u, S{-1}, S{1}, y, x);
+    end_mirrored<Number>(w, to.driven_v, S{1}, S{-1}, y, x);
 }
 
 }  // namespace sim::momentum

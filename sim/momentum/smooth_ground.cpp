@@ -14,7 +14,7 @@ namespace sim::momentum {
 namespace {
 
 constexpr double kWidth = 7, kMostCells = 6;  // of σ: m, cells
-constexpr double kReach = 3;                  // times σ
+constexpr double kSigmas = 3;                 // from the middle to where the weights end
 constexpr double kWeightSteps = 2048;         // of 1
 
 // Half of a Gaussian: w_1 … w_reach. They sum to less than ½.
@@ -23,7 +23,7 @@ std::vector<double> weights_of(double dx) {
     const auto of = [sigma](int k) {
         return double{exp(static_cast<float>(-0.5 * k * k / (sigma * sigma)))};  // the same on every machine
     };
-    const int reach = static_cast<int>(std::ceil(kReach * sigma));
+    const int reach = static_cast<int>(std::ceil(kSigmas * sigma));
     double sum = 1;
     for (int k = 1; k <= reach; ++k) sum += 2 * of(k);
     std::vector<double> weights;
@@ -126,10 +126,8 @@ void GroundSmoother::smooth(State& s, Workers& workers) {
     for (int row = 0; row < tiles.rows; ++row)
         for (int column = 0; column < tiles.columns; ++column) {
             if (!tiles.unsmoothed[tiles.number(column, row)]) continue;
-            for (int y = std::max(row - beside_y, 0); y <= std::min(row + beside_y, tiles.rows - 1); ++y)
-                for (int x = std::max(column - beside_x, 0);
-                     x <= std::min(column + beside_x, tiles.columns - 1); ++x)
-                    stale_[tiles.number(x, y)] = 1;
+            tiles.mark(stale_, std::max(column - beside_x, 0), std::min(column + beside_x, tiles.columns - 1),
+                       std::max(row - beside_y, 0), std::min(row + beside_y, tiles.rows - 1));
         }
     tiles_.clear();
     for (std::size_t i = 0; i < stale_.size(); ++i)

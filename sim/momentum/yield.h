@@ -8,7 +8,7 @@
 // Which material of bcre-inertial comes to rest and which starts, after transport.
 //
 // *Held*: friction at rest is at least gravity and pressure, G |∇z|ₛ ≤ μ(h) g cos θ. *Quiet*: nothing rolls; or
-// what rolls is held and slower than .2 m/s; or it is thinner than freeze_depth, which no flow of granules is.
+// the rolling layer is held and slower than .2 m/s; or it is thinner than freeze_depth, which no flow of granules is.
 //
 //     freeze   a vertex that is quiet, with its four neighbours, joins the standing layer
 //     start    what would not be held at the thickness that starts, by a margin of 5 %, and
