@@ -41,8 +41,8 @@ struct Scenario {
     struct Lower {
         std::string material;  // name of its preset
         sim::Params params;
-        std::vector<float> depth;            // m, the part of `depth` that is this material, from bedrock up
-        std::optional<double> density = {};  // kg/m³
+        std::vector<float> depth;       // m, the part of `depth` that is this material, from bedrock up
+        std::optional<double> density;  // kg/m³
     };
     std::optional<Lower> lower;
 
