@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -205,6 +206,8 @@ Outlines release_on_a_hill(double azimuth_deg, double cover) {
 void expect_same_outlines(double cover) {
     const Outlines along = release_on_a_hill(0, cover), oblique = release_on_a_hill(22.5, cover);
     const Apart extent = apart(along.extent, oblique.extent), deposit = apart(along.deposit, oblique.deposit);
+    std::printf("cover %.1f m: extent mean %.1f, p95 %.1f m; deposit mean %.1f, p95 %.1f m\n", cover,
+                extent.mean, extent.p95, deposit.mean, deposit.p95);
     EXPECT_LE(extent.p95, 15);
     EXPECT_LE(extent.mean, 5);
     EXPECT_LE(deposit.p95, 15);
