@@ -13,11 +13,11 @@ namespace {
 constexpr float kFullSpeed = 3;                   // times Rule::speed, from which on all is thrown up
 constexpr float kThinnest = 0.02f;                // m; a thinner flow throws up nothing
 constexpr float kThick = 0.25f;                   // m; a thicker one no more than this
-constexpr float kRadiusPerSpeed = 0.34f;          // s: first radius of a puff by the speed of the flow
-constexpr float kSmallest = 0.3f, kLargest = 12;  // m, first radius
+constexpr float kRadiusPerSpeed = 0.44f;          // s: first radius of a puff by the speed of the flow
+constexpr float kSmallest = 0.3f, kLargest = 15;  // m, first radius
 constexpr float kGrowth = 3.2f;                   // first radii that a puff gains over its life
 constexpr float kBodyShare = 0.13f;               // of the births at a front, behind it
-constexpr float kCover = 4.5f;      // times per second that births at a front cover their ground
+constexpr float kCover = 5.5f;      // times per second that births at a front cover their ground
 constexpr float kDragTime = 1.8f;   // s, in which a puff takes on the speed of the air
 constexpr float kClimbTime = 1.6f;  // s, in which it stops to rise or fall
 constexpr float kCarried = 0.5f;    // speed of the air over a flow, times that of the flow
@@ -207,7 +207,7 @@ void Cloud::give_birth(const View& world, float dt_s) {
                 const glm::vec2 forward = velocity * random.between(0.7f, 1 + 0.2f * front);
                 const glm::vec2 jitter =
                     speed * glm::vec2(random.between(-0.12f, 0.12f), random.between(-0.12f, 0.12f));
-                const float thrown = speed * random.between(0.06f, 0.2f + 0.35f * front + 0.15f * steep);
+                const float thrown = speed * random.between(0.06f, 0.2f + 0.5f * front + 0.2f * steep);
                 puff.velocity = glm::vec3(forward + jitter, glm::dot(forward, rise) + thrown);
                 puff.life_s = random.between(4.5f, 7 + 2 * front);
                 puff.density = rule.strength * (0.35f + 0.65f * fast) * random.between(0.6f, 1);
