@@ -17,7 +17,8 @@ std::size_t bytes_per_moment(const Scenario& scenario, bool has_textures) {
     std::size_t per_vertex = 7 * sizeof(float);
     if (scenario.lower) per_vertex += 3 * sizeof(float);
     if (has_textures) per_vertex += sim::front::TextureLayers::Memory::kBytesPerVertex;
-    return per_vertex * scenario.grid.size() + (scenario.look.powder.strength > 0 ? kPowder : 0);
+    const bool has_powder = scenario.look.powder.strength > 0 || scenario.look.lower_powder.strength > 0;
+    return per_vertex * scenario.grid.size() + (has_powder ? kPowder : 0);
 }
 
 void forget_from(std::vector<TimedCommand>& commands, std::int64_t tick) {
