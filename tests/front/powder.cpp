@@ -73,13 +73,13 @@ TEST_F(Powder, is_thickest_at_the_front) {
     Cloud cloud({.strength = 1, .speed = 7});
     flow(25);
     run(cloud, 1);
-    std::size_t front = 0, back = 0;
+    double front = 0, back = 0;
     for (int i = 0; i < 400; ++i) {
         cloud.restore({});
         run(cloud, 1);
         for (const Puff& puff : cloud.puffs()) front += puff.at.x > 255, back += puff.at.x < 195;
     }
-    EXPECT_GT(front / 4., 2 * back / 10.) << "per column of vertices";
+    EXPECT_GT(front / 4, 2 * back / 10) << "per column of vertices";
 }
 
 TEST_F(Powder, travels_down_with_the_flow_and_stays_above_the_ground) {
