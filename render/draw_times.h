@@ -19,11 +19,12 @@ enum class Pass {
     kTerrain,
     kSurroundings,  // mountains around the grid, or the walls of a block
     kSky,
+    kPowder,
     kTone,
     kEdges,
 };
 inline constexpr std::array kPassNames{"upload",  "remesh",       "surface", "shadow", "depth", "flow",
-                                       "terrain", "surroundings", "sky",     "tone",   "edges"};
+                                       "terrain", "surroundings", "sky",     "powder", "tone",  "edges"};
 inline constexpr std::size_t kPassCount = kPassNames.size();
 inline constexpr std::size_t kFirstDrawingPass = static_cast<std::size_t>(Pass::kSurface);
 

@@ -8,6 +8,7 @@
 #include "render/ground_mesh.h"
 #include "render/passes/flow_pass.h"
 #include "render/passes/fullscreen_pass.h"
+#include "render/passes/powder_pass.h"
 #include "render/passes/scoped_state.h"
 #include "render/passes/shadow_pass.h"
 #include "render/passes/surface_pass.h"
@@ -37,6 +38,7 @@ struct Renderer::Parts {
     FlowPass flow;
     SurroundingsPass surroundings;
     FullscreenPass sky, day_lights, night_lights;
+    PowderPass powder;
     FullscreenPass tone;
     FullscreenPass edge_marks, edges;
     Target target;
@@ -71,6 +73,8 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     auto night_lights =
         FullscreenPass::create(shaders, {"slots.glsl", "frame.glsl", "sky_lights.frag", "stars.glsl"});
     if (!night_lights) return tl::unexpected(night_lights.error());
+    auto powder = PowderPass::create(shaders);
+    if (!powder) return tl::unexpected(powder.error());
     auto tone = FullscreenPass::create(shaders, {"slots.glsl", "tone_curve.glsl", "tone.frag"});
     if (!tone) return tl::unexpected(tone.error());
     auto edge_marks = FullscreenPass::create(shaders, {"slots.glsl", "edges_mark.frag"});
@@ -83,8 +87,8 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     return Renderer(std::make_unique<Parts>(
         Parts{FieldsToGpu(), std::move(frame_block), std::move(*surface), std::move(*shadow),
               std::move(*terrain), SlideTiles(), std::move(*flow), std::move(*surroundings), std::move(*sky),
-              std::move(*day_lights), std::move(*night_lights), std::move(*tone), std::move(*edge_marks),
-              std::move(*edges), Target(), quality, assets, StageClock()}));
+              std::move(*day_lights), std::move(*night_lights), std::move(*powder), std::move(*tone),
+              std::move(*edge_marks), std::move(*edges), Target(), quality, assets, StageClock()}));
 }
 
 Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -110,7 +114,8 @@ std::optional<DrawTimes> Renderer::stage_times() const {
 
 void Renderer::draw(const FrameInput& input) {
     Parts& p = *parts_;
-    const auto& [world, camera, light, look, marks, flow, width, height, first_depth, around] = input;
+    const auto& [world, camera, light, look, marks, flow, width, height, first_depth, around, puffs,
+                 powder_strength] = input;
     const int samples = samples_of(p.quality);
     const ScopedState state;  // restores the state for other users of the context
 
@@ -191,6 +196,15 @@ void Renderer::draw(const FrameInput& input) {
     p.target.begin_backdrop();
     (frame.above.w > 0 ? p.night_lights : p.day_lights).draw_behind();
     p.clock.mark(Pass::kSky);
+
+    // Powder in the air lies over everything, and needs its depth. It casts a shadow on the ground.
+    if (p.powder.find(puffs, frame, look, powder_strength, p.target.samples_across(),
+                      p.target.samples_up())) {
+        p.powder.draw();
+        p.target.begin_backdrop();
+        p.powder.lay_over();
+    }
+    p.clock.mark(Pass::kPowder);
 
     // Tone mapping is last, because light adds up only while it is linear.
     p.target.begin_picture();

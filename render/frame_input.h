@@ -7,6 +7,7 @@
 #include "render/marks.h"
 #include "render/surroundings.h"
 #include "sim/front/flow_view.h"
+#include "sim/powder/cloud.h"
 #include "sim/world/state.h"
 
 namespace render {
@@ -28,6 +29,9 @@ struct FrameInput {
     std::span<const float> first_depth = {};
     // Of this world, with this first depth. If null, the block of terrain stands by itself, with walls.
     const Surroundings* surroundings = nullptr;
+    // Powder or dust in the air, in look's colours; valid during the call.
+    std::span<const sim::powder::Puff> powder = {};
+    float powder_strength = 1;  // 0 to 1, factor on its opacity; 0: none is drawn
 };
 
 }  // namespace render

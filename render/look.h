@@ -23,6 +23,14 @@ struct FlowLook {
     bool operator==(const FlowLook&) const = default;
 };
 
+// Powder or dust that a fast flow throws up; sim/powder/cloud.h has what the numbers mean.
+struct PowderLook {
+    float strength = 0;  // 0 to 1; 0: none
+    float speed = 7;     // m/s, > 0, from which the flow throws it up
+    glm::vec3 colour{0.86f, 0.89f, 0.93f};
+    bool operator==(const PowderLook&) const = default;
+};
+
 // The look of ground and material. It belongs to a scene and its material, never to the simulation.
 struct Look {
     glm::vec3 rock{0.145f, 0.13f, 0.12f};           // steep bare ground
@@ -38,6 +46,7 @@ struct Look {
     float rolling_visible_m = 0.05f;  // depth at which the rolling layer is drawn, m, ≥ 0.001
     float old_cover_m = 0;  // old snow that lies on gentle ground and never moves, m, ≥ 0; for the eye alone
     float detail = 1;  // 0 to 1, strength of all small-scale relief and colour variation; 0: plain colours
+    PowderLook powder, lower_powder;
     std::optional<FlowLook> flow;  // none: no texture is advected
 };
 

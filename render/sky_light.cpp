@@ -7,17 +7,14 @@
 #include <glm/exponential.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "render/ramp.h"
+
 namespace render {
 namespace {
 
 constexpr double kMoonTakesOver = -2;  // degrees of the sun; the sun has set, the moon does not shine yet
 constexpr double kMoonElevation = 35;  // degrees
 const glm::dvec3 kMoon(0.115, 0.145, 0.205);
-
-double ramp(double from, double to, double x) {
-    const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-    return t * t * (3 - 2 * t);
-}
 
 // The share of light that passes the air above a place, by the height of its source, ≥ 0 degrees.
 glm::dvec3 transmitted(double elevation_deg) {

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/noise.h"
+#include "render/ramp.h"
 #include "sim/core/check.h"
 #include "sim/world/mixture.h"
 
@@ -19,11 +20,6 @@ constexpr std::size_t kSmoothings = 200;  // of filled holes
 constexpr std::size_t kMostSmoothed = 50'000'000;  // vertices times smoothings, half a second
 constexpr double kCrags = 0.20;                    // height of crags in a hole, of the relief
 constexpr int kHeightSteps = 24;                   // of mean covers
-
-double ramp(double from, double to, double x) {
-    const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-    return t * t * (3 - 2 * t);
-}
 
 // −1 to 1.
 double noise(glm::dvec2 at, std::uint32_t seed) {

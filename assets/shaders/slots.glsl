@@ -2,6 +2,7 @@
 
 // Uniform blocks
 #define SLOT_FRAME 0
+#define SLOT_POWDER 1
 
 // Texture units
 #define SLOT_BEDROCK 0    // R32F: b, m above datum; one texel per vertex, as all fields
@@ -28,7 +29,12 @@
 #define SLOT_SURROUNDINGS 21 // R32F: rough heights around the block, m above datum
 #define SLOT_PICTURE 22   // RGBA8: the frame as the screen shows it, not linear
 #define SLOT_FIRST_COVER 23 // RG16F: the standing layer at tick 0, holes filled: depth, m; share of the lower material at its surface
-#define SLOT_UNITS 24     // number of texture units
+#define SLOT_POWDER_REACH 24    // R32F: distance along the view to the farthest of what a coarse pixel shows, m
+#define SLOT_POWDER_THICK 25    // RGBA16F: light from sun and from sky, distance, each times the opacity; opacity
+#define SLOT_POWDER_SHADE 26    // RG32F: render::ShadeMap across the sun
+#define SLOT_POWDER_LIT 27      // RGBA16F: colour times opacity, opacity
+#define SLOT_POWDER_DISTANCE 28 // R16F: distance times opacity
+#define SLOT_UNITS 29     // number of texture units
 
 // Storage buffers; cut_vertex.glsl reads the first four
 #define SLOT_MESH_POSITIONS 0    // vec2 of each vertex, m

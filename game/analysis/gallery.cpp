@@ -31,8 +31,8 @@ struct Gallery::Parts {
         : context(std::move(gl)), renderer(std::move(with)) {}
 
     render::DrawTimes draw(const sim::View& world, const sim::front::FlowView* flow,
-                           const render::Camera& from, const render::Surroundings* around,
-                           const std::string& name) {
+                           std::span<const sim::powder::Puff> powder, const render::Camera& from,
+                           const render::Surroundings* around, const std::string& name) {
         renderer.draw({.world = world,
                        .camera = from,
                        .light = light,
@@ -41,7 +41,8 @@ struct Gallery::Parts {
                        .width = size.width,
                        .height = size.height,
                        .first_depth = first_depth,
-                       .surroundings = around});
+                       .surroundings = around,
+                       .powder = powder});
         writer.submit(renderer.read_back(), folder / (name + ".png"));
         ++pictures;
         return *renderer.stage_times();
@@ -103,14 +104,15 @@ Gallery::~Gallery() = default;
 Gallery::Gallery(Gallery&&) noexcept = default;
 Gallery& Gallery::operator=(Gallery&&) noexcept = default;
 
-render::DrawTimes Gallery::draw(const sim::View& world, const sim::front::FlowView* flow,
-                                const std::string& name) {
+render::DrawTimes Gallery::draw(const Session& session, const std::string& name) {
+    const sim::View world = session.view();
     if (!parts_->camera) parts_->camera = render::overview(world);
-    return parts_->draw(world, flow, *parts_->camera, &parts_->surroundings, name);
+    return parts_->draw(world, session.fronts(), session.powder(), *parts_->camera, &parts_->surroundings,
+                        name);
 }
 
 render::DrawTimes Gallery::draw_map(const sim::View& world, const std::string& name) {
-    return parts_->draw(world, nullptr,
+    return parts_->draw(world, nullptr, {},
                         map_camera(world, static_cast<double>(parts_->size.width) / parts_->size.height),
                         nullptr, name);  // a map ends at its border
 }

@@ -7,9 +7,8 @@
 
 #include "game/base/outcome.h"
 #include "game/scene/scenario.h"
+#include "game/session/session.h"
 #include "render/draw_times.h"
-#include "sim/front/flow_view.h"
-#include "sim/world/state.h"
 
 namespace game {
 
@@ -34,7 +33,7 @@ class Gallery {
 
     // Draws the world now, with the advected texture, if any, and queues the image to be written as NAME.png.
     // Returns the time of each stage, without the read-back.
-    render::DrawTimes draw(const sim::View& world, const sim::front::FlowView* flow, const std::string& name);
+    render::DrawTimes draw(const Session& session, const std::string& name);
     // Seen from straight above, with north up.
     render::DrawTimes draw_map(const sim::View& world, const std::string& name);
     // Waits for the last image. Errors: one could not be written (status 3).

@@ -37,7 +37,7 @@ Outcome<bool> play_headless(Session& session, std::span<const TimedCommand> comm
                 sim::at_rest(session.state()));
     };
     const auto draw = [&]() -> render::DrawTimes {
-        return watchers.gallery->draw(session.view(), session.fronts(), picture_name(session.state().tick));
+        return watchers.gallery->draw(session, picture_name(session.state().tick));
     };
 
     using Clock = std::chrono::steady_clock;

@@ -326,7 +326,9 @@ void App::draw_world() {
                         .width = wanted.width,
                         .height = wanted.height,
                         .first_depth = sandbox_->scenario().depth,
-                        .surroundings = &surroundings()});
+                        .surroundings = &surroundings(),
+                        .powder = sandbox_->session().powder(),
+                        .powder_strength = display_.powder});
     }
     renderer_.show_on(screen_.framebuffer(), size.width, size.height);
     if (waits_for_gl_) renderer_.wait();

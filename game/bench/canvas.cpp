@@ -49,18 +49,20 @@ Outcome<void> Canvas::show(const Scenario& scenario) {
     return {};
 }
 
-render::DrawTimes Canvas::draw(const sim::View& world, const sim::front::FlowView* flow) {
+render::DrawTimes Canvas::draw(const Session& session) {
     Parts& p = *parts_;
+    const sim::View world = session.view();
     if (!p.camera) p.camera = render::overview(world);
     p.renderer.draw({.world = world,
                      .camera = *p.camera,
                      .light = p.light,
                      .look = p.look,
-                     .flow = flow,
+                     .flow = session.fronts(),
                      .width = p.size.width,
                      .height = p.size.height,
                      .first_depth = p.first_depth,
-                     .surroundings = &p.surroundings});
+                     .surroundings = &p.surroundings,
+                     .powder = session.powder()});
     return *p.renderer.stage_times();
 }
 

@@ -6,9 +6,8 @@
 #include "game/analysis/gallery.h"
 #include "game/base/outcome.h"
 #include "game/scene/scenario.h"
+#include "game/session/session.h"
 #include "render/draw_times.h"
-#include "sim/front/flow_view.h"
-#include "sim/world/state.h"
 
 namespace game {
 
@@ -25,7 +24,7 @@ class Canvas {
     // a scenario. Errors: a texture is missing (status 3).
     Outcome<void> show(const Scenario& scenario);
     // Draws one frame and waits for it.
-    render::DrawTimes draw(const sim::View& world, const sim::front::FlowView* flow);
+    render::DrawTimes draw(const Session& session);
 
     render::DrawnBy drawn_by() const;
 

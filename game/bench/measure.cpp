@@ -26,6 +26,7 @@ struct BenchRun {
     Outcome<Session> begin() const {
         auto session = Session::begin(scenario, options.step, std::nullopt);
         if (session) session->follow_fronts(scenario);
+        if (session) session->follow_powder(scenario);
         return session;
     }
 };
@@ -36,9 +37,9 @@ void draw_if_due(const BenchRun& run, const Session& session, PerfRow& row) {
     if (!run.canvas) return;
     const std::int64_t tick = session.state().tick, every = run.options.every;
     if (tick % every == 0)
-        row.ms.add(run.canvas->draw(session.view(), session.fronts()));
+        row.ms.add(run.canvas->draw(session));
     else if ((tick + 1) % every == 0)
-        run.canvas->draw(session.view(), session.fronts());
+        run.canvas->draw(session);
 }
 
 // Runs once before measuring: allocates the session's memory, then the shaders and buffers of a frame.
@@ -52,7 +53,7 @@ Outcome<double> warm_up(const BenchRun& run, const std::string& what) {
         return tl::unexpected(played.error());
     const double bytes = static_cast<double>(peak_bytes()) - static_cast<double>(before);
     if (run.canvas)
-        for (int frame = 0; frame < 2; ++frame) run.canvas->draw(session->view(), session->fronts());
+        for (int frame = 0; frame < 2; ++frame) run.canvas->draw(*session);
     return std::max(bytes, 0.0);
 }
 

@@ -31,7 +31,7 @@ struct Player {
         watchers.after_tick = [&](const Session& now) {
             if (rows) {
                 PerfRow row = perf_row(now);
-                if (canvas) row.ms.add(canvas->draw(now.view(), now.fronts()));
+                if (canvas) row.ms.add(canvas->draw(now));
                 rows->push_back(row);
             }
             if (verifier) verifier->look_at(now);

@@ -69,6 +69,7 @@ Outcome<Worlds> begin_worlds(const Scenes& scenes, const GalleryOptions& options
         auto session = Session::begin(scene.scenario, options.step_options, std::nullopt);
         if (!session) return tl::unexpected(session.error());
         session->follow_fronts(scene.scenario);
+        session->follow_powder(scene.scenario);
         worlds.emplace(name, World{&scene, std::move(*session), mountains_around(scene.scenario)});
     }
     return worlds;
@@ -135,7 +136,8 @@ Outcome<DrawnView> draw(render::Renderer& renderer, const Moment& moment, const 
                                    .width = options.size.width,
                                    .height = options.size.height,
                                    .first_depth = scenario.depth,
-                                   .surroundings = scenario.model ? nullptr : &moment.world->mountains};
+                                   .surroundings = scenario.model ? nullptr : &moment.world->mountains,
+                                   .powder = session.powder()};
     drawn.fast = timed(renderer, input, render::Quality::kFast);
     drawn.fine = timed(renderer, input, render::Quality::kFine);
     if (auto written = render::write_png(renderer.read_back(), options.folder / drawn.file); !written)

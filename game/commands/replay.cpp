@@ -66,6 +66,7 @@ Outcome<int> replay(const ReplayOptions& options) {
     if (!session) return tl::unexpected(session.error());
     if (options.pictures.folder || options.results.perf || options.results.trace) {
         session->follow_fronts(scenario);
+        if (options.pictures.folder) session->follow_powder(scenario);
         if (scenario.look.flow && !session->fronts()) print_line(stderr, "couloir: {}", Session::kTooFine);
     }
     std::optional<Gallery> gallery;

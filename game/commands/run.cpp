@@ -103,6 +103,7 @@ Outcome<int> run(const RunOptions& options) {
 
     if (leavings->gallery || options.results.perf || options.results.trace) {
         session->follow_fronts(scenario);
+        if (leavings->gallery) session->follow_powder(scenario);
         if (scenario.look.flow && !session->fronts()) print_line(stderr, "couloir: {}", Session::kTooFine);
     }
     std::optional<Gallery>& gallery = leavings->gallery;

@@ -32,6 +32,7 @@ Outcome<PageFigure> draw_world(const WorldFigure& figure, const std::filesystem:
     auto session = Session::begin(scenario, options, std::nullopt);
     if (!session) return tl::unexpected(session.error());
     session->follow_fronts(scenario);
+    session->follow_powder(scenario);
     auto gallery = Gallery::open(folder, size, gl, scenario);
     if (!gallery) return tl::unexpected(gallery.error());
 
@@ -44,7 +45,7 @@ Outcome<PageFigure> draw_world(const WorldFigure& figure, const std::filesystem:
     watchers.after_tick = [&](const Session& now) {
         if (!std::binary_search(figure.ticks.begin(), figure.ticks.end(), now.state().tick)) return;
         const std::string name = fmt::format("figure-{:02}-{}", figure.number, shown.pictures.size() + 1);
-        gallery->draw(now.view(), now.fronts(), name);
+        gallery->draw(now, name);
         shown.pictures.push_back({name + ".png", fmt::format("after {:.0f} s", now.seconds())});
     };
     const auto until = Until::after(figure.ticks.back());

@@ -252,6 +252,14 @@ Json view_json(const Scenario& scenario) {
     }
     if (look.turf) json["look"]["turf"] = colour(*look.turf);
     if (look.lower_turf) json["look"]["lower_turf"] = colour(*look.lower_turf);
+    const auto powder = [&](const char* key, const render::PowderLook& of) {
+        if (of.strength > 0)
+            json["look"][key] = {{"strength", shortest(of.strength)},
+                                 {"speed", shortest(of.speed)},
+                                 {"colour", colour(of.colour)}};
+    };
+    powder("powder", look.powder);
+    if (scenario.lower) powder("lower_powder", look.lower_powder);
     if (scenario.model) json["look"]["style"] = "model";
     if (look.flow) json["look"]["texture"] = to_string(look.flow->pattern);
     if (scenario.flow) json["flow"] = flow_json(*scenario.flow, *look.flow);
@@ -278,6 +286,15 @@ void view_from(const Json& json, Scenario& scenario) {
     }
     if (look.contains("turf")) scenario.look.turf = glm::vec3(triple(look, "turf", 0, 1));
     if (look.contains("lower_turf")) scenario.look.lower_turf = glm::vec3(triple(look, "lower_turf", 0, 1));
+    const auto powder = [&](const char* key, render::PowderLook& of) {
+        if (!look.contains(key)) return;
+        const Json& from = member(look, key);
+        of.strength = static_cast<float>(number(from, "strength", 0, 1));
+        of.speed = static_cast<float>(number(from, "speed", 0.1, 100));
+        of.colour = triple(from, "colour", 0, 1);
+    };
+    powder("powder", scenario.look.powder);
+    powder("lower_powder", scenario.look.lower_powder);
     scenario.look.roughness = static_cast<float>(number(look, "roughness", 0, 1));
     scenario.look.cover_visible_m = static_cast<float>(number(look, "cover_visible_m", 0, 10));
     scenario.look.rolling_visible_m = static_cast<float>(number(look, "rolling_visible_m", 0.001, 10));

@@ -46,6 +46,11 @@ void read_look(TomlTable& table, render::Look& look) {
             table.blame("texture", fmt::format("is not a known texture; known are {}",
                                                fmt::join(render::kFlowPatterns, ", ")));
     }
+    set("powder", look.powder.strength, 1);
+    if (const auto speed = table.number("powder_speed", 0.1, 100))
+        look.powder.speed = static_cast<float>(*speed);
+    look.powder.colour = look.standing;
+    read_colour(table, "powder_colour", look.powder.colour);
     table.finish();
 }
 
@@ -97,6 +102,7 @@ void take_look_of_lower(const render::Look& lower, render::Look& look) {
     look.lower_standing = lower.standing;
     look.lower_rolling = lower.rolling;
     look.lower_turf = lower.turf;
+    look.lower_powder = lower.powder;
     look.rock = lower.rock;
     look.meadow = lower.meadow;
 }

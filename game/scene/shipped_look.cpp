@@ -14,6 +14,7 @@ Outcome<void> take_look(LookFrom from, Scenario& scenario) {
         look.lower_standing = scenario.look.lower_standing;
         look.lower_rolling = scenario.look.lower_rolling;
         look.lower_turf = scenario.look.lower_turf;
+        look.lower_powder = scenario.look.lower_powder;
         scenario.look = look;
         leave_old_cover_on_bare_ground(scenario);
     }

@@ -13,10 +13,12 @@ constexpr std::size_t kHandMemory = 4096;  // commands reserved, so that a strok
 
 // Size of a Session::Checkpoint.
 std::size_t bytes_per_moment(const Scenario& scenario, bool has_textures) {
+    constexpr std::size_t kPowder = sim::powder::Cloud::kMost * sizeof(sim::powder::Puff);
     std::size_t per_vertex = 7 * sizeof(float);
     if (scenario.lower) per_vertex += 3 * sizeof(float);
     if (has_textures) per_vertex += sim::front::TextureLayers::Memory::kBytesPerVertex;
-    return per_vertex * scenario.grid.size();
+    const bool has_powder = scenario.look.powder.strength > 0 || scenario.look.lower_powder.strength > 0;
+    return per_vertex * scenario.grid.size() + (has_powder ? kPowder : 0);
 }
 
 void forget_from(std::vector<TimedCommand>& commands, std::int64_t tick) {
@@ -44,6 +46,7 @@ Outcome<Sandbox> Sandbox::begin(LoadedWorld loaded, const sim::StepOptions& opti
     auto session = Session::begin(scenario, options, std::move(recorder));
     if (!session) return tl::unexpected(session.error());
     session->follow_fronts(scenario);
+    session->follow_powder(scenario);
     const std::size_t bytes = bytes_per_moment(scenario, session->fronts() != nullptr);
     return Sandbox(std::move(loaded), std::move(*session), bytes);
 }

@@ -84,7 +84,10 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
             Failure::kBadAnswer,
             fmt::format("tick {}: mass not conserved: {} m3; layers deeper than {} m are not counted exactly",
                         state_.tick, cubic_metres(error), sim::kDeepest)});
-    times_.peaks_ms = ms_of([&] { watch(); });
+    times_.peaks_ms = ms_of([&] {
+        watch();
+        if (powder_) advance_powder(commands, rests);
+    });
     if (!records) return {};
     recorded_until_ = state_.tick;
     return state_.tick % kTicksPerState == 0 ? write_state() : Outcome<void>();
@@ -104,7 +107,9 @@ Outcome<void> Session::write_state() {
 }
 
 Session::Checkpoint Session::moment() const {
-    Checkpoint moment{sim::take_snapshot(state_), std::nullopt, peaks_, active_cells_, line_, std::nullopt};
+    Checkpoint moment{
+        sim::take_snapshot(state_), std::nullopt, {}, peaks_, active_cells_, line_, std::nullopt};
+    if (powder_) moment.powder.assign(powder_->puffs().begin(), powder_->puffs().end());
     if (fronts_) moment.textures = fronts_->memory();
     if (recorder_) moment.mark = recorder_->mark();
     return moment;
@@ -127,6 +132,7 @@ Outcome<void> Session::go_to(const Checkpoint& moment) {
 void Session::put(const Checkpoint& moment) {
     sim::restore(moment.world, state_);
     if (fronts_ && moment.textures) fronts_->restore(view(), *moment.textures, engine_->workers);
+    if (powder_) powder_->restore(moment.powder);
     peaks_ = moment.peaks;
     active_cells_ = moment.active_cells;
     line_ = moment.line;
@@ -162,6 +168,26 @@ void Session::follow_fronts(const Scenario& scenario, std::size_t most_vertices)
     else
         return;
     advance_fronts();
+}
+
+void Session::follow_powder(const Scenario& scenario) {
+    const auto rule = [](const render::PowderLook& look) {
+        return sim::powder::Rule{look.strength, look.speed};
+    };
+    const sim::powder::Rule upper = rule(scenario.look.powder);
+    const sim::powder::Rule lower = scenario.lower ? rule(scenario.look.lower_powder) : sim::powder::Rule{};
+    if (scenario.model || scenario.flow || (upper.strength <= 0 && lower.strength <= 0)) return;
+    powder_.emplace(upper, lower);
+}
+
+// While nothing moves, the cloud settles; after that nothing is left to do.
+void Session::advance_powder(std::span<const sim::Command> commands, bool rests) {
+    if (rests && powder_->puffs().empty()) return;
+    powder_->advance(view(), state_.params.tick_s);
+    for (const sim::Command& command : commands)
+        if (command.kind == sim::CommandKind::kBlast)
+            powder_->blast(view(), glm::vec2(command.x, command.y), static_cast<float>(command.radius));
+    changed_at_ = state_.tick;
 }
 
 void Session::advance_fronts() {

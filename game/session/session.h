@@ -12,6 +12,7 @@
 #include "game/scene/scenario.h"
 #include "game/session/world_fronts.h"
 #include "sim/engine.h"
+#include "sim/powder/cloud.h"
 #include "sim/world/snapshot.h"
 #include "sim/world/state.h"
 
@@ -23,7 +24,7 @@ struct TickTimes {
     double hash_ms = 0;
     // Tracking, advection and blending, if fronts are tracked.
     double track_ms = 0, advect_ms = 0, gradient_ms = 0;  // track_ms has all three in a flow demo
-    double peaks_ms = 0;                                  // per-vertex maxima; count of moving vertices
+    double peaks_ms = 0;  // per-vertex maxima; count of moving vertices; powder
 };
 
 // Per-vertex maxima since tick 0, grid.size() values each. A view: never affects the world.
@@ -43,6 +44,7 @@ class Session {
     struct Checkpoint {
         sim::Snapshot world;
         std::optional<sim::front::TextureLayers::Memory> textures;
+        std::vector<sim::powder::Puff> powder;
         Peaks peaks;
         std::size_t active_cells = 0;
         StateLine line;
@@ -59,7 +61,13 @@ class Session {
     void follow_fronts(const Scenario& scenario, std::size_t most_vertices = kMostFollowed);
     static constexpr const char* kTooFine =
         "Textures do not move with the flow: the grid has over 900,000 vertices. Use a smaller --grid";
-    void follow_nothing() { stage_.reset(), fronts_.reset(); }
+    // Starts the powder over the flow, if a material of `scenario` has any and its look is not "model".
+    void follow_powder(const Scenario& scenario);
+    // Empty if it is not followed.
+    std::span<const sim::powder::Puff> powder() const {
+        return powder_ ? powder_->puffs() : std::span<const sim::powder::Puff>();
+    }
+    void follow_nothing() { stage_.reset(), fronts_.reset(), powder_.reset(); }
     // Null if no fronts are tracked.
     const sim::front::FlowView* fronts() const {
         return stage_ ? &stage_->view() : fronts_ ? &fronts_->view() : nullptr;
@@ -93,7 +101,7 @@ class Session {
 
     sim::View view() const { return sim::view(state_); }
     const sim::State& state() const { return state_; }
-    // The last tick that changed the fields. While the world is at rest, its frame stays the same.
+    // The last tick that changed the fields or the powder. While the world is at rest, its frame stays the same.
     std::int64_t changed_at() const { return changed_at_; }
     const Peaks& peaks() const { return peaks_; }
     const std::optional<Densities>& densities() const { return densities_; }
@@ -113,12 +121,14 @@ class Session {
     Outcome<void> write_state();
     void watch();
     void advance_fronts();
+    void advance_powder(std::span<const sim::Command> commands, bool rests);
 
     sim::State state_;
     std::unique_ptr<sim::Engine> engine_;
     std::optional<Recorder> recorder_;
     std::unique_ptr<sim::fields::FlowStage> stage_;
     std::unique_ptr<WorldFronts> fronts_;
+    std::optional<sim::powder::Cloud> powder_;
     Peaks peaks_;
     std::optional<Densities> densities_;
     TickTimes times_;

@@ -108,7 +108,8 @@ double most_letters(const Desk& desk, double letters) {
 bool picture(Desk& desk, Display& display) {
     desk.widgets.heading("Picture");
     bool changed = false;
-    double detail = static_cast<double>(display.detail) * 100, resolution = display.resolution * 100,
+    double detail = static_cast<double>(display.detail) * 100,
+           powder = static_cast<double>(display.powder) * 100, resolution = display.resolution * 100,
            letters = display.letters * 100;
     desk.widgets.row("Fine relief");
     if (desk.widgets.slider("Fine relief", detail, {0, 100, "%.0f %%"},
@@ -129,6 +130,12 @@ bool picture(Desk& desk, Display& display) {
                             {50, most_letters(desk, display.letters), "%.0f %%", false, true},
                             "Size of text and panels.")) {
         display.letters = in_steps(letters) / 100;
+        changed = true;
+    }
+    desk.widgets.row("Powder");
+    if (desk.widgets.slider("Powder", powder, {0, 100, "%.0f %%"},
+                            "Strength of the powder or dust over a fast flow; 0 draws none.")) {
+        display.powder = static_cast<float>(powder / 100);
         changed = true;
     }
     return changed;

@@ -108,6 +108,7 @@ TEST(Material, converts_angles_to_slopes_and_srgb_to_linear_light) {
     EXPECT_NEAR(material->look.standing.z, 0.5028865, 1e-6);  // sRGB 188
     ASSERT_TRUE(material->look.turf);
     EXPECT_NEAR(material->look.turf->x, 0.5028865, 1e-6);
+    EXPECT_EQ(material->look.powder.strength, 0);
     EXPECT_EQ(material->title, "mine");
     EXPECT_FALSE(material->density);
     write_bytes(path, "density = 312.5\n[bcre]\n");
@@ -132,6 +133,8 @@ TEST(Material, with_a_fault_is_refused_with_file_line_and_key) {
         {"[look]\nsparkle = 1\n[bcre]\n", ":2: look.sparkle"},
         {"[look]\ntexture = \"wood\"\n[bcre]\n", ":2: look.texture"},
         {"[look]\nroughness = 2\n[bcre]\n", ":2: look.roughness"},
+        {"[look]\npowder = 1.5\n[bcre]\n", ":2: look.powder"},
+        {"[look]\npowder_speed = 0\n[bcre]\n", ":2: look.powder_speed"},
         {"price = 1\n[bcre]\n", ":1: price"},
         {"density = 0\n[bcre]\n", ":1: density"},
         {"density = -200\n[bcre]\n", ":1: density"},

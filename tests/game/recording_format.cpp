@@ -58,6 +58,10 @@ TEST(RecordingHeader, keeps_the_view_bit_identical) {
     Scenario green = before;
     green.look.turf = glm::vec3(0.135f, 0.15f, 0.052f);
     EXPECT_EQ(through_header(green).look.turf, green.look.turf);
+    EXPECT_EQ(after.look.powder, render::PowderLook());
+    Scenario dusty = before;
+    dusty.look.powder = {0.7f, 3.1f, {0.5f, 1.f / 3.f, 0.2f}};
+    EXPECT_EQ(through_header(dusty).look.powder, dusty.look.powder);
     Scenario plain = before;
     plain.look.flow.reset();
     EXPECT_EQ(through_header(plain).look.flow, std::nullopt);

@@ -1,0 +1,13 @@
+// The uniforms of powder; they match PowderBlock in render/passes/powder_pass.cpp.
+layout(std140, binding = SLOT_POWDER) uniform Powder {
+    vec4 colour;   // linear light; w: mean radius of a puff, m
+    vec4 across;   // of the shade map: a place p is at (dot(across.xyz, p) + across.w, dot(up.xyz, p) + up.w)
+    vec4 up;
+    ivec4 divisor; // of the resolution
+} powder;
+
+// A place at a distance along the view, in m. ndc: −1 to 1.
+vec3 place_at(vec2 ndc, float distance_m) {
+    vec3 ray = frame.ray_forward.xyz + ndc.x * frame.ray_right.xyz + ndc.y * frame.ray_up.xyz;
+    return frame.eye.xyz + distance_m * ray;
+}

@@ -1,0 +1,24 @@
+// Powder: a square for each puff, turned to the eye.
+layout(location = 0) in vec4 at;    // its middle; radius, m
+layout(location = 1) in vec4 look;  // opacity; light from the sun and from the sky; turn, 0 to 1
+
+out vec2 place;             // in radii
+flat out vec4 shown;        // opacity, light from sun and sky, 1 / radius
+flat out vec4 turned;       // cosine and sine of its turn, times the part of a tile that a radius spans; where in the tile
+flat out vec3 to_sun;       // in the axes of the view: right, up, back
+flat out float distance_m;  // along the view
+
+const float kTile = 0.075;
+
+void main() {
+    bool right = gl_VertexID == 1 || gl_VertexID == 2 || gl_VertexID == 4;
+    bool top = gl_VertexID == 2 || gl_VertexID == 4 || gl_VertexID == 5;
+    place = vec2(right ? 1.0 : -1.0, top ? 1.0 : -1.0);
+    vec3 axis_right = normalize(frame.ray_right.xyz), axis_up = normalize(frame.ray_up.xyz);
+    distance_m = dot(at.xyz - frame.eye.xyz, frame.ray_forward.xyz);
+    shown = vec4(look.x, look.y * sunlit(at.xyz + vec3(0.0, 0.0, 0.4 * at.w)), look.z, 1.0 / at.w);
+    float angle = 6.2832 * fract(7.31 * look.w);
+    turned = vec4(kTile * cos(angle), kTile * sin(angle), fract(look.w * 53.7), fract(look.w * 91.3));
+    to_sun = vec3(dot(axis_right, frame.sun.xyz), dot(axis_up, frame.sun.xyz), -dot(frame.ray_forward.xyz, frame.sun.xyz));
+    gl_Position = frame.clip_from_world * vec4(at.xyz + at.w * (place.x * axis_right + place.y * axis_up), 1.0);
+}

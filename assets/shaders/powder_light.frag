@@ -1,0 +1,41 @@
+// Powder, its light: what a coarse pixel's cloud looks like in this light, and the shadow that it casts on the
+// ground behind.
+layout(binding = SLOT_POWDER_REACH) uniform sampler2D farthest;
+layout(binding = SLOT_POWDER_THICK) uniform sampler2D thick;
+layout(binding = SLOT_POWDER_SHADE) uniform sampler2D shade_map;
+
+in vec2 ndc;
+layout(location = 0) out vec4 colour;
+layout(location = 1) out float distance_m;
+
+// Share of the light that the cloud takes from a place on the ground.
+float shaded(vec3 at) {
+    vec2 cell = vec2(dot(powder.across.xyz, at) + powder.across.w, dot(powder.up.xyz, at) + powder.up.w);
+    vec2 inside = clamp((0.5 - abs(cell - 0.5)) * 20.0, 0.0, 1.0);
+    vec2 made = texture(shade_map, cell).rg;
+    float behind = made.y / max(made.x, 1e-4) - dot(frame.sun.xyz, at);  // m, from the cloud on
+    return (1.0 - exp2(-1.44 * made.x)) * inside.x * inside.y * clamp(behind / powder.colour.w + 0.5, 0.0, 1.0);
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec4 cloud = texelFetch(thick, pixel, 0);
+    float reach = texelFetch(farthest, pixel, 0).r, whole = max(cloud.a, 1e-4);
+    vec2 light = cloud.xy / whole;
+    vec3 at = place_at(ndc, cloud.a > 0.0 ? cloud.z / whole : reach);
+
+    // Light goes on from grain to grain, so that even the depth of the cloud is bright.
+    vec3 sky = mix(frame.below.rgb, frame.above.rgb, 0.65 + 0.35 * light.y);
+    vec3 lit = powder.colour.rgb * (frame.lamp.rgb * (0.86 * light.x) + sky * (0.70 + 0.55 * light.y));
+    // Toward the sun thin powder shines.
+    float toward = max(dot(normalize(at - frame.eye.xyz), frame.sun.xyz), 0.0);
+    lit += powder.colour.rgb * frame.lamp.rgb * (0.5 * toward * toward * toward * toward * light.x * (1.0 - cloud.a));
+    lit = through_air(lit, at);
+
+    vec3 ground = place_at(ndc, reach);
+    float full = frame.lamp.g * frame.sun.z;
+    float dark = reach < 50000.0 ? shaded(ground) * sunlit(ground) * full / (full + frame.above.g) : 0.0;
+    dark *= 1.0 - cloud.a;
+    colour = vec4(lit * cloud.a + 0.12 * frame.above.rgb * dark, cloud.a + dark);
+    distance_m = cloud.z + reach * dark;
+}

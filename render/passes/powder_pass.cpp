@@ -1,0 +1,181 @@
+#include "render/passes/powder_pass.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "assets/shaders/slots.glsl"
+#include "render/passes/scoped_state.h"
+#include "render/program.h"
+
+namespace render {
+namespace {
+
+// As in powder.glsl, std140.
+struct PowderBlock {
+    glm::vec4 colour;      // w: mean radius of a puff, m
+    glm::vec4 across, up;  // of the shade map
+    glm::ivec4 divisor;
+};
+
+constexpr double kLeastBudget = 60000, kBudgetPerSample = 0.14;  // pixels of puffs
+constexpr int kFinest = 2, kCoarsest = 6;                        // divisors of the resolution
+// Pixels around the box of the cloud. Each that is laid over the frame lies between coarse ones that were drawn.
+constexpr int kRim = 1, kCoarseRim = 3;
+constexpr GLfloat kNothing[4] = {0, 0, 0, 0};
+
+// Restricts drawing to a part of a target of `width` by `height` pixels, and `rim` more, until the end of the
+// scope.
+class Scissor {
+  public:
+    Scissor(const glm::vec4& box, float width, float height, int rim) {
+        const auto pixel = [](float at, float size) {
+            return static_cast<int>(std::floor((0.5f + 0.5f * at) * size));
+        };
+        const int left = pixel(box.x, width) - rim, bottom = pixel(box.y, height) - rim;
+        glScissor(left, bottom, pixel(box.z, width) + rim + 1 - left,
+                  pixel(box.w, height) + rim + 1 - bottom);
+    }
+
+  private:
+    Enabled enabled_{GL_SCISSOR_TEST};
+};
+
+}  // namespace
+
+tl::expected<PowderPass, std::string> PowderPass::create(const std::filesystem::path& shaders) {
+    PowderPass pass;
+    std::string error;
+    const auto link = [&](ProgramName& program, const std::vector<ShaderStage>& stages) {
+        auto linked = link_program(shaders, stages);
+        if (linked)
+            program = std::move(*linked);
+        else if (error.empty())
+            error = linked.error();
+    };
+    link(pass.reach_,
+         {{GL_VERTEX_SHADER, {"fullscreen.vert"}},
+          {GL_FRAGMENT_SHADER, {"slots.glsl", "frame.glsl", "powder.glsl", "powder_reach.frag"}}});
+    link(pass.puffs_, {{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "sun_ceiling.glsl", "powder.vert"}},
+                       {GL_FRAGMENT_SHADER, {"slots.glsl", "frame.glsl", "powder.frag"}}});
+    link(pass.light_, {{GL_VERTEX_SHADER, {"fullscreen.vert"}},
+                       {GL_FRAGMENT_SHADER,
+                        {"slots.glsl", "frame.glsl", "light.glsl", "sun_ceiling.glsl", "powder.glsl",
+                         "powder_light.frag"}}});
+    link(pass.over_, {{GL_VERTEX_SHADER, {"fullscreen.vert"}},
+                      {GL_FRAGMENT_SHADER, {"slots.glsl", "frame.glsl", "powder.glsl", "powder_over.frag"}}});
+    if (!error.empty()) return tl::unexpected(error);
+
+    pass.no_vertices_ = make_vertex_array();
+    pass.vertex_array_ = make_vertex_array();
+    pass.instances_ = make_buffer();
+    constexpr std::size_t kRoom = sim::powder::Cloud::kMost * sizeof(DrawnPuff);
+    glNamedBufferStorage(pass.instances_.name(), kRoom, nullptr, GL_DYNAMIC_STORAGE_BIT);
+    const GLuint array = pass.vertex_array_.name();
+    glVertexArrayVertexBuffer(array, 0, pass.instances_.name(), 0, sizeof(DrawnPuff));
+    glVertexArrayBindingDivisor(array, 0, 1);
+    for (const auto& [location, offset] : {std::pair<GLuint, std::size_t>{0, offsetof(DrawnPuff, at)},
+                                           std::pair<GLuint, std::size_t>{1, offsetof(DrawnPuff, look)}}) {
+        glEnableVertexArrayAttrib(array, location);
+        glVertexArrayAttribFormat(array, location, 4, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
+        glVertexArrayAttribBinding(array, location, 0);
+    }
+    pass.block_ = make_buffer();
+    glNamedBufferStorage(pass.block_.name(), sizeof(PowderBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    pass.shade_map_ = make_texture(GL_RG32F, ShadeMap::kSide, ShadeMap::kSide, GL_LINEAR);
+    return pass;
+}
+
+bool PowderPass::find(std::span<const sim::powder::Puff> puffs, const FrameBlock& frame, const Look& look,
+                      float strength, int width, int height) {
+    cloud_.find(puffs.first(std::min(puffs.size(), sim::powder::Cloud::kMost)), frame, strength);
+    if (cloud_.empty()) return false;
+    const double samples = static_cast<double>(width) * height;
+    const double too_many =
+        static_cast<double>(cloud_.covered()) * samples / (kLeastBudget + kBudgetPerSample * samples);
+    divisor_ = std::clamp(static_cast<int>(std::ceil(std::sqrt(too_many))), kFinest, kCoarsest);
+    resize(width, height);
+
+    PowderBlock block;
+    block.colour = {glm::mix(look.powder.colour, look.lower_powder.colour, cloud_.lower()),
+                    cloud_.mean_radius()};
+    block.across = cloud_.shade().across();
+    block.up = cloud_.shade().up();
+    block.divisor = glm::ivec4(divisor_);
+    glNamedBufferSubData(block_.name(), 0, sizeof block, &block);
+    glNamedBufferSubData(instances_.name(), 0, static_cast<GLsizeiptr>(cloud_.drawn().size_bytes()),
+                         cloud_.drawn().data());
+    glTextureSubImage2D(shade_map_.name(), 0, 0, 0, ShadeMap::kSide, ShadeMap::kSide, GL_RG, GL_FLOAT,
+                        cloud_.shade().cells().data());
+    return true;
+}
+
+// The textures have room for the finest resolution, so that a change of it allocates nothing.
+void PowderPass::resize(int width, int height) {
+    if (width == width_ && height == height_) return;
+    width_ = width;
+    height_ = height;
+    const int across = (width + kFinest - 1) / kFinest, up = (height + kFinest - 1) / kFinest;
+    farthest_ = make_texture(GL_R32F, across, up, GL_NEAREST);
+    thick_ = make_texture(GL_RGBA16F, across, up, GL_NEAREST);
+    lit_ = make_texture(GL_RGBA16F, across, up, GL_LINEAR);
+    distance_ = make_texture(GL_R16F, across, up, GL_LINEAR);
+    farthest_frame_ = make_framebuffer();
+    thick_frame_ = make_framebuffer();
+    lit_frame_ = make_framebuffer();
+    glNamedFramebufferTexture(farthest_frame_.name(), GL_COLOR_ATTACHMENT0, farthest_.name(), 0);
+    glNamedFramebufferTexture(thick_frame_.name(), GL_COLOR_ATTACHMENT0, thick_.name(), 0);
+    glNamedFramebufferTexture(lit_frame_.name(), GL_COLOR_ATTACHMENT0, lit_.name(), 0);
+    glNamedFramebufferTexture(lit_frame_.name(), GL_COLOR_ATTACHMENT1, distance_.name(), 0);
+    constexpr std::array<GLenum, 2> kBoth{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    glNamedFramebufferDrawBuffers(lit_frame_.name(), 2, kBoth.data());
+}
+
+void PowderPass::draw() const {
+    // A frame may end within a coarse pixel.
+    const float across = static_cast<float>(width_) / static_cast<float>(divisor_);
+    const float up = static_cast<float>(height_) / static_cast<float>(divisor_);
+    const Scissor scissor(cloud_.box(), across, up, kCoarseRim);
+    glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_POWDER, block_.name());
+    glViewportIndexedf(0, 0, 0, across, up);
+
+    glBindFramebuffer(GL_FRAMEBUFFER, farthest_frame_.name());
+    fill(reach_);
+    glBindTextureUnit(SLOT_POWDER_REACH, farthest_.name());
+
+    glBindFramebuffer(GL_FRAMEBUFFER, thick_frame_.name());
+    glClearBufferfv(GL_COLOR, 0, kNothing);
+    {
+        const Enabled blend(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+        glUseProgram(puffs_.name());
+        glBindVertexArray(vertex_array_.name());
+        glDrawArraysInstanced(GL_TRIANGLES, 0, 6, static_cast<GLsizei>(cloud_.drawn().size()));
+        glBlendFunc(GL_ONE, GL_ZERO);
+    }
+    glBindTextureUnit(SLOT_POWDER_THICK, thick_.name());
+    glBindTextureUnit(SLOT_POWDER_SHADE, shade_map_.name());
+
+    glBindFramebuffer(GL_FRAMEBUFFER, lit_frame_.name());
+    fill(light_);
+    glBindTextureUnit(SLOT_POWDER_LIT, lit_.name());
+    glBindTextureUnit(SLOT_POWDER_DISTANCE, distance_.name());
+}
+
+void PowderPass::lay_over() const {
+    const Scissor scissor(cloud_.box(), static_cast<float>(width_), static_cast<float>(height_), kRim);
+    const Enabled blend(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    fill(over_);
+    glBlendFunc(GL_ONE, GL_ZERO);
+}
+
+void PowderPass::fill(const ProgramName& program) const {
+    glUseProgram(program.name());
+    glBindVertexArray(no_vertices_.name());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace render

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "render/frame_block.h"
+#include "render/gl_handle.h"
+#include "render/look.h"
+#include "render/powder_puffs.h"
+#include "sim/powder/cloud.h"
+
+namespace render {
+
+// Draws powder and dust in the air. Soft as it is, it is drawn at a half to a sixth of the resolution, whatever
+// fits a budget of pixels, and laid over the frame by distance.
+class PowderPass {
+  public:
+    static tl::expected<PowderPass, std::string> create(const std::filesystem::path& shaders);
+
+    // Finds what is in view of a frame of `width` by `height` samples. Returns false if that is nothing; then do
+    // not draw. `strength`: factor on the opacity.
+    bool find(std::span<const sim::powder::Puff> puffs, const FrameBlock& frame, const Look& look,
+              float strength, int width, int height);
+    // Draws what was found into buffers of its own. Reads SLOT_SCENE_DEPTH, SLOT_DETAIL, SLOT_SUN_CEILING.
+    void draw() const;
+    // Lays it over the bound frame, with its shadow on the ground.
+    void lay_over() const;
+
+  private:
+    void resize(int width, int height);
+    void fill(const ProgramName& program) const;
+
+    ProgramName reach_, puffs_, light_, over_;
+    VertexArray no_vertices_, vertex_array_;
+    Buffer instances_, block_;
+    Texture shade_map_, farthest_, thick_, lit_, distance_;
+    Framebuffer farthest_frame_, thick_frame_, lit_frame_;
+    int width_ = 0, height_ = 0;  // of the frame, samples
+    int divisor_ = 1;
+    PowderPuffs cloud_;
+};
+
+}  // namespace render

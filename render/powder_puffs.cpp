@@ -1,0 +1,140 @@
+#include "render/powder_puffs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+
+#include "render/ramp.h"
+
+namespace render {
+namespace {
+
+constexpr float kThickness = 0.42f;  // of an opaque puff, through its middle
+constexpr float kScattered = 0.26f;  // of the light, passed on from grain to grain to the depth of the cloud
+constexpr float kFaintest = 0.004f;  // opacity; fainter puffs are not drawn
+constexpr float kNearest = 3, kFar = 15;  // radii: nearer puffs are not drawn, from here on all of them is
+constexpr float kShadow = 3;              // radii, length of a shadow that the box of the cloud includes
+
+// Share of its opacity with which a puff is drawn. Near the eye the cloud parts, so that the blocks of the flow stay visible.
+float parted(float distance, float radius) {
+    return ramp(kNearest * radius, kFar * radius, distance);
+}
+
+}  // namespace
+
+ShadeMap::ShadeMap() : cells_(static_cast<std::size_t>(kSide) * kSide) {
+    order_.reserve(sim::powder::Cloud::kMost);
+    light_.reserve(sim::powder::Cloud::kMost);
+}
+
+std::span<const float> ShadeMap::cast(std::span<const sim::powder::Puff> puffs,
+                                      std::span<const float> opacity, const glm::vec3& direction) {
+    const glm::vec3 aside = std::abs(direction.z) < 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0);
+    const glm::vec3 across = glm::normalize(glm::cross(aside, direction)), up = glm::cross(direction, across);
+    glm::vec2 low(1e30f), high(-1e30f);
+    order_.clear();
+    for (std::size_t i = 0; i < puffs.size(); ++i) {
+        const glm::vec2 at(glm::dot(across, puffs[i].at), glm::dot(up, puffs[i].at));
+        low = glm::min(low, at - radius(puffs[i]));
+        high = glm::max(high, at + radius(puffs[i]));
+        order_.emplace_back(-glm::dot(direction, puffs[i].at), i);
+    }
+    std::sort(order_.begin(), order_.end());
+    const float side = std::max(high.x - low.x, high.y - low.y);
+    across_ = glm::vec4(across, -low.x) / side;
+    up_ = glm::vec4(up, -low.y) / side;
+
+    cells_.assign(static_cast<std::size_t>(kSide) * kSide, glm::vec2(0));
+    light_.resize(puffs.size());
+    for (const auto& [behind, i] : order_) {
+        const glm::vec4 at(puffs[i].at, 1);
+        const glm::vec2 cell =
+            static_cast<float>(kSide) * glm::vec2(glm::dot(across_, at), glm::dot(up_, at));
+        light_[i] = kScattered + (1 - kScattered) * std::exp(-thickness(cell));
+        add(cell, radius(puffs[i]) * kSide / side, kThickness * opacity[i], -behind);
+    }
+    return light_;
+}
+
+float ShadeMap::thickness(glm::vec2 at) const {
+    at = glm::clamp(at - 0.5f, glm::vec2(0), glm::vec2(kSide - 1.001f));
+    const int x = static_cast<int>(at.x), y = static_cast<int>(at.y);
+    const float u = at.x - static_cast<float>(x), v = at.y - static_cast<float>(y);
+    const auto cell = [&](int i, int j) { return cells_[static_cast<std::size_t>(j * kSide + i)].x; };
+    return std::lerp(std::lerp(cell(x, y), cell(x + 1, y), u),
+                     std::lerp(cell(x, y + 1), cell(x + 1, y + 1), u), v);
+}
+
+void ShadeMap::add(glm::vec2 at, float reach, float thickness, float along) {
+    const float wide = std::max(reach, 1.f);
+    thickness *= std::min(reach * reach, 1.f);  // a puff smaller than a cell covers part of it
+    const int first_x = std::max(static_cast<int>(at.x - wide), 0),
+              last_x = std::min(static_cast<int>(at.x + wide), kSide - 1);
+    const int first_y = std::max(static_cast<int>(at.y - wide), 0),
+              last_y = std::min(static_cast<int>(at.y + wide), kSide - 1);
+    for (int y = first_y; y <= last_y; ++y)
+        for (int x = first_x; x <= last_x; ++x) {
+            const glm::vec2 away = (glm::vec2(x, y) + 0.5f - at) / wide;
+            const float more = thickness * std::max(1 - glm::dot(away, away), 0.f);
+            cells_[static_cast<std::size_t>(y * kSide + x)] += glm::vec2(more, more * along);
+        }
+}
+
+PowderPuffs::PowderPuffs() {
+    opacity_.reserve(sim::powder::Cloud::kMost);
+    order_.reserve(sim::powder::Cloud::kMost);
+    drawn_.reserve(sim::powder::Cloud::kMost);
+}
+
+void PowderPuffs::find(std::span<const sim::powder::Puff> puffs, const FrameBlock& frame, float strength) {
+    drawn_.clear();
+    order_.clear();
+    opacity_.clear();
+    covered_ = 0;
+    box_ = {1, 1, -1, -1};
+    if (puffs.empty() || strength <= 0) return;
+
+    const glm::vec3 eye(frame.eye), forward(frame.ray_forward), sun(frame.sun);
+    const float wide = glm::length(glm::vec3(frame.ray_right)), high = glm::length(glm::vec3(frame.ray_up));
+    float radii = 0, lower = 0;
+    for (std::size_t i = 0; i < puffs.size(); ++i) {
+        const sim::powder::Puff& puff = puffs[i];
+        opacity_.push_back(strength * opacity(puff));
+        const float r = radius(puff), distance = glm::dot(puff.at - eye, forward);
+        radii += r, lower += puff.lower;
+        if (distance < kNearest * r || opacity_[i] * parted(distance, r) < kFaintest) continue;
+        const glm::vec4 clip = frame.clip_from_world * glm::vec4(puff.at, 1);
+        const glm::vec2 middle = glm::vec2(clip) / clip.w, half = glm::vec2(r / wide, r / high) / distance;
+        if (middle.x + half.x < -1 || middle.x - half.x > 1 || middle.y + half.y < -1 ||
+            middle.y - half.y > 1)
+            continue;
+        order_.emplace_back(-distance, i);
+        covered_ += 0.785f * half.x * half.y;
+        const auto include = [&](glm::vec2 at) {
+            box_ = {std::min(box_.x, at.x - half.x), std::min(box_.y, at.y - half.y),
+                    std::max(box_.z, at.x + half.x), std::max(box_.w, at.y + half.y)};
+        };
+        include(middle);
+        const glm::vec4 shadow = frame.clip_from_world * glm::vec4(puff.at - kShadow * r * sun, 1);
+        if (shadow.w > r) include(glm::vec2(shadow) / shadow.w);
+    }
+    if (order_.empty()) return;
+    const auto count = static_cast<float>(puffs.size());
+    mean_radius_ = radii / count;
+    lower_ = lower / count;
+    const std::span<const float> from_sun = shade_.cast(puffs, opacity_, sun);
+    const std::span<const float> from_sky = sky_shade_.cast(puffs, opacity_, {0, 0, 1});
+    std::sort(order_.begin(), order_.end());
+    for (const auto& [behind, i] : order_) {
+        const sim::powder::Puff& puff = puffs[i];
+        const float r = radius(puff);
+        const auto turn = static_cast<float>(puff.seed >> 8) / 16777216.f;
+        drawn_.push_back(
+            {glm::vec4(puff.at, r), {opacity_[i] * parted(-behind, r), from_sun[i], from_sky[i], turn}});
+    }
+    box_ = glm::clamp(box_, -1.f, 1.f);
+}
+
+}  // namespace render
