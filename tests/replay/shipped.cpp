@@ -21,8 +21,8 @@ struct Golden {
 constexpr Golden kGoldens[] = {
     {"landslide", "94e0076896ae05e8"},
     {"landslide-bcre", "d941fb9cf4d1fed0"},
-    {"snow-avalanche", "800e9d18bf17785a"},
-    {"winter-avalanche", "a776e847e6c61e69"},
+    {"snow-avalanche", "a25387f86b679d04"},
+    {"winter-avalanche", "9724488dd27913ac"},
 };
 
 // Plays a recording again and returns its current state lines, one for each recorded line. After the end,
