@@ -17,19 +17,19 @@ std::vector<GalleryView> gallery_views() {
     // Target (m), azimuth, elevation (degrees), distance (m), field of view (degrees).
     const render::Camera valley{{1040, 1040, 1485}, 205, 7, 1400, 50};
     const render::Camera far{{1030, 1080, 1520}, 158, 32, 1900, 35};
-    const render::Camera near{{1080, 900, 1325}, 205, 15, 260, 45};
-    const render::Camera front{{1078, 830, 1300}, 190, 5, 90, 50};
-    const render::Camera from_valley{{1078, 900, 1330}, 185, -7, 550, 45};
-    const render::Camera deposit{{1145, 470, 1208}, 200, 14, 230, 45};
+    const render::Camera near{{1080, 850, 1305}, 150, 15, 260, 45};
+    const render::Camera front{{1075, 800, 1290}, 170, 5, 90, 50};
+    const render::Camera from_valley{{1070, 900, 1330}, 175, -7, 550, 45};
+    const render::Camera deposit{{1110, 420, 1200}, 95, 16, 260, 45};
     return {
         {"valley-dawn", "A winter valley at dawn", "winter-valley", 0, valley, kDawn},
         {"valley-noon", "A winter valley at noon", "winter-valley", 0, valley, kNoon},
         {"valley-dusk", "A winter valley at dusk", "winter-valley", 0, valley, kDusk},
         {"valley-night", "A winter valley at night", "winter-valley", 0, valley, kNight},
         {"slide-front", "At its front", "winter-avalanche", seconds(33), front, kAfternoon},
-        {"slide-far", "A slide from far away", "winter-avalanche", seconds(40), far, kAfternoon},
-        {"slide-near", "The same slide from near", "winter-avalanche", seconds(40), near, kAfternoon},
-        {"slide-valley", "From the valley", "winter-avalanche", seconds(40), from_valley, kAfternoon},
+        {"slide-far", "A slide from far away", "winter-avalanche", seconds(33), far, kAfternoon},
+        {"slide-near", "The same slide from near", "winter-avalanche", seconds(33), near, kAfternoon},
+        {"slide-valley", "From the valley", "winter-avalanche", seconds(33), from_valley, kAfternoon},
         {"deposit", "The deposit", "winter-avalanche", std::nullopt, deposit, kAfternoon},
         {"landslide", "A landslide", "landslide", seconds(15), std::nullopt, kAfternoon},
         {"two-materials", "Wet snow on soil", "snow-on-soil", seconds(60), std::nullopt, kAfternoon},

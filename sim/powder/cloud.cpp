@@ -10,13 +10,15 @@
 namespace sim::powder {
 namespace {
 
-constexpr float kFullSpeed = 3;                   // times Rule::speed, from which on all is thrown up
-constexpr float kThinnest = 0.02f;                // m; a thinner flow throws up nothing
-constexpr float kThick = 0.25f;                   // m; a thicker one no more than this
-constexpr float kRadiusPerSpeed = 0.44f;          // s: first radius of a puff by the speed of the flow
-constexpr float kSmallest = 0.3f, kLargest = 15;  // m, first radius
+constexpr float kFullSpeed = 3;           // times Rule::speed, from which on all is thrown up
+constexpr float kThinnest = 0.02f;        // m; a thinner flow throws up nothing
+constexpr float kThick = 0.25f;           // m; a thicker one no more than this
+constexpr float kRadiusPerSpeed = 0.44f;  // s: first radius of a puff by the speed of the flow
+constexpr float kShallow = 0.8f, kPerDepth = 0.5f,
+                kDeep = 2.4f;                     // times that, by depth in m: a deep flow throws it high
+constexpr float kSmallest = 0.3f, kLargest = 30;  // m, first radius
 constexpr float kGrowth = 3.2f;                   // first radii that a puff gains over its life
-constexpr float kBodyShare = 0.13f;               // of the births at a front, behind it
+constexpr float kBodyShare = 0.25f;               // of the births at a front, behind it
 constexpr float kCover = 5.5f;      // times per second that births at a front cover their ground
 constexpr float kDragTime = 1.8f;   // s, in which a puff takes on the speed of the air
 constexpr float kClimbTime = 1.6f;  // s, in which it stops to rise or fall
@@ -191,7 +193,9 @@ void Cloud::give_birth(const View& world, float dt_s) {
             const float front = frontness(world, x, y, velocity, speed);
             const glm::vec2 rise = slope(world, x, y);
             const float steep = smoothstep(0.8f, 1.4f, std::sqrt(glm::dot(rise, rise)));
-            const float size = std::clamp(kRadiusPerSpeed * speed, kSmallest, kLargest);
+            const float size =
+                std::clamp(kRadiusPerSpeed * speed * std::min(kShallow + kPerDepth * rolling[x], kDeep),
+                           kSmallest, kLargest);
             const float room = 1 - static_cast<float>(puffs_.size()) / static_cast<float>(kMost);
             const float births = dt_s * kCover / (3.14f * size * size) * cell * cell * fast * room *
                                  (kBodyShare + (1 - kBodyShare) * front) * (1 + steep);
