@@ -22,6 +22,12 @@ float parted(float distance, float radius) {
     return ramp(kNearest * radius, kFar * radius, distance);
 }
 
+// Of a cell of the map.
+std::size_t number(int x, int y) {
+    constexpr auto kSide = static_cast<std::size_t>(ShadeMap::kSide);
+    return static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x);
+}
+
 }  // namespace
 
 ShadeMap::ShadeMap() : cells_(static_cast<std::size_t>(kSide) * kSide) {
@@ -62,7 +68,7 @@ float ShadeMap::thickness(glm::vec2 at) const {
     at = glm::clamp(at - 0.5f, glm::vec2(0), glm::vec2(kSide - 1.001f));
     const int x = static_cast<int>(at.x), y = static_cast<int>(at.y);
     const float u = at.x - static_cast<float>(x), v = at.y - static_cast<float>(y);
-    const auto cell = [&](int i, int j) { return cells_[static_cast<std::size_t>(j * kSide + i)].x; };
+    const auto cell = [&](int i, int j) { return cells_[number(i, j)].x; };
     return std::lerp(std::lerp(cell(x, y), cell(x + 1, y), u),
                      std::lerp(cell(x, y + 1), cell(x + 1, y + 1), u), v);
 }
@@ -78,7 +84,7 @@ void ShadeMap::add(glm::vec2 at, float reach, float thickness, float along) {
         for (int x = first_x; x <= last_x; ++x) {
             const glm::vec2 away = (glm::vec2(x, y) + 0.5f - at) / wide;
             const float more = thickness * std::max(1 - glm::dot(away, away), 0.f);
-            cells_[static_cast<std::size_t>(y * kSide + x)] += glm::vec2(more, more * along);
+            cells_[number(x, y)] += glm::vec2(more, more * along);
         }
 }
 
