@@ -14,12 +14,13 @@ namespace {
 
 constexpr float kHalfWidth = 0.17f;  // of a tree, of its height
 constexpr float kNearPixels = 44;    // height from which a tree has more than one triangle
-constexpr float kWidePixels =
-    3.0f;  // mean width of trees below which some are left out and others drawn wider
+// Mean width of trees in pixels below which some are left out and others drawn wider: this share of the frame's height,
+// because a small frame has few trees anyhow, within these limits.
+constexpr float kWideOfHeight = 0.005f, kLeastWide = 2.2f, kMostWide = 3.6f;
 constexpr float kMeanWidth = 4.2f;    // m
 constexpr float kLeastShare = 0.22f;  // of the trees of a tile, however far
-constexpr float kLongestShadow = 42;  // m
-constexpr float kShadowPixels = 5;    // height below which a tree casts none
+constexpr float kLongestShadow = 36;  // m
+constexpr float kShadowPixels = 6;    // height below which a tree casts none
 constexpr float kShallow = 0.15f,
                 kDeep = 0.6f;  // m: a flow bends a tree from the first on, and from the second breaks it
 constexpr float kSlow = 1.5f, kFast = 4.5f;  // m/s, the same
@@ -91,10 +92,10 @@ void light_trees(const Woods& woods, const Surroundings& around, const glm::vec3
     for (const Tree& tree : woods.trees()) {
         const glm::dvec3 from(tree.foot + glm::vec3(0, 0, 0.6f * tree.height));
         double light = 1;
-        for (double t = 1.5 * around.cell(); t < reach && light > 0; t *= 1.3) {
+        for (double t = 1.5 * around.cell(); t < reach && light > 0; t *= 1.1) {
             const glm::dvec3 p = from + glm::dvec3(sun) * (t / flat);
             if (p.z > around.highest()) break;
-            light = std::min(light, 0.5 + (p.z - around.rough_height(p)) / (0.05 * t + 0.2 * around.cell()));
+            light = std::min(light, 0.5 + (p.z - around.rough_height(p)) / (0.01 * t + 0.2 * around.cell()));
         }
         const float length =
             std::min(tree.height * static_cast<float>(flat) / std::max(sun.z, 0.01f), kLongestShadow);
@@ -119,6 +120,8 @@ void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, co
     tiles_.clear();
     const glm::vec3 eye(frame.eye), forward(frame.ray_forward);
     const float pixel = frame.material.y * frame.material.z;  // m at a distance of 1 m
+    const float frame_height = 2 * glm::length(glm::vec3(frame.ray_up)) / pixel;
+    const float wide_pixels = std::clamp(kWideOfHeight * frame_height, kLeastWide, kMostWide);
     for (const TreeTile& tile : woods.tiles())
         if (may_show(tile, frame.clip_from_world, kLongestShadow)) tiles_.push_back(&tile);
     std::sort(tiles_.begin(), tiles_.end(), [&](const TreeTile* a, const TreeTile* b) {
@@ -133,7 +136,7 @@ void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, co
             const Tree& tree = woods.trees()[i];
             const float distance = std::max(glm::distance(tree.foot, eye), 1.f);
             // Far away fewer trees stand for all; one that is left out shrinks first.
-            const float wide = kMeanWidth / (distance * pixel) / kWidePixels;
+            const float wide = kMeanWidth / (distance * pixel) / wide_pixels;
             const float share = std::clamp(wide * wide, kLeastShare, 1.f);
             const float rank = static_cast<float>(k) / static_cast<float>(tile->count);
             if (rank >= share) continue;

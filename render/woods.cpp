@@ -55,7 +55,7 @@ class Growth {
         share *= ramp(1.0, 0.72, steep);                                            // rock
         share *= ramp(0.06, 0.22, steep + 0.07 * noise(at, 120, rules_.seed + 2));  // meadows of the valley
         // A few dare to grow where avalanches run.
-        share *= 0.05 + 0.95 * ramp(0.085 * near_, 0.015 * near_, ground.gully);
+        share *= 0.08 + 0.92 * ramp(0.085 * near_, 0.015 * near_, ground.gully);
         return share;
     }
 
