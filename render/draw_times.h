@@ -19,12 +19,14 @@ enum class Pass {
     kTerrain,
     kSurroundings,  // mountains around the grid, or the walls of a block
     kSky,
+    kTrees,  // 0 without
     kPowder,
     kTone,
     kEdges,
 };
-inline constexpr std::array kPassNames{"upload",  "remesh",       "surface", "shadow", "depth", "flow",
-                                       "terrain", "surroundings", "sky",     "powder", "tone",  "edges"};
+inline constexpr std::array kPassNames{"upload", "remesh",  "surface",      "shadow", "depth",
+                                       "flow",   "terrain", "surroundings", "sky",    "trees",
+                                       "powder", "tone",    "edges"};
 inline constexpr std::size_t kPassCount = kPassNames.size();
 inline constexpr std::size_t kFirstDrawingPass = static_cast<std::size_t>(Pass::kSurface);
 

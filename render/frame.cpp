@@ -14,6 +14,7 @@
 #include "render/passes/surface_pass.h"
 #include "render/passes/surroundings_pass.h"
 #include "render/passes/terrain_pass.h"
+#include "render/passes/trees_pass.h"
 #include "render/slide_tiles.h"
 #include "render/stage_clock.h"
 #include "render/target.h"
@@ -38,6 +39,7 @@ struct Renderer::Parts {
     FlowPass flow;
     SurroundingsPass surroundings;
     FullscreenPass sky, day_lights, night_lights;
+    TreesPass trees;
     PowderPass powder;
     FullscreenPass tone;
     FullscreenPass edge_marks, edges;
@@ -73,6 +75,8 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     auto night_lights =
         FullscreenPass::create(shaders, {"slots.glsl", "frame.glsl", "sky_lights.frag", "stars.glsl"});
     if (!night_lights) return tl::unexpected(night_lights.error());
+    auto trees = TreesPass::create(shaders);
+    if (!trees) return tl::unexpected(trees.error());
     auto powder = PowderPass::create(shaders);
     if (!powder) return tl::unexpected(powder.error());
     auto tone = FullscreenPass::create(shaders, {"slots.glsl", "tone_curve.glsl", "tone.frag"});
@@ -84,11 +88,26 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
 
     Buffer frame_block = make_buffer();
     glNamedBufferStorage(frame_block.name(), sizeof(FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    return Renderer(std::make_unique<Parts>(
-        Parts{FieldsToGpu(), std::move(frame_block), std::move(*surface), std::move(*shadow),
-              std::move(*terrain), SlideTiles(), std::move(*flow), std::move(*surroundings), std::move(*sky),
-              std::move(*day_lights), std::move(*night_lights), std::move(*powder), std::move(*tone),
-              std::move(*edge_marks), std::move(*edges), Target(), quality, assets, StageClock()}));
+    return Renderer(std::make_unique<Parts>(Parts{FieldsToGpu(),
+                                                  std::move(frame_block),
+                                                  std::move(*surface),
+                                                  std::move(*shadow),
+                                                  std::move(*terrain),
+                                                  SlideTiles(),
+                                                  std::move(*flow),
+                                                  std::move(*surroundings),
+                                                  std::move(*sky),
+                                                  std::move(*day_lights),
+                                                  std::move(*night_lights),
+                                                  std::move(*trees),
+                                                  std::move(*powder),
+                                                  std::move(*tone),
+                                                  std::move(*edge_marks),
+                                                  std::move(*edges),
+                                                  Target(),
+                                                  quality,
+                                                  assets,
+                                                  StageClock()}));
 }
 
 Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -115,7 +134,7 @@ std::optional<DrawTimes> Renderer::stage_times() const {
 void Renderer::draw(const FrameInput& input) {
     Parts& p = *parts_;
     const auto& [world, camera, light, look, marks, flow, width, height, first_depth, around, puffs,
-                 powder_strength] = input;
+                 powder_strength, woods, so_far] = input;
     const int samples = samples_of(p.quality);
     const ScopedState state;  // restores the state for other users of the context
 
@@ -196,6 +215,13 @@ void Renderer::draw(const FrameInput& input) {
     p.target.begin_backdrop();
     (frame.above.w > 0 ? p.night_lights : p.day_lights).draw_behind();
     p.clock.mark(Pass::kSky);
+
+    // Trees stand before ground and sky, with a jagged outline. Their shadows darken the ground that is drawn. They
+    // would hide the values of an overlay.
+    if (goes_on && woods && !woods->empty() && marks.overlay == Overlay::kNone &&
+        p.trees.find(*woods, *around, world, so_far, frame))
+        p.trees.draw();
+    p.clock.mark(Pass::kTrees);
 
     // Powder in the air lies over everything, and needs its depth. It casts a shadow on the ground.
     if (p.powder.find(puffs, frame, look, powder_strength, p.target.samples_across(),

@@ -3,9 +3,11 @@
 #include <span>
 
 #include "render/camera.h"
+#include "render/flow_so_far.h"
 #include "render/look.h"
 #include "render/marks.h"
 #include "render/surroundings.h"
+#include "render/woods.h"
 #include "sim/front/flow_view.h"
 #include "sim/powder/cloud.h"
 #include "sim/world/state.h"
@@ -32,6 +34,10 @@ struct FrameInput {
     // Powder or dust in the air, in look's colours; valid during the call.
     std::span<const sim::powder::Puff> powder = {};
     float powder_strength = 1;  // 0 to 1, factor on its opacity; 0: none is drawn
+    // Of these surroundings, without which no trees are drawn. If null, there are none.
+    const Woods* woods = nullptr;
+    // What the flow has done until now, for trees to lie where it was; valid during the call.
+    FlowSoFar flow_so_far = {};
 };
 
 }  // namespace render

@@ -81,6 +81,10 @@
 
 #define MOST_STOPS 8 // of a legend
 
+// A near tree: tiers of branches, each a cone of so many sides
+#define TREE_TIERS 6
+#define TREE_SIDES 5
+
 // Layers of the detail texture
 #define DETAIL_SOFT 0
 #define DETAIL_ROCK 1

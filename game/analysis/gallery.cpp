@@ -25,24 +25,20 @@ struct Gallery::Parts {
     render::Look look;
     std::vector<float> first_depth;  // m
     render::Surroundings surroundings;
+    render::Woods woods;
     int pictures = 0;
 
     Parts(render::HeadlessContext&& gl, render::Renderer&& with)
         : context(std::move(gl)), renderer(std::move(with)) {}
 
-    render::DrawTimes draw(const sim::View& world, const sim::front::FlowView* flow,
-                           std::span<const sim::powder::Puff> powder, const render::Camera& from,
-                           const render::Surroundings* around, const std::string& name) {
-        renderer.draw({.world = world,
-                       .camera = from,
-                       .light = light,
-                       .look = look,
-                       .flow = flow,
-                       .width = size.width,
-                       .height = size.height,
-                       .first_depth = first_depth,
-                       .surroundings = around,
-                       .powder = powder});
+    // Adds what all frames have in common to what `input` shows.
+    render::DrawTimes draw(render::FrameInput input, const std::string& name) {
+        input.light = light;
+        input.look = look;
+        input.width = size.width;
+        input.height = size.height;
+        input.first_depth = first_depth;
+        renderer.draw(input);
         writer.submit(renderer.read_back(), folder / (name + ".png"));
         ++pictures;
         return *renderer.stage_times();
@@ -95,7 +91,10 @@ Outcome<Gallery> Gallery::open(const std::filesystem::path& folder, PictureSize 
     parts->light = scenario.light;
     parts->look = scenario.look;
     parts->first_depth = scenario.depth;
-    if (!scenario.model) parts->surroundings = mountains_around(scenario);
+    if (!scenario.model) {
+        parts->surroundings = mountains_around(scenario);
+        parts->woods = woods_on(scenario, parts->surroundings);
+    }
     return Gallery(std::move(parts));
 }
 
@@ -107,14 +106,24 @@ Gallery& Gallery::operator=(Gallery&&) noexcept = default;
 render::DrawTimes Gallery::draw(const Session& session, const std::string& name) {
     const sim::View world = session.view();
     if (!parts_->camera) parts_->camera = render::overview(world);
-    return parts_->draw(world, session.fronts(), session.powder(), *parts_->camera, &parts_->surroundings,
+    return parts_->draw({.world = world,
+                         .camera = *parts_->camera,
+                         .flow = session.fronts(),
+                         .surroundings = &parts_->surroundings,
+                         .powder = session.powder(),
+                         .woods = &parts_->woods,
+                         .flow_so_far = session.flow_so_far()},
                         name);
 }
 
+// A map ends at its border.
 render::DrawTimes Gallery::draw_map(const sim::View& world, const std::string& name) {
-    return parts_->draw(world, nullptr, {},
-                        map_camera(world, static_cast<double>(parts_->size.width) / parts_->size.height),
-                        nullptr, name);  // a map ends at its border
+    const double aspect = static_cast<double>(parts_->size.width) / parts_->size.height;
+    return parts_->draw({.world = world, .camera = map_camera(world, aspect)}, name);
+}
+
+std::string Gallery::notice() const {
+    return thinned_notice(parts_->woods);
 }
 
 Outcome<void> Gallery::close() {

@@ -36,6 +36,8 @@ class Gallery {
     render::DrawTimes draw(const Session& session, const std::string& name);
     // Seen from straight above, with north up.
     render::DrawTimes draw_map(const sim::View& world, const std::string& name);
+    // What the user should know of the frames; may be empty.
+    std::string notice() const;
     // Waits for the last image. Errors: one could not be written (status 3).
     Outcome<void> close();
 

@@ -328,7 +328,9 @@ void App::draw_world() {
                         .first_depth = sandbox_->scenario().depth,
                         .surroundings = &surroundings(),
                         .powder = sandbox_->session().powder(),
-                        .powder_strength = display_.powder});
+                        .powder_strength = display_.powder,
+                        .woods = &woods_,
+                        .flow_so_far = sandbox_->session().flow_so_far()});
     }
     renderer_.show_on(screen_.framebuffer(), size.width, size.height);
     if (waits_for_gl_) renderer_.wait();

@@ -142,6 +142,7 @@ class App {
     std::vector<sim::Command> set_numbers_;  // parameters set in panels, for the next tick
 
     render::Surroundings mountains_;  // around the world
+    render::Woods woods_;             // on them
     std::optional<CameraControl> camera_;
     std::optional<Probe> probe_;
     std::optional<glm::dvec3> drag_pivot_;

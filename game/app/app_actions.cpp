@@ -281,6 +281,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     if (!same) {
         const sim::View world = sandbox_->session().view();
         mountains_ = mountains_around(scenario);
+        woods_ = woods_on(scenario, mountains_);
         display_.surroundings = !scenario.model;
         brush_ = brush_for(scenario.grid);
         display_.light = scenario.light;
@@ -291,6 +292,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     screen_.show_title(fmt::format("Couloir: {}", scenario.title));
     tell(first_.told);
     if (scenario.look.flow && !sandbox_->session().fronts()) tell(Session::kTooFine);
+    if (const std::string notice = thinned_notice(woods_); !notice.empty()) tell(notice);
     now_s_ = screen_.seconds();  // loading time must not be simulated
     return {};
 }

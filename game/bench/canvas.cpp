@@ -19,6 +19,7 @@ struct Canvas::Parts {
     render::Look look = {};
     std::vector<float> first_depth = {};  // m
     render::Surroundings surroundings = {};
+    render::Woods woods = {};
 };
 
 Outcome<Canvas> Canvas::open(PictureSize size, const std::string& gl) {
@@ -46,6 +47,7 @@ Outcome<void> Canvas::show(const Scenario& scenario) {
     parts_->look = scenario.look;
     parts_->first_depth = scenario.depth;
     parts_->surroundings = scenario.model ? render::Surroundings() : mountains_around(scenario);
+    parts_->woods = woods_on(scenario, parts_->surroundings);
     return {};
 }
 
@@ -62,7 +64,9 @@ render::DrawTimes Canvas::draw(const Session& session) {
                      .height = p.size.height,
                      .first_depth = p.first_depth,
                      .surroundings = &p.surroundings,
-                     .powder = session.powder()});
+                     .powder = session.powder(),
+                     .woods = &p.woods,
+                     .flow_so_far = session.flow_so_far()});
     return *p.renderer.stage_times();
 }
 

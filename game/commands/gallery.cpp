@@ -52,6 +52,7 @@ struct World {
     const Scene* scene;
     Session session;
     render::Surroundings mountains;
+    render::Woods woods;
 };
 using Worlds = std::map<std::string, World>;
 
@@ -70,7 +71,11 @@ Outcome<Worlds> begin_worlds(const Scenes& scenes, const GalleryOptions& options
         if (!session) return tl::unexpected(session.error());
         session->follow_fronts(scene.scenario);
         session->follow_powder(scene.scenario);
-        worlds.emplace(name, World{&scene, std::move(*session), mountains_around(scene.scenario)});
+        auto mountains = mountains_around(scene.scenario);
+        auto woods = woods_on(scene.scenario, mountains);
+        if (const std::string notice = thinned_notice(woods); !notice.empty())
+            print_line(stderr, "couloir: {}", notice);
+        worlds.emplace(name, World{&scene, std::move(*session), std::move(mountains), std::move(woods)});
     }
     return worlds;
 }
@@ -137,7 +142,9 @@ Outcome<DrawnView> draw(render::Renderer& renderer, const Moment& moment, const 
                                    .height = options.size.height,
                                    .first_depth = scenario.depth,
                                    .surroundings = scenario.model ? nullptr : &moment.world->mountains,
-                                   .powder = session.powder()};
+                                   .powder = session.powder(),
+                                   .woods = &moment.world->woods,
+                                   .flow_so_far = session.flow_so_far()};
     drawn.fast = timed(renderer, input, render::Quality::kFast);
     drawn.fine = timed(renderer, input, render::Quality::kFine);
     if (auto written = render::write_png(renderer.read_back(), options.folder / drawn.file); !written)

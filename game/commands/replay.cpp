@@ -75,6 +75,7 @@ Outcome<int> replay(const ReplayOptions& options) {
             Gallery::open(*options.pictures.folder, options.pictures.size, options.pictures.gl, scenario);
         if (!opened) return tl::unexpected(opened.error());
         gallery = std::move(*opened);
+        if (!gallery->notice().empty()) print_line(stderr, "couloir: {}", gallery->notice());
     }
     PerfLog perf({scenario.scene, file_hash(*path), options.step_options.threads,
                   gallery ? std::optional(gallery->drawn_by()) : std::nullopt},

@@ -107,6 +107,7 @@ Outcome<int> run(const RunOptions& options) {
         if (scenario.look.flow && !session->fronts()) print_line(stderr, "couloir: {}", Session::kTooFine);
     }
     std::optional<Gallery>& gallery = leavings->gallery;
+    if (gallery && !gallery->notice().empty()) print_line(stderr, "couloir: {}", gallery->notice());
     PerfLog perf({scenario.scene, "", options.step_options.threads,
                   gallery ? std::optional(gallery->drawn_by()) : std::nullopt},
                  options.results.log_keeps());

@@ -261,6 +261,8 @@ Json view_json(const Scenario& scenario) {
     powder("powder", look.powder);
     if (scenario.lower) powder("lower_powder", look.lower_powder);
     if (scenario.model) json["look"]["style"] = "model";
+    if (const render::TreeRules& trees = scenario.trees; trees.density > 0)
+        json["trees"] = {{"density", trees.density}, {"line_m", trees.line_m}, {"seed", trees.seed}};
     if (look.flow) json["look"]["texture"] = to_string(look.flow->pattern);
     if (scenario.flow) json["flow"] = flow_json(*scenario.flow, *look.flow);
     json["light"] = {{"azimuth_deg", scenario.light.azimuth_deg},
@@ -306,6 +308,12 @@ void view_from(const Json& json, Scenario& scenario) {
         const auto pattern = render::flow_pattern_named(text(look, "texture"));
         if (!pattern) refuse(fmt::format("look: unknown texture '{}'", text(look, "texture")));
         scenario.look.flow = render::FlowLook{*pattern};
+    }
+    if (json.contains("trees")) {
+        const Json& trees = member(json, "trees");
+        scenario.trees = {number(trees, "density", 0, render::TreeRules::kDensest),
+                          number(trees, "line_m", -12000, 9000),
+                          static_cast<std::uint32_t>(whole(trees, "seed", 0, 1'000'000))};
     }
     if (json.contains("flow")) flow_from(member(json, "flow"), scenario);
     const Json& light = member(json, "light");

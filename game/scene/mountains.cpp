@@ -1,5 +1,7 @@
 #include "game/scene/mountains.h"
 
+#include <fmt/format.h>
+
 namespace game {
 
 render::Surroundings mountains_around(const Scenario& scenario) {
@@ -7,6 +9,16 @@ render::Surroundings mountains_around(const Scenario& scenario) {
     const std::vector<float> none;
     return {scenario.grid, scenario.bedrock, scenario.depth, scenario.has_data,
             scenario.lower ? scenario.lower->depth : none};
+}
+
+render::Woods woods_on(const Scenario& scenario, const render::Surroundings& mountains) {
+    return {mountains, scenario.trees, scenario.datum};
+}
+
+std::string thinned_notice(const render::Woods& woods) {
+    if (woods.asked() <= static_cast<double>(woods.trees().size())) return "";
+    return fmt::format("The scene asks for {:.0f} trees, and {} are drawn. Use a smaller [trees] density",
+                       woods.asked(), woods.trees().size());
 }
 
 }  // namespace game

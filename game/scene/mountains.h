@@ -1,11 +1,19 @@
 #pragma once
 
+#include <string>
+
 #include "game/scene/scenario.h"
 #include "render/surroundings.h"
+#include "render/woods.h"
 
 namespace game {
 
 // The mountains around a scenario's ground; none (empty) around a flow scene.
 render::Surroundings mountains_around(const Scenario& scenario);
+
+// The trees on a scenario's ground and on the mountains around it.
+render::Woods woods_on(const Scenario& scenario, const render::Surroundings& mountains);
+// A notice if there are fewer than the scenario asks for; else empty.
+std::string thinned_notice(const render::Woods& woods);
 
 }  // namespace game

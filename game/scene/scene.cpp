@@ -146,6 +146,16 @@ void view_from_valley(Scenario& scenario) {
     scenario.light = {std::fmod(from + std::copysign(kBeside, southward) + 360, 360), kHeight};
 }
 
+// Reads [trees].
+void read_trees(TomlTable& table, render::TreeRules& trees) {
+    const auto density = table.number("density", 0, render::TreeRules::kDensest);
+    if (!density) table.blame("", "needs a density, in trees per hectare");
+    trees.density = density.value_or(0);
+    trees.line_m = table.number("tree_line", -12000, 9000).value_or(trees.line_m);
+    trees.seed = static_cast<std::uint32_t>(table.whole("seed", 0, 1'000'000).value_or(trees.seed));
+    table.finish();
+}
+
 // Reads [look], [camera] and [light]. Returns the moment whose sun lights the scene, if [light] gives one.
 std::optional<SunMoment> read_view(TomlTable& root, Scenario& scenario) {
     if (auto table = root.table("look")) {
@@ -285,6 +295,7 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
         if (const auto wrong = sim::fault_of(scenario.lower->params)) under->blame("", *wrong);
     }
     if (under) under->finish();
+    if (auto trees = root.table("trees")) read_trees(*trees, scenario.trees);
     scene.commands = read_commands(root, params.tick_s, scenario.lower.has_value());
     const auto sun = read_view(root, scenario);
     root.finish();

@@ -11,6 +11,7 @@
 #include "game/scene/pressure.h"
 #include "game/scene/scenario.h"
 #include "game/session/world_fronts.h"
+#include "render/flow_so_far.h"
 #include "sim/engine.h"
 #include "sim/powder/cloud.h"
 #include "sim/world/snapshot.h"
@@ -104,6 +105,7 @@ class Session {
     // The last tick that changed the fields or the powder. While the world is at rest, its frame stays the same.
     std::int64_t changed_at() const { return changed_at_; }
     const Peaks& peaks() const { return peaks_; }
+    render::FlowSoFar flow_so_far() const { return {peaks_.depth, peaks_.speed_plan}; }
     const std::optional<Densities>& densities() const { return densities_; }
     const TickTimes& times() const { return times_; }
     // The state line of this tick; `before` has the hashes since the last recorded state line.

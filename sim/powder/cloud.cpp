@@ -209,8 +209,8 @@ void Cloud::give_birth(const View& world, float dt_s) {
                 puff.at.z =
                     surface(world, place_of(world.grid, puff.at.x, puff.at.y)) + 0.25f * puff.first_radius;
                 const glm::vec2 forward = velocity * random.between(0.7f, 1 + 0.2f * front);
-                const glm::vec2 jitter =
-                    speed * glm::vec2(random.between(-0.12f, 0.12f), random.between(-0.12f, 0.12f));
+                const glm::vec2 jitter = speed * glm::vec2{random.between(-0.12f, 0.12f),
+                                                           random.between(-0.12f, 0.12f)};  // in this order
                 const float thrown = speed * random.between(0.06f, 0.2f + 0.5f * front + 0.2f * steep);
                 puff.velocity = glm::vec3(forward + jitter, glm::dot(forward, rise) + thrown);
                 puff.life_s = random.between(4.5f, 7 + 2 * front);
@@ -234,7 +234,7 @@ void Cloud::blast(const View& world, glm::vec2 at, float radius) {
     if (density <= 0) return;
     Random random(world.tick, static_cast<int>(at.x), static_cast<int>(at.y));
     for (int i = 0; i < kPuffs && puffs_.size() < kMost; ++i) {
-        glm::vec2 out(random.between(-1, 1), random.between(-1, 1));
+        glm::vec2 out{random.between(-1, 1), random.between(-1, 1)};  // in this order
         if (glm::dot(out, out) > 1) out *= 0.7f;
         Puff puff;
         puff.first_radius = reach * random.between(0.15f, 0.3f);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -153,6 +156,25 @@ TEST_F(Powder, depends_on_its_puffs_and_the_world_alone) {
         two.advance(sim::view(state), kTick);
     }
     EXPECT_TRUE(std::equal(one.puffs().begin(), one.puffs().end(), two.puffs().begin(), two.puffs().end()));
+}
+
+// FNV-1a over the bits of all puffs.
+std::uint64_t hash_of(std::span<const Puff> puffs) {
+    static_assert(sizeof(Puff) == 48, "without padding");
+    std::uint64_t hash = 0xcbf29ce484222325;
+    for (const std::byte each : std::as_bytes(puffs))
+        hash = (hash ^ static_cast<std::uint64_t>(each)) * 0x100000001b3;
+    return hash;
+}
+
+TEST_F(Powder, has_the_same_bits_with_every_compiler) {
+    Cloud cloud({.strength = 1, .speed = 7});
+    state.depth.fill(1);
+    flow(25);
+    run(cloud, 100);
+    cloud.blast(sim::view(state), {200, 160}, 15);
+    run(cloud, 60);
+    EXPECT_EQ(hash_of(cloud.puffs()), 0u);
 }
 
 TEST_F(Powder, is_thrown_by_a_blast_where_something_lies) {

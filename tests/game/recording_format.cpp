@@ -95,6 +95,25 @@ TEST(RecordingHeader, keeps_the_style_and_refuses_an_unknown_one) {
     }
 }
 
+TEST(RecordingHeader, keeps_the_trees_and_refuses_impossible_ones) {
+    Header header;
+    header.scenario = small_scenario();
+    EXPECT_FALSE(to_json(header)["view"].contains("trees"));
+    EXPECT_EQ(through_header(header.scenario).trees, render::TreeRules());
+    header.scenario.trees = {.density = 123.5, .line_m = 1512.25, .seed = 77};
+    EXPECT_EQ(through_header(header.scenario).trees, header.scenario.trees);
+    const Json sound = to_json(header);
+    for (const auto& [key, value] : {std::pair<const char*, Json>{"density", 1e7},
+                                     {"density", "many"},
+                                     {"line_m", 1e5},
+                                     {"seed", -1},
+                                     {"seed", nullptr}}) {
+        Json wrong = sound;
+        wrong["view"]["trees"][key] = value;
+        EXPECT_FALSE(header_from(wrong)) << key << value;
+    }
+}
+
 TEST(RecordingHeader, keeps_the_density_of_each_material_or_that_it_is_unknown) {
     Header header;
     header.scenario = small_scenario();

@@ -112,6 +112,18 @@ TEST_F(SceneFile, is_a_landscape_unless_its_style_is_model) {
     EXPECT_TRUE(is_model("[look]\nstyle = \"model\"\n"));
 }
 
+TEST_F(SceneFile, has_trees_only_if_it_asks_for_them) {
+    const auto trees = [this](const std::string& table) {
+        const auto scene = load(with("[light]", table + "[light]"));
+        EXPECT_TRUE(scene) << scene.error().sentence;
+        return scene ? scene->scenario.trees : render::TreeRules();
+    };
+    EXPECT_EQ(trees("").density, 0);
+    EXPECT_EQ(trees("[trees]\ndensity = 200\ntree_line = 1650\nseed = 9\n"),
+              (render::TreeRules{.density = 200, .line_m = 1650, .seed = 9}));
+    EXPECT_EQ(trees("[trees]\ndensity = 200\n"), (render::TreeRules{.density = 200}));
+}
+
 TEST_F(SceneFile, sorts_its_commands_by_time) {
     const auto scene = load(with(
         "[camera]", "[[command]]\nat = 0.25\nblast = { x = 1, y = 2, radius = 3, depth = 0.5 }\n[camera]"));
@@ -140,6 +152,7 @@ constexpr Fault kFaults[] = {
     {"target = [80, 72, -48]", "target = [80, 72, -48]\nroll = 3", 15, "camera.roll"},
     {"[light]", "[goals]\nx = 1\n[light]", 15, "goals"},
     {"[light]", "[look]\ncolour = 3\n[light]", 16, "look.colour"},
+    {"[light]", "[trees]\ndensity = 100\nspecies = 3\n[light]", 17, "trees.species"},
     // Wrong kinds.
     {"title = \"A trial\"", "title = 3", 1, "title"},
     {"grid = 16", "grid = 16.5", 4, "terrain.grid"},
@@ -153,6 +166,10 @@ constexpr Fault kFaults[] = {
     {"[[command]]", "[command]", 10, "command"},
     {"[light]", "[look]\nstyle = true\n[light]", 16, "look.style"},
     // Out of range.
+    {"[light]", "[trees]\ndensity = -1\n[light]", 16, "trees.density"},
+    {"[light]", "[trees]\ndensity = 1000001\n[light]", 16, "trees.density"},
+    {"[light]", "[trees]\ndensity = 100\ntree_line = 9001\n[light]", 17, "trees.tree_line"},
+    {"[light]", "[trees]\ndensity = 100\nseed = -1\n[light]", 17, "trees.seed"},
     {"grid = 16", "grid = 7", 4, "terrain.grid"},
     {"grid = 16", "grid = 4097", 4, "terrain.grid"},
     {"grid = 16", "grid = 16\nsteep = 46", 5, "terrain.steep"},
@@ -192,6 +209,7 @@ constexpr Fault kFaults[] = {
     {"duration = 1", "duration = 1, as = \"flying\"", 12, "pour.as"},
     {"duration = 1", "duration = 1, profile = \"star\"", 12, "pour.profile"},
     // Missing.
+    {"[light]", "[trees]\nseed = 3\n[light]", 15, "trees needs a density"},
     {"grid = 16\n", "", 2, "terrain.grid"},
     {"generator = \"slope-of-soil\"\n", "", 2, "terrain needs"},
     {"material = \"soil\"\n", "", 5, "cover needs a material"},

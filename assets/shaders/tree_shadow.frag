@@ -1,0 +1,9 @@
+// The shadow of a tree: what it leaves of the light, as a factor.
+noperspective in float along;
+flat in vec3 left;
+flat in float strength;
+out vec4 colour;
+
+void main() {
+    colour = vec4(mix(vec3(1.0), left, strength * (0.85 - 0.45 * along)), 1.0);
+}

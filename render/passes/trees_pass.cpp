@@ -1,0 +1,90 @@
+#include "render/passes/trees_pass.h"
+
+#include <cstddef>
+#include <string_view>
+#include <utility>
+
+#include "assets/shaders/slots.glsl"
+#include "render/passes/scoped_state.h"
+#include "render/program.h"
+
+namespace render {
+
+tl::expected<TreesPass, std::string> TreesPass::create(const std::filesystem::path& shaders) {
+    const auto link = [&](std::string_view vertex, std::string_view fragment) {
+        return link_program(
+            shaders, {{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "light.glsl", "tree.glsl", vertex}},
+                      {GL_FRAGMENT_SHADER, {fragment}}});
+    };
+    TreesPass pass;
+    for (const auto& [program, vertex, fragment] :
+         {std::tuple{&pass.shadow_, "tree_shadow.vert", "tree_shadow.frag"},
+          std::tuple{&pass.far_, "tree_far.vert", "tree_far.frag"},
+          std::tuple{&pass.near_, "tree_near.vert", "tree_near.frag"}}) {
+        auto linked = link(vertex, fragment);
+        if (!linked) return tl::unexpected(linked.error());
+        *program = std::move(*linked);
+    }
+    return pass;
+}
+
+bool TreesPass::find(const Woods& woods, const Surroundings& around, const sim::View& world,
+                     const FlowSoFar& flow, const FrameBlock& frame) {
+    const bool is_new = known_ != woods.fingerprint();
+    if (is_new) {
+        known_ = woods.fingerprint();
+        lights_.reserve(woods.trees().size());
+        trees_.reserve(woods);
+        instances_ = make_buffer();
+        glNamedBufferData(instances_.name(),
+                          static_cast<GLsizeiptr>(woods.trees().size() * sizeof(DrawnTree)), nullptr,
+                          GL_STREAM_DRAW);
+        vertex_array_ = make_vertex_array();
+        const GLuint array = vertex_array_.name();
+        glVertexArrayVertexBuffer(array, 0, instances_.name(), 0, sizeof(DrawnTree));
+        glVertexArrayBindingDivisor(array, 0, 1);
+        GLuint location = 0;
+        for (const std::size_t offset : {offsetof(DrawnTree, foot), offsetof(DrawnTree, axis),
+                                         offsetof(DrawnTree, look), offsetof(DrawnTree, shadow)}) {
+            glEnableVertexArrayAttrib(array, location);
+            glVertexArrayAttribFormat(array, location, 4, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
+            glVertexArrayAttribBinding(array, location, 0);
+            ++location;
+        }
+    }
+    if (is_new || known_sun_ != frame.sun) {
+        known_sun_ = frame.sun;
+        light_trees(woods, around, glm::vec3(frame.sun), lights_);
+    }
+    trees_.find(woods, lights_, world, flow, frame);
+    if (trees_.drawn().empty()) return false;
+    glNamedBufferSubData(instances_.name(), 0, static_cast<GLsizeiptr>(trees_.drawn().size_bytes()),
+                         trees_.drawn().data());
+    return true;
+}
+
+void TreesPass::draw() const {
+    const Enabled depth_test(GL_DEPTH_TEST);
+    const auto all = static_cast<GLsizei>(trees_.drawn().size()), far = static_cast<GLsizei>(trees_.far());
+    glBindVertexArray(vertex_array_.name());
+    {
+        // A shadow lies on the ground as a triangle, which is a little above it everywhere.
+        const Enabled blend(GL_BLEND), offset(GL_POLYGON_OFFSET_FILL);
+        glPolygonOffset(2, 256);
+        glDepthMask(GL_FALSE);
+        glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+        glUseProgram(shadow_.name());
+        const auto without = static_cast<GLsizei>(trees_.without_shadow());
+        glDrawArraysInstancedBaseInstance(GL_TRIANGLES, 0, 3, all - without, static_cast<GLuint>(without));
+        glBlendFunc(GL_ONE, GL_ZERO);
+        glDepthMask(GL_TRUE);
+        glPolygonOffset(0, 0);
+    }
+    glUseProgram(far_.name());
+    glDrawArraysInstanced(GL_TRIANGLES, 0, 3, far);
+    glUseProgram(near_.name());
+    glDrawArraysInstancedBaseInstance(GL_TRIANGLES, 0, 3 * TREE_TIERS * TREE_SIDES, all - far,
+                                      static_cast<GLuint>(far));
+}
+
+}  // namespace render

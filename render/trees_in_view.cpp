@@ -1,0 +1,172 @@
+#include "render/trees_in_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "render/ramp.h"
+
+namespace render {
+namespace {
+
+constexpr float kHalfWidth = 0.17f;  // of a tree, of its height
+constexpr float kNearPixels = 44;    // height from which a tree has more than one triangle
+// Mean width of trees in pixels below which some are left out and others drawn wider: this share of the frame's height,
+// because a small frame has few trees anyhow, within these limits.
+constexpr float kWideOfHeight = 0.005f, kLeastWide = 2.2f, kMostWide = 3.6f;
+constexpr float kMeanWidth = 4.2f;    // m
+constexpr float kLeastShare = 0.22f;  // of the trees of a tile, however far
+constexpr float kLongestShadow = 36;  // m
+constexpr float kShadowPixels = 6;    // height below which a tree casts none
+constexpr float kShallow = 0.15f,
+                kDeep = 0.6f;  // m: a flow bends a tree from the first on, and from the second breaks it
+constexpr float kSlow = 1.5f, kFast = 4.5f;  // m/s, the same
+constexpr float kCrushed = 0.65f;            // width of a lying tree, of a standing one's
+constexpr float kLean = 1.5f;                // rad
+
+// Outside if all corners are beyond the same edge of the image, or behind the eye. `room`: m, what is drawn of trees
+// beside their box: branches and shadows.
+bool may_show(const TreeTile& tile, const glm::mat4& clip_from_world, float room) {
+    int left = 0, right = 0, below = 0, above = 0, behind = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec3 at(corner & 1 ? tile.highest.x + room : tile.lowest.x - room,
+                           corner & 2 ? tile.highest.y + room : tile.lowest.y - room,
+                           corner & 4 ? tile.highest.z + room : tile.lowest.z - room);
+        const glm::vec4 clip = clip_from_world * glm::vec4(at, 1);
+        left += clip.x<-clip.w, right += clip.x> clip.w;
+        below += clip.y<-clip.w, above += clip.y> clip.w;
+        behind += clip.w < 0;
+    }
+    return std::max({left, right, below, above, behind}) < 8;
+}
+
+// Height of the surface now; outside the grid that of its border.
+float surface(const sim::View& world, glm::vec2 at) {
+    const glm::vec2 cell =
+        glm::clamp(at / world.grid.dx, glm::vec2(0), glm::vec2(world.grid.nx - 1, world.grid.ny - 1));
+    const int x = std::min(static_cast<int>(cell.x), world.grid.nx - 2),
+              y = std::min(static_cast<int>(cell.y), world.grid.ny - 2);
+    const auto z = [&](int i, int j) {
+        return world.bedrock(i, j) + world.depth(i, j) + world.rolling(i, j);
+    };
+    const float u = cell.x - static_cast<float>(x), v = cell.y - static_cast<float>(y);
+    return std::lerp(std::lerp(z(x, y), z(x + 1, y), u), std::lerp(z(x, y + 1), z(x + 1, y + 1), u), v);
+}
+
+// A number of the tree's own, 0 to 1, independent of the others.
+float own(const Tree& tree, float factor) {
+    const float x = tree.chance * factor;
+    return x - std::floor(x);
+}
+
+// Bends a tree as far as the flow has reached its stem, and lays it into the deposit.
+void lay(const Tree& tree, const sim::View& world, float lying, DrawnTree& drawn) {
+    const float aside = 1.1f * (own(tree, 37.3f) - 0.5f), angle = kLean * lying;
+    const glm::vec2 along =
+        glm::vec2(tree.downhill.x - aside * tree.downhill.y, tree.downhill.y + aside * tree.downhill.x) /
+        std::sqrt(1 + aside * aside);
+    const glm::vec2 root(tree.foot), top = root + tree.height * along;
+    const float radius = kCrushed * kHalfWidth * tree.height;
+    // Some lie on the deposit, and some look out of it with one end.
+    const float root_z =
+        std::lerp(tree.foot.z, surface(world, root) + radius * (0.5f - 1.2f * own(tree, 71.9f)), lying);
+    const float top_z = surface(world, top) + radius * (0.9f - 1.5f * own(tree, 53.7f));
+    const glm::vec3 flat = glm::normalize(glm::vec3(along * tree.height, top_z - root_z));
+    drawn.foot.z = root_z;
+    drawn.axis =
+        glm::vec4(glm::normalize(std::cos(angle) * glm::vec3(0, 0, 1) + std::sin(angle) * flat), tree.chance);
+    drawn.look.w *= std::lerp(1.f, kCrushed, lying);
+    drawn.shadow.w *= 1 - lying;
+}
+
+}  // namespace
+
+void light_trees(const Woods& woods, const Surroundings& around, const glm::vec3& sun,
+                 std::vector<TreeLight>& into) {
+    const double flat = std::max(std::hypot(static_cast<double>(sun.x), static_cast<double>(sun.y)), 1e-3);
+    const double reach = Surroundings::kRoughReach * around.side();
+    into.clear();
+    for (const Tree& tree : woods.trees()) {
+        const glm::dvec3 from(tree.foot + glm::vec3(0, 0, 0.6f * tree.height));
+        double light = 1;
+        for (double t = 1.5 * around.cell(); t < reach && light > 0; t *= 1.1) {
+            const glm::dvec3 p = from + glm::dvec3(sun) * (t / flat);
+            if (p.z > around.highest()) break;
+            light = std::min(light, 0.5 + (p.z - around.rough_height(p)) / (0.01 * t + 0.2 * around.cell()));
+        }
+        const float length =
+            std::min(tree.height * static_cast<float>(flat) / std::max(sun.z, 0.01f), kLongestShadow);
+        const glm::vec2 tip = glm::vec2(tree.foot) - glm::vec2(sun) * (length / static_cast<float>(flat));
+        into.push_back({static_cast<float>(std::max(light, 0.0)),
+                        glm::vec3(tip, static_cast<float>(around.rough_height(glm::dvec2(tip))))});
+    }
+}
+
+void TreesInView::reserve(const Woods& woods) {
+    drawn_.reserve(woods.trees().size());
+    with_shadow_.reserve(woods.trees().size());
+    near_.reserve(woods.trees().size());
+    tiles_.reserve(woods.tiles().size());
+}
+
+void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, const sim::View& world,
+                       const FlowSoFar& flow, const FrameBlock& frame) {
+    drawn_.clear();
+    with_shadow_.clear();
+    near_.clear();
+    tiles_.clear();
+    const glm::vec3 eye(frame.eye), forward(frame.ray_forward);
+    const float pixel = frame.material.y * frame.material.z;  // m at a distance of 1 m
+    const float frame_height = 2 * glm::length(glm::vec3(frame.ray_up)) / pixel;
+    const float wide_pixels = std::clamp(kWideOfHeight * frame_height, kLeastWide, kMostWide);
+    for (const TreeTile& tile : woods.tiles())
+        if (may_show(tile, frame.clip_from_world, kLongestShadow)) tiles_.push_back(&tile);
+    std::sort(tiles_.begin(), tiles_.end(), [&](const TreeTile* a, const TreeTile* b) {
+        const auto distance = [&](const TreeTile* tile) {
+            return glm::distance(eye, glm::clamp(eye, tile->lowest, tile->highest));
+        };
+        return std::pair(distance(a), a) < std::pair(distance(b), b);
+    });
+    for (const TreeTile* tile : tiles_)
+        for (std::uint32_t k = 0; k < tile->count; ++k) {
+            const std::uint32_t i = tile->first + k;
+            const Tree& tree = woods.trees()[i];
+            const float distance = std::max(glm::distance(tree.foot, eye), 1.f);
+            // Far away fewer trees stand for all; one that is left out shrinks first.
+            const float wide = kMeanWidth / (distance * pixel) / wide_pixels;
+            const float share = std::clamp(wide * wide, kLeastShare, 1.f);
+            const float rank = static_cast<float>(k) / static_cast<float>(tile->count);
+            if (rank >= share) continue;
+            const float kept = share < 1 ? std::min((share - rank) / (0.15f * share), 1.f) : 1.f;
+            if (glm::dot(tree.foot - eye, forward) < -kLongestShadow - tree.height) continue;
+
+            const float height = tree.height * kept, high = height / (distance * pixel);
+            const float half = std::max(kHalfWidth * height / std::sqrt(std::max(share, 0.3f)),
+                                        0.6f * kept * distance * pixel);
+            DrawnTree drawn{{tree.foot, height},
+                            {0, 0, 1, tree.chance},
+                            {lights[i].sunlit, tree.snow, tree.lower, half},
+                            {lights[i].tip, lights[i].sunlit * ramp(kShadowPixels, 2 * kShadowPixels, high)}};
+            if (tree.vertex >= 0)
+                drawn.foot.z -= std::max(
+                    tree.snow - world.depth(tree.vertex % world.grid.nx, tree.vertex / world.grid.nx), 0.f);
+            if (tree.vertex >= 0 && !flow.depth.empty()) {
+                const auto vertex = static_cast<std::size_t>(tree.vertex);
+                const float strength = 0.7f + 0.6f * own(tree, 19.1f);
+                const float lying = ramp(kShallow * strength, kDeep * strength, flow.depth[vertex]) *
+                                    ramp(kSlow, kFast, flow.speed[vertex]);
+                if (lying > 0) lay(tree, world, lying, drawn);
+            }
+            const bool near = high > kNearPixels * (0.85f + 0.3f * tree.chance);
+            (near ? near_ : drawn.shadow.w > 0 ? with_shadow_ : drawn_).push_back(drawn);
+        }
+    without_shadow_ = drawn_.size();
+    far_ = without_shadow_ + with_shadow_.size();
+    drawn_.insert(drawn_.end(), with_shadow_.begin(), with_shadow_.end());
+    drawn_.insert(drawn_.end(), near_.begin(), near_.end());
+}
+
+}  // namespace render

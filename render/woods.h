@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "render/surroundings.h"
+
+namespace render {
+
+// How conifers stand on a mountain. It belongs to a scene, never to the simulation.
+struct TreeRules {
+    static constexpr double kDensest = 1e6;  // trees per hectare that can be asked for
+
+    double density = 0;      // trees per hectare where the wood is closed, 0 to kDensest; 0: no trees
+    double line_m = 1800;    // the tree line: height above the terrain's zero that no tree grows above, m
+    std::uint32_t seed = 1;  // another seed, another wood
+    bool operator==(const TreeRules&) const = default;
+};
+
+// A conifer where it grew. Space as in shaders.
+struct Tree {
+    glm::vec3 foot;       // m, on the ground at tick 0
+    float height;         // m
+    glm::vec2 downhill;   // unit vector
+    float chance;         // 0 to 1, its own number, by which trees differ
+    float snow;           // depth of the standing layer around it at tick 0, m
+    float lower;          // share of the lower material at the surface of that, 0 to 1
+    std::int32_t vertex;  // the grid's vertex nearest to it, row by row from the south; −1 outside the grid
+};
+
+// Trees that are drawn or left out together: those of a square of ground. Their order is random, so that the first
+// ones are as evenly spread as all of them.
+struct TreeTile {
+    std::uint32_t first = 0, count = 0;  // in Woods::trees()
+    glm::vec3 lowest{0}, highest{0};     // corners of the box around feet and tops, m
+};
+
+// The conifers of a world, on its grid and on the mountains around it. They stand in groves on slopes below the tree
+// line: not on rock, not on level ground, and not in gullies, where avalanches run. A view: nothing else knows of them.
+//
+// A tree of the grid is a function of ground, rules and place, bit-identical on every machine. Those around it are equal
+// on one machine, as Surroundings are.
+class Woods {
+  public:
+    static constexpr std::size_t kMost = 60'000;  // trees; of more, an even share is kept
+
+    // None.
+    Woods() = default;
+    // `datum`: height of shaders' z = 0 above the terrain's zero, m. Without surroundings there are no trees.
+    Woods(const Surroundings& around, const TreeRules& rules, double datum);
+
+    bool empty() const { return trees_.empty(); }
+    std::span<const Tree> trees() const { return trees_; }
+    std::span<const TreeTile> tiles() const { return tiles_; }
+    // How many trees the rules ask for: more than there are, if those are too many.
+    double asked() const { return asked_; }
+    // Equal for equal woods, else different but for one chance in 2⁶⁴.
+    std::uint64_t fingerprint() const { return fingerprint_; }
+
+  private:
+    void put_on_mesh(const Surroundings& around);
+    void sort_into_tiles(double tile_m);
+
+    std::vector<Tree> trees_;
+    std::vector<TreeTile> tiles_;
+    double asked_ = 0;
+    std::uint64_t fingerprint_ = 0;
+};
+
+}  // namespace render

@@ -1,0 +1,73 @@
+#include <cmath>
+
+#include "tests/render/gl_scene.h"
+#include "tests/render/mountains.h"
+
+// Conifers in the image.
+namespace render::test {
+namespace {
+
+class DrawnTrees : public Gl {
+  protected:
+    static constexpr int kPixels = 96;
+
+    DrawnTrees() {
+        around_ = mountains_around(world_);
+        woods_ = Woods(around_, {.density = 400, .line_m = 400, .seed = 3}, 0);
+        look_ = plain_look();
+    }
+    Picture drawn(const Woods* woods, const Surroundings* around, const Marks& marks = {}) {
+        renderer_->draw({.world = world_.view(),
+                         .camera = {{300, 300, 60}, 180, 15, 500, 40},
+                         .light = {240, 30},
+                         .look = look_,
+                         .marks = marks,
+                         .width = kPixels,
+                         .height = kPixels,
+                         .surroundings = around,
+                         .woods = woods});
+        return renderer_->read_back();
+    }
+    static int differing(const Picture& a, const Picture& b) {
+        int count = 0;
+        for (std::size_t i = 0; i < a.pixels.size(); i += 3) count += std::abs(a.pixels[i] - b.pixels[i]) > 3;
+        return count;
+    }
+
+    World world_ = make_world(60, 10, [](double, double y) { return 0.35 * y; });
+    Surroundings around_;
+    Woods woods_;
+    Look look_;
+};
+
+TEST_F(DrawnTrees, change_the_frame_and_leave_nothing_behind) {
+    const Picture without = drawn(nullptr, &around_);
+    EXPECT_GT(differing(drawn(&woods_, &around_), without), 300);
+    EXPECT_EQ(drawn(nullptr, &around_).pixels, without.pixels);
+    const Woods none;
+    EXPECT_EQ(drawn(&none, &around_).pixels, without.pixels);
+}
+
+TEST_F(DrawnTrees, are_none_in_a_model_and_under_an_overlay) {
+    EXPECT_EQ(drawn(&woods_, nullptr).pixels, drawn(nullptr, nullptr).pixels);
+    Marks marks;
+    marks.overlay = Overlay::kSlope;
+    EXPECT_EQ(drawn(&woods_, &around_, marks).pixels, drawn(nullptr, &around_, marks).pixels);
+}
+
+TEST_F(DrawnTrees, are_darker_than_snow_and_white_where_snow_lies) {
+    const auto mean = [&](const Picture& picture) {
+        return mean_colour(picture, kPixels / 2, kPixels / 2, 20)[1];
+    };
+    look_.standing = {0.86f, 0.89f, 0.93f};
+    world_.depth.fill(1);
+    around_ = mountains_around(world_);
+    const Woods in_snow(around_, {.density = 400, .line_m = 400, .seed = 3}, 0);
+    const double snow = mean(drawn(nullptr, &around_)), trees = mean(drawn(&in_snow, &around_));
+    EXPECT_LT(trees, snow - 10);
+    look_.standing = {0.2f, 0.13f, 0.07f};
+    EXPECT_LT(mean(drawn(&in_snow, &around_)), trees - 10);
+}
+
+}  // namespace
+}  // namespace render::test

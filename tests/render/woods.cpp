@@ -1,0 +1,181 @@
+#include "render/woods.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <random>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "render/trees_in_view.h"
+#include "tests/render/mountains.h"
+
+// Where conifers stand, and which of them a frame shows; without GL.
+namespace render::test {
+namespace {
+
+// A valley of a kilometre from west to east, between slopes as steep as 0.6 and a cliff in the north.
+double wooded_valley(double, double y) {
+    return y > 900 ? 0.6 * 400 + 3 * (y - 900) : 0.6 * std::abs(y - 500);
+}
+
+constexpr TreeRules kRules{.density = 300, .line_m = 180, .seed = 7};
+
+class WoodInValley : public testing::Test {
+  protected:
+    WoodInValley() {
+        for (int y = 20; y < 40; ++y)
+            for (int x = 20; x < 60; ++x) world.site(x, y) = sim::Site::kDrain;
+    }
+    Woods woods(const TreeRules& rules = kRules) const {
+        return {mountains_around(world), rules, world.datum};
+    }
+    FrameBlock frame(const Camera& camera) const {
+        return make_frame_block({.world = world.view(), .camera = camera, .width = 640, .height = 360},
+                                {0, 540}, 1, std::nullopt);
+    }
+    std::vector<DrawnTree> drawn(const Woods& of, const Camera& camera, const FlowSoFar& flow = {}) const {
+        std::vector<TreeLight> lights;
+        light_trees(of, mountains_around(world), glm::normalize(glm::vec3(1, 1, 1)), lights);
+        TreesInView trees;
+        trees.reserve(of);
+        trees.find(of, lights, world.view(), flow, frame(camera));
+        return {trees.drawn().begin(), trees.drawn().end()};
+    }
+
+    World world = make_world(100, 10, wooded_valley);
+};
+
+bool same(const Woods& a, const Woods& b) {
+    return a.fingerprint() == b.fingerprint() && a.trees().size() == b.trees().size() &&
+           std::memcmp(a.trees().data(), b.trees().data(), a.trees().size_bytes()) == 0;
+}
+
+TEST_F(WoodInValley, follows_from_ground_rules_and_seed) {
+    const Woods first = woods();
+    ASSERT_GT(first.trees().size(), 1000u);
+    EXPECT_TRUE(same(first, woods()));
+    TreeRules other = kRules;
+    other.seed = 8;
+    EXPECT_FALSE(same(first, woods(other)));
+}
+
+TEST_F(WoodInValley, stands_on_no_rock_no_hole_and_not_above_the_tree_line) {
+    const Woods all = woods();
+    std::size_t on_grid = 0;
+    for (const Tree& tree : all.trees()) {
+        EXPECT_LT(tree.foot.z, kRules.line_m);
+        if (tree.vertex < 0) continue;
+        ++on_grid;
+        const int x = tree.vertex % world.grid.nx, y = tree.vertex / world.grid.nx;
+        EXPECT_NE(world.site(x, y), sim::Site::kDrain) << x << " " << y;
+        EXPECT_LT(tree.foot.y, 905);
+        EXPECT_NEAR(tree.foot.z, wooded_valley(tree.foot.x, tree.foot.y), 3);
+        EXPECT_GE(tree.height, 2);
+        EXPECT_LE(tree.height, 21);
+        EXPECT_GT(tree.downhill.y * (500 - tree.foot.y), -1e-3f);
+    }
+    EXPECT_GT(on_grid, 300u);
+    EXPECT_GT(all.trees().size(), on_grid + 300) << "the wood ends at the border";
+}
+
+TEST_F(WoodInValley, is_denser_where_more_is_asked_for_and_never_too_large) {
+    TreeRules rules = kRules;
+    rules.density = 100;
+    const Woods few = woods(rules);
+    EXPECT_EQ(few.asked(), static_cast<double>(few.trees().size()));
+    rules.density = TreeRules::kDensest;
+    const Woods many = woods(rules);
+    EXPECT_LE(many.trees().size(), Woods::kMost);
+    EXPECT_GT(many.trees().size(), 5 * few.trees().size());
+    EXPECT_GT(many.asked(), 1e6);
+    rules.density = 0;
+    EXPECT_TRUE(woods(rules).empty());
+    EXPECT_TRUE(Woods({}, kRules, 0).empty()) << "a model has no trees";
+}
+
+TEST_F(WoodInValley, is_in_tiles_that_enclose_it) {
+    const Woods all = woods();
+    std::uint32_t next = 0;
+    for (const TreeTile& tile : all.tiles()) {
+        EXPECT_EQ(tile.first, next);
+        next += tile.count;
+        for (const Tree& tree : all.trees().subspan(tile.first, tile.count)) {
+            const glm::vec3 top = tree.foot + glm::vec3(0, 0, tree.height);
+            EXPECT_TRUE(tree.foot == glm::clamp(tree.foot, tile.lowest, tile.highest));
+            EXPECT_TRUE(top == glm::clamp(top, tile.lowest, tile.highest));
+        }
+    }
+    EXPECT_EQ(next, all.trees().size());
+}
+
+TEST_F(WoodInValley, shows_every_near_tree_in_view) {
+    const Woods all = woods();
+    std::mt19937 random(34);
+    int seen = 0;
+    for (int i = 0; i < 30; ++i) {
+        const Camera camera{{200.0 + static_cast<double>(random() % 600), 300, 150},
+                            static_cast<double>(random() % 360),
+                            10,
+                            250,
+                            50};
+        const auto shown = drawn(all, camera);
+        const FrameBlock block = frame(camera);
+        for (const Tree& tree : all.trees()) {
+            const glm::vec4 clip = block.clip_from_world * glm::vec4(tree.foot, 1);
+            if (clip.w < 1 || clip.w > 300 || std::abs(clip.x) > clip.w || std::abs(clip.y) > clip.w)
+                continue;
+            ++seen;
+            EXPECT_TRUE(std::ranges::any_of(
+                shown, [&](const DrawnTree& each) { return glm::vec3(each.foot) == tree.foot; }));
+        }
+    }
+    EXPECT_GT(seen, 300);
+}
+
+TEST_F(WoodInValley, is_thinned_far_away_and_wider_than_a_pixel) {
+    const Woods all = woods();
+    const Camera camera{{500, 300, 100}, 180, 20, 9000, 30};
+    const auto shown = drawn(all, camera);
+    EXPECT_LT(shown.size(), all.trees().size() / 2);
+    EXPECT_GT(shown.size(), all.trees().size() / 8);
+    const FrameBlock block = frame(camera);
+    std::size_t wide = 0;
+    for (const DrawnTree& tree : shown) {
+        const float distance = glm::distance(glm::vec3(tree.foot), glm::vec3(block.eye));
+        wide += 2 * tree.look.w / (distance * block.material.y) > 1.19f;
+    }
+    EXPECT_GT(wide, shown.size() / 2) << "the others shrink before they are left out";
+}
+
+TEST_F(WoodInValley, lies_downhill_where_a_flow_was_deep_and_fast) {
+    const Woods all = woods();
+    const Camera camera{{500, 300, 100}, 180, 20, 900, 60};
+    std::vector<float> depth(world.grid.size()), speed(world.grid.size());
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+        const std::size_t x = i % static_cast<std::size_t>(world.grid.nx);
+        depth[i] = x < 50 ? 2.f : 0.05f;
+        speed[i] = x > 20 ? 15.f : 0.5f;
+    }
+    const auto before = drawn(all, camera), after = drawn(all, camera, {depth, speed});
+    ASSERT_EQ(before.size(), after.size());
+    int lie = 0, stand = 0;
+    for (const DrawnTree& tree : after) {
+        if (tree.foot.x < 0 || tree.foot.x > 1000 || tree.foot.y < 0 || tree.foot.y > 480) continue;
+        const bool hit = tree.foot.x > 210 && tree.foot.x < 490;
+        if (hit) {
+            ++lie;
+            EXPECT_LT(tree.axis.z, 0.3f);
+            EXPECT_GT(tree.axis.y, 0) << "uphill";
+        } else if (tree.foot.x < 200 || tree.foot.x > 510) {
+            ++stand;
+            EXPECT_EQ(tree.axis.z, 1);
+        }
+    }
+    EXPECT_GT(lie, 20);
+    EXPECT_GT(stand, 20);
+}
+
+}  // namespace
+}  // namespace render::test
