@@ -1,11 +1,11 @@
 #include "render/flow_vertices.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
 
 #include "assets/shaders/slots.glsl"
+#include "render/ramp.h"
 #include "sim/core/check.h"
 
 namespace render {
@@ -62,8 +62,7 @@ void describe(const FlowView& flow, std::vector<FlowVertex>& vertices) {
 
 float kept_share(float stretch) {
     constexpr auto kKept = static_cast<float>(STRETCH_KEPT), kGone = static_cast<float>(STRETCH_GONE);
-    const float t = std::clamp((kGone - stretch) / (kGone - kKept), 0.f, 1.f);
-    return t * t * (3 - 2 * t);
+    return ramp(kGone, kKept, stretch);
 }
 
 }  // namespace render

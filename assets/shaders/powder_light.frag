@@ -24,7 +24,7 @@ void main() {
     vec2 light = cloud.xy / whole;
     vec3 at = place_at(ndc, cloud.a > 0.0 ? cloud.z / whole : reach);
 
-    // Light goes on from grain to grain, so that even the depth of the cloud is bright.
+    // Light passes from grain to grain, so that even the depth of the cloud is bright.
     vec3 sky = mix(frame.below.rgb, frame.above.rgb, 0.65 + 0.35 * light.y);
     vec3 lit = powder.colour.rgb * (frame.lamp.rgb * (0.86 * light.x) + sky * (0.70 + 0.55 * light.y));
     // Toward the sun thin powder shines.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "game/analysis/headless.h"
 #include "game/scene/scene.h"
 #include "game/session/session.h"
 
@@ -19,12 +20,8 @@ class FollowedPowder : public testing::Test {
     }
     // From the tick at which it stands.
     void run(Session& session, std::int64_t until) const {
-        while (session.state().tick < until) {
-            std::vector<sim::Command> due;
-            for (const TimedCommand& each : scene.commands)
-                if (each.tick == session.state().tick) due.push_back(each.command);
-            ASSERT_TRUE(session.advance(due));
-        }
+        ASSERT_TRUE(
+            play_headless(session, scene.commands, Until::after(until), {}, scene.scenario.title).value());
     }
     static std::vector<sim::powder::Puff> puffs(const Session& session) {
         return {session.powder().begin(), session.powder().end()};

@@ -44,11 +44,6 @@ class DrawnCloud : public Gl {
                          .powder_strength = strength});
         return renderer_->read_back();
     }
-    static int differing(const Picture& a, const Picture& b) {
-        int count = 0;
-        for (std::size_t i = 0; i < a.pixels.size(); i += 3) count += std::abs(a.pixels[i] - b.pixels[i]) > 3;
-        return count;
-    }
 
     World world_ = make_world(104, 4, [](double, double y) { return std::abs(y - 208) < 8 ? 60 : 0; });
     Look look_;

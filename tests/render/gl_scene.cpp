@@ -48,6 +48,12 @@ Colour mean_colour(const Picture& picture, int x, int y, int half) {
     return sum;
 }
 
+int differing(const Picture& a, const Picture& b) {
+    int count = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); i += 3) count += std::abs(a.pixels[i] - b.pixels[i]) > 3;
+    return count;
+}
+
 double colour_distance(const Colour& a, const Colour& b) {
     const Colour p = to_lab(a), q = to_lab(b);
     return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);

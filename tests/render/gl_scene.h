@@ -16,6 +16,9 @@ using Colour = std::array<double, 3>;  // sRGB, 0 to 255
 // Mean over a square of pixels; x from the left, y from the top.
 Colour mean_colour(const Picture& picture, int x, int y, int half);
 
+// Pixels whose red differs by more than 3 of 255 between two images of one size.
+int differing(const Picture& a, const Picture& b);
+
 // CIE L*a*b* distance; 2.3 is just noticeable to most people, 10 is obvious.
 double colour_distance(const Colour& a, const Colour& b);
 

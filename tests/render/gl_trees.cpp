@@ -28,11 +28,6 @@ class DrawnTrees : public Gl {
                          .woods = woods});
         return renderer_->read_back();
     }
-    static int differing(const Picture& a, const Picture& b) {
-        int count = 0;
-        for (std::size_t i = 0; i < a.pixels.size(); i += 3) count += std::abs(a.pixels[i] - b.pixels[i]) > 3;
-        return count;
-    }
 
     World world_ = make_world(60, 10, [](double, double y) { return 0.35 * y; });
     Surroundings around_;

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "game/files/assets.h"
+#include "game/scene/scene.h"
+#include "game/session/sandbox.h"
+#include "render/context.h"
+#include "render/frame.h"
+
+namespace game::test {
+
+using Bytes = std::vector<std::uint8_t>;
+
+// winter-avalanche on a coarse grid, without textures that travel with the flow, and what draws it.
+class DrawnScene : public testing::Test {
+  protected:
+    void SetUp() override {
+        auto context = render::HeadlessContext::create("auto");
+        ASSERT_TRUE(context) << context.error();
+        context_.emplace(std::move(*context));
+        auto renderer = render::Renderer::create(assets_folder().value(), render::Quality::kFast);
+        ASSERT_TRUE(renderer) << renderer.error();
+        renderer_.emplace(std::move(*renderer));
+        Overrides overrides;
+        overrides.squares = 48;
+        scene_ = load_scene("winter-avalanche", overrides).value();
+        scene_.scenario.look.flow.reset();
+    }
+
+    Sandbox sandbox() const {
+        LoadedWorld loaded;
+        loaded.scene = scene_;
+        return Sandbox::begin(std::move(loaded), {}, std::nullopt).value();
+    }
+
+    // Plays up to a tick. What `frame(session)` gives every so many ticks.
+    template <class Frame>
+    static std::map<std::int64_t, Bytes> played(Sandbox& sandbox, std::int64_t last, std::int64_t every,
+                                                const Frame& frame) {
+        std::map<std::int64_t, Bytes> frames;
+        while (sandbox.session().state().tick < last) {
+            EXPECT_TRUE(sandbox.tick({}));
+            const std::int64_t tick = sandbox.session().state().tick;
+            if (tick % every == 0) frames[tick] = frame(sandbox.session());
+        }
+        return frames;
+    }
+
+    // Goes to 100 of these ticks in random order. `frame(session)` must give the same bytes.
+    template <class Frame>
+    static void expect_the_same_after_100_seeks(Sandbox& sandbox, const std::map<std::int64_t, Bytes>& frames,
+                                                const Frame& frame) {
+        std::mt19937 random(34);
+        for (int i = 0; i < 100; ++i) {
+            const auto& [tick, before] = *std::next(frames.begin(), random() % frames.size());
+            ASSERT_TRUE(sandbox.go_toward(tick, [] { return true; }).value());
+            ASSERT_TRUE(frame(sandbox.session()) == before) << tick;
+        }
+    }
+
+    std::optional<render::HeadlessContext> context_;  // first, because the renderer's GL names live in it
+    std::optional<render::Renderer> renderer_;
+    Scene scene_;
+};
+
+}  // namespace game::test
