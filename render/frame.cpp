@@ -11,6 +11,7 @@
 #include "render/passes/powder_pass.h"
 #include "render/passes/scoped_state.h"
 #include "render/passes/shadow_pass.h"
+#include "render/passes/structures_pass.h"
 #include "render/passes/surface_pass.h"
 #include "render/passes/surroundings_pass.h"
 #include "render/passes/terrain_pass.h"
@@ -39,6 +40,7 @@ struct Renderer::Parts {
     FlowPass flow;
     SurroundingsPass surroundings;
     FullscreenPass sky, day_lights, night_lights;
+    StructuresPass structures;
     TreesPass trees;
     PowderPass powder;
     FullscreenPass tone;
@@ -75,6 +77,8 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     auto night_lights =
         FullscreenPass::create(shaders, {"slots.glsl", "frame.glsl", "sky_lights.frag", "stars.glsl"});
     if (!night_lights) return tl::unexpected(night_lights.error());
+    auto structures = StructuresPass::create(shaders);
+    if (!structures) return tl::unexpected(structures.error());
     auto trees = TreesPass::create(shaders);
     if (!trees) return tl::unexpected(trees.error());
     auto powder = PowderPass::create(shaders);
@@ -99,6 +103,7 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
                                                   std::move(*sky),
                                                   std::move(*day_lights),
                                                   std::move(*night_lights),
+                                                  std::move(*structures),
                                                   std::move(*trees),
                                                   std::move(*powder),
                                                   std::move(*tone),
@@ -134,7 +139,7 @@ std::optional<DrawTimes> Renderer::stage_times() const {
 void Renderer::draw(const FrameInput& input) {
     Parts& p = *parts_;
     const auto& [world, camera, light, look, marks, flow, width, height, first_depth, around, puffs,
-                 powder_strength, woods, so_far] = input;
+                 powder_strength, woods, so_far, structures] = input;
     const int samples = samples_of(p.quality);
     const ScopedState state;  // restores the state for other users of the context
 
@@ -215,6 +220,10 @@ void Renderer::draw(const FrameInput& input) {
     p.target.begin_backdrop();
     (frame.above.w > 0 ? p.night_lights : p.day_lights).draw_behind();
     p.clock.mark(Pass::kSky);
+
+    // What people have built stands before ground and sky.
+    if (p.structures.find(input, frame, new_terrain)) p.structures.draw();
+    p.clock.mark(Pass::kStructures);
 
     // Trees stand before ground and sky, with a jagged outline. Their shadows darken the ground that is drawn. They
     // would hide the values of an overlay.

@@ -6,6 +6,7 @@
 #include "render/flow_so_far.h"
 #include "render/look.h"
 #include "render/marks.h"
+#include "render/structures.h"
 #include "render/surroundings.h"
 #include "render/woods.h"
 #include "sim/front/flow_view.h"
@@ -38,6 +39,8 @@ struct FrameInput {
     const Woods* woods = nullptr;
     // What the flow has done until now, for trees to lie where it was; valid during the call.
     FlowSoFar flow_so_far = {};
+    // What people have built, as it is now. If null, there is nothing.
+    const Structures* structures = nullptr;
 };
 
 }  // namespace render

@@ -85,6 +85,17 @@
 #define TREE_TIERS 6
 #define TREE_SIDES 5
 
+// What structures are made of
+#define BUILT_WOOD 0
+#define BUILT_STONE 1
+#define BUILT_ROOF 2
+#define BUILT_SNOW 3
+#define BUILT_WINDOW 4
+#define BUILT_STEEL 5
+#define BUILT_ROAD 6
+#define BUILT_BANK 7 // snow beside a road
+#define BUILT_DARK 8 // doors, and the inside of what is broken
+
 // Layers of the detail texture
 #define DETAIL_SOFT 0
 #define DETAIL_ROCK 1

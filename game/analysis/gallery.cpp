@@ -112,7 +112,8 @@ render::DrawTimes Gallery::draw(const Session& session, const std::string& name)
                          .surroundings = &parts_->surroundings,
                          .powder = session.powder(),
                          .woods = &parts_->woods,
-                         .flow_so_far = session.flow_so_far()},
+                         .flow_so_far = session.flow_so_far(),
+                         .structures = &session.structures()},
                         name);
 }
 

@@ -330,7 +330,8 @@ void App::draw_world() {
                         .powder = sandbox_->session().powder(),
                         .powder_strength = display_.powder,
                         .woods = &woods_,
-                        .flow_so_far = sandbox_->session().flow_so_far()});
+                        .flow_so_far = sandbox_->session().flow_so_far(),
+                        .structures = &sandbox_->session().structures()});
     }
     renderer_.show_on(screen_.framebuffer(), size.width, size.height);
     if (waits_for_gl_) renderer_.wait();

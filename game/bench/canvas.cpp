@@ -66,7 +66,8 @@ render::DrawTimes Canvas::draw(const Session& session) {
                      .surroundings = &p.surroundings,
                      .powder = session.powder(),
                      .woods = &p.woods,
-                     .flow_so_far = session.flow_so_far()});
+                     .flow_so_far = session.flow_so_far(),
+                     .structures = &session.structures()});
     return *p.renderer.stage_times();
 }
 

@@ -12,6 +12,22 @@
 
 namespace game {
 
+namespace {
+
+std::optional<glm::dvec2> place_from(const toml::node* node) {
+    const toml::array* pair = node ? node->as_array() : nullptr;
+    if (!pair || pair->size() != 2) return std::nullopt;
+    glm::dvec2 place;
+    for (int i = 0; i < 2; ++i) {
+        const auto value = pair->get(static_cast<std::size_t>(i))->value<double>();
+        if (!value || !(std::abs(*value) <= TomlTable::kFarthest)) return std::nullopt;
+        place[i] = *value;
+    }
+    return place;
+}
+
+}  // namespace
+
 TomlTable::TomlTable(const toml::table& table, std::string name, std::string file, TomlFault& fault)
     : table_(&table), name_(std::move(name)), file_(std::move(file)), fault_(&fault) {}
 
@@ -65,6 +81,31 @@ std::optional<std::vector<double>> TomlTable::numbers(std::string_view key, std:
     if (values.size() == count && node->as_array()->size() == count) return values;
     blame(key, fmt::format("is not a list of {} numbers", count));
     return std::nullopt;
+}
+
+std::optional<std::vector<glm::dvec2>> TomlTable::places(std::string_view key, std::size_t least,
+                                                         std::size_t most) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    const toml::array* array = node->as_array();
+    std::vector<glm::dvec2> places;
+    for (std::size_t i = 0; array && i < array->size(); ++i)
+        if (const auto at = place_from(array->get(i))) places.push_back(*at);
+    if (!array || places.size() != array->size())
+        blame(key, fmt::format("is not a list of places [x, y] in metres, within ±{:.0f}", kFarthest));
+    else if (places.size() < least || places.size() > most)
+        blame(key, fmt::format("has {} places; {} to {} are allowed", places.size(), least, most));
+    else
+        return places;
+    return std::nullopt;
+}
+
+std::optional<glm::dvec2> TomlTable::place(std::string_view key) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    const auto at = place_from(node);
+    if (!at) blame(key, fmt::format("is not a place [x, y] in metres, within ±{:.0f}", kFarthest));
+    return at;
 }
 
 std::optional<double> TomlTable::moment(std::string_view key, int first, int last) {

@@ -12,6 +12,7 @@
 #include "game/scene/material.h"
 #include "game/scene/scene_ground.h"
 #include "game/scene/scene_light.h"
+#include "game/scene/structures.h"
 #include "render/overview.h"
 #include "terrains/dem_gdal.h"
 #include "terrains/release.h"
@@ -156,6 +157,45 @@ void read_trees(TomlTable& table, render::TreeRules& trees) {
     table.finish();
 }
 
+// Reads [[hut]], [[road]] and [[lift]].
+void read_structures(TomlTable& root, render::Structures& structures) {
+    const auto tables = [&](const char* name, std::size_t most) {
+        std::vector<TomlTable> found = root.tables(name);
+        if (found.size() > most)
+            root.blame(name, fmt::format("stands here {} times; at most {} are allowed", found.size(), most));
+        return found;
+    };
+    for (TomlTable& table : tables("hut", kMostHuts)) {
+        const auto at = table.place("at");
+        if (!at) table.blame("", "needs `at`: metres east and north");
+        const double heading = table.number("heading", -360, 360).value_or(0);
+        table.finish();
+        structures.all.push_back({render::StructureKind::kHut, at.value_or(glm::dvec2(0)), heading});
+    }
+    for (TomlTable& table : tables("road", kMostRoads)) {
+        auto points = table.places("points", 2, kMostRoadPoints);
+        if (!points) table.blame("", "needs points: places that it leads through");
+        for (std::size_t i = 1; points && i < points->size(); ++i)
+            if ((*points)[i] == (*points)[i - 1]) table.blame("points", "has the same place twice in a row");
+        render::Road road;
+        road.width_m = table.number("width", kNarrowestRoad, kWidestRoad).value_or(road.width_m);
+        table.finish();
+        if (!points) continue;
+        road.points = std::move(*points);
+        structures.roads.push_back(std::move(road));
+    }
+    for (TomlTable& table : tables("lift", kMostLifts)) {
+        const auto from = table.place("from"), to = table.place("to");
+        if (!from || !to) table.blame("", "needs `from` and `to`: places of its stations");
+        table.finish();
+        if (!from || !to) continue;
+        if (const auto wrong = fault_of_lift(*from, *to))
+            table.blame("to", *wrong);
+        else
+            add_lift(*from, *to, structures);
+    }
+}
+
 // Reads [look], [camera] and [light]. Returns the moment whose sun lights the scene, if [light] gives one.
 std::optional<SunMoment> read_view(TomlTable& root, Scenario& scenario) {
     if (auto table = root.table("look")) {
@@ -296,6 +336,7 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
     }
     if (under) under->finish();
     if (auto trees = root.table("trees")) read_trees(*trees, scenario.trees);
+    read_structures(root, scenario.structures);
     scene.commands = read_commands(root, params.tick_s, scenario.lower.has_value());
     const auto sun = read_view(root, scenario);
     root.finish();
@@ -324,6 +365,8 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
                             path.string(), most, kDeepestCover));
     }
     set_ground(scenario, *terrain);
+    if (const auto wrong = fault_of(scenario.structures, scenario.grid, scenario.has_data))
+        return unusable(fmt::format("{}: {}", path.string(), *wrong));
     light_by(sun, root, scenario);
     if (fault) return unusable(*fault);
     return scene;

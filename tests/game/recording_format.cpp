@@ -114,6 +114,38 @@ TEST(RecordingHeader, keeps_the_trees_and_refuses_impossible_ones) {
     }
 }
 
+TEST(RecordingHeader, keeps_what_people_built_and_refuses_what_cannot_stand) {
+    Header header;
+    header.scenario = small_scenario();
+    EXPECT_FALSE(to_json(header)["view"].contains("structures"));
+    const sim::Grid& grid = header.scenario.grid;
+    const auto at = [&](double x, double y) {
+        return glm::dvec2((grid.nx - 1) * x, (grid.ny - 1) * y) * static_cast<double>(grid.dx);
+    };
+    render::Structures& structures = header.scenario.structures;
+    structures.roads.push_back({{at(0.5, 0.4), at(0.3, 0.75), at(1, 1)}, 4.5});
+    EXPECT_EQ(through_header(header.scenario).structures, structures);
+
+    const Json sound = to_json(header);
+    const auto expect_refused = [&](const char* key, const Json& value) {
+        Json wrong = sound;
+        wrong["view"]["structures"][key] = value;
+        const auto refused = header_from(wrong);
+        EXPECT_FALSE(refused) << key << value;
+    };
+    const Json far = {1e6, 1e6}, near = {12, 10};
+    expect_refused("huts", "many");
+    expect_refused("huts", {{{"at", far}, {"heading_deg", 0}}});
+    expect_refused("huts", {{{"at", {0, "x"}}, {"heading_deg", 0}}});
+    expect_refused("huts", {{{"at", near}}});
+    expect_refused("huts", Json(std::vector<Json>(201, {{"at", near}, {"heading_deg", 0}})));
+    expect_refused("roads", {{{"points", {near}}, {"width_m", 5}}});
+    expect_refused("roads", {{{"points", {near, near}}, {"width_m", 5}}});
+    expect_refused("roads", {{{"points", {near, far}}, {"width_m", 5}}});
+    expect_refused("lifts", {{{"from", near}, {"to", near}}});
+    expect_refused("lifts", {{{"from", near}}});
+}
+
 TEST(RecordingHeader, keeps_the_density_of_each_material_or_that_it_is_unknown) {
     Header header;
     header.scenario = small_scenario();

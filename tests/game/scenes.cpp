@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "game/files/assets.h"
+#include "game/scene/structures.h"
 #include "tests/game/program.h"
 #include "tests/support/places.h"
 #include "tests/terrains/files.h"
@@ -124,6 +125,30 @@ TEST_F(SceneFile, has_trees_only_if_it_asks_for_them) {
     EXPECT_EQ(trees("[trees]\ndensity = 200\n"), (render::TreeRules{.density = 200}));
 }
 
+TEST_F(SceneFile, has_what_people_built_and_refuses_it_off_the_terrain) {
+    const auto built = [this](const std::string& tables) {
+        return load(with("[light]", tables + "[light]"));
+    };
+    EXPECT_TRUE(built("")->scenario.structures.empty());
+    const auto scene = built(
+        "[[hut]]\nat = [80, 40]\nheading = 190\n[[road]]\npoints = [[20, 20], [90, 25]]\nwidth = 5\n"
+        "[[lift]]\nfrom = [120, 30]\nto = [120, 130]\n");
+    ASSERT_TRUE(scene) << scene.error().sentence;
+    render::Structures expected;
+    expected.all.push_back({render::StructureKind::kHut, {80, 40}, 190});
+    expected.roads.push_back({{{20, 20}, {90, 25}}, 5});
+    add_lift({120, 30}, {120, 130}, expected);
+    EXPECT_EQ(scene->scenario.structures, expected);
+
+    const auto outside = built("[[hut]]\nat = [80, 400]\n");
+    ASSERT_FALSE(outside);
+    EXPECT_NE(outside.error().sentence.find("hut 1 at (80, 400) is outside the terrain"), std::string::npos);
+    std::string many;
+    for (int i = 0; i < 201; ++i) many += "[[hut]]\nat = [80, 40]\n";
+    ASSERT_FALSE(built(many));
+    EXPECT_NE(built(many).error().sentence.find("at most 200"), std::string::npos);
+}
+
 TEST_F(SceneFile, sorts_its_commands_by_time) {
     const auto scene = load(with(
         "[camera]", "[[command]]\nat = 0.25\nblast = { x = 1, y = 2, radius = 3, depth = 0.5 }\n[camera]"));
@@ -153,7 +178,14 @@ constexpr Fault kFaults[] = {
     {"[light]", "[goals]\nx = 1\n[light]", 15, "goals"},
     {"[light]", "[look]\ncolour = 3\n[light]", 16, "look.colour"},
     {"[light]", "[trees]\ndensity = 100\nspecies = 3\n[light]", 17, "trees.species"},
+    {"[light]", "[[hut]]\nat = [80, 80]\nstoreys = 3\n[light]", 17, "hut.storeys"},
+    {"[light]", "[[road]]\npoints = [[8, 8], [9, 9]]\nlanes = 3\n[light]", 17, "road.lanes"},
+    {"[light]", "[[lift]]\nfrom = [10, 10]\nto = [10, 90]\nseats = 6\n[light]", 18, "lift.seats"},
     // Wrong kinds.
+    {"[light]", "[[hut]]\nat = [80, \"x\"]\n[light]", 16, "hut.at is not a place"},
+    {"[light]", "[[hut]]\nat = [80, nan]\n[light]", 16, "hut.at is not a place"},
+    {"[light]", "[hut]\nat = [80, 80]\n[light]", 15, "hut is not a list of tables"},
+    {"[light]", "[[road]]\npoints = [8, 9]\n[light]", 16, "road.points is not a list of places"},
     {"title = \"A trial\"", "title = 3", 1, "title"},
     {"grid = 16", "grid = 16.5", 4, "terrain.grid"},
     {"grid = 16", "grid = \"16\"", 4, "terrain.grid"},
@@ -166,6 +198,12 @@ constexpr Fault kFaults[] = {
     {"[[command]]", "[command]", 10, "command"},
     {"[light]", "[look]\nstyle = true\n[light]", 16, "look.style"},
     // Out of range.
+    {"[light]", "[[hut]]\nat = [1e8, 80]\n[light]", 16, "hut.at is not a place"},
+    {"[light]", "[[hut]]\nat = [80, 80]\nheading = 361\n[light]", 17, "hut.heading"},
+    {"[light]", "[[road]]\npoints = [[8, 9]]\n[light]", 16, "road.points has 1 places; 2 to 200"},
+    {"[light]", "[[road]]\npoints = [[8, 9], [8, 9]]\n[light]", 16, "road.points has the same place twice"},
+    {"[light]", "[[road]]\npoints = [[8, 9], [18, 9]]\nwidth = 1\n[light]", 17, "road.width"},
+    {"[light]", "[[lift]]\nfrom = [10, 10]\nto = [10, 11]\n[light]", 17, "lift.to is 1 m away; 60 to 5000 m"},
     {"[light]", "[trees]\ndensity = -1\n[light]", 16, "trees.density"},
     {"[light]", "[trees]\ndensity = 1000001\n[light]", 16, "trees.density"},
     {"[light]", "[trees]\ndensity = 100\ntree_line = 9001\n[light]", 17, "trees.tree_line"},
@@ -209,6 +247,9 @@ constexpr Fault kFaults[] = {
     {"duration = 1", "duration = 1, as = \"flying\"", 12, "pour.as"},
     {"duration = 1", "duration = 1, profile = \"star\"", 12, "pour.profile"},
     // Missing.
+    {"[light]", "[[hut]]\nheading = 3\n[light]", 15, "hut needs `at`"},
+    {"[light]", "[[road]]\nwidth = 3\n[light]", 15, "road needs points"},
+    {"[light]", "[[lift]]\nfrom = [8, 9]\n[light]", 15, "lift needs `from` and `to`"},
     {"[light]", "[trees]\nseed = 3\n[light]", 15, "trees needs a density"},
     {"grid = 16\n", "", 2, "terrain.grid"},
     {"generator = \"slope-of-soil\"\n", "", 2, "terrain needs"},
