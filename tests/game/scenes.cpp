@@ -124,6 +124,17 @@ TEST_F(SceneFile, has_trees_only_if_it_asks_for_them) {
     EXPECT_EQ(trees("[trees]\ndensity = 200\n"), (render::TreeRules{.density = 200}));
 }
 
+TEST_F(SceneFile, has_wind_only_if_it_asks_for_it) {
+    const auto wind = [this](const std::string& table) {
+        const auto scene = load(with("[light]", table + "[light]"));
+        EXPECT_TRUE(scene) << scene.error().sentence;
+        return scene ? scene->scenario.wind : render::Wind{90, 90};
+    };
+    EXPECT_EQ(wind("").speed, 0);
+    EXPECT_EQ(wind("[wind]\nfrom = 290\nspeed = 7.5\n"), (render::Wind{290, 7.5}));
+    EXPECT_EQ(wind("[wind]\nfrom = -90\nspeed = 60\n"), (render::Wind{-90, 60}));
+}
+
 TEST_F(SceneFile, sorts_its_commands_by_time) {
     const auto scene = load(with(
         "[camera]", "[[command]]\nat = 0.25\nblast = { x = 1, y = 2, radius = 3, depth = 0.5 }\n[camera]"));
@@ -153,6 +164,7 @@ constexpr Fault kFaults[] = {
     {"[light]", "[goals]\nx = 1\n[light]", 15, "goals"},
     {"[light]", "[look]\ncolour = 3\n[light]", 16, "look.colour"},
     {"[light]", "[trees]\ndensity = 100\nspecies = 3\n[light]", 17, "trees.species"},
+    {"[light]", "[wind]\nfrom = 1\nspeed = 2\ngusts = 3\n[light]", 18, "wind.gusts"},
     // Wrong kinds.
     {"title = \"A trial\"", "title = 3", 1, "title"},
     {"grid = 16", "grid = 16.5", 4, "terrain.grid"},
@@ -170,6 +182,10 @@ constexpr Fault kFaults[] = {
     {"[light]", "[trees]\ndensity = 1000001\n[light]", 16, "trees.density"},
     {"[light]", "[trees]\ndensity = 100\ntree_line = 9001\n[light]", 17, "trees.tree_line"},
     {"[light]", "[trees]\ndensity = 100\nseed = -1\n[light]", 17, "trees.seed"},
+    {"[light]", "[wind]\nfrom = 1\nspeed = 1000\n[light]", 17, "wind.speed"},
+    {"[light]", "[wind]\nfrom = 1\nspeed = -1\n[light]", 17, "wind.speed"},
+    {"[light]", "[wind]\nfrom = 1\nspeed = nan\n[light]", 17, "wind.speed"},
+    {"[light]", "[wind]\nfrom = 361\nspeed = 1\n[light]", 16, "wind.from"},
     {"grid = 16", "grid = 7", 4, "terrain.grid"},
     {"grid = 16", "grid = 4097", 4, "terrain.grid"},
     {"grid = 16", "grid = 16\nsteep = 46", 5, "terrain.steep"},
@@ -210,6 +226,8 @@ constexpr Fault kFaults[] = {
     {"duration = 1", "duration = 1, profile = \"star\"", 12, "pour.profile"},
     // Missing.
     {"[light]", "[trees]\nseed = 3\n[light]", 15, "trees needs a density"},
+    {"[light]", "[wind]\nfrom = 3\n[light]", 15, "wind needs a speed"},
+    {"[light]", "[wind]\nspeed = 3\n[light]", 15, "wind needs `from`"},
     {"grid = 16\n", "", 2, "terrain.grid"},
     {"generator = \"slope-of-soil\"\n", "", 2, "terrain needs"},
     {"material = \"soil\"\n", "", 5, "cover needs a material"},
