@@ -7,6 +7,7 @@
 #include "render/look.h"
 #include "render/marks.h"
 #include "render/surroundings.h"
+#include "render/wind.h"
 #include "render/woods.h"
 #include "sim/front/flow_view.h"
 #include "sim/powder/cloud.h"
@@ -38,6 +39,9 @@ struct FrameInput {
     const Woods* woods = nullptr;
     // What the flow has done until now, for trees to lie where it was; valid during the call.
     FlowSoFar flow_so_far = {};
+    // It blows snow off the ridges of these surroundings, if look's standing layer is as bright as snow.
+    Wind wind = {};
+    double seconds = 0;  // time of the world, by which that snow moves
 };
 
 }  // namespace render
