@@ -11,6 +11,7 @@
 #include "render/passes/powder_pass.h"
 #include "render/passes/scoped_state.h"
 #include "render/passes/shadow_pass.h"
+#include "render/passes/spindrift_pass.h"
 #include "render/passes/structures_pass.h"
 #include "render/passes/surface_pass.h"
 #include "render/passes/surroundings_pass.h"
@@ -23,6 +24,8 @@
 
 namespace render {
 namespace {
+
+constexpr float kSnow = 0.6f;  // green of the standing layer; darker material is no snow
 
 int samples_of(Quality quality) {
     return quality == Quality::kFine ? 2 : 1;
@@ -42,6 +45,7 @@ struct Renderer::Parts {
     FullscreenPass sky, day_lights, night_lights;
     StructuresPass structures;
     TreesPass trees;
+    SpindriftPass spindrift;
     PowderPass powder;
     FullscreenPass tone;
     FullscreenPass edge_marks, edges;
@@ -49,6 +53,7 @@ struct Renderer::Parts {
     Quality quality;
     std::filesystem::path assets;
     StageClock clock;
+    bool stirs = false;  // snow moved in the wind in the last frame
 
     // The factor for the colours of a flow's texture. A rolling layer keeps its own mean colour.
     glm::vec3 flow_tint(const Look& look, const Marks& marks) const {
@@ -81,6 +86,8 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     if (!structures) return tl::unexpected(structures.error());
     auto trees = TreesPass::create(shaders);
     if (!trees) return tl::unexpected(trees.error());
+    auto spindrift = SpindriftPass::create(shaders);
+    if (!spindrift) return tl::unexpected(spindrift.error());
     auto powder = PowderPass::create(shaders);
     if (!powder) return tl::unexpected(powder.error());
     auto tone = FullscreenPass::create(shaders, {"slots.glsl", "tone_curve.glsl", "tone.frag"});
@@ -105,6 +112,7 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
                                                   std::move(*night_lights),
                                                   std::move(*structures),
                                                   std::move(*trees),
+                                                  std::move(*spindrift),
                                                   std::move(*powder),
                                                   std::move(*tone),
                                                   std::move(*edge_marks),
@@ -139,7 +147,7 @@ std::optional<DrawTimes> Renderer::stage_times() const {
 void Renderer::draw(const FrameInput& input) {
     Parts& p = *parts_;
     const auto& [world, camera, light, look, marks, flow, width, height, first_depth, around, puffs,
-                 powder_strength, woods, so_far, structures] = input;
+                 powder_strength, woods, so_far, structures, wind, seconds] = input;
     const int samples = samples_of(p.quality);
     const ScopedState state;  // restores the state for other users of the context
 
@@ -232,6 +240,14 @@ void Renderer::draw(const FrameInput& input) {
         p.trees.draw();
     p.clock.mark(Pass::kTrees);
 
+    // Wind blows snow off ridges, as far as there is any.
+    p.stirs = goes_on && wind.speed > 0 && look.standing.g > kSnow && marks.overlay == Overlay::kNone &&
+              p.spindrift.find(*around, wind, seconds, frame);
+    if (p.stirs) {
+        p.target.begin_shading();
+        p.spindrift.draw();
+    }
+
     // Powder in the air lies over everything, and needs its depth. It casts a shadow on the ground.
     if (p.powder.find(puffs, frame, look, powder_strength, p.target.samples_across(),
                       p.target.samples_up())) {
@@ -255,6 +271,10 @@ void Renderer::draw(const FrameInput& input) {
     }
     p.clock.mark(Pass::kEdges);
     CHECK(glGetError() == GL_NO_ERROR);
+}
+
+bool Renderer::stirs() const {
+    return parts_->stirs;
 }
 
 Picture Renderer::read_back() const {

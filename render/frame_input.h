@@ -8,6 +8,7 @@
 #include "render/marks.h"
 #include "render/structures.h"
 #include "render/surroundings.h"
+#include "render/wind.h"
 #include "render/woods.h"
 #include "sim/front/flow_view.h"
 #include "sim/powder/cloud.h"
@@ -41,6 +42,9 @@ struct FrameInput {
     FlowSoFar flow_so_far = {};
     // What people have built, as it is now. If null, there is nothing.
     const Structures* structures = nullptr;
+    // It blows snow off the ridges of these surroundings, if look's standing layer is as bright as snow.
+    Wind wind = {};
+    double seconds = 0;  // time of the world, by which that snow moves
 };
 
 }  // namespace render

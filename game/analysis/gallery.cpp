@@ -26,6 +26,7 @@ struct Gallery::Parts {
     std::vector<float> first_depth;  // m
     render::Surroundings surroundings;
     render::Woods woods;
+    render::Wind wind;
     int pictures = 0;
 
     Parts(render::HeadlessContext&& gl, render::Renderer&& with)
@@ -91,6 +92,7 @@ Outcome<Gallery> Gallery::open(const std::filesystem::path& folder, PictureSize 
     parts->light = scenario.light;
     parts->look = scenario.look;
     parts->first_depth = scenario.depth;
+    parts->wind = scenario.wind;
     if (!scenario.model) {
         parts->surroundings = mountains_around(scenario);
         parts->woods = woods_on(scenario, parts->surroundings);
@@ -113,7 +115,9 @@ render::DrawTimes Gallery::draw(const Session& session, const std::string& name)
                          .powder = session.powder(),
                          .woods = &parts_->woods,
                          .flow_so_far = session.flow_so_far(),
-                         .structures = &session.structures()},
+                         .structures = &session.structures(),
+                         .wind = parts_->wind,
+                         .seconds = session.seconds()},
                         name);
 }
 

@@ -329,6 +329,8 @@ Json view_json(const Scenario& scenario) {
     if (const render::TreeRules& trees = scenario.trees; trees.density > 0)
         json["trees"] = {{"density", trees.density}, {"line_m", trees.line_m}, {"seed", trees.seed}};
     if (!scenario.structures.empty()) json["structures"] = structures_json(scenario.structures);
+    if (const render::Wind& wind = scenario.wind; wind.speed > 0)
+        json["wind"] = {{"from_deg", wind.from_deg}, {"speed", wind.speed}};
     if (look.flow) json["look"]["texture"] = to_string(look.flow->pattern);
     if (scenario.flow) json["flow"] = flow_json(*scenario.flow, *look.flow);
     json["light"] = {{"azimuth_deg", scenario.light.azimuth_deg},
@@ -382,6 +384,11 @@ void view_from(const Json& json, Scenario& scenario) {
                           static_cast<std::uint32_t>(whole(trees, "seed", 0, 1'000'000))};
     }
     if (json.contains("structures")) scenario.structures = structures_from(member(json, "structures"));
+    if (json.contains("wind")) {
+        const Json& wind = member(json, "wind");
+        scenario.wind = {number(wind, "from_deg", -360, 360),
+                         number(wind, "speed", 0, render::Wind::kFastest)};
+    }
     if (json.contains("flow")) flow_from(member(json, "flow"), scenario);
     const Json& light = member(json, "light");
     scenario.light = {number(light, "azimuth_deg", -360, 360),

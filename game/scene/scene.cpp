@@ -196,6 +196,16 @@ void read_structures(TomlTable& root, render::Structures& structures) {
     }
 }
 
+// Reads [wind].
+void read_wind(TomlTable& table, render::Wind& wind) {
+    const auto from = table.number("from", -360, 360);
+    const auto speed = table.number("speed", 0, render::Wind::kFastest);
+    if (!from) table.blame("", "needs `from`, in degrees");
+    if (!speed) table.blame("", "needs a speed, in m/s");
+    wind = {from.value_or(0), speed.value_or(0)};
+    table.finish();
+}
+
 // Reads [look], [camera] and [light]. Returns the moment whose sun lights the scene, if [light] gives one.
 std::optional<SunMoment> read_view(TomlTable& root, Scenario& scenario) {
     if (auto table = root.table("look")) {
@@ -337,6 +347,7 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
     if (under) under->finish();
     if (auto trees = root.table("trees")) read_trees(*trees, scenario.trees);
     read_structures(root, scenario.structures);
+    if (auto wind = root.table("wind")) read_wind(*wind, scenario.wind);
     scene.commands = read_commands(root, params.tick_s, scenario.lower.has_value());
     const auto sun = read_view(root, scenario);
     root.finish();

@@ -180,7 +180,7 @@ void Session::follow_powder(const Scenario& scenario) {
     const sim::powder::Rule upper = rule(scenario.look.powder);
     const sim::powder::Rule lower = scenario.lower ? rule(scenario.look.lower_powder) : sim::powder::Rule{};
     if (scenario.model || scenario.flow || (upper.strength <= 0 && lower.strength <= 0)) return;
-    powder_.emplace(upper, lower);
+    powder_.emplace(upper, lower, velocity(scenario.wind));
 }
 
 // While nothing moves, the cloud settles; after that nothing is left to do.

@@ -24,9 +24,12 @@ constexpr float kDragTime = 1.8f;   // s, in which a puff takes on the speed of 
 constexpr float kClimbTime = 1.6f;  // s, in which it stops to rise or fall
 constexpr float kCarried = 0.5f;    // speed of the air over a flow, times that of the flow
 constexpr float kDrift = 1.2f;      // m/s, of powder-laden air down a slope of 1
-constexpr float kSettling = 0.6f;   // m/s
-constexpr float kFadeIn = 0.3f;     // s
-constexpr float kBlastSpeed = 9;    // m/s
+constexpr float kHalfWind = 9;      // m above the ground, where the wind has half of its speed
+constexpr float kWindAge =
+    3;  // s, at which a puff has half of its share in the wind: it is no part of the flow then
+constexpr float kSettling = 0.6f;  // m/s
+constexpr float kFadeIn = 0.3f;    // s
+constexpr float kBlastSpeed = 9;   // m/s
 
 float smoothstep(float from, float to, float value) {
     const float t = std::clamp((value - from) / (to - from), 0.f, 1.f);
@@ -126,7 +129,8 @@ float opacity(const Puff& puff) {
     return puff.density * smoothstep(0, kFadeIn, puff.age_s) * (1 - smoothstep(0.25f, 1, a));
 }
 
-Cloud::Cloud(const Rule& upper, const Rule& lower) : upper_(upper), lower_(lower) {
+Cloud::Cloud(const Rule& upper, const Rule& lower, glm::vec2 wind)
+    : upper_(upper), lower_(lower), wind_(wind) {
     puffs_.reserve(kMost);
 }
 
@@ -142,10 +146,12 @@ void Cloud::move(const View& world, float dt_s) {
         const float ground_before = surface(world, before);
         const glm::vec2 fall = slope(world, before.x, before.y);
         const float flows = smoothstep(kThinnest, kThick, between(before, world.rolling));
+        const float height = std::max(puff.at.z - ground_before, 0.f);
+        const float windy = height / (height + kHalfWind) * (puff.age_s / (puff.age_s + kWindAge));
         const glm::vec2 air =
             kCarried * flows *
                 glm::vec2(between(before, world.velocity_x), between(before, world.velocity_y)) -
-            kDrift * fall;
+            kDrift * fall + windy * wind_;
         const float share = std::min(dt_s / kDragTime, 1.f);
         puff.velocity.x += share * (air.x - puff.velocity.x);
         puff.velocity.y += share * (air.y - puff.velocity.y);

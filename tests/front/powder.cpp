@@ -177,6 +177,37 @@ TEST_F(Powder, has_the_same_bits_with_every_compiler) {
     EXPECT_EQ(hash_of(cloud.puffs()), 17455818051114317296u);
 }
 
+TEST_F(Powder, drifts_with_the_wind_and_faster_where_it_is_high_and_old) {
+    Cloud calm({.strength = 1, .speed = 7}), windy({.strength = 1, .speed = 7}, {}, {0, 10});
+    flow(25);
+    run(calm, 1);
+    while (calm.puffs().empty()) run(calm, 1);
+    windy.restore(calm.puffs());
+    const auto drift = [&](int ticks) {  // of the first puff to the north, m
+        for (int i = 0; i < ticks; ++i) {
+            ++state.tick;
+            calm.advance(sim::view(state), kTick);
+            windy.advance(sim::view(state), kTick);
+        }
+        EXPECT_EQ(calm.puffs().front().at.x, windy.puffs().front().at.x) << "across the wind";
+        return windy.puffs().front().at.y - calm.puffs().front().at.y;
+    };
+    stop();
+    const float soon = drift(60), later = drift(60) - soon;
+    EXPECT_GT(soon, 0.05f);
+    EXPECT_LT(soon, 5) << "slower than the wind";
+    EXPECT_GT(later, 1.5f * soon);
+    EXPECT_LT(later, 10) << "no faster than the wind";
+}
+
+TEST_F(Powder, has_the_same_bits_in_wind_with_every_compiler) {
+    Cloud cloud({.strength = 1, .speed = 7}, {}, {-3.1f, 7.7f});
+    state.depth.fill(1);
+    flow(25);
+    run(cloud, 160);
+    EXPECT_EQ(hash_of(cloud.puffs()), 15702316186062215453u);
+}
+
 TEST_F(Powder, is_thrown_by_a_blast_where_something_lies) {
     Cloud cloud({.strength = 1, .speed = 7});
     cloud.blast(sim::view(state), {200, 160}, 15);

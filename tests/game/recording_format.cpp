@@ -146,6 +146,25 @@ TEST(RecordingHeader, keeps_what_people_built_and_refuses_what_cannot_stand) {
     expect_refused("lifts", {{{"from", near}}});
 }
 
+TEST(RecordingHeader, keeps_the_wind_and_refuses_an_impossible_one) {
+    Header header;
+    header.scenario = small_scenario();
+    EXPECT_FALSE(to_json(header)["view"].contains("wind"));
+    EXPECT_EQ(through_header(header.scenario).wind, render::Wind());
+    header.scenario.wind = {.from_deg = -123.25, .speed = 7.1};
+    EXPECT_EQ(through_header(header.scenario).wind, header.scenario.wind);
+    const Json sound = to_json(header);
+    for (const auto& [key, value] : {std::pair<const char*, Json>{"speed", 1000},
+                                     {"speed", -1},
+                                     {"speed", "strong"},
+                                     {"from_deg", 361},
+                                     {"from_deg", nullptr}}) {
+        Json wrong = sound;
+        wrong["view"]["wind"][key] = value;
+        EXPECT_FALSE(header_from(wrong)) << key << value;
+    }
+}
+
 TEST(RecordingHeader, keeps_the_density_of_each_material_or_that_it_is_unknown) {
     Header header;
     header.scenario = small_scenario();

@@ -149,6 +149,17 @@ TEST_F(SceneFile, has_what_people_built_and_refuses_it_off_the_terrain) {
     EXPECT_NE(built(many).error().sentence.find("at most 200"), std::string::npos);
 }
 
+TEST_F(SceneFile, has_wind_only_if_it_asks_for_it) {
+    const auto wind = [this](const std::string& table) {
+        const auto scene = load(with("[light]", table + "[light]"));
+        EXPECT_TRUE(scene) << scene.error().sentence;
+        return scene ? scene->scenario.wind : render::Wind{90, 90};
+    };
+    EXPECT_EQ(wind("").speed, 0);
+    EXPECT_EQ(wind("[wind]\nfrom = 290\nspeed = 7.5\n"), (render::Wind{290, 7.5}));
+    EXPECT_EQ(wind("[wind]\nfrom = -90\nspeed = 60\n"), (render::Wind{-90, 60}));
+}
+
 TEST_F(SceneFile, sorts_its_commands_by_time) {
     const auto scene = load(with(
         "[camera]", "[[command]]\nat = 0.25\nblast = { x = 1, y = 2, radius = 3, depth = 0.5 }\n[camera]"));
@@ -181,6 +192,7 @@ constexpr Fault kFaults[] = {
     {"[light]", "[[hut]]\nat = [80, 80]\nstoreys = 3\n[light]", 17, "hut.storeys"},
     {"[light]", "[[road]]\npoints = [[8, 8], [9, 9]]\nlanes = 3\n[light]", 17, "road.lanes"},
     {"[light]", "[[lift]]\nfrom = [10, 10]\nto = [10, 90]\nseats = 6\n[light]", 18, "lift.seats"},
+    {"[light]", "[wind]\nfrom = 1\nspeed = 2\ngusts = 3\n[light]", 18, "wind.gusts"},
     // Wrong kinds.
     {"[light]", "[[hut]]\nat = [80, \"x\"]\n[light]", 16, "hut.at is not a place"},
     {"[light]", "[[hut]]\nat = [80, nan]\n[light]", 16, "hut.at is not a place"},
@@ -208,6 +220,10 @@ constexpr Fault kFaults[] = {
     {"[light]", "[trees]\ndensity = 1000001\n[light]", 16, "trees.density"},
     {"[light]", "[trees]\ndensity = 100\ntree_line = 9001\n[light]", 17, "trees.tree_line"},
     {"[light]", "[trees]\ndensity = 100\nseed = -1\n[light]", 17, "trees.seed"},
+    {"[light]", "[wind]\nfrom = 1\nspeed = 1000\n[light]", 17, "wind.speed"},
+    {"[light]", "[wind]\nfrom = 1\nspeed = -1\n[light]", 17, "wind.speed"},
+    {"[light]", "[wind]\nfrom = 1\nspeed = nan\n[light]", 17, "wind.speed"},
+    {"[light]", "[wind]\nfrom = 361\nspeed = 1\n[light]", 16, "wind.from"},
     {"grid = 16", "grid = 7", 4, "terrain.grid"},
     {"grid = 16", "grid = 4097", 4, "terrain.grid"},
     {"grid = 16", "grid = 16\nsteep = 46", 5, "terrain.steep"},
@@ -251,6 +267,8 @@ constexpr Fault kFaults[] = {
     {"[light]", "[[road]]\nwidth = 3\n[light]", 15, "road needs points"},
     {"[light]", "[[lift]]\nfrom = [8, 9]\n[light]", 15, "lift needs `from` and `to`"},
     {"[light]", "[trees]\nseed = 3\n[light]", 15, "trees needs a density"},
+    {"[light]", "[wind]\nfrom = 3\n[light]", 15, "wind needs a speed"},
+    {"[light]", "[wind]\nspeed = 3\n[light]", 15, "wind needs `from`"},
     {"grid = 16\n", "", 2, "terrain.grid"},
     {"generator = \"slope-of-soil\"\n", "", 2, "terrain needs"},
     {"material = \"soil\"\n", "", 5, "cover needs a material"},
