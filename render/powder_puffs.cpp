@@ -12,7 +12,7 @@ namespace render {
 namespace {
 
 constexpr float kThickness = 0.42f;  // of an opaque puff, through its middle
-constexpr float kScattered = 0.26f;  // of the light, passed on from grain to grain to the depth of the cloud
+constexpr float kScattered = 0.15f;  // of the light, passed on from grain to grain to the depth of the cloud
 constexpr float kFaintest = 0.004f;  // opacity; fainter puffs are not drawn
 constexpr float kNearest = 3, kFar = 15;  // radii: nearer puffs are not drawn, from here on all of them is
 constexpr float kShadow = 3;              // radii, length of a shadow that the box of the cloud includes
@@ -137,8 +137,9 @@ void PowderPuffs::find(std::span<const sim::powder::Puff> puffs, const FrameBloc
         const sim::powder::Puff& puff = puffs[i];
         const float r = radius(puff);
         const auto turn = static_cast<float>(puff.seed >> 8) / 16777216.f;
-        drawn_.push_back(
-            {glm::vec4(puff.at, r), {opacity_[i] * parted(-behind, r), from_sun[i], from_sky[i], turn}});
+        drawn_.push_back({glm::vec4(puff.at, r),
+                          {opacity_[i] * parted(-behind, r), from_sun[i], from_sky[i], turn},
+                          {puff.age_s, puff.age_s / puff.life_s, puff.lower, 0}});
     }
     box_ = glm::clamp(box_, -1.f, 1.f);
 }

@@ -56,6 +56,7 @@ struct DrawnPuff {
     glm::vec4 at;  // its middle; radius, m
     glm::vec4
         look;  // opacity; light from sun or moon and from the sky that other puffs leave, 0 to 1; turn, 0 to 1
+    glm::vec4 life;  // age, s; age by life, 0 to 1; share of the lower material; 0
 };
 
 // What is drawn of a cloud in one frame: the puffs in view, from far to near. No GL.

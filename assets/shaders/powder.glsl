@@ -4,7 +4,10 @@ layout(std140, binding = SLOT_POWDER) uniform Powder {
     vec4 across;   // of the shade map: a place p is at (dot(across.xyz, p) + across.w, dot(up.xyz, p) + up.w)
     vec4 up;
     ivec4 divisor; // of the resolution
+    vec4 coarse;   // width and height of the frame, coarse pixels; 0, 0
 } powder;
+
+#define POWDER_TILE 0.10 // of the detail, across a radius of a puff
 
 // A place at a distance along the view, in m. ndc: −1 to 1.
 vec3 place_at(vec2 ndc, float distance_m) {

@@ -25,11 +25,12 @@ void main() {
     vec3 at = place_at(ndc, cloud.a > 0.0 ? cloud.z / whole : reach);
 
     // Light passes from grain to grain, so that even the depth of the cloud is bright.
-    vec3 sky = mix(frame.below.rgb, frame.above.rgb, 0.65 + 0.35 * light.y);
-    vec3 lit = powder.colour.rgb * (frame.lamp.rgb * (0.86 * light.x) + sky * (0.70 + 0.55 * light.y));
-    // Toward the sun thin powder shines.
-    float toward = max(dot(normalize(at - frame.eye.xyz), frame.sun.xyz), 0.0);
-    lit += powder.colour.rgb * frame.lamp.rgb * (0.5 * toward * toward * toward * toward * light.x * (1.0 - cloud.a));
+    vec3 sky = mix(frame.below.rgb, frame.above.rgb, 0.80 + 0.20 * light.y);
+    vec3 lit = powder.colour.rgb * (frame.lamp.rgb * (1.25 * light.x) + sky * (0.75 + 0.65 * light.y));
+    // Grains pass most light on forward: toward the sun a cloud glows where it is thin, at its edges.
+    float toward = max(dot(normalize(at - frame.eye.xyz), frame.sun.xyz), 0.0), toward_4 = toward * toward * toward * toward;
+    float thin = 1.15 - cloud.a;
+    lit += powder.colour.rgb * frame.lamp.rgb * ((0.5 * toward_4 + 1.5 * toward_4 * toward_4 * toward_4) * light.x * thin);
     lit = through_air(lit, at);
 
     vec3 ground = place_at(ndc, reach);

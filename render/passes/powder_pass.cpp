@@ -18,6 +18,7 @@ struct PowderBlock {
     glm::vec4 colour;      // w: mean radius of a puff, m
     glm::vec4 across, up;  // of the shade map
     glm::ivec4 divisor;
+    glm::vec4 coarse;  // width and height of the frame, coarse pixels
 };
 
 constexpr double kLeastBudget = 60000, kBudgetPerSample = 0.14;  // pixels of puffs
@@ -58,8 +59,9 @@ tl::expected<PowderPass, std::string> PowderPass::create(const std::filesystem::
     link(pass.reach_,
          {{GL_VERTEX_SHADER, {"fullscreen.vert"}},
           {GL_FRAGMENT_SHADER, {"slots.glsl", "frame.glsl", "powder.glsl", "powder_reach.frag"}}});
-    link(pass.puffs_, {{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "sun_ceiling.glsl", "powder.vert"}},
-                       {GL_FRAGMENT_SHADER, {"slots.glsl", "frame.glsl", "powder.frag"}}});
+    link(pass.puffs_,
+         {{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "sun_ceiling.glsl", "powder.glsl", "powder.vert"}},
+          {GL_FRAGMENT_SHADER, {"slots.glsl", "frame.glsl", "powder.glsl", "powder.frag"}}});
     link(pass.light_, {{GL_VERTEX_SHADER, {"fullscreen.vert"}},
                        {GL_FRAGMENT_SHADER,
                         {"slots.glsl", "frame.glsl", "light.glsl", "sun_ceiling.glsl", "powder.glsl",
@@ -77,7 +79,8 @@ tl::expected<PowderPass, std::string> PowderPass::create(const std::filesystem::
     glVertexArrayVertexBuffer(array, 0, pass.instances_.name(), 0, sizeof(DrawnPuff));
     glVertexArrayBindingDivisor(array, 0, 1);
     for (const auto& [location, offset] : {std::pair<GLuint, std::size_t>{0, offsetof(DrawnPuff, at)},
-                                           std::pair<GLuint, std::size_t>{1, offsetof(DrawnPuff, look)}}) {
+                                           std::pair<GLuint, std::size_t>{1, offsetof(DrawnPuff, look)},
+                                           std::pair<GLuint, std::size_t>{2, offsetof(DrawnPuff, life)}}) {
         glEnableVertexArrayAttrib(array, location);
         glVertexArrayAttribFormat(array, location, 4, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
         glVertexArrayAttribBinding(array, location, 0);
@@ -104,6 +107,7 @@ bool PowderPass::find(std::span<const sim::powder::Puff> puffs, const FrameBlock
     block.across = cloud_.shade().across();
     block.up = cloud_.shade().up();
     block.divisor = glm::ivec4(divisor_);
+    block.coarse = {glm::vec2(width, height) / static_cast<float>(divisor_), 0, 0};
     glNamedBufferSubData(block_.name(), 0, sizeof block, &block);
     glNamedBufferSubData(instances_.name(), 0, static_cast<GLsizeiptr>(cloud_.drawn().size_bytes()),
                          cloud_.drawn().data());
