@@ -6,15 +6,15 @@ layout(binding = SLOT_POWDER_SHADE) uniform sampler2D shade_map;
 
 in vec2 ndc;
 layout(location = 0) out vec4 colour;
-layout(location = 1) out float distance_m;
+layout(location = 1) out vec4 hidden;  // the cloud is seen by x − y · depth of the scene, cut to 0 to 1; shadow on the ground
 
 // Share of the light that the cloud takes from a place on the ground.
 float shaded(vec3 at) {
     vec2 cell = vec2(dot(powder.across.xyz, at) + powder.across.w, dot(powder.up.xyz, at) + powder.up.w);
     vec2 inside = clamp((0.5 - abs(cell - 0.5)) * 20.0, 0.0, 1.0);
     vec2 made = texture(shade_map, cell).rg;
-    float behind = made.y / max(made.x, 1e-4) - dot(frame.sun.xyz, at);  // m, from the cloud on
-    return (1.0 - exp2(-1.44 * made.x)) * inside.x * inside.y * clamp(behind / powder.colour.w + 0.5, 0.0, 1.0);
+    float below = made.y / max(made.x, 1e-4) - dot(frame.sun.xyz, at);  // m, from the cloud on
+    return (1.0 - exp2(-1.44 * made.x)) * inside.x * inside.y * clamp(below / powder.colour.w + 0.5, 0.0, 1.0);
 }
 
 void main() {
@@ -34,9 +34,10 @@ void main() {
     lit = through_air(lit, at);
 
     vec3 ground = place_at(ndc, reach);
-    float full = frame.lamp.g * frame.sun.z;
-    float dark = reach < 50000.0 ? shaded(ground) * sunlit(ground) * full / (full + frame.above.g) : 0.0;
-    dark *= 1.0 - cloud.a;
-    colour = vec4(lit * cloud.a + 0.12 * frame.above.rgb * dark, cloud.a + dark);
-    distance_m = cloud.z + reach * dark;
+    float dark = reach < 50000.0 ? shaded(ground) * sunlit(ground) * (1.0 - cloud.a) : 0.0;
+    colour = vec4(lit * cloud.a, cloud.a + powder.shadow.a * dark);
+    float distance_m = (cloud.z + reach * dark) / max(cloud.a + dark, 1e-4), soft = 2.0 * powder.colour.w;
+    float from = frame.ray_forward.w / max(distance_m - 1.6 * soft, frame.ray_forward.w),
+          to = frame.ray_forward.w / max(distance_m - 0.6 * soft, 2.0 * frame.ray_forward.w);
+    hidden = vec4(vec2(from, 1.0) / (from - to), dark, 0.0);
 }
