@@ -102,17 +102,18 @@ void PowderPuffs::find(std::span<const sim::powder::Puff> puffs, const FrameBloc
     covered_ = 0;
     box_ = {1, 1, -1, -1};
     parts_ = {};
+    mixed_ = false;
     if (puffs.empty() || strength <= 0) return;
 
     const glm::vec3 eye(frame.eye), forward(frame.ray_forward), sun(frame.sun);
     const float wide = glm::length(glm::vec3(frame.ray_right)), high = glm::length(glm::vec3(frame.ray_up));
-    float radii = 0, lower = 0;
+    float radii = 0;
     tiles_.begin(width, height);
     for (std::size_t i = 0; i < puffs.size(); ++i) {
         const sim::powder::Puff& puff = puffs[i];
         opacity_.push_back(strength * opacity(puff));
         const float r = radius(puff), distance = glm::dot(puff.at - eye, forward);
-        radii += r, lower += puff.lower;
+        radii += r;
         if (distance < kNearest * r || opacity_[i] * parted(distance, r) < kFaintest) continue;
         const glm::vec4 clip = frame.clip_from_world * glm::vec4(puff.at, 1);
         const glm::vec2 middle = glm::vec2(clip) / clip.w, half = glm::vec2(r / wide, r / high) / distance;
@@ -120,6 +121,7 @@ void PowderPuffs::find(std::span<const sim::powder::Puff> puffs, const FrameBloc
             middle.y - half.y > 1)
             continue;
         order_.emplace_back(-distance, i);
+        mixed_ = mixed_ || puff.lower > 0;
         covered_ += 0.785f * half.x * half.y;
         const auto include = [&](glm::vec2 at) {
             box_ = {std::min(box_.x, at.x - half.x), std::min(box_.y, at.y - half.y),
@@ -135,7 +137,6 @@ void PowderPuffs::find(std::span<const sim::powder::Puff> puffs, const FrameBloc
     if (order_.empty()) return;
     const auto count = static_cast<float>(puffs.size());
     mean_radius_ = radii / count;
-    lower_ = lower / count;
     const std::span<const float> from_sun = shade_.cast(puffs, opacity_, sun);
     const std::span<const float> from_sky = sky_shade_.cast(puffs, opacity_, {0, 0, 1});
     std::sort(order_.begin(), order_.end());

@@ -73,7 +73,7 @@ class PowderPuffs {
     std::span<const DrawnPuff> drawn() const { return drawn_; }
     const ShadeMap& shade() const { return shade_; }
     float mean_radius() const { return mean_radius_; }  // m
-    float lower() const { return lower_; }              // share of the lower material among all puffs
+    bool mixed() const { return mixed_; }               // a puff in view has some of the lower material
     // The part of the frame that the puffs in view and their shadows may cover, −1 to 1: left, bottom, right, top.
     glm::vec4 box() const { return box_; }
     // The same, closer: where nothing else needs drawing.
@@ -89,7 +89,8 @@ class PowderPuffs {
     PowderTiles tiles_;
     std::span<const Rectangle> parts_;  // of tiles_
     glm::vec4 box_{0};
-    float covered_ = 0, mean_radius_ = 1, lower_ = 0;
+    float covered_ = 0, mean_radius_ = 1;
+    bool mixed_ = false;
 };
 
 }  // namespace render

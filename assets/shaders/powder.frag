@@ -9,7 +9,8 @@ flat in vec4 turned;
 flat in vec3 to_sun;
 flat in vec4 looks;
 flat in float distance_m;
-out vec4 thick;
+layout(location = 0) out vec4 thick;
+layout(location = 1) out vec4 lower;  // share of the lower material, in a cloud of two
 
 void main() {
     float r2 = dot(place, place);
@@ -30,4 +31,5 @@ void main() {
     sun += shown.y * through * through * (0.25 + 0.65 * r2);
     float sky = shown.z * (0.55 + 0.45 * normal.y) * crevice;
     thick = vec4(sun, sky, distance_m, 1.0) * opacity;
+    lower = vec4(looks.w, 0.0, 0.0, 1.0) * opacity;
 }

@@ -1,6 +1,7 @@
 // The uniforms of powder; they match PowderBlock in render/passes/powder_pass.cpp.
 layout(std140, binding = SLOT_POWDER) uniform Powder {
-    vec4 colour;   // linear light; w: mean radius of a puff, m
+    vec4 colour;   // of the upper material, linear light; w: mean radius of a puff, m
+    vec4 lower_colour; // of the lower one; w: 1 if there is any of it
     vec4 across;   // of the shade map: a place p is at (dot(across.xyz, p) + across.w, dot(up.xyz, p) + up.w)
     vec4 up;
     ivec4 divisor; // of the resolution

@@ -2,6 +2,7 @@
 // ground behind.
 layout(binding = SLOT_POWDER_REACH) uniform sampler2D farthest;
 layout(binding = SLOT_POWDER_THICK) uniform sampler2D thick;
+layout(binding = SLOT_POWDER_LOWER) uniform sampler2D lower;
 layout(binding = SLOT_POWDER_SHADE) uniform sampler2D shade_map;
 
 in vec2 ndc;
@@ -26,11 +27,12 @@ void main() {
 
     // Light passes from grain to grain, so that even the depth of the cloud is bright.
     vec3 sky = mix(frame.below.rgb, frame.above.rgb, 0.80 + 0.20 * light.y);
-    vec3 lit = powder.colour.rgb * (frame.lamp.rgb * (1.25 * light.x) + sky * (0.75 + 0.65 * light.y));
+    vec3 grains = mix(powder.colour.rgb, powder.lower_colour.rgb, powder.lower_colour.w * texelFetch(lower, pixel, 0).r / whole);
+    vec3 lit = grains * (frame.lamp.rgb * (1.25 * light.x) + sky * (0.75 + 0.65 * light.y));
     // Grains pass most light on forward: toward the sun a cloud glows where it is thin, at its edges.
     float toward = max(dot(normalize(at - frame.eye.xyz), frame.sun.xyz), 0.0), toward_4 = toward * toward * toward * toward;
     float thin = 1.15 - cloud.a;
-    lit += powder.colour.rgb * frame.lamp.rgb * ((0.5 * toward_4 + 1.5 * toward_4 * toward_4 * toward_4) * light.x * thin);
+    lit += grains * frame.lamp.rgb * ((0.5 * toward_4 + 1.5 * toward_4 * toward_4 * toward_4) * light.x * thin);
     lit = through_air(lit, at);
 
     vec3 ground = place_at(ndc, reach);

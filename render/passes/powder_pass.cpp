@@ -15,7 +15,8 @@ namespace {
 
 // As in powder.glsl, std140.
 struct PowderBlock {
-    glm::vec4 colour;      // w: mean radius of a puff, m
+    glm::vec4 colour;  // w: mean radius of a puff, m
+    glm::vec4 lower_colour;
     glm::vec4 across, up;  // of the shade map
     glm::ivec4 divisor;
     glm::vec4 coarse, lit, shadow;
@@ -25,6 +26,7 @@ constexpr double kLeastBudget = 60000, kBudgetPerSample = 0.14;  // pixels of pu
 constexpr int kFinest = 2, kCoarsest = 6;                        // divisors of the resolution
 // Pixels around the box of the cloud. Each that is laid over the frame lies between coarse ones that were drawn.
 constexpr int kRim = 1, kCoarseRim = 3;
+constexpr std::array<GLenum, 2> kBoth{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
 constexpr GLfloat kNothing[4] = {0, 0, 0, 0};
 
 // The pixels of a target of `width` by `height` that lie in `box`, and `rim` more.
@@ -99,8 +101,8 @@ bool PowderPass::find(std::span<const sim::powder::Puff> puffs, const FrameBlock
     resize(width, height);
 
     PowderBlock block;
-    block.colour = {glm::mix(look.powder.colour, look.lower_powder.colour, cloud_.lower()),
-                    cloud_.mean_radius()};
+    block.colour = {look.powder.colour, cloud_.mean_radius()};
+    block.lower_colour = {look.lower_powder.colour, cloud_.mixed() ? 1 : 0};
     block.across = cloud_.shade().across();
     block.up = cloud_.shade().up();
     block.divisor = glm::ivec4(divisor_);
@@ -126,6 +128,7 @@ void PowderPass::resize(int width, int height) {
     height_ = height;
     farthest_ = make_texture(GL_R32F, across(), up(), GL_NEAREST);
     thick_ = make_texture(GL_RGBA16F, across(), up(), GL_NEAREST);
+    lower_ = make_texture(GL_R16F, across(), up(), GL_NEAREST);
     lit_ = make_texture(GL_RGBA16F, across(), up(), GL_LINEAR);
     hidden_ = make_texture(GL_RGBA32F, across(), up(), GL_NEAREST);
     farthest_frame_ = make_framebuffer();
@@ -133,9 +136,9 @@ void PowderPass::resize(int width, int height) {
     lit_frame_ = make_framebuffer();
     glNamedFramebufferTexture(farthest_frame_.name(), GL_COLOR_ATTACHMENT0, farthest_.name(), 0);
     glNamedFramebufferTexture(thick_frame_.name(), GL_COLOR_ATTACHMENT0, thick_.name(), 0);
+    glNamedFramebufferTexture(thick_frame_.name(), GL_COLOR_ATTACHMENT1, lower_.name(), 0);
     glNamedFramebufferTexture(lit_frame_.name(), GL_COLOR_ATTACHMENT0, lit_.name(), 0);
     glNamedFramebufferTexture(lit_frame_.name(), GL_COLOR_ATTACHMENT1, hidden_.name(), 0);
-    constexpr std::array<GLenum, 2> kBoth{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
     glNamedFramebufferDrawBuffers(lit_frame_.name(), 2, kBoth.data());
 }
 
@@ -161,7 +164,9 @@ void PowderPass::draw() const {
     glBindTextureUnit(SLOT_POWDER_REACH, farthest_.name());
 
     glBindFramebuffer(GL_FRAMEBUFFER, thick_frame_.name());
+    glDrawBuffers(cloud_.mixed() ? 2 : 1, kBoth.data());  // one material has one colour
     glClearBufferfv(GL_COLOR, 0, kNothing);
+    if (cloud_.mixed()) glClearBufferfv(GL_COLOR, 1, kNothing);
     {
         const Enabled blend(GL_BLEND);
         glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -171,6 +176,7 @@ void PowderPass::draw() const {
         glBlendFunc(GL_ONE, GL_ZERO);
     }
     glBindTextureUnit(SLOT_POWDER_THICK, thick_.name());
+    glBindTextureUnit(SLOT_POWDER_LOWER, lower_.name());
     glBindTextureUnit(SLOT_POWDER_SHADE, shade_map_.name());
 
     glBindFramebuffer(GL_FRAMEBUFFER, lit_frame_.name());

@@ -38,7 +38,7 @@ class PowderPass {
     ProgramName reach_, puffs_, light_, over_;
     VertexArray no_vertices_, vertex_array_;
     Buffer instances_, block_;
-    Texture shade_map_, farthest_, thick_, lit_, hidden_;
+    Texture shade_map_, farthest_, thick_, lower_, lit_, hidden_;
     Framebuffer farthest_frame_, thick_frame_, lit_frame_;
     int width_ = 0, height_ = 0;  // of the frame, samples
     int divisor_ = 1;
