@@ -12,10 +12,10 @@ namespace render {
 namespace {
 
 constexpr float kThickness = 0.42f;  // of an opaque puff, through its middle
-constexpr float kScattered = 0.26f;  // of the light, passed on from grain to grain to the depth of the cloud
+constexpr float kScattered = 0.15f;  // of the light, passed on from grain to grain to the depth of the cloud
 constexpr float kFaintest = 0.004f;  // opacity; fainter puffs are not drawn
 constexpr float kNearest = 3, kFar = 15;  // radii: nearer puffs are not drawn, from here on all of them is
-constexpr float kShadow = 3;              // radii, length of a shadow that the box of the cloud includes
+constexpr float kShadow[] = {1.5f, 3};    // radii, where on its way a shadow is counted as part of the cloud
 
 // Share of its opacity with which a puff is drawn. Near the eye the cloud parts, so that the blocks of the flow stay visible.
 float parted(float distance, float radius) {
@@ -94,22 +94,26 @@ PowderPuffs::PowderPuffs() {
     drawn_.reserve(sim::powder::Cloud::kMost);
 }
 
-void PowderPuffs::find(std::span<const sim::powder::Puff> puffs, const FrameBlock& frame, float strength) {
+void PowderPuffs::find(std::span<const sim::powder::Puff> puffs, const FrameBlock& frame, float strength,
+                       int width, int height) {
     drawn_.clear();
     order_.clear();
     opacity_.clear();
     covered_ = 0;
     box_ = {1, 1, -1, -1};
+    parts_ = {};
+    mixed_ = false;
     if (puffs.empty() || strength <= 0) return;
 
     const glm::vec3 eye(frame.eye), forward(frame.ray_forward), sun(frame.sun);
     const float wide = glm::length(glm::vec3(frame.ray_right)), high = glm::length(glm::vec3(frame.ray_up));
-    float radii = 0, lower = 0;
+    float radii = 0;
+    tiles_.begin(width, height);
     for (std::size_t i = 0; i < puffs.size(); ++i) {
         const sim::powder::Puff& puff = puffs[i];
         opacity_.push_back(strength * opacity(puff));
         const float r = radius(puff), distance = glm::dot(puff.at - eye, forward);
-        radii += r, lower += puff.lower;
+        radii += r;
         if (distance < kNearest * r || opacity_[i] * parted(distance, r) < kFaintest) continue;
         const glm::vec4 clip = frame.clip_from_world * glm::vec4(puff.at, 1);
         const glm::vec2 middle = glm::vec2(clip) / clip.w, half = glm::vec2(r / wide, r / high) / distance;
@@ -117,19 +121,22 @@ void PowderPuffs::find(std::span<const sim::powder::Puff> puffs, const FrameBloc
             middle.y - half.y > 1)
             continue;
         order_.emplace_back(-distance, i);
+        mixed_ = mixed_ || puff.lower > 0;
         covered_ += 0.785f * half.x * half.y;
         const auto include = [&](glm::vec2 at) {
             box_ = {std::min(box_.x, at.x - half.x), std::min(box_.y, at.y - half.y),
                     std::max(box_.z, at.x + half.x), std::max(box_.w, at.y + half.y)};
+            tiles_.add(at, half);
         };
         include(middle);
-        const glm::vec4 shadow = frame.clip_from_world * glm::vec4(puff.at - kShadow * r * sun, 1);
-        if (shadow.w > r) include(glm::vec2(shadow) / shadow.w);
+        for (const float radii_away : kShadow) {
+            const glm::vec4 shadow = frame.clip_from_world * glm::vec4(puff.at - radii_away * r * sun, 1);
+            if (shadow.w > r) include(glm::vec2(shadow) / shadow.w);
+        }
     }
     if (order_.empty()) return;
     const auto count = static_cast<float>(puffs.size());
     mean_radius_ = radii / count;
-    lower_ = lower / count;
     const std::span<const float> from_sun = shade_.cast(puffs, opacity_, sun);
     const std::span<const float> from_sky = sky_shade_.cast(puffs, opacity_, {0, 0, 1});
     std::sort(order_.begin(), order_.end());
@@ -137,10 +144,12 @@ void PowderPuffs::find(std::span<const sim::powder::Puff> puffs, const FrameBloc
         const sim::powder::Puff& puff = puffs[i];
         const float r = radius(puff);
         const auto turn = static_cast<float>(puff.seed >> 8) / 16777216.f;
-        drawn_.push_back(
-            {glm::vec4(puff.at, r), {opacity_[i] * parted(-behind, r), from_sun[i], from_sky[i], turn}});
+        drawn_.push_back({glm::vec4(puff.at, r),
+                          {opacity_[i] * parted(-behind, r), from_sun[i], from_sky[i], turn},
+                          {puff.age_s, puff.age_s / puff.life_s, puff.lower, 0}});
     }
     box_ = glm::clamp(box_, -1.f, 1.f);
+    parts_ = tiles_.collect();
 }
 
 }  // namespace render

@@ -13,6 +13,7 @@
 
 #include "render/frame_block.h"
 #include "render/look.h"
+#include "render/powder_tiles.h"
 #include "render/slide_tiles.h"
 #include "sim/powder/cloud.h"
 
@@ -56,6 +57,7 @@ struct DrawnPuff {
     glm::vec4 at;  // its middle; radius, m
     glm::vec4
         look;  // opacity; light from sun or moon and from the sky that other puffs leave, 0 to 1; turn, 0 to 1
+    glm::vec4 life;  // age, s; age by life, 0 to 1; share of the lower material; 0
 };
 
 // What is drawn of a cloud in one frame: the puffs in view, from far to near. No GL.
@@ -63,16 +65,19 @@ class PowderPuffs {
   public:
     PowderPuffs();  // reserves what it needs
 
-    // `strength`: factor on the opacity.
-    void find(std::span<const sim::powder::Puff> puffs, const FrameBlock& frame, float strength);
+    // `strength`: factor on the opacity. `width` and `height` of the frame, samples.
+    void find(std::span<const sim::powder::Puff> puffs, const FrameBlock& frame, float strength, int width,
+              int height);
 
     bool empty() const { return drawn_.empty(); }
     std::span<const DrawnPuff> drawn() const { return drawn_; }
     const ShadeMap& shade() const { return shade_; }
     float mean_radius() const { return mean_radius_; }  // m
-    float lower() const { return lower_; }              // share of the lower material among all puffs
+    bool mixed() const { return mixed_; }               // a puff in view has some of the lower material
     // The part of the frame that the puffs in view and their shadows may cover, −1 to 1: left, bottom, right, top.
     glm::vec4 box() const { return box_; }
+    // The same, closer: where nothing else needs drawing.
+    std::span<const Rectangle> parts() const { return parts_; }
     // Area of all puffs in view, in areas of the frame.
     float covered() const { return covered_; }
 
@@ -81,8 +86,11 @@ class PowderPuffs {
     std::vector<float> opacity_;
     std::vector<std::pair<float, std::size_t>> order_;  // distance, puff
     std::vector<DrawnPuff> drawn_;
+    PowderTiles tiles_;
+    std::span<const Rectangle> parts_;  // of tiles_
     glm::vec4 box_{0};
-    float covered_ = 0, mean_radius_ = 1, lower_ = 0;
+    float covered_ = 0, mean_radius_ = 1;
+    bool mixed_ = false;
 };
 
 }  // namespace render

@@ -29,6 +29,7 @@ constexpr float kWindAge =
     3;  // s, at which a puff has half of its share in the wind: it is no part of the flow then
 constexpr float kSettling = 0.6f;  // m/s
 constexpr float kFadeIn = 0.3f;    // s
+constexpr float kSkirt = 0.3f;     // of the births at a front: low fine dust, thrown to the sides
 constexpr float kBlastSpeed = 9;   // m/s
 
 float smoothstep(float from, float to, float value) {
@@ -126,7 +127,8 @@ float radius(const Puff& puff) {
 
 float opacity(const Puff& puff) {
     const float a = puff.age_s / puff.life_s;
-    return puff.density * smoothstep(0, kFadeIn, puff.age_s) * (1 - smoothstep(0.25f, 1, a));
+    return puff.density * smoothstep(0, kFadeIn, puff.age_s) *
+           (1 - smoothstep(0, 0.8f, a) * (0.75f + 0.25f * smoothstep(0.5f, 1, a)));
 }
 
 Cloud::Cloud(const Rule& upper, const Rule& lower, glm::vec2 wind)
@@ -217,10 +219,20 @@ void Cloud::give_birth(const View& world, float dt_s) {
                 const glm::vec2 forward = velocity * random.between(0.7f, 1 + 0.2f * front);
                 const glm::vec2 jitter = speed * glm::vec2{random.between(-0.12f, 0.12f),
                                                            random.between(-0.12f, 0.12f)};  // in this order
-                const float thrown = speed * random.between(0.06f, 0.2f + 0.5f * front + 0.2f * steep);
+                // Few are thrown high: they make the top ragged.
+                const float high = random.share();
+                const float thrown =
+                    speed * (0.06f + high * high * random.between(0.3f, 0.5f + 0.9f * front + 0.3f * steep));
                 puff.velocity = glm::vec3(forward + jitter, glm::dot(forward, rise) + thrown);
-                puff.life_s = random.between(4.5f, 7 + 2 * front);
+                puff.life_s = random.between(5, 8 + 3 * front);
                 puff.density = rule.strength * (0.35f + 0.65f * fast) * random.between(0.6f, 1);
+                if (random.share() < kSkirt * front) {
+                    const glm::vec2 aside =
+                        random.between(-0.35f, 0.35f) * glm::vec2(-velocity.y, velocity.x);
+                    puff.first_radius *= 0.5f;
+                    puff.velocity = glm::vec3(0.6f * forward + aside, glm::dot(0.6f * forward + aside, rise));
+                    puff.density *= 0.5f;
+                }
                 puff.lower = world.mixture ? share_in_rolling(world, x, y) : 0.f;
                 puff.seed = random.bits();
                 puffs_.push_back(puff);
