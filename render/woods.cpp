@@ -13,6 +13,7 @@
 #include "render/noise.h"
 #include "render/ramp.h"
 #include "render/surroundings_mesh.h"
+#include "sim/core/check.h"
 
 namespace render {
 namespace {
@@ -60,7 +61,7 @@ class Growth {
 
     Site site(glm::dvec2 at) const {
         Site site;
-        if (around_.away(at) > kLastTree * around_.side() || is_bare(at)) return site;
+        if (around_.away(at) > kLastTree * around_.side() || is_bare(at) || !is_wanted(at)) return site;
         Ground& ground = site.ground;
         ground.z = around_.rough_height(at);
         if (ground.z + datum_ > rules_.line_m) return site;
@@ -72,6 +73,10 @@ class Growth {
                             30 * std::min(sunny, 0.5) - 350 * std::clamp(hollow, -0.1, 0.1);
         site.below = std::min(line, rules_.line_m - 4) - datum_ - ground.z;
         if (site.below < 0) return site;
+        if (!rules_.shares.empty()) {
+            site.share = site.closed = wanted_share(at) * ramp(1.0, 0.9, steep) * ramp(0, 12, site.below);
+            return site;
+        }
         const double level = ramp(0.07, 0.17, steep + 0.05 * noise(at, 120, rules_.seed + 2));
         const double rock = ramp(0.78, 0.98, steep), gully = ramp(0.02, 0.07, hollow);
         // Stands: the farther below the line, the more ground they cover.
@@ -115,6 +120,35 @@ class Growth {
             chance * 61 - std::floor(chance * 61);  // as random as `chance`, and independent of it
         if (site.closed < 0.5 && other < 0.75 * ramp(70, 10, site.below)) return TreeKind::kPine;
         return other > 1 - 0.09 * ramp(200, 60, site.below) ? TreeKind::kLarch : TreeKind::kSpruce;
+    }
+
+    // Within the polygon, if there is one: a ray to the east leaves it an odd number of times. If there are shares, only
+    // the grid has them.
+    bool is_wanted(glm::dvec2 at) const {
+        if (!rules_.shares.empty() && around_.away(at) > 0) return false;
+        if (rules_.polygon.empty()) return true;
+        bool inside = false;
+        glm::dvec2 from = rules_.polygon.back();
+        for (const glm::dvec2 to : rules_.polygon) {
+            if ((from.y > at.y) != (to.y > at.y) &&
+                at.x < from.x + (at.y - from.y) / (to.y - from.y) * (to.x - from.x))
+                inside = !inside;
+            from = to;
+        }
+        return inside;
+    }
+
+    double wanted_share(glm::dvec2 at) const {
+        const glm::dvec2 p = at / around_.cell();
+        const int x = std::min(static_cast<int>(p.x), around_.columns() - 2),
+                  y = std::min(static_cast<int>(p.y), around_.rows() - 2);
+        const auto share = [&](int i, int j) {
+            return rules_.shares[static_cast<std::size_t>(j) * static_cast<std::size_t>(around_.columns()) +
+                                 static_cast<std::size_t>(i)] /
+                   255.0;
+        };
+        return glm::mix(glm::mix(share(x, y), share(x + 1, y), p.x - x),
+                        glm::mix(share(x, y + 1), share(x + 1, y + 1), p.x - x), p.y - y);
     }
 
     Ground ground_at(glm::dvec2 at) const {
@@ -178,6 +212,7 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
 
 Woods::Woods(const Surroundings& around, const TreeRules& rules, double datum) {
     if (around.empty() || rules.density <= 0) return;
+    CHECK(rules.shares.empty() || rules.shares.size() == around.cover().size());
     const double reach = kLastTree * around.side();
     const glm::dvec2 span = around.size() + 2 * reach;
     const double wanted = 100 / std::sqrt(rules.density);  // m between two places
@@ -231,6 +266,10 @@ Woods::Woods(const Surroundings& around, const TreeRules& rules, double datum) {
     fingerprint_ = mixed(mixed(around.fingerprint(), trees_.size()), rules.seed);
     for (const double each : {rules.density, rules.line_m, datum})
         fingerprint_ = mixed(fingerprint_, std::hash<double>()(each));
+    for (const glm::dvec2 corner : rules.polygon)
+        fingerprint_ =
+            mixed(mixed(fingerprint_, std::hash<double>()(corner.x)), std::hash<double>()(corner.y));
+    for (const std::uint8_t share : rules.shares) fingerprint_ = mixed(fingerprint_, share);
 }
 
 void Woods::sort_into_tiles(double tile_m) {

@@ -19,6 +19,12 @@ struct TreeRules {
     double density = 0;      // trees per hectare where the wood is closed, 0 to kDensest; 0: no trees
     double line_m = 1800;    // the tree line: height above the terrain's zero that no tree grows above, m
     std::uint32_t seed = 1;  // another seed, another wood
+    // Corners, m east and north of vertex (0, 0), in order, without crossing sides: no tree grows outside. None: no
+    // such limit.
+    std::vector<glm::dvec2> polygon = {};
+    // For each vertex of the grid, row 0 the south: the share of the closed wood that grows there, 0 to 255 for 0 to 1.
+    // Then none grows outside the grid. None: stands as this program makes them.
+    std::vector<std::uint8_t> shares = {};
     bool operator==(const TreeRules&) const = default;
 };
 

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -65,6 +66,34 @@ std::optional<std::vector<double>> TomlTable::numbers(std::string_view key, std:
     if (values.size() == count && node->as_array()->size() == count) return values;
     blame(key, fmt::format("is not a list of {} numbers", count));
     return std::nullopt;
+}
+
+std::optional<std::vector<std::array<double, 2>>> TomlTable::points(std::string_view key, std::size_t fewest,
+                                                                    std::size_t most, double most_far) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    const toml::array* array = node->as_array();
+    if (!array || array->size() < fewest || array->size() > most) {
+        blame(key, fmt::format("is not a list of {} to {} points [x, y]", fewest, most));
+        return std::nullopt;
+    }
+    std::vector<std::array<double, 2>> points;
+    for (const toml::node& element : *array) {
+        const toml::array* pair = element.as_array();
+        std::array<double, 2> point{};
+        bool sound = pair && pair->size() == 2;
+        for (std::size_t i = 0; i < 2 && sound; ++i) {
+            point[i] = (*pair)[i].value_or(std::numeric_limits<double>::quiet_NaN());
+            sound = std::abs(point[i]) <= most_far;
+        }
+        if (!sound) {
+            blame(key, fmt::format("has a point {} that is not two numbers within ±{}", points.size() + 1,
+                                   most_far));
+            return std::nullopt;
+        }
+        points.push_back(point);
+    }
+    return points;
 }
 
 std::optional<double> TomlTable::moment(std::string_view key, int first, int last) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -28,6 +29,9 @@ class TomlTable {
     std::optional<std::int64_t> whole(std::string_view key, std::int64_t least, std::int64_t most);
     std::optional<std::string> text(std::string_view key);
     std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count);
+    // A list of pairs [x, y], each number within ±`most_far`.
+    std::optional<std::vector<std::array<double, 2>>> points(std::string_view key, std::size_t fewest,
+                                                             std::size_t most, double most_far);
     std::optional<TomlTable> table(std::string_view key);
     std::vector<TomlTable> tables(std::string_view key);  // of an array of tables
     // A date and time with its offset from UTC, in the years `first` to `last`, as seconds from 1970-01-01 UTC.

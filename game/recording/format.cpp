@@ -233,6 +233,41 @@ void flow_from(const Json& json, Scenario& scenario) {
     scenario.look.flow->repeats = number(json, "repeats", 0.1, 100);
 }
 
+Json trees_json(const render::TreeRules& trees) {
+    Json json = {{"density", trees.density}, {"line_m", trees.line_m}, {"seed", trees.seed}};
+    for (const glm::dvec2& corner : trees.polygon) json["polygon"].push_back(numbers({corner.x, corner.y}));
+    if (!trees.shares.empty()) json["shares"] = pack_bytes(trees.shares);
+    return json;
+}
+
+// After the ground, of whose vertices the shares are.
+render::TreeRules trees_from(const Json& json, const sim::Grid& grid) {
+    render::TreeRules trees;
+    trees.density = number(json, "density", 0, render::TreeRules::kDensest);
+    trees.line_m = number(json, "line_m", -12000, 9000);
+    trees.seed = static_cast<std::uint32_t>(whole(json, "seed", 0, 1'000'000));
+    if (json.contains("polygon")) {
+        const Json& polygon = member(json, "polygon");
+        if (!polygon.is_array() || polygon.size() < kFewestTreeCorners || polygon.size() > kMostTreeCorners)
+            refuse(fmt::format("trees: polygon is not a list of {} to {} corners", kFewestTreeCorners,
+                               kMostTreeCorners));
+        for (const Json& corner : polygon) {
+            if (!corner.is_array() || corner.size() != 2 || !corner[0].is_number() || !corner[1].is_number())
+                refuse("trees: a corner of the polygon is not two numbers");
+            const glm::dvec2 at(corner[0].get<double>(), corner[1].get<double>());
+            if (!(std::abs(at.x) <= 1e7 && std::abs(at.y) <= 1e7))
+                refuse("trees: a corner of the polygon is too far away");
+            trees.polygon.push_back(at);
+        }
+    }
+    if (json.contains("shares")) {
+        auto shares = unpack_bytes(text(json, "shares"), grid.size());
+        if (!shares) refuse("trees: " + shares.error());
+        trees.shares = std::move(*shares);
+    }
+    return trees;
+}
+
 Json view_json(const Scenario& scenario) {
     const render::Look& look = scenario.look;
     const auto colour = [](const glm::vec3& c) {
@@ -261,8 +296,7 @@ Json view_json(const Scenario& scenario) {
     powder("powder", look.powder);
     if (scenario.lower) powder("lower_powder", look.lower_powder);
     if (scenario.model) json["look"]["style"] = "model";
-    if (const render::TreeRules& trees = scenario.trees; trees.density > 0)
-        json["trees"] = {{"density", trees.density}, {"line_m", trees.line_m}, {"seed", trees.seed}};
+    if (scenario.trees.density > 0) json["trees"] = trees_json(scenario.trees);
     if (look.flow) json["look"]["texture"] = to_string(look.flow->pattern);
     if (scenario.flow) json["flow"] = flow_json(*scenario.flow, *look.flow);
     json["light"] = {{"azimuth_deg", scenario.light.azimuth_deg},
@@ -308,12 +342,6 @@ void view_from(const Json& json, Scenario& scenario) {
         const auto pattern = render::flow_pattern_named(text(look, "texture"));
         if (!pattern) refuse(fmt::format("look: unknown texture '{}'", text(look, "texture")));
         scenario.look.flow = render::FlowLook{*pattern};
-    }
-    if (json.contains("trees")) {
-        const Json& trees = member(json, "trees");
-        scenario.trees = {number(trees, "density", 0, render::TreeRules::kDensest),
-                          number(trees, "line_m", -12000, 9000),
-                          static_cast<std::uint32_t>(whole(trees, "seed", 0, 1'000'000))};
     }
     if (json.contains("flow")) flow_from(member(json, "flow"), scenario);
     const Json& light = member(json, "light");
@@ -376,6 +404,8 @@ Header read_header(const Json& json, int minor, const Memory& memory) {
     if (json.contains("lower")) scenario.lower = lower_from(json.at("lower"), minor, scenario.params);
     view_from(member(json, "view"), scenario);
     ground_from(member(json, "terrain"), memory, scenario);
+    if (const Json& view = member(json, "view"); view.contains("trees"))
+        scenario.trees = trees_from(member(view, "trees"), scenario.grid);
     return header;
 }
 

@@ -12,6 +12,7 @@
 #include "game/scene/material.h"
 #include "game/scene/scene_ground.h"
 #include "game/scene/scene_light.h"
+#include "game/scene/scene_trees.h"
 #include "render/overview.h"
 #include "terrains/dem_gdal.h"
 #include "terrains/release.h"
@@ -144,16 +145,6 @@ void view_from_valley(Scenario& scenario) {
     const double from = scenario.camera->azimuth_deg;
     const double southward = std::remainder(180 - from, 360);
     scenario.light = {std::fmod(from + std::copysign(kBeside, southward) + 360, 360), kHeight};
-}
-
-// Reads [trees].
-void read_trees(TomlTable& table, render::TreeRules& trees) {
-    const auto density = table.number("density", 0, render::TreeRules::kDensest);
-    if (!density) table.blame("", "needs a density, in trees per hectare");
-    trees.density = density.value_or(0);
-    trees.line_m = table.number("tree_line", -12000, 9000).value_or(trees.line_m);
-    trees.seed = static_cast<std::uint32_t>(table.whole("seed", 0, 1'000'000).value_or(trees.seed));
-    table.finish();
 }
 
 // Reads [look], [camera] and [light]. Returns the moment whose sun lights the scene, if [light] gives one.
@@ -295,7 +286,8 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
         if (const auto wrong = sim::fault_of(scenario.lower->params)) under->blame("", *wrong);
     }
     if (under) under->finish();
-    if (auto trees = root.table("trees")) read_trees(*trees, scenario.trees);
+    TreesTable trees;
+    if (auto table = root.table("trees")) trees = read_trees(*table, folder, overrides.references);
     scene.commands = read_commands(root, params.tick_s, scenario.lower.has_value());
     const auto sun = read_view(root, scenario);
     root.finish();
@@ -312,6 +304,10 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
     if (fault) return unusable(*fault);
     if (!terrain) return unusable(terrain.error());
     add_files(terrain->files, scene);
+    if (trees.raster) scene.files.push_back(*trees.raster);
+    const auto on_ground = trees_on(trees, *terrain, overrides.references, scene.files);
+    if (!on_ground) return unusable(fmt::format("{}: {}", path.string(), on_ground.error()));
+    scenario.trees = *on_ground;
     if (rule) terrain->cover = depth_by(*rule, *terrain);
     if (under_rule) {
         scenario.lower->depth = depth_by(*under_rule, *terrain);

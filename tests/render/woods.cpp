@@ -96,6 +96,35 @@ TEST_F(WoodInValley, is_denser_where_more_is_asked_for_and_never_too_large) {
     EXPECT_TRUE(Woods({}, kRules, 0).empty()) << "a model has no trees";
 }
 
+TEST_F(WoodInValley, grows_only_within_its_polygon) {
+    TreeRules rules = kRules;
+    rules.polygon = {{200, 220}, {800, 220}, {800, 490}, {500, 340}, {200, 490}};
+    const Woods within = woods(rules);
+    EXPECT_GT(within.trees().size(), 50u);
+    for (const Tree& tree : within.trees()) {
+        EXPECT_TRUE(tree.foot.x > 200 && tree.foot.x < 800 && tree.foot.y > 220);
+        EXPECT_LT(tree.foot.y, 340 + 0.5f * std::abs(tree.foot.x - 500) + 0.01f);
+    }
+    EXPECT_NE(within.fingerprint(), woods().fingerprint());
+}
+
+TEST_F(WoodInValley, grows_by_shares_if_there_are_any) {
+    TreeRules rules = kRules;
+    rules.shares.resize(world.grid.size());
+    for (std::size_t i = 0; i < rules.shares.size(); ++i)
+        if (i % static_cast<std::size_t>(world.grid.nx) > 50) rules.shares[i] = 255;
+    const Woods all = woods(rules);
+    double closed = 0;
+    for (const Tree& tree : all.trees()) {
+        EXPECT_GT(tree.foot.x, 500);
+        EXPECT_GE(tree.vertex, 0) << "beside the grid";
+        const int x = tree.vertex % world.grid.nx, y = tree.vertex / world.grid.nx;
+        EXPECT_NE(world.site(x, y), sim::Site::kDrain);
+        closed += tree.foot.x > 600 && tree.foot.x < 900 && tree.foot.y > 350 && tree.foot.y < 450;
+    }
+    EXPECT_NEAR(closed / 3, rules.density, 0.15 * rules.density) << "trees per hectare";
+}
+
 TEST_F(WoodInValley, is_in_tiles_that_enclose_it) {
     const Woods all = woods();
     std::uint32_t next = 0;
