@@ -12,13 +12,18 @@
 namespace render {
 namespace {
 
-constexpr float kHalfWidth = 0.17f;  // of a tree, of its height
-constexpr float kNearPixels = 44;    // height from which a tree has more than one triangle
-// Mean width of trees in pixels below which some are left out and others drawn wider: this share of the frame's height,
-// because a small frame has few trees anyhow, within these limits.
-constexpr float kWideOfHeight = 0.005f, kLeastWide = 2.2f, kMostWide = 3.6f;
-constexpr float kMeanWidth = 4.2f;    // m
-constexpr float kLeastShare = 0.22f;  // of the trees of a tile, however far
+constexpr float kHalfWidth = 0.19f;  // of a tree, of its height
+constexpr float kHalfWidthOfPine = 0.8f;
+constexpr float kNearPixels = 80;  // height from which a tree has more than one triangle
+// Far away some trees are left out, and others are drawn larger, so that they cover as much: so many of a tile that the
+// mean one is as wide as this share of the frame's height, because a small frame has few trees anyhow.
+constexpr float kWideOfHeight = 0.012f, kLeastWide = 5.5f, kMostWide = 8.5f;  // pixels
+constexpr float kMeanWidth = 5;                                               // m
+constexpr float kMostTogether = 20;                                           // trees that one stands for
+// One that stands for few is a larger tree, one that stands for more a group of them side by side, which is not as wide
+// because it has no flanks to its foot.
+constexpr float kGroup = 5, kWidthOfGroup = 0.75f;
+constexpr float kTaller = 0.3f;       // power of how many it stands for by which one is taller
 constexpr float kLongestShadow = 36;  // m
 constexpr float kShadowPixels = 6;    // height below which a tree casts none
 constexpr float kShallow = 0.15f,
@@ -107,21 +112,24 @@ void light_trees(const Woods& woods, const Surroundings& around, const glm::vec3
 
 void TreesInView::reserve(const Woods& woods) {
     drawn_.reserve(woods.trees().size());
-    with_shadow_.reserve(woods.trees().size());
-    near_.reserve(woods.trees().size());
+    far_.reserve(woods.trees().size());
+    without_shadow_.reserve(woods.trees().size());
     tiles_.reserve(woods.tiles().size());
 }
 
 void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, const sim::View& world,
                        const FlowSoFar& flow, const FrameBlock& frame) {
     drawn_.clear();
-    with_shadow_.clear();
-    near_.clear();
+    far_.clear();
+    without_shadow_.clear();
     tiles_.clear();
     const glm::vec3 eye(frame.eye), forward(frame.ray_forward);
     const float pixel = frame.material.y * frame.material.z;  // m at a distance of 1 m
     const float frame_height = 2 * glm::length(glm::vec3(frame.ray_up)) / pixel;
     const float wide_pixels = std::clamp(kWideOfHeight * frame_height, kLeastWide, kMostWide);
+    const auto share_at = [&](float distance, float group) {
+        return std::clamp(kMeanWidth * group / (distance * pixel) / wide_pixels, group / kMostTogether, 1.f);
+    };
     for (const TreeTile& tile : woods.tiles())
         if (may_show(tile, frame.clip_from_world, kLongestShadow)) tiles_.push_back(&tile);
     std::sort(tiles_.begin(), tiles_.end(), [&](const TreeTile* a, const TreeTile* b) {
@@ -130,26 +138,32 @@ void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, co
         };
         return std::pair(distance(a), a) < std::pair(distance(b), b);
     });
-    for (const TreeTile* tile : tiles_)
+    for (const TreeTile* tile : tiles_) {
+        const float first =
+            woods.trees()[tile->first].chance;  // of few trees of a tile not always one is left
         for (std::uint32_t k = 0; k < tile->count; ++k) {
             const std::uint32_t i = tile->first + k;
             const Tree& tree = woods.trees()[i];
             const float distance = std::max(glm::distance(tree.foot, eye), 1.f);
-            // Far away fewer trees stand for all; one that is left out shrinks first.
-            const float wide = kMeanWidth / (distance * pixel) / wide_pixels;
-            const float share = std::clamp(wide * wide, kLeastShare, 1.f);
-            const float rank = static_cast<float>(k) / static_cast<float>(tile->count);
+            // One that is left out shrinks first.
+            const float share = share_at(distance, tree.group);
+            const float rank = (static_cast<float>(k) + first) / static_cast<float>(tile->count);
             if (rank >= share) continue;
             const float kept = share < 1 ? std::min((share - rank) / (0.15f * share), 1.f) : 1.f;
             if (glm::dot(tree.foot - eye, forward) < -kLongestShadow - tree.height) continue;
 
-            const float height = tree.height * kept, high = height / (distance * pixel);
-            const float half = std::max(kHalfWidth * height / std::sqrt(std::max(share, 0.3f)),
-                                        0.6f * kept * distance * pixel);
-            DrawnTree drawn{{tree.foot, height},
-                            {0, 0, 1, tree.chance},
-                            {lights[i].sunlit, tree.snow, tree.lower, half},
-                            {lights[i].tip, lights[i].sunlit * ramp(kShadowPixels, 2 * kShadowPixels, high)}};
+            const float together = tree.group / share, taller = std::pow(std::min(together, kGroup), kTaller);
+            const float height = tree.height * kept * taller, high = height / (distance * pixel);
+            const bool group = together > kGroup;
+            const float wide = (tree.kind == TreeKind::kPine ? kHalfWidthOfPine : kHalfWidth) * tree.height *
+                               kept * together / taller;
+            const float half = std::max(group ? kWidthOfGroup * wide : wide, 0.6f * kept * distance * pixel);
+            DrawnTree drawn{
+                {tree.foot, height},
+                {0, 0, 1, tree.chance},
+                {lights[i].sunlit, tree.snow, tree.lower, half},
+                {lights[i].tip, lights[i].sunlit * ramp(1, 2, high / (kShadowPixels * (1 + tree.closed)))},
+                {static_cast<float>(tree.kind), group ? std::round(together) : 1, tree.closed, 0}};
             if (tree.vertex >= 0)
                 drawn.foot.z -= std::max(
                     tree.snow - world.depth(tree.vertex % world.grid.nx, tree.vertex / world.grid.nx), 0.f);
@@ -160,13 +174,14 @@ void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, co
                                     ramp(kSlow, kFast, flow.speed[vertex]);
                 if (lying > 0) lay(tree, world, lying, drawn);
             }
-            const bool near = high > kNearPixels * (0.85f + 0.3f * tree.chance);
-            (near ? near_ : drawn.shadow.w > 0 ? with_shadow_ : drawn_).push_back(drawn);
+            const bool near = tree.group < 2 && high > kNearPixels * (0.85f + 0.3f * tree.chance);
+            (near ? drawn_ : drawn.shadow.w > 0 ? far_ : without_shadow_).push_back(drawn);
         }
-    without_shadow_ = drawn_.size();
-    far_ = without_shadow_ + with_shadow_.size();
-    drawn_.insert(drawn_.end(), with_shadow_.begin(), with_shadow_.end());
-    drawn_.insert(drawn_.end(), near_.begin(), near_.end());
+    }
+    near_ = drawn_.size();
+    drawn_.insert(drawn_.end(), far_.begin(), far_.end());
+    with_shadow_ = drawn_.size();
+    drawn_.insert(drawn_.end(), without_shadow_.begin(), without_shadow_.end());
 }
 
 }  // namespace render

@@ -24,12 +24,13 @@ struct TreeLight {
 void light_trees(const Woods& woods, const Surroundings& around, const glm::vec3& sun,
                  std::vector<TreeLight>& into);
 
-// A tree as the GPU draws it. Vertex attributes of tree.vert and tree_shadow.vert.
+// A tree, or a group of some, as the GPU draws it: an element of SLOT_TREES, as in tree.glsl.
 struct DrawnTree {
     glm::vec4 foot;  // m; height, m
     glm::vec4 axis;  // unit vector from foot to top; its own number, 0 to 1
     glm::vec4 look;  // sunlit 0 to 1; snow around it, m; share of the lower material there; half its width, m
     glm::vec4 shadow;  // m, where the shadow of its top meets the ground; strength of the shadow, 0 to 1
+    glm::vec4 kind;    // TreeKind; number of tops; how closed the wood is around it, 0 to 1; 0
 };
 
 // The trees of one frame. No GL. A frame depends on this frame's arguments only, so that it is the same after seeking.
@@ -41,16 +42,16 @@ class TreesInView {
     void find(const Woods& woods, std::span<const TreeLight> lights, const sim::View& world,
               const FlowSoFar& flow, const FrameBlock& frame);
 
-    // First far ones, of one triangle each, from near to far: at first those without a shadow. Then near ones, of more
-    // triangles.
+    // First near ones, of some triangles each, then far ones, of one triangle each: at first those with a shadow. Each
+    // part from near to far.
     std::span<const DrawnTree> drawn() const { return drawn_; }
-    std::size_t without_shadow() const { return without_shadow_; }
-    std::size_t far() const { return far_; }
+    std::size_t near() const { return near_; }
+    std::size_t with_shadow() const { return with_shadow_; }  // near ones and the first far ones
 
   private:
-    std::vector<DrawnTree> drawn_, with_shadow_, near_;
+    std::vector<DrawnTree> drawn_, far_, without_shadow_;
     std::vector<const TreeTile*> tiles_;
-    std::size_t without_shadow_ = 0, far_ = 0;
+    std::size_t near_ = 0, with_shadow_ = 0;
 };
 
 }  // namespace render

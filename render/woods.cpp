@@ -13,16 +13,18 @@
 #include "render/noise.h"
 #include "render/ramp.h"
 #include "render/surroundings_mesh.h"
+#include "sim/core/check.h"
 
 namespace render {
 namespace {
 
-constexpr double kMostPlaces = 600'000;  // that are looked at, a third of a second
-constexpr double kLastTree = 0.8;        // longer sides, from the grid to the last tree
-constexpr double kTilesAlongSide = 14;
-constexpr double kShortest = 7, kTallest = 21;  // m, of full-grown trees
-constexpr double kSunk = 0.4;                   // m, so that no foot hangs over a slope
-constexpr int kPlacesPeriod = 1 << 20;          // places until the hash repeats: more than there are
+constexpr double kMostPlaces = 2'500'000;  // that are looked at, half a second
+constexpr double kLastTree = 1.4;          // longer sides, from the grid to the last tree
+constexpr double kTilesAlongSide = 24;
+constexpr double kShortest = 9, kTallest = 23;       // m, of full-grown trees
+constexpr double kLeastPine = 1.2, kMostPine = 2.6;  // m, heights of dwarf pine
+constexpr double kSunk = 0.4;                        // m, so that no foot hangs over a slope
+constexpr int kPlacesPeriod = 1 << 20;               // places until the hash repeats: more than there are
 
 // −1 to 1, by a lattice of places `wavelength` metres apart.
 double noise(glm::dvec2 at, double wavelength, std::uint32_t seed) {
@@ -37,35 +39,116 @@ struct Ground {
     double gully;  // m, how much higher the ground is beside it, across the slope
 };
 
+// What grows at a place.
+struct Site {
+    double share = 0;   // of the closed wood's density, 0 to 1
+    double closed = 0;  // 1 within a stand, 0 outside
+    double below = 0;   // m, below the tree line here; above it less than 0
+    Ground ground;
+};
+
 // What grows where.
 class Growth {
   public:
     Growth(const Surroundings& around, const TreeRules& rules, double datum)
         : around_(around), rules_(rules), datum_(datum), near_(std::min(36.0, around.side() / 12)) {}
 
-    // The share of the closed wood's density at a place, 0 to 1.
-    double share(glm::dvec2 at) const {
-        const double groves = 0.62 * noise(at, 210, rules_.seed) + 0.38 * noise(at, 70, rules_.seed + 1);
-        const double clumps = 0.55 + 0.45 * ramp(-0.5, 0.3, noise(at, 23, rules_.seed + 4));
-        double share = clumps * ramp(-0.22, 0.12, groves) * thinned_by_distance(around_.away(at));
-        if (share <= 0 || is_bare(at)) return 0;
-        const Ground ground = ground_at(at);
-        const double steep = glm::length(ground.slope);
-        share *= below_line(at, ground);
-        share *= ramp(1.0, 0.72, steep);                                            // rock
-        share *= ramp(0.06, 0.22, steep + 0.07 * noise(at, 120, rules_.seed + 2));  // meadows of the valley
-        // A few dare to grow where avalanches run.
-        share *= 0.08 + 0.92 * ramp(0.085 * near_, 0.015 * near_, ground.gully);
-        return share;
+    // Trees that one at a place stands for.
+    double group(glm::dvec2 at) const {
+        const double sides = around_.away(at) / around_.side();
+        return std::exp2(4 * ramp(0.0, 0.7, sides));
     }
 
-    // 0 at the tree line, 1 far enough below it for full-grown trees.
-    double below_line(glm::dvec2 at, const Ground& ground) const {
-        // It is ragged, and higher on slopes that face the sun at noon.
-        const double sunny = ground.slope.y / std::sqrt(1 + glm::dot(ground.slope, ground.slope));
-        const double line =
-            rules_.line_m - 45 + 25 * noise(at, 160, rules_.seed + 3) + 40 * std::min(sunny, 0.5);
-        return ramp(0, 90, line - datum_ - ground.z);
+    Site site(glm::dvec2 at) const {
+        Site site;
+        if (around_.away(at) > kLastTree * around_.side() || is_bare(at) || !is_wanted(at)) return site;
+        Ground& ground = site.ground;
+        ground.z = around_.rough_height(at);
+        if (ground.z + datum_ > rules_.line_m) return site;
+        ground = ground_at(at);
+        const double steep = glm::length(ground.slope), hollow = ground.gully / near_;
+        // The line is ragged, higher on ribs and on slopes that face the sun at noon.
+        const double sunny = ground.slope.y / std::sqrt(1 + steep * steep);
+        const double line = rules_.line_m - 55 + 22 * noise(at, 160, rules_.seed + 3) +
+                            30 * std::min(sunny, 0.5) - 350 * std::clamp(hollow, -0.1, 0.1);
+        site.below = std::min(line, rules_.line_m - 4) - datum_ - ground.z;
+        if (site.below < 0) return site;
+        if (!rules_.shares.empty()) {
+            site.share = site.closed = wanted_share(at) * ramp(1.0, 0.9, steep) * ramp(0, 12, site.below);
+            return site;
+        }
+        const double level = ramp(0.07, 0.17, steep + 0.05 * noise(at, 120, rules_.seed + 2));
+        const double rock = ramp(0.78, 0.98, steep), gully = ramp(0.02, 0.07, hollow);
+        // Stands: the farther below the line, the more ground they cover.
+        const double groves = 0.50 * noise(at, 230, rules_.seed) + 0.30 * noise(at, 88, rules_.seed + 1) +
+                              0.20 * noise(at, 34, rules_.seed + 5);
+        const double wanted = glm::mix(0.42, -0.24, ramp(0, 190, site.below)) + 0.7 * gully + 0.9 * rock +
+                              0.7 * (1 - level) - 0.22 * ramp(0.0, 0.06, -hollow);
+        site.closed = ramp(-0.035, 0.045, groves - wanted);
+        // Single trees around them; a few dare to grow where avalanches run and where these come to rest.
+        const double near_stand = ramp(-0.28, 0.0, groves - wanted);
+        const double clumps = ramp(-0.1, 0.5, noise(at, 23, rules_.seed + 4));
+        const double run_out = gully * ramp(0.62, 0.45, steep);
+        const double single =
+            (1 - rock) * level * (0.012 + (0.03 + 0.14 * clumps) * near_stand * (1 - gully) + 0.07 * run_out);
+        site.share =
+            glm::mix(single, 0.72 + 0.28 * ramp(-0.6, 0.2, noise(at, 23, rules_.seed + 4)), site.closed);
+        site.share *= ramp(0, 12, site.below);
+        return site;
+    }
+
+    // Higher up trees are smaller, and within a stand they are taller than at its edge.
+    Tree tree(const Site& site, double chance) const {
+        Tree tree;
+        tree.kind = kind(site, chance);
+        const double size = tree.kind == TreeKind::kPine
+                                ? 1
+                                : (0.42 + 0.58 * ramp(0, 130, site.below)) * (0.72 + 0.28 * site.closed);
+        tree.height = static_cast<float>(tree.kind == TreeKind::kPine
+                                             ? glm::mix(kLeastPine, kMostPine, chance)
+                                             : size * glm::mix(kShortest, kTallest, std::sqrt(chance)));
+        tree.closed = static_cast<float>(site.closed);
+        const double steep = glm::length(site.ground.slope);
+        tree.downhill = steep > 0 ? glm::vec2(-site.ground.slope / steep) : glm::vec2(1, 0);
+        return tree;
+    }
+
+  private:
+    // Dwarf pine and larches grow near the line.
+    static TreeKind kind(const Site& site, double chance) {
+        const double other =
+            chance * 61 - std::floor(chance * 61);  // as random as `chance`, and independent of it
+        if (site.closed < 0.5 && other < 0.75 * ramp(70, 10, site.below)) return TreeKind::kPine;
+        return other > 1 - 0.09 * ramp(200, 60, site.below) ? TreeKind::kLarch : TreeKind::kSpruce;
+    }
+
+    // Within the polygon, if there is one: a ray to the east leaves it an odd number of times. If there are shares, only
+    // the grid has them.
+    bool is_wanted(glm::dvec2 at) const {
+        if (!rules_.shares.empty() && around_.away(at) > 0) return false;
+        if (rules_.polygon.empty()) return true;
+        bool inside = false;
+        glm::dvec2 from = rules_.polygon.back();
+        for (const glm::dvec2 to : rules_.polygon) {
+            if ((from.y > at.y) != (to.y > at.y) &&
+                at.x < from.x + (at.y - from.y) / (to.y - from.y) * (to.x - from.x))
+                inside = !inside;
+            from = to;
+        }
+        return inside;
+    }
+
+    double wanted_share(glm::dvec2 at) const {
+        const glm::dvec2 p = at / around_.cell();
+        const int x = std::min(static_cast<int>(p.x), around_.columns() - 2),
+                  y = std::min(static_cast<int>(p.y), around_.rows() - 2);
+        const auto share = [&](int i, int j) {
+            return rules_.shares[static_cast<std::size_t>(j) * static_cast<std::size_t>(around_.columns()) +
+                                 static_cast<std::size_t>(i)] /
+                   255.0;
+        };
+        return glm::mix(glm::mix(share(x, y), share(x + 1, y), p.x - x),
+                        glm::mix(share(x, y + 1), share(x + 1, y + 1), p.x - x), p.y - y);
     }
 
     Ground ground_at(glm::dvec2 at) const {
@@ -80,11 +163,11 @@ class Growth {
             return 0.5 * (z(reach * across.x, reach * across.y) + z(-reach * across.x, -reach * across.y)) -
                    ground.z;
         };
-        ground.gully = std::max(beside(near_), 0.4 * beside(2.5 * near_));
+        const double close = beside(near_), wide = 0.4 * beside(2.5 * near_);
+        ground.gully = std::max(close, wide);
         return ground;
     }
 
-  private:
     // No data, and the cells beside it.
     bool is_bare(glm::dvec2 at) const {
         if (around_.away(at) > 0) return false;
@@ -93,10 +176,6 @@ class Growth {
                   y = std::min(static_cast<int>(cell.y), around_.rows() - 2);
         return around_.is_hole(x, y) || around_.is_hole(x + 1, y) || around_.is_hole(x, y + 1) ||
                around_.is_hole(x + 1, y + 1);
-    }
-    double thinned_by_distance(double away) const {
-        const double sides = away / around_.side();
-        return (1 - 0.75 * ramp(0.1, 0.6, sides)) * ramp(kLastTree, 0.6, sides);
     }
 
     const Surroundings& around_;
@@ -143,6 +222,7 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
 Woods::Woods(const Surroundings& around, const TreeRules& rules, double datum,
              std::span<const Clearing> clearings) {
     if (around.empty() || rules.density <= 0) return;
+    CHECK(rules.shares.empty() || rules.shares.size() == around.cover().size());
     const double reach = kLastTree * around.side();
     const glm::dvec2 span = around.size() + 2 * reach;
     const double wanted = 100 / std::sqrt(rules.density);  // m between two places
@@ -165,16 +245,13 @@ Woods::Woods(const Surroundings& around, const TreeRules& rules, double datum,
     for (int y = first.y; y <= last.y; ++y)
         for (int x = first.x; x <= last.x; ++x) {
             const glm::dvec2 at = spacing * (glm::dvec2(x, y) + glm::dvec2(own(x, y, 0), own(x, y, 1)));
-            const double share = growth.share(at);
-            if (static_cast<double>(own(x, y, 2)) >= share || is_cleared(at, clearings)) continue;
-            const Ground ground = growth.ground_at(at);
-            const double low = growth.below_line(at, ground), chance = own(x, y, 3);
-            Tree tree;
-            tree.height = static_cast<float>((kShortest + (kTallest - kShortest) * chance) *
-                                             (0.45 + 0.55 * low) * (0.7 + 0.3 * share));
-            tree.foot = glm::dvec3(at, ground.z - kSunk);
-            const double steep = glm::length(ground.slope);
-            tree.downhill = steep > 0 ? glm::vec2(-ground.slope / steep) : glm::vec2(1, 0);
+            const double group = growth.group(at), keep = own(x, y, 2) * group;
+            if (keep >= 1) continue;
+            const Site site = growth.site(at);
+            if (keep >= site.share || is_cleared(at, clearings)) continue;
+            Tree tree = growth.tree(site, own(x, y, 3));
+            tree.group = static_cast<float>(group);
+            tree.foot = glm::dvec3(at, site.ground.z - kSunk);
             tree.chance = own(x, y, 4);
             const glm::dvec2 source = around.source(at), cell = glm::round(source / around.cell());
             const auto vertex =
@@ -202,6 +279,10 @@ Woods::Woods(const Surroundings& around, const TreeRules& rules, double datum,
             fingerprint_ = mixed(fingerprint_, std::hash<double>()(number));
     for (const double each : {rules.density, rules.line_m, datum})
         fingerprint_ = mixed(fingerprint_, std::hash<double>()(each));
+    for (const glm::dvec2 corner : rules.polygon)
+        fingerprint_ =
+            mixed(mixed(fingerprint_, std::hash<double>()(corner.x)), std::hash<double>()(corner.y));
+    for (const std::uint8_t share : rules.shares) fingerprint_ = mixed(fingerprint_, share);
 }
 
 void Woods::sort_into_tiles(double tile_m) {

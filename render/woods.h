@@ -19,10 +19,22 @@ struct TreeRules {
     double density = 0;      // trees per hectare where the wood is closed, 0 to kDensest; 0: no trees
     double line_m = 1800;    // the tree line: height above the terrain's zero that no tree grows above, m
     std::uint32_t seed = 1;  // another seed, another wood
+    // Corners, m east and north of vertex (0, 0), in order, without crossing sides: no tree grows outside. None: no
+    // such limit.
+    std::vector<glm::dvec2> polygon = {};
+    // For each vertex of the grid, row 0 the south: the share of the closed wood that grows there, 0 to 255 for 0 to 1.
+    // Then none grows outside the grid. None: stands as this program makes them.
+    std::vector<std::uint8_t> shares = {};
     bool operator==(const TreeRules&) const = default;
 };
 
-// A conifer where it grew. Space as in shaders.
+enum class TreeKind : std::int32_t {
+    kSpruce,  // dark, with needles and snow
+    kLarch,   // bare in winter, light brown
+    kPine,    // dwarf pine: a low cushion
+};
+
+// A conifer where it grew, or outside the grid a group of them. Space as in shaders.
 struct Tree {
     glm::vec3 foot;       // m, on the ground at tick 0
     float height;         // m
@@ -31,6 +43,9 @@ struct Tree {
     float snow;           // depth of the standing layer around it at tick 0, m
     float lower;          // share of the lower material at the surface of that, 0 to 1
     std::int32_t vertex;  // the grid's vertex nearest to it, row by row from the south; −1 outside the grid
+    float closed;         // how closed the wood is around it, 0 to 1
+    float group;  // number of trees side by side that it stands for, 1 to kLargestGroup; 1 on the grid
+    TreeKind kind;
 };
 
 // A place where no tree grows: all within a distance of a line.
@@ -46,14 +61,17 @@ struct TreeTile {
     glm::vec3 lowest{0}, highest{0};     // corners of the box around feet and tops, m
 };
 
-// The conifers of a world, on its grid and on the mountains around it. They stand in groves on slopes below the tree
-// line: not on rock, not on level ground, and not in gullies, where avalanches run. A view: nothing else knows of them.
+// The conifers of a world, on its grid and on the mountains around it. They stand in closed stands with clear edges
+// on slopes below the tree line: not on rock and not on level ground. At the line stands are few, and follow ribs;
+// single trees and dwarf pine are between them. In gullies, where avalanches run, only some trees stand. A view: nothing
+// else knows of them.
 //
 // A tree of the grid is a function of ground, rules and place, bit-identical on every machine. Those around it are equal
 // on one machine, as Surroundings are.
 class Woods {
   public:
-    static constexpr std::size_t kMost = 60'000;  // trees; of more, an even share is kept
+    static constexpr std::size_t kMost = 80'000;  // trees; of more, an even share is kept
+    static constexpr float kLargestGroup = 16;    // trees that one far from the grid stands for
 
     // None.
     Woods() = default;

@@ -1,5 +1,6 @@
 // Finds edges in the picture: discards every pixel that is much like its four neighbours, or like one of them at
-// most: that is texture.
+// most: that is texture. It leaves out trees and
+// their shadows, too, whose alpha is 0: nearly all of their pixels are edges.
 layout(binding = SLOT_PICTURE) uniform sampler2D picture;  // as the screen shows it, not linear
 
 // Green is most of brightness, and saves computing it. From 0 to 1.
@@ -18,4 +19,6 @@ void main() {
     float range = most - least;
     float alike = dot(vec4(lessThan(abs(around - here), vec4(0.4 * range))), vec4(1.0));
     if (range <= max(kLeastContrast, kLeastShare * most) || alike < 2.0) discard;
+    vec4 solid = min(textureGather(picture, at + 0.5 * pixel, 3), textureGather(picture, at - 0.5 * pixel, 3));
+    if (min(min(solid.x, solid.y), min(solid.z, solid.w)) < 0.5) discard;
 }

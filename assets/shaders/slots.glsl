@@ -51,6 +51,8 @@
 #define SLOT_FLOW_MIX 5          // vec4 of each vertex: shares of the second phases, latency
 #define SLOT_FLOW_VERTICES 6     // of each vertex: its index beside a front, -1: none; deposit, m; vertex whose texture is drawn; stretch
 #define SLOT_FLOW_GRADIENTS 7    // six mat2 of each vertex beside a front
+// Reused while trees are drawn
+#define SLOT_TREES 4             // render::DrawnTree
 
 // Image units
 #define IMAGE_RELIEF 0
@@ -82,9 +84,15 @@
 
 #define MOST_STOPS 8 // of a legend
 
-// A near tree: tiers of branches, each a cone of so many sides
-#define TREE_TIERS 6
-#define TREE_SIDES 5
+// A near tree: tiers of branches, each a cone of so many sides, and a trunk of three
+#define TREE_TIERS 8
+#define TREE_SIDES 6
+#define TREE_VERTICES (3 * (TREE_TIERS * TREE_SIDES + 3))
+
+// Values of render::TreeKind
+#define TREE_SPRUCE 0
+#define TREE_LARCH 1
+#define TREE_PINE 2
 
 // What structures are made of
 #define BUILT_WOOD 0

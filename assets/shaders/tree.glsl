@@ -1,22 +1,33 @@
-// Conifers: what their vertex shaders share. One instance for each tree; render/trees_in_view.h has what it holds.
-layout(location = 0) in vec4 foot;    // m; height, m
-layout(location = 1) in vec4 axis;    // unit vector from foot to top; the tree's own number, 0 to 1
-layout(location = 2) in vec4 look;    // sunlit 0 to 1; snow around it, m; share of the lower material there; half its width, m
-layout(location = 3) in vec4 shadow;  // m, where the shadow of its top meets the ground; strength of the shadow, 0 to 1
+// Conifers: what their vertex shaders share. A vertex finds its tree by its number.
+struct Tree {
+    vec4 foot;    // m; height, m
+    vec4 axis;    // unit vector from foot to top; the tree's own number, 0 to 1
+    vec4 look;    // sunlit 0 to 1; snow around it, m; share of the lower material there; half its width, m
+    vec4 shadow;  // m, where the shadow of its top meets the ground; strength of the shadow, 0 to 1
+    vec4 kind;    // TREE_*; number of tops, more than one: a group; how closed the wood is around it, 0 to 1; 0
+};
+layout(std430, binding = SLOT_TREES) readonly buffer Trees { Tree trees[]; };
 
 // Colours of needles, and of snow on the branches if snow lies around the tree.
-vec3 needles() {
-    vec3 green = mix(vec3(0.014, 0.028, 0.017), vec3(0.029, 0.044, 0.022), axis.w);
-    return mix(vec3(0.050, 0.042, 0.024), green, clamp(2.0 * axis.z, 0.0, 1.0));  // brown where it lies
+vec3 needles(Tree tree) {
+    float own = fract(tree.axis.w * 13.7);
+    vec3 green = mix(vec3(0.011, 0.026, 0.020), vec3(0.026, 0.040, 0.018), own);  // blue-green to green
+    if (tree.kind.x == TREE_LARCH) green = mix(vec3(0.105, 0.074, 0.048), vec3(0.075, 0.058, 0.044), own);
+    if (tree.kind.x == TREE_PINE) green = mix(vec3(0.020, 0.031, 0.015), vec3(0.027, 0.034, 0.017), own);
+    return mix(vec3(0.050, 0.042, 0.024), green, clamp(2.0 * tree.axis.z, 0.0, 1.0));  // brown where it lies
 }
-vec4 snow() {
-    vec3 lies = mix(frame.standing.rgb, frame.lower_standing.rgb, look.z);
-    return vec4(lies, smoothstep(0.02, 0.30, look.y) * smoothstep(0.55, 0.75, lies.g));
+// Some carry much of it, others have shed it.
+vec4 snow(Tree tree) {
+    vec3 lies = mix(frame.standing.rgb, frame.lower_standing.rgb, tree.look.z);
+    float carried = mix(0.35, 1.0, fract(tree.axis.w * 29.3)) * (tree.kind.x == TREE_LARCH ? 0.45 : 1.0);
+    return vec4(lies, carried * smoothstep(0.02, 0.30, tree.look.y) * smoothstep(0.55, 0.75, lies.g));
 }
 
 // Light that white branches reflect toward the eye, and the air before them. `up`: 0 at the foot, 1 at the top.
-void light_branches(vec3 normal, vec3 at, float up, out vec3 light, out vec3 air) {
+// Within a stand its trees shade each other's feet.
+void light_branches(Tree tree, vec3 normal, vec3 at, float up, out vec3 light, out vec3 air) {
     air = through_air(vec3(0.0), at);
     vec3 kept = through_air(vec3(1.0), at) - air;
-    light = kept * lit(vec3(1.0), normal, look.x * (0.55 + 0.45 * up), 0.45 + 0.55 * up);
+    float shaded = mix(0.45, 0.80, tree.kind.z) * (1.0 - up) * (1.0 - up);
+    light = kept * lit(vec3(1.0), normal, tree.look.x * (1.0 - shaded), 1.0 - shaded);
 }

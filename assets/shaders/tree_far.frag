@@ -1,17 +1,30 @@
-// A tree that is some pixels high: branches jut out at its edges and carry snow.
-noperspective in vec2 place;
-noperspective in vec3 light;
-flat in vec3 air;
-flat in vec4 green;
-flat in vec4 white;
-flat in float jagged;
+// A tree that is some pixels high: branches jut out at its edges and carry snow. A group has the outline of its tops.
+noperspective in vec4 dark;
+noperspective in vec4 bright;
+flat in vec4 shape;
 out vec4 colour;
 
+const float kSnow = 0.13;  // share that is white where branches are not seen
+
 void main() {
-    float left = 1.0 - place.y, side = abs(place.x);
-    float branch = fract(left * green.w + 0.25 * side + step(0.0, place.x) * 0.37);  // 0 at its top, 1 at its tip
-    if (side > left * mix(0.80, 0.58 + 0.42 * branch, jagged)) discard;
-    float snowy = white.a * mix(0.24, 0.72 * smoothstep(0.38, 0.80, branch) * step(branch, 0.93), jagged);
-    vec3 albedo = mix(green.rgb * mix(1.0, 0.55 + 0.75 * branch, jagged), white.rgb, snowy * (0.75 + 0.25 * left));
-    colour = vec4(albedo * light + air, 1.0);
+    vec2 place = vec2(dark.w, bright.w);
+    float shade = 1.0, snowy = kSnow;  // if nothing of the outline shows
+    if (shape.y < 0.0) {
+        float left = 1.0 - place.y, side = abs(place.x);
+        float branch = fract(0.25 * side - left * shape.y + step(0.0, place.x) * 0.37);  // 0 at its top, 1 at its tip
+        if (side > left * mix(0.80, 0.58 + 0.42 * branch, shape.x)) discard;
+        shade = 0.55 + 0.75 * branch;
+        snowy = 0.55 * smoothstep(0.45, 0.85, branch) * step(branch, 0.93) * (0.6 + 0.4 * left);
+    } else {
+        float across = (0.5 * place.x + 0.5) * shape.y, column = floor(across);
+        float own = fract(0.618 * column + 7.0 * shape.z), aside = abs(2.0 * (across - column) - 1.0);
+        float middle = abs(2.0 * (column + 0.5) / shape.y - 1.0);
+        float level = min((1.0 - mix(abs(place.x), middle, 0.7)) * 1.515, 1.0);
+        float above = level * mix(0.84, 0.74 + 0.26 * own, shape.x) - mix(0.12, 0.42 * aside, shape.x) - place.y;
+        if (above < 0.0) discard;
+        shade = 0.6 + 0.7 * own;
+        snowy = kSnow * (1.5 - min(4.0 * above, 1.0));
+    }
+    shade = mix(1.0, shade, shape.x), snowy = shape.w * mix(kSnow, snowy, shape.x);
+    colour = vec4(mix(dark.rgb * shade, bright.rgb, snowy), 0.0);  // alpha 0: edges_mark.frag leaves it out
 }

@@ -5,5 +5,5 @@ flat in float strength;
 out vec4 colour;
 
 void main() {
-    colour = vec4(mix(vec3(1.0), left, strength * (0.85 - 0.45 * along)), 1.0);
+    colour = vec4(mix(vec3(1.0), left, strength * (0.85 - 0.45 * along)), 0.0);  // alpha 0: edges_mark.frag leaves it out
 }

@@ -27,6 +27,7 @@ struct Gallery::Parts {
     render::Surroundings surroundings;
     render::Woods woods;
     render::Wind wind;
+    std::string notice;
     int pictures = 0;
 
     Parts(render::HeadlessContext&& gl, render::Renderer&& with)
@@ -96,6 +97,7 @@ Outcome<Gallery> Gallery::open(const std::filesystem::path& folder, PictureSize 
     if (!scenario.model) {
         parts->surroundings = mountains_around(scenario);
         parts->woods = woods_on(scenario, parts->surroundings);
+        parts->notice = woods_notice(scenario, parts->woods);
     }
     return Gallery(std::move(parts));
 }
@@ -128,7 +130,7 @@ render::DrawTimes Gallery::draw_map(const sim::View& world, const std::string& n
 }
 
 std::string Gallery::notice() const {
-    return thinned_notice(parts_->woods);
+    return parts_->notice;
 }
 
 Outcome<void> Gallery::close() {

@@ -329,7 +329,7 @@ void App::draw_world() {
                         .surroundings = &surroundings(),
                         .powder = sandbox_->session().powder(),
                         .powder_strength = display_.powder,
-                        .woods = &woods_,
+                        .woods = display_.trees ? &woods_ : nullptr,
                         .flow_so_far = sandbox_->session().flow_so_far(),
                         .structures = &sandbox_->session().structures(),
                         .wind = sandbox_->scenario().wind,

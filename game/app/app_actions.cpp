@@ -292,7 +292,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     screen_.show_title(fmt::format("Couloir: {}", scenario.title));
     tell(first_.told);
     if (scenario.look.flow && !sandbox_->session().fronts()) tell(Session::kTooFine);
-    if (const std::string notice = thinned_notice(woods_); !notice.empty()) tell(notice);
+    if (const std::string notice = woods_notice(scenario, woods_); !notice.empty()) tell(notice);
     now_s_ = screen_.seconds();  // loading time must not be simulated
     return {};
 }

@@ -30,7 +30,8 @@ inline constexpr std::size_t kMostTomlBytes = std::size_t{1} << 20;
 inline constexpr std::size_t kMostTomlKeys = 20'000;  // and table headers
 inline constexpr std::size_t kMostDottedKeys = 1000;
 inline constexpr std::size_t kMostKeyParts = 8;
-inline constexpr std::size_t kMostTomlDepth = 32;  // of nested lists and tables
+inline constexpr std::size_t kMostTomlDepth = 32;                             // of nested lists and tables
+inline constexpr std::size_t kFewestTreeCorners = 3, kMostTreeCorners = 256;  // of the polygon of [trees]
 
 // Meshes and arrays.
 inline constexpr std::size_t kLongestMeshLine = std::size_t{64} << 10;  // bytes
@@ -58,6 +59,7 @@ inline constexpr auto kReaderLimits = std::to_array<ReaderLimit>({
     {"recording", "commands in all", kMostCommands, ""},
     {"recording, scene", "commands in one tick", sim::kMostCommandsPerTick, ""},
     {"recording, scene", "commands that run at once", sim::kMostRunningCommands, ""},
+    {"recording, scene", "corners of the polygon of trees", kMostTreeCorners, ""},
     {"scene, material", "file", kMostTomlBytes, "bytes"},
     {"scene, material", "keys and table headers", kMostTomlKeys, ""},
     {"scene, material", "dotted keys and table headers", kMostDottedKeys, ""},

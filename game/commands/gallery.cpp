@@ -73,7 +73,7 @@ Outcome<Worlds> begin_worlds(const Scenes& scenes, const GalleryOptions& options
         session->follow_powder(scene.scenario);
         auto mountains = mountains_around(scene.scenario);
         auto woods = woods_on(scene.scenario, mountains);
-        if (const std::string notice = thinned_notice(woods); !notice.empty())
+        if (const std::string notice = woods_notice(scene.scenario, woods); !notice.empty())
             print_line(stderr, "couloir: {}", notice);
         worlds.emplace(name, World{&scene, std::move(*session), std::move(mountains), std::move(woods)});
     }

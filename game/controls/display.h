@@ -15,6 +15,7 @@ struct Display {
     render::Light light;            // the scene's until the user moves the sun
     float detail = 1;               // 0 to 1, small-scale relief
     bool surroundings = true;       // mountains around the grid; else a block cut from them
+    bool trees = true;              // the scene's trees
     float powder = 1;               // 0 to 1, strength of powder and dust
     double resolution = 1;          // drawn pixels per screen pixel along each axis, 0.25 to 1
     bool fine = false;              // two by two samples per pixel

@@ -235,20 +235,34 @@ void flow_from(const Json& json, Scenario& scenario) {
     scenario.look.flow->repeats = number(json, "repeats", 0.1, 100);
 }
 
+Json place_json(glm::dvec2 at) {
+    return numbers({at.x, at.y});
+}
+
+glm::dvec2 place_from(const Json& json) {
+    constexpr double kFarthest = 1e7;  // m
+    const auto coordinate = [&](std::size_t i) {
+        const bool is_number = json.is_array() && json.size() == 2 && json.at(i).is_number();
+        const double value = is_number ? json.at(i).get<double>() : 0;
+        if (!is_number || !(std::abs(value) <= kFarthest)) refuse("a place is not two numbers of metres");
+        return value;
+    };
+    return {coordinate(0), coordinate(1)};
+}
+
 Json structures_json(const render::Structures& structures) {
-    const auto place = [](glm::dvec2 at) { return numbers({at.x, at.y}); };
     Json json = Json::object();
     for (const render::Structure& each : structures.all)
         if (each.kind == render::StructureKind::kHut)
-            json["huts"].push_back({{"at", place(each.at)}, {"heading_deg", each.heading_deg}});
+            json["huts"].push_back({{"at", place_json(each.at)}, {"heading_deg", each.heading_deg}});
     for (const render::Road& road : structures.roads) {
         Json points = Json::array();
-        for (const glm::dvec2& at : road.points) points.push_back(place(at));
+        for (const glm::dvec2& at : road.points) points.push_back(place_json(at));
         json["roads"].push_back({{"points", points}, {"width_m", road.width_m}});
     }
     for (const render::Lift& lift : structures.lifts) {
         const auto [valley, mountain] = stations(structures, lift);
-        json["lifts"].push_back({{"from", place(valley)}, {"to", place(mountain)}});
+        json["lifts"].push_back({{"from", place_json(valley)}, {"to", place_json(mountain)}});
     }
     return json;
 }
@@ -261,18 +275,6 @@ const Json& list(const Json& json, const char* key, std::size_t most) {
     if (!list.is_array() || list.size() > most)
         refuse(fmt::format("{} is not a list of at most {}", key, most));
     return list;
-}
-
-glm::dvec2 place_from(const Json& json) {
-    constexpr double kFarthest = 1e7;  // m
-    const auto coordinate = [&](std::size_t i) {
-        const bool is_number = json.is_array() && json.size() == 2 && json.at(i).is_number();
-        const double value = is_number ? json.at(i).get<double>() : 0;
-        if (!is_number || !(std::abs(value) <= kFarthest))
-            refuse("structures: a place is not two numbers of metres");
-        return value;
-    };
-    return {coordinate(0), coordinate(1)};
 }
 
 render::Structures structures_from(const Json& json) {
@@ -296,6 +298,34 @@ render::Structures structures_from(const Json& json) {
         add_lift(valley, mountain, structures);
     }
     return structures;
+}
+
+Json trees_json(const render::TreeRules& trees) {
+    Json json = {{"density", trees.density}, {"line_m", trees.line_m}, {"seed", trees.seed}};
+    for (const glm::dvec2& corner : trees.polygon) json["polygon"].push_back(place_json(corner));
+    if (!trees.shares.empty()) json["shares"] = pack_bytes(trees.shares);
+    return json;
+}
+
+// After the ground, of whose vertices the shares are.
+render::TreeRules trees_from(const Json& json, const sim::Grid& grid) {
+    render::TreeRules trees;
+    trees.density = number(json, "density", 0, render::TreeRules::kDensest);
+    trees.line_m = number(json, "line_m", -12000, 9000);
+    trees.seed = static_cast<std::uint32_t>(whole(json, "seed", 0, 1'000'000));
+    if (json.contains("polygon")) {
+        const Json& polygon = member(json, "polygon");
+        if (!polygon.is_array() || polygon.size() < kFewestTreeCorners || polygon.size() > kMostTreeCorners)
+            refuse(fmt::format("trees: polygon is not a list of {} to {} corners", kFewestTreeCorners,
+                               kMostTreeCorners));
+        for (const Json& corner : polygon) trees.polygon.push_back(place_from(corner));
+    }
+    if (json.contains("shares")) {
+        auto shares = unpack_bytes(text(json, "shares"), grid.size());
+        if (!shares) refuse("trees: " + shares.error());
+        trees.shares = std::move(*shares);
+    }
+    return trees;
 }
 
 Json view_json(const Scenario& scenario) {
@@ -326,8 +356,7 @@ Json view_json(const Scenario& scenario) {
     powder("powder", look.powder);
     if (scenario.lower) powder("lower_powder", look.lower_powder);
     if (scenario.model) json["look"]["style"] = "model";
-    if (const render::TreeRules& trees = scenario.trees; trees.density > 0)
-        json["trees"] = {{"density", trees.density}, {"line_m", trees.line_m}, {"seed", trees.seed}};
+    if (scenario.trees.density > 0) json["trees"] = trees_json(scenario.trees);
     if (!scenario.structures.empty()) json["structures"] = structures_json(scenario.structures);
     if (const render::Wind& wind = scenario.wind; wind.speed > 0)
         json["wind"] = {{"from_deg", wind.from_deg}, {"speed", wind.speed}};
@@ -376,12 +405,6 @@ void view_from(const Json& json, Scenario& scenario) {
         const auto pattern = render::flow_pattern_named(text(look, "texture"));
         if (!pattern) refuse(fmt::format("look: unknown texture '{}'", text(look, "texture")));
         scenario.look.flow = render::FlowLook{*pattern};
-    }
-    if (json.contains("trees")) {
-        const Json& trees = member(json, "trees");
-        scenario.trees = {number(trees, "density", 0, render::TreeRules::kDensest),
-                          number(trees, "line_m", -12000, 9000),
-                          static_cast<std::uint32_t>(whole(trees, "seed", 0, 1'000'000))};
     }
     if (json.contains("structures")) scenario.structures = structures_from(member(json, "structures"));
     if (json.contains("wind")) {
@@ -452,6 +475,8 @@ Header read_header(const Json& json, int minor, const Memory& memory) {
     ground_from(member(json, "terrain"), memory, scenario);
     if (const auto wrong = fault_of(scenario.structures, scenario.grid, scenario.has_data))
         refuse("structures: " + *wrong);
+    if (const Json& view = member(json, "view"); view.contains("trees"))
+        scenario.trees = trees_from(member(view, "trees"), scenario.grid);
     return header;
 }
 

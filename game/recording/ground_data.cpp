@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 #include <zstd.h>
 
@@ -31,6 +32,24 @@ bool all_within(const std::vector<float>& values, float least, float most) {
     return true;
 }
 
+std::string pack(std::string_view bytes) {
+    constexpr int kBrisk =
+        6;  // zstd level: a user waits for it at every reset, and 19 would take twenty times as long
+    std::string packed(ZSTD_compressBound(bytes.size()), '\0');
+    packed.resize(ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), kBrisk));
+    return to_base64(packed);
+}
+
+// Nothing if the text is not that of `count` bytes, which is checked before so much memory is allocated.
+std::optional<std::string> unpack(std::string_view text, std::size_t count) {
+    const auto packed = from_base64(text);
+    if (!packed || ZSTD_getFrameContentSize(packed->data(), packed->size()) != count) return std::nullopt;
+    std::string bytes(count, '\0');
+    const std::size_t size = ZSTD_decompress(bytes.data(), bytes.size(), packed->data(), packed->size());
+    if (ZSTD_isError(size) || size != count) return std::nullopt;
+    return bytes;
+}
+
 }  // namespace
 
 std::string pack_ground(const Scenario& scenario) {
@@ -40,25 +59,15 @@ std::string pack_ground(const Scenario& scenario) {
         bytes.append(reinterpret_cast<const char*>(field->data()), field->size() * sizeof(float));
     bytes.append(reinterpret_cast<const char*>(scenario.has_data.data()), scenario.has_data.size());
 
-    constexpr int kBrisk =
-        6;  // zstd level: a user waits for it at every reset, and 19 would take twenty times as long
-    std::string packed(ZSTD_compressBound(bytes.size()), '\0');
-    packed.resize(ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), kBrisk));
-    return to_base64(packed);
+    return pack(bytes);
 }
 
 tl::expected<void, std::string> unpack_ground(std::string_view text, Scenario& scenario) {
-    const auto packed = from_base64(text);
     const std::size_t vertices = scenario.grid.size();
-    // Check before allocating that much memory.
-    if (!packed || ZSTD_getFrameContentSize(packed->data(), packed->size()) != packed_size(scenario))
-        return tl::unexpected(std::string("terrain data that cannot be unpacked"));
-    std::string bytes(packed_size(scenario), '\0');
-    const std::size_t size = ZSTD_decompress(bytes.data(), bytes.size(), packed->data(), packed->size());
-    if (ZSTD_isError(size) || size != bytes.size())
-        return tl::unexpected(std::string("terrain data that cannot be unpacked"));
+    const auto bytes = unpack(text, packed_size(scenario));
+    if (!bytes) return tl::unexpected(std::string("terrain data that cannot be unpacked"));
 
-    const char* at = bytes.data();
+    const char* at = bytes->data();
     for (std::vector<float>* field : floats_of(scenario)) {
         field->resize(vertices);
         std::memcpy(field->data(), at, vertices * sizeof(float));
@@ -73,6 +82,16 @@ tl::expected<void, std::string> unpack_ground(std::string_view text, Scenario& s
         (scenario.lower && !all_within(scenario.lower->depth, 0, deepest)))
         return tl::unexpected(std::string("a terrain with impossible heights or depths"));
     return {};
+}
+
+std::string pack_bytes(std::span<const std::uint8_t> bytes) {
+    return pack({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+tl::expected<std::vector<std::uint8_t>, std::string> unpack_bytes(std::string_view text, std::size_t count) {
+    const auto bytes = unpack(text, count);
+    if (!bytes) return tl::unexpected(std::string("a map that cannot be unpacked"));
+    return std::vector<std::uint8_t>(bytes->begin(), bytes->end());
 }
 
 }  // namespace game

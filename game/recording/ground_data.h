@@ -1,7 +1,11 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -16,5 +20,9 @@ std::string pack_ground(const Scenario& scenario);
 // Decodes them; scenario.grid and scenario.lower determine what is expected. Errors: not such a text, a wrong
 // length, values that are not finite, or layers outside 0 to 64 m.
 tl::expected<void, std::string> unpack_ground(std::string_view text, Scenario& scenario);
+
+// The same for one byte per vertex. Errors of the second: not such a text, or not `count` bytes.
+std::string pack_bytes(std::span<const std::uint8_t> bytes);
+tl::expected<std::vector<std::uint8_t>, std::string> unpack_bytes(std::string_view text, std::size_t count);
 
 }  // namespace game

@@ -13,7 +13,7 @@ render::Surroundings mountains_around(const Scenario& scenario);
 
 // The trees on a scenario's ground and on the mountains around it.
 render::Woods woods_on(const Scenario& scenario, const render::Surroundings& mountains);
-// A notice if there are fewer than the scenario asks for; else empty.
-std::string thinned_notice(const render::Woods& woods);
+// A notice if there are fewer than the scenario asks for, or no place for any; else empty.
+std::string woods_notice(const Scenario& scenario, const render::Woods& woods);
 
 }  // namespace game

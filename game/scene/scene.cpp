@@ -12,6 +12,8 @@
 #include "game/scene/material.h"
 #include "game/scene/scene_ground.h"
 #include "game/scene/scene_light.h"
+#include "game/scene/scene_structures.h"
+#include "game/scene/scene_trees.h"
 #include "game/scene/structures.h"
 #include "render/overview.h"
 #include "terrains/dem_gdal.h"
@@ -145,55 +147,6 @@ void view_from_valley(Scenario& scenario) {
     const double from = scenario.camera->azimuth_deg;
     const double southward = std::remainder(180 - from, 360);
     scenario.light = {std::fmod(from + std::copysign(kBeside, southward) + 360, 360), kHeight};
-}
-
-// Reads [trees].
-void read_trees(TomlTable& table, render::TreeRules& trees) {
-    const auto density = table.number("density", 0, render::TreeRules::kDensest);
-    if (!density) table.blame("", "needs a density, in trees per hectare");
-    trees.density = density.value_or(0);
-    trees.line_m = table.number("tree_line", -12000, 9000).value_or(trees.line_m);
-    trees.seed = static_cast<std::uint32_t>(table.whole("seed", 0, 1'000'000).value_or(trees.seed));
-    table.finish();
-}
-
-// Reads [[hut]], [[road]] and [[lift]].
-void read_structures(TomlTable& root, render::Structures& structures) {
-    const auto tables = [&](const char* name, std::size_t most) {
-        std::vector<TomlTable> found = root.tables(name);
-        if (found.size() > most)
-            root.blame(name, fmt::format("stands here {} times; at most {} are allowed", found.size(), most));
-        return found;
-    };
-    for (TomlTable& table : tables("hut", kMostHuts)) {
-        const auto at = table.place("at");
-        if (!at) table.blame("", "needs `at`: metres east and north");
-        const double heading = table.number("heading", -360, 360).value_or(0);
-        table.finish();
-        structures.all.push_back({render::StructureKind::kHut, at.value_or(glm::dvec2(0)), heading});
-    }
-    for (TomlTable& table : tables("road", kMostRoads)) {
-        auto points = table.places("points", 2, kMostRoadPoints);
-        if (!points) table.blame("", "needs points: places that it leads through");
-        for (std::size_t i = 1; points && i < points->size(); ++i)
-            if ((*points)[i] == (*points)[i - 1]) table.blame("points", "has the same place twice in a row");
-        render::Road road;
-        road.width_m = table.number("width", kNarrowestRoad, kWidestRoad).value_or(road.width_m);
-        table.finish();
-        if (!points) continue;
-        road.points = std::move(*points);
-        structures.roads.push_back(std::move(road));
-    }
-    for (TomlTable& table : tables("lift", kMostLifts)) {
-        const auto from = table.place("from"), to = table.place("to");
-        if (!from || !to) table.blame("", "needs `from` and `to`: places of its stations");
-        table.finish();
-        if (!from || !to) continue;
-        if (const auto wrong = fault_of_lift(*from, *to))
-            table.blame("to", *wrong);
-        else
-            add_lift(*from, *to, structures);
-    }
 }
 
 // Reads [wind].
@@ -345,8 +298,9 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
         if (const auto wrong = sim::fault_of(scenario.lower->params)) under->blame("", *wrong);
     }
     if (under) under->finish();
-    if (auto trees = root.table("trees")) read_trees(*trees, scenario.trees);
-    read_structures(root, scenario.structures);
+    TreesTable trees;
+    if (auto table = root.table("trees")) trees = read_trees(*table, folder, overrides.references);
+    scenario.structures = read_structures(root);
     if (auto wind = root.table("wind")) read_wind(*wind, scenario.wind);
     scene.commands = read_commands(root, params.tick_s, scenario.lower.has_value());
     const auto sun = read_view(root, scenario);
@@ -364,6 +318,10 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
     if (fault) return unusable(*fault);
     if (!terrain) return unusable(terrain.error());
     add_files(terrain->files, scene);
+    if (trees.raster) scene.files.push_back(*trees.raster);
+    const auto on_ground = trees_on(trees, *terrain, overrides.references, scene.files);
+    if (!on_ground) return unusable(fmt::format("{}: {}", path.string(), on_ground.error()));
+    scenario.trees = *on_ground;
     if (rule) terrain->cover = depth_by(*rule, *terrain);
     if (under_rule) {
         scenario.lower->depth = depth_by(*under_rule, *terrain);

@@ -41,6 +41,8 @@ bool colours(Desk& desk, const Facts& facts, Display& display) {
     changed |=
         desk.widgets.toggle("Surroundings", display.surroundings,
                             "Mountains around the grid, for the eye alone. Off: a block cut from them.");
+    if (facts.scenario.trees.density > 0)
+        changed |= desk.widgets.toggle("Trees", display.trees, "Trees of the scene, for the eye alone.");
     return changed;
 }
 

@@ -1,5 +1,6 @@
 #include "render/passes/trees_pass.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <string_view>
 #include <utility>
@@ -17,6 +18,7 @@ tl::expected<TreesPass, std::string> TreesPass::create(const std::filesystem::pa
                       {GL_FRAGMENT_SHADER, {fragment}}});
     };
     TreesPass pass;
+    pass.no_vertices_ = make_vertex_array();
     for (const auto& [program, vertex, fragment] :
          {std::tuple{&pass.shadow_, "tree_shadow.vert", "tree_shadow.frag"},
           std::tuple{&pass.far_, "tree_far.vert", "tree_far.frag"},
@@ -35,22 +37,8 @@ bool TreesPass::find(const Woods& woods, const Surroundings& around, const sim::
         known_ = woods.fingerprint();
         lights_.reserve(woods.trees().size());
         trees_.reserve(woods);
-        instances_ = make_buffer();
-        glNamedBufferData(instances_.name(),
-                          static_cast<GLsizeiptr>(woods.trees().size() * sizeof(DrawnTree)), nullptr,
-                          GL_STREAM_DRAW);
-        vertex_array_ = make_vertex_array();
-        const GLuint array = vertex_array_.name();
-        glVertexArrayVertexBuffer(array, 0, instances_.name(), 0, sizeof(DrawnTree));
-        glVertexArrayBindingDivisor(array, 0, 1);
-        GLuint location = 0;
-        for (const std::size_t offset : {offsetof(DrawnTree, foot), offsetof(DrawnTree, axis),
-                                         offsetof(DrawnTree, look), offsetof(DrawnTree, shadow)}) {
-            glEnableVertexArrayAttrib(array, location);
-            glVertexArrayAttribFormat(array, location, 4, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
-            glVertexArrayAttribBinding(array, location, 0);
-            ++location;
-        }
+        instances_ =
+            make_storage(std::max<std::size_t>(woods.trees().size(), 1) * sizeof(DrawnTree), nullptr);
     }
     if (is_new || known_sun_ != frame.sun) {
         known_sun_ = frame.sun;
@@ -63,10 +51,12 @@ bool TreesPass::find(const Woods& woods, const Surroundings& around, const sim::
     return true;
 }
 
+// Trees are no instances: a software renderer starts anew for each of these. A vertex finds its tree by its number.
 void TreesPass::draw() const {
     const Enabled depth_test(GL_DEPTH_TEST);
-    const auto all = static_cast<GLsizei>(trees_.drawn().size()), far = static_cast<GLsizei>(trees_.far());
-    glBindVertexArray(vertex_array_.name());
+    const auto all = static_cast<GLsizei>(trees_.drawn().size()), near = static_cast<GLsizei>(trees_.near());
+    bind_storage(SLOT_TREES, instances_);
+    glBindVertexArray(no_vertices_.name());
     {
         // A shadow lies on the ground as a triangle, which is a little above it everywhere.
         const Enabled blend(GL_BLEND), offset(GL_POLYGON_OFFSET_FILL);
@@ -74,17 +64,15 @@ void TreesPass::draw() const {
         glDepthMask(GL_FALSE);
         glBlendFunc(GL_ZERO, GL_SRC_COLOR);
         glUseProgram(shadow_.name());
-        const auto without = static_cast<GLsizei>(trees_.without_shadow());
-        glDrawArraysInstancedBaseInstance(GL_TRIANGLES, 0, 3, all - without, static_cast<GLuint>(without));
+        glDrawArrays(GL_TRIANGLES, 0, 3 * static_cast<GLsizei>(trees_.with_shadow()));
         glBlendFunc(GL_ONE, GL_ZERO);
         glDepthMask(GL_TRUE);
         glPolygonOffset(0, 0);
     }
-    glUseProgram(far_.name());
-    glDrawArraysInstanced(GL_TRIANGLES, 0, 3, far);
     glUseProgram(near_.name());
-    glDrawArraysInstancedBaseInstance(GL_TRIANGLES, 0, 3 * TREE_TIERS * TREE_SIDES, all - far,
-                                      static_cast<GLuint>(far));
+    glDrawArrays(GL_TRIANGLES, 0, TREE_VERTICES * near);
+    glUseProgram(far_.name());
+    glDrawArrays(GL_TRIANGLES, 3 * near, 3 * (all - near));
 }
 
 }  // namespace render

@@ -28,7 +28,7 @@ class TreesPass {
 
   private:
     ProgramName shadow_, far_, near_;
-    VertexArray vertex_array_;
+    VertexArray no_vertices_;
     Buffer instances_;
     std::uint64_t known_ = 0;  // fingerprint of the woods
     glm::vec4 known_sun_{0};

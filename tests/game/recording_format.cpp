@@ -165,6 +165,33 @@ TEST(RecordingHeader, keeps_the_wind_and_refuses_an_impossible_one) {
     }
 }
 
+TEST(RecordingHeader, keeps_where_trees_may_grow_and_refuses_impossible_places) {
+    Header header;
+    header.scenario = small_scenario();
+    render::TreeRules& trees = header.scenario.trees;
+    trees.density = 100;
+    trees.polygon = {{0.5, 1}, {20, 1.25}, {10, 30}};
+    trees.shares.resize(header.scenario.grid.size());
+    for (std::size_t i = 0; i < trees.shares.size(); ++i) trees.shares[i] = static_cast<std::uint8_t>(7 * i);
+    EXPECT_EQ(through_header(header.scenario).trees, trees);
+    const Json sound = to_json(header);
+    const Json far_corner = {1, 1e8};
+    const Json corner = {1, 2};
+    for (const auto& [key, value] : {std::pair<const char*, Json>{"polygon", "round"},
+                                     {"polygon", Json::array({corner, corner})},
+                                     {"polygon", Json::array({corner, corner, 3})},
+                                     {"polygon", Json::array({corner, corner, far_corner})},
+                                     {"polygon", Json(std::vector<Json>(257, corner))},
+                                     {"shares", 1},
+                                     {"shares", "AAAA"}}) {
+        Json wrong = sound;
+        wrong["view"]["trees"][key] = value;
+        EXPECT_FALSE(header_from(wrong)) << key << value;
+    }
+    header.scenario.trees.shares.push_back(0);
+    EXPECT_FALSE(header_from(to_json(header))) << "one share more than there are vertices";
+}
+
 TEST(RecordingHeader, keeps_the_density_of_each_material_or_that_it_is_unknown) {
     Header header;
     header.scenario = small_scenario();

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "game/files/assets.h"
@@ -160,6 +161,65 @@ TEST_F(SceneFile, has_wind_only_if_it_asks_for_it) {
     EXPECT_EQ(wind("[wind]\nfrom = -90\nspeed = 60\n"), (render::Wind{-90, 60}));
 }
 
+TEST_F(SceneFile, may_say_within_which_polygon_trees_grow) {
+    const auto scene =
+        load(with("[light]", "[trees]\ndensity = 200\npolygon = [[10, 20], [90.5, 20], [50, 100]]\n[light]"));
+    ASSERT_TRUE(scene) << scene.error().sentence;
+    EXPECT_EQ(scene->scenario.trees.polygon, (std::vector<glm::dvec2>{{10, 20}, {90.5, 20}, {50, 100}}));
+    const auto beside =
+        load(with("[light]", "[trees]\ndensity = 200\npolygon = [[10, 20], [161, 20], [50, 99]]\n[light]"));
+    ASSERT_FALSE(beside);
+    EXPECT_NE(beside.error().sentence.find("corner 2"), std::string::npos) << beside.error().sentence;
+}
+
+class TreesOfRaster : public SceneFile {
+  protected:
+    // Shares that grow toward the east, of `side` × `side` vertices.
+    void write_raster(int side, double cell, double most = 1) {
+        std::string asc =
+            fmt::format("ncols {0}\nnrows {0}\nxllcorner 0\nyllcorner 0\ncellsize {1}\n", side, cell);
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) asc += fmt::format("{} ", most * x / (side - 1));
+        write_bytes(folder_.path() / "wood.asc", asc + "\n");
+    }
+    Outcome<Scene> load_with(const std::string& raster, const Overrides& overrides = {}) {
+        return load(with("[light]", "[trees]\ndensity = 200\nraster = \"" + raster + "\"\n[light]"),
+                    overrides);
+    }
+    // What is wrong with a raster.
+    std::string fault(const std::string& raster = "wood.asc") {
+        const auto scene = load_with(raster);
+        EXPECT_FALSE(scene);
+        return scene ? "" : scene.error().sentence;
+    }
+};
+
+TEST_F(TreesOfRaster, grow_by_its_shares_on_any_number_of_squares) {
+    write_raster(17, 10);
+    for (const int squares : {16, 32}) {
+        Overrides overrides;
+        overrides.squares = squares;
+        const auto scene = load_with("wood.asc", overrides);
+        ASSERT_TRUE(scene) << scene.error().sentence;
+        const auto& shares = scene->scenario.trees.shares;
+        const auto side = static_cast<std::size_t>(squares) + 1;
+        ASSERT_EQ(shares.size(), side * side);
+        EXPECT_EQ(shares.front(), 0);
+        EXPECT_NEAR(shares[side / 2], 128, 1);
+        EXPECT_EQ(shares.back(), 255);
+        EXPECT_EQ(scene->files.back().filename(), "wood.asc");
+    }
+}
+
+TEST_F(TreesOfRaster, are_refused_in_one_sentence_if_it_does_not_fit) {
+    write_raster(9, 10);
+    EXPECT_NE(fault().find("17 × 17"), std::string::npos) << fault();
+    write_raster(17, 10, 3);
+    EXPECT_NE(fault().find("0 to 1"), std::string::npos) << fault();
+    EXPECT_NE(fault("none.asc").find("none.asc"), std::string::npos) << fault("none.asc");
+    EXPECT_NE(fault("../wood.asc").find("outside the scene's folder"), std::string::npos);
+}
+
 TEST_F(SceneFile, sorts_its_commands_by_time) {
     const auto scene = load(with(
         "[camera]", "[[command]]\nat = 0.25\nblast = { x = 1, y = 2, radius = 3, depth = 0.5 }\n[camera]"));
@@ -224,6 +284,13 @@ constexpr Fault kFaults[] = {
     {"[light]", "[wind]\nfrom = 1\nspeed = -1\n[light]", 17, "wind.speed"},
     {"[light]", "[wind]\nfrom = 1\nspeed = nan\n[light]", 17, "wind.speed"},
     {"[light]", "[wind]\nfrom = 361\nspeed = 1\n[light]", 16, "wind.from"},
+    {"[light]", "[trees]\ndensity = 100\npolygon = [[1, 2], [3, 4]]\n[light]", 17, "trees.polygon"},
+    {"[light]", "[trees]\ndensity = 100\npolygon = [[1, 2], [3, 4], [5]]\n[light]", 17,
+     "trees.polygon is not a list of places"},
+    {"[light]", "[trees]\ndensity = 100\npolygon = [[1, 2], [3, 4], [5, nan]]\n[light]", 17,
+     "trees.polygon is not a list of places"},
+    {"[light]", "[trees]\ndensity = 9\npolygon = [[0, 0], [9, 9], [9, 0], [0, 9]]\n[light]", 17,
+     "trees.polygon crosses itself"},
     {"grid = 16", "grid = 7", 4, "terrain.grid"},
     {"grid = 16", "grid = 4097", 4, "terrain.grid"},
     {"grid = 16", "grid = 16\nsteep = 46", 5, "terrain.steep"},

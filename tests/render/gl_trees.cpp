@@ -64,5 +64,29 @@ TEST_F(DrawnTrees, are_darker_than_snow_and_white_where_snow_lies) {
     EXPECT_LT(mean(drawn(&in_snow, &around_)), trees - 10);
 }
 
+TEST_F(DrawnTrees, of_a_closed_wood_are_as_dark_from_far_as_from_near) {
+    look_.standing = {0.86f, 0.89f, 0.93f};
+    world_.depth.fill(1);
+    around_ = mountains_around(world_);
+    const Woods wood(around_, {.density = 400, .line_m = 400, .seed = 3}, 0);
+    // Without haze a frame of the same part of the wood is as bright, whatever the distance.
+    const auto mean = [&](double distance) {
+        const double opening = 2 * std::atan(60 / distance) * 57.2958;
+        renderer_->draw({.world = world_.view(),
+                         .camera = {{300, 300, 105}, 180, 15, distance, opening},
+                         .light = {240, 30},
+                         .look = look_,
+                         .width = 64,
+                         .height = 64,
+                         .surroundings = &around_,
+                         .woods = &wood});
+        return mean_colour(renderer_->read_back(), 32, 32, 24)[1];
+    };
+    const double near = mean(500);
+    EXPECT_LT(near, 150);
+    EXPECT_NEAR(mean(700), near, 15);
+    EXPECT_NEAR(mean(1000), near, 15);
+}
+
 }  // namespace
 }  // namespace render::test

@@ -72,8 +72,9 @@ TEST_F(WoodInValley, stands_on_no_rock_no_hole_and_not_above_the_tree_line) {
         EXPECT_NE(world.site(x, y), sim::Site::kDrain) << x << " " << y;
         EXPECT_LT(tree.foot.y, 905);
         EXPECT_NEAR(tree.foot.z, wooded_valley(tree.foot.x, tree.foot.y), 3);
-        EXPECT_GE(tree.height, 2);
-        EXPECT_LE(tree.height, 21);
+        EXPECT_GE(tree.height, 1);
+        EXPECT_LE(tree.height, 23);
+        EXPECT_EQ(tree.group, 1);
         EXPECT_GT(tree.downhill.y * (500 - tree.foot.y), -1e-3f);
     }
     EXPECT_GT(on_grid, 300u);
@@ -93,6 +94,35 @@ TEST_F(WoodInValley, is_denser_where_more_is_asked_for_and_never_too_large) {
     rules.density = 0;
     EXPECT_TRUE(woods(rules).empty());
     EXPECT_TRUE(Woods({}, kRules, 0).empty()) << "a model has no trees";
+}
+
+TEST_F(WoodInValley, grows_only_within_its_polygon) {
+    TreeRules rules = kRules;
+    rules.polygon = {{200, 220}, {800, 220}, {800, 490}, {500, 340}, {200, 490}};
+    const Woods within = woods(rules);
+    EXPECT_GT(within.trees().size(), 50u);
+    for (const Tree& tree : within.trees()) {
+        EXPECT_TRUE(tree.foot.x > 200 && tree.foot.x < 800 && tree.foot.y > 220);
+        EXPECT_LT(tree.foot.y, 340 + 0.5f * std::abs(tree.foot.x - 500) + 0.01f);
+    }
+    EXPECT_NE(within.fingerprint(), woods().fingerprint());
+}
+
+TEST_F(WoodInValley, grows_by_shares_if_there_are_any) {
+    TreeRules rules = kRules;
+    rules.shares.resize(world.grid.size());
+    for (std::size_t i = 0; i < rules.shares.size(); ++i)
+        if (i % static_cast<std::size_t>(world.grid.nx) > 50) rules.shares[i] = 255;
+    const Woods all = woods(rules);
+    double closed = 0;
+    for (const Tree& tree : all.trees()) {
+        EXPECT_GT(tree.foot.x, 500);
+        EXPECT_GE(tree.vertex, 0) << "beside the grid";
+        const int x = tree.vertex % world.grid.nx, y = tree.vertex / world.grid.nx;
+        EXPECT_NE(world.site(x, y), sim::Site::kDrain);
+        closed += tree.foot.x > 600 && tree.foot.x < 900 && tree.foot.y > 350 && tree.foot.y < 450;
+    }
+    EXPECT_NEAR(closed / 3, rules.density, 0.15 * rules.density) << "trees per hectare";
 }
 
 TEST_F(WoodInValley, is_in_tiles_that_enclose_it) {
@@ -118,28 +148,78 @@ TEST_F(WoodInValley, shows_every_near_tree_in_view) {
         const Camera camera{{200.0 + static_cast<double>(random() % 600), 300, 150},
                             static_cast<double>(random() % 360),
                             10,
-                            250,
+                            80,
                             50};
         const auto shown = drawn(all, camera);
         const FrameBlock block = frame(camera);
         for (const Tree& tree : all.trees()) {
             const glm::vec4 clip = block.clip_from_world * glm::vec4(tree.foot, 1);
-            if (clip.w < 1 || clip.w > 300 || std::abs(clip.x) > clip.w || std::abs(clip.y) > clip.w)
+            if (clip.w < 1 || clip.w > 200 || std::abs(clip.x) > clip.w || std::abs(clip.y) > clip.w)
                 continue;
             ++seen;
             EXPECT_TRUE(std::ranges::any_of(
                 shown, [&](const DrawnTree& each) { return glm::vec3(each.foot) == tree.foot; }));
         }
     }
-    EXPECT_GT(seen, 300);
+    EXPECT_GT(seen, 150);
 }
 
-TEST_F(WoodInValley, is_thinned_far_away_and_wider_than_a_pixel) {
+TEST_F(WoodInValley, has_stands_with_edges_and_few_trees_between_them) {
+    std::size_t within = 0, between = 0, edge = 0;
+    for (const Tree& tree : woods().trees())
+        ++(tree.closed > 0.9f ? within : tree.closed < 0.1f ? between : edge);
+    EXPECT_GT(within, between);
+    EXPECT_GT(between, 100u);
+    EXPECT_LT(edge, within / 2);
+}
+
+TEST_F(WoodInValley, has_larches_and_dwarf_pine_near_the_tree_line_only) {
+    int larches = 0, pines = 0;
+    for (const Tree& tree : woods().trees()) {
+        if (tree.kind == TreeKind::kSpruce) continue;
+        ++(tree.kind == TreeKind::kLarch ? larches : pines);
+        EXPECT_GT(tree.foot.z, kRules.line_m - 300);
+        EXPECT_TRUE(tree.kind != TreeKind::kPine || tree.height < 3);
+    }
+    EXPECT_GT(larches, 10);
+    EXPECT_GT(pines, 10);
+}
+
+TEST_F(WoodInValley, stands_in_groups_far_from_the_grid) {
+    float largest = 0;
+    for (const Tree& tree : woods().trees()) {
+        EXPECT_GE(tree.group, 1);
+        EXPECT_LE(tree.group, Woods::kLargestGroup);
+        largest = std::max(largest, tree.group);
+    }
+    EXPECT_GT(largest, 8);
+}
+
+TEST_F(WoodInValley, has_fewer_trees_far_away_that_cover_as_much) {
     const Woods all = woods();
+    const auto covered = [&](double distance, std::size_t& count) {  // m², on the grid
+        double sum = 0;
+        count = 0;
+        for (const DrawnTree& tree : drawn(all, {{500, 300, 100}, 180, 20, distance, 30})) {
+            if (tree.foot.x < 0 || tree.foot.x > 1000 || tree.foot.y < 0 || tree.foot.y > 1000) continue;
+            const double triangle = tree.look.w * tree.foot.w;
+            sum += triangle * (tree.kind.y > 1.5f ? 4. / 3 : 1);  // a group has no flanks
+            ++count;
+        }
+        return sum;
+    };
+    std::size_t near = 0, far = 0, farther = 0;
+    const double of_near = covered(2500, near), of_far = covered(5000, far),
+                 of_farther = covered(10000, farther);
+    EXPECT_LT(far, 0.7 * near);
+    EXPECT_LT(farther, 0.7 * far);
+    EXPECT_NEAR(of_far / of_near, 1, 0.15);
+    EXPECT_NEAR(of_farther / of_near, 1, 0.15);
+}
+
+TEST_F(WoodInValley, shows_trees_wider_than_a_pixel) {
     const Camera camera{{500, 300, 100}, 180, 20, 9000, 30};
-    const auto shown = drawn(all, camera);
-    EXPECT_LT(shown.size(), all.trees().size() / 2);
-    EXPECT_GT(shown.size(), all.trees().size() / 8);
+    const auto shown = drawn(woods(), camera);
     const FrameBlock block = frame(camera);
     std::size_t wide = 0;
     for (const DrawnTree& tree : shown) {
