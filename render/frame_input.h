@@ -39,7 +39,7 @@ struct FrameInput {
     const Woods* woods = nullptr;
     // What the flow has done until now, for trees to lie where it was; valid during the call.
     FlowSoFar flow_so_far = {};
-    // It blows snow off the ridges of these surroundings, if look's standing layer is as bright as snow.
+    // It blows snow off the ridges of these surroundings, if look is that of dry snow: bright, with much powder.
     Wind wind = {};
     double seconds = 0;  // time of the world, by which that snow moves
 };

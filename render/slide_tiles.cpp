@@ -31,8 +31,8 @@ std::size_t index(int column, int row, int columns) {
            static_cast<std::size_t>(column);
 }
 
-// Whether the standing layer is gone here and still stands beside it, as crown.glsl asks, with some room. What rolls
-// hides a wall. `first`: the row of its first depth, in rows of world.grid.nx values.
+// Whether the standing layer is gone here and still stands beside it, as crown.glsl asks, with some room. What
+// rolls hides a wall. `first`: the row of its first depth, in rows of world.grid.nx values.
 bool is_under_wall(const sim::View& world, const float* first, int x, int y) {
     constexpr float kGone = -0.09f, kStep = 0.09f, kStands = -0.28f, kHides = 0.3f;  // m
     const auto change = [&](int i, int j) {
@@ -92,8 +92,8 @@ bool SlideTiles::find_blocks(const FrameInput& input) {
     return any;
 }
 
-// Marks the tiles in which a block may be seen: none if it is behind the eye or beside the frame. False: it reaches from before the eye
-// to behind it, and may be seen anywhere.
+// Marks the tiles in which a block may be seen: none if it is behind the eye or beside the frame. False: it
+// reaches from before the eye to behind it, and may be seen anywhere.
 bool SlideTiles::project(const sim::View& world, int x, int y, const glm::mat4& clip_from_world) {
     const int x0 = std::max(x * kBlock - 1, 0), x1 = std::min((x + 1) * kBlock, grid_.nx - 1);
     const int y0 = std::max(y * kBlock - 1, 0), y1 = std::min((y + 1) * kBlock, grid_.ny - 1);
