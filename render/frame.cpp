@@ -25,7 +25,8 @@
 namespace render {
 namespace {
 
-constexpr float kSnow = 0.6f;  // green of the standing layer; darker material is no snow
+// Wind lifts dry snow: its standing layer is as green as that, and as much of it is thrown up as powder.
+constexpr float kSnow = 0.6f, kDry = 0.5f;
 
 int samples_of(Quality quality) {
     return quality == Quality::kFine ? 2 : 1;
@@ -241,8 +242,8 @@ void Renderer::draw(const FrameInput& input) {
     p.clock.mark(Pass::kTrees);
 
     // Wind blows snow off ridges, as far as there is any.
-    p.stirs = goes_on && wind.speed > 0 && look.standing.g > kSnow && marks.overlay == Overlay::kNone &&
-              p.spindrift.find(*around, wind, seconds, frame);
+    p.stirs = goes_on && wind.speed > 0 && look.standing.g > kSnow && look.powder.strength > kDry &&
+              marks.overlay == Overlay::kNone && p.spindrift.find(*around, wind, seconds, frame);
     if (p.stirs) {
         p.target.begin_shading();
         p.spindrift.draw();

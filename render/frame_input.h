@@ -42,7 +42,7 @@ struct FrameInput {
     FlowSoFar flow_so_far = {};
     // What people have built, as it is now. If null, there is nothing.
     const Structures* structures = nullptr;
-    // It blows snow off the ridges of these surroundings, if look's standing layer is as bright as snow.
+    // It blows snow off the ridges of these surroundings, if look is that of dry snow: bright, with much powder.
     Wind wind = {};
     double seconds = 0;  // time of the world, by which that snow moves
 };

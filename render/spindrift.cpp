@@ -17,10 +17,10 @@ namespace {
 constexpr double kNearSides = 0.9;  // longer sides from the grid: as far away ridges are looked for
 constexpr double kFinest = 10;      // m between places on a grid of smaller cells
 constexpr double kAcross = 22;      // m, over which a ridge must be sharp
-constexpr double kBlunt = 0.16, kSharp = 0.6;  // tangent of the bend over it
+constexpr double kBlunt = 0.2, kSharp = 0.65;  // tangent of the bend over it
 constexpr double kLee = 0.2;                   // least fall on its lee
-constexpr double kBroad = 130;                 // m, around which it must be high
-constexpr double kLow = 6, kHigh = 32;         // m above the mean of that
+constexpr double kBroad = 200;                 // m, around which it must be high
+constexpr double kLow = 24, kHigh = 70;        // m above the mean of that
 constexpr double kLittle = 0.1, kMuch = 0.5;   // m of snow before it
 constexpr double kOver = 3;                    // m above the ridge, where the light is taken
 constexpr float kFaintestPlume = 0.05f;

@@ -20,8 +20,8 @@ struct SpindriftPlace {
     float sunlit = 1;  // share of the light that ground lets through to the snow over it, 0 to 1
 };
 
-// The ridges of a world that smoke in wind: on its grid and on the mountains near it. A view: nothing else knows of
-// them. Equal on one machine, as Surroundings are.
+// The ridges of a world that smoke in wind: on its grid and on the mountains near it. A view: nothing else knows
+// of them. Equal on one machine, as Surroundings are.
 class Ridges {
   public:
     static constexpr std::size_t kMost = 320;     // places; of more, the strongest are kept

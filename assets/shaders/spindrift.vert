@@ -23,9 +23,9 @@ void main() {
     // A gust comes over a whole stretch of a ridge; each place has its own share in it.
     vec2 aside = vec2(-wind.y, wind.x), flat_at = vec2(dot(at.xy, wind.xy), dot(at.xy, aside));
     float gust = textureLod(detail_texture, vec3(flat_at / kGust - vec2(phase.z, 0.0), DETAIL_SOFT), 3.0).z;
-    gust = smoothstep(0.36, 0.66, gust + 0.2 * (look.y - 0.5));
-    float strength = look.x * (0.2 + 0.8 * gust);
-    float length_m = (28.0 + 4.5 * wind.z) * (0.5 + 0.7 * strength + 0.4 * look.y), half_m = 3.5 + 7.0 * strength + 3.0 * look.y;
+    gust = smoothstep(0.36, 0.66, gust + 0.35 * (look.y - 0.5));
+    float strength = look.x * (0.15 + 0.85 * gust) * (0.55 + 0.6 * look.y);
+    float length_m = (28.0 + 4.5 * wind.z) * (0.25 + 0.7 * strength + 0.7 * look.y * look.y), half_m = 4.5 + 7.0 * strength + 3.0 * fract(7.0 * look.y);
 
     vec3 along = normalize(vec3(wind.xy, 0.02));
     vec3 foot = at - 1.5 * along + vec3(0.0, 0.0, 0.15 * half_m);

@@ -36,8 +36,8 @@ float radius(const Puff& puff);   // m
 float opacity(const Puff& puff);  // 0 to 1
 
 // Powder thrown up by a fast flow: puffs that are born over it, most of all at its front and over steep ground,
-// travel with it, rise, grow, fall behind and settle within seconds. Wind carries them off: the more, the higher and
-// older they are.
+// travel with it, rise, grow, fall behind and settle within seconds. Wind carries them off: the more, the higher
+// and older they are.
 //
 // A view: it never affects the world. It depends on its past, so a checkpoint keeps the puffs. They are
 // bit-identical on every machine: only + − × ÷ and hashes of cell and tick.
@@ -45,7 +45,7 @@ class Cloud {
   public:
     static constexpr std::size_t kMost = 2000;  // puffs; fewer are born as their number comes near
 
-    // `lower`: of the lower material, in a world of two. `wind`: velocity of the air high above the ground, m/s.
+    // `lower`: of the lower material, in a world of two. `wind`: velocity of the air high above ground, m/s.
     explicit Cloud(const Rule& upper, const Rule& lower = {}, glm::vec2 wind = {0, 0});
 
     // Advances to `world`, `dt_s` later, > 0.

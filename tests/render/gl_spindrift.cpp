@@ -16,6 +16,7 @@ class DrawnSpindrift : public Gl {
         world_.depth.fill(1);
         around_ = mountains_around(world_);
         look_.standing = {0.86f, 0.89f, 0.93f};
+        look_.powder.strength = 1;
     }
     // A camera in the west, along the ridge, so that the wind blows across the image.
     Picture drawn(const Wind& wind, double seconds = 0, double azimuth = 260, double elevation = 5,
@@ -65,7 +66,10 @@ TEST_F(DrawnSpindrift, does_not_jump_within_a_tick) {
     }
 }
 
-TEST_F(DrawnSpindrift, is_snow_and_not_soil_and_hidden_by_an_overlay) {
+TEST_F(DrawnSpindrift, is_dry_snow_and_neither_wet_nor_soil_and_hidden_by_an_overlay) {
+    look_.powder.strength = 0.25f;
+    EXPECT_EQ(drawn(kWind).pixels, drawn({}).pixels);
+    look_.powder.strength = 1;
     look_.standing = {0.22f, 0.135f, 0.07f};
     EXPECT_EQ(drawn(kWind).pixels, drawn({}).pixels);
     look_.standing = {0.86f, 0.89f, 0.93f};
