@@ -6,7 +6,7 @@
 namespace render {
 namespace {
 
-constexpr int kTile =
+constexpr int kPowderTile =
     64;  // samples along an edge: a block of the software renderer, which shades whole ones fastest
 constexpr float kBeside = 9;  // samples around an ellipse: one and a half of the coarsest pixels
 
@@ -16,8 +16,8 @@ void PowderTiles::begin(int width, int height) {
     if (width != width_ || height != height_) {
         width_ = width;
         height_ = height;
-        columns_ = (width + kTile - 1) / kTile;
-        rows_ = (height + kTile - 1) / kTile;
+        columns_ = (width + kPowderTile - 1) / kPowderTile;
+        rows_ = (height + kPowderTile - 1) / kPowderTile;
         tiles_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
         rectangles_.reserve(tiles_.size());
     }
@@ -25,7 +25,7 @@ void PowderTiles::begin(int width, int height) {
 }
 
 void PowderTiles::add(glm::vec2 middle, glm::vec2 half) {
-    constexpr float kSide = kTile;
+    constexpr float kSide = kPowderTile;
     const glm::vec2 size(width_, height_);
     const glm::vec2 at = (0.5f + 0.5f * middle) * size, reach = 0.5f * half * size + kBeside;
     const int bottom = static_cast<int>(std::max((at.y - reach.y) / kSide, 0.f)),
@@ -50,9 +50,9 @@ std::span<const Rectangle> PowderTiles::collect() {
                    end = begin + columns_;
         for (auto first = std::find(begin, end, 1); first != end;) {
             const auto last = std::find(first, end, 0);
-            rectangles_.push_back({static_cast<int>(first - begin) * kTile, row * kTile,
-                                   std::min(static_cast<int>(last - begin) * kTile, width_),
-                                   std::min((row + 1) * kTile, height_)});
+            rectangles_.push_back({static_cast<int>(first - begin) * kPowderTile, row * kPowderTile,
+                                   std::min(static_cast<int>(last - begin) * kPowderTile, width_),
+                                   std::min((row + 1) * kPowderTile, height_)});
             first = std::find(last, end, 1);
         }
     }
