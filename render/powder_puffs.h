@@ -60,6 +60,27 @@ struct DrawnPuff {
     glm::vec4 life;  // age, s; age by life, 0 to 1; share of the lower material; 0
 };
 
+// What near puffs leave to see of those behind them: a map of the frame.
+class VeilMap {
+  public:
+    VeilMap();  // reserves what it needs
+
+    void clear();
+    // The greatest share that an ellipse in the frame still shows, 0 to 1. `middle` and `half` axes: −1 to 1.
+    float seen(glm::vec2 middle, glm::vec2 half) const;
+    // Lays a puff over what is farther away.
+    void lay(glm::vec2 middle, glm::vec2 half, float opacity);
+
+  private:
+    static constexpr int kAcross = 64, kUp = 36;  // cells
+    struct Cells {
+        int left, bottom, right, top;  // inclusive
+    };
+    static Cells cells_of(glm::vec2 low, glm::vec2 high);
+
+    std::vector<float> share_;  // that each cell shows, row by row
+};
+
 // What is drawn of a cloud in one frame: the puffs in view, from far to near. No GL.
 class PowderPuffs {
   public:
@@ -84,7 +105,19 @@ class PowderPuffs {
   private:
     ShadeMap shade_, sky_shade_;
     std::vector<float> opacity_;
-    std::vector<std::pair<float, std::size_t>> order_;  // distance, puff
+    // A puff in view, and where in the frame.
+    struct InView {
+        float behind;  // minus its distance, m
+        std::size_t puff;
+        glm::vec2 middle, half;
+    };
+
+    void find_in_view(std::span<const sim::powder::Puff> puffs, const FrameBlock& frame);
+    void light_and_sort(std::span<const sim::powder::Puff> puffs, const glm::vec3& sun);
+    void hide_behind_nearer();
+
+    std::vector<InView> in_view_;  // from far to near
+    VeilMap veil_;
     std::vector<DrawnPuff> drawn_;
     PowderTiles tiles_;
     std::span<const Rectangle> parts_;  // of tiles_

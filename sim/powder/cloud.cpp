@@ -182,61 +182,73 @@ Rule Cloud::rule_of(const View& world, int x, int y) const {
             upper_.speed + lower * (lower_.speed - upper_.speed)};
 }
 
+// Nothing flows in a tile that sleeps. A world without an engine has no tiles.
 void Cloud::give_birth(const View& world, float dt_s) {
-    const float cell = world.grid.dx;
-    for (int y = 0; y < world.grid.ny; ++y) {
-        const float* rolling = world.rolling.row(y);
-        const float *u = world.velocity_x.row(y), *v = world.velocity_y.row(y);
-        for (int x = 0; x < world.grid.nx; ++x) {
-            if (rolling[x] < kThinnest) continue;
-            const Rule rule = rule_of(world, x, y);
-            const glm::vec2 velocity(u[x], v[x]);
-            const float speed_2 = glm::dot(velocity, velocity);
-            if (rule.strength <= 0 || speed_2 < rule.speed * rule.speed) continue;
-            const float speed = std::sqrt(speed_2);
-            const float fast = smoothstep(rule.speed, kFullSpeed * rule.speed, speed) *
-                               smoothstep(kThinnest, kThick, rolling[x]);
-            if (fast < 0.02f) continue;
+    const Tiles& tiles = world.tiles;
+    if (tiles.awake.empty()) {
+        for (int y = 0; y < world.grid.ny; ++y) give_birth_in(world, dt_s, y, 0, world.grid.nx);
+        return;
+    }
+    for (int y = 0; y < world.grid.ny; ++y)
+        for (int column = 0; column < tiles.columns; ++column)
+            if (tiles.awake[tiles.number(column, y / tiles.height)])
+                give_birth_in(world, dt_s, y, column * tiles.width,
+                              std::min((column + 1) * tiles.width, world.grid.nx));
+}
 
-            const float front = frontness(world, x, y, velocity, speed);
-            const glm::vec2 rise = slope(world, x, y);
-            const float steep = smoothstep(0.8f, 1.4f, std::sqrt(glm::dot(rise, rise)));
-            const float size =
-                std::clamp(kRadiusPerSpeed * speed * std::min(kShallow + kPerDepth * rolling[x], kDeep),
-                           kSmallest, kLargest);
-            const float room = 1 - static_cast<float>(puffs_.size()) / static_cast<float>(kMost);
-            const float births = dt_s * kCover / (3.14f * size * size) * cell * cell * fast * room *
-                                 (kBodyShare + (1 - kBodyShare) * front) * (1 + steep);
-            Random random(world.tick, x, y);
-            const int count = static_cast<int>(births + random.share());
-            for (int i = 0; i < count && puffs_.size() < kMost; ++i) {
-                Puff puff;
-                puff.at.x = (static_cast<float>(x) + random.between(-0.5f, 0.5f)) * cell;
-                puff.at.y = (static_cast<float>(y) + random.between(-0.5f, 0.5f)) * cell;
-                puff.first_radius = size * random.between(0.6f, 1.3f) * (0.7f + 0.3f * front);
-                puff.at.z =
-                    surface(world, place_of(world.grid, puff.at.x, puff.at.y)) + 0.25f * puff.first_radius;
-                const glm::vec2 forward = velocity * random.between(0.7f, 1 + 0.2f * front);
-                const glm::vec2 jitter = speed * glm::vec2{random.between(-0.12f, 0.12f),
-                                                           random.between(-0.12f, 0.12f)};  // in this order
-                // Few are thrown high: they make the top ragged.
-                const float high = random.share();
-                const float thrown =
-                    speed * (0.06f + high * high * random.between(0.3f, 0.5f + 0.9f * front + 0.3f * steep));
-                puff.velocity = glm::vec3(forward + jitter, glm::dot(forward, rise) + thrown);
-                puff.life_s = random.between(5, 8 + 3 * front);
-                puff.density = rule.strength * (0.35f + 0.65f * fast) * random.between(0.6f, 1);
-                if (random.share() < kSkirt * front) {
-                    const glm::vec2 aside =
-                        random.between(-0.35f, 0.35f) * glm::vec2(-velocity.y, velocity.x);
-                    puff.first_radius *= 0.5f;
-                    puff.velocity = glm::vec3(0.6f * forward + aside, glm::dot(0.6f * forward + aside, rise));
-                    puff.density *= 0.5f;
-                }
-                puff.lower = world.mixture ? share_in_rolling(world, x, y) : 0.f;
-                puff.seed = random.bits();
-                puffs_.push_back(puff);
+// Of the vertices of a row from `first` to before `last`.
+void Cloud::give_birth_in(const View& world, float dt_s, int y, int first, int last) {
+    const float cell = world.grid.dx;
+    const float* rolling = world.rolling.row(y);
+    const float *u = world.velocity_x.row(y), *v = world.velocity_y.row(y);
+    for (int x = first; x < last; ++x) {
+        if (rolling[x] < kThinnest) continue;
+        const Rule rule = rule_of(world, x, y);
+        const glm::vec2 velocity(u[x], v[x]);
+        const float speed_2 = glm::dot(velocity, velocity);
+        if (rule.strength <= 0 || speed_2 < rule.speed * rule.speed) continue;
+        const float speed = std::sqrt(speed_2);
+        const float fast = smoothstep(rule.speed, kFullSpeed * rule.speed, speed) *
+                           smoothstep(kThinnest, kThick, rolling[x]);
+        if (fast < 0.02f) continue;
+
+        const float front = frontness(world, x, y, velocity, speed);
+        const glm::vec2 rise = slope(world, x, y);
+        const float steep = smoothstep(0.8f, 1.4f, std::sqrt(glm::dot(rise, rise)));
+        const float size =
+            std::clamp(kRadiusPerSpeed * speed * std::min(kShallow + kPerDepth * rolling[x], kDeep),
+                       kSmallest, kLargest);
+        const float room = 1 - static_cast<float>(puffs_.size()) / static_cast<float>(kMost);
+        const float births = dt_s * kCover / (3.14f * size * size) * cell * cell * fast * room *
+                             (kBodyShare + (1 - kBodyShare) * front) * (1 + steep);
+        Random random(world.tick, x, y);
+        const int count = static_cast<int>(births + random.share());
+        for (int i = 0; i < count && puffs_.size() < kMost; ++i) {
+            Puff puff;
+            puff.at.x = (static_cast<float>(x) + random.between(-0.5f, 0.5f)) * cell;
+            puff.at.y = (static_cast<float>(y) + random.between(-0.5f, 0.5f)) * cell;
+            puff.first_radius = size * random.between(0.6f, 1.3f) * (0.7f + 0.3f * front);
+            puff.at.z =
+                surface(world, place_of(world.grid, puff.at.x, puff.at.y)) + 0.25f * puff.first_radius;
+            const glm::vec2 forward = velocity * random.between(0.7f, 1 + 0.2f * front);
+            const glm::vec2 jitter = speed * glm::vec2{random.between(-0.12f, 0.12f),
+                                                       random.between(-0.12f, 0.12f)};  // in this order
+            // Few are thrown high: they make the top ragged.
+            const float high = random.share();
+            const float thrown =
+                speed * (0.06f + high * high * random.between(0.3f, 0.5f + 0.9f * front + 0.3f * steep));
+            puff.velocity = glm::vec3(forward + jitter, glm::dot(forward, rise) + thrown);
+            puff.life_s = random.between(5, 8 + 3 * front);
+            puff.density = rule.strength * (0.35f + 0.65f * fast) * random.between(0.6f, 1);
+            if (random.share() < kSkirt * front) {
+                const glm::vec2 aside = random.between(-0.35f, 0.35f) * glm::vec2(-velocity.y, velocity.x);
+                puff.first_radius *= 0.5f;
+                puff.velocity = glm::vec3(0.6f * forward + aside, glm::dot(0.6f * forward + aside, rise));
+                puff.density *= 0.5f;
             }
+            puff.lower = world.mixture ? share_in_rolling(world, x, y) : 0.f;
+            puff.seed = random.bits();
+            puffs_.push_back(puff);
         }
     }
 }

@@ -59,6 +59,7 @@ class Cloud {
   private:
     void move(const View& world, float dt_s);
     void give_birth(const View& world, float dt_s);
+    void give_birth_in(const View& world, float dt_s, int y, int first, int last);
     Rule rule_of(const View& world, int x, int y) const;
 
     Rule upper_, lower_;

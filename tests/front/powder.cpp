@@ -65,6 +65,23 @@ TEST_F(Powder, rises_over_a_fast_flow_only) {
     EXPECT_GT(cloud.puffs().size(), 50u);
 }
 
+TEST_F(Powder, is_born_in_tiles_that_are_awake_only) {
+    Cloud all({.strength = 1, .speed = 7}), some = all, none = all;
+    flow(25);
+    run(all, 60);
+    state.tick = 0;
+    state.tiles = sim::Tiles(state.grid, 32, 11);
+    for (int column = 1; column < state.tiles.columns; ++column)
+        for (int row = 0; row < state.tiles.rows; ++row)
+            state.tiles.awake[state.tiles.number(column, row)] = 0;
+    run(some, 60);
+    EXPECT_GT(some.puffs().size(), 50u);
+    EXPECT_TRUE(std::equal(all.puffs().begin(), all.puffs().end(), some.puffs().begin(), some.puffs().end()));
+    std::fill(state.tiles.awake.begin(), state.tiles.awake.end(), std::uint8_t{0});
+    run(none, 60);
+    EXPECT_TRUE(none.puffs().empty());
+}
+
 TEST_F(Powder, of_a_material_without_any_is_none) {
     Cloud cloud({.strength = 0, .speed = 7});
     flow(40);
