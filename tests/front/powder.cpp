@@ -15,7 +15,6 @@ namespace {
 
 using sim::powder::Cloud;
 using sim::powder::Puff;
-using sim::powder::Rule;
 
 constexpr float kTick = 1 / 60.f;
 

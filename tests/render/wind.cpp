@@ -18,7 +18,8 @@ TEST(Wind, blows_away_from_where_it_comes_from) {
 }
 
 TEST(Wind, has_its_speed_and_its_direction_at_any_angle) {
-    for (double from = -360; from <= 360; from += 0.5) {
+    for (int halves = -720; halves <= 720; ++halves) {
+        const double from = halves / 2.0;
         const glm::vec2 blows = velocity({from, 10});
         EXPECT_NEAR(blows.x, -10 * std::sin(glm::radians(from)), 1e-5) << from;
         EXPECT_NEAR(blows.y, -10 * std::cos(glm::radians(from)), 1e-5) << from;
