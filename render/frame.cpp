@@ -54,7 +54,6 @@ struct Renderer::Parts {
     Quality quality;
     std::filesystem::path assets;
     StageClock clock;
-    bool stirs = false;  // snow moved in the wind in the last frame
 
     // The factor for the colours of a flow's texture. A rolling layer keeps its own mean colour.
     glm::vec3 flow_tint(const Look& look, const Marks& marks) const {
@@ -242,9 +241,8 @@ void Renderer::draw(const FrameInput& input) {
     p.clock.mark(Pass::kTrees);
 
     // Wind blows snow off ridges, as far as there is any.
-    p.stirs = goes_on && wind.speed > 0 && look.standing.g > kSnow && look.powder.strength > kDry &&
-              marks.overlay == Overlay::kNone && p.spindrift.find(*around, wind, seconds, frame);
-    if (p.stirs) {
+    if (goes_on && wind.speed > 0 && look.standing.g > kSnow && look.powder.strength > kDry &&
+        marks.overlay == Overlay::kNone && p.spindrift.find(*around, wind, seconds, frame)) {
         p.target.begin_shading();
         p.spindrift.draw();
     }
@@ -274,9 +272,6 @@ void Renderer::draw(const FrameInput& input) {
     CHECK(glGetError() == GL_NO_ERROR);
 }
 
-bool Renderer::stirs() const {
-    return parts_->stirs;
-}
 
 Picture Renderer::read_back() const {
     return parts_->target.read_back();

@@ -296,7 +296,7 @@ void App::draw_world() {
         marks.ring = render::Ring{glm::dvec2(*ground_), brush_.radius, ring_colour(deed)};
     }
     Drawn wanted{epoch_,
-                 renderer_.stirs() ? sandbox_->session().state().tick : sandbox_->session().changed_at(),
+                 sandbox_->session().changed_at(),
                  camera_->camera(),
                  display_,
                  marks,
