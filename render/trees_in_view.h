@@ -42,16 +42,17 @@ class TreesInView {
     void find(const Woods& woods, std::span<const TreeLight> lights, const sim::View& world,
               const FlowSoFar& flow, const FrameBlock& frame);
 
-    // First near ones, of some triangles each, then far ones, of one triangle each: at first those with a shadow. Each
-    // part from near to far.
+    // First near ones, of some triangles each; then far ones, of one triangle each, with branches; then plain ones, too
+    // small for branches, at first those with a shadow. Each part from near to far.
     std::span<const DrawnTree> drawn() const { return drawn_; }
     std::size_t near() const { return near_; }
-    std::size_t with_shadow() const { return with_shadow_; }  // near ones and the first far ones
+    std::size_t far() const { return far_; }
+    std::size_t with_shadow() const { return with_shadow_; }  // trees up to the last one with a shadow
 
   private:
-    std::vector<DrawnTree> drawn_, far_, without_shadow_;
+    std::vector<DrawnTree> drawn_, branched_, plain_, without_shadow_;
     std::vector<const TreeTile*> tiles_;
-    std::size_t near_ = 0, with_shadow_ = 0;
+    std::size_t near_ = 0, far_ = 0, with_shadow_ = 0;
 };
 
 }  // namespace render

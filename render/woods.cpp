@@ -56,7 +56,7 @@ class Growth {
     // Trees that one at a place stands for.
     double group(glm::dvec2 at) const {
         const double sides = around_.away(at) / around_.side();
-        return std::exp2(4 * ramp(0.0, 0.7, sides));
+        return std::exp2(4 * ramp(0.0, 0.5, sides));
     }
 
     Site site(glm::dvec2 at) const {

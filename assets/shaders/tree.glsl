@@ -31,3 +31,15 @@ void light_branches(Tree tree, vec3 normal, vec3 at, float up, out vec3 light, o
     float shaded = mix(0.45, 0.80, tree.kind.z) * (1.0 - up) * (1.0 - up);
     light = kept * lit(vec3(1.0), normal, tree.look.x * (1.0 - shaded), 1.0 - shaded);
 }
+
+// A corner of a triangle around the axis that is turned to the eye and lit as if it were a cone. `place`: −1 to 1 across,
+// 0 at the foot to 1 at the top; `curved`: 0 to 1, how much its sides look aside.
+void around_axis(Tree tree, vec2 place, float half_width, float curved, out vec3 at, out vec3 light, out vec3 air) {
+    vec3 to_eye = frame.eye.xyz - tree.foot.xyz;
+    vec3 across = cross(tree.axis.xyz, to_eye);
+    across *= inversesqrt(max(dot(across, across), 1e-6));
+    vec3 front = cross(across, tree.axis.xyz);
+    at = tree.foot.xyz + tree.foot.w * place.y * tree.axis.xyz + half_width * place.x * across;
+    vec3 normal = normalize((curved * place.x) * across + 0.45 * front + 0.35 * tree.axis.xyz + vec3(0.0, 0.0, 0.2));
+    light_branches(tree, normal, at, min(place.y, 1.0), light, air);
+}
