@@ -52,6 +52,17 @@ bool may_show(const TreeTile& tile, const glm::mat4& clip_from_world, float room
     return std::max({left, right, below, above, behind}) < 8;
 }
 
+// Whether a ball around a place, `from` the eye, is beside the image or behind the eye.
+bool is_beside(glm::vec3 from, const FrameBlock& frame, float radius) {
+    const float deep = glm::dot(from, glm::vec3(frame.ray_forward));
+    const auto outside = [&](const glm::vec4& ray) {
+        const float half = glm::length(glm::vec3(ray));  // of the image at a distance of 1
+        return std::abs(glm::dot(from, glm::vec3(ray))) / half >
+               deep * half + radius * std::sqrt(1 + half * half);
+    };
+    return deep < -radius || outside(frame.ray_right) || outside(frame.ray_up);
+}
+
 // Height of the surface now; outside the grid that of its border.
 float surface(const sim::View& world, glm::vec2 at) {
     const glm::vec2 cell =
@@ -129,7 +140,7 @@ void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, co
     plain_.clear();
     without_shadow_.clear();
     tiles_.clear();
-    const glm::vec3 eye(frame.eye), forward(frame.ray_forward);
+    const glm::vec3 eye(frame.eye);
     const float pixel = frame.material.y * frame.material.z;  // m at a distance of 1 m
     const float frame_height = 2 * glm::length(glm::vec3(frame.ray_up)) / pixel;
     const float wide_pixels = std::clamp(kWideOfHeight * frame_height, kLeastWide, kMostWide);
@@ -156,7 +167,7 @@ void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, co
             const float rank = (static_cast<float>(k) + first) / static_cast<float>(tile->count);
             if (rank >= share) continue;
             const float kept = share < 1 ? std::min((share - rank) / (0.15f * share), 1.f) : 1.f;
-            if (glm::dot(tree.foot - eye, forward) < -kLongestShadow - tree.height) continue;
+            if (is_beside(tree.foot - eye, frame, kLongestShadow + tree.height)) continue;
 
             const float together = tree.group / share, taller = std::pow(std::min(together, kGroup), kTaller);
             const float height = tree.height * kept * taller, high = height / (distance * pixel);

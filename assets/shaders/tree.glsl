@@ -11,8 +11,8 @@ layout(std430, binding = SLOT_TREES) readonly buffer Trees { Tree trees[]; };
 // Colours of needles, and of snow on the branches if snow lies around the tree.
 vec3 needles(Tree tree) {
     float own = fract(tree.axis.w * 13.7);
-    vec3 green = mix(vec3(0.011, 0.026, 0.020), vec3(0.026, 0.040, 0.018), own);  // blue-green to green
-    if (tree.kind.x == TREE_LARCH) green = mix(vec3(0.105, 0.074, 0.048), vec3(0.075, 0.058, 0.044), own);
+    vec3 green = mix(vec3(0.011, 0.024, 0.020), vec3(0.024, 0.034, 0.018), own);  // blue-green to green
+    if (tree.kind.x == TREE_LARCH) green = mix(vec3(0.120, 0.096, 0.070), vec3(0.090, 0.075, 0.060), own);
     if (tree.kind.x == TREE_PINE) green = mix(vec3(0.020, 0.031, 0.015), vec3(0.027, 0.034, 0.017), own);
     return mix(vec3(0.050, 0.042, 0.024), green, clamp(2.0 * tree.axis.z, 0.0, 1.0));  // brown where it lies
 }

@@ -1,6 +1,6 @@
 // A tree that is some pixels high: branches jut out at its edges and carry snow. A group has the outline of its tops.
-noperspective in vec4 dark;
-noperspective in vec4 bright;
+in vec4 dark;
+in vec4 bright;
 flat in vec4 shape;
 out vec4 colour;
 
@@ -9,7 +9,7 @@ void main() {
     float shade, snowy;
     if (shape.y < 0.0) {
         float left = 1.0 - place.y, side = abs(place.x);
-        float branch = fract(0.25 * side - left * shape.y + step(0.0, place.x) * 0.37);  // 0 at its top, 1 at its tip
+        float branch = fract(1.1 * side - left * shape.y + step(0.0, place.x) * 0.37);  // 0 at its top, 1 at its tip
         if (side > left * mix(TREE_MEAN_OUTLINE, 0.58 + 0.42 * branch, shape.x)) discard;
         shade = 0.55 + 0.75 * branch;
         snowy = 0.55 * smoothstep(0.45, 0.85, branch) * step(branch, 0.93) * (0.6 + 0.4 * left);

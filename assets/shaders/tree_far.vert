@@ -1,7 +1,7 @@
 // A tree that is some pixels high, or a group of them: one triangle around its axis, out of which tree_far.frag cuts
 // branches or tops.
-noperspective out vec4 dark;    // light from needles; −1 to 1 across
-noperspective out vec4 bright;  // light from snow on them; 0 at the foot to 1 at the top
+out vec4 dark;    // light from needles; −1 to 1 across
+out vec4 bright;  // light from snow on them; 0 at the foot to 1 at the top
 flat out vec4 shape;  // outline that shows, 0 to 1; tops of a group or else branches, below 0; own number; share of snow
 
 // A group is as high as it is up to here from its middle, so that its triangle is higher.

@@ -1,5 +1,5 @@
 // A tree that is a few pixels high.
-noperspective in vec3 reflected;
+in vec3 reflected;
 out vec4 colour;
 
 void main() {

@@ -1,6 +1,6 @@
 // A tree that is a few pixels high, or a group of them: one triangle around its axis, turned to the eye. Its outline and
 // its snow are the means of those in tree_far.frag.
-noperspective out vec3 reflected;
+out vec3 reflected;
 
 void main() {
     Tree tree = trees[gl_VertexID / 3];
