@@ -173,7 +173,7 @@ void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, co
             const float height = tree.height * kept * taller, high = height / (distance * pixel);
             const bool group = together > kGroup;
             const float wide = (tree.kind == TreeKind::kPine ? kHalfWidthOfPine : kHalfWidth) * tree.height *
-                               kept * together / taller;
+                               kept * together / taller * (1 + kWiderInStand * tree.closed);
             const float half = std::max(group ? kWidthOfGroup * wide : wide, 0.6f * kept * distance * pixel);
             DrawnTree drawn{
                 {tree.foot, height},
