@@ -28,8 +28,7 @@ constexpr float kMostTogether = 20;                                             
 constexpr float kGroup = 5, kWidthOfGroup = 0.75f;
 constexpr float kTaller = 0.4f;       // power of how many it stands for by which one is taller
 constexpr float kLongestShadow = 36;  // m
-constexpr float kShadowPixels =
-    7;  // height below which a tree casts none, or three times that within a stand
+constexpr float kShadowPixels = 7;  // height below which a tree casts none, or four times that within a stand
 constexpr float kShallow = 0.15f,
                 kDeep = 0.6f;  // m: a flow bends a tree from the first on, and from the second breaks it
 constexpr float kSlow = 1.5f, kFast = 4.5f;  // m/s, the same
@@ -180,7 +179,7 @@ void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, co
                 {0, 0, 1, tree.chance},
                 {lights[i].sunlit, tree.snow, tree.lower, half},
                 {lights[i].tip,
-                 lights[i].sunlit * ramp(1, 2, high / (kShadowPixels * (1 + 2 * tree.closed)))},
+                 lights[i].sunlit * ramp(1, 2, high / (kShadowPixels * (1 + 3 * tree.closed)))},
                 {static_cast<float>(tree.kind), group ? std::round(together) : 1, tree.closed, 0}};
             if (tree.vertex >= 0)
                 drawn.foot.z -= std::max(
