@@ -18,13 +18,14 @@ constexpr float kHalfWidth = 0.19f;  // of a tree, of its height
 constexpr float kHalfWidthOfPine = 0.8f;
 constexpr float kWiderInStand = 0.2f;  // by this share, so that a stand is closed
 constexpr float kNearPixels = 100;     // height from which a tree has more than one triangle
-// Far away some trees are left out, and others are drawn larger, so that they cover as much: so many of a tile that the
-// mean one is as wide as this share of the frame's height, because a small frame has few trees anyhow.
+// Far away some trees are left out, and others are drawn larger, so that they cover as much: so many of a
+// tile that the mean one is as wide as this share of the frame's height, because a small frame has few trees
+// anyhow.
 constexpr float kWideOfHeight = 0.0145f, kLeastWide = 5.5f, kMostWide = 10.5f;  // pixels
 constexpr float kMeanWidth = 5;                                                 // m
 constexpr float kMostTogether = 20;                                             // trees that one stands for
-// One that stands for few is a larger tree, one that stands for more a group of them side by side, which is not as wide
-// because it has no flanks to its foot.
+// One that stands for few is a larger tree, one that stands for more a group of them side by side, which is
+// not as wide because it has no flanks to its foot.
 constexpr float kGroup = 5, kWidthOfGroup = 0.75f;
 constexpr float kTaller = 0.4f;       // power of how many it stands for by which one is taller
 constexpr float kLongestShadow = 36;  // m
@@ -35,8 +36,8 @@ constexpr float kSlow = 1.5f, kFast = 4.5f;  // m/s, the same
 constexpr float kCrushed = 0.65f;            // width of a lying tree, of a standing one's
 constexpr float kLean = 1.5f;                // rad
 
-// Outside if all corners are beyond the same edge of the image, or behind the eye. `room`: m, what is drawn of trees
-// beside their box: branches and shadows.
+// Outside if all corners are beyond the same edge of the image, or behind the eye. `room`: m, what is drawn
+// of trees beside their box: branches and shadows.
 bool may_show(const TreeTile& tile, const glm::mat4& clip_from_world, float room) {
     int left = 0, right = 0, below = 0, above = 0, behind = 0;
     for (int corner = 0; corner < 8; ++corner) {

@@ -52,7 +52,8 @@ bool TreesPass::find(const Woods& woods, const Surroundings& around, const sim::
     return true;
 }
 
-// Trees are no instances: a software renderer starts anew for each of these. A vertex finds its tree by its number.
+// Trees are no instances: a software renderer starts anew for each of these. A vertex finds its tree by its
+// number.
 void TreesPass::draw() const {
     const Enabled depth_test(GL_DEPTH_TEST);
     const auto all = static_cast<GLsizei>(trees_.drawn().size()), near = static_cast<GLsizei>(trees_.near()),
