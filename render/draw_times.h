@@ -19,14 +19,15 @@ enum class Pass {
     kTerrain,
     kSurroundings,  // mountains around the grid, or the walls of a block
     kSky,
-    kTrees,  // 0 without
+    kStructures,  // 0 without
+    kTrees,       // 0 without
     kPowder,
     kTone,
     kEdges,
 };
 inline constexpr std::array kPassNames{"upload", "remesh",  "surface",      "shadow", "depth",
-                                       "flow",   "terrain", "surroundings", "sky",    "trees",
-                                       "powder", "tone",    "edges"};
+                                       "flow",   "terrain", "surroundings", "sky",    "structures",
+                                       "trees",  "powder",  "tone",         "edges"};
 inline constexpr std::size_t kPassCount = kPassNames.size();
 inline constexpr std::size_t kFirstDrawingPass = static_cast<std::size_t>(Pass::kSurface);
 

@@ -11,6 +11,8 @@
 #include "render/passes/powder_pass.h"
 #include "render/passes/scoped_state.h"
 #include "render/passes/shadow_pass.h"
+#include "render/passes/spindrift_pass.h"
+#include "render/passes/structures_pass.h"
 #include "render/passes/surface_pass.h"
 #include "render/passes/surroundings_pass.h"
 #include "render/passes/terrain_pass.h"
@@ -22,6 +24,9 @@
 
 namespace render {
 namespace {
+
+// Wind lifts dry snow: its standing layer is as green as that, and as much of it is thrown up as powder.
+constexpr float kSnow = 0.6f, kDry = 0.5f;
 
 int samples_of(Quality quality) {
     return quality == Quality::kFine ? 2 : 1;
@@ -39,7 +44,9 @@ struct Renderer::Parts {
     FlowPass flow;
     SurroundingsPass surroundings;
     FullscreenPass sky, day_lights, night_lights;
+    StructuresPass structures;
     TreesPass trees;
+    SpindriftPass spindrift;
     PowderPass powder;
     FullscreenPass tone;
     FullscreenPass edge_marks, edges;
@@ -47,6 +54,7 @@ struct Renderer::Parts {
     Quality quality;
     std::filesystem::path assets;
     StageClock clock;
+    bool stirs = false;  // snow moved in the wind in the last frame
 
     // The factor for the colours of a flow's texture. A rolling layer keeps its own mean colour.
     glm::vec3 flow_tint(const Look& look, const Marks& marks) const {
@@ -75,8 +83,12 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     auto night_lights =
         FullscreenPass::create(shaders, {"slots.glsl", "frame.glsl", "sky_lights.frag", "stars.glsl"});
     if (!night_lights) return tl::unexpected(night_lights.error());
+    auto structures = StructuresPass::create(shaders);
+    if (!structures) return tl::unexpected(structures.error());
     auto trees = TreesPass::create(shaders);
     if (!trees) return tl::unexpected(trees.error());
+    auto spindrift = SpindriftPass::create(shaders);
+    if (!spindrift) return tl::unexpected(spindrift.error());
     auto powder = PowderPass::create(shaders);
     if (!powder) return tl::unexpected(powder.error());
     auto tone = FullscreenPass::create(shaders, {"slots.glsl", "tone_curve.glsl", "tone.frag"});
@@ -99,7 +111,9 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
                                                   std::move(*sky),
                                                   std::move(*day_lights),
                                                   std::move(*night_lights),
+                                                  std::move(*structures),
                                                   std::move(*trees),
+                                                  std::move(*spindrift),
                                                   std::move(*powder),
                                                   std::move(*tone),
                                                   std::move(*edge_marks),
@@ -134,7 +148,7 @@ std::optional<DrawTimes> Renderer::stage_times() const {
 void Renderer::draw(const FrameInput& input) {
     Parts& p = *parts_;
     const auto& [world, camera, light, look, marks, flow, width, height, first_depth, around, puffs,
-                 powder_strength, woods, so_far] = input;
+                 powder_strength, woods, so_far, structures, wind, seconds] = input;
     const int samples = samples_of(p.quality);
     const ScopedState state;  // restores the state for other users of the context
 
@@ -216,12 +230,24 @@ void Renderer::draw(const FrameInput& input) {
     (frame.above.w > 0 ? p.night_lights : p.day_lights).draw_behind();
     p.clock.mark(Pass::kSky);
 
+    // What people have built stands before ground and sky.
+    if (p.structures.find(input, frame, new_terrain)) p.structures.draw();
+    p.clock.mark(Pass::kStructures);
+
     // Trees stand before ground and sky, with a jagged outline. Their shadows darken the ground that is drawn. They
     // would hide the values of an overlay.
     if (goes_on && woods && !woods->empty() && marks.overlay == Overlay::kNone &&
         p.trees.find(*woods, *around, world, so_far, frame))
         p.trees.draw();
     p.clock.mark(Pass::kTrees);
+
+    // Wind blows snow off ridges, as far as there is any.
+    p.stirs = goes_on && wind.speed > 0 && look.standing.g > kSnow && look.powder.strength > kDry &&
+              marks.overlay == Overlay::kNone && p.spindrift.find(*around, wind, seconds, frame);
+    if (p.stirs) {
+        p.target.begin_shading();
+        p.spindrift.draw();
+    }
 
     // Powder in the air lies over everything, and needs its depth. It casts a shadow on the ground.
     if (p.powder.find(puffs, frame, look, powder_strength, p.target.samples_across(),
@@ -246,6 +272,10 @@ void Renderer::draw(const FrameInput& input) {
     }
     p.clock.mark(Pass::kEdges);
     CHECK(glGetError() == GL_NO_ERROR);
+}
+
+bool Renderer::stirs() const {
+    return parts_->stirs;
 }
 
 Picture Renderer::read_back() const {

@@ -46,6 +46,9 @@ class Renderer {
     // Returns the last drawn frame, top row first, sRGB 8 bit, 3 channels. Waits for the frame.
     Picture read_back() const;
 
+    // Whether the last frame shows what moves with the time of the world, even if the world rests.
+    bool stirs() const;
+
     // Stretches the last drawn frame over a framebuffer (0 is the window's) of the given size in pixels. The
     // framebuffer stays bound for what is drawn on top.
     void show_on(unsigned framebuffer, int width, int height) const;

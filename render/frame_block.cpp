@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "render/ground_mesh.h"
+#include "render/ramp.h"
 #include "render/sky_light.h"
 
 namespace render {
@@ -25,6 +26,7 @@ constexpr double kWideView =
     3000;  // m, side of a terrain from which on the air is drawn clearer in proportion
 constexpr double kHighestLamp = 89;  // degrees; at 90 there is no horizontal direction to sweep along
 constexpr double kLowestLamp = 1;    // degrees; below it a sweep has no end
+constexpr double kLampsOff = 6, kLampsOn = -1;  // degrees, height of the sun at which people light them
 constexpr double kDiscRadius =
     0.6;  // degrees, twice that of sun and moon: a screen shows less than the eye sees
 
@@ -65,7 +67,7 @@ void set_light(FrameBlock& block, const Light& light) {
     block.away = glm::dvec4(sky.away, std::cos(sun_azimuth));
     block.zenith = glm::dvec4(sky.zenith, sky.sunward);
     block.glow = glm::dvec4(sky.glow, sky.moon ? 3 : 6);
-    block.cloud = glm::dvec4(sky.cloud, 0);
+    block.cloud = glm::dvec4(sky.cloud, ramp(kLampsOff, kLampsOn, light.elevation_deg));
     block.disc = glm::dvec4(direction(azimuth, glm::radians(sky.lamp_elevation_deg)),
                             std::cos(glm::radians(kDiscRadius)));
 }

@@ -6,7 +6,9 @@
 #include "render/flow_so_far.h"
 #include "render/look.h"
 #include "render/marks.h"
+#include "render/structures.h"
 #include "render/surroundings.h"
+#include "render/wind.h"
 #include "render/woods.h"
 #include "sim/front/flow_view.h"
 #include "sim/powder/cloud.h"
@@ -38,6 +40,11 @@ struct FrameInput {
     const Woods* woods = nullptr;
     // What the flow has done until now, for trees to lie where it was; valid during the call.
     FlowSoFar flow_so_far = {};
+    // What people have built, as it is now. If null, there is nothing.
+    const Structures* structures = nullptr;
+    // It blows snow off the ridges of these surroundings, if look is that of dry snow: bright, with much powder.
+    Wind wind = {};
+    double seconds = 0;  // time of the world, by which that snow moves
 };
 
 }  // namespace render

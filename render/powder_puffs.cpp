@@ -12,10 +12,11 @@ namespace render {
 namespace {
 
 constexpr float kThickness = 0.42f;  // of an opaque puff, through its middle
-constexpr float kScattered = 0.26f;  // of the light, passed on from grain to grain to the depth of the cloud
-constexpr float kFaintest = 0.004f;  // opacity; fainter puffs are not drawn
+constexpr float kScattered = 0.15f;  // of the light, passed on from grain to grain to the depth of the cloud
+constexpr float kFaintest =
+    0.01f;  // opacity, from which on a puff is drawn; all lose as much, so that none appears at once
 constexpr float kNearest = 3, kFar = 15;  // radii: nearer puffs are not drawn, from here on all of them is
-constexpr float kShadow = 3;              // radii, length of a shadow that the box of the cloud includes
+constexpr float kShadow[] = {1.5f, 3};    // radii, where on its way a shadow is counted as part of the cloud
 
 // Share of its opacity with which a puff is drawn. Near the eye the cloud parts, so that the blocks of the flow stay visible.
 float parted(float distance, float radius) {
@@ -27,6 +28,10 @@ std::size_t number(int x, int y) {
     constexpr auto kSide = static_cast<std::size_t>(ShadeMap::kSide);
     return static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x);
 }
+
+// Of what nearer puffs leave to see of one: from here to there it is drawn more and more.
+constexpr float kHidden = 0.02f, kSeen = 0.06f;
+constexpr float kCore = 0.65f, kCoreShare = 0.6f;  // part of the radius that hides, and of the opacity there
 
 }  // namespace
 
@@ -88,59 +93,127 @@ void ShadeMap::add(glm::vec2 at, float reach, float thickness, float along) {
         }
 }
 
+VeilMap::VeilMap() : share_(static_cast<std::size_t>(kAcross) * kUp) {}
+
+void VeilMap::clear() {
+    std::fill(share_.begin(), share_.end(), 1.f);
+}
+
+VeilMap::Cells VeilMap::cells_of(glm::vec2 low, glm::vec2 high) {
+    const auto cell = [](float at, int cells) {
+        return static_cast<int>((0.5f + 0.5f * std::clamp(at, -1.f, 1.f)) *
+                                (static_cast<float>(cells) - 0.001f));
+    };
+    return {cell(low.x, kAcross), cell(low.y, kUp), cell(high.x, kAcross), cell(high.y, kUp)};
+}
+
+float VeilMap::seen(glm::vec2 middle, glm::vec2 half) const {
+    const Cells cells = cells_of(middle - half, middle + half);
+    float most = 0;
+    for (int y = cells.bottom; y <= cells.top; ++y) {
+        const auto row = share_.begin() + static_cast<std::ptrdiff_t>(y) * kAcross;
+        most = std::max(most, *std::max_element(row + cells.left, row + cells.right + 1));
+    }
+    return most;
+}
+
+void VeilMap::lay(glm::vec2 middle, glm::vec2 half, float opacity) {
+    const Cells cells = cells_of(middle - half, middle + half);
+    const glm::vec2 size(kAcross, kUp);
+    for (int y = cells.bottom; y <= cells.top; ++y)
+        for (int x = cells.left; x <= cells.right; ++x) {
+            const glm::vec2 away = ((glm::vec2(x, y) + 0.5f) / size * 2.f - 1.f - middle) / half;
+            if (glm::dot(away, away) < 1)
+                share_[static_cast<std::size_t>(y) * kAcross + static_cast<std::size_t>(x)] *= 1 - opacity;
+        }
+}
+
 PowderPuffs::PowderPuffs() {
     opacity_.reserve(sim::powder::Cloud::kMost);
-    order_.reserve(sim::powder::Cloud::kMost);
+    in_view_.reserve(sim::powder::Cloud::kMost);
     drawn_.reserve(sim::powder::Cloud::kMost);
 }
 
-void PowderPuffs::find(std::span<const sim::powder::Puff> puffs, const FrameBlock& frame, float strength) {
+void PowderPuffs::find(std::span<const sim::powder::Puff> puffs, const FrameBlock& frame, float strength,
+                       int width, int height) {
     drawn_.clear();
-    order_.clear();
+    in_view_.clear();
     opacity_.clear();
     covered_ = 0;
     box_ = {1, 1, -1, -1};
+    parts_ = {};
+    mixed_ = false;
     if (puffs.empty() || strength <= 0) return;
+    tiles_.begin(width, height);
+    float radii = 0;
+    for (const sim::powder::Puff& puff : puffs) {
+        opacity_.push_back(strength * opacity(puff));
+        radii += radius(puff);
+    }
+    mean_radius_ = radii / static_cast<float>(puffs.size());
+    find_in_view(puffs, frame);
+    if (in_view_.empty()) return;
+    light_and_sort(puffs, glm::vec3(frame.sun));
+    hide_behind_nearer();
+    box_ = glm::clamp(box_, -1.f, 1.f);
+    parts_ = tiles_.collect();
+}
 
+void PowderPuffs::find_in_view(std::span<const sim::powder::Puff> puffs, const FrameBlock& frame) {
     const glm::vec3 eye(frame.eye), forward(frame.ray_forward), sun(frame.sun);
     const float wide = glm::length(glm::vec3(frame.ray_right)), high = glm::length(glm::vec3(frame.ray_up));
-    float radii = 0, lower = 0;
     for (std::size_t i = 0; i < puffs.size(); ++i) {
         const sim::powder::Puff& puff = puffs[i];
-        opacity_.push_back(strength * opacity(puff));
         const float r = radius(puff), distance = glm::dot(puff.at - eye, forward);
-        radii += r, lower += puff.lower;
         if (distance < kNearest * r || opacity_[i] * parted(distance, r) < kFaintest) continue;
         const glm::vec4 clip = frame.clip_from_world * glm::vec4(puff.at, 1);
         const glm::vec2 middle = glm::vec2(clip) / clip.w, half = glm::vec2(r / wide, r / high) / distance;
         if (middle.x + half.x < -1 || middle.x - half.x > 1 || middle.y + half.y < -1 ||
             middle.y - half.y > 1)
             continue;
-        order_.emplace_back(-distance, i);
-        covered_ += 0.785f * half.x * half.y;
+        in_view_.push_back({-distance, i, middle, half});
+        mixed_ = mixed_ || puff.lower > 0;
         const auto include = [&](glm::vec2 at) {
             box_ = {std::min(box_.x, at.x - half.x), std::min(box_.y, at.y - half.y),
                     std::max(box_.z, at.x + half.x), std::max(box_.w, at.y + half.y)};
+            tiles_.add(at, half);
         };
         include(middle);
-        const glm::vec4 shadow = frame.clip_from_world * glm::vec4(puff.at - kShadow * r * sun, 1);
-        if (shadow.w > r) include(glm::vec2(shadow) / shadow.w);
+        for (const float radii_away : kShadow) {
+            const glm::vec4 shadow = frame.clip_from_world * glm::vec4(puff.at - radii_away * r * sun, 1);
+            if (shadow.w > r) include(glm::vec2(shadow) / shadow.w);
+        }
     }
-    if (order_.empty()) return;
-    const auto count = static_cast<float>(puffs.size());
-    mean_radius_ = radii / count;
-    lower_ = lower / count;
+}
+
+void PowderPuffs::light_and_sort(std::span<const sim::powder::Puff> puffs, const glm::vec3& sun) {
     const std::span<const float> from_sun = shade_.cast(puffs, opacity_, sun);
     const std::span<const float> from_sky = sky_shade_.cast(puffs, opacity_, {0, 0, 1});
-    std::sort(order_.begin(), order_.end());
-    for (const auto& [behind, i] : order_) {
-        const sim::powder::Puff& puff = puffs[i];
-        const float r = radius(puff);
+    std::sort(in_view_.begin(), in_view_.end(), [](const InView& a, const InView& b) {
+        return a.behind != b.behind ? a.behind < b.behind : a.puff < b.puff;
+    });
+    for (const InView& seen : in_view_) {
+        const sim::powder::Puff& puff = puffs[seen.puff];
+        const float r = radius(puff), shown = opacity_[seen.puff] * parted(-seen.behind, r);
         const auto turn = static_cast<float>(puff.seed >> 8) / 16777216.f;
-        drawn_.push_back(
-            {glm::vec4(puff.at, r), {opacity_[i] * parted(-behind, r), from_sun[i], from_sky[i], turn}});
+        drawn_.push_back({glm::vec4(puff.at, r),
+                          {shown - kFaintest, from_sun[seen.puff], from_sky[seen.puff], turn},
+                          {puff.age_s, puff.age_s / puff.life_s, puff.lower, 0}});
     }
-    box_ = glm::clamp(box_, -1.f, 1.f);
+}
+
+// Most puffs of a thick cloud are behind others, and cost the most.
+void PowderPuffs::hide_behind_nearer() {
+    veil_.clear();
+    for (std::size_t i = drawn_.size(); i-- > 0;) {
+        float& shown = drawn_[i].look.x;
+        const InView& at = in_view_[i];
+        shown *= ramp(kHidden, kSeen, veil_.seen(at.middle, at.half));
+        if (shown <= 0) continue;
+        veil_.lay(at.middle, kCore * at.half, kCoreShare * shown);
+        covered_ += 0.785f * at.half.x * at.half.y;
+    }
+    std::erase_if(drawn_, [](const DrawnPuff& puff) { return puff.look.x <= 0; });
 }
 
 }  // namespace render

@@ -13,6 +13,7 @@
 
 #include "render/frame_block.h"
 #include "render/look.h"
+#include "render/powder_tiles.h"
 #include "render/slide_tiles.h"
 #include "sim/powder/cloud.h"
 
@@ -56,6 +57,28 @@ struct DrawnPuff {
     glm::vec4 at;  // its middle; radius, m
     glm::vec4
         look;  // opacity; light from sun or moon and from the sky that other puffs leave, 0 to 1; turn, 0 to 1
+    glm::vec4 life;  // age, s; age by life, 0 to 1; share of the lower material; 0
+};
+
+// What near puffs leave to see of those behind them: a map of the frame.
+class VeilMap {
+  public:
+    VeilMap();  // reserves what it needs
+
+    void clear();
+    // The greatest share that an ellipse in the frame still shows, 0 to 1. `middle` and `half` axes: −1 to 1.
+    float seen(glm::vec2 middle, glm::vec2 half) const;
+    // Lays a puff over what is farther away.
+    void lay(glm::vec2 middle, glm::vec2 half, float opacity);
+
+  private:
+    static constexpr int kAcross = 64, kUp = 36;  // cells
+    struct Cells {
+        int left, bottom, right, top;  // inclusive
+    };
+    static Cells cells_of(glm::vec2 low, glm::vec2 high);
+
+    std::vector<float> share_;  // that each cell shows, row by row
 };
 
 // What is drawn of a cloud in one frame: the puffs in view, from far to near. No GL.
@@ -63,26 +86,44 @@ class PowderPuffs {
   public:
     PowderPuffs();  // reserves what it needs
 
-    // `strength`: factor on the opacity.
-    void find(std::span<const sim::powder::Puff> puffs, const FrameBlock& frame, float strength);
+    // `strength`: factor on the opacity. `width` and `height` of the frame, samples.
+    void find(std::span<const sim::powder::Puff> puffs, const FrameBlock& frame, float strength, int width,
+              int height);
 
     bool empty() const { return drawn_.empty(); }
     std::span<const DrawnPuff> drawn() const { return drawn_; }
     const ShadeMap& shade() const { return shade_; }
     float mean_radius() const { return mean_radius_; }  // m
-    float lower() const { return lower_; }              // share of the lower material among all puffs
+    bool mixed() const { return mixed_; }               // a puff in view has some of the lower material
     // The part of the frame that the puffs in view and their shadows may cover, −1 to 1: left, bottom, right, top.
     glm::vec4 box() const { return box_; }
+    // The same, closer: where nothing else needs drawing.
+    std::span<const Rectangle> parts() const { return parts_; }
     // Area of all puffs in view, in areas of the frame.
     float covered() const { return covered_; }
 
   private:
     ShadeMap shade_, sky_shade_;
     std::vector<float> opacity_;
-    std::vector<std::pair<float, std::size_t>> order_;  // distance, puff
+    // A puff in view, and where in the frame.
+    struct InView {
+        float behind;  // minus its distance, m
+        std::size_t puff;
+        glm::vec2 middle, half;
+    };
+
+    void find_in_view(std::span<const sim::powder::Puff> puffs, const FrameBlock& frame);
+    void light_and_sort(std::span<const sim::powder::Puff> puffs, const glm::vec3& sun);
+    void hide_behind_nearer();
+
+    std::vector<InView> in_view_;  // from far to near
+    VeilMap veil_;
     std::vector<DrawnPuff> drawn_;
+    PowderTiles tiles_;
+    std::span<const Rectangle> parts_;  // of tiles_
     glm::vec4 box_{0};
-    float covered_ = 0, mean_radius_ = 1, lower_ = 0;
+    float covered_ = 0, mean_radius_ = 1;
+    bool mixed_ = false;
 };
 
 }  // namespace render

@@ -8,9 +8,11 @@ namespace render {
 namespace {
 
 constexpr int kTile = 32;  // samples along an edge
-constexpr int kBlock = 8;  // vertices
+constexpr int kBlock = 4;  // vertices
 constexpr int kReach =
     3;  // vertices from one that moved to the last place where it shows: splines, ragged edges
+
+constexpr int kReachOfWall = 2;  // vertices from one under a wall
 
 // Blocks that hold vertices from `first` to `last`, which may lie outside the grid.
 int block_from(int first) {
@@ -20,9 +22,28 @@ int block_to(int last, int vertices) {
     return std::min(last, vertices - 1) / kBlock;
 }
 
+void keep_greater(std::uint8_t& kind, std::uint8_t other) {
+    kind = std::max(kind, other);
+}
+
 std::size_t index(int column, int row, int columns) {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
            static_cast<std::size_t>(column);
+}
+
+// Whether the standing layer is gone here and still stands beside it, as crown.glsl asks, with some room. What
+// rolls hides a wall. `first`: the row of its first depth, in rows of world.grid.nx values.
+bool is_under_wall(const sim::View& world, const float* first, int x, int y) {
+    constexpr float kGone = -0.09f, kStep = 0.09f, kStands = -0.28f, kHides = 0.3f;  // m
+    const auto change = [&](int i, int j) {
+        return world.depth(i, j) - first[static_cast<std::ptrdiff_t>(j - y) * world.grid.nx + i];
+    };
+    const float here = change(x, y);
+    if (here > kGone || world.rolling(x, y) > kHides) return false;
+    for (int j = std::max(y - 1, 0); j <= std::min(y + 1, world.grid.ny - 1); ++j)
+        for (int i = std::max(x - 1, 0); i <= std::min(x + 1, world.grid.nx - 1); ++i)
+            if (change(i, j) > std::max(here + kStep, kStands)) return true;
+    return false;
 }
 
 }  // namespace
@@ -38,7 +59,7 @@ void SlideTiles::find(const FrameInput& input, const glm::mat4& clip_from_world,
             for (int x = 0; x < blocks_along_x_; ++x) {
                 const auto i = index(x, y, blocks_along_x_);
                 if (blocks_[i] && !project(input.world, x, y, clip_from_world))
-                    std::fill(tiles_.begin(), tiles_.end(), std::uint8_t{1});
+                    for (std::uint8_t& tile : tiles_) keep_greater(tile, blocks_[i]);
             }
     }
     collect();
@@ -48,6 +69,12 @@ void SlideTiles::find(const FrameInput& input, const glm::mat4& clip_from_world,
 bool SlideTiles::find_blocks(const FrameInput& input) {
     const sim::View& world = input.world;
     std::fill(blocks_.begin(), blocks_.end(), std::uint8_t{0});
+    const bool is_known = !input.first_depth.empty();
+    const auto mark = [&](int x, int y, int reach, std::uint8_t kind) {
+        for (int j = block_from(y - reach); j <= block_to(y + reach, grid_.ny); ++j)
+            for (int i = block_from(x - reach); i <= block_to(x + reach, grid_.nx); ++i)
+                keep_greater(blocks_[index(i, j, blocks_along_x_)], kind);
+    };
     bool any = false;
     for (int y = 0; y < grid_.ny; ++y) {
         const float *rolling = world.rolling.row(y), *depth = world.depth.row(y);
@@ -58,15 +85,15 @@ bool SlideTiles::find_blocks(const FrameInput& input) {
         for (int x = 0; x < grid_.nx; ++x) {
             if (rolling[x] == 0 && depth[x] == first[x]) continue;
             any = true;
-            for (int j = block_from(y - kReach); j <= block_to(y + kReach, grid_.ny); ++j)
-                for (int i = block_from(x - kReach); i <= block_to(x + kReach, grid_.nx); ++i)
-                    blocks_[index(i, j, blocks_along_x_)] = 1;
+            mark(x, y, kReach, 1);
+            if (is_known && is_under_wall(world, first, x, y)) mark(x, y, kReachOfWall, 2);
         }
     }
     return any;
 }
 
-// Marks the tiles in which a block may be seen. False: it reaches behind the eye, and may be seen anywhere.
+// Marks the tiles in which a block may be seen: none if it is behind the eye or beside the frame. False: it
+// reaches from before the eye to behind it, and may be seen anywhere.
 bool SlideTiles::project(const sim::View& world, int x, int y, const glm::mat4& clip_from_world) {
     const int x0 = std::max(x * kBlock - 1, 0), x1 = std::min((x + 1) * kBlock, grid_.nx - 1);
     const int y0 = std::max(y * kBlock - 1, 0), y1 = std::min((y + 1) * kBlock, grid_.ny - 1);
@@ -78,16 +105,23 @@ bool SlideTiles::project(const sim::View& world, int x, int y, const glm::mat4& 
             highest = std::max(highest, z);
         }
     glm::vec2 least(std::numeric_limits<float>::max()), most(std::numeric_limits<float>::lowest());
+    int behind = 0, left_of = 0, right_of = 0, under = 0, over = 0;  // corners beyond an edge of the frame
     for (int corner = 0; corner < 8; ++corner) {
         const glm::vec4 at(grid_.dx * static_cast<float>(corner & 1 ? x1 : x0),
                            grid_.dx * static_cast<float>(corner & 2 ? y1 : y0), corner & 4 ? highest : lowest,
                            1);
         const glm::vec4 clip = clip_from_world * at;
-        if (clip.w < static_cast<float>(kNear)) return false;
+        left_of += clip.x<-clip.w, right_of += clip.x> clip.w,
+            under += clip.y<-clip.w, over += clip.y> clip.w;
+        if (clip.w < static_cast<float>(kNear)) {
+            ++behind;
+            continue;
+        }
         const glm::vec2 ndc = glm::vec2(clip) / clip.w;
         least = glm::min(least, ndc);
         most = glm::max(most, ndc);
     }
+    if (behind > 0) return std::max({behind, left_of, right_of, under, over}) == 8;
     // One sample more on each side, for rounding.
     const auto tile = [](float ndc, int samples, float beyond) {
         const float at = (0.5f + 0.5f * std::clamp(ndc, -2.f, 2.f)) * static_cast<float>(samples) + beyond;
@@ -98,7 +132,8 @@ bool SlideTiles::project(const sim::View& world, int x, int y, const glm::mat4& 
     const int bottom = std::max(tile(least.y, height_, -1), 0),
               top = std::min(tile(most.y, height_, 1), rows_ - 1);
     for (int row = bottom; row <= top; ++row)
-        for (int column = left; column <= right; ++column) tiles_[index(column, row, columns_)] = 1;
+        for (int column = left; column <= right; ++column)
+            keep_greater(tiles_[index(column, row, columns_)], blocks_[index(x, y, blocks_along_x_)]);
     return true;
 }
 
@@ -113,12 +148,14 @@ void SlideTiles::resize(const sim::Grid& grid, int width, int height) {
     blocks_along_y_ = (grid.ny + kBlock - 1) / kBlock;
     tiles_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
     blocks_.resize(static_cast<std::size_t>(blocks_along_x_) * static_cast<std::size_t>(blocks_along_y_));
+    with_walls_.reserve(tiles_.size());
     with_slides_.reserve(tiles_.size());
     without_.reserve(tiles_.size());
 }
 
 // Joins tiles of one kind along each row.
 void SlideTiles::collect() {
+    with_walls_.clear();
     with_slides_.clear();
     without_.clear();
     for (int row = 0; row < rows_; ++row)
@@ -126,7 +163,9 @@ void SlideTiles::collect() {
             const auto kind = [&](int i) { return tiles_[index(i, row, columns_)]; };
             int end = column + 1;
             while (end < columns_ && kind(end) == kind(column)) ++end;
-            (kind(column) ? with_slides_ : without_)
+            (kind(column) == 2   ? with_walls_
+             : kind(column) == 1 ? with_slides_
+                                 : without_)
                 .push_back({column * kTile, row * kTile, std::min(end * kTile, width_),
                             std::min((row + 1) * kTile, height_)});
             column = end;

@@ -16,14 +16,15 @@ struct Rectangle {
     bool operator==(const Rectangle&) const = default;
 };
 
-// Divides a frame into parts where a slide may be seen, moving or at rest, and parts where none can be. Ground
-// without slides is much cheaper to shade.
+// Divides a frame into parts where a slide may be seen, moving or at rest, those of them where a slab may have
+// left a wall, and parts where neither can be. Ground without slides is much cheaper to shade.
 class SlideTiles {
   public:
     // `width` and `height` in samples. Allocates nothing while they and the grid are those of the last call.
     void find(const FrameInput& input, const glm::mat4& clip_from_world, int width, int height);
 
-    // Together they cover the frame, each sample once.
+    // Together they cover the frame, each sample once. `with_slides`: without a wall.
+    std::span<const Rectangle> with_walls() const { return with_walls_; }
     std::span<const Rectangle> with_slides() const { return with_slides_; }
     std::span<const Rectangle> without() const { return without_; }
 
@@ -37,8 +38,8 @@ class SlideTiles {
     int width_ = 0, height_ = 0;                   // samples
     int columns_ = 0, rows_ = 0;                   // tiles of the frame
     int blocks_along_x_ = 0, blocks_along_y_ = 0;  // of the grid
-    std::vector<std::uint8_t> blocks_, tiles_;     // 1: a slide
-    std::vector<Rectangle> with_slides_, without_;
+    std::vector<std::uint8_t> blocks_, tiles_;     // 0: nothing, 1: a slide, 2: and a wall
+    std::vector<Rectangle> with_walls_, with_slides_, without_;
 };
 
 }  // namespace render

@@ -183,6 +183,15 @@ class Growth {
     double datum_, near_;
 };
 
+bool is_cleared(glm::dvec2 at, std::span<const Clearing> clearings) {
+    return std::ranges::any_of(clearings, [&](const Clearing& each) {
+        const glm::dvec2 along = each.to - each.from;
+        const double length2 = glm::dot(along, along);
+        const double t = length2 > 0 ? std::clamp(glm::dot(at - each.from, along) / length2, 0.0, 1.0) : 0.0;
+        return glm::distance(at, each.from + t * along) < each.reach;
+    });
+}
+
 // The height of triangle abc at a place within it.
 std::optional<float> height_in(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, glm::vec2 at) {
     const glm::vec2 ab = glm::vec2(b - a), ac = glm::vec2(c - a), ap = at - glm::vec2(a);
@@ -210,7 +219,8 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
 
 }  // namespace
 
-Woods::Woods(const Surroundings& around, const TreeRules& rules, double datum) {
+Woods::Woods(const Surroundings& around, const TreeRules& rules, double datum,
+             std::span<const Clearing> clearings) {
     if (around.empty() || rules.density <= 0) return;
     CHECK(rules.shares.empty() || rules.shares.size() == around.cover().size());
     const double reach = kLastTree * around.side();
@@ -238,7 +248,7 @@ Woods::Woods(const Surroundings& around, const TreeRules& rules, double datum) {
             const double group = growth.group(at), keep = own(x, y, 2) * group;
             if (keep >= 1) continue;
             const Site site = growth.site(at);
-            if (keep >= site.share) continue;
+            if (keep >= site.share || is_cleared(at, clearings)) continue;
             Tree tree = growth.tree(site, own(x, y, 3));
             tree.group = static_cast<float>(group);
             tree.foot = glm::dvec3(at, site.ground.z - kSunk);
@@ -264,6 +274,9 @@ Woods::Woods(const Surroundings& around, const TreeRules& rules, double datum) {
     sort_into_tiles(around.side() / kTilesAlongSide);
     put_on_mesh(around);
     fingerprint_ = mixed(mixed(around.fingerprint(), trees_.size()), rules.seed);
+    for (const Clearing& each : clearings)
+        for (const double number : {each.from.x, each.from.y, each.to.x, each.to.y, each.reach})
+            fingerprint_ = mixed(fingerprint_, std::hash<double>()(number));
     for (const double each : {rules.density, rules.line_m, datum})
         fingerprint_ = mixed(fingerprint_, std::hash<double>()(each));
     for (const glm::dvec2 corner : rules.polygon)

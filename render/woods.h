@@ -48,6 +48,12 @@ struct Tree {
     TreeKind kind;
 };
 
+// A place where no tree grows: all within a distance of a line.
+struct Clearing {
+    glm::dvec2 from, to;  // m
+    double reach;         // m
+};
+
 // Trees that are drawn or left out together: those of a square of ground. Their order is random, so that the
 // first ones are as evenly spread as all of them.
 struct TreeTile {
@@ -70,7 +76,8 @@ class Woods {
     // None.
     Woods() = default;
     // `datum`: height of shaders' z = 0 above the terrain's zero, m. Without surroundings there are no trees.
-    Woods(const Surroundings& around, const TreeRules& rules, double datum);
+    Woods(const Surroundings& around, const TreeRules& rules, double datum,
+          std::span<const Clearing> clearings = {});
 
     bool empty() const { return trees_.empty(); }
     std::span<const Tree> trees() const { return trees_; }

@@ -36,6 +36,6 @@ layout(std140, binding = SLOT_FRAME) uniform Frame {
     vec4 away;              // sky at the horizon opposite; w: its y
     vec4 zenith;            // sky at the zenith; w: how much brighter the sky is toward the sun than overhead, below 0 at night: toward the moon
     vec4 glow;              // air round the lamp; w: brightness of its disc
-    vec4 cloud;             // thin cloud; w: 0
+    vec4 cloud;             // thin cloud; w: lamps behind windows, 0 to 1
     vec4 disc;              // xyz: unit vector to the lamp in the sky; w: cosine of its radius
 } frame;

@@ -1,17 +1,17 @@
 // Powder, over the frame: smooth between coarse pixels, and hidden where the ground is nearer.
 layout(binding = SLOT_POWDER_LIT) uniform sampler2D lit;
-layout(binding = SLOT_POWDER_DISTANCE) uniform sampler2D distances;
+layout(binding = SLOT_POWDER_HIDDEN) uniform sampler2D hidden;
 layout(binding = SLOT_SCENE_DEPTH) uniform sampler2D scene_depth;
 
-in vec2 ndc;
-out vec4 colour;
+layout(location = 0, index = 0) out vec4 colour;
+layout(location = 0, index = 1) out vec4 taken;  // of each colour of the frame
 
 void main() {
-    vec2 coarse = ceil(vec2(textureSize(scene_depth, 0)) / float(powder.divisor.x)) - 0.5;  // its last texel
-    vec2 at = min(gl_FragCoord.xy / float(powder.divisor.x), coarse) / vec2(textureSize(lit, 0));
-    colour = textureLod(lit, at, 0.0);
-    if (colour.a < 0.002) discard;
-    float distance_m = textureLod(distances, at, 0.0).r / colour.a;
-    float scene = frame.ray_forward.w / max(texelFetch(scene_depth, ivec2(gl_FragCoord.xy), 0).r, 1e-9);
-    colour *= clamp((scene - distance_m) / (2.0 * powder.colour.w) + 1.6, 0.0, 1.0);
+    vec2 at = gl_FragCoord.xy * powder.coarse.z;
+    vec4 by_depth = texelFetch(hidden, ivec2(at), 0);
+    float scene = texelFetch(scene_depth, ivec2(gl_FragCoord.xy), 0).r;
+    float seen = clamp(by_depth.x - by_depth.y * scene, 0.0, 1.0);
+    colour = seen * textureLod(lit, min(at * powder.lit.xy, powder.lit.zw), 0.0);
+    // A shadow takes the light of the sun and leaves that of the sky, so that it is bluish on snow.
+    taken = vec4(colour.aaa - seen * by_depth.z * powder.shadow.rgb, 0.0);
 }

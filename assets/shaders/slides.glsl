@@ -29,10 +29,11 @@ Skin left_by_slides(Skin skin, Skin grown, float turf, Slide slide, Detail d, fl
     // Where the standing layer is thinner than at tick 0, a scar: greyed and rough. Where it is thicker, a deposit:
     // debris that lies still, under the advected texture if there is one. Edges are ragged, and no change stays none.
     float change = MOST_CHANGE / 127.0 * (255.0 * slide.layer.value.w - 128.0);  // m
+    float rough = smoothstep(0.50, 0.43, -change);  // the bed of a slab is smooth
     change *= 1.0 + frame.haze.w * 1.7 * (d.clumps.z - 0.5);
     float scar = smoothstep(0.01, 0.12, -change) * covered, deposit = smoothstep(0.01, 0.10, change) * covered;
     skin.albedo *= mix(vec3(1.0), vec3(0.90, 0.925, 0.95) + 0.10 * (d.rock.z - 0.5), scar);
-    skin.rise += scar * (0.30 * d.rock.xy + 0.20 * d.clumps.xy);
+    skin.rise += scar * rough * (0.30 * d.rock.xy + 0.20 * d.clumps.xy);
     skin = blend(skin, grown, turf * covered * smoothstep(0.06, 0.03, abs(change)));
     return blend(skin, moving(mix(slide.lies, slide.rolls, 0.35), d, 0.0), deposit);
 }

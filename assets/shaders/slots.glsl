@@ -33,8 +33,9 @@
 #define SLOT_POWDER_THICK 25    // RGBA16F: light from sun and from sky, distance, each times the opacity; opacity
 #define SLOT_POWDER_SHADE 26    // RG32F: render::ShadeMap across the sun
 #define SLOT_POWDER_LIT 27      // RGBA16F: colour times opacity, opacity
-#define SLOT_POWDER_DISTANCE 28 // R16F: distance times opacity
-#define SLOT_UNITS 29     // number of texture units
+#define SLOT_POWDER_HIDDEN 28   // RGBA32F: how the depth of the scene hides the cloud; its shadow on the ground
+#define SLOT_POWDER_LOWER 29    // R16F: share of the lower material times opacity
+#define SLOT_UNITS 30     // number of texture units
 
 // Storage buffers; cut_vertex.glsl reads the first four
 #define SLOT_MESH_POSITIONS 0    // vec2 of each vertex, m
@@ -99,6 +100,17 @@
 #define TREE_SPRUCE 0
 #define TREE_LARCH 1
 #define TREE_PINE 2
+
+// What structures are made of
+#define BUILT_WOOD 0
+#define BUILT_STONE 1
+#define BUILT_ROOF 2
+#define BUILT_SNOW 3
+#define BUILT_WINDOW 4
+#define BUILT_STEEL 5
+#define BUILT_ROAD 6
+#define BUILT_BANK 7 // snow beside a road
+#define BUILT_DARK 8 // doors, and the inside of what is broken
 
 // Layers of the detail texture
 #define DETAIL_SOFT 0

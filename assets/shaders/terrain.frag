@@ -14,6 +14,20 @@ struct Slide {
     vec3 rolls;
 };
 
+// The wall at which a slab broke off.
+struct Crown {
+    float near;      // 1 at the wall, 0 where none is near
+    vec2 up;         // unit vector to the snow that still stands
+    float side;      // m in plan from its upper edge, negative toward the bed
+    float height_m;  // of the wall
+    float shown;     // share of the wall that a pixel shows
+};
+
+// Finds the wall beside a place, and sharpens `layer` there into what stands above it and what lies under it, in
+// crown.glsl; crown_none.glsl is for places without one. wall() draws its face; it turns the place's slope.
+Crown crown_at(inout Smooth layer, Place p, Detail d);
+Skin wall(Skin skin, Crown crown, vec3 lies, Detail d, inout Place p);
+
 // What slides left on the ground, and what rolls over it, in slides.glsl; slides_none.glsl is for places where nothing
 // rolls and nothing has changed. `grown`: turf that nothing has touched; `rolls`: the share that is seen of what rolls.
 Skin left_by_slides(Skin skin, Skin grown, float turf, Slide slide, Detail d, float covered);
@@ -42,6 +56,7 @@ void main() {
 
     Smooth smoothed = spline(layers, p.at.xy / frame.ground.x);
     float pixel = p.footprint / frame.ground.x;  // cells
+    Crown crown = crown_at(smoothed, p, d);
 
     float thin = thinned(p, d, smoothed.value.x);
     // The edge is as wide as a pixel, not more: where the cover is evenly thin, a larger pixel must not show more.
@@ -67,6 +82,8 @@ void main() {
     skin.albedo *= 1.0 - 0.40 * shaded;
     skin.open *= 1.0 - 0.40 * shaded;
     skin.rise += rim * 0.8 * cover_along / max(cover_slope, 1e-4);
+
+    skin = wall(skin, crown, lies, d, p);
 
     float rolls = 0.0;
     skin = under_flow(skin, slide, p, d, covered, rolls);

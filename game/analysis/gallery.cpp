@@ -26,6 +26,7 @@ struct Gallery::Parts {
     std::vector<float> first_depth;  // m
     render::Surroundings surroundings;
     render::Woods woods;
+    render::Wind wind;
     std::string notice;
     int pictures = 0;
 
@@ -92,6 +93,7 @@ Outcome<Gallery> Gallery::open(const std::filesystem::path& folder, PictureSize 
     parts->light = scenario.light;
     parts->look = scenario.look;
     parts->first_depth = scenario.depth;
+    parts->wind = scenario.wind;
     if (!scenario.model) {
         parts->surroundings = mountains_around(scenario);
         parts->woods = woods_on(scenario, parts->surroundings);
@@ -114,7 +116,10 @@ render::DrawTimes Gallery::draw(const Session& session, const std::string& name)
                          .surroundings = &parts_->surroundings,
                          .powder = session.powder(),
                          .woods = &parts_->woods,
-                         .flow_so_far = session.flow_so_far()},
+                         .flow_so_far = session.flow_so_far(),
+                         .structures = &session.structures(),
+                         .wind = parts_->wind,
+                         .seconds = session.seconds()},
                         name);
 }
 

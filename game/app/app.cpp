@@ -296,7 +296,7 @@ void App::draw_world() {
         marks.ring = render::Ring{glm::dvec2(*ground_), brush_.radius, ring_colour(deed)};
     }
     Drawn wanted{epoch_,
-                 sandbox_->session().changed_at(),
+                 renderer_.stirs() ? sandbox_->session().state().tick : sandbox_->session().changed_at(),
                  camera_->camera(),
                  display_,
                  marks,
@@ -330,7 +330,10 @@ void App::draw_world() {
                         .powder = sandbox_->session().powder(),
                         .powder_strength = display_.powder,
                         .woods = display_.trees ? &woods_ : nullptr,
-                        .flow_so_far = sandbox_->session().flow_so_far()});
+                        .flow_so_far = sandbox_->session().flow_so_far(),
+                        .structures = &sandbox_->session().structures(),
+                        .wind = sandbox_->scenario().wind,
+                        .seconds = sandbox_->session().seconds()});
     }
     renderer_.show_on(screen_.framebuffer(), size.width, size.height);
     if (waits_for_gl_) renderer_.wait();

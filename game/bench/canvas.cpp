@@ -20,6 +20,7 @@ struct Canvas::Parts {
     std::vector<float> first_depth = {};  // m
     render::Surroundings surroundings = {};
     render::Woods woods = {};
+    render::Wind wind = {};
 };
 
 Outcome<Canvas> Canvas::open(PictureSize size, const std::string& gl) {
@@ -47,6 +48,7 @@ Outcome<void> Canvas::show(const Scenario& scenario) {
     parts_->look = scenario.look;
     parts_->first_depth = scenario.depth;
     parts_->surroundings = scenario.model ? render::Surroundings() : mountains_around(scenario);
+    parts_->wind = scenario.wind;
     parts_->woods = woods_on(scenario, parts_->surroundings);
     return {};
 }
@@ -66,7 +68,10 @@ render::DrawTimes Canvas::draw(const Session& session) {
                      .surroundings = &p.surroundings,
                      .powder = session.powder(),
                      .woods = &p.woods,
-                     .flow_so_far = session.flow_so_far()});
+                     .flow_so_far = session.flow_so_far(),
+                     .structures = &session.structures(),
+                     .wind = p.wind,
+                     .seconds = session.seconds()});
     return *p.renderer.stage_times();
 }
 

@@ -144,7 +144,10 @@ Outcome<DrawnView> draw(render::Renderer& renderer, const Moment& moment, const 
                                    .surroundings = scenario.model ? nullptr : &moment.world->mountains,
                                    .powder = session.powder(),
                                    .woods = &moment.world->woods,
-                                   .flow_so_far = session.flow_so_far()};
+                                   .flow_so_far = session.flow_so_far(),
+                                   .structures = &session.structures(),
+                                   .wind = scenario.wind,
+                                   .seconds = session.seconds()};
     drawn.fast = timed(renderer, input, render::Quality::kFast);
     drawn.fine = timed(renderer, input, render::Quality::kFine);
     if (auto written = render::write_png(renderer.read_back(), options.folder / drawn.file); !written)

@@ -13,6 +13,22 @@
 
 namespace game {
 
+namespace {
+
+std::optional<glm::dvec2> place_from(const toml::node* node) {
+    const toml::array* pair = node ? node->as_array() : nullptr;
+    if (!pair || pair->size() != 2) return std::nullopt;
+    glm::dvec2 place;
+    for (int i = 0; i < 2; ++i) {
+        const auto value = pair->get(static_cast<std::size_t>(i))->value<double>();
+        if (!value || !(std::abs(*value) <= TomlTable::kFarthest)) return std::nullopt;
+        place[i] = *value;
+    }
+    return place;
+}
+
+}  // namespace
+
 TomlTable::TomlTable(const toml::table& table, std::string name, std::string file, TomlFault& fault)
     : table_(&table), name_(std::move(name)), file_(std::move(file)), fault_(&fault) {}
 
@@ -68,32 +84,29 @@ std::optional<std::vector<double>> TomlTable::numbers(std::string_view key, std:
     return std::nullopt;
 }
 
-std::optional<std::vector<std::array<double, 2>>> TomlTable::points(std::string_view key, std::size_t fewest,
-                                                                    std::size_t most, double most_far) {
+std::optional<std::vector<glm::dvec2>> TomlTable::places(std::string_view key, std::size_t least,
+                                                         std::size_t most) {
     const toml::node* node = find(key);
     if (!node) return std::nullopt;
     const toml::array* array = node->as_array();
-    if (!array || array->size() < fewest || array->size() > most) {
-        blame(key, fmt::format("is not a list of {} to {} points [x, y]", fewest, most));
-        return std::nullopt;
-    }
-    std::vector<std::array<double, 2>> points;
-    for (const toml::node& element : *array) {
-        const toml::array* pair = element.as_array();
-        std::array<double, 2> point{};
-        bool sound = pair && pair->size() == 2;
-        for (std::size_t i = 0; i < 2 && sound; ++i) {
-            point[i] = (*pair)[i].value_or(std::numeric_limits<double>::quiet_NaN());
-            sound = std::abs(point[i]) <= most_far;
-        }
-        if (!sound) {
-            blame(key, fmt::format("has a point {} that is not two numbers within ±{}", points.size() + 1,
-                                   most_far));
-            return std::nullopt;
-        }
-        points.push_back(point);
-    }
-    return points;
+    std::vector<glm::dvec2> places;
+    for (std::size_t i = 0; array && i < array->size(); ++i)
+        if (const auto at = place_from(array->get(i))) places.push_back(*at);
+    if (!array || places.size() != array->size())
+        blame(key, fmt::format("is not a list of places [x, y] in metres, within ±{:.0f}", kFarthest));
+    else if (places.size() < least || places.size() > most)
+        blame(key, fmt::format("has {} places; {} to {} are allowed", places.size(), least, most));
+    else
+        return places;
+    return std::nullopt;
+}
+
+std::optional<glm::dvec2> TomlTable::place(std::string_view key) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    const auto at = place_from(node);
+    if (!at) blame(key, fmt::format("is not a place [x, y] in metres, within ±{:.0f}", kFarthest));
+    return at;
 }
 
 std::optional<double> TomlTable::moment(std::string_view key, int first, int last) {

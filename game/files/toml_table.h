@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <toml++/toml.h>
+#include <glm/vec2.hpp>
 
 #include "game/base/outcome.h"
 
@@ -29,9 +30,10 @@ class TomlTable {
     std::optional<std::int64_t> whole(std::string_view key, std::int64_t least, std::int64_t most);
     std::optional<std::string> text(std::string_view key);
     std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count);
-    // A list of pairs [x, y], each number within ±`most_far`.
-    std::optional<std::vector<std::array<double, 2>>> points(std::string_view key, std::size_t fewest,
-                                                             std::size_t most, double most_far);
+    // A list of `least` to `most` places [x, y], each coordinate within ±kFarthest metres.
+    std::optional<std::vector<glm::dvec2>> places(std::string_view key, std::size_t least, std::size_t most);
+    std::optional<glm::dvec2> place(std::string_view key);
+    static constexpr double kFarthest = 1e7;
     std::optional<TomlTable> table(std::string_view key);
     std::vector<TomlTable> tables(std::string_view key);  // of an array of tables
     // A date and time with its offset from UTC, in the years `first` to `last`, as seconds from 1970-01-01

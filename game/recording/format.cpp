@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <iterator>
 #include <stdexcept>
 
@@ -12,6 +13,7 @@
 #include "game/base/version.h"
 #include "game/recording/ground_data.h"
 #include "game/scene/flow_kinds.h"
+#include "game/scene/structures.h"
 #include "render/sky_light.h"
 
 namespace game {
@@ -233,9 +235,74 @@ void flow_from(const Json& json, Scenario& scenario) {
     scenario.look.flow->repeats = number(json, "repeats", 0.1, 100);
 }
 
+Json place_json(glm::dvec2 at) {
+    return numbers({at.x, at.y});
+}
+
+glm::dvec2 place_from(const Json& json) {
+    constexpr double kFarthest = 1e7;  // m
+    const auto coordinate = [&](std::size_t i) {
+        const bool is_number = json.is_array() && json.size() == 2 && json.at(i).is_number();
+        const double value = is_number ? json.at(i).get<double>() : 0;
+        if (!is_number || !(std::abs(value) <= kFarthest)) refuse("a place is not two numbers of metres");
+        return value;
+    };
+    return {coordinate(0), coordinate(1)};
+}
+
+Json structures_json(const render::Structures& structures) {
+    Json json = Json::object();
+    for (const render::Structure& each : structures.all)
+        if (each.kind == render::StructureKind::kHut)
+            json["huts"].push_back({{"at", place_json(each.at)}, {"heading_deg", each.heading_deg}});
+    for (const render::Road& road : structures.roads) {
+        Json points = Json::array();
+        for (const glm::dvec2& at : road.points) points.push_back(place_json(at));
+        json["roads"].push_back({{"points", points}, {"width_m", road.width_m}});
+    }
+    for (const render::Lift& lift : structures.lifts) {
+        const auto [valley, mountain] = stations(structures, lift);
+        json["lifts"].push_back({{"from", place_json(valley)}, {"to", place_json(mountain)}});
+    }
+    return json;
+}
+
+// An array of at most so many; empty if there is none.
+const Json& list(const Json& json, const char* key, std::size_t most) {
+    static const Json kNone = Json::array();
+    if (!json.contains(key)) return kNone;
+    const Json& list = json.at(key);
+    if (!list.is_array() || list.size() > most)
+        refuse(fmt::format("{} is not a list of at most {}", key, most));
+    return list;
+}
+
+render::Structures structures_from(const Json& json) {
+    render::Structures structures;
+    for (const Json& hut : list(json, "huts", kMostHuts))
+        structures.all.push_back({render::StructureKind::kHut, place_from(member(hut, "at")),
+                                  number(hut, "heading_deg", -360, 360)});
+    for (const Json& from : list(json, "roads", kMostRoads)) {
+        render::Road road;
+        for (const Json& at : list(from, "points", kMostRoadPoints)) road.points.push_back(place_from(at));
+        if (road.points.size() < 2) refuse("structures: a road has fewer than two points");
+        if (std::adjacent_find(road.points.begin(), road.points.end()) != road.points.end())
+            refuse("structures: a road has the same point twice in a row");
+        road.width_m = number(from, "width_m", kNarrowestRoad, kWidestRoad);
+        structures.roads.push_back(std::move(road));
+    }
+    for (const Json& lift : list(json, "lifts", kMostLifts)) {
+        const glm::dvec2 valley = place_from(member(lift, "from")), mountain = place_from(member(lift, "to"));
+        if (const auto wrong = fault_of_lift(valley, mountain))
+            refuse("structures: the upper station of a lift " + *wrong);
+        add_lift(valley, mountain, structures);
+    }
+    return structures;
+}
+
 Json trees_json(const render::TreeRules& trees) {
     Json json = {{"density", trees.density}, {"line_m", trees.line_m}, {"seed", trees.seed}};
-    for (const glm::dvec2& corner : trees.polygon) json["polygon"].push_back(numbers({corner.x, corner.y}));
+    for (const glm::dvec2& corner : trees.polygon) json["polygon"].push_back(place_json(corner));
     if (!trees.shares.empty()) json["shares"] = pack_bytes(trees.shares);
     return json;
 }
@@ -251,14 +318,7 @@ render::TreeRules trees_from(const Json& json, const sim::Grid& grid) {
         if (!polygon.is_array() || polygon.size() < kFewestTreeCorners || polygon.size() > kMostTreeCorners)
             refuse(fmt::format("trees: polygon is not a list of {} to {} corners", kFewestTreeCorners,
                                kMostTreeCorners));
-        for (const Json& corner : polygon) {
-            if (!corner.is_array() || corner.size() != 2 || !corner[0].is_number() || !corner[1].is_number())
-                refuse("trees: a corner of the polygon is not two numbers");
-            const glm::dvec2 at(corner[0].get<double>(), corner[1].get<double>());
-            if (!(std::abs(at.x) <= 1e7 && std::abs(at.y) <= 1e7))
-                refuse("trees: a corner of the polygon is too far away");
-            trees.polygon.push_back(at);
-        }
+        for (const Json& corner : polygon) trees.polygon.push_back(place_from(corner));
     }
     if (json.contains("shares")) {
         auto shares = unpack_bytes(text(json, "shares"), grid.size());
@@ -297,6 +357,9 @@ Json view_json(const Scenario& scenario) {
     if (scenario.lower) powder("lower_powder", look.lower_powder);
     if (scenario.model) json["look"]["style"] = "model";
     if (scenario.trees.density > 0) json["trees"] = trees_json(scenario.trees);
+    if (!scenario.structures.empty()) json["structures"] = structures_json(scenario.structures);
+    if (const render::Wind& wind = scenario.wind; wind.speed > 0)
+        json["wind"] = {{"from_deg", wind.from_deg}, {"speed", wind.speed}};
     if (look.flow) json["look"]["texture"] = to_string(look.flow->pattern);
     if (scenario.flow) json["flow"] = flow_json(*scenario.flow, *look.flow);
     json["light"] = {{"azimuth_deg", scenario.light.azimuth_deg},
@@ -342,6 +405,12 @@ void view_from(const Json& json, Scenario& scenario) {
         const auto pattern = render::flow_pattern_named(text(look, "texture"));
         if (!pattern) refuse(fmt::format("look: unknown texture '{}'", text(look, "texture")));
         scenario.look.flow = render::FlowLook{*pattern};
+    }
+    if (json.contains("structures")) scenario.structures = structures_from(member(json, "structures"));
+    if (json.contains("wind")) {
+        const Json& wind = member(json, "wind");
+        scenario.wind = {number(wind, "from_deg", -360, 360),
+                         number(wind, "speed", 0, render::Wind::kFastest)};
     }
     if (json.contains("flow")) flow_from(member(json, "flow"), scenario);
     const Json& light = member(json, "light");
@@ -404,6 +473,8 @@ Header read_header(const Json& json, int minor, const Memory& memory) {
     if (json.contains("lower")) scenario.lower = lower_from(json.at("lower"), minor, scenario.params);
     view_from(member(json, "view"), scenario);
     ground_from(member(json, "terrain"), memory, scenario);
+    if (const auto wrong = fault_of(scenario.structures, scenario.grid, scenario.has_data))
+        refuse("structures: " + *wrong);
     if (const Json& view = member(json, "view"); view.contains("trees"))
         scenario.trees = trees_from(member(view, "trees"), scenario.grid);
     return header;

@@ -25,8 +25,8 @@ std::uint64_t bytes_of(const FrameUse& frames) {
     const auto along_edge = static_cast<std::uint64_t>(frames.samples), samples = along_edge * along_edge;
     const std::uint64_t colours = samples > 1 ? (samples + 1) * kLinear : kLinear;
     constexpr std::uint64_t kSmoothing = kScreen + 1;  // the image with stairs, and a stencil of edges
-    // Powder (render/passes/powder_pass.h): reach, thickness, light and distance at half the resolution.
-    const std::uint64_t powder = samples * (4 + 2 * kLinear + 2) / 4;
+    // Powder (render/passes/powder_pass.h): reach, thickness, mixture, light and what hides it, at half the resolution.
+    const std::uint64_t powder = samples * (4 + 2 * kLinear + 18) / 4;
     return (samples * kPerSample + colours + powder + kScreen + kSmoothing + kImages * kImage) *
            static_cast<std::uint64_t>(frames.width) * static_cast<std::uint64_t>(frames.height);
 }

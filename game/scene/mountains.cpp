@@ -1,6 +1,12 @@
 #include "game/scene/mountains.h"
 
+#include <cstddef>
+#include <vector>
+
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "game/scene/structures.h"
 
 namespace game {
 
@@ -11,8 +17,28 @@ render::Surroundings mountains_around(const Scenario& scenario) {
             scenario.lower ? scenario.lower->depth : none};
 }
 
+namespace {
+
+// No trees stand in a house, on a road or under a rope.
+std::vector<render::Clearing> clearings_of(const render::Structures& structures) {
+    constexpr double kAround = 5, kBesideRoad = 5, kBesideRope = 9;  // m
+    std::vector<render::Clearing> clearings;
+    for (const render::Structure& each : structures.all)
+        clearings.push_back({each.at, each.at, glm::length(render::half_footprint(each.kind)) + kAround});
+    for (const render::Road& road : structures.roads)
+        for (std::size_t i = 1; i < road.points.size(); ++i)
+            clearings.push_back({road.points[i - 1], road.points[i], road.width_m / 2 + kBesideRoad});
+    for (const render::Lift& lift : structures.lifts) {
+        const auto [valley, mountain] = stations(structures, lift);
+        clearings.push_back({valley, mountain, kBesideRope});
+    }
+    return clearings;
+}
+
+}  // namespace
+
 render::Woods woods_on(const Scenario& scenario, const render::Surroundings& mountains) {
-    return {mountains, scenario.trees, scenario.datum};
+    return {mountains, scenario.trees, scenario.datum, clearings_of(scenario.structures)};
 }
 
 std::string woods_notice(const Scenario& scenario, const render::Woods& woods) {

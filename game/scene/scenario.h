@@ -9,6 +9,8 @@
 #include "game/base/outcome.h"
 #include "render/camera.h"
 #include "render/look.h"
+#include "render/structures.h"
+#include "render/wind.h"
 #include "render/woods.h"
 #include "sim/fields/flow_stage.h"
 #include "sim/initial_state.h"
@@ -59,6 +61,8 @@ struct Scenario {
     std::optional<render::Camera> camera;  // none: the overview
     bool model = false;                    // drawn as a block cut from its mountains
     render::TreeRules trees;               // for the eye alone
+    render::Structures structures;         // the same; intact
+    render::Wind wind;                     // for the eye alone
 };
 
 inline constexpr double kLeastDensity = 1, kGreatestDensity = 3000;  // kg/m³

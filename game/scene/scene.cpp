@@ -12,7 +12,9 @@
 #include "game/scene/material.h"
 #include "game/scene/scene_ground.h"
 #include "game/scene/scene_light.h"
+#include "game/scene/scene_structures.h"
 #include "game/scene/scene_trees.h"
+#include "game/scene/structures.h"
 #include "render/overview.h"
 #include "terrains/dem_gdal.h"
 #include "terrains/release.h"
@@ -145,6 +147,16 @@ void view_from_valley(Scenario& scenario) {
     const double from = scenario.camera->azimuth_deg;
     const double southward = std::remainder(180 - from, 360);
     scenario.light = {std::fmod(from + std::copysign(kBeside, southward) + 360, 360), kHeight};
+}
+
+// Reads [wind].
+void read_wind(TomlTable& table, render::Wind& wind) {
+    const auto from = table.number("from", -360, 360);
+    const auto speed = table.number("speed", 0, render::Wind::kFastest);
+    if (!from) table.blame("", "needs `from`, in degrees");
+    if (!speed) table.blame("", "needs a speed, in m/s");
+    wind = {from.value_or(0), speed.value_or(0)};
+    table.finish();
 }
 
 // Reads [look], [camera] and [light]. Returns the moment whose sun lights the scene, if [light] gives one.
@@ -288,6 +300,8 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
     if (under) under->finish();
     TreesTable trees;
     if (auto table = root.table("trees")) trees = read_trees(*table, folder, overrides.references);
+    scenario.structures = read_structures(root);
+    if (auto wind = root.table("wind")) read_wind(*wind, scenario.wind);
     scene.commands = read_commands(root, params.tick_s, scenario.lower.has_value());
     const auto sun = read_view(root, scenario);
     root.finish();
@@ -320,6 +334,8 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
                             path.string(), most, kDeepestCover));
     }
     set_ground(scenario, *terrain);
+    if (const auto wrong = fault_of(scenario.structures, scenario.grid, scenario.has_data))
+        return unusable(fmt::format("{}: {}", path.string(), *wrong));
     light_by(sun, root, scenario);
     if (fault) return unusable(*fault);
     return scene;

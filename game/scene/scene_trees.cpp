@@ -15,8 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kFarthest = 1e7;  // m
-
 // Twice the area of a triangle, above 0 if a, b, c turn left.
 double turn(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -79,8 +77,8 @@ TreesTable read_trees(TomlTable& table, const fs::path& folder, terrains::Refere
     rules.density = density.value_or(0);
     rules.line_m = table.number("tree_line", -12000, 9000).value_or(rules.line_m);
     rules.seed = static_cast<std::uint32_t>(table.whole("seed", 0, 1'000'000).value_or(rules.seed));
-    if (const auto corners = table.points("polygon", kFewestTreeCorners, kMostTreeCorners, kFarthest)) {
-        for (const auto& corner : *corners) rules.polygon.emplace_back(corner[0], corner[1]);
+    if (const auto corners = table.places("polygon", kFewestTreeCorners, kMostTreeCorners)) {
+        rules.polygon = *corners;
         if (const auto sides = crossing_sides(rules.polygon))
             table.blame("polygon", fmt::format("crosses itself: side {}, from corner {}, meets side {}",
                                                sides->first, sides->first, sides->second));

@@ -29,7 +29,8 @@ Session::Session(const Scenario& scenario, const sim::StepOptions& options, std:
     : state_(sim::make_state(initial_state_of(scenario), scenario.params)),
       engine_(std::make_unique<sim::Engine>(state_, options)),
       recorder_(std::move(recorder)),
-      densities_(densities_of(scenario)) {
+      densities_(densities_of(scenario)),
+      structures_(scenario.structures, view()) {
     peaks_.depth.assign(state_.grid.size(), 0.f);
     peaks_.speed_plan.assign(state_.grid.size(), 0.f);
     peaks_.speed_slope.assign(state_.grid.size(), 0.f);
@@ -86,6 +87,7 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
                         state_.tick, cubic_metres(error), sim::kDeepest)});
     times_.peaks_ms = ms_of([&] {
         watch();
+        if (!rests) watch_structures();
         if (powder_) advance_powder(commands, rests);
     });
     if (!records) return {};
@@ -134,6 +136,7 @@ void Session::put(const Checkpoint& moment) {
     if (fronts_ && moment.textures) fronts_->restore(view(), *moment.textures, engine_->workers);
     if (powder_) powder_->restore(moment.powder);
     peaks_ = moment.peaks;
+    watch_structures();
     active_cells_ = moment.active_cells;
     line_ = moment.line;
     changed_at_ = state_.tick;
@@ -177,7 +180,7 @@ void Session::follow_powder(const Scenario& scenario) {
     const sim::powder::Rule upper = rule(scenario.look.powder);
     const sim::powder::Rule lower = scenario.lower ? rule(scenario.look.lower_powder) : sim::powder::Rule{};
     if (scenario.model || scenario.flow || (upper.strength <= 0 && lower.strength <= 0)) return;
-    powder_.emplace(upper, lower);
+    powder_.emplace(upper, lower, velocity(scenario.wind));
 }
 
 // While nothing moves, the cloud settles; after that nothing is left to do.

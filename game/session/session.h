@@ -10,6 +10,7 @@
 #include "game/scene/memory.h"
 #include "game/scene/pressure.h"
 #include "game/scene/scenario.h"
+#include "game/scene/structures.h"
 #include "game/session/world_fronts.h"
 #include "render/flow_so_far.h"
 #include "sim/engine.h"
@@ -106,6 +107,8 @@ class Session {
     std::int64_t changed_at() const { return changed_at_; }
     const Peaks& peaks() const { return peaks_; }
     render::FlowSoFar flow_so_far() const { return {peaks_.depth, peaks_.speed_plan}; }
+    // What people have built, as the flow has left it.
+    const render::Structures& structures() const { return structures_.structures(); }
     const std::optional<Densities>& densities() const { return densities_; }
     const TickTimes& times() const { return times_; }
     // The state line of this tick; `before` has the hashes since the last recorded state line.
@@ -122,6 +125,7 @@ class Session {
     void put(const Checkpoint& moment);
     Outcome<void> write_state();
     void watch();
+    void watch_structures() { structures_.watch(view(), peaks_.pressure, peaks_.depth); }
     void advance_fronts();
     void advance_powder(std::span<const sim::Command> commands, bool rests);
 
@@ -133,6 +137,7 @@ class Session {
     std::optional<sim::powder::Cloud> powder_;
     Peaks peaks_;
     std::optional<Densities> densities_;
+    StructureWatch structures_;
     TickTimes times_;
     std::size_t active_cells_ = 0;
     std::int64_t changed_at_ = 0;

@@ -15,33 +15,32 @@ namespace {
 
 // As in powder.glsl, std140.
 struct PowderBlock {
-    glm::vec4 colour;      // w: mean radius of a puff, m
+    glm::vec4 colour;  // w: mean radius of a puff, m
+    glm::vec4 lower_colour;
     glm::vec4 across, up;  // of the shade map
     glm::ivec4 divisor;
+    glm::vec4 coarse, lit, shadow;
 };
 
-constexpr double kLeastBudget = 60000, kBudgetPerSample = 0.14;  // pixels of puffs
+constexpr double kLeastBudget = 40000, kBudgetPerSample = 0.1;  // pixels of puffs
 constexpr int kFinest = 2, kCoarsest = 6;                        // divisors of the resolution
 // Pixels around the box of the cloud. Each that is laid over the frame lies between coarse ones that were drawn.
 constexpr int kRim = 1, kCoarseRim = 3;
+constexpr std::array<GLenum, 2> kBoth{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
 constexpr GLfloat kNothing[4] = {0, 0, 0, 0};
 
-// Restricts drawing to a part of a target of `width` by `height` pixels, and `rim` more, until the end of the
-// scope.
-class Scissor {
-  public:
-    Scissor(const glm::vec4& box, float width, float height, int rim) {
-        const auto pixel = [](float at, float size) {
-            return static_cast<int>(std::floor((0.5f + 0.5f * at) * size));
-        };
-        const int left = pixel(box.x, width) - rim, bottom = pixel(box.y, height) - rim;
-        glScissor(left, bottom, pixel(box.z, width) + rim + 1 - left,
-                  pixel(box.w, height) + rim + 1 - bottom);
-    }
+// The pixels of a target of `width` by `height` that lie in `box`, and `rim` more.
+Rectangle pixels(const glm::vec4& box, float width, float height, int rim) {
+    const auto pixel = [](float at, float size) {
+        return static_cast<int>(std::floor((0.5f + 0.5f * at) * size));
+    };
+    return {pixel(box.x, width) - rim, pixel(box.y, height) - rim, pixel(box.z, width) + rim + 1,
+            pixel(box.w, height) + rim + 1};
+}
 
-  private:
-    Enabled enabled_{GL_SCISSOR_TEST};
-};
+void scissor(const Rectangle& part) {
+    glScissor(part.left, part.bottom, part.right - part.left, part.top - part.bottom);
+}
 
 }  // namespace
 
@@ -58,8 +57,9 @@ tl::expected<PowderPass, std::string> PowderPass::create(const std::filesystem::
     link(pass.reach_,
          {{GL_VERTEX_SHADER, {"fullscreen.vert"}},
           {GL_FRAGMENT_SHADER, {"slots.glsl", "frame.glsl", "powder.glsl", "powder_reach.frag"}}});
-    link(pass.puffs_, {{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "sun_ceiling.glsl", "powder.vert"}},
-                       {GL_FRAGMENT_SHADER, {"slots.glsl", "frame.glsl", "powder.frag"}}});
+    link(pass.puffs_,
+         {{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "sun_ceiling.glsl", "powder.glsl", "powder.vert"}},
+          {GL_FRAGMENT_SHADER, {"slots.glsl", "frame.glsl", "powder.glsl", "powder.frag"}}});
     link(pass.light_, {{GL_VERTEX_SHADER, {"fullscreen.vert"}},
                        {GL_FRAGMENT_SHADER,
                         {"slots.glsl", "frame.glsl", "light.glsl", "sun_ceiling.glsl", "powder.glsl",
@@ -77,7 +77,8 @@ tl::expected<PowderPass, std::string> PowderPass::create(const std::filesystem::
     glVertexArrayVertexBuffer(array, 0, pass.instances_.name(), 0, sizeof(DrawnPuff));
     glVertexArrayBindingDivisor(array, 0, 1);
     for (const auto& [location, offset] : {std::pair<GLuint, std::size_t>{0, offsetof(DrawnPuff, at)},
-                                           std::pair<GLuint, std::size_t>{1, offsetof(DrawnPuff, look)}}) {
+                                           std::pair<GLuint, std::size_t>{1, offsetof(DrawnPuff, look)},
+                                           std::pair<GLuint, std::size_t>{2, offsetof(DrawnPuff, life)}}) {
         glEnableVertexArrayAttrib(array, location);
         glVertexArrayAttribFormat(array, location, 4, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
         glVertexArrayAttribBinding(array, location, 0);
@@ -90,7 +91,8 @@ tl::expected<PowderPass, std::string> PowderPass::create(const std::filesystem::
 
 bool PowderPass::find(std::span<const sim::powder::Puff> puffs, const FrameBlock& frame, const Look& look,
                       float strength, int width, int height) {
-    cloud_.find(puffs.first(std::min(puffs.size(), sim::powder::Cloud::kMost)), frame, strength);
+    cloud_.find(puffs.first(std::min(puffs.size(), sim::powder::Cloud::kMost)), frame, strength, width,
+                height);
     if (cloud_.empty()) return false;
     const double samples = static_cast<double>(width) * height;
     const double too_many =
@@ -99,11 +101,18 @@ bool PowderPass::find(std::span<const sim::powder::Puff> puffs, const FrameBlock
     resize(width, height);
 
     PowderBlock block;
-    block.colour = {glm::mix(look.powder.colour, look.lower_powder.colour, cloud_.lower()),
-                    cloud_.mean_radius()};
+    block.colour = {look.powder.colour, cloud_.mean_radius()};
+    block.lower_colour = {look.lower_powder.colour, cloud_.mixed() ? 1 : 0};
     block.across = cloud_.shade().across();
     block.up = cloud_.shade().up();
     block.divisor = glm::ivec4(divisor_);
+    const glm::vec2 coarse = glm::vec2(width, height) / static_cast<float>(divisor_);
+    const glm::vec2 texel = 1.f / glm::vec2(across(), up());
+    block.coarse = {coarse, 1 / static_cast<float>(divisor_), 0};
+    block.lit = {texel, (glm::ceil(coarse) - 0.5f) * texel};
+    const glm::vec3 sun = glm::vec3(frame.lamp) * frame.sun.z, all = sun + glm::vec3(frame.above);
+    const glm::vec3 lost = sun / all;
+    block.shadow = {lost.r - lost, lost.r};
     glNamedBufferSubData(block_.name(), 0, sizeof block, &block);
     glNamedBufferSubData(instances_.name(), 0, static_cast<GLsizeiptr>(cloud_.drawn().size_bytes()),
                          cloud_.drawn().data());
@@ -117,36 +126,47 @@ void PowderPass::resize(int width, int height) {
     if (width == width_ && height == height_) return;
     width_ = width;
     height_ = height;
-    const int across = (width + kFinest - 1) / kFinest, up = (height + kFinest - 1) / kFinest;
-    farthest_ = make_texture(GL_R32F, across, up, GL_NEAREST);
-    thick_ = make_texture(GL_RGBA16F, across, up, GL_NEAREST);
-    lit_ = make_texture(GL_RGBA16F, across, up, GL_LINEAR);
-    distance_ = make_texture(GL_R16F, across, up, GL_LINEAR);
+    farthest_ = make_texture(GL_R32F, across(), up(), GL_NEAREST);
+    thick_ = make_texture(GL_RGBA16F, across(), up(), GL_NEAREST);
+    lower_ = make_texture(GL_R16F, across(), up(), GL_NEAREST);
+    lit_ = make_texture(GL_RGBA16F, across(), up(), GL_LINEAR);
+    hidden_ = make_texture(GL_RGBA32F, across(), up(), GL_NEAREST);
     farthest_frame_ = make_framebuffer();
     thick_frame_ = make_framebuffer();
     lit_frame_ = make_framebuffer();
     glNamedFramebufferTexture(farthest_frame_.name(), GL_COLOR_ATTACHMENT0, farthest_.name(), 0);
     glNamedFramebufferTexture(thick_frame_.name(), GL_COLOR_ATTACHMENT0, thick_.name(), 0);
+    glNamedFramebufferTexture(thick_frame_.name(), GL_COLOR_ATTACHMENT1, lower_.name(), 0);
     glNamedFramebufferTexture(lit_frame_.name(), GL_COLOR_ATTACHMENT0, lit_.name(), 0);
-    glNamedFramebufferTexture(lit_frame_.name(), GL_COLOR_ATTACHMENT1, distance_.name(), 0);
-    constexpr std::array<GLenum, 2> kBoth{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    glNamedFramebufferTexture(lit_frame_.name(), GL_COLOR_ATTACHMENT1, hidden_.name(), 0);
     glNamedFramebufferDrawBuffers(lit_frame_.name(), 2, kBoth.data());
+}
+
+int PowderPass::across() const {
+    return (width_ + kFinest - 1) / kFinest;
+}
+
+int PowderPass::up() const {
+    return (height_ + kFinest - 1) / kFinest;
 }
 
 void PowderPass::draw() const {
     // A frame may end within a coarse pixel.
-    const float across = static_cast<float>(width_) / static_cast<float>(divisor_);
-    const float up = static_cast<float>(height_) / static_cast<float>(divisor_);
-    const Scissor scissor(cloud_.box(), across, up, kCoarseRim);
+    const float wide = static_cast<float>(width_) / static_cast<float>(divisor_);
+    const float high = static_cast<float>(height_) / static_cast<float>(divisor_);
+    const Enabled scissors(GL_SCISSOR_TEST);
+    scissor(pixels(cloud_.box(), wide, high, kCoarseRim));
     glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_POWDER, block_.name());
-    glViewportIndexedf(0, 0, 0, across, up);
+    glViewportIndexedf(0, 0, 0, wide, high);
 
     glBindFramebuffer(GL_FRAMEBUFFER, farthest_frame_.name());
     fill(reach_);
     glBindTextureUnit(SLOT_POWDER_REACH, farthest_.name());
 
     glBindFramebuffer(GL_FRAMEBUFFER, thick_frame_.name());
+    glDrawBuffers(cloud_.mixed() ? 2 : 1, kBoth.data());  // one material has one colour
     glClearBufferfv(GL_COLOR, 0, kNothing);
+    if (cloud_.mixed()) glClearBufferfv(GL_COLOR, 1, kNothing);
     {
         const Enabled blend(GL_BLEND);
         glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -156,19 +176,26 @@ void PowderPass::draw() const {
         glBlendFunc(GL_ONE, GL_ZERO);
     }
     glBindTextureUnit(SLOT_POWDER_THICK, thick_.name());
+    glBindTextureUnit(SLOT_POWDER_LOWER, lower_.name());
     glBindTextureUnit(SLOT_POWDER_SHADE, shade_map_.name());
 
     glBindFramebuffer(GL_FRAMEBUFFER, lit_frame_.name());
     fill(light_);
     glBindTextureUnit(SLOT_POWDER_LIT, lit_.name());
-    glBindTextureUnit(SLOT_POWDER_DISTANCE, distance_.name());
+    glBindTextureUnit(SLOT_POWDER_HIDDEN, hidden_.name());
 }
 
 void PowderPass::lay_over() const {
-    const Scissor scissor(cloud_.box(), static_cast<float>(width_), static_cast<float>(height_), kRim);
-    const Enabled blend(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    fill(over_);
+    const Enabled scissors(GL_SCISSOR_TEST), blend(GL_BLEND);
+    const Rectangle box = pixels(cloud_.box(), static_cast<float>(width_), static_cast<float>(height_), kRim);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC1_COLOR);
+    for (const Rectangle& part : cloud_.parts()) {
+        const Rectangle seen{std::max(part.left, box.left), std::max(part.bottom, box.bottom),
+                             std::min(part.right, box.right), std::min(part.top, box.top)};
+        if (seen.left >= seen.right || seen.bottom >= seen.top) continue;
+        scissor(seen);
+        fill(over_);
+    }
     glBlendFunc(GL_ONE, GL_ZERO);
 }
 

@@ -31,12 +31,14 @@ class PowderPass {
 
   private:
     void resize(int width, int height);
+    int across() const;  // of the textures
+    int up() const;
     void fill(const ProgramName& program) const;
 
     ProgramName reach_, puffs_, light_, over_;
     VertexArray no_vertices_, vertex_array_;
     Buffer instances_, block_;
-    Texture shade_map_, farthest_, thick_, lit_, distance_;
+    Texture shade_map_, farthest_, thick_, lower_, lit_, hidden_;
     Framebuffer farthest_frame_, thick_frame_, lit_frame_;
     int width_ = 0, height_ = 0;  // of the frame, samples
     int divisor_ = 1;

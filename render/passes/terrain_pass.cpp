@@ -56,14 +56,24 @@ tl::expected<TerrainPass, std::string> TerrainPass::create(const std::filesystem
         Shadings& to = two ? pass.two_materials_ : pass.one_material_;
         const std::string_view materials = two ? "materials_two.glsl" : "materials_one.glsl";
         for (const Variant& variant : {
-                 Variant{to.plain.with_slides, {materials, "slides.glsl", "marks_none.glsl"}},
-                 Variant{to.plain.without, {materials, "slides_none.glsl", "marks_none.glsl"}},
+                 Variant{to.plain.with_walls, {materials, "slides.glsl", "crown.glsl", "marks_none.glsl"}},
+                 Variant{to.plain.with_slides,
+                         {materials, "slides.glsl", "crown_none.glsl", "marks_none.glsl"}},
+                 Variant{to.plain.without,
+                         {materials, "slides_none.glsl", "crown_none.glsl", "marks_none.glsl"}},
+                 Variant{to.marked.with_walls,
+                         {materials, "slides.glsl", "crown.glsl", "marks.glsl", "overlay_none.glsl"}},
                  Variant{to.marked.with_slides,
-                         {materials, "slides.glsl", "marks.glsl", "overlay_none.glsl"}},
-                 Variant{to.marked.without,
-                         {materials, "slides_none.glsl", "marks.glsl", "overlay_none.glsl"}},
-                 Variant{to.overlaid.with_slides, {materials, "slides.glsl", "marks.glsl", "overlay.glsl"}},
-                 Variant{to.overlaid.without, {materials, "slides_none.glsl", "marks.glsl", "overlay.glsl"}},
+                         {materials, "slides.glsl", "crown_none.glsl", "marks.glsl", "overlay_none.glsl"}},
+                 Variant{
+                     to.marked.without,
+                     {materials, "slides_none.glsl", "crown_none.glsl", "marks.glsl", "overlay_none.glsl"}},
+                 Variant{to.overlaid.with_walls,
+                         {materials, "slides.glsl", "crown.glsl", "marks.glsl", "overlay.glsl"}},
+                 Variant{to.overlaid.with_slides,
+                         {materials, "slides.glsl", "crown_none.glsl", "marks.glsl", "overlay.glsl"}},
+                 Variant{to.overlaid.without,
+                         {materials, "slides_none.glsl", "crown_none.glsl", "marks.glsl", "overlay.glsl"}},
              }) {
             auto shading = make_shading(shaders, variant.files);
             if (!shading) return tl::unexpected(shading.error());
@@ -111,8 +121,10 @@ void TerrainPass::shade(const Marks& marks, const SlideTiles& tiles, bool two_ma
     const Shading& shading = marks.overlay != Overlay::kNone ? shadings.overlaid
                              : lines                         ? shadings.marked
                                                              : shadings.plain;
+    with_walls_.send(tiles.with_walls(), width, height);
     with_slides_.send(tiles.with_slides(), width, height);
     without_.send(tiles.without(), width, height);
+    shading.with_walls.draw_on(with_walls_);
     shading.with_slides.draw_on(with_slides_);
     shading.without.draw_on(without_);
 }

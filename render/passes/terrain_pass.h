@@ -41,13 +41,13 @@ class TerrainPass {
     ProgramName depth_program_, wall_program_;
     // Variants, because shader code costs time even if its branch is not taken.
     struct Shading {
-        RectanglePass with_slides, without;
+        RectanglePass with_walls, with_slides, without;
     };
     struct Shadings {
         Shading plain, marked, overlaid;
     };
     Shadings one_material_, two_materials_;
-    Rectangles with_slides_, without_;
+    Rectangles with_walls_, with_slides_, without_;
     Indexed surface_, walls_;
     Texture detail_texture_;
 };

@@ -24,9 +24,13 @@ constexpr float kDragTime = 1.8f;   // s, in which a puff takes on the speed of 
 constexpr float kClimbTime = 1.6f;  // s, in which it stops to rise or fall
 constexpr float kCarried = 0.5f;    // speed of the air over a flow, times that of the flow
 constexpr float kDrift = 1.2f;      // m/s, of powder-laden air down a slope of 1
-constexpr float kSettling = 0.6f;   // m/s
-constexpr float kFadeIn = 0.3f;     // s
-constexpr float kBlastSpeed = 9;    // m/s
+constexpr float kHalfWind = 9;      // m above the ground, where the wind has half of its speed
+constexpr float kWindAge =
+    3;  // s, at which a puff has half of its share in the wind: it is no part of the flow then
+constexpr float kSettling = 0.6f;  // m/s
+constexpr float kFadeIn = 0.3f;    // s
+constexpr float kSkirt = 0.3f;     // of the births at a front: low fine dust, thrown to the sides
+constexpr float kBlastSpeed = 9;   // m/s
 
 float smoothstep(float from, float to, float value) {
     const float t = std::clamp((value - from) / (to - from), 0.f, 1.f);
@@ -123,10 +127,12 @@ float radius(const Puff& puff) {
 
 float opacity(const Puff& puff) {
     const float a = puff.age_s / puff.life_s;
-    return puff.density * smoothstep(0, kFadeIn, puff.age_s) * (1 - smoothstep(0.25f, 1, a));
+    return puff.density * smoothstep(0, kFadeIn, puff.age_s) *
+           (1 - smoothstep(0, 0.8f, a) * (0.75f + 0.25f * smoothstep(0.5f, 1, a)));
 }
 
-Cloud::Cloud(const Rule& upper, const Rule& lower) : upper_(upper), lower_(lower) {
+Cloud::Cloud(const Rule& upper, const Rule& lower, glm::vec2 wind)
+    : upper_(upper), lower_(lower), wind_(wind) {
     puffs_.reserve(kMost);
 }
 
@@ -142,10 +148,12 @@ void Cloud::move(const View& world, float dt_s) {
         const float ground_before = surface(world, before);
         const glm::vec2 fall = slope(world, before.x, before.y);
         const float flows = smoothstep(kThinnest, kThick, between(before, world.rolling));
+        const float height = std::max(puff.at.z - ground_before, 0.f);
+        const float windy = height / (height + kHalfWind) * (puff.age_s / (puff.age_s + kWindAge));
         const glm::vec2 air =
             kCarried * flows *
                 glm::vec2(between(before, world.velocity_x), between(before, world.velocity_y)) -
-            kDrift * fall;
+            kDrift * fall + windy * wind_;
         const float share = std::min(dt_s / kDragTime, 1.f);
         puff.velocity.x += share * (air.x - puff.velocity.x);
         puff.velocity.y += share * (air.y - puff.velocity.y);
@@ -174,51 +182,73 @@ Rule Cloud::rule_of(const View& world, int x, int y) const {
             upper_.speed + lower * (lower_.speed - upper_.speed)};
 }
 
+// Nothing flows in a tile that sleeps. A world without an engine has no tiles.
 void Cloud::give_birth(const View& world, float dt_s) {
-    const float cell = world.grid.dx;
-    for (int y = 0; y < world.grid.ny; ++y) {
-        const float* rolling = world.rolling.row(y);
-        const float *u = world.velocity_x.row(y), *v = world.velocity_y.row(y);
-        for (int x = 0; x < world.grid.nx; ++x) {
-            if (rolling[x] < kThinnest) continue;
-            const Rule rule = rule_of(world, x, y);
-            const glm::vec2 velocity(u[x], v[x]);
-            const float speed_2 = glm::dot(velocity, velocity);
-            if (rule.strength <= 0 || speed_2 < rule.speed * rule.speed) continue;
-            const float speed = std::sqrt(speed_2);
-            const float fast = smoothstep(rule.speed, kFullSpeed * rule.speed, speed) *
-                               smoothstep(kThinnest, kThick, rolling[x]);
-            if (fast < 0.02f) continue;
+    const Tiles& tiles = world.tiles;
+    if (tiles.awake.empty()) {
+        for (int y = 0; y < world.grid.ny; ++y) give_birth_in(world, dt_s, y, 0, world.grid.nx);
+        return;
+    }
+    for (int y = 0; y < world.grid.ny; ++y)
+        for (int column = 0; column < tiles.columns; ++column)
+            if (tiles.awake[tiles.number(column, y / tiles.height)])
+                give_birth_in(world, dt_s, y, column * tiles.width,
+                              std::min((column + 1) * tiles.width, world.grid.nx));
+}
 
-            const float front = frontness(world, x, y, velocity, speed);
-            const glm::vec2 rise = slope(world, x, y);
-            const float steep = smoothstep(0.8f, 1.4f, std::sqrt(glm::dot(rise, rise)));
-            const float size =
-                std::clamp(kRadiusPerSpeed * speed * std::min(kShallow + kPerDepth * rolling[x], kDeep),
-                           kSmallest, kLargest);
-            const float room = 1 - static_cast<float>(puffs_.size()) / static_cast<float>(kMost);
-            const float births = dt_s * kCover / (3.14f * size * size) * cell * cell * fast * room *
-                                 (kBodyShare + (1 - kBodyShare) * front) * (1 + steep);
-            Random random(world.tick, x, y);
-            const int count = static_cast<int>(births + random.share());
-            for (int i = 0; i < count && puffs_.size() < kMost; ++i) {
-                Puff puff;
-                puff.at.x = (static_cast<float>(x) + random.between(-0.5f, 0.5f)) * cell;
-                puff.at.y = (static_cast<float>(y) + random.between(-0.5f, 0.5f)) * cell;
-                puff.first_radius = size * random.between(0.6f, 1.3f) * (0.7f + 0.3f * front);
-                puff.at.z =
-                    surface(world, place_of(world.grid, puff.at.x, puff.at.y)) + 0.25f * puff.first_radius;
-                const glm::vec2 forward = velocity * random.between(0.7f, 1 + 0.2f * front);
-                const glm::vec2 jitter = speed * glm::vec2{random.between(-0.12f, 0.12f),
-                                                           random.between(-0.12f, 0.12f)};  // in this order
-                const float thrown = speed * random.between(0.06f, 0.2f + 0.5f * front + 0.2f * steep);
-                puff.velocity = glm::vec3(forward + jitter, glm::dot(forward, rise) + thrown);
-                puff.life_s = random.between(4.5f, 7 + 2 * front);
-                puff.density = rule.strength * (0.35f + 0.65f * fast) * random.between(0.6f, 1);
-                puff.lower = world.mixture ? share_in_rolling(world, x, y) : 0.f;
-                puff.seed = random.bits();
-                puffs_.push_back(puff);
+// Of the vertices of a row from `first` to before `last`.
+void Cloud::give_birth_in(const View& world, float dt_s, int y, int first, int last) {
+    const float cell = world.grid.dx;
+    const float* rolling = world.rolling.row(y);
+    const float *u = world.velocity_x.row(y), *v = world.velocity_y.row(y);
+    for (int x = first; x < last; ++x) {
+        if (rolling[x] < kThinnest) continue;
+        const Rule rule = rule_of(world, x, y);
+        const glm::vec2 velocity(u[x], v[x]);
+        const float speed_2 = glm::dot(velocity, velocity);
+        if (rule.strength <= 0 || speed_2 < rule.speed * rule.speed) continue;
+        const float speed = std::sqrt(speed_2);
+        const float fast = smoothstep(rule.speed, kFullSpeed * rule.speed, speed) *
+                           smoothstep(kThinnest, kThick, rolling[x]);
+        if (fast < 0.02f) continue;
+
+        const float front = frontness(world, x, y, velocity, speed);
+        const glm::vec2 rise = slope(world, x, y);
+        const float steep = smoothstep(0.8f, 1.4f, std::sqrt(glm::dot(rise, rise)));
+        const float size =
+            std::clamp(kRadiusPerSpeed * speed * std::min(kShallow + kPerDepth * rolling[x], kDeep),
+                       kSmallest, kLargest);
+        const float room = 1 - static_cast<float>(puffs_.size()) / static_cast<float>(kMost);
+        const float births = dt_s * kCover / (3.14f * size * size) * cell * cell * fast * room *
+                             (kBodyShare + (1 - kBodyShare) * front) * (1 + steep);
+        Random random(world.tick, x, y);
+        const int count = static_cast<int>(births + random.share());
+        for (int i = 0; i < count && puffs_.size() < kMost; ++i) {
+            Puff puff;
+            puff.at.x = (static_cast<float>(x) + random.between(-0.5f, 0.5f)) * cell;
+            puff.at.y = (static_cast<float>(y) + random.between(-0.5f, 0.5f)) * cell;
+            puff.first_radius = size * random.between(0.6f, 1.3f) * (0.7f + 0.3f * front);
+            puff.at.z =
+                surface(world, place_of(world.grid, puff.at.x, puff.at.y)) + 0.25f * puff.first_radius;
+            const glm::vec2 forward = velocity * random.between(0.7f, 1 + 0.2f * front);
+            const glm::vec2 jitter = speed * glm::vec2{random.between(-0.12f, 0.12f),
+                                                       random.between(-0.12f, 0.12f)};  // in this order
+            // Few are thrown high: they make the top ragged.
+            const float high = random.share();
+            const float thrown =
+                speed * (0.06f + high * high * random.between(0.3f, 0.5f + 0.9f * front + 0.3f * steep));
+            puff.velocity = glm::vec3(forward + jitter, glm::dot(forward, rise) + thrown);
+            puff.life_s = random.between(5, 8 + 3 * front);
+            puff.density = rule.strength * (0.35f + 0.65f * fast) * random.between(0.6f, 1);
+            if (random.share() < kSkirt * front) {
+                const glm::vec2 aside = random.between(-0.35f, 0.35f) * glm::vec2(-velocity.y, velocity.x);
+                puff.first_radius *= 0.5f;
+                puff.velocity = glm::vec3(0.6f * forward + aside, glm::dot(0.6f * forward + aside, rise));
+                puff.density *= 0.5f;
             }
+            puff.lower = world.mixture ? share_in_rolling(world, x, y) : 0.f;
+            puff.seed = random.bits();
+            puffs_.push_back(puff);
         }
     }
 }

@@ -36,7 +36,8 @@ float radius(const Puff& puff);   // m
 float opacity(const Puff& puff);  // 0 to 1
 
 // Powder thrown up by a fast flow: puffs that are born over it, most of all at its front and over steep ground,
-// travel with it, rise, grow, fall behind and settle within seconds.
+// travel with it, rise, grow, fall behind and settle within seconds. Wind carries them off: the more, the higher
+// and older they are.
 //
 // A view: it never affects the world. It depends on its past, so a checkpoint keeps the puffs. They are
 // bit-identical on every machine: only + − × ÷ and hashes of cell and tick.
@@ -44,8 +45,8 @@ class Cloud {
   public:
     static constexpr std::size_t kMost = 2000;  // puffs; fewer are born as their number comes near
 
-    // `lower`: of the lower material, in a world of two.
-    explicit Cloud(const Rule& upper, const Rule& lower = {});
+    // `lower`: of the lower material, in a world of two. `wind`: velocity of the air high above ground, m/s.
+    explicit Cloud(const Rule& upper, const Rule& lower = {}, glm::vec2 wind = {0, 0});
 
     // Advances to `world`, `dt_s` later, > 0.
     void advance(const View& world, float dt_s);
@@ -58,9 +59,11 @@ class Cloud {
   private:
     void move(const View& world, float dt_s);
     void give_birth(const View& world, float dt_s);
+    void give_birth_in(const View& world, float dt_s, int y, int first, int last);
     Rule rule_of(const View& world, int x, int y) const;
 
     Rule upper_, lower_;
+    glm::vec2 wind_;           // m/s
     std::vector<Puff> puffs_;  // in order of birth
 };
 

@@ -66,6 +66,7 @@ struct View {
     const Field<Site>& site;
     const Field<float>* smooth_depth;  // m; of the smoothed ground, along which a layer moves; null in bcre
     const Mixture* mixture;            // null in a world of one material
+    const Tiles& tiles;                // where anything may move; empty without an engine
     double datum;       // m; height above the terrain's zero is datum + bedrock + depth + rolling
     std::int64_t tick;  // ticks done
 };
@@ -80,6 +81,7 @@ inline View view(const State& s) {
             s.site,
             has_momentum(s.params.model) ? &s.smooth_depth : nullptr,
             s.mixture ? &*s.mixture : nullptr,
+            s.tiles,
             s.datum,
             s.tick};
 }

@@ -1,4 +1,4 @@
-// Frames with trees after seeking, and trees under an avalanche.
+// Frames with trees and a hut after seeking, and both under an avalanche.
 
 #include "game/scene/mountains.h"
 #include "tests/game/drawn_scene.h"
@@ -11,6 +11,7 @@ class TreesUnderAvalanche : public DrawnScene {
     void SetUp() override {
         DrawnScene::SetUp();
         scene_.scenario.trees = {.density = 3000, .line_m = 2100, .seed = 1};
+        scene_.scenario.structures.all.push_back({render::StructureKind::kHut, {1040, 1130}});
         mountains_ = mountains_around(scene_.scenario);
         woods_ = woods_on(scene_.scenario, mountains_);
     }
@@ -25,7 +26,8 @@ class TreesUnderAvalanche : public DrawnScene {
                          .first_depth = scene_.scenario.depth,
                          .surroundings = &mountains_,
                          .woods = woods,
-                         .flow_so_far = after ? session.flow_so_far() : render::FlowSoFar{}});
+                         .flow_so_far = after ? session.flow_so_far() : render::FlowSoFar{},
+                         .structures = &session.structures()});
         return renderer_->read_back().pixels;
     }
 
@@ -40,6 +42,7 @@ TEST_F(TreesUnderAvalanche, lie_in_the_same_bytes_after_100_random_seeks) {
     EXPECT_NE(frame(sandbox.session(), &woods_), frame(sandbox.session(), nullptr));
     EXPECT_NE(frame(sandbox.session(), &woods_), frame(sandbox.session(), &woods_, false))
         << "no tree was hit";
+    EXPECT_EQ(sandbox.session().structures().all[0].state, render::StructureState::kDestroyed);
     expect_the_same_after_100_seeks(sandbox, frames, with_trees);
 }
 

@@ -52,6 +52,18 @@ TEST_F(FollowedPowder, is_the_same_bits_for_any_number_of_threads) {
     EXPECT_EQ(puffs(one), puffs(three));
 }
 
+TEST_F(FollowedPowder, is_the_same_bits_if_no_tile_sleeps) {
+    Session sleepy = begin(true);
+    Session awake =
+        Session::begin(scene.scenario, sim::StepOptions{.tiles_may_sleep = false}, std::nullopt).value();
+    awake.follow_powder(scene.scenario);
+    run(sleepy, kFast);
+    run(awake, kFast);
+    const auto& tiles = sleepy.state().tiles.awake;
+    EXPECT_TRUE(std::count(tiles.begin(), tiles.end(), 0) > 0);
+    EXPECT_EQ(puffs(sleepy), puffs(awake));
+}
+
 TEST_F(FollowedPowder, goes_back_with_the_world_and_comes_again_to_the_bit) {
     Session session = begin(true);
     run(session, kFast);

@@ -114,6 +114,57 @@ TEST(RecordingHeader, keeps_the_trees_and_refuses_impossible_ones) {
     }
 }
 
+TEST(RecordingHeader, keeps_what_people_built_and_refuses_what_cannot_stand) {
+    Header header;
+    header.scenario = small_scenario();
+    EXPECT_FALSE(to_json(header)["view"].contains("structures"));
+    const sim::Grid& grid = header.scenario.grid;
+    const auto at = [&](double x, double y) {
+        return glm::dvec2((grid.nx - 1) * x, (grid.ny - 1) * y) * static_cast<double>(grid.dx);
+    };
+    render::Structures& structures = header.scenario.structures;
+    structures.roads.push_back({{at(0.5, 0.4), at(0.3, 0.75), at(1, 1)}, 4.5});
+    EXPECT_EQ(through_header(header.scenario).structures, structures);
+
+    const Json sound = to_json(header);
+    const auto expect_refused = [&](const char* key, const Json& value) {
+        Json wrong = sound;
+        wrong["view"]["structures"][key] = value;
+        const auto refused = header_from(wrong);
+        EXPECT_FALSE(refused) << key << value;
+    };
+    const Json far = {1e6, 1e6}, near = {12, 10};
+    expect_refused("huts", "many");
+    expect_refused("huts", {{{"at", far}, {"heading_deg", 0}}});
+    expect_refused("huts", {{{"at", {0, "x"}}, {"heading_deg", 0}}});
+    expect_refused("huts", {{{"at", near}}});
+    expect_refused("huts", Json(std::vector<Json>(201, {{"at", near}, {"heading_deg", 0}})));
+    expect_refused("roads", {{{"points", {near}}, {"width_m", 5}}});
+    expect_refused("roads", {{{"points", {near, near}}, {"width_m", 5}}});
+    expect_refused("roads", {{{"points", {near, far}}, {"width_m", 5}}});
+    expect_refused("lifts", {{{"from", near}, {"to", near}}});
+    expect_refused("lifts", {{{"from", near}}});
+}
+
+TEST(RecordingHeader, keeps_the_wind_and_refuses_an_impossible_one) {
+    Header header;
+    header.scenario = small_scenario();
+    EXPECT_FALSE(to_json(header)["view"].contains("wind"));
+    EXPECT_EQ(through_header(header.scenario).wind, render::Wind());
+    header.scenario.wind = {.from_deg = -123.25, .speed = 7.1};
+    EXPECT_EQ(through_header(header.scenario).wind, header.scenario.wind);
+    const Json sound = to_json(header);
+    for (const auto& [key, value] : {std::pair<const char*, Json>{"speed", 1000},
+                                     {"speed", -1},
+                                     {"speed", "strong"},
+                                     {"from_deg", 361},
+                                     {"from_deg", nullptr}}) {
+        Json wrong = sound;
+        wrong["view"]["wind"][key] = value;
+        EXPECT_FALSE(header_from(wrong)) << key << value;
+    }
+}
+
 TEST(RecordingHeader, keeps_where_trees_may_grow_and_refuses_impossible_places) {
     Header header;
     header.scenario = small_scenario();

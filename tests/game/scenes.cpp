@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "game/files/assets.h"
+#include "game/scene/structures.h"
 #include "tests/game/program.h"
 #include "tests/support/places.h"
 #include "tests/terrains/files.h"
@@ -125,6 +126,41 @@ TEST_F(SceneFile, has_trees_only_if_it_asks_for_them) {
     EXPECT_EQ(trees("[trees]\ndensity = 200\n"), (render::TreeRules{.density = 200}));
 }
 
+TEST_F(SceneFile, has_what_people_built_and_refuses_it_off_the_terrain) {
+    const auto built = [this](const std::string& tables) {
+        return load(with("[light]", tables + "[light]"));
+    };
+    EXPECT_TRUE(built("")->scenario.structures.empty());
+    const auto scene = built(
+        "[[hut]]\nat = [80, 40]\nheading = 190\n[[road]]\npoints = [[20, 20], [90, 25]]\nwidth = 5\n"
+        "[[lift]]\nfrom = [120, 30]\nto = [120, 130]\n");
+    ASSERT_TRUE(scene) << scene.error().sentence;
+    render::Structures expected;
+    expected.all.push_back({render::StructureKind::kHut, {80, 40}, 190});
+    expected.roads.push_back({{{20, 20}, {90, 25}}, 5});
+    add_lift({120, 30}, {120, 130}, expected);
+    EXPECT_EQ(scene->scenario.structures, expected);
+
+    const auto outside = built("[[hut]]\nat = [80, 400]\n");
+    ASSERT_FALSE(outside);
+    EXPECT_NE(outside.error().sentence.find("hut 1 at (80, 400) is outside the terrain"), std::string::npos);
+    std::string many;
+    for (int i = 0; i < 201; ++i) many += "[[hut]]\nat = [80, 40]\n";
+    ASSERT_FALSE(built(many));
+    EXPECT_NE(built(many).error().sentence.find("at most 200"), std::string::npos);
+}
+
+TEST_F(SceneFile, has_wind_only_if_it_asks_for_it) {
+    const auto wind = [this](const std::string& table) {
+        const auto scene = load(with("[light]", table + "[light]"));
+        EXPECT_TRUE(scene) << scene.error().sentence;
+        return scene ? scene->scenario.wind : render::Wind{90, 90};
+    };
+    EXPECT_EQ(wind("").speed, 0);
+    EXPECT_EQ(wind("[wind]\nfrom = 290\nspeed = 7.5\n"), (render::Wind{290, 7.5}));
+    EXPECT_EQ(wind("[wind]\nfrom = -90\nspeed = 60\n"), (render::Wind{-90, 60}));
+}
+
 TEST_F(SceneFile, may_say_within_which_polygon_trees_grow) {
     const auto scene =
         load(with("[light]", "[trees]\ndensity = 200\npolygon = [[10, 20], [90.5, 20], [50, 100]]\n[light]"));
@@ -213,7 +249,15 @@ constexpr Fault kFaults[] = {
     {"[light]", "[goals]\nx = 1\n[light]", 15, "goals"},
     {"[light]", "[look]\ncolour = 3\n[light]", 16, "look.colour"},
     {"[light]", "[trees]\ndensity = 100\nspecies = 3\n[light]", 17, "trees.species"},
+    {"[light]", "[[hut]]\nat = [80, 80]\nstoreys = 3\n[light]", 17, "hut.storeys"},
+    {"[light]", "[[road]]\npoints = [[8, 8], [9, 9]]\nlanes = 3\n[light]", 17, "road.lanes"},
+    {"[light]", "[[lift]]\nfrom = [10, 10]\nto = [10, 90]\nseats = 6\n[light]", 18, "lift.seats"},
+    {"[light]", "[wind]\nfrom = 1\nspeed = 2\ngusts = 3\n[light]", 18, "wind.gusts"},
     // Wrong kinds.
+    {"[light]", "[[hut]]\nat = [80, \"x\"]\n[light]", 16, "hut.at is not a place"},
+    {"[light]", "[[hut]]\nat = [80, nan]\n[light]", 16, "hut.at is not a place"},
+    {"[light]", "[hut]\nat = [80, 80]\n[light]", 15, "hut is not a list of tables"},
+    {"[light]", "[[road]]\npoints = [8, 9]\n[light]", 16, "road.points is not a list of places"},
     {"title = \"A trial\"", "title = 3", 1, "title"},
     {"grid = 16", "grid = 16.5", 4, "terrain.grid"},
     {"grid = 16", "grid = \"16\"", 4, "terrain.grid"},
@@ -226,15 +270,25 @@ constexpr Fault kFaults[] = {
     {"[[command]]", "[command]", 10, "command"},
     {"[light]", "[look]\nstyle = true\n[light]", 16, "look.style"},
     // Out of range.
+    {"[light]", "[[hut]]\nat = [1e8, 80]\n[light]", 16, "hut.at is not a place"},
+    {"[light]", "[[hut]]\nat = [80, 80]\nheading = 361\n[light]", 17, "hut.heading"},
+    {"[light]", "[[road]]\npoints = [[8, 9]]\n[light]", 16, "road.points has 1 places; 2 to 200"},
+    {"[light]", "[[road]]\npoints = [[8, 9], [8, 9]]\n[light]", 16, "road.points has the same place twice"},
+    {"[light]", "[[road]]\npoints = [[8, 9], [18, 9]]\nwidth = 1\n[light]", 17, "road.width"},
+    {"[light]", "[[lift]]\nfrom = [10, 10]\nto = [10, 11]\n[light]", 17, "lift.to is 1 m away; 60 to 5000 m"},
     {"[light]", "[trees]\ndensity = -1\n[light]", 16, "trees.density"},
     {"[light]", "[trees]\ndensity = 1000001\n[light]", 16, "trees.density"},
     {"[light]", "[trees]\ndensity = 100\ntree_line = 9001\n[light]", 17, "trees.tree_line"},
     {"[light]", "[trees]\ndensity = 100\nseed = -1\n[light]", 17, "trees.seed"},
+    {"[light]", "[wind]\nfrom = 1\nspeed = 1000\n[light]", 17, "wind.speed"},
+    {"[light]", "[wind]\nfrom = 1\nspeed = -1\n[light]", 17, "wind.speed"},
+    {"[light]", "[wind]\nfrom = 1\nspeed = nan\n[light]", 17, "wind.speed"},
+    {"[light]", "[wind]\nfrom = 361\nspeed = 1\n[light]", 16, "wind.from"},
     {"[light]", "[trees]\ndensity = 100\npolygon = [[1, 2], [3, 4]]\n[light]", 17, "trees.polygon"},
     {"[light]", "[trees]\ndensity = 100\npolygon = [[1, 2], [3, 4], [5]]\n[light]", 17,
-     "trees.polygon has a point 3"},
+     "trees.polygon is not a list of places"},
     {"[light]", "[trees]\ndensity = 100\npolygon = [[1, 2], [3, 4], [5, nan]]\n[light]", 17,
-     "trees.polygon has a point 3"},
+     "trees.polygon is not a list of places"},
     {"[light]", "[trees]\ndensity = 9\npolygon = [[0, 0], [9, 9], [9, 0], [0, 9]]\n[light]", 17,
      "trees.polygon crosses itself"},
     {"grid = 16", "grid = 7", 4, "terrain.grid"},
@@ -276,7 +330,12 @@ constexpr Fault kFaults[] = {
     {"duration = 1", "duration = 1, as = \"flying\"", 12, "pour.as"},
     {"duration = 1", "duration = 1, profile = \"star\"", 12, "pour.profile"},
     // Missing.
+    {"[light]", "[[hut]]\nheading = 3\n[light]", 15, "hut needs `at`"},
+    {"[light]", "[[road]]\nwidth = 3\n[light]", 15, "road needs points"},
+    {"[light]", "[[lift]]\nfrom = [8, 9]\n[light]", 15, "lift needs `from` and `to`"},
     {"[light]", "[trees]\nseed = 3\n[light]", 15, "trees needs a density"},
+    {"[light]", "[wind]\nfrom = 3\n[light]", 15, "wind needs a speed"},
+    {"[light]", "[wind]\nspeed = 3\n[light]", 15, "wind needs `from`"},
     {"grid = 16\n", "", 2, "terrain.grid"},
     {"generator = \"slope-of-soil\"\n", "", 2, "terrain needs"},
     {"material = \"soil\"\n", "", 5, "cover needs a material"},

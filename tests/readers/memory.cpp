@@ -106,7 +106,7 @@ TEST(Memory, that_is_too_little_for_the_images_is_refused_with_both_figures) {
         arguments.insert(arguments.end(), {"--size", "8192x8192", "--max-memory", "3G"});
         const Finished refused = couloir(arguments);
         EXPECT_EQ(refused.status, 2) << arguments[0] << refused.err;
-        const auto first = refused.err.find(" GiB"), second = refused.err.find("3.0 GiB");
+        const auto first = refused.err.find(" GiB"), second = refused.err.find(" 3.0 GiB");
         EXPECT_LT(first, second) << refused.err;
         EXPECT_NE(second, std::string::npos) << refused.err;
     }

@@ -75,6 +75,43 @@ TEST_F(Changes, leave_a_frame_as_it_was_if_nothing_changed) {
     EXPECT_EQ(drawn(Look(), {}).pixels, unknown.pixels);  // drawn earlier, it leaves no trace
 }
 
+// A slab broke off in the west: there is a metre less.
+class Crown : public Changes {
+  protected:
+    Crown() {
+        world_.depth.fill(2);
+        first_depth_.assign(world_.grid.size(), 2);
+        for (int y = 0; y <= 48; ++y)
+            for (int x = 0; x <= 24; ++x) world_.depth(x, y) = 1;
+    }
+    // How much darker the darkest column at the wall is than bed and snow beside it, of 255.
+    double shade(double sun_azimuth) {
+        renderer_->draw({.world = world_.view(),
+                         .camera = from_above({98, 96, 1}, 40),
+                         .light = {sun_azimuth, 25},
+                         .look = look_,
+                         .width = kPixels,
+                         .height = kPixels,
+                         .first_depth = first_depth_});
+        const Picture picture = renderer_->read_back();
+        const auto column = [&](int x) {
+            double sum = 0;
+            for (int y = 8; y < kPixels - 8; ++y) sum += mean_colour(picture, x, y, 0)[1];
+            return sum / (kPixels - 16);
+        };
+        double darkest = 255;
+        for (int x = 12; x < kPixels - 12; ++x) darkest = std::min(darkest, column(x));
+        return std::min(column(8), column(kPixels - 8)) - darkest;
+    }
+
+    Look look_;
+};
+
+TEST_F(Crown, is_in_shadow_on_the_side_away_from_the_sun) {
+    EXPECT_GT(shade(90), 20);
+    EXPECT_GT(shade(90), 1.5 * shade(270));
+}
+
 TEST_F(Changes, break_the_turf) {
     Look bare = soil_under_turf();
     bare.turf.reset();

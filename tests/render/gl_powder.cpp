@@ -85,6 +85,18 @@ TEST_F(DrawnCloud, is_brighter_toward_the_sun) {
     EXPECT_GT(left_over_right(270), left_over_right(90) + 5);
 }
 
+TEST_F(DrawnCloud, of_two_materials_has_the_colour_of_each_puff) {
+    look_.lower_powder = {1, 2, {0.3f, 0.2f, 0.1f}};
+    std::vector<Puff> puffs = cloud(120), right = cloud(121);
+    for (Puff& puff : puffs) puff.at.x -= 40;
+    for (Puff& puff : right) puff.at.x += 40, puff.lower = 1;
+    puffs.insert(puffs.end(), right.begin(), right.end());
+    const Picture picture = drawn(puffs);
+    const Colour snow = mean_colour(picture, 35, 44, 2), soil = mean_colour(picture, 62, 44, 2);
+    EXPECT_LT(std::abs(snow[0] - snow[2]), 25);
+    EXPECT_GT(soil[0], soil[2] + 30);
+}
+
 // The eye is in the cloud.
 TEST_F(DrawnCloud, parts_near_the_eye) {
     std::vector<Puff> puffs = cloud(-170);

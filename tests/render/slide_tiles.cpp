@@ -33,8 +33,10 @@ struct Tiles {
         const glm::mat4 clip =
             projection_matrix(camera, static_cast<double>(kWidth) / kHeight) * view_matrix(camera);
         tiles.find(input, clip, kWidth, kHeight);
-        const std::vector<int> with = coverage(tiles.with_slides()), without = coverage(tiles.without());
-        for (std::size_t i = 0; i < with.size(); ++i) ASSERT_EQ(with[i] + without[i], 1) << "sample " << i;
+        const std::vector<int> walls = coverage(tiles.with_walls()), with = coverage(tiles.with_slides()),
+                               without = coverage(tiles.without());
+        for (std::size_t i = 0; i < with.size(); ++i)
+            ASSERT_EQ(walls[i] + with[i] + without[i], 1) << "sample " << i;
     }
     std::size_t samples_with_slides() const {
         std::size_t sum = 0;
@@ -61,6 +63,20 @@ TEST(SlideTiles, hold_what_rolls_and_what_changed) {
         EXPECT_EQ(
             coverage(t.tiles.with_slides())[static_cast<std::size_t>(kHeight / 2 * kWidth + kWidth / 2)], 1);
     }
+}
+
+TEST(SlideTiles, hold_a_wall_where_the_standing_layer_has_a_new_step) {
+    const auto walls = [](float gone) {  // round a scar in the middle of the frame
+        Tiles t;
+        t.world.depth.fill(2);
+        t.first_depth.assign(t.first_depth.size(), 2.f);
+        for (int y = 20; y < 44; ++y) t.world.depth(32, y) = 2 - gone;
+        t.find();
+        return coverage(t.tiles.with_walls())[static_cast<std::size_t>(kHeight / 2 * kWidth + kWidth / 2)];
+    };
+    EXPECT_EQ(walls(1), 1);
+    EXPECT_EQ(walls(0.05f), 0) << "hardly anything is gone";
+    EXPECT_EQ(walls(-1), 0) << "a heap";
 }
 
 TEST(SlideTiles, are_all_where_a_slide_reaches_behind_the_eye) {

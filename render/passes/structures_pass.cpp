@@ -1,0 +1,113 @@
+#include "render/passes/structures_pass.h"
+
+#include <tuple>
+#include <utility>
+
+#include "assets/shaders/slots.glsl"
+#include "render/passes/scoped_state.h"
+#include "render/program.h"
+#include "render/ramp.h"
+
+namespace render {
+namespace {
+
+// 1 if a material of this colour is snow.
+float snowy(const glm::vec3& standing) {
+    return ramp(0.55f, 0.75f, standing.g);
+}
+
+}  // namespace
+
+tl::expected<StructuresPass, std::string> StructuresPass::create(const std::filesystem::path& shaders) {
+    StructuresPass pass;
+    const std::vector<std::string_view> lit{"slots.glsl", "frame.glsl", "light.glsl", "sun_ceiling.glsl"};
+    const auto with = [&](std::initializer_list<std::string_view> more) {
+        std::vector<std::string_view> files = lit;
+        files.insert(files.end(), more.begin(), more.end());
+        return files;
+    };
+    for (auto& [program, stages] :
+         {std::tuple{
+              &pass.faces_program_,
+              std::vector<ShaderStage>{
+                  {GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "triangle_height.glsl", "structure.vert"}},
+                  {GL_FRAGMENT_SHADER, with({"structure.frag"})}}},
+          {&pass.ropes_program_,
+           {{GL_VERTEX_SHADER, with({"rope.vert"})}, {GL_FRAGMENT_SHADER, {"rope.frag"}}}},
+          {&pass.shadows_program_,
+           {{GL_VERTEX_SHADER, with({"triangle_height.glsl", "structure_shadow.vert"})},
+            {GL_FRAGMENT_SHADER, {"structure_shadow.frag"}}}}}) {
+        auto linked = link_program(shaders, stages);
+        if (!linked) return tl::unexpected(linked.error());
+        *program = std::move(*linked);
+    }
+    for (const auto& [vertices, attributes] :
+         {std::pair{&pass.faces_, 4}, std::pair{&pass.ropes_, 2}, std::pair{&pass.shadows_, 2}}) {
+        vertices->buffer = make_buffer();
+        vertices->array = make_vertex_array();
+        const GLuint array = vertices->array.name();
+        const GLsizei size = attributes * static_cast<GLsizei>(sizeof(glm::vec4));
+        glVertexArrayVertexBuffer(array, 0, vertices->buffer.name(), 0, size);
+        for (GLuint location = 0; location < static_cast<GLuint>(attributes); ++location) {
+            glEnableVertexArrayAttrib(array, location);
+            glVertexArrayAttribFormat(array, location, 4, GL_FLOAT, GL_FALSE,
+                                      location * static_cast<GLuint>(sizeof(glm::vec4)));
+            glVertexArrayAttribBinding(array, location, 0);
+        }
+    }
+    return pass;
+}
+
+bool StructuresPass::find(const FrameInput& input, const FrameBlock& frame, bool new_terrain) {
+    if (!input.structures || input.structures->empty()) return false;
+    const glm::vec2 snow(snowy(input.look.standing), snowy(input.look.lower_standing));
+    const std::uint64_t around = input.surroundings ? input.surroundings->fingerprint() : 0;
+    if (new_terrain || around != known_around_ || snow != known_snowy_ || frame.sun != known_sun_ ||
+        *input.structures != known_) {
+        known_ = *input.structures;
+        known_sun_ = frame.sun;
+        known_snowy_ = snow;
+        known_around_ = around;
+        const std::span<const glm::vec2> cover =
+            input.surroundings ? input.surroundings->cover() : std::span<const glm::vec2>();
+        send(structure_mesh(known_, {input.world, input.first_depth, cover, snow}, glm::vec3(frame.sun)));
+    }
+    return faces_.count > 0;
+}
+
+void StructuresPass::send(const StructureMesh& mesh) {
+    const auto fill = [](Vertices& into, const auto& vertices) {
+        into.count = static_cast<GLsizei>(vertices.size());
+        glNamedBufferData(into.buffer.name(), static_cast<GLsizeiptr>(vertices.size() * sizeof vertices[0]),
+                          vertices.data(), GL_DYNAMIC_DRAW);
+    };
+    fill(faces_, mesh.faces);
+    fill(ropes_, mesh.ropes);
+    fill(shadows_, mesh.shadows);
+}
+
+void StructuresPass::draw() const {
+    const Enabled depth_test(GL_DEPTH_TEST);
+    const auto draw = [](const ProgramName& program, const Vertices& vertices) {
+        glUseProgram(program.name());
+        glBindVertexArray(vertices.array.name());
+        glDrawArrays(GL_TRIANGLES, 0, vertices.count);
+    };
+    draw(faces_program_, faces_);
+    const Enabled blend(GL_BLEND);
+    glDepthMask(GL_FALSE);
+    {
+        // A shadow lies on the ground as triangles, which are a little above it everywhere.
+        const Enabled offset(GL_POLYGON_OFFSET_FILL);
+        glPolygonOffset(2, 256);
+        glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+        draw(shadows_program_, shadows_);
+        glPolygonOffset(0, 0);
+    }
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    draw(ropes_program_, ropes_);
+    glBlendFunc(GL_ONE, GL_ZERO);
+    glDepthMask(GL_TRUE);
+}
+
+}  // namespace render

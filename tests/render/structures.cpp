@@ -1,0 +1,137 @@
+#include <algorithm>
+#include <cstring>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "assets/shaders/slots.glsl"
+#include "render/structure_mesh.h"
+#include "tests/render/world.h"
+
+// Meshes of structures; without GL.
+namespace render::test {
+namespace {
+
+const glm::vec3 kSun = glm::normalize(glm::vec3(1, 0, 1));
+
+class MeshOfHut : public testing::Test {
+  protected:
+    StructureMesh mesh(const Structures& structures, float snow = 0, glm::vec2 snowy = {1, 1}) const {
+        const std::vector<float> depth(world_.grid.size(), snow);
+        const std::vector<glm::vec2> cover(world_.grid.size(), {snow, 0});
+        return structure_mesh(structures, {world_.view(), depth, cover, snowy}, kSun);
+    }
+    static Structures hut(StructureState state, double heading = 0) {
+        Structures structures;
+        structures.all.push_back({StructureKind::kHut, {100, 100}, heading, state});
+        return structures;
+    }
+    static std::size_t made_of(const StructureMesh& mesh, int material) {
+        return static_cast<std::size_t>(std::ranges::count_if(mesh.faces, [&](const StructureVertex& vertex) {
+            return static_cast<int>(vertex.at.w) == material;
+        }));
+    }
+
+    World world_ = make_world(40, 5, [](double x, double) { return 0.2 * x; });
+};
+
+TEST_F(MeshOfHut, is_equal_for_equal_arguments) {
+    for (const auto state : {StructureState::kIntact, StructureState::kDamaged, StructureState::kDestroyed}) {
+        const StructureMesh first = mesh(hut(state), 1), second = mesh(hut(state), 1);
+        ASSERT_EQ(first.faces.size(), second.faces.size());
+        EXPECT_EQ(
+            std::memcmp(first.faces.data(), second.faces.data(), first.faces.size() * sizeof first.faces[0]),
+            0);
+    }
+}
+
+TEST_F(MeshOfHut, stays_within_its_size_and_stands_on_the_ground) {
+    for (const double heading : {0.0, 33.0, 90.0, 211.0})
+        for (const StructureVertex& vertex : mesh(hut(StructureState::kIntact, heading), 1.5f).faces) {
+            const glm::vec3 from = glm::vec3(vertex.at) - glm::vec3(100, 100, 20);
+            EXPECT_LT(glm::length(glm::vec2(from)), 10);
+            EXPECT_LT(from.z, kHutHeight + 2) << "with snow on its roof";
+        }
+    const StructureMesh stands = mesh(hut(StructureState::kIntact));
+    const auto lowest =
+        std::ranges::min(stands.faces, {}, [](const auto& vertex) { return vertex.at.z; }).at.z;
+    EXPECT_LT(lowest, 20 - 0.2 * kHutLength) << "no corner hangs over the slope";
+}
+
+TEST_F(MeshOfHut, has_faces_that_look_outward) {
+    // Of a closed body with its faces outward the volume is positive: that of walls and roof is about 11 × 9 × 6 m.
+    const StructureMesh whole = mesh(hut(StructureState::kIntact));
+    double volume = 0;
+    for (std::size_t i = 0; i < whole.faces.size(); i += 3) {
+        const auto at = [&](std::size_t k) {
+            return glm::dvec3(whole.faces[i + k].at) - glm::dvec3(100, 100, 20);
+        };
+        volume += glm::dot(at(0), glm::cross(at(1), at(2))) / 6;
+        EXPECT_GT(glm::dot(glm::cross(at(1) - at(0), at(2) - at(0)), glm::dvec3(whole.faces[i].normal)), 0);
+    }
+    EXPECT_GT(volume, 400);
+}
+
+TEST_F(MeshOfHut, has_snow_on_its_roof_only_where_snow_lies) {
+    EXPECT_GT(made_of(mesh(hut(StructureState::kIntact), 1), BUILT_SNOW), 0u);
+    EXPECT_EQ(made_of(mesh(hut(StructureState::kIntact), 0), BUILT_SNOW), 0u);
+    EXPECT_EQ(made_of(mesh(hut(StructureState::kIntact), 1, {0, 1}), BUILT_SNOW), 0u)
+        << "the upper material is soil";
+}
+
+TEST_F(MeshOfHut, loses_its_windows_its_roof_and_its_shadow) {
+    const StructureMesh whole = mesh(hut(StructureState::kIntact)),
+                        damaged = mesh(hut(StructureState::kDamaged)),
+                        destroyed = mesh(hut(StructureState::kDestroyed));
+    EXPECT_GT(made_of(whole, BUILT_WINDOW), 0u);
+    EXPECT_EQ(made_of(damaged, BUILT_WINDOW), 0u);
+    EXPECT_FALSE(damaged.shadows.empty());
+    EXPECT_TRUE(destroyed.shadows.empty());
+    const auto rests = [](const StructureVertex& vertex) { return vertex.rests.w == 1; };
+    EXPECT_TRUE(std::ranges::none_of(whole.faces, rests));
+    EXPECT_TRUE(std::ranges::any_of(destroyed.faces, rests)) << "debris lies on the deposit";
+    EXPECT_TRUE(mesh(hut(StructureState::kBuried)).faces.empty());
+}
+
+TEST_F(MeshOfHut, casts_its_shadow_away_from_the_sun) {
+    float farthest = 0;
+    for (const StructureShadowVertex& vertex : mesh(hut(StructureState::kIntact)).shadows) {
+        EXPECT_GT(vertex.at.x, 100 - kHutLength - 2 * kHutHeight);
+        EXPECT_NEAR(vertex.at.z, 0.2 * vertex.at.x, 0.01) << "on the ground";
+        farthest = std::max(farthest, 100 - vertex.at.x);
+    }
+    EXPECT_GT(farthest, kHutWidth / 2 + 3) << "the sun is in the east";
+}
+
+TEST_F(MeshOfHut, is_joined_by_roads_that_follow_the_ground_and_by_ropes_between_heads) {
+    Structures structures;
+    structures.roads.push_back({{{10, 50}, {100, 60}, {190, 20}}, 6});
+    structures.all = {{StructureKind::kStation, {20, 150}, 90},
+                      {StructureKind::kPylon, {100, 150}, 90},
+                      {StructureKind::kStation, {180, 150}, 90}};
+    structures.lifts.push_back({0, 3});
+    const StructureMesh all = mesh(structures);
+    for (const StructureVertex& vertex : all.faces) {
+        if (static_cast<int>(vertex.at.w) == BUILT_ROAD) {
+            EXPECT_NEAR(vertex.at.z, 0.2f * vertex.at.x, 0.9f);
+        }
+    }
+    ASSERT_FALSE(all.ropes.empty());
+    const auto [first, last] =
+        std::ranges::minmax(all.ropes, {}, [](const RopeVertex& vertex) { return vertex.at.x; });
+    EXPECT_NEAR(first.at.x, 20, 0.1);
+    EXPECT_NEAR(last.at.x, 180, 0.1);
+
+    structures.all[1].state = StructureState::kDestroyed;
+    const StructureMesh broken = mesh(structures);
+    EXPECT_LT(broken.ropes.size(), all.ropes.size()) << "the chairs have fallen";
+}
+
+TEST_F(MeshOfHut, has_a_bounded_number_of_faces_for_a_road_of_any_length) {
+    Structures structures;
+    structures.roads.push_back({{{0, 0}, {1e7, 0}}});
+    EXPECT_LT(mesh(structures).faces.size(), 100'000u);
+}
+
+}  // namespace
+}  // namespace render::test
