@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "assets/shaders/slots.glsl"
 #include "render/ramp.h"
 
 namespace render {
@@ -14,26 +16,28 @@ namespace {
 
 constexpr float kHalfWidth = 0.19f;  // of a tree, of its height
 constexpr float kHalfWidthOfPine = 0.8f;
-constexpr float kNearPixels = 80;  // height from which a tree has more than one triangle
-// Far away some trees are left out, and others are drawn larger, so that they cover as much: so many of a tile that the
-// mean one is as wide as this share of the frame's height, because a small frame has few trees anyhow.
-constexpr float kWideOfHeight = 0.012f, kLeastWide = 5.5f, kMostWide = 8.5f;  // pixels
-constexpr float kMeanWidth = 5;                                               // m
-constexpr float kMostTogether = 20;                                           // trees that one stands for
-// One that stands for few is a larger tree, one that stands for more a group of them side by side, which is not as wide
-// because it has no flanks to its foot.
+constexpr float kWiderInStand = 0.2f;  // by this share, so that a stand is closed
+constexpr float kNearPixels = 100;     // height from which a tree has more than one triangle
+// Far away some trees are left out, and others are drawn larger, so that they cover as much: so many of a
+// tile that the mean one is as wide as this share of the frame's height, because a small frame has few trees
+// anyhow.
+constexpr float kWideOfHeight = 0.0145f, kLeastWide = 5.5f, kMostWide = 10.5f;  // pixels
+constexpr float kMeanWidth = 5;                                                 // m
+constexpr float kMostTogether = 20;                                             // trees that one stands for
+// One that stands for few is a larger tree, one that stands for more a group of them side by side, which is
+// not as wide because it has no flanks to its foot.
 constexpr float kGroup = 5, kWidthOfGroup = 0.75f;
-constexpr float kTaller = 0.3f;       // power of how many it stands for by which one is taller
+constexpr float kTaller = 0.4f;       // power of how many it stands for by which one is taller
 constexpr float kLongestShadow = 36;  // m
-constexpr float kShadowPixels = 6;    // height below which a tree casts none
+constexpr float kShadowPixels = 7;  // height below which a tree casts none, or four times that within a stand
 constexpr float kShallow = 0.15f,
                 kDeep = 0.6f;  // m: a flow bends a tree from the first on, and from the second breaks it
 constexpr float kSlow = 1.5f, kFast = 4.5f;  // m/s, the same
 constexpr float kCrushed = 0.65f;            // width of a lying tree, of a standing one's
 constexpr float kLean = 1.5f;                // rad
 
-// Outside if all corners are beyond the same edge of the image, or behind the eye. `room`: m, what is drawn of trees
-// beside their box: branches and shadows.
+// Outside if all corners are beyond the same edge of the image, or behind the eye. `room`: m, what is drawn
+// of trees beside their box: branches and shadows.
 bool may_show(const TreeTile& tile, const glm::mat4& clip_from_world, float room) {
     int left = 0, right = 0, below = 0, above = 0, behind = 0;
     for (int corner = 0; corner < 8; ++corner) {
@@ -46,6 +50,17 @@ bool may_show(const TreeTile& tile, const glm::mat4& clip_from_world, float room
         behind += clip.w < 0;
     }
     return std::max({left, right, below, above, behind}) < 8;
+}
+
+// Whether a ball around a place, `from` the eye, is beside the image or behind the eye.
+bool is_beside(glm::vec3 from, const FrameBlock& frame, float radius) {
+    const float deep = glm::dot(from, glm::vec3(frame.ray_forward));
+    const auto outside = [&](const glm::vec4& ray) {
+        const float half = glm::length(glm::vec3(ray));  // of the image at a distance of 1
+        return std::abs(glm::dot(from, glm::vec3(ray))) / half >
+               deep * half + radius * std::sqrt(1 + half * half);
+    };
+    return deep < -radius || outside(frame.ray_right) || outside(frame.ray_up);
 }
 
 // Height of the surface now; outside the grid that of its border.
@@ -112,7 +127,8 @@ void light_trees(const Woods& woods, const Surroundings& around, const glm::vec3
 
 void TreesInView::reserve(const Woods& woods) {
     drawn_.reserve(woods.trees().size());
-    far_.reserve(woods.trees().size());
+    branched_.reserve(woods.trees().size());
+    plain_.reserve(woods.trees().size());
     without_shadow_.reserve(woods.trees().size());
     tiles_.reserve(woods.tiles().size());
 }
@@ -120,10 +136,11 @@ void TreesInView::reserve(const Woods& woods) {
 void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, const sim::View& world,
                        const FlowSoFar& flow, const FrameBlock& frame) {
     drawn_.clear();
-    far_.clear();
+    branched_.clear();
+    plain_.clear();
     without_shadow_.clear();
     tiles_.clear();
-    const glm::vec3 eye(frame.eye), forward(frame.ray_forward);
+    const glm::vec3 eye(frame.eye);
     const float pixel = frame.material.y * frame.material.z;  // m at a distance of 1 m
     const float frame_height = 2 * glm::length(glm::vec3(frame.ray_up)) / pixel;
     const float wide_pixels = std::clamp(kWideOfHeight * frame_height, kLeastWide, kMostWide);
@@ -150,19 +167,20 @@ void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, co
             const float rank = (static_cast<float>(k) + first) / static_cast<float>(tile->count);
             if (rank >= share) continue;
             const float kept = share < 1 ? std::min((share - rank) / (0.15f * share), 1.f) : 1.f;
-            if (glm::dot(tree.foot - eye, forward) < -kLongestShadow - tree.height) continue;
+            if (is_beside(tree.foot - eye, frame, kLongestShadow + tree.height)) continue;
 
             const float together = tree.group / share, taller = std::pow(std::min(together, kGroup), kTaller);
             const float height = tree.height * kept * taller, high = height / (distance * pixel);
             const bool group = together > kGroup;
             const float wide = (tree.kind == TreeKind::kPine ? kHalfWidthOfPine : kHalfWidth) * tree.height *
-                               kept * together / taller;
+                               kept * together / taller * (1 + kWiderInStand * tree.closed);
             const float half = std::max(group ? kWidthOfGroup * wide : wide, 0.6f * kept * distance * pixel);
             DrawnTree drawn{
                 {tree.foot, height},
                 {0, 0, 1, tree.chance},
                 {lights[i].sunlit, tree.snow, tree.lower, half},
-                {lights[i].tip, lights[i].sunlit * ramp(1, 2, high / (kShadowPixels * (1 + tree.closed)))},
+                {lights[i].tip,
+                 lights[i].sunlit * ramp(1, 2, high / (kShadowPixels * (1 + 3 * tree.closed)))},
                 {static_cast<float>(tree.kind), group ? std::round(together) : 1, tree.closed, 0}};
             if (tree.vertex >= 0)
                 drawn.foot.z -= std::max(
@@ -175,11 +193,25 @@ void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, co
                 if (lying > 0) lay(tree, world, lying, drawn);
             }
             const bool near = tree.group < 2 && high > kNearPixels * (0.85f + 0.3f * tree.chance);
-            (near ? drawn_ : drawn.shadow.w > 0 ? far_ : without_shadow_).push_back(drawn);
+            const float pixels = group ? 24 * half / std::round(together) / (distance * pixel) : high;
+            (near                         ? drawn_
+             : pixels > TREE_PLAIN_PIXELS ? branched_
+             : drawn.shadow.w > 0         ? plain_
+                                          : without_shadow_)
+                .push_back(drawn);
         }
     }
     near_ = drawn_.size();
-    drawn_.insert(drawn_.end(), far_.begin(), far_.end());
+    // What they hide is not shaded. They are few, and large.
+    std::sort(drawn_.begin(), drawn_.end(), [&](const DrawnTree& a, const DrawnTree& b) {
+        const auto key = [&](const DrawnTree& tree) {
+            return std::tuple(glm::distance(glm::vec3(tree.foot), eye), tree.foot.x, tree.foot.y);
+        };
+        return key(a) < key(b);
+    });
+    far_ = branched_.size();
+    drawn_.insert(drawn_.end(), branched_.begin(), branched_.end());
+    drawn_.insert(drawn_.end(), plain_.begin(), plain_.end());
     with_shadow_ = drawn_.size();
     drawn_.insert(drawn_.end(), without_shadow_.begin(), without_shadow_.end());
 }

@@ -33,25 +33,28 @@ struct DrawnTree {
     glm::vec4 kind;    // TreeKind; number of tops; how closed the wood is around it, 0 to 1; 0
 };
 
-// The trees of one frame. No GL. A frame depends on this frame's arguments only, so that it is the same after seeking.
+// The trees of one frame. No GL. A frame depends on this frame's arguments only, so that it is the same after
+// seeking.
 class TreesInView {
   public:
     // Makes room for all trees of `woods`.
     void reserve(const Woods& woods);
-    // `lights`: of light_trees(). A tree that a flow has met leans or lies, with its top downhill, on the ground now.
+    // `lights`: of light_trees(). A tree that a flow has met leans or lies, with its top downhill, on the
+    // ground now.
     void find(const Woods& woods, std::span<const TreeLight> lights, const sim::View& world,
               const FlowSoFar& flow, const FrameBlock& frame);
 
-    // First near ones, of some triangles each, then far ones, of one triangle each: at first those with a shadow. Each
-    // part from near to far.
+    // First near ones, of some triangles each; then far ones, of one triangle each, with branches; then plain
+    // ones, too small for branches, at first those with a shadow. Each part from near to far.
     std::span<const DrawnTree> drawn() const { return drawn_; }
     std::size_t near() const { return near_; }
-    std::size_t with_shadow() const { return with_shadow_; }  // near ones and the first far ones
+    std::size_t far() const { return far_; }
+    std::size_t with_shadow() const { return with_shadow_; }  // trees up to the last one with a shadow
 
   private:
-    std::vector<DrawnTree> drawn_, far_, without_shadow_;
+    std::vector<DrawnTree> drawn_, branched_, plain_, without_shadow_;
     std::vector<const TreeTile*> tiles_;
-    std::size_t near_ = 0, with_shadow_ = 0;
+    std::size_t near_ = 0, far_ = 0, with_shadow_ = 0;
 };
 
 }  // namespace render

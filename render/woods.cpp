@@ -56,7 +56,7 @@ class Growth {
     // Trees that one at a place stands for.
     double group(glm::dvec2 at) const {
         const double sides = around_.away(at) / around_.side();
-        return std::exp2(4 * ramp(0.0, 0.7, sides));
+        return std::exp2(4 * ramp(0.0, 0.5, sides));
     }
 
     Site site(glm::dvec2 at) const {
@@ -122,8 +122,8 @@ class Growth {
         return other > 1 - 0.09 * ramp(200, 60, site.below) ? TreeKind::kLarch : TreeKind::kSpruce;
     }
 
-    // Within the polygon, if there is one: a ray to the east leaves it an odd number of times. If there are shares, only
-    // the grid has them.
+    // Within the polygon, if there is one: a ray to the east leaves it an odd number of times. If there are
+    // shares, only the grid has them.
     bool is_wanted(glm::dvec2 at) const {
         if (!rules_.shares.empty() && around_.away(at) > 0) return false;
         if (rules_.polygon.empty()) return true;

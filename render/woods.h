@@ -19,11 +19,11 @@ struct TreeRules {
     double density = 0;      // trees per hectare where the wood is closed, 0 to kDensest; 0: no trees
     double line_m = 1800;    // the tree line: height above the terrain's zero that no tree grows above, m
     std::uint32_t seed = 1;  // another seed, another wood
-    // Corners, m east and north of vertex (0, 0), in order, without crossing sides: no tree grows outside. None: no
-    // such limit.
+    // Corners, m east and north of vertex (0, 0), in order, without crossing sides: no tree grows outside.
+    // None: no such limit.
     std::vector<glm::dvec2> polygon = {};
-    // For each vertex of the grid, row 0 the south: the share of the closed wood that grows there, 0 to 255 for 0 to 1.
-    // Then none grows outside the grid. None: stands as this program makes them.
+    // For each vertex of the grid, row 0 the south: the share of the closed wood that grows there, 0 to 255
+    // for 0 to 1. Then none grows outside the grid. None: stands as this program makes them.
     std::vector<std::uint8_t> shares = {};
     bool operator==(const TreeRules&) const = default;
 };
@@ -54,20 +54,20 @@ struct Clearing {
     double reach;         // m
 };
 
-// Trees that are drawn or left out together: those of a square of ground. Their order is random, so that the first
-// ones are as evenly spread as all of them.
+// Trees that are drawn or left out together: those of a square of ground. Their order is random, so that the
+// first ones are as evenly spread as all of them.
 struct TreeTile {
     std::uint32_t first = 0, count = 0;  // in Woods::trees()
     glm::vec3 lowest{0}, highest{0};     // corners of the box around feet and tops, m
 };
 
-// The conifers of a world, on its grid and on the mountains around it. They stand in closed stands with clear edges
-// on slopes below the tree line: not on rock and not on level ground. At the line stands are few, and follow ribs;
-// single trees and dwarf pine are between them. In gullies, where avalanches run, only some trees stand. A view: nothing
-// else knows of them.
+// The conifers of a world, on its grid and on the mountains around it. They stand in closed stands with clear
+// edges on slopes below the tree line: not on rock and not on level ground. At the line stands are few, and
+// follow ribs; single trees and dwarf pine are between them. In gullies, where avalanches run, only some
+// trees stand. A view: nothing else knows of them.
 //
-// A tree of the grid is a function of ground, rules and place, bit-identical on every machine. Those around it are equal
-// on one machine, as Surroundings are.
+// A tree of the grid is a function of ground, rules and place, bit-identical on every machine. Those around
+// it are equal on one machine, as Surroundings are.
 class Woods {
   public:
     static constexpr std::size_t kMost = 80'000;  // trees; of more, an even share is kept

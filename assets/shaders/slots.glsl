@@ -89,6 +89,13 @@
 #define TREE_SIDES 6
 #define TREE_VERTICES (3 * (TREE_TIERS * TREE_SIDES + 3))
 
+// A far tree: pixels of height from which its branches are drawn, or twelve times the width of a top of a group; means
+// of its outline, of a triangle's, and of the share that is white; width of a triangle that covers what a group does
+#define TREE_PLAIN_PIXELS 24.0
+#define TREE_MEAN_OUTLINE 0.80
+#define TREE_MEAN_SNOW 0.13
+#define TREE_GROUP_AS_TRIANGLE 1.15
+
 // Values of render::TreeKind
 #define TREE_SPRUCE 0
 #define TREE_LARCH 1

@@ -22,7 +22,7 @@ void main() {
     // Snow lies in pads on the branches, broken where twigs are.
     float lump = 0.55 * wave(across * 2.6 + 0.43 * side + kind.x) + 0.45 * wave(across * 6.1 + 2.7 * place.y + 5.0 * kind.x);
     float pad = abs(place.y - 0.66 + 0.16 * wave(1.3 * across + kind.x));
-    float snowy = white.a * smoothstep(0.30, 0.62, lump - 2.3 * pad + 0.25 * white.a);
+    float snowy = white.a * smoothstep(0.30, 0.62, lump - 2.3 * pad + 0.20 * white.a);
     vec3 shade = gl_FrontFacing ? vec3(0.40 + 0.75 * place.y * (0.35 + 0.65 * twigs)) : vec3(0.30);
     vec3 albedo = gl_FrontFacing ? mix(green * shade, white.rgb, 0.75 * snowy) : green * shade;
     colour = vec4(albedo * light + air, 0.0);  // alpha 0: edges_mark.frag leaves it out

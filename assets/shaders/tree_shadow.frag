@@ -1,5 +1,5 @@
 // The shadow of a tree: what it leaves of the light, as a factor.
-noperspective in float along;
+in float along;
 flat in vec3 left;
 flat in float strength;
 out vec4 colour;

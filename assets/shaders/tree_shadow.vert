@@ -1,5 +1,5 @@
 // The shadow of a tree: a triangle on the ground, from its foot to where the shadow of its top ends.
-noperspective out float along;
+out float along;
 flat out vec3 left;  // of the light, where the shadow is darkest
 flat out float strength;
 

@@ -36,7 +36,8 @@ class TomlTable {
     static constexpr double kFarthest = 1e7;
     std::optional<TomlTable> table(std::string_view key);
     std::vector<TomlTable> tables(std::string_view key);  // of an array of tables
-    // A date and time with its offset from UTC, in the years `first` to `last`, as seconds from 1970-01-01 UTC.
+    // A date and time with its offset from UTC, in the years `first` to `last`, as seconds from 1970-01-01
+    // UTC.
     std::optional<double> moment(std::string_view key, int first, int last);
     bool has(std::string_view key) const { return table_->contains(key); }
     std::vector<std::string> keys() const;

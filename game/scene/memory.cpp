@@ -58,8 +58,8 @@ std::uint64_t expected_bytes(const sim::Grid& grid, bool two_materials, const Me
     if (use.draws) using_it += grid.size() <= kMostFollowed ? 1020 : 280;
     std::uint64_t bytes = 60 * kMiB + std::max(reading, using_it) * grid.size();
     if (use.draws) bytes += 220 * kMiB;  // OpenGL by software, shaders and patterns
-    // Trees (render/woods.h): while they are placed, as placed, with their light, and four times as drawn.
-    constexpr std::uint64_t kPerTree = 2 * 72 + 60 + 16 + 4 * 80;
+    // Trees (render/woods.h): while they are placed, as placed, with their light, and five times as drawn.
+    constexpr std::uint64_t kPerTree = 2 * 72 + 60 + 16 + 5 * 80;
     if (use.draws) bytes += kPerTree * render::Woods::kMost;
     bytes += bytes_of(use.frames);
     if (use.goes_back) bytes += memory.for_keyframes() + memory.for_undo();

@@ -15,13 +15,14 @@ tl::expected<TreesPass, std::string> TreesPass::create(const std::filesystem::pa
     const auto link = [&](std::string_view vertex, std::string_view fragment) {
         return link_program(
             shaders, {{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "light.glsl", "tree.glsl", vertex}},
-                      {GL_FRAGMENT_SHADER, {fragment}}});
+                      {GL_FRAGMENT_SHADER, {"slots.glsl", fragment}}});
     };
     TreesPass pass;
     pass.no_vertices_ = make_vertex_array();
     for (const auto& [program, vertex, fragment] :
          {std::tuple{&pass.shadow_, "tree_shadow.vert", "tree_shadow.frag"},
           std::tuple{&pass.far_, "tree_far.vert", "tree_far.frag"},
+          std::tuple{&pass.plain_, "tree_plain.vert", "tree_plain.frag"},
           std::tuple{&pass.near_, "tree_near.vert", "tree_near.frag"}}) {
         auto linked = link(vertex, fragment);
         if (!linked) return tl::unexpected(linked.error());
@@ -51,10 +52,12 @@ bool TreesPass::find(const Woods& woods, const Surroundings& around, const sim::
     return true;
 }
 
-// Trees are no instances: a software renderer starts anew for each of these. A vertex finds its tree by its number.
+// Trees are no instances: a software renderer starts anew for each of these. A vertex finds its tree by its
+// number.
 void TreesPass::draw() const {
     const Enabled depth_test(GL_DEPTH_TEST);
-    const auto all = static_cast<GLsizei>(trees_.drawn().size()), near = static_cast<GLsizei>(trees_.near());
+    const auto all = static_cast<GLsizei>(trees_.drawn().size()), near = static_cast<GLsizei>(trees_.near()),
+               far = static_cast<GLsizei>(trees_.far());
     bind_storage(SLOT_TREES, instances_);
     glBindVertexArray(no_vertices_.name());
     {
@@ -72,7 +75,9 @@ void TreesPass::draw() const {
     glUseProgram(near_.name());
     glDrawArrays(GL_TRIANGLES, 0, TREE_VERTICES * near);
     glUseProgram(far_.name());
-    glDrawArrays(GL_TRIANGLES, 3 * near, 3 * (all - near));
+    glDrawArrays(GL_TRIANGLES, 3 * near, 3 * far);
+    glUseProgram(plain_.name());
+    glDrawArrays(GL_TRIANGLES, 3 * (near + far), 3 * (all - near - far));
 }
 
 }  // namespace render

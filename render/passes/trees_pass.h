@@ -27,7 +27,7 @@ class TreesPass {
     void draw() const;
 
   private:
-    ProgramName shadow_, far_, near_;
+    ProgramName shadow_, near_, far_, plain_;
     VertexArray no_vertices_;
     Buffer instances_;
     std::uint64_t known_ = 0;  // fingerprint of the woods

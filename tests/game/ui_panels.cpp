@@ -172,6 +172,17 @@ TEST_F(UiPanels, open_a_recording_by_its_file_because_scenes_have_names_too) {
     EXPECT_EQ(only<Open>(click("Watch slope")).name_or_path, "/recordings/slope.couloir");
 }
 
+TEST_F(UiPanels, hide_the_trees_of_a_scene_that_has_some) {
+    ui_->perform(Verb::kToggleDisplay);
+    settle();
+    EXPECT_FALSE(ui_->find("Trees"));
+    scenario_.trees.density = 100;
+    settle();
+    Display expected = display_;
+    expected.trees = false;
+    EXPECT_EQ(only<SetDisplay>(click("Trees")).display, expected);
+}
+
 TEST_F(UiPanels, change_one_thing_of_the_display_and_leave_the_rest) {
     ui_->perform(Verb::kToggleDisplay);
     settle();

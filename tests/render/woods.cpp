@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <random>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -46,6 +48,12 @@ class WoodInValley : public testing::Test {
 
     World world = make_world(100, 10, wooded_valley);
 };
+
+const glm::vec2* find_in(const std::map<std::pair<float, float>, glm::vec2>& trees,
+                         std::pair<float, float> foot) {
+    const auto at = trees.find(foot);
+    return at == trees.end() ? nullptr : &at->second;
+}
 
 bool same(const Woods& a, const Woods& b) {
     return a.fingerprint() == b.fingerprint() && a.trees().size() == b.trees().size() &&
@@ -215,6 +223,35 @@ TEST_F(WoodInValley, has_fewer_trees_far_away_that_cover_as_much) {
     EXPECT_LT(farther, 0.7 * far);
     EXPECT_NEAR(of_far / of_near, 1, 0.15);
     EXPECT_NEAR(of_farther / of_near, 1, 0.15);
+}
+
+TEST_F(WoodInValley, changes_little_by_little_while_the_camera_moves) {
+    const Woods all = woods();
+    constexpr float kMost = 6;  // m, of what a tree changes by within a step of the camera
+    std::vector<TreeLight> lights;
+    light_trees(all, mountains_around(world), glm::normalize(glm::vec3(1, 1, 1)), lights);
+    TreesInView trees;
+    trees.reserve(all);
+    std::map<std::pair<float, float>, glm::vec2> before;  // by its foot: height, and half its width
+    std::size_t changed = 0;
+    for (int step = 0; step < 150; ++step) {
+        std::map<std::pair<float, float>, glm::vec2> now;
+        const Camera camera{{500, 300, 100}, 180, 20, 2000 * std::pow(1.004, step), 40};
+        trees.find(all, lights, world.view(), {}, frame(camera));
+        for (const DrawnTree& tree : trees.drawn())
+            if (tree.foot.x > 100 && tree.foot.x < 900 && tree.foot.y > 0 && tree.foot.y < 1000)
+                now[{tree.foot.x, tree.foot.y}] = {tree.foot.w, tree.look.w};
+        if (step > 0)
+            for (const auto* frame : {&before, &now})
+                for (const auto& [foot, size] : *frame) {
+                    const auto *a = find_in(before, foot), *b = find_in(now, foot);
+                    const glm::vec2 change = glm::abs((a ? *a : glm::vec2(0)) - (b ? *b : glm::vec2(0)));
+                    EXPECT_LT(std::max(change.x, change.y), kMost);
+                    changed += !a || !b;
+                }
+        before = std::move(now);
+    }
+    EXPECT_GT(changed, 20u) << "some appear or vanish";
 }
 
 TEST_F(WoodInValley, shows_trees_wider_than_a_pixel) {
