@@ -13,7 +13,8 @@ namespace render {
 // The parts of a frame in which powder or its shadow may be seen, so that the rest costs nothing.
 class PowderTiles {
   public:
-    // Begins with none. `width` and `height` in samples. Allocates nothing while they are those of the last call.
+    // Begins with none. `width` and `height` in samples. Allocates nothing while they are those of the last
+    // call.
     void begin(int width, int height);
     // Adds an ellipse with this middle and these half axes, −1 to 1, and the coarse pixels beside it.
     void add(glm::vec2 middle, glm::vec2 half);

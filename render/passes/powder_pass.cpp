@@ -22,8 +22,8 @@ struct PowderBlock {
     glm::vec4 coarse, lit, shadow;
 };
 
-constexpr double kLeastBudget = 40000, kBudgetPerSample = 0.1;  // pixels of puffs
-constexpr int kFinest = 2, kCoarsest = 6;                        // divisors of the resolution
+constexpr double kLeastBudget = 30000, kBudgetPerSample = 0.07;  // pixels of puffs
+constexpr int kFinest = 2, kCoarsest = 6;                       // divisors of the resolution
 // Pixels around the box of the cloud. Each that is laid over the frame lies between coarse ones that were drawn.
 constexpr int kRim = 1, kCoarseRim = 3;
 constexpr std::array<GLenum, 2> kBoth{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
