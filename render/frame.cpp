@@ -272,7 +272,6 @@ void Renderer::draw(const FrameInput& input) {
     CHECK(glGetError() == GL_NO_ERROR);
 }
 
-
 Picture Renderer::read_back() const {
     return parts_->target.read_back();
 }
