@@ -115,7 +115,7 @@ TEST_F(Playing, pours_by_holding_and_dragging_and_the_recording_replays_to_the_s
 }
 
 TEST_F(Playing, says_of_the_mountains_around_that_brushes_do_nothing_there) {
-    begin("winter-valley");
+    begin("snow-avalanche");
     bool told = false;
     for (double x = 10; x < 450 && !told; x += 8) {  // from the left, where the grid has ended
         screen_.move(x, 120);
