@@ -216,13 +216,22 @@ void Renderer::draw(const FrameInput& input) {
         p.clock.mark(Pass::kFlow);
     }
 
-    // Draw what stands around the surface, mountains or the walls of a block, then the sky where neither was
-    // drawn. The sky is smooth, so that a sixteenth of its pixels are enough; sun, moon and stars are not.
+    // Draw what stands around the surface: mountains or the walls of a block.
     if (goes_on)
         p.surroundings.draw(frame);
     else
         p.terrain.draw_walls();
     p.clock.mark(Pass::kSurroundings);
+
+    // Powder is drawn into coarse pixels of its own, which must know how far the ground is behind them, not the trees
+    // in front: their outlines are finer.
+    const bool powdery = p.powder.find(puffs, frame, look, powder_strength, p.target.samples_across(),
+                                       p.target.samples_up());
+    if (powdery) p.powder.draw();
+    p.clock.mark(Pass::kPowder);
+
+    // The sky is drawn where nothing is. It is smooth, so that a sixteenth of its pixels are enough; sun, moon and
+    // stars are not.
     p.target.begin_sky();
     p.sky.draw_behind();
     p.target.begin_backdrop();
@@ -247,10 +256,8 @@ void Renderer::draw(const FrameInput& input) {
         p.spindrift.draw();
     }
 
-    // Powder in the air lies over everything, and needs its depth. It casts a shadow on the ground.
-    if (p.powder.find(puffs, frame, look, powder_strength, p.target.samples_across(),
-                      p.target.samples_up())) {
-        p.powder.draw();
+    // Powder in the air lies over everything that is not nearer. It casts a shadow on the ground.
+    if (powdery) {
         p.target.begin_backdrop();
         p.powder.lay_over();
     }

@@ -19,7 +19,7 @@ std::vector<GalleryView> gallery_views() {
     const render::Camera far{{1030, 1080, 1520}, 158, 32, 1900, 35};
     const render::Camera near{{1080, 850, 1305}, 150, 15, 260, 45};
     const render::Camera front{{1075, 800, 1290}, 170, 5, 90, 50};
-    const render::Camera from_valley{{1070, 900, 1330}, 175, -7, 550, 45};
+    const render::Camera against_sun{{1060, 640, 1240}, 98, 9, 330, 55};
     const render::Camera deposit{{1110, 420, 1200}, 95, 16, 260, 45};
     return {
         {"valley-dawn", "A winter valley at dawn", "winter-valley", 0, valley, kDawn},
@@ -29,7 +29,9 @@ std::vector<GalleryView> gallery_views() {
         {"slide-front", "At its front", "winter-avalanche", seconds(33), front, kAfternoon},
         {"slide-far", "A slide from far away", "winter-avalanche", seconds(33), far, kAfternoon},
         {"slide-near", "The same slide from near", "winter-avalanche", seconds(33), near, kAfternoon},
-        {"slide-valley", "From the valley", "winter-avalanche", seconds(33), from_valley, kAfternoon},
+        {"slide-valley", "From the valley", "winter-avalanche", seconds(40), std::nullopt, kAfternoon},
+        {"slide-dusk", "From the valley at dusk", "winter-avalanche", seconds(40), std::nullopt, kDusk},
+        {"slide-sun", "Against the sun", "winter-avalanche", seconds(40), against_sun, kAfternoon},
         {"deposit", "The deposit", "winter-avalanche", std::nullopt, deposit, kAfternoon},
         {"landslide", "A landslide", "landslide", seconds(15), std::nullopt, kAfternoon},
         {"two-materials", "Wet snow on soil", "snow-on-soil", seconds(60), std::nullopt, kAfternoon},
