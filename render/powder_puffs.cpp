@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
+#include "assets/shaders/slots.glsl"
 #include "render/ramp.h"
 
 namespace render {
@@ -16,7 +17,9 @@ constexpr float kScattered = 0.15f;  // of the light, passed on from grain to gr
 constexpr float kFaintest =
     0.01f;  // opacity, from which on a puff is drawn; all lose as much, so that none appears at once
 constexpr float kNearest = 3, kFar = 15;  // radii: nearer puffs are not drawn, from here on all of them is
-constexpr float kShadow[] = {1.5f, 3};    // radii, where on its way a shadow is counted as part of the cloud
+// Mean radii of the puffs, or the puff's own if it is larger: where on its way a shadow is counted as part of the cloud.
+// It ends with the last one, as in powder_light.frag.
+constexpr float kShadow[] = {1, 2, POWDER_SHADOW};
 
 // Share of its opacity with which a puff is drawn. Near the eye the cloud parts, so that the blocks of the flow stay visible.
 float parted(float distance, float radius) {
@@ -180,7 +183,8 @@ void PowderPuffs::find_in_view(std::span<const sim::powder::Puff> puffs, const F
         };
         include(middle);
         for (const float radii_away : kShadow) {
-            const glm::vec4 shadow = frame.clip_from_world * glm::vec4(puff.at - radii_away * r * sun, 1);
+            const glm::vec3 way = radii_away * std::max(r, mean_radius_) * sun;
+            const glm::vec4 shadow = frame.clip_from_world * glm::vec4(puff.at - way, 1);
             if (shadow.w > r) include(glm::vec2(shadow) / shadow.w);
         }
     }

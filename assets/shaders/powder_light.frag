@@ -9,13 +9,13 @@ in vec2 ndc;
 layout(location = 0) out vec4 colour;
 layout(location = 1) out vec4 hidden;  // the cloud is seen by x − y · depth of the scene, cut to 0 to 1; shadow on the ground
 
-// Share of the light that the cloud takes from a place on the ground.
+// Share of the light that the cloud takes from a place on the ground. Far below the cloud its shadow has become faint.
 float shaded(vec3 at) {
     vec2 cell = vec2(dot(powder.across.xyz, at) + powder.across.w, dot(powder.up.xyz, at) + powder.up.w);
     vec2 inside = clamp((0.5 - abs(cell - 0.5)) * 20.0, 0.0, 1.0);
     vec2 made = texture(shade_map, cell).rg;
-    float below = made.y / max(made.x, 1e-4) - dot(frame.sun.xyz, at);  // m, from the cloud on
-    return (1.0 - exp2(-1.44 * made.x)) * inside.x * inside.y * clamp(below / powder.colour.w + 0.5, 0.0, 1.0);
+    float below = (made.y / max(made.x, 1e-4) - dot(frame.sun.xyz, at)) / powder.colour.w;  // mean radii, from the cloud on
+    return (1.0 - exp2(-1.44 * made.x)) * inside.x * inside.y * clamp(below + 0.5, 0.0, 1.0) * smoothstep(POWDER_SHADOW, 0.5 * POWDER_SHADOW, below);
 }
 
 void main() {
@@ -25,14 +25,16 @@ void main() {
     vec2 light = cloud.xy / whole;
     vec3 at = place_at(ndc, cloud.a > 0.0 ? cloud.z / whole : reach);
 
-    // Light passes from grain to grain, so that even the depth of the cloud is bright.
+    // Light passes from grain to grain, so that even the depth of the cloud is bright. What comes from the snow all around
+    // takes colour from a low sun: without that, thin powder before a dark wood looks like smoke.
+    vec3 lamp = mix(frame.lamp.rgb, vec3(dot(frame.lamp.rgb, vec3(0.21, 0.72, 0.07))), 0.5);
     vec3 sky = mix(frame.below.rgb, frame.above.rgb, 0.80 + 0.20 * light.y);
     vec3 grains = mix(powder.colour.rgb, powder.lower_colour.rgb, powder.lower_colour.w * texelFetch(lower, pixel, 0).r / whole);
-    vec3 lit = grains * (frame.lamp.rgb * (1.25 * light.x) + sky * (0.75 + 0.65 * light.y));
+    vec3 lit = grains * (lamp * (1.25 * light.x) + sky * (0.75 + 0.65 * light.y));
     // Grains pass most light on forward: toward the sun a cloud glows where it is thin, at its edges.
     float toward = max(dot(normalize(at - frame.eye.xyz), frame.sun.xyz), 0.0), toward_4 = toward * toward * toward * toward;
     float thin = 1.15 - cloud.a;
-    lit += grains * frame.lamp.rgb * ((0.5 * toward_4 + 1.5 * toward_4 * toward_4 * toward_4) * light.x * thin);
+    lit += grains * lamp * ((0.5 * toward_4 + 1.5 * toward_4 * toward_4 * toward_4) * light.x * thin);
     lit = through_air(lit, at);
 
     vec3 ground = place_at(ndc, reach);

@@ -112,6 +112,8 @@
 #define BUILT_BANK 7 // snow beside a road
 #define BUILT_DARK 8 // doors, and the inside of what is broken
 
+#define POWDER_SHADOW 3.0 // mean radii of the puffs, from a cloud to the end of its shadow
+
 // Layers of the detail texture
 #define DETAIL_SOFT 0
 #define DETAIL_ROCK 1
