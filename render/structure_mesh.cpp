@@ -155,6 +155,43 @@ class StructureBuilder {
     float number_ = 0;
 };
 
+// A part of the mesh while its faces are added.
+class OpenPart {
+  public:
+    explicit OpenPart(StructureMesh& mesh) : mesh_(mesh), first_(size()), far_end_(first_), near_(first_) {}
+    ~OpenPart() {
+        StructurePart part;
+        part.near = {near_, size() - near_};
+        part.far = {first_, (has_details_ ? far_end_ : size()) - first_};
+        if (size() == first_) return;
+        glm::vec3 lowest(1e30f), highest(-1e30f);
+        for (std::size_t i = first_; i < mesh_.faces.size(); ++i) {
+            lowest = glm::min(lowest, glm::vec3(mesh_.faces[i].at));
+            highest = glm::max(highest, glm::vec3(mesh_.faces[i].at));
+        }
+        part.middle = 0.5f * (lowest + highest);
+        constexpr float kMostRise = 30;  // m, of a deposit on which debris rests
+        const bool rests = std::any_of(mesh_.faces.begin() + first_, mesh_.faces.end(),
+                                       [](const StructureVertex& vertex) { return vertex.rests.w == 1; });
+        part.radius = 0.5f * glm::distance(lowest, highest) + (rests ? kMostRise : 0.f);
+        mesh_.parts.push_back(part);
+    }
+    OpenPart(const OpenPart&) = delete;
+    OpenPart& operator=(const OpenPart&) = delete;
+
+    // What is added from now on is seen from near only.
+    void begin_details() { far_end_ = size(), has_details_ = true; }
+    // The same, and what was added before is seen from afar only.
+    void begin_near() { begin_details(), near_ = size(); }
+
+  private:
+    std::uint32_t size() const { return static_cast<std::uint32_t>(mesh_.faces.size()); }
+
+    StructureMesh& mesh_;
+    std::uint32_t first_, far_end_, near_;
+    bool has_details_ = false;
+};
+
 // One structure while it is built: where it stands, and random numbers of its own.
 class BuildingSite {
   public:
@@ -206,26 +243,43 @@ void add_debris(const BuildingSite& site, StructureBuilder& into, int beams, flo
     }
 }
 
-// Windows in a row on a wall; `right` and `up` are unit vectors along it, `at` the middle of the row.
-void add_windows(const BuildingSite& site, StructureBuilder& into, vec3 at, vec3 right, int count,
-                 float apart, int material) {
-    const vec3 up(0, 0, 1), out = 0.04f * glm::cross(right, up);
-    for (int i = 0; i < count; ++i) {
-        const vec3 middle =
-            at + out + right * (apart * (static_cast<float>(i) - 0.5f * static_cast<float>(count - 1)));
-        const vec3 wide = 0.55f * right, tall = 0.6f * up;
+// Windows in a row on a wall.
+struct Windows {
+    vec3 middle, right;  // of the row; unit vector along it
+    int count;
+    float apart;  // m
+};
+
+constexpr float kHalfWindow = 0.55f, kHalfTall = 0.6f;  // m
+
+template <class Add>
+void for_each_window(const Windows& row, const Add& add) {
+    const vec3 out = 0.04f * glm::cross(row.right, vec3(0, 0, 1));
+    for (int i = 0; i < row.count; ++i)
+        add(row.middle + out +
+            row.right * (row.apart * (static_cast<float>(i) - 0.5f * static_cast<float>(row.count - 1))));
+}
+
+void add_pane(StructureBuilder& into, vec3 middle, vec3 wide, int material) {
+    const vec3 tall(0, 0, kHalfTall);
+    into.quad({middle - wide - tall, middle + wide - tall, middle + wide + tall, middle - wide + tall},
+              material);
+}
+
+void add_windows(const BuildingSite& site, StructureBuilder& into, const Windows& row, int material) {
+    for_each_window(row, [&](vec3 middle) {
         into.set_number(
             site.own(500 + static_cast<int>(std::lround(8 * (middle.x + 31 * middle.y + 7 * middle.z)))));
-        into.quad({middle - wide - tall, middle + wide - tall, middle + wide + tall, middle - wide + tall},
-                  material);
-        // Shutters.
-        for (const float side : {-1.f, 1.f}) {
-            const vec3 shutter = middle + side * 0.85f * right + 0.5f * out, half = 0.27f * right;
-            into.quad(
-                {shutter - half - tall, shutter + half - tall, shutter + half + tall, shutter - half + tall},
-                BUILT_DARK);
-        }
-    }
+        add_pane(into, middle, kHalfWindow * row.right, material);
+    });
+}
+
+void add_shutters(StructureBuilder& into, const Windows& row) {
+    const vec3 out = 0.02f * glm::cross(row.right, vec3(0, 0, 1));
+    for_each_window(row, [&](vec3 middle) {
+        for (const float side : {-0.85f, 0.85f})
+            add_pane(into, middle + side * row.right + out, 0.27f * row.right, BUILT_DARK);
+    });
 }
 
 // One side of a roof, from a share of its length to another, with the snow on it. `side`: −1 left, 1 right.
@@ -251,7 +305,7 @@ void add_roof(const BuildingSite& site, StructureBuilder& into, float side, floa
     if (site.snow() > 0.1f) slab(std::max(from, margin), std::min(to, 1 - margin), kThick, snow, BUILT_SNOW);
 }
 
-void add_hut(const BuildingSite& site, std::vector<StructureVertex>& faces) {
+void add_hut(const BuildingSite& site, std::vector<StructureVertex>& faces, OpenPart& part) {
     StructureBuilder hut(faces, site.pose(), site.own(0));
     const float long_ = static_cast<float>(kHutLength) / 2 - 0.6f * site.own(1);
     const float wide = static_cast<float>(kHutWidth) / 2 - 0.7f * site.own(2);
@@ -278,17 +332,12 @@ void add_hut(const BuildingSite& site, std::vector<StructureVertex>& faces) {
     // Behind a broken window there is no light.
     const int glass = whole ? BUILT_WINDOW : BUILT_DARK;
     const vec3 right(1, 0, 0), front(0, 1, 0);
-    add_windows(site, hut, {0, long_, base + 3.1f}, -right, 3, 2.3f, glass);
-    add_windows(site, hut, {-1.4f, long_, base + 1.1f}, -right, 2, 2.3f, glass);
-    add_windows(site, hut, {wide, 0, base + 1.5f}, front, 3, 2.8f, glass);
-    add_windows(site, hut, {-wide, 0, base + 1.5f}, -front, 3, 2.8f, glass);
-    add_windows(site, hut, {0, -long_, base + 1.5f}, right, 2, 2.8f, glass);
-    hut.quad({vec3(3, long_ + 0.04f, base), vec3(2, long_ + 0.04f, base), vec3(2, long_ + 0.04f, base + 2.1f),
-              vec3(3, long_ + 0.04f, base + 2.1f)},
-             BUILT_DARK);
-    // A balcony under the gable.
-    hut.box({0, long_ + 0.6f, base + 2.2f}, {wide, 0.6f, 0.08f}, BUILT_WOOD);
-    hut.box({0, long_ + 1.15f, base + 2.7f}, {wide, 0.05f, 0.35f}, BUILT_WOOD);
+    const Windows rows[] = {{{0, long_, base + 3.1f}, -right, 3, 2.3f},
+                            {{-1.4f, long_, base + 1.1f}, -right, 2, 2.3f},
+                            {{wide, 0, base + 1.5f}, front, 3, 2.8f},
+                            {{-wide, 0, base + 1.5f}, -front, 3, 2.8f},
+                            {{0, -long_, base + 1.5f}, right, 2, 2.8f}};
+    for (const Windows& row : rows) add_windows(site, hut, row, glass);
 
     add_roof(site, hut, -1, 0, 1, wide, long_, eave, ridge);
     if (whole) {
@@ -305,6 +354,15 @@ void add_hut(const BuildingSite& site, std::vector<StructureVertex>& faces) {
         add_debris(site, hut, 12, 8, 5);
     }
     hut.box({-0.4f * wide, -0.35f * long_, ridge - 0.3f}, {0.45f, 0.45f, 1.1f}, BUILT_STONE);
+
+    part.begin_details();
+    for (const Windows& row : rows) add_shutters(hut, row);
+    hut.quad({vec3(3, long_ + 0.04f, base), vec3(2, long_ + 0.04f, base), vec3(2, long_ + 0.04f, base + 2.1f),
+              vec3(3, long_ + 0.04f, base + 2.1f)},
+             BUILT_DARK);
+    // A balcony under the gable.
+    hut.box({0, long_ + 0.6f, base + 2.2f}, {wide, 0.6f, 0.08f}, BUILT_WOOD);
+    hut.box({0, long_ + 1.15f, base + 2.7f}, {wide, 0.05f, 0.35f}, BUILT_WOOD);
 }
 
 void add_station(const BuildingSite& site, std::vector<StructureVertex>& faces) {
@@ -322,8 +380,8 @@ void add_station(const BuildingSite& site, std::vector<StructureVertex>& faces) 
     station.box({0, 0, high - 3.1f}, {wide - 0.3f, 0.8f * long_, 0.2f}, BUILT_STEEL);
     station.box({0, 0, high - 1.4f}, {wide, long_, 1.1f},
                 site.state() == StructureState::kIntact ? BUILT_ROOF : BUILT_DARK);
-    add_windows(site, station, {wide, 0, high - 1.4f}, {0, 1, 0}, 2, 3, BUILT_WINDOW);
-    add_windows(site, station, {-wide, 0, high - 1.4f}, {0, -1, 0}, 2, 3, BUILT_WINDOW);
+    add_windows(site, station, {{wide, 0, high - 1.4f}, {0, 1, 0}, 2, 3}, BUILT_WINDOW);
+    add_windows(site, station, {{-wide, 0, high - 1.4f}, {0, -1, 0}, 2, 3}, BUILT_WINDOW);
     if (site.snow() > 0.1f) station.box({0, 0, high + 0.05f}, {wide - 0.1f, long_ - 0.1f, 0.35f}, BUILT_SNOW);
     if (site.state() == StructureState::kDamaged) add_debris(site, station, 10, 7, 5);
 }
@@ -394,6 +452,8 @@ void add_span(vec3 from, vec3 to, bool holds, float first_chair, StructureMesh& 
                  mesh.ropes);
     if (!holds) return;
     const vec3 flat = glm::normalize(vec3(glm::vec2(to - from), 0));
+    OpenPart chairs(mesh);
+    chairs.begin_details();
     for (float way = first_chair; way < length - 4; way += kChairsApart) {
         const vec3 grip = at(way / length);
         Pose pose{glm::mat3(vec3(flat.y, -flat.x, 0), flat, vec3(0, 0, 1)), grip};
@@ -416,51 +476,25 @@ void add_lift(const Structures& structures, const Lift& lift, const FirstSurface
     }
 }
 
-// A road across the surface: what it is made of lies between banks of cleared snow.
-void add_road(const Road& road, const FirstSurface& surface, std::vector<StructureVertex>& faces) {
-    struct Edge {
-        float across;        // half widths of the road
-        float beyond, rise;  // m
-    };
-    constexpr Edge kSection[] = {{-1, -1.8f, -0.15f}, {-1, -0.8f, 0.7f}, {-1, 0, 0.12f},
-                                 {1, 0, 0.12f},       {1, 0.8f, 0.7f},   {1, 1.8f, -0.15f}};
-    constexpr int kMaterials[] = {BUILT_BANK, BUILT_BANK, BUILT_ROAD, BUILT_BANK, BUILT_BANK};
-    constexpr std::size_t kEdges = std::size(kSection);
-    const auto half = static_cast<float>(road.width_m / 2);
-    constexpr double kMostPieces = 2000;
-    double length = 0;
-    for (std::size_t i = 1; i < road.points.size(); ++i)
-        length += glm::distance(road.points[i - 1], road.points[i]);
-    const float step =
-        std::max(std::clamp(0.3f * surface.cell(), 0.5f, 4.f), static_cast<float>(length / kMostPieces));
-    StructureBuilder into(faces, {}, 0.5f);
+// A line across a road, where it is built.
+struct RoadSection {
+    glm::vec2 middle, across;  // m; unit vector to the right
+    float way;                 // m, from the beginning of the road
+    bool snowy;
+};
 
-    std::array<vec3, kEdges> last{};
-    glm::vec2 last_middle{0};
+// Points of a section: outward from the middle by half widths and metres, and a rise, m.
+struct RoadEdge {
+    float half_widths, beyond, rise;
+};
+constexpr RoadEdge kNearEdges[] = {{-1, -1.8f, -0.15f}, {-1, -0.8f, 0.7f}, {-1, 0, 0.12f},
+                                   {1, 0, 0.12f},       {1, 0.8f, 0.7f},   {1, 1.8f, -0.15f}};
+constexpr RoadEdge kFarEdges[] = {{-1, -1.6f, 0.3f}, {-1, 0, 0.3f}, {1, 0, 0.3f}, {1, 1.6f, 0.3f}};
+
+// Sections from one end to the other, at most `step` apart.
+std::vector<RoadSection> sections_of(const Road& road, const FirstSurface& surface, float step) {
+    std::vector<RoadSection> sections;
     float way = 0;
-    bool begun = false;
-    const auto reach = [&](glm::vec2 at, glm::vec2 along) {
-        const glm::vec2 across(along.y, -along.x);
-        std::array<vec3, kEdges> next;
-        const bool snowy = surface.snow(at) > 0.1f;
-        for (std::size_t i = 0; i < kEdges; ++i) {
-            const Edge& edge = kSection[i];
-            const glm::vec2 place = at + across * (edge.across * half + edge.beyond);
-            const float ragged = value_noise(way / 7, static_cast<float>(i), 4096, 7);
-            const float rise =
-                edge.rise > 0.5f ? (snowy ? edge.rise * (0.6f + 0.8f * ragged) : 0.05f) : edge.rise;
-            next[i] = vec3(place, surface.height(place) + rise);
-        }
-        for (std::size_t i = 0; begun && i + 1 < kEdges; ++i) {
-            into.lie_on(at, surface);
-            into.set_number(snowy ? 1.f : 0.f);
-            into.quad({last[i + 1], next[i + 1], next[i], last[i]}, snowy ? kMaterials[i] : BUILT_ROAD);
-        }
-        way += begun ? glm::distance(at, last_middle) : 0.f;
-        begun = true;
-        last = next;
-        last_middle = at;
-    };
     for (std::size_t i = 0; i + 1 < road.points.size(); ++i) {
         const glm::vec2 from(road.points[i]), to(road.points[i + 1]);
         const auto along_at = [&](std::size_t k) {
@@ -468,13 +502,59 @@ void add_road(const Road& road, const FirstSurface& surface, std::vector<Structu
         };
         const glm::vec2 own = along_at(i), before = i > 0 ? along_at(i - 1) : own,
                         after = i + 2 < road.points.size() ? along_at(i + 1) : own;
-        const int pieces = std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / step)));
+        const float length = glm::distance(from, to);
+        const int pieces = std::max(1, static_cast<int>(std::ceil(length / step)));
         for (int k = i == 0 ? 0 : 1; k <= pieces; ++k) {
             const float t = static_cast<float>(k) / static_cast<float>(pieces);
-            const glm::vec2 along = t < 0.5f ? glm::mix(before + own, 2.f * own, 2 * t)
-                                             : glm::mix(2.f * own, own + after, 2 * t - 1);
-            reach(glm::mix(from, to, t), glm::normalize(along));
+            const glm::vec2 along = glm::normalize(t < 0.5f ? glm::mix(before + own, 2.f * own, 2 * t)
+                                                            : glm::mix(2.f * own, own + after, 2 * t - 1));
+            const glm::vec2 at = glm::mix(from, to, t);
+            sections.push_back({at, {along.y, -along.x}, way + t * length, surface.snow(at) > 0.1f});
         }
+        way += length;
+    }
+    return sections;
+}
+
+// What a road is made of between two sections. The banks are cleared snow.
+void add_road_piece(const RoadSection& from, const RoadSection& to, std::span<const RoadEdge> edges,
+                    float half, const FirstSurface& surface, StructureBuilder& into) {
+    const auto point = [&](const RoadSection& section, std::size_t i) {
+        const RoadEdge& edge = edges[i];
+        const glm::vec2 place = section.middle + section.across * (edge.half_widths * half + edge.beyond);
+        const float ragged = value_noise(section.way / 7, static_cast<float>(i), 4096, 7);
+        const bool bank = edge.rise > 0.5f;
+        const float rise = bank ? (section.snowy ? edge.rise * (0.6f + 0.8f * ragged) : 0.05f) : edge.rise;
+        return vec3(place, surface.height(place) + rise);
+    };
+    into.lie_on(to.middle, surface);
+    into.set_number(to.snowy ? 1.f : 0.f);
+    for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+        const bool middle = 2 * (i + 1) == edges.size();
+        into.quad({point(from, i + 1), point(to, i + 1), point(to, i), point(from, i)},
+                  to.snowy && !middle ? BUILT_BANK : BUILT_ROAD);
+    }
+}
+
+void add_road(const Road& road, const FirstSurface& surface, StructureMesh& mesh) {
+    constexpr double kMostPieces = 2000;
+    constexpr std::size_t kPiecesPerPart = 16;
+    double length = 0;
+    for (std::size_t i = 1; i < road.points.size(); ++i)
+        length += glm::distance(road.points[i - 1], road.points[i]);
+    const float step =
+        std::max(std::clamp(0.3f * surface.cell(), 0.5f, 4.f), static_cast<float>(length / kMostPieces));
+    const auto half = static_cast<float>(road.width_m / 2);
+    const std::vector<RoadSection> sections = sections_of(road, surface, step);
+    StructureBuilder into(mesh.faces, {}, 0.5f);
+    for (std::size_t first = 0; first + 1 < sections.size(); first += kPiecesPerPart) {
+        const std::size_t last = std::min(first + kPiecesPerPart, sections.size() - 1);
+        OpenPart part(mesh);
+        for (std::size_t i = first; i < last; i += 2)
+            add_road_piece(sections[i], sections[std::min(i + 2, last)], kFarEdges, half, surface, into);
+        part.begin_near();
+        for (std::size_t i = first; i < last; ++i)
+            add_road_piece(sections[i], sections[i + 1], kNearEdges, half, surface, into);
     }
 }
 
@@ -558,14 +638,15 @@ StructureMesh structure_mesh(const Structures& structures, const BuildingGround&
                              const glm::vec3& sun) {
     const FirstSurface surface(ground);
     StructureMesh mesh;
-    for (const Road& road : structures.roads) add_road(road, surface, mesh.faces);
+    for (const Road& road : structures.roads) add_road(road, surface, mesh);
     for (std::size_t i = 0; i < structures.all.size(); ++i) {
         const Structure& structure = structures.all[i];
         if (structure.state == StructureState::kBuried) continue;
         const BuildingSite site(structure, surface, i);
+        OpenPart part(mesh);
         switch (structure.kind) {
             case StructureKind::kHut:
-                add_hut(site, mesh.faces);
+                add_hut(site, mesh.faces, part);
                 break;
             case StructureKind::kStation:
                 add_station(site, mesh.faces);

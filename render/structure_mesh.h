@@ -35,9 +35,20 @@ struct StructureShadowVertex {
     glm::vec4 foot;  // m, of what casts it; 0
 };
 
+// Faces of a structure, or of a piece of a road or a lift, that are drawn together or not at all.
+struct StructurePart {
+    struct Range {
+        std::uint32_t first = 0, count = 0;  // in StructureMesh::faces
+    };
+    Range near, far;  // with all details; as it is seen where a pixel is larger than they are
+    glm::vec3 middle{0};
+    float radius = 0;  // m, of a ball around its faces
+};
+
 // Triangles of structures, three vertices each.
 struct StructureMesh {
     std::vector<StructureVertex> faces;
+    std::vector<StructurePart> parts;
     std::vector<RopeVertex> ropes;
     std::vector<StructureShadowVertex> shadows;
 };

@@ -82,6 +82,14 @@ float own(const Tree& tree, float factor) {
     return x - std::floor(x);
 }
 
+// The wood parts before the eye, which would see nothing within a crown: a tree shrinks as the eye comes near.
+float parted(const Tree& tree, const glm::vec3& eye) {
+    constexpr float kGone = 0.25f, kWhole = 0.5f;  // distance from its axis, of its height
+    if (eye.z > tree.foot.z + 1.2f * tree.height) return 1;
+    return ramp(kGone * tree.height, kWhole * tree.height,
+                glm::distance(glm::vec2(tree.foot), glm::vec2(eye)));
+}
+
 // Bends a tree as far as the flow has reached its stem, and lays it into the deposit.
 void lay(const Tree& tree, const sim::View& world, float lying, DrawnTree& drawn) {
     const float aside = 1.1f * (own(tree, 37.3f) - 0.5f), angle = kLean * lying;
@@ -166,7 +174,9 @@ void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, co
             const float share = share_at(distance, tree.group);
             const float rank = (static_cast<float>(k) + first) / static_cast<float>(tile->count);
             if (rank >= share) continue;
-            const float kept = share < 1 ? std::min((share - rank) / (0.15f * share), 1.f) : 1.f;
+            const float kept =
+                (share < 1 ? std::min((share - rank) / (0.15f * share), 1.f) : 1.f) * parted(tree, eye);
+            if (kept <= 0) continue;
             if (is_beside(tree.foot - eye, frame, kLongestShadow + tree.height)) continue;
 
             const float together = tree.group / share, taller = std::pow(std::min(together, kGroup), kTaller);

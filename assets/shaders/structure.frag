@@ -1,8 +1,9 @@
 // Structures: boards, stone, steel, snow on roofs, lamps behind windows.
 layout(binding = SLOT_DETAIL) uniform sampler2DArray detail_texture;
 
-in vec3 at;
-flat in vec3 normal;
+in vec2 ground;
+in vec3 light;
+in vec3 air;
 flat in int material;
 flat in vec2 numbers;
 in vec3 on_face;
@@ -15,8 +16,8 @@ float lines(float place, float apart, float pixel) {
 }
 
 void main() {
-    float pixel = length(at - frame.eye.xyz) * frame.material.y;
-    vec4 soft = texture(detail_texture, vec3(at.xy / 23.0, DETAIL_SOFT));
+    float pixel = on_face.z;
+    vec4 soft = texture(detail_texture, vec3(ground / 23.0, DETAIL_SOFT));
     vec4 rock = texture(detail_texture, vec3(on_face.xy / 5.0, DETAIL_ROCK));
     vec3 albedo = frame.standing.rgb, lamp = vec3(0.0);
     switch (material) {
@@ -37,7 +38,5 @@ void main() {
         case BUILT_BANK: albedo *= 0.82 + 0.22 * rock.z; break;
         case BUILT_DARK: albedo = vec3(0.035, 0.024, 0.018); break;
     }
-    vec3 faces = material == BUILT_BANK || material == BUILT_ROAD ? normalize(normal + vec3(0.5 * (rock.xy * 2.0 - 1.0), 0.0)) : normal;
-    vec3 light = lit(vec3(1.0), faces, sunlit(at + 1.5 * normal), on_face.z);
-    colour = vec4(through_air(albedo * light + lamp, at), 1.0);
+    colour = vec4(albedo * light + lamp + air, 1.0);
 }

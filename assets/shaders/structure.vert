@@ -5,21 +5,24 @@ layout(location = 2) in vec4 face;
 layout(location = 3) in vec4 rests;
 layout(binding = SLOT_RELIEF) uniform sampler2D relief;
 
-out vec3 at;
-flat out vec3 normal;
+out vec2 ground;        // place in plan, m
+out vec3 light;         // that white reflects toward the eye
+out vec3 air;           // light of the air before it
 flat out int material;
 flat out vec2 numbers;  // of the structure, of the face; 0 to 1
-out vec3 on_face;       // m across and up; light that reaches it
+out vec3 on_face;       // m across and up; size of a pixel, m
 
 void main() {
-    at = place.xyz;
+    vec3 at = place.xyz;
     if (rests.w > 0.5) {
         float moved = height_at(relief, rests.xy) - rests.z;
         at.z += rests.w > 1.5 ? min(moved, 0.0) : moved;
     }
-    normal = facing.xyz;
+    ground = at.xy;
+    air = through_air(vec3(0.0), at);
+    light = (through_air(vec3(1.0), at) - air) * lit(vec3(1.0), facing.xyz, sunlit(at + 1.5 * facing.xyz), face.z);
     material = int(place.w);
     numbers = vec2(facing.w, face.w);
-    on_face = face.xyz;
+    on_face = vec3(face.xy, length(at - frame.eye.xyz) * frame.material.y);
     gl_Position = frame.clip_from_world * vec4(at, 1.0);
 }

@@ -1,5 +1,6 @@
 #include "render/passes/structures_pass.h"
 
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -29,9 +30,8 @@ tl::expected<StructuresPass, std::string> StructuresPass::create(const std::file
     for (auto& [program, stages] :
          {std::tuple{
               &pass.faces_program_,
-              std::vector<ShaderStage>{
-                  {GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "triangle_height.glsl", "structure.vert"}},
-                  {GL_FRAGMENT_SHADER, with({"structure.frag"})}}},
+              std::vector<ShaderStage>{{GL_VERTEX_SHADER, with({"triangle_height.glsl", "structure.vert"})},
+                                       {GL_FRAGMENT_SHADER, {"slots.glsl", "frame.glsl", "structure.frag"}}}},
           {&pass.ropes_program_,
            {{GL_VERTEX_SHADER, with({"rope.vert"})}, {GL_FRAGMENT_SHADER, {"rope.frag"}}}},
           {&pass.shadows_program_,
@@ -72,7 +72,29 @@ bool StructuresPass::find(const FrameInput& input, const FrameBlock& frame, bool
             input.surroundings ? input.surroundings->cover() : std::span<const glm::vec2>();
         send(structure_mesh(known_, {input.world, input.first_depth, cover, snow}, glm::vec3(frame.sun)));
     }
-    return faces_.count > 0;
+    find_parts_in_view(frame);
+    return !firsts_.empty();
+}
+
+void StructuresPass::find_parts_in_view(const FrameBlock& frame) {
+    constexpr float kDetails = 0.9f;  // m; where a sample is larger, a part is drawn without them
+    const glm::vec3 eye(frame.eye);
+    const float wide = glm::length(glm::vec3(frame.ray_right)), high = glm::length(glm::vec3(frame.ray_up));
+    firsts_.clear();
+    counts_.clear();
+    for (const StructurePart& part : parts_) {
+        const glm::vec4 clip = frame.clip_from_world * glm::vec4(part.middle, 1);
+        // A ball reaches beyond the image's edge by more than its radius where that is seen at an angle.
+        const float right = part.radius * std::sqrt(1 + 1 / (wide * wide)),
+                    up = part.radius * std::sqrt(1 + 1 / (high * high));
+        if (clip.w < -part.radius || std::abs(clip.x) > clip.w + right || std::abs(clip.y) > clip.w + up)
+            continue;
+        const bool far = glm::distance(part.middle, eye) * frame.material.y > kDetails;
+        const StructurePart::Range& range = far ? part.far : part.near;
+        if (range.count == 0) continue;
+        firsts_.push_back(static_cast<GLint>(range.first));
+        counts_.push_back(static_cast<GLsizei>(range.count));
+    }
 }
 
 void StructuresPass::send(const StructureMesh& mesh) {
@@ -82,6 +104,9 @@ void StructuresPass::send(const StructureMesh& mesh) {
                           vertices.data(), GL_DYNAMIC_DRAW);
     };
     fill(faces_, mesh.faces);
+    parts_ = mesh.parts;
+    firsts_.reserve(parts_.size());
+    counts_.reserve(parts_.size());
     fill(ropes_, mesh.ropes);
     fill(shadows_, mesh.shadows);
 }
@@ -93,7 +118,9 @@ void StructuresPass::draw() const {
         glBindVertexArray(vertices.array.name());
         glDrawArrays(GL_TRIANGLES, 0, vertices.count);
     };
-    draw(faces_program_, faces_);
+    glUseProgram(faces_program_.name());
+    glBindVertexArray(faces_.array.name());
+    glMultiDrawArrays(GL_TRIANGLES, firsts_.data(), counts_.data(), static_cast<GLsizei>(firsts_.size()));
     const Enabled blend(GL_BLEND);
     glDepthMask(GL_FALSE);
     {

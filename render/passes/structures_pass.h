@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -24,6 +25,7 @@ class StructuresPass {
 
   private:
     void send(const StructureMesh& mesh);
+    void find_parts_in_view(const FrameBlock& frame);
 
     // Vertices of one kind, as they lie on the GPU.
     struct Vertices {
@@ -34,6 +36,9 @@ class StructuresPass {
 
     ProgramName faces_program_, ropes_program_, shadows_program_;
     Vertices faces_, ropes_, shadows_;
+    std::vector<StructurePart> parts_;
+    std::vector<GLint> firsts_;  // of the parts that this frame shows, in faces_
+    std::vector<GLsizei> counts_;
     Structures known_;  // of the mesh
     glm::vec4 known_sun_{0};
     glm::vec2 known_snowy_{0};

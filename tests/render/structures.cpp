@@ -127,6 +127,22 @@ TEST_F(MeshOfHut, is_joined_by_roads_that_follow_the_ground_and_by_ropes_between
     EXPECT_LT(broken.ropes.size(), all.ropes.size()) << "the chairs have fallen";
 }
 
+TEST_F(MeshOfHut, has_parts_that_lie_in_their_balls_and_hold_each_face_once) {
+    Structures structures = hut(StructureState::kDamaged);
+    structures.roads.push_back({{{10, 50}, {100, 60}, {190, 20}}, 6});
+    const StructureMesh mesh = this->mesh(structures, 1);
+    std::vector<int> times(mesh.faces.size());
+    for (const StructurePart& part : mesh.parts) {
+        EXPECT_LT(part.far.count, part.near.count);
+        const bool same = part.far.first == part.near.first;  // a beginning of what is near, or apart from it
+        for (std::uint32_t i = part.near.first; i < part.near.first + part.near.count; ++i) ++times[i];
+        for (std::uint32_t i = part.far.first; i < part.far.first + part.far.count && !same; ++i) ++times[i];
+        for (std::uint32_t i = part.near.first; i < part.near.first + part.near.count; ++i)
+            EXPECT_LE(glm::distance(part.middle, glm::vec3(mesh.faces[i].at)), part.radius + 0.01f);
+    }
+    EXPECT_EQ(std::ranges::count(times, 1), std::ssize(times));
+}
+
 TEST_F(MeshOfHut, has_a_bounded_number_of_faces_for_a_road_of_any_length) {
     Structures structures;
     structures.roads.push_back({{{0, 0}, {1e7, 0}}});

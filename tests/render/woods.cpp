@@ -294,5 +294,19 @@ TEST_F(WoodInValley, lies_downhill_where_a_flow_was_deep_and_fast) {
     EXPECT_GT(stand, 20);
 }
 
+TEST_F(WoodInValley, parts_before_the_eye) {
+    const Woods all = woods();
+    const Tree& tree = all.trees()[all.trees().size() / 2];
+    const auto nearest = [&](double above) {
+        // The eye is at the tree, looking north from a metre south of its axis.
+        const Camera camera{glm::dvec3(tree.foot) + glm::dvec3(0, 9, above), 180, 0, 10, 60};
+        float least = 1e9f;
+        for (const DrawnTree& each : drawn(all, camera))
+            least = std::min(least, glm::distance(glm::vec2(each.foot), glm::vec2(tree.foot)));
+        return least;
+    };
+    EXPECT_GT(nearest(0.4 * static_cast<double>(tree.height)), 0.1f) << "it is not drawn around the eye";
+}
+
 }  // namespace
 }  // namespace render::test
