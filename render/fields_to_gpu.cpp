@@ -101,8 +101,8 @@ bool FieldsToGpu::is_known(const sim::View& world) const {
 }
 
 void FieldsToGpu::allocate(const sim::Grid& grid) {
-    for (Texture* texture : {&bedrock_texture_, &depth_texture_, &rolling_texture_, &velocity_x_texture_,
-                             &velocity_y_texture_})
+    for (Texture* texture :
+         {&bedrock_texture_, &depth_texture_, &rolling_texture_, &velocity_x_texture_, &velocity_y_texture_})
         *texture = make_texture(GL_R32F, grid.nx, grid.ny, GL_NEAREST);
     first_depth_texture_ = make_texture(GL_R32F, grid.nx, grid.ny, GL_LINEAR);
     first_depth_.clear();

@@ -225,8 +225,8 @@ void Renderer::draw(const FrameInput& input) {
 
     // Powder is drawn into coarse pixels of its own, which must know how far the ground is behind them, not the trees
     // in front: their outlines are finer.
-    const bool powdery = p.powder.find(puffs, frame, look, powder_strength, p.target.samples_across(),
-                                       p.target.samples_up());
+    const bool powdery =
+        p.powder.find(puffs, frame, look, powder_strength, p.target.samples_across(), p.target.samples_up());
     if (powdery) p.powder.draw();
     p.clock.mark(Pass::kPowder);
 

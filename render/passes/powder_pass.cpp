@@ -23,7 +23,7 @@ struct PowderBlock {
 };
 
 constexpr double kLeastBudget = 30000, kBudgetPerSample = 0.07;  // pixels of puffs
-constexpr int kFinest = 2, kCoarsest = 6;                       // divisors of the resolution
+constexpr int kFinest = 2, kCoarsest = 6;                        // divisors of the resolution
 // Pixels around the box of the cloud. Each that is laid over the frame lies between coarse ones that were drawn.
 constexpr int kRim = 1, kCoarseRim = 3;
 constexpr std::array<GLenum, 2> kBoth{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
