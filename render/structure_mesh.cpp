@@ -454,8 +454,9 @@ void add_span(vec3 from, vec3 to, bool holds, float first_chair, StructureMesh& 
     const vec3 flat = glm::normalize(vec3(glm::vec2(to - from), 0));
     OpenPart chairs(mesh);
     chairs.begin_details();
-    for (float way = first_chair; way < length - 4; way += kChairsApart) {
-        const vec3 grip = at(way / length);
+    const int chairs_here = static_cast<int>(std::max((length - 4 - first_chair) / kChairsApart + 1, 0.f));
+    for (int i = 0; i < chairs_here; ++i) {
+        const vec3 grip = at((first_chair + kChairsApart * static_cast<float>(i)) / length);
         Pose pose{glm::mat3(vec3(flat.y, -flat.x, 0), flat, vec3(0, 0, 1)), grip};
         StructureBuilder chair(mesh.faces, pose, 0.5f);
         add_rope(grip, grip - vec3(0, 0, 2.3f), 0.05f, mesh.ropes);
@@ -597,6 +598,7 @@ std::vector<vec3> hull(std::vector<vec3> points) {
 void add_shadow(const BuildingSite& site, const std::vector<vec3>& corners, const vec3& sun,
                 std::vector<StructureShadowVertex>& shadows) {
     std::vector<vec3> points;
+    points.reserve(corners.size());
     for (const vec3& corner : corners) points.push_back(shadow_of(corner, site.surface(), sun));
     const std::vector<vec3> around = hull(std::move(points));
     const glm::vec4 foot(site.pose().origin, 0);

@@ -42,7 +42,7 @@ TEST_F(TreesUnderAvalanche, lie_in_the_same_bytes_after_100_random_seeks) {
     EXPECT_NE(frame(sandbox.session(), &woods_), frame(sandbox.session(), nullptr));
     EXPECT_NE(frame(sandbox.session(), &woods_), frame(sandbox.session(), &woods_, false))
         << "no tree was hit";
-    EXPECT_EQ(sandbox.session().structures().all[0].state, render::StructureState::kDestroyed);
+    EXPECT_EQ(sandbox.session().structures().all.back().state, render::StructureState::kDestroyed);
     expect_the_same_after_100_seeks(sandbox, frames, with_trees);
 }
 

@@ -161,8 +161,10 @@ class Pipe {
         reader_ = std::thread([this] {
             std::array<char, 4096> bytes{};
             for (ssize_t n; (n = read(keep_, bytes.data(), bytes.size())) > 0;) {
-                if (bytes[static_cast<std::size_t>(n) - 1] == '\4') return;
                 text_.append(bytes.data(), static_cast<std::size_t>(n));
+                if (text_.back() != '\4') continue;
+                text_.pop_back();  // the end may come together with what is before it
+                return;
             }
         });
     }

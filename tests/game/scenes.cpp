@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "game/files/assets.h"
+#include "game/scene/mountains.h"
 #include "game/scene/structures.h"
 #include "tests/game/program.h"
 #include "tests/support/places.h"
@@ -175,12 +176,13 @@ TEST_F(SceneFile, may_say_within_which_polygon_trees_grow) {
 class TreesOfRaster : public SceneFile {
   protected:
     // Shares that grow toward the east, of `side` × `side` vertices.
-    void write_raster(int side, double cell, double most = 1) {
+    void write_raster(int side, double cell, double most = 1, double left = 0,
+                      const char* name = "wood.asc") {
         std::string asc =
-            fmt::format("ncols {0}\nnrows {0}\nxllcorner 0\nyllcorner 0\ncellsize {1}\n", side, cell);
+            fmt::format("ncols {0}\nnrows {0}\nxllcorner {2}\nyllcorner 0\ncellsize {1}\n", side, cell, left);
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x) asc += fmt::format("{} ", most * x / (side - 1));
-        write_bytes(folder_.path() / "wood.asc", asc + "\n");
+        write_bytes(folder_.path() / name, asc + "\n");
     }
     Outcome<Scene> load_with(const std::string& raster, const Overrides& overrides = {}) {
         return load(with("[light]", "[trees]\ndensity = 200\nraster = \"" + raster + "\"\n[light]"),
@@ -218,6 +220,35 @@ TEST_F(TreesOfRaster, are_refused_in_one_sentence_if_it_does_not_fit) {
     EXPECT_NE(fault().find("0 to 1"), std::string::npos) << fault();
     EXPECT_NE(fault("none.asc").find("none.asc"), std::string::npos) << fault("none.asc");
     EXPECT_NE(fault("../wood.asc").find("outside the scene's folder"), std::string::npos);
+}
+
+TEST_F(TreesOfRaster, are_refused_if_it_lies_elsewhere) {
+    write_raster(17, 10, 60, 5000, "hill.asc");  // the terrain
+    const std::string scene = [] {
+        std::string text = with("generator = \"slope-of-soil\"", "file = \"hill.asc\"");
+        const std::string light = "[light]";
+        return text.replace(text.find(light), light.size(),
+                            "[trees]\ndensity = 200\nraster = \"wood.asc\"\n[light]");
+    }();
+    write_raster(17, 10, 1, 5000);
+    EXPECT_TRUE(load(scene)) << load(scene).error().sentence;
+    write_raster(17, 10, 1, 5006);
+    ASSERT_FALSE(load(scene));
+    const std::string fault = load(scene).error().sentence;
+    EXPECT_NE(fault.find("wood.asc"), std::string::npos) << fault;
+    EXPECT_NE(fault.find("same place"), std::string::npos) << fault;
+}
+
+TEST_F(SceneFile, says_that_there_is_no_place_for_its_trees_or_that_some_are_left_out) {
+    const auto notice = [this](const std::string& table) {
+        const auto scene = load(with("[light]", table + "[light]"));
+        EXPECT_TRUE(scene) << scene.error().sentence;
+        return woods_notice(scene->scenario, woods_on(scene->scenario, mountains_around(scene->scenario)));
+    };
+    EXPECT_EQ(notice(""), "");
+    EXPECT_EQ(notice("[trees]\ndensity = 20\n"), "");
+    EXPECT_NE(notice("[trees]\ndensity = 20\ntree_line = -5000\n").find("no place"), std::string::npos);
+    EXPECT_NE(notice("[trees]\ndensity = 1000000\n").find("smaller [trees] density"), std::string::npos);
 }
 
 TEST_F(SceneFile, sorts_its_commands_by_time) {
