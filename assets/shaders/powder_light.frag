@@ -27,7 +27,7 @@ void main() {
 
     // Light passes from grain to grain, so that even the depth of the cloud is bright. What comes from the snow all around
     // takes colour from a low sun: without that, thin powder before a dark wood looks like smoke.
-    vec3 lamp = mix(frame.lamp.rgb, vec3(dot(frame.lamp.rgb, vec3(0.21, 0.72, 0.07))), 0.5);
+    vec3 lamp = mix(frame.lamp.rgb, vec3(dot(frame.lamp.rgb, vec3(0.21, 0.72, 0.07))), 0.3);
     vec3 sky = mix(frame.below.rgb, frame.above.rgb, 0.80 + 0.20 * light.y);
     vec3 grains = mix(powder.colour.rgb, powder.lower_colour.rgb, powder.lower_colour.w * texelFetch(lower, pixel, 0).r / whole);
     vec3 lit = grains * (lamp * (1.25 * light.x) + sky * (0.75 + 0.65 * light.y));
