@@ -80,8 +80,11 @@ class Woods {
           std::span<const Clearing> clearings = {});
 
     bool empty() const { return trees_.empty(); }
-    std::span<const Tree> trees() const { return trees_; }
-    std::span<const TreeTile> tiles() const { return tiles_; }
+    // Valid as long as the woods are, so not of woods that end with the expression.
+    std::span<const Tree> trees() const& { return trees_; }
+    std::span<const TreeTile> tiles() const& { return tiles_; }
+    std::span<const Tree> trees() const&& = delete;
+    std::span<const TreeTile> tiles() const&& = delete;
     // How many trees the rules ask for: more than there are, if those are too many.
     double asked() const { return asked_; }
     // Equal for equal woods, else different but for one chance in 2⁶⁴.

@@ -174,7 +174,8 @@ TEST_F(WoodInValley, shows_every_near_tree_in_view) {
 
 TEST_F(WoodInValley, has_stands_with_edges_and_few_trees_between_them) {
     std::size_t within = 0, between = 0, edge = 0;
-    for (const Tree& tree : woods().trees())
+    const Woods all = woods();
+    for (const Tree& tree : all.trees())
         ++(tree.closed > 0.9f ? within : tree.closed < 0.1f ? between : edge);
     EXPECT_GT(within, between);
     EXPECT_GT(between, 100u);
@@ -183,7 +184,8 @@ TEST_F(WoodInValley, has_stands_with_edges_and_few_trees_between_them) {
 
 TEST_F(WoodInValley, has_larches_and_dwarf_pine_near_the_tree_line_only) {
     int larches = 0, pines = 0;
-    for (const Tree& tree : woods().trees()) {
+    const Woods all = woods();
+    for (const Tree& tree : all.trees()) {
         if (tree.kind == TreeKind::kSpruce) continue;
         ++(tree.kind == TreeKind::kLarch ? larches : pines);
         EXPECT_GT(tree.foot.z, kRules.line_m - 300);
@@ -195,7 +197,8 @@ TEST_F(WoodInValley, has_larches_and_dwarf_pine_near_the_tree_line_only) {
 
 TEST_F(WoodInValley, stands_in_groups_far_from_the_grid) {
     float largest = 0;
-    for (const Tree& tree : woods().trees()) {
+    const Woods all = woods();
+    for (const Tree& tree : all.trees()) {
         EXPECT_GE(tree.group, 1);
         EXPECT_LE(tree.group, Woods::kLargestGroup);
         largest = std::max(largest, tree.group);
