@@ -15,7 +15,7 @@ float of_block(vec2 at, float size) {
 //                      │ face, as high as the layer was deep
 //                      └─────── bed
 //
-// The spline makes a slope of two cells of that; what lies a cell beside the place is one side or the other.
+// The spline makes a slope of two cells of that; a vertex beside the place is on one side or the other.
 Crown crown_at(inout Smooth layer, Place p, Detail d) {
     vec2 size = vec2(frame.size.xy), here = (p.at.xy / frame.ground.x + 0.5) / size, beside = 1.1 / size;
     vec4 east = texture(layers, vec2(here.x + beside.x, here.y)), west = texture(layers, vec2(here.x - beside.x, here.y));

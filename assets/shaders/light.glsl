@@ -18,6 +18,12 @@ vec3 lit(vec3 albedo, vec3 normal, float sunlit, float open) {
     return albedo * (frame.lamp.rgb * (facing * sunlit) + around);
 }
 
+// What a shadow on the ground leaves of the light, where it is darkest: that of the sky.
+vec3 left_by_shadow() {
+    vec3 sky = frame.above.rgb, sun = frame.lamp.rgb * max(frame.sun.z, 0.15);
+    return sky / (sky + sun);
+}
+
 // The sky at the horizon in a direction: warm toward a low sun, bluer opposite.
 vec3 horizon(vec3 direction) {
     float toward_sun = 0.5 + 0.5 * dot(direction.xy, vec2(frame.toward.w, frame.away.w));

@@ -6,9 +6,8 @@ layout(binding = SLOT_RELIEF) uniform sampler2D relief;
 flat out vec3 left;  // of the light, as a factor
 
 void main() {
-    vec3 sky = frame.above.rgb, sun = frame.lamp.rgb * max(frame.sun.z, 0.15);
     float strength = place.w * sunlit(foot.xyz + vec3(0.0, 0.0, 4.0));
-    left = mix(vec3(1.0), sky / (sky + sun), strength);
+    left = mix(vec3(1.0), left_by_shadow(), strength);
     vec3 at = vec3(place.xy, height_at(relief, place.xy) + 0.5);
     gl_Position = frame.clip_from_world * vec4(at, 1.0);
 }

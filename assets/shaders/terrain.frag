@@ -23,7 +23,7 @@ struct Crown {
     float shown;     // share of the wall that a pixel shows
 };
 
-// Finds the wall beside a place, and sharpens `layer` there into what stands above it and what lies under it, in
+// Finds the wall beside a place, and sharpens `layer` there into the snow above it and the bed under it, in
 // crown.glsl; crown_none.glsl is for places without one. wall() draws its face; it turns the place's slope.
 Crown crown_at(inout Smooth layer, Place p, Detail d);
 Skin wall(Skin skin, Crown crown, vec3 lies, Detail d, inout Place p);

@@ -12,8 +12,7 @@ void main() {
     float radius = tree.look.w * (corner == 0 ? -0.9 : 0.9);
     vec3 at = tip ? tree.shadow.xyz + vec3(0.0, 0.0, 0.6) : tree.foot.xyz + vec3(side * radius, 0.8);
     along = tip ? 1.0 : 0.0;
-    vec3 sky = frame.above.rgb, sun = frame.lamp.rgb * max(frame.sun.z, 0.15);
-    left = sky / (sky + sun);
+    left = left_by_shadow();
     strength = tree.shadow.w;
     gl_Position = strength > 0.0 ? frame.clip_from_world * vec4(at, 1.0) : vec4(0.0, 0.0, 2.0, 1.0);
 }

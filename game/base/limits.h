@@ -31,6 +31,7 @@ inline constexpr std::size_t kMostTomlKeys = 20'000;  // and table headers
 inline constexpr std::size_t kMostDottedKeys = 1000;
 inline constexpr std::size_t kMostKeyParts = 8;
 inline constexpr std::size_t kMostTomlDepth = 32;                             // of nested lists and tables
+inline constexpr double kFarthestPlace = 1e7;                                 // m, of a coordinate of a place
 inline constexpr std::size_t kFewestTreeCorners = 3, kMostTreeCorners = 256;  // of the polygon of [trees]
 
 // Meshes and arrays.

@@ -3,7 +3,6 @@
 #include <chrono>
 #include <cmath>
 #include <fstream>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -21,7 +20,7 @@ std::optional<glm::dvec2> place_from(const toml::node* node) {
     glm::dvec2 place;
     for (int i = 0; i < 2; ++i) {
         const auto value = pair->get(static_cast<std::size_t>(i))->value<double>();
-        if (!value || !(std::abs(*value) <= TomlTable::kFarthest)) return std::nullopt;
+        if (!value || !(std::abs(*value) <= kFarthestPlace)) return std::nullopt;
         place[i] = *value;
     }
     return place;
@@ -93,7 +92,7 @@ std::optional<std::vector<glm::dvec2>> TomlTable::places(std::string_view key, s
     for (std::size_t i = 0; array && i < array->size(); ++i)
         if (const auto at = place_from(array->get(i))) places.push_back(*at);
     if (!array || places.size() != array->size())
-        blame(key, fmt::format("is not a list of places [x, y] in metres, within ±{:.0f}", kFarthest));
+        blame(key, fmt::format("is not a list of places [x, y] in metres, within ±{:.0f}", kFarthestPlace));
     else if (places.size() < least || places.size() > most)
         blame(key, fmt::format("has {} places; {} to {} are allowed", places.size(), least, most));
     else
@@ -105,7 +104,7 @@ std::optional<glm::dvec2> TomlTable::place(std::string_view key) {
     const toml::node* node = find(key);
     if (!node) return std::nullopt;
     const auto at = place_from(node);
-    if (!at) blame(key, fmt::format("is not a place [x, y] in metres, within ±{:.0f}", kFarthest));
+    if (!at) blame(key, fmt::format("is not a place [x, y] in metres, within ±{:.0f}", kFarthestPlace));
     return at;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -30,10 +29,9 @@ class TomlTable {
     std::optional<std::int64_t> whole(std::string_view key, std::int64_t least, std::int64_t most);
     std::optional<std::string> text(std::string_view key);
     std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count);
-    // A list of `least` to `most` places [x, y], each coordinate within ±kFarthest metres.
+    // A list of `least` to `most` places [x, y], each coordinate within ±kFarthestPlace metres.
     std::optional<std::vector<glm::dvec2>> places(std::string_view key, std::size_t least, std::size_t most);
     std::optional<glm::dvec2> place(std::string_view key);
-    static constexpr double kFarthest = 1e7;
     std::optional<TomlTable> table(std::string_view key);
     std::vector<TomlTable> tables(std::string_view key);  // of an array of tables
     // A date and time with its offset from UTC, in the years `first` to `last`, as seconds from 1970-01-01

@@ -240,11 +240,11 @@ Json place_json(glm::dvec2 at) {
 }
 
 glm::dvec2 place_from(const Json& json) {
-    constexpr double kFarthest = 1e7;  // m
     const auto coordinate = [&](std::size_t i) {
         const bool is_number = json.is_array() && json.size() == 2 && json.at(i).is_number();
         const double value = is_number ? json.at(i).get<double>() : 0;
-        if (!is_number || !(std::abs(value) <= kFarthest)) refuse("a place is not two numbers of metres");
+        if (!is_number || !(std::abs(value) <= kFarthestPlace))
+            refuse("a place is not two numbers of metres");
         return value;
     };
     return {coordinate(0), coordinate(1)};
@@ -286,8 +286,7 @@ render::Structures structures_from(const Json& json) {
         render::Road road;
         for (const Json& at : list(from, "points", kMostRoadPoints)) road.points.push_back(place_from(at));
         if (road.points.size() < 2) refuse("structures: a road has fewer than two points");
-        if (std::adjacent_find(road.points.begin(), road.points.end()) != road.points.end())
-            refuse("structures: a road has the same point twice in a row");
+        if (const auto wrong = fault_of_road(road.points)) refuse("structures: a road " + *wrong);
         road.width_m = number(from, "width_m", kNarrowestRoad, kWidestRoad);
         structures.roads.push_back(std::move(road));
     }
@@ -313,13 +312,10 @@ render::TreeRules trees_from(const Json& json, const sim::Grid& grid) {
     trees.density = number(json, "density", 0, render::TreeRules::kDensest);
     trees.line_m = number(json, "line_m", -12000, 9000);
     trees.seed = static_cast<std::uint32_t>(whole(json, "seed", 0, 1'000'000));
-    if (json.contains("polygon")) {
-        const Json& polygon = member(json, "polygon");
-        if (!polygon.is_array() || polygon.size() < kFewestTreeCorners || polygon.size() > kMostTreeCorners)
-            refuse(fmt::format("trees: polygon is not a list of {} to {} corners", kFewestTreeCorners,
-                               kMostTreeCorners));
-        for (const Json& corner : polygon) trees.polygon.push_back(place_from(corner));
-    }
+    for (const Json& corner : list(json, "polygon", kMostTreeCorners))
+        trees.polygon.push_back(place_from(corner));
+    if (json.contains("polygon") && trees.polygon.size() < kFewestTreeCorners)
+        refuse(fmt::format("trees: polygon has fewer than {} corners", kFewestTreeCorners));
     if (json.contains("shares")) {
         auto shares = unpack_bytes(text(json, "shares"), grid.size());
         if (!shares) refuse("trees: " + shares.error());

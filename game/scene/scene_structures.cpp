@@ -30,8 +30,7 @@ void read_road(TomlTable& table, render::Structures& structures) {
     auto points = table.places("points", 2, kMostRoadPoints);
     if (!points) table.blame("", "needs points: places that it leads through");
     road.points = std::move(points).value_or(std::vector<glm::dvec2>());
-    for (std::size_t i = 1; i < road.points.size(); ++i)
-        if (road.points[i] == road.points[i - 1]) table.blame("points", "has the same place twice in a row");
+    if (const auto wrong = fault_of_road(road.points)) table.blame("points", *wrong);
     road.width_m = table.number("width", kNarrowestRoad, kWidestRoad).value_or(road.width_m);
     table.finish();
     structures.roads.push_back(std::move(road));

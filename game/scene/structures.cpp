@@ -106,6 +106,11 @@ const char* fault_of_place(glm::dvec2 at, const sim::Grid& grid, std::span<const
 
 }  // namespace
 
+std::optional<std::string> fault_of_road(std::span<const glm::dvec2> points) {
+    if (std::adjacent_find(points.begin(), points.end()) == points.end()) return std::nullopt;
+    return "has the same place twice in a row";
+}
+
 std::optional<std::string> fault_of_lift(glm::dvec2 valley, glm::dvec2 mountain) {
     const double length = glm::distance(valley, mountain);
     if (length >= kShortestLift && length <= kLongestLift) return std::nullopt;

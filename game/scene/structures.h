@@ -20,6 +20,8 @@ inline constexpr std::size_t kMostHuts = 200, kMostLifts = 8, kMostRoads = 8, kM
 inline constexpr double kNarrowestRoad = 2, kWidestRoad = 30;     // m
 inline constexpr double kShortestLift = 60, kLongestLift = 5000;  // m
 
+// What is wrong with the points of a road, such as "has the same place twice in a row"; or nothing.
+std::optional<std::string> fault_of_road(std::span<const glm::dvec2> points);
 // What is wrong with a lift between these stations, such as "is 3 m away; 60 to 5000 m are allowed"; or nothing.
 std::optional<std::string> fault_of_lift(glm::dvec2 valley, glm::dvec2 mountain);
 // Adds a straight chairlift between two stations, with pylons at equal distances.

@@ -42,6 +42,21 @@ class DrawnScene : public testing::Test {
         return Sandbox::begin(std::move(loaded), {}, std::nullopt).value();
     }
 
+    // A small frame of the scene, to which a test adds what it is about.
+    render::FrameInput seen(const Session& session, const render::Camera& camera) const {
+        return {.world = session.view(),
+                .camera = camera,
+                .light = scene_.scenario.light,
+                .look = scene_.scenario.look,
+                .width = 80,
+                .height = 45,
+                .first_depth = scene_.scenario.depth};
+    }
+    Bytes drawn(const render::FrameInput& input) {
+        renderer_->draw(input);
+        return renderer_->read_back().pixels;
+    }
+
     // Plays up to a tick. What `frame(session)` gives every so many ticks.
     template <class Frame>
     static std::map<std::int64_t, Bytes> played(Sandbox& sandbox, std::int64_t last, std::int64_t every,

@@ -15,16 +15,10 @@ class DrawnPowder : public DrawnScene {
     }
 
     Bytes frame(const Session& session, float strength = 1) {
-        renderer_->draw({.world = session.view(),
-                         .camera = *scene_.scenario.camera,
-                         .light = scene_.scenario.light,
-                         .look = scene_.scenario.look,
-                         .width = 80,
-                         .height = 45,
-                         .first_depth = scene_.scenario.depth,
-                         .powder = session.powder(),
-                         .powder_strength = strength});
-        return renderer_->read_back().pixels;
+        render::FrameInput input = seen(session, *scene_.scenario.camera);
+        input.powder = session.powder();
+        input.powder_strength = strength;
+        return drawn(input);
     }
 };
 

@@ -14,17 +14,11 @@ class WindyScene : public DrawnScene {
     }
 
     Bytes frame(const Session& session) {
-        renderer_->draw({.world = session.view(),
-                         .camera = {{720, 1840, 2100}, 172, -8, 420, 50},
-                         .light = scene_.scenario.light,
-                         .look = scene_.scenario.look,
-                         .width = 80,
-                         .height = 45,
-                         .first_depth = scene_.scenario.depth,
-                         .surroundings = &mountains_,
-                         .wind = scene_.scenario.wind,
-                         .seconds = session.seconds()});
-        return renderer_->read_back().pixels;
+        render::FrameInput input = seen(session, {{720, 1840, 2100}, 172, -8, 420, 50});
+        input.surroundings = &mountains_;
+        input.wind = scene_.scenario.wind;
+        input.seconds = session.seconds();
+        return drawn(input);
     }
 
     render::Surroundings mountains_;

@@ -17,18 +17,12 @@ class TreesUnderAvalanche : public DrawnScene {
     }
 
     Bytes frame(const Session& session, const render::Woods* woods, bool after = true) {
-        renderer_->draw({.world = session.view(),
-                         .camera = {{1000, 1150, 1470}, 205, 25, 500, 50},
-                         .light = scene_.scenario.light,
-                         .look = scene_.scenario.look,
-                         .width = 80,
-                         .height = 45,
-                         .first_depth = scene_.scenario.depth,
-                         .surroundings = &mountains_,
-                         .woods = woods,
-                         .flow_so_far = after ? session.flow_so_far() : render::FlowSoFar{},
-                         .structures = &session.structures()});
-        return renderer_->read_back().pixels;
+        render::FrameInput input = seen(session, {{1000, 1150, 1470}, 205, 25, 500, 50});
+        input.surroundings = &mountains_;
+        input.woods = woods;
+        input.flow_so_far = after ? session.flow_so_far() : render::FlowSoFar{};
+        input.structures = &session.structures();
+        return drawn(input);
     }
 
     render::Surroundings mountains_;
