@@ -51,6 +51,8 @@
 #define SLOT_FLOW_MIX 5          // vec4 of each vertex: shares of the second phases, latency
 #define SLOT_FLOW_VERTICES 6     // of each vertex: its index beside a front, -1: none; deposit, m; vertex whose texture is drawn; stretch
 #define SLOT_FLOW_GRADIENTS 7    // six mat2 of each vertex beside a front
+// Reused while surfaces are computed
+#define SLOT_SURFACE_GROUPS 4    // groups of vertices, x + 65536 y
 // Reused while trees are drawn
 #define SLOT_TREES 4             // render::DrawnTree
 
