@@ -19,6 +19,7 @@
 #include "render/passes/trees_pass.h"
 #include "render/slide_tiles.h"
 #include "render/stage_clock.h"
+#include "render/sun_sweep.h"
 #include "render/target.h"
 #include "sim/core/check.h"
 
@@ -38,6 +39,7 @@ struct Renderer::Parts {
     FieldsToGpu fields;
     Buffer frame_block;
     SurfacePass surface;
+    SunSweep sweep;
     ShadowPass shadow;
     TerrainPass terrain;
     SlideTiles tiles;
@@ -66,8 +68,6 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     const std::filesystem::path shaders = assets / "shaders";
     auto surface = SurfacePass::create(shaders);
     if (!surface) return tl::unexpected(surface.error());
-    auto shadow = ShadowPass::create(shaders);
-    if (!shadow) return tl::unexpected(shadow.error());
     auto terrain = TerrainPass::create(shaders);
     if (!terrain) return tl::unexpected(terrain.error());
     auto flow = FlowPass::create(shaders);
@@ -102,7 +102,8 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     return Renderer(std::make_unique<Parts>(Parts{FieldsToGpu(),
                                                   std::move(frame_block),
                                                   std::move(*surface),
-                                                  std::move(*shadow),
+                                                  SunSweep(),
+                                                  ShadowPass(),
                                                   std::move(*terrain),
                                                   SlideTiles(),
                                                   std::move(*flow),
@@ -189,8 +190,9 @@ void Renderer::draw(const FrameInput& input) {
         p.surroundings.bind();
     }
 
-    // The sun sweep needs the surface of this frame, because heaps cast shadows too.
-    p.shadow.run(frame);
+    // Sweep the heights of this frame, because heaps cast shadows too.
+    p.sweep.run(world, around, frame);
+    p.shadow.upload(p.sweep);
     p.shadow.bind();
     p.clock.mark(Pass::kShadow);
 
