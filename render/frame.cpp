@@ -241,6 +241,13 @@ void Renderer::forget() {
     parts_->redrawn.view.reset();
 }
 
+double Renderer::redrawn() const {
+    double samples = 0;
+    for (const Rectangle& part : parts_->redrawn.scene) samples += static_cast<double>(part.width()) * part.height();
+    const Target& target = parts_->target;
+    return samples / (static_cast<double>(target.samples_across()) * target.samples_up());
+}
+
 void Renderer::set_redraw(const RedrawRules& rules) {
     parts_->rules = rules;
 }

@@ -48,6 +48,8 @@ class Renderer {
     void draw(const FrameInput& input);
     // Draws all of the next frame anew.
     void forget();
+    // Share of the last frame that was drawn anew, 0 to 1.
+    double redrawn() const;
     // Sets how closely frames are redrawn, for tests.
     void set_redraw(const RedrawRules& rules);
 
