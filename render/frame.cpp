@@ -4,6 +4,7 @@
 
 #include "assets/shaders/slots.glsl"
 #include "render/fields_to_gpu.h"
+#include "render/flow_triangles.h"
 #include "render/frame_block.h"
 #include "render/ground_mesh.h"
 #include "render/passes/flow_pass.h"
@@ -44,6 +45,7 @@ struct Renderer::Parts {
     TerrainPass terrain;
     SlideTiles tiles;
     FlowPass flow;
+    FlowTriangles triangles;
     SurroundingsPass surroundings;
     FullscreenPass sky, day_lights, night_lights;
     StructuresPass structures;
@@ -107,6 +109,7 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
                                                   std::move(*terrain),
                                                   SlideTiles(),
                                                   std::move(*flow),
+                                                  FlowTriangles(),
                                                   std::move(*surroundings),
                                                   std::move(*sky),
                                                   std::move(*day_lights),
@@ -203,7 +206,10 @@ void Renderer::draw(const FrameInput& input) {
     p.clock.mark(Pass::kDepth);
 
     // Draw the visible colours of the flow unlit, so that terrain and flow are lit together.
-    if (flows) p.flow.draw(look.flow->pattern, marks.overlay, p.target);
+    if (flows) {
+        p.triangles.find(world, first_depth, p.flow.coordinates().vertices(), look);
+        p.flow.draw(look.flow->pattern, marks.overlay, p.target, p.triangles.runs());
+    }
     p.clock.mark(Pass::kFlow);
 
     // Shade each pixel once, whatever the number of triangles under it.

@@ -82,7 +82,8 @@ void FlowPass::resize(const Target& target) {
     glNamedFramebufferDrawBuffers(framebuffer_.name(), kBoth.size(), kBoth.data());
 }
 
-void FlowPass::draw(FlowPattern pattern, Overlay overlay, const Target& target) {
+void FlowPass::draw(FlowPattern pattern, Overlay overlay, const Target& target,
+                    std::span<const TriangleRun> triangles) {
     CHECK(has(pattern));
     resize(target);
     target.lend_depth(framebuffer_.name());
@@ -101,7 +102,7 @@ void FlowPass::draw(FlowPattern pattern, Overlay overlay, const Target& target) 
     glDepthMask(GL_FALSE);
     remesher_.bind();
     coordinates_.bind();
-    remesher_.draw();
+    remesher_.draw(triangles);
     glDepthMask(GL_TRUE);
     glPolygonOffset(0, 0);
     glBindTextureUnit(SLOT_SKIN_ALBEDO, albedo_.name());

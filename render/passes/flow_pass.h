@@ -3,6 +3,7 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 
 #include <tl/expected.hpp>
@@ -13,6 +14,7 @@
 #include "render/marks.h"
 #include "render/remesher.h"
 #include "render/target.h"
+#include "render/triangle_run.h"
 #include "sim/core/grid.h"
 #include "sim/front/flow_view.h"
 
@@ -33,9 +35,13 @@ class FlowPass {
     void send(const sim::front::FlowView& flow) { coordinates_.upload(flow); }
     // Cuts the mesh along its fronts. The flow's mesh is the heightfield of `grid`.
     void cut(const sim::front::FlowView& flow, const sim::Grid& grid);
-    // Reads SLOT_RELIEF, SLOT_ROLLING and the depth of `target`. Writes SLOT_SKIN_ALBEDO and SLOT_SKIN_RELIEF
-    // and leaves them bound. Leaves another framebuffer bound.
-    void draw(FlowPattern pattern, Overlay overlay, const Target& target);
+    // Of the flow sent last: see FlowToGpu.
+    const FlowToGpu& coordinates() const { return coordinates_; }
+    // Draws these triangles of the mesh, which are all that may show the flow. Reads SLOT_RELIEF, SLOT_ROLLING,
+    // SLOT_LAYERS and the depth of `target`. Writes SLOT_SKIN_ALBEDO and SLOT_SKIN_RELIEF and leaves them bound. Leaves
+    // another framebuffer bound.
+    void draw(FlowPattern pattern, Overlay overlay, const Target& target,
+              std::span<const TriangleRun> triangles);
     // Draws edges, fronts and points onto the scene; `samples` is the number along the edge of a pixel.
     void draw_mesh(int samples) const;
 
