@@ -22,12 +22,6 @@ bool same_bytes(const T* a, const T* b, std::size_t count) {
     return std::memcmp(a, b, count * sizeof(T)) == 0;
 }
 
-// `beside` is only an index: what it stands for is compared with the gradients.
-bool drawn_alike(const FlowVertex& a, const FlowVertex& b) {
-    return a.shows == b.shows && same_bytes(&a.deposit, &b.deposit, 1) &&
-           same_bytes(&a.stretch, &b.stretch, 1);
-}
-
 // Visits the keys that only one of two ascending lists has, or that `differ(i, j)`.
 template <class A, class B, class Key, class Differ, class Visit>
 void merge(const A& a, const B& b, const Key& key, const Differ& differ, const Visit& visit) {
@@ -52,16 +46,16 @@ void FlowChanges::find(const FlowView& flow) {
     const bool all = is_new(mesh);
     if (all) begin(mesh);
     changed_.clear();
-    vertices_.describe(flow);
     if (all) {
         remember(flow);
     } else {
-        compare_groups(flow.layers());
-        compare_others();
-        compare_gradients(flow.layers());
+        compare_groups(flow);
         compare_crossings(flow);
-        sort_changed();
+        compare_gradients(flow.layers());
+        describe_again(flow);
+        finish_lists();
     }
+    number_beside(flow.layers());
     remember_fronts(flow);
     find_ranges();
 }
@@ -78,10 +72,13 @@ void FlowChanges::begin(const Mesh& mesh) {
     const std::size_t groups = (count_ + kVerticesInGroup - 1) / kVerticesInGroup;
     is_changed_.assign(count_, 0);
     is_repainted_.assign(count_, 0);
-    repainted_.clear();
+    is_near_.assign(count_, 0);
     differs_.assign(groups, 0);
     ranges_.reserve(groups);
-    for (std::vector<int>* list : {&changed_, &repainted_, &beside_}) list->reserve(count_);
+    for (std::vector<int>* list : {&changed_, &repainted_, &near_, &beside_}) {
+        list->clear();
+        list->reserve(count_);
+    }
     gradients_.reserve(count_ / 4);  // more than any flow needs
     crossings_.reserve(count_);
 }
@@ -90,53 +87,77 @@ void FlowChanges::remember(const FlowView& flow) {
     const TextureLayers& layers = flow.layers();
     offsets_.assign(layers.offsets().begin(), layers.offsets().end());
     mixes_.assign(layers.mix().begin(), layers.mix().end());
-    values_.assign(vertices_.values().begin(), vertices_.values().end());
+    touched_.assign(layers.touched().begin(), layers.touched().end());
+    vertices_.assign(count_, {});
+    for (int v = 0; v < static_cast<int>(count_); ++v) vertices_[v].deposit = flow.deposit(v);
+    for (int v = 0; v < static_cast<int>(count_); ++v) vertices_[v].shows = shown_at(flow, vertices_, v);
+    for (int v = 0; v < static_cast<int>(count_); ++v) vertices_[v].stretch = stretch_at(flow, vertices_, v);
     changed_.resize(count_);
     std::iota(changed_.begin(), changed_.end(), 0);
     std::fill(differs_.begin(), differs_.end(), std::uint8_t{1});
     gradients_changed_ = true;
 }
 
-void FlowChanges::compare_groups(const TextureLayers& layers) {
-    for (const int v : repainted_) is_repainted_[v] = 0;
-    repainted_.clear();
-    for (const int g : vertices_.groups()) {
-        const auto group = static_cast<std::size_t>(g), first = group * kVerticesInGroup;
-        const std::size_t size = std::min(kVerticesInGroup, count_ - first);
-        differs_[group] = !same_bytes(&layers.offsets()[first], &offsets_[first], size) ||
-                          !same_bytes(&layers.mix()[first], &mixes_[first], size) ||
-                          !same_bytes(&vertices_.values()[first], &values_[first], size);
-        if (differs_[group] != 0) compare_in(group, layers);
+// Where nothing moved until now nor until the last call, nothing changed.
+void FlowChanges::compare_groups(const FlowView& flow) {
+    const std::span<const std::uint8_t> touched = flow.layers().touched();
+    for (std::size_t group = 0; group < touched.size(); ++group) {
+        if ((touched[group] | touched_[group]) != 0) compare_in(group, flow);
+        touched_[group] = touched[group];
     }
 }
 
-void FlowChanges::compare_in(std::size_t group, const TextureLayers& layers) {
+void FlowChanges::compare_in(std::size_t group, const FlowView& flow) {
+    const TextureLayers& layers = flow.layers();
     const std::size_t first = group * kVerticesInGroup, end = std::min(first + kVerticesInGroup, count_);
-    for (std::size_t v = first; v < end; ++v) {
-        const bool repainted = !same_bytes(&layers.offsets()[v], &offsets_[v], 1) ||
-                               !same_bytes(&layers.mix()[v], &mixes_[v], 1);
-        if (repainted) {
+    if (!same_bytes(&layers.offsets()[first], &offsets_[first], end - first) ||
+        !same_bytes(&layers.mix()[first], &mixes_[first], end - first))
+        for (std::size_t v = first; v < end; ++v) {
+            if (same_bytes(&layers.offsets()[v], &offsets_[v], 1) &&
+                same_bytes(&layers.mix()[v], &mixes_[v], 1))
+                continue;
             offsets_[v] = layers.offsets()[v];
             mixes_[v] = layers.mix()[v];
             is_repainted_[v] = 1;
             repainted_.push_back(static_cast<int>(v));
+            add(static_cast<int>(v));
+            add_near(static_cast<int>(v));
+            differs_[group] = 1;
         }
-        if (repainted || !drawn_alike(vertices_.values()[v], values_[v])) add(static_cast<int>(v));
-        values_[v] = vertices_.values()[v];
+    for (int v = static_cast<int>(first); v < static_cast<int>(end); ++v) {
+        const float deposit = flow.deposit(v);
+        if (same_bytes(&deposit, &vertices_[v].deposit, 1)) continue;
+        vertices_[v].deposit = deposit;
+        add(v);
+        add_near(v);
+        differs_[group] = 1;
     }
 }
 
-void FlowChanges::compare_others() {
-    for (const std::span<const int> list : vertices_.others())
-        for (const int v : list) {
-            const FlowVertex& now = vertices_.values()[v];
-            if (same_bytes(&now, &values_[v], 1)) continue;
-            differs_[static_cast<std::size_t>(v) / kVerticesInGroup] = 1;
-            if (!drawn_alike(now, values_[v])) add(v);
-            values_[v] = now;
+// Describes again the vertices within two edges of a change: what one shows depends on its neighbours, and its stretch on
+// what they show.
+void FlowChanges::describe_again(const FlowView& flow) {
+    for (std::size_t ring = 0, first = 0; ring < 2; ++ring) {
+        const std::size_t end = near_.size();
+        for (; first < end; ++first)
+            for (const auto& spoke : flow.mesh().around(near_[first])) add_near(spoke.vertex);
+    }
+    for (const int v : near_) {
+        const int shows = shown_at(flow, vertices_, v);
+        if (shows != vertices_[v].shows) {
+            vertices_[v].shows = shows;
+            add(v);
+            mark_group(v);
         }
-    for (const int v : vertices_.guests())
-        if (is_repainted_[vertices_.values()[v].shows] != 0) add(v);
+        if (is_repainted_[shows] != 0) add(v);
+    }
+    for (const int v : near_) {
+        const float stretch = stretch_at(flow, vertices_, v);
+        if (same_bytes(&stretch, &vertices_[v].stretch, 1)) continue;
+        vertices_[v].stretch = stretch;
+        add(v);
+        mark_group(v);
+    }
 }
 
 void FlowChanges::compare_gradients(const TextureLayers& layers) {
@@ -157,9 +178,24 @@ void FlowChanges::compare_crossings(const FlowView& flow) {
         points, crossings_, [](const auto& on) { return on.edge; },
         [&](std::size_t i, std::size_t j) { return !same_bytes(&points[i].f, &crossings_[j].at, 1); },
         [&](int edge) {
-            add(edges[edge].a);
-            add(edges[edge].b);
+            for (const int v : {edges[edge].a, edges[edge].b}) {
+                add(v);
+                add_near(v);  // a neighbour across a front does not count
+            }
         });
+}
+
+void FlowChanges::number_beside(const TextureLayers& layers) {
+    const std::span<const int> beside = layers.beside_front();
+    if (std::ranges::equal(beside, beside_)) return;
+    for (const int v : beside_) {
+        vertices_[v].beside = -1;
+        mark_group(v);
+    }
+    for (std::size_t i = 0; i < beside.size(); ++i) {
+        vertices_[beside[i]].beside = static_cast<int>(i);
+        mark_group(beside[i]);
+    }
 }
 
 void FlowChanges::remember_fronts(const FlowView& flow) {
@@ -177,8 +213,22 @@ void FlowChanges::add(int vertex) {
     changed_.push_back(vertex);
 }
 
-void FlowChanges::sort_changed() {
+void FlowChanges::add_near(int vertex) {
+    if (is_near_[vertex] != 0) return;
+    is_near_[vertex] = 1;
+    near_.push_back(vertex);
+}
+
+void FlowChanges::mark_group(int vertex) {
+    differs_[static_cast<std::size_t>(vertex) / kVerticesInGroup] = 1;
+}
+
+void FlowChanges::finish_lists() {
     for (const int v : changed_) is_changed_[v] = 0;
+    for (const int v : repainted_) is_repainted_[v] = 0;
+    for (const int v : near_) is_near_[v] = 0;
+    repainted_.clear();
+    near_.clear();
     std::sort(changed_.begin(), changed_.end());
 }
 

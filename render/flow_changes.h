@@ -11,7 +11,7 @@ namespace render {
 
 // Finds what of a flow is drawn otherwise than at the last call, by comparing it with a copy. The flow may have
 // advanced, gone back to an earlier state, or be another one. The cost grows with the groups of vertices where anything
-// ever moved; later calls with one mesh allocate nothing.
+// ever moved, which are compared, and with what changed; later calls with one mesh allocate nothing.
 class FlowChanges {
   public:
     // Vertices from `first` to before `last`.
@@ -24,7 +24,7 @@ class FlowChanges {
     // Lets the next call find that everything changed.
     void forget() { columns_ = 0; }
 
-    std::span<const FlowVertex> vertices() const { return vertices_.values(); }
+    std::span<const FlowVertex> vertices() const { return vertices_; }
     // Vertices that are drawn otherwise, ascending: another offset or mix of the vertex that each shows, another deposit
     // or stretch, another gradient beside a front, or a front that crosses one of its edges elsewhere. All of them, if
     // the mesh is new.
@@ -43,17 +43,19 @@ class FlowChanges {
     bool is_new(const sim::front::Mesh& mesh) const;
     void begin(const sim::front::Mesh& mesh);
     void remember(const sim::front::FlowView& flow);
-    void compare_groups(const sim::front::TextureLayers& layers);
-    void compare_in(std::size_t group, const sim::front::TextureLayers& layers);
-    void compare_others();
-    void compare_gradients(const sim::front::TextureLayers& layers);
+    void compare_groups(const sim::front::FlowView& flow);
+    void compare_in(std::size_t group, const sim::front::FlowView& flow);
     void compare_crossings(const sim::front::FlowView& flow);
+    void compare_gradients(const sim::front::TextureLayers& layers);
+    void describe_again(const sim::front::FlowView& flow);
+    void number_beside(const sim::front::TextureLayers& layers);
     void remember_fronts(const sim::front::FlowView& flow);
     void add(int vertex);
-    void sort_changed();
+    void add_near(int vertex);
+    void mark_group(int vertex);
+    void finish_lists();
     void find_ranges();
 
-    FlowVertices vertices_;
     int columns_ = 0;  // of the mesh; 0: none is known
     std::size_t count_ = 0;
     glm::vec2 end_{0};  // its last vertex, m
@@ -61,7 +63,8 @@ class FlowChanges {
     // As drawn last.
     std::vector<sim::front::TextureLayers::Offsets> offsets_;
     std::vector<sim::front::TextureLayers::Mix> mixes_;
-    std::vector<FlowVertex> values_;
+    std::vector<FlowVertex> vertices_;
+    std::vector<std::uint8_t> touched_;  // groups
     std::vector<int> beside_;
     std::vector<sim::front::TextureLayers::Gradients> gradients_;
     std::vector<Crossing> crossings_;
@@ -70,6 +73,8 @@ class FlowChanges {
     std::vector<std::uint8_t> is_changed_;  // of each vertex, while changes are listed
     std::vector<int> repainted_;            // vertices whose offsets or mix changed
     std::vector<std::uint8_t> is_repainted_;
+    std::vector<int> near_;  // vertices whose description may change
+    std::vector<std::uint8_t> is_near_;
     std::vector<std::uint8_t> differs_;  // of each group: some byte changed
     std::vector<Range> ranges_;
     bool gradients_changed_ = false;

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <span>
-#include <vector>
 
 #include "sim/front/flow_view.h"
 
@@ -17,39 +14,16 @@ struct FlowVertex {
     float stretch = 0;  // how far its texture is stretched, 0: not at all
 };
 
-// Describes all vertices of a flow. The cost grows with the groups of vertices where anything ever moved.
-//
-// The stretch of a vertex is the root mean square over its neighbours of how far offsets differ per metre,
-// weighted by the mix of the sheets. Neighbours across a front and neighbours without a texture do not count.
-// A vertex where nothing ever moved has no texture of its own; it counts as fully stretched, so that debris
-// that lies still is drawn there.
-class FlowVertices {
-  public:
-    void describe(const sim::front::FlowView& flow);
+// The vertex whose texture shows at a vertex. Reads the deposits of its neighbours in `vertices`: a deposit is extended
+// by one vertex, because otherwise its texture would be stretched to that of untouched ground.
+int shown_at(const sim::front::FlowView& flow, std::span<const FlowVertex> vertices, int vertex);
 
-    std::span<const FlowVertex> values() const { return values_; }
-
-    // Where anything may differ from the last call: the values, offsets and mixes of these groups of
-    // sim::front::TextureLayers, ascending, and the values of these vertices, in no order and some of them twice.
-    std::span<const int> groups() const { return groups_; }
-    std::array<std::span<const int>, 4> others() const {
-        return {guests_, guests_before_, beside_, beside_before_};
-    }
-    // Vertices that show another's texture.
-    std::span<const int> guests() const { return guests_; }
-
-  private:
-    void begin(const sim::front::FlowView& flow);
-    void find_deposit(const sim::front::FlowView& flow);
-    void find_beside(const sim::front::FlowView& flow);
-    template <class Visit>
-    void for_vertices(const Visit& visit) const;
-
-    std::vector<FlowVertex> values_;
-    std::vector<int> groups_;
-    std::vector<std::uint8_t> touched_before_;
-    std::vector<int> guests_, guests_before_, beside_, beside_before_;
-};
+// The stretch at a vertex: the root mean square over its neighbours of how far offsets differ per metre, weighted by the
+// mix of the sheets. Neighbours across a front and neighbours without a texture do not count. Reads what the vertex and
+// its neighbours show in `vertices`.
+// A vertex where nothing ever moved has no texture of its own; it counts as fully stretched, so that debris that lies
+// still is drawn there.
+float stretch_at(const sim::front::FlowView& flow, std::span<const FlowVertex> vertices, int vertex);
 
 // Share of the advected sheets in the texture that is drawn at a stretch, 0 to 1. A sheet that lies still takes
 // the rest. As in flow.frag.
