@@ -289,14 +289,14 @@ void Renderer::draw(const FrameInput& input) {
     glNamedBufferSubData(p.frame_block.name(), 0, sizeof frame, &frame);
     glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_FRAME, p.frame_block.name());
     p.fields.bind();
-    if (flows) {
-        p.flow.send(*flow);
-        changed.add_flow(p.flow.changed());
-    }
+    if (flows) p.flow.send(*flow);
     p.clock.mark(Pass::kUpload);
 
     // Apply what changed along the fronts since the last frame.
-    if (flows) p.flow.cut(*flow, world.grid);
+    if (flows) {
+        p.flow.cut(*flow, world.grid);
+        p.flow.find(input, changed);
+    }
     p.clock.mark(Pass::kRemesh);
 
     // Data that depends only on the bedrock is computed here, once per terrain, because it needs the fields
@@ -356,7 +356,7 @@ void Renderer::draw(const FrameInput& input) {
     p.clock.mark(Pass::kDepth);
 
     // Draw the visible colours of the flow unlit, so that terrain and flow are lit together.
-    if (flows) p.flow.draw(look.flow->pattern, marks.overlay, p.target, redrawn.scene);
+    if (flows) p.flow.draw(look.flow->pattern, marks.overlay, p.target, redrawn.scene, changed, screen);
     p.clock.mark(Pass::kFlow);
 
     // Shade each pixel once, whatever the number of triangles under it.
