@@ -374,11 +374,11 @@ void App::end_trial(double draw_ms) {
     display_.tier = *tier;
     resolution_.drew_another();
     constexpr std::array<const char*, kTiers.size()> kMeanings{
-        "while something moves, its resolution falls so far that a frame is in time",
-        "while something moves, it is drawn a little coarser", "every image has full resolution"};
-    tell(fmt::format(
-        "Quality: {}, because of what drawing takes here; {}. Change it in the Display panel ({})",
-        info_of(*tier).name, kMeanings[static_cast<std::size_t>(*tier)], name_of(Verb::kToggleDisplay)));
+        "this machine draws moving images in time at a lower resolution",
+        "this machine draws moving images in time at full resolution or a little less",
+        "this machine draws every image in time at full resolution with smooth edges"};
+    tell(fmt::format("Quality: {}, because {}. Change it in the Display panel ({})", info_of(*tier).name,
+                     kMeanings[static_cast<std::size_t>(*tier)], name_of(Verb::kToggleDisplay)));
 }
 
 // Tells once per size of the screen what does not fit.

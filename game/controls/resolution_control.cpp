@@ -104,9 +104,11 @@ void ResolutionControl::Case::choose(const Limits& limits) {
         }
         return;
     }
-    if (step > steps.first && size >= patience &&
-        expected_ms(step - 1, patience, target_ms) <= kSpare * target_ms)
-        change_to(step - 1);
+    if (size < patience) return;
+    std::size_t higher = step;
+    while (higher > steps.first && expected_ms(higher - 1, patience, target_ms) <= kSpare * target_ms)
+        --higher;
+    if (higher != step) change_to(higher);
 }
 
 // On a screen of another size the old times say what to expect: a window that has become large must not take
