@@ -14,6 +14,7 @@ enum class Pass {
     kRemesh,   // cutting the flow's mesh along its fronts
     kSurface,  // with what depends only on the bedrock, in the first frame of a terrain
     kShadow,
+    kChanges,  // finding what differs from the last frame
     kDepth,
     kFlow,
     kTerrain,
@@ -25,9 +26,9 @@ enum class Pass {
     kTone,
     kEdges,
 };
-inline constexpr std::array kPassNames{"upload", "remesh",  "surface",      "shadow", "depth",
-                                       "flow",   "terrain", "surroundings", "sky",    "structures",
-                                       "trees",  "powder",  "tone",         "edges"};
+inline constexpr std::array kPassNames{"upload",       "remesh", "surface",    "shadow", "changes",
+                                       "depth",        "flow",   "terrain",    "surroundings", "sky",
+                                       "structures", "trees",  "powder", "tone", "edges"};
 inline constexpr std::size_t kPassCount = kPassNames.size();
 inline constexpr std::size_t kFirstDrawingPass = static_cast<std::size_t>(Pass::kSurface);
 

@@ -22,47 +22,63 @@ bool same_inside(const sim::Field<T>& a, const sim::Field<T>& b) {
 }
 
 template <class T>
-void send(const Texture& texture, const sim::Field<T>& field, GLenum format, GLenum type) {
+void send(const Texture& texture, const sim::Field<T>& field, int first_row, int last_row, GLenum format,
+          GLenum type) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glPixelStorei(GL_UNPACK_ROW_LENGTH, field.stride());  // a field's rows include halo and padding
-    glTextureSubImage2D(texture.name(), 0, 0, 0, field.nx(), field.ny(), format, type, field.row(0));
+    glTextureSubImage2D(texture.name(), 0, 0, first_row, field.nx(), last_row - first_row + 1, format, type,
+                        field.row(first_row));
     glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 
 }  // namespace
 
-bool FieldsToGpu::upload(const sim::View& world, std::span<const float> first_depth) {
-    const bool changed = !is_known(world);
-    if (changed) {
+FieldsToGpu::Ground FieldsToGpu::upload_ground(const sim::View& world, std::span<const float> first_depth) {
+    Ground changed;
+    changed.terrain = !is_known(world);
+    if (changed.terrain) {
         if (!(grid_ == world.grid)) allocate(world.grid);
         remember(world);
-        send(bedrock_texture_, world.bedrock, GL_RED, GL_FLOAT);
-        send(site_texture_, world.site, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
+        send(bedrock_texture_, world.bedrock, 0, grid_.ny - 1, GL_RED, GL_FLOAT);
+        send(site_texture_, world.site, 0, grid_.ny - 1, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
     }
-    send(depth_texture_, world.depth, GL_RED, GL_FLOAT);
-    send(rolling_texture_, world.rolling, GL_RED, GL_FLOAT);
-    send(velocity_x_texture_, world.velocity_x, GL_RED, GL_FLOAT);
-    send(velocity_y_texture_, world.velocity_y, GL_RED, GL_FLOAT);
-    if (world.mixture) send_mixture(world);
-    if (!first_depth.empty()) send_first_depth(first_depth);
+    changed.first_depth = send_first_depth(first_depth);
     return changed;
 }
 
-// It never changes while a world runs.
-void FieldsToGpu::send_first_depth(std::span<const float> first_depth) {
-    CHECK(first_depth.size() == grid_.size());
+bool FieldsToGpu::send_first_depth(std::span<const float> first_depth) {
+    CHECK(first_depth.empty() || first_depth.size() == grid_.size());
     if (first_depth_.size() == first_depth.size() &&
-        std::memcmp(first_depth_.data(), first_depth.data(), first_depth.size_bytes()) == 0)
-        return;
+        (first_depth.empty() ||
+         std::memcmp(first_depth_.data(), first_depth.data(), first_depth.size_bytes()) == 0))
+        return false;
     first_depth_.assign(first_depth.begin(), first_depth.end());
-    glTextureSubImage2D(first_depth_texture_.name(), 0, 0, 0, grid_.nx, grid_.ny, GL_RED, GL_FLOAT,
-                        first_depth_.data());
+    if (!first_depth.empty())
+        glTextureSubImage2D(first_depth_texture_.name(), 0, 0, 0, grid_.nx, grid_.ny, GL_RED, GL_FLOAT,
+                            first_depth_.data());
+    return true;
+}
+
+void FieldsToGpu::upload_layers(const sim::View& world, int first_row, int last_row) const {
+    if (first_row > last_row) return;
+    send(depth_texture_, world.depth, first_row, last_row, GL_RED, GL_FLOAT);
+    send(rolling_texture_, world.rolling, first_row, last_row, GL_RED, GL_FLOAT);
+    send(velocity_x_texture_, world.velocity_x, first_row, last_row, GL_RED, GL_FLOAT);
+    send(velocity_y_texture_, world.velocity_y, first_row, last_row, GL_RED, GL_FLOAT);
+    if (mixture_.empty()) return;
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage2D(mixture_texture_.name(), 0, 0, first_row, grid_.nx, last_row - first_row + 1, GL_RG,
+                        GL_UNSIGNED_BYTE,
+                        &mixture_[2 * static_cast<std::size_t>(first_row) * static_cast<std::size_t>(grid_.nx)]);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 
 // Where a layer is empty, its mixture is copied from the neighbouring vertices, so that the layer keeps its
 // colour up to its edge.
-void FieldsToGpu::send_mixture(const sim::View& world) {
+std::span<const std::uint8_t> FieldsToGpu::find_mixture(const sim::View& world) {
+    mixture_.resize(world.mixture ? 2 * world.grid.size() : 0);
+    if (!world.mixture) return mixture_;
     const int nx = world.grid.nx, ny = world.grid.ny;
     const auto shares_near = [&](int x, int y, const sim::Field<float>& layer, auto&& share_at) {
         if (layer(x, y) > 0) return share_at(world, x, y);
@@ -73,16 +89,13 @@ void FieldsToGpu::send_mixture(const sim::View& world) {
         return count > 0 ? sum / count : 0.f;
     };
     const auto byte_of = [](float share) { return static_cast<std::uint8_t>(std::lround(share * 255)); };
-    mixture_.resize(2 * world.grid.size());
     auto* to = mixture_.data();
     for (int y = 0; y < ny; ++y)
         for (int x = 0; x < nx; ++x) {
             *to++ = byte_of(shares_near(x, y, world.depth, sim::share_at_surface));
             *to++ = byte_of(shares_near(x, y, world.rolling, sim::share_in_rolling));
         }
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTextureSubImage2D(mixture_texture_.name(), 0, 0, 0, nx, ny, GL_RG, GL_UNSIGNED_BYTE, mixture_.data());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    return mixture_;
 }
 
 void FieldsToGpu::bind() const {

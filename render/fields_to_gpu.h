@@ -11,13 +11,21 @@
 namespace render {
 
 // Uploads the world's fields as textures, one texel per vertex without the halo, to the texture units of
-// slots.glsl. Layers and velocities are sent every time, bedrock and sites only if they changed since the
-// last upload.
+// slots.glsl. Bedrock, sites and first depth are sent only if they changed since the last upload.
 class FieldsToGpu {
   public:
-    // Uploads what changed. Returns true if the terrain changed, and with it perhaps the size of every
-    // texture. `first_depth`: as in FrameInput.
-    bool upload(const sim::View& world, std::span<const float> first_depth);
+    // What changed of that which stays while a world runs.
+    struct Ground {
+        bool terrain = false;      // and with it perhaps the size of every texture
+        bool first_depth = false;  // also if it was known and is not any more
+    };
+    // `first_depth`: as in FrameInput.
+    Ground upload_ground(const sim::View& world, std::span<const float> first_depth);
+    // Computes the mixture as it is drawn: two shares per vertex, 0 to 255; none in a world of one material. Valid until
+    // the next call.
+    std::span<const std::uint8_t> find_mixture(const sim::View& world);
+    // Uploads some rows of layers, velocities and that mixture, inclusive.
+    void upload_layers(const sim::View& world, int first_row, int last_row) const;
     void bind() const;
 
     HeightRange heights() const { return heights_; }
@@ -26,8 +34,7 @@ class FieldsToGpu {
     bool is_known(const sim::View& world) const;
     void allocate(const sim::Grid& grid);
     void remember(const sim::View& world);
-    void send_mixture(const sim::View& world);
-    void send_first_depth(std::span<const float> first_depth);
+    bool send_first_depth(std::span<const float> first_depth);
 
     sim::Grid grid_;
     sim::Field<float> bedrock_;  // as uploaded last
@@ -36,7 +43,7 @@ class FieldsToGpu {
     Texture bedrock_texture_, depth_texture_, rolling_texture_, velocity_x_texture_, velocity_y_texture_,
         site_texture_, mixture_texture_, first_depth_texture_;
     std::vector<float> first_depth_;     // as uploaded last
-    std::vector<std::uint8_t> mixture_;  // as uploaded: two shares per vertex, 0 to 255
+    std::vector<std::uint8_t> mixture_;
 };
 
 }  // namespace render

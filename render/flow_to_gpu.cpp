@@ -34,6 +34,8 @@ void FlowToGpu::upload(const sim::front::FlowView& flow) {
         mixes_ = make_storage(vertices * sizeof(TextureLayers::Mix));
         vertex_buffer_ = make_storage(vertices * sizeof(FlowVertex));
         of_vertex_.resize(vertices);
+        changed_.clear();
+        for (std::size_t i = 0; i < vertices; ++i) changed_.push_back(static_cast<int>(i));
     }
     if (beside > gradients_fit_ || gradients_fit_ == 0) {  // with room for fronts to grow
         gradients_fit_ = std::max(2 * beside, kLeastGradients);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "render/flow_vertices.h"
@@ -12,12 +13,14 @@ namespace render {
 class FlowToGpu {
   public:
     void upload(const sim::front::FlowView& flow);
+    std::span<const int> changed() const { return changed_; }
     void bind() const;
 
   private:
     Buffer offsets_, mixes_, vertex_buffer_, gradients_;
     std::size_t vertices_ = 0, gradients_fit_ = 0;
     std::vector<FlowVertex> of_vertex_;
+    std::vector<int> changed_;
 };
 
 }  // namespace render

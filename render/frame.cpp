@@ -1,11 +1,13 @@
 #include "render/frame.h"
 
+#include <cstring>
 #include <utility>
 
 #include "assets/shaders/slots.glsl"
 #include "render/fields_to_gpu.h"
 #include "render/frame_block.h"
 #include "render/ground_mesh.h"
+#include "render/on_screen.h"
 #include "render/passes/flow_pass.h"
 #include "render/passes/fullscreen_pass.h"
 #include "render/passes/powder_pass.h"
@@ -17,9 +19,12 @@
 #include "render/passes/surroundings_pass.h"
 #include "render/passes/terrain_pass.h"
 #include "render/passes/trees_pass.h"
+#include "render/screen_tiles.h"
 #include "render/slide_tiles.h"
 #include "render/stage_clock.h"
+#include "render/sun_sweep.h"
 #include "render/target.h"
+#include "render/what_changed.h"
 #include "sim/core/check.h"
 
 namespace render {
@@ -32,12 +37,105 @@ int samples_of(Quality quality) {
     return quality == Quality::kFine ? 2 : 1;
 }
 
+constexpr std::span<const Rectangle> kNowhere;
+
+bool has_lines(const Marks& marks) {
+    return marks.contours || marks.ring;
+}
+
+// All that a frame depends on but the world, what is built on it and what is in the air. Where one differs from the
+// last frame's, all is drawn anew.
+struct View {
+    FrameBlock block;  // without a ring
+    bool flows = false, lines = false;
+    FlowPattern pattern = {};
+    std::uint64_t surroundings = 0, woods = 0;  // fingerprints; 0: none
+
+    bool operator==(const View& other) const {
+        return std::memcmp(&block, &other.block, sizeof block) == 0 && flows == other.flows &&
+               lines == other.lines && pattern == other.pattern && surroundings == other.surroundings &&
+               woods == other.woods;
+    }
+};
+
+View view_of(const FrameInput& input, const FrameBlock& block) {
+    View view{block};
+    view.block.ring = view.block.ring_colour = glm::vec4(0);
+    view.flows = input.look.flow && input.flow;
+    view.lines = has_lines(input.marks);
+    if (view.flows) view.pattern = input.look.flow->pattern;
+    if (input.surroundings && !input.surroundings->empty()) {
+        view.surroundings = input.surroundings->fingerprint();
+        // They would hide the values of an overlay.
+        if (input.woods && !input.woods->empty() && input.marks.overlay == Overlay::kNone)
+            view.woods = input.woods->fingerprint();
+    }
+    return view;
+}
+
+// Wind blows snow off ridges, as far as there is any.
+bool drifts(const FrameInput& input) {
+    return input.surroundings && !input.surroundings->empty() && input.wind.speed > 0 &&
+           input.look.standing.g > kSnow && input.look.powder.strength > kDry &&
+           input.marks.overlay == Overlay::kNone;
+}
+
+// Rectangles of samples in pixels, and the other way round.
+Rectangle in_pixels(const Rectangle& r, int samples) {
+    return {r.left / samples, r.bottom / samples, (r.right + samples - 1) / samples,
+            (r.top + samples - 1) / samples};
+}
+
 }  // namespace
+
+// What one frame draws anew, and the last one drew.
+struct Redrawn {
+    std::optional<View> view;  // of the last frame
+    std::optional<Ring> ring;  // of the last frame
+    WhatChanged world;
+    ScreenTiles scene_tiles, shown_tiles;
+    std::vector<Rectangle> scene;           // samples: what stands there
+    std::vector<Rectangle> shown;           // pixels: that, and what floats in the air
+    std::vector<Rectangle> air, smoothed;   // samples of `shown`; pixels around it whose edges may change
+    std::vector<Rectangle> floats, floated; // samples: powder and spindrift, now and in the last frame
+
+    // `powder`, `spindrift`: where they are in this frame.
+    void find(const Target& target, const RedrawRules& rules, std::span<const Rectangle> powder,
+              std::span<const Rectangle> spindrift);
+};
+
+// What floats in the air is laid over the scene each time, where it is now or was before.
+void Redrawn::find(const Target& target, const RedrawRules& rules, std::span<const Rectangle> powder,
+                   std::span<const Rectangle> spindrift) {
+    const auto marked = scene_tiles.rectangles(rules.most_rectangles, rules.least_gain);
+    scene.assign(marked.begin(), marked.end());
+    if (!rules.last_rectangle && scene.size() > 1) scene.pop_back();
+    floated.swap(floats);
+    floats.assign(powder.begin(), powder.end());
+    floats.insert(floats.end(), spindrift.begin(), spindrift.end());
+
+    const int samples = target.samples();
+    shown_tiles.begin(target.width(), target.height(), rules.tile);
+    for (const Rectangle& part : scene) shown_tiles.mark(in_pixels(part, samples));
+    for (const Rectangle& part : floats) shown_tiles.mark(in_pixels(part, samples));
+    if (rules.air)
+        for (const Rectangle& part : floated) shown_tiles.mark(in_pixels(part, samples));
+    const auto parts = shown_tiles.rectangles(rules.most_rectangles, rules.least_gain);
+    shown.assign(parts.begin(), parts.end());
+    air.clear();
+    smoothed.clear();
+    for (const Rectangle& part : shown) {
+        air.push_back({part.left * samples, part.bottom * samples, part.right * samples, part.top * samples});
+        smoothed.push_back(
+            common_part(grown(part, rules.edge_reach), {0, 0, target.width(), target.height()}));
+    }
+}
 
 struct Renderer::Parts {
     FieldsToGpu fields;
     Buffer frame_block;
     SurfacePass surface;
+    SunSweep sweep;
     ShadowPass shadow;
     TerrainPass terrain;
     SlideTiles tiles;
@@ -54,6 +152,8 @@ struct Renderer::Parts {
     Quality quality;
     std::filesystem::path assets;
     StageClock clock;
+    Redrawn redrawn;
+    RedrawRules rules;
 
     // The factor for the colours of a flow's texture. A rolling layer keeps its own mean colour.
     glm::vec3 flow_tint(const Look& look, const Marks& marks) const {
@@ -66,8 +166,6 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     const std::filesystem::path shaders = assets / "shaders";
     auto surface = SurfacePass::create(shaders);
     if (!surface) return tl::unexpected(surface.error());
-    auto shadow = ShadowPass::create(shaders);
-    if (!shadow) return tl::unexpected(shadow.error());
     auto terrain = TerrainPass::create(shaders);
     if (!terrain) return tl::unexpected(terrain.error());
     auto flow = FlowPass::create(shaders);
@@ -102,7 +200,8 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     return Renderer(std::make_unique<Parts>(Parts{FieldsToGpu(),
                                                   std::move(frame_block),
                                                   std::move(*surface),
-                                                  std::move(*shadow),
+                                                  SunSweep(),
+                                                  ShadowPass(),
                                                   std::move(*terrain),
                                                   SlideTiles(),
                                                   std::move(*flow),
@@ -120,7 +219,9 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
                                                   Target(),
                                                   quality,
                                                   assets,
-                                                  StageClock()}));
+                                                  StageClock(),
+                                                  Redrawn(),
+                                                  RedrawRules()}));
 }
 
 Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -134,6 +235,21 @@ tl::expected<void, std::string> Renderer::load(FlowPattern pattern) {
 
 void Renderer::set_quality(Quality quality) {
     parts_->quality = quality;
+}
+
+void Renderer::forget() {
+    parts_->redrawn.view.reset();
+}
+
+double Renderer::redrawn() const {
+    double samples = 0;
+    for (const Rectangle& part : parts_->redrawn.scene) samples += static_cast<double>(part.width()) * part.height();
+    const Target& target = parts_->target;
+    return samples / (static_cast<double>(target.samples_across()) * target.samples_up());
+}
+
+void Renderer::set_redraw(const RedrawRules& rules) {
+    parts_->rules = rules;
 }
 
 void Renderer::time_stages(Timing timing) {
@@ -150,18 +266,33 @@ void Renderer::draw(const FrameInput& input) {
                  powder_strength, woods, so_far, structures, wind, seconds] = input;
     const int samples = samples_of(p.quality);
     const ScopedState state;  // restores the state for other users of the context
-
     const bool flows = look.flow && flow;  // the advected texture is visible
+    const bool goes_on = around && !around->empty();
+    Redrawn& redrawn = p.redrawn;
     p.clock.begin();
 
-    // Upload the world first: everything below reads these textures, and only they change with the state.
-    const bool new_terrain = p.fields.upload(world, first_depth);
+    // Find out first whether more than the world changed: then all is drawn anew.
+    const FieldsToGpu::Ground ground = p.fields.upload_ground(world, first_depth);
     const FrameBlock frame = make_frame_block(input, p.fields.heights(), samples,
                                               flows ? std::optional(p.flow_tint(look, marks)) : std::nullopt);
+    const View view = view_of(input, frame);
+    const bool resized = p.target.resize(width, height, samples);
+    const bool rebuilt = p.structures.build(input, frame, ground.terrain);
+    const bool everything = resized || rebuilt || ground.terrain || ground.first_depth || marks.flow_mesh ||
+                            redrawn.view != view;
+
+    // Upload what changed of the world: everything below reads these textures, and only they change with the state.
+    WhatChanged& changed = redrawn.world;
+    changed.compare(world, p.fields.find_mixture(world), first_depth,
+                    goes_on ? std::nullopt : std::optional(frame.ground.y), p.rules, everything);
+    p.fields.upload_layers(world, changed.first_row(), changed.last_row());
     glNamedBufferSubData(p.frame_block.name(), 0, sizeof frame, &frame);
     glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_FRAME, p.frame_block.name());
     p.fields.bind();
-    if (flows) p.flow.send(*flow);
+    if (flows) {
+        p.flow.send(*flow);
+        changed.add_flow(p.flow.changed());
+    }
     p.clock.mark(Pass::kUpload);
 
     // Apply what changed along the fronts since the last frame.
@@ -170,7 +301,7 @@ void Renderer::draw(const FrameInput& input) {
 
     // Data that depends only on the bedrock is computed here, once per terrain, because it needs the fields
     // and the frame block.
-    if (new_terrain) {
+    if (ground.terrain) {
         p.terrain.send_mesh(ground_mesh(world.grid, world.site));
         p.surface.resize(world.grid);
         p.shadow.resize(world.grid);
@@ -178,37 +309,59 @@ void Renderer::draw(const FrameInput& input) {
     }
 
     // Compute heights, slopes and shares of the layers once per vertex, before the two passes that read them.
-    p.surface.run();
+    p.surface.run(changed.groups());
     p.surface.bind();
     p.clock.mark(Pass::kSurface);
 
     // What lies around the block casts shadows on it.
-    const bool goes_on = around && !around->empty();
     if (goes_on) {
         p.surroundings.survey(*around, frame);
         p.surroundings.bind();
     }
 
-    // The sun sweep needs the surface of this frame, because heaps cast shadows too.
-    p.shadow.run(frame);
+    // Heaps cast shadows too.
+    p.sweep.run(world, around, frame);
+    p.shadow.upload(p.sweep);
     p.shadow.bind();
+    changed.add_shadows(p.sweep, frame);
+    changed.add_ring(redrawn.ring, marks.ring, frame);
     p.clock.mark(Pass::kShadow);
 
+    // Find where the frame differs from the last one.
+    const OnScreen screen(frame.clip_from_world, p.target.samples_across(), p.target.samples_up());
+    ScreenTiles& tiles = redrawn.scene_tiles;
+    tiles.begin(p.target.samples_across(), p.target.samples_up(), p.rules.tile);
+    if (everything)
+        tiles.mark_all();
+    else
+        changed.mark(screen, tiles);
+    p.terrain.find(changed, screen, everything);
+    p.tiles.find(input, frame.clip_from_world, p.target.samples_across(), p.target.samples_up());
+    p.tiles.mark_changes(tiles);
+    if (goes_on) p.surroundings.find(frame, changed, screen, everything, tiles);
+    p.structures.find(input, frame, changed, screen, everything, tiles);
+    if (view.woods != 0) {
+        p.trees.survey(*woods, *around, frame);
+        p.trees.find(*woods, world, so_far, frame, screen, everything, tiles);
+    }
+    const bool powdery =
+        p.powder.find(puffs, frame, look, powder_strength, p.target.samples_across(), p.target.samples_up());
+    const bool drifting = drifts(input) && p.spindrift.find(*around, wind, seconds, frame, screen);
+    redrawn.find(p.target, p.rules, powdery ? p.powder.seen() : kNowhere, drifting ? p.spindrift.seen() : kNowhere);
+    p.clock.mark(Pass::kChanges);
+
     // Draw depth first, because shading is expensive.
-    p.target.resize(width, height, samples);
-    p.target.begin_scene();
-    p.terrain.draw_depth();
+    p.target.begin_scene(redrawn.scene);
+    p.terrain.draw_depth(redrawn.scene);
     p.clock.mark(Pass::kDepth);
 
     // Draw the visible colours of the flow unlit, so that terrain and flow are lit together.
-    if (flows) p.flow.draw(look.flow->pattern, marks.overlay, p.target);
+    if (flows) p.flow.draw(look.flow->pattern, marks.overlay, p.target, redrawn.scene);
     p.clock.mark(Pass::kFlow);
 
     // Shade each pixel once, whatever the number of triangles under it.
     p.target.begin_shading();
-    p.tiles.find(input, frame.clip_from_world, p.target.samples_across(), p.target.samples_up());
-    p.terrain.shade(marks, p.tiles, world.mixture != nullptr, p.target.samples_across(),
-                    p.target.samples_up());
+    p.terrain.shade(marks, p.tiles, world.mixture != nullptr, p.target, redrawn.scene);
     p.clock.mark(Pass::kTerrain);
 
     if (flows && marks.flow_mesh) {
@@ -218,64 +371,58 @@ void Renderer::draw(const FrameInput& input) {
 
     // Draw what stands around the surface: mountains or the walls of a block.
     if (goes_on)
-        p.surroundings.draw(frame);
+        p.surroundings.draw(frame, redrawn.scene);
     else
-        p.terrain.draw_walls();
+        p.terrain.draw_walls(redrawn.scene);
     p.clock.mark(Pass::kSurroundings);
 
     // Powder is drawn into coarse pixels of its own, which must know how far the ground is behind them, not the trees
     // in front: their outlines are finer.
-    const bool powdery =
-        p.powder.find(puffs, frame, look, powder_strength, p.target.samples_across(), p.target.samples_up());
+    p.target.keep_ground(redrawn.scene);
     if (powdery) p.powder.draw();
     p.clock.mark(Pass::kPowder);
 
     // The sky is drawn where nothing is. It is smooth, so that a sixteenth of its pixels are enough; sun, moon and
     // stars are not.
-    p.target.begin_sky();
-    p.sky.draw_behind();
+    if (everything) {
+        p.target.begin_sky();
+        p.sky.draw();
+    }
     p.target.begin_backdrop();
-    (frame.above.w > 0 ? p.night_lights : p.day_lights).draw_behind();
+    (frame.above.w > 0 ? p.night_lights : p.day_lights).draw_behind(redrawn.scene);
     p.clock.mark(Pass::kSky);
 
     // What people have built stands before ground and sky.
-    if (p.structures.find(input, frame, new_terrain)) p.structures.draw();
+    if (p.structures.any()) p.structures.draw(redrawn.scene);
     p.clock.mark(Pass::kStructures);
 
-    // Trees stand before ground and sky, with a jagged outline. Their shadows darken the ground that is drawn. They
-    // would hide the values of an overlay.
-    if (goes_on && woods && !woods->empty() && marks.overlay == Overlay::kNone &&
-        p.trees.find(*woods, *around, world, so_far, frame))
-        p.trees.draw();
+    // Trees stand before ground and sky, with a jagged outline. Their shadows darken the ground that is drawn.
+    if (view.woods != 0) p.trees.draw(redrawn.scene);
     p.clock.mark(Pass::kTrees);
 
-    // Wind blows snow off ridges, as far as there is any.
-    if (goes_on && wind.speed > 0 && look.standing.g > kSnow && look.powder.strength > kDry &&
-        marks.overlay == Overlay::kNone && p.spindrift.find(*around, wind, seconds, frame)) {
-        p.target.begin_shading();
-        p.spindrift.draw();
-    }
-
-    // Powder in the air lies over everything that is not nearer. It casts a shadow on the ground.
-    if (powdery) {
-        p.target.begin_backdrop();
-        p.powder.lay_over();
-    }
+    // What floats in the air lies over everything that is not nearer, and casts a shadow on the ground.
+    if (powdery || drifting) p.target.begin_air(redrawn.air);
+    if (drifting) p.spindrift.draw();
+    if (powdery) p.powder.lay_over();
     p.clock.mark(Pass::kPowder);
 
     // Tone mapping is last, because light adds up only while it is linear.
-    p.target.begin_picture();
-    p.tone.draw_encoded();
+    p.target.begin_picture(redrawn.shown, powdery || drifting);
+    p.tone.draw_encoded(redrawn.shown);
     p.clock.mark(Pass::kTone);
 
     // With one sample per pixel edges have stairs. Smooth them last of all, in the colours that the screen
     // shows, because what looks like an edge is decided there.
     if (samples == 1) {
-        p.target.begin_edges();
-        p.edge_marks.draw_marks();
-        p.edges.draw_on_marks();
+        p.target.begin_edges(redrawn.smoothed);
+        p.edge_marks.draw_marks(redrawn.smoothed);
+        p.edges.draw_on_marks(redrawn.smoothed);
     }
     p.clock.mark(Pass::kEdges);
+
+    changed.finish();
+    redrawn.view = view;
+    redrawn.ring = marks.ring;
     CHECK(glGetError() == GL_NO_ERROR);
 }
 

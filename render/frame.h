@@ -11,6 +11,7 @@
 #include "render/draw_times.h"
 #include "render/frame_input.h"
 #include "render/picture.h"
+#include "render/what_changed.h"
 
 namespace render {
 
@@ -41,7 +42,16 @@ class Renderer {
     // Runs all passes, in order, into an offscreen target of the frame's size. GL state is restored, except
     // that texture units are left empty and bindings of uniform blocks and image units may change. Allocates
     // nothing while size, quality and terrain are those of the last frame.
+    //
+    // While the camera stands still, only those parts are drawn anew that differ from the last frame, to the same bits
+    // as if all were: a frame costs what moved.
     void draw(const FrameInput& input);
+    // Draws all of the next frame anew.
+    void forget();
+    // Share of the last frame that was drawn anew, 0 to 1.
+    double redrawn() const;
+    // Sets how closely frames are redrawn, for tests.
+    void set_redraw(const RedrawRules& rules);
 
     // Returns the last drawn frame, top row first, sRGB 8 bit, 3 channels. Waits for the frame.
     Picture read_back() const;

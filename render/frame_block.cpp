@@ -30,7 +30,7 @@ constexpr double kLampsOff = 6, kLampsOn = -1;  // degrees, height of the sun at
 constexpr double kDiscRadius =
     0.6;  // degrees, twice that of sun and moon: a screen shows less than the eye sees
 
-// Sets the sun sweep over the grid, see shadow.comp. Its rows run across the larger horizontal component of
+// Sets the sun sweep over the grid, see sun_sweep.h. Its rows run across the larger horizontal component of
 // the sun's direction.
 void set_sweep(FrameBlock& block, const sim::Grid& grid) {
     const glm::dvec2 toward = glm::normalize(glm::dvec2(block.sun));

@@ -1,14 +1,26 @@
 #include "render/frame_writer.h"
 
+#include <algorithm>
 #include <exception>
+#include <system_error>
 #include <utility>
 
 #include "sim/core/check.h"
 
 namespace render {
 
-FrameWriter::FrameWriter(std::size_t capacity) : capacity_(capacity), worker_([this] { write_all(); }) {
-    CHECK(capacity >= 1);
+int FrameWriter::suitable_workers() {
+    const int cores = static_cast<int>(std::thread::hardware_concurrency());  // 0 if unknown
+    return std::clamp(cores - 1, 1, kMostWorkers);
+}
+
+FrameWriter::FrameWriter(std::size_t capacity, int workers) : capacity_(capacity) {
+    CHECK(capacity >= 1 && workers >= 1);
+    try {
+        while (std::ssize(workers_) < workers) workers_.emplace_back([this] { write_all(); });
+    } catch (const std::system_error&) {  // no more threads are allowed; fewer are only slower
+        if (workers_.empty()) throw;
+    }
 }
 
 FrameWriter::~FrameWriter() {
@@ -20,7 +32,7 @@ void FrameWriter::submit(Picture picture, std::filesystem::path path) {
     CHECK(!closing_);
     changed_.wait(lock, [this] { return waiting_.size() < capacity_; });
     if (error_) return;
-    waiting_.push_back({std::move(picture), std::move(path)});
+    waiting_.push_back({submitted_++, std::move(picture), std::move(path)});
     changed_.notify_all();
 }
 
@@ -30,15 +42,16 @@ tl::expected<void, std::string> FrameWriter::finish() {
         closing_ = true;
         changed_.notify_all();
     }
-    if (worker_.joinable()) worker_.join();
-    if (error_) return tl::unexpected(*error_);
+    for (std::thread& worker : workers_) worker.join();
+    workers_.clear();
+    if (error_) return tl::unexpected(error_->message);
     return {};
 }
 
 // Catches exceptions, because none may leave the thread.
 tl::expected<void, std::string> FrameWriter::write(const Job& job) {
     try {
-        return write_png(job.picture, job.path);
+        return write_png(job.picture, job.path, kFramePngCompression);
     } catch (const std::exception& thrown) {  // such as out of memory
         return tl::unexpected(job.path.string() + ": cannot be written: " + thrown.what());
     }
@@ -52,12 +65,19 @@ void FrameWriter::write_all() {
         const Job job = std::move(waiting_.front());
         waiting_.pop_front();
         changed_.notify_all();
-        if (error_) continue;
         lock.unlock();
-        const auto written = write(job);
+        auto written = write(job);
         lock.lock();
-        if (!written) error_ = written.error();
+        if (!written) note({job.number, std::move(written.error())});
     }
+}
+
+// Keeps the error of the earliest job, because a later one may fail sooner on another thread. Jobs leave the
+// queue in order, so those that still wait are later than this one.
+void FrameWriter::note(Error error) {
+    if (!error_ || error.number < error_->number) error_ = std::move(error);
+    waiting_.clear();
+    changed_.notify_all();
 }
 
 }  // namespace render

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 
+#include <glm/common.hpp>
+
 #include "assets/shaders/slots.glsl"
 #include "sim/core/check.h"
 
 namespace render {
 namespace {
-
-// Squares are drawn in bands narrow enough that a GPU still caches the row below when it draws the row above.
-constexpr int kBand = 12;
 
 //   d ─── c     upper triangle a c d
 //   │   ╱ │
@@ -66,11 +65,16 @@ GroundMesh ground_mesh(const sim::Grid& grid, const sim::Field<sim::Site>& site)
     const Squares squares{grid, site};
     GroundMesh mesh;
     mesh.surface.reserve(6 * grid.size());
-    for (int left = 0; left + 1 < grid.nx; left += kBand) {
-        for (int y = 0; y + 1 < grid.ny; ++y) {
-            for (int x = left; x < left + kBand && x + 1 < grid.nx; ++x) add_square(mesh, squares, x, y);
+    const glm::ivec2 last(grid.nx - 1, grid.ny - 1);
+    for (int bottom = 0; bottom < last.y; bottom += GroundMesh::kBlock)
+        for (int left = 0; left < last.x; left += GroundMesh::kBlock) {
+            const glm::ivec2 lowest(left, bottom), highest = glm::min(lowest + GroundMesh::kBlock, last);
+            const auto first = static_cast<std::uint32_t>(mesh.surface.size());
+            for (int y = lowest.y; y < highest.y; ++y)
+                for (int x = lowest.x; x < highest.x; ++x) add_square(mesh, squares, x, y);
+            const auto count = static_cast<std::uint32_t>(mesh.surface.size()) - first;
+            if (count > 0) mesh.blocks.push_back({first, count, lowest, highest});
         }
-    }
     return mesh;
 }
 

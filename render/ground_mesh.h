@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include "sim/core/grid.h"
 #include "sim/world/state.h"
 
@@ -12,7 +14,16 @@ namespace render {
 // the grid: its x and y in 15 bits each, so that a shader decodes them without a division, and a flag for the
 // base of the block beneath it.
 struct GroundMesh {
-    std::vector<std::uint32_t> surface;
+    static constexpr int kBlock = 8;  // squares along the edge of a block
+
+    // Triangles that are drawn or left out together.
+    struct Block {
+        std::uint32_t first = 0, count = 0;  // in `surface`
+        glm::ivec2 lowest{0}, highest{0};    // vertices at its corners
+    };
+
+    std::vector<std::uint32_t> surface;  // block by block
+    std::vector<Block> blocks;           // row by row from the south, without empty ones
     std::vector<std::uint32_t> walls;  // along every edge of the surface: borders and no-data
 };
 

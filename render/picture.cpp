@@ -10,7 +10,7 @@
 
 namespace render {
 tl::expected<void, std::string> write_png(const Picture& picture, const std::filesystem::path& path,
-                                          int compression) {
+                                          const PngCompression& compression) {
     CHECK(picture.width > 0 && picture.height > 0);
     CHECK(picture.channels == 1 || picture.channels == 3);
     CHECK(picture.pixels.size() == 1ull * static_cast<unsigned>(picture.channels) *

@@ -12,7 +12,8 @@ const PngDoor& door() {
 
 }  // namespace
 
-tl::expected<std::vector<unsigned char>, std::string> encode_png(const Picture& picture, int compression) {
+tl::expected<std::vector<unsigned char>, std::string> encode_png(const Picture& picture,
+                                                                 const PngCompression& compression) {
     return door().encode_png(picture, compression);
 }
 

@@ -14,7 +14,7 @@
 #include "render/frame_block.h"
 #include "render/look.h"
 #include "render/powder_tiles.h"
-#include "render/slide_tiles.h"
+#include "render/rectangle.h"
 #include "sim/powder/cloud.h"
 
 namespace render {

@@ -6,7 +6,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "render/slide_tiles.h"
+#include "render/rectangle.h"
 
 namespace render {
 

@@ -50,6 +50,7 @@ bool is_under_wall(const sim::View& world, const float* first, int x, int y) {
 
 void SlideTiles::find(const FrameInput& input, const glm::mat4& clip_from_world, int width, int height) {
     resize(input.world.grid, width, height);
+    before_.swap(tiles_);
     // A texture may lie wherever it moved before; without the first depth nobody knows where.
     const bool everywhere =
         input.look.flow && input.flow && (input.look.flow->everywhere || input.first_depth.empty());
@@ -147,10 +148,18 @@ void SlideTiles::resize(const sim::Grid& grid, int width, int height) {
     blocks_along_x_ = (grid.nx + kBlock - 1) / kBlock;
     blocks_along_y_ = (grid.ny + kBlock - 1) / kBlock;
     tiles_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+    before_.resize(tiles_.size());
     blocks_.resize(static_cast<std::size_t>(blocks_along_x_) * static_cast<std::size_t>(blocks_along_y_));
     with_walls_.reserve(tiles_.size());
     with_slides_.reserve(tiles_.size());
     without_.reserve(tiles_.size());
+}
+
+void SlideTiles::mark_changes(ScreenTiles& tiles) const {
+    for (int row = 0; row < rows_; ++row)
+        for (int column = 0; column < columns_; ++column)
+            if (const auto i = index(column, row, columns_); tiles_[i] != before_[i])
+                tiles.mark({column * kTile, row * kTile, (column + 1) * kTile, (row + 1) * kTile});
 }
 
 // Joins tiles of one kind along each row.

@@ -7,14 +7,10 @@
 #include <glm/mat4x4.hpp>
 
 #include "render/frame_input.h"
+#include "render/rectangle.h"
+#include "render/screen_tiles.h"
 
 namespace render {
-
-// Part of a frame, in samples from its lower left corner.
-struct Rectangle {
-    int left = 0, bottom = 0, right = 0, top = 0;
-    bool operator==(const Rectangle&) const = default;
-};
 
 // Divides a frame into parts where a slide may be seen, moving or at rest, those of them where a slab may have
 // left a wall, and parts where neither can be. Ground without slides is much cheaper to shade.
@@ -22,6 +18,9 @@ class SlideTiles {
   public:
     // `width` and `height` in samples. Allocates nothing while they and the grid are those of the last call.
     void find(const FrameInput& input, const glm::mat4& clip_from_world, int width, int height);
+
+    // Marks the tiles that are of another kind than in the last frame.
+    void mark_changes(ScreenTiles& tiles) const;
 
     // Together they cover the frame, each sample once. `with_slides`: without a wall.
     std::span<const Rectangle> with_walls() const { return with_walls_; }
@@ -39,6 +38,7 @@ class SlideTiles {
     int columns_ = 0, rows_ = 0;                   // tiles of the frame
     int blocks_along_x_ = 0, blocks_along_y_ = 0;  // of the grid
     std::vector<std::uint8_t> blocks_, tiles_;     // 0: nothing, 1: a slide, 2: and a wall
+    std::vector<std::uint8_t> before_;             // tiles of the last frame
     std::vector<Rectangle> with_walls_, with_slides_, without_;
 };
 

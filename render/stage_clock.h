@@ -24,8 +24,8 @@ class StageClock {
     std::optional<DrawTimes> times() const;
 
   private:
-    static constexpr std::size_t kMostStamps = 16;
-    static_assert(kMostStamps > kPassCount + 1);  // the beginning, each pass, and one that is marked twice
+    static constexpr std::size_t kMostStamps = 24;
+    static_assert(kMostStamps > kPassCount + 2);  // the beginning, each pass, and two that are marked twice
 
     void stamp();
 

@@ -133,8 +133,22 @@ void light_trees(const Woods& woods, const Surroundings& around, const glm::vec3
     }
 }
 
+// A crown may lean to any side, and its branches reach a little beyond its outline.
+Rectangle TreesInView::seen(const DrawnTree& tree, const OnScreen& screen) {
+    const glm::vec3 foot(tree.foot), top = foot + tree.foot.w * glm::vec3(tree.axis);
+    const float beside = 1.5f * tree.look.w + 0.1f * tree.foot.w;
+    const bool group = tree.kind.y > 1.5f;
+    const glm::vec3 peak = foot + (group ? 1.6f : 1.f) * (top - foot);
+    const Rectangle crown =
+        screen.box(glm::min(foot, peak) - beside, glm::max(foot, peak) + beside);
+    if (tree.shadow.w <= 0) return crown;
+    const glm::vec3 tip(tree.shadow);
+    return around_both(crown, screen.box(glm::min(foot, tip) - beside - 1.f, glm::max(foot, tip) + beside + 1.f));
+}
+
 void TreesInView::reserve(const Woods& woods) {
     drawn_.reserve(woods.trees().size());
+    before_.reserve(woods.trees().size());
     branched_.reserve(woods.trees().size());
     plain_.reserve(woods.trees().size());
     without_shadow_.reserve(woods.trees().size());
@@ -143,6 +157,7 @@ void TreesInView::reserve(const Woods& woods) {
 
 void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, const sim::View& world,
                        const FlowSoFar& flow, const FrameBlock& frame) {
+    drawn_.swap(before_);
     drawn_.clear();
     branched_.clear();
     plain_.clear();
@@ -192,6 +207,7 @@ void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, co
                 {lights[i].tip,
                  lights[i].sunlit * ramp(1, 2, high / (kShadowPixels * (1 + 3 * tree.closed)))},
                 {static_cast<float>(tree.kind), group ? std::round(together) : 1, tree.closed, 0}};
+            const bool has_shadow = drawn.shadow.w > 0;  // while it stands, so that the order stays when it falls
             if (tree.vertex >= 0)
                 drawn.foot.z -= std::max(
                     tree.snow - world.depth(tree.vertex % world.grid.nx, tree.vertex / world.grid.nx), 0.f);
@@ -206,7 +222,7 @@ void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, co
             const float pixels = group ? 24 * half / std::round(together) / (distance * pixel) : high;
             (near                         ? drawn_
              : pixels > TREE_PLAIN_PIXELS ? branched_
-             : drawn.shadow.w > 0         ? plain_
+             : has_shadow                 ? plain_
                                           : without_shadow_)
                 .push_back(drawn);
         }

@@ -9,6 +9,7 @@
 
 #include "render/flow_so_far.h"
 #include "render/frame_block.h"
+#include "render/on_screen.h"
 #include "render/woods.h"
 #include "sim/world/state.h"
 
@@ -44,15 +45,20 @@ class TreesInView {
     void find(const Woods& woods, std::span<const TreeLight> lights, const sim::View& world,
               const FlowSoFar& flow, const FrameBlock& frame);
 
+    // The samples that one of them and its shadow may cover.
+    static Rectangle seen(const DrawnTree& tree, const OnScreen& screen);
+
     // First near ones, of some triangles each; then far ones, of one triangle each, with branches; then plain
     // ones, too small for branches, at first those with a shadow. Each part from near to far.
     std::span<const DrawnTree> drawn() const { return drawn_; }
+    // The trees of the frame before that, in the same order as long as only the world changed.
+    std::span<const DrawnTree> before() const { return before_; }
     std::size_t near() const { return near_; }
     std::size_t far() const { return far_; }
     std::size_t with_shadow() const { return with_shadow_; }  // trees up to the last one with a shadow
 
   private:
-    std::vector<DrawnTree> drawn_, branched_, plain_, without_shadow_;
+    std::vector<DrawnTree> drawn_, before_, branched_, plain_, without_shadow_;
     std::vector<const TreeTile*> tiles_;
     std::size_t near_ = 0, far_ = 0, with_shadow_ = 0;
 };

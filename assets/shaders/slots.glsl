@@ -14,7 +14,7 @@
 #define SLOT_RELIEF 6     // RGBA32F: height m above datum, slope along x, slope along y, openness
 #define SLOT_LAYERS 7     // RGBA8: share of cover, share of rolling layer (half at the visible depth), speed, change of d since tick 0 (128: none, 127 steps to MOST_CHANGE); 0 to 1
 #define SLOT_OPENNESS 8   // R16F: share of the sky that a vertex sees
-#define SLOT_SUN_CEILING 9 // R32F: height below which the sun is hidden, in the sheared grid of shadow.comp
+#define SLOT_SUN_CEILING 9 // R32F: height below which the sun is hidden, in the sheared grid of render/sun_sweep.h
 #define SLOT_DETAIL 10    // RGBA8 array: small-scale relief, one layer per kind
 #define SLOT_SCENE_DEPTH 11 // D32F: reversed depth of the surface
 #define SLOT_COLOUR 12    // RGBA16F: the frame in linear light
@@ -51,6 +51,8 @@
 #define SLOT_FLOW_MIX 5          // vec4 of each vertex: shares of the second phases, latency
 #define SLOT_FLOW_VERTICES 6     // of each vertex: its index beside a front, -1: none; deposit, m; vertex whose texture is drawn; stretch
 #define SLOT_FLOW_GRADIENTS 7    // six mat2 of each vertex beside a front
+// Reused while surfaces are computed
+#define SLOT_SURFACE_GROUPS 4    // groups of vertices, x + 65536 y
 // Reused while trees are drawn
 #define SLOT_TREES 4             // render::DrawnTree
 
@@ -58,8 +60,7 @@
 #define IMAGE_RELIEF 0
 #define IMAGE_LAYERS 1
 #define IMAGE_OPENNESS 2
-#define IMAGE_SUN_CEILING 3
-#define IMAGE_MEASURE 4
+#define IMAGE_MEASURE 3
 
 // Values of sim::Site
 #define SITE_DRAIN 1
@@ -125,6 +126,6 @@
 #define INDEX_Y_SHIFT 15
 #define INDEX_BASE 0x40000000
 
-// Edge of a compute work group: square for one thread per vertex, a row for one thread per ray, edge or triangle
+// Edge of a compute work group: square for one thread per vertex, a row for one thread per edge or triangle
 #define GROUP_SQUARE 8
 #define GROUP_ROW 32

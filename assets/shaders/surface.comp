@@ -1,4 +1,5 @@
-// Surface: computes the inputs of the drawing passes from the fields. One thread per vertex.
+// Surface: computes the inputs of the drawing passes from the fields. One thread per vertex of each group
+// that changed.
 layout(local_size_x = GROUP_SQUARE, local_size_y = GROUP_SQUARE) in;
 
 layout(binding = SLOT_BEDROCK) uniform sampler2D bedrock;
@@ -10,6 +11,7 @@ layout(binding = SLOT_VELOCITY_Y) uniform sampler2D velocity_y;
 layout(binding = SLOT_SITE) uniform usampler2D site;
 layout(binding = SLOT_MIXTURE) uniform sampler2D mixture;
 layout(binding = SLOT_OPENNESS) uniform sampler2D openness;
+layout(std430, binding = SLOT_SURFACE_GROUPS) readonly buffer Groups { int groups[]; };
 layout(binding = IMAGE_RELIEF, rgba32f) uniform writeonly image2D relief;
 layout(binding = IMAGE_LAYERS, rgba8) uniform writeonly image2D layers;
 layout(binding = IMAGE_MEASURE, rg32f) uniform writeonly image2D measure;
@@ -62,7 +64,10 @@ vec2 measured(ivec2 v, vec2 rise, float d, float r, float rolls, vec2 velocity) 
 }
 
 void main() {
-    ivec2 v = ivec2(gl_GlobalInvocationID.xy);
+    int number = int(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x);
+    if (number >= groups.length()) return;
+    int group = groups[number];
+    ivec2 v = ivec2(group & 0xffff, group >> 16) * GROUP_SQUARE + ivec2(gl_LocalInvocationID.xy);
     if (any(greaterThanEqual(v, frame.size.xy))) return;
     float here = height(v);
     bool known = is_ground(v);

@@ -4,7 +4,6 @@ layout(binding = SLOT_SCENE_DEPTH) uniform sampler2D scene_depth;
 layout(binding = SLOT_RELIEF) uniform sampler2D relief;
 layout(binding = SLOT_LAYERS) uniform sampler2D layers;
 
-in vec2 ndc;
 out vec4 colour;
 
 // What slides do here.
@@ -41,7 +40,9 @@ vec3 marked(vec3 seen, Place p, vec3 light);
 // materials_one.glsl is for worlds of one material. `change` as in `layers`.
 vec2 lower_shares(Place p, Detail d, float change);
 
+// It comes from the sample alone, so that it is the same whatever part of a frame is drawn.
 Place find_place(float depth) {
+    vec2 ndc = 2.0 * gl_FragCoord.xy / vec2(textureSize(scene_depth, 0)) - 1.0;
     vec3 ray = frame.ray_forward.xyz + ndc.x * frame.ray_right.xyz + ndc.y * frame.ray_up.xyz;
     float forward = frame.ray_forward.w / depth;
     vec3 at = frame.eye.xyz + ray * forward;

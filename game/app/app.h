@@ -175,7 +175,6 @@ class App {
     std::uint64_t frame_memory_ = 0;  // bytes that --max-memory leaves for the buffers of an image
     ResolutionControl resolution_;
     std::optional<TierTrial> trial_;  // in the first frames
-    int trial_draws_ = 0;
     std::optional<Failure> device_failure_;
     Notices notices_;
     FrameTimes times_;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "game/base/number.h"
+#include "render/frame_writer.h"
 #include "render/woods.h"
 
 namespace game {
@@ -21,9 +22,10 @@ constexpr std::uint64_t kMiB = std::uint64_t{1} << 20;
 std::uint64_t frame_bytes(const FrameUse& frames) {
     constexpr std::uint64_t kDepth = 4, kLinear = 8, kScreen = 4;  // per sample or pixel: 32F, RGBA16F, RGBA8
     constexpr std::uint64_t kPerSample = kDepth + 2 * kLinear;     // depth, and the flow's albedo and relief
-    // One image that was read back, four that wait (render::FrameWriter), one being encoded, and three times
-    // an image for the bytes of the file while they grow.
-    constexpr std::uint64_t kImage = 3, kImages = 1 + 4 + 1 + 3;
+    // One image that was read back, those that wait, and for each worker one being encoded and three times an
+    // image for the bytes of the file while they grow.
+    constexpr std::uint64_t kImage = 3, kWait = render::FrameWriter::kCapacity;
+    constexpr std::uint64_t kImages = 1 + kWait + (1 + 3) * render::FrameWriter::kMostWorkers;
     const auto along_edge = static_cast<std::uint64_t>(frames.samples), samples = along_edge * along_edge;
     const std::uint64_t colours = samples > 1 ? (samples + 1) * kLinear : kLinear;
     constexpr std::uint64_t kSmoothing = kScreen + 1;  // the image with stairs, and a stencil of edges

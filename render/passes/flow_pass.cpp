@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "assets/shaders/slots.glsl"
-#include "render/passes/scoped_state.h"
+#include "render/passes/scissor.h"
 #include "render/program.h"
 #include "sim/core/check.h"
 
@@ -82,13 +82,17 @@ void FlowPass::resize(const Target& target) {
     glNamedFramebufferDrawBuffers(framebuffer_.name(), kBoth.size(), kBoth.data());
 }
 
-void FlowPass::draw(FlowPattern pattern, Overlay overlay, const Target& target) {
+void FlowPass::draw(FlowPattern pattern, Overlay overlay, const Target& target, Target::Parts parts) {
     CHECK(has(pattern));
     resize(target);
     target.lend_depth(framebuffer_.name());
     constexpr std::array<float, 4> kNothing{0, 0, 0, 0};
-    glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 0, kNothing.data());
-    glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 1, kNothing.data());
+    Rectangle around;  // what is drawn between the parts is the same again
+    within(parts, [&] {
+        glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 0, kNothing.data());
+        glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 1, kNothing.data());
+    });
+    for (const Rectangle& part : parts) around = around_both(around, part);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
 
     texture(pattern)->bind();
@@ -101,7 +105,7 @@ void FlowPass::draw(FlowPattern pattern, Overlay overlay, const Target& target) 
     glDepthMask(GL_FALSE);
     remesher_.bind();
     coordinates_.bind();
-    remesher_.draw();
+    within({&around, parts.empty() ? 0u : 1u}, [&] { remesher_.draw(); });
     glDepthMask(GL_TRUE);
     glPolygonOffset(0, 0);
     glBindTextureUnit(SLOT_SKIN_ALBEDO, albedo_.name());

@@ -3,6 +3,7 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 
 #include <tl/expected.hpp>
@@ -31,11 +32,13 @@ class FlowPass {
 
     // Uploads the flow's texture coordinates.
     void send(const sim::front::FlowView& flow) { coordinates_.upload(flow); }
+    // The vertices whose texture changed with the last upload, ascending.
+    std::span<const int> changed() const { return coordinates_.changed(); }
     // Cuts the mesh along its fronts. The flow's mesh is the heightfield of `grid`.
     void cut(const sim::front::FlowView& flow, const sim::Grid& grid);
-    // Reads SLOT_RELIEF, SLOT_ROLLING and the depth of `target`. Writes SLOT_SKIN_ALBEDO and SLOT_SKIN_RELIEF
+    // In parts of `target`. Reads SLOT_RELIEF, SLOT_ROLLING and its depth. Writes SLOT_SKIN_ALBEDO and SLOT_SKIN_RELIEF
     // and leaves them bound. Leaves another framebuffer bound.
-    void draw(FlowPattern pattern, Overlay overlay, const Target& target);
+    void draw(FlowPattern pattern, Overlay overlay, const Target& target, Target::Parts parts);
     // Draws edges, fronts and points onto the scene; `samples` is the number along the edge of a pixel.
     void draw_mesh(int samples) const;
 

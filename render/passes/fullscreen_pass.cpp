@@ -1,6 +1,6 @@
 #include "render/passes/fullscreen_pass.h"
 
-#include "render/passes/scoped_state.h"
+#include "render/passes/scissor.h"
 #include "render/program.h"
 
 namespace render {
@@ -16,31 +16,31 @@ tl::expected<FullscreenPass, std::string> FullscreenPass::create(
     return pass;
 }
 
-void FullscreenPass::draw_behind() const {
+void FullscreenPass::draw_behind(Parts parts) const {
     const Enabled depth_test(GL_DEPTH_TEST);
-    draw();
+    within(parts, [&] { draw(); });
 }
 
-void FullscreenPass::draw_encoded() const {
+void FullscreenPass::draw_encoded(Parts parts) const {
     const Enabled encoding(GL_FRAMEBUFFER_SRGB);
-    draw();
+    within(parts, [&] { draw(); });
 }
 
-void FullscreenPass::draw_marks() const {
+void FullscreenPass::draw_marks(Parts parts) const {
     const Enabled stencil_test(GL_STENCIL_TEST);
     glStencilFunc(GL_ALWAYS, 1, ~0u);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    draw();
+    within(parts, [&] { draw(); });
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     glStencilFunc(GL_ALWAYS, 0, ~0u);
 }
 
-void FullscreenPass::draw_on_marks() const {
+void FullscreenPass::draw_on_marks(Parts parts) const {
     const Enabled stencil_test(GL_STENCIL_TEST);
     glStencilFunc(GL_EQUAL, 1, ~0u);
-    draw();
+    within(parts, [&] { draw(); });
     glStencilFunc(GL_ALWAYS, 0, ~0u);
 }
 

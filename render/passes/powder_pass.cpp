@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "assets/shaders/slots.glsl"
-#include "render/passes/scoped_state.h"
+#include "render/passes/scissor.h"
 #include "render/program.h"
 
 namespace render {
@@ -36,10 +36,6 @@ Rectangle pixels(const glm::vec4& box, float width, float height, int rim) {
     };
     return {pixel(box.x, width) - rim, pixel(box.y, height) - rim, pixel(box.z, width) + rim + 1,
             pixel(box.w, height) + rim + 1};
-}
-
-void scissor(const Rectangle& part) {
-    glScissor(part.left, part.bottom, part.right - part.left, part.top - part.bottom);
 }
 
 }  // namespace
@@ -91,6 +87,7 @@ tl::expected<PowderPass, std::string> PowderPass::create(const std::filesystem::
 
 bool PowderPass::find(std::span<const sim::powder::Puff> puffs, const FrameBlock& frame, const Look& look,
                       float strength, int width, int height) {
+    seen_.clear();
     cloud_.find(puffs.first(std::min(puffs.size(), sim::powder::Cloud::kMost)), frame, strength, width,
                 height);
     if (cloud_.empty()) return false;
@@ -99,6 +96,9 @@ bool PowderPass::find(std::span<const sim::powder::Puff> puffs, const FrameBlock
         static_cast<double>(cloud_.covered()) * samples / (kLeastBudget + kBudgetPerSample * samples);
     divisor_ = std::clamp(static_cast<int>(std::ceil(std::sqrt(too_many))), kFinest, kCoarsest);
     resize(width, height);
+    const Rectangle box = pixels(cloud_.box(), static_cast<float>(width), static_cast<float>(height), kRim);
+    for (const Rectangle& part : cloud_.parts())
+        if (const Rectangle seen = common_part(part, box); !seen.empty()) seen_.push_back(seen);
 
     PowderBlock block;
     block.colour = {look.powder.colour, cloud_.mean_radius()};
@@ -186,16 +186,9 @@ void PowderPass::draw() const {
 }
 
 void PowderPass::lay_over() const {
-    const Enabled scissors(GL_SCISSOR_TEST), blend(GL_BLEND);
-    const Rectangle box = pixels(cloud_.box(), static_cast<float>(width_), static_cast<float>(height_), kRim);
+    const Enabled blend(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC1_COLOR);
-    for (const Rectangle& part : cloud_.parts()) {
-        const Rectangle seen{std::max(part.left, box.left), std::max(part.bottom, box.bottom),
-                             std::min(part.right, box.right), std::min(part.top, box.top)};
-        if (seen.left >= seen.right || seen.bottom >= seen.top) continue;
-        scissor(seen);
-        fill(over_);
-    }
+    within(seen_, [&] { fill(over_); });
     glBlendFunc(GL_ONE, GL_ZERO);
 }
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -26,6 +27,8 @@ class PowderPass {
               float strength, int width, int height);
     // Draws what was found into buffers of its own. Reads SLOT_SCENE_DEPTH, SLOT_DETAIL, SLOT_SUN_CEILING.
     void draw() const;
+    // The disjoint parts of the frame where it and its shadow may be seen.
+    std::span<const Rectangle> seen() const { return seen_; }
     // Lays it over the bound frame, with its shadow on the ground.
     void lay_over() const;
 
@@ -43,6 +46,7 @@ class PowderPass {
     int width_ = 0, height_ = 0;  // of the frame, samples
     int divisor_ = 1;
     PowderPuffs cloud_;
+    std::vector<Rectangle> seen_;
 };
 
 }  // namespace render

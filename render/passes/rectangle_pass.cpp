@@ -1,6 +1,6 @@
 #include "render/passes/rectangle_pass.h"
 
-#include "render/passes/scoped_state.h"
+#include "render/passes/scissor.h"
 #include "render/program.h"
 
 namespace render {
@@ -46,12 +46,12 @@ tl::expected<RectanglePass, std::string> RectanglePass::create(
     return pass;
 }
 
-void RectanglePass::draw_on(const Rectangles& rectangles) const {
+void RectanglePass::draw_on(const Rectangles& rectangles, std::span<const Rectangle> parts) const {
     const Enabled depth_test(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_LESS);
     glUseProgram(program_.name());
-    rectangles.draw();
+    within(parts, [&] { rectangles.draw(); });
     glDepthFunc(GL_GEQUAL);
     glDepthMask(GL_TRUE);
 }

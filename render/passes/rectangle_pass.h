@@ -10,7 +10,7 @@
 #include <tl/expected.hpp>
 
 #include "render/gl_handle.h"
-#include "render/slide_tiles.h"
+#include "render/rectangle.h"
 
 namespace render {
 
@@ -34,7 +34,8 @@ class RectanglePass {
   public:
     static tl::expected<RectanglePass, std::string> create(
         const std::filesystem::path& shaders, const std::vector<std::string_view>& fragment_files);
-    void draw_on(const Rectangles& rectangles) const;
+    // Within `parts` of the target.
+    void draw_on(const Rectangles& rectangles, std::span<const Rectangle> parts) const;
 
   private:
     ProgramName program_;

@@ -1,29 +1,25 @@
 #include "render/passes/shadow_pass.h"
 
 #include "assets/shaders/slots.glsl"
-#include "render/program.h"
+#include "render/frame_block.h"
 
 namespace render {
-
-tl::expected<ShadowPass, std::string> ShadowPass::create(const std::filesystem::path& shaders) {
-    auto program = link_program(shaders, {{GL_COMPUTE_SHADER, {"slots.glsl", "frame.glsl", "shadow.comp"}}});
-    if (!program) return tl::unexpected(program.error());
-    ShadowPass pass;
-    pass.program_ = std::move(*program);
-    return pass;
-}
 
 void ShadowPass::resize(const sim::Grid& grid) {
     if (grid == grid_) return;
     grid_ = grid;
     ceiling_texture_ = make_texture(GL_R32F, most_rays(grid), most_rows(grid), GL_LINEAR);
+    is_new_ = true;
 }
 
-void ShadowPass::run(const FrameBlock& frame) const {
-    glUseProgram(program_.name());
-    glBindImageTexture(IMAGE_SUN_CEILING, ceiling_texture_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
-    glDispatchCompute(static_cast<GLuint>((frame.size.z + GROUP_ROW - 1) / GROUP_ROW), 1, 1);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+void ShadowPass::upload(const SunSweep& sweep) {
+    const int first = is_new_ ? 0 : sweep.first_changed(),
+              last = is_new_ ? sweep.rows() - 1 : sweep.last_changed();
+    is_new_ = false;
+    if (first > last) return;
+    const auto skipped = static_cast<std::size_t>(first) * static_cast<std::size_t>(sweep.rays());
+    glTextureSubImage2D(ceiling_texture_.name(), 0, 0, first, sweep.rays(), last - first + 1, GL_RED,
+                        GL_FLOAT, sweep.ceilings().data() + skipped);
 }
 
 void ShadowPass::bind() const {

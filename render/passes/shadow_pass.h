@@ -1,30 +1,23 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-
-#include <tl/expected.hpp>
-
-#include "render/frame_block.h"
 #include "render/gl_handle.h"
+#include "render/sun_sweep.h"
 #include "sim/core/grid.h"
 
 namespace render {
 
-// Computes, for every vertex, the height below which the sun is hidden. Reads SLOT_RELIEF, writes
-// SLOT_SUN_CEILING.
+// Uploads, for every vertex, the height below which the sun is hidden. Writes SLOT_SUN_CEILING.
 class ShadowPass {
   public:
-    static tl::expected<ShadowPass, std::string> create(const std::filesystem::path& shaders);
-
     void resize(const sim::Grid& grid);
-    void run(const FrameBlock& frame) const;  // the relief must be bound
+    // Uploads the rows that the last run changed. Call it after each run of the sweep.
+    void upload(const SunSweep& sweep);
     void bind() const;
 
   private:
-    ProgramName program_;
     sim::Grid grid_;
     Texture ceiling_texture_;
+    bool is_new_ = false;  // the texture
 };
 
 }  // namespace render

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "assets/shaders/slots.glsl"
@@ -16,7 +17,12 @@ namespace {
 // As in spindrift.vert.
 constexpr double kFine = 44, kCoarse = 97, kGust = 430;  // m along the wind, after which its patterns repeat
 constexpr double kFastest = 1.25;  // speed of the fine pattern, of that of the coarse one
-constexpr float kRoom = 110;       // m beside a place that its ribbon may cover
+constexpr float kAside = 18;  // m beside its line that a ribbon may cover
+
+// The greatest length of a ribbon, m.
+float longest(const Wind& wind) {
+    return 1.76f * (28 + 4.5f * static_cast<float>(wind.speed));
+}
 
 float share(double x) {
     return static_cast<float>(x - std::floor(x));
@@ -48,11 +54,12 @@ tl::expected<SpindriftPass, std::string> SpindriftPass::create(const std::filesy
         glVertexArrayAttribBinding(array, location, 0);
     }
     pass.drawn_.reserve(Ridges::kMost);
+    pass.seen_.reserve(Ridges::kMost);
     return pass;
 }
 
 bool SpindriftPass::find(const Surroundings& around, const Wind& wind, double seconds,
-                         const FrameBlock& frame) {
+                         const FrameBlock& frame, const OnScreen& screen) {
     const bool is_new = known_ != around.fingerprint() || known_wind_ != wind;
     if (is_new) {
         known_ = around.fingerprint();
@@ -64,16 +71,19 @@ bool SpindriftPass::find(const Surroundings& around, const Wind& wind, double se
         ridges_.light(around, glm::vec3(frame.sun));
     }
     drawn_.clear();
+    seen_.clear();
+    const glm::vec2 along = glm::normalize(velocity(wind));
+    const glm::vec3 line(longest(wind) * along, 0.02f * longest(wind));
     for (const SpindriftPlace& place : ridges_.places()) {
-        const glm::vec4 clip = frame.clip_from_world * glm::vec4(place.at, 1);
-        const float wide = clip.w + kRoom / glm::length(glm::vec3(frame.ray_right)),
-                    high = clip.w + kRoom / glm::length(glm::vec3(frame.ray_up));
-        if (clip.w > -kRoom && std::abs(clip.x) < wide && std::abs(clip.y) < high) drawn_.push_back(place);
+        const glm::vec3 end = place.at + line;
+        const Rectangle seen = screen.box(glm::min(place.at, end) - kAside, glm::max(place.at, end) + kAside);
+        if (seen.empty()) continue;
+        drawn_.push_back(place);
+        seen_.push_back(seen);
     }
     if (drawn_.empty()) return false;
     glNamedBufferSubData(instances_.name(), 0, static_cast<GLsizeiptr>(drawn_.size() * sizeof drawn_[0]),
                          drawn_.data());
-    const glm::vec2 along = glm::normalize(velocity(wind));
     const double gone = seconds * wind.speed;  // m
     wind_ = {along, static_cast<float>(wind.speed), 0};
     phase_ = {share(gone * kFastest / kFine), share(gone / kCoarse), share(0.5 * gone / kGust), 0};

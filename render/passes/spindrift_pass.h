@@ -2,14 +2,16 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <vector>
 
 #include <glm/vec4.hpp>
 #include <tl/expected.hpp>
 
 #include "render/frame_block.h"
 #include "render/gl_handle.h"
-#include "render/look.h"
+#include "render/on_screen.h"
 #include "render/spindrift.h"
 #include "render/wind.h"
 
@@ -21,7 +23,10 @@ class SpindriftPass {
     static tl::expected<SpindriftPass, std::string> create(const std::filesystem::path& shaders);
 
     // Finds what is in view at a time of the world, s. Returns false if that is nothing; then do not draw.
-    bool find(const Surroundings& around, const Wind& wind, double seconds, const FrameBlock& frame);
+    bool find(const Surroundings& around, const Wind& wind, double seconds, const FrameBlock& frame,
+              const OnScreen& screen);
+    // The parts of the frame where it may be seen. They overlap.
+    std::span<const Rectangle> seen() const { return seen_; }
     // Over the bound frame. Reads SLOT_SCENE_DEPTH and SLOT_DETAIL.
     void draw() const;
 
@@ -34,6 +39,7 @@ class SpindriftPass {
     glm::vec4 known_sun_{0};
     Ridges ridges_;
     std::vector<SpindriftPlace> drawn_;
+    std::vector<Rectangle> seen_;
     glm::vec4 wind_{0}, phase_{0};
 };
 

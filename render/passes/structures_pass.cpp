@@ -1,11 +1,16 @@
 #include "render/passes/structures_pass.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 #include "assets/shaders/slots.glsl"
-#include "render/passes/scoped_state.h"
+#include "render/passes/scissor.h"
 #include "render/program.h"
 #include "render/ramp.h"
 
@@ -15,6 +20,22 @@ namespace {
 // 1 if a material of this colour is snow.
 float snowy(const glm::vec3& standing) {
     return ramp(0.55f, 0.75f, standing.g);
+}
+
+// How far the surface within a part of the ground has risen or sunk since tick 0 at most, or lies beside it; m.
+float largest_rise(const FrameInput& input, const WhatChanged& changed, glm::vec2 low, glm::vec2 high) {
+    const sim::View& world = input.world;
+    const glm::vec2 last(world.grid.nx - 1, world.grid.ny - 1);
+    const glm::ivec2 from(glm::clamp(glm::floor(low / world.grid.dx), glm::vec2(0), last)),
+        to(glm::clamp(glm::ceil(high / world.grid.dx), glm::vec2(0), last));
+    float most = 0;
+    for (int y = from.y; y <= to.y; ++y)
+        for (int x = from.x; x <= to.x; ++x) {
+            const float first = input.first_depth.empty() ? 0 : input.first_depth[static_cast<std::size_t>(y) * static_cast<std::size_t>(world.grid.nx) + static_cast<std::size_t>(x)];
+            const glm::vec2 heights = changed.heights_between({x, y}, {x, y}) - world.bedrock(x, y) - first;
+            most = std::max({most, std::abs(heights.x), std::abs(heights.y)});
+        }
+    return most;
 }
 
 }  // namespace
@@ -58,43 +79,28 @@ tl::expected<StructuresPass, std::string> StructuresPass::create(const std::file
     return pass;
 }
 
-bool StructuresPass::find(const FrameInput& input, const FrameBlock& frame, bool new_terrain) {
-    if (!input.structures || input.structures->empty()) return false;
+bool StructuresPass::build(const FrameInput& input, const FrameBlock& frame, bool new_terrain) {
+    if (!input.structures || input.structures->empty()) {
+        const bool were_some = !parts_.empty();
+        parts_.clear();
+        shadow_vertices_.clear();
+        ropes_.count = 0;
+        known_ = {};
+        return were_some;
+    }
     const glm::vec2 snow(snowy(input.look.standing), snowy(input.look.lower_standing));
     const std::uint64_t around = input.surroundings ? input.surroundings->fingerprint() : 0;
-    if (new_terrain || around != known_around_ || snow != known_snowy_ || frame.sun != known_sun_ ||
-        *input.structures != known_) {
-        known_ = *input.structures;
-        known_sun_ = frame.sun;
-        known_snowy_ = snow;
-        known_around_ = around;
-        const std::span<const glm::vec2> cover =
-            input.surroundings ? input.surroundings->cover() : std::span<const glm::vec2>();
-        send(structure_mesh(known_, {input.world, input.first_depth, cover, snow}, glm::vec3(frame.sun)));
-    }
-    find_parts_in_view(frame);
-    return !firsts_.empty();
-}
-
-void StructuresPass::find_parts_in_view(const FrameBlock& frame) {
-    constexpr float kDetails = 0.9f;  // m; where a sample is larger, a part is drawn without them
-    const glm::vec3 eye(frame.eye);
-    const float wide = glm::length(glm::vec3(frame.ray_right)), high = glm::length(glm::vec3(frame.ray_up));
-    firsts_.clear();
-    counts_.clear();
-    for (const StructurePart& part : parts_) {
-        const glm::vec4 clip = frame.clip_from_world * glm::vec4(part.middle, 1);
-        // A ball reaches beyond the image's edge by more than its radius where that is seen at an angle.
-        const float right = part.radius * std::sqrt(1 + 1 / (wide * wide)),
-                    up = part.radius * std::sqrt(1 + 1 / (high * high));
-        if (clip.w < -part.radius || std::abs(clip.x) > clip.w + right || std::abs(clip.y) > clip.w + up)
-            continue;
-        const bool far = glm::distance(part.middle, eye) * frame.material.y > kDetails;
-        const StructurePart::Range& range = far ? part.far : part.near;
-        if (range.count == 0) continue;
-        firsts_.push_back(static_cast<GLint>(range.first));
-        counts_.push_back(static_cast<GLsizei>(range.count));
-    }
+    if (!new_terrain && around == known_around_ && snow == known_snowy_ && frame.sun == known_sun_ &&
+        *input.structures == known_)
+        return false;
+    known_ = *input.structures;
+    known_sun_ = frame.sun;
+    known_snowy_ = snow;
+    known_around_ = around;
+    const std::span<const glm::vec2> cover =
+        input.surroundings ? input.surroundings->cover() : std::span<const glm::vec2>();
+    send(structure_mesh(known_, {input.world, input.first_depth, cover, snow}, glm::vec3(frame.sun)));
+    return true;
 }
 
 void StructuresPass::send(const StructureMesh& mesh) {
@@ -104,23 +110,107 @@ void StructuresPass::send(const StructureMesh& mesh) {
                           vertices.data(), GL_DYNAMIC_DRAW);
     };
     fill(faces_, mesh.faces);
-    parts_ = mesh.parts;
-    firsts_.reserve(parts_.size());
-    counts_.reserve(parts_.size());
     fill(ropes_, mesh.ropes);
     fill(shadows_, mesh.shadows);
+    parts_ = mesh.parts;
+    shadow_vertices_ = mesh.shadows;
+    ropes_lowest_ = glm::vec3(std::numeric_limits<float>::max());
+    ropes_highest_ = glm::vec3(std::numeric_limits<float>::lowest());
+    for (const RopeVertex& v : mesh.ropes) {
+        ropes_lowest_ = glm::min(ropes_lowest_, glm::vec3(v.at) - v.along.w);
+        ropes_highest_ = glm::max(ropes_highest_, glm::vec3(v.at) + v.along.w);
+    }
+    in_view_.reserve(parts_.size());
+    seen_.reserve(parts_.size());
+    ranges_.reserve(parts_.size());
+    firsts_.reserve(parts_.size());
+    counts_.reserve(parts_.size());
 }
 
-void StructuresPass::draw() const {
-    const Enabled depth_test(GL_DEPTH_TEST);
-    const auto draw = [](const ProgramName& program, const Vertices& vertices) {
-        glUseProgram(program.name());
-        glBindVertexArray(vertices.array.name());
-        glDrawArrays(GL_TRIANGLES, 0, vertices.count);
-    };
+void StructuresPass::find(const FrameInput& input, const FrameBlock& frame, const WhatChanged& changed,
+                          const OnScreen& screen, bool everything, ScreenTiles& tiles) {
+    if (parts_.empty()) {
+        in_view_.clear();
+        return;
+    }
+    if (everything || !changed.moved().empty()) find_parts_in_view(input, frame, changed, screen);
+    if (everything) return;
+    for (std::size_t i = 0; i < in_view_.size(); ++i) {
+        const glm::vec2 middle(in_view_[i]->middle);
+        if (changed.is_near(middle - in_view_[i]->radius, middle + in_view_[i]->radius)) tiles.mark(seen_[i]);
+    }
+    for (std::size_t i = 0; i + 2 < shadow_vertices_.size(); i += 3) {
+        const glm::vec2 foot(shadow_vertices_[i].foot);
+        bool near = changed.is_near(foot, foot);
+        for (std::size_t k = i; k < i + 3; ++k)
+            near |= changed.is_near(glm::vec2(shadow_vertices_[k].at), glm::vec2(shadow_vertices_[k].at));
+        if (near) tiles.mark(shadow_box(i, changed, screen));
+    }
+}
+
+// Where a triangle of a shadow appears: it lies on the ground at its corners.
+Rectangle StructuresPass::shadow_box(std::size_t first, const WhatChanged& changed, const OnScreen& screen) const {
+    constexpr float kAbove = 1;  // m; structure_shadow.vert lifts it by half of that
+    glm::vec3 lowest(std::numeric_limits<float>::max()), highest(std::numeric_limits<float>::lowest());
+    for (std::size_t k = first; k < first + 3; ++k) {
+        const glm::vec2 at(shadow_vertices_[k].at), heights = changed.heights_in(at, at);
+        lowest = glm::min(lowest, glm::vec3(at, heights.x));
+        highest = glm::max(highest, glm::vec3(at, heights.y + kAbove));
+    }
+    return screen.box(lowest, highest);
+}
+
+void StructuresPass::find_parts_in_view(const FrameInput& input, const FrameBlock& frame,
+                                        const WhatChanged& changed, const OnScreen& screen) {
+    constexpr float kDetails = 0.9f;  // m; where a sample is larger, a part is drawn without them
+    const glm::vec3 eye(frame.eye);
+    in_view_.clear();
+    seen_.clear();
+    ranges_.clear();
+    for (const StructurePart& part : parts_) {
+        const bool far = glm::distance(part.middle, eye) * frame.material.y > kDetails;
+        const StructurePart::Range& range = far ? part.far : part.near;
+        if (range.count == 0) continue;
+        // What rests on the surface has risen or sunk with it.
+        const glm::vec2 middle(part.middle);
+        const float moved = largest_rise(input, changed, middle - part.radius, middle + part.radius);
+        const Rectangle seen = screen.ball(part.middle, part.radius + moved);
+        if (seen.empty()) continue;
+        in_view_.push_back(&part);
+        seen_.push_back(seen);
+        ranges_.push_back(range);
+    }
+    shadows_seen_ = ropes_seen_ = {};
+    for (std::size_t i = 0; i + 2 < shadow_vertices_.size(); i += 3)
+        shadows_seen_ = around_both(shadows_seen_, shadow_box(i, changed, screen));
+    if (ropes_.count > 0) ropes_seen_ = grown(screen.box(ropes_lowest_, ropes_highest_), 1);  // a pixel wide at least
+}
+
+void StructuresPass::draw(std::span<const Rectangle> parts) {
+    const Enabled depth_test(GL_DEPTH_TEST), scissors(GL_SCISSOR_TEST);
     glUseProgram(faces_program_.name());
     glBindVertexArray(faces_.array.name());
-    glMultiDrawArrays(GL_TRIANGLES, firsts_.data(), counts_.data(), static_cast<GLsizei>(firsts_.size()));
+    for (const Rectangle& part : parts) {
+        firsts_.clear();
+        counts_.clear();
+        for (std::size_t i = 0; i < seen_.size(); ++i)
+            if (part.meets(seen_[i])) {
+                firsts_.push_back(static_cast<GLint>(ranges_[i].first));
+                counts_.push_back(static_cast<GLsizei>(ranges_[i].count));
+            }
+        if (firsts_.empty()) continue;
+        scissor(part);
+        glMultiDrawArrays(GL_TRIANGLES, firsts_.data(), counts_.data(), static_cast<GLsizei>(firsts_.size()));
+    }
+    const auto draw = [&](const ProgramName& program, const Vertices& vertices, const Rectangle& seen) {
+        glUseProgram(program.name());
+        glBindVertexArray(vertices.array.name());
+        for (const Rectangle& part : parts) {
+            if (!part.meets(seen)) continue;
+            scissor(part);
+            glDrawArrays(GL_TRIANGLES, 0, vertices.count);
+        }
+    };
     const Enabled blend(GL_BLEND);
     glDepthMask(GL_FALSE);
     {
@@ -128,11 +218,11 @@ void StructuresPass::draw() const {
         const Enabled offset(GL_POLYGON_OFFSET_FILL);
         glPolygonOffset(2, 256);
         glBlendFunc(GL_ZERO, GL_SRC_COLOR);
-        draw(shadows_program_, shadows_);
+        draw(shadows_program_, shadows_, shadows_seen_);
         glPolygonOffset(0, 0);
     }
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    draw(ropes_program_, ropes_);
+    draw(ropes_program_, ropes_, ropes_seen_);
     glBlendFunc(GL_ONE, GL_ZERO);
     glDepthMask(GL_TRUE);
 }

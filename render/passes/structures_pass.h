@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "render/frame_block.h"
 #include "render/gl_handle.h"
 #include "render/structure_mesh.h"
+#include "render/what_changed.h"
 
 namespace render {
 
@@ -17,15 +19,23 @@ class StructuresPass {
   public:
     static tl::expected<StructuresPass, std::string> create(const std::filesystem::path& shaders);
 
-    // Makes the mesh anew if anything that it depends on has changed: a few milliseconds. Returns false if nothing
-    // is to be drawn. `new_terrain`: this frame's terrain is not that of the last one.
-    bool find(const FrameInput& input, const FrameBlock& frame, bool new_terrain);
-    // Draws colour and depth over what is drawn.
-    void draw() const;
+    // Makes the mesh anew if anything that it depends on has changed: a few milliseconds. Returns true if it did, or if
+    // there were structures in the last frame and are none now. `new_terrain`: this frame's terrain is not that of the
+    // last one.
+    bool build(const FrameInput& input, const FrameBlock& frame, bool new_terrain);
+    // Finds what a camera sees and, if only the world changed, marks what stands on ground that moved, or in another
+    // light.
+    void find(const FrameInput& input, const FrameBlock& frame, const WhatChanged& changed, const OnScreen& screen,
+              bool everything, ScreenTiles& tiles);
+    bool any() const { return !in_view_.empty(); }
+    // Draws colour and depth over what is drawn, in parts of the frame.
+    void draw(std::span<const Rectangle> parts);
 
   private:
     void send(const StructureMesh& mesh);
-    void find_parts_in_view(const FrameBlock& frame);
+    void find_parts_in_view(const FrameInput& input, const FrameBlock& frame, const WhatChanged& changed,
+                            const OnScreen& screen);
+    Rectangle shadow_box(std::size_t first, const WhatChanged& changed, const OnScreen& screen) const;
 
     // Vertices of one kind, as they lie on the GPU.
     struct Vertices {
@@ -37,8 +47,15 @@ class StructuresPass {
     ProgramName faces_program_, ropes_program_, shadows_program_;
     Vertices faces_, ropes_, shadows_;
     std::vector<StructurePart> parts_;
-    std::vector<GLint> firsts_;  // of the parts that this frame shows, in faces_
+    // Of the parts that this frame shows: where, and in which vertices of faces_; of those in one part of it.
+    std::vector<const StructurePart*> in_view_;
+    std::vector<Rectangle> seen_;
+    std::vector<StructurePart::Range> ranges_;
+    std::vector<GLint> firsts_;
     std::vector<GLsizei> counts_;
+    std::vector<StructureShadowVertex> shadow_vertices_;
+    glm::vec3 ropes_lowest_{0}, ropes_highest_{0};
+    Rectangle shadows_seen_, ropes_seen_;
     Structures known_;  // of the mesh
     glm::vec4 known_sun_{0};
     glm::vec2 known_snowy_{0};

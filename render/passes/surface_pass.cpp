@@ -1,5 +1,7 @@
 #include "render/passes/surface_pass.h"
 
+#include <algorithm>
+
 #include "assets/shaders/slots.glsl"
 #include "render/program.h"
 
@@ -28,6 +30,7 @@ tl::expected<SurfacePass, std::string> SurfacePass::create(const std::filesystem
 void SurfacePass::resize(const sim::Grid& grid) {
     if (grid == grid_) return;
     grid_ = grid;
+    groups_ = make_storage(sizeof(std::int32_t) * groups(grid.nx) * groups(grid.ny));
     relief_texture_ = make_texture(GL_RGBA32F, grid.nx, grid.ny, GL_LINEAR);
     layers_texture_ = make_texture(GL_RGBA8, grid.nx, grid.ny, GL_LINEAR);
     measure_texture_ = make_texture(GL_RG32F, grid.nx, grid.ny, GL_LINEAR);
@@ -41,13 +44,20 @@ void SurfacePass::survey_terrain() const {
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-void SurfacePass::run() const {
+void SurfacePass::run(std::span<const std::int32_t> list) const {
+    if (list.empty()) return;
+    glNamedBufferSubData(groups_.name(), 0, static_cast<GLsizeiptr>(list.size_bytes()), list.data());
+    // The listed part, so that the shader can read its length.
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, SLOT_SURFACE_GROUPS, groups_.name(), 0,
+                      static_cast<GLsizeiptr>(list.size_bytes()));
     glUseProgram(surface_.name());
     glBindTextureUnit(SLOT_OPENNESS, openness_texture_.name());
     glBindImageTexture(IMAGE_RELIEF, relief_texture_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
     glBindImageTexture(IMAGE_LAYERS, layers_texture_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
     glBindImageTexture(IMAGE_MEASURE, measure_texture_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32F);
-    glDispatchCompute(groups(grid_.nx), groups(grid_.ny), 1);
+    constexpr std::size_t kMostAcross = 65535;  // of groups, in any OpenGL
+    glDispatchCompute(static_cast<GLuint>(std::min(list.size(), kMostAcross)),
+                      static_cast<GLuint>((list.size() + kMostAcross - 1) / kMostAcross), 1);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 

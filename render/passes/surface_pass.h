@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include <tl/expected.hpp>
@@ -18,12 +20,14 @@ class SurfacePass {
 
     void resize(const sim::Grid& grid);
     void survey_terrain() const;  // openness; the fields must be bound
-    void run() const;             // relief, layers and measure; the fields must be bound
+    // Relief, layers and measure of some groups of GROUP_SQUARE² vertices: x + 65536 y. The fields must be bound.
+    void run(std::span<const std::int32_t> groups) const;
     void bind() const;
 
   private:
     ProgramName surface_, openness_;
     sim::Grid grid_;
+    Buffer groups_;
     Texture relief_texture_, layers_texture_, measure_texture_, openness_texture_;
 };
 

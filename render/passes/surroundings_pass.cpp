@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <limits>
 #include <string_view>
 #include <utility>
 
+#include <glm/common.hpp>
+
 #include "assets/shaders/slots.glsl"
-#include "render/passes/scoped_state.h"
+#include "render/passes/scissor.h"
 #include "render/program.h"
 
 namespace render {
@@ -82,9 +85,13 @@ void SurroundingsPass::survey(const Surroundings& around, const FrameBlock& fram
         glTextureSubImage2D(heights_.name(), 0, 0, 0, Surroundings::kRough, Surroundings::kRough, GL_RED,
                             GL_FLOAT, around.rough_heights().data());
         cover_ = make_cover_texture(around);
+        find_seams(static_cast<float>(around.cell()));
         counts_.reserve(mesh_.patches.size());
         firsts_.reserve(mesh_.patches.size());
         visible_.reserve(mesh_.patches.size());
+        seen_.reserve(mesh_.patches.size());
+        lowest_.reserve(mesh_.patches.size());
+        highest_.reserve(mesh_.patches.size());
     }
     if (is_new || known_sun_ != frame.sun) {
         known_sun_ = frame.sun;
@@ -99,21 +106,89 @@ void SurroundingsPass::bind() const {
     glBindTextureUnit(SLOT_FIRST_COVER, cover_.name());
 }
 
-void SurroundingsPass::draw(const FrameBlock& frame) {
-    visible_patches(mesh_.patches, frame.clip_from_world, glm::vec3(frame.eye), visible_);
-    counts_.clear();
-    firsts_.clear();
-    for (const SurroundingsPatch* patch : visible_) {
-        counts_.push_back(static_cast<GLsizei>(patch->count));
-        // OpenGL takes an offset into the buffer as a pointer.
-        const std::uintptr_t offset = patch->first * sizeof(std::uint32_t);
-        firsts_.push_back(reinterpret_cast<const void*>(offset));  // NOLINT(performance-no-int-to-ptr)
+void SurroundingsPass::find_seams(float cell) {
+    seams_.clear();
+    for (std::size_t p = 0; p < mesh_.patches.size(); ++p) {
+        const SurroundingsPatch& patch = mesh_.patches[p];
+        for (std::uint32_t i = patch.first; i < patch.first + patch.count; i += 3) {
+            Seam seam{{}, 0, glm::vec3(std::numeric_limits<float>::max()),
+                      glm::vec3(std::numeric_limits<float>::lowest()), p};
+            for (std::uint32_t k = i; k < i + 3; ++k) {
+                const SurroundingsVertex& v = mesh_.vertices[mesh_.indices[k]];
+                if (v.on_grid > 0.5f) {
+                    seam.on_grid[static_cast<std::size_t>(seam.corners++)] =
+                        glm::ivec2(glm::round(glm::vec2(v.at) / cell));
+                } else {
+                    seam.lowest = glm::min(seam.lowest, v.at);
+                    seam.highest = glm::max(seam.highest, v.at);
+                }
+            }
+            if (seam.corners > 0) seams_.push_back(seam);
+        }
     }
-    const Enabled depth_test(GL_DEPTH_TEST), cull_face(GL_CULL_FACE);
+}
+
+void SurroundingsPass::find(const FrameBlock& frame, const WhatChanged& changed, const OnScreen& screen,
+                            bool everything, ScreenTiles& tiles) {
+    if (everything)
+        visible_patches(mesh_.patches, frame.clip_from_world, glm::vec3(frame.eye), visible_);
+    if (everything || !changed.moved().empty()) find_parts(changed, screen);
+    if (everything) return;
+    const float dx = changed.grid().dx;
+    for (const Seam& seam : seams_) {
+        glm::vec3 lowest = seam.lowest, highest = seam.highest;
+        bool near = false;
+        for (int k = 0; k < seam.corners; ++k) {
+            const glm::ivec2 v = seam.on_grid[static_cast<std::size_t>(k)];
+            const glm::vec2 at = dx * glm::vec2(v), heights = changed.heights_between(v, v);
+            near |= changed.is_near(at, at);
+            lowest = glm::min(lowest, glm::vec3(at, heights.x));
+            highest = glm::max(highest, glm::vec3(at, heights.y));
+        }
+        if (near) tiles.mark(screen.box(lowest, highest));
+    }
+}
+
+// Finds where each patch appears.
+void SurroundingsPass::find_parts(const WhatChanged& changed, const OnScreen& screen) {
+    lowest_.clear();
+    highest_.clear();
+    for (const SurroundingsPatch& patch : mesh_.patches) {
+        lowest_.push_back(patch.lowest);
+        highest_.push_back(patch.highest);
+    }
+    for (const Seam& seam : seams_)
+        for (int k = 0; k < seam.corners; ++k) {
+            const glm::ivec2 v = seam.on_grid[static_cast<std::size_t>(k)];
+            const glm::vec2 heights = changed.heights_between(v, v);
+            lowest_[seam.patch].z = std::min(lowest_[seam.patch].z, heights.x);
+            highest_[seam.patch].z = std::max(highest_[seam.patch].z, heights.y);
+        }
+    seen_.clear();
+    for (const SurroundingsPatch* patch : visible_) {
+        const auto i = static_cast<std::size_t>(patch - mesh_.patches.data());
+        seen_.push_back(screen.box(lowest_[i], highest_[i]));
+    }
+}
+
+void SurroundingsPass::draw(const FrameBlock& frame, std::span<const Rectangle> parts) {
+    const Enabled depth_test(GL_DEPTH_TEST), cull_face(GL_CULL_FACE), scissors(GL_SCISSOR_TEST);
     glUseProgram((frame.lower_standing.w > 0 ? two_materials_ : one_material_).name());
     glBindVertexArray(vertex_array_.name());
-    glMultiDrawElements(GL_TRIANGLES, counts_.data(), GL_UNSIGNED_INT, firsts_.data(),
-                        static_cast<GLsizei>(counts_.size()));
+    for (const Rectangle& part : parts) {
+        counts_.clear();
+        firsts_.clear();
+        for (std::size_t i = 0; i < visible_.size(); ++i) {
+            if (!part.meets(seen_[i])) continue;
+            counts_.push_back(static_cast<GLsizei>(visible_[i]->count));
+            // OpenGL takes an offset into the buffer as a pointer.
+            const std::uintptr_t offset = visible_[i]->first * sizeof(std::uint32_t);
+            firsts_.push_back(reinterpret_cast<const void*>(offset));  // NOLINT(performance-no-int-to-ptr)
+        }
+        scissor(part);
+        glMultiDrawElements(GL_TRIANGLES, counts_.data(), GL_UNSIGNED_INT, firsts_.data(),
+                            static_cast<GLsizei>(counts_.size()));
+    }
 }
 
 }  // namespace render

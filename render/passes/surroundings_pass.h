@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,7 @@
 #include "render/gl_handle.h"
 #include "render/surroundings.h"
 #include "render/surroundings_mesh.h"
+#include "render/what_changed.h"
 
 namespace render {
 
@@ -23,11 +26,25 @@ class SurroundingsPass {
     // and a few hundredths. Does nothing if both are known.
     void survey(const Surroundings& around, const FrameBlock& frame);
     void bind() const;  // SLOT_SURROUNDINGS: the rough heights; SLOT_FIRST_COVER
-    // Draws colour and depth, where nothing nearer was drawn. Reads SLOT_RELIEF, SLOT_LAYERS, SLOT_MIXTURE,
-    // SLOT_DETAIL, SLOT_FIRST_COVER.
-    void draw(const FrameBlock& frame);
+    // Finds what a camera sees and, if only the world changed, marks where the seam looks different: triangles with
+    // corners on the grid.
+    void find(const FrameBlock& frame, const WhatChanged& changed, const OnScreen& screen, bool everything,
+              ScreenTiles& tiles);
+    // Draws colour and depth in parts of the frame, where nothing nearer was drawn. Reads SLOT_RELIEF, SLOT_LAYERS,
+    // SLOT_MIXTURE, SLOT_DETAIL, SLOT_FIRST_COVER.
+    void draw(const FrameBlock& frame, std::span<const Rectangle> parts);
 
   private:
+    // A triangle with corners on the grid, whose heights are those of the world.
+    struct Seam {
+        std::array<glm::ivec2, 3> on_grid;
+        int corners;                            // that are on the grid
+        glm::vec3 lowest, highest;              // around the others, m; if there are none, lowest is higher
+        std::size_t patch;
+    };
+    void find_seams(float cell);
+    void find_parts(const WhatChanged& changed, const OnScreen& screen);
+
     // Variants, because shader code costs time even if its branch is not taken.
     ProgramName one_material_, two_materials_;
     std::uint64_t known_ = 0;  // fingerprint
@@ -39,6 +56,9 @@ class SurroundingsPass {
     Texture heights_, cover_;
     // Of one frame; kept so that a frame allocates nothing.
     std::vector<const SurroundingsPatch*> visible_;
+    std::vector<Rectangle> seen_;  // of each of these
+    std::vector<Seam> seams_;
+    std::vector<glm::vec3> lowest_, highest_;  // of each patch, with the grid's heights now
     std::vector<GLsizei> counts_;
     std::vector<const void*> firsts_;
 };

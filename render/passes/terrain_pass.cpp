@@ -1,11 +1,12 @@
 #include "render/passes/terrain_pass.h"
 
+#include <algorithm>
 #include <initializer_list>
 #include <utility>
 
 #include "assets/shaders/slots.glsl"
 #include "render/detail.h"
-#include "render/passes/scoped_state.h"
+#include "render/passes/scissor.h"
 #include "render/program.h"
 
 namespace render {
@@ -103,37 +104,98 @@ void TerrainPass::Indexed::draw() const {
 void TerrainPass::send_mesh(const GroundMesh& mesh) {
     surface_.send(mesh.surface);
     walls_.send(mesh.walls);
+    blocks_ = mesh.blocks;
+    along_x_ = along_y_ = 0;
+    for (const GroundMesh::Block& block : blocks_) {
+        along_x_ = std::max(along_x_, block.lowest.x / GroundMesh::kBlock + 1);
+        along_y_ = std::max(along_y_, block.lowest.y / GroundMesh::kBlock + 1);
+    }
+    at_.assign(static_cast<std::size_t>(along_x_) * static_cast<std::size_t>(along_y_), -1);
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        const glm::ivec2 place = blocks_[i].lowest / GroundMesh::kBlock;
+        at_[static_cast<std::size_t>(place.y * along_x_ + place.x)] = static_cast<int>(i);
+    }
+    seen_.assign(blocks_.size(), {});
+    rises_.assign(blocks_.size(), 0);
+    counts_.reserve(blocks_.size());
+    firsts_.reserve(blocks_.size());
 }
 
-void TerrainPass::draw_depth() const {
-    const Enabled depth_test(GL_DEPTH_TEST), cull_face(GL_CULL_FACE);
+void TerrainPass::find(const WhatChanged& changed, const OnScreen& screen, bool everything) {
+    std::fill(rises_.begin(), rises_.end(), static_cast<std::uint8_t>(everything));
+    if (!everything)
+        for (const glm::ivec2 v : changed.moved())
+            // A vertex on a border belongs to the blocks on both sides.
+            for (int y = std::max(v.y - 1, 0) / GroundMesh::kBlock;
+                 y <= std::min(v.y / GroundMesh::kBlock, along_y_ - 1); ++y)
+                for (int x = std::max(v.x - 1, 0) / GroundMesh::kBlock;
+                     x <= std::min(v.x / GroundMesh::kBlock, along_x_ - 1); ++x)
+                    if (const int block = at_[static_cast<std::size_t>(y * along_x_ + x)]; block >= 0)
+                        rises_[static_cast<std::size_t>(block)] = 1;
+    const float dx = changed.grid().dx;
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        if (rises_[i] == 0) continue;
+        const glm::vec2 low(blocks_[i].lowest), high(blocks_[i].highest);
+        const glm::vec2 heights = changed.heights_between(blocks_[i].lowest, blocks_[i].highest);
+        seen_[i] = screen.box({dx * low, heights.x}, {dx * high, heights.y});
+    }
+}
+
+void TerrainPass::draw_depth(Target::Parts parts) {
+    const Enabled depth_test(GL_DEPTH_TEST), cull_face(GL_CULL_FACE), scissors(GL_SCISSOR_TEST);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glUseProgram(depth_program_.name());
-    surface_.draw();
+    glBindVertexArray(surface_.vertices.name());
+    for (const Rectangle& part : parts) {
+        find_runs(part);
+        scissor(part);
+        glMultiDrawElements(GL_TRIANGLES, counts_.data(), GL_UNSIGNED_INT, firsts_.data(),
+                            static_cast<GLsizei>(counts_.size()));
+    }
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void TerrainPass::shade(const Marks& marks, const SlideTiles& tiles, bool two_materials, int width,
-                        int height) {
+// Finds the runs of blocks that a part of the frame may show.
+void TerrainPass::find_runs(const Rectangle& part) {
+    counts_.clear();
+    firsts_.clear();
+    std::uint32_t end = 0;  // of the last run
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        if (!part.meets(seen_[i])) continue;
+        const GroundMesh::Block& block = blocks_[i];
+        if (counts_.empty() || end != block.first) {
+            counts_.push_back(0);
+            // OpenGL takes an offset into the buffer as a pointer.
+            const std::uintptr_t offset = block.first * sizeof(std::uint32_t);
+            firsts_.push_back(reinterpret_cast<const void*>(offset));  // NOLINT(performance-no-int-to-ptr)
+        }
+        counts_.back() += static_cast<GLsizei>(block.count);
+        end = block.first + block.count;
+    }
+}
+
+void TerrainPass::shade(const Marks& marks, const SlideTiles& tiles, bool two_materials, const Target& target,
+                        Target::Parts parts) {
     glBindTextureUnit(SLOT_DETAIL, detail_texture_.name());
     const bool lines = marks.contours || marks.ring;
     const Shadings& shadings = two_materials ? two_materials_ : one_material_;
     const Shading& shading = marks.overlay != Overlay::kNone ? shadings.overlaid
                              : lines                         ? shadings.marked
                                                              : shadings.plain;
-    with_walls_.send(tiles.with_walls(), width, height);
-    with_slides_.send(tiles.with_slides(), width, height);
-    without_.send(tiles.without(), width, height);
-    shading.with_walls.draw_on(with_walls_);
-    shading.with_slides.draw_on(with_slides_);
-    shading.without.draw_on(without_);
+    const int across = target.samples_across(), up = target.samples_up();
+    with_walls_.send(tiles.with_walls(), across, up);
+    with_slides_.send(tiles.with_slides(), across, up);
+    without_.send(tiles.without(), across, up);
+    shading.with_walls.draw_on(with_walls_, parts);
+    shading.with_slides.draw_on(with_slides_, parts);
+    shading.without.draw_on(without_, parts);
 }
 
-void TerrainPass::draw_walls() const {
+void TerrainPass::draw_walls(Target::Parts parts) const {
     const Enabled depth_test(GL_DEPTH_TEST), cull_face(GL_CULL_FACE);
     glBindTextureUnit(SLOT_DETAIL, detail_texture_.name());
     glUseProgram(wall_program_.name());
-    walls_.draw();
+    within(parts, [&] { walls_.draw(); });
 }
 
 }  // namespace render

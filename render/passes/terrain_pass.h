@@ -10,7 +10,11 @@
 #include "render/gl_handle.h"
 #include "render/ground_mesh.h"
 #include "render/marks.h"
+#include "render/on_screen.h"
 #include "render/passes/rectangle_pass.h"
+#include "render/slide_tiles.h"
+#include "render/target.h"
+#include "render/what_changed.h"
 
 namespace render {
 
@@ -22,12 +26,18 @@ class TerrainPass {
     static tl::expected<TerrainPass, std::string> create(const std::filesystem::path& shaders);
 
     void send_mesh(const GroundMesh& mesh);
-    void draw_depth() const;  // reads SLOT_RELIEF
+    // Finds where blocks of the ground appear. `everything`: of another camera; else those that rose or sank.
+    void find(const WhatChanged& changed, const OnScreen& screen, bool everything);
+    // The following draw parts of `target`.
+    void draw_depth(Target::Parts parts);  // reads SLOT_RELIEF
     // Reads SLOT_SCENE_DEPTH, SLOT_RELIEF, SLOT_LAYERS, SLOT_MEASURE, SLOT_SUN_CEILING, SLOT_DETAIL.
-    void shade(const Marks& marks, const SlideTiles& tiles, bool two_materials, int width, int height);
-    void draw_walls() const;  // reads SLOT_RELIEF, SLOT_SITE, SLOT_SUN_CEILING, SLOT_DETAIL
+    void shade(const Marks& marks, const SlideTiles& tiles, bool two_materials, const Target& target,
+               Target::Parts parts);
+    void draw_walls(Target::Parts parts) const;  // reads SLOT_RELIEF, SLOT_SITE, SLOT_SUN_CEILING, SLOT_DETAIL
 
   private:
+    void find_runs(const Rectangle& part);
+
     // Indexed triangles without attributes: heights come from textures, positions from the index.
     struct Indexed {
         VertexArray vertices;
@@ -50,6 +60,13 @@ class TerrainPass {
     Rectangles with_walls_, with_slides_, without_;
     Indexed surface_, walls_;
     Texture detail_texture_;
+    std::vector<GroundMesh::Block> blocks_;
+    std::vector<Rectangle> seen_;                       // where each block appears
+    std::vector<int> at_;                               // number of a block by its place, −1: empty
+    int along_x_ = 0, along_y_ = 0;                     // places of blocks
+    std::vector<std::uint8_t> rises_;                   // per block, of one frame
+    std::vector<GLsizei> counts_;                       // of runs of blocks in one part
+    std::vector<const void*> firsts_;
 };
 
 }  // namespace render

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <string_view>
 #include <utility>
 
 #include "assets/shaders/slots.glsl"
-#include "render/passes/scoped_state.h"
+#include "render/passes/scissor.h"
 #include "render/program.h"
+#include "sim/core/check.h"
 
 namespace render {
 
@@ -31,53 +33,106 @@ tl::expected<TreesPass, std::string> TreesPass::create(const std::filesystem::pa
     return pass;
 }
 
-bool TreesPass::find(const Woods& woods, const Surroundings& around, const sim::View& world,
-                     const FlowSoFar& flow, const FrameBlock& frame) {
+void TreesPass::survey(const Woods& woods, const Surroundings& around, const FrameBlock& frame) {
     const bool is_new = known_ != woods.fingerprint();
     if (is_new) {
         known_ = woods.fingerprint();
         lights_.reserve(woods.trees().size());
         trees_.reserve(woods);
-        instances_ =
-            make_storage(std::max<std::size_t>(woods.trees().size(), 1) * sizeof(DrawnTree), nullptr);
+        seen_.reserve(woods.trees().size());
     }
     if (is_new || known_sun_ != frame.sun) {
         known_sun_ = frame.sun;
         light_trees(woods, around, glm::vec3(frame.sun), lights_);
     }
+}
+
+void TreesPass::find(const Woods& woods, const sim::View& world, const FlowSoFar& flow, const FrameBlock& frame,
+                     const OnScreen& screen, bool everything, ScreenTiles& tiles) {
     trees_.find(woods, lights_, world, flow, frame);
-    if (trees_.drawn().empty()) return false;
-    glNamedBufferSubData(instances_.name(), 0, static_cast<GLsizeiptr>(trees_.drawn().size_bytes()),
-                         trees_.drawn().data());
-    return true;
+    screen_ = screen;
+    if (everything) {
+        seen_.clear();
+        return;
+    }
+    const auto now = trees_.drawn(), before = trees_.before();
+    CHECK(now.size() == before.size());
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        if (std::memcmp(&now[i], &before[i], sizeof(DrawnTree)) == 0) continue;
+        tiles.mark(TreesInView::seen(before[i], screen));
+        tiles.mark(TreesInView::seen(now[i], screen));
+        if (i < seen_.size()) seen_[i] = TreesInView::seen(now[i], screen);
+    }
+}
+
+// Lists the trees of each part in their order, so that they hide each other as in a whole frame.
+void TreesPass::list(std::span<const Rectangle> parts) {
+    const auto trees = trees_.drawn();
+    const bool all = parts.size() == 1 && parts[0] == screen_.all();
+    if (!all && seen_.size() != trees.size()) {
+        seen_.clear();
+        for (const DrawnTree& tree : trees) seen_.push_back(TreesInView::seen(tree, screen_));
+    }
+    listed_.clear();
+    parts_.clear();
+    for (const Rectangle& part : parts) {
+        Part& listed = parts_.emplace_back(Part{part, listed_.size(), 0, 0, 0, 0});
+        for (std::size_t i = 0; i < trees.size(); ++i) {
+            if (!all && !part.meets(seen_[i])) continue;
+            listed_.push_back(trees[i]);
+            ++listed.all;
+            if (i < trees_.near())
+                ++listed.near;
+            else if (i < trees_.near() + trees_.far())
+                ++listed.far;
+            if (i < trees_.with_shadow()) ++listed.with_shadow;
+        }
+    }
+    if (listed_.size() > room_) {
+        room_ = std::max(2 * room_, listed_.size());
+        instances_ = make_storage(room_ * sizeof(DrawnTree), nullptr);
+    }
+    glNamedBufferSubData(instances_.name(), 0, static_cast<GLsizeiptr>(listed_.size() * sizeof(DrawnTree)),
+                         listed_.data());
 }
 
 // Trees are no instances: a software renderer starts anew for each of these. A vertex finds its tree by its
 // number.
-void TreesPass::draw() const {
-    const Enabled depth_test(GL_DEPTH_TEST);
-    const auto all = static_cast<GLsizei>(trees_.drawn().size()), near = static_cast<GLsizei>(trees_.near()),
-               far = static_cast<GLsizei>(trees_.far());
+void TreesPass::draw(std::span<const Rectangle> parts) {
+    if (trees_.drawn().empty()) return;
+    list(parts);
+    if (listed_.empty()) return;
+    const Enabled depth_test(GL_DEPTH_TEST), scissors(GL_SCISSOR_TEST);
     bind_storage(SLOT_TREES, instances_);
     glBindVertexArray(no_vertices_.name());
+    const auto draw = [&](const ProgramName& program, int vertices, auto&& first, auto&& count) {
+        glUseProgram(program.name());
+        for (const Part& part : parts_) {
+            if (count(part) == 0) continue;
+            scissor(part.part);
+            glDrawArrays(GL_TRIANGLES, vertices * static_cast<GLint>(first(part)),
+                         vertices * static_cast<GLsizei>(count(part)));
+        }
+    };
     {
         // A shadow lies on the ground as a triangle, which is a little above it everywhere.
         const Enabled blend(GL_BLEND), offset(GL_POLYGON_OFFSET_FILL);
         glPolygonOffset(2, 256);
         glDepthMask(GL_FALSE);
         glBlendFunc(GL_ZERO, GL_SRC_COLOR);
-        glUseProgram(shadow_.name());
-        glDrawArrays(GL_TRIANGLES, 0, 3 * static_cast<GLsizei>(trees_.with_shadow()));
+        draw(
+            shadow_, 3, [](const Part& p) { return p.first; }, [](const Part& p) { return p.with_shadow; });
         glBlendFunc(GL_ONE, GL_ZERO);
         glDepthMask(GL_TRUE);
         glPolygonOffset(0, 0);
     }
-    glUseProgram(near_.name());
-    glDrawArrays(GL_TRIANGLES, 0, TREE_VERTICES * near);
-    glUseProgram(far_.name());
-    glDrawArrays(GL_TRIANGLES, 3 * near, 3 * far);
-    glUseProgram(plain_.name());
-    glDrawArrays(GL_TRIANGLES, 3 * (near + far), 3 * (all - near - far));
+    draw(
+        near_, TREE_VERTICES, [](const Part& p) { return p.first; }, [](const Part& p) { return p.near; });
+    draw(
+        far_, 3, [](const Part& p) { return p.first + p.near; }, [](const Part& p) { return p.far; });
+    draw(
+        plain_, 3, [](const Part& p) { return p.first + p.near + p.far; },
+        [](const Part& p) { return p.all - p.near - p.far; });
 }
 
 }  // namespace render

@@ -51,8 +51,8 @@ TEST_F(Shaders, are_reported_by_the_wrong_file_among_several) {
 }
 
 TEST_F(Shaders, that_are_missing_are_named) {
-    fs::remove(folder_.path() / "shaders" / "shadow.comp");
-    EXPECT_NE(error().find("shaders/shadow.comp: cannot be read"), std::string::npos) << error();
+    fs::remove(folder_.path() / "shaders" / "surface.comp");
+    EXPECT_NE(error().find("shaders/surface.comp: cannot be read"), std::string::npos) << error();
 }
 
 TEST(HeadlessContext, names_an_unknown_backend) {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "assets/shaders/slots.glsl"
 #include "tests/render/world.h"
 
 namespace render {
@@ -53,13 +54,32 @@ TEST(GroundMesh, leaves_out_the_six_triangles_around_a_vertex_without_data) {
     EXPECT_EQ(std::count(mesh.surface.begin(), mesh.surface.end(), surface_index(2, 2)), 0);
 }
 
-TEST(GroundMesh, draws_no_triangle_twice_on_a_grid_wider_than_a_band) {
+TEST(GroundMesh, draws_no_triangle_twice_on_a_grid_of_many_blocks) {
     const GroundMesh mesh = mesh_of(flat(30));
     std::set<std::vector<std::uint32_t>> triangles;
     for (std::size_t i = 0; i < mesh.surface.size(); i += 3)
         triangles.insert({mesh.surface[i], mesh.surface[i + 1], mesh.surface[i + 2]});
     EXPECT_EQ(triangles.size(), 2u * 30 * 30);
     EXPECT_EQ(mesh.surface.size(), 3u * 2 * 30 * 30);
+}
+
+TEST(GroundMesh, has_each_triangle_in_one_block_whose_corners_hold_it) {
+    test::World world = flat(30);
+    for (int y = 0; y <= 8; ++y)
+        for (int x = 8; x <= 16; ++x) world.site(x, y) = sim::Site::kDrain;
+    const GroundMesh mesh = mesh_of(world);
+    EXPECT_EQ(mesh.blocks.size(), 15u);  // one is empty
+    std::uint32_t next = 0;
+    for (const GroundMesh::Block& block : mesh.blocks) {
+        EXPECT_EQ(block.first, next);
+        next += block.count;
+        for (std::uint32_t i = block.first; i < next; ++i) {
+            const int x = static_cast<int>(mesh.surface[i] & INDEX_X_MASK),
+                      y = static_cast<int>(mesh.surface[i] >> INDEX_Y_SHIFT);
+            EXPECT_TRUE(x >= block.lowest.x && x <= block.highest.x && y >= block.lowest.y && y <= block.highest.y);
+        }
+    }
+    EXPECT_EQ(next, mesh.surface.size());
 }
 
 TEST(GroundMesh, has_one_wall_under_every_edge_where_the_surface_ends) {

@@ -1,0 +1,295 @@
+#include "render/what_changed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "assets/shaders/slots.glsl"
+#include "sim/core/check.h"
+
+namespace render {
+namespace {
+
+// Change of the standing layer, m, below which ground may look untouched: three steps of `layers`, and some room.
+constexpr float kUntouched = 0.016f;
+// Where untouched, one of two materials is drawn as from so many sides of the grid away, as in ground.glsl.
+constexpr double kFarthest = 0.035;
+// m: room for rounding between a height and a ceiling; height of what people build and of its shadow's way.
+constexpr float kRoom = 0.1f, kHighest = 40;
+// Of a ring, as in marks.glsl: half the width of its dot, which is wider than its line, pixels; the longest pixel on the ground, seen at
+// the flattest angle, for one that is seen from above.
+constexpr double kDotWidth = 4.5, kLongestPixel = 1.5 * (1 + 1 / 0.06);
+
+int groups_along(int vertices) {
+    return (vertices + GROUP_SQUARE - 1) / GROUP_SQUARE;
+}
+
+}  // namespace
+
+void WhatChanged::compare(const sim::View& world, std::span<const std::uint8_t> mixture,
+                          std::span<const float> first_depth, std::optional<float> walls_to,
+                          const RedrawRules& rules, bool everything) {
+    rules_ = rules;
+    everything |= grid_ != world.grid || mixture_.size() != mixture.size();
+    if (grid_ != world.grid) resize(world);
+    everything_ = everything;
+    first_depth_ = first_depth;
+    walls_to_ = walls_to;
+    far_reach_ =
+        mixture.empty() ? 0 : 2 + static_cast<int>(std::ceil(kFarthest * std::max(grid_.nx, grid_.ny)));
+    moved_.clear();
+    std::fill(near_.begin(), near_.end(), std::uint8_t{0});
+    std::fill(squares_.begin(), squares_.end(), std::uint8_t{0});
+    std::fill(group_.begin(), group_.end(), static_cast<std::uint8_t>(everything));
+    left_ = bottom_ = std::numeric_limits<int>::max();
+    right_ = top_ = -1;
+    first_row_ = grid_.ny, last_row_ = -1;
+
+    for (int y = 0; y < grid_.ny; ++y) compare_row(world, y, everything);
+    compare_mixture(mixture);
+    collect_groups();
+    if (everything) {
+        height_before_ = height_;
+        for (int y = 0; y < grid_.ny; ++y)
+            for (int x = 0; x < grid_.nx; ++x)
+                walled_[static_cast<std::size_t>(index(x, y))] =
+                    x == 0 || y == 0 || x == grid_.nx - 1 || y == grid_.ny - 1 ||
+                    world.site(x, y) == sim::Site::kDrain;
+    }
+}
+
+void WhatChanged::resize(const sim::View& world) {
+    grid_ = world.grid;
+    for (std::vector<float>& field : field_) field.assign(grid_.size(), 0);
+    for (std::vector<float>* heights : {&height_, &height_before_}) heights->assign(grid_.size(), 0);
+    for (std::vector<std::uint8_t>* each : {&near_, &squares_, &walled_}) each->assign(grid_.size(), 0);
+    moved_.reserve(grid_.size());
+    group_.assign(static_cast<std::size_t>(groups_along(grid_.nx)) *
+                      static_cast<std::size_t>(groups_along(grid_.ny)),
+                  0);
+    groups_.reserve(group_.size());
+}
+
+void WhatChanged::compare_row(const sim::View& world, int y, bool everything) {
+    const std::array<const float*, kFields> now{world.depth.row(y), world.rolling.row(y),
+                                                world.velocity_x.row(y), world.velocity_y.row(y)};
+    const auto start = static_cast<std::size_t>(index(0, y));
+    const std::size_t bytes = sizeof(float) * static_cast<std::size_t>(grid_.nx);
+    bool same = !everything;
+    for (std::size_t k = 0; k < kFields && same; ++k)
+        same = std::memcmp(now[k], &field_[k][start], bytes) == 0;
+    if (same) return;
+    first_row_ = std::min(first_row_, y);
+    last_row_ = y;
+    const float* bedrock = world.bedrock.row(y);
+    for (int x = 0; x < grid_.nx; ++x) {
+        const std::size_t v = start + static_cast<std::size_t>(x);
+        bool differs = everything;
+        for (std::size_t k = 0; k < kFields; ++k)
+            differs |= std::memcmp(now[k] + x, &field_[k][v], sizeof(float)) != 0;
+        if (!differs) continue;
+        const bool was_untouched = far_reach_ > 0 && is_untouched_near(x, y);
+        for (std::size_t k = 0; k < kFields; ++k) field_[k][v] = now[k][x];
+        const float height = bedrock[x] + now[0][x] + now[1][x];
+        if (everything || std::memcmp(&height, &height_[v], sizeof height) != 0)
+            moved_.emplace_back(x, y);
+        height_[v] = height;
+        if (everything) continue;
+        change(x, y);
+        if (far_reach_ > 0 && (was_untouched || is_untouched_near(x, y))) open_around(x, y, far_reach_);
+    }
+}
+
+void WhatChanged::compare_mixture(std::span<const std::uint8_t> mixture) {
+    if (mixture.size() != mixture_.size() || everything_) {
+        mixture_.assign(mixture.begin(), mixture.end());
+        return;
+    }
+    const std::size_t row = 2 * static_cast<std::size_t>(grid_.nx);
+    for (std::size_t begin = 0; begin < mixture.size(); begin += row) {
+        if (std::memcmp(&mixture[begin], &mixture_[begin], row) == 0) continue;
+        const int y = static_cast<int>(begin / row);
+        first_row_ = std::min(first_row_, y);
+        last_row_ = std::max(last_row_, y);
+        for (int x = 0; x < grid_.nx; ++x) {
+            const std::size_t i = begin + 2 * static_cast<std::size_t>(x);
+            if (mixture[i] == mixture_[i] && mixture[i + 1] == mixture_[i + 1]) continue;
+            mixture_[i] = mixture[i], mixture_[i + 1] = mixture[i + 1];
+            change(x, y);
+            if (is_untouched_near(x, y)) open_around(x, y, far_reach_);
+        }
+    }
+}
+
+bool WhatChanged::is_untouched(int x, int y, float depth) const {
+    return first_depth_.empty() ||
+           std::abs(depth - first_depth_[static_cast<std::size_t>(index(x, y))]) < kUntouched;
+}
+
+bool WhatChanged::is_untouched_near(int x, int y) const {
+    for (int j = std::max(y - 1, 0); j <= std::min(y + 1, grid_.ny - 1); ++j)
+        for (int i = std::max(x - 1, 0); i <= std::min(x + 1, grid_.nx - 1); ++i)
+            if (is_untouched(i, j, field_[0][static_cast<std::size_t>(index(i, j))])) return true;
+    return false;
+}
+
+// A vertex has other layers than before: so have the slopes beside it, and all squares within reach look different.
+void WhatChanged::change(int x, int y) {
+    near_[static_cast<std::size_t>(index(x, y))] = 1;
+    open_around(x, y, rules_.reach);
+    const int across = groups_along(grid_.nx);
+    for (int j = std::max(y - 1, 0) / GROUP_SQUARE; j <= std::min(y + 1, grid_.ny - 1) / GROUP_SQUARE; ++j)
+        for (int i = std::max(x - 1, 0) / GROUP_SQUARE; i <= std::min(x + 1, grid_.nx - 1) / GROUP_SQUARE; ++i)
+            group_[static_cast<std::size_t>(j * across + i)] = 1;
+}
+
+// Inclusive; a square has the number of its lower left vertex.
+void WhatChanged::open_squares(int x0, int x1, int y0, int y1) {
+    x0 = std::max(x0, 0), y0 = std::max(y0, 0);
+    x1 = std::min(x1, grid_.nx - 2), y1 = std::min(y1, grid_.ny - 2);
+    if (x0 > x1 || y0 > y1) return;
+    for (int y = y0; y <= y1; ++y)
+        std::memset(&squares_[static_cast<std::size_t>(index(x0, y))], 1, static_cast<std::size_t>(x1 - x0 + 1));
+    left_ = std::min(left_, x0), right_ = std::max(right_, x1);
+    bottom_ = std::min(bottom_, y0), top_ = std::max(top_, y1);
+}
+
+void WhatChanged::collect_groups() {
+    groups_.clear();
+    const int across = groups_along(grid_.nx);
+    for (std::size_t i = 0; i < group_.size(); ++i)
+        if (group_[i] != 0) {
+            const int group = static_cast<int>(i);
+            groups_.push_back(group % across | group / across << 16);
+        }
+}
+
+// The triangles of a flow end at its vertices.
+void WhatChanged::add_flow(std::span<const int> vertices) {
+    if (everything_) return;
+    for (const int v : vertices) open_around(v % grid_.nx, v / grid_.nx, 1);
+}
+
+// A ceiling is read between rays and between rows. Only where it meets what stands there does a shadow end.
+void WhatChanged::add_shadows(const SunSweep& sweep, const FrameBlock& frame) {
+    if (everything_ || !rules_.sun) return;
+    const bool turned = frame.sweep.w > 0.5f, backwards = frame.haze.z > 0.5f;
+    const int rays = sweep.rays(), rows = sweep.rows(), columns = turned ? grid_.ny : grid_.nx;
+    const double shear = static_cast<double>(frame.sweep.x), wide = 0.5 + std::abs(shear);
+    const int beside = walls_to_ ? 3 : 0;  // squares: a wall is lit as a place before it is
+    for (int step = sweep.first_changed(); step <= sweep.last_changed(); ++step)
+        for (int ray = 0; ray < rays; ++ray) {
+            const auto at = [&](int s, int r) {
+                return static_cast<std::size_t>(s) * static_cast<std::size_t>(rays) +
+                       static_cast<std::size_t>(r);
+            };
+            const float now = sweep.ceilings()[at(step, ray)], before = sweep.before()[at(step, ray)];
+            if (std::memcmp(&now, &before, sizeof now) == 0) continue;
+            const double column = static_cast<double>(frame.sweep.y) + 0.5 * ray + shear * step;
+            const int c0 = std::max(static_cast<int>(std::floor(column - wide)), 0),
+                      c1 = std::min(static_cast<int>(std::ceil(column + wide)), columns - 1);
+            if (c0 > c1) continue;
+            const int row = backwards ? rows - 1 - step : step;
+            const int r0 = std::max(row - 1, 0), r1 = std::min(row + 1, rows - 1);
+            const glm::ivec2 first = turned ? glm::ivec2(r0, c0) : glm::ivec2(c0, r0),
+                             last = turned ? glm::ivec2(r1, c1) : glm::ivec2(c1, r1);
+            float least = std::numeric_limits<float>::max(), most = std::numeric_limits<float>::lowest();
+            for (int s = std::max(step - 1, 0); s <= std::min(step + 1, rows - 1); ++s)
+                for (int r = std::max(ray - 1, 0); r <= std::min(ray + 1, rays - 1); ++r)
+                    for (const float ceiling : {sweep.ceilings()[at(s, r)], sweep.before()[at(s, r)]})
+                        least = std::min(least, ceiling), most = std::max(most, ceiling);
+            const glm::vec2 ground = heights_between(first, last);
+            const float lowest = walls_to_.value_or(ground.x) - kRoom,
+                        shade = least - 0.5f * frame.sweep.z - kRoom;  // below it there was none and is none
+            if (most < lowest || ground.y + kHighest < shade) continue;
+            for (int y = first.y; y <= last.y; ++y)
+                std::memset(&near_[static_cast<std::size_t>(index(first.x, y))], 1,
+                            static_cast<std::size_t>(last.x - first.x + 1));
+            if (ground.y < shade) continue;
+            open_squares(first.x - beside, last.x - 1 + beside, first.y - beside, last.y - 1 + beside);
+        }
+}
+
+// It is as wide as so many pixels, and farther off these are longer.
+void WhatChanged::add_ring(const std::optional<Ring>& before, const std::optional<Ring>& now,
+                           const FrameBlock& frame) {
+    if (everything_ || before == now) return;
+    const double lowest = static_cast<double>(heights_between({0, 0}, {grid_.nx - 1, grid_.ny - 1}).x);
+    const double over = static_cast<double>(frame.eye.z) - lowest;
+    const double pixel = static_cast<double>(frame.material.y * frame.material.z) * kLongestPixel;
+    for (const std::optional<Ring>& ring : {before, now}) {
+        if (!ring) continue;
+        const double away = glm::distance(glm::dvec2(frame.eye), ring->centre);
+        // Where pixels grow as fast as the distance to the ring, it may be seen anywhere.
+        const double wide = kDotWidth * pixel;
+        double reach = wide < 0.9 ? (ring->radius + wide * (away + ring->radius + over)) / (1 - wide)
+                                  : static_cast<double>(grid_.dx) * (grid_.nx + grid_.ny);
+        reach = std::min(reach, 1e6);
+        const auto square = [&](double m) {
+            return static_cast<int>(std::floor(m / static_cast<double>(grid_.dx)));
+        };
+        open_squares(square(ring->centre.x - reach), square(ring->centre.x + reach),
+                     square(ring->centre.y - reach), square(ring->centre.y + reach));
+    }
+}
+
+bool WhatChanged::is_near(glm::vec2 low, glm::vec2 high) const {
+    const int x0 = std::max(static_cast<int>(std::floor(low.x / grid_.dx)) - 1, 0),
+              x1 = std::min(static_cast<int>(std::ceil(high.x / grid_.dx)) + 1, grid_.nx - 1);
+    const int y0 = std::max(static_cast<int>(std::floor(low.y / grid_.dx)) - 1, 0),
+              y1 = std::min(static_cast<int>(std::ceil(high.y / grid_.dx)) + 1, grid_.ny - 1);
+    for (int y = y0; y <= y1; ++y)
+        for (int x = x0; x <= x1; ++x)
+            if (near_[static_cast<std::size_t>(index(x, y))] != 0) return true;
+    return false;
+}
+
+glm::vec2 WhatChanged::heights_in(glm::vec2 low, glm::vec2 high) const {
+    const glm::vec2 last(grid_.nx - 1, grid_.ny - 1);
+    const glm::ivec2 first(glm::clamp(glm::floor(low / grid_.dx), glm::vec2(0), last));
+    return heights_between(first, glm::ivec2(glm::clamp(glm::ceil(high / grid_.dx), glm::vec2(0), last)));
+}
+
+glm::vec2 WhatChanged::heights_between(glm::ivec2 first, glm::ivec2 last) const {
+    const std::vector<float>& before = rules_.old_heights ? height_before_ : height_;
+    glm::vec2 range(std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest());
+    for (int y = first.y; y <= last.y; ++y)
+        for (int x = first.x; x <= last.x; ++x) {
+            const auto v = static_cast<std::size_t>(index(x, y));
+            range.x = std::min({range.x, height_[v], before[v]});
+            range.y = std::max({range.y, height_[v], before[v]});
+        }
+    return range;
+}
+
+void WhatChanged::mark(const OnScreen& screen, ScreenTiles& tiles) const {
+    const int side = rules_.block;
+    for (int y0 = bottom_ / side * side; y0 <= top_; y0 += side)
+        for (int x0 = left_ / side * side; x0 <= right_; x0 += side) {
+            const int x1 = std::min(x0 + side, grid_.nx - 1), y1 = std::min(y0 + side, grid_.ny - 1);
+            bool any = false, wall = false;
+            for (int y = y0; y < y1; ++y)
+                for (int x = x0; x < x1; ++x) any |= squares_[static_cast<std::size_t>(index(x, y))] != 0;
+            if (!any) continue;
+            for (int y = y0; y <= y1; ++y)
+                for (int x = x0; x <= x1; ++x) wall |= walled_[static_cast<std::size_t>(index(x, y))] != 0;
+            const glm::vec2 heights = heights_between({x0, y0}, {x1, y1});
+            const float low = wall && walls_to_ ? *walls_to_ : heights.x;
+            const float dx = grid_.dx;
+            tiles.mark(screen.box({dx * static_cast<float>(x0), dx * static_cast<float>(y0), low},
+                                  {dx * static_cast<float>(x1), dx * static_cast<float>(y1), heights.y}));
+        }
+}
+
+void WhatChanged::finish() {
+    for (const glm::ivec2 v : moved_) {
+        const auto i = static_cast<std::size_t>(index(v.x, v.y));
+        height_before_[i] = height_[i];
+    }
+}
+
+}  // namespace render
