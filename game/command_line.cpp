@@ -250,6 +250,8 @@ void add_play(CLI::App& app, PlayOptions& options) {
     add_references(app, options.overrides);
     add_look(app, options.overrides.look);
     add_size(app, options.size, "set the size of the window", "1280x720");
+    add_named(app, "--quality", options.tier, tier_from, "fast, balanced, full",
+              "draw moving images in this quality [measured at the start]");
     add_memory(app, options.overrides.memory);
     add_step_options(app, options.step_options);
 }

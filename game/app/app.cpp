@@ -1,12 +1,13 @@
 #include "game/app/app.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "game/controls/key_map.h"
 #include "game/files/assets.h"
 #include "game/files/recordings_folder.h"
 #include "game/files/ui_font.h"
@@ -17,9 +18,8 @@
 namespace game {
 namespace {
 
-constexpr double kTickBudget = 0.04;         // s per frame; more would make the display stutter
-constexpr double kStillAfter = 0.4;          // s without a change, until an image is finished
-constexpr double kSoftwareResolution = 0.5;  // without a GPU, drawing time is proportional to pixels
+constexpr double kTickBudget = 0.04;  // s per frame; more would make the display stutter
+constexpr double kStillAfter = 0.4;   // s without a change, until an image is finished
 
 // Milliseconds since the last call.
 class Stopwatch {
@@ -51,7 +51,8 @@ glm::vec3 ring_colour(sim::CommandKind deed) {
 }  // namespace
 
 Outcome<std::unique_ptr<App>> App::begin(Screen& screen, LoadedWorld loaded, const sim::StepOptions& options,
-                                         const std::optional<std::filesystem::path>& record) {
+                                         const std::optional<std::filesystem::path>& record,
+                                         std::optional<Tier> tier) {
     const auto assets = assets_folder();
     if (!assets) return tl::unexpected(assets.error());
     auto catalogue = read_catalogue();
@@ -63,10 +64,10 @@ Outcome<std::unique_ptr<App>> App::begin(Screen& screen, LoadedWorld loaded, con
     app->now_s_ = screen.seconds();
     app->renderer_name_ = screen.renderer_name();
     app->waits_for_gl_ = render::is_software_renderer();
-    if (app->waits_for_gl_) {
-        app->display_.resolution = kSoftwareResolution;
-        app->tell("No GPU found: motion is drawn at half resolution. Change it in the Display panel");
-    }
+    if (tier)
+        app->display_.tier = *tier;
+    else
+        app->trial_.emplace(app->display_.frame_ms);
     if (auto begun = app->begin_world(std::move(loaded), record); !begun)
         return tl::unexpected(begun.error());
     return app;
@@ -107,7 +108,8 @@ bool App::frame() {
 
     if (size.width > 0) {
         // The world after its ticks, then the panels, which describe the same tick.
-        draw_world();
+        draw_world(time);
+        if (device_failure_) return false;
         time.stage_ms[stage_index(Stage::kDraw)] = watch.lap();
         draw_panels();
         time.stage_ms[stage_index(Stage::kPanels)] = watch.lap();
@@ -282,11 +284,7 @@ void App::take_over_at_end() {
         tell("End of the recording, replayed bit for bit. You can continue from here");
 }
 
-void App::draw_world() {
-    const ScreenSize size = screen_.size();
-    const auto scaled = [&](int pixels) {
-        return std::max(1, static_cast<int>(std::lround(pixels * display_.resolution)));
-    };
+render::Marks App::marks() const {
     render::Marks marks{
         .overlay = display_.overlay, .contours = display_.contours, .flow_mesh = display_.flow_mesh};
     if (const auto& densities = sandbox_->session().densities())
@@ -295,48 +293,175 @@ void App::draw_world() {
         const auto deed = stroke_ ? stroke_->deed() : deed_of(brush_, input_.inverted());
         marks.ring = render::Ring{glm::dvec2(*ground_), brush_.radius, ring_colour(deed)};
     }
-    Drawn wanted{epoch_,
-                 sandbox_->session().changed_at(),
-                 camera_->camera(),
-                 display_,
-                 marks,
-                 scaled(size.width),
-                 scaled(size.height),
-                 display_.fine};
-    // An image that stands still is the best one: full resolution, smooth edges, drawn once.
-    if (!(wanted == moving_)) {
-        moving_ = wanted;
+    return marks;
+}
+
+void App::draw_world(const FrameTime& time) {
+    const ScreenSize size = screen_.size();
+    const Seen seen{
+        epoch_,     sandbox_->session().changed_at(), camera_->camera(), display_, marks(), size.width,
+        size.height};
+    const bool camera_moved = !(seen.camera == seen_.camera), changed = !(seen == seen_);
+    if (changed) {
+        seen_ = seen;
         still_since_ = now_s_;
-    } else if (now_s_ - still_since_ >= kStillAfter) {
-        wanted.width = std::max(wanted.width, size.width);
-        wanted.height = std::max(wanted.height, size.height);
-        wanted.fine = true;
+        tell_bounds(size);
     }
-    if (!(wanted == drawn_)) {
-        drawn_ = wanted;
-        render::Look look = sandbox_->scenario().look;
-        look.detail = display_.detail;
-        renderer_.set_quality(wanted.fine ? render::Quality::kFine : render::Quality::kFast);
-        renderer_.draw({.world = sandbox_->session().view(),
-                        .camera = wanted.camera,
-                        .light = display_.light,
-                        .look = look,
-                        .marks = marks,
-                        .flow = sandbox_->session().fronts(),
-                        .width = wanted.width,
-                        .height = wanted.height,
-                        .first_depth = sandbox_->scenario().depth,
-                        .surroundings = &surroundings(),
-                        .powder = sandbox_->session().powder(),
-                        .powder_strength = display_.powder,
-                        .woods = display_.trees ? &woods_ : nullptr,
-                        .flow_so_far = sandbox_->session().flow_so_far(),
-                        .structures = &sandbox_->session().structures(),
-                        .wind = sandbox_->scenario().wind,
-                        .seconds = sandbox_->session().seconds()});
+    // A GPU returns before it has drawn, so time is measured only where it decides something.
+    const bool timed = waits_for_gl_ || trial_ || display_.tier != Tier::kFull;
+    const double before = screen_.seconds();
+    const auto since = [&] { return 1000 * (screen_.seconds() - before); };
+    const auto finish = [&] {
+        renderer_.show_on(screen_.framebuffer(), size.width, size.height);
+        if (timed) renderer_.wait();
+    };
+    if (trial_) {
+        draw_image(image_for(size, trial_->image().scale, trial_->image().fine, bounds_));
+        finish();
+        return end_trial(since());
     }
-    renderer_.show_on(screen_.framebuffer(), size.width, size.height);
-    if (waits_for_gl_) renderer_.wait();
+    if (changed) {
+        draw_image(moving_image(size, camera_moved));
+        finish();
+        return resolution_.drew(since(), rest_ms(time));
+    }
+    // An image that stands still is the best one: full resolution, smooth edges, drawn once.
+    if (now_s_ - still_since_ >= kStillAfter && !(image_for(size, 1, true, bounds_) == drawn_)) {
+        draw_image(image_for(size, 1, true, bounds_));
+        resolution_.drew_another();
+    } else if (screen_.device_fault() == DeviceFault::kLost) {
+        fail_lost();
+    }
+    finish();
+}
+
+// What the frame takes beside drawing the world; of what follows that, as in the last frame.
+double App::rest_ms(const FrameTime& time) const {
+    const auto ms = [](const FrameTime& of, Stage stage) {
+        return static_cast<double>(of.stage_ms[stage_index(stage)]);
+    };
+    double rest = ms(time, Stage::kInput) + ms(time, Stage::kSolve);
+    if (times_.size() == 0) return rest;
+    const FrameTime& last = times_[times_.size() - 1];
+    rest += ms(last, Stage::kPanels);
+    // A short frame waits for the monitor there, and one on a GPU always may.
+    constexpr float kNoWait = 20;
+    if (waits_for_gl_ && last.frame_ms > kNoWait) rest += ms(last, Stage::kPresent);
+    return rest;
+}
+
+// The size of an image while something moves.
+ImageSize App::moving_image(const ScreenSize& size, bool camera_moved) {
+    const TierInfo& tier = info_of(display_.tier);
+    if (display_.tier == Tier::kFull) return image_for(size, 1, tier.fine, bounds_);
+    const double scale =
+        resolution_.scale_for({.now_s = now_s_,
+                               .camera_moved = camera_moved,
+                               .screen_pixels = static_cast<double>(size.width) * size.height},
+                              {.target_ms = display_.frame_ms,
+                               .least = std::min(tier.least_scale, display_.most_scale),
+                               .most = display_.most_scale});
+    return image_for(size, scale, tier.fine, bounds_);
+}
+
+// The first frames show what this machine can draw in time.
+void App::end_trial(double draw_ms) {
+    trial_->drew(draw_ms);
+    const auto tier = trial_->result();
+    if (!tier) return;
+    trial_.reset();
+    display_.tier = *tier;
+    resolution_.drew_another();
+    constexpr std::array<const char*, kTiers.size()> kMeanings{
+        "this machine draws moving images in time at a lower resolution",
+        "this machine draws moving images in time at full resolution or a little less",
+        "this machine draws every image in time at full resolution with smooth edges"};
+    tell(fmt::format("Quality: {}, because {}. Change it in the Display panel ({})", info_of(*tier).name,
+                     kMeanings[static_cast<std::size_t>(*tier)], name_of(Verb::kToggleDisplay)));
+}
+
+// Tells once per size of the screen what does not fit.
+void App::tell_bounds(const ScreenSize& size) {
+    bounds_.longest_side = screen_.longest_side();
+    if (waits_for_gl_) bounds_.most_bytes = std::min(bounds_.most_bytes, frame_memory_);
+    const ImageSize best = image_for(size, 1, true, bounds_), whole{size.width, size.height, true};
+    if (best == std::exchange(best_, best) || best == whole) return;
+    if (best.width < size.width)
+        warn(
+            fmt::format("A window of {}×{} pixels is too large to draw here: its image has {}×{} pixels and "
+                        "is stretched",
+                        size.width, size.height, best.width, best.height));
+    else
+        warn(
+            fmt::format("A window of {}×{} pixels is too large for two by two samples per pixel here: its "
+                        "image has one",
+                        size.width, size.height));
+}
+
+// Draws the image, or a smaller one if the driver cannot: a failure must leave neither a black nor an old
+// image on the screen.
+void App::draw_image(ImageSize image) {
+    constexpr int kAttempts = 8;  // each takes half of the memory of the one before
+    for (int attempt = 1;; ++attempt) {
+        drawn_ = image;
+        draw_once(image);
+        const DeviceFault fault = screen_.device_fault();
+        if (fault == DeviceFault::kNone) return;
+        if (fault == DeviceFault::kLost) return fail_lost();
+        if (attempt == kAttempts)
+            return fail(fmt::format("the graphics driver {} even for an image of {}×{} pixels",
+                                    fault == DeviceFault::kOutOfMemory ? "has no memory" : "has no buffers",
+                                    image.width, image.height));
+        lower_bounds(fault);
+        image = image_for(screen_.size(), static_cast<double>(image.width) / screen_.size().width, image.fine,
+                          bounds_);
+    }
+}
+
+void App::lower_bounds(DeviceFault fault) {
+    bounds_.most_bytes = bytes_of(drawn_) / 2;
+    const auto lower = below(display_.tier);
+    if (lower) display_.tier = *lower;
+    seen_.display = display_;  // nothing else has changed
+    warn(fmt::format("The graphics driver {} an image of {}×{} pixels{}: it is drawn with less{}",
+                     fault == DeviceFault::kOutOfMemory ? "has no memory for" : "refuses", drawn_.width,
+                     drawn_.height, drawn_.fine ? " with two by two samples" : "",
+                     lower ? fmt::format(". Quality: {}", info_of(*lower).name) : ""));
+    best_ = image_for(screen_.size(), 1, true, bounds_);  // told
+}
+
+void App::fail(const std::string& sentence) {
+    device_failure_ = Failure{Failure::kMachine, sentence};
+    leaving_ = true;
+}
+
+void App::fail_lost() {
+    fail("the graphics driver was reset, and the window can draw no more");
+}
+
+void App::draw_once(const ImageSize& image) {
+    const Session& session = sandbox_->session();
+    render::Look look = sandbox_->scenario().look;
+    look.detail = display_.detail;
+    if (trial_) renderer_.forget();  // measured are images whose every pixel is new
+    renderer_.set_quality(image.fine ? render::Quality::kFine : render::Quality::kFast);
+    renderer_.draw({.world = session.view(),
+                    .camera = seen_.camera,
+                    .light = display_.light,
+                    .look = look,
+                    .marks = seen_.marks,
+                    .flow = session.fronts(),
+                    .width = image.width,
+                    .height = image.height,
+                    .first_depth = sandbox_->scenario().depth,
+                    .surroundings = &surroundings(),
+                    .powder = session.powder(),
+                    .powder_strength = display_.powder,
+                    .woods = display_.trees ? &woods_ : nullptr,
+                    .flow_so_far = session.flow_so_far(),
+                    .structures = &session.structures(),
+                    .wind = sandbox_->scenario().wind,
+                    .seconds = session.seconds()});
 }
 
 void App::draw_panels() {
@@ -366,6 +491,7 @@ void App::draw_panels() {
             .recording = recording_ ? std::string_view(recording_->native()) : std::string_view(),
             .renderer = renderer_name_,
             .now_s = now_s_,
+            .image = drawn_,
         },
         actions_);
     ui_.draw();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,11 +13,14 @@
 #include "game/controls/catalogue.h"
 #include "game/controls/display.h"
 #include "game/controls/frame_times.h"
+#include "game/controls/image_size.h"
 #include "game/controls/input.h"
 #include "game/controls/notices.h"
 #include "game/controls/probe.h"
+#include "game/controls/resolution_control.h"
 #include "game/controls/screen.h"
 #include "game/controls/tick_clock.h"
+#include "game/controls/tier_trial.h"
 #include "game/session/sandbox.h"
 #include "game/ui/ui.h"
 #include "render/frame.h"
@@ -29,13 +33,16 @@ namespace game {
 class App {
   public:
     // Starts with `loaded` on a screen that outlives the app; `record` as in begin_world. Errors: shaders or
-    // assets are missing, or `record` cannot be written (3).
+    // assets are missing, or `record` cannot be written (3). Without a `tier`, the first frames measure which
+    // one suits the machine.
     static Outcome<std::unique_ptr<App>> begin(Screen& screen, LoadedWorld loaded,
                                                const sim::StepOptions& options,
-                                               const std::optional<std::filesystem::path>& record);
+                                               const std::optional<std::filesystem::path>& record,
+                                               std::optional<Tier> tier = std::nullopt);
     ~App();
 
-    // Runs one frame, from events to the image on the screen. False once the user has asked to quit.
+    // Runs one frame, from events to the image on the screen. False once the user has asked to quit, or if
+    // device_failure().
     bool frame();
     // Plays a recording up to this tick and takes it over there.
     void take_over_at(std::int64_t tick);
@@ -44,6 +51,9 @@ class App {
 
     const Sandbox& sandbox() const { return *sandbox_; }
     const FrameTimes& times() const { return times_; }
+    const ImageSize& image() const { return drawn_; }  // of the world, as last drawn
+    // Why the window can draw no more.
+    const std::optional<Failure>& device_failure() const { return device_failure_; }
     const Notices& notices() const { return notices_; }
     const TickClock& clock() const { return clock_; }
     const Brush& brush() const { return brush_; }
@@ -65,8 +75,19 @@ class App {
     void guide_stroke();
     void run_ticks(double elapsed_s, FrameTime& time);
     void seek(std::int64_t tick, double begun_s);
-    void draw_world();
+    void draw_world(const FrameTime& time);
     void draw_panels();
+
+    render::Marks marks() const;
+    double rest_ms(const FrameTime& time) const;
+    ImageSize moving_image(const ScreenSize& size, bool camera_moved);
+    void draw_image(ImageSize image);
+    void draw_once(const ImageSize& image);
+    void end_trial(double draw_ms);
+    void tell_bounds(const ScreenSize& size);
+    void lower_bounds(DeviceFault fault);
+    void fail(const std::string& sentence);
+    void fail_lost();
 
     void perform(Verb verb);
     void perform(const SetSpeed& set);
@@ -103,15 +124,14 @@ class App {
     void tell(std::string sentence) { notices_.tell(Notice::Kind::kInfo, std::move(sentence), now_s_); }
     void warn(std::string sentence) { notices_.tell(Notice::Kind::kWarning, std::move(sentence), now_s_); }
 
-    // The inputs of the last drawn image. If they are unchanged, it is not drawn again.
-    struct Drawn {
+    // What an image shows. If it is unchanged, the image is not drawn again until it is finished.
+    struct Seen {
         std::int64_t epoch = -1, changed_at = -1;
         render::Camera camera;
         Display display;
         render::Marks marks;
-        int width = 0, height = 0;
-        bool fine = false;
-        bool operator==(const Drawn&) const = default;
+        int width = 0, height = 0;  // of the screen
+        bool operator==(const Seen&) const = default;
     };
 
     Screen& screen_;
@@ -148,8 +168,14 @@ class App {
     std::optional<glm::dvec3> drag_pivot_;
     std::optional<glm::dvec3> ground_;  // under the cursor
     Display display_;
-    Drawn drawn_, moving_;    // the last image; what it would be without the finish of a still one
-    double still_since_ = 0;  // s, when moving_ last changed
+    Seen seen_;
+    double still_since_ = 0;          // s, when seen_ last changed
+    ImageSize drawn_, best_;          // the last image; what one that stands still has
+    ImageBounds bounds_;              // what the device has shown that it can draw
+    std::uint64_t frame_memory_ = 0;  // bytes that --max-memory leaves for the buffers of an image
+    ResolutionControl resolution_;
+    std::optional<TierTrial> trial_;  // in the first frames
+    std::optional<Failure> device_failure_;
     Notices notices_;
     FrameTimes times_;
     double now_s_ = 0;

@@ -23,6 +23,15 @@ render::Camera overview_beside_panels(const sim::View& world) {
     return camera;
 }
 
+// What a software renderer may take for the buffers of an image, beside the world, bytes.
+std::uint64_t memory_for_frames(const LoadedWorld& loaded) {
+    const Scenario& scenario = loaded.scene.scenario;
+    Memory without = loaded.memory;
+    without.use.frames = {};
+    const std::uint64_t world = expected_bytes(scenario.grid, scenario.lower.has_value(), without);
+    return loaded.memory.most - std::min(loaded.memory.most, world);
+}
+
 // A brush radius of 1/50 of the terrain, but at least 2.5 cells so that the grid resolves it.
 Brush brush_for(const sim::Grid& grid) {
     const auto dx = static_cast<double>(grid.dx);
@@ -105,6 +114,11 @@ void App::perform(const SetBrush& set) {
 }
 void App::perform(const SetDisplay& set) {
     if (!(set.display.flow == display_.flow)) sandbox_->set_flow(set.display.flow);
+    if (set.display.tier != display_.tier) {  // the user knows better, and may have made room
+        trial_.reset();
+        bounds_ = {};
+        best_ = {};
+    }
     display_ = set.display;
 }
 void App::perform(const Open& open) {
@@ -265,6 +279,8 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
         }
     sandbox_ = std::move(*begun);
     first_ = std::move(loaded);
+    frame_memory_ = memory_for_frames(first_);
+    bounds_ = {};  // another world leaves another room
     recording_ = std::move(recording);
     if (recording_) record.reset();  // it is used now
     record_ = std::move(record);

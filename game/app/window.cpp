@@ -1,6 +1,7 @@
 #include "game/app/window.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <iterator>
 #include <optional>
@@ -136,19 +137,40 @@ tl::unexpected<Failure> no_window(std::string_view what, std::string_view why) {
                                      what, display_tried(), why));
 }
 
-void set_hints() {
+void set_hints(bool reports_resets) {
     glfwDefaultWindowHints();
     glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_API);
     glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_EGL_CONTEXT_API);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    // Without this hint, a window whose driver was reset would show its last image for ever.
+    if (reports_resets) glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfwWindowHint(GLFW_ALPHA_BITS, 0);  // otherwise the desktop may show through
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "couloir");
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "couloir");
+}
+
+// A window whose context reports resets of the driver, if the driver has such contexts.
+GLFWwindow* create_window(const std::string& title, int width, int height) {
+    GLFWwindow* window = nullptr;
+    for (const bool reports_resets : {true, false}) {
+        set_hints(reports_resets);
+        window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+        if (window != nullptr) break;
+    }
+    return window;
+}
+
+int longest_side_of_device() {
+    GLint texture = 0;
+    std::array<GLint, 2> viewport{};
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+    return std::min({texture, viewport[0], viewport[1]});
 }
 
 // Exceptions must not pass through GLFW, which is C. If memory runs out here, an event is lost.
@@ -247,8 +269,7 @@ Outcome<std::unique_ptr<Window>> Window::open(const std::string& title, int widt
     if (std::getenv("XDG_RUNTIME_DIR") == nullptr) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
 #endif
     if (glfwInit() == GLFW_FALSE) return no_window("no display is available", "GLFW: " + last_words());
-    set_hints();
-    GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+    GLFWwindow* window = create_window(title, width, height);
     if (window == nullptr) {
         const std::string why = "GLFW: " + last_words();
         glfwTerminate();
@@ -264,6 +285,7 @@ Window::Window(GLFWwindow* window) : window_(window) {
     events_.reserve(kEventsPerFrame);
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
+    longest_side_ = longest_side_of_device();
     glfwSetWindowSizeLimits(window_, kLeastWidth, kLeastHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwSetWindowUserPointer(window_, this);
     Callbacks::set(window_);
@@ -320,6 +342,20 @@ void Window::present() {
         std::this_thread::sleep_until(due_);
     else
         due_ = now;
+}
+
+DeviceFault Window::device_fault() {
+    DeviceFault fault = DeviceFault::kNone;
+    // A lost context may return errors without end.
+    for (int i = 0; i < 8; ++i) {
+        const GLenum error = glGetError();
+        if (error == GL_NO_ERROR) break;
+        if (error == GL_CONTEXT_LOST) return DeviceFault::kLost;
+        if (error == GL_OUT_OF_MEMORY) fault = DeviceFault::kOutOfMemory;
+        if (error == GL_INVALID_FRAMEBUFFER_OPERATION && fault == DeviceFault::kNone)
+            fault = DeviceFault::kRefused;
+    }
+    return glGetGraphicsResetStatus() == GL_NO_ERROR ? fault : DeviceFault::kLost;
 }
 
 void Window::show_title(const std::string& title) {

@@ -32,6 +32,8 @@ class Window final : public Screen {
     double seconds() const override;
     // Never faster than the monitor's refresh rate, even if swapping does not wait for it.
     void present() override;
+    int longest_side() const override { return longest_side_; }
+    DeviceFault device_fault() override;
     void show_title(const std::string& title) override;
     // Uses the monitor that contains the window's centre. Off restores the old position and size.
     void set_fullscreen(bool on) override;
@@ -58,6 +60,7 @@ class Window final : public Screen {
     std::array<Key, 512> pressed_{};  // by GLFW number: the key that was reported as pressed
     Pair window_size_, framebuffer_size_;
     double scale_ = 1;
+    int longest_side_ = 0;
     bool iconified_ = false;
     Pair place_, extent_;  // before full screen
     Clock::time_point begin_ = Clock::now();

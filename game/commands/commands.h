@@ -10,6 +10,7 @@
 #include "game/base/outcome.h"
 #include "game/bench/measure.h"
 #include "game/compare/edit.h"
+#include "game/controls/tier.h"
 #include "game/scene/memory.h"
 #include "game/scene/scene.h"
 #include "sim/engine.h"
@@ -98,6 +99,7 @@ struct PlayOptions {
     Overrides overrides;
     std::optional<std::filesystem::path> record;
     PictureSize size;
+    std::optional<Tier> tier;  // none: measured
     sim::StepOptions step_options;
 };
 Outcome<int> play(const PlayOptions& options);

@@ -14,13 +14,21 @@ namespace {
 constexpr const char* kFirstScene = "winter-valley";
 
 // Prints the frame rate and the time per stage of the last frames, as in the performance panel.
-void tell_times(const FrameTimes& times) {
+void tell_times(const FrameTimes& times, const ImageSize& image) {
     if (times.frames_per_second() == 0) return;  // too few to measure
-    std::string text =
-        fmt::format("{:.1f} frames/s at the end; median ms per frame:", times.frames_per_second());
+    std::string text = fmt::format(
+        "{:.1f} frames/s at the end, the last image {}x{} with {} per pixel; median ms per frame:",
+        times.frames_per_second(), image.width, image.height, image.fine ? "four samples" : "one sample");
     for (std::size_t i = 0; i < kStages; ++i)
         text += fmt::format(" {} {:.2f}", kStageNames[i], times.median_ms(static_cast<Stage>(i)));
     print_line(stdout, "{}, worst tick {:.2f}", text, times.worst_tick_ms());
+}
+
+// Says where a session is that ends because the window cannot draw.
+std::string with_recording(const std::string& sentence, const App& app, const PlayOptions& options) {
+    if (!app.recording()) return sentence;
+    return fmt::format("{}; the session is kept, to continue it: {} play {}", sentence, options.program,
+                       app.recording()->string());
 }
 
 }  // namespace
@@ -48,13 +56,15 @@ Outcome<int> play(const PlayOptions& options) {
             return tl::unexpected(has.error());
     auto window = Window::open("Couloir", options.size.width, options.size.height);
     if (!window) return tl::unexpected(window.error());
-    auto app = App::begin(**window, std::move(*loaded), options.step_options, options.record);
+    auto app = App::begin(**window, std::move(*loaded), options.step_options, options.record, options.tier);
     if (!app) return tl::unexpected(app.error());
     if (options.until) (*app)->take_over_at(*options.until);
     while ((*app)->frame()) {
     }
     if (auto finished = (*app)->finish(); !finished) return tl::unexpected(finished.error());
-    tell_times((*app)->times());
+    tell_times((*app)->times(), (*app)->image());
+    if (const auto& failure = (*app)->device_failure())
+        return tl::unexpected(Failure{failure->status, with_recording(failure->sentence, **app, options)});
     if (const auto& failure = (*app)->recording_failure()) return tl::unexpected(*failure);
     if (const auto& recording = (*app)->recording())
         print_line(stdout, "{:.1f} s played. To watch and continue it: {} play {}",

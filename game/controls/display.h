@@ -1,5 +1,6 @@
 #pragma once
 
+#include "game/controls/tier.h"
 #include "render/look.h"
 #include "render/marks.h"
 #include "sim/fields/flow_stage.h"
@@ -8,6 +9,8 @@ namespace game {
 
 // Display settings; they never affect the world.
 struct Display {
+    static constexpr double kLeastFrameMs = 8, kMostFrameMs = 200;
+
     render::Overlay overlay = render::Overlay::kNone;
     bool contours = false;
     bool flow_mesh = false;         // texture mesh with edges, fronts and points
@@ -17,8 +20,9 @@ struct Display {
     bool surroundings = true;       // mountains around the grid; else a block cut from them
     bool trees = true;              // the scene's trees
     float powder = 1;               // 0 to 1, strength of powder and dust
-    double resolution = 1;          // drawn pixels per screen pixel along each axis, 0.25 to 1
-    bool fine = false;              // two by two samples per pixel
+    Tier tier = Tier::kFast;        // what an image may lose while something moves
+    double frame_ms = 33;           // target for a frame, 8 to 200, unless the tier is full
+    double most_scale = 1;          // of a moving image, one of kScales, unless the tier is full
     double letters = 1;             // text size relative to the monitor's scale, 0.5 to 3
     bool operator==(const Display&) const = default;
 };

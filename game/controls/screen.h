@@ -16,6 +16,14 @@ struct ScreenSize {
     bool operator==(const ScreenSize&) const = default;
 };
 
+// What the graphics driver reports.
+enum class DeviceFault {
+    kNone,
+    kOutOfMemory,
+    kRefused,  // it cannot draw into buffers of this format or size
+    kLost,     // it was reset, and every GL object is gone
+};
+
 // The display and input device of a sandbox: a window in the program, a script in tests. Owns a current GL
 // 4.5 core context during its lifetime.
 class Screen {
@@ -33,6 +41,11 @@ class Screen {
 
     // Shows the drawn frame; waits for the monitor's refresh if it has one.
     virtual void present() = 0;
+
+    // The longest side of an image that the device can draw, px.
+    virtual int longest_side() const = 0;
+    // What has gone wrong on the device since the last call.
+    virtual DeviceFault device_fault() = 0;
 
     virtual void show_title(const std::string& title) = 0;
     virtual void set_fullscreen(bool on) = 0;

@@ -16,8 +16,10 @@ namespace {
 
 constexpr std::uint64_t kMiB = std::uint64_t{1} << 20;
 
+}  // namespace
+
 // Buffers of a frame (render/target.h and render/passes/flow_pass.h), and images on their way to a file.
-std::uint64_t bytes_of(const FrameUse& frames) {
+std::uint64_t frame_bytes(const FrameUse& frames) {
     constexpr std::uint64_t kDepth = 4, kLinear = 8, kScreen = 4;  // per sample or pixel: 32F, RGBA16F, RGBA8
     constexpr std::uint64_t kPerSample = kDepth + 2 * kLinear;     // depth, and the flow's albedo and relief
     // One image that was read back, those that wait, and for each worker one being encoded and three times an
@@ -32,8 +34,6 @@ std::uint64_t bytes_of(const FrameUse& frames) {
     return (samples * kPerSample + colours + powder + kScreen + kSmoothing + kImages * kImage) *
            static_cast<std::uint64_t>(frames.width) * static_cast<std::uint64_t>(frames.height);
 }
-
-}  // namespace
 
 std::uint64_t machine_memory() {
     const long pages = sysconf(_SC_PHYS_PAGES), bytes = sysconf(_SC_PAGESIZE);
@@ -63,7 +63,7 @@ std::uint64_t expected_bytes(const sim::Grid& grid, bool two_materials, const Me
     // Trees (render/woods.h): while they are placed, as placed, with their light, and five times as drawn.
     constexpr std::uint64_t kPerTree = 2 * 72 + 60 + 16 + 5 * 80;
     if (use.draws) bytes += kPerTree * render::Woods::kMost;
-    bytes += bytes_of(use.frames);
+    bytes += frame_bytes(use.frames);
     if (use.goes_back) bytes += memory.for_keyframes() + memory.for_undo();
     return bytes;
 }

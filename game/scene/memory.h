@@ -33,6 +33,8 @@ struct WorldUse {
 };
 
 std::uint64_t machine_memory();  // bytes
+// Memory of the buffers of a frame, and of images on their way to a file, bytes.
+std::uint64_t frame_bytes(const FrameUse& frames);
 
 // How much memory a world may take, and for what. A grid is checked before memory is allocated for it.
 struct Memory {

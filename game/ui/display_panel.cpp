@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "game/controls/resolution_control.h"
 #include "game/ui/legend.h"
 #include "game/ui/panels.h"
 #include "render/sky_light.h"
@@ -107,26 +108,53 @@ double most_letters(const Desk& desk, double letters) {
     return std::clamp(kStep * std::floor(100 * fits / em / kStep), 100., 300.);
 }
 
+// The words of resolutions, in the order of kScales.
+constexpr std::array<const char*, kScales.size()> kScaleNames{"full", "3/4", "1/2", "3/8", "1/4"};
+
+// What an image may lose while something moves.
+bool quality(Desk& desk, Display& display) {
+    constexpr std::array<const char*, kTiers.size()> kLabels{"Fast", "Balanced", "Full"};
+    desk.widgets.heading("Quality while something moves");
+    bool changed = false;
+    for (std::size_t i = 0; i < kTiers.size(); ++i) {
+        const auto tier = static_cast<Tier>(i);
+        if (i > 0) ImGui::SameLine();
+        if (!desk.widgets.button(kLabels[i], kTiers[i].tooltip, display.tier == tier)) continue;
+        changed |= display.tier != tier;
+        display.tier = tier;
+    }
+    desk.widgets.row("Frame time");
+    double frame_ms = display.frame_ms;
+    if (desk.widgets.slider("Frame time", frame_ms,
+                            {Display::kLeastFrameMs, Display::kMostFrameMs, "%.0f ms", true, true},
+                            "Fast and balanced lower the resolution until a frame takes no longer.")) {
+        display.frame_ms = std::round(frame_ms);
+        changed = true;
+    }
+    int most = 0;
+    for (std::size_t i = 0; i < kScales.size(); ++i)
+        if (kScales[i] == display.most_scale) most = static_cast<int>(i);
+    desk.widgets.row("Resolution limit");
+    if (desk.widgets.choice("Resolution limit", most, static_cast<int>(kScales.size()),
+                            "Drawn pixels per screen pixel along each axis, at most, in fast and balanced.",
+                            [](int i) { return kScaleNames[static_cast<std::size_t>(i)]; })) {
+        display.most_scale = kScales[static_cast<std::size_t>(most)];
+        changed = true;
+    }
+    return changed;
+}
+
 bool picture(Desk& desk, Display& display) {
     desk.widgets.heading("Picture");
     bool changed = false;
     double detail = static_cast<double>(display.detail) * 100,
-           powder = static_cast<double>(display.powder) * 100, resolution = display.resolution * 100,
-           letters = display.letters * 100;
+           powder = static_cast<double>(display.powder) * 100, letters = display.letters * 100;
     desk.widgets.row("Fine relief");
     if (desk.widgets.slider("Fine relief", detail, {0, 100, "%.0f %%"},
                             "Strength of the small-scale relief on ground and material.")) {
         display.detail = static_cast<float>(detail / 100);
         changed = true;
     }
-    desk.widgets.row("Resolution");
-    if (desk.widgets.slider("Resolution", resolution, {25, 100, "%.0f %%", false, true},
-                            "Drawn pixels per screen pixel, along each axis; fewer are faster.")) {
-        display.resolution = in_steps(resolution) / 100;
-        changed = true;
-    }
-    changed |= desk.widgets.toggle("Smooth edges", display.fine,
-                                   "Draws four samples per pixel: smoother but slower.");
     desk.widgets.row("Text size");
     if (desk.widgets.slider("Text size", letters,
                             {50, most_letters(desk, display.letters), "%.0f %%", false, true},
@@ -165,8 +193,9 @@ void display_panel(Desk& desk, const Facts& facts, Actions& actions) {
     Display display = facts.display;
     bool changed = colours(desk, facts, display);
     if (facts.scenario.flow) changed |= flow(desk, display);
-    changed |= sun(desk, facts, display);
     changed |= picture(desk, display);
+    changed |= quality(desk, display);
+    changed |= sun(desk, facts, display);
     if (changed) actions.emplace_back(SetDisplay{display});
     camera(desk, facts, actions);
 }

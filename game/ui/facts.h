@@ -8,6 +8,7 @@
 #include "game/controls/catalogue.h"
 #include "game/controls/display.h"
 #include "game/controls/frame_times.h"
+#include "game/controls/image_size.h"
 #include "game/controls/notices.h"
 #include "game/controls/probe.h"
 #include "game/controls/tick_clock.h"
@@ -44,6 +45,7 @@ struct Facts {
     std::string_view recording;  // file that is being written; empty if none
     std::string_view renderer;   // GL's name
     double now_s = 0;            // screen's clock
+    ImageSize image = {};        // of the world, as last drawn
 };
 
 }  // namespace game::ui

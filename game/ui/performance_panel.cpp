@@ -123,6 +123,8 @@ void performance_panel(Desk& desk, const Facts& facts) {
     stage_row(desk, "other", kRest, median_rest_ms(times));
     ImGui::Separator();
     widgets.fact("Frames", "%.1f per second", times.frames_per_second());
+    widgets.fact("Image", "%d × %d pixels, %s", facts.image.width, facts.image.height,
+                 facts.image.fine ? "2 × 2 samples each" : "one sample each");
     widgets.fact("Worst tick", "%.1f ms", static_cast<double>(times.worst_tick_ms()));
     widgets.fact("Ticks per frame", "%d", times.size() > 0 ? times[times.size() - 1].ticks : 0);
     widgets.fact("Sub-steps per tick", "%d", sim::substeps_of(facts.state).count);

@@ -1,5 +1,6 @@
 #include "game/app/app.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 #include <gtest/gtest.h>
@@ -26,8 +27,8 @@ class Playing : public testing::Test {
         if (squares > 0) wishes_.squares = squares;
         auto loaded = open_anything(what, wishes_);
         ASSERT_TRUE(loaded) << loaded.error().sentence;
-        auto begun =
-            App::begin(screen_, std::move(*loaded), sim::StepOptions{}, folder_.path() / "session.couloir");
+        auto begun = App::begin(screen_, std::move(*loaded), sim::StepOptions{},
+                                folder_.path() / "session.couloir", tier_);
         ASSERT_TRUE(begun) << begun.error().sentence;
         app_ = std::move(*begun);
         frames(2);
@@ -96,6 +97,7 @@ class Playing : public testing::Test {
     support::TemporaryFolder folder_;
     GlScreen screen_{640, 360};
     Overrides wishes_;
+    std::optional<Tier> tier_ = Tier::kFast;
     std::unique_ptr<App> app_;
 };
 
@@ -185,23 +187,124 @@ std::vector<std::uint8_t> part_of(const render::Picture& picture) {
     return part;
 }
 
-TEST_F(Playing, finishes_an_image_that_stands_still_until_something_moves) {
+TEST_F(Playing, finishes_an_image_that_stands_still_until_something_moves_in_every_tier) {
+    for (const Tier tier : {Tier::kFast, Tier::kBalanced, Tier::kFull}) {
+        tier_ = tier;
+        begin();
+        tap(Key::kSpace);
+        screen_.move(300, 250);
+        frames(2);
+        const auto moving = part_of(screen_.picture());
+        frames(40);
+        const auto whole = part_of(screen_.picture());
+        EXPECT_EQ(app_->image(), (ImageSize{640, 360, true}));
+        EXPECT_EQ(whole == moving, tier == Tier::kFull);
+        frames(5);
+        EXPECT_EQ(part_of(screen_.picture()), whole);
+        screen_.move(310, 250);  // the ring follows
+        frames(1);
+        EXPECT_EQ(app_->image().fine, tier == Tier::kFull);
+        frames(40);
+        EXPECT_EQ(part_of(screen_.picture()), whole);
+        app_.reset();
+    }
+}
+
+TEST_F(Playing, does_not_finish_an_image_while_a_slide_goes_on) {
+    begin();
+    stroke(20);
+    screen_.move(5, 5);
+    for (int i = 0; i < 60; ++i) {
+        frames(1);
+        ASSERT_FALSE(app_->image().fine) << i;
+    }
+}
+
+// The clock of the screen stands still while a frame is drawn: nothing could be faster.
+TEST_F(Playing, measures_in_its_first_frames_which_tier_suits_the_machine) {
+    tier_.reset();
+    begin();
+    EXPECT_EQ(app_->image(), (ImageSize{320, 180, false})) << "the first frames are small";
+    frames(8);
+    EXPECT_EQ(app_->display().tier, Tier::kFull);
+    EXPECT_NE(last_notice().find("Quality: full"), std::string::npos) << last_notice();
+}
+
+TEST_F(Playing, draws_windows_of_any_size_while_it_runs) {
+    begin();
+    for (const auto& [width, height] :
+         {std::pair{1, 1}, {1, 300}, {640, 360}, {3, 2}, {2600, 1}, {801, 433}}) {
+        screen_.resize_to(width, height);
+        frames(40);
+        const render::Picture shown = screen_.picture();
+        EXPECT_EQ(shown.width, width);
+        const bool black =
+            std::all_of(shown.pixels.begin(), shown.pixels.end(), [](int v) { return v < 60; });
+        EXPECT_FALSE(black && width > 100 && height > 100) << width << " " << height;
+    }
+    expect_recording_replays();
+}
+
+TEST_F(Playing, stretches_a_smaller_image_over_a_window_that_is_larger_than_the_device_draws) {
+    screen_.limit_side(500);
     begin();
     tap(Key::kSpace);
+    frames(40);
+    EXPECT_EQ(app_->image(), (ImageSize{500, 281, false}));
+    EXPECT_NE(last_notice().find("500×281"), std::string::npos) << last_notice();
+    const std::size_t told = app_->notices().size();
+    frames(40);
+    EXPECT_EQ(app_->notices().size(), told) << "once";
+    screen_.resize_to(800, 200);
+    frames(40);
+    EXPECT_EQ(app_->image(), (ImageSize{500, 125, false}));
+}
+
+TEST_F(Playing, draws_a_smaller_image_in_the_same_frame_if_the_driver_has_no_memory) {
+    tier_ = Tier::kFull;
+    begin();
+    frames(40);
+    ASSERT_EQ(app_->image(), (ImageSize{640, 360, true}));
     screen_.move(300, 250);
-    frames(2);
-    const auto half = part_of(screen_.picture());  // of the resolution, on a processor
-    frames(40);
-    const auto whole = part_of(screen_.picture());
-    EXPECT_NE(whole, half);
-    EXPECT_EQ(app_->display().resolution, 0.5) << "the setting stays";
-    frames(5);
-    EXPECT_EQ(part_of(screen_.picture()), whole);
-    screen_.move(310, 250);  // the ring follows
+    screen_.fail({DeviceFault::kOutOfMemory});
     frames(1);
-    EXPECT_EQ(part_of(screen_.picture()), half);
+    EXPECT_EQ(app_->image(), (ImageSize{640, 360, false}));
+    EXPECT_EQ(app_->display().tier, Tier::kBalanced);
+    EXPECT_NE(last_notice().find("no memory"), std::string::npos) << last_notice();
+    screen_.move(310, 250);
+    screen_.fail({DeviceFault::kRefused, DeviceFault::kOutOfMemory});
+    frames(1);
+    EXPECT_EQ(app_->display().tier, Tier::kFast);
+    EXPECT_LT(app_->image().width, 640);
     frames(40);
-    EXPECT_EQ(part_of(screen_.picture()), whole);
+    EXPECT_FALSE(app_->device_failure());
+    EXPECT_LT(app_->image().width, 640) << "it stays so, also when it stands still";
+}
+
+TEST_F(Playing, ends_with_a_sentence_and_a_whole_recording_if_the_driver_draws_nothing) {
+    for (const DeviceFault fault : {DeviceFault::kOutOfMemory, DeviceFault::kRefused, DeviceFault::kLost}) {
+        begin();
+        stroke(5);
+        const int shown = screen_.frames();
+        screen_.move(300, 250);
+        screen_.fail(std::vector(20, fault));
+        EXPECT_FALSE(app_->frame());
+        EXPECT_EQ(screen_.frames(), shown) << "nothing wrong is shown";
+        ASSERT_TRUE(app_->device_failure());
+        EXPECT_EQ(app_->device_failure()->status, Failure::kMachine);
+        expect_recording_replays();
+        screen_.fail({});
+        app_.reset();
+    }
+}
+
+TEST_F(Playing, notices_a_lost_device_while_nothing_moves) {
+    begin();
+    tap(Key::kSpace);
+    frames(60);
+    screen_.fail({DeviceFault::kLost});
+    EXPECT_FALSE(app_->frame());
+    EXPECT_TRUE(app_->device_failure());
 }
 
 TEST_F(Playing, digs_and_blasts_and_inverts_both_with_control) {

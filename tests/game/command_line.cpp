@@ -43,6 +43,7 @@ TEST(CommandLine, that_is_wrong_ends_with_2_and_one_line) {
         {{"ski"}, "ski"},
         {{"play", "nowhere"}, "nowhere"},
         {{"play", "landslide", "--scheme", "lax-friedrichs"}, "--scheme"},
+        {{"play", "--quality", "fine"}, "'fine' is not one of: fast, balanced, full"},
         {{"--frobnicate"}, "--frobnicate"},
         {short_run({"--frobnicate"}), "--frobnicate"},
         {short_run({"--grid"}), "--grid"},

@@ -25,10 +25,9 @@ class UiPanels : public UiHand {
   protected:
     void SetUp() override { begin_anew({1600, 1000, 1}); }
 
-    // Slides the size of letters to so many px beyond the slider's right end, asks for nothing on the way,
-    // and lets it go.
-    Actions slide_letters(double px) {
-        const auto at = place("Text size");
+    // Slides to so many px beyond the slider's right end, asks for nothing on the way, and lets it go.
+    Actions slide(const char* label, double px) {
+        const auto at = place(label);
         screen_.move(at.x + at.width * 0.2, at.y + at.height / 2);
         frame();
         screen_.press(Button::kLeft);
@@ -206,6 +205,25 @@ TEST_F(UiPanels, change_one_thing_of_the_display_and_leave_the_rest) {
     EXPECT_EQ(only<Verb>(click("Overview")), Verb::kOverview);
 }
 
+TEST_F(UiPanels, choose_the_quality_of_what_moves) {
+    ui_->perform(Verb::kToggleDisplay);
+    settle();
+    Display expected = display_;
+    expected.tier = Tier::kBalanced;
+    EXPECT_EQ(only<SetDisplay>(click("Balanced")).display, expected);
+    expected.tier = Tier::kFull;
+    EXPECT_EQ(only<SetDisplay>(click("Full")).display, expected);
+    EXPECT_TRUE(click("Fast").empty()) << "as it is";
+
+    EXPECT_TRUE(click("Resolution limit").empty());
+    expected = display_;
+    expected.most_scale = 0.5;
+    EXPECT_EQ(only<SetDisplay>(click("1/2")).display, expected);
+    expected = display_;
+    expected.frame_ms = 200;
+    EXPECT_EQ(only<SetDisplay>(slide("Frame time", 50)).display, expected);
+}
+
 TEST_F(UiPanels, change_a_flow_while_it_runs_where_the_scene_shows_one) {
     ui_->perform(Verb::kToggleDisplay);
     settle();
@@ -226,7 +244,7 @@ TEST_F(UiPanels, size_letters_only_when_the_slider_is_let_go) {
     ui_->perform(Verb::kToggleDisplay);
     settle();
     const auto at = place("Text size");
-    display_ = only<SetDisplay>(slide_letters(-1)).display;
+    display_ = only<SetDisplay>(slide("Text size", -1)).display;
     EXPECT_EQ(display_.letters, 3);
     settle();
     EXPECT_GT(place("Pour").height, 2.5 * at.height);
@@ -236,7 +254,7 @@ TEST_F(UiPanels, offer_no_letters_so_large_that_panels_lose_their_place) {
     begin_anew({1280, 720, 1});
     ui_->perform(Verb::kToggleDisplay);
     settle();
-    display_ = only<SetDisplay>(slide_letters(50)).display;
+    display_ = only<SetDisplay>(slide("Text size", 50)).display;
     EXPECT_GT(display_.letters, 1.4);
     EXPECT_LT(display_.letters, 1.8);
     settle();

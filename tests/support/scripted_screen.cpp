@@ -21,4 +21,11 @@ std::span<const game::Event> ScriptedScreen::poll() {
     return polled_;
 }
 
+game::DeviceFault ScriptedScreen::device_fault() {
+    if (faults_.empty()) return game::DeviceFault::kNone;
+    const game::DeviceFault next = faults_.front();
+    faults_.erase(faults_.begin());
+    return next;
+}
+
 }  // namespace support

@@ -29,6 +29,9 @@ class ScriptedScreen : public game::Screen {
 
     void resize(game::ScreenSize size) { size_ = size; }
     void pass(double seconds) { seconds_ += seconds; }
+    void limit_side(int longest) { longest_side_ = longest; }
+    // The next calls of device_fault() return these.
+    void fail(std::vector<game::DeviceFault> faults) { faults_ = std::move(faults); }
     void draw_into(unsigned framebuffer) { framebuffer_ = framebuffer; }
 
     const std::string& title() const { return title_; }
@@ -40,6 +43,8 @@ class ScriptedScreen : public game::Screen {
     unsigned framebuffer() const override { return framebuffer_; }
     double seconds() const override { return seconds_; }
     void present() override { ++frames_; }
+    int longest_side() const override { return longest_side_; }
+    game::DeviceFault device_fault() override;
     void show_title(const std::string& title) override { title_ = title; }
     void set_fullscreen(bool on) override { fullscreen_ = on; }
     bool fullscreen() const override { return fullscreen_; }
@@ -53,6 +58,8 @@ class ScriptedScreen : public game::Screen {
     game::ScreenSize size_;
     unsigned framebuffer_ = 0;
     double seconds_ = 0;
+    int longest_side_ = 16384;
+    std::vector<game::DeviceFault> faults_;  // in order
     std::string title_, clipboard_;
     bool fullscreen_ = false;
     int frames_ = 0;

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace game {
+
+// What an image may lose while something moves. An image that stands still is always drawn in full.
+enum class Tier { kFast, kBalanced, kFull };
+
+struct TierInfo {
+    std::string_view name;
+    double least_scale;  // drawn pixels per screen pixel along each axis, at least
+    bool fine;           // two by two samples per pixel, also while something moves
+    const char* tooltip;
+};
+inline constexpr std::array<TierInfo, 3> kTiers{
+    {{"fast", 0.25, false,
+      "While something moves: one sample per pixel, and the resolution falls to a quarter if the frame time "
+      "needs it."},
+     {"balanced", 0.75, false,
+      "While something moves: one sample per pixel, and the resolution falls to three quarters at most."},
+     {"full", 1, true,
+      "Always full resolution with two by two samples per pixel, however long a frame takes."}}};
+
+constexpr const TierInfo& info_of(Tier tier) {
+    return kTiers[static_cast<std::size_t>(tier)];
+}
+
+constexpr std::optional<Tier> tier_from(std::string_view name) {
+    for (std::size_t i = 0; i < kTiers.size(); ++i)
+        if (kTiers[i].name == name) return static_cast<Tier>(i);
+    return std::nullopt;
+}
+
+// The tier that costs less, if there is one.
+constexpr std::optional<Tier> below(Tier tier) {
+    if (tier == Tier::kFast) return std::nullopt;
+    return static_cast<Tier>(static_cast<int>(tier) - 1);
+}
+
+}  // namespace game
