@@ -74,19 +74,19 @@ void FlowPass::cut(const sim::front::FlowView& flow, const sim::Grid& grid) {
             cut_vertices_.push_back(vertex);
 }
 
-void FlowPass::find(const FrameInput& input, WhatChanged& changed) {
-    triangles_.find(input.world, input.first_depth, coordinates_.vertices(), input.look);
+void FlowPass::find_changes(const FlowTriangles& triangles, WhatChanged& changed) const {
     for (const std::span<const int> vertices : {coordinates_.changed(), std::span<const int>(cut_vertices_)})
-        changed.add_flow(vertices, triangles_.shown(), triangles_.shown_before());
+        changed.add_flow(vertices, triangles.shown(), triangles.shown_before());
 }
 
 // Cuts runs into pieces short enough to be drawn only where they appear.
-void FlowPass::find_pieces(const WhatChanged& changed, const OnScreen& screen) {
+void FlowPass::find_pieces(std::span<const TriangleRun> triangles, const WhatChanged& changed,
+                           const OnScreen& screen) {
     constexpr int kMostTriangles = 16;
     const int along = 2 * (grid_->nx - 1);  // triangles of a row
     const float dx = grid_->dx;
     pieces_.clear();
-    for (const TriangleRun& run : triangles_.runs())
+    for (const TriangleRun& run : triangles)
         for (int first = run.first; first < run.last;) {
             const int row = first / along;
             const int last = std::min({first + kMostTriangles, (row + 1) * along, run.last});
@@ -112,7 +112,7 @@ void FlowPass::resize(const Target& target) {
 }
 
 void FlowPass::draw(FlowPattern pattern, Overlay overlay, const Target& target, Target::Parts parts,
-                    const WhatChanged& changed, const OnScreen& screen) {
+                    std::span<const TriangleRun> triangles, const WhatChanged& changed, const OnScreen& screen) {
     CHECK(has(pattern));
     resize(target);
     target.lend_depth(framebuffer_.name());
@@ -134,7 +134,7 @@ void FlowPass::draw(FlowPattern pattern, Overlay overlay, const Target& target, 
     glDepthMask(GL_FALSE);
     remesher_.bind();
     coordinates_.bind();
-    if (!parts.empty()) find_pieces(changed, screen);
+    if (!parts.empty()) find_pieces(triangles, changed, screen);
     Rectangle around;
     for (const Rectangle& part : parts) {
         around = around_both(around, part);

@@ -12,7 +12,6 @@
 #include "render/flow_to_gpu.h"
 #include "render/flow_triangles.h"
 #include "render/gl_handle.h"
-#include "render/frame_input.h"
 #include "render/marks.h"
 #include "render/remesher.h"
 #include "render/target.h"
@@ -38,12 +37,14 @@ class FlowPass {
     void send(const sim::front::FlowView& flow) { coordinates_.upload(flow); }
     // Cuts the mesh along its fronts. The flow's mesh is the heightfield of `grid`.
     void cut(const sim::front::FlowView& flow, const sim::Grid& grid);
-    // Finds the triangles that may show the flow, and adds to `changed` where it looks different.
-    void find(const FrameInput& input, WhatChanged& changed);
-    // Draws these triangles in parts of `target`. Reads SLOT_RELIEF, SLOT_ROLLING, SLOT_LAYERS and its depth. Writes
+    // Of the flow sent last: see FlowToGpu.
+    const FlowToGpu& coordinates() const { return coordinates_; }
+    // Adds to `changed` where the flow looks different, of squares in which `triangles` are or were.
+    void find_changes(const FlowTriangles& triangles, WhatChanged& changed) const;
+    // Draws these triangles of the mesh, which are all that may show the flow, in parts of `target`. Reads SLOT_RELIEF, SLOT_ROLLING, SLOT_LAYERS and its depth. Writes
     // SLOT_SKIN_ALBEDO and SLOT_SKIN_RELIEF and leaves them bound. Leaves another framebuffer bound.
     void draw(FlowPattern pattern, Overlay overlay, const Target& target, Target::Parts parts,
-              const WhatChanged& changed, const OnScreen& screen);
+              std::span<const TriangleRun> triangles, const WhatChanged& changed, const OnScreen& screen);
     // Draws edges, fronts and points onto the scene; `samples` is the number along the edge of a pixel.
     void draw_mesh(int samples) const;
 
@@ -52,7 +53,7 @@ class FlowPass {
         return textures_[static_cast<std::size_t>(pattern)];
     }
     void resize(const Target& target);
-    void find_pieces(const WhatChanged& changed, const OnScreen& screen);
+    void find_pieces(std::span<const TriangleRun> triangles, const WhatChanged& changed, const OnScreen& screen);
 
     // Some triangles of a row of squares, and where they appear.
     struct Piece {
@@ -65,7 +66,6 @@ class FlowPass {
     ProgramName mesh_program_, point_program_;
     Remesher remesher_;
     FlowToGpu coordinates_;
-    FlowTriangles triangles_;
     std::vector<int> cut_vertices_;  // at the edges whose cuts moved
     std::vector<Piece> pieces_;
     std::vector<TriangleRun> runs_;  // in one part

@@ -89,7 +89,9 @@ class FlowPicture : public Gl {
                          .width = kAcross,
                          .height = kUp,
                          .first_depth = first_depth_};
-        if (fields_.upload(world_.view(), first_depth_)) surface_.resize(world_.grid);
+        if (fields_.upload_ground(world_.view(), first_depth_).terrain) surface_.resize(world_.grid);
+        changed_.compare(world_.view(), {}, first_depth_, std::nullopt, RedrawRules(), true);
+        fields_.upload_layers(world_.view(), 0, kHigh - 1);
         const FrameBlock frame = make_frame_block(input, fields_.heights(), 1, glm::vec3(1));
         glNamedBufferSubData(block_.name(), 0, sizeof frame, &frame);
         glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_FRAME, block_.name());
@@ -97,14 +99,16 @@ class FlowPicture : public Gl {
         pass_->send(*flow_);
         pass_->cut(*flow_, world_.grid);
         surface_.survey_terrain();
-        surface_.run();
+        surface_.run(changed_.groups());
         surface_.bind();
         target_.resize(kAcross, kUp, 1);
+        screen_ = OnScreen(frame.clip_from_world, kAcross, kUp);
     }
 
     Skin drawn(std::span<const TriangleRun> triangles) {
-        target_.begin_scene();
-        pass_->draw(FlowPattern::kSnow, Overlay::kNone, target_, triangles);
+        const Rectangle all = target_.all();
+        target_.begin_scene({&all, 1});
+        pass_->draw(FlowPattern::kSnow, Overlay::kNone, target_, {&all, 1}, triangles, changed_, screen_);
         return {texels_of(SLOT_SKIN_ALBEDO), texels_of(SLOT_SKIN_RELIEF)};
     }
 
@@ -151,6 +155,8 @@ class FlowPicture : public Gl {
     SurfacePass surface_;
     std::optional<FlowPass> pass_;
     Target target_;
+    WhatChanged changed_;
+    OnScreen screen_;
     FlowTriangles triangles_;
 };
 
