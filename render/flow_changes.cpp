@@ -88,10 +88,8 @@ void FlowChanges::remember(const FlowView& flow) {
     offsets_.assign(layers.offsets().begin(), layers.offsets().end());
     mixes_.assign(layers.mix().begin(), layers.mix().end());
     touched_.assign(layers.touched().begin(), layers.touched().end());
-    vertices_.assign(count_, {});
-    for (int v = 0; v < static_cast<int>(count_); ++v) vertices_[v].deposit = flow.deposit(v);
-    for (int v = 0; v < static_cast<int>(count_); ++v) vertices_[v].shows = shown_at(flow, vertices_, v);
-    for (int v = 0; v < static_cast<int>(count_); ++v) vertices_[v].stretch = stretch_at(flow, vertices_, v);
+    vertices_.resize(count_);
+    describe(flow, vertices_);
     changed_.resize(count_);
     std::iota(changed_.begin(), changed_.end(), 0);
     std::fill(differs_.begin(), differs_.end(), std::uint8_t{1});

@@ -6,6 +6,7 @@
 
 #include "assets/shaders/slots.glsl"
 #include "render/ramp.h"
+#include "sim/core/check.h"
 
 namespace render {
 namespace {
@@ -23,6 +24,16 @@ float apart(const TextureLayers& layers, int vertex, int other) {
 }
 
 }  // namespace
+
+void describe(const FlowView& flow, std::span<FlowVertex> vertices) {
+    const int count = flow.mesh().vertices();
+    CHECK(vertices.size() == flow.mesh().position.size());
+    for (int v = 0; v < count; ++v) vertices[v] = {-1, flow.deposit(v), v, 0};
+    for (int v = 0; v < count; ++v) vertices[v].shows = shown_at(flow, vertices, v);
+    for (int v = 0; v < count; ++v) vertices[v].stretch = stretch_at(flow, vertices, v);
+    const std::span<const int> beside = flow.layers().beside_front();
+    for (std::size_t i = 0; i < beside.size(); ++i) vertices[beside[i]].beside = static_cast<int>(i);
+}
 
 int shown_at(const FlowView& flow, std::span<const FlowVertex> vertices, int vertex) {
     int shown = vertex;

@@ -14,6 +14,11 @@ struct FlowVertex {
     float stretch = 0;  // how far its texture is stretched, 0: not at all
 };
 
+// Describes all vertices of a flow in `vertices`, which has one for each vertex of its mesh.
+void describe(const sim::front::FlowView& flow, std::span<FlowVertex> vertices);
+
+// The parts of it for one vertex, by which a description is kept up to date.
+//
 // The vertex whose texture shows at a vertex. Reads the deposits of its neighbours in `vertices`: a deposit is extended
 // by one vertex, because otherwise its texture would be stretched to that of untouched ground.
 int shown_at(const sim::front::FlowView& flow, std::span<const FlowVertex> vertices, int vertex);
