@@ -581,8 +581,14 @@ void add_bench(CLI::App& app, BenchOptions& options) {
                "run at most N ticks of each recording", "all");
     add_number(app, "--every", "TICKS", options.measure.every, kStride,
                "draw a frame every so many ticks, 60 per simulated second", "120");
-    add_size(app, options.size, "set the size of the frames", "640x360");
-    add_gl(app, options.gl);
+    add_size(app, options.canvas.size, "set the size of the frames", "640x360");
+    add_number(app, "--samples", "N", options.canvas.samples, Range<int>{1, 2},
+               "draw with so many samples along the edge of a pixel: 1 as in the tiers fast and balanced, 2 as in "
+               "full",
+               "1");
+    app.add_flag("--whole", options.canvas.whole,
+                 "draw all of each frame anew, as while a camera moves; else only what changed");
+    add_gl(app, options.canvas.gl);
     app.add_flag_callback(
         "--no-render", [&options] { options.draws = false; }, "disable rendering");
     app.add_option("--perf", options.perf, "write one line per tick, or per table row with --scaling")

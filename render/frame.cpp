@@ -95,7 +95,7 @@ struct Redrawn {
     std::optional<View> view;  // of the last frame
     std::optional<Ring> ring;  // of the last frame
     WhatChanged world;
-    ScreenTiles scene_tiles, shown_tiles;
+    ScreenTiles scene_tiles, shown_tiles, forgotten_tiles;
     std::vector<Rectangle> scene;           // samples: what stands there
     std::vector<Rectangle> shown;           // pixels: that, and what floats in the air
     std::vector<Rectangle> air, smoothed;   // samples of `shown`; pixels around it whose edges may change
@@ -335,7 +335,8 @@ void Renderer::draw(const FrameInput& input) {
     // Find where the frame differs from the last one.
     const OnScreen screen(frame.clip_from_world, p.target.samples_across(), p.target.samples_up());
     ScreenTiles& tiles = redrawn.scene_tiles;
-    tiles.begin(p.target.samples_across(), p.target.samples_up(), p.rules.tile);
+    for (ScreenTiles* each : {&tiles, &redrawn.forgotten_tiles})
+        each->begin(p.target.samples_across(), p.target.samples_up(), p.rules.tile);
     if (everything)
         tiles.mark_all();
     else
@@ -343,11 +344,12 @@ void Renderer::draw(const FrameInput& input) {
     p.terrain.find(changed, screen, everything);
     p.tiles.find(input, frame.clip_from_world, p.target.samples_across(), p.target.samples_up());
     p.tiles.mark_changes(tiles);
-    if (goes_on) p.surroundings.find(frame, changed, screen, everything, tiles);
-    p.structures.find(input, frame, changed, screen, everything, tiles);
+    ScreenTiles& with_things = p.rules.things ? tiles : redrawn.forgotten_tiles;
+    if (goes_on) p.surroundings.find(frame, changed, screen, everything, with_things);
+    p.structures.find(input, frame, changed, screen, everything, with_things);
     if (view.woods != 0) {
         p.trees.survey(*woods, *around, frame);
-        p.trees.find(*woods, world, so_far, frame, screen, everything, tiles);
+        p.trees.find(*woods, world, so_far, frame, screen, everything, with_things);
     }
     const bool powdery =
         p.powder.find(puffs, frame, look, powder_strength, p.target.samples_across(), p.target.samples_up());

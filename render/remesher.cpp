@@ -77,9 +77,7 @@ void Remesher::send_mesh(const sim::front::Mesh& mesh) {
     CHECK(triangles > 0 && triangles <= kMostTriangles);
     edge_triangle_ = mesh.edge_triangle;
     triangle_edge_ = mesh.triangle_edge;
-    crossing_.assign(edges, kNotCut);
-    moved_.clear();
-    moved_.reserve(edges);
+    is_cut_.assign(edges, 0);
     further_pieces_ = 0;
     run_counts_.reserve(triangles / kTrianglesPerRun + 1);
     run_offsets_.reserve(triangles / kTrianglesPerRun + 1);
@@ -119,7 +117,6 @@ void Remesher::list_changes(std::span<const sim::front::Point> points) {
     cut_.clear();
     changed_edges_.clear();
     changed_triangles_.clear();
-    moved_.clear();
     auto before = cut_before_.begin();
     const auto add_gone_until = [&](int edge) {
         for (; before != cut_before_.end() && *before < edge; ++before) add_change(*before, kNotCut);
@@ -142,12 +139,12 @@ void Remesher::list_changes(std::span<const sim::front::Point> points) {
 
 int Remesher::further_pieces_of(int triangle) const {
     const auto [a, b, c] = triangle_edge_[triangle];
-    return kFurtherPieces[(crossing_[a] >= 0) + (crossing_[b] >= 0) + (crossing_[c] >= 0)];
+    return kFurtherPieces[is_cut_[a] + is_cut_[b] + is_cut_[c]];
 }
 
 void Remesher::add_change(int edge, float crossing) {
     changed_edges_.push_back({edge, crossing});
-    if (std::exchange(crossing_[edge], crossing) != crossing) moved_.push_back(edge);
+    is_cut_[edge] = crossing >= 0;
     for (const int triangle : edge_triangle_[edge])
         if (triangle >= 0 && is_listed_[triangle] == 0) {
             is_listed_[triangle] = 1;

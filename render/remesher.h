@@ -33,9 +33,6 @@ class Remesher {
     // ascending. The cost grows with their number, not with the mesh. Leaves one of its own programs current.
     void cut(std::span<const sim::front::Point> points);
 
-    // The edges whose crossing the last cut() changed.
-    std::span<const int> moved() const { return moved_; }
-
     void bind() const;  // the buffers that cut_vertex.glsl reads
     // Draws all triangles with the current program, with the mesh's winding: the first piece of each, in their order,
     // then the further pieces, which have no order.
@@ -72,8 +69,7 @@ class Remesher {
     VertexArray vertices_;  // has no attributes, but holds the index buffer
     std::vector<std::array<int, 2>> edge_triangle_;
     std::vector<std::array<int, 3>> triangle_edge_;
-    std::vector<float> crossing_;        // of each edge, as ChangedEdge
-    std::vector<int> moved_;
+    std::vector<std::uint8_t> is_cut_;   // of each edge
     std::vector<int> cut_, cut_before_;  // edges, ascending
     std::vector<ChangedEdge> changed_edges_;
     std::vector<std::int32_t> changed_triangles_;

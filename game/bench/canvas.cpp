@@ -13,7 +13,7 @@ namespace game {
 struct Canvas::Parts {
     render::HeadlessContext context;  // first, because the renderer's GL names live in it
     render::Renderer renderer;
-    PictureSize size;
+    CanvasOptions options;
     std::optional<render::Camera> camera = std::nullopt;
     render::Light light = {};
     render::Look look = {};
@@ -23,15 +23,16 @@ struct Canvas::Parts {
     render::Wind wind = {};
 };
 
-Outcome<Canvas> Canvas::open(PictureSize size, const std::string& gl) {
+Outcome<Canvas> Canvas::open(const CanvasOptions& options) {
     const auto assets = assets_folder();
     if (!assets) return tl::unexpected(assets.error());
-    auto context = render::HeadlessContext::create(gl);
+    auto context = render::HeadlessContext::create(options.gl);
     if (!context) return machine_fails(context.error());
-    auto renderer = render::Renderer::create(*assets, render::Quality::kFast);
+    auto renderer = render::Renderer::create(
+        *assets, options.samples == 1 ? render::Quality::kFast : render::Quality::kFine);
     if (!renderer) return machine_fails(renderer.error());
     renderer->time_stages(render::suitable_timing());
-    return Canvas(std::make_unique<Parts>(Parts{std::move(*context), std::move(*renderer), size}));
+    return Canvas(std::make_unique<Parts>(Parts{std::move(*context), std::move(*renderer), options}));
 }
 
 Canvas::Canvas(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -57,13 +58,14 @@ render::DrawTimes Canvas::draw(const Session& session) {
     Parts& p = *parts_;
     const sim::View world = session.view();
     if (!p.camera) p.camera = render::overview(world);
+    if (p.options.whole) p.renderer.forget();
     p.renderer.draw({.world = world,
                      .camera = *p.camera,
                      .light = p.light,
                      .look = p.look,
                      .flow = session.fronts(),
-                     .width = p.size.width,
-                     .height = p.size.height,
+                     .width = p.options.size.width,
+                     .height = p.options.size.height,
                      .first_depth = p.first_depth,
                      .surroundings = &p.surroundings,
                      .powder = session.powder(),
@@ -76,8 +78,11 @@ render::DrawTimes Canvas::draw(const Session& session) {
 }
 
 render::DrawnBy Canvas::drawn_by() const {
+    const CanvasOptions& options = parts_->options;
     return {parts_->context.renderer_name(),
-            fmt::format("{}x{} pixels, one sample each", parts_->size.width, parts_->size.height),
+            fmt::format("{}x{} pixels, {}, {}", options.size.width, options.size.height,
+                        options.samples == 1 ? "one sample each" : "two by two samples each",
+                        options.whole ? "each frame as a whole" : "only what changed"),
             render::suitable_timing()};
 }
 

@@ -11,11 +11,19 @@
 
 namespace game {
 
-// Draws frames off screen as fast as possible, one sample per pixel, and times them.
+// How frames are drawn off screen to be timed.
+struct CanvasOptions {
+    PictureSize size{640, 360};
+    std::string gl = "auto";  // as in render::HeadlessContext::create
+    int samples = 1;          // along the edge of a pixel, 1 or 2
+    bool whole = false;       // all of each frame anew, as while the camera moves; else only what changed
+};
+
+// Draws frames off screen as fast as possible, and times them.
 class Canvas {
   public:
-    // `gl` as in render::HeadlessContext::create. Errors: no GL (status 3).
-    static Outcome<Canvas> open(PictureSize size, const std::string& gl);
+    // Errors: no GL (status 3).
+    static Outcome<Canvas> open(const CanvasOptions& options);
     ~Canvas();
     Canvas(Canvas&&) noexcept;
     Canvas& operator=(Canvas&&) noexcept;

@@ -64,7 +64,7 @@ std::vector<BenchPhysics> physics_of(const BenchOptions& options) {
 MeasureOptions measure_options_of(const BenchOptions& options) {
     MeasureOptions measure = options.measure;
     measure.memory.use.draws = options.draws;
-    if (options.draws) measure.memory.use.frames = {options.size.width, options.size.height, 1};
+    if (options.draws) measure.memory.use.frames = {options.canvas.size.width, options.canvas.size.height, options.canvas.samples};
     return measure;
 }
 
@@ -163,7 +163,7 @@ Outcome<int> bench(const BenchOptions& options) {
             if (auto placed = make_place_for(*file); !placed) return tl::unexpected(placed.error());
     std::optional<Canvas> canvas;
     if (options.draws) {
-        auto opened = Canvas::open(options.size, options.gl);
+        auto opened = Canvas::open(options.canvas);
         if (!opened) return tl::unexpected(opened.error());
         canvas = std::move(*opened);
     }

@@ -8,6 +8,7 @@
 #include "game/analysis/gallery.h"
 #include "game/analysis/summary.h"
 #include "game/base/outcome.h"
+#include "game/bench/canvas.h"
 #include "game/bench/measure.h"
 #include "game/compare/edit.h"
 #include "game/controls/tier.h"
@@ -160,8 +161,7 @@ struct BenchOptions {
     bool scaling = false;
     MeasureOptions measure;
     bool draws = true;
-    PictureSize size{640, 360};
-    std::string gl = "auto";
+    CanvasOptions canvas;
     std::optional<std::filesystem::path> perf, summary, page, trace, against;
     double tolerance = 0.25;  // relative increase allowed in the time of a stage
     bool json = false;        // instead of tables

@@ -108,11 +108,12 @@ Outcome<render::Renderer> make_renderer(const std::filesystem::path& assets, con
     return std::move(*renderer);
 }
 
-// Draws `input` twice, so that the second frame has no first-time costs, and returns the times of that one.
+// Draws all of `input` twice, so that the second frame has no first-time costs, and returns the times of that one.
 render::DrawTimes timed(render::Renderer& renderer, const render::FrameInput& input,
                         render::Quality quality) {
     renderer.set_quality(quality);
     renderer.draw(input);
+    renderer.forget();
     renderer.draw(input);
     return *renderer.stage_times();
 }

@@ -21,7 +21,8 @@ constexpr std::uint64_t kMiB = std::uint64_t{1} << 20;
 // Buffers of a frame (render/target.h and render/passes/flow_pass.h), and images on their way to a file.
 std::uint64_t frame_bytes(const FrameUse& frames) {
     constexpr std::uint64_t kDepth = 4, kLinear = 8, kScreen = 4;  // per sample or pixel: 32F, RGBA16F, RGBA8
-    constexpr std::uint64_t kPerSample = kDepth + 2 * kLinear;     // depth, and the flow's albedo and relief
+    // Depth, that of the ground, the flow's albedo and relief, and what is drawn over by what floats in the air.
+    constexpr std::uint64_t kPerSample = 2 * kDepth + 3 * kLinear;
     // One image that was read back, those that wait, and for each worker one being encoded and three times an
     // image for the bytes of the file while they grow.
     constexpr std::uint64_t kImage = 3, kWait = render::FrameWriter::kCapacity;

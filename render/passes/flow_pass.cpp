@@ -68,15 +68,10 @@ void FlowPass::cut(const sim::front::FlowView& flow, const sim::Grid& grid) {
         remesher_.send_mesh(flow.mesh());
     }
     remesher_.cut(flow.tracker().points());
-    cut_vertices_.clear();
-    for (const int edge : remesher_.moved())
-        for (const int vertex : {flow.mesh().edge[edge].a, flow.mesh().edge[edge].b})
-            cut_vertices_.push_back(vertex);
 }
 
 void FlowPass::find_changes(const FlowTriangles& triangles, WhatChanged& changed) const {
-    for (const std::span<const int> vertices : {coordinates_.changed(), std::span<const int>(cut_vertices_)})
-        changed.add_flow(vertices, triangles.shown(), triangles.shown_before());
+    changed.add_flow(coordinates_.changed(), triangles.shown(), triangles.shown_before());
 }
 
 // Cuts runs into pieces short enough to be drawn only where they appear.

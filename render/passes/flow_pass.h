@@ -66,7 +66,6 @@ class FlowPass {
     ProgramName mesh_program_, point_program_;
     Remesher remesher_;
     FlowToGpu coordinates_;
-    std::vector<int> cut_vertices_;  // at the edges whose cuts moved
     std::vector<Piece> pieces_;
     std::vector<TriangleRun> runs_;  // in one part
     std::array<std::optional<FlowTexture>, kFlowPatterns.size()> textures_;

@@ -86,14 +86,35 @@ class Player {
     }
     // Near the ground as often as far above it, so that crests are seen from beside them.
     void turn_somewhere() {
+        const sim::Grid& grid = sandbox_->session().view().grid;
+        look_at({from(0, grid.nx - 1), from(0, grid.ny - 1)}, chance(0.5) ? 3 + 10 * share() : 60 * share(),
+                chance(0.5) ? 30 + 200 * share() : 200 + 2000 * share());
+    }
+    void look_at(glm::ivec2 v, double elevation_deg, double distance_m) {
         const sim::View world = sandbox_->session().view();
-        const int x = from(0, world.grid.nx - 1), y = from(0, world.grid.ny - 1);
-        camera_.target = {x * static_cast<double>(world.grid.dx), y * static_cast<double>(world.grid.dx),
-                          world.datum + static_cast<double>(world.bedrock(x, y) + world.depth(x, y)) + 3};
+        camera_.target = {v.x * static_cast<double>(world.grid.dx), v.y * static_cast<double>(world.grid.dx),
+                          world.datum + static_cast<double>(world.bedrock(v.x, v.y) + world.depth(v.x, v.y)) + 3};
         camera_.azimuth_deg = 360 * share();
-        camera_.elevation_deg = chance(0.5) ? 3 + 10 * share() : 60 * share();
-        camera_.distance_m = chance(0.5) ? 30 + 200 * share() : 200 + 2000 * share();
+        camera_.elevation_deg = elevation_deg;
+        camera_.distance_m = distance_m;
         camera_.field_of_view_deg = 25 + 50 * share();
+    }
+
+    // Looks at the place where most moves, from near the ground as often as from above it.
+    void stand_at_a_slide() {
+        for (int i = 0; i < 200; ++i) tick();
+        const sim::View world = sandbox_->session().view();
+        glm::ivec2 most(world.grid.nx / 2, world.grid.ny / 2);
+        for (int y = 0; y < world.grid.ny; ++y)
+            for (int x = 0; x < world.grid.nx; ++x)
+                if (world.rolling(x, y) > world.rolling(most.x, most.y)) most = {x, y};
+        look_at(most, chance(0.5) ? 2 + 8 * share() : 10 + 40 * share(), 60 + 500 * share());
+    }
+    void slide_on() {
+        for (int i = from(1, 12); i > 0; --i) tick();
+        if (!chance(0.3)) return;
+        const double dx = static_cast<double>(sandbox_->session().view().grid.dx);
+        command(glm::dvec2(camera_.target) + dx * glm::dvec2(12 * share() - 6, 12 * share() - 6));
     }
 
     render::FrameInput input() const {
@@ -230,6 +251,38 @@ TEST_P(RandomSessions, draw_the_same_bytes_in_parts_as_a_whole) {
 INSTANTIATE_TEST_SUITE_P(With, RandomSessions, testing::Bool(), [](const auto& tight) {
     return tight.param ? "the_tightest_parts" : "parts_as_shipped";
 });
+
+// A renderer that forgets something on purpose. Each must be found, or the sessions above prove little.
+struct Mistake {
+    const char* name;
+    render::RedrawRules rules;
+};
+
+class Mistakes : public Redraw, public testing::WithParamInterface<Mistake> {};
+
+TEST_P(Mistakes, are_seen_in_some_frame) {
+    constexpr int kMostSessions = 60;
+    parts_->set_redraw(GetParam().rules);
+    for (int s = 0; s < kMostSessions; ++s) {
+        Player player(kScenes[static_cast<std::size_t>(s) % 3], 1000 + static_cast<unsigned>(s));
+        player.light().elevation_deg = 5;
+        player.stand_at_a_slide();
+        for (int frame = 0; frame < 30; ++frame) {
+            player.slide_on();
+            if (differing(player) > 0) return;
+        }
+    }
+    FAIL() << "not seen in " << frames_ << " frames, " << in_parts_ << " of them in parts";
+}
+INSTANTIATE_TEST_SUITE_P(
+    Of, Mistakes,
+    testing::Values(Mistake{"reach", {.reach = 1}}, Mistake{"shadows", {.sun = false}},
+                    Mistake{"a_rectangle", {.last_rectangle = false}},
+                    Mistake{"what_was_there", {.tile = 1, .most_rectangles = 64, .least_gain = 1, .block = 1, .old_heights = false}},
+                    Mistake{"edges", {.tile = 1, .most_rectangles = 64, .least_gain = 1, .edge_reach = 0}},
+                    Mistake{"things", {.tile = 1, .most_rectangles = 64, .least_gain = 1, .things = false}},
+                    Mistake{"the_air", {.air = false}}),
+    [](const auto& mistake) { return mistake.param.name; });
 
 }  // namespace
 }  // namespace game::test

@@ -18,7 +18,7 @@ namespace {
 // The documented columns, in order.
 constexpr const char* kColumns =
     "frame,tick,time_s,substeps,solve_ms,track_ms,gradient_ms,advect_ms,upload_ms,remesh_ms,surface_ms,"
-    "shadow_ms,"
+    "shadow_ms,changes_ms,"
     "depth_ms,flow_ms,terrain_ms,surroundings_ms,sky_ms,structures_ms,trees_ms,powder_ms,tone_ms,edges_ms,"
     "draw_ms,frame_ms,"
     "active_cells,"
@@ -156,12 +156,12 @@ TEST(PerfLog, csv_has_the_documented_columns_in_every_row) {
     ASSERT_EQ(rows.size(), 2u);
     EXPECT_EQ(rows[0],
               "0,7,0.1167,3,1.2500,0.5000,0.2500,0.1250,0.7500,0.8750,0.2500,0.5000,0.1250,0.0000,1.0000,"
-              "0.0000,0.3750,0.2500,0.1250,0.0000,0.0000,0.0000,2.6250,3.7500,42,12,34,100.5000,20."
+              "0.0000,0.3750,0.2500,0.1250,0.0000,0.0000,0.0000,0.0000,2.6250,3.7500,42,12,34,100.5000,20."
               "2500,3.1250,0.0000,"
               "00000000deadbeef");
     EXPECT_EQ(
         rows[1],
-        "1,7,0.1167,3,1.2500,,,,,,,,,,,,,,,,,,,3.7500,42,,,100.5000,20.2500,3.1250,0.0000,00000000deadbeef");
+        "1,7,0.1167,3,1.2500,,,,,,,,,,,,,,,,,,,,3.7500,42,,,100.5000,20.2500,3.1250,0.0000,00000000deadbeef");
     for (const std::string& each : rows)
         EXPECT_EQ(std::count(each.begin(), each.end(), ','),
                   std::count(kColumns, kColumns + std::string(kColumns).size(), ','));

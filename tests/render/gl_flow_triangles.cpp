@@ -81,6 +81,10 @@ class FlowPicture : public Gl {
         look_.flow = FlowLook{FlowPattern::kSnow, 9, false};
     }
 
+    void TearDown() override {
+        glUseProgram(0);  // otherwise a frame would restore a program of this test
+    }
+
     void send() {
         FrameInput input{.world = world_.view(),
                          .camera = {{36, 28, 4}, 200, 40, 90, 40},
