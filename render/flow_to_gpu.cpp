@@ -17,10 +17,10 @@ static_assert(sizeof(FlowVertex) == 16);
 
 constexpr std::size_t kLeastGradients = 256;
 
-template <class Values>
-void send(const Buffer& buffer, const Values& values) {
-    glNamedBufferSubData(buffer.name(), 0, static_cast<GLsizeiptr>(values.size() * sizeof(*values.data())),
-                         values.data());
+template <class T>
+void send(const Buffer& buffer, std::span<const T> values, std::size_t first, std::size_t last) {
+    glNamedBufferSubData(buffer.name(), static_cast<GLintptr>(first * sizeof(T)),
+                         static_cast<GLsizeiptr>((last - first) * sizeof(T)), values.data() + first);
 }
 
 }  // namespace
@@ -28,24 +28,27 @@ void send(const Buffer& buffer, const Values& values) {
 void FlowToGpu::upload(const sim::front::FlowView& flow) {
     const TextureLayers& layers = flow.layers();
     const std::size_t vertices = layers.offsets().size(), beside = layers.beside_front().size();
+    bool all_gradients = false;
     if (vertices != vertices_) {
         vertices_ = vertices;
         offsets_ = make_storage(vertices * sizeof(TextureLayers::Offsets));
         mixes_ = make_storage(vertices * sizeof(TextureLayers::Mix));
         vertex_buffer_ = make_storage(vertices * sizeof(FlowVertex));
-        of_vertex_.resize(vertices);
-        changed_.clear();
-        for (std::size_t i = 0; i < vertices; ++i) changed_.push_back(static_cast<int>(i));
     }
     if (beside > gradients_fit_ || gradients_fit_ == 0) {  // with room for fronts to grow
         gradients_fit_ = std::max(2 * beside, kLeastGradients);
         gradients_ = make_storage(gradients_fit_ * sizeof(TextureLayers::Gradients));
+        all_gradients = true;
     }
-    describe(flow, of_vertex_);
-    send(offsets_, layers.offsets());
-    send(mixes_, layers.mix());
-    send(vertex_buffer_, of_vertex_);
-    if (beside > 0) send(gradients_, layers.gradients());
+    changes_.find(flow);
+    for (const auto& [begin, end] : changes_.ranges()) {
+        const auto first = static_cast<std::size_t>(begin), last = static_cast<std::size_t>(end);
+        send(offsets_, layers.offsets(), first, last);
+        send(mixes_, layers.mix(), first, last);
+        send(vertex_buffer_, changes_.vertices(), first, last);
+    }
+    if (beside > 0 && (all_gradients || changes_.gradients_changed()))
+        send(gradients_, layers.gradients(), 0, beside);
 }
 
 void FlowToGpu::bind() const {

@@ -1,26 +1,30 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
-#include "render/flow_vertices.h"
+#include "render/flow_changes.h"
 #include "render/gl_handle.h"
 #include "sim/front/flow_view.h"
 
 namespace render {
 
-// Uploads a flow's texture coordinates as buffers, to the slots that flow.vert reads.
+// Uploads what changed of a flow's texture coordinates, as buffers, to the slots that flow.vert reads.
 class FlowToGpu {
   public:
+    // The flow's mesh is a heightfield.
     void upload(const sim::front::FlowView& flow);
-    std::span<const int> changed() const { return changed_; }
+    // Lets the next upload send everything.
+    void forget() { changes_.forget(); }
     void bind() const;
 
+    // As in FlowChanges, since the upload before.
+    std::span<const int> changed() const { return changes_.changed(); }
+    std::span<const FlowVertex> vertices() const { return changes_.vertices(); }
+
   private:
+    FlowChanges changes_;
     Buffer offsets_, mixes_, vertex_buffer_, gradients_;
     std::size_t vertices_ = 0, gradients_fit_ = 0;
-    std::vector<FlowVertex> of_vertex_;
-    std::vector<int> changed_;
 };
 
 }  // namespace render

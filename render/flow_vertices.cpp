@@ -23,7 +23,27 @@ float apart(const TextureLayers& layers, int vertex, int other) {
     return sum;
 }
 
-float stretch_at(const FlowView& flow, const std::vector<FlowVertex>& vertices, int vertex) {
+}  // namespace
+
+void describe(const FlowView& flow, std::span<FlowVertex> vertices) {
+    const int count = flow.mesh().vertices();
+    CHECK(vertices.size() == flow.mesh().position.size());
+    for (int v = 0; v < count; ++v) vertices[v] = {-1, flow.deposit(v), v, 0};
+    for (int v = 0; v < count; ++v) vertices[v].shows = shown_at(flow, vertices, v);
+    for (int v = 0; v < count; ++v) vertices[v].stretch = stretch_at(flow, vertices, v);
+    const std::span<const int> beside = flow.layers().beside_front();
+    for (std::size_t i = 0; i < beside.size(); ++i) vertices[beside[i]].beside = static_cast<int>(i);
+}
+
+int shown_at(const FlowView& flow, std::span<const FlowVertex> vertices, int vertex) {
+    int shown = vertex;
+    if (!flow.layers().has_moved(vertex))
+        for (const auto& spoke : flow.mesh().around(vertex))
+            if (vertices[spoke.vertex].deposit > 0) shown = spoke.vertex;
+    return shown;
+}
+
+float stretch_at(const FlowView& flow, std::span<const FlowVertex> vertices, int vertex) {
     const sim::front::Mesh& mesh = flow.mesh();
     const TextureLayers& layers = flow.layers();
     if (!layers.has_moved(vertex)) return static_cast<float>(STRETCH_GONE);
@@ -40,24 +60,6 @@ float stretch_at(const FlowView& flow, const std::vector<FlowVertex>& vertices, 
         ++count;
     }
     return count > 0 ? std::sqrt(sum / static_cast<float>(count)) : 0;
-}
-
-}  // namespace
-
-void describe(const FlowView& flow, std::vector<FlowVertex>& vertices) {
-    const TextureLayers& layers = flow.layers();
-    const int count = flow.mesh().vertices();
-    CHECK(vertices.size() == flow.mesh().position.size());
-    for (int v = 0; v < count; ++v) vertices[v] = {-1, flow.deposit(v), v, 0};
-    // The deposit is extended by one vertex. Otherwise its texture would be stretched to that of untouched
-    // ground.
-    for (int v = 0; v < count; ++v)
-        if (vertices[v].deposit > 0)
-            for (const auto& spoke : flow.mesh().around(v))
-                if (!layers.has_moved(spoke.vertex)) vertices[spoke.vertex].shows = v;
-    for (int v = 0; v < count; ++v) vertices[v].stretch = stretch_at(flow, vertices, v);
-    for (std::size_t i = 0; i < layers.beside_front().size(); ++i)
-        vertices[layers.beside_front()[i]].beside = static_cast<int>(i);
 }
 
 float kept_share(float stretch) {

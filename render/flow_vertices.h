@@ -1,7 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <vector>
+#include <span>
 
 #include "sim/front/flow_view.h"
 
@@ -16,12 +15,20 @@ struct FlowVertex {
 };
 
 // Describes all vertices of a flow in `vertices`, which has one for each vertex of its mesh.
+void describe(const sim::front::FlowView& flow, std::span<FlowVertex> vertices);
+
+// The parts of it for one vertex, by which a description is kept up to date.
 //
-// The stretch of a vertex is the root mean square over its neighbours of how far offsets differ per metre,
-// weighted by the mix of the sheets. Neighbours across a front and neighbours without a texture do not count.
-// A vertex where nothing ever moved has no texture of its own; it counts as fully stretched, so that debris
-// that lies still is drawn there.
-void describe(const sim::front::FlowView& flow, std::vector<FlowVertex>& vertices);
+// The vertex whose texture shows at a vertex. Reads the deposits of its neighbours in `vertices`: a deposit is extended
+// by one vertex, because otherwise its texture would be stretched to that of untouched ground.
+int shown_at(const sim::front::FlowView& flow, std::span<const FlowVertex> vertices, int vertex);
+
+// The stretch at a vertex: the root mean square over its neighbours of how far offsets differ per metre, weighted by the
+// mix of the sheets. Neighbours across a front and neighbours without a texture do not count. Reads what the vertex and
+// its neighbours show in `vertices`.
+// A vertex where nothing ever moved has no texture of its own; it counts as fully stretched, so that debris that lies
+// still is drawn there.
+float stretch_at(const sim::front::FlowView& flow, std::span<const FlowVertex> vertices, int vertex);
 
 // Share of the advected sheets in the texture that is drawn at a stretch, 0 to 1. A sheet that lies still takes
 // the rest. As in flow.frag.

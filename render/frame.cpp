@@ -5,6 +5,7 @@
 
 #include "assets/shaders/slots.glsl"
 #include "render/fields_to_gpu.h"
+#include "render/flow_triangles.h"
 #include "render/frame_block.h"
 #include "render/ground_mesh.h"
 #include "render/on_screen.h"
@@ -47,13 +48,13 @@ bool has_lines(const Marks& marks) {
 // last frame's, all is drawn anew.
 struct View {
     FrameBlock block;  // without a ring
-    bool flows = false, lines = false;
+    bool flows = false, lines = false, mesh = false;
     FlowPattern pattern = {};
     std::uint64_t surroundings = 0, woods = 0;  // fingerprints; 0: none
 
     bool operator==(const View& other) const {
         return std::memcmp(&block, &other.block, sizeof block) == 0 && flows == other.flows &&
-               lines == other.lines && pattern == other.pattern && surroundings == other.surroundings &&
+               lines == other.lines && mesh == other.mesh && pattern == other.pattern && surroundings == other.surroundings &&
                woods == other.woods;
     }
 };
@@ -63,6 +64,7 @@ View view_of(const FrameInput& input, const FrameBlock& block) {
     view.block.ring = view.block.ring_colour = glm::vec4(0);
     view.flows = input.look.flow && input.flow;
     view.lines = has_lines(input.marks);
+    view.mesh = input.marks.flow_mesh;
     if (view.flows) view.pattern = input.look.flow->pattern;
     if (input.surroundings && !input.surroundings->empty()) {
         view.surroundings = input.surroundings->fingerprint();
@@ -140,6 +142,7 @@ struct Renderer::Parts {
     TerrainPass terrain;
     SlideTiles tiles;
     FlowPass flow;
+    FlowTriangles triangles;
     SurroundingsPass surroundings;
     FullscreenPass sky, day_lights, night_lights;
     StructuresPass structures;
@@ -205,6 +208,7 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
                                                   std::move(*terrain),
                                                   SlideTiles(),
                                                   std::move(*flow),
+                                                  FlowTriangles(),
                                                   std::move(*surroundings),
                                                   std::move(*sky),
                                                   std::move(*day_lights),
@@ -289,14 +293,15 @@ void Renderer::draw(const FrameInput& input) {
     glNamedBufferSubData(p.frame_block.name(), 0, sizeof frame, &frame);
     glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_FRAME, p.frame_block.name());
     p.fields.bind();
-    if (flows) {
-        p.flow.send(*flow);
-        changed.add_flow(p.flow.changed());
-    }
+    if (flows) p.flow.send(*flow);
     p.clock.mark(Pass::kUpload);
 
     // Apply what changed along the fronts since the last frame.
-    if (flows) p.flow.cut(*flow, world.grid);
+    if (flows) {
+        p.flow.cut(*flow, world.grid);
+        p.triangles.find(world, first_depth, p.flow.coordinates().vertices(), look);
+        p.flow.find_changes(p.triangles, changed);
+    }
     p.clock.mark(Pass::kRemesh);
 
     // Data that depends only on the bedrock is computed here, once per terrain, because it needs the fields
@@ -356,7 +361,9 @@ void Renderer::draw(const FrameInput& input) {
     p.clock.mark(Pass::kDepth);
 
     // Draw the visible colours of the flow unlit, so that terrain and flow are lit together.
-    if (flows) p.flow.draw(look.flow->pattern, marks.overlay, p.target, redrawn.scene);
+    if (flows) 
+        p.flow.draw(look.flow->pattern, marks.overlay, p.target, redrawn.scene, p.triangles.runs(), changed,
+                    screen);
     p.clock.mark(Pass::kFlow);
 
     // Shade each pixel once, whatever the number of triangles under it.

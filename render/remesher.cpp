@@ -13,7 +13,16 @@ namespace render {
 namespace {
 
 constexpr int kMostPieces = 6;  // of a triangle
+constexpr std::array<int, 4> kFurtherPieces{0, 2, 2,
+                                            5};  // of a triangle with so many cuts, as in cut_triangles.comp
+constexpr std::size_t kTrianglesPerRun = 16;     // at least, on the whole
 constexpr float kNotCut = -1;
+
+// OpenGL takes an offset into the index buffer as a pointer.
+const void* at_index(std::size_t index) {
+    const std::uintptr_t offset = index * sizeof(GLuint);
+    return reinterpret_cast<const void*>(offset);  // NOLINT(performance-no-int-to-ptr)
+}
 
 // The layout of glDrawElementsIndirect. Shaders see only the count, at SLOT_CUT_COUNT.
 struct DrawCommand {
@@ -67,6 +76,13 @@ void Remesher::send_mesh(const sim::front::Mesh& mesh) {
     const std::size_t edges = mesh.edge.size(), triangles = mesh.triangle.size();
     CHECK(triangles > 0 && triangles <= kMostTriangles);
     edge_triangle_ = mesh.edge_triangle;
+    triangle_edge_ = mesh.triangle_edge;
+    crossing_.assign(edges, kNotCut);
+    moved_.clear();
+    moved_.reserve(edges);
+    further_pieces_ = 0;
+    run_counts_.reserve(triangles / kTrianglesPerRun + 1);
+    run_offsets_.reserve(triangles / kTrianglesPerRun + 1);
     is_listed_.assign(triangles, 0);
     cut_.clear();
     for (std::vector<int>* list : {&cut_, &cut_before_}) list->reserve(edges);
@@ -103,6 +119,7 @@ void Remesher::list_changes(std::span<const sim::front::Point> points) {
     cut_.clear();
     changed_edges_.clear();
     changed_triangles_.clear();
+    moved_.clear();
     auto before = cut_before_.begin();
     const auto add_gone_until = [&](int edge) {
         for (; before != cut_before_.end() && *before < edge; ++before) add_change(*before, kNotCut);
@@ -115,11 +132,22 @@ void Remesher::list_changes(std::span<const sim::front::Point> points) {
         add_change(point.edge, std::clamp(point.f, sim::front::kNearestToEnd, 1 - sim::front::kNearestToEnd));
     }
     add_gone_until(static_cast<int>(edge_triangle_.size()));
-    for (const std::int32_t triangle : changed_triangles_) is_listed_[triangle] = 0;
+    // All cut triangles are listed.
+    further_pieces_ = 0;
+    for (const std::int32_t triangle : changed_triangles_) {
+        is_listed_[triangle] = 0;
+        further_pieces_ += further_pieces_of(triangle);
+    }
+}
+
+int Remesher::further_pieces_of(int triangle) const {
+    const auto [a, b, c] = triangle_edge_[triangle];
+    return kFurtherPieces[(crossing_[a] >= 0) + (crossing_[b] >= 0) + (crossing_[c] >= 0)];
 }
 
 void Remesher::add_change(int edge, float crossing) {
     changed_edges_.push_back({edge, crossing});
+    if (std::exchange(crossing_[edge], crossing) != crossing) moved_.push_back(edge);
     for (const int triangle : edge_triangle_[edge])
         if (triangle >= 0 && is_listed_[triangle] == 0) {
             is_listed_[triangle] = 1;
@@ -155,6 +183,25 @@ void Remesher::draw() const {
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, command_.name());
     glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+}
+
+void Remesher::draw_first_pieces(std::span<const TriangleRun> runs) {
+    if (runs.empty()) return;
+    run_counts_.clear();
+    run_offsets_.clear();
+    for (const auto& [first, last] : runs) {
+        run_counts_.push_back(3 * (last - first));
+        run_offsets_.push_back(at_index(3 * static_cast<std::size_t>(first)));
+    }
+    glBindVertexArray(vertices_.name());
+    glMultiDrawElements(GL_TRIANGLES, run_counts_.data(), GL_UNSIGNED_INT, run_offsets_.data(),
+                        static_cast<GLsizei>(runs.size()));
+}
+
+void Remesher::draw_further_pieces() const {
+    if (further_pieces_ == 0) return;
+    glBindVertexArray(vertices_.name());
+    glDrawElements(GL_TRIANGLES, 3 * further_pieces_, GL_UNSIGNED_INT, at_index(uncut_count_));
 }
 
 std::vector<std::uint32_t> Remesher::indices() const {

@@ -10,6 +10,7 @@
 #include <tl/expected.hpp>
 
 #include "render/gl_handle.h"
+#include "render/triangle_run.h"
 #include "sim/front/mesh.h"
 #include "sim/front/tracker.h"
 
@@ -32,9 +33,24 @@ class Remesher {
     // ascending. The cost grows with their number, not with the mesh. Leaves one of its own programs current.
     void cut(std::span<const sim::front::Point> points);
 
+    // The edges whose crossing the last cut() changed.
+    std::span<const int> moved() const { return moved_; }
+
     void bind() const;  // the buffers that cut_vertex.glsl reads
-    // Draws all triangles with the current program, with the mesh's winding. Pieces have no order.
+    // Draws all triangles with the current program, with the mesh's winding: the first piece of each, in their order,
+    // then the further pieces, which have no order.
     void draw() const;
+    // Draws the same of these runs of the mesh's triangles, which are ascending, and all further pieces.
+    void draw(std::span<const TriangleRun> runs) {
+        draw_first_pieces(runs);
+        draw_further_pieces();
+    }
+    // Draws the first piece of each triangle of these runs: the triangle itself, if it is not cut.
+    void draw_first_pieces(std::span<const TriangleRun> runs);
+    // Draws the other pieces of all cut triangles.
+    void draw_further_pieces() const;
+    // Their number.
+    int further_pieces() const { return further_pieces_; }
 
     // The indices of draw(), three per triangle. Waits for the GPU. For tests.
     std::vector<std::uint32_t> indices() const;
@@ -47,6 +63,7 @@ class Remesher {
 
     void list_changes(std::span<const sim::front::Point> points);
     void add_change(int edge, float crossing);
+    int further_pieces_of(int triangle) const;
     void run_over_changes() const;
 
     ProgramName cut_edges_, cut_triangles_;
@@ -54,11 +71,17 @@ class Remesher {
         indices_, command_;
     VertexArray vertices_;  // has no attributes, but holds the index buffer
     std::vector<std::array<int, 2>> edge_triangle_;
+    std::vector<std::array<int, 3>> triangle_edge_;
+    std::vector<float> crossing_;        // of each edge, as ChangedEdge
+    std::vector<int> moved_;
     std::vector<int> cut_, cut_before_;  // edges, ascending
     std::vector<ChangedEdge> changed_edges_;
     std::vector<std::int32_t> changed_triangles_;
     std::vector<std::uint8_t> is_listed_;  // of each triangle, while changes are listed
     GLuint uncut_count_ = 0;               // number of indices of the uncut mesh
+    int further_pieces_ = 0;
+    std::vector<GLsizei> run_counts_;  // while runs are drawn: numbers of indices
+    std::vector<const void*> run_offsets_;
 };
 
 }  // namespace render

@@ -189,7 +189,7 @@ void SunSweep::sweep(const sim::View& world) {
 // Computes the heights of some rows from this step on, each with one more column, equal to the last.
 void SunSweep::find_heights(const sim::View& world, int step) {
     const int columns = course_.columns, wide = columns + 1, end = std::min(step + kRowsAtOnce, course_.rows);
-    heights_.resize(static_cast<std::size_t>(kRowsAtOnce * wide));
+    heights_.resize(static_cast<std::size_t>(kRowsAtOnce) * static_cast<std::size_t>(wide));
     if (course_.turned) {
         const int low = std::min(row(step), row(end - 1)), count = end - step;
         const int way = course_.backwards ? -wide : wide;

@@ -21,7 +21,7 @@ constexpr int kHolesInPatch = 32;  // squares along a side
 
 // A ring: its vertices in order, with the way along it. Side 0 is the south one, from 0 to 1; it goes
 // counter-clockwise on to 4, where the first vertex comes again.
-struct Ring {
+struct VertexRing {
     std::vector<double> way;
     std::vector<std::uint32_t> vertex;
 };
@@ -34,11 +34,11 @@ class Builder {
           ny_(static_cast<int>(std::lround(around.size().y / around.cell())) + 1) {}
 
     SurroundingsMesh build() {
-        Ring inner = border();
+        VertexRing inner = border();
         int number = 0;
         double step = kFirstRing * around_.side(), away = std::max(step, around_.cell());
         while (away < Surroundings::kReach * around_.side()) {
-            Ring outer = ring(away);
+            VertexRing outer = ring(away);
             stitch(inner, outer, number++);
             inner = std::move(outer);
             step *= kGrowth;
@@ -89,8 +89,8 @@ class Builder {
         return vertex;
     }
 
-    Ring border() {
-        Ring ring;
+    VertexRing border() {
+        VertexRing ring;
         const int length[4] = {nx_ - 1, ny_ - 1, nx_ - 1, ny_ - 1};
         for (int side = 0; side < 4; ++side)
             for (int i = 0; i < length[side]; ++i) {
@@ -102,8 +102,8 @@ class Builder {
         return ring;
     }
 
-    Ring ring(double away) {
-        Ring ring;
+    VertexRing ring(double away) {
+        VertexRing ring;
         const glm::dvec2 low(-away), high = around_.size() + away;
         const glm::dvec2 corner[5] = {low, {high.x, low.y}, high, {low.x, high.y}, low};
         for (int side = 0; side < 4; ++side) {
@@ -133,12 +133,12 @@ class Builder {
 
     // Triangles between two rings; the one that is behind advances, and at a square the one whose advance makes
     // the better diagonal.
-    void stitch(const Ring& inner, const Ring& outer, int number) {
+    void stitch(const VertexRing& inner, const VertexRing& outer, int number) {
         std::size_t i = 0, o = 0;
-        const auto way = [](const Ring& ring, std::size_t k) {
+        const auto way = [](const VertexRing& ring, std::size_t k) {
             return k < ring.way.size() ? ring.way[k] : 4.0;
         };
-        const auto vertex = [](const Ring& ring, std::size_t k) {
+        const auto vertex = [](const VertexRing& ring, std::size_t k) {
             return ring.vertex[k % ring.vertex.size()];
         };
         while (i < inner.way.size() || o < outer.way.size()) {

@@ -169,9 +169,17 @@ void WhatChanged::collect_groups() {
 }
 
 // The triangles of a flow end at its vertices.
-void WhatChanged::add_flow(std::span<const int> vertices) {
+void WhatChanged::add_flow(std::span<const int> vertices, std::span<const std::uint8_t> shown,
+                           std::span<const std::uint8_t> shown_before) {
     if (everything_) return;
-    for (const int v : vertices) open_around(v % grid_.nx, v / grid_.nx, 1);
+    for (const int v : vertices) {
+        const int x = v % grid_.nx, y = v / grid_.nx;
+        for (int j = std::max(y - 1, 0); j <= std::min(y, grid_.ny - 2); ++j)
+            for (int i = std::max(x - 1, 0); i <= std::min(x, grid_.nx - 2); ++i) {
+                const auto square = static_cast<std::size_t>(j * (grid_.nx - 1) + i);
+                if ((shown[square] | shown_before[square]) != 0) open_squares(i, i, j, j);
+            }
+    }
 }
 
 // A ceiling is read between rays and between rows. Only where it meets what stands there does a shadow end.

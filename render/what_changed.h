@@ -48,7 +48,9 @@ class WhatChanged {
                  std::span<const float> first_depth, std::optional<float> walls_to, const RedrawRules& rules,
                  bool everything);
     // Adds what changed besides: vertices of a flow, shadows, a ring that is drawn elsewhere than in the last frame.
-    void add_flow(std::span<const int> vertices);
+    // `shown`, `shown_before`: per square, not 0 if the flow is seen there.
+    void add_flow(std::span<const int> vertices, std::span<const std::uint8_t> shown,
+                  std::span<const std::uint8_t> shown_before);
     void add_shadows(const SunSweep& sweep, const FrameBlock& frame);
     void add_ring(const std::optional<Ring>& before, const std::optional<Ring>& now, const FrameBlock& frame);
 

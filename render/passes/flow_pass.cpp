@@ -68,6 +68,35 @@ void FlowPass::cut(const sim::front::FlowView& flow, const sim::Grid& grid) {
         remesher_.send_mesh(flow.mesh());
     }
     remesher_.cut(flow.tracker().points());
+    cut_vertices_.clear();
+    for (const int edge : remesher_.moved())
+        for (const int vertex : {flow.mesh().edge[edge].a, flow.mesh().edge[edge].b})
+            cut_vertices_.push_back(vertex);
+}
+
+void FlowPass::find_changes(const FlowTriangles& triangles, WhatChanged& changed) const {
+    for (const std::span<const int> vertices : {coordinates_.changed(), std::span<const int>(cut_vertices_)})
+        changed.add_flow(vertices, triangles.shown(), triangles.shown_before());
+}
+
+// Cuts runs into pieces short enough to be drawn only where they appear.
+void FlowPass::find_pieces(std::span<const TriangleRun> triangles, const WhatChanged& changed,
+                           const OnScreen& screen) {
+    constexpr int kMostTriangles = 16;
+    const int along = 2 * (grid_->nx - 1);  // triangles of a row
+    const float dx = grid_->dx;
+    pieces_.clear();
+    for (const TriangleRun& run : triangles)
+        for (int first = run.first; first < run.last;) {
+            const int row = first / along;
+            const int last = std::min({first + kMostTriangles, (row + 1) * along, run.last});
+            const glm::ivec2 low(first % along / 2, row), high((last - 1) % along / 2 + 1, row + 1);
+            const glm::vec2 heights = changed.heights_between(low, high);
+            const Rectangle seen =
+                screen.box({dx * glm::vec2(low), heights.x}, {dx * glm::vec2(high), heights.y});
+            if (!seen.empty()) pieces_.push_back({{first, last}, seen});
+            first = last;
+        }
 }
 
 void FlowPass::resize(const Target& target) {
@@ -82,17 +111,16 @@ void FlowPass::resize(const Target& target) {
     glNamedFramebufferDrawBuffers(framebuffer_.name(), kBoth.size(), kBoth.data());
 }
 
-void FlowPass::draw(FlowPattern pattern, Overlay overlay, const Target& target, Target::Parts parts) {
+void FlowPass::draw(FlowPattern pattern, Overlay overlay, const Target& target, Target::Parts parts,
+                    std::span<const TriangleRun> triangles, const WhatChanged& changed, const OnScreen& screen) {
     CHECK(has(pattern));
     resize(target);
     target.lend_depth(framebuffer_.name());
     constexpr std::array<float, 4> kNothing{0, 0, 0, 0};
-    Rectangle around;  // what is drawn between the parts is the same again
     within(parts, [&] {
         glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 0, kNothing.data());
         glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 1, kNothing.data());
     });
-    for (const Rectangle& part : parts) around = around_both(around, part);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
 
     texture(pattern)->bind();
@@ -100,12 +128,32 @@ void FlowPass::draw(FlowPattern pattern, Overlay overlay, const Target& target, 
                   : texture(pattern)->stochastic ? blended_
                                                  : chosen_)
                      .name());
-    const Enabled depth_test(GL_DEPTH_TEST), cull_face(GL_CULL_FACE), nearer(GL_POLYGON_OFFSET_FILL);
+    const Enabled depth_test(GL_DEPTH_TEST), cull_face(GL_CULL_FACE), nearer(GL_POLYGON_OFFSET_FILL),
+        scissors(GL_SCISSOR_TEST);
     glPolygonOffset(kOffsetBySlope, kOffset);
     glDepthMask(GL_FALSE);
     remesher_.bind();
     coordinates_.bind();
-    within({&around, parts.empty() ? 0u : 1u}, [&] { remesher_.draw(); });
+    if (!parts.empty()) find_pieces(triangles, changed, screen);
+    Rectangle around;
+    for (const Rectangle& part : parts) {
+        around = around_both(around, part);
+        runs_.clear();
+        for (const Piece& piece : pieces_) {
+            if (!part.meets(piece.seen)) continue;
+            if (!runs_.empty() && runs_.back().last == piece.run.first)
+                runs_.back().last = piece.run.last;
+            else
+                runs_.push_back(piece.run);
+        }
+        scissor(part);
+        remesher_.draw_first_pieces(runs_);
+    }
+    // Nobody knows here where further pieces are. What they draw between the parts is the same again.
+    if (!around.empty()) {
+        scissor(around);
+        remesher_.draw_further_pieces();
+    }
     glDepthMask(GL_TRUE);
     glPolygonOffset(0, 0);
     glBindTextureUnit(SLOT_SKIN_ALBEDO, albedo_.name());

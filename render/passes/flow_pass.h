@@ -10,10 +10,13 @@
 
 #include "render/flow_texture.h"
 #include "render/flow_to_gpu.h"
+#include "render/flow_triangles.h"
 #include "render/gl_handle.h"
 #include "render/marks.h"
 #include "render/remesher.h"
 #include "render/target.h"
+#include "render/triangle_run.h"
+#include "render/what_changed.h"
 #include "sim/core/grid.h"
 #include "sim/front/flow_view.h"
 
@@ -32,13 +35,16 @@ class FlowPass {
 
     // Uploads the flow's texture coordinates.
     void send(const sim::front::FlowView& flow) { coordinates_.upload(flow); }
-    // The vertices whose texture changed with the last upload, ascending.
-    std::span<const int> changed() const { return coordinates_.changed(); }
     // Cuts the mesh along its fronts. The flow's mesh is the heightfield of `grid`.
     void cut(const sim::front::FlowView& flow, const sim::Grid& grid);
-    // In parts of `target`. Reads SLOT_RELIEF, SLOT_ROLLING and its depth. Writes SLOT_SKIN_ALBEDO and SLOT_SKIN_RELIEF
-    // and leaves them bound. Leaves another framebuffer bound.
-    void draw(FlowPattern pattern, Overlay overlay, const Target& target, Target::Parts parts);
+    // Of the flow sent last: see FlowToGpu.
+    const FlowToGpu& coordinates() const { return coordinates_; }
+    // Adds to `changed` where the flow looks different, of squares in which `triangles` are or were.
+    void find_changes(const FlowTriangles& triangles, WhatChanged& changed) const;
+    // Draws these triangles of the mesh, which are all that may show the flow, in parts of `target`. Reads SLOT_RELIEF, SLOT_ROLLING, SLOT_LAYERS and its depth. Writes
+    // SLOT_SKIN_ALBEDO and SLOT_SKIN_RELIEF and leaves them bound. Leaves another framebuffer bound.
+    void draw(FlowPattern pattern, Overlay overlay, const Target& target, Target::Parts parts,
+              std::span<const TriangleRun> triangles, const WhatChanged& changed, const OnScreen& screen);
     // Draws edges, fronts and points onto the scene; `samples` is the number along the edge of a pixel.
     void draw_mesh(int samples) const;
 
@@ -47,12 +53,22 @@ class FlowPass {
         return textures_[static_cast<std::size_t>(pattern)];
     }
     void resize(const Target& target);
+    void find_pieces(std::span<const TriangleRun> triangles, const WhatChanged& changed, const OnScreen& screen);
+
+    // Some triangles of a row of squares, and where they appear.
+    struct Piece {
+        TriangleRun run;
+        Rectangle seen;
+    };
 
     // Three variants, because shader code costs time even if its branch is not taken.
     ProgramName blended_, chosen_, stretch_;
     ProgramName mesh_program_, point_program_;
     Remesher remesher_;
     FlowToGpu coordinates_;
+    std::vector<int> cut_vertices_;  // at the edges whose cuts moved
+    std::vector<Piece> pieces_;
+    std::vector<TriangleRun> runs_;  // in one part
     std::array<std::optional<FlowTexture>, kFlowPatterns.size()> textures_;
     std::optional<sim::Grid> grid_;  // whose mesh was uploaded
     int edges_ = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numeric>
 
 #include <glm/common.hpp>
@@ -101,6 +102,7 @@ TextureLayers::TextureLayers(const Mesh& mesh, const LayerRule& rule)
     : mesh_(mesh),
       rule_(rule),
       upstream_(mesh),
+      touched_((mesh.position.size() + kGroup - 1) / kGroup),
       torn_(mesh.triangle.size()),
       at_tear_(mesh.position.size()),
       place_(mesh.position.size(), -1),
@@ -144,6 +146,8 @@ void TextureLayers::carry(const Tracker& tracker, std::span<const glm::vec2> vel
             now_.moving.push_back(v);
         }
     std::erase_if(came_to_rest_, [this](int v) { return place_[v] >= 0; });
+    for (const std::vector<int>* list : {&now_.moving, &came_to_rest_})  // nothing changes elsewhere
+        for (const int v : *list) touched_[static_cast<std::size_t>(v) / kGroup] = true;
 
     // Advect with the flow first. Then complete, from neighbours already advected, the vertices whose flow
     // comes out of a front, and after them those that a front has passed.
@@ -173,6 +177,17 @@ void TextureLayers::restore(const Memory& memory) {
     now_ = memory;
     for (std::size_t i = 0; i < now_.moving.size(); ++i) place_[now_.moving[i]] = static_cast<int>(i);
     for (std::size_t i = 0; i < now_.beside.size(); ++i) slot_[now_.beside[i]] = static_cast<int>(i);
+    find_touched();
+}
+
+void TextureLayers::find_touched() {
+    const Offsets no_offset{};
+    const Mix no_mix;
+    std::fill(touched_.begin(), touched_.end(), std::uint8_t{0});
+    for (std::size_t v = 0; v < now_.offset.size(); ++v)
+        if (std::memcmp(&now_.offset[v], &no_offset, sizeof no_offset) != 0 ||
+            std::memcmp(&now_.mix[v], &no_mix, sizeof no_mix) != 0)
+            touched_[v / kGroup] = true;
 }
 
 void TextureLayers::tear(const Detector& detector) {

@@ -64,6 +64,12 @@ class TextureLayers {
     std::span<const Mix> mix() const { return now_.mix; }             // per vertex
     // True if anything ever moved at a vertex.
     bool has_moved(int vertex) const { return now_.offset[vertex] != Offsets{}; }
+    // Vertices in the order of their numbers, this many to a group. A group is untouched while all its offsets and
+    // mixes are those of new layers, bit by bit: a reader may skip it. Where anything moved, it is touched for good.
+    static constexpr std::size_t kGroup = 64;
+    std::span<const std::uint8_t> touched() const {
+        return touched_;
+    }  // 1 or 0 per group; the last may be smaller
     // Vertices beside a front, ascending, and their gradients.
     std::span<const int> beside_front() const { return now_.beside; }
     std::span<const Gradients> gradients() const { return now_.gradient; }
@@ -95,6 +101,7 @@ class TextureLayers {
     double age_s(int sheet) const;
 
   private:
+    void find_touched();
     void tear(const Detector& detector);
     void find_slopes(const Detector& detector, Workers& workers);
     void follow(std::span<const glm::vec2> velocity, double dt, Workers& workers);
@@ -115,6 +122,7 @@ class TextureLayers {
     Upstream upstream_;
     Memory now_;
 
+    std::vector<std::uint8_t> touched_;
     std::vector<std::uint8_t> torn_;  // per triangle: it is cut
     std::vector<int> torn_list_;
     std::vector<std::uint8_t> at_tear_;  // per vertex: one of its edges is cut, or was a step ago

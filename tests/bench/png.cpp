@@ -26,7 +26,7 @@ void encode(benchmark::State& state, const render::PngCompression& compression) 
     const render::Picture picture = shipped_frame();
     if (picture.pixels.empty()) return state.SkipWithError("assets/pictures/snow-debris.png cannot be read");
     std::size_t bytes = 0;
-    for (auto _ : state) {
+    while (state.KeepRunning()) {
         const auto file = render::encode_png(picture, compression);
         if (!file) return state.SkipWithError(file.error().c_str());
         bytes = file->size();
@@ -34,10 +34,10 @@ void encode(benchmark::State& state, const render::PngCompression& compression) 
     state.counters["kB"] = static_cast<double>(bytes) / 1000;
 }
 
-BENCHMARK_CAPTURE(encode, frame of a run, render::kFramePngCompression)
+BENCHMARK_CAPTURE(encode, frame, render::kFramePngCompression)
     ->Name("png, frame of a run")
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(encode, single image, render::kFastPngCompression)
+BENCHMARK_CAPTURE(encode, single, render::kFastPngCompression)
     ->Name("png, single image")
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(encode, smallest, render::kSmallestPngCompression)

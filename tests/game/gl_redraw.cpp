@@ -75,9 +75,9 @@ class Player {
         command.x = at.x;
         command.y = at.y;
         command.radius = 10 + 40 * share();
-        command.rate = command.kind == sim::CommandKind::kDig ? 0.5 * share() : 3000 * share();
-        command.depth = 0.2 + 2 * share();
-        command.duration = 2 * share();
+        if (command.kind == sim::CommandKind::kPour) command.rate = 3000 * share();
+        if (command.kind == sim::CommandKind::kDig) command.rate = 0.5 * share();
+        if (command.kind == sim::CommandKind::kBlast) command.depth = 0.2 + 2 * share();
         EXPECT_TRUE(sandbox_->tick({&command, 1}));
     }
     void go_back() {
@@ -173,12 +173,19 @@ class Redraw : public testing::Test {
         ++frames_;
         if (parts_->redrawn() < 1) ++in_parts_;
         int bytes = 0;
+        where_ = {};
         for (std::size_t i = 0; i < all.pixels.size(); ++i)
             if (changed.pixels[i] != all.pixels[i]) {
                 ++bytes;
                 const int pixel = static_cast<int>(i) / 3;
-                where_ = {pixel % all.width, pixel / all.width};
+                const int x = pixel % all.width, y = all.height - 1 - pixel / all.width;
+                where_ = around_both(where_, {x, y, x + 1, y + 1});
+                most_ = std::max(most_, std::abs(changed.pixels[i] - all.pixels[i]));
             }
+        if (const char* folder = std::getenv("COULOIR_REDRAW_PICTURES"); folder && bytes > 0) {
+            EXPECT_TRUE(render::write_png(changed, std::string(folder) + "/parts.png"));
+            EXPECT_TRUE(render::write_png(all, std::string(folder) + "/whole.png"));
+        }
         return bytes;
     }
 
@@ -191,7 +198,8 @@ class Redraw : public testing::Test {
     std::optional<render::Renderer> parts_, whole_;
     double redrawn_ = 0;
     int frames_ = 0, in_parts_ = 0;
-    glm::ivec2 where_{0};
+    render::Rectangle where_;  // around bytes that differ
+    int most_ = 0;             // by which they do
 };
 
 constexpr const char* kScenes[] = {"winter-avalanche", "snow-on-soil", "landslide", "alpine-valley",
@@ -211,7 +219,8 @@ TEST_P(RandomSessions, draw_the_same_bytes_in_parts_as_a_whole) {
         for (int frame = 0; frame < 100; ++frame) {
             player.act();
             ASSERT_EQ(differing(player), 0)
-                << "session " << s << ", frame " << frame << ", last at " << where_.x << ", " << where_.y;
+                << "session " << s << ", frame " << frame << " of " << player.scenario().grid.nx << ", by up to " << most_ << " between "
+                << where_.left << ", " << where_.bottom << " and " << where_.right << ", " << where_.top;
         }
     }
     std::printf("%d sessions, %d frames, %d of them in parts; %.1f %% drawn anew\n", sessions, frames_, in_parts_,

@@ -79,7 +79,22 @@ class Remeshing : public Gl {
 
     // The remesher's triangles, in its order.
     std::vector<CutTriangle> drawn() const {
-        std::vector<Captured> captured(remesher.indices().size());
+        return captured_from(remesher.indices().size(), [this] { remesher.draw(); });
+    }
+    // The same of some runs.
+    std::vector<CutTriangle> drawn(const std::vector<TriangleRun>& runs) {
+        int triangles = remesher.further_pieces();
+        for (const TriangleRun& run : runs) triangles += run.last - run.first;
+        return captured_from(static_cast<std::size_t>(3 * triangles), [&] { remesher.draw(runs); });
+    }
+
+    Remesher remesher;
+
+  private:
+    template <class Draw>
+    std::vector<CutTriangle> captured_from(std::size_t indices, const Draw& draw) const {
+        std::vector<Captured> captured(indices);
+        if (captured.empty()) return {};
         const auto size = static_cast<GLsizeiptr>(sizeof(Captured) * captured.size());
         const Buffer buffer = make_buffer();
         glNamedBufferStorage(buffer.name(), size, nullptr, 0);
@@ -89,7 +104,7 @@ class Remeshing : public Gl {
         remesher.bind();
         glEnable(GL_RASTERIZER_DISCARD);
         glBeginTransformFeedback(GL_TRIANGLES);
-        remesher.draw();
+        draw();
         glEndTransformFeedback();
         glDisable(GL_RASTERIZER_DISCARD);
         glGetNamedBufferSubData(buffer.name(), 0, size, captured.data());
@@ -99,9 +114,6 @@ class Remeshing : public Gl {
         return triangles;
     }
 
-    Remesher remesher;
-
-  private:
     support::TemporaryFolder folder_;
     ProgramName capture_;
     Framebuffer nowhere_;
@@ -246,6 +258,31 @@ TEST_F(Remeshing, is_bit_identical_to_the_reference_for_all_cuts) {
         }
     }
     EXPECT_EQ(seen.size(), 8u + 3u) << "some pattern of cuts or some diagonal was not drawn";
+}
+
+TEST_F(Remeshing, draws_the_runs_it_is_given_and_all_further_pieces) {
+    Dice dice;
+    const Mesh mesh = irregular_mesh(12, true, dice);
+    const int triangles = static_cast<int>(mesh.triangle.size());
+    remesher.send_mesh(mesh);
+    for (const float share : {0.f, 0.05f, 0.5f, 1.f, 0.3f, 0.f}) {
+        remesher.cut(random_points(mesh, share, dice));
+        const std::vector<CutTriangle> all = drawn();
+        ASSERT_EQ(static_cast<int>(all.size()), triangles + remesher.further_pieces());
+        EXPECT_EQ(remesher.further_pieces() > 0, share > 0);
+        std::vector<TriangleRun> runs;
+        std::vector<CutTriangle> expected;
+        for (int first = dice.below(4); first < triangles; first += 1 + dice.below(40)) {
+            const int last = std::min(first + 1 + dice.below(20), triangles);
+            runs.push_back({first, last});
+            expected.insert(expected.end(), all.begin() + first, all.begin() + last);
+            first = last;
+        }
+        expected.insert(expected.end(), all.begin() + triangles, all.end());
+        EXPECT_TRUE(same(drawn(runs), expected)) << share;
+        EXPECT_EQ(static_cast<int>(drawn(std::vector<TriangleRun>{}).size()), remesher.further_pieces());
+        EXPECT_TRUE(same(drawn({{0, triangles}}), all));
+    }
 }
 
 // In undeformed squares both diagonals after two cuts may be equally long.
