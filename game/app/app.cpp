@@ -386,16 +386,18 @@ void App::tell_bounds(const ScreenSize& size) {
     if (waits_for_gl_) bounds_.most_bytes = std::min(bounds_.most_bytes, frame_memory_);
     const ImageSize best = image_for(size, 1, true, bounds_), whole{size.width, size.height, true};
     if (best == std::exchange(best_, best) || best == whole) return;
+    const bool by_memory = image_for(size, 1, true, {.longest_side = bounds_.longest_side}) == whole;
+    const char* help = waits_for_gl_ && by_memory ? "; raise --max-memory" : "";
     if (best.width < size.width)
         warn(
             fmt::format("A window of {}×{} pixels is too large to draw here: its image has {}×{} pixels and "
-                        "is stretched",
-                        size.width, size.height, best.width, best.height));
+                        "is stretched{}",
+                        size.width, size.height, best.width, best.height, help));
     else
         warn(
             fmt::format("A window of {}×{} pixels is too large for two by two samples per pixel here: its "
-                        "image has one",
-                        size.width, size.height));
+                        "image has one{}",
+                        size.width, size.height, help));
 }
 
 // Draws the image, or a smaller one if the driver cannot: a failure must leave neither a black nor an old

@@ -10,7 +10,6 @@ namespace {
 constexpr double kHold = 0.25;         // s; a hand that drags pauses for less
 constexpr double kFits = 0.9;          // of the target; a scale is lowered until a frame takes no more
 constexpr double kSpare = 0.85;        // of the target; a scale is raised if a frame would take no more
-constexpr double kWorth = 1.2;         // times faster must the next smaller scale be
 constexpr int kForgets = 900;          // late frames, until a smaller scale is tried again
 constexpr double kLeastDrawing = 0.5;  // of the target belongs to drawing, however long the rest takes
 
@@ -81,7 +80,7 @@ void ResolutionControl::Case::learn() {
     for (std::size_t i = high; i < low; ++i) expected *= ratio[i];
     const double power = std::log(std::max(found, 1.01)) / std::log(expected);
     for (std::size_t i = high; i < low; ++i)
-        ratio[i] = std::clamp(std::pow(ratio[i], power), 1.01, area_ratio(i));
+        ratio[i] = std::clamp(std::pow(ratio[i], power), least_ratio, area_ratio(i));
 }
 
 void ResolutionControl::Case::choose(const Limits& limits) {

@@ -41,15 +41,18 @@ class ResolutionControl {
 
   private:
     static constexpr std::size_t kKept = 30;  // frames
+    static constexpr double kWorth = 1.2;     // times faster must the next smaller scale be
 
     // Drawing time of each step over that of the next smaller one.
     using Ratios = std::array<double, kScales.size() - 1>;
     static Ratios first_ratio();
 
     struct Case {
-        Case(std::size_t falls_after, std::size_t rises_after) : haste(falls_after), patience(rises_after) {}
+        Case(std::size_t falls_after, std::size_t rises_after, double least)
+            : haste(falls_after), patience(rises_after), least_ratio(least) {}
 
         std::size_t haste, patience;               // frames until the scale may fall, and may rise
+        double least_ratio;                        // that may be learned
         std::size_t step = 2;                      // index in kScales
         std::array<double, kKept> draw{}, rest{};  // ms of the last frames at this step, a ring
         std::size_t size = 0, next = 0;
@@ -71,8 +74,9 @@ class ResolutionControl {
     void fit_screen(double pixels);
 
     // Three frames outvote one that was slow for another reason, such as loading. Where only the world
-    // changes, a change of size costs one whole image, so it is rarer.
-    Case camera_{3, 12}, world_{5, 30};
+    // changes, a change of size costs one whole image, so it is rarer. How much of the image changes varies
+    // there, so that a step that seemed to save nothing may save much in the next second.
+    Case camera_{3, 12, 1.01}, world_{5, 30, kWorth};
     Limits limits_;
     double screen_pixels_ = 0;
     double moved_s_ = -1e9;       // when the camera last moved

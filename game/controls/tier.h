@@ -18,10 +18,11 @@ struct TierInfo {
 };
 inline constexpr std::array<TierInfo, 3> kTiers{
     {{"fast", 0.25, false,
-      "While something moves: one sample per pixel, and the resolution falls to a quarter if the frame time "
-      "needs it."},
+      "While something moves: one sample per pixel, and as much resolution as the frame time allows, a "
+      "quarter "
+      "at least."},
      {"balanced", 0.75, false,
-      "While something moves: one sample per pixel, and the resolution falls to three quarters at most."},
+      "While something moves: one sample per pixel, and three quarters of the resolution at least."},
      {"full", 1, true,
       "Always full resolution with two by two samples per pixel, however long a frame takes."}}};
 

@@ -1,5 +1,6 @@
 #include "game/controls/resolution_control.h"
 
+#include <algorithm>
 #include <functional>
 #include <set>
 
@@ -146,6 +147,14 @@ TEST_F(ResolutionControls, keep_a_scale_if_a_smaller_one_saves_next_to_nothing) 
     frames(600, true, costing(40, 20));
     EXPECT_EQ(changes, 0);
     EXPECT_LE(frames(1200, true, costing(2, 150)), 0.375) << "what was learned is forgotten";
+}
+
+// A flow that grows costs more at each smaller scale, as if they saved nothing.
+TEST_F(ResolutionControls, fall_further_while_more_and_more_of_the_world_moves) {
+    double whole = 20;
+    for (int i = 0; i < 200; ++i, whole *= 1.02)
+        frame(false, [&](double scale) { return 4 + std::min(whole, 100.) * scale * scale; });
+    EXPECT_LE(4 + 100 * last * last + 4, 33);
 }
 
 TEST_F(ResolutionControls, follow_the_target) {
