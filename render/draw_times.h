@@ -26,9 +26,9 @@ enum class Pass {
     kTone,
     kEdges,
 };
-inline constexpr std::array kPassNames{"upload",       "remesh", "surface",    "shadow", "changes",
-                                       "depth",        "flow",   "terrain",    "surroundings", "sky",
-                                       "structures", "trees",  "powder", "tone", "edges"};
+inline constexpr std::array kPassNames{"upload",     "remesh", "surface", "shadow",       "changes",
+                                       "depth",      "flow",   "terrain", "surroundings", "sky",
+                                       "structures", "trees",  "powder",  "tone",         "edges"};
 inline constexpr std::size_t kPassCount = kPassNames.size();
 inline constexpr std::size_t kFirstDrawingPass = static_cast<std::size_t>(Pass::kSurface);
 

@@ -68,9 +68,9 @@ void FieldsToGpu::upload_layers(const sim::View& world, int first_row, int last_
     send(velocity_y_texture_, world.velocity_y, first_row, last_row, GL_RED, GL_FLOAT);
     if (mixture_.empty()) return;
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTextureSubImage2D(mixture_texture_.name(), 0, 0, first_row, grid_.nx, last_row - first_row + 1, GL_RG,
-                        GL_UNSIGNED_BYTE,
-                        &mixture_[2 * static_cast<std::size_t>(first_row) * static_cast<std::size_t>(grid_.nx)]);
+    glTextureSubImage2D(
+        mixture_texture_.name(), 0, 0, first_row, grid_.nx, last_row - first_row + 1, GL_RG, GL_UNSIGNED_BYTE,
+        &mixture_[2 * static_cast<std::size_t>(first_row) * static_cast<std::size_t>(grid_.nx)]);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 

@@ -42,7 +42,7 @@ class FieldsToGpu {
     HeightRange heights_;
     Texture bedrock_texture_, depth_texture_, rolling_texture_, velocity_x_texture_, velocity_y_texture_,
         site_texture_, mixture_texture_, first_depth_texture_;
-    std::vector<float> first_depth_;     // as uploaded last
+    std::vector<float> first_depth_;  // as uploaded last
     std::vector<std::uint8_t> mixture_;
 };
 

@@ -71,16 +71,16 @@ void FlowTriangles::find_runs() {
     for (int square = 0; square < static_cast<int>(shown_.size()); ++square) {
         const std::uint8_t shown = shown_[square];
         if (shown == 0) continue;
-        if ((shown & kLowerRight) != 0) append(runs_, 2 * square);
-        if ((shown & kUpperLeft) != 0) append(runs_, 2 * square + 1);
+        if ((shown & kLowerRight) != 0) append(runs_, {2 * square, 2 * square + 1});
+        if ((shown & kUpperLeft) != 0) append(runs_, {2 * square + 1, 2 * square + 2});
     }
 }
 
-void FlowTriangles::append(std::vector<TriangleRun>& runs, int triangle) {
-    if (!runs.empty() && triangle - runs.back().last <= kLongestGap)
-        runs.back().last = triangle + 1;
+void FlowTriangles::append(std::vector<TriangleRun>& runs, const TriangleRun& more) {
+    if (!runs.empty() && more.first - runs.back().last <= kLongestGap)
+        runs.back().last = more.last;
     else
-        runs.push_back({triangle, triangle + 1});
+        runs.push_back(more);
 }
 
 }  // namespace render

@@ -31,9 +31,9 @@ class FlowTriangles {
     std::span<const std::uint8_t> shown() const { return shown_; }
     std::span<const std::uint8_t> shown_before() const { return shown_before_; }
 
-    // Adds a triangle after all in `runs`. Joins it with the last run if the gap is short, because a run costs as much as
+    // Adds triangles after all in `runs`. Joins them with the last run if the gap is short, because a run costs as much as
     // some dozens of hidden triangles.
-    static void append(std::vector<TriangleRun>& runs, int triangle);
+    static void append(std::vector<TriangleRun>& runs, const TriangleRun& more);
 
   private:
     void mark_row(const sim::View& world, std::span<const float> first_depth,

@@ -54,8 +54,8 @@ struct View {
 
     bool operator==(const View& other) const {
         return std::memcmp(&block, &other.block, sizeof block) == 0 && flows == other.flows &&
-               lines == other.lines && mesh == other.mesh && pattern == other.pattern && surroundings == other.surroundings &&
-               woods == other.woods;
+               lines == other.lines && mesh == other.mesh && pattern == other.pattern &&
+               surroundings == other.surroundings && woods == other.woods;
     }
 };
 
@@ -95,11 +95,11 @@ struct Redrawn {
     std::optional<View> view;  // of the last frame
     std::optional<Ring> ring;  // of the last frame
     WhatChanged world;
-    ScreenTiles scene_tiles, shown_tiles, forgotten_tiles;
-    std::vector<Rectangle> scene;           // samples: what stands there
-    std::vector<Rectangle> shown;           // pixels: that, and what floats in the air
-    std::vector<Rectangle> air, smoothed;   // samples of `shown`; pixels around it whose edges may change
-    std::vector<Rectangle> floats, floated; // samples: powder and spindrift, now and in the last frame
+    ScreenTiles scene_tiles, shown_tiles, smoothed_tiles, forgotten_tiles;
+    std::vector<Rectangle> scene;            // samples: what stands there
+    std::vector<Rectangle> shown;            // pixels: that, and what floats in the air
+    std::vector<Rectangle> air, smoothed;    // samples of `shown`; pixels around it whose edges may change
+    std::vector<Rectangle> floats, floated;  // samples: powder and spindrift, now and in the last frame
 
     // `powder`, `spindrift`: where they are in this frame.
     void find(const Target& target, const RedrawRules& rules, std::span<const Rectangle> powder,
@@ -125,12 +125,13 @@ void Redrawn::find(const Target& target, const RedrawRules& rules, std::span<con
     const auto parts = shown_tiles.rectangles(rules.most_rectangles, rules.least_gain);
     shown.assign(parts.begin(), parts.end());
     air.clear();
-    smoothed.clear();
+    smoothed_tiles.begin(target.width(), target.height(), rules.tile);
     for (const Rectangle& part : shown) {
         air.push_back({part.left * samples, part.bottom * samples, part.right * samples, part.top * samples});
-        smoothed.push_back(
-            common_part(grown(part, rules.edge_reach), {0, 0, target.width(), target.height()}));
+        smoothed_tiles.mark(grown(part, rules.edge_reach));
     }
+    const auto around = smoothed_tiles.rectangles(rules.most_rectangles / 4, 4 * rules.least_gain);
+    smoothed.assign(around.begin(), around.end());
 }
 
 struct Renderer::Parts {
@@ -247,7 +248,8 @@ void Renderer::forget() {
 
 double Renderer::redrawn() const {
     double samples = 0;
-    for (const Rectangle& part : parts_->redrawn.scene) samples += static_cast<double>(part.width()) * part.height();
+    for (const Rectangle& part : parts_->redrawn.scene)
+        samples += static_cast<double>(part.width()) * part.height();
     const Target& target = parts_->target;
     return samples / (static_cast<double>(target.samples_across()) * target.samples_up());
 }
@@ -269,7 +271,7 @@ void Renderer::draw(const FrameInput& input) {
     const auto& [world, camera, light, look, marks, flow, width, height, first_depth, around, puffs,
                  powder_strength, woods, so_far, structures, wind, seconds] = input;
     const int samples = samples_of(p.quality);
-    const ScopedState state;  // restores the state for other users of the context
+    const ScopedState state;               // restores the state for other users of the context
     const bool flows = look.flow && flow;  // the advected texture is visible
     const bool goes_on = around && !around->empty();
     Redrawn& redrawn = p.redrawn;
@@ -282,8 +284,8 @@ void Renderer::draw(const FrameInput& input) {
     const View view = view_of(input, frame);
     const bool resized = p.target.resize(width, height, samples);
     const bool rebuilt = p.structures.build(input, frame, ground.terrain);
-    const bool everything = resized || rebuilt || ground.terrain || ground.first_depth || marks.flow_mesh ||
-                            redrawn.view != view;
+    const bool everything =
+        resized || rebuilt || ground.terrain || ground.first_depth || marks.flow_mesh || redrawn.view != view;
 
     // Upload what changed of the world: everything below reads these textures, and only they change with the state.
     WhatChanged& changed = redrawn.world;
@@ -354,7 +356,8 @@ void Renderer::draw(const FrameInput& input) {
     const bool powdery =
         p.powder.find(puffs, frame, look, powder_strength, p.target.samples_across(), p.target.samples_up());
     const bool drifting = drifts(input) && p.spindrift.find(*around, wind, seconds, frame, screen);
-    redrawn.find(p.target, p.rules, powdery ? p.powder.seen() : kNowhere, drifting ? p.spindrift.seen() : kNowhere);
+    redrawn.find(p.target, p.rules, powdery ? p.powder.seen() : kNowhere,
+                 drifting ? p.spindrift.seen() : kNowhere);
     p.clock.mark(Pass::kChanges);
 
     // Draw depth first, because shading is expensive.
@@ -363,7 +366,7 @@ void Renderer::draw(const FrameInput& input) {
     p.clock.mark(Pass::kDepth);
 
     // Draw the visible colours of the flow unlit, so that terrain and flow are lit together.
-    if (flows) 
+    if (flows)
         p.flow.draw(look.flow->pattern, marks.overlay, p.target, redrawn.scene, p.triangles.runs(), changed,
                     screen);
     p.clock.mark(Pass::kFlow);

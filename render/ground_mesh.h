@@ -24,7 +24,7 @@ struct GroundMesh {
 
     std::vector<std::uint32_t> surface;  // block by block
     std::vector<Block> blocks;           // row by row from the south, without empty ones
-    std::vector<std::uint32_t> walls;  // along every edge of the surface: borders and no-data
+    std::vector<std::uint32_t> walls;    // along every edge of the surface: borders and no-data
 };
 
 // Depth of the block's base below the lowest bedrock, m.

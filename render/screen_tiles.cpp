@@ -52,9 +52,8 @@ std::span<const Rectangle> ScreenTiles::rectangles(int most, int least_gain) {
     parts_.push_back({around_, {}, {}, 0});
     find_split(parts_.front());
     while (static_cast<int>(parts_.size()) < most) {
-        const auto best = std::max_element(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) {
-            return a.gain < b.gain;
-        });
+        const auto best = std::max_element(parts_.begin(), parts_.end(),
+                                           [](const Part& a, const Part& b) { return a.gain < b.gain; });
         if (best->gain == 0 || best->gain * tile_ * tile_ < least_gain) break;
         Part second{best->second, {}, {}, 0};
         *best = {best->first, {}, {}, 0};

@@ -15,8 +15,8 @@ int quarter(int samples) {
 
 void copy(const Texture& from, const Texture& to, std::span<const Rectangle> parts) {
     for (const Rectangle& part : parts)
-        glCopyImageSubData(from.name(), GL_TEXTURE_2D, 0, part.left, part.bottom, 0, to.name(), GL_TEXTURE_2D, 0,
-                           part.left, part.bottom, 0, part.width(), part.height(), 1);
+        glCopyImageSubData(from.name(), GL_TEXTURE_2D, 0, part.left, part.bottom, 0, to.name(), GL_TEXTURE_2D,
+                           0, part.left, part.bottom, 0, part.width(), part.height(), 1);
 }
 
 }  // namespace
@@ -86,8 +86,8 @@ void Target::begin_backdrop() const {
 
 void Target::begin_air(Parts parts) {
     if (air_colour_.name() == 0) {
-        air_colour_ = make_texture(GL_RGBA16F, samples_across(), samples_up(),
-                                   samples_ > 1 ? GL_LINEAR : GL_NEAREST);
+        air_colour_ =
+            make_texture(GL_RGBA16F, samples_across(), samples_up(), samples_ > 1 ? GL_LINEAR : GL_NEAREST);
         glNamedFramebufferTexture(air_.name(), GL_COLOR_ATTACHMENT0, air_colour_.name(), 0);
     }
     copy(scene_colour_, air_colour_, parts);

@@ -34,8 +34,9 @@ class Target {
     void begin_shading() const;  // binds depth at SLOT_SCENE_DEPTH for reading; do not write it
     // Keeps the depth drawn so far as that of the ground, and binds it at SLOT_SCENE_DEPTH.
     void keep_ground(Parts parts) const;
-    void begin_sky() const;       // draw the sky at a quarter of the resolution; there is no depth
-    void begin_backdrop() const;  // binds that sky at SLOT_SKY; draw linear colour, with the depth of the scene
+    void begin_sky() const;  // draw the sky at a quarter of the resolution; there is no depth
+    void begin_backdrop()
+        const;  // binds that sky at SLOT_SKY; draw linear colour, with the depth of the scene
     // Copies the scene, to be drawn over by what floats in the air. Binds depth at SLOT_SCENE_DEPTH.
     void begin_air(Parts parts);
     // Averages the samples and binds them at SLOT_COLOUR; draw the 8-bit image. `in_air`: of the scene with the air.

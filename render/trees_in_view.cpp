@@ -139,11 +139,11 @@ Rectangle TreesInView::seen(const DrawnTree& tree, const OnScreen& screen) {
     const float beside = 1.5f * tree.look.w + 0.1f * tree.foot.w;
     const bool group = tree.kind.y > 1.5f;
     const glm::vec3 peak = foot + (group ? 1.6f : 1.f) * (top - foot);
-    const Rectangle crown =
-        screen.box(glm::min(foot, peak) - beside, glm::max(foot, peak) + beside);
+    const Rectangle crown = screen.box(glm::min(foot, peak) - beside, glm::max(foot, peak) + beside);
     if (tree.shadow.w <= 0) return crown;
     const glm::vec3 tip(tree.shadow);
-    return around_both(crown, screen.box(glm::min(foot, tip) - beside - 1.f, glm::max(foot, tip) + beside + 1.f));
+    return around_both(crown,
+                       screen.box(glm::min(foot, tip) - beside - 1.f, glm::max(foot, tip) + beside + 1.f));
 }
 
 void TreesInView::reserve(const Woods& woods) {
@@ -207,7 +207,8 @@ void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, co
                 {lights[i].tip,
                  lights[i].sunlit * ramp(1, 2, high / (kShadowPixels * (1 + 3 * tree.closed)))},
                 {static_cast<float>(tree.kind), group ? std::round(together) : 1, tree.closed, 0}};
-            const bool has_shadow = drawn.shadow.w > 0;  // while it stands, so that the order stays when it falls
+            const bool has_shadow =
+                drawn.shadow.w > 0;  // while it stands, so that the order stays when it falls
             if (tree.vertex >= 0)
                 drawn.foot.z -= std::max(
                     tree.snow - world.depth(tree.vertex % world.grid.nx, tree.vertex / world.grid.nx), 0.f);

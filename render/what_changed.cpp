@@ -56,9 +56,9 @@ void WhatChanged::compare(const sim::View& world, std::span<const std::uint8_t> 
         height_before_ = height_;
         for (int y = 0; y < grid_.ny; ++y)
             for (int x = 0; x < grid_.nx; ++x)
-                walled_[static_cast<std::size_t>(index(x, y))] =
-                    x == 0 || y == 0 || x == grid_.nx - 1 || y == grid_.ny - 1 ||
-                    world.site(x, y) == sim::Site::kDrain;
+                walled_[static_cast<std::size_t>(index(x, y))] = x == 0 || y == 0 || x == grid_.nx - 1 ||
+                                                                 y == grid_.ny - 1 ||
+                                                                 world.site(x, y) == sim::Site::kDrain;
     }
 }
 
@@ -68,9 +68,9 @@ void WhatChanged::resize(const sim::View& world) {
     for (std::vector<float>* heights : {&height_, &height_before_}) heights->assign(grid_.size(), 0);
     for (std::vector<std::uint8_t>* each : {&near_, &squares_, &walled_}) each->assign(grid_.size(), 0);
     moved_.reserve(grid_.size());
-    group_.assign(static_cast<std::size_t>(groups_along(grid_.nx)) *
-                      static_cast<std::size_t>(groups_along(grid_.ny)),
-                  0);
+    group_.assign(
+        static_cast<std::size_t>(groups_along(grid_.nx)) * static_cast<std::size_t>(groups_along(grid_.ny)),
+        0);
     groups_.reserve(group_.size());
 }
 
@@ -95,8 +95,7 @@ void WhatChanged::compare_row(const sim::View& world, int y, bool everything) {
         const bool was_untouched = far_reach_ > 0 && is_untouched_near(x, y);
         for (std::size_t k = 0; k < kFields; ++k) field_[k][v] = now[k][x];
         const float height = bedrock[x] + now[0][x] + now[1][x];
-        if (everything || std::memcmp(&height, &height_[v], sizeof height) != 0)
-            moved_.emplace_back(x, y);
+        if (everything || std::memcmp(&height, &height_[v], sizeof height) != 0) moved_.emplace_back(x, y);
         height_[v] = height;
         if (everything) continue;
         change(x, y);
@@ -143,7 +142,8 @@ void WhatChanged::change(int x, int y) {
     open_around(x, y, rules_.reach);
     const int across = groups_along(grid_.nx);
     for (int j = std::max(y - 1, 0) / GROUP_SQUARE; j <= std::min(y + 1, grid_.ny - 1) / GROUP_SQUARE; ++j)
-        for (int i = std::max(x - 1, 0) / GROUP_SQUARE; i <= std::min(x + 1, grid_.nx - 1) / GROUP_SQUARE; ++i)
+        for (int i = std::max(x - 1, 0) / GROUP_SQUARE; i <= std::min(x + 1, grid_.nx - 1) / GROUP_SQUARE;
+             ++i)
             group_[static_cast<std::size_t>(j * across + i)] = 1;
 }
 
@@ -153,7 +153,8 @@ void WhatChanged::open_squares(int x0, int x1, int y0, int y1) {
     x1 = std::min(x1, grid_.nx - 2), y1 = std::min(y1, grid_.ny - 2);
     if (x0 > x1 || y0 > y1) return;
     for (int y = y0; y <= y1; ++y)
-        std::memset(&squares_[static_cast<std::size_t>(index(x0, y))], 1, static_cast<std::size_t>(x1 - x0 + 1));
+        std::memset(&squares_[static_cast<std::size_t>(index(x0, y))], 1,
+                    static_cast<std::size_t>(x1 - x0 + 1));
     left_ = std::min(left_, x0), right_ = std::max(right_, x1);
     bottom_ = std::min(bottom_, y0), top_ = std::max(top_, y1);
 }

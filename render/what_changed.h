@@ -26,11 +26,13 @@ struct RedrawRules {
     // Vertices from one that changed to the last square where that can be seen. Slopes reach one vertex, splines
     // through what depends on slopes two more, and a crown looks another one aside.
     int reach = 4;
-    int edge_reach = 18;     // pixels from one that changed to the last one whose edges it changes, as in edges.frag
-    bool sun = true;         // false: shadows that move are forgotten. Only for tests, as are the next ones
-    bool old_heights = true; // what was there before
-    bool things = true;      // what stands on ground that changed: trees, structures, the seam of the surroundings
-    bool air = true;         // where powder and spindrift were before
+    int edge_reach =
+        18;           // pixels from one that changed to the last one whose edges it changes, as in edges.frag
+    bool sun = true;  // false: shadows that move are forgotten. Only for tests, as are the next ones
+    bool old_heights = true;  // what was there before
+    bool things =
+        true;         // what stands on ground that changed: trees, structures, the seam of the surroundings
+    bool air = true;  // where powder and spindrift were before
     bool last_rectangle = true;
     bool operator==(const RedrawRules&) const = default;
 };
@@ -82,7 +84,9 @@ class WhatChanged {
     void compare_row(const sim::View& world, int y, bool everything);
     void compare_mixture(std::span<const std::uint8_t> mixture);
     void change(int x, int y);
-    void open_around(int x, int y, int reach) { open_squares(x - reach, x + reach - 1, y - reach, y + reach - 1); }
+    void open_around(int x, int y, int reach) {
+        open_squares(x - reach, x + reach - 1, y - reach, y + reach - 1);
+    }
     void open_squares(int x0, int x1, int y0, int y1);
     void collect_groups();
     bool is_untouched(int x, int y, float depth) const;
@@ -103,7 +107,7 @@ class WhatChanged {
     std::vector<std::uint8_t> walled_;  // per vertex: a wall stands there, if walls are seen
     std::optional<float> walls_to_;
     std::span<const float> first_depth_;
-    int far_reach_ = 0;                // of a world of two materials, where nothing has slid
+    int far_reach_ = 0;  // of a world of two materials, where nothing has slid
     int first_row_ = 0, last_row_ = -1;
     int left_ = 0, right_ = -1, bottom_ = 0, top_ = -1;  // squares that are marked lie between
 };

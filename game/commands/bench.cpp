@@ -64,7 +64,9 @@ std::vector<BenchPhysics> physics_of(const BenchOptions& options) {
 MeasureOptions measure_options_of(const BenchOptions& options) {
     MeasureOptions measure = options.measure;
     measure.memory.use.draws = options.draws;
-    if (options.draws) measure.memory.use.frames = {options.canvas.size.width, options.canvas.size.height, options.canvas.samples};
+    if (options.draws)
+        measure.memory.use.frames = {options.canvas.size.width, options.canvas.size.height,
+                                     options.canvas.samples};
     return measure;
 }
 

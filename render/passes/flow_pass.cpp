@@ -107,7 +107,8 @@ void FlowPass::resize(const Target& target) {
 }
 
 void FlowPass::draw(FlowPattern pattern, Overlay overlay, const Target& target, Target::Parts parts,
-                    std::span<const TriangleRun> triangles, const WhatChanged& changed, const OnScreen& screen) {
+                    std::span<const TriangleRun> triangles, const WhatChanged& changed,
+                    const OnScreen& screen) {
     CHECK(has(pattern));
     resize(target);
     target.lend_depth(framebuffer_.name());
@@ -136,10 +137,7 @@ void FlowPass::draw(FlowPattern pattern, Overlay overlay, const Target& target, 
         runs_.clear();
         for (const Piece& piece : pieces_) {
             if (!part.meets(piece.seen)) continue;
-            if (!runs_.empty() && runs_.back().last == piece.run.first)
-                runs_.back().last = piece.run.last;
-            else
-                runs_.push_back(piece.run);
+            FlowTriangles::append(runs_, piece.run);
         }
         scissor(part);
         remesher_.draw_first_pieces(runs_);

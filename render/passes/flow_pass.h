@@ -53,7 +53,8 @@ class FlowPass {
         return textures_[static_cast<std::size_t>(pattern)];
     }
     void resize(const Target& target);
-    void find_pieces(std::span<const TriangleRun> triangles, const WhatChanged& changed, const OnScreen& screen);
+    void find_pieces(std::span<const TriangleRun> triangles, const WhatChanged& changed,
+                     const OnScreen& screen);
 
     // Some triangles of a row of squares, and where they appear.
     struct Piece {

@@ -17,7 +17,7 @@ namespace {
 // As in spindrift.vert.
 constexpr double kFine = 44, kCoarse = 97, kGust = 430;  // m along the wind, after which its patterns repeat
 constexpr double kFastest = 1.25;  // speed of the fine pattern, of that of the coarse one
-constexpr float kAside = 18;  // m beside its line that a ribbon may cover
+constexpr float kAside = 18;       // m beside its line that a ribbon may cover
 
 // The greatest length of a ribbon, m.
 float longest(const Wind& wind) {

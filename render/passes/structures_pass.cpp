@@ -31,7 +31,12 @@ float largest_rise(const FrameInput& input, const WhatChanged& changed, glm::vec
     float most = 0;
     for (int y = from.y; y <= to.y; ++y)
         for (int x = from.x; x <= to.x; ++x) {
-            const float first = input.first_depth.empty() ? 0 : input.first_depth[static_cast<std::size_t>(y) * static_cast<std::size_t>(world.grid.nx) + static_cast<std::size_t>(x)];
+            const float first =
+                input.first_depth.empty()
+                    ? 0
+                    : input
+                          .first_depth[static_cast<std::size_t>(y) * static_cast<std::size_t>(world.grid.nx) +
+                                       static_cast<std::size_t>(x)];
             const glm::vec2 heights = changed.heights_between({x, y}, {x, y}) - world.bedrock(x, y) - first;
             most = std::max({most, std::abs(heights.x), std::abs(heights.y)});
         }
@@ -149,7 +154,8 @@ void StructuresPass::find(const FrameInput& input, const FrameBlock& frame, cons
 }
 
 // Where a triangle of a shadow appears: it lies on the ground at its corners.
-Rectangle StructuresPass::shadow_box(std::size_t first, const WhatChanged& changed, const OnScreen& screen) const {
+Rectangle StructuresPass::shadow_box(std::size_t first, const WhatChanged& changed,
+                                     const OnScreen& screen) const {
     constexpr float kAbove = 1;  // m; structure_shadow.vert lifts it by half of that
     glm::vec3 lowest(std::numeric_limits<float>::max()), highest(std::numeric_limits<float>::lowest());
     for (std::size_t k = first; k < first + 3; ++k) {
@@ -183,7 +189,8 @@ void StructuresPass::find_parts_in_view(const FrameInput& input, const FrameBloc
     shadows_seen_ = ropes_seen_ = {};
     for (std::size_t i = 0; i + 2 < shadow_vertices_.size(); i += 3)
         shadows_seen_ = around_both(shadows_seen_, shadow_box(i, changed, screen));
-    if (ropes_.count > 0) ropes_seen_ = grown(screen.box(ropes_lowest_, ropes_highest_), 1);  // a pixel wide at least
+    if (ropes_.count > 0)
+        ropes_seen_ = grown(screen.box(ropes_lowest_, ropes_highest_), 1);  // a pixel wide at least
 }
 
 void StructuresPass::draw(std::span<const Rectangle> parts) {

@@ -25,8 +25,8 @@ class StructuresPass {
     bool build(const FrameInput& input, const FrameBlock& frame, bool new_terrain);
     // Finds what a camera sees and, if only the world changed, marks what stands on ground that moved, or in another
     // light.
-    void find(const FrameInput& input, const FrameBlock& frame, const WhatChanged& changed, const OnScreen& screen,
-              bool everything, ScreenTiles& tiles);
+    void find(const FrameInput& input, const FrameBlock& frame, const WhatChanged& changed,
+              const OnScreen& screen, bool everything, ScreenTiles& tiles);
     bool any() const { return !in_view_.empty(); }
     // Draws colour and depth over what is drawn, in parts of the frame.
     void draw(std::span<const Rectangle> parts);

@@ -111,8 +111,11 @@ void SurroundingsPass::find_seams(float cell) {
     for (std::size_t p = 0; p < mesh_.patches.size(); ++p) {
         const SurroundingsPatch& patch = mesh_.patches[p];
         for (std::uint32_t i = patch.first; i < patch.first + patch.count; i += 3) {
-            Seam seam{{}, 0, glm::vec3(std::numeric_limits<float>::max()),
-                      glm::vec3(std::numeric_limits<float>::lowest()), p};
+            Seam seam{{},
+                      0,
+                      glm::vec3(std::numeric_limits<float>::max()),
+                      glm::vec3(std::numeric_limits<float>::lowest()),
+                      p};
             for (std::uint32_t k = i; k < i + 3; ++k) {
                 const SurroundingsVertex& v = mesh_.vertices[mesh_.indices[k]];
                 if (v.on_grid > 0.5f) {
@@ -130,8 +133,7 @@ void SurroundingsPass::find_seams(float cell) {
 
 void SurroundingsPass::find(const FrameBlock& frame, const WhatChanged& changed, const OnScreen& screen,
                             bool everything, ScreenTiles& tiles) {
-    if (everything)
-        visible_patches(mesh_.patches, frame.clip_from_world, glm::vec3(frame.eye), visible_);
+    if (everything) visible_patches(mesh_.patches, frame.clip_from_world, glm::vec3(frame.eye), visible_);
     if (everything || !changed.moved().empty()) find_parts(changed, screen);
     if (everything) return;
     const float dx = changed.grid().dx;

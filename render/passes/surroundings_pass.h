@@ -38,8 +38,8 @@ class SurroundingsPass {
     // A triangle with corners on the grid, whose heights are those of the world.
     struct Seam {
         std::array<glm::ivec2, 3> on_grid;
-        int corners;                            // that are on the grid
-        glm::vec3 lowest, highest;              // around the others, m; if there are none, lowest is higher
+        int corners;                // that are on the grid
+        glm::vec3 lowest, highest;  // around the others, m; if there are none, lowest is higher
         std::size_t patch;
     };
     void find_seams(float cell);

@@ -33,7 +33,8 @@ class TerrainPass {
     // Reads SLOT_SCENE_DEPTH, SLOT_RELIEF, SLOT_LAYERS, SLOT_MEASURE, SLOT_SUN_CEILING, SLOT_DETAIL.
     void shade(const Marks& marks, const SlideTiles& tiles, bool two_materials, const Target& target,
                Target::Parts parts);
-    void draw_walls(Target::Parts parts) const;  // reads SLOT_RELIEF, SLOT_SITE, SLOT_SUN_CEILING, SLOT_DETAIL
+    void draw_walls(
+        Target::Parts parts) const;  // reads SLOT_RELIEF, SLOT_SITE, SLOT_SUN_CEILING, SLOT_DETAIL
 
   private:
     void find_runs(const Rectangle& part);
@@ -61,11 +62,11 @@ class TerrainPass {
     Indexed surface_, walls_;
     Texture detail_texture_;
     std::vector<GroundMesh::Block> blocks_;
-    std::vector<Rectangle> seen_;                       // where each block appears
-    std::vector<int> at_;                               // number of a block by its place, −1: empty
-    int along_x_ = 0, along_y_ = 0;                     // places of blocks
-    std::vector<std::uint8_t> rises_;                   // per block, of one frame
-    std::vector<GLsizei> counts_;                       // of runs of blocks in one part
+    std::vector<Rectangle> seen_;      // where each block appears
+    std::vector<int> at_;              // number of a block by its place, −1: empty
+    int along_x_ = 0, along_y_ = 0;    // places of blocks
+    std::vector<std::uint8_t> rises_;  // per block, of one frame
+    std::vector<GLsizei> counts_;      // of runs of blocks in one part
     std::vector<const void*> firsts_;
 };
 

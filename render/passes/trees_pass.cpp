@@ -47,8 +47,8 @@ void TreesPass::survey(const Woods& woods, const Surroundings& around, const Fra
     }
 }
 
-void TreesPass::find(const Woods& woods, const sim::View& world, const FlowSoFar& flow, const FrameBlock& frame,
-                     const OnScreen& screen, bool everything, ScreenTiles& tiles) {
+void TreesPass::find(const Woods& woods, const sim::View& world, const FlowSoFar& flow,
+                     const FrameBlock& frame, const OnScreen& screen, bool everything, ScreenTiles& tiles) {
     trees_.find(woods, lights_, world, flow, frame);
     screen_ = screen;
     if (everything) {

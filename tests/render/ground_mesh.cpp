@@ -76,7 +76,8 @@ TEST(GroundMesh, has_each_triangle_in_one_block_whose_corners_hold_it) {
         for (std::uint32_t i = block.first; i < next; ++i) {
             const int x = static_cast<int>(mesh.surface[i] & INDEX_X_MASK),
                       y = static_cast<int>(mesh.surface[i] >> INDEX_Y_SHIFT);
-            EXPECT_TRUE(x >= block.lowest.x && x <= block.highest.x && y >= block.lowest.y && y <= block.highest.y);
+            EXPECT_TRUE(x >= block.lowest.x && x <= block.highest.x && y >= block.lowest.y &&
+                        y <= block.highest.y);
         }
     }
     EXPECT_EQ(next, mesh.surface.size());

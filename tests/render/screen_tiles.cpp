@@ -30,7 +30,8 @@ struct Marked {
             EXPECT_TRUE(r.left >= 0 && r.bottom >= 0 && r.right <= kFrameWidth && r.top <= kFrameHeight);
             samples += r.width() * r.height();
             for (int y = r.bottom; y < r.top; ++y)
-                for (int x = r.left; x < r.right; ++x) ++covered[static_cast<std::size_t>(y * kFrameWidth + x)];
+                for (int x = r.left; x < r.right; ++x)
+                    ++covered[static_cast<std::size_t>(y * kFrameWidth + x)];
         }
         for (std::size_t i = 0; i < wanted.size(); ++i) {
             EXPECT_LE(covered[i], 1) << "sample " << i;

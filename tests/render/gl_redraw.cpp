@@ -1,0 +1,164 @@
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tests/render/gl_scene.h"
+#include "tests/support/places.h"
+
+// Frames of which only what changed is drawn. tests/game/gl_redraw.cpp plays random sessions; here a renderer forgets one
+// thing after the other on purpose, and each time the comparison must see it.
+namespace render::test {
+namespace {
+
+constexpr int kAcrossFrame = 200, kUpFrame = 120;
+
+// Marks as they are, so that one that is missing shows.
+constexpr RedrawRules kTightestRules{.tile = 1, .most_rectangles = 64, .least_gain = 1, .block = 1};
+
+// What changes from frame to frame before a camera that stands still.
+struct Play {
+    World world = make_world(64, 4, [](double, double) { return 0; });
+    Camera camera{{128, 128, 5}, 180, 20, 150, 50};
+    Light light{120, 25};
+    std::vector<float> first_depth = std::vector<float>(world.grid.size(), 2.f);
+    std::vector<sim::powder::Puff> puffs;
+    Structures structures;
+
+    Play() { world.depth.fill(2); }
+
+    // A block of so many metres, on vertices from `low` to `high`.
+    void set_tower(glm::ivec2 low, glm::ivec2 high, float height) {
+        for (int y = low.y; y <= high.y; ++y)
+            for (int x = low.x; x <= high.x; ++x) world.depth(x, y) = 2 + height;
+    }
+    FrameInput input() const {
+        return {.world = world.view(),
+                .camera = camera,
+                .light = light,
+                .width = kAcrossFrame,
+                .height = kUpFrame,
+                .first_depth = first_depth,
+                .powder = puffs,
+                .structures = &structures};
+    }
+};
+
+struct Mistake {
+    const char* name;
+    void (*make)(RedrawRules&);
+    void (*begin)(Play&);
+    void (*go_on)(Play&, int frame);
+};
+
+class Redraw : public Gl, public testing::WithParamInterface<Mistake> {
+  protected:
+    void SetUp() override {
+        Gl::SetUp();
+        auto made = Renderer::create(support::source_dir() / "assets", Quality::kFast);
+        ASSERT_TRUE(made) << made.error();
+        whole_.emplace(std::move(*made));
+    }
+
+    // Frames that differ from those that are drawn as a whole.
+    int wrong_frames(const RedrawRules& rules) {
+        const auto& [name, make, begin, go_on] = GetParam();
+        Play play;
+        begin(play);
+        renderer_->set_redraw(rules);
+        renderer_->forget();
+        int wrong = 0;
+        for (int frame = 0; frame < 12; ++frame) {
+            if (frame > 0) go_on(play, frame);
+            renderer_->draw(play.input());
+            whole_->forget();
+            whole_->draw(play.input());
+            wrong += renderer_->read_back().pixels != whole_->read_back().pixels;
+            EXPECT_TRUE(frame == 0 ? renderer_->redrawn() == 1 : renderer_->redrawn() < 0.9) << frame;
+        }
+        return wrong;
+    }
+
+    std::optional<Renderer> whole_;
+};
+
+TEST_P(Redraw, draws_the_same_bytes_and_shows_a_mistake) {
+    EXPECT_EQ(wrong_frames(kTightestRules), 0);
+    RedrawRules mistaken = kTightestRules;
+    GetParam().make(mistaken);
+    EXPECT_GT(wrong_frames(mistaken), 0);
+}
+
+void roll(Play& play, int x, int frame) {
+    for (int i = 0; i < 3; ++i)
+        play.world.rolling(x + i, 32 + (frame + i) % 3) = 0.1f * static_cast<float>(1 + (frame + i) % 4);
+}
+
+const Mistake kMistakes[] = {
+    {"reach", [](RedrawRules& rules) { rules.reach = 1; },
+     [](Play& play) {
+         play.light = {120, 80};  // shadows are shorter than slopes reach
+         play.camera = from_above({128, 128, 0}, 80);
+     },
+     [](Play& play, int frame) { play.world.rolling(32, 32) = static_cast<float>(frame % 4); }},
+    {"a_rectangle", [](RedrawRules& rules) { rules.last_rectangle = false; },
+     [](Play& play) {
+         play.camera = from_above({128, 128, 0}, 250);
+     },
+     [](Play& play, int frame) { roll(play, 15, frame), roll(play, 50, frame); }},
+    // Its shadow reaches farther than anything else that a tower changes.
+    {"shadows", [](RedrawRules& rules) { rules.sun = false; },
+     [](Play& play) {
+         play.light = {120, 12};
+         play.camera = from_above({128, 128, 0}, 250);
+         play.set_tower({38, 30}, {42, 34}, 30);
+     },
+     [](Play& play, int frame) {
+         play.set_tower({38, 30}, {42, 34}, 30 - 2 * static_cast<float>(frame));
+     }},
+    // A tower sinks before the sky.
+    {"what_was_there", [](RedrawRules& rules) { rules.old_heights = false; },
+     [](Play& play) {
+         play.camera = {{128, 128, 20}, 180, 2, 150, 50};
+         play.set_tower({26, 30}, {38, 34}, 60);
+     },
+     [](Play& play, int frame) {
+         play.set_tower({26, 30}, {38, 34}, 60 - 4 * static_cast<float>(frame));
+     }},
+    // The upper edge of a long wall slopes a little, so that its stairs are long; at its end a tower sinks.
+    {"edges", [](RedrawRules& rules) { rules.edge_reach = 0; },
+     [](Play& play) {
+         play.camera = {{128, 128, 20}, 180, 2, 900, 25};
+         for (int x = 12; x < 60; ++x) play.set_tower({x, 31}, {x, 33}, 10 + 0.3f * static_cast<float>(x));
+     },
+     [](Play& play, int frame) {
+         play.set_tower({34, 31}, {35, 33}, 20 + 2 * static_cast<float>(frame % 5));
+     }},
+    // The shadow of a tower that rises comes over a hut, which is seen before ground far behind it.
+    {"things", [](RedrawRules& rules) { rules.things = false; },
+     [](Play& play) {
+         play.light = {90, 12};
+         play.camera = {{128, 128, 5}, 180, 6, 60, 50};
+         play.structures.all.push_back({StructureKind::kHut, {128, 128}});
+     },
+     [](Play& play, int frame) {
+         play.set_tower({44, 29}, {46, 35}, 2 * static_cast<float>(frame));
+     }},
+    // A puff goes by.
+    {"air", [](RedrawRules& rules) { rules.air = false; },
+     [](Play& play) {
+         play.camera = {{128, 128, 5}, 180, 10, 300, 50};
+     },
+     [](Play& play, int frame) {
+         sim::powder::Puff puff{};
+         puff.at = {40.f + 17.f * static_cast<float>(frame), 128.f, 12.f};
+         puff.first_radius = 6, puff.density = 0.8f;
+         puff.age_s = 1, puff.life_s = 4;
+         play.puffs = {puff};
+     }},
+};
+
+INSTANTIATE_TEST_SUITE_P(Without, Redraw, testing::ValuesIn(kMistakes),
+                         [](const auto& mistake) { return mistake.param.name; });
+
+}  // namespace
+}  // namespace render::test
