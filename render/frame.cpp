@@ -59,6 +59,13 @@ struct View {
     }
 };
 
+// Whether surface.comp and cover.glsl make the same of a vertex.
+bool same_surface(const FrameBlock& a, const FrameBlock& b) {
+    return a.overlay == b.overlay && a.density == b.density && a.meadow.w == b.meadow.w &&
+           a.standing.w == b.standing.w && a.rolling.w == b.rolling.w &&
+           a.lower_standing.w == b.lower_standing.w;
+}
+
 View view_of(const FrameInput& input, const FrameBlock& block) {
     View view{block};
     view.block.ring = view.block.ring_colour = glm::vec4(0);
@@ -284,13 +291,14 @@ void Renderer::draw(const FrameInput& input) {
     const View view = view_of(input, frame);
     const bool resized = p.target.resize(width, height, samples);
     const bool rebuilt = p.structures.build(input, frame, ground.terrain);
-    const bool everything =
-        resized || rebuilt || ground.terrain || ground.first_depth || marks.flow_mesh || redrawn.view != view;
+    const bool new_world = ground.terrain || ground.first_depth || !redrawn.view ||
+                           !same_surface(redrawn.view->block, frame);
+    const bool everything = new_world || resized || rebuilt || marks.flow_mesh || redrawn.view != view;
 
     // Upload what changed of the world: everything below reads these textures, and only they change with the state.
     WhatChanged& changed = redrawn.world;
     changed.compare(world, p.fields.find_mixture(world), first_depth,
-                    goes_on ? std::nullopt : std::optional(frame.ground.y), p.rules, everything);
+                    goes_on ? std::nullopt : std::optional(frame.ground.y), p.rules, new_world);
     p.fields.upload_layers(world, changed.first_row(), changed.last_row());
     glNamedBufferSubData(p.frame_block.name(), 0, sizeof frame, &frame);
     glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_FRAME, p.frame_block.name());

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <cstring>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -147,21 +147,15 @@ Rectangle TreesInView::seen(const DrawnTree& tree, const OnScreen& screen) {
 }
 
 void TreesInView::reserve(const Woods& woods) {
+    for (std::vector<Upright>* list : {&upright_, &branched_, &plain_, &without_shadow_})
+        list->reserve(woods.trees().size());
     drawn_.reserve(woods.trees().size());
-    before_.reserve(woods.trees().size());
-    branched_.reserve(woods.trees().size());
-    plain_.reserve(woods.trees().size());
-    without_shadow_.reserve(woods.trees().size());
+    moved_.reserve(woods.trees().size());
     tiles_.reserve(woods.tiles().size());
 }
 
-void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, const sim::View& world,
-                       const FlowSoFar& flow, const FrameBlock& frame) {
-    drawn_.swap(before_);
-    drawn_.clear();
-    branched_.clear();
-    plain_.clear();
-    without_shadow_.clear();
+void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, const FrameBlock& frame) {
+    for (std::vector<Upright>* list : {&upright_, &branched_, &plain_, &without_shadow_}) list->clear();
     tiles_.clear();
     const glm::vec3 eye(frame.eye);
     const float pixel = frame.material.y * frame.material.z;  // m at a distance of 1 m
@@ -200,47 +194,58 @@ void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, co
             const float wide = (tree.kind == TreeKind::kPine ? kHalfWidthOfPine : kHalfWidth) * tree.height *
                                kept * together / taller * (1 + kWiderInStand * tree.closed);
             const float half = std::max(group ? kWidthOfGroup * wide : wide, 0.6f * kept * distance * pixel);
-            DrawnTree drawn{
+            const DrawnTree drawn{
                 {tree.foot, height},
                 {0, 0, 1, tree.chance},
                 {lights[i].sunlit, tree.snow, tree.lower, half},
                 {lights[i].tip,
                  lights[i].sunlit * ramp(1, 2, high / (kShadowPixels * (1 + 3 * tree.closed)))},
                 {static_cast<float>(tree.kind), group ? std::round(together) : 1, tree.closed, 0}};
-            const bool has_shadow =
-                drawn.shadow.w > 0;  // while it stands, so that the order stays when it falls
-            if (tree.vertex >= 0)
-                drawn.foot.z -= std::max(
-                    tree.snow - world.depth(tree.vertex % world.grid.nx, tree.vertex / world.grid.nx), 0.f);
-            if (tree.vertex >= 0 && !flow.depth.empty()) {
-                const auto vertex = static_cast<std::size_t>(tree.vertex);
-                const float strength = 0.7f + 0.6f * own(tree, 19.1f);
-                const float lying = ramp(kShallow * strength, kDeep * strength, flow.depth[vertex]) *
-                                    ramp(kSlow, kFast, flow.speed[vertex]);
-                if (lying > 0) lay(tree, world, lying, drawn);
-            }
             const bool near = tree.group < 2 && high > kNearPixels * (0.85f + 0.3f * tree.chance);
             const float pixels = group ? 24 * half / std::round(together) / (distance * pixel) : high;
-            (near                         ? drawn_
+            (near                         ? upright_
              : pixels > TREE_PLAIN_PIXELS ? branched_
-             : has_shadow                 ? plain_
+             : drawn.shadow.w > 0         ? plain_
                                           : without_shadow_)
-                .push_back(drawn);
+                .push_back({drawn, i});
         }
     }
-    near_ = drawn_.size();
+    near_ = upright_.size();
     // What they hide is not shaded. They are few, and large.
-    std::sort(drawn_.begin(), drawn_.end(), [&](const DrawnTree& a, const DrawnTree& b) {
-        const auto key = [&](const DrawnTree& tree) {
-            return std::tuple(glm::distance(glm::vec3(tree.foot), eye), tree.foot.x, tree.foot.y);
+    std::sort(upright_.begin(), upright_.end(), [&](const Upright& a, const Upright& b) {
+        const auto key = [&](const Upright& tree) {
+            return std::pair(glm::distance(glm::vec3(tree.drawn.foot), eye), tree.tree);
         };
         return key(a) < key(b);
     });
     far_ = branched_.size();
-    drawn_.insert(drawn_.end(), branched_.begin(), branched_.end());
-    drawn_.insert(drawn_.end(), plain_.begin(), plain_.end());
-    with_shadow_ = drawn_.size();
-    drawn_.insert(drawn_.end(), without_shadow_.begin(), without_shadow_.end());
+    upright_.insert(upright_.end(), branched_.begin(), branched_.end());
+    upright_.insert(upright_.end(), plain_.begin(), plain_.end());
+    with_shadow_ = upright_.size();
+    upright_.insert(upright_.end(), without_shadow_.begin(), without_shadow_.end());
+    drawn_.clear();
+    for (const Upright& tree : upright_) drawn_.push_back(tree.drawn);
+}
+
+void TreesInView::settle(const Woods& woods, const sim::View& world, const FlowSoFar& flow) {
+    moved_.clear();
+    for (std::size_t i = 0; i < upright_.size(); ++i) {
+        const Tree& tree = woods.trees()[upright_[i].tree];
+        if (tree.vertex < 0) continue;
+        DrawnTree now = upright_[i].drawn;
+        now.foot.z -=
+            std::max(tree.snow - world.depth(tree.vertex % world.grid.nx, tree.vertex / world.grid.nx), 0.f);
+        if (!flow.depth.empty()) {
+            const auto vertex = static_cast<std::size_t>(tree.vertex);
+            const float strength = 0.7f + 0.6f * own(tree, 19.1f);
+            const float lying = ramp(kShallow * strength, kDeep * strength, flow.depth[vertex]) *
+                                ramp(kSlow, kFast, flow.speed[vertex]);
+            if (lying > 0) lay(tree, world, lying, now);
+        }
+        if (std::memcmp(&now, &drawn_[i], sizeof now) == 0) continue;
+        moved_.push_back({i, drawn_[i]});
+        drawn_[i] = now;
+    }
 }
 
 }  // namespace render

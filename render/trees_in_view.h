@@ -40,25 +40,37 @@ class TreesInView {
   public:
     // Makes room for all trees of `woods`.
     void reserve(const Woods& woods);
-    // `lights`: of light_trees(). A tree that a flow has met leans or lies, with its top downhill, on the
-    // ground now.
-    void find(const Woods& woods, std::span<const TreeLight> lights, const sim::View& world,
-              const FlowSoFar& flow, const FrameBlock& frame);
+    // Finds the trees that a camera sees, as they stood at tick 0. `lights`: of light_trees().
+    void find(const Woods& woods, std::span<const TreeLight> lights, const FrameBlock& frame);
+    // Moves them to where they are now. One that a flow has met leans or lies, with its top downhill, on the ground now.
+    void settle(const Woods& woods, const sim::View& world, const FlowSoFar& flow);
 
     // The samples that one of them and its shadow may cover.
     static Rectangle seen(const DrawnTree& tree, const OnScreen& screen);
 
     // First near ones, of some triangles each; then far ones, of one triangle each, with branches; then plain
-    // ones, too small for branches, at first those with a shadow. Each part from near to far.
+    // ones, too small for branches, at first those with a shadow while they stand. Each part from near to far.
     std::span<const DrawnTree> drawn() const { return drawn_; }
-    // The trees of the frame before that, in the same order as long as only the world changed.
-    std::span<const DrawnTree> before() const { return before_; }
     std::size_t near() const { return near_; }
     std::size_t far() const { return far_; }
     std::size_t with_shadow() const { return with_shadow_; }  // trees up to the last one with a shadow
 
+    // One that settle() moved, and what it was.
+    struct Moved {
+        std::size_t number;  // in drawn()
+        DrawnTree before;
+    };
+    std::span<const Moved> moved() const { return moved_; }
+
   private:
-    std::vector<DrawnTree> drawn_, before_, branched_, plain_, without_shadow_;
+    struct Upright {
+        DrawnTree drawn;
+        std::uint32_t tree;  // in Woods::trees()
+    };
+
+    std::vector<Upright> upright_, branched_, plain_, without_shadow_;
+    std::vector<DrawnTree> drawn_;  // upright_, settled
+    std::vector<Moved> moved_;
     std::vector<const TreeTile*> tiles_;
     std::size_t near_ = 0, far_ = 0, with_shadow_ = 0;
 };

@@ -1,5 +1,7 @@
 #include "game/bench/canvas.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "game/files/assets.h"
@@ -9,6 +11,11 @@
 #include "render/overview.h"
 
 namespace game {
+namespace {
+
+constexpr double kTurn = 0.3;  // degrees, there and back, so that each frame shows about the same
+
+}  // namespace
 
 struct Canvas::Parts {
     render::HeadlessContext context;  // first, because the renderer's GL names live in it
@@ -21,6 +28,7 @@ struct Canvas::Parts {
     render::Surroundings surroundings = {};
     render::Woods woods = {};
     render::Wind wind = {};
+    bool turned = false;
 };
 
 Outcome<Canvas> Canvas::open(const CanvasOptions& options) {
@@ -58,9 +66,10 @@ render::DrawTimes Canvas::draw(const Session& session) {
     Parts& p = *parts_;
     const sim::View world = session.view();
     if (!p.camera) p.camera = render::overview(world);
-    if (p.options.whole) p.renderer.forget();
+    render::Camera camera = *p.camera;
+    if (p.options.turns && std::exchange(p.turned, !p.turned)) camera.azimuth_deg += kTurn;
     p.renderer.draw({.world = world,
-                     .camera = *p.camera,
+                     .camera = camera,
                      .light = p.light,
                      .look = p.look,
                      .flow = session.fronts(),
@@ -82,7 +91,7 @@ render::DrawnBy Canvas::drawn_by() const {
     return {parts_->context.renderer_name(),
             fmt::format("{}x{} pixels, {}, {}", options.size.width, options.size.height,
                         options.samples == 1 ? "one sample each" : "two by two samples each",
-                        options.whole ? "each frame as a whole" : "only what changed"),
+                        options.turns ? "a turning camera" : "a still camera"),
             render::suitable_timing()};
 }
 

@@ -16,7 +16,7 @@ struct CanvasOptions {
     PictureSize size{640, 360};
     std::string gl = "auto";  // as in render::HeadlessContext::create
     int samples = 1;          // along the edge of a pixel, 1 or 2
-    bool whole = false;       // all of each frame anew, as while the camera moves; else only what changed
+    bool turns = false;       // the camera, a little from frame to frame, so that all of each is new
 };
 
 // Draws frames off screen as fast as possible, and times them.

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstring>
 #include <string_view>
 #include <utility>
 
 #include "assets/shaders/slots.glsl"
 #include "render/passes/scissor.h"
 #include "render/program.h"
-#include "sim/core/check.h"
 
 namespace render {
 
@@ -49,19 +47,18 @@ void TreesPass::survey(const Woods& woods, const Surroundings& around, const Fra
 
 void TreesPass::find(const Woods& woods, const sim::View& world, const FlowSoFar& flow,
                      const FrameBlock& frame, const OnScreen& screen, bool everything, ScreenTiles& tiles) {
-    trees_.find(woods, lights_, world, flow, frame);
-    screen_ = screen;
     if (everything) {
+        trees_.find(woods, lights_, frame);
+        screen_ = screen;
         seen_.clear();
-        return;
     }
-    const auto now = trees_.drawn(), before = trees_.before();
-    CHECK(now.size() == before.size());
-    for (std::size_t i = 0; i < now.size(); ++i) {
-        if (std::memcmp(&now[i], &before[i], sizeof(DrawnTree)) == 0) continue;
-        tiles.mark(TreesInView::seen(before[i], screen));
-        tiles.mark(TreesInView::seen(now[i], screen));
-        if (i < seen_.size()) seen_[i] = TreesInView::seen(now[i], screen);
+    trees_.settle(woods, world, flow);
+    if (everything) return;
+    for (const auto& [number, before] : trees_.moved()) {
+        const Rectangle now = TreesInView::seen(trees_.drawn()[number], screen);
+        tiles.mark(TreesInView::seen(before, screen));
+        tiles.mark(now);
+        if (number < seen_.size()) seen_[number] = now;
     }
 }
 
