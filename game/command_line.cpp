@@ -582,12 +582,14 @@ void add_bench(CLI::App& app, BenchOptions& options) {
     add_number(app, "--every", "TICKS", options.measure.every, kStride,
                "draw a frame every so many ticks, 60 per simulated second", "120");
     add_size(app, options.canvas.size, "set the size of the frames", "640x360");
-    add_number(app, "--samples", "N", options.canvas.samples, Range<int>{1, 2},
-               "draw with so many samples along the edge of a pixel: 1 as in the tiers fast and balanced, 2 as in "
-               "full",
-               "1");
+    add_number(
+        app, "--samples", "N", options.canvas.samples, Range<int>{1, 2},
+        "draw with so many samples along the edge of a pixel: 1 as in the tiers fast and balanced, 2 as in "
+        "full",
+        "1");
     app.add_flag("--turn", options.canvas.turns,
-                 "turn the camera a little from frame to frame, so that all of each is new; else only what changed is drawn");
+                 "turn the camera a little from frame to frame, so that all of each is new; else only what "
+                 "changed is drawn");
     add_gl(app, options.canvas.gl);
     app.add_flag_callback(
         "--no-render", [&options] { options.draws = false; }, "disable rendering");

@@ -291,8 +291,8 @@ void Renderer::draw(const FrameInput& input) {
     const View view = view_of(input, frame);
     const bool resized = p.target.resize(width, height, samples);
     const bool rebuilt = p.structures.build(input, frame, ground.terrain);
-    const bool new_world = ground.terrain || ground.first_depth || !redrawn.view ||
-                           !same_surface(redrawn.view->block, frame);
+    const bool new_world =
+        ground.terrain || ground.first_depth || !redrawn.view || !same_surface(redrawn.view->block, frame);
     const bool everything = new_world || resized || rebuilt || marks.flow_mesh || redrawn.view != view;
 
     // Upload what changed of the world: everything below reads these textures, and only they change with the state.

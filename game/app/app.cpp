@@ -19,7 +19,8 @@ namespace game {
 namespace {
 
 constexpr double kTickBudget = 0.04;  // s per frame; more would make the display stutter
-constexpr double kStillAfter = 0.4;   // s without a change, until an image is finished
+constexpr double kLateRing = 1.5;    // of the frame time; a ring that takes longer is drawn on a moving image
+constexpr double kStillAfter = 0.4;  // s without a change, until an image is finished
 
 // Milliseconds since the last call.
 class Stopwatch {
@@ -302,6 +303,7 @@ void App::draw_world(const FrameTime& time) {
         epoch_,     sandbox_->session().changed_at(), camera_->camera(), display_, marks(), size.width,
         size.height};
     const bool camera_moved = !(seen.camera == seen_.camera), changed = !(seen == seen_);
+    const bool ring_alone = changed && follows_ring(seen, size);
     if (changed) {
         seen_ = seen;
         still_since_ = now_s_;
@@ -320,6 +322,12 @@ void App::draw_world(const FrameTime& time) {
         finish();
         return end_trial(since());
     }
+    if (ring_alone) {
+        draw_image(drawn_);
+        finish();
+        ring_in_time_ = since() <= kLateRing * display_.frame_ms;
+        return;
+    }
     if (changed) {
         draw_image(moving_image(size, camera_moved));
         finish();
@@ -333,6 +341,15 @@ void App::draw_world(const FrameTime& time) {
         fail_lost();
     }
     finish();
+}
+
+// Whether a finished image stays, because only the ring has moved on it, of which little is drawn anew.
+bool App::follows_ring(const Seen& seen, const ScreenSize& size) {
+    Seen as_before = seen;
+    as_before.marks.ring = seen_.marks.ring;
+    if (!(as_before == seen_)) ring_in_time_ = true;  // it may be smaller in another view
+    return as_before == seen_ && ring_in_time_ && seen.marks.ring && seen_.marks.ring &&
+           image_for(size, 1, true, bounds_) == drawn_;
 }
 
 // What the frame takes beside drawing the world; of what follows that, as in the last frame.

@@ -133,6 +133,7 @@ class App {
         int width = 0, height = 0;  // of the screen
         bool operator==(const Seen&) const = default;
     };
+    bool follows_ring(const Seen& seen, const ScreenSize& size);
 
     Screen& screen_;
     render::Renderer renderer_;
@@ -170,6 +171,7 @@ class App {
     Display display_;
     Seen seen_;
     double still_since_ = 0;          // s, when seen_ last changed
+    bool ring_in_time_ = true;        // it can follow the cursor on a finished image
     ImageSize drawn_, best_;          // the last image; what one that stands still has
     ImageBounds bounds_;              // what the device has shown that it can draw
     std::uint64_t frame_memory_ = 0;  // bytes that --max-memory leaves for the buffers of an image

@@ -201,11 +201,17 @@ TEST_F(Playing, finishes_an_image_that_stands_still_until_something_moves_in_eve
         EXPECT_EQ(whole == moving, tier == Tier::kFull);
         frames(5);
         EXPECT_EQ(part_of(screen_.picture()), whole);
-        screen_.move(310, 250);  // the ring follows
+        const auto with_ring = screen_.picture().pixels;
+        screen_.move(310, 250);  // the ring follows, on the finished image
+        frames(1);
+        EXPECT_EQ(app_->image(), (ImageSize{640, 360, true}));
+        EXPECT_NE(screen_.picture().pixels, with_ring);
+        EXPECT_EQ(part_of(screen_.picture()), whole);
+        screen_.press(Button::kRight);  // the camera turns
+        frames(1);
+        screen_.move(330, 250);
         frames(1);
         EXPECT_EQ(app_->image().fine, tier == Tier::kFull);
-        frames(40);
-        EXPECT_EQ(part_of(screen_.picture()), whole);
         app_.reset();
     }
 }
