@@ -1,6 +1,5 @@
 #include "render/frame.h"
 
-#include <cstring>
 #include <utility>
 
 #include "assets/shaders/slots.glsl"
@@ -20,12 +19,11 @@
 #include "render/passes/surroundings_pass.h"
 #include "render/passes/terrain_pass.h"
 #include "render/passes/trees_pass.h"
-#include "render/screen_tiles.h"
+#include "render/redrawn.h"
 #include "render/slide_tiles.h"
 #include "render/stage_clock.h"
 #include "render/sun_sweep.h"
 #include "render/target.h"
-#include "render/what_changed.h"
 #include "sim/core/check.h"
 
 namespace render {
@@ -40,48 +38,6 @@ int samples_of(Quality quality) {
 
 constexpr std::span<const Rectangle> kNowhere;
 
-bool has_lines(const Marks& marks) {
-    return marks.contours || marks.ring;
-}
-
-// All that a frame depends on but the world, what is built on it and what is in the air. Where one differs from the
-// last frame's, all is drawn anew.
-struct View {
-    FrameBlock block;  // without a ring
-    bool flows = false, lines = false, mesh = false;
-    FlowPattern pattern = {};
-    std::uint64_t surroundings = 0, woods = 0;  // fingerprints; 0: none
-
-    bool operator==(const View& other) const {
-        return std::memcmp(&block, &other.block, sizeof block) == 0 && flows == other.flows &&
-               lines == other.lines && mesh == other.mesh && pattern == other.pattern &&
-               surroundings == other.surroundings && woods == other.woods;
-    }
-};
-
-// Whether surface.comp and cover.glsl make the same of a vertex.
-bool same_surface(const FrameBlock& a, const FrameBlock& b) {
-    return a.overlay == b.overlay && a.density == b.density && a.meadow.w == b.meadow.w &&
-           a.standing.w == b.standing.w && a.rolling.w == b.rolling.w &&
-           a.lower_standing.w == b.lower_standing.w;
-}
-
-View view_of(const FrameInput& input, const FrameBlock& block) {
-    View view{block};
-    view.block.ring = view.block.ring_colour = glm::vec4(0);
-    view.flows = input.look.flow && input.flow;
-    view.lines = has_lines(input.marks);
-    view.mesh = input.marks.flow_mesh;
-    if (view.flows) view.pattern = input.look.flow->pattern;
-    if (input.surroundings && !input.surroundings->empty()) {
-        view.surroundings = input.surroundings->fingerprint();
-        // They would hide the values of an overlay.
-        if (input.woods && !input.woods->empty() && input.marks.overlay == Overlay::kNone)
-            view.woods = input.woods->fingerprint();
-    }
-    return view;
-}
-
 // Wind blows snow off ridges, as far as there is any.
 bool drifts(const FrameInput& input) {
     return input.surroundings && !input.surroundings->empty() && input.wind.speed > 0 &&
@@ -89,57 +45,7 @@ bool drifts(const FrameInput& input) {
            input.marks.overlay == Overlay::kNone;
 }
 
-// Rectangles of samples in pixels, and the other way round.
-Rectangle in_pixels(const Rectangle& r, int samples) {
-    return {r.left / samples, r.bottom / samples, (r.right + samples - 1) / samples,
-            (r.top + samples - 1) / samples};
-}
-
 }  // namespace
-
-// What one frame draws anew, and the last one drew.
-struct Redrawn {
-    std::optional<View> view;  // of the last frame
-    std::optional<Ring> ring;  // of the last frame
-    WhatChanged world;
-    ScreenTiles scene_tiles, shown_tiles, smoothed_tiles, forgotten_tiles;
-    std::vector<Rectangle> scene;            // samples: what stands there
-    std::vector<Rectangle> shown;            // pixels: that, and what floats in the air
-    std::vector<Rectangle> air, smoothed;    // samples of `shown`; pixels around it whose edges may change
-    std::vector<Rectangle> floats, floated;  // samples: powder and spindrift, now and in the last frame
-
-    // `powder`, `spindrift`: where they are in this frame.
-    void find(const Target& target, const RedrawRules& rules, std::span<const Rectangle> powder,
-              std::span<const Rectangle> spindrift);
-};
-
-// What floats in the air is laid over the scene each time, where it is now or was before.
-void Redrawn::find(const Target& target, const RedrawRules& rules, std::span<const Rectangle> powder,
-                   std::span<const Rectangle> spindrift) {
-    const auto marked = scene_tiles.rectangles(rules.most_rectangles, rules.least_gain);
-    scene.assign(marked.begin(), marked.end());
-    if (!rules.last_rectangle && scene.size() > 1) scene.pop_back();
-    floated.swap(floats);
-    floats.assign(powder.begin(), powder.end());
-    floats.insert(floats.end(), spindrift.begin(), spindrift.end());
-
-    const int samples = target.samples();
-    shown_tiles.begin(target.width(), target.height(), rules.tile);
-    for (const Rectangle& part : scene) shown_tiles.mark(in_pixels(part, samples));
-    for (const Rectangle& part : floats) shown_tiles.mark(in_pixels(part, samples));
-    if (rules.air)
-        for (const Rectangle& part : floated) shown_tiles.mark(in_pixels(part, samples));
-    const auto parts = shown_tiles.rectangles(rules.most_rectangles, rules.least_gain);
-    shown.assign(parts.begin(), parts.end());
-    air.clear();
-    smoothed_tiles.begin(target.width(), target.height(), rules.tile);
-    for (const Rectangle& part : shown) {
-        air.push_back({part.left * samples, part.bottom * samples, part.right * samples, part.top * samples});
-        smoothed_tiles.mark(grown(part, rules.edge_reach));
-    }
-    const auto around = smoothed_tiles.rectangles(rules.most_rectangles / 4, 4 * rules.least_gain);
-    smoothed.assign(around.begin(), around.end());
-}
 
 struct Renderer::Parts {
     FieldsToGpu fields;
@@ -250,7 +156,7 @@ void Renderer::set_quality(Quality quality) {
 }
 
 void Renderer::forget() {
-    parts_->redrawn.view.reset();
+    parts_->redrawn.steady.reset();
 }
 
 double Renderer::redrawn() const {
@@ -288,12 +194,12 @@ void Renderer::draw(const FrameInput& input) {
     const FieldsToGpu::Ground ground = p.fields.upload_ground(world, first_depth);
     const FrameBlock frame = make_frame_block(input, p.fields.heights(), samples,
                                               flows ? std::optional(p.flow_tint(look, marks)) : std::nullopt);
-    const View view = view_of(input, frame);
+    const Steady steady = steady_of(input, frame);
     const bool resized = p.target.resize(width, height, samples);
     const bool rebuilt = p.structures.build(input, frame, ground.terrain);
-    const bool new_world =
-        ground.terrain || ground.first_depth || !redrawn.view || !same_surface(redrawn.view->block, frame);
-    const bool everything = new_world || resized || rebuilt || marks.flow_mesh || redrawn.view != view;
+    const bool new_world = ground.terrain || ground.first_depth || !redrawn.steady ||
+                           !same_surface(redrawn.steady->block, frame);
+    const bool everything = new_world || resized || rebuilt || marks.flow_mesh || redrawn.steady != steady;
 
     // Upload what changed of the world: everything below reads these textures, and only they change with the state.
     WhatChanged& changed = redrawn.world;
@@ -357,7 +263,7 @@ void Renderer::draw(const FrameInput& input) {
     ScreenTiles& with_things = p.rules.things ? tiles : redrawn.forgotten_tiles;
     if (goes_on) p.surroundings.find(frame, changed, screen, everything, with_things);
     p.structures.find(input, frame, changed, screen, everything, with_things);
-    if (view.woods != 0) {
+    if (steady.woods != 0) {
         p.trees.survey(*woods, *around, frame);
         p.trees.find(*woods, world, so_far, frame, screen, everything, with_things);
     }
@@ -417,7 +323,7 @@ void Renderer::draw(const FrameInput& input) {
     p.clock.mark(Pass::kStructures);
 
     // Trees stand before ground and sky, with a jagged outline. Their shadows darken the ground that is drawn.
-    if (view.woods != 0) p.trees.draw(redrawn.scene);
+    if (steady.woods != 0) p.trees.draw(redrawn.scene);
     p.clock.mark(Pass::kTrees);
 
     // What floats in the air lies over everything that is not nearer, and casts a shadow on the ground.
@@ -441,7 +347,7 @@ void Renderer::draw(const FrameInput& input) {
     p.clock.mark(Pass::kEdges);
 
     changed.finish();
-    redrawn.view = view;
+    redrawn.steady = steady;
     redrawn.ring = marks.ring;
     CHECK(glGetError() == GL_NO_ERROR);
 }

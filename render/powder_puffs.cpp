@@ -168,25 +168,28 @@ void PowderPuffs::find_in_view(std::span<const sim::powder::Puff> puffs, const F
     for (std::size_t i = 0; i < puffs.size(); ++i) {
         const sim::powder::Puff& puff = puffs[i];
         const float r = radius(puff), distance = glm::dot(puff.at - eye, forward);
-        if (distance < kNearest * r || opacity_[i] * parted(distance, r) < kFaintest) continue;
-        const glm::vec4 clip = frame.clip_from_world * glm::vec4(puff.at, 1);
-        const glm::vec2 middle = glm::vec2(clip) / clip.w, half = glm::vec2(r / wide, r / high) / distance;
-        if (middle.x + half.x < -1 || middle.x - half.x > 1 || middle.y + half.y < -1 ||
-            middle.y - half.y > 1)
-            continue;
-        in_view_.push_back({-distance, i, middle, half});
-        mixed_ = mixed_ || puff.lower > 0;
-        const auto include = [&](glm::vec2 at) {
-            box_ = {std::min(box_.x, at.x - half.x), std::min(box_.y, at.y - half.y),
-                    std::max(box_.z, at.x + half.x), std::max(box_.w, at.y + half.y)};
-            tiles_.add(at, half);
+        if (opacity_[i] < kFaintest) continue;
+        // Includes what a ball of its size covers at a place. Returns false if that is beside the frame.
+        const auto include = [&](const glm::vec3& at, float nearest) {
+            const glm::vec4 clip = frame.clip_from_world * glm::vec4(at, 1);
+            if (clip.w < nearest * r) return false;
+            const glm::vec2 middle = glm::vec2(clip) / clip.w, half = glm::vec2(r / wide, r / high) / clip.w;
+            if (middle.x + half.x < -1 || middle.x - half.x > 1 || middle.y + half.y < -1 ||
+                middle.y - half.y > 1)
+                return false;
+            box_ = {std::min(box_.x, middle.x - half.x), std::min(box_.y, middle.y - half.y),
+                    std::max(box_.z, middle.x + half.x), std::max(box_.w, middle.y + half.y)};
+            tiles_.add(middle, half);
+            return true;
         };
-        include(middle);
-        for (const float radii_away : kShadow) {
-            const glm::vec3 way = radii_away * std::max(r, mean_radius_) * sun;
-            const glm::vec4 shadow = frame.clip_from_world * glm::vec4(puff.at - way, 1);
-            if (shadow.w > r) include(glm::vec2(shadow) / shadow.w);
-        }
+        // The shadow of a puff beside the frame may fall into it.
+        for (const float radii_away : kShadow)
+            include(puff.at - radii_away * std::max(r, mean_radius_) * sun, 1);
+        if (opacity_[i] * parted(distance, r) < kFaintest || !include(puff.at, kNearest)) continue;
+        const glm::vec4 clip = frame.clip_from_world * glm::vec4(puff.at, 1);
+        in_view_.push_back(
+            {-distance, i, glm::vec2(clip) / clip.w, glm::vec2(r / wide, r / high) / distance});
+        mixed_ = mixed_ || puff.lower > 0;
     }
 }
 
