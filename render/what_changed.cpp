@@ -20,9 +20,15 @@ constexpr float kUntouched = 0.016f;
 constexpr double kFarthest = 0.035;
 // m: room for rounding between a height and a ceiling; height of what people build and of its shadow's way.
 constexpr float kRoom = 0.1f, kHighest = 40;
-// Of a ring, as in marks.glsl: half the width of its dot, which is wider than its line, pixels; the longest pixel on the ground, seen at
-// the flattest angle, for one that is seen from above.
-constexpr double kDotWidth = 4.5, kLongestPixel = 1.5 * (1 + 1 / 0.06);
+// Of a ring, as in marks.glsl: half the width of its line and of its dot, pixels; the smallest sine of the angle at which
+// ground is seen that is used.
+constexpr double kLineWidth = 2.7, kDotWidth = 4.5, kFlattestView = 0.06;
+
+// A bound of the length of a pixel on ground at a distance, m, that is seen at an angle with this sine.
+double pixel_on_ground(float distance, double sine, const FrameBlock& frame) {
+    constexpr double kDiagonal = 1.5;
+    return kDiagonal * static_cast<double>(distance * frame.material.y * frame.material.z) * (1 + 1 / sine);
+}
 
 int groups_along(int vertices) {
     return (vertices + GROUP_SQUARE - 1) / GROUP_SQUARE;
@@ -223,27 +229,62 @@ void WhatChanged::add_shadows(const SunSweep& sweep, const FrameBlock& frame) {
         }
 }
 
-// It is as wide as so many pixels, and farther off these are longer.
+// A ring is as wide as so many pixels, which on the ground are the longer, the farther off and the flatter it is seen.
 void WhatChanged::add_ring(const std::optional<Ring>& before, const std::optional<Ring>& now,
                            const FrameBlock& frame) {
     if (everything_ || before == now) return;
-    const double lowest = static_cast<double>(heights_between({0, 0}, {grid_.nx - 1, grid_.ny - 1}).x);
-    const double over = static_cast<double>(frame.eye.z) - lowest;
-    const double pixel = static_cast<double>(frame.material.y * frame.material.z) * kLongestPixel;
-    for (const std::optional<Ring>& ring : {before, now}) {
-        if (!ring) continue;
-        const double away = glm::distance(glm::dvec2(frame.eye), ring->centre);
-        // Where pixels grow as fast as the distance to the ring, it may be seen anywhere.
-        const double wide = kDotWidth * pixel;
-        double reach = wide < 0.9 ? (ring->radius + wide * (away + ring->radius + over)) / (1 - wide)
-                                  : static_cast<double>(grid_.dx) * (grid_.nx + grid_.ny);
-        reach = std::min(reach, 1e6);
-        const auto square = [&](double m) {
-            return static_cast<int>(std::floor(m / static_cast<double>(grid_.dx)));
-        };
-        open_squares(square(ring->centre.x - reach), square(ring->centre.x + reach),
-                     square(ring->centre.y - reach), square(ring->centre.y + reach));
-    }
+    constexpr int kSide = 2;  // squares
+    const double dx = static_cast<double>(grid_.dx);
+    for (int y = 0; y + 1 < grid_.ny; y += kSide)
+        for (int x = 0; x + 1 < grid_.nx; x += kSide) {
+            const glm::ivec2 first(x, y), last = glm::min(first + kSide, glm::ivec2(grid_.nx, grid_.ny) - 1);
+            const glm::vec3 corner(grid_.dx * glm::vec2(first),
+                                   height_[static_cast<std::size_t>(index(x, y))]);
+            const double longest = pixel_on_ground(
+                glm::distance(corner, glm::vec3(frame.eye)) + 4 * kSide * grid_.dx, kFlattestView, frame);
+            double pixel = -1;  // not known yet
+            for (const std::optional<Ring>& ring : {before, now}) {
+                if (!ring) continue;
+                const glm::dvec2 nearest =
+                    glm::clamp(ring->centre, dx * glm::dvec2(first), dx * glm::dvec2(last));
+                const double away = glm::distance(nearest, ring->centre);
+                const auto is_beside = [&](double of) {
+                    return away > std::max(ring->radius + kLineWidth * of, kDotWidth * of);
+                };
+                if (is_beside(longest)) continue;  // even if it is seen at the flattest angle
+                if (away > ring->radius && pixel < 0) pixel = longest_pixel(first, last, frame);
+                if (away > ring->radius && is_beside(pixel)) continue;
+                open_squares(first.x, last.x - 1, first.y, last.y - 1);
+            }
+        }
+}
+
+// The longest that a pixel can be on the ground between two vertices, m.
+double WhatChanged::longest_pixel(glm::ivec2 first, glm::ivec2 last, const FrameBlock& frame) const {
+    const glm::vec3 eye(frame.eye);
+    const float dx = grid_.dx;
+    float farthest = 0, flattest = 1;
+    bool known = true;
+    for (int y = first.y; y <= last.y; ++y)
+        for (int x = first.x; x <= last.x; ++x) {
+            const glm::vec3 ray =
+                glm::vec3(dx * glm::vec2(x, y), height_[static_cast<std::size_t>(index(x, y))]) - eye;
+            const float distance = glm::length(ray);
+            farthest = std::max(farthest, distance);
+            // Beside a hole or the border slopes are other ones, and near the eye rays differ much.
+            if (walled_[static_cast<std::size_t>(index(x, y))] != 0 ||
+                distance < 8 * dx * static_cast<float>(last.x - first.x + last.y - first.y)) {
+                known = false;
+                continue;
+            }
+            const auto height = [&](int i, int j) { return height_[static_cast<std::size_t>(index(i, j))]; };
+            const glm::vec3 normal(height(x - 1, y) - height(x + 1, y), height(x, y - 1) - height(x, y + 1),
+                                   2 * dx);
+            flattest = std::min(flattest, -glm::dot(normal, ray) / (glm::length(normal) * distance));
+        }
+    constexpr float kOfSlopesBetween = 0.7f;
+    const double sine = known ? std::max<double>(kOfSlopesBetween * flattest, kFlattestView) : kFlattestView;
+    return pixel_on_ground(farthest, sine, frame);
 }
 
 bool WhatChanged::is_near(glm::vec2 low, glm::vec2 high) const {

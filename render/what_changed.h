@@ -91,6 +91,7 @@ class WhatChanged {
     void collect_groups();
     bool is_untouched(int x, int y, float depth) const;
     bool is_untouched_near(int x, int y) const;
+    double longest_pixel(glm::ivec2 first, glm::ivec2 last, const FrameBlock& frame) const;
     int index(int x, int y) const { return y * grid_.nx + x; }
 
     RedrawRules rules_;

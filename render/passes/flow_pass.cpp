@@ -89,7 +89,7 @@ void FlowPass::find_pieces(std::span<const TriangleRun> triangles, const WhatCha
             const glm::vec2 heights = changed.heights_between(low, high);
             const Rectangle seen =
                 screen.box({dx * glm::vec2(low), heights.x}, {dx * glm::vec2(high), heights.y});
-            if (!seen.empty()) pieces_.push_back({{first, last}, seen});
+            if (!seen.empty()) pieces_.push_back({{first, last}, &run, seen});
             first = last;
         }
 }
@@ -135,9 +135,15 @@ void FlowPass::draw(FlowPattern pattern, Overlay overlay, const Target& target, 
     for (const Rectangle& part : parts) {
         around = around_both(around, part);
         runs_.clear();
+        const TriangleRun* run = nullptr;
         for (const Piece& piece : pieces_) {
             if (!part.meets(piece.seen)) continue;
-            FlowTriangles::append(runs_, piece.run);
+            // A few triangles between two pieces of a run cost less than another run.
+            if (run == piece.of)
+                FlowTriangles::append(runs_, piece.run);
+            else
+                runs_.push_back(piece.run);
+            run = piece.of;
         }
         scissor(part);
         remesher_.draw_first_pieces(runs_);

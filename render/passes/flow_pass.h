@@ -59,6 +59,7 @@ class FlowPass {
     // Some triangles of a row of squares, and where they appear.
     struct Piece {
         TriangleRun run;
+        const TriangleRun* of;  // which it is a part of
         Rectangle seen;
     };
 

@@ -38,6 +38,9 @@ void TreesPass::survey(const Woods& woods, const Surroundings& around, const Fra
         lights_.reserve(woods.trees().size());
         trees_.reserve(woods);
         seen_.reserve(woods.trees().size());
+        listed_.reserve(woods.trees().size());
+        room_ = std::max<std::size_t>(woods.trees().size(), 1);
+        instances_ = make_storage(room_ * sizeof(DrawnTree), nullptr);
     }
     if (is_new || known_sun_ != frame.sun) {
         known_sun_ = frame.sun;
