@@ -21,19 +21,16 @@ namespace render {
 struct RedrawRules {
     int tile = 8;              // samples along the edge of the tiles that are marked
     int most_rectangles = 16;  // that are drawn
-    int least_gain = 1000;     // samples that a further rectangle must leave out
+    int least_gain = 400;      // samples that a further rectangle must leave out
     int block = 2;             // squares of the grid along the edge of the boxes that are marked
     // Vertices from one that changed to the last square where that can be seen. Slopes reach one vertex, splines
     // through what depends on slopes two more, and a crown looks another one aside.
     int reach = 4;
-    int edge_reach =
-        18;           // pixels from one that changed to the last one whose edges it changes, as in edges.frag
-    bool sun = true;  // false: shadows that move are forgotten. Only for tests, as are the next ones
-    bool old_heights = true;  // what was there before
-    bool things =
-        true;         // what stands on ground that changed: trees, structures, the seam of the surroundings
-    bool air = true;  // where powder and spindrift were before
-    bool last_rectangle = true;
+    // Pixels from one that changed to the last one whose edges it changes, as in edges.frag.
+    int edge_reach = 18;
+    // What a wrong rule leaves out: shadows that move; where ground was before; what stands on ground that changed,
+    // as trees, structures and the seam of the surroundings; where powder and spindrift were; one rectangle.
+    bool sun = true, old_heights = true, things = true, air = true, last_rectangle = true;
     bool operator==(const RedrawRules&) const = default;
 };
 
