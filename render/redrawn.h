@@ -1,7 +1,7 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <span>
 #include <vector>
@@ -24,7 +24,8 @@ struct Steady {
     std::uint64_t surroundings = 0, woods = 0;  // fingerprints; 0: none
 
     bool operator==(const Steady& other) const {
-        return std::memcmp(&block, &other.block, sizeof block) == 0 && flows == other.flows &&
+        const auto bytes = [](const FrameBlock& of) { return std::as_bytes(std::span(&of, 1)); };
+        return std::ranges::equal(bytes(block), bytes(other.block)) && flows == other.flows &&
                lines == other.lines && mesh == other.mesh && pattern == other.pattern &&
                surroundings == other.surroundings && woods == other.woods;
     }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -242,7 +241,7 @@ void TreesInView::settle(const Woods& woods, const sim::View& world, const FlowS
                                 ramp(kSlow, kFast, flow.speed[vertex]);
             if (lying > 0) lay(tree, world, lying, now);
         }
-        if (std::memcmp(&now, &drawn_[i], sizeof now) == 0) continue;
+        if (now == drawn_[i]) continue;
         moved_.push_back({i, drawn_[i]});
         drawn_[i] = now;
     }

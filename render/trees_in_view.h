@@ -32,6 +32,7 @@ struct DrawnTree {
     glm::vec4 look;  // sunlit 0 to 1; snow around it, m; share of the lower material there; half its width, m
     glm::vec4 shadow;  // m, where the shadow of its top meets the ground; strength of the shadow, 0 to 1
     glm::vec4 kind;    // TreeKind; number of tops; how closed the wood is around it, 0 to 1; 0
+    bool operator==(const DrawnTree&) const = default;
 };
 
 // The trees of one frame. No GL. A frame depends on this frame's arguments only, so that it is the same after

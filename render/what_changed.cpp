@@ -1,6 +1,7 @@
 #include "render/what_changed.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -28,6 +29,11 @@ constexpr double kLineWidth = 2.7, kDotWidth = 4.5, kFlattestView = 0.06;
 double pixel_on_ground(float distance, double sine, const FrameBlock& frame) {
     constexpr double kDiagonal = 1.5;
     return kDiagonal * static_cast<double>(distance * frame.material.y * frame.material.z) * (1 + 1 / sine);
+}
+
+// A NaN has the bits of itself, and −0 not those of 0.
+bool same_bits(float a, float b) {
+    return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }
 
 int groups_along(int vertices) {
@@ -62,9 +68,8 @@ void WhatChanged::compare(const sim::View& world, std::span<const std::uint8_t> 
         height_before_ = height_;
         for (int y = 0; y < grid_.ny; ++y)
             for (int x = 0; x < grid_.nx; ++x)
-                walled_[static_cast<std::size_t>(index(x, y))] = x == 0 || y == 0 || x == grid_.nx - 1 ||
-                                                                 y == grid_.ny - 1 ||
-                                                                 world.site(x, y) == sim::Site::kDrain;
+                walled_[index(x, y)] = x == 0 || y == 0 || x == grid_.nx - 1 || y == grid_.ny - 1 ||
+                                       world.site(x, y) == sim::Site::kDrain;
     }
 }
 
@@ -83,7 +88,7 @@ void WhatChanged::resize(const sim::View& world) {
 void WhatChanged::compare_row(const sim::View& world, int y, bool everything) {
     const std::array<const float*, kFields> now{world.depth.row(y), world.rolling.row(y),
                                                 world.velocity_x.row(y), world.velocity_y.row(y)};
-    const auto start = static_cast<std::size_t>(index(0, y));
+    const auto start = index(0, y);
     const std::size_t bytes = sizeof(float) * static_cast<std::size_t>(grid_.nx);
     bool same = !everything;
     for (std::size_t k = 0; k < kFields && same; ++k)
@@ -95,13 +100,12 @@ void WhatChanged::compare_row(const sim::View& world, int y, bool everything) {
     for (int x = 0; x < grid_.nx; ++x) {
         const std::size_t v = start + static_cast<std::size_t>(x);
         bool differs = everything;
-        for (std::size_t k = 0; k < kFields; ++k)
-            differs |= std::memcmp(now[k] + x, &field_[k][v], sizeof(float)) != 0;
+        for (std::size_t k = 0; k < kFields; ++k) differs |= !same_bits(now[k][x], field_[k][v]);
         if (!differs) continue;
         const bool was_untouched = far_reach_ > 0 && is_untouched_near(x, y);
         for (std::size_t k = 0; k < kFields; ++k) field_[k][v] = now[k][x];
         const float height = bedrock[x] + now[0][x] + now[1][x];
-        if (everything || std::memcmp(&height, &height_[v], sizeof height) != 0) moved_.emplace_back(x, y);
+        if (everything || !same_bits(height, height_[v])) moved_.emplace_back(x, y);
         height_[v] = height;
         if (everything) continue;
         change(x, y);
@@ -131,20 +135,19 @@ void WhatChanged::compare_mixture(std::span<const std::uint8_t> mixture) {
 }
 
 bool WhatChanged::is_untouched(int x, int y, float depth) const {
-    return first_depth_.empty() ||
-           std::abs(depth - first_depth_[static_cast<std::size_t>(index(x, y))]) < kUntouched;
+    return first_depth_.empty() || std::abs(depth - first_depth_[index(x, y)]) < kUntouched;
 }
 
 bool WhatChanged::is_untouched_near(int x, int y) const {
     for (int j = std::max(y - 1, 0); j <= std::min(y + 1, grid_.ny - 1); ++j)
         for (int i = std::max(x - 1, 0); i <= std::min(x + 1, grid_.nx - 1); ++i)
-            if (is_untouched(i, j, field_[0][static_cast<std::size_t>(index(i, j))])) return true;
+            if (is_untouched(i, j, field_[0][index(i, j)])) return true;
     return false;
 }
 
 // A vertex has other layers than before: so have the slopes beside it, and all squares within reach look different.
 void WhatChanged::change(int x, int y) {
-    near_[static_cast<std::size_t>(index(x, y))] = 1;
+    near_[index(x, y)] = 1;
     open_around(x, y, rules_.reach);
     const int across = groups_along(grid_.nx);
     for (int j = std::max(y - 1, 0) / GROUP_SQUARE; j <= std::min(y + 1, grid_.ny - 1) / GROUP_SQUARE; ++j)
@@ -159,8 +162,7 @@ void WhatChanged::open_squares(int x0, int x1, int y0, int y1) {
     x1 = std::min(x1, grid_.nx - 2), y1 = std::min(y1, grid_.ny - 2);
     if (x0 > x1 || y0 > y1) return;
     for (int y = y0; y <= y1; ++y)
-        std::memset(&squares_[static_cast<std::size_t>(index(x0, y))], 1,
-                    static_cast<std::size_t>(x1 - x0 + 1));
+        std::memset(&squares_[index(x0, y)], 1, static_cast<std::size_t>(x1 - x0 + 1));
     left_ = std::min(left_, x0), right_ = std::max(right_, x1);
     bottom_ = std::min(bottom_, y0), top_ = std::max(top_, y1);
 }
@@ -203,7 +205,7 @@ void WhatChanged::add_shadows(const SunSweep& sweep, const FrameBlock& frame) {
                        static_cast<std::size_t>(r);
             };
             const float now = sweep.ceilings()[at(step, ray)], before = sweep.before()[at(step, ray)];
-            if (std::memcmp(&now, &before, sizeof now) == 0) continue;
+            if (same_bits(now, before)) continue;
             const double column = static_cast<double>(frame.sweep.y) + 0.5 * ray + shear * step;
             const int c0 = std::max(static_cast<int>(std::floor(column - wide)), 0),
                       c1 = std::min(static_cast<int>(std::ceil(column + wide)), columns - 1);
@@ -222,8 +224,7 @@ void WhatChanged::add_shadows(const SunSweep& sweep, const FrameBlock& frame) {
                         shade = least - 0.5f * frame.sweep.z - kRoom;  // below it there was none and is none
             if (most < lowest || ground.y + kHighest < shade) continue;
             for (int y = first.y; y <= last.y; ++y)
-                std::memset(&near_[static_cast<std::size_t>(index(first.x, y))], 1,
-                            static_cast<std::size_t>(last.x - first.x + 1));
+                std::memset(&near_[index(first.x, y)], 1, static_cast<std::size_t>(last.x - first.x + 1));
             if (ground.y < shade) continue;
             open_squares(first.x - beside, last.x - 1 + beside, first.y - beside, last.y - 1 + beside);
         }
@@ -238,8 +239,7 @@ void WhatChanged::add_ring(const std::optional<Ring>& before, const std::optiona
     for (int y = 0; y + 1 < grid_.ny; y += kSide)
         for (int x = 0; x + 1 < grid_.nx; x += kSide) {
             const glm::ivec2 first(x, y), last = glm::min(first + kSide, glm::ivec2(grid_.nx, grid_.ny) - 1);
-            const glm::vec3 corner(grid_.dx * glm::vec2(first),
-                                   height_[static_cast<std::size_t>(index(x, y))]);
+            const glm::vec3 corner(grid_.dx * glm::vec2(first), height_[index(x, y)]);
             const double longest = pixel_on_ground(
                 glm::distance(corner, glm::vec3(frame.eye)) + 4 * kSide * grid_.dx, kFlattestView, frame);
             double pixel = -1;  // not known yet
@@ -267,17 +267,16 @@ double WhatChanged::longest_pixel(glm::ivec2 first, glm::ivec2 last, const Frame
     bool known = true;
     for (int y = first.y; y <= last.y; ++y)
         for (int x = first.x; x <= last.x; ++x) {
-            const glm::vec3 ray =
-                glm::vec3(dx * glm::vec2(x, y), height_[static_cast<std::size_t>(index(x, y))]) - eye;
+            const glm::vec3 ray = glm::vec3(dx * glm::vec2(x, y), height_[index(x, y)]) - eye;
             const float distance = glm::length(ray);
             farthest = std::max(farthest, distance);
             // Beside a hole or the border slopes are other ones, and near the eye rays differ much.
-            if (walled_[static_cast<std::size_t>(index(x, y))] != 0 ||
+            if (walled_[index(x, y)] != 0 ||
                 distance < 8 * dx * static_cast<float>(last.x - first.x + last.y - first.y)) {
                 known = false;
                 continue;
             }
-            const auto height = [&](int i, int j) { return height_[static_cast<std::size_t>(index(i, j))]; };
+            const auto height = [&](int i, int j) { return height_[index(i, j)]; };
             const glm::vec3 normal(height(x - 1, y) - height(x + 1, y), height(x, y - 1) - height(x, y + 1),
                                    2 * dx);
             flattest = std::min(flattest, -glm::dot(normal, ray) / (glm::length(normal) * distance));
@@ -294,7 +293,7 @@ bool WhatChanged::is_near(glm::vec2 low, glm::vec2 high) const {
               y1 = std::min(static_cast<int>(std::ceil(high.y / grid_.dx)) + 1, grid_.ny - 1);
     for (int y = y0; y <= y1; ++y)
         for (int x = x0; x <= x1; ++x)
-            if (near_[static_cast<std::size_t>(index(x, y))] != 0) return true;
+            if (near_[index(x, y)] != 0) return true;
     return false;
 }
 
@@ -309,7 +308,7 @@ glm::vec2 WhatChanged::heights_between(glm::ivec2 first, glm::ivec2 last) const 
     glm::vec2 range(std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest());
     for (int y = first.y; y <= last.y; ++y)
         for (int x = first.x; x <= last.x; ++x) {
-            const auto v = static_cast<std::size_t>(index(x, y));
+            const auto v = index(x, y);
             range.x = std::min({range.x, height_[v], before[v]});
             range.y = std::max({range.y, height_[v], before[v]});
         }
@@ -323,10 +322,10 @@ void WhatChanged::mark(const OnScreen& screen, ScreenTiles& tiles) const {
             const int x1 = std::min(x0 + side, grid_.nx - 1), y1 = std::min(y0 + side, grid_.ny - 1);
             bool any = false, wall = false;
             for (int y = y0; y < y1; ++y)
-                for (int x = x0; x < x1; ++x) any |= squares_[static_cast<std::size_t>(index(x, y))] != 0;
+                for (int x = x0; x < x1; ++x) any |= squares_[index(x, y)] != 0;
             if (!any) continue;
             for (int y = y0; y <= y1; ++y)
-                for (int x = x0; x <= x1; ++x) wall |= walled_[static_cast<std::size_t>(index(x, y))] != 0;
+                for (int x = x0; x <= x1; ++x) wall |= walled_[index(x, y)] != 0;
             const glm::vec2 heights = heights_between({x0, y0}, {x1, y1});
             const float low = wall && walls_to_ ? *walls_to_ : heights.x;
             const float dx = grid_.dx;
@@ -337,7 +336,7 @@ void WhatChanged::mark(const OnScreen& screen, ScreenTiles& tiles) const {
 
 void WhatChanged::finish() {
     for (const glm::ivec2 v : moved_) {
-        const auto i = static_cast<std::size_t>(index(v.x, v.y));
+        const auto i = index(v.x, v.y);
         height_before_[i] = height_[i];
     }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -89,7 +90,9 @@ class WhatChanged {
     bool is_untouched(int x, int y, float depth) const;
     bool is_untouched_near(int x, int y) const;
     double longest_pixel(glm::ivec2 first, glm::ivec2 last, const FrameBlock& frame) const;
-    int index(int x, int y) const { return y * grid_.nx + x; }
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(grid_.nx) + static_cast<std::size_t>(x);
+    }
 
     RedrawRules rules_;
     sim::Grid grid_;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kHold = 0.25;         // s; a hand that drags pauses for less
 constexpr double kFits = 0.9;          // of the target; a scale is lowered until a frame takes no more
-constexpr double kSpare = 0.85;        // of the target; a scale is raised if a frame would take no more
+constexpr double kSpare = 0.92;        // of the target; a scale is raised if a frame would take no more
 constexpr int kForgets = 900;          // late frames, until a smaller scale is tried again
 constexpr double kLeastDrawing = 0.5;  // of the target belongs to drawing, however long the rest takes
 

@@ -113,7 +113,7 @@ void TerrainPass::send_mesh(const GroundMesh& mesh) {
     at_.assign(static_cast<std::size_t>(along_x_) * static_cast<std::size_t>(along_y_), -1);
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
         const glm::ivec2 place = blocks_[i].lowest / GroundMesh::kBlock;
-        at_[static_cast<std::size_t>(place.y * along_x_ + place.x)] = static_cast<int>(i);
+        at_[place_number(place.x, place.y)] = static_cast<int>(i);
     }
     seen_.assign(blocks_.size(), {});
     rises_.assign(blocks_.size(), 0);
@@ -130,7 +130,7 @@ void TerrainPass::find(const WhatChanged& changed, const OnScreen& screen, bool 
                  y <= std::min(v.y / GroundMesh::kBlock, along_y_ - 1); ++y)
                 for (int x = std::max(v.x - 1, 0) / GroundMesh::kBlock;
                      x <= std::min(v.x / GroundMesh::kBlock, along_x_ - 1); ++x)
-                    if (const int block = at_[static_cast<std::size_t>(y * along_x_ + x)]; block >= 0)
+                    if (const int block = at_[place_number(x, y)]; block >= 0)
                         rises_[static_cast<std::size_t>(block)] = 1;
     const float dx = changed.grid().dx;
     for (std::size_t i = 0; i < blocks_.size(); ++i) {

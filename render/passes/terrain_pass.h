@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -38,6 +39,9 @@ class TerrainPass {
 
   private:
     void find_runs(const Rectangle& part);
+    std::size_t place_number(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(along_x_) + static_cast<std::size_t>(x);
+    }
 
     // Indexed triangles without attributes: heights come from textures, positions from the index.
     struct Indexed {
