@@ -36,6 +36,12 @@ bool same_bits(float a, float b) {
     return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }
 
+// Of a place in rows of so many columns.
+std::size_t numbered(int column, int row, int columns) {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
+}
+
 int groups_along(int vertices) {
     return (vertices + GROUP_SQUARE - 1) / GROUP_SQUARE;
 }
@@ -153,7 +159,7 @@ void WhatChanged::change(int x, int y) {
     for (int j = std::max(y - 1, 0) / GROUP_SQUARE; j <= std::min(y + 1, grid_.ny - 1) / GROUP_SQUARE; ++j)
         for (int i = std::max(x - 1, 0) / GROUP_SQUARE; i <= std::min(x + 1, grid_.nx - 1) / GROUP_SQUARE;
              ++i)
-            group_[static_cast<std::size_t>(j * across + i)] = 1;
+            group_[numbered(i, j, across)] = 1;
 }
 
 // Inclusive; a square has the number of its lower left vertex.
@@ -161,8 +167,7 @@ void WhatChanged::open_squares(int x0, int x1, int y0, int y1) {
     x0 = std::max(x0, 0), y0 = std::max(y0, 0);
     x1 = std::min(x1, grid_.nx - 2), y1 = std::min(y1, grid_.ny - 2);
     if (x0 > x1 || y0 > y1) return;
-    for (int y = y0; y <= y1; ++y)
-        std::memset(&squares_[index(x0, y)], 1, static_cast<std::size_t>(x1 - x0 + 1));
+    for (int y = y0; y <= y1; ++y) std::fill_n(&squares_[index(x0, y)], x1 - x0 + 1, std::uint8_t{1});
     left_ = std::min(left_, x0), right_ = std::max(right_, x1);
     bottom_ = std::min(bottom_, y0), top_ = std::max(top_, y1);
 }
@@ -185,7 +190,7 @@ void WhatChanged::add_flow(std::span<const int> vertices, std::span<const std::u
         const int x = v % grid_.nx, y = v / grid_.nx;
         for (int j = std::max(y - 1, 0); j <= std::min(y, grid_.ny - 2); ++j)
             for (int i = std::max(x - 1, 0); i <= std::min(x, grid_.nx - 2); ++i) {
-                const auto square = static_cast<std::size_t>(j * (grid_.nx - 1) + i);
+                const std::size_t square = numbered(i, j, grid_.nx - 1);
                 if ((shown[square] | shown_before[square]) != 0) open_squares(i, i, j, j);
             }
     }
@@ -224,7 +229,7 @@ void WhatChanged::add_shadows(const SunSweep& sweep, const FrameBlock& frame) {
                         shade = least - 0.5f * frame.sweep.z - kRoom;  // below it there was none and is none
             if (most < lowest || ground.y + kHighest < shade) continue;
             for (int y = first.y; y <= last.y; ++y)
-                std::memset(&near_[index(first.x, y)], 1, static_cast<std::size_t>(last.x - first.x + 1));
+                std::fill_n(&near_[index(first.x, y)], last.x - first.x + 1, std::uint8_t{1});
             if (ground.y < shade) continue;
             open_squares(first.x - beside, last.x - 1 + beside, first.y - beside, last.y - 1 + beside);
         }
