@@ -5,21 +5,13 @@
 #include <cstring>
 
 #include "assets/shaders/slots.glsl"
+#include "render/same_inside.h"
 #include "sim/core/check.h"
 
 namespace render {
 namespace {
 
 static_assert(SITE_DRAIN == static_cast<int>(sim::Site::kDrain));
-
-// Compares bits, not values, so that a NaN equals itself.
-template <class T>
-bool same_inside(const sim::Field<T>& a, const sim::Field<T>& b) {
-    for (int y = 0; y < a.ny(); ++y) {
-        if (std::memcmp(a.row(y), b.row(y), sizeof(T) * static_cast<std::size_t>(a.nx())) != 0) return false;
-    }
-    return true;
-}
 
 template <class T>
 void send(const Texture& texture, const sim::Field<T>& field, int first_row, int last_row, GLenum format,

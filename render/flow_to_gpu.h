@@ -13,8 +13,6 @@ class FlowToGpu {
   public:
     // The flow's mesh is a heightfield.
     void upload(const sim::front::FlowView& flow);
-    // Lets the next upload send everything.
-    void forget() { changes_.forget(); }
     void bind() const;
 
     // As in FlowChanges, since the upload before.

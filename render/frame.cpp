@@ -258,7 +258,7 @@ void Renderer::draw(const FrameInput& input) {
     else
         changed.mark(screen, tiles);
     p.terrain.find(changed, screen, everything);
-    p.tiles.find(input, frame.clip_from_world, p.target.samples_across(), p.target.samples_up());
+    p.tiles.find(input, screen);
     p.tiles.mark_changes(tiles);
     ScreenTiles& with_things = p.rules.things ? tiles : redrawn.forgotten_tiles;
     if (goes_on) p.surroundings.find(frame, changed, screen, everything, with_things);

@@ -63,4 +63,8 @@ Query make_time_stamp() {
     return Query(name);
 }
 
+const void* in_buffer(std::size_t bytes) {
+    return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
+}
+
 }  // namespace render

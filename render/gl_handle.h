@@ -80,5 +80,7 @@ void bind_storage(GLuint slot, const Buffer& buffer);
 VertexArray make_vertex_array();
 Framebuffer make_framebuffer();
 Query make_time_stamp();
+// A place in the bound index buffer, bytes from its start, as OpenGL takes it.
+const void* in_buffer(std::size_t bytes);
 
 }  // namespace render

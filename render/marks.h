@@ -37,6 +37,8 @@ struct Marks {
     std::optional<Ring> ring = std::nullopt;
     glm::vec2 density{0};  // kg/m³, of the upper and the lower material, for kPressure; 0 if unknown
     bool operator==(const Marks&) const = default;
+
+    bool has_lines() const { return contours || ring; }
 };
 
 // A value and its colour.

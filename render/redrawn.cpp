@@ -15,7 +15,7 @@ Steady steady_of(const FrameInput& input, const FrameBlock& block) {
     Steady steady{block};
     steady.block.ring = steady.block.ring_colour = glm::vec4(0);
     steady.flows = input.look.flow && input.flow;
-    steady.lines = input.marks.contours || input.marks.ring;
+    steady.lines = input.marks.has_lines();
     steady.mesh = input.marks.flow_mesh;
     if (steady.flows) steady.pattern = input.look.flow->pattern;
     if (input.surroundings && !input.surroundings->empty()) {

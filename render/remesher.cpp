@@ -18,10 +18,8 @@ constexpr std::array<int, 4> kFurtherPieces{0, 2, 2,
 constexpr std::size_t kTrianglesPerRun = 16;     // at least, on the whole
 constexpr float kNotCut = -1;
 
-// OpenGL takes an offset into the index buffer as a pointer.
 const void* at_index(std::size_t index) {
-    const std::uintptr_t offset = index * sizeof(GLuint);
-    return reinterpret_cast<const void*>(offset);  // NOLINT(performance-no-int-to-ptr)
+    return in_buffer(index * sizeof(GLuint));
 }
 
 // The layout of glDrawElementsIndirect. Shaders see only the count, at SLOT_CUT_COUNT.

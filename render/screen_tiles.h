@@ -43,8 +43,8 @@ class ScreenTiles {
     Rectangle around_;  // all marks, tiles
     std::vector<std::uint8_t> tiles_;
     std::vector<Part> parts_;
-    std::vector<Rectangle> line_, before_,
-        after_;  // of a split: around each line, all before it, all from it on
+    // Of a split: around each line, all before it, all from it on.
+    std::vector<Rectangle> line_, before_, after_;
     std::vector<Rectangle> rectangles_;
 };
 

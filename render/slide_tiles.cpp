@@ -1,7 +1,6 @@
 #include "render/slide_tiles.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace render {
@@ -48,8 +47,8 @@ bool is_under_wall(const sim::View& world, const float* first, int x, int y) {
 
 }  // namespace
 
-void SlideTiles::find(const FrameInput& input, const glm::mat4& clip_from_world, int width, int height) {
-    resize(input.world.grid, width, height);
+void SlideTiles::find(const FrameInput& input, const OnScreen& screen) {
+    resize(input.world.grid, screen.all().right, screen.all().top);
     before_.swap(tiles_);
     // A texture may lie wherever it moved before; without the first depth nobody knows where.
     const bool everywhere =
@@ -57,11 +56,8 @@ void SlideTiles::find(const FrameInput& input, const glm::mat4& clip_from_world,
     std::fill(tiles_.begin(), tiles_.end(), static_cast<std::uint8_t>(everywhere));
     if (!everywhere && find_blocks(input)) {
         for (int y = 0; y < blocks_along_y_; ++y)
-            for (int x = 0; x < blocks_along_x_; ++x) {
-                const auto i = index(x, y, blocks_along_x_);
-                if (blocks_[i] && !project(input.world, x, y, clip_from_world))
-                    for (std::uint8_t& tile : tiles_) keep_greater(tile, blocks_[i]);
-            }
+            for (int x = 0; x < blocks_along_x_; ++x)
+                if (blocks_[index(x, y, blocks_along_x_)] != 0) project(input.world, x, y, screen);
     }
     collect();
 }
@@ -93,9 +89,8 @@ bool SlideTiles::find_blocks(const FrameInput& input) {
     return any;
 }
 
-// Marks the tiles in which a block may be seen: none if it is behind the eye or beside the frame. False: it
-// reaches from before the eye to behind it, and may be seen anywhere.
-bool SlideTiles::project(const sim::View& world, int x, int y, const glm::mat4& clip_from_world) {
+// Marks the tiles in which a block may be seen.
+void SlideTiles::project(const sim::View& world, int x, int y, const OnScreen& screen) {
     const int x0 = std::max(x * kBlock - 1, 0), x1 = std::min((x + 1) * kBlock, grid_.nx - 1);
     const int y0 = std::max(y * kBlock - 1, 0), y1 = std::min((y + 1) * kBlock, grid_.ny - 1);
     float lowest = std::numeric_limits<float>::max(), highest = std::numeric_limits<float>::lowest();
@@ -105,37 +100,12 @@ bool SlideTiles::project(const sim::View& world, int x, int y, const glm::mat4& 
             lowest = std::min(lowest, z);
             highest = std::max(highest, z);
         }
-    glm::vec2 least(std::numeric_limits<float>::max()), most(std::numeric_limits<float>::lowest());
-    int behind = 0, left_of = 0, right_of = 0, under = 0, over = 0;  // corners beyond an edge of the frame
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::vec4 at(grid_.dx * static_cast<float>(corner & 1 ? x1 : x0),
-                           grid_.dx * static_cast<float>(corner & 2 ? y1 : y0), corner & 4 ? highest : lowest,
-                           1);
-        const glm::vec4 clip = clip_from_world * at;
-        left_of += clip.x<-clip.w, right_of += clip.x> clip.w,
-            under += clip.y<-clip.w, over += clip.y> clip.w;
-        if (clip.w < static_cast<float>(kNear)) {
-            ++behind;
-            continue;
-        }
-        const glm::vec2 ndc = glm::vec2(clip) / clip.w;
-        least = glm::min(least, ndc);
-        most = glm::max(most, ndc);
-    }
-    if (behind > 0) return std::max({behind, left_of, right_of, under, over}) == 8;
-    // One sample more on each side, for rounding.
-    const auto tile = [](float ndc, int samples, float beyond) {
-        const float at = (0.5f + 0.5f * std::clamp(ndc, -2.f, 2.f)) * static_cast<float>(samples) + beyond;
-        return static_cast<int>(std::floor(at / kTile));
-    };
-    const int left = std::max(tile(least.x, width_, -1), 0),
-              right = std::min(tile(most.x, width_, 1), columns_ - 1);
-    const int bottom = std::max(tile(least.y, height_, -1), 0),
-              top = std::min(tile(most.y, height_, 1), rows_ - 1);
-    for (int row = bottom; row <= top; ++row)
-        for (int column = left; column <= right; ++column)
+    const Rectangle seen =
+        screen.box({grid_.dx * glm::vec2(x0, y0), lowest}, {grid_.dx * glm::vec2(x1, y1), highest});
+    if (seen.empty()) return;
+    for (int row = seen.bottom / kTile; row <= (seen.top - 1) / kTile; ++row)
+        for (int column = seen.left / kTile; column <= (seen.right - 1) / kTile; ++column)
             keep_greater(tiles_[index(column, row, columns_)], blocks_[index(x, y, blocks_along_x_)]);
-    return true;
 }
 
 void SlideTiles::resize(const sim::Grid& grid, int width, int height) {

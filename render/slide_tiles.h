@@ -4,9 +4,8 @@
 #include <span>
 #include <vector>
 
-#include <glm/mat4x4.hpp>
-
 #include "render/frame_input.h"
+#include "render/on_screen.h"
 #include "render/rectangle.h"
 #include "render/screen_tiles.h"
 
@@ -16,8 +15,8 @@ namespace render {
 // left a wall, and parts where neither can be. Ground without slides is much cheaper to shade.
 class SlideTiles {
   public:
-    // `width` and `height` in samples. Allocates nothing while they and the grid are those of the last call.
-    void find(const FrameInput& input, const glm::mat4& clip_from_world, int width, int height);
+    // Allocates nothing while size and grid are those of the last call.
+    void find(const FrameInput& input, const OnScreen& screen);
 
     // Marks the tiles that are of another kind than in the last frame.
     void mark_changes(ScreenTiles& tiles) const;
@@ -29,7 +28,7 @@ class SlideTiles {
 
   private:
     bool find_blocks(const FrameInput& input);
-    bool project(const sim::View& world, int x, int y, const glm::mat4& clip_from_world);
+    void project(const sim::View& world, int x, int y, const OnScreen& screen);
     void resize(const sim::Grid& grid, int width, int height);
     void collect();
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "render/same_inside.h"
 #include "sim/core/check.h"
 
 namespace render {
@@ -45,13 +46,6 @@ class Beyond {
     float scale_;
     bool turned_;
 };
-
-bool same_sites(const sim::Field<sim::Site>& a, const sim::Field<sim::Site>& b) {
-    for (int y = 0; y < a.ny(); ++y)
-        if (std::memcmp(a.row(y), b.row(y), sizeof(sim::Site) * static_cast<std::size_t>(a.nx())) != 0)
-            return false;
-    return true;
-}
 
 // Raises ceilings to heights.
 void raise(float* ceiling, const float* height, int count) {
@@ -111,14 +105,14 @@ SunSweep::Course SunSweep::course_of(const sim::View& world, const Surroundings*
 }
 
 bool SunSweep::is_known(const Course& course, const sim::View& world) const {
-    return course_ == course && same_sites(site_, world.site);
+    return course_ == course && same_inside(site_, world.site);
 }
 
 SunSweep::Crossing SunSweep::crossing(int parity, int step) const {
     const double from = column(parity, step), whole = std::floor(from);
     const int left = static_cast<int>(whole), end = course_.columns - 1 - left;
     const int first = std::clamp(-left, 0, number(parity));
-    // The last vertex belongs to the grid, what lies beyond it does not.
+    // The last vertex belongs to the grid, what is beyond it does not.
     const int last = std::clamp(from > whole ? end : end + 1, first, number(parity));
     return {first, last, left, static_cast<float>(from - whole)};
 }

@@ -229,23 +229,11 @@ void sunlit(const Surroundings& around, const std::vector<SurroundingsVertex>& v
     }
 }
 
-void visible_patches(const std::vector<SurroundingsPatch>& patches, const glm::mat4& clip_from_world,
-                     glm::vec3 eye, std::vector<const SurroundingsPatch*>& into) {
+void visible_patches(const std::vector<SurroundingsPatch>& patches, const OnScreen& screen, glm::vec3 eye,
+                     std::vector<const SurroundingsPatch*>& into) {
     into.clear();
-    for (const SurroundingsPatch& patch : patches) {
-        // Outside if all corners are beyond the same edge of the image, or behind the eye.
-        int left = 0, right = 0, below = 0, above = 0, behind = 0;
-        for (int corner = 0; corner < 8; ++corner) {
-            const glm::vec3 at(corner & 1 ? patch.highest.x : patch.lowest.x,
-                               corner & 2 ? patch.highest.y : patch.lowest.y,
-                               corner & 4 ? patch.highest.z : patch.lowest.z);
-            const glm::vec4 clip = clip_from_world * glm::vec4(at, 1);
-            left += clip.x<-clip.w, right += clip.x> clip.w;
-            below += clip.y<-clip.w, above += clip.y> clip.w;
-            behind += clip.w < 0;
-        }
-        if (std::max({left, right, below, above, behind}) < 8) into.push_back(&patch);
-    }
+    for (const SurroundingsPatch& patch : patches)
+        if (!screen.box(patch.lowest, patch.highest).empty()) into.push_back(&patch);
     const auto distance = [&](const SurroundingsPatch* patch) {
         return glm::distance(eye, glm::clamp(eye, patch->lowest, patch->highest));
     };

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "render/on_screen.h"
 #include "render/surroundings.h"
 
 namespace render {
@@ -41,7 +41,7 @@ void sunlit(const Surroundings& around, const std::vector<SurroundingsVertex>& v
             std::vector<float>& into);
 
 // The patches that a camera may see, nearest first. Space as in shaders.
-void visible_patches(const std::vector<SurroundingsPatch>& patches, const glm::mat4& clip_from_world,
-                     glm::vec3 eye, std::vector<const SurroundingsPatch*>& into);
+void visible_patches(const std::vector<SurroundingsPatch>& patches, const OnScreen& screen, glm::vec3 eye,
+                     std::vector<const SurroundingsPatch*>& into);
 
 }  // namespace render

@@ -35,22 +35,6 @@ constexpr float kSlow = 1.5f, kFast = 4.5f;  // m/s, the same
 constexpr float kCrushed = 0.65f;            // width of a lying tree, of a standing one's
 constexpr float kLean = 1.5f;                // rad
 
-// Outside if all corners are beyond the same edge of the image, or behind the eye. `room`: m, what is drawn
-// of trees beside their box: branches and shadows.
-bool may_show(const TreeTile& tile, const glm::mat4& clip_from_world, float room) {
-    int left = 0, right = 0, below = 0, above = 0, behind = 0;
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::vec3 at(corner & 1 ? tile.highest.x + room : tile.lowest.x - room,
-                           corner & 2 ? tile.highest.y + room : tile.lowest.y - room,
-                           corner & 4 ? tile.highest.z + room : tile.lowest.z - room);
-        const glm::vec4 clip = clip_from_world * glm::vec4(at, 1);
-        left += clip.x<-clip.w, right += clip.x> clip.w;
-        below += clip.y<-clip.w, above += clip.y> clip.w;
-        behind += clip.w < 0;
-    }
-    return std::max({left, right, below, above, behind}) < 8;
-}
-
 // Whether a ball around a place, `from` the eye, is beside the image or behind the eye.
 bool is_beside(glm::vec3 from, const FrameBlock& frame, float radius) {
     const float deep = glm::dot(from, glm::vec3(frame.ray_forward));
@@ -153,7 +137,8 @@ void TreesInView::reserve(const Woods& woods) {
     tiles_.reserve(woods.tiles().size());
 }
 
-void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, const FrameBlock& frame) {
+void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, const FrameBlock& frame,
+                       const OnScreen& screen) {
     for (std::vector<Upright>* list : {&upright_, &branched_, &plain_, &without_shadow_}) list->clear();
     tiles_.clear();
     const glm::vec3 eye(frame.eye);
@@ -164,7 +149,8 @@ void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, co
         return std::clamp(kMeanWidth * group / (distance * pixel) / wide_pixels, group / kMostTogether, 1.f);
     };
     for (const TreeTile& tile : woods.tiles())
-        if (may_show(tile, frame.clip_from_world, kLongestShadow)) tiles_.push_back(&tile);
+        if (!screen.box(tile.lowest - kLongestShadow, tile.highest + kLongestShadow).empty())
+            tiles_.push_back(&tile);  // with branches and shadows beside it
     std::sort(tiles_.begin(), tiles_.end(), [&](const TreeTile* a, const TreeTile* b) {
         const auto distance = [&](const TreeTile* tile) {
             return glm::distance(eye, glm::clamp(eye, tile->lowest, tile->highest));

@@ -42,7 +42,8 @@ class TreesInView {
     // Makes room for all trees of `woods`.
     void reserve(const Woods& woods);
     // Finds the trees that a camera sees, as they stood at tick 0. `lights`: of light_trees().
-    void find(const Woods& woods, std::span<const TreeLight> lights, const FrameBlock& frame);
+    void find(const Woods& woods, std::span<const TreeLight> lights, const FrameBlock& frame,
+              const OnScreen& screen);
     // Moves them to where they are now. One that a flow has met leans or lies, with its top downhill, on the ground now.
     void settle(const Woods& woods, const sim::View& world, const FlowSoFar& flow);
 

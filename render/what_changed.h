@@ -32,7 +32,6 @@ struct RedrawRules {
     // What a wrong rule leaves out: shadows that move; where ground was before; what stands on ground that changed,
     // as trees, structures and the seam of the surroundings; where powder and spindrift were; one rectangle.
     bool sun = true, old_heights = true, things = true, air = true, last_rectangle = true;
-    bool operator==(const RedrawRules&) const = default;
 };
 
 // Finds what changed in a world since the last frame, and the squares of the grid that look different for it. No GL.

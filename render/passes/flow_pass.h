@@ -41,8 +41,9 @@ class FlowPass {
     const FlowToGpu& coordinates() const { return coordinates_; }
     // Adds to `changed` where the flow looks different, of squares in which `triangles` are or were.
     void find_changes(const FlowTriangles& triangles, WhatChanged& changed) const;
-    // Draws these triangles of the mesh, which are all that may show the flow, in parts of `target`. Reads SLOT_RELIEF, SLOT_ROLLING, SLOT_LAYERS and its depth. Writes
-    // SLOT_SKIN_ALBEDO and SLOT_SKIN_RELIEF and leaves them bound. Leaves another framebuffer bound.
+    // Draws these triangles of the mesh, which are all that may show the flow, in parts of `target`. Reads SLOT_RELIEF,
+    // SLOT_ROLLING, SLOT_LAYERS and its depth. Writes SLOT_SKIN_ALBEDO and SLOT_SKIN_RELIEF and leaves them bound. Leaves
+    // another framebuffer bound.
     void draw(FlowPattern pattern, Overlay overlay, const Target& target, Target::Parts parts,
               std::span<const TriangleRun> triangles, const WhatChanged& changed, const OnScreen& screen);
     // Draws edges, fronts and points onto the scene; `samples` is the number along the edge of a pixel.

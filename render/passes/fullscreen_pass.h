@@ -24,10 +24,10 @@ class FullscreenPass {
     void draw_behind(Parts parts) const;       // only where nothing was drawn
     void draw_encoded(Parts parts) const;      // from linear light to the sRGB target
     // A CPU renderer runs both sides of a branch, but no shader for blocks of pixels that the stencil rejects.
-    void draw_marks(
-        Parts parts) const;  // sets the stencil to 1 where the shader discards nothing; draws no colour
-    void draw_on_marks(
-        Parts parts) const;  // where the stencil is 1, in values of the target that are not linear
+    // Sets the stencil to 1 where the shader discards nothing; draws no colour.
+    void draw_marks(Parts parts) const;
+    // Draws where the stencil is 1, in values of the target that are not linear.
+    void draw_on_marks(Parts parts) const;
 
   private:
     ProgramName program_;

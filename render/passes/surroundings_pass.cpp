@@ -133,7 +133,7 @@ void SurroundingsPass::find_seams(float cell) {
 
 void SurroundingsPass::find(const FrameBlock& frame, const WhatChanged& changed, const OnScreen& screen,
                             bool everything, ScreenTiles& tiles) {
-    if (everything) visible_patches(mesh_.patches, frame.clip_from_world, glm::vec3(frame.eye), visible_);
+    if (everything) visible_patches(mesh_.patches, screen, glm::vec3(frame.eye), visible_);
     if (everything || !changed.moved().empty()) find_parts(changed, screen);
     if (everything) return;
     const float dx = changed.grid().dx;
@@ -183,9 +183,7 @@ void SurroundingsPass::draw(const FrameBlock& frame, std::span<const Rectangle> 
         for (std::size_t i = 0; i < visible_.size(); ++i) {
             if (!part.meets(seen_[i])) continue;
             counts_.push_back(static_cast<GLsizei>(visible_[i]->count));
-            // OpenGL takes an offset into the buffer as a pointer.
-            const std::uintptr_t offset = visible_[i]->first * sizeof(std::uint32_t);
-            firsts_.push_back(reinterpret_cast<const void*>(offset));  // NOLINT(performance-no-int-to-ptr)
+            firsts_.push_back(in_buffer(visible_[i]->first * sizeof(std::uint32_t)));
         }
         scissor(part);
         glMultiDrawElements(GL_TRIANGLES, counts_.data(), GL_UNSIGNED_INT, firsts_.data(),

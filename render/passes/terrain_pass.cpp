@@ -165,9 +165,7 @@ void TerrainPass::find_runs(const Rectangle& part) {
         const GroundMesh::Block& block = blocks_[i];
         if (counts_.empty() || end != block.first) {
             counts_.push_back(0);
-            // OpenGL takes an offset into the buffer as a pointer.
-            const std::uintptr_t offset = block.first * sizeof(std::uint32_t);
-            firsts_.push_back(reinterpret_cast<const void*>(offset));  // NOLINT(performance-no-int-to-ptr)
+            firsts_.push_back(in_buffer(block.first * sizeof(std::uint32_t)));
         }
         counts_.back() += static_cast<GLsizei>(block.count);
         end = block.first + block.count;
@@ -177,10 +175,9 @@ void TerrainPass::find_runs(const Rectangle& part) {
 void TerrainPass::shade(const Marks& marks, const SlideTiles& tiles, bool two_materials, const Target& target,
                         Target::Parts parts) {
     glBindTextureUnit(SLOT_DETAIL, detail_texture_.name());
-    const bool lines = marks.contours || marks.ring;
     const Shadings& shadings = two_materials ? two_materials_ : one_material_;
     const Shading& shading = marks.overlay != Overlay::kNone ? shadings.overlaid
-                             : lines                         ? shadings.marked
+                             : marks.has_lines()             ? shadings.marked
                                                              : shadings.plain;
     const int across = target.samples_across(), up = target.samples_up();
     with_walls_.send(tiles.with_walls(), across, up);

@@ -51,7 +51,7 @@ void TreesPass::survey(const Woods& woods, const Surroundings& around, const Fra
 void TreesPass::find(const Woods& woods, const sim::View& world, const FlowSoFar& flow,
                      const FrameBlock& frame, const OnScreen& screen, bool everything, ScreenTiles& tiles) {
     if (everything) {
-        trees_.find(woods, lights_, frame);
+        trees_.find(woods, lights_, frame, screen);
         screen_ = screen;
         seen_.clear();
     }

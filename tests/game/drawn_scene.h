@@ -20,16 +20,30 @@ namespace game::test {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// winter-avalanche on a coarse grid, without textures that travel with the flow, and what draws it.
-class DrawnScene : public testing::Test {
+// Draws without a window.
+class OffScreen : public testing::Test {
   protected:
     void SetUp() override {
         auto context = render::HeadlessContext::create("auto");
         ASSERT_TRUE(context) << context.error();
         context_.emplace(std::move(*context));
-        auto renderer = render::Renderer::create(assets_folder().value(), render::Quality::kFast);
-        ASSERT_TRUE(renderer) << renderer.error();
-        renderer_.emplace(std::move(*renderer));
+    }
+
+    static void make(std::optional<render::Renderer>& renderer) {
+        auto made = render::Renderer::create(assets_folder().value(), render::Quality::kFast);
+        ASSERT_TRUE(made) << made.error();
+        renderer.emplace(std::move(*made));
+    }
+
+    std::optional<render::HeadlessContext> context_;  // first, because the renderers' GL names live in it
+};
+
+// winter-avalanche on a coarse grid, without textures that travel with the flow, and what draws it.
+class DrawnScene : public OffScreen {
+  protected:
+    void SetUp() override {
+        ASSERT_NO_FATAL_FAILURE(OffScreen::SetUp());
+        ASSERT_NO_FATAL_FAILURE(make(renderer_));
         Overrides overrides;
         overrides.squares = 48;
         scene_ = load_scene("winter-avalanche", overrides).value();
@@ -82,7 +96,6 @@ class DrawnScene : public testing::Test {
         }
     }
 
-    std::optional<render::HeadlessContext> context_;  // first, because the renderer's GL names live in it
     std::optional<render::Renderer> renderer_;
     Scene scene_;
 };

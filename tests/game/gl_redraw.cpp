@@ -6,15 +6,9 @@
 #include <string>
 #include <vector>
 
-#include <gtest/gtest.h>
-
-#include "game/files/assets.h"
 #include "game/scene/mountains.h"
-#include "game/scene/scene.h"
-#include "game/session/sandbox.h"
-#include "render/context.h"
-#include "render/frame.h"
 #include "render/overview.h"
+#include "tests/game/drawn_scene.h"
 
 namespace game::test {
 namespace {
@@ -148,17 +142,12 @@ class Player {
     int width_ = 320, height_ = 180;
 };
 
-class Redraw : public testing::Test {
+class Redraw : public OffScreen {
   protected:
     void SetUp() override {
-        auto context = render::HeadlessContext::create("auto");
-        ASSERT_TRUE(context) << context.error();
-        context_.emplace(std::move(*context));
-        for (std::optional<render::Renderer>* renderer : {&parts_, &whole_}) {
-            auto made = render::Renderer::create(assets_folder().value(), render::Quality::kFast);
-            ASSERT_TRUE(made) << made.error();
-            renderer->emplace(std::move(*made));
-        }
+        ASSERT_NO_FATAL_FAILURE(OffScreen::SetUp());
+        for (std::optional<render::Renderer>* renderer : {&parts_, &whole_})
+            ASSERT_NO_FATAL_FAILURE(make(*renderer));
     }
 
     // Bytes that differ between a frame of which what changed was drawn and the same one drawn as a whole.
@@ -195,7 +184,6 @@ class Redraw : public testing::Test {
         return asked ? std::atoi(asked) : otherwise;
     }
 
-    std::optional<render::HeadlessContext> context_;  // first, because the renderers' GL names live in it
     std::optional<render::Renderer> parts_, whole_;
     double redrawn_ = 0;
     int frames_ = 0, in_parts_ = 0;

@@ -15,7 +15,7 @@
 #include "sim/core/workers.h"
 #include "tests/support/allocations.h"
 
-// Random sessions: flows that move, stop, leave deposits, go back and begin anew.
+// Random sessions: flows that move, stop, leave deposits, go back and start again.
 namespace render::test {
 namespace {
 

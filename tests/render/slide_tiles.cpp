@@ -32,7 +32,7 @@ struct Tiles {
                                .first_depth = first_depth};
         const glm::mat4 clip =
             projection_matrix(camera, static_cast<double>(kWidth) / kHeight) * view_matrix(camera);
-        tiles.find(input, clip, kWidth, kHeight);
+        tiles.find(input, OnScreen(clip, kWidth, kHeight));
         const std::vector<int> walls = coverage(tiles.with_walls()), with = coverage(tiles.with_slides()),
                                without = coverage(tiles.without());
         for (std::size_t i = 0; i < with.size(); ++i)

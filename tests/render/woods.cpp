@@ -37,12 +37,13 @@ class WoodInValley : public testing::Test {
         return make_frame_block({.world = world.view(), .camera = camera, .width = 640, .height = 360},
                                 {0, 540}, 1, std::nullopt);
     }
+    OnScreen screen(const Camera& camera) const { return {frame(camera).clip_from_world, 640, 360}; }
     std::vector<DrawnTree> drawn(const Woods& of, const Camera& camera, const FlowSoFar& flow = {}) const {
         std::vector<TreeLight> lights;
         light_trees(of, mountains_around(world), glm::normalize(glm::vec3(1, 1, 1)), lights);
         TreesInView trees;
         trees.reserve(of);
-        trees.find(of, lights, frame(camera));
+        trees.find(of, lights, frame(camera), screen(camera));
         trees.settle(of, world.view(), flow);
         return {trees.drawn().begin(), trees.drawn().end()};
     }
@@ -241,7 +242,7 @@ TEST_F(WoodInValley, changes_little_by_little_while_the_camera_moves) {
     for (int step = 0; step < 150; ++step) {
         std::map<std::pair<float, float>, glm::vec2> now;
         const Camera camera{{500, 300, 100}, 180, 20, 2000 * std::pow(1.004, step), 40};
-        trees.find(all, lights, frame(camera));
+        trees.find(all, lights, frame(camera), screen(camera));
         for (const DrawnTree& tree : trees.drawn())
             if (tree.foot.x > 100 && tree.foot.x < 900 && tree.foot.y > 0 && tree.foot.y < 1000)
                 now[{tree.foot.x, tree.foot.y}] = {tree.foot.w, tree.look.w};
