@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <numeric>
+#include <span>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -181,13 +182,14 @@ void TextureLayers::restore(const Memory& memory) {
 }
 
 void TextureLayers::find_touched() {
+    const auto differ = [](const auto& a, const auto& b) {
+        return !std::ranges::equal(std::as_bytes(std::span(&a, 1)), std::as_bytes(std::span(&b, 1)));
+    };
     const Offsets no_offset{};
     const Mix no_mix;
     std::fill(touched_.begin(), touched_.end(), std::uint8_t{0});
     for (std::size_t v = 0; v < now_.offset.size(); ++v)
-        if (std::memcmp(&now_.offset[v], &no_offset, sizeof no_offset) != 0 ||
-            std::memcmp(&now_.mix[v], &no_mix, sizeof no_mix) != 0)
-            touched_[v / kGroup] = true;
+        if (differ(now_.offset[v], no_offset) || differ(now_.mix[v], no_mix)) touched_[v / kGroup] = true;
 }
 
 void TextureLayers::tear(const Detector& detector) {
