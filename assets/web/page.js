@@ -653,6 +653,7 @@ try {
         choose: index => page.choose(index), play: on => page.play(on),
         freeze(scale) {
             page.frozen = scale;
+            page.scale = scale || 1;
             page.draw();
         },
         // Draws and reads in one go: a canvas that is read later is empty.
