@@ -1,4 +1,4 @@
-// Conifers: what their vertex shaders share. A vertex finds its tree by its number.
+// Conifers: what their vertex shaders share. A vertex finds its tree by its number, in tree_buffer.glsl.
 struct Tree {
     vec4 foot;    // m; height, m
     vec4 axis;    // unit vector from foot to top; the tree's own number, 0 to 1
@@ -6,7 +6,6 @@ struct Tree {
     vec4 shadow;  // m, where the shadow of its top meets the ground; strength of the shadow, 0 to 1
     vec4 kind;    // TREE_*; number of tops, more than one: a group; how closed the wood is around it, 0 to 1; 0
 };
-layout(std430, binding = SLOT_TREES) readonly buffer Trees { Tree trees[]; };
 
 // Colours of needles, and of snow on the branches if snow lies around the tree.
 vec3 needles(Tree tree) {

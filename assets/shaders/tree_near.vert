@@ -7,7 +7,7 @@ flat out vec4 white;  // snow; share of the branches that it covers
 flat out vec2 kind;   // a number of the tier's own; share of the branches that have needles, below 0: a trunk
 
 void main() {
-    Tree tree = trees[gl_VertexID / TREE_VERTICES];
+    Tree tree = tree_at(gl_VertexID / TREE_VERTICES);
     int vertex = gl_VertexID % TREE_VERTICES;
     int corner = vertex % 3, triangle = vertex / 3;
     int side = triangle % TREE_SIDES, tier = triangle / TREE_SIDES;
