@@ -17,7 +17,7 @@ float hollow(ivec2 v, float here) {
             ivec2 along = cells * ivec2(i == 3 ? 0 : 1, i == 3 ? 1 : i - 1);  // SE, E, NE, N
             ivec2 a = v + along, b = v - along;
             if (any(lessThan(min(a, b), ivec2(0))) || any(greaterThanEqual(max(a, b), frame.size.xy))) continue;
-            if (texelFetch(site, a, 0).r == SITE_DRAIN || texelFetch(site, b, 0).r == SITE_DRAIN) continue;
+            if (texelFetch(site, a, 0).r == uint(SITE_DRAIN) || texelFetch(site, b, 0).r == uint(SITE_DRAIN)) continue;
             float rise = 0.5 * (texelFetch(bedrock, a, 0).r + texelFetch(bedrock, b, 0).r) - here;
             sum += rise / (frame.ground.x * length(vec2(along)));
             ++count;
@@ -37,7 +37,7 @@ float openness_at(ivec2 v) {
         for (float cells = 1.5; cells < reach; cells *= 1.45) {
             ivec2 there = v + ivec2(round(direction * cells));
             if (any(lessThan(there, ivec2(0))) || any(greaterThanEqual(there, frame.size.xy))) break;
-            if (texelFetch(site, there, 0).r == SITE_DRAIN) continue;
+            if (texelFetch(site, there, 0).r == uint(SITE_DRAIN)) continue;
             float rise = texelFetch(bedrock, there, 0).r - here;
             horizon = max(horizon, rise / (frame.ground.x * length(vec2(there - v))));
         }

@@ -13,7 +13,7 @@ float height(ivec2 v) {
 
 bool is_ground(ivec2 v) {
     return all(greaterThanEqual(v, ivec2(0))) && all(lessThan(v, frame.size.xy)) &&
-           texelFetch(site, v, 0).r != SITE_DRAIN;
+           texelFetch(site, v, 0).r != uint(SITE_DRAIN);
 }
 
 // Central difference if both neighbours are ground, one-sided beside an edge of the world.
