@@ -24,6 +24,7 @@ program|nlohmann-json3-dev|JSON for Modern C++|header nlohmann/json.hpp
 program|libcli11-dev|CLI11|header CLI/CLI.hpp
 program|libxxhash-dev|xxHash headers|header xxhash.h
 program|libzstd-dev|Zstandard headers|header zstd.h
+program|zlib1g-dev|zlib headers|header zlib.h
 program|libimgui-dev|Dear ImGui headers|header imgui/imgui.h
 program|libegl1|EGL at run time|library libEGL.so.1
 program|libegl-mesa0|Mesa as the EGL driver|library libEGL_mesa.so.0

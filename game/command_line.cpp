@@ -1,6 +1,7 @@
 #include "game/command_line.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -32,6 +33,9 @@ constexpr Range<int> kDevices{0, 255};
 constexpr Range<std::int64_t> kTicks{0, 1'000'000'000, "ticks"};
 constexpr Range<std::int64_t> kStride{1, 1'000'000, "ticks"};
 constexpr Range<double> kSeconds{0, 86'400, "s"}, kDelay{-1e7, 1e7, "s"};
+// Of --camera: east, north, azimuth, elevation, distance.
+constexpr std::array<Range<double>, 5> kViewpoint{
+    {{0, sim::kFarthest, "m"}, {0, sim::kFarthest, "m"}, {-360, 360, "deg"}, {2, 89, "deg"}, {1, 1e6, "m"}}};
 constexpr Range<double> kMove{-2 * sim::kFarthest, 2 * sim::kFarthest, "m"};
 
 // The --help text of a number: its meaning, its range, and its default in brackets.
@@ -282,6 +286,43 @@ void add_pictures(CLI::App& app, PictureOptions& options, const char* where, std
     add_gl(app, options.gl);
 }
 
+// The page of a slide, and from where pictures and page are seen.
+void add_web(CLI::App& app, WebOptions& options, std::optional<Viewpoint>& view) {
+    app.add_option("--web", options.file,
+                   "write one page that plays the slide in any browser, with its numbers; --every is "
+                   "6 ticks there unless given")
+        ->type_name("FILE.html");
+    app.add_option_function<std::string>(
+           "--size-limit",
+           [&options](const std::string& text) {
+               const auto bytes = bytes_from(text);
+               if (!bytes)
+                   throw CLI::ValidationError("--size-limit",
+                                              "'" + text + "' is not a size in bytes, such as 8M");
+               options.most_bytes = *bytes;
+           },
+           "refuse a page that is larger; suffixes K, M, G [32M]")
+        ->type_name("BYTES");
+    app.add_option_function<std::string>(
+           "--camera",
+           [&view](const std::string& text) {
+               std::array<double, kViewpoint.size()> numbers{};
+               std::string_view rest = text;
+               for (std::size_t i = 0; i < numbers.size(); ++i) {
+                   const std::size_t comma = rest.find(',');
+                   if ((comma == rest.npos) != (i + 1 == numbers.size()))
+                       throw CLI::ValidationError("--camera",
+                                                  "'" + text + "' is not five numbers separated by ','");
+                   numbers[i] = number_of("--camera", rest.substr(0, comma), kViewpoint[i]);
+                   rest.remove_prefix(std::min(comma, rest.size() - 1) + 1);
+               }
+               view = {numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]};
+           },
+           "look at the place EAST,NORTH (m) from this azimuth (0 north, 90 east; deg), height above the "
+           "horizon (2 to 89 deg) and distance (m) [the scene's camera]")
+        ->type_name("EAST,NORTH,AZIMUTH,ELEVATION,DISTANCE");
+}
+
 void add_results(CLI::App& app, ResultOptions& options) {
     app.add_option("--perf", options.perf, "write a performance log, one line per tick")
         ->type_name("FILE.csv");
@@ -357,6 +398,7 @@ void add_run(CLI::App& app, RunOptions& options) {
         ->needs(format);
     add_pictures(app, options.pictures, "write images here, and maps of the extent and the final state",
                  fmt::format("{}; {} with --export alone", kTicksPerPicture, kTicksPerExportedPicture));
+    add_web(app, options.web, options.view);
     add_results(app, options.results);
     add_memory(app, options.overrides.memory);
     add_step_options(app, options.step_options);
@@ -377,6 +419,7 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
                  "compute every tick twice, with different threads and tiles, and compare; if they differ, "
                  "exit with status 1, report where, and with --frames write desync.png");
     add_pictures(app, options.pictures, "write images here", fmt::format("{}", kTicksPerPicture));
+    add_web(app, options.web, options.view);
     add_look(app, options.look);
     app.add_flag_callback(
         "--no-render", [&options] { options.pictures.folder.reset(); },

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "assets/shaders/slots.glsl"
+#include "render/drawn_mixture.h"
 #include "render/same_inside.h"
 #include "sim/core/check.h"
 
@@ -66,27 +67,8 @@ void FieldsToGpu::upload_layers(const sim::View& world, int first_row, int last_
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 
-// Where a layer is empty, its mixture is copied from the neighbouring vertices, so that the layer keeps its
-// colour up to its edge.
 std::span<const std::uint8_t> FieldsToGpu::find_mixture(const sim::View& world) {
-    mixture_.resize(world.mixture ? 2 * world.grid.size() : 0);
-    if (!world.mixture) return mixture_;
-    const int nx = world.grid.nx, ny = world.grid.ny;
-    const auto shares_near = [&](int x, int y, const sim::Field<float>& layer, auto&& share_at) {
-        if (layer(x, y) > 0) return share_at(world, x, y);
-        float sum = 0, count = 0;
-        for (int j = std::max(y - 1, 0); j <= std::min(y + 1, ny - 1); ++j)
-            for (int i = std::max(x - 1, 0); i <= std::min(x + 1, nx - 1); ++i)
-                if (layer(i, j) > 0) sum += share_at(world, i, j), count += 1;
-        return count > 0 ? sum / count : 0.f;
-    };
-    const auto byte_of = [](float share) { return static_cast<std::uint8_t>(std::lround(share * 255)); };
-    auto* to = mixture_.data();
-    for (int y = 0; y < ny; ++y)
-        for (int x = 0; x < nx; ++x) {
-            *to++ = byte_of(shares_near(x, y, world.depth, sim::share_at_surface));
-            *to++ = byte_of(shares_near(x, y, world.rolling, sim::share_in_rolling));
-        }
+    drawn_mixture(world, mixture_);
     return mixture_;
 }
 

@@ -95,6 +95,14 @@ void lay(const Tree& tree, const sim::View& world, float lying, DrawnTree& drawn
 
 }  // namespace
 
+float lying(const Tree& tree, const FlowSoFar& flow) {
+    if (tree.vertex < 0 || flow.depth.empty()) return 0;
+    const auto vertex = static_cast<std::size_t>(tree.vertex);
+    const float strength = 0.7f + 0.6f * own(tree, 19.1f);
+    return ramp(kShallow * strength, kDeep * strength, flow.depth[vertex]) *
+           ramp(kSlow, kFast, flow.speed[vertex]);
+}
+
 void light_trees(const Woods& woods, const Surroundings& around, const glm::vec3& sun,
                  std::vector<TreeLight>& into) {
     const double flat = std::max(std::hypot(static_cast<double>(sun.x), static_cast<double>(sun.y)), 1e-3);
@@ -220,13 +228,7 @@ void TreesInView::settle(const Woods& woods, const sim::View& world, const FlowS
         DrawnTree now = upright_[i].drawn;
         now.foot.z -=
             std::max(tree.snow - world.depth(tree.vertex % world.grid.nx, tree.vertex / world.grid.nx), 0.f);
-        if (!flow.depth.empty()) {
-            const auto vertex = static_cast<std::size_t>(tree.vertex);
-            const float strength = 0.7f + 0.6f * own(tree, 19.1f);
-            const float lying = ramp(kShallow * strength, kDeep * strength, flow.depth[vertex]) *
-                                ramp(kSlow, kFast, flow.speed[vertex]);
-            if (lying > 0) lay(tree, world, lying, now);
-        }
+        if (const float laid = lying(tree, flow); laid > 0) lay(tree, world, laid, now);
         if (now == drawn_[i]) continue;
         moved_.push_back({i, drawn_[i]});
         drawn_[i] = now;

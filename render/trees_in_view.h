@@ -25,6 +25,9 @@ struct TreeLight {
 void light_trees(const Woods& woods, const Surroundings& around, const glm::vec3& sun,
                  std::vector<TreeLight>& into);
 
+// How far a flow has laid a tree of the grid until now: 0 upright, 1 in the deposit; 0 outside the grid.
+float lying(const Tree& tree, const FlowSoFar& flow);
+
 // A tree, or a group of some, as the GPU draws it: an element of SLOT_TREES, as in tree.glsl.
 struct DrawnTree {
     glm::vec4 foot;  // m; height, m

@@ -66,6 +66,8 @@ Outcome<bool> play_headless(Session& session, std::span<const TimedCommand> comm
             watchers.perf->add(*row);
         }
         if (watchers.after_tick) watchers.after_tick(session);
+        if (watchers.keep)
+            if (auto kept = watchers.keep(session); !kept) return tl::unexpected(kept.error());
         report(progress, session, until);
     }
     return true;

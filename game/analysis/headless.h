@@ -33,6 +33,8 @@ struct Watchers {
     std::int64_t ticks_per_picture = 60;  // ≥ 1; the first and the last state are drawn too
     PerfLog* perf = nullptr;
     std::function<void(const Session&)> after_tick;
+    // After each tick too. Its error ends the run.
+    std::function<Outcome<void>(const Session&)> keep;
 };
 
 // Plays a session, with the commands from its tick on. Returns whether it stopped as requested; false if it

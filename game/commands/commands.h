@@ -14,6 +14,8 @@
 #include "game/controls/tier.h"
 #include "game/scene/memory.h"
 #include "game/scene/scene.h"
+#include "game/scene/viewpoint.h"
+#include "game/share/slide_page.h"
 #include "sim/engine.h"
 #include "sim/front/tracker.h"
 
@@ -32,6 +34,15 @@ struct PictureOptions {
     std::string gl = "auto";
 };
 
+// The page of a slide.
+struct WebOptions {
+    std::optional<std::filesystem::path> file;
+    std::uint64_t most_bytes = PageOptions().most_bytes;
+};
+inline PageOptions page_options(const WebOptions& web, const PictureOptions& pictures) {
+    return {pictures.every.value_or(PageOptions::kEvery), web.most_bytes, std::nullopt};
+}
+
 struct RunOptions {
     std::string scene;  // empty if there is a terrain
     std::optional<std::filesystem::path> terrain, release, reference;
@@ -43,6 +54,8 @@ struct RunOptions {
     bool iseesnow = false;                   // export in ISeeSnow's format
     std::optional<std::string> export_name;  // of its files
     PictureOptions pictures;
+    WebOptions web;
+    std::optional<Viewpoint> view;  // none: the scene's camera
     ResultOptions results;
     sim::StepOptions step_options;
 };
@@ -54,6 +67,8 @@ struct ReplayOptions {
     bool verify = false, paranoid = false;
     LookFrom look = LookFrom::kShipped;
     PictureOptions pictures;
+    WebOptions web;
+    std::optional<Viewpoint> view;  // none: the recording's camera
     ResultOptions results;
     sim::StepOptions step_options;
     Memory memory;

@@ -14,6 +14,7 @@
 #include "game/recording/file_hash.h"
 #include "game/session/renew.h"
 #include "game/session/verifier.h"
+#include "game/share/share_recording.h"
 
 namespace game {
 namespace {
@@ -53,20 +54,24 @@ Outcome<int> replay(const ReplayOptions& options) {
             return tl::unexpected(has.error());
     if (auto taken = take_look(options.look, recording->header.scenario); !taken)
         return tl::unexpected(taken.error());
+    if (options.view)
+        if (auto looked = look_from(*options.view, recording->header.scenario); !looked)
+            return tl::unexpected(looked.error());
     const Scenario& scenario = recording->header.scenario;
 
     FileUse use;
     use.reads(*path);
     if (options.pictures.folder) use.reads(drawing_assets());
     add_outputs(options.results, use);
+    use.writes("--web", options.web.file);
     use.writes_into("--frames", options.pictures.folder, kFrameNames);
     if (auto sound = use.check(); !sound) return tl::unexpected(sound.error());
     if (auto placed = make_places_for(options.results); !placed) return tl::unexpected(placed.error());
     auto session = Session::begin(scenario, options.step_options, std::nullopt);
     if (!session) return tl::unexpected(session.error());
+    if (options.pictures.folder || options.web.file) session->follow_powder(scenario);
     if (options.pictures.folder || options.results.perf || options.results.trace) {
         session->follow_fronts(scenario);
-        if (options.pictures.folder) session->follow_powder(scenario);
         if (scenario.look.flow && !session->fronts()) print_line(stderr, "couloir: {}", Session::kTooFine);
     }
     std::optional<Gallery> gallery;
@@ -76,6 +81,13 @@ Outcome<int> replay(const ReplayOptions& options) {
         if (!opened) return tl::unexpected(opened.error());
         gallery = std::move(*opened);
         if (!gallery->notice().empty()) print_line(stderr, "couloir: {}", gallery->notice());
+    }
+    std::optional<SlidePage> page;
+    if (options.web.file) {
+        auto begun = SlidePage::begin(scenario, *session, proof_of(*path),
+                                      page_options(options.web, options.pictures));
+        if (!begun) return tl::unexpected(begun.error());
+        page = std::move(*begun);
     }
     PerfLog perf({scenario.scene, file_hash(*path), options.step_options.threads,
                   gallery ? std::optional(gallery->drawn_by()) : std::nullopt},
@@ -97,6 +109,7 @@ Outcome<int> replay(const ReplayOptions& options) {
         self_check.names = {name_of(way.options, swept), name_of(other.options, swept)};
         self_check.parted = lockstep.emplace(way, other).follow(session->state());
     }
+    if (page) watchers.keep = [&](const Session& now) { return page->see(now); };
     watchers.after_tick = [&](const Session& now) {
         if (options.verify) verifier.look_at(now);
         if (!lockstep || self_check.parted) return;
@@ -107,6 +120,9 @@ Outcome<int> replay(const ReplayOptions& options) {
         return tl::unexpected(played.error());
     if (gallery)
         if (auto closed = gallery->close(); !closed) return tl::unexpected(closed.error());
+    if (page)
+        if (auto written = page->write(*options.web.file, *session, recording->commands); !written)
+            return tl::unexpected(written.error());
 
     const Measures measures = measure(scenario, *session, release_area(scenario, recording->commands), {});
     Summary summary{scenario, *session, measures, &perf, std::nullopt, std::nullopt};

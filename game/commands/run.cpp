@@ -12,6 +12,7 @@
 #include "game/files/assets.h"
 #include "game/files/file_use.h"
 #include "game/files/text_file.h"
+#include "game/share/share_recording.h"
 #include "terrains/release.h"
 
 namespace game {
@@ -39,6 +40,7 @@ FileUse files_of(const RunOptions& options, const Scene& scene, const terrains::
     use.reads(scene.files).reads(reference.files);
     if (options.pictures.folder) use.reads(drawing_assets());
     use.writes("--record", options.record);
+    use.writes("--web", options.web.file);
     add_outputs(options.results, use);
     use.writes_into("--export", options.export_folder, options.iseesnow ? kIseesnowNames : kExportedNames);
     use.writes_into(options.export_folder ? "--export" : "--frames", options.pictures.folder, kFrameNames);
@@ -89,8 +91,11 @@ Until until_of(const RunOptions& options, const sim::Params& params) {
 }  // namespace
 
 Outcome<int> run(const RunOptions& options) {
-    const auto scene = scene_of(options);
+    auto scene = scene_of(options);
     if (!scene) return tl::unexpected(scene.error());
+    if (options.view)
+        if (auto looked = look_from(*options.view, scene->scenario); !looked)
+            return tl::unexpected(looked.error());
     const Scenario& scenario = scene->scenario;
     const auto reference = reference_of(options, scenario);
     if (!reference) return tl::unexpected(reference.error());
@@ -101,9 +106,9 @@ Outcome<int> run(const RunOptions& options) {
     auto session = Session::begin(scenario, options.step_options, std::move(leavings->recorder));
     if (!session) return tl::unexpected(session.error());
 
+    if (leavings->gallery || options.web.file) session->follow_powder(scenario);
     if (leavings->gallery || options.results.perf || options.results.trace) {
         session->follow_fronts(scenario);
-        if (leavings->gallery) session->follow_powder(scenario);
         if (scenario.look.flow && !session->fronts()) print_line(stderr, "couloir: {}", Session::kTooFine);
     }
     std::optional<Gallery>& gallery = leavings->gallery;
@@ -111,7 +116,15 @@ Outcome<int> run(const RunOptions& options) {
     PerfLog perf({scenario.scene, "", options.step_options.threads,
                   gallery ? std::optional(gallery->drawn_by()) : std::nullopt},
                  options.results.log_keeps());
+    std::optional<SlidePage> page;
+    if (options.web.file) {
+        auto begun = SlidePage::begin(scenario, *session, options.record ? proof_of(*options.record) : "",
+                                      page_options(options.web, options.pictures));
+        if (!begun) return tl::unexpected(begun.error());
+        page = std::move(*begun);
+    }
     Watchers watchers;
+    if (page) watchers.keep = [&](const Session& now) { return page->see(now); };
     watchers.gallery = gallery ? &*gallery : nullptr;
     watchers.ticks_per_picture = options.pictures.every.value_or(kTicksPerPicture);
     watchers.perf = &perf;
@@ -128,6 +141,9 @@ Outcome<int> run(const RunOptions& options) {
         draw_results(*gallery, *session);
         if (auto closed = gallery->close(); !closed) return tl::unexpected(closed.error());
     }
+    if (page)
+        if (auto written = page->write(*options.web.file, *session, scene->commands); !written)
+            return tl::unexpected(written.error());
     if (options.export_folder) {
         const auto exported =
             options.iseesnow

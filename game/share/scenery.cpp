@@ -1,0 +1,126 @@
+#include "game/share/scenery.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "game/scene/mountains.h"
+#include "render/sun_sweep.h"
+#include "render/surroundings_mesh.h"
+#include "render/trees_in_view.h"
+
+namespace game {
+namespace {
+
+using enum Packing::Predict;
+
+constexpr double kShare = 1.0 / 255;  // quantum of shares
+
+// Writes a column of a table: a value of each row.
+template <class Row, class Value>
+void pack_column(PackedStream& into, const std::string& name, const std::vector<Row>& rows,
+                 const Packing& packing, const Value& value) {
+    std::vector<double> column(rows.size());
+    std::transform(rows.begin(), rows.end(), column.begin(), value);
+    into.add(name, column, packing);
+}
+
+}  // namespace
+
+Scenery::Scenery(const Scenario& scenario, const sim::View& first, const render::FrameBlock& frame)
+    : frame_(frame) {
+    if (!scenario.model) {
+        around_ = mountains_around(scenario);
+        woods_ = woods_on(scenario, around_);
+    }
+    if (!around_.empty()) frame_.beyond = glm::dvec4(around_.rough_origin(), around_.rough_cell(), 1);
+    render::SunSweep sweep;
+    sweep.run(first, &around_, frame_);
+    ceilings_.assign(sweep.ceilings().begin(), sweep.ceilings().end());
+    rays_ = sweep.rays();
+    fell_.assign(woods_.trees().size(), -1);
+}
+
+void Scenery::see(const render::FlowSoFar& flow, std::int64_t frame) {
+    constexpr float kLies = 0.5f;
+    if (flow.depth.empty()) return;
+    const auto trees = woods_.trees();
+    for (std::size_t i = 0; i < trees.size(); ++i)
+        if (fell_[i] < 0 && render::lying(trees[i], flow) >= kLies) fell_[i] = frame;
+}
+
+void Scenery::pack(PackedStream& into) const {
+    const std::vector<double> ceilings(ceilings_.begin(), ceilings_.end());
+    into.add("ceiling", ceilings, {0.1, 2, kPlane}, rays_);
+    if (around_.empty()) return;
+    pack_surroundings(into);
+    if (!woods_.empty()) pack_woods(into);
+}
+
+void Scenery::pack_surroundings(PackedStream& into) const {
+    const auto cover = around_.cover();
+    std::vector<double> depth, lower;
+    for (const glm::vec2& each : cover) {
+        depth.push_back(static_cast<double>(each.x));
+        lower.push_back(static_cast<double>(each.y));
+    }
+    into.add("cover_d", depth, {0.01, 2, kPlane}, around_.columns());
+    if (frame_.lower_standing.w > 0) into.add("cover_l", lower, {kShare, 1, kPlane}, around_.columns());
+
+    const render::SurroundingsMesh mesh = render::surroundings_mesh(around_);
+    std::vector<float> sun;
+    render::sunlit(around_, mesh.vertices, glm::dvec3(frame_.sun), sun);
+    using Vertex = render::SurroundingsVertex;
+    const auto add = [&](const std::string& name, const Packing& packing, const auto& value) {
+        pack_column(into, "around." + name, mesh.vertices, packing, value);
+    };
+    add("x", {0.25, 2, kLast}, [](const Vertex& v) { return v.at.x; });
+    add("y", {0.25, 2, kLast}, [](const Vertex& v) { return v.at.y; });
+    add("z", {0.25, 2, kLast}, [](const Vertex& v) { return v.at.z; });
+    add("slope_x", {0.01, 2, kLast}, [](const Vertex& v) { return v.slope.x; });
+    add("slope_y", {0.01, 2, kLast}, [](const Vertex& v) { return v.slope.y; });
+    add("source_x", {0.1, 2, kLast}, [](const Vertex& v) { return v.source.x; });
+    add("source_y", {0.1, 2, kLast}, [](const Vertex& v) { return v.source.y; });
+    add("cover_d", {0.02, 1, kLast}, [](const Vertex& v) { return v.cover.x; });
+    if (frame_.lower_standing.w > 0)
+        add("cover_l", {kShare, 1, kLast}, [](const Vertex& v) { return v.cover.y; });
+    add("open", {kShare, 1, kLast}, [](const Vertex& v) { return v.open; });
+    add("on", {1, 1, kNone}, [](const Vertex& v) { return v.on_grid; });
+    pack_column(into, "around.sun", sun, {kShare, 1, kLast}, [](float share) { return share; });
+    into.add("around.index", mesh.indices, 0, 1, 3, kLast);
+}
+
+void Scenery::pack_woods(PackedStream& into) const {
+    std::vector<render::TreeLight> lights;
+    render::light_trees(woods_, around_, glm::vec3(frame_.sun), lights);
+    const std::vector<render::Tree> trees(woods_.trees().begin(), woods_.trees().end());
+    const std::vector<render::TreeTile> tiles(woods_.tiles().begin(), woods_.tiles().end());
+    using render::Tree;
+    const auto add = [&](const std::string& name, const Packing& packing, const auto& value) {
+        pack_column(into, "trees." + name, trees, packing, value);
+    };
+    add("x", {0.5, 2, kLast}, [](const Tree& t) { return t.foot.x; });
+    add("y", {0.5, 2, kLast}, [](const Tree& t) { return t.foot.y; });
+    add("z", {0.25, 2, kLast}, [](const Tree& t) { return t.foot.z; });
+    add("height", {0.5, 1, kNone}, [](const Tree& t) { return t.height; });
+    add("snow", {0.05, 1, kLast}, [](const Tree& t) { return t.snow; });
+    if (frame_.lower_standing.w > 0) add("lower", {kShare, 1, kLast}, [](const Tree& t) { return t.lower; });
+    add("closed", {1.0 / 15, 1, kLast}, [](const Tree& t) { return t.closed; });
+    add("group", {1, 1, kNone}, [](const Tree& t) { return t.group; });
+    add("kind", {1, 1, kNone}, [](const Tree& t) { return static_cast<double>(t.kind); });
+    add("on", {1, 1, kNone}, [](const Tree& t) { return t.vertex >= 0 ? 1.0 : 0.0; });
+    pack_column(into, "trees.sun", lights, {1.0 / 31, 1, kLast},
+                [](const render::TreeLight& light) { return light.sunlit; });
+    pack_column(into, "trees.count", tiles, {1, 2, kNone},
+                [](const render::TreeTile& tile) { return tile.count; });
+}
+
+void Scenery::pack_ends(PackedStream& into, std::int64_t frames) const {
+    if (woods_.empty()) return;
+    pack_column(into, "trees.falls", fell_, {1, 2, kNone},
+                [&](std::int64_t frame) { return static_cast<double>(frame < 0 ? frames : frame); });
+}
+
+}  // namespace game

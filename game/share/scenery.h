@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "game/scene/scenario.h"
+#include "game/share/packed_stream.h"
+#include "render/flow_so_far.h"
+#include "render/frame_block.h"
+#include "render/surroundings.h"
+#include "render/woods.h"
+#include "sim/world/state.h"
+
+namespace game {
+
+// What a page shows besides the layers: the mountains around, trees, light. As this program draws them.
+class Scenery {
+  public:
+    Scenery(const Scenario& scenario, const sim::View& first, const render::FrameBlock& frame);
+
+    const render::Surroundings& surroundings() const { return around_; }
+    const render::FrameBlock& frame() const { return frame_; }  // that of these surroundings
+    // Notes the trees that a flow has laid down by now. `frame`: number of the moment.
+    void see(const render::FlowSoFar& flow, std::int64_t frame);
+
+    void pack(PackedStream& into) const;                            // what is there at tick 0
+    void pack_ends(PackedStream& into, std::int64_t frames) const;  // what became of it
+
+  private:
+    void pack_surroundings(PackedStream& into) const;
+    void pack_woods(PackedStream& into) const;
+
+    render::Surroundings around_;
+    render::Woods woods_;
+    render::FrameBlock frame_;
+    std::vector<float> ceilings_;
+    int rays_ = 0;
+    std::vector<std::int64_t> fell_;  // of each tree: the frame at which it lay; −1: it stands
+};
+
+}  // namespace game

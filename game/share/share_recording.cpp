@@ -1,0 +1,43 @@
+#include "game/share/share_recording.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "game/recording/reader.h"
+#include "game/session/renew.h"
+
+namespace game {
+
+std::string proof_of(const std::filesystem::path& recording) {
+    return fmt::format("couloir replay {} --verify", recording.filename().string());
+}
+
+Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const std::filesystem::path& page,
+                                  const PageOptions& options, const std::atomic<bool>* stop,
+                                  std::atomic<float>* progress) {
+    auto read = read_recording(recording);
+    if (!read) return tl::unexpected(read.error());
+    renew(*read);
+    const Scenario& scenario = read->header.scenario;
+    auto session = Session::begin(scenario, {}, std::nullopt);
+    if (!session) return tl::unexpected(session.error());
+    session->follow_powder(scenario);
+    auto slide = SlidePage::begin(scenario, *session, proof_of(recording), options);
+    if (!slide) return tl::unexpected(slide.error());
+
+    std::vector<sim::Command> due;
+    const std::int64_t last = read->last_tick();
+    for (std::int64_t tick = 0; tick < last; ++tick) {
+        if (stop && stop->load())
+            return machine_fails(fmt::format("{}: stopped before its end", page.string()));
+        if (progress) progress->store(static_cast<float>(tick) / static_cast<float>(last));
+        due.clear();
+        for (const TimedCommand& given : commands_at(read->commands, tick)) due.push_back(given.command);
+        if (auto advanced = session->advance(due); !advanced) return tl::unexpected(advanced.error());
+        if (auto seen = slide->see(*session); !seen) return tl::unexpected(seen.error());
+    }
+    return slide->write(page, *session, read->commands);
+}
+
+}  // namespace game

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+
+#include "game/base/outcome.h"
+#include "game/share/slide_page.h"
+
+namespace game {
+
+// Plays a recording and writes the page of it. Errors: as read_recording() and SlidePage. With `stop` set it ends with a
+// failure and nothing is written. `progress` becomes the share that is done, 0 to 1. Both may be null.
+Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const std::filesystem::path& page,
+                                  const PageOptions& options, const std::atomic<bool>* stop,
+                                  std::atomic<float>* progress);
+
+// The command by which anybody with the recording repeats a slide and compares its states.
+std::string proof_of(const std::filesystem::path& recording);
+
+}  // namespace game

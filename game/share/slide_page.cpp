@@ -1,0 +1,449 @@
+#include "game/share/slide_page.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "game/analysis/measures.h"
+#include "game/analysis/summary.h"
+#include "game/base/version.h"
+#include "game/files/assets.h"
+#include "game/files/text_file.h"
+#include "game/recording/base64.h"
+#include "game/share/packed_motion.h"
+#include "game/share/packed_stream.h"
+#include "game/share/puff_paths.h"
+#include "game/share/scenery.h"
+#include "render/drawn_mixture.h"
+#include "render/frame_block.h"
+#include "render/height_range.h"
+#include "render/marks.h"
+#include "render/overview.h"
+
+namespace game {
+namespace {
+
+namespace fs = std::filesystem;
+using enum Packing::Predict;
+
+constexpr int kPageFormat = 1;
+constexpr float kDepthQuantum = 0.01f, kSpeedQuantum = 0.125f, kShareQuantum = 1.f / 255;  // m, m/s
+constexpr double kGroundQuantum = 0.01;                                                    // m
+constexpr std::int64_t kFramesAtOnce = 64;   // kept in memory until they are compressed
+constexpr int kWidth = 1280, kHeight = 720;  // of the picture whose uniforms the page begins with
+
+// The program of the page, in the order in which it is joined.
+constexpr std::array kScripts{"fields.js", "camera.js", "draw.js", "page.js"};
+
+Outcome<std::string> text_of(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream text;
+    if (!in || !(text << in.rdbuf())) return machine_fails(fmt::format("{}: cannot be read", file.string()));
+    return text.str();
+}
+
+// Replaces every slot @NAME@ of a text by what belongs there.
+std::string filled(std::string_view text,
+                   std::span<const std::pair<std::string_view, std::string_view>> slots) {
+    std::string out;
+    for (std::size_t at = 0; at < text.size();) {
+        const auto* found = slots.data() + slots.size();
+        std::size_t first = std::string_view::npos;
+        for (const auto& slot : slots)
+            if (const std::size_t place = text.find(slot.first, at); place < first)
+                first = place, found = &slot;
+        out += text.substr(at, first - at);
+        if (first == std::string_view::npos) break;
+        out += found->second;
+        at = first + found->first.size();
+    }
+    return out;
+}
+
+// JSON that ends no script element and means the same.
+std::string in_script(const Json& json) {
+    std::string text;
+    for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace))
+        if (c == '<')
+            text += "\\u003c";
+        else
+            text += c;
+    return text;
+}
+
+std::string in_html(std::string_view plain) {
+    std::string text;
+    for (const char c : plain)
+        text += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
+    return text;
+}
+
+// The files of assets/web and assets/shaders that make a page.
+struct PageFiles {
+    std::string frame, style, program;
+    Json shaders = Json::object();  // text by name: those that the program names
+};
+
+Outcome<PageFiles> read_page_files() {
+    const auto assets = assets_folder();
+    if (!assets) return tl::unexpected(assets.error());
+    PageFiles files;
+    const auto read = [&](const char* name, std::string& into) -> Outcome<void> {
+        auto text = text_of(*assets / "web" / name);
+        if (!text) return tl::unexpected(text.error());
+        into += *text;
+        return {};
+    };
+    if (auto done = read("page.html", files.frame); !done) return tl::unexpected(done.error());
+    if (auto done = read("page.css", files.style); !done) return tl::unexpected(done.error());
+    for (const char* name : kScripts)
+        if (auto done = read(name, files.program); !done) return tl::unexpected(done.error());
+    for (const char* folder : {"shaders", "web"})
+        for (const auto& entry : fs::directory_iterator(*assets / folder)) {
+            const std::string name = entry.path().filename().string(),
+                              extension = entry.path().extension().string();
+            if (extension != ".glsl" && extension != ".vert" && extension != ".frag") continue;
+            if (files.program.find("'" + name + "'") == std::string::npos) continue;
+            auto text = text_of(entry.path());
+            if (!text) return tl::unexpected(text.error());
+            files.shaders[name] = std::move(*text);
+        }
+    return files;
+}
+
+Json camera_json(const render::Camera& camera) {
+    return {{"target", {camera.target.x, camera.target.y, camera.target.z}},
+            {"azimuth_deg", camera.azimuth_deg},
+            {"elevation_deg", camera.elevation_deg},
+            {"distance_m", camera.distance_m},
+            {"field_of_view_deg", camera.field_of_view_deg}};
+}
+
+Json colour_json(const glm::vec3& colour) {
+    return {colour.r, colour.g, colour.b};
+}
+
+// Where the grid's corners are on Earth: south-west, south-east, north-west, north-east. Null if unknown.
+Json place_json(const Scenario& scenario) {
+    const terrains::Georeference& earth = scenario.georeference;
+    if (!earth.placed()) return nullptr;
+    const double east = (scenario.grid.nx - 1) * static_cast<double>(scenario.grid.dx),
+                 north = (scenario.grid.ny - 1) * static_cast<double>(scenario.grid.dx);
+    Json corners = Json::array();
+    for (const terrains::LocalPoint corner :
+         {terrains::LocalPoint{0, 0}, {east, 0}, {0, north}, {east, north}}) {
+        const auto place = earth.to_lat_lon(corner);
+        if (!place) return nullptr;
+        corners.push_back({place->latitude, place->longitude});
+    }
+    return {{"corners", std::move(corners)}, {"south_west", earth.describe({0, 0})}};
+}
+
+Json stops_json(std::span<const render::LegendStop> stops) {
+    Json json = Json::array();
+    for (const render::LegendStop& stop : stops)
+        json.push_back({stop.value, stop.colour.r, stop.colour.g, stop.colour.b});
+    return json;
+}
+
+// Change of the standing layer: red where it was eroded, blue where more lies (ColorBrewer RdBu, as the maps of
+// `compare`).
+constexpr std::array<render::LegendStop, 8> kChange{{{-2, {0.698f, 0.094f, 0.169f}},
+                                                     {-0.5f, {0.839f, 0.376f, 0.302f}},
+                                                     {-0.1f, {0.957f, 0.647f, 0.510f}},
+                                                     {-0.03f, {0.992f, 0.859f, 0.780f}},
+                                                     {0.03f, {0.820f, 0.898f, 0.941f}},
+                                                     {0.1f, {0.573f, 0.773f, 0.871f}},
+                                                     {0.5f, {0.263f, 0.576f, 0.765f}},
+                                                     {2, {0.129f, 0.400f, 0.675f}}}};
+
+Json overlays_json() {
+    const auto of = [](const char* key, const char* name, const char* field, render::Overlay overlay) {
+        const render::Legend legend = render::legend_of(overlay);
+        return Json{{"key", key},
+                    {"name", name},
+                    {"field", field},
+                    {"unit", legend.unit},
+                    {"stepped", legend.stepped},
+                    {"stops", stops_json(legend.stops)}};
+    };
+    return {of("speed", "Speed", "s", render::Overlay::kSpeed),
+            of("moving", "Moving depth", "R", render::Overlay::kRolling),
+            of("lying", "Lying depth", "d", render::Overlay::kStanding),
+            Json{{"key", "change"},
+                 {"name", "Change of the lying layer"},
+                 {"field", "change"},
+                 {"unit", "m"},
+                 {"stepped", false},
+                 {"stops", stops_json(kChange)}},
+            of("peak_depth", "Greatest depth", "peak_depth", render::Overlay::kRolling),
+            of("peak_speed", "Greatest speed", "peak_speed", render::Overlay::kSpeed)};
+}
+
+std::vector<double> to_doubles(std::span<const float> values) {
+    return {values.begin(), values.end()};
+}
+
+// The fields of a moment, one value per vertex, row 0 the south.
+struct Moment {
+    std::vector<float> depth, rolling, speed, lower_depth, lower_rolling;
+    std::vector<std::uint8_t> mixture;
+
+    void take(const sim::View& world) {
+        const auto nx = static_cast<std::size_t>(world.grid.nx);
+        for (std::vector<float>* field : {&depth, &rolling, &speed}) field->resize(world.grid.size());
+        for (int y = 0; y < world.grid.ny; ++y) {
+            const std::size_t row = static_cast<std::size_t>(y) * nx;
+            const float *d = world.depth.row(y), *r = world.rolling.row(y), *vx = world.velocity_x.row(y),
+                        *vy = world.velocity_y.row(y);
+            for (std::size_t x = 0; x < nx; ++x) {
+                depth[row + x] = d[x];
+                rolling[row + x] = r[x];
+                speed[row + x] = r[x] >= Peaks::kVisible ? std::sqrt(vx[x] * vx[x] + vy[x] * vy[x]) : 0.f;
+            }
+        }
+        render::drawn_mixture(world, mixture);
+        lower_depth.resize(mixture.size() / 2);
+        lower_rolling.resize(mixture.size() / 2);
+        for (std::size_t i = 0; i < lower_depth.size(); ++i) {
+            lower_depth[i] = static_cast<float>(mixture[2 * i]) * kShareQuantum;
+            lower_rolling[i] = static_cast<float>(mixture[2 * i + 1]) * kShareQuantum;
+        }
+    }
+};
+
+}  // namespace
+
+struct SlidePage::Parts {
+    const Scenario& scenario;
+    std::string proof;
+    PageOptions options;
+    PageFiles files;
+    render::Camera camera;
+    render::FrameBlock frame{};
+    std::unique_ptr<Scenery> scenery;
+    PackedStream stream;
+    Moment moment;
+    PackedMotion depth, rolling, speed, lower_depth, lower_rolling;
+    PuffPaths puffs;
+    std::int64_t frames = 0, last_tick = -1;
+    std::vector<double> volumes;  // m³ that move, by frame
+    double ground_quantum = 0;
+
+    Parts(const Scenario& of, std::string with_proof, const PageOptions& with)
+        : scenario(of),
+          proof(std::move(with_proof)),
+          options(with),
+          depth("d", of.grid.nx, of.grid.ny, kDepthQuantum),
+          rolling("R", of.grid.nx, of.grid.ny, kDepthQuantum),
+          speed("s", of.grid.nx, of.grid.ny, kSpeedQuantum),
+          lower_depth("lower_d", of.grid.nx, of.grid.ny, kShareQuantum),
+          lower_rolling("lower_R", of.grid.nx, of.grid.ny, kShareQuantum) {}
+
+    std::vector<std::pair<PackedMotion*, const std::vector<float>*>> moving() {
+        std::vector<std::pair<PackedMotion*, const std::vector<float>*>> all{
+            {&depth, &moment.depth}, {&rolling, &moment.rolling}, {&speed, &moment.speed}};
+        if (scenario.lower)
+            all.insert(all.end(),
+                       {{&lower_depth, &moment.lower_depth}, {&lower_rolling, &moment.lower_rolling}});
+        return all;
+    }
+
+    Outcome<void> beyond(const PackedMotion& motion, const std::string& fact) const {
+        const char* what = &motion == &speed ? "a speed, m/s" : "a depth, m";
+        return unusable(fmt::format("--web: at {:.1f} s there is {} of {}",
+                                    static_cast<double>(std::max<std::int64_t>(last_tick, 0)) *
+                                        static_cast<double>(scenario.params.tick_s),
+                                    what, fact));
+    }
+
+    Outcome<void> pack_start(const sim::View& world);
+    Outcome<void> add_frame(const Session& session);
+    Outcome<void> flush();
+    std::uint64_t bytes_so_far() const;
+    Json info(const Session& session, std::span<const TimedCommand> commands) const;
+};
+
+// What is known before the first frame.
+Outcome<void> SlidePage::Parts::pack_start(const sim::View& world) {
+    moment.take(world);
+    ground_quantum =
+        stream.add("bed", to_doubles(scenario.bedrock), {kGroundQuantum, 2, kPlane}, scenario.grid.nx);
+    std::vector<double> holes;
+    for (const std::uint8_t known : scenario.has_data) holes.push_back(known ? 0 : 1);
+    stream.add("site", holes, {1, 1, kNone});
+    if (auto begun = depth.begin_with(moment.depth); !begun) return beyond(depth, begun.error());
+    stream.add("d0", depth.quanta(), 0, static_cast<double>(depth.step()), 2, kPlane, scenario.grid.nx);
+    if (scenario.lower) {
+        if (auto begun = lower_depth.begin_with(moment.lower_depth); !begun)
+            return beyond(lower_depth, begun.error());
+        stream.add("lower0", lower_depth.quanta(), 0, static_cast<double>(lower_depth.step()), 1, kPlane,
+                   scenario.grid.nx);
+    }
+    scenery->pack(stream);
+    stream.add("files", std::string_view(files.shaders.dump()));
+    return {};
+}
+
+Outcome<void> SlidePage::Parts::add_frame(const Session& session) {
+    last_tick = session.state().tick;
+    moment.take(session.view());
+    for (const auto& [motion, values] : moving())
+        if (auto added = motion->add(*values); !added) return beyond(*motion, added.error());
+    volumes.push_back(session.cubic_metres(session.state().ledger.rolling));
+    puffs.see(session.powder(), last_tick, static_cast<double>(scenario.params.tick_s));
+    scenery->see(session.flow_so_far(), frames);
+    ++frames;
+    return frames % kFramesAtOnce == 0 ? flush() : Outcome<void>();
+}
+
+Outcome<void> SlidePage::Parts::flush() {
+    for (const auto& [motion, values] : moving()) motion->flush(stream);
+    if (bytes_so_far() > options.most_bytes)
+        return unusable(
+            fmt::format("--web: after {:.0f} s of the slide the page is larger than {:.1f} MB. Use a larger "
+                        "--every or --size-limit",
+                        static_cast<double>(last_tick) * static_cast<double>(scenario.params.tick_s),
+                        static_cast<double>(options.most_bytes) / 1e6));
+    return {};
+}
+
+std::uint64_t SlidePage::Parts::bytes_so_far() const {
+    return files.frame.size() + files.style.size() + files.program.size() + (stream.compressed() + 2) / 3 * 4;
+}
+
+Json SlidePage::Parts::info(const Session& session, std::span<const TimedCommand> commands) const {
+    const Measures measures = measure(scenario, session, release_area(scenario, commands), {});
+    const Json summary = to_json(Summary{scenario, session, measures});
+    const auto look = [](const render::PowderLook& powder) {
+        return Json{
+            {"strength", powder.strength}, {"speed", powder.speed}, {"colour", colour_json(powder.colour)}};
+    };
+    const std::string block = to_base64({reinterpret_cast<const char*>(&frame), sizeof frame});
+    const auto quanta = [](const PackedMotion& motion) {
+        return Json{{"zero", 0}, {"step", static_cast<double>(motion.step())}};
+    };
+    Json moves{{"d", quanta(depth)}, {"R", quanta(rolling)}, {"s", quanta(speed)}};
+    if (scenario.lower) {
+        moves["lower_d"] = quanta(lower_depth);
+        moves["lower_R"] = quanta(lower_rolling);
+    }
+    Json json{{"format", kPageFormat},
+              {"program", kProgram},
+              {"title", scenario.title},
+              {"scene", scenario.scene},
+              {"material", scenario.material},
+              {"terrain", scenario.terrain},
+              {"licence", scenario.licence},
+              {"grid",
+               {{"nx", scenario.grid.nx},
+                {"ny", scenario.grid.ny},
+                {"dx", static_cast<double>(scenario.grid.dx)},
+                {"datum", scenario.datum}}},
+              {"georeference", place_json(scenario)},
+              {"tick_s", shortest(scenario.params.tick_s)},
+              {"every", options.every},
+              {"last", last_tick},
+              {"frames", frames},
+              {"error",
+               {{"ground", ground_quantum / 2},
+                {"depth", depth.worst()},
+                {"moving", rolling.worst()},
+                {"speed", speed.worst()}}},
+              {"parts", stream.parts()},
+              {"arrays", stream.arrays()},
+              {"moving", std::move(moves)},
+              {"hash", hex(session.state_line().hash)},
+              {"command", proof},
+              {"measures", summary["measures"]},
+              {"mass", summary["mass"]},
+              {"volume", volumes},
+              {"camera", camera_json(camera)},
+              {"frame", block},
+              {"powder", look(scenario.look.powder)},
+              {"lower_powder", look(scenario.look.lower_powder)},
+              {"overlays", overlays_json()},
+              {"two", scenario.lower.has_value()},
+              {"surroundings", !scenery->surroundings().empty()}};
+    if (scenario.lower) json["lower_material"] = scenario.lower->material;
+    return json;
+}
+
+SlidePage::SlidePage(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+SlidePage::~SlidePage() = default;
+SlidePage::SlidePage(SlidePage&&) noexcept = default;
+SlidePage& SlidePage::operator=(SlidePage&&) noexcept = default;
+
+Outcome<SlidePage> SlidePage::begin(const Scenario& scenario, const Session& session, std::string proof,
+                                    const PageOptions& options) {
+    if (scenario.flow)
+        return unusable(fmt::format(
+            "--web: {} shows how fronts are tracked and has no slide; --frames draws it", scenario.scene));
+    auto files = read_page_files();
+    if (!files) return tl::unexpected(files.error());
+    const sim::View world = session.view();
+    auto parts = std::make_unique<Parts>(scenario, std::move(proof), options);
+    parts->files = std::move(*files);
+    parts->camera = options.camera    ? *options.camera
+                    : scenario.camera ? *scenario.camera
+                    : scenario.model  ? render::overview(world)
+                                      : render::landscape_view(world);
+    render::FrameInput input{.world = world,
+                             .camera = parts->camera,
+                             .light = scenario.light,
+                             .look = scenario.look,
+                             .width = kWidth,
+                             .height = kHeight,
+                             .first_depth = scenario.depth};
+    parts->frame = render::make_frame_block(input, render::height_range(world), 1, std::nullopt);
+    parts->scenery = std::make_unique<Scenery>(scenario, world, parts->frame);
+    parts->frame = parts->scenery->frame();
+    if (auto packed = parts->pack_start(world); !packed) return tl::unexpected(packed.error());
+    if (auto added = parts->add_frame(session); !added) return tl::unexpected(added.error());
+    return SlidePage(std::move(parts));
+}
+
+Outcome<void> SlidePage::see(const Session& session) {
+    if (session.state().tick % parts_->options.every != 0) return {};
+    return parts_->add_frame(session);
+}
+
+Outcome<PageReport> SlidePage::write(const fs::path& file, const Session& session,
+                                     std::span<const TimedCommand> commands) {
+    Parts& p = *parts_;
+    if (session.state().tick != p.last_tick)
+        if (auto added = p.add_frame(session); !added) return tl::unexpected(added.error());
+    if (auto flushed = p.flush(); !flushed) return tl::unexpected(flushed.error());
+    const auto add_peak = [&](const char* name, const std::vector<float>& peak, double step) {
+        p.stream.add(name, to_doubles(peak), {step, 2, kPlane}, p.scenario.grid.nx);
+    };
+    add_peak("peak_depth", session.peaks().depth, static_cast<double>(kDepthQuantum));
+    add_peak("peak_speed", session.peaks().speed_plan, static_cast<double>(kSpeedQuantum));
+    p.scenery->pack_ends(p.stream, p.frames);
+    p.puffs.pack(p.stream);
+    const std::string fields = to_base64(p.stream.finish());
+
+    const std::string title = in_html(p.scenario.title), slide = in_script(p.info(session, commands));
+    const std::array<std::pair<std::string_view, std::string_view>, 5> slots{
+        {{"@TITLE@", title},
+         {"@STYLE@", p.files.style},
+         {"@SLIDE@", slide},
+         {"@FIELDS@", fields},
+         {"@PROGRAM@", p.files.program}}};
+    const std::string page = filled(p.files.frame, slots);
+    if (page.size() > p.options.most_bytes)
+        return unusable(fmt::format(
+            "--web: the page has {:.1f} MB, and {:.1f} are allowed. Use a larger --every or --size-limit",
+            static_cast<double>(page.size()) / 1e6, static_cast<double>(p.options.most_bytes) / 1e6));
+    if (auto written = write_text(file, page); !written) return tl::unexpected(written.error());
+    return PageReport{page.size(), p.frames};
+}
+
+}  // namespace game

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "game/base/outcome.h"
+#include "game/scene/scenario.h"
+#include "game/session/session.h"
+#include "render/camera.h"
+
+namespace game {
+
+struct PageOptions {
+    static constexpr std::int64_t kEvery = 6;  // ticks; between rarer states a front would jump by cells
+    std::int64_t every = kEvery;               // ticks between two states that are kept
+    std::uint64_t most_bytes = 32'000'000;     // of the page
+    std::optional<render::Camera> camera;      // none: the scenario's, or else a landscape view
+};
+
+struct PageReport {
+    std::uint64_t bytes = 0;
+    std::int64_t frames = 0;
+};
+
+// Writes a slide as one web page that plays it in a browser, with its numbers and its state hash. The page has
+// everything: the program and shaders of assets/web and assets/shaders, and the states as whole quanta. Equal slides
+// give equal pages. A view: it never affects the world. docs/web.md has the format.
+class SlidePage {
+  public:
+    // `session` at tick 0, following powder if the page is to have it. `proof`: the command that repeats the slide.
+    // Errors: a flow scene has no slide (status 2); the page's files are missing (status 3).
+    static Outcome<SlidePage> begin(const Scenario& scenario, const Session& session, std::string proof,
+                                    const PageOptions& options);
+    ~SlidePage();
+    SlidePage(SlidePage&&) noexcept;
+    SlidePage& operator=(SlidePage&&) noexcept;
+
+    // Call after each tick. Keeps what is due. Errors (status 2): the page has become too large; a depth or a speed is
+    // beyond what it keeps.
+    Outcome<void> see(const Session& session);
+    // Writes the page; the last state is in it. `commands`: all of the slide. Errors: as see(), or the file cannot be
+    // written (status 3).
+    Outcome<PageReport> write(const std::filesystem::path& file, const Session& session,
+                              std::span<const TimedCommand> commands);
+
+  private:
+    struct Parts;
+    explicit SlidePage(std::unique_ptr<Parts> parts);
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace game
