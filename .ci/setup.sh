@@ -39,6 +39,7 @@ tests|xvfb|a display without a screen|program Xvfb
 tests|xdotool|a mouse and a keyboard without hands|program xdotool
 tests|blackbox|a window manager, to minimise and to close|program blackbox
 tests|wmctrl|asks it to close a window|program wmctrl
+tests|chromium|opens the page of a slide|program chromium
 aarch64|g++-aarch64-linux-gnu|a compiler for 64-bit ARM|program aarch64-linux-gnu-g++
 aarch64|qemu-user|runs programs for 64-bit ARM|program qemu-aarch64
 aarch64|mmdebstrap|unpacks packages for 64-bit ARM|program mmdebstrap

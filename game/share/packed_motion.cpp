@@ -9,11 +9,11 @@
 namespace game {
 namespace {
 
-constexpr float kMostQuanta = 65535;
+constexpr double kMostQuanta = 65535;
 
 }  // namespace
 
-PackedMotion::PackedMotion(std::string name, int nx, int ny, float step)
+PackedMotion::PackedMotion(std::string name, int nx, int ny, double step)
     : name_(std::move(name)),
       nx_(nx),
       ny_(ny),
@@ -24,15 +24,14 @@ PackedMotion::PackedMotion(std::string name, int nx, int ny, float step)
       next_(now_) {}
 
 tl::expected<void, std::string> PackedMotion::take(std::span<const float> values) {
-    const float per_unit = 1 / step_;
+    const auto per_unit = static_cast<float>(1 / step_);
     for (std::size_t i = 0; i < values.size(); ++i) {
         const float quanta = values[i] * per_unit + 0.5f;
-        if (!(quanta >= 0 && quanta <= kMostQuanta))
+        if (!(quanta >= 0 && quanta <= static_cast<float>(kMostQuanta)))
             return tl::unexpected(
                 fmt::format("{:g}; a page keeps 0 to {:g}", values[i], kMostQuanta * step_));
         next_[i] = static_cast<std::uint32_t>(quanta);
-        worst_ = std::max(worst_, std::abs(static_cast<double>(next_[i]) * static_cast<double>(step_) -
-                                           static_cast<double>(values[i])));
+        worst_ = std::max(worst_, std::abs(next_[i] * step_ - static_cast<double>(values[i])));
     }
     return {};
 }

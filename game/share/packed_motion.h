@@ -17,7 +17,7 @@ class PackedMotion {
     static constexpr int kTile = 8;  // vertices along a side
 
     // Values are 0 to 65535 quanta of `step`.
-    PackedMotion(std::string name, int nx, int ny, float step);
+    PackedMotion(std::string name, int nx, int ny, double step);
 
     // Sets what is known before the first frame, one value per vertex, row 0 the south; without it all are 0. Errors: a
     // value is beyond the quanta; the fact has it, and nothing was set.
@@ -28,7 +28,7 @@ class PackedMotion {
     // Moves the frames until now into the stream. Call it now and then: they are kept in memory until then.
     void flush(PackedStream& into);
 
-    float step() const { return step_; }
+    double step() const { return step_; }
     double worst() const { return worst_; }  // largest error until now
     const std::string& name() const { return name_; }
 
@@ -38,8 +38,7 @@ class PackedMotion {
 
     std::string name_;
     int nx_, ny_, tiles_x_, tiles_y_;
-    float step_;
-    double worst_ = 0;
+    double step_, worst_ = 0;
     std::vector<std::uint32_t> now_, next_;
     std::vector<std::uint8_t> map_, low_, high_;
 };

@@ -34,8 +34,8 @@ namespace fs = std::filesystem;
 using enum Packing::Predict;
 
 constexpr int kPageFormat = 1;
-constexpr float kDepthQuantum = 0.01f, kSpeedQuantum = 0.125f, kShareQuantum = 1.f / 255;  // m, m/s
-constexpr double kGroundQuantum = 0.01;                                                    // m
+constexpr double kDepthQuantum = 0.01, kSpeedQuantum = 0.125, kShareQuantum = 1.0 / 255;  // m, m/s
+constexpr double kGroundQuantum = 0.01;                                                   // m
 constexpr std::int64_t kFramesAtOnce = 64;   // kept in memory until they are compressed
 constexpr int kWidth = 1280, kHeight = 720;  // of the picture whose uniforms the page begins with
 
@@ -214,8 +214,8 @@ struct Moment {
         lower_depth.resize(mixture.size() / 2);
         lower_rolling.resize(mixture.size() / 2);
         for (std::size_t i = 0; i < lower_depth.size(); ++i) {
-            lower_depth[i] = static_cast<float>(mixture[2 * i]) * kShareQuantum;
-            lower_rolling[i] = static_cast<float>(mixture[2 * i + 1]) * kShareQuantum;
+            lower_depth[i] = static_cast<float>(mixture[2 * i]) * static_cast<float>(kShareQuantum);
+            lower_rolling[i] = static_cast<float>(mixture[2 * i + 1]) * static_cast<float>(kShareQuantum);
         }
     }
 };
@@ -281,12 +281,11 @@ Outcome<void> SlidePage::Parts::pack_start(const sim::View& world) {
     for (const std::uint8_t known : scenario.has_data) holes.push_back(known ? 0 : 1);
     stream.add("site", holes, {1, 1, kNone});
     if (auto begun = depth.begin_with(moment.depth); !begun) return beyond(depth, begun.error());
-    stream.add("d0", depth.quanta(), 0, static_cast<double>(depth.step()), 2, kPlane, scenario.grid.nx);
+    stream.add("d0", depth.quanta(), 0, depth.step(), 2, kPlane, scenario.grid.nx);
     if (scenario.lower) {
         if (auto begun = lower_depth.begin_with(moment.lower_depth); !begun)
             return beyond(lower_depth, begun.error());
-        stream.add("lower0", lower_depth.quanta(), 0, static_cast<double>(lower_depth.step()), 1, kPlane,
-                   scenario.grid.nx);
+        stream.add("lower0", lower_depth.quanta(), 0, lower_depth.step(), 1, kPlane, scenario.grid.nx);
     }
     scenery->pack(stream);
     stream.add("files", std::string_view(files.shaders.dump()));
@@ -328,9 +327,7 @@ Json SlidePage::Parts::info(const Session& session, std::span<const TimedCommand
             {"strength", powder.strength}, {"speed", powder.speed}, {"colour", colour_json(powder.colour)}};
     };
     const std::string block = to_base64({reinterpret_cast<const char*>(&frame), sizeof frame});
-    const auto quanta = [](const PackedMotion& motion) {
-        return Json{{"zero", 0}, {"step", static_cast<double>(motion.step())}};
-    };
+    const auto quanta = [](const PackedMotion& motion) { return Json{{"zero", 0}, {"step", motion.step()}}; };
     Json moves{{"d", quanta(depth)}, {"R", quanta(rolling)}, {"s", quanta(speed)}};
     if (scenario.lower) {
         moves["lower_d"] = quanta(lower_depth);
@@ -425,8 +422,8 @@ Outcome<PageReport> SlidePage::write(const fs::path& file, const Session& sessio
     const auto add_peak = [&](const char* name, const std::vector<float>& peak, double step) {
         p.stream.add(name, to_doubles(peak), {step, 2, kPlane}, p.scenario.grid.nx);
     };
-    add_peak("peak_depth", session.peaks().depth, static_cast<double>(kDepthQuantum));
-    add_peak("peak_speed", session.peaks().speed_plan, static_cast<double>(kSpeedQuantum));
+    add_peak("peak_depth", session.peaks().depth, kDepthQuantum);
+    add_peak("peak_speed", session.peaks().speed_plan, kSpeedQuantum);
     p.scenery->pack_ends(p.stream, p.frames);
     p.puffs.pack(p.stream);
     const std::string fields = to_base64(p.stream.finish());
