@@ -78,6 +78,10 @@ void Scenery::pack_surroundings(PackedStream& into) const {
     into.add("cover_d", depth, {0.01, 2, kPlane}, around_.columns());
     if (frame_.lower_standing.w > 0) into.add("cover_l", lower, {kShare, 1, kPlane}, around_.columns());
 
+    const std::vector<double> rough(around_.rough_heights().begin(), around_.rough_heights().end());
+    into.add("rough", rough, {1, 2, kPlane},
+             render::Surroundings::kRough);  // for the camera, not for the eye
+
     const render::SurroundingsMesh mesh = render::surroundings_mesh(around_);
     std::vector<float> sun;
     render::sunlit(around_, mesh.vertices, glm::dvec3(frame_.sun), sun);
