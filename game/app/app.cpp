@@ -260,10 +260,12 @@ void App::watch_slide() {
         return sliding_since_.reset();
     if (!sim::at_rest(session.state())) {
         if (!sliding_since_) sliding_since_ = session.seconds();
+        slide_ended_ = false;
         return;
     }
     const auto since = std::exchange(sliding_since_, std::nullopt);
     if (!since || session.seconds() - *since < kSlide) return;
+    slide_ended_ = true;
     tell(fmt::format("The slide has come to rest after {:.0f} s. {} shares it as a web page",
                      session.seconds() - *since, name_of(Verb::kShare)));
 }
@@ -291,6 +293,7 @@ void App::take_over_at_end() {
     const Verdict verdict = *sandbox_->verdict();
     const bool proven = verdict.proven_tick == sandbox_->known_until();
     take_over();
+    slide_ended_ = true;
     if (verdict.parted)
         warn(fmt::format("End of the recording. Its replay differs: {}. You can continue from here",
                          *verdict.parted));
@@ -303,7 +306,10 @@ void App::take_over_at_end() {
             "End of the recording. It has no state up to its end to compare with. You can continue from "
             "here");
     else
-        tell("End of the recording, replayed bit for bit. You can continue from here");
+        tell(
+            fmt::format("End of the recording, replayed bit for bit. You can continue from here; {} shares "
+                        "it as a web page",
+                        name_of(Verb::kShare)));
 }
 
 render::Marks App::marks() const {
@@ -556,6 +562,7 @@ void App::draw_panels() {
             .now_s = now_s_,
             .image = drawn_,
             .sharing = sharing_.progress(),
+            .slide_ended = slide_ended_,
         },
         actions_);
     ui_.draw();

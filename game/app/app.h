@@ -191,6 +191,7 @@ class App {
     bool leaving_ = false;
 
     std::optional<double> sliding_since_;  // s of the world, while something moves
+    bool slide_ended_ = false;             // and was not shared since
     bool screenshot_asked_ = false;
     Screenshots screenshots_;  // being written
     Sharing sharing_;

@@ -248,10 +248,7 @@ void App::reset() {
 
 void App::share() {
     const Session& session = sandbox_->session();
-    if (const auto done = sharing_.progress())
-        return tell(
-            fmt::format("A slide is being shared: {:.0f} % of its page is done. Share the next one after it",
-                        100 * *done));
+    if (sharing_.progress()) return tell("A slide is being shared already. Share the next one after it");
     if (sandbox_->scenario().flow) return tell("A flow demo cannot be shared: it has no slide to play");
     // In the first tick all is looked at, so that it counts as changed.
     if (sandbox_->known_until() == session.state().tick && session.changed_at() <= 1)
@@ -263,6 +260,7 @@ void App::share() {
                                {.camera = camera_->camera()});
     else
         begun = tl::unexpected(recorded.error());
+    slide_ended_ = false;
     if (!begun) warn(fmt::format("This slide cannot be shared: {}", begun.error().sentence));
 }
 
@@ -278,9 +276,8 @@ void App::tell_results() {
     if (!shared) return;
     if (!*shared) return warn(fmt::format("This slide was not shared: {}", shared->error().sentence));
     constexpr double kMegabyte = 1e6;
-    tell(fmt::format("Shared in {}: {}, {:.1f} MB, opens in any browser; {} is its recording",
-                     (*shared)->folder.string(), Sharing::kPage,
-                     static_cast<double>((*shared)->page.bytes) / kMegabyte, Sharing::kRecording));
+    tell(fmt::format("Shared: a page of {:.1f} MB for any browser, and its recording, in {}",
+                     static_cast<double>((*shared)->page.bytes) / kMegabyte, (*shared)->folder.string()));
     if (display_.shows_shared) show_folder((*shared)->folder);
 }
 
@@ -339,6 +336,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     if (!same) touched_ = false;  // after a restart of the same scene the hint is not needed
     seeking_.reset();
     sliding_since_.reset();
+    slide_ended_ = false;
     takes_over_there_ = false;
     clock_.run_back(false);
     if (!same) {

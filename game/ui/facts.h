@@ -47,6 +47,7 @@ struct Facts {
     double now_s = 0;                    // screen's clock
     ImageSize image = {};                // of the world, as last drawn
     std::optional<double> sharing = {};  // 0 to 1, how much of the page of a shared slide is done
+    bool slide_ended = false;            // it has come to rest, and was not shared yet
 };
 
 }  // namespace game::ui

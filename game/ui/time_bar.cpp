@@ -59,7 +59,7 @@ void controls(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::SameLine();
     ImGui::BeginDisabled(facts.sharing.has_value());
     if (verb_button(desk, "Share", Icon::kShare, Verb::kShare,
-                    "writes this slide as a web page to send to a friend."))
+                    "writes this slide as a web page to send to a friend.", facts.slide_ended))
         actions.emplace_back(Verb::kShare);
     ImGui::EndDisabled();
 }

@@ -691,7 +691,7 @@ TEST_F(Sending, shares_page_and_recording_and_opens_their_folder) {
     EXPECT_TRUE(app_->is_sharing());
     tap(function_key(10));
     EXPECT_NE(last_notice().find("is being shared"), std::string::npos) << last_notice();
-    wait_until_told("Shared in ");
+    wait_until_told("Shared: ");
     ASSERT_EQ(shared().size(), 1u);
     EXPECT_NE(last_notice().find(shared()[0].string()), std::string::npos) << last_notice();
     EXPECT_EQ(shared()[0].filename().string().rfind("alpine-valley-", 0), 0u);
