@@ -6,6 +6,13 @@ const kSlideBlock = 4, kSlideReach = 3, kWallReach = 2;  // vertices: render/sli
 const kCoarsest = 4, kFinest = 2;                      // divisors of the resolution for powder
 const kLeastBudget = 30000, kBudgetPerSample = 0.07;   // pixels of puffs
 const kDebrisTiles = 9;                                // along the longer side
+// What is packed of each vertex of structures, and of their ropes and shadows, in the order of their shaders' attributes.
+const kBuiltColumns = {
+    built: ['x', 'y', 'z', 'material', 'normal_x', 'normal_y', 'normal_z', 'number', 'across', 'up', 'light', 'own', 'rests_x', 'rests_y',
+            'rests_z', 'rests'],
+    ropes: ['x', 'y', 'z', 'side', 'along_x', 'along_y', 'along_z', 'half'],
+    shadows: ['x', 'y', 'z', 'strength', 'foot_x', 'foot_y', 'foot_z', 'zero'],
+};
 const kTreesInARow = 256;                              // tree_texture.glsl
 
 class Picture {
@@ -64,6 +71,12 @@ class Picture {
                                         slide.info.two ? 'surroundings_two.glsl' : 'surroundings_one.glsl']);
         else
             this.programs.walls = add([...frame, 'terrain.vert'], [...lit, 'gather.glsl', 'walls.frag']);
+        if (slide.info.arrays['built.x'])
+            Object.assign(this.programs, {
+                built: add([...lit, 'triangle_height.glsl', 'structure.vert'], [...frame, 'structure.frag']),
+                ropes: add([...lit, 'rope.vert'], ['rope.frag']),
+                shadows: add([...lit, 'triangle_height.glsl', 'structure_shadow.vert'], ['structure_shadow.frag']),
+            });
         if (slide.info.arrays['trees.x']) {
             const tree = (vertex, fragment) => add([...light, 'tree.glsl', 'tree_texture.glsl', vertex], ['slots.glsl', fragment]);
             Object.assign(this.programs, {
@@ -208,6 +221,7 @@ class Picture {
         this.side = (Math.max(nx, ny) - 1) * slide.info.grid.dx;
         if (this.programs.debris) this.makeDebris();
         if (slide.info.surroundings) this.makeSurroundings();
+        if (this.programs.built) this.makeBuilt();
         if (this.programs.treeNear) this.makeTrees();
         if (this.programs.puffs) this.makePowder();
     }
@@ -340,6 +354,24 @@ class Picture {
         for (const which of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, which, gl.CLAMP_TO_EDGE);
     }
 
+    makeBuilt() {
+        const {gl, slide} = this;
+        this.built = {};
+        for (const [table, names] of Object.entries(kBuiltColumns)) {
+            const columns = names.map(name => slide.array(`${table}.${name}`)), width = columns.length;
+            if (!columns[0]) continue;
+            const vertices = new Float32Array(width * columns[0].length), array = gl.createVertexArray();
+            columns.forEach((column, k) => column.forEach((value, i) => vertices[width * i + k] = value));
+            gl.bindVertexArray(array);
+            gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+            gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.STATIC_DRAW);
+            for (let i = 0; 4 * i < width; ++i) this.attribute(i, 4, 4 * width, 16 * i);
+            const [first, count, from, until] = ['first', 'count', 'from', 'until'].map(name => slide.array(`${table}.${name}`));
+            this.built[table] = {array, pieces: Array.from(first, (_, i) => ({first: first[i], count: count[i], from: from[i], until: until[i]}))};
+        }
+        gl.bindVertexArray(null);
+    }
+
     makeTrees() {
         const {gl, slots} = this;
         this.trees = new TreesInView(this.slide, [...this.floats('sun')].slice(0, 3), slots);
@@ -437,6 +469,8 @@ class Picture {
         this.mark('powder');
         this.drawSky();
         this.mark('sky');
+        if (this.built) this.drawBuilt();
+        this.mark('structures');
         if (this.trees) this.drawTrees();
         this.mark('trees');
         if (powdery) this.layCloudOver();
@@ -718,6 +752,29 @@ class Picture {
         this.bind(this.slots.SLOT_SKY, sky);
         this.into(frames.scene);
         this.enabled([gl.DEPTH_TEST], () => this.fill(this.programs.lights));
+    }
+
+    // What people have built, as it is in the stored frame before the moment.
+    drawBuilt() {
+        const {gl, slide, programs} = this, frame = Math.min(Math.floor(slide.tick / slide.info.every), slide.info.frames - 1);
+        const draw = table => {
+            if (!this.built[table]) return;
+            const {array, pieces} = this.built[table];
+            programs[table].use();
+            gl.bindVertexArray(array);
+            for (const {first, count, from, until} of pieces) if (from <= frame && frame < until) gl.drawArrays(gl.TRIANGLES, first, count);
+        };
+        this.enabled([gl.DEPTH_TEST], () => {
+            draw('built');
+            gl.depthMask(false);
+            // A shadow lies on the ground as triangles, which are a little above it everywhere.
+            gl.polygonOffset(2, 8);
+            gl.blendFunc(gl.ZERO, gl.SRC_COLOR);
+            this.enabled([gl.BLEND, gl.POLYGON_OFFSET_FILL], () => draw('shadows'));
+            gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+            this.enabled([gl.BLEND], () => draw('ropes'));
+            gl.depthMask(true);
+        });
     }
 
     drawTrees() {
