@@ -57,6 +57,7 @@ class Picture {
             sky: add(fullscreen, [...light, 'sky.frag']),
             lights: add(fullscreen, [...frame, 'sky_lights.frag', this.number('above', 3) > 0 ? 'stars.glsl' : 'stars_none.glsl']),
             tone: add(fullscreen, ['slots.glsl', 'tone_curve.glsl', 'encoded_before.glsl', 'tone.frag', 'encoded.frag']),
+            copied: add(fullscreen, ['slots.glsl', 'copied.frag']),
             edgeMarks: add(fullscreen, ['slots.glsl', 'gather.glsl', 'edges_mark.frag']),
             edges: add(fullscreen, ['slots.glsl', 'gather.glsl', 'edges.frag']),
         };
@@ -885,17 +886,17 @@ class Picture {
         });
     }
 
-    // Maps light to what a screen shows, into the canvas.
+    // Maps light to what a screen shows, and draws that on the canvas: Chromium does not see what is blitted there.
     show() {
-        const {gl, slots} = this, {width, height, frames, colour} = this.target;
+        const {slots} = this, {frames, colour, stepped, smooth} = this.target;
         this.bind(slots.SLOT_COLOUR, colour);
         this.bind(slots.SLOT_PICTURE, null);
         this.into(frames.stepped);
         this.fill(this.programs.tone);
         if (this.scale === 1) this.smoothEdges();
-        gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.scale === 1 ? frames.smooth : frames.stepped);
-        gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
-        gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+        this.bind(slots.SLOT_PICTURE, this.scale === 1 ? smooth : stepped);
+        this.into(null);
+        this.fill(this.programs.copied);
     }
 
     // Of a picture with one sample per pixel.
