@@ -52,6 +52,7 @@ class Picture {
             openness: add(fullscreen, [...frame, 'openness.glsl', 'openness.frag']),
             surface: add(fullscreen, [...frame, 'cover.glsl', 'surface.glsl', 'surface.frag']),
             detailHeights: add(fullscreen, ['slots.glsl', 'detail_heights.frag']),
+            detailRange: add(fullscreen, ['slots.glsl', 'detail_range.frag']),
             detailLayer: add(fullscreen, ['slots.glsl', 'detail_layer.frag']),
             depth: add([...frame, 'terrain.vert'], ['depth.frag']),
             sky: add(fullscreen, [...light, 'sky.frag']),
@@ -107,6 +108,12 @@ class Picture {
                                     make('slides.glsl', 'crown.glsl')]);
         }
         return this.shadings.get(key);
+    }
+
+    // Begins to compile what is needed once a legend or a point is chosen.
+    prepareMarks() {
+        if (this.gl.isContextLost()) return;
+        for (const overlay of ['overlay.glsl', 'overlay_none.glsl']) this.shading('marks.glsl', overlay);
     }
 
     // ---- the uniforms of the frame ----
@@ -196,6 +203,7 @@ class Picture {
 
         this.site = slide.array('site') || new Float32Array(nx * ny);
         this.firstDepth = slide.array('d0');
+        this.makeDetail();
         const field = (slot, format, filter, data) => this.texture(slots[slot], format, nx, ny, filter, data);
         field('SLOT_BEDROCK', gl.R32F, gl.NEAREST, slide.array('bed'));
         field('SLOT_SITE', gl.R8UI, gl.NEAREST, Uint8Array.from(this.site));
@@ -217,7 +225,6 @@ class Picture {
         gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer([this.fields.openness]));
         this.fill(this.programs.openness);
         this.bind(slots.SLOT_OPENNESS, this.fields.openness);
-        this.makeDetail();
         this.makeMesh();
         this.side = (Math.max(nx, ny) - 1) * slide.info.grid.dx;
         if (this.programs.debris) this.makeDebris();
@@ -229,38 +236,47 @@ class Picture {
 
     // Small relief, as render/detail.cpp makes it.
     makeDetail() {
-        const {gl, slots} = this, size = kDetailSize, unit = slots.SLOT_DETAIL;
-        const heights = this.texture(unit, gl.RGBA32F, size, size, gl.NEAREST);
-        const heightsFrame = this.framebuffer([heights]), values = new Float32Array(4 * size * size);
-        gl.viewport(0, 0, size, size);
-        this.programs.detailHeights.use();
-        gl.uniform1f(this.programs.detailHeights.at('texels'), size);
-        this.bind(unit, null);
-        this.fill(this.programs.detailHeights);
-        gl.readPixels(0, 0, size, size, gl.RGBA, gl.FLOAT, values);
-        const lowest = [Infinity, Infinity, Infinity, Infinity], highest = lowest.map(edge => -edge);
-        for (let i = 0; i < values.length; ++i) {
-            lowest[i & 3] = Math.min(lowest[i & 3], values[i]);
-            highest[i & 3] = Math.max(highest[i & 3], values[i]);
-        }
+        const {gl, slots, programs} = this, size = kDetailSize, unit = slots.SLOT_DETAIL, halfway = Math.sqrt(size / 2), buffers = [];
+        const target = (edge, count) => {
+            const textures = Array.from({length: count}, () => this.texture(unit, gl.RGBA32F, edge, edge, gl.NEAREST));
+            buffers.push(this.framebuffer(textures));
+            gl.viewport(0, 0, edge, edge);
+            this.bind(unit, null);
+            return textures;
+        };
+        const heights = target(size, 1);
+        programs.detailHeights.use();
+        gl.uniform1f(programs.detailHeights.at('texels'), size);
+        this.fill(programs.detailHeights);
+
+        // The lowest and the highest, in two steps.
+        let range = [heights[0], heights[0]];
+        const ranges = [halfway, 1].map((edge, step) => {
+            const next = target(edge, 2);
+            this.bind(slots.SLOT_BEDROCK, range[0]);
+            this.bind(slots.SLOT_DEPTH, range[1]);
+            programs.detailRange.use();
+            gl.uniform1i(programs.detailRange.at('edge'), step === 0 ? size / halfway : halfway);
+            this.fill(programs.detailRange);
+            return range = next;
+        });
 
         const detail = gl.createTexture(), layerFrame = gl.createFramebuffer();
         gl.bindTexture(gl.TEXTURE_2D_ARRAY, detail);
         gl.texStorage3D(gl.TEXTURE_2D_ARRAY, Math.log2(size) + 1, gl.RGBA8, size, size, slots.DETAIL_LAYERS);
-        gl.bindTexture(gl.TEXTURE_2D_ARRAY, null);
-        this.bind(unit, heights);
-        this.programs.detailLayer.use();
-        gl.uniform4fv(this.programs.detailLayer.at('lowest'), lowest);
-        gl.uniform4fv(this.programs.detailLayer.at('span'), highest.map((high, i) => high - lowest[i]));
+        this.bind(slots.SLOT_BEDROCK, range[0]);
+        this.bind(slots.SLOT_DEPTH, range[1]);
+        this.bind(unit, heights[0]);
+        programs.detailLayer.use();
         gl.bindFramebuffer(gl.FRAMEBUFFER, layerFrame);
+        gl.viewport(0, 0, size, size);
         for (let layer = 0; layer < slots.DETAIL_LAYERS; ++layer) {
             gl.framebufferTextureLayer(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, detail, 0, layer);
-            gl.uniform1i(this.programs.detailLayer.at('layer'), layer);
-            this.fill(this.programs.detailLayer);
+            gl.uniform1i(programs.detailLayer.at('layer'), layer);
+            this.fill(programs.detailLayer);
         }
-        gl.deleteFramebuffer(layerFrame);
-        gl.deleteFramebuffer(heightsFrame);
-        gl.deleteTexture(heights);
+        for (const buffer of [...buffers, layerFrame]) gl.deleteFramebuffer(buffer);
+        for (const texture of [...heights, ...ranges.flat()]) gl.deleteTexture(texture);
         gl.activeTexture(gl.TEXTURE0 + unit);
         gl.bindTexture(gl.TEXTURE_2D_ARRAY, detail);
         gl.generateMipmap(gl.TEXTURE_2D_ARRAY);
@@ -478,6 +494,7 @@ class Picture {
         this.mark('powder over');
         this.show();
         this.mark('tone and edges');
+        if (!this.prepared) this.prepared = setTimeout(() => this.prepareMarks());
     }
 
     // While passes are measured: waits for the last one and notes its time.
@@ -927,7 +944,7 @@ class Picture {
         const {gl} = this, {width, height, frames} = this.target, bytes = new Uint8Array(4 * width * height);
         gl.bindFramebuffer(gl.FRAMEBUFFER, this.scale === 1 ? frames.smooth : frames.stepped);
         gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-        return {width, height, bytes};
+        return {width, height, p: bytes};
     }
 
     // Mean ms of each pass and of all, over some pictures of what draw() takes.
@@ -940,11 +957,5 @@ class Picture {
         const times = Object.fromEntries(Object.entries(this.passes).map(([pass, ms]) => [pass, ms / count]));
         this.passes = null;
         return {...times, all: Object.values(times).reduce((a, b) => a + b, 0)};
-    }
-
-    dispose() {
-        this.shaders.dispose();
-        const lose = this.gl.getExtension('WEBGL_lose_context');
-        if (lose) lose.loseContext();
     }
 }
