@@ -820,7 +820,7 @@ class Picture {
             gl.polygonOffset(2, 8);
             this.enabled([gl.BLEND, gl.POLYGON_OFFSET_FILL], () => draw(treeShadow, 3, 0, withShadow));
             gl.depthMask(true);
-            draw(treeNear, slots.TREE_VERTICES, 0, near);
+            draw(treeNear, 3 * (slots.TREE_TIERS * slots.TREE_SIDES + 3), 0, near);  // TREE_VERTICES
             draw(treeFar, 3, near, far);
             draw(treePlain, 3, near + far, trees.standing.length - near - far);
         });
