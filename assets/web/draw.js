@@ -5,7 +5,14 @@ const kScreenTile = 32;                                // samples along an edge
 const kSlideBlock = 4, kSlideReach = 3, kWallReach = 2;  // vertices: render/slide_tiles.cpp
 const kCoarsest = 4, kFinest = 2;                      // divisors of the resolution for powder
 const kLeastBudget = 30000, kBudgetPerSample = 0.07;   // pixels of puffs
-const kTreesInARow = 256;                              // tree_texture.glsl
+const kDebrisTiles = 9;                                // along the longer side
+// What is packed of each vertex of structures, and of their ropes and shadows, in the order of their shaders' attributes.
+const kBuiltColumns = {
+    built: ['x', 'y', 'z', 'material', 'normal_x', 'normal_y', 'normal_z', 'number', 'across', 'up', 'light', 'own', 'rests_x', 'rests_y',
+            'rests_z', 'rests'],
+    ropes: ['x', 'y', 'z', 'side', 'along_x', 'along_y', 'along_z', 'half'],
+    shadows: ['x', 'y', 'z', 'strength', 'foot_x', 'foot_y', 'foot_z', 'zero'],
+};
 
 class Picture {
     // Throws an error whose message is a sentence for the viewer.
@@ -44,14 +51,18 @@ class Picture {
             openness: add(fullscreen, [...frame, 'openness.glsl', 'openness.frag']),
             surface: add(fullscreen, [...frame, 'cover.glsl', 'surface.glsl', 'surface.frag']),
             detailHeights: add(fullscreen, ['slots.glsl', 'detail_heights.frag']),
+            detailRange: add(fullscreen, ['slots.glsl', 'detail_range.frag']),
             detailLayer: add(fullscreen, ['slots.glsl', 'detail_layer.frag']),
             depth: add([...frame, 'terrain.vert'], ['depth.frag']),
             sky: add(fullscreen, [...light, 'sky.frag']),
             lights: add(fullscreen, [...frame, 'sky_lights.frag', this.number('above', 3) > 0 ? 'stars.glsl' : 'stars_none.glsl']),
             tone: add(fullscreen, ['slots.glsl', 'tone_curve.glsl', 'encoded_before.glsl', 'tone.frag', 'encoded.frag']),
+            copied: add(fullscreen, ['slots.glsl', 'copied.frag']),
             edgeMarks: add(fullscreen, ['slots.glsl', 'gather.glsl', 'edges_mark.frag']),
             edges: add(fullscreen, ['slots.glsl', 'gather.glsl', 'edges.frag']),
         };
+        if (slide.info.texture)
+            this.programs.debris = add(['rectangles.vert'], [...frame, 'window_depth.glsl', 'debris.frag', 'grain.glsl', 'paint_blended.glsl']);
         this.materials = slide.info.two ? 'materials_two.glsl' : 'materials_one.glsl';
         this.shadings = new Map();
         this.shading('marks_none.glsl');
@@ -61,6 +72,12 @@ class Picture {
                                         slide.info.two ? 'surroundings_two.glsl' : 'surroundings_one.glsl']);
         else
             this.programs.walls = add([...frame, 'terrain.vert'], [...lit, 'gather.glsl', 'walls.frag']);
+        if (slide.info.arrays['built.x'])
+            Object.assign(this.programs, {
+                built: add([...lit, 'triangle_height.glsl', 'structure.vert'], [...frame, 'structure.frag']),
+                ropes: add([...lit, 'rope.vert'], ['rope.frag']),
+                shadows: add([...lit, 'triangle_height.glsl', 'structure_shadow.vert'], ['structure_shadow.frag']),
+            });
         if (slide.info.arrays['trees.x']) {
             const tree = (vertex, fragment) => add([...light, 'tree.glsl', 'tree_texture.glsl', vertex], ['slots.glsl', fragment]);
             Object.assign(this.programs, {
@@ -92,6 +109,12 @@ class Picture {
         return this.shadings.get(key);
     }
 
+    // Begins to compile what is needed once a legend or a point is chosen.
+    prepareMarks() {
+        if (this.gl.isContextLost()) return;
+        for (const overlay of ['overlay.glsl', 'overlay_none.glsl']) this.shading('marks.glsl', overlay);
+    }
+
     // ---- the uniforms of the frame ----
 
     // Where a member of the block of frame.glsl lies, in bytes; in C++ and in std140 all are packed alike.
@@ -111,20 +134,21 @@ class Picture {
     integers(member) { return new Int32Array(this.block, this.place(member), 4); }
     number(member, part) { return this.floats(member)[part]; }
 
-    setFrame(view, overlay, cursor) {
+    setFrame(overlay, cursor) {
+        const {gl, view} = this;
         this.floats('clip_from_world', 16).set(view.clip);
         this.floats('eye').set(view.eye);  // and keeps its w
         this.floats('ray_forward').set([...view.forward, view.near]);
         this.floats('ray_right').set(view.right);
         this.floats('ray_up').set(view.up);
-        this.floats('material').set([view.pixel, 1], 1);
-        this.floats('flow').fill(0);  // no texture moves with the flow
+        this.floats('material').set([view.pixel, Math.max(this.scale, 1)], 1);
+        this.floats('flow').set(this.debrisTint ? [kDebrisTiles / this.side, this.slots.FLOW_ROLLING, 0, 0] : [0, 0, 0, 0]);
+        if (this.debrisTint) this.floats('flow_tint').set(this.debrisTint);
         const cell = this.slide.info.grid.dx;
         this.floats('ring').set(cursor ? [cursor.x, cursor.y, cursor.radius || 1.5 * cell, 1] : [0, 0, 0, 0]);
         this.floats('ring_colour').set([1, 0.55, 0.05, 0]);
         this.integers('overlay').set(overlay ? [this.slots.OVERLAY_SPEED, overlay.stops.length, overlay.stepped ? 1 : 0, 0] : [0, 0, 0, 0]);
         if (overlay) this.floats('stops', 4 * overlay.stops.length).set(this.legend(overlay));
-        const {gl} = this;
         gl.bindBufferBase(gl.UNIFORM_BUFFER, this.slots.SLOT_FRAME, this.frameBuffer);
         gl.bufferSubData(gl.UNIFORM_BUFFER, 0, this.block);
     }
@@ -155,7 +179,7 @@ class Picture {
         if (data instanceof Float32Array)
             gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, [gl.RED, gl.RG, gl.RGB, gl.RGBA][parts - 1], gl.FLOAT, data);
         else
-            gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, parts === 1 ? gl.RED_INTEGER : gl.RG, gl.UNSIGNED_BYTE, data);
+            gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, [gl.RED_INTEGER, gl.RG, gl.RGB, gl.RGBA][parts - 1], gl.UNSIGNED_BYTE, data);
     }
 
     framebuffer(colours, depth = null) {
@@ -178,6 +202,7 @@ class Picture {
 
         this.site = slide.array('site') || new Float32Array(nx * ny);
         this.firstDepth = slide.array('d0');
+        this.makeDetail();
         const field = (slot, format, filter, data) => this.texture(slots[slot], format, nx, ny, filter, data);
         field('SLOT_BEDROCK', gl.R32F, gl.NEAREST, slide.array('bed'));
         field('SLOT_SITE', gl.R8UI, gl.NEAREST, Uint8Array.from(this.site));
@@ -199,51 +224,76 @@ class Picture {
         gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer([this.fields.openness]));
         this.fill(this.programs.openness);
         this.bind(slots.SLOT_OPENNESS, this.fields.openness);
-        this.makeDetail();
         this.makeMesh();
+        this.side = (Math.max(nx, ny) - 1) * slide.info.grid.dx;
+        if (this.programs.debris) this.makeDebris();
         if (slide.info.surroundings) this.makeSurroundings();
+        if (this.programs.built) this.makeBuilt();
         if (this.programs.treeNear) this.makeTrees();
         if (this.programs.puffs) this.makePowder();
     }
 
     // Small relief, as render/detail.cpp makes it.
     makeDetail() {
-        const {gl, slots} = this, size = kDetailSize, unit = slots.SLOT_DETAIL;
-        const heights = this.texture(unit, gl.RGBA32F, size, size, gl.NEAREST);
-        const heightsFrame = this.framebuffer([heights]), values = new Float32Array(4 * size * size);
-        gl.viewport(0, 0, size, size);
-        this.programs.detailHeights.use();
-        gl.uniform1f(this.programs.detailHeights.at('texels'), size);
-        this.bind(unit, null);
-        this.fill(this.programs.detailHeights);
-        gl.readPixels(0, 0, size, size, gl.RGBA, gl.FLOAT, values);
-        const lowest = [Infinity, Infinity, Infinity, Infinity], highest = lowest.map(edge => -edge);
-        for (let i = 0; i < values.length; ++i) {
-            lowest[i & 3] = Math.min(lowest[i & 3], values[i]);
-            highest[i & 3] = Math.max(highest[i & 3], values[i]);
-        }
+        const {gl, slots, programs} = this, size = kDetailSize, unit = slots.SLOT_DETAIL, halfway = Math.sqrt(size / 2), buffers = [];
+        const target = (edge, count) => {
+            const textures = Array.from({length: count}, () => this.texture(unit, gl.RGBA32F, edge, edge, gl.NEAREST));
+            buffers.push(this.framebuffer(textures));
+            gl.viewport(0, 0, edge, edge);
+            this.bind(unit, null);
+            return textures;
+        };
+        const heights = target(size, 1);
+        programs.detailHeights.use();
+        gl.uniform1f(programs.detailHeights.at('texels'), size);
+        this.fill(programs.detailHeights);
+
+        // The lowest and the highest, in two steps.
+        let range = [heights[0], heights[0]];
+        const ranges = [halfway, 1].map((edge, step) => {
+            const next = target(edge, 2);
+            this.bind(slots.SLOT_BEDROCK, range[0]);
+            this.bind(slots.SLOT_DEPTH, range[1]);
+            programs.detailRange.use();
+            gl.uniform1i(programs.detailRange.at('edge'), step === 0 ? size / halfway : halfway);
+            this.fill(programs.detailRange);
+            return range = next;
+        });
 
         const detail = gl.createTexture(), layerFrame = gl.createFramebuffer();
         gl.bindTexture(gl.TEXTURE_2D_ARRAY, detail);
         gl.texStorage3D(gl.TEXTURE_2D_ARRAY, Math.log2(size) + 1, gl.RGBA8, size, size, slots.DETAIL_LAYERS);
-        gl.bindTexture(gl.TEXTURE_2D_ARRAY, null);
-        this.bind(unit, heights);
-        this.programs.detailLayer.use();
-        gl.uniform4fv(this.programs.detailLayer.at('lowest'), lowest);
-        gl.uniform4fv(this.programs.detailLayer.at('span'), highest.map((high, i) => high - lowest[i]));
+        this.bind(slots.SLOT_BEDROCK, range[0]);
+        this.bind(slots.SLOT_DEPTH, range[1]);
+        this.bind(unit, heights[0]);
+        programs.detailLayer.use();
         gl.bindFramebuffer(gl.FRAMEBUFFER, layerFrame);
+        gl.viewport(0, 0, size, size);
         for (let layer = 0; layer < slots.DETAIL_LAYERS; ++layer) {
             gl.framebufferTextureLayer(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, detail, 0, layer);
-            gl.uniform1i(this.programs.detailLayer.at('layer'), layer);
-            this.fill(this.programs.detailLayer);
+            gl.uniform1i(programs.detailLayer.at('layer'), layer);
+            this.fill(programs.detailLayer);
         }
-        gl.deleteFramebuffer(layerFrame);
-        gl.deleteFramebuffer(heightsFrame);
-        gl.deleteTexture(heights);
+        for (const buffer of [...buffers, layerFrame]) gl.deleteFramebuffer(buffer);
+        for (const texture of [...heights, ...ranges.flat()]) gl.deleteTexture(texture);
         gl.activeTexture(gl.TEXTURE0 + unit);
         gl.bindTexture(gl.TEXTURE_2D_ARRAY, detail);
         gl.generateMipmap(gl.TEXTURE_2D_ARRAY);
         gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_NEAREST);
+    }
+
+    // Its mean colour is that of the rolling layer.
+    makeDebris() {
+        const {gl, slots} = this, debris = new Debris(kDebrisOf[this.slide.info.texture]), size = kDebrisSize;
+        gl.activeTexture(gl.TEXTURE0 + slots.SLOT_GRAIN);
+        gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+        gl.texStorage2D(gl.TEXTURE_2D, Math.log2(size) + 1, gl.RGBA8, size, size);
+        gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, size, size, gl.RGBA, gl.UNSIGNED_BYTE, debris.grain(slots.STEEPEST_GRAIN));
+        gl.generateMipmap(gl.TEXTURE_2D);
+        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_NEAREST);
+        this.texture(slots.SLOT_PAINT, gl.SRGB8_ALPHA8, 256, 1, gl.LINEAR, debris.colours());
+        const mean = debris.meanColour();
+        this.debrisTint = [...this.floats('rolling')].slice(0, 3).map((part, k) => part / mean[k]);
     }
 
     // Indices of the surface and of the walls of the block: render/ground_mesh.cpp.
@@ -320,11 +370,29 @@ class Picture {
         for (const which of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, which, gl.CLAMP_TO_EDGE);
     }
 
+    makeBuilt() {
+        const {gl, slide} = this;
+        this.built = {};
+        for (const [table, names] of Object.entries(kBuiltColumns)) {
+            const columns = names.map(name => slide.array(`${table}.${name}`)), width = columns.length;
+            if (!columns[0]) continue;
+            const vertices = new Float32Array(width * columns[0].length), array = gl.createVertexArray();
+            columns.forEach((column, k) => column.forEach((value, i) => vertices[width * i + k] = value));
+            gl.bindVertexArray(array);
+            gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+            gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.STATIC_DRAW);
+            for (let i = 0; 4 * i < width; ++i) this.attribute(i, 4, 4 * width, 16 * i);
+            const [first, count, from, until] = ['first', 'count', 'from', 'until'].map(name => slide.array(`${table}.${name}`));
+            this.built[table] = {array, pieces: Array.from(first, (_, i) => ({first: first[i], count: count[i], from: from[i], until: until[i]}))};
+        }
+        gl.bindVertexArray(null);
+    }
+
     makeTrees() {
         const {gl, slots} = this;
         this.trees = new TreesInView(this.slide, [...this.floats('sun')].slice(0, 3), slots);
-        this.treeRows = Math.ceil(this.trees.x.length / kTreesInARow);
-        this.treeTexture = this.texture(slots.SLOT_UNITS, gl.RGBA32F, 5 * kTreesInARow, this.treeRows, gl.NEAREST);
+        const rows = Math.ceil(this.trees.x.length / kTreesInARow);
+        this.treeTexture = this.texture(slots.SLOT_UNITS, gl.RGBA32F, kTreeNumbers / 4 * kTreesInARow, rows, gl.NEAREST);
     }
 
     makePowder() {
@@ -363,6 +431,12 @@ class Picture {
             scene: this.framebuffer([colour], depth), ground: this.framebuffer([], ground), sky: this.framebuffer([sky]),
             air: this.framebuffer([colour]), stepped: this.framebuffer([stepped]), smooth: this.framebuffer([smooth]),
         };
+        if (this.programs.debris) {
+            const skin = ['SLOT_SKIN_ALBEDO', 'SLOT_SKIN_RELIEF'].map(slot => this.texture(slots[slot], gl.RGBA16F, width, height, gl.NEAREST));
+            textures.push(...skin);
+            target.skin = skin;
+            frames.skin = this.framebuffer(skin);
+        }
         const marks = gl.createRenderbuffer();
         gl.bindRenderbuffer(gl.RENDERBUFFER, marks);
         gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH24_STENCIL8, width, height);
@@ -386,19 +460,23 @@ class Picture {
     // ---- drawing ----
 
     // Draws the slide at its moment into the canvas. `overlay`: of slide.info.overlays, or null; `cursor`: a point of the
-    // ground, or null.
-    draw({view, overlay = null, cursor = null}) {
+    // ground, or null. `scale`: samples per pixel of the screen along an edge.
+    draw({view, overlay = null, cursor = null, scale = 1}) {
         const {gl} = this, width = gl.drawingBufferWidth, height = gl.drawingBufferHeight;
         if (gl.isContextLost()) return;
         this.resize(width, height);
-        this.setFrame(view, overlay, cursor);
+        this.scale = scale;
         this.view = view;
+        this.setFrame(overlay, cursor);
         this.frames = this.target.frames;
         this.began = performance.now();
         this.sendFields(overlay);
         this.mark('fields');
         this.drawDepth();
         this.mark('depth');
+        this.tiles = this.slideTiles();
+        if (this.programs.debris) this.drawDebris();
+        this.mark('debris');
         this.shadeTerrain(overlay, cursor);
         this.mark('terrain');
         this.drawAround();
@@ -407,12 +485,15 @@ class Picture {
         this.mark('powder');
         this.drawSky();
         this.mark('sky');
+        if (this.built) this.drawBuilt();
+        this.mark('structures');
         if (this.trees) this.drawTrees();
         this.mark('trees');
         if (powdery) this.layCloudOver();
         this.mark('powder over');
         this.show();
         this.mark('tone and edges');
+        if (!this.prepared) this.prepared = setTimeout(() => this.prepareMarks());
     }
 
     // While passes are measured: waits for the last one and notes its time.
@@ -539,6 +620,30 @@ class Picture {
         this.into(frames.scene);
     }
 
+    drawRectangles(corners) {
+        const {gl} = this;
+        if (corners.length === 0) return;
+        gl.bindVertexArray(this.rectangleArray);
+        gl.bindBuffer(gl.ARRAY_BUFFER, this.rectangleBuffer);
+        gl.bufferData(gl.ARRAY_BUFFER, Float32Array.from(corners), gl.STREAM_DRAW);
+        gl.drawArraysInstanced(gl.TRIANGLES, 0, 6, corners.length / 4);
+    }
+
+    // Unlit, so that ground and debris are lit together.
+    drawDebris() {
+        const {gl, slots, slide} = this, {frames, skin} = this.target, {debris} = this.programs;
+        this.bind(slots.SLOT_SKIN_ALBEDO, null);
+        this.bind(slots.SLOT_SKIN_RELIEF, null);
+        this.bind(slots.SLOT_RELIEF, this.fields.filtered);
+        this.into(frames.skin);
+        debris.use();
+        gl.uniform1f(debris.at('seconds'), slide.tick * slide.info.tick_s);
+        this.drawRectangles([...this.tiles[1], ...this.tiles[2]]);
+        this.bind(slots.SLOT_SKIN_ALBEDO, skin[0]);
+        this.bind(slots.SLOT_SKIN_RELIEF, skin[1]);
+        this.into(frames.scene);
+    }
+
     // Shades each pixel once.
     shadeTerrain(overlay, cursor) {
         const {gl, slots, fields} = this;
@@ -547,13 +652,9 @@ class Picture {
         this.bind(slots.SLOT_RELIEF, fields.filtered);
         gl.depthMask(false);
         gl.depthFunc(gl.LESS);
-        this.enabled([gl.DEPTH_TEST], () => this.slideTiles().forEach((corners, kind) => {
-            if (corners.length === 0) return;
+        this.enabled([gl.DEPTH_TEST], () => this.tiles.forEach((corners, kind) => {
             shading[kind].use();
-            gl.bindVertexArray(this.rectangleArray);
-            gl.bindBuffer(gl.ARRAY_BUFFER, this.rectangleBuffer);
-            gl.bufferData(gl.ARRAY_BUFFER, Float32Array.from(corners), gl.STREAM_DRAW);
-            gl.drawArraysInstanced(gl.TRIANGLES, 0, 6, corners.length / 4);
+            this.drawRectangles(corners);
         }));
         gl.depthFunc(gl.GEQUAL);
         gl.depthMask(true);
@@ -670,14 +771,35 @@ class Picture {
         this.enabled([gl.DEPTH_TEST], () => this.fill(this.programs.lights));
     }
 
+    // What people have built, as it is in the stored frame before the moment.
+    drawBuilt() {
+        const {gl, slide, programs} = this, frame = Math.min(Math.floor(slide.tick / slide.info.every), slide.info.frames - 1);
+        const draw = table => {
+            if (!this.built[table]) return;
+            const {array, pieces} = this.built[table];
+            programs[table].use();
+            gl.bindVertexArray(array);
+            for (const {first, count, from, until} of pieces) if (from <= frame && frame < until) gl.drawArrays(gl.TRIANGLES, first, count);
+        };
+        this.enabled([gl.DEPTH_TEST], () => {
+            draw('built');
+            gl.depthMask(false);
+            // A shadow lies on the ground as triangles, which are a little above it everywhere.
+            gl.polygonOffset(2, 8);
+            gl.blendFunc(gl.ZERO, gl.SRC_COLOR);
+            this.enabled([gl.BLEND, gl.POLYGON_OFFSET_FILL], () => draw('shadows'));
+            gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+            this.enabled([gl.BLEND], () => draw('ropes'));
+            gl.depthMask(true);
+        });
+    }
+
     drawTrees() {
-        const {gl, slots, trees} = this, key = this.view.clip.join() + this.target.width;
-        if (key !== this.treesKey) trees.find(this.view, (low, high) => this.onScreen(low, high));
+        const {gl, slots, trees} = this, key = [...this.view.clip, this.target.width, this.scale].join();
+        if (key !== this.treesKey) trees.find({...this.view, pixel: this.view.pixel * Math.max(this.scale, 1)}, (low, high) => this.onScreen(low, high));
         if (key !== this.treesKey || this.treesTick !== this.slide.tick) {
-            const rows = Math.ceil(trees.standing.length / kTreesInARow), drawn = trees.settle();
-            const padded = new Float32Array(20 * kTreesInARow * rows);
-            padded.set(drawn.subarray(0, 20 * trees.standing.length));
-            this.upload(slots.SLOT_UNITS, this.treeTexture, 5 * kTreesInARow, rows, padded);
+            const rows = trees.settle(), width = kTreeNumbers / 4 * kTreesInARow;
+            if (rows > 0) this.upload(slots.SLOT_UNITS, this.treeTexture, width, rows, trees.drawn.subarray(0, 4 * width * rows));
         }
         this.treesKey = key;
         this.treesTick = this.slide.tick;
@@ -695,7 +817,7 @@ class Picture {
             gl.polygonOffset(2, 8);
             this.enabled([gl.BLEND, gl.POLYGON_OFFSET_FILL], () => draw(treeShadow, 3, 0, withShadow));
             gl.depthMask(true);
-            draw(treeNear, slots.TREE_VERTICES, 0, near);
+            draw(treeNear, 3 * (slots.TREE_TIERS * slots.TREE_SIDES + 3), 0, near);  // TREE_VERTICES
             draw(treeFar, 3, near, far);
             draw(treePlain, 3, near + far, trees.standing.length - near - far);
         });
@@ -778,13 +900,22 @@ class Picture {
         });
     }
 
-    // Maps light to what a screen shows, and smooths stairs.
+    // Maps light to what a screen shows, and draws that on the canvas: Chromium does not see what is blitted there.
     show() {
-        const {gl, slots} = this, {width, height, frames, colour, stepped} = this.target;
+        const {slots} = this, {frames, colour, stepped, smooth} = this.target;
         this.bind(slots.SLOT_COLOUR, colour);
         this.bind(slots.SLOT_PICTURE, null);
         this.into(frames.stepped);
         this.fill(this.programs.tone);
+        if (this.scale === 1) this.smoothEdges();
+        this.bind(slots.SLOT_PICTURE, this.scale === 1 ? smooth : stepped);
+        this.into(null);
+        this.fill(this.programs.copied);
+    }
+
+    // Of a picture with one sample per pixel.
+    smoothEdges() {
+        const {gl, slots} = this, {width, height, frames, stepped} = this.target;
         gl.bindFramebuffer(gl.READ_FRAMEBUFFER, frames.stepped);
         gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, frames.smooth);
         gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
@@ -801,9 +932,6 @@ class Picture {
             gl.stencilFunc(gl.EQUAL, 1, 0xff);
             this.fill(this.programs.edges);
         });
-        gl.bindFramebuffer(gl.READ_FRAMEBUFFER, frames.smooth);
-        gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
-        gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
     }
 
     // ---- for tests ----
@@ -811,9 +939,9 @@ class Picture {
     // The bytes of the last picture, from its lowest row on: call it right after draw().
     pixels() {
         const {gl} = this, {width, height, frames} = this.target, bytes = new Uint8Array(4 * width * height);
-        gl.bindFramebuffer(gl.FRAMEBUFFER, frames.smooth);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, this.scale === 1 ? frames.smooth : frames.stepped);
         gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-        return {width, height, bytes};
+        return {width, height, p: bytes};
     }
 
     // Mean ms of each pass and of all, over some pictures of what draw() takes.
@@ -826,11 +954,5 @@ class Picture {
         const times = Object.fromEntries(Object.entries(this.passes).map(([pass, ms]) => [pass, ms / count]));
         this.passes = null;
         return {...times, all: Object.values(times).reduce((a, b) => a + b, 0)};
-    }
-
-    dispose() {
-        this.shaders.dispose();
-        const lose = this.gl.getExtension('WEBGL_lose_context');
-        if (lose) lose.loseContext();
     }
 }
