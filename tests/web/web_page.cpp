@@ -53,7 +53,7 @@ class WebPage : public testing::Test {
 
     void SetUp() override {
         if (!shared_) GTEST_SKIP() << "chromium is not installed";
-        browser().size(1280, 720);
+        browser().size(640, 400);
     }
 
     static Chromium& browser() { return shared_->browser; }
@@ -254,7 +254,7 @@ TEST_F(WebPage, opens_at_a_telling_moment_and_plays_from_the_beginning) {
     open();
     EXPECT_GT(number("couloir.tick"), 0);
     EXPECT_FALSE(holds("couloir.playing"));
-    browser().click(640, 360);  // the large button
+    browser().click(320, 200);  // the large button
     EXPECT_TRUE(holds("couloir.playing"));
     EXPECT_LT(number("couloir.tick"), 300);
     EXPECT_TRUE(browser().comes("couloir.tick > 6"));
