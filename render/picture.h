@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <tl/expected.hpp>
@@ -30,8 +31,13 @@ inline constexpr PngCompression kFastPngCompression{1};
 // For images that are written once and kept in the repository: takes half a second to a second.
 inline constexpr PngCompression kSmallestPngCompression{9};
 
+// Texts in a PNG: keyword, 1 to 79 letters of ASCII, and its text, UTF-8. The PNG specification gives "Title", "Software"
+// and some others a meaning.
+using PngTexts = std::vector<std::pair<std::string, std::string>>;
+
 // Writes a PNG atomically (files/whole_file.h). An error is one sentence that names the file.
 tl::expected<void, std::string> write_png(const Picture& picture, const std::filesystem::path& path,
-                                          const PngCompression& compression = kFastPngCompression);
+                                          const PngCompression& compression = kFastPngCompression,
+                                          const PngTexts& texts = {});
 
 }  // namespace render

@@ -8,7 +8,8 @@ namespace render {
 
 // Encodes in memory, because OpenImageIO does not report a failure to write the last bytes of a file.
 tl::expected<std::vector<unsigned char>, std::string> encode_png(const Picture& picture,
-                                                                 const PngCompression& compression) {
+                                                                 const PngCompression& compression,
+                                                                 const PngTexts& texts) {
     auto output = OIIO::ImageOutput::create("png");
     if (!output) return tl::unexpected(OIIO::geterror());
     OIIO::ImageSpec spec(picture.width, picture.height, picture.channels, OIIO::TypeDesc::UINT8);
@@ -16,6 +17,7 @@ tl::expected<std::vector<unsigned char>, std::string> encode_png(const Picture& 
     spec.attribute("png:compressionLevel", compression.level);
     spec.attribute("compression", compression.strategy);
     spec.attribute("png:filter", compression.filters);
+    for (const auto& [keyword, text] : texts) spec.attribute(keyword, text);
     std::vector<unsigned char> bytes;
     bytes.reserve(picture.pixels.size());  // hardly a file is larger, and growing takes a twelfth of the time
     OIIO::Filesystem::IOVecOutput memory(bytes);

@@ -16,7 +16,8 @@ namespace render {
 
 // Encodes an image as the bytes of a PNG file. Errors are OpenImageIO's messages.
 tl::expected<std::vector<unsigned char>, std::string> encode_png(const Picture& picture,
-                                                                 const PngCompression& compression);
+                                                                 const PngCompression& compression,
+                                                                 const PngTexts& texts);
 
 // Pixels with 8 bits per channel, lowest row first, as in GL.
 struct Texels {

@@ -13,8 +13,9 @@ const PngDoor& door() {
 }  // namespace
 
 tl::expected<std::vector<unsigned char>, std::string> encode_png(const Picture& picture,
-                                                                 const PngCompression& compression) {
-    return door().encode_png(picture, compression);
+                                                                 const PngCompression& compression,
+                                                                 const PngTexts& texts) {
+    return door().encode_png(picture, compression, texts);
 }
 
 tl::expected<Texels, std::string> read_png(const std::filesystem::path& path, int channels) {

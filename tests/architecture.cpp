@@ -32,6 +32,7 @@ constexpr Room kRooms[] = {
     {"game/figures", 2, "figures", "the paper's figures"},
     {"game/bench", 4, "bench", "cost of each stage"},
     {"game/app", 6, "app", "window and its frame"},
+    {"game/share", 6, "share", "a slide as a page"},
     {"game/analysis", 1, "analysis", "run-out, exports"},
     {"game/pages", 3, "pages", "tables and plots"},
     {"game/ui", 6, "ui", "panels"},

@@ -49,7 +49,7 @@ mat2 turned(float c, float s, float width) { return mat2(c, s, -s, c) / width; }
 
 // Small relief at a place: slopes along x and y (about −1 to 1), height and a second, broader height (0 to 1). `width`
 // of a tile across, m. Mip-mapped, so what is too fine for a pixel vanishes instead of shimmering.
-vec4 detail(Place p, float kind, vec2 at, mat2 to_tiles, float width) {
+vec4 detail(Place p, int kind, vec2 at, mat2 to_tiles, float width) {
     float level = p.level - log2(width);
     level += 2.0 * max(level - 3.5, 0.0);  // where tiles are seen as small, they lose what would show that they repeat
     vec4 t = textureLod(detail_texture, vec3(to_tiles * at, kind), level);

@@ -2,13 +2,8 @@
 // that changed.
 layout(local_size_x = GROUP_SQUARE, local_size_y = GROUP_SQUARE) in;
 
-layout(binding = SLOT_BEDROCK) uniform sampler2D bedrock;
-layout(binding = SLOT_DEPTH) uniform sampler2D depth;
-layout(binding = SLOT_FIRST_DEPTH) uniform sampler2D first_depth;
-layout(binding = SLOT_ROLLING) uniform sampler2D rolling;
 layout(binding = SLOT_VELOCITY_X) uniform sampler2D velocity_x;
 layout(binding = SLOT_VELOCITY_Y) uniform sampler2D velocity_y;
-layout(binding = SLOT_SITE) uniform usampler2D site;
 layout(binding = SLOT_MIXTURE) uniform sampler2D mixture;
 layout(binding = SLOT_OPENNESS) uniform sampler2D openness;
 layout(std430, binding = SLOT_SURFACE_GROUPS) readonly buffer Groups { int groups[]; };
@@ -16,27 +11,9 @@ layout(binding = IMAGE_RELIEF, rgba32f) uniform writeonly image2D relief;
 layout(binding = IMAGE_LAYERS, rgba8) uniform writeonly image2D layers;
 layout(binding = IMAGE_MEASURE, rg32f) uniform writeonly image2D measure;
 
-const float kHalfSpeed = 10.0;  // m/s, drawn at half of the maximum
-
-float height(ivec2 v) {
-    return texelFetch(bedrock, v, 0).r + texelFetch(depth, v, 0).r + texelFetch(rolling, v, 0).r;
-}
-
-bool is_ground(ivec2 v) {
-    return all(greaterThanEqual(v, ivec2(0))) && all(lessThan(v, frame.size.xy)) &&
-           texelFetch(site, v, 0).r != SITE_DRAIN;
-}
-
-// Central difference if both neighbours are ground, one-sided beside an edge of the world.
-float slope(ivec2 v, ivec2 along, float here) {
-    bool ahead = is_ground(v + along), behind = is_ground(v - along);
-    float rise = (ahead ? height(v + along) : here) - (behind ? height(v - along) : here);
-    return rise / (frame.ground.x * (ahead && behind ? 2.0 : 1.0));
-}
-
 float ground(ivec2 v) { return texelFetch(bedrock, v, 0).r + texelFetch(depth, v, 0).r; }
 
-// The same for the ground under the rolling layer.
+// The slope of the ground under the rolling layer, as slope() is that of the surface.
 float ground_slope(ivec2 v, ivec2 along) {
     bool ahead = is_ground(v + along), behind = is_ground(v - along);
     float rise = ground(ahead ? v + along : v) - ground(behind ? v - along : v);
@@ -74,15 +51,9 @@ void main() {
     vec2 rise = known ? vec2(slope(v, ivec2(1, 0), here), slope(v, ivec2(0, 1), here)) : vec2(0);
     imageStore(relief, v, vec4(here, rise, texelFetch(openness, v, 0).r));
 
-    // Shares up to 1, not depths, are interpolated later. A front is then equally sharp at any depth, and lies
-    // midway between the last vertex inside and the first outside. The share of the standing layer still grows where
-    // it is deep, so that noise can leave patches of ground in it.
-    float d = texelFetch(depth, v, 0).r, r = texelFetch(rolling, v, 0).r;
     vec2 velocity = vec2(texelFetch(velocity_x, v, 0).r, texelFetch(velocity_y, v, 0).r);
-    float speed = length(velocity);
-    vec2 share = vec2(cover_share(d, rise), min(0.5 * r / frame.rolling.w, 1.0));
-    // No data counts as unchanged. Any other value would be interpolated into the ground beside it.
-    float change = frame.material.w > 0.0 && known ? (d - texelFetch(first_depth, v, 0).r) / MOST_CHANGE : 0.0;
-    imageStore(layers, v, vec4(share, speed / (speed + kHalfSpeed), (128.0 + 127.0 * clamp(change, -1.0, 1.0)) / 255.0));
-    imageStore(measure, v, vec4(known ? measured(v, rise, d, r, share.y, velocity) : vec2(0.0), 0.0, 0.0));
+    vec4 shares = layers_at(v, rise, length(velocity));
+    imageStore(layers, v, shares);
+    float d = texelFetch(depth, v, 0).r, r = texelFetch(rolling, v, 0).r;
+    imageStore(measure, v, vec4(known ? measured(v, rise, d, r, shares.y, velocity) : vec2(0.0), 0.0, 0.0));
 }

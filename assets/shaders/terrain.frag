@@ -1,6 +1,6 @@
 // Terrain: shades each surface pixel once, from its depth. Ground by slope and altitude, the standing layer
 // over it, the rolling layer over that, all lit once; marks on top.
-layout(binding = SLOT_SCENE_DEPTH) uniform sampler2D scene_depth;
+// The depth comes from scene_depth.glsl.
 layout(binding = SLOT_RELIEF) uniform sampler2D relief;
 layout(binding = SLOT_LAYERS) uniform sampler2D layers;
 
@@ -51,7 +51,7 @@ Place find_place(float depth) {
 }
 
 void main() {
-    Place p = find_place(texelFetch(scene_depth, ivec2(gl_FragCoord.xy), 0).r);
+    Place p = find_place(scene_depth_at(ivec2(gl_FragCoord.xy)));
 
     Detail d = detail_at(p);
 

@@ -1,4 +1,4 @@
-// Conifers: what their vertex shaders share. A vertex finds its tree by its number.
+// Conifers: what their vertex shaders share. A vertex finds its tree by its number, in tree_buffer.glsl.
 struct Tree {
     vec4 foot;    // m; height, m
     vec4 axis;    // unit vector from foot to top; the tree's own number, 0 to 1
@@ -6,20 +6,19 @@ struct Tree {
     vec4 shadow;  // m, where the shadow of its top meets the ground; strength of the shadow, 0 to 1
     vec4 kind;    // TREE_*; number of tops, more than one: a group; how closed the wood is around it, 0 to 1; 0
 };
-layout(std430, binding = SLOT_TREES) readonly buffer Trees { Tree trees[]; };
 
 // Colours of needles, and of snow on the branches if snow lies around the tree.
 vec3 needles(Tree tree) {
     float own = fract(tree.axis.w * 13.7);
     vec3 green = mix(vec3(0.011, 0.024, 0.020), vec3(0.024, 0.034, 0.018), own);  // blue-green to green
-    if (tree.kind.x == TREE_LARCH) green = mix(vec3(0.120, 0.096, 0.070), vec3(0.090, 0.075, 0.060), own);
-    if (tree.kind.x == TREE_PINE) green = mix(vec3(0.020, 0.031, 0.015), vec3(0.027, 0.034, 0.017), own);
+    if (tree.kind.x == float(TREE_LARCH)) green = mix(vec3(0.120, 0.096, 0.070), vec3(0.090, 0.075, 0.060), own);
+    if (tree.kind.x == float(TREE_PINE)) green = mix(vec3(0.020, 0.031, 0.015), vec3(0.027, 0.034, 0.017), own);
     return mix(vec3(0.050, 0.042, 0.024), green, clamp(2.0 * tree.axis.z, 0.0, 1.0));  // brown where it lies
 }
 // Some carry much of it, others have shed it.
 vec4 snow(Tree tree) {
     vec3 lies = mix(frame.standing.rgb, frame.lower_standing.rgb, tree.look.z);
-    float carried = mix(0.35, 1.0, fract(tree.axis.w * 29.3)) * (tree.kind.x == TREE_LARCH ? 0.45 : 1.0);
+    float carried = mix(0.35, 1.0, fract(tree.axis.w * 29.3)) * (tree.kind.x == float(TREE_LARCH) ? 0.45 : 1.0);
     return vec4(lies, carried * smoothstep(0.02, 0.30, tree.look.y) * smoothstep(0.55, 0.75, lies.g));
 }
 

@@ -8,7 +8,7 @@ flat out vec4 shape;  // outline that shows, 0 to 1; tops of a group or else bra
 const float kLevel = 0.34;
 
 void main() {
-    Tree tree = trees[gl_VertexID / 3];
+    Tree tree = tree_at(gl_VertexID / 3);
     int corner = gl_VertexID % 3;
     bool group = tree.kind.y > 1.5;
     vec2 place = corner == 2 ? vec2(0.0, group ? 1.0 / (1.0 - kLevel) : 1.0) : vec2(corner == 0 ? -1.0 : 1.0, 0.0);

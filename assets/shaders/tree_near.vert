@@ -7,7 +7,7 @@ flat out vec4 white;  // snow; share of the branches that it covers
 flat out vec2 kind;   // a number of the tier's own; share of the branches that have needles, below 0: a trunk
 
 void main() {
-    Tree tree = trees[gl_VertexID / TREE_VERTICES];
+    Tree tree = tree_at(gl_VertexID / TREE_VERTICES);
     int vertex = gl_VertexID % TREE_VERTICES;
     int corner = vertex % 3, triangle = vertex / 3;
     int side = triangle % TREE_SIDES, tier = triangle / TREE_SIDES;
@@ -31,6 +31,6 @@ void main() {
     place = vec2(float(side) + (top ? 0.5 : float(corner)), top ? 0.0 : 1.0);
     green = trunk ? vec3(0.040, 0.029, 0.021) : needles(tree);
     white = snow(tree);
-    kind = vec2(own, trunk ? -1.0 : tree.kind.x == TREE_LARCH ? 0.22 : 1.0);
+    kind = vec2(own, trunk ? -1.0 : tree.kind.x == float(TREE_LARCH) ? 0.22 : 1.0);
     gl_Position = frame.clip_from_world * vec4(at, 1.0);
 }

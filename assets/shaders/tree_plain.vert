@@ -3,7 +3,7 @@
 out vec3 reflected;
 
 void main() {
-    Tree tree = trees[gl_VertexID / 3];
+    Tree tree = tree_at(gl_VertexID / 3);
     int corner = gl_VertexID % 3;
     bool group = tree.kind.y > 1.5;
     vec2 place = corner == 2 ? vec2(0.0, 1.0) : vec2(corner == 0 ? -1.0 : 1.0, 0.0);

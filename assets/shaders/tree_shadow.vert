@@ -4,7 +4,7 @@ flat out vec3 left;  // of the light, where the shadow is darkest
 flat out float strength;
 
 void main() {
-    Tree tree = trees[gl_VertexID / 3];
+    Tree tree = tree_at(gl_VertexID / 3);
     int corner = gl_VertexID % 3;
     vec2 away = tree.shadow.xy - tree.foot.xy;
     vec2 side = vec2(-away.y, away.x) * inversesqrt(max(dot(away, away), 1e-6));

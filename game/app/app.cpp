@@ -11,6 +11,7 @@
 #include "game/files/assets.h"
 #include "game/files/recordings_folder.h"
 #include "game/files/ui_font.h"
+#include "game/files/user_folders.h"
 #include "render/context.h"
 #include "render/overview.h"
 #include "render/pick.h"
@@ -97,6 +98,7 @@ bool App::frame() {
     ui_.begin(events, screen_, display_.letters, elapsed_s);
     input_.take(events, size, {ui_.keeps_mouse(), ui_.keeps_keys()}, actions_);
     perform_all();
+    tell_results();
 
     // The camera before the brush: the brush is where the cursor meets the ground in the new view.
     if (size.width > 0) move_camera(elapsed_s);
@@ -116,6 +118,8 @@ bool App::frame() {
         time.stage_ms[stage_index(Stage::kPanels)] = watch.lap();
         screen_.present();
         time.stage_ms[stage_index(Stage::kPresent)] = watch.lap();
+        // Last, of the world that was just shown.
+        if (std::exchange(screenshot_asked_, false)) take_screenshot();
     }
     times_.add(time);
     return !leaving_;
@@ -244,7 +248,26 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
         stroke_->arrive(static_cast<double>(time.ticks) / due);
         if (stroke_ends_) stroke_.reset();
     }
+    if (time.ticks > 0) watch_slide();
     take_over_at_end();
+}
+
+// Says that a slide has come to rest, and how to share it. What moves for a moment is not called a slide.
+void App::watch_slide() {
+    constexpr double kSlide = 5;  // s
+    const Session& session = sandbox_->session();
+    if (sandbox_->looks_back() || sandbox_->watches() || sandbox_->scenario().flow)
+        return sliding_since_.reset();
+    if (!sim::at_rest(session.state())) {
+        if (!sliding_since_) sliding_since_ = session.seconds();
+        slide_ended_ = false;
+        return;
+    }
+    const auto since = std::exchange(sliding_since_, std::nullopt);
+    if (!since || session.seconds() - *since < kSlide) return;
+    slide_ended_ = true;
+    tell(fmt::format("The slide has come to rest after {:.0f} s. {} shares it as a web page",
+                     session.seconds() - *since, name_of(Verb::kShare)));
 }
 
 // Moves toward a known tick, as far as the time budget of the frame allows.
@@ -270,6 +293,7 @@ void App::take_over_at_end() {
     const Verdict verdict = *sandbox_->verdict();
     const bool proven = verdict.proven_tick == sandbox_->known_until();
     take_over();
+    slide_ended_ = true;
     if (verdict.parted)
         warn(fmt::format("End of the recording. Its replay differs: {}. You can continue from here",
                          *verdict.parted));
@@ -282,7 +306,10 @@ void App::take_over_at_end() {
             "End of the recording. It has no state up to its end to compare with. You can continue from "
             "here");
     else
-        tell("End of the recording, replayed bit for bit. You can continue from here");
+        tell(
+            fmt::format("End of the recording, replayed bit for bit. You can continue from here; {} shares "
+                        "it as a web page",
+                        name_of(Verb::kShare)));
 }
 
 render::Marks App::marks() const {
@@ -483,6 +510,29 @@ void App::draw_once(const ImageSize& image) {
                     .seconds = session.seconds()});
 }
 
+// Draws the world as last shown once more, without the ring and as finely as an image that stands still. Then
+// draws what was shown again, so that the next frame can go on from it.
+void App::take_screenshot() {
+    const Seen shown = seen_;
+    const ImageSize size = drawn_, best = image_for(screen_.size(), 1, true, bounds_);
+    const bool is_shown = !shown.marks.ring && size == best;
+    seen_.marks.ring.reset();
+    if (!is_shown) draw_image(best);
+    if (device_failure_) return;
+    const Session& session = sandbox_->session();
+    Shot shot{sandbox_->scenario(), recording_.value_or(""), session.state().tick, shown.camera};
+    if (sandbox_->watches()) shot.recording = first_.name + ".couloir";
+    const auto begun =
+        screenshots_.write(renderer_.read_back(), dated_name(shot.scenario.scene), texts_of(shot));
+    if (!begun) warn(fmt::format("No screenshot: {}", begun.error().sentence));
+    if (!is_shown) {
+        seen_ = shown;
+        draw_image(size);
+        resolution_.drew_another();
+    }
+    now_s_ = screen_.seconds();  // this time must not be simulated
+}
+
 void App::draw_panels() {
     const Session& session = sandbox_->session();
     std::optional<Reading> reading;
@@ -511,6 +561,8 @@ void App::draw_panels() {
             .renderer = renderer_name_,
             .now_s = now_s_,
             .image = drawn_,
+            .sharing = sharing_.progress(),
+            .slide_ended = slide_ended_,
         },
         actions_);
     ui_.draw();

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "game/app/screenshots.h"
+#include "game/app/sharing.h"
 #include "game/base/outcome.h"
 #include "game/controls/action.h"
 #include "game/controls/brush.h"
@@ -60,6 +62,7 @@ class App {
     const Display& display() const { return display_; }
     const render::Camera& camera() const { return camera_->camera(); }
     const ui::Ui& panels() const { return ui_; }
+    bool is_sharing() const { return sharing_.progress().has_value(); }
     // The file that this session is written to; nothing while a recording is watched, if none could be created,
     // or if writing failed.
     const std::optional<std::filesystem::path>& recording() const { return recording_; }
@@ -77,6 +80,7 @@ class App {
     void seek(std::int64_t tick, double begun_s);
     void draw_world(const FrameTime& time);
     void draw_panels();
+    void take_screenshot();
 
     render::Marks marks() const;
     double rest_ms(const FrameTime& time) const;
@@ -98,6 +102,9 @@ class App {
     void perform(const Open& open);
     void undo();
     void reset();
+    void share();
+    void tell_results();
+    void watch_slide();
     void tell_camera_mode();
     void resize_brush(double steps);
     void begin_stroke();
@@ -182,6 +189,12 @@ class App {
     FrameTimes times_;
     double now_s_ = 0;
     bool leaving_ = false;
+
+    std::optional<double> sliding_since_;  // s of the world, while something moves
+    bool slide_ended_ = false;             // and was not shared since
+    bool screenshot_asked_ = false;
+    Screenshots screenshots_;  // being written
+    Sharing sharing_;
 };
 
 }  // namespace game

@@ -6,7 +6,10 @@
 #include <fmt/format.h>
 
 #include "game/app/app.h"
+#include "game/base/process.h"
+#include "game/controls/key_map.h"
 #include "game/files/recordings_folder.h"
+#include "game/files/user_folders.h"
 #include "game/recording/format.h"
 #include "game/scene/mountains.h"
 #include "render/overview.h"
@@ -96,6 +99,11 @@ void App::perform(Verb verb) {
         case Verb::kFly:
             camera_->fly(camera_->mode() != CameraMode::kFly);
             return tell_camera_mode();
+        case Verb::kShare:
+            return share();
+        case Verb::kScreenshot:
+            screenshot_asked_ = true;
+            return;
         case Verb::kFullscreen:
             return screen_.set_fullscreen(!screen_.fullscreen());
         case Verb::kQuit:
@@ -238,6 +246,41 @@ void App::reset() {
     if (const auto begun = begin_world(std::move(again), record_); !begun) warn(begun.error().sentence);
 }
 
+void App::share() {
+    const Session& session = sandbox_->session();
+    if (sharing_.progress()) return tell("A slide is being shared already. Share the next one after it");
+    if (sandbox_->scenario().flow) return tell("A flow demo cannot be shared: it has no slide to play");
+    // In the first tick all is looked at, so that it counts as changed.
+    if (sandbox_->known_until() == session.state().tick && session.changed_at() <= 1)
+        return tell("Nothing to share yet, because nothing has moved. Release a slide first");
+    auto recorded = sandbox_->recorded_so_far();
+    Outcome<void> begun;
+    if (recorded)
+        begun = sharing_.begin(std::move(*recorded), dated_name(sandbox_->scenario().scene),
+                               {.camera = camera_->camera()});
+    else
+        begun = tl::unexpected(recorded.error());
+    slide_ended_ = false;
+    if (!begun) warn(fmt::format("This slide cannot be shared: {}", begun.error().sentence));
+}
+
+// Of what other threads have written.
+void App::tell_results() {
+    while (const auto screenshot = screenshots_.result()) {
+        if (*screenshot)
+            tell(fmt::format("Screenshot: {}", (*screenshot)->string()));
+        else
+            warn(fmt::format("No screenshot: {}", screenshot->error().sentence));
+    }
+    const auto shared = sharing_.result();
+    if (!shared) return;
+    if (!*shared) return warn(fmt::format("This slide was not shared: {}", shared->error().sentence));
+    constexpr double kMegabyte = 1e6;
+    tell(fmt::format("Shared: a page of {:.1f} MB for any browser, and its recording, in {}",
+                     static_cast<double>((*shared)->page.bytes) / kMegabyte, (*shared)->folder.string()));
+    if (display_.shows_shared) show_folder((*shared)->folder);
+}
+
 void App::stop_recording(const Failure& failure) {
     // A file in the recordings folder is optional: that none could be created is only a notice.
     if ((recording_ || record_) && !recording_failure_) recording_failure_ = failure;
@@ -292,6 +335,8 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     set_numbers_.clear();
     if (!same) touched_ = false;  // after a restart of the same scene the hint is not needed
     seeking_.reset();
+    sliding_since_.reset();
+    slide_ended_ = false;
     takes_over_there_ = false;
     clock_.run_back(false);
     if (!same) {

@@ -8,10 +8,13 @@
 #include <new>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include <fcntl.h>
+#include <spawn.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <fmt/format.h>
@@ -97,6 +100,36 @@ Outcome<void> finish_standard_output() {
     if (const int number = closed ? reason : errno; number != 0)
         sentence += fmt::format(": {}", std::strerror(number));
     return machine_fails(std::move(sentence));
+}
+
+void lower_priority_of_thread() {
+    constexpr int kLowest = 19;
+    // In Linux this concerns the thread alone. Without it, the work is only less considerate.
+    static_cast<void>(setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kLowest));
+}
+
+bool show_folder(const std::filesystem::path& folder) {
+    std::string program = "xdg-open", path = folder.string();
+    char* const arguments[] = {program.data(), path.data(), nullptr};
+    posix_spawn_file_actions_t files;
+    posix_spawnattr_t attributes;
+    posix_spawn_file_actions_init(&files);
+    posix_spawnattr_init(&attributes);
+    for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        posix_spawn_file_actions_addopen(&files, descriptor, "/dev/null", O_RDWR, 0);
+    // It outlives this program, and a Ctrl+C in its terminal.
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID);
+    pid_t process = 0;
+    const int error = posix_spawnp(&process, program.c_str(), &files, &attributes, arguments, environ);
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&files);
+    if (error != 0) return false;
+    // It may end only when its window is closed, so a thread waits for it.
+    try {
+        std::thread([process] { waitpid(process, nullptr, 0); }).detach();
+    } catch (const std::system_error&) {  // then it stays a zombie until this program ends
+    }
+    return true;
 }
 
 }  // namespace game

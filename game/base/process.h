@@ -1,6 +1,7 @@
 #pragma once
 
 #include <exception>
+#include <filesystem>
 
 #include "game/base/outcome.h"
 
@@ -22,5 +23,11 @@ bool interrupted();
 
 // Flushes standard output. Errors: some of it could not be written, now or before.
 Outcome<void> finish_standard_output();
+
+// Gives the calling thread, and those that it starts, what processor time others leave.
+void lower_priority_of_thread();
+
+// Asks the desktop to show a folder, with xdg-open. Returns false if there is no such program.
+bool show_folder(const std::filesystem::path& folder);
 
 }  // namespace game

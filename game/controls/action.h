@@ -47,6 +47,8 @@ enum class Verb {
     kToggleHelp,
     kClosePanel,    // the open list, else the help, else the last opened panel
     kTogglePanels,  // all of them, and what is in the corners
+    kShare,         // page and recording of the slide in a new folder
+    kScreenshot,    // of the world alone
     kFullscreen,
     kQuit,
 };

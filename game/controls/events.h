@@ -42,6 +42,9 @@ constexpr Key key(char letter) {
 constexpr Key function_key(int number) {
     return static_cast<Key>(static_cast<int>(Key::kF1) + number - 1);
 }
+constexpr bool is_function_key(Key key) {
+    return key >= function_key(1) && key <= function_key(12);
+}
 inline constexpr int kKeys = 320;  // greater than any key
 
 enum class Button : std::uint8_t { kLeft, kRight, kMiddle };

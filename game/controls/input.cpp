@@ -54,7 +54,7 @@ void Input::take_key(const KeyEvent& event, bool kept, Actions& actions) {
     with_ = event.with;
     const auto index = static_cast<std::size_t>(event.key);
     if (index < down_.size()) down_[index] = event.down && !kept;
-    if (!event.down || kept) return;
+    if (!event.down || (kept && !is_function_key(event.key))) return;  // those type nothing
     for (const KeyBinding& binding : key_bindings())
         if (binding.key == event.key && binding.with == event.with && (!event.repeat || binding.repeats))
             actions.emplace_back(binding.verb);

@@ -4,15 +4,25 @@
 
 #include <cerrno>
 #include <cstring>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include "files/destination.h"
+#include "files/input.h"
 #include "files/whole_file.h"
 
 namespace game {
 
 namespace fs = std::filesystem;
+
+Outcome<std::string> read_text(const fs::path& path) {
+    auto file = files::open_input(path);
+    if (!file) return machine_fails(file.error());
+    std::string text{std::istreambuf_iterator<char>(*file), {}};
+    if (file->bad()) return machine_fails(fmt::format("{}: cannot be read", path.string()));
+    return text;
+}
 
 Outcome<void> write_text(const fs::path& path, std::string_view text) {
     if (auto placed = make_place_for(path); !placed) return placed;

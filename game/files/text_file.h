@@ -1,11 +1,15 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "game/base/outcome.h"
 
 namespace game {
+
+// Reads a whole file. Errors: it cannot be read, or is no file with an end (status 3).
+Outcome<std::string> read_text(const std::filesystem::path& path);
 
 // Writes a whole file (files/whole_file.h); makes its folder. Errors: status 3.
 Outcome<void> write_text(const std::filesystem::path& path, std::string_view text);

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "files/destination.h"
+#include "files/input.h"
 #include "files/lock.h"
 #include "game/base/limits.h"
 
@@ -124,6 +125,25 @@ Outcome<void> Recorder::end(std::int64_t tick) {
     if (auto written = write_line(); !written) return written;
     if (!to_.file.settle()) return cannot_write(path_);
     return {};
+}
+
+Outcome<std::string> Recorder::copy_ended_at(std::int64_t tick, const StateLine* last) const {
+    auto file = files::open_input(path_);
+    if (!file) return machine_fails(file.error());
+    std::string copy(static_cast<std::size_t>(mark_.bytes), '\0');
+    if (!file->read(copy.data(), mark_.bytes))
+        return machine_fails(fmt::format("{}: has lost what was recorded into it", path_.string()));
+    Chain chain = mark_.chain;
+    std::string text;
+    const auto add = [&](const auto& line) {
+        write(line, text);
+        chain.close(text);
+        copy += text + '\n';
+        text.clear();
+    };
+    if (last) add(*last);
+    add(EndLine{tick});
+    return copy;
 }
 
 Outcome<void> Recorder::rewind(const Mark& mark) {

@@ -33,6 +33,10 @@ class Recorder {
     Outcome<void> state(const StateLine& line);
     Outcome<void> end(std::int64_t tick);
 
+    // The text of the file so far as if it ended at `tick`, with a last state line if there is one; the file goes
+    // on. Errors: it is a device or a pipe, or it cannot be read.
+    Outcome<std::string> copy_ended_at(std::int64_t tick, const StateLine* last) const;
+
     // A position in the file to return to.
     struct Mark {
         std::int64_t bytes = 0;

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "game/files/text_file.h"
+
 namespace game {
 namespace {
 
@@ -105,6 +107,12 @@ void Sandbox::forget_after(std::int64_t tick) {
     keyframes_.forget_after(tick);
     known_until_ = tick;
     new_action_.reset();
+}
+
+Outcome<std::string> Sandbox::recorded_so_far() const {
+    if (opening_.watched && !opening_.scene.files.empty()) return read_text(opening_.scene.files.front());
+    if (!session_.recorder()) return unusable("this session is not recorded");
+    return session_.recorded_so_far();
 }
 
 void Sandbox::begin_action(std::string name) {

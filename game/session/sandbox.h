@@ -63,6 +63,10 @@ class Sandbox {
     // to undo, the current tick is in the past, or the recording cannot be written.
     Outcome<std::string> undo();
 
+    // The text of the recording up to now, as if it ended here; of a watched recording, its file as it is.
+    // Errors: nothing is recorded, or the file cannot be read.
+    Outcome<std::string> recorded_so_far() const;
+
     // Closes the recording. Errors: the recording cannot be written.
     Outcome<void> finish() { return session_.finish(); }
 

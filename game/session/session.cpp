@@ -102,10 +102,18 @@ Outcome<void> Session::finish() {
     return recorder_->end(recorded_until_);
 }
 
-// Writes the state of the last recorded tick, unless its line exists.
+Outcome<std::string> Session::recorded_so_far() const {
+    CHECK(recorder_);
+    return recorder_->copy_ended_at(recorded_until_, lacks_state() ? &line_ : nullptr);
+}
+
+// Whether this is the last recorded tick, and its state has no line yet.
+bool Session::lacks_state() const {
+    return state_.tick == recorded_until_ && recorder_->last_state() != state_.tick;
+}
+
 Outcome<void> Session::write_state() {
-    if (state_.tick != recorded_until_ || recorder_->last_state() == state_.tick) return {};
-    return recorder_->state(line_);
+    return lacks_state() ? recorder_->state(line_) : Outcome<void>();
 }
 
 Session::Checkpoint Session::moment() const {

@@ -85,6 +85,9 @@ class Session {
     Outcome<void> advance(std::span<const sim::Command> commands);
     // Closes the recording.
     Outcome<void> finish();
+    // The text of the recording so far, as finish() would leave it; the recording goes on. Call it only with a
+    // recorder. Errors: those of Recorder::copy_ended_at().
+    Outcome<std::string> recorded_so_far() const;
 
     Checkpoint moment() const;
     // Discards everything after `moment` in the world and in the recording; the state is bit-identical. A
@@ -123,6 +126,7 @@ class Session {
     Session(const Scenario& scenario, const sim::StepOptions& options, std::optional<Recorder> recorder);
     void find_hash();
     void put(const Checkpoint& moment);
+    bool lacks_state() const;
     Outcome<void> write_state();
     void watch();
     void watch_structures() { structures_.watch(view(), peaks_.pressure, peaks_.depth); }

@@ -13,7 +13,7 @@ constexpr float kMostQuanta = 65535;
 
 }  // namespace
 
-PackedMotion::PackedMotion(std::string name, int nx, int ny, float step)
+PackedMotion::PackedMotion(std::string name, int nx, int ny, double step)
     : name_(std::move(name)),
       nx_(nx),
       ny_(ny),
@@ -24,15 +24,20 @@ PackedMotion::PackedMotion(std::string name, int nx, int ny, float step)
       next_(now_) {}
 
 tl::expected<void, std::string> PackedMotion::take(std::span<const float> values) {
-    const float per_unit = 1 / step_;
+    const auto per_unit = static_cast<float>(1 / step_);
+    bool fits = true;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const float quanta = values[i] * per_unit + 0.5f;
-        if (!(quanta >= 0 && quanta <= kMostQuanta))
-            return tl::unexpected(
-                fmt::format("{:g}; a page keeps 0 to {:g}", values[i], kMostQuanta * step_));
-        next_[i] = static_cast<std::uint32_t>(quanta);
-        worst_ = std::max(worst_, std::abs(static_cast<double>(next_[i]) * static_cast<double>(step_) -
-                                           static_cast<double>(values[i])));
+        const bool keeps = quanta >= 0 && quanta <= kMostQuanta;
+        fits &= keeps;
+        next_[i] = static_cast<std::int32_t>(keeps ? quanta : 0.f);
+    }
+    if (!fits) {
+        const auto beyond = std::find_if(values.begin(), values.end(), [&](float value) {
+            return !(value * per_unit + 0.5f >= 0 && value * per_unit + 0.5f <= kMostQuanta);
+        });
+        return tl::unexpected(
+            fmt::format("{:g}; a page keeps 0 to {:g}", *beyond, static_cast<double>(kMostQuanta) * step_));
     }
     return {};
 }
@@ -72,7 +77,7 @@ void PackedMotion::add_tile(int left, int bottom) {
             if (x < nx_ && y < ny_) {
                 const auto i =
                     static_cast<std::size_t>(y) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(x);
-                change = zigzag(next_[i] - now_[i], 2);
+                change = zigzag(static_cast<std::uint32_t>(next_[i] - now_[i]), 2);
             }
             low_.push_back(static_cast<std::uint8_t>(change));
             high_.push_back(static_cast<std::uint8_t>(change >> 8));

@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -34,13 +36,14 @@ namespace fs = std::filesystem;
 using enum Packing::Predict;
 
 constexpr int kPageFormat = 1;
-constexpr float kDepthQuantum = 0.01f, kSpeedQuantum = 0.125f, kShareQuantum = 1.f / 255;  // m, m/s
-constexpr double kGroundQuantum = 0.01;                                                    // m
+constexpr double kDepthQuantum = 0.01, kSpeedQuantum = 0.125, kShareQuantum = 1.0 / 255;  // m, m/s
+constexpr double kGroundQuantum = 0.01;                                                   // m
 constexpr std::int64_t kFramesAtOnce = 64;   // kept in memory until they are compressed
 constexpr int kWidth = 1280, kHeight = 720;  // of the picture whose uniforms the page begins with
 
 // The program of the page, in the order in which it is joined.
-constexpr std::array kScripts{"fields.js", "camera.js", "draw.js", "page.js"};
+constexpr std::array kScripts{"fields.js", "camera.js", "shaders.js", "trees.js",
+                              "powder.js", "draw.js",   "page.js"};
 
 Outcome<std::string> text_of(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
@@ -105,16 +108,21 @@ Outcome<PageFiles> read_page_files() {
     if (auto done = read("page.css", files.style); !done) return tl::unexpected(done.error());
     for (const char* name : kScripts)
         if (auto done = read(name, files.program); !done) return tl::unexpected(done.error());
+    std::map<std::string, fs::path> shaders;  // in one order everywhere
+    std::error_code error;
     for (const char* folder : {"shaders", "web"})
-        for (const auto& entry : fs::directory_iterator(*assets / folder)) {
+        for (const auto& entry : fs::directory_iterator(*assets / folder, error)) {
             const std::string name = entry.path().filename().string(),
-                              extension = entry.path().extension().string();
-            if (extension != ".glsl" && extension != ".vert" && extension != ".frag") continue;
-            if (files.program.find("'" + name + "'") == std::string::npos) continue;
-            auto text = text_of(entry.path());
-            if (!text) return tl::unexpected(text.error());
-            files.shaders[name] = std::move(*text);
+                              kind = entry.path().extension().string();
+            if ((kind == ".glsl" || kind == ".vert" || kind == ".frag") &&
+                files.program.find("'" + name + "'") != std::string::npos)
+                shaders[name] = entry.path();
         }
+    for (const auto& [name, path] : shaders) {
+        auto text = text_of(path);
+        if (!text) return tl::unexpected(text.error());
+        files.shaders[name] = std::move(*text);
+    }
     return files;
 }
 
@@ -213,8 +221,8 @@ struct Moment {
         lower_depth.resize(mixture.size() / 2);
         lower_rolling.resize(mixture.size() / 2);
         for (std::size_t i = 0; i < lower_depth.size(); ++i) {
-            lower_depth[i] = static_cast<float>(mixture[2 * i]) * kShareQuantum;
-            lower_rolling[i] = static_cast<float>(mixture[2 * i + 1]) * kShareQuantum;
+            lower_depth[i] = static_cast<float>(mixture[2 * i]) * static_cast<float>(kShareQuantum);
+            lower_rolling[i] = static_cast<float>(mixture[2 * i + 1]) * static_cast<float>(kShareQuantum);
         }
     }
 };
@@ -280,12 +288,11 @@ Outcome<void> SlidePage::Parts::pack_start(const sim::View& world) {
     for (const std::uint8_t known : scenario.has_data) holes.push_back(known ? 0 : 1);
     stream.add("site", holes, {1, 1, kNone});
     if (auto begun = depth.begin_with(moment.depth); !begun) return beyond(depth, begun.error());
-    stream.add("d0", depth.quanta(), 0, static_cast<double>(depth.step()), 2, kPlane, scenario.grid.nx);
+    stream.add("d0", depth.quanta(), 0, depth.step(), 2, kPlane, scenario.grid.nx);
     if (scenario.lower) {
         if (auto begun = lower_depth.begin_with(moment.lower_depth); !begun)
             return beyond(lower_depth, begun.error());
-        stream.add("lower0", lower_depth.quanta(), 0, static_cast<double>(lower_depth.step()), 1, kPlane,
-                   scenario.grid.nx);
+        stream.add("lower0", lower_depth.quanta(), 0, lower_depth.step(), 1, kPlane, scenario.grid.nx);
     }
     scenery->pack(stream);
     stream.add("files", std::string_view(files.shaders.dump()));
@@ -299,7 +306,7 @@ Outcome<void> SlidePage::Parts::add_frame(const Session& session) {
         if (auto added = motion->add(*values); !added) return beyond(*motion, added.error());
     volumes.push_back(session.cubic_metres(session.state().ledger.rolling));
     puffs.see(session.powder(), last_tick, static_cast<double>(scenario.params.tick_s));
-    scenery->see(session.flow_so_far(), frames);
+    scenery->see(session, frames);
     ++frames;
     return frames % kFramesAtOnce == 0 ? flush() : Outcome<void>();
 }
@@ -327,9 +334,7 @@ Json SlidePage::Parts::info(const Session& session, std::span<const TimedCommand
             {"strength", powder.strength}, {"speed", powder.speed}, {"colour", colour_json(powder.colour)}};
     };
     const std::string block = to_base64({reinterpret_cast<const char*>(&frame), sizeof frame});
-    const auto quanta = [](const PackedMotion& motion) {
-        return Json{{"zero", 0}, {"step", static_cast<double>(motion.step())}};
-    };
+    const auto quanta = [](const PackedMotion& motion) { return Json{{"zero", 0}, {"step", motion.step()}}; };
     Json moves{{"d", quanta(depth)}, {"R", quanta(rolling)}, {"s", quanta(speed)}};
     if (scenario.lower) {
         moves["lower_d"] = quanta(lower_depth);
@@ -354,9 +359,9 @@ Json SlidePage::Parts::info(const Session& session, std::span<const TimedCommand
               {"frames", frames},
               {"error",
                {{"ground", ground_quantum / 2},
-                {"depth", depth.worst()},
-                {"moving", rolling.worst()},
-                {"speed", speed.worst()}}},
+                {"depth", depth.most_error()},
+                {"moving", rolling.most_error()},
+                {"speed", speed.most_error()}}},
               {"parts", stream.parts()},
               {"arrays", stream.arrays()},
               {"moving", std::move(moves)},
@@ -403,7 +408,7 @@ Outcome<SlidePage> SlidePage::begin(const Scenario& scenario, const Session& ses
                              .height = kHeight,
                              .first_depth = scenario.depth};
     parts->frame = render::make_frame_block(input, render::height_range(world), 1, std::nullopt);
-    parts->scenery = std::make_unique<Scenery>(scenario, world, parts->frame);
+    parts->scenery = std::make_unique<Scenery>(scenario, session, parts->frame);
     parts->frame = parts->scenery->frame();
     if (auto packed = parts->pack_start(world); !packed) return tl::unexpected(packed.error());
     if (auto added = parts->add_frame(session); !added) return tl::unexpected(added.error());
@@ -424,9 +429,9 @@ Outcome<PageReport> SlidePage::write(const fs::path& file, const Session& sessio
     const auto add_peak = [&](const char* name, const std::vector<float>& peak, double step) {
         p.stream.add(name, to_doubles(peak), {step, 2, kPlane}, p.scenario.grid.nx);
     };
-    add_peak("peak_depth", session.peaks().depth, static_cast<double>(kDepthQuantum));
-    add_peak("peak_speed", session.peaks().speed_plan, static_cast<double>(kSpeedQuantum));
-    p.scenery->pack_ends(p.stream, p.frames);
+    add_peak("peak_depth", session.peaks().depth, kDepthQuantum);
+    add_peak("peak_speed", session.peaks().speed_plan, kSpeedQuantum);
+    p.scenery->pack_ends(p.stream, session.view(), p.frames);
     p.puffs.pack(p.stream);
     const std::string fields = to_base64(p.stream.finish());
 

@@ -42,10 +42,12 @@ struct Facts {
     const Catalogue& catalogue;
     Timeline timeline;
     bool looks_back() const { return state.tick < timeline.known_until; }  // read-only
-    std::string_view recording;  // file that is being written; empty if none
-    std::string_view renderer;   // GL's name
-    double now_s = 0;            // screen's clock
-    ImageSize image = {};        // of the world, as last drawn
+    std::string_view recording;          // file that is being written; empty if none
+    std::string_view renderer;           // GL's name
+    double now_s = 0;                    // screen's clock
+    ImageSize image = {};                // of the world, as last drawn
+    std::optional<double> sharing = {};  // 0 to 1, how much of the page of a shared slide is done
+    bool slide_ended = false;            // it has come to rest, and was not shared yet
 };
 
 }  // namespace game::ui

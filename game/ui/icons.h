@@ -16,6 +16,7 @@ enum class Icon {
     kBack,
     kUndo,
     kReset,
+    kShare,
     kScene,
     kPhysics,
     kDisplay,

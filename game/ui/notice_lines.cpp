@@ -33,6 +33,17 @@ void draw(const Desk& desk, const Line& line, ImVec2 from) {
                  faded(kText, line.strength), line.text, nullptr, line.most_width);
 }
 
+// The page of a shared slide: how much of it is done, as a number and as a bar along the lower edge.
+void draw_progress(const Desk& desk, double done, const Line& line, ImVec2 from) {
+    draw(desk, line, from);
+    const ImVec2 size = size_of(desk, line);
+    const float em = desk.em(), left = from.x + em * 0.95f, y = from.y + size.y - em * 0.3f;
+    const float width = size.x - 1.7f * em;
+    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    list.AddRectFilled({left, y}, {left + width, y + em * 0.12f}, kControlHeld);
+    list.AddRectFilled({left, y}, {left + width * static_cast<float>(done), y + em * 0.12f}, kAccent);
+}
+
 const char* deed(Tool tool) {
     switch (tool) {
         case Tool::kDig:
@@ -55,6 +66,16 @@ void notices(Desk& desk, const Facts& facts, bool warnings_only) {
     const float right = desk.size.x - (column ? desk.right_column : 0);
     const float room = beside ? desk.time_bar_left : desk.size.x - (kReadingsWidth + 0.6f) * em;
     float bottom = (beside ? desk.size.y : desk.lower_edge) - margin;
+    if (facts.sharing && !warnings_only) {
+        std::array<char, 64> text;
+        std::snprintf(text.data(), text.size(), "Sharing this slide: %3.0f %% of its page",
+                      100 * *facts.sharing);
+        const Line line{text.data(), kAccent, 1, room};
+        const ImVec2 size = size_of(desk, line), from{right - margin - size.x, bottom - size.y};
+        draw_progress(desk, *facts.sharing, line, from);
+        desk.widgets.note("Sharing", from, {from.x + size.x, bottom});
+        bottom = from.y - margin / 2;
+    }
     for (std::size_t i = facts.notices.size(); i-- > 0;) {  // the newest is lowest
         const Notice& notice = facts.notices[i];
         const bool warning = notice.kind == Notice::Kind::kWarning;

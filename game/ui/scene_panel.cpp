@@ -125,8 +125,17 @@ void recordings(Desk& desk, const char* heading, const std::vector<Catalogue::En
 
 }  // namespace
 
+// What happens after a slide was shared.
+void sharing(Desk& desk, const Facts& facts, Actions& actions) {
+    Display display = facts.display;
+    if (desk.widgets.toggle("Open shared", display.shows_shared,
+                            "Shows the folder of a shared slide in the file manager of the desktop."))
+        actions.emplace_back(SetDisplay{display});
+}
+
 void scene_panel(Desk& desk, const Facts& facts, Actions& actions) {
     what_is_loaded(desk, facts);
+    sharing(desk, facts, actions);
     what_to_begin(desk, facts, actions);
     recordings(desk, "Watch a recording and continue from its end", facts.catalogue.recordings,
                facts.recording, actions);

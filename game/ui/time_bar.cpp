@@ -10,7 +10,7 @@
 namespace game::ui {
 namespace {
 
-constexpr float kWidth = 38;  // em
+constexpr float kWidth = 40.5f;  // em
 constexpr std::array<const char*, 8> kSpeeds{"1/8 ×", "1/4 ×", "1/2 ×", "1 ×", "2 ×", "4 ×", "8 ×", "16 ×"};
 constexpr int kUsual = 3;  // index of 1 ×
 
@@ -56,6 +56,12 @@ void controls(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::SameLine();
     if (verb_button(desk, "Reset", Icon::kReset, Verb::kReset, "restarts the scene."))
         actions.emplace_back(Verb::kReset);
+    ImGui::SameLine();
+    ImGui::BeginDisabled(facts.sharing.has_value());
+    if (verb_button(desk, "Share", Icon::kShare, Verb::kShare,
+                    "writes this slide as a web page to send to a friend.", facts.slide_ended))
+        actions.emplace_back(Verb::kShare);
+    ImGui::EndDisabled();
 }
 
 // The state of the clock, for the user; empty at normal speed.

@@ -52,7 +52,8 @@ tl::expected<PowderPass, std::string> PowderPass::create(const std::filesystem::
     };
     link(pass.reach_,
          {{GL_VERTEX_SHADER, {"fullscreen.vert"}},
-          {GL_FRAGMENT_SHADER, {"slots.glsl", "frame.glsl", "powder.glsl", "powder_reach.frag"}}});
+          {GL_FRAGMENT_SHADER,
+           {"slots.glsl", "frame.glsl", "powder.glsl", "scene_depth.glsl", "powder_reach.frag"}}});
     link(pass.puffs_,
          {{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "sun_ceiling.glsl", "powder.glsl", "powder.vert"}},
           {GL_FRAGMENT_SHADER, {"slots.glsl", "frame.glsl", "powder.glsl", "powder.frag"}}});
@@ -61,7 +62,8 @@ tl::expected<PowderPass, std::string> PowderPass::create(const std::filesystem::
                         {"slots.glsl", "frame.glsl", "light.glsl", "sun_ceiling.glsl", "powder.glsl",
                          "powder_light.frag"}}});
     link(pass.over_, {{GL_VERTEX_SHADER, {"fullscreen.vert"}},
-                      {GL_FRAGMENT_SHADER, {"slots.glsl", "frame.glsl", "powder.glsl", "powder_over.frag"}}});
+                      {GL_FRAGMENT_SHADER,
+                       {"slots.glsl", "frame.glsl", "powder.glsl", "scene_depth.glsl", "powder_over.frag"}}});
     if (!error.empty()) return tl::unexpected(error);
 
     pass.no_vertices_ = make_vertex_array();

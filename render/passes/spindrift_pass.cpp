@@ -33,7 +33,7 @@ float share(double x) {
 tl::expected<SpindriftPass, std::string> SpindriftPass::create(const std::filesystem::path& shaders) {
     auto program = link_program(
         shaders, {{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "light.glsl", "spindrift.vert"}},
-                  {GL_FRAGMENT_SHADER, {"slots.glsl", "frame.glsl", "spindrift.frag"}}});
+                  {GL_FRAGMENT_SHADER, {"slots.glsl", "frame.glsl", "scene_depth.glsl", "spindrift.frag"}}});
     if (!program) return tl::unexpected(program.error());
     SpindriftPass pass;
     pass.program_ = std::move(*program);

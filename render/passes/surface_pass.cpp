@@ -16,10 +16,11 @@ GLuint groups(int vertices) {
 
 tl::expected<SurfacePass, std::string> SurfacePass::create(const std::filesystem::path& shaders) {
     auto surface = link_program(
-        shaders, {{GL_COMPUTE_SHADER, {"slots.glsl", "frame.glsl", "cover.glsl", "surface.comp"}}});
+        shaders,
+        {{GL_COMPUTE_SHADER, {"slots.glsl", "frame.glsl", "cover.glsl", "surface.glsl", "surface.comp"}}});
     if (!surface) return tl::unexpected(surface.error());
-    auto openness =
-        link_program(shaders, {{GL_COMPUTE_SHADER, {"slots.glsl", "frame.glsl", "openness.comp"}}});
+    auto openness = link_program(
+        shaders, {{GL_COMPUTE_SHADER, {"slots.glsl", "frame.glsl", "openness.glsl", "openness.comp"}}});
     if (!openness) return tl::unexpected(openness.error());
     SurfacePass pass;
     pass.surface_ = std::move(*surface);

@@ -31,8 +31,9 @@ Texture make_detail_texture() {
 // Creates the surface's shading with the files that define materials, slides and marks.
 tl::expected<RectanglePass, std::string> make_shading(const std::filesystem::path& shaders,
                                                       std::initializer_list<std::string_view> variant) {
-    std::vector<std::string_view> files{"slots.glsl",  "frame.glsl",      "light.glsl",  "sun_ceiling.glsl",
-                                        "ground.glsl", "tone_curve.glsl", "spline.glsl", "terrain.frag"};
+    std::vector<std::string_view> files{"slots.glsl",       "frame.glsl",       "light.glsl",
+                                        "sun_ceiling.glsl", "ground.glsl",      "tone_curve.glsl",
+                                        "spline.glsl",      "scene_depth.glsl", "terrain.frag"};
     files.insert(files.end(), variant);
     return RectanglePass::create(shaders, files);
 }

@@ -14,7 +14,8 @@ namespace render {
 tl::expected<TreesPass, std::string> TreesPass::create(const std::filesystem::path& shaders) {
     const auto link = [&](std::string_view vertex, std::string_view fragment) {
         return link_program(
-            shaders, {{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "light.glsl", "tree.glsl", vertex}},
+            shaders, {{GL_VERTEX_SHADER,
+                       {"slots.glsl", "frame.glsl", "light.glsl", "tree.glsl", "tree_buffer.glsl", vertex}},
                       {GL_FRAGMENT_SHADER, {"slots.glsl", fragment}}});
     };
     TreesPass pass;

@@ -1,13 +1,17 @@
 #include "game/app/app.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
+#include <fstream>
+#include <thread>
 
 #include <gtest/gtest.h>
 
 #include "game/recording/reader.h"
 #include "game/session/verifier.h"
 #include "render/picture.h"
+#include "render/png.h"
 #include "tests/app/gl_screen.h"
 #include "tests/support/allocations.h"
 #include "tests/support/places.h"
@@ -602,6 +606,143 @@ TEST_F(Playing, runs_back_to_the_beginning_and_stands_there) {
     EXPECT_TRUE(app_->clock().paused());
     EXPECT_FALSE(app_->clock().runs_back());
     EXPECT_LE(first.tick, 4);
+}
+
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    if (!std::filesystem::exists(folder)) return files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+class Sending : public Playing {
+  protected:
+    Sending() {
+        setenv("HOME", folder_.path().c_str(), 1);
+        setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1);
+        write_program("xdg-open", "#!/bin/sh\necho \"$@\" > \"$HOME/opened\"\n");
+        setenv("PATH", (folder_.path().string() + ":/usr/bin:/bin").c_str(), 1);
+    }
+    void write_program(const char* name, const std::string& text) {
+        std::ofstream(folder_.path() / name) << text;
+        std::filesystem::permissions(folder_.path() / name, std::filesystem::perms::owner_all);
+    }
+    std::vector<std::filesystem::path> screenshots() const {
+        return files_in(folder_.path() / "couloir/screenshots");
+    }
+    std::vector<std::filesystem::path> shared() const { return files_in(folder_.path() / "couloir/shared"); }
+    std::filesystem::path opened() const { return folder_.path() / "opened"; }
+    void wait_until_told(const std::string& words) {
+        for (int i = 0; i < 10000 && last_notice().find(words) == std::string::npos; ++i) frames(1);
+        EXPECT_NE(last_notice().find(words), std::string::npos) << last_notice();
+    }
+};
+
+TEST_F(Sending, takes_screenshots_of_the_world_alone_at_best_quality_while_panels_are_open) {
+    begin();
+    tap(Key::kSpace);
+    tap(Key::kTab);
+    screen_.move(1, 1);  // the ring is not on the ground
+    frames(400);         // until no notice is shown
+    ASSERT_EQ(app_->image(), (ImageSize{640, 360, true}));
+    const render::Picture world = screen_.picture();
+    const StateLine before = line();
+    tap(Key::kTab);
+    tap(function_key(2));
+    point_at_slope();
+    tap(function_key(12));
+    EXPECT_EQ(line(), before);
+    wait_until_told("Screenshot: ");
+    const std::string first = last_notice();
+    tap(function_key(12));
+    for (int i = 0; i < 1000 && last_notice() == first; ++i) frames(1);
+    ASSERT_EQ(screenshots().size(), 2u);
+    for (const auto& file : screenshots()) {
+        const auto texels = render::read_png(file, 3);
+        ASSERT_TRUE(texels) << texels.error();
+        ASSERT_EQ(texels->width, 640);
+        ASSERT_EQ(texels->height, 360);
+        bool equal = true;
+        for (std::size_t y = 0; y < 360; ++y)  // texels begin with the lowest row
+            equal &= std::equal(world.pixels.begin() + 1920 * y, world.pixels.begin() + 1920 * (y + 1),
+                                texels->values.begin() + 1920 * (359 - y));
+        EXPECT_TRUE(equal) << file;
+    }
+    EXPECT_FALSE(app_->image().fine) << "the window goes on as before";
+}
+
+TEST_F(Sending, says_that_a_screenshot_cannot_be_written) {
+    begin();
+    std::filesystem::create_directory(folder_.path() / "couloir");
+    std::ofstream(folder_.path() / "couloir/screenshots") << "a file";
+    tap(function_key(12));
+    wait_until_told("No screenshot: ");
+    EXPECT_NE(last_notice().find("couloir/screenshots"), std::string::npos) << last_notice();
+}
+
+TEST_F(Sending, shares_page_and_recording_and_opens_their_folder) {
+    begin();
+    stroke(30);
+    const auto own = *app_->recording();
+    const std::int64_t tick = state().tick;
+    tap(Key::kSpace);
+    tap(function_key(10));
+    EXPECT_TRUE(app_->is_sharing());
+    tap(function_key(10));
+    EXPECT_NE(last_notice().find("is being shared"), std::string::npos) << last_notice();
+    wait_until_told("Shared: ");
+    ASSERT_EQ(shared().size(), 1u);
+    EXPECT_NE(last_notice().find(shared()[0].string()), std::string::npos) << last_notice();
+    EXPECT_EQ(shared()[0].filename().string().rfind("alpine-valley-", 0), 0u);
+    const auto recording = read_recording(shared()[0] / "slide.couloir");
+    ASSERT_TRUE(recording) << recording.error().sentence;
+    EXPECT_FALSE(recording->warning);
+    EXPECT_GE(recording->last_tick(), tick);
+    EXPECT_GT(std::filesystem::file_size(shared()[0] / "slide.html"), 0u);
+    for (int i = 0; i < 500 && !std::filesystem::exists(opened()); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_TRUE(std::filesystem::exists(opened()));
+    EXPECT_EQ(*app_->recording(), own);
+    tap(Key::kSpace);
+    expect_recording_replays();
+}
+
+TEST_F(Sending, says_why_there_is_nothing_to_share) {
+    begin("winter-valley", 40);
+    tap(function_key(10));
+    EXPECT_NE(last_notice().find("Nothing to share"), std::string::npos) << last_notice();
+    app_.reset();
+    begin("flow-disc", 0);
+    tap(function_key(10));
+    EXPECT_NE(last_notice().find("flow demo"), std::string::npos) << last_notice();
+    EXPECT_TRUE(shared().empty());
+    app_.reset();
+    begin();
+    stroke(5);
+    std::filesystem::create_directory(folder_.path() / "couloir");
+    std::ofstream(folder_.path() / "couloir/shared") << "a file";
+    tap(function_key(10));
+    wait_until_told("was not shared: ");
+    EXPECT_NE(last_notice().find("couloir/shared"), std::string::npos) << last_notice();
+}
+
+TEST_F(Sending, leaves_nothing_of_a_slide_if_it_quits_meanwhile) {
+    begin();
+    stroke(60);
+    tap(function_key(10));
+    ASSERT_TRUE(app_->is_sharing());
+    EXPECT_TRUE(app_->finish());
+    app_.reset();
+    EXPECT_TRUE(shared().empty());
+}
+
+TEST_F(Sending, says_that_a_slide_has_come_to_rest_and_how_to_share_it) {
+    begin("alpine-valley", 40);
+    stroke(20);
+    for (int i = 0; i < 4; ++i) tap(Key::kEqual);
+    wait_until_told("come to rest");
+    EXPECT_NE(last_notice().find("F10"), std::string::npos) << last_notice();
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ void encode(benchmark::State& state, const render::PngCompression& compression) 
     if (picture.pixels.empty()) return state.SkipWithError("assets/pictures/snow-debris.png cannot be read");
     std::size_t bytes = 0;
     while (state.KeepRunning()) {
-        const auto file = render::encode_png(picture, compression);
+        const auto file = render::encode_png(picture, compression, {});
         if (!file) return state.SkipWithError(file.error().c_str());
         bytes = file->size();
     }

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "game/controls/input.h"
+
 namespace game::test {
 namespace {
 
@@ -55,6 +57,16 @@ TEST(KeyMap, names_keys_as_they_are_printed_on_keyboards) {
     EXPECT_EQ(name_of(Key::kPageDown), "PageDown");
     EXPECT_EQ(name_of(Key::kNone), "");
     EXPECT_EQ(name_of(Verb::kToggleHelp), "F1");
+}
+
+TEST(KeyMap, hears_function_keys_but_no_others_while_a_number_is_typed) {
+    Input input;
+    Actions actions;
+    const std::vector<Event> events{KeyEvent{key('T'), true, false, {}},
+                                    KeyEvent{function_key(12), true, false, {}}};
+    input.take(events, {}, {.mouse = false, .keys = true}, actions);
+    ASSERT_EQ(actions.size(), 1u);
+    EXPECT_EQ(std::get<Verb>(actions[0]), Verb::kScreenshot);
 }
 
 }  // namespace

@@ -97,6 +97,7 @@ const std::map<std::string, std::vector<std::string>> kTypes{
     {"DIRECTION", {}},
     {"BYTES", {}},  // has a unit: Memory.is_read_from_the_text_of_an_option
     {"LIST", {}},
+    {"EAST,NORTH,AZIMUTH,ELEVATION,DISTANCE", {}},  // five ranges: Viewpoint.is_five_numbers_in_their_ranges
     {"FILE", {}},
     {"DIR", {}},
     {"DEM", {}},

@@ -9,6 +9,7 @@
 
 #include "game/controls/catalogue.h"
 #include "game/files/recordings_folder.h"
+#include "tests/game/program.h"
 #include "tests/game/recording_files.h"
 #include "tests/support/places.h"
 
@@ -210,6 +211,63 @@ TEST(Sandbox, lets_a_person_take_over_a_recording_at_its_end_and_records_the_who
     EXPECT_EQ(read_recording(second).value().last_tick(), 55);
     EXPECT_EQ(read_recording(second).value().header.parent, (Parent{"first", 45}));
     EXPECT_EQ(replayed_hash(second), after.session().state_line().hash);
+}
+
+// The recording that a copy holds; written, because a copy must be a whole file.
+Recording read_copy(const Sandbox& sandbox, const std::filesystem::path& path) {
+    write_bytes(path, sandbox.recorded_so_far().value());
+    Recording recording = read_recording(path).value();
+    EXPECT_FALSE(recording.warning) << *recording.warning;
+    return recording;
+}
+
+TEST(Sandbox, copies_its_recording_as_if_it_ended_now_and_goes_on_with_it) {
+    const support::TemporaryFolder folder;
+    const auto own = folder.path() / "own.couloir", copy = folder.path() / "copy.couloir";
+    Sandbox sandbox = recorded(own);
+    EXPECT_EQ(read_copy(sandbox, copy).last_tick(), 0);
+    run(sandbox, 15);
+    stroke(sandbox, "pour", 7);
+    const auto before = read_bytes(own);
+    EXPECT_EQ(read_copy(sandbox, copy).last_tick(), 22);
+    EXPECT_EQ(replayed_hash(copy), sandbox.session().state_line().hash);
+    EXPECT_EQ(read_bytes(own), before) << "the recording itself has not changed";
+    ASSERT_TRUE(sandbox.undo());
+    EXPECT_EQ(read_copy(sandbox, copy).last_tick(), 15);
+    run(sandbox, 30);
+    const auto hash = sandbox.session().state_line().hash;
+    ASSERT_TRUE(sandbox.go_toward(9, [] { return true; }));
+    EXPECT_EQ(read_copy(sandbox, copy).last_tick(), 45) << "what is known, also if the past is shown";
+    EXPECT_EQ(replayed_hash(copy), hash);
+    ASSERT_TRUE(sandbox.go_toward(45, [] { return true; }));
+    ASSERT_TRUE(sandbox.finish());
+    EXPECT_EQ(read_bytes(own), read_bytes(copy));
+}
+
+TEST(Sandbox, copies_a_watched_recording_as_it_is) {
+    const support::TemporaryFolder folder;
+    const auto path = folder.path() / "own.couloir";
+    Sandbox own = recorded(path);
+    run(own, 20);
+    ASSERT_TRUE(own.finish());
+    Sandbox watching = Sandbox::begin(open_anything(path.string(), {}).value(), {}, std::nullopt).value();
+    run(watching, 5);
+    EXPECT_EQ(watching.recorded_so_far().value(), read_bytes(path));
+}
+
+TEST(Sandbox, says_why_there_is_no_recording_to_copy) {
+    const support::TemporaryFolder folder;
+    const auto path = folder.path() / "own.couloir";
+    const Sandbox unrecorded = Sandbox::begin(small_opening(), sim::StepOptions{}, std::nullopt).value();
+    EXPECT_EQ(unrecorded.recorded_so_far().error().status, Failure::kUnusable);
+    Sandbox sandbox = recorded(path);
+    run(sandbox, 10);
+    std::filesystem::resize_file(path, 100);
+    EXPECT_NE(sandbox.recorded_so_far().error().sentence.find(path.string()), std::string::npos);
+    std::filesystem::remove(path);
+    EXPECT_NE(sandbox.recorded_so_far().error().sentence.find(path.string()), std::string::npos);
+    Sandbox into_device = recorded("/dev/null");
+    EXPECT_FALSE(into_device.recorded_so_far());
 }
 
 // Files of this process may grow to `bytes` and no further, as on a full disk.

@@ -26,6 +26,18 @@ TEST_F(UiHand, asks_for_what_the_time_bar_says) {
     EXPECT_EQ(only<Verb>(click("Resume")), Verb::kPauseOrGoOn);
 }
 
+TEST_F(UiHand, shares_a_slide_and_shows_how_much_of_its_page_is_done) {
+    EXPECT_EQ(only<Verb>(click("Share")), Verb::kShare);
+    EXPECT_FALSE(ui_->find("Sharing"));
+    sharing_ = 0.4;
+    settle();
+    EXPECT_TRUE(ui_->find("Sharing"));
+    EXPECT_TRUE(click("Share").empty()) << "one at a time";
+    ui_->perform(Verb::kTogglePanels);
+    settle();
+    EXPECT_FALSE(ui_->find("Sharing"));
+}
+
 TEST_F(UiHand, seeks_along_the_timeline_for_as_long_as_it_is_held) {
     timeline_ = {.known_until = 600};
     settle();

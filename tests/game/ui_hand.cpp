@@ -31,7 +31,8 @@ void UiHand::begin_anew(ScreenSize size) {
 ui::Facts UiHand::facts() const {
     return {scenario_, state_,           clock_,        brush_,       inverted_,  false,
             touched_,  actions_to_undo_, under_cursor_, camera_mode_, display_,   times_,
-            notices_,  catalogue_,       timeline_,     recording_,   "scripted", screen_.seconds()};
+            notices_,  catalogue_,       timeline_,     recording_,   "scripted", screen_.seconds(),
+            {},        sharing_};
 }
 
 Actions UiHand::frame() {

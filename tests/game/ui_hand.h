@@ -49,6 +49,7 @@ class UiHand : public testing::Test {
     CameraMode camera_mode_ = CameraMode::kOrbit;
     ui::Timeline timeline_;
     std::string recording_ = "/tmp/valley.couloir";
+    std::optional<double> sharing_;
     std::optional<ui::Ui> ui_;
 };
 

@@ -171,6 +171,14 @@ TEST_F(UiPanels, open_a_recording_by_its_file_because_scenes_have_names_too) {
     EXPECT_EQ(only<Open>(click("Watch slope")).name_or_path, "/recordings/slope.couloir");
 }
 
+TEST_F(UiPanels, choose_whether_the_folder_of_a_shared_slide_is_opened) {
+    ui_->perform(Verb::kToggleScene);
+    settle();
+    Display expected = display_;
+    expected.shows_shared = false;
+    EXPECT_EQ(only<SetDisplay>(click("Open shared")).display, expected);
+}
+
 TEST_F(UiPanels, hide_the_trees_of_a_scene_that_has_some) {
     ui_->perform(Verb::kToggleDisplay);
     settle();

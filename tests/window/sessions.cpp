@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "game/recording/reader.h"
+#include "render/png.h"
 #include "tests/window/play_session.h"
 #include "tests/window/screenshot.h"
 
@@ -194,6 +196,71 @@ TEST_F(Play, ends_the_stroke_when_its_window_is_minimised) {
     ASSERT_TRUE(session->runs(30));
     EXPECT_EQ(session->commands(), after) << "it pours without input";
     session->leave();
+}
+
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    if (std::filesystem::exists(folder))
+        for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry.path());
+    return files;
+}
+
+TEST_F(Play, takes_a_screenshot_of_the_world_while_a_panel_is_open) {
+    const auto screenshots = hand().folder() / "couloir/screenshots";
+    hand().key("F2");
+    hand().key("F12");
+    hand().key("F12");
+    std::vector<std::filesystem::path> taken;
+    ASSERT_TRUE(within(20, [&] {
+        taken = files_in(screenshots);
+        return taken.size() == 2 && std::all_of(taken.begin(), taken.end(), [](const auto& file) {
+                   return file.extension() == ".png" && render::read_png(file, 3);
+               });
+    })) << taken.size();
+    for (const auto& file : taken) {
+        const auto image = render::read_png(file, 3);
+        EXPECT_EQ(image->width, PlaySession::kWidth);
+        EXPECT_EQ(image->height, PlaySession::kHeight);
+        EXPECT_EQ(file.filename().string().rfind("hands-", 0), 0u) << file;
+        const std::string bytes = read_bytes(file);
+        for (const auto& [keyword, text] :
+             {std::pair<std::string, std::string>("Recording", "session.couloir"),
+              {"Scene", "hands"},
+              {"Camera", "target = [80"}})
+            EXPECT_NE(bytes.find(keyword + '\0' + text), std::string::npos) << keyword;
+    }
+    session->leave();
+}
+
+TEST_F(Play, shares_the_slide_so_far_and_goes_on) {
+    hold_until("pour", 20);
+    ASSERT_TRUE(session->runs());
+    const std::size_t poured = session->commands("pour").size();
+    hand().key("F10");
+    EXPECT_TRUE(session->runs(30)) << "the world stands still while its slide is shared";
+    std::vector<std::filesystem::path> shared;
+    ASSERT_TRUE(within(60, [&] { return !hand().opened().empty(); }));
+    shared = files_in(hand().folder() / "couloir/shared");
+    ASSERT_EQ(shared.size(), 1u);
+    EXPECT_EQ(hand().opened(), shared[0].string() + "\n");
+    EXPECT_EQ(shared[0].filename().string().rfind("hands-", 0), 0u) << shared[0];
+    EXPECT_EQ(files_in(shared[0]).size(), 2u);
+    EXPECT_GT(std::filesystem::file_size(shared[0] / "slide.html"), 10'000u);
+    const auto recording = read_recording(shared[0] / "slide.couloir");
+    ASSERT_TRUE(recording) << recording.error().sentence;
+    EXPECT_EQ(recording->commands.size(), poured);
+    const Finished replayed = couloir({"replay", (shared[0] / "slide.couloir").string(), "--verify"});
+    EXPECT_EQ(replayed.status, 0) << replayed.err;
+    EXPECT_NE(replayed.out.find("exact"), std::string::npos) << replayed.out << replayed.err;
+    session->leave();
+}
+
+TEST_F(Play, leaves_nothing_of_a_shared_slide_if_it_quits_meanwhile) {
+    hold_until("pour", 100);
+    hand().key("F10");
+    session->leave();
+    for (const auto& folder : files_in(hand().folder() / "couloir/shared"))
+        EXPECT_EQ(files_in(folder).size(), 2u) << "neither whole nor gone";
 }
 
 TEST_F(Play, closes_during_a_stroke) {

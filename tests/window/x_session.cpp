@@ -39,6 +39,11 @@ XSession::XSession(int width, int height) {
         // xdotool types, and the window receives, only the letters of the locale.
         {"LC_ALL", "C.UTF-8"},   {"DISPLAY", ":" + number}, {"WAYLAND_DISPLAY", std::nullopt}, {"HOME", home},
         {"XDG_DATA_HOME", home}, {"XDG_CONFIG_HOME", home}, {"XAUTHORITY", std::nullopt}};
+    // Nothing may be opened on a desktop that is only virtual.
+    write_bytes(file("xdg-open"), "#!/bin/sh\necho \"$@\" >> \"$HOME/opened\"\n");
+    std::filesystem::permissions(file("xdg-open"), std::filesystem::perms::owner_all);
+    const char* path = std::getenv("PATH");
+    environment_["PATH"] = home + ":" + (path ? path : "/usr/bin:/bin");
     manager_ = std::make_unique<Child>(std::vector<std::string>{"blackbox"}, environment_,
                                        file("manager.out"), file("manager.err"));
     // The window manager answers once it manages windows.
@@ -166,6 +171,10 @@ render::Picture XSession::screenshot() {
 
 std::string XSession::out() const {
     return read_bytes(file("program.out"));
+}
+
+std::string XSession::opened() const {
+    return std::filesystem::exists(file("opened")) ? read_bytes(file("opened")) : "";
 }
 
 Finished XSession::finish(double seconds) {

@@ -60,6 +60,8 @@ class XSession {
     Finished finish(double seconds = 20);
 
     const std::filesystem::path& folder() const { return folder_.path(); }  // deleted with the session
+    // What the program had opened on the desktop, one path a line.
+    std::string opened() const;
 
   private:
     std::string tool(std::vector<std::string> arguments);

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <future>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "game/base/outcome.h"
+#include "game/scene/scenario.h"
+#include "render/camera.h"
+#include "render/picture.h"
+
+namespace game {
+
+// Where and when a screenshot was taken.
+struct Shot {
+    const Scenario& scenario;
+    std::filesystem::path recording;  // the session's, or the watched one; empty if there is none
+    std::int64_t tick = 0;
+    render::Camera camera;
+};
+
+// The texts in the PNG of a screenshot: title, scene, recording, tick, time, program, camera as in a scene, and the
+// places of the camera and of what it looks at, if the world has a place on Earth.
+render::PngTexts texts_of(const Shot& shot);
+
+// Writes screenshots on threads of its own, so that the window need not wait. Use it from one thread.
+class Screenshots {
+  public:
+    static constexpr std::size_t kMostAtOnce = 4;
+
+    // Starts writing to a new file NAME.png in screenshots_folder(). Waits while kMostAtOnce are being written.
+    // Errors: the system cannot start a thread.
+    Outcome<void> write(render::Picture picture, std::string name, render::PngTexts texts);
+
+    // The file of the next screenshot that is written; nothing if there is none yet. Errors: no folder, or it
+    // cannot be written, and then no file remains.
+    std::optional<Outcome<std::filesystem::path>> result();
+
+  private:
+    std::vector<std::future<Outcome<std::filesystem::path>>>
+        jobs_;  // in order; each is waited for at the end
+};
+
+}  // namespace game
