@@ -86,7 +86,7 @@ class Page {
             this.canvas.height = height;
         }
         ++this.frames;
-        this.picture.draw({view: this.view(), overlay: this.overlay, cursor: this.pin});
+        this.picture.draw({view: this.view(), overlay: this.overlay, cursor: this.pin, scale: this.scale});
     }
 
     // Asks for a picture.
