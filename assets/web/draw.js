@@ -5,6 +5,14 @@ const kScreenTile = 32;                                // samples along an edge
 const kSlideBlock = 4, kSlideReach = 3, kWallReach = 2;  // vertices: render/slide_tiles.cpp
 const kCoarsest = 4, kFinest = 2;                      // divisors of the resolution for powder
 const kLeastBudget = 30000, kBudgetPerSample = 0.07;   // pixels of puffs
+const kDebrisTiles = 9;                                // along the longer side
+// What is packed of each vertex of structures, and of their ropes and shadows, in the order of their shaders' attributes.
+const kBuiltColumns = {
+    built: ['x', 'y', 'z', 'material', 'normal_x', 'normal_y', 'normal_z', 'number', 'across', 'up', 'light', 'own', 'rests_x', 'rests_y',
+            'rests_z', 'rests'],
+    ropes: ['x', 'y', 'z', 'side', 'along_x', 'along_y', 'along_z', 'half'],
+    shadows: ['x', 'y', 'z', 'strength', 'foot_x', 'foot_y', 'foot_z', 'zero'],
+};
 const kTreesInARow = 256;                              // tree_texture.glsl
 
 class Picture {
@@ -52,6 +60,8 @@ class Picture {
             edgeMarks: add(fullscreen, ['slots.glsl', 'gather.glsl', 'edges_mark.frag']),
             edges: add(fullscreen, ['slots.glsl', 'gather.glsl', 'edges.frag']),
         };
+        if (slide.info.texture)
+            this.programs.debris = add(['rectangles.vert'], [...frame, 'window_depth.glsl', 'debris.frag', 'grain.glsl', 'paint_blended.glsl']);
         this.materials = slide.info.two ? 'materials_two.glsl' : 'materials_one.glsl';
         this.shadings = new Map();
         this.shading('marks_none.glsl');
@@ -61,6 +71,12 @@ class Picture {
                                         slide.info.two ? 'surroundings_two.glsl' : 'surroundings_one.glsl']);
         else
             this.programs.walls = add([...frame, 'terrain.vert'], [...lit, 'gather.glsl', 'walls.frag']);
+        if (slide.info.arrays['built.x'])
+            Object.assign(this.programs, {
+                built: add([...lit, 'triangle_height.glsl', 'structure.vert'], [...frame, 'structure.frag']),
+                ropes: add([...lit, 'rope.vert'], ['rope.frag']),
+                shadows: add([...lit, 'triangle_height.glsl', 'structure_shadow.vert'], ['structure_shadow.frag']),
+            });
         if (slide.info.arrays['trees.x']) {
             const tree = (vertex, fragment) => add([...light, 'tree.glsl', 'tree_texture.glsl', vertex], ['slots.glsl', fragment]);
             Object.assign(this.programs, {
@@ -111,20 +127,21 @@ class Picture {
     integers(member) { return new Int32Array(this.block, this.place(member), 4); }
     number(member, part) { return this.floats(member)[part]; }
 
-    setFrame(view, overlay, cursor) {
+    setFrame(overlay, cursor) {
+        const {gl, view} = this;
         this.floats('clip_from_world', 16).set(view.clip);
         this.floats('eye').set(view.eye);  // and keeps its w
         this.floats('ray_forward').set([...view.forward, view.near]);
         this.floats('ray_right').set(view.right);
         this.floats('ray_up').set(view.up);
-        this.floats('material').set([view.pixel, 1], 1);
-        this.floats('flow').fill(0);  // no texture moves with the flow
+        this.floats('material').set([view.pixel, Math.max(this.scale, 1)], 1);
+        this.floats('flow').set(this.debrisTint ? [kDebrisTiles / this.side, this.slots.FLOW_ROLLING, 0, 0] : [0, 0, 0, 0]);
+        if (this.debrisTint) this.floats('flow_tint').set(this.debrisTint);
         const cell = this.slide.info.grid.dx;
         this.floats('ring').set(cursor ? [cursor.x, cursor.y, cursor.radius || 1.5 * cell, 1] : [0, 0, 0, 0]);
         this.floats('ring_colour').set([1, 0.55, 0.05, 0]);
         this.integers('overlay').set(overlay ? [this.slots.OVERLAY_SPEED, overlay.stops.length, overlay.stepped ? 1 : 0, 0] : [0, 0, 0, 0]);
         if (overlay) this.floats('stops', 4 * overlay.stops.length).set(this.legend(overlay));
-        const {gl} = this;
         gl.bindBufferBase(gl.UNIFORM_BUFFER, this.slots.SLOT_FRAME, this.frameBuffer);
         gl.bufferSubData(gl.UNIFORM_BUFFER, 0, this.block);
     }
@@ -155,7 +172,7 @@ class Picture {
         if (data instanceof Float32Array)
             gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, [gl.RED, gl.RG, gl.RGB, gl.RGBA][parts - 1], gl.FLOAT, data);
         else
-            gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, parts === 1 ? gl.RED_INTEGER : gl.RG, gl.UNSIGNED_BYTE, data);
+            gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, [gl.RED_INTEGER, gl.RG, gl.RGB, gl.RGBA][parts - 1], gl.UNSIGNED_BYTE, data);
     }
 
     framebuffer(colours, depth = null) {
@@ -201,7 +218,10 @@ class Picture {
         this.bind(slots.SLOT_OPENNESS, this.fields.openness);
         this.makeDetail();
         this.makeMesh();
+        this.side = (Math.max(nx, ny) - 1) * slide.info.grid.dx;
+        if (this.programs.debris) this.makeDebris();
         if (slide.info.surroundings) this.makeSurroundings();
+        if (this.programs.built) this.makeBuilt();
         if (this.programs.treeNear) this.makeTrees();
         if (this.programs.puffs) this.makePowder();
     }
@@ -244,6 +264,20 @@ class Picture {
         gl.bindTexture(gl.TEXTURE_2D_ARRAY, detail);
         gl.generateMipmap(gl.TEXTURE_2D_ARRAY);
         gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_NEAREST);
+    }
+
+    // Its mean colour is that of the rolling layer.
+    makeDebris() {
+        const {gl, slots} = this, debris = new Debris(kDebrisOf[this.slide.info.texture]), size = kDebrisSize;
+        gl.activeTexture(gl.TEXTURE0 + slots.SLOT_GRAIN);
+        gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+        gl.texStorage2D(gl.TEXTURE_2D, Math.log2(size) + 1, gl.RGBA8, size, size);
+        gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, size, size, gl.RGBA, gl.UNSIGNED_BYTE, debris.grain(slots.STEEPEST_GRAIN));
+        gl.generateMipmap(gl.TEXTURE_2D);
+        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_NEAREST);
+        this.texture(slots.SLOT_PAINT, gl.SRGB8_ALPHA8, 256, 1, gl.LINEAR, debris.colours());
+        const mean = debris.meanColour();
+        this.debrisTint = [...this.floats('rolling')].slice(0, 3).map((part, k) => part / mean[k]);
     }
 
     // Indices of the surface and of the walls of the block: render/ground_mesh.cpp.
@@ -320,6 +354,24 @@ class Picture {
         for (const which of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, which, gl.CLAMP_TO_EDGE);
     }
 
+    makeBuilt() {
+        const {gl, slide} = this;
+        this.built = {};
+        for (const [table, names] of Object.entries(kBuiltColumns)) {
+            const columns = names.map(name => slide.array(`${table}.${name}`)), width = columns.length;
+            if (!columns[0]) continue;
+            const vertices = new Float32Array(width * columns[0].length), array = gl.createVertexArray();
+            columns.forEach((column, k) => column.forEach((value, i) => vertices[width * i + k] = value));
+            gl.bindVertexArray(array);
+            gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+            gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.STATIC_DRAW);
+            for (let i = 0; 4 * i < width; ++i) this.attribute(i, 4, 4 * width, 16 * i);
+            const [first, count, from, until] = ['first', 'count', 'from', 'until'].map(name => slide.array(`${table}.${name}`));
+            this.built[table] = {array, pieces: Array.from(first, (_, i) => ({first: first[i], count: count[i], from: from[i], until: until[i]}))};
+        }
+        gl.bindVertexArray(null);
+    }
+
     makeTrees() {
         const {gl, slots} = this;
         this.trees = new TreesInView(this.slide, [...this.floats('sun')].slice(0, 3), slots);
@@ -363,6 +415,12 @@ class Picture {
             scene: this.framebuffer([colour], depth), ground: this.framebuffer([], ground), sky: this.framebuffer([sky]),
             air: this.framebuffer([colour]), stepped: this.framebuffer([stepped]), smooth: this.framebuffer([smooth]),
         };
+        if (this.programs.debris) {
+            const skin = ['SLOT_SKIN_ALBEDO', 'SLOT_SKIN_RELIEF'].map(slot => this.texture(slots[slot], gl.RGBA16F, width, height, gl.NEAREST));
+            textures.push(...skin);
+            target.skin = skin;
+            frames.skin = this.framebuffer(skin);
+        }
         const marks = gl.createRenderbuffer();
         gl.bindRenderbuffer(gl.RENDERBUFFER, marks);
         gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH24_STENCIL8, width, height);
@@ -386,19 +444,23 @@ class Picture {
     // ---- drawing ----
 
     // Draws the slide at its moment into the canvas. `overlay`: of slide.info.overlays, or null; `cursor`: a point of the
-    // ground, or null.
-    draw({view, overlay = null, cursor = null}) {
+    // ground, or null. `scale`: samples per pixel of the screen along an edge.
+    draw({view, overlay = null, cursor = null, scale = 1}) {
         const {gl} = this, width = gl.drawingBufferWidth, height = gl.drawingBufferHeight;
         if (gl.isContextLost()) return;
         this.resize(width, height);
-        this.setFrame(view, overlay, cursor);
+        this.scale = scale;
         this.view = view;
+        this.setFrame(overlay, cursor);
         this.frames = this.target.frames;
         this.began = performance.now();
         this.sendFields(overlay);
         this.mark('fields');
         this.drawDepth();
         this.mark('depth');
+        this.tiles = this.slideTiles();
+        if (this.programs.debris) this.drawDebris();
+        this.mark('debris');
         this.shadeTerrain(overlay, cursor);
         this.mark('terrain');
         this.drawAround();
@@ -407,6 +469,8 @@ class Picture {
         this.mark('powder');
         this.drawSky();
         this.mark('sky');
+        if (this.built) this.drawBuilt();
+        this.mark('structures');
         if (this.trees) this.drawTrees();
         this.mark('trees');
         if (powdery) this.layCloudOver();
@@ -539,6 +603,30 @@ class Picture {
         this.into(frames.scene);
     }
 
+    drawRectangles(corners) {
+        const {gl} = this;
+        if (corners.length === 0) return;
+        gl.bindVertexArray(this.rectangleArray);
+        gl.bindBuffer(gl.ARRAY_BUFFER, this.rectangleBuffer);
+        gl.bufferData(gl.ARRAY_BUFFER, Float32Array.from(corners), gl.STREAM_DRAW);
+        gl.drawArraysInstanced(gl.TRIANGLES, 0, 6, corners.length / 4);
+    }
+
+    // Unlit, so that ground and debris are lit together.
+    drawDebris() {
+        const {gl, slots, slide} = this, {frames, skin} = this.target, {debris} = this.programs;
+        this.bind(slots.SLOT_SKIN_ALBEDO, null);
+        this.bind(slots.SLOT_SKIN_RELIEF, null);
+        this.bind(slots.SLOT_RELIEF, this.fields.filtered);
+        this.into(frames.skin);
+        debris.use();
+        gl.uniform1f(debris.at('seconds'), slide.tick * slide.info.tick_s);
+        this.drawRectangles([...this.tiles[1], ...this.tiles[2]]);
+        this.bind(slots.SLOT_SKIN_ALBEDO, skin[0]);
+        this.bind(slots.SLOT_SKIN_RELIEF, skin[1]);
+        this.into(frames.scene);
+    }
+
     // Shades each pixel once.
     shadeTerrain(overlay, cursor) {
         const {gl, slots, fields} = this;
@@ -547,13 +635,9 @@ class Picture {
         this.bind(slots.SLOT_RELIEF, fields.filtered);
         gl.depthMask(false);
         gl.depthFunc(gl.LESS);
-        this.enabled([gl.DEPTH_TEST], () => this.slideTiles().forEach((corners, kind) => {
-            if (corners.length === 0) return;
+        this.enabled([gl.DEPTH_TEST], () => this.tiles.forEach((corners, kind) => {
             shading[kind].use();
-            gl.bindVertexArray(this.rectangleArray);
-            gl.bindBuffer(gl.ARRAY_BUFFER, this.rectangleBuffer);
-            gl.bufferData(gl.ARRAY_BUFFER, Float32Array.from(corners), gl.STREAM_DRAW);
-            gl.drawArraysInstanced(gl.TRIANGLES, 0, 6, corners.length / 4);
+            this.drawRectangles(corners);
         }));
         gl.depthFunc(gl.GEQUAL);
         gl.depthMask(true);
@@ -670,9 +754,32 @@ class Picture {
         this.enabled([gl.DEPTH_TEST], () => this.fill(this.programs.lights));
     }
 
+    // What people have built, as it is in the stored frame before the moment.
+    drawBuilt() {
+        const {gl, slide, programs} = this, frame = Math.min(Math.floor(slide.tick / slide.info.every), slide.info.frames - 1);
+        const draw = table => {
+            if (!this.built[table]) return;
+            const {array, pieces} = this.built[table];
+            programs[table].use();
+            gl.bindVertexArray(array);
+            for (const {first, count, from, until} of pieces) if (from <= frame && frame < until) gl.drawArrays(gl.TRIANGLES, first, count);
+        };
+        this.enabled([gl.DEPTH_TEST], () => {
+            draw('built');
+            gl.depthMask(false);
+            // A shadow lies on the ground as triangles, which are a little above it everywhere.
+            gl.polygonOffset(2, 8);
+            gl.blendFunc(gl.ZERO, gl.SRC_COLOR);
+            this.enabled([gl.BLEND, gl.POLYGON_OFFSET_FILL], () => draw('shadows'));
+            gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+            this.enabled([gl.BLEND], () => draw('ropes'));
+            gl.depthMask(true);
+        });
+    }
+
     drawTrees() {
-        const {gl, slots, trees} = this, key = this.view.clip.join() + this.target.width;
-        if (key !== this.treesKey) trees.find(this.view, (low, high) => this.onScreen(low, high));
+        const {gl, slots, trees} = this, key = [...this.view.clip, this.target.width, this.scale].join();
+        if (key !== this.treesKey) trees.find({...this.view, pixel: this.view.pixel * Math.max(this.scale, 1)}, (low, high) => this.onScreen(low, high));
         if (key !== this.treesKey || this.treesTick !== this.slide.tick) {
             const rows = Math.ceil(trees.standing.length / kTreesInARow), drawn = trees.settle();
             const padded = new Float32Array(20 * kTreesInARow * rows);
@@ -778,13 +885,22 @@ class Picture {
         });
     }
 
-    // Maps light to what a screen shows, and smooths stairs.
+    // Maps light to what a screen shows, into the canvas.
     show() {
-        const {gl, slots} = this, {width, height, frames, colour, stepped} = this.target;
+        const {gl, slots} = this, {width, height, frames, colour} = this.target;
         this.bind(slots.SLOT_COLOUR, colour);
         this.bind(slots.SLOT_PICTURE, null);
         this.into(frames.stepped);
         this.fill(this.programs.tone);
+        if (this.scale === 1) this.smoothEdges();
+        gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.scale === 1 ? frames.smooth : frames.stepped);
+        gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
+        gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+    }
+
+    // Of a picture with one sample per pixel.
+    smoothEdges() {
+        const {gl, slots} = this, {width, height, frames, stepped} = this.target;
         gl.bindFramebuffer(gl.READ_FRAMEBUFFER, frames.stepped);
         gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, frames.smooth);
         gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
@@ -801,9 +917,6 @@ class Picture {
             gl.stencilFunc(gl.EQUAL, 1, 0xff);
             this.fill(this.programs.edges);
         });
-        gl.bindFramebuffer(gl.READ_FRAMEBUFFER, frames.smooth);
-        gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
-        gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
     }
 
     // ---- for tests ----
@@ -811,7 +924,7 @@ class Picture {
     // The bytes of the last picture, from its lowest row on: call it right after draw().
     pixels() {
         const {gl} = this, {width, height, frames} = this.target, bytes = new Uint8Array(4 * width * height);
-        gl.bindFramebuffer(gl.FRAMEBUFFER, frames.smooth);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, this.scale === 1 ? frames.smooth : frames.stepped);
         gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
         return {width, height, bytes};
     }

@@ -43,7 +43,7 @@ constexpr int kWidth = 1280, kHeight = 720;  // of the picture whose uniforms th
 
 // The program of the page, in the order in which it is joined.
 constexpr std::array kScripts{"fields.js", "camera.js", "shaders.js", "trees.js",
-                              "powder.js", "draw.js",   "page.js"};
+                              "debris.js", "powder.js", "draw.js",    "page.js"};
 
 Outcome<std::string> text_of(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
@@ -372,6 +372,7 @@ Json SlidePage::Parts::info(const Session& session, std::span<const TimedCommand
               {"volume", volumes},
               {"camera", camera_json(camera)},
               {"frame", block},
+              {"texture", scenario.look.flow ? Json(to_string(scenario.look.flow->pattern)) : Json(nullptr)},
               {"powder", look(scenario.look.powder)},
               {"lower_powder", look(scenario.look.lower_powder)},
               {"overlays", overlays_json()},
