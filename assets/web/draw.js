@@ -15,6 +15,14 @@ const kBuiltColumns = {
 };
 const kTreesInARow = 256;                              // tree_texture.glsl
 
+// Waits until the graphics card has drawn all so far, and leaves the browser free meanwhile.
+async function drawn(gl) {
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    while (fence && gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) await new Promise(resolve => setTimeout(resolve, 4));
+    gl.deleteSync(fence);
+}
+
 class Picture {
     // Throws an error whose message is a sentence for the viewer.
     static async create(canvas, slide) {
@@ -25,7 +33,7 @@ class Picture {
         const picture = new Picture(gl, slide);
         picture.compile();
         await picture.shaders.ready();
-        picture.makeTerrain();
+        await picture.makeTerrain();
         return picture;
     }
 
@@ -58,6 +66,7 @@ class Picture {
             lights: add(fullscreen, [...frame, 'sky_lights.frag', this.number('above', 3) > 0 ? 'stars.glsl' : 'stars_none.glsl']),
             tone: add(fullscreen, ['slots.glsl', 'tone_curve.glsl', 'encoded_before.glsl', 'tone.frag', 'encoded.frag']),
             edgeMarks: add(fullscreen, ['slots.glsl', 'gather.glsl', 'edges_mark.frag']),
+            shown: add(fullscreen, ['slots.glsl', 'shown.frag']),
             edges: add(fullscreen, ['slots.glsl', 'gather.glsl', 'edges.frag']),
         };
         if (slide.info.texture)
@@ -186,7 +195,7 @@ class Picture {
 
     // ---- what is made once ----
 
-    makeTerrain() {
+    async makeTerrain() {
         const {gl, slide, slots} = this, {nx, ny} = slide.info.grid;
         this.frameBuffer = gl.createBuffer();
         gl.bindBuffer(gl.UNIFORM_BUFFER, this.frameBuffer);
@@ -216,7 +225,7 @@ class Picture {
         gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer([this.fields.openness]));
         this.fill(this.programs.openness);
         this.bind(slots.SLOT_OPENNESS, this.fields.openness);
-        this.makeDetail();
+        await this.makeDetail();
         this.makeMesh();
         this.side = (Math.max(nx, ny) - 1) * slide.info.grid.dx;
         if (this.programs.debris) this.makeDebris();
@@ -227,16 +236,16 @@ class Picture {
     }
 
     // Small relief, as render/detail.cpp makes it.
-    makeDetail() {
+    async makeDetail() {
         const {gl, slots} = this, size = kDetailSize, unit = slots.SLOT_DETAIL;
         const heights = this.texture(unit, gl.RGBA32F, size, size, gl.NEAREST);
-        const heightsFrame = this.framebuffer([heights]), values = new Float32Array(4 * size * size);
+        const heightsFrame = this.framebuffer([heights]);
         gl.viewport(0, 0, size, size);
         this.programs.detailHeights.use();
         gl.uniform1f(this.programs.detailHeights.at('texels'), size);
         this.bind(unit, null);
         this.fill(this.programs.detailHeights);
-        gl.readPixels(0, 0, size, size, gl.RGBA, gl.FLOAT, values);
+        const values = await this.readBack(size, size);
         const lowest = [Infinity, Infinity, Infinity, Infinity], highest = lowest.map(edge => -edge);
         for (let i = 0; i < values.length; ++i) {
             lowest[i & 3] = Math.min(lowest[i & 3], values[i]);
@@ -278,6 +287,18 @@ class Picture {
         this.texture(slots.SLOT_PAINT, gl.SRGB8_ALPHA8, 256, 1, gl.LINEAR, debris.colours());
         const mean = debris.meanColour();
         this.debrisTint = [...this.floats('rolling')].slice(0, 3).map((part, k) => part / mean[k]);
+    }
+
+    // The numbers in the framebuffer that is bound. Reading them at once would make the browser wait, and warn.
+    async readBack(width, height) {
+        const {gl} = this, buffer = gl.createBuffer(), numbers = new Float32Array(4 * width * height);
+        gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+        gl.bufferData(gl.PIXEL_PACK_BUFFER, numbers.byteLength, gl.STREAM_READ);
+        gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, 0);
+        await drawn(gl);
+        gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, numbers);
+        gl.deleteBuffer(buffer);
+        return numbers;
     }
 
     // Indices of the surface and of the walls of the block: render/ground_mesh.cpp.
@@ -887,15 +908,16 @@ class Picture {
 
     // Maps light to what a screen shows, into the canvas.
     show() {
-        const {gl, slots} = this, {width, height, frames, colour} = this.target;
+        const {slots} = this, {frames, colour, stepped, smooth} = this.target;
         this.bind(slots.SLOT_COLOUR, colour);
         this.bind(slots.SLOT_PICTURE, null);
         this.into(frames.stepped);
         this.fill(this.programs.tone);
         if (this.scale === 1) this.smoothEdges();
-        gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.scale === 1 ? frames.smooth : frames.stepped);
-        gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
-        gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+        // Copied by a shader: Chromium may leave a canvas black into which pixels are only copied.
+        this.bind(slots.SLOT_PICTURE, this.scale === 1 ? smooth : stepped);
+        this.into(null);
+        this.fill(this.programs.shown);
     }
 
     // Of a picture with one sample per pixel.

@@ -1,0 +1,6 @@
+// Shows the finished picture on the canvas.
+layout(binding = SLOT_PICTURE) uniform sampler2D picture;
+
+out vec4 colour;
+
+void main() { colour = texelFetch(picture, ivec2(gl_FragCoord.xy), 0); }
