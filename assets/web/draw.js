@@ -65,8 +65,8 @@ class Picture {
             sky: add(fullscreen, [...light, 'sky.frag']),
             lights: add(fullscreen, [...frame, 'sky_lights.frag', this.number('above', 3) > 0 ? 'stars.glsl' : 'stars_none.glsl']),
             tone: add(fullscreen, ['slots.glsl', 'tone_curve.glsl', 'encoded_before.glsl', 'tone.frag', 'encoded.frag']),
+            copied: add(fullscreen, ['slots.glsl', 'copied.frag']),
             edgeMarks: add(fullscreen, ['slots.glsl', 'gather.glsl', 'edges_mark.frag']),
-            shown: add(fullscreen, ['slots.glsl', 'shown.frag']),
             edges: add(fullscreen, ['slots.glsl', 'gather.glsl', 'edges.frag']),
         };
         if (slide.info.texture)
@@ -906,7 +906,7 @@ class Picture {
         });
     }
 
-    // Maps light to what a screen shows, into the canvas.
+    // Maps light to what a screen shows, and draws that on the canvas: Chromium does not see what is blitted there.
     show() {
         const {slots} = this, {frames, colour, stepped, smooth} = this.target;
         this.bind(slots.SLOT_COLOUR, colour);
@@ -914,10 +914,9 @@ class Picture {
         this.into(frames.stepped);
         this.fill(this.programs.tone);
         if (this.scale === 1) this.smoothEdges();
-        // Copied by a shader: Chromium may leave a canvas black into which pixels are only copied.
         this.bind(slots.SLOT_PICTURE, this.scale === 1 ? smooth : stepped);
         this.into(null);
-        this.fill(this.programs.shown);
+        this.fill(this.programs.copied);
     }
 
     // Of a picture with one sample per pixel.

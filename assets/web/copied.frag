@@ -1,6 +1,5 @@
-// Shows the finished picture on the canvas.
+// Copies the picture.
 layout(binding = SLOT_PICTURE) uniform sampler2D picture;
-
 out vec4 colour;
 
 void main() { colour = texelFetch(picture, ivec2(gl_FragCoord.xy), 0); }
