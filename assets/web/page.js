@@ -232,6 +232,7 @@ class Page {
             return `${rgb(stop)} ${100 * i / stops.length}%, ${rgb(to)} ${100 * (i + 1) / stops.length}%`;
         });
         part('colours').style.background = `linear-gradient(to right, ${colours.join(', ')})`;
+        part('legend').classList.toggle('many', stops.length > 6);
         part('values').replaceChildren();
         for (const [value] of stops) add(part('values'), 'li', String(Number(value.toPrecision(3))).replace('-', '−'));
     }
