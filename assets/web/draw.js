@@ -15,14 +15,6 @@ const kBuiltColumns = {
 };
 const kTreesInARow = 256;                              // tree_texture.glsl
 
-// Waits until the graphics card has drawn all so far, and leaves the browser free meanwhile.
-async function drawn(gl) {
-    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-    gl.flush();
-    while (fence && gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) await new Promise(resolve => setTimeout(resolve, 4));
-    gl.deleteSync(fence);
-}
-
 class Picture {
     // Throws an error whose message is a sentence for the viewer.
     static async create(canvas, slide) {
@@ -33,7 +25,7 @@ class Picture {
         const picture = new Picture(gl, slide);
         picture.compile();
         await picture.shaders.ready();
-        await picture.makeTerrain();
+        picture.makeTerrain();
         return picture;
     }
 
@@ -60,6 +52,7 @@ class Picture {
             openness: add(fullscreen, [...frame, 'openness.glsl', 'openness.frag']),
             surface: add(fullscreen, [...frame, 'cover.glsl', 'surface.glsl', 'surface.frag']),
             detailHeights: add(fullscreen, ['slots.glsl', 'detail_heights.frag']),
+            detailRange: add(fullscreen, ['slots.glsl', 'detail_range.frag']),
             detailLayer: add(fullscreen, ['slots.glsl', 'detail_layer.frag']),
             depth: add([...frame, 'terrain.vert'], ['depth.frag']),
             sky: add(fullscreen, [...light, 'sky.frag']),
@@ -115,6 +108,12 @@ class Picture {
                                     make('slides.glsl', 'crown.glsl')]);
         }
         return this.shadings.get(key);
+    }
+
+    // Begins to compile what is needed once a legend or a point is chosen.
+    prepareMarks() {
+        if (this.gl.isContextLost()) return;
+        for (const overlay of ['overlay.glsl', 'overlay_none.glsl']) this.shading('marks.glsl', overlay);
     }
 
     // ---- the uniforms of the frame ----
@@ -195,7 +194,7 @@ class Picture {
 
     // ---- what is made once ----
 
-    async makeTerrain() {
+    makeTerrain() {
         const {gl, slide, slots} = this, {nx, ny} = slide.info.grid;
         this.frameBuffer = gl.createBuffer();
         gl.bindBuffer(gl.UNIFORM_BUFFER, this.frameBuffer);
@@ -204,6 +203,7 @@ class Picture {
 
         this.site = slide.array('site') || new Float32Array(nx * ny);
         this.firstDepth = slide.array('d0');
+        this.makeDetail();
         const field = (slot, format, filter, data) => this.texture(slots[slot], format, nx, ny, filter, data);
         field('SLOT_BEDROCK', gl.R32F, gl.NEAREST, slide.array('bed'));
         field('SLOT_SITE', gl.R8UI, gl.NEAREST, Uint8Array.from(this.site));
@@ -225,7 +225,6 @@ class Picture {
         gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer([this.fields.openness]));
         this.fill(this.programs.openness);
         this.bind(slots.SLOT_OPENNESS, this.fields.openness);
-        await this.makeDetail();
         this.makeMesh();
         this.side = (Math.max(nx, ny) - 1) * slide.info.grid.dx;
         if (this.programs.debris) this.makeDebris();
@@ -236,39 +235,48 @@ class Picture {
     }
 
     // Small relief, as render/detail.cpp makes it.
-    async makeDetail() {
-        const {gl, slots} = this, size = kDetailSize, unit = slots.SLOT_DETAIL;
-        const heights = this.texture(unit, gl.RGBA32F, size, size, gl.NEAREST);
-        const heightsFrame = this.framebuffer([heights]);
-        gl.viewport(0, 0, size, size);
-        this.programs.detailHeights.use();
-        gl.uniform1f(this.programs.detailHeights.at('texels'), size);
-        this.bind(unit, null);
-        this.fill(this.programs.detailHeights);
-        const values = await this.readBack(size, size);
-        const lowest = [Infinity, Infinity, Infinity, Infinity], highest = lowest.map(edge => -edge);
-        for (let i = 0; i < values.length; ++i) {
-            lowest[i & 3] = Math.min(lowest[i & 3], values[i]);
-            highest[i & 3] = Math.max(highest[i & 3], values[i]);
-        }
+    makeDetail() {
+        const {gl, slots, programs} = this, size = kDetailSize, unit = slots.SLOT_DETAIL, halfway = Math.sqrt(size / 2), buffers = [];
+        const target = (edge, count) => {
+            const textures = Array.from({length: count}, () => this.texture(unit, gl.RGBA32F, edge, edge, gl.NEAREST));
+            buffers.push(this.framebuffer(textures));
+            gl.viewport(0, 0, edge, edge);
+            this.bind(unit, null);
+            return textures;
+        };
+        const heights = target(size, 1);
+        programs.detailHeights.use();
+        gl.uniform1f(programs.detailHeights.at('texels'), size);
+        this.fill(programs.detailHeights);
+
+        // The lowest and the highest, in two steps.
+        let range = [heights[0], heights[0]];
+        const ranges = [halfway, 1].map((edge, step) => {
+            const next = target(edge, 2);
+            this.bind(slots.SLOT_BEDROCK, range[0]);
+            this.bind(slots.SLOT_DEPTH, range[1]);
+            programs.detailRange.use();
+            gl.uniform1i(programs.detailRange.at('edge'), step === 0 ? size / halfway : halfway);
+            this.fill(programs.detailRange);
+            return range = next;
+        });
 
         const detail = gl.createTexture(), layerFrame = gl.createFramebuffer();
         gl.bindTexture(gl.TEXTURE_2D_ARRAY, detail);
         gl.texStorage3D(gl.TEXTURE_2D_ARRAY, Math.log2(size) + 1, gl.RGBA8, size, size, slots.DETAIL_LAYERS);
-        gl.bindTexture(gl.TEXTURE_2D_ARRAY, null);
-        this.bind(unit, heights);
-        this.programs.detailLayer.use();
-        gl.uniform4fv(this.programs.detailLayer.at('lowest'), lowest);
-        gl.uniform4fv(this.programs.detailLayer.at('span'), highest.map((high, i) => high - lowest[i]));
+        this.bind(slots.SLOT_BEDROCK, range[0]);
+        this.bind(slots.SLOT_DEPTH, range[1]);
+        this.bind(unit, heights[0]);
+        programs.detailLayer.use();
         gl.bindFramebuffer(gl.FRAMEBUFFER, layerFrame);
+        gl.viewport(0, 0, size, size);
         for (let layer = 0; layer < slots.DETAIL_LAYERS; ++layer) {
             gl.framebufferTextureLayer(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, detail, 0, layer);
-            gl.uniform1i(this.programs.detailLayer.at('layer'), layer);
-            this.fill(this.programs.detailLayer);
+            gl.uniform1i(programs.detailLayer.at('layer'), layer);
+            this.fill(programs.detailLayer);
         }
-        gl.deleteFramebuffer(layerFrame);
-        gl.deleteFramebuffer(heightsFrame);
-        gl.deleteTexture(heights);
+        for (const buffer of [...buffers, layerFrame]) gl.deleteFramebuffer(buffer);
+        for (const texture of [...heights, ...ranges.flat()]) gl.deleteTexture(texture);
         gl.activeTexture(gl.TEXTURE0 + unit);
         gl.bindTexture(gl.TEXTURE_2D_ARRAY, detail);
         gl.generateMipmap(gl.TEXTURE_2D_ARRAY);
@@ -287,18 +295,6 @@ class Picture {
         this.texture(slots.SLOT_PAINT, gl.SRGB8_ALPHA8, 256, 1, gl.LINEAR, debris.colours());
         const mean = debris.meanColour();
         this.debrisTint = [...this.floats('rolling')].slice(0, 3).map((part, k) => part / mean[k]);
-    }
-
-    // The numbers in the framebuffer that is bound. Reading them at once would make the browser wait, and warn.
-    async readBack(width, height) {
-        const {gl} = this, buffer = gl.createBuffer(), numbers = new Float32Array(4 * width * height);
-        gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
-        gl.bufferData(gl.PIXEL_PACK_BUFFER, numbers.byteLength, gl.STREAM_READ);
-        gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, 0);
-        await drawn(gl);
-        gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, numbers);
-        gl.deleteBuffer(buffer);
-        return numbers;
     }
 
     // Indices of the surface and of the walls of the block: render/ground_mesh.cpp.
@@ -498,6 +494,7 @@ class Picture {
         this.mark('powder over');
         this.show();
         this.mark('tone and edges');
+        if (!this.prepared) this.prepared = setTimeout(() => this.prepareMarks());
     }
 
     // While passes are measured: waits for the last one and notes its time.
@@ -823,7 +820,7 @@ class Picture {
             gl.polygonOffset(2, 8);
             this.enabled([gl.BLEND, gl.POLYGON_OFFSET_FILL], () => draw(treeShadow, 3, 0, withShadow));
             gl.depthMask(true);
-            draw(treeNear, slots.TREE_VERTICES, 0, near);
+            draw(treeNear, 3 * (slots.TREE_TIERS * slots.TREE_SIDES + 3), 0, near);  // TREE_VERTICES
             draw(treeFar, 3, near, far);
             draw(treePlain, 3, near + far, trees.standing.length - near - far);
         });
@@ -947,7 +944,7 @@ class Picture {
         const {gl} = this, {width, height, frames} = this.target, bytes = new Uint8Array(4 * width * height);
         gl.bindFramebuffer(gl.FRAMEBUFFER, this.scale === 1 ? frames.smooth : frames.stepped);
         gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-        return {width, height, bytes};
+        return {width, height, p: bytes};
     }
 
     // Mean ms of each pass and of all, over some pictures of what draw() takes.
@@ -960,11 +957,5 @@ class Picture {
         const times = Object.fromEntries(Object.entries(this.passes).map(([pass, ms]) => [pass, ms / count]));
         this.passes = null;
         return {...times, all: Object.values(times).reduce((a, b) => a + b, 0)};
-    }
-
-    dispose() {
-        this.shaders.dispose();
-        const lose = this.gl.getExtension('WEBGL_lose_context');
-        if (lose) lose.loseContext();
     }
 }

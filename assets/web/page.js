@@ -136,9 +136,12 @@ class Page {
 
     // Draws, and returns how many milliseconds later the picture is there.
     async time() {
-        const began = performance.now();
+        const gl = this.canvas.getContext('webgl2'), began = performance.now();
         this.paint();
-        await drawn(this.canvas.getContext('webgl2'));
+        const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+        gl.flush();
+        while (fence && gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) await breathe();
+        gl.deleteSync(fence);
         return performance.now() - began;
     }
 

@@ -86,6 +86,4 @@ class Shaders {
         while (this.parallel && !this.gl.isContextLost() && pending()) await new Promise(resolve => setTimeout(resolve, 4));
         for (const shader of this.all) if (shader.stages) shader.finish();
     }
-
-    dispose() { for (const shader of this.all) this.gl.deleteProgram(shader.program); }
 }
