@@ -12,6 +12,7 @@
 
 #include "assets/shaders/slots.glsl"
 #include "render/noise.h"
+#include "render/ramp.h"
 
 namespace render {
 namespace {
@@ -635,6 +636,10 @@ void add_shadows(const BuildingSite& site, StructureKind kind, const vec3& sun,
 }
 
 }  // namespace
+
+glm::vec2 snowy(const Look& look) {
+    return {ramp(0.55f, 0.75f, look.standing.g), ramp(0.55f, 0.75f, look.lower_standing.g)};
+}
 
 StructureMesh structure_mesh(const Structures& structures, const BuildingGround& ground,
                              const glm::vec3& sun) {

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "render/look.h"
 #include "render/structures.h"
 #include "render/surroundings.h"
 #include "sim/world/state.h"
@@ -61,6 +62,9 @@ struct BuildingGround {
     std::span<const glm::vec2> first_cover;
     glm::vec2 snowy;  // 1 if the upper and the lower material is snow, that lies on roofs
 };
+
+// BuildingGround::snowy of a world that looks like this.
+glm::vec2 snowy(const Look& look);
 
 // Makes the mesh. Equal arguments give equal meshes. `sun`: unit vector to the light that casts shadows, z > 0.
 StructureMesh structure_mesh(const Structures& structures, const BuildingGround& ground,

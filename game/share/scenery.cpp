@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "game/scene/mountains.h"
+#include "game/share/built_pieces.h"
 #include "render/sun_sweep.h"
 #include "render/surroundings_mesh.h"
 #include "render/trees_in_view.h"
@@ -29,26 +30,34 @@ void pack_column(PackedStream& into, const std::string& name, const std::vector<
 
 }  // namespace
 
-Scenery::Scenery(const Scenario& scenario, const sim::View& first, const render::FrameBlock& frame)
-    : frame_(frame) {
+Scenery::Scenery(const Scenario& scenario, const Session& session, const render::FrameBlock& frame)
+    : scenario_(scenario), frame_(frame) {
     if (!scenario.model) {
         around_ = mountains_around(scenario);
         woods_ = woods_on(scenario, around_);
     }
     if (!around_.empty()) frame_.beyond = glm::dvec4(around_.rough_origin(), around_.rough_cell(), 1);
     render::SunSweep sweep;
-    sweep.run(first, &around_, frame_);
+    sweep.run(session.view(), &around_, frame_);
     ceilings_.assign(sweep.ceilings().begin(), sweep.ceilings().end());
     rays_ = sweep.rays();
     fell_.assign(woods_.trees().size(), -1);
+    for (std::uint32_t i = 0; const render::Tree& tree : woods_.trees()) {
+        if (tree.vertex >= 0) standing_.push_back(i);
+        ++i;
+    }
+    built_.push_back({0, session.structures()});
 }
 
-void Scenery::see(const render::FlowSoFar& flow, std::int64_t frame) {
+void Scenery::see(const Session& session, std::int64_t frame) {
     constexpr float kLies = 0.5f;
-    if (flow.depth.empty()) return;
-    const auto trees = woods_.trees();
-    for (std::size_t i = 0; i < trees.size(); ++i)
-        if (fell_[i] < 0 && render::lying(trees[i], flow) >= kLies) fell_[i] = frame;
+    const render::FlowSoFar flow = session.flow_so_far();
+    std::erase_if(standing_, [&](std::uint32_t i) {
+        if (render::lying(woods_.trees()[i], flow) < kLies) return false;
+        fell_[i] = frame;
+        return true;
+    });
+    if (session.structures() != built_.back().structures) built_.push_back({frame, session.structures()});
 }
 
 void Scenery::pack(PackedStream& into) const {
@@ -68,6 +77,10 @@ void Scenery::pack_surroundings(PackedStream& into) const {
     }
     into.add("cover_d", depth, {0.01, 2, kPlane}, around_.columns());
     if (frame_.lower_standing.w > 0) into.add("cover_l", lower, {kShare, 1, kPlane}, around_.columns());
+
+    const std::vector<double> rough(around_.rough_heights().begin(), around_.rough_heights().end());
+    into.add("rough", rough, {1, 2, kPlane},
+             render::Surroundings::kRough);  // for the camera, not for the eye
 
     const render::SurroundingsMesh mesh = render::surroundings_mesh(around_);
     std::vector<float> sun;
@@ -117,10 +130,21 @@ void Scenery::pack_woods(PackedStream& into) const {
                 [](const render::TreeTile& tile) { return tile.count; });
 }
 
-void Scenery::pack_ends(PackedStream& into, std::int64_t frames) const {
-    if (woods_.empty()) return;
-    pack_column(into, "trees.falls", fell_, {1, 2, kNone},
-                [&](std::int64_t frame) { return static_cast<double>(frame < 0 ? frames : frame); });
+void Scenery::pack_ends(PackedStream& into, const sim::View& world, std::int64_t frames) const {
+    if (!woods_.empty())
+        pack_column(into, "trees.falls", fell_, {1, 2, kNone},
+                    [&](std::int64_t frame) { return static_cast<double>(frame < 0 ? frames : frame); });
+    if (!built_.front().structures.empty()) pack_structures(into, world, frames);
+}
+
+void Scenery::pack_structures(PackedStream& into, const sim::View& world, std::int64_t frames) const {
+    const render::BuildingGround ground{world, scenario_.depth, around_.cover(),
+                                        render::snowy(scenario_.look)};
+    BuiltPieces pieces;
+    for (std::size_t i = 0; i < built_.size(); ++i)
+        pieces.add(render::structure_mesh(built_[i].structures, ground, glm::vec3(frame_.sun)),
+                   built_[i].from, i + 1 < built_.size() ? built_[i + 1].from : frames);
+    if (!pieces.empty()) pieces.pack(into);
 }
 
 }  // namespace game

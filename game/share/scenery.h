@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "game/scene/scenario.h"
+#include "game/session/session.h"
 #include "game/share/packed_stream.h"
-#include "render/flow_so_far.h"
 #include "render/frame_block.h"
 #include "render/surroundings.h"
 #include "render/woods.h"
@@ -16,26 +16,37 @@ namespace game {
 // What a page shows besides the layers: the mountains around, trees, light. As this program draws them.
 class Scenery {
   public:
-    Scenery(const Scenario& scenario, const sim::View& first, const render::FrameBlock& frame);
+    // `session` at tick 0. `scenario` must outlive this.
+    Scenery(const Scenario& scenario, const Session& session, const render::FrameBlock& frame);
 
     const render::Surroundings& surroundings() const { return around_; }
     const render::FrameBlock& frame() const { return frame_; }  // that of these surroundings
-    // Notes the trees that a flow has laid down by now. `frame`: number of the moment.
-    void see(const render::FlowSoFar& flow, std::int64_t frame);
+    // Notes the trees that a flow has laid down by now, and what it has done to structures. `frame`: number of the moment.
+    void see(const Session& session, std::int64_t frame);
 
-    void pack(PackedStream& into) const;                            // what is there at tick 0
-    void pack_ends(PackedStream& into, std::int64_t frames) const;  // what became of it
+    void pack(PackedStream& into) const;  // what is there at tick 0
+    void pack_ends(PackedStream& into, const sim::View& world,
+                   std::int64_t frames) const;  // what became of it
 
   private:
     void pack_surroundings(PackedStream& into) const;
     void pack_woods(PackedStream& into) const;
+    void pack_structures(PackedStream& into, const sim::View& world, std::int64_t frames) const;
 
+    const Scenario& scenario_;
     render::Surroundings around_;
     render::Woods woods_;
     render::FrameBlock frame_;
     std::vector<float> ceilings_;
     int rays_ = 0;
-    std::vector<std::int64_t> fell_;  // of each tree: the frame at which it lay; −1: it stands
+    std::vector<std::int64_t> fell_;       // of each tree: the frame at which it lay; −1: it stands
+    std::vector<std::uint32_t> standing_;  // trees of the grid that stand
+    // Structures from a frame on.
+    struct Built {
+        std::int64_t from;
+        render::Structures structures;
+    };
+    std::vector<Built> built_;
 };
 
 }  // namespace game

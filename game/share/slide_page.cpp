@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -106,16 +108,21 @@ Outcome<PageFiles> read_page_files() {
     if (auto done = read("page.css", files.style); !done) return tl::unexpected(done.error());
     for (const char* name : kScripts)
         if (auto done = read(name, files.program); !done) return tl::unexpected(done.error());
+    std::map<std::string, fs::path> shaders;  // in one order everywhere
+    std::error_code error;
     for (const char* folder : {"shaders", "web"})
-        for (const auto& entry : fs::directory_iterator(*assets / folder)) {
+        for (const auto& entry : fs::directory_iterator(*assets / folder, error)) {
             const std::string name = entry.path().filename().string(),
-                              extension = entry.path().extension().string();
-            if (extension != ".glsl" && extension != ".vert" && extension != ".frag") continue;
-            if (files.program.find("'" + name + "'") == std::string::npos) continue;
-            auto text = text_of(entry.path());
-            if (!text) return tl::unexpected(text.error());
-            files.shaders[name] = std::move(*text);
+                              kind = entry.path().extension().string();
+            if ((kind == ".glsl" || kind == ".vert" || kind == ".frag") &&
+                files.program.find("'" + name + "'") != std::string::npos)
+                shaders[name] = entry.path();
         }
+    for (const auto& [name, path] : shaders) {
+        auto text = text_of(path);
+        if (!text) return tl::unexpected(text.error());
+        files.shaders[name] = std::move(*text);
+    }
     return files;
 }
 
@@ -299,7 +306,7 @@ Outcome<void> SlidePage::Parts::add_frame(const Session& session) {
         if (auto added = motion->add(*values); !added) return beyond(*motion, added.error());
     volumes.push_back(session.cubic_metres(session.state().ledger.rolling));
     puffs.see(session.powder(), last_tick, static_cast<double>(scenario.params.tick_s));
-    scenery->see(session.flow_so_far(), frames);
+    scenery->see(session, frames);
     ++frames;
     return frames % kFramesAtOnce == 0 ? flush() : Outcome<void>();
 }
@@ -352,9 +359,9 @@ Json SlidePage::Parts::info(const Session& session, std::span<const TimedCommand
               {"frames", frames},
               {"error",
                {{"ground", ground_quantum / 2},
-                {"depth", depth.worst()},
-                {"moving", rolling.worst()},
-                {"speed", speed.worst()}}},
+                {"depth", depth.most_error()},
+                {"moving", rolling.most_error()},
+                {"speed", speed.most_error()}}},
               {"parts", stream.parts()},
               {"arrays", stream.arrays()},
               {"moving", std::move(moves)},
@@ -401,7 +408,7 @@ Outcome<SlidePage> SlidePage::begin(const Scenario& scenario, const Session& ses
                              .height = kHeight,
                              .first_depth = scenario.depth};
     parts->frame = render::make_frame_block(input, render::height_range(world), 1, std::nullopt);
-    parts->scenery = std::make_unique<Scenery>(scenario, world, parts->frame);
+    parts->scenery = std::make_unique<Scenery>(scenario, session, parts->frame);
     parts->frame = parts->scenery->frame();
     if (auto packed = parts->pack_start(world); !packed) return tl::unexpected(packed.error());
     if (auto added = parts->add_frame(session); !added) return tl::unexpected(added.error());
@@ -424,7 +431,7 @@ Outcome<PageReport> SlidePage::write(const fs::path& file, const Session& sessio
     };
     add_peak("peak_depth", session.peaks().depth, kDepthQuantum);
     add_peak("peak_speed", session.peaks().speed_plan, kSpeedQuantum);
-    p.scenery->pack_ends(p.stream, p.frames);
+    p.scenery->pack_ends(p.stream, session.view(), p.frames);
     p.puffs.pack(p.stream);
     const std::string fields = to_base64(p.stream.finish());
 

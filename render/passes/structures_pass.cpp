@@ -12,15 +12,9 @@
 #include "assets/shaders/slots.glsl"
 #include "render/passes/scissor.h"
 #include "render/program.h"
-#include "render/ramp.h"
 
 namespace render {
 namespace {
-
-// 1 if a material of this colour is snow.
-float snowy(const glm::vec3& standing) {
-    return ramp(0.55f, 0.75f, standing.g);
-}
 
 // How far the surface within a part of the ground has risen or sunk since tick 0 at most, or lies beside it; m.
 float largest_rise(const FrameInput& input, const WhatChanged& changed, glm::vec2 low, glm::vec2 high) {
@@ -93,7 +87,7 @@ bool StructuresPass::build(const FrameInput& input, const FrameBlock& frame, boo
         known_ = {};
         return were_some;
     }
-    const glm::vec2 snow(snowy(input.look.standing), snowy(input.look.lower_standing));
+    const glm::vec2 snow = snowy(input.look);
     const std::uint64_t around = input.surroundings ? input.surroundings->fingerprint() : 0;
     if (!new_terrain && around == known_around_ && snow == known_snowy_ && frame.sun == known_sun_ &&
         *input.structures == known_)
