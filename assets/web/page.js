@@ -70,10 +70,6 @@ class Page {
 
     // ---- drawing ----
 
-    async makePicture() {
-        this.picture = await Picture.create(this.canvas, this.slide);
-    }
-
     size(scale) {
         const ratio = Math.min(devicePixelRatio, 2) * scale;
         return [this.canvas.clientWidth, this.canvas.clientHeight].map(edge => Math.max(1, Math.round(edge * ratio)));
@@ -150,14 +146,23 @@ class Page {
     }
 
     // Draws a picture that stays with more samples, if that is quick.
-    smooth() {
-        if (this.frozen || !this.picture || document.hidden) return;
+    async smooth() {
+        if (this.frozen || document.hidden) return;
+        if (!this.warm) {
+            this.warm = true;
+            this.setCost(await this.time());  // the first picture took longer
+        }
         const samples = scale => this.size(scale).reduce((a, b) => a * b);
-        const scale = kSmoothScales.find(each => samples(each) < kMostSamples &&
-            this.cost * each * each < kSmoothed);
-        if (!scale) return;
+        const scale = kSmoothScales.find(each => samples(each) < kMostSamples && this.cost * each * each < kSmoothed);
+        if (!scale || this.asked || this.moving || !this.picture) return;
         this.scale = scale;
         this.paint();
+    }
+
+    // Milliseconds of a picture of full resolution.
+    setCost(cost) {
+        this.cost = cost;
+        this.motionScale = Math.max(kScales[0], ...kScales.filter(scale => scale * scale * cost <= kFluent));
     }
 
     // ---- time ----
@@ -230,6 +235,7 @@ class Page {
             return `${rgb(stop)} ${100 * i / stops.length}%, ${rgb(to)} ${100 * (i + 1) / stops.length}%`;
         });
         part('colours').style.background = `linear-gradient(to right, ${colours.join(', ')})`;
+        part('legend').classList.toggle('many', stops.length > 6);
         part('values').replaceChildren();
         for (const [value] of stops) add(part('values'), 'li', String(Number(value.toPrecision(3))).replace('-', '−'));
     }
@@ -617,11 +623,10 @@ class Page {
 
     // Makes the picture, at first and after the browser has lost it.
     async begin() {
-        await this.makePicture();
+        this.picture = await Picture.create(this.canvas, this.slide);
         this.scale = this.frozen || 1;
-        this.cost = await this.time();
-        const fluent = Math.sqrt(kFluent / this.cost);
-        this.motionScale = Math.max(kScales[0], ...kScales.filter(scale => scale <= fluent));
+        this.warm = false;
+        this.setCost(await this.time());
         part('note').hidden = true;
         document.documentElement.dataset.state = 'ready';
         this.settling = setTimeout(() => this.smooth(), kSmooth);
@@ -659,7 +664,8 @@ try {
         // Draws and reads in one go: a canvas that is read later is empty.
         pixels() {
             page.paint();
-            return page.picture.pixels();
+            const {width: w, height: h, bytes: p} = page.picture.pixels();
+            return {w, h, p};
         },
         get tick() { return slide.tick; },
         get playing() { return page.playing; },

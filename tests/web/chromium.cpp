@@ -122,7 +122,7 @@ Json Chromium::read_message(double seconds) {
             give_up("the browser does not answer");
         }
     }
-    const Json message = Json::parse(unread_.substr(0, length));
+    Json message = Json::parse(unread_.substr(0, length));
     unread_.erase(0, length + 1);
     return message;
 }
