@@ -344,6 +344,7 @@ class Page {
 
     // What fingers have taken hold of: the ground under them, or between two of them.
     grip() {
+        this.camera.stop();
         const [x, y] = this.middle();
         this.pivot = this.groundAt(x, y);
     }
@@ -386,10 +387,8 @@ class Page {
     }
 
     drag(from, to) {
-        const view = this.view(), sinks = this.pivot && (view.eye[2] - this.pivot[2]) /
-            Math.hypot(...this.pivot.map((v, i) => v - view.eye[i])) > kGrazing;
-        const shares = 2 * Math.hypot(...view.up) / this.canvas.clientHeight;
-        if (sinks) this.camera.drag(this.pivot, ...this.inPicture(...to), view);
+        const view = this.view(), shares = 2 * Math.hypot(...view.up) / this.canvas.clientHeight;
+        if (this.pivot) this.camera.drag(this.pivot, ...this.inPicture(...to), view);
         else this.camera.pan((from[0] - to[0]) * shares, (to[1] - from[1]) * shares, true);
     }
 
