@@ -26,22 +26,22 @@ struct Room {
 };
 
 constexpr Room kRooms[] = {
-    {"game", 3, "main", "options, exit status"},
-    {"game/commands", 3, "commands", "one subcommand each"},
-    {"game/compare", 0, "compare", "two runs side by side"},
-    {"game/figures", 2, "figures", "the paper's figures"},
-    {"game/bench", 4, "bench", "cost of each stage"},
-    {"game/app", 6, "app", "window and its frame"},
-    {"game/share", 6, "share", "a slide as a page"},
-    {"game/analysis", 1, "analysis", "run-out, exports"},
-    {"game/pages", 3, "pages", "tables and plots"},
-    {"game/ui", 6, "ui", "panels"},
-    {"game/controls", 6, "controls", "input, brush, cameras"},
-    {"game/session", 3, "session", "a running world, undo"},
-    {"game/recording", 3, "recording", "recorder, reader"},
-    {"game/scene", 3, "scene", "TOML to a scenario"},
-    {"game/files", 3, "files", "text, TOML, OBJ, NPY"},
-    {"game/base", 3, "base", "outcomes, limits"},
+    {"game", 5, "main", "options, exit status"},
+    {"game/commands", 5, "commands", "one subcommand each"},
+    {"game/compare", 2, "compare", "two runs side by side"},
+    {"game/figures", 4, "figures", "the paper's figures"},
+    {"game/bench", 6, "bench", "cost of each stage"},
+    {"game/app", 8, "app", "window and its frame"},
+    {"game/share", 0, "share", "a slide as a page"},
+    {"game/analysis", 3, "analysis", "run-out, exports"},
+    {"game/pages", 5, "pages", "tables and plots"},
+    {"game/ui", 8, "ui", "panels"},
+    {"game/controls", 8, "controls", "input, brush, cameras"},
+    {"game/session", 5, "session", "a running world, undo"},
+    {"game/recording", 5, "recording", "recorder, reader"},
+    {"game/scene", 5, "scene", "TOML to a scenario"},
+    {"game/files", 5, "files", "text, TOML, OBJ, NPY"},
+    {"game/base", 5, "base", "outcomes, limits"},
     {"render", 2, "frame", "order of passes, GPU"},
     {"render/passes", 0, "passes", "one pass each"},
     {"render/textures", 4, "textures", "recipes of textures"},
@@ -69,8 +69,8 @@ struct Panel {
 
 constexpr int kBoxWidth = 150, kBoxHeight = 36, kFloor = 56, kColumn = 80;
 constexpr int kPad = 14, kHeading = 32, kGap = 40;
-constexpr int kTop = 92, kLeft = 24, kRight = kLeft + 5 * kPad + 4 * kColumn + 2 * kBoxWidth;
-constexpr int kWaysLeft = kRight + 30, kWidth = 1040;
+constexpr int kTop = 92, kLeft = 24, kRight = kLeft + 5 * kPad + 6 * kColumn + 2 * kBoxWidth;
+constexpr int kWaysLeft = kRight + 30, kWidth = 1200;
 
 // A stop of a way, in the files that do its work.
 struct Stop {

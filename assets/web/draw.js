@@ -13,7 +13,6 @@ const kBuiltColumns = {
     ropes: ['x', 'y', 'z', 'side', 'along_x', 'along_y', 'along_z', 'half'],
     shadows: ['x', 'y', 'z', 'strength', 'foot_x', 'foot_y', 'foot_z', 'zero'],
 };
-const kTreesInARow = 256;                              // tree_texture.glsl
 
 class Picture {
     // Throws an error whose message is a sentence for the viewer.
@@ -392,8 +391,8 @@ class Picture {
     makeTrees() {
         const {gl, slots} = this;
         this.trees = new TreesInView(this.slide, [...this.floats('sun')].slice(0, 3), slots);
-        this.treeRows = Math.ceil(this.trees.x.length / kTreesInARow);
-        this.treeTexture = this.texture(slots.SLOT_UNITS, gl.RGBA32F, 5 * kTreesInARow, this.treeRows, gl.NEAREST);
+        const rows = Math.ceil(this.trees.x.length / kTreesInARow);
+        this.treeTexture = this.texture(slots.SLOT_UNITS, gl.RGBA32F, kTreeNumbers / 4 * kTreesInARow, rows, gl.NEAREST);
     }
 
     makePowder() {
@@ -799,10 +798,8 @@ class Picture {
         const {gl, slots, trees} = this, key = [...this.view.clip, this.target.width, this.scale].join();
         if (key !== this.treesKey) trees.find({...this.view, pixel: this.view.pixel * Math.max(this.scale, 1)}, (low, high) => this.onScreen(low, high));
         if (key !== this.treesKey || this.treesTick !== this.slide.tick) {
-            const rows = Math.ceil(trees.standing.length / kTreesInARow), drawn = trees.settle();
-            const padded = new Float32Array(20 * kTreesInARow * rows);
-            padded.set(drawn.subarray(0, 20 * trees.standing.length));
-            this.upload(slots.SLOT_UNITS, this.treeTexture, 5 * kTreesInARow, rows, padded);
+            const rows = trees.settle(), width = kTreeNumbers / 4 * kTreesInARow;
+            if (rows > 0) this.upload(slots.SLOT_UNITS, this.treeTexture, width, rows, trees.drawn.subarray(0, 4 * width * rows));
         }
         this.treesKey = key;
         this.treesTick = this.slide.tick;

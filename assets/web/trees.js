@@ -7,6 +7,7 @@ const kGroup = 5, kWidthOfGroup = 0.75, kTaller = 0.4;
 const kLongestShadow = 36, kShadowPixels = 7;  // m; height below which a tree casts none
 const kCrushed = 0.65, kLean = 1.5;  // width of a lying tree, of a standing one's; rad
 const kTreeNumbers = 20;  // numbers of a drawn tree: struct Tree of tree.glsl
+const kTreesInARow = 256;  // of their texture: tree_texture.glsl
 
 const fraction = x => x - Math.floor(x);
 
@@ -39,8 +40,7 @@ class TreesInView {
         this.falls = get('falls');
         this.findTiles(get('count'));
         this.chance = new Float32Array(this.x ? this.x.length : 0).map((_, i) => ownNumber(i));
-        this.drawn = new Float32Array(0);
-        this.numbers = [];
+        this.first = this.drawn = new Float32Array(0);  // numbers as they stood, and as they are
         this.near = this.far = this.withShadow = 0;
     }
 
@@ -64,65 +64,83 @@ class TreesInView {
 
     // Finds the trees that a camera sees, as they stood at tick 0. `view`: of viewOf(); `box`: null where a box is not seen.
     find(view, box) {
-        const {eye, forward, right, up, pixel} = view;
-        const long = v => Math.hypot(v[0], v[1], v[2]), wideRay = long(right), highRay = long(up);
-        const wide = clamp(kWideOfHeight * 2 * highRay / pixel, kLeastWide, kMostWide);
-        const lists = {near: [], branched: [], plain: [], without: []};
+        const {eye} = view, lists = {near: [], branched: [], plain: [], withoutShadow: []};
         const seen = this.tiles.filter(tile => box(tile.low, tile.high));
-        const away = tile => Math.hypot(...[0, 1, 2].map(k => eye[k] - clamp(eye[k], tile.low[k], tile.high[k])));
-        for (const tile of seen) tile.away = away(tile);
+        for (const tile of seen) tile.away = Math.hypot(...eye.map((at, k) => at - clamp(at, tile.low[k], tile.high[k])));
         seen.sort((a, b) => a.away - b.away || a.first - b.first);
-        for (const {first, count} of seen) {
-            const own = this.chance[first];
-            for (let k = 0, i = first; k < count; ++k, ++i) {
-                const dx = this.x[i] - eye[0], dy = this.y[i] - eye[1], dz = this.z[i] - eye[2];
-                const distance = Math.max(Math.hypot(dx, dy, dz), 1), tall = this.height[i];
-                // One that is left out shrinks first.
-                const share = clamp(kMeanWidth * this.group[i] / (distance * pixel) / wide, this.group[i] / kMostTogether, 1);
-                const rank = (k + own) / count;
-                if (rank >= share) continue;
-                const parted = eye[2] > this.z[i] + 1.2 * tall ? 1 : smoothstep(0.25 * tall, 0.5 * tall, Math.hypot(dx, dy));
-                const kept = (share < 1 ? Math.min((share - rank) / (0.15 * share), 1) : 1) * parted;
-                if (kept <= 0) continue;
-                const deep = dx * forward[0] + dy * forward[1] + dz * forward[2], radius = kLongestShadow + tall;
-                const outside = (ray, half) => Math.abs(dx * ray[0] + dy * ray[1] + dz * ray[2]) / half >
-                        deep * half + radius * Math.sqrt(1 + half * half);
-                if (deep < -radius || outside(right, wideRay) || outside(up, highRay)) continue;
-
-                const together = this.group[i] / share, taller = Math.pow(Math.min(together, kGroup), kTaller);
-                const height = tall * kept * taller, pixels = height / (distance * pixel), isGroup = together > kGroup;
-                const broad = (this.kind[i] === this.constants.TREE_PINE ? kHalfWidthOfPine : kHalfWidth) * tall * kept * together /
-                        taller * (1 + kWiderInStand * this.closed[i]);
-                const half = Math.max(isGroup ? kWidthOfGroup * broad : broad, 0.6 * kept * distance * pixel);
-                const tops = isGroup ? Math.round(together) : 1;
-                const shadow = this.sun[i] * smoothstep(1, 2, pixels / (kShadowPixels * (1 + 3 * this.closed[i])));
-                const tree = {i, distance, height, half, tops, shadow};
-                const branches = isGroup ? 24 * half / tops / (distance * pixel) : pixels;
-                const list = this.group[i] < 2 && pixels > kNearPixels * (0.85 + 0.3 * this.chance[i]) ? 'near'
-                        : branches > this.constants.TREE_PLAIN_PIXELS ? 'branched' : shadow > 0 ? 'plain' : 'without';
-                lists[list].push(tree);
+        for (const {first, count} of seen)
+            for (let k = 0; k < count; ++k) {
+                // Of few trees of a tile not always one is left.
+                const tree = this.seenTree(first + k, (k + this.chance[first]) / count, view);
+                if (tree) lists[tree.list].push(tree);
             }
-        }
         lists.near.sort((a, b) => a.distance - b.distance || a.i - b.i);
-        this.standing = [...lists.near, ...lists.branched, ...lists.plain, ...lists.without];
+        this.standing = Object.values(lists).flat();
         this.near = lists.near.length;
         this.far = lists.branched.length;
-        this.withShadow = this.standing.length - lists.without.length;
-        if (this.drawn.length < kTreeNumbers * this.standing.length) this.drawn = new Float32Array(2 * kTreeNumbers * this.standing.length);
+        this.withShadow = this.standing.length - lists.withoutShadow.length;
+        this.write();
+    }
+
+    // How a tree is drawn; null if it is not. `rank`: among those of its tile, 0 to 1.
+    seenTree(i, rank, {eye, forward, right, up, pixel}) {
+        const away = [this.x[i] - eye[0], this.y[i] - eye[1], this.z[i] - eye[2]], distance = Math.max(Math.hypot(...away), 1);
+        const highRay = Math.hypot(...up), group = this.group[i];
+        const wide = clamp(kWideOfHeight * 2 * highRay / pixel, kLeastWide, kMostWide);
+        const share = clamp(kMeanWidth * group / (distance * pixel) / wide, group / kMostTogether, 1);
+        if (rank >= share) return null;
+        // One that is left out shrinks first.
+        const kept = (share < 1 ? Math.min((share - rank) / (0.15 * share), 1) : 1) * this.parted(i, eye, away);
+        if (kept <= 0) return null;
+        const deep = dot(away, forward), radius = kLongestShadow + this.height[i];
+        const isBeside = (ray, half) => Math.abs(dot(away, ray)) / half > deep * half + radius * Math.sqrt(1 + half * half);
+        if (deep < -radius || isBeside(right, Math.hypot(...right)) || isBeside(up, highRay)) return null;
+
+        const together = group / share, isGroup = together > kGroup, tops = isGroup ? Math.round(together) : 1;
+        const taller = Math.pow(Math.min(together, kGroup), kTaller), height = this.height[i] * kept * taller;
+        const broad = (this.kind[i] === this.constants.TREE_PINE ? kHalfWidthOfPine : kHalfWidth) * this.height[i] * kept * together /
+            taller * (1 + kWiderInStand * this.closed[i]);
+        const half = Math.max(isGroup ? kWidthOfGroup * broad : broad, 0.6 * kept * distance * pixel);
+        const pixels = height / (distance * pixel), topPixels = isGroup ? 24 * half / tops / (distance * pixel) : pixels;
+        const shadow = this.sun[i] * smoothstep(1, 2, pixels / (kShadowPixels * (1 + 3 * this.closed[i])));
+        const list = group < 2 && pixels > kNearPixels * (0.85 + 0.3 * this.chance[i]) ? 'near'
+            : topPixels > this.constants.TREE_PLAIN_PIXELS ? 'branched' : shadow > 0 ? 'plain' : 'withoutShadow';
+        return {i, distance, height, half, tops, shadow, list};
+    }
+
+    // The wood parts before the eye, which would see nothing within a crown: a tree shrinks as the eye comes near.
+    parted(i, eye, away) {
+        const height = this.height[i];
+        return eye[2] > this.z[i] + 1.2 * height ? 1 : smoothstep(0.25 * height, 0.5 * height, Math.hypot(away[0], away[1]));
+    }
+
+    // Writes them as they stood at tick 0, and lists those on the grid, where a flow may come.
+    write() {
+        const rows = Math.ceil(this.standing.length / kTreesInARow), room = kTreeNumbers * kTreesInARow * rows;
+        if (this.first.length < room) {
+            this.first = new Float32Array(room);
+            this.drawn = new Float32Array(room);
+        }
+        const {nx, dx} = this.slide.info.grid;
+        this.onGrid = [];
+        this.standing.forEach(({i, height, half, tops, shadow}, number) => {
+            this.first.set([this.x[i], this.y[i], this.z[i], height, 0, 0, 1, this.chance[i], this.sun[i], this.snow[i],
+                            this.lower ? this.lower[i] : 0, half, ...(shadow > 0 ? this.tipOfShadow(i) : [0, 0, 0]), shadow,
+                            this.kind[i], tops, this.closed[i], 0], kTreeNumbers * number);
+            if (this.on[i]) this.onGrid.push({i, at: kTreeNumbers * number, vertex: Math.round(this.y[i] / dx) * nx + Math.round(this.x[i] / dx)});
+        });
     }
 
     // Puts them where they are at the shown moment: the snow around them has gone, or a flow has laid them down.
+    // Returns the rows of the texture that they fill.
     settle() {
-        const {nx, dx} = this.slide.info.grid, frame = this.slide.tick / this.slide.info.every;
-        this.standing.forEach(({i, height, half, tops, shadow}, number) => {
-            const tree = this.drawn.subarray(kTreeNumbers * number, kTreeNumbers * number + kTreeNumbers);
-            const column = Math.round(this.x[i] / dx), row = Math.round(this.y[i] / dx);
-            const sunk = this.on[i] ? Math.max(this.snow[i] - this.slide.depth[row * nx + column], 0) : 0;
-            tree.set([this.x[i], this.y[i], this.z[i] - sunk, height, 0, 0, 1, this.chance[i], this.sun[i], this.snow[i], this.lower ? this.lower[i] : 0, half,
-                                ...this.tipOfShadow(i), shadow, this.kind[i], tops, this.closed[i], 0]);
-            if (this.on[i] && this.falls[i] <= frame) this.lay(i, tree);
-        });
-        return this.drawn;
+        const {depth, tick, info} = this.slide, frame = tick / info.every;
+        this.drawn.set(this.first);
+        for (const {i, at, vertex} of this.onGrid) {
+            this.drawn[at + 2] -= Math.max(this.snow[i] - depth[vertex], 0);
+            if (this.falls[i] <= frame) this.lay(i, this.drawn.subarray(at, at + kTreeNumbers));
+        }
+        return Math.ceil(this.standing.length / kTreesInARow);
     }
 
     // Lays a tree into the deposit, with its top downhill.

@@ -31,7 +31,7 @@ Outcome<fs::path> write_now(const render::Picture& picture, const std::string& n
                             const render::PngTexts& texts) {
     const auto folder = screenshots_folder();
     if (!folder) return tl::unexpected(folder.error());
-    const auto path = new_file(*folder, name, "png");
+    auto path = new_file(*folder, name, "png");
     if (!path) return path;
     if (auto written = render::write_png(picture, *path, render::kFastPngCompression, texts); !written) {
         std::error_code error;

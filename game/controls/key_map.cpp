@@ -39,8 +39,8 @@ constexpr std::array kKeyBindings{
     KeyBinding{Key::kEscape, kAlone, false, Verb::kClosePanel, "close a list or a panel"},
     KeyBinding{Key::kTab, kAlone, false, Verb::kTogglePanels, "show or hide all panels"},
     KeyBinding{function_key(10), kAlone, false, Verb::kShare, "share this slide as a web page"},
-    KeyBinding{function_key(12), kAlone, false, Verb::kScreenshot, "take a screenshot"},
     KeyBinding{function_key(11), kAlone, false, Verb::kFullscreen, "full screen on or off"},
+    KeyBinding{function_key(12), kAlone, false, Verb::kScreenshot, "take a screenshot"},
     KeyBinding{key('Q'), kControl, false, Verb::kQuit, "quit"},
 };
 

@@ -18,6 +18,7 @@
 #include "game/base/version.h"
 #include "game/files/assets.h"
 #include "game/files/text_file.h"
+#include "game/pages/table.h"
 #include "game/recording/base64.h"
 #include "game/share/packed_motion.h"
 #include "game/share/packed_stream.h"
@@ -78,13 +79,6 @@ std::string in_script(const Json& json) {
             text += "\\u003c";
         else
             text += c;
-    return text;
-}
-
-std::string in_html(std::string_view plain) {
-    std::string text;
-    for (const char c : plain)
-        text += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
     return text;
 }
 
@@ -436,7 +430,7 @@ Outcome<PageReport> SlidePage::write(const fs::path& file, const Session& sessio
     p.puffs.pack(p.stream);
     const std::string fields = to_base64(p.stream.finish());
 
-    const std::string title = in_html(p.scenario.title), slide = in_script(p.info(session, commands));
+    const std::string title = html_text(p.scenario.title), slide = in_script(p.info(session, commands));
     const std::array<std::pair<std::string_view, std::string_view>, 5> slots{
         {{"@TITLE@", title},
          {"@STYLE@", p.files.style},
