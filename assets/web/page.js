@@ -663,8 +663,7 @@ try {
         // Draws and reads in one go: a canvas that is read later is empty.
         pixels() {
             page.paint();
-            const {width: w, height: h, bytes: p} = page.picture.pixels();
-            return {w, h, p};
+            return page.picture.pixels();
         },
         get tick() { return slide.tick; },
         get playing() { return page.playing; },

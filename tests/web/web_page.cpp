@@ -95,9 +95,11 @@ class WebPage : public testing::Test {
     // A hash of the picture.
     static std::string picture() {
         return browser()
-            .value(
-                "(() => { let hash = 5381; for (const byte of couloir.pixels().p) "
-                "hash = Math.imul(hash, 33) ^ byte; return String(hash >>> 0); })()")
+            .value(R"((() => {
+                let hash = 5381;
+                for (const byte of couloir.pixels().p) hash = Math.imul(hash, 33) ^ byte;
+                return String(hash >>> 0);
+            })())")
             .get<std::string>();
     }
     // Opens a page that cannot be shown and returns its sentence.
@@ -146,11 +148,12 @@ TEST_F(WebPage, fits_large_small_and_touched_screens) {
         open_anew(page_file());
         EXPECT_EQ(number("document.documentElement.scrollWidth"), screen.width);
         EXPECT_EQ(number("document.getElementById('view').clientHeight"), screen.height);
-        EXPECT_TRUE(holds(
-            "[...document.querySelectorAll('header, footer, footer button, footer select, #scrub')]"
-            ".filter(each => each.checkVisibility()).every(each => { "
-            "const {left, top, right, bottom, width} = each.getBoundingClientRect(); "
-            "return width > 0 && left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight; })"));
+        EXPECT_TRUE(
+            holds(R"([...document.querySelectorAll('header, footer, footer button, footer select, #scrub')]
+            .filter(each => each.checkVisibility()).every(each => {
+                const {left, top, right, bottom, width} = each.getBoundingClientRect();
+                return width > 0 && left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight;
+            }))"));
         EXPECT_TRUE(
             holds("document.querySelector('header').getBoundingClientRect().bottom < "
                   "document.querySelector('footer').getBoundingClientRect().top"));
@@ -174,13 +177,13 @@ TEST_F(WebPage, shows_on_the_canvas_what_it_drew) {
     open();
     for (const char* scale : {"0.3", "1", "0.25"}) {
         browser().value(std::string("couloir.freeze(") + scale + ")");
-        EXPECT_TRUE(
-            holds("(() => { const {w, h, p} = couloir.pixels(), gl = "
-                  "document.getElementById('view').getContext('webgl2'), "
-                  "shown = new Uint8Array(4 * w * h); gl.bindFramebuffer(gl.FRAMEBUFFER, null); "
-                  "gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, shown); "
-                  "return w === gl.drawingBufferWidth && p.every((byte, i) => i % 4 === 3 || byte === "
-                  "shown[i]); })()"))
+        EXPECT_TRUE(holds(R"((() => {
+            const {p} = couloir.pixels(), gl = document.getElementById('view').getContext('webgl2');
+            const shown = new Uint8Array(p.length);
+            gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+            gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, shown);
+            return p.every((byte, i) => i % 4 === 3 || byte === shown[i]);
+        })())"))
             << scale;
     }
 }
@@ -404,18 +407,24 @@ TEST_F(WebPage, comes_nearer_and_turns_by_two_fingers) {
 
 TEST_F(WebPage, never_looks_from_below_the_ground) {
     open();
-    EXPECT_GT(
-        number(
-            "(() => { const {camera} = couloir; let seed = 1, least = Infinity; "
-            "const any = (low, high) => (seed = seed * 48271 % 2147483647, low + (high - low) * seed / "
-            "2147483647); "
-            "for (let i = 0; i < 2000; ++i) { "
-            "if (i % 3 === 0) camera.turn(any(-60, 60), any(-40, 20)); "
-            "else if (i % 3 === 1) camera.zoom(any(0.3, 1.6)); "
-            "else camera.pan(any(-1, 1), any(-1, 1)); "
-            "camera.glide(any(0, 0.2)); const {eye} = camera.viewOf(160, 90); "
-            "least = Math.min(least, eye[2] - camera.ground.heightAt(eye[0], eye[1])); } return least; })()"),
-        1)
+    EXPECT_GT(number(R"((() => {
+        const {camera} = couloir;
+        let seed = 1, least = Infinity;
+        const any = (low, high) => {
+            seed = seed * 48271 % 2147483647;
+            return low + (high - low) * seed / 2147483647;
+        };
+        for (let i = 0; i < 2000; ++i) {
+            if (i % 3 === 0) camera.turn(any(-60, 60), any(-40, 20));
+            if (i % 3 === 1) camera.zoom(any(0.3, 1.6));
+            if (i % 3 === 2) camera.pan(any(-1, 1), any(-1, 1));
+            camera.glide(any(0, 0.2));
+            const {eye} = camera.viewOf(160, 90);
+            least = Math.min(least, eye[2] - camera.ground.heightAt(eye[0], eye[1]));
+        }
+        return least;
+    })())"),
+              1)
         << "m";
 }
 
