@@ -177,7 +177,7 @@ class Page {
     seek(tick) {
         this.slide.seek(this.slide.tickOf(this.slide.frameNear(clamp(tick, 0, this.info.last))));
         this.touched = true;
-        part('start').hidden = true;
+        part('welcome').hidden = true;
         this.showTime();
         this.draw();
     }
@@ -193,7 +193,7 @@ class Page {
         if (on === this.playing) return;
         if (on && (!this.touched || this.slide.tick >= this.info.last)) this.seek(0);
         this.playing = on;
-        part('start').hidden = true;
+        part('welcome').hidden = true;
         part('play').classList.toggle('on', on);
         part('play-word').textContent = on ? 'Pause' : 'Play';
         if (!on) this.seek(this.slide.tick);  // a stored state
@@ -336,7 +336,7 @@ class Page {
         this.canvas.focus({preventScroll: true, focusVisible: false});
         this.canvas.setPointerCapture(event.pointerId);
         this.canvas.classList.add('held');
-        part('start').hidden = true;
+        part('welcome').hidden = true;
         if (this.pointers.size === 0) this.travelled = 0;
         this.pointers.set(event.pointerId, [event.offsetX, event.offsetY]);
         this.grip();
@@ -539,12 +539,14 @@ class Page {
         ].filter(Boolean));
 
         const numbers = part('numbers'), centimetres = metres => Number((100 * metres).toPrecision(2));
-        add(numbers, 'h2', 'The same again, and checked');
-        const repeat = add(numbers, 'div');
-        repeat.className = 'repeat';
-        const command = add(repeat, 'code', info.command), copy = add(repeat, 'button', 'Copy');
-        copy.type = 'button';
-        copy.addEventListener('click', () => this.copy(command, copy));
+        if (info.command) {
+            add(numbers, 'h2', 'The same again, and checked');
+            const repeat = add(numbers, 'div');
+            repeat.className = 'repeat';
+            const command = add(repeat, 'code', info.command), copy = add(repeat, 'button', 'Copy');
+            copy.type = 'button';
+            copy.addEventListener('click', () => this.copy(command, copy));
+        }
         add(numbers, 'h2', 'State hash of the end');
         add(numbers, 'code', info.hash);
         add(numbers, 'p', 'As the program computed it. This page carries it along and cannot compute it.');
@@ -617,7 +619,7 @@ class Page {
         const {volume} = this.info, most = volume.reduce((best, v, i) => v > volume[best] ? i : best, 0);
         this.seek(this.slide.tickOf(Math.round(0.8 * most)));
         this.touched = false;
-        part('start').hidden = false;
+        part('welcome').hidden = false;
     }
 
     // Makes the picture, at first and after the browser has lost it.
