@@ -1,21 +1,23 @@
-// The texture of debris: blocks of snow or clods of soil, as render/textures/debris.cpp and lumps.cpp make them, which say
-// what the numbers mean. Heights and lengths are in edges of the tile, those of a lump in its radii.
+// The texture of debris: blocks of snow or clods of soil, as render/textures/debris.cpp and lumps.cpp make them; these
+// say what the numbers mean. Heights and lengths are in edges of the tile, those of a lump in its radii.
 const kDebrisSize = 512;  // texels along an edge
 const kLumpSides = 7, kWidestLump = 1.3, kOverhang = 3, kSeedsPerScale = 30;
 const kDebrisOf = {
     snow: {
-        height: 0.6, wall: 2.3, tilt: 0.4, rounding: 0.25, buried: 0.35, seed: 630, flat: 72, relief: 0.055, rough: [0.006, 30, 590],
+        height: 0.6, wall: 2.3, tilt: 0.4, rounding: 0.25, buried: 0.35, seed: 630,
+        rough: [0.006, 30, 590], flat: 72, relief: 0.055,
         scales: [[86, 0.80, 0.30, 0.60], [54, 0.80, 0.30, 0.60], [34, 0.75, 0.30, 0.60], [22, 0.80, 0.35, 0.62],
                  [14, 0.80, 0.35, 0.60], [9, 0.90, 0.28, 0.55], [60, 0.12, 0.20, 0.50]],
-        colours: [[0.06, 0.600, 0.672, 0.780], [0.20, 0.795, 0.842, 0.905], [0.34, 0.895, 0.922, 0.953], [0.55, 0.953, 0.964, 0.977],
-                  [0.90, 0.990, 0.990, 0.987]],
+        colours: [[0.06, 0.600, 0.672, 0.780], [0.20, 0.795, 0.842, 0.905], [0.34, 0.895, 0.922, 0.953],
+                  [0.55, 0.953, 0.964, 0.977], [0.90, 0.990, 0.990, 0.987]],
     },
     soil: {
-        height: 0.6, wall: 1.7, tilt: 0.5, rounding: 0.32, buried: 0.4, seed: 1230, flat: 64, relief: 0.045, rough: [0.022, 22, 880],
+        height: 0.6, wall: 1.7, tilt: 0.5, rounding: 0.32, buried: 0.4, seed: 1230,
+        rough: [0.022, 22, 880], flat: 64, relief: 0.045,
         scales: [[100, 0.80, 0.30, 0.60], [66, 0.80, 0.30, 0.60], [42, 0.75, 0.30, 0.60], [27, 0.75, 0.35, 0.60],
                  [17, 0.75, 0.35, 0.60], [10, 0.90, 0.28, 0.56], [80, 0.20, 0.20, 0.60]],
-        colours: [[0.08, 0.195, 0.132, 0.085], [0.24, 0.390, 0.281, 0.188], [0.40, 0.545, 0.412, 0.290], [0.60, 0.640, 0.503, 0.365],
-                  [0.90, 0.695, 0.577, 0.445]],
+        colours: [[0.08, 0.195, 0.132, 0.085], [0.24, 0.390, 0.281, 0.188], [0.40, 0.545, 0.412, 0.290],
+                  [0.60, 0.640, 0.503, 0.365], [0.90, 0.695, 0.577, 0.445]],
     },
 };
 
@@ -59,7 +61,8 @@ class Debris {
 
     // The planes that bound a lump: slope downhill along x and y, and height over its middle; one after the other.
     planes(random) {
-        const {height, wall, tilt} = this.recipe, turned = share => [Math.cos(2 * Math.PI * share), Math.sin(2 * Math.PI * share)];
+        const {height, wall, tilt} = this.recipe;
+        const turned = share => [Math.cos(2 * Math.PI * share), Math.sin(2 * Math.PI * share)];
         const steep = random(4, 0, tilt), [x, y] = turned(random(5, 0, 1)), planes = [steep * x, steep * y, height];
         for (let side = 1; side <= kLumpSides; ++side) {
             const own = wall * random(12 + side, 0.6, 1.4), away = random(19 + side, 0.6, 1);
@@ -94,9 +97,10 @@ class Debris {
             const lattice = Float32Array.from({length: period * period},
                 (_, i) => latticeHash(i % period, Math.floor(i / period), period, seed + octave));
             for (let y = 0, i = 0; y < size; ++y) {
-                const v = y * period / size, row = Math.floor(v), south = row * period, north = (row + 1) % period * period;
-                for (let x = 0, up = ease(v - row); x < size; ++x, ++i) {
-                    const u = x * period / size, west = Math.floor(u), east = (west + 1) % period, along = ease(u - west);
+                const v = y * period / size, row = Math.floor(v), up = ease(v - row);
+                const south = row * period, north = (row + 1) % period * period;
+                for (let x = 0; x < size; ++x, ++i) {
+                    const u = x * period / size, west = Math.floor(u), along = ease(u - west), east = (west + 1) % period;
                     heights[i] += weight * lerp(lerp(lattice[south + west], lattice[south + east], along),
                                                 lerp(lattice[north + west], lattice[north + east], along), up);
                 }
@@ -127,18 +131,21 @@ class Debris {
     }
 
     stretch() {
-        const lowest = this.heights.reduce((a, b) => Math.min(a, b)), highest = this.heights.reduce((a, b) => Math.max(a, b));
+        const lowest = this.heights.reduce((a, b) => Math.min(a, b));
+        const highest = this.heights.reduce((a, b) => Math.max(a, b));
         this.heights.forEach((height, i) => this.heights[i] = (height - lowest) / (highest - lowest));
     }
 
     // Finds heights that have a Gaussian's shares, so that sheets can be blended, and the height that each stood for.
     gaussianise() {
         const sorted = this.heights.slice().sort(), count = sorted.length;
+        const heightOf = byte =>
+            sorted[Math.min(Math.floor(normalShareBelow(6 * (byte / 255 - 0.5)) * count), count - 1)];
         this.raw = new Float32Array(256);
         const limits = new Float32Array(256);  // raw heights, up to which a byte stands for them
         for (let byte = 0; byte < 256; ++byte) {
-            this.raw[byte] = sorted[Math.min(Math.floor(normalShareBelow(6 * (byte / 255 - 0.5)) * count), count - 1)];
-            limits[byte] = sorted[Math.min(Math.floor(normalShareBelow(6 * ((byte + 0.5) / 255 - 0.5)) * count), count - 1)];
+            this.raw[byte] = heightOf(byte);
+            limits[byte] = heightOf(byte + 0.5);
         }
         this.bytes = Uint8Array.from(this.heights, height => {
             let low = 0, high = 255;
@@ -156,9 +163,12 @@ class Debris {
         const size = kDebrisSize, {heights, bytes} = this, texels = new Uint8Array(4 * size * size);
         const perStep = 0.5 * this.recipe.relief * size * 127 / steepest;
         for (let i = 0; i < heights.length; ++i) {
-            const row = i - i % size, x = i % size, at = (dx, dy) => heights[(row + dy * size + heights.length) % heights.length + (x + dx & size - 1)];
-            const slope = [at(1, 0) - at(-1, 0), at(0, 1) - at(0, -1)].map(step => clamp(Math.round(128 + perStep * step), 0, 255));
-            texels.set([...slope, bytes[i], 255], 4 * i);
+            const x = i % size, row = i - x, at = place => heights[place & heights.length - 1];
+            const alongX = at(row + (x + 1 & size - 1)) - at(row + (x - 1 & size - 1)), alongY = at(i + size) - at(i - size);
+            texels[4 * i] = clamp(Math.round(128 + perStep * alongX), 0, 255);
+            texels[4 * i + 1] = clamp(Math.round(128 + perStep * alongY), 0, 255);
+            texels[4 * i + 2] = bytes[i];
+            texels[4 * i + 3] = 255;
         }
         return texels;
     }
@@ -167,8 +177,9 @@ class Debris {
     colours() {
         const stops = this.recipe.colours;
         return Uint8Array.from([...this.raw].flatMap(height => {
-            const after = stops.findIndex(stop => stop[0] > height), k = after < 0 ? stops.length - 1 : Math.max(after, 1);
-            const [low, ...from] = stops[k - 1], [high, ...to] = stops[k], share = clamp((height - low) / (high - low), 0, 1);
+            const found = stops.findIndex(stop => stop[0] > height), k = found < 0 ? stops.length - 1 : Math.max(found, 1);
+            const [low, ...from] = stops[k - 1], [high, ...to] = stops[k];
+            const share = clamp((height - low) / (high - low), 0, 1);
             return [...from.map((part, i) => Math.round(255 * lerp(part, to[i], share))), 255];
         }));
     }

@@ -4,7 +4,7 @@ const kThickness = 0.42;  // of an opaque puff, through its middle
 const kScattered = 0.15;  // of the light, passed on from grain to grain
 const kFaintest = 0.01;  // opacity from which on a puff is drawn
 const kNearest = 3, kFar = 15;  // radii: nearer puffs are not drawn, from here on all of them is
-const kHidden = 0.02, kSeen = 0.06;  // of what nearer puffs leave to see of one: from here to there it is drawn more and more
+const kHidden = 0.02, kSeen = 0.06;  // what nearer puffs leave to see of one: from here to there it is drawn more and more
 const kCore = 0.65, kCoreShare = 0.6;  // part of the radius that hides, and of the opacity there
 const kShadeSide = 64, kAcross = 64, kUp = 36;  // cells of a shade map, and of the veil
 const kPuffNumbers = 12;  // numbers of a drawn puff: attributes of powder.vert
@@ -32,7 +32,7 @@ class ShadeMap {
         this.up = [...scaled(up, 1 / side), -bottom / side];
         this.cells.fill(0);
         for (const puff of [...puffs].sort((p, q) => q.along - p.along || p.number - q.number)) {
-            const x = kShadeSide * (dot(this.across, puff.at) + this.across[3]), y = kShadeSide * (dot(this.up, puff.at) + this.up[3]);
+            const [x, y] = [this.across, this.up].map(axis => kShadeSide * (dot(axis, puff.at) + axis[3]));
             puff[light] = kScattered + (1 - kScattered) * Math.exp(-this.thickness(x, y));
             this.add(x, y, puff.radius * kShadeSide / side, kThickness * puff.opacity, puff.along);
         }
@@ -40,17 +40,18 @@ class ShadeMap {
 
     thickness(x, y) {
         x = clamp(x - 0.5, 0, kShadeSide - 1.001), y = clamp(y - 0.5, 0, kShadeSide - 1.001);
-        const i = Math.floor(x), j = Math.floor(y), u = x - i, v = y - j, at = 2 * (j * kShadeSide + i), c = this.cells;
-        return (c[at] * (1 - u) + c[at + 2] * u) * (1 - v) + (c[at + 2 * kShadeSide] * (1 - u) + c[at + 2 * kShadeSide + 2] * u) * v;
+        const i = Math.floor(x), j = Math.floor(y), at = 2 * (j * kShadeSide + i), c = this.cells;
+        return lerp(lerp(c[at], c[at + 2], x - i), lerp(c[at + 2 * kShadeSide], c[at + 2 * kShadeSide + 2], x - i), y - j);
     }
 
     add(x, y, reach, thickness, along) {
         const wide = Math.max(reach, 1);
         thickness *= Math.min(reach * reach, 1);  // a puff smaller than a cell covers part of it
-        const lastX = Math.min(Math.floor(x + wide), kShadeSide - 1), lastY = Math.min(Math.floor(y + wide), kShadeSide - 1);
+        const last = at => Math.min(Math.floor(at + wide), kShadeSide - 1), lastX = last(x), lastY = last(y);
         for (let j = Math.max(Math.floor(y - wide), 0); j <= lastY; ++j)
             for (let i = Math.max(Math.floor(x - wide), 0); i <= lastX; ++i) {
-                const dx = (i + 0.5 - x) / wide, dy = (j + 0.5 - y) / wide, more = thickness * Math.max(1 - dx * dx - dy * dy, 0);
+                const dx = (i + 0.5 - x) / wide, dy = (j + 0.5 - y) / wide;
+                const more = thickness * Math.max(1 - dx * dx - dy * dy, 0);
                 this.cells[2 * (j * kShadeSide + i)] += more;
                 this.cells[2 * (j * kShadeSide + i) + 1] += more * along;
             }
@@ -114,12 +115,12 @@ class PowderPuffs {
             if (a >= 1) continue;
             const radius = this.radius[i] * (1 + kGrowth * a * (2 - a));
             const opacity = this.density[i] * smoothstep(0, kFadeIn, age) *
-                    (1 - smoothstep(0, 0.8, a) * (0.75 + 0.25 * smoothstep(0.5, 1, a)));
-            // A parabola through its places at birth, in the middle and at the end of its life; the slide has the ways from
-            // one to the next.
+                (1 - smoothstep(0, 0.8, a) * (0.75 + 0.25 * smoothstep(0.5, 1, a)));
+            // A parabola through its places at birth, in the middle and at the end of its life; the slide has the ways
+            // from one to the next.
             const half = a * (3 - 2 * a), end = a * (2 * a - 1), [first, toHalf, toEnd] = this.places;
             const at = first.map((from, k) => from[i] + half * toHalf[k][i] + end * toEnd[k][i]);
-            puffs.push({number: i, at, radius, opacity, age, a, lower: this.lower ? this.lower[i] : 0, turn: this.seed[i] / 256});
+            puffs.push({number: i, at, radius, opacity, age, a, lower: this.lower[i], turn: this.seed[i] / 256});
         }
         return puffs;
     }
@@ -144,9 +145,9 @@ class PowderPuffs {
     findInView(puffs, {eye, forward, right, up, clip}, sun) {
         const wide = Math.hypot(...right), high = Math.hypot(...up);
         this.box = [1, 1, -1, -1];  // left, bottom, right, top
-        // Includes what a ball covers at a place; returns its middle and half axes, or null if that is beside the frame.
+        // Includes what a ball covers at a place. Returns its middle and half axes; null if that is beside the frame.
         const include = (at, radius, nearest) => {
-            const [x, y, w] = [0, 1, 3].map(row => clip[row] * at[0] + clip[4 + row] * at[1] + clip[8 + row] * at[2] + clip[12 + row]);
+            const [x, y, w] = projected(clip, at);
             if (w < nearest * radius) return null;
             const middle = [x / w, y / w], half = [radius / wide / w, radius / high / w];
             if ([0, 1].some(k => Math.abs(middle[k]) - half[k] > 1)) return null;
@@ -165,7 +166,8 @@ class PowderPuffs {
                 include(puff.at.map((part, k) => part - away * sun[k]), puff.radius, 1);
             }
             puff.distance = dot(puff.at.map((part, k) => part - eye[k]), forward);
-            puff.shown = puff.opacity * smoothstep(kNearest * puff.radius, kFar * puff.radius, puff.distance) - kFaintest;
+            const parted = smoothstep(kNearest * puff.radius, kFar * puff.radius, puff.distance);
+            puff.shown = puff.opacity * parted - kFaintest;
             const place = puff.shown >= 0 && include(puff.at, puff.radius, kNearest);
             if (!place) return false;
             Object.assign(puff, place);
@@ -188,9 +190,10 @@ class PowderPuffs {
     }
 
     write(puffs) {
-        if (this.drawn.length < kPuffNumbers * puffs.length) this.drawn = new Float32Array(2 * kPuffNumbers * puffs.length);
-        puffs.forEach((puff, i) => this.drawn.set([...puff.at, puff.radius, puff.shown, puff.fromSun, puff.fromSky, puff.turn,
-                                                                                              puff.age, puff.a, puff.lower, 0], kPuffNumbers * i));
+        const room = kPuffNumbers * puffs.length;
+        if (this.drawn.length < room) this.drawn = new Float32Array(2 * room);
+        puffs.forEach(({at, radius, shown, fromSun, fromSky, turn, age, a, lower}, i) =>
+            this.drawn.set([...at, radius, shown, fromSun, fromSky, turn, age, a, lower, 0], kPuffNumbers * i));
         this.count = puffs.length;
     }
 }

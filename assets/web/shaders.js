@@ -45,8 +45,9 @@ class Shader {
     finish() {
         const gl = this.gl;
         if (!gl.getProgramParameter(this.program, gl.LINK_STATUS) && !gl.isContextLost()) {
-            const log = this.stages.map(stage => gl.getShaderInfoLog(stage)).join('') + gl.getProgramInfoLog(this.program);
-            throw new Error(`This browser's graphics driver does not compile ${this.name}: ${log.split('\n')[0]}`);
+            const logs = [...this.stages.map(stage => gl.getShaderInfoLog(stage)), gl.getProgramInfoLog(this.program)];
+            const [fact] = logs.join('').split('\n');
+            throw new Error(`The graphics driver of this browser does not compile ${this.name}: ${fact}`);
         }
         for (const stage of this.stages) gl.deleteShader(stage);
         this.stages = null;
@@ -82,8 +83,10 @@ class Shaders {
 
     // Waits until all are compiled, and leaves the browser free meanwhile.
     async ready() {
-        const pending = () => this.all.some(shader => !this.gl.getProgramParameter(shader.program, this.parallel.COMPLETION_STATUS_KHR));
-        while (this.parallel && !this.gl.isContextLost() && pending()) await new Promise(resolve => setTimeout(resolve, 4));
+        const {gl, parallel} = this;
+        const isPending = ({program}) => !gl.getProgramParameter(program, parallel.COMPLETION_STATUS_KHR);
+        while (parallel && !gl.isContextLost() && this.all.some(isPending))
+            await new Promise(resolve => setTimeout(resolve, 4));
         for (const shader of this.all) if (shader.stages) shader.finish();
     }
 }

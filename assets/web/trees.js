@@ -62,11 +62,13 @@ class TreesInView {
         }
     }
 
-    // Finds the trees that a camera sees, as they stood at tick 0. `view`: of viewOf(); `box`: null where a box is not seen.
+    // Finds the trees that a camera sees, as they stood at tick 0. `view`: of viewOf(); `box`: null where a box is not
+    // seen.
     find(view, box) {
         const {eye} = view, lists = {near: [], branched: [], plain: [], withoutShadow: []};
         const seen = this.tiles.filter(tile => box(tile.low, tile.high));
-        for (const tile of seen) tile.away = Math.hypot(...eye.map((at, k) => at - clamp(at, tile.low[k], tile.high[k])));
+        for (const tile of seen)
+            tile.away = Math.hypot(...eye.map((at, k) => at - clamp(at, tile.low[k], tile.high[k])));
         seen.sort((a, b) => a.away - b.away || a.first - b.first);
         for (const {first, count} of seen)
             for (let k = 0; k < count; ++k) {
@@ -84,8 +86,8 @@ class TreesInView {
 
     // How a tree is drawn; null if it is not. `rank`: among those of its tile, 0 to 1.
     seenTree(i, rank, {eye, forward, right, up, pixel}) {
-        const away = [this.x[i] - eye[0], this.y[i] - eye[1], this.z[i] - eye[2]], distance = Math.max(Math.hypot(...away), 1);
-        const highRay = Math.hypot(...up), group = this.group[i];
+        const away = [this.x[i] - eye[0], this.y[i] - eye[1], this.z[i] - eye[2]];
+        const distance = Math.max(Math.hypot(...away), 1), highRay = Math.hypot(...up), group = this.group[i];
         const wide = clamp(kWideOfHeight * 2 * highRay / pixel, kLeastWide, kMostWide);
         const share = clamp(kMeanWidth * group / (distance * pixel) / wide, group / kMostTogether, 1);
         if (rank >= share) return null;
@@ -93,15 +95,17 @@ class TreesInView {
         const kept = (share < 1 ? Math.min((share - rank) / (0.15 * share), 1) : 1) * this.parted(i, eye, away);
         if (kept <= 0) return null;
         const deep = dot(away, forward), radius = kLongestShadow + this.height[i];
-        const isBeside = (ray, half) => Math.abs(dot(away, ray)) / half > deep * half + radius * Math.sqrt(1 + half * half);
+        const isBeside = (ray, half) =>
+            Math.abs(dot(away, ray)) / half > deep * half + radius * Math.sqrt(1 + half * half);
         if (deep < -radius || isBeside(right, Math.hypot(...right)) || isBeside(up, highRay)) return null;
 
         const together = group / share, isGroup = together > kGroup, tops = isGroup ? Math.round(together) : 1;
         const taller = Math.pow(Math.min(together, kGroup), kTaller), height = this.height[i] * kept * taller;
-        const broad = (this.kind[i] === this.constants.TREE_PINE ? kHalfWidthOfPine : kHalfWidth) * this.height[i] * kept * together /
-            taller * (1 + kWiderInStand * this.closed[i]);
+        const slim = this.kind[i] === this.constants.TREE_PINE ? kHalfWidthOfPine : kHalfWidth;
+        const broad = slim * this.height[i] * kept * together / taller * (1 + kWiderInStand * this.closed[i]);
         const half = Math.max(isGroup ? kWidthOfGroup * broad : broad, 0.6 * kept * distance * pixel);
-        const pixels = height / (distance * pixel), topPixels = isGroup ? 24 * half / tops / (distance * pixel) : pixels;
+        const pixels = height / (distance * pixel);
+        const topPixels = isGroup ? 24 * half / tops / (distance * pixel) : pixels;
         const shadow = this.sun[i] * smoothstep(1, 2, pixels / (kShadowPixels * (1 + 3 * this.closed[i])));
         const list = group < 2 && pixels > kNearPixels * (0.85 + 0.3 * this.chance[i]) ? 'near'
             : topPixels > this.constants.TREE_PLAIN_PIXELS ? 'branched' : shadow > 0 ? 'plain' : 'withoutShadow';
@@ -111,7 +115,8 @@ class TreesInView {
     // The wood parts before the eye, which would see nothing within a crown: a tree shrinks as the eye comes near.
     parted(i, eye, away) {
         const height = this.height[i];
-        return eye[2] > this.z[i] + 1.2 * height ? 1 : smoothstep(0.25 * height, 0.5 * height, Math.hypot(away[0], away[1]));
+        if (eye[2] > this.z[i] + 1.2 * height) return 1;
+        return smoothstep(0.25 * height, 0.5 * height, Math.hypot(away[0], away[1]));
     }
 
     // Writes them as they stood at tick 0, and lists those on the grid, where a flow may come.
@@ -124,10 +129,12 @@ class TreesInView {
         const {nx, dx} = this.slide.info.grid;
         this.onGrid = [];
         this.standing.forEach(({i, height, half, tops, shadow}, number) => {
-            this.first.set([this.x[i], this.y[i], this.z[i], height, 0, 0, 1, this.chance[i], this.sun[i], this.snow[i],
-                            this.lower ? this.lower[i] : 0, half, ...(shadow > 0 ? this.tipOfShadow(i) : [0, 0, 0]), shadow,
-                            this.kind[i], tops, this.closed[i], 0], kTreeNumbers * number);
-            if (this.on[i]) this.onGrid.push({i, at: kTreeNumbers * number, vertex: Math.round(this.y[i] / dx) * nx + Math.round(this.x[i] / dx)});
+            const at = kTreeNumbers * number, tip = shadow > 0 ? this.tipOfShadow(i) : [0, 0, 0];
+            this.first.set([this.x[i], this.y[i], this.z[i], height, 0, 0, 1, this.chance[i],
+                            this.sun[i], this.snow[i], this.lower ? this.lower[i] : 0, half, ...tip, shadow,
+                            this.kind[i], tops, this.closed[i], 0], at);
+            const vertex = Math.round(this.y[i] / dx) * nx + Math.round(this.x[i] / dx);
+            if (this.on[i]) this.onGrid.push({i, at, vertex});
         });
     }
 
@@ -145,15 +152,15 @@ class TreesInView {
 
     // Lays a tree into the deposit, with its top downhill.
     lay(i, tree) {
-        const own = factor => fraction(this.chance[i] * factor);
+        const own = factor => fraction(this.chance[i] * factor), height = this.height[i];
         const [downX, downY] = this.downhill(i), aside = 1.1 * (own(37.3) - 0.5), whole = Math.sqrt(1 + aside * aside);
-        const along = [(downX - aside * downY) / whole, (downY + aside * downX) / whole], height = this.height[i];
-        const radius = kCrushed * kHalfWidth * height;
+        const x = (downX - aside * downY) / whole, y = (downY + aside * downX) / whole;
+        const radius = kCrushed * kHalfWidth * height, ground = (east, north) => this.ground.heightAt(east, north);
         // Some lie on the deposit, and some look out of it with one end.
-        const rootZ = this.ground.heightAt(tree[0], tree[1]) + radius * (0.5 - 1.2 * own(71.9));
-        const topZ = this.ground.heightAt(tree[0] + height * along[0], tree[1] + height * along[1]) + radius * (0.9 - 1.5 * own(53.7));
+        const rootZ = ground(tree[0], tree[1]) + radius * (0.5 - 1.2 * own(71.9));
+        const topZ = ground(tree[0] + height * x, tree[1] + height * y) + radius * (0.9 - 1.5 * own(53.7));
         const flat = Math.hypot(height, topZ - rootZ), sine = Math.sin(kLean);
-        const axis = [sine * along[0] * height / flat, sine * along[1] * height / flat, Math.cos(kLean) + sine * (topZ - rootZ) / flat];
+        const axis = [sine * x * height / flat, sine * y * height / flat, Math.cos(kLean) + sine * (topZ - rootZ) / flat];
         const size = Math.hypot(...axis);
         tree[2] = rootZ;
         tree.set(axis.map(part => part / size), 4);

@@ -1,0 +1,114 @@
+// What stands on the ground and around it: mountains, or the walls of a block; what people have built; trees.
+
+// What is packed of each vertex of structures, ropes and shadows, in the order of their shaders' attributes.
+const kBuiltColumns = {
+    built: ['x', 'y', 'z', 'material', 'normal_x', 'normal_y', 'normal_z', 'number', 'across', 'up', 'light', 'own',
+            'rests_x', 'rests_y', 'rests_z', 'rests'],
+    ropes: ['x', 'y', 'z', 'side', 'along_x', 'along_y', 'along_z', 'half'],
+    shadows: ['x', 'y', 'z', 'strength', 'foot_x', 'foot_y', 'foot_z', 'zero'],
+};
+// How far a shadow on the ground is drawn in front of it: by its slope, and in the smallest steps of depth.
+const kShadowOffset = [2, 8];
+
+class Scenery {
+    constructor(gpu, slide, shaders, slots, frame) {
+        Object.assign(this, {gpu, slide, shaders, slots, frame});
+        if (shaders.around) this.makeMountains();
+        if (shaders.built) this.makeBuilt();
+        if (shaders.treeNear) this.makeTrees();
+    }
+
+    makeMountains() {
+        const {gpu, gpu: {gl}, slide, slots} = this, {nx, ny} = slide.info.grid;
+        const names = ['x', 'y', 'z', 'slope_x', 'slope_y', 'source_x', 'source_y', 'cover_d', 'cover_l', 'open', 'on',
+                       'sun'];
+        const columns = names.map(name => slide.array('around.' + name)), none = new Float32Array(columns[0].length);
+        const vertices = gpu.vertices(columns.map(column => column ?? none), [3, 4, 4, 1]);
+        this.mountains = gpu.mesh(Uint32Array.from(slide.array('around.index')), vertices);
+
+        // Mip-mapped, because a pixel of far mountains covers many vertices of the grid.
+        const depth = slide.array('cover_d'), lower = slide.array('cover_l'), cover = new Float32Array(2 * nx * ny);
+        depth.forEach((value, i) => cover.set([value, lower ? lower[i] : 0], 2 * i));
+        gpu.mipMapped(slots.SLOT_FIRST_COVER, gl.RG16F, nx, ny, cover);
+        gpu.clampToEdge();
+    }
+
+    makeBuilt() {
+        const {gpu, slide} = this;
+        this.built = {};
+        for (const [table, names] of Object.entries(kBuiltColumns)) {
+            const column = name => slide.array(`${table}.${name}`);
+            if (!column('x')) continue;
+            const array = gpu.vertices(names.map(column), Array(names.length / 4).fill(4));
+            const [first, count, from, until] = ['first', 'count', 'from', 'until'].map(column);
+            this.built[table] = {array, pieces: Array.from(first, (_, i) =>
+                ({first: first[i], count: count[i], from: from[i], until: until[i]}))};
+        }
+    }
+
+    makeTrees() {
+        const {gpu, gpu: {gl}, slots} = this;
+        this.trees = new TreesInView(this.slide, this.frame.sun, slots);
+        const rows = Math.ceil(this.trees.x.length / kTreesInARow);
+        this.treeTexture = gpu.texture(slots.SLOT_UNITS, gl.RGBA32F, kTreeNumbers / 4 * kTreesInARow, rows, gl.NEAREST);
+    }
+
+    drawMountains() {
+        const {gpu, gpu: {gl}} = this;
+        gpu.enabled([gl.DEPTH_TEST, gl.CULL_FACE], () => gpu.drawMesh(this.shaders.around, this.mountains));
+    }
+
+    // What people have built, as it is in the stored frame before the moment.
+    drawBuilt() {
+        const {gpu, gpu: {gl}, slide: {tick, info}} = this;
+        if (!this.built) return;
+        const frame = Math.min(Math.floor(tick / info.every), info.frames - 1);
+        const draw = table => {
+            if (!this.built[table]) return;
+            this.shaders[table].use();
+            gl.bindVertexArray(this.built[table].array);
+            for (const {first, count, from, until} of this.built[table].pieces)
+                if (from <= frame && frame < until) gl.drawArrays(gl.TRIANGLES, first, count);
+        };
+        gpu.enabled([gl.DEPTH_TEST], () => {
+            draw('built');
+            this.drawShadows(() => draw('shadows'));
+            gl.depthMask(false);
+            gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+            gpu.enabled([gl.BLEND], () => draw('ropes'));
+            gl.depthMask(true);
+        });
+    }
+
+    // A shadow lies on the ground as triangles, which are a little above it everywhere.
+    drawShadows(draw) {
+        const {gpu, gpu: {gl}} = this;
+        gl.depthMask(false);
+        gl.blendFunc(gl.ZERO, gl.SRC_COLOR);
+        gl.polygonOffset(...kShadowOffset);
+        gpu.enabled([gl.BLEND, gl.POLYGON_OFFSET_FILL], draw);
+        gl.depthMask(true);
+    }
+
+    // `onScreen`: where a box is seen; null: nowhere.
+    drawTrees(view, onScreen) {
+        const {gpu, gpu: {gl}, slots, trees, shaders} = this;
+        if (!trees) return;
+        const key = [...view.clip, view.pixel].join();
+        if (key !== this.treesKey) trees.find(view, onScreen);
+        if (key !== this.treesKey || this.treesTick !== this.slide.tick) {
+            const rows = trees.settle(), width = kTreeNumbers / 4 * kTreesInARow;
+            const numbers = trees.drawn.subarray(0, 4 * width * rows);
+            if (rows > 0) gpu.upload(slots.SLOT_UNITS, this.treeTexture, width, rows, numbers);
+        }
+        this.treesKey = key;
+        this.treesTick = this.slide.tick;
+        const {near, far, withShadow, standing} = trees, cones = 3 * (slots.TREE_TIERS * slots.TREE_SIDES + 3);
+        gpu.enabled([gl.DEPTH_TEST], () => {
+            this.drawShadows(() => gpu.drawNumbers(shaders.treeShadow, 0, 3 * withShadow));
+            gpu.drawNumbers(shaders.treeNear, 0, cones * near);
+            gpu.drawNumbers(shaders.treeFar, 3 * near, 3 * far);
+            gpu.drawNumbers(shaders.treePlain, 3 * (near + far), 3 * (standing.length - near - far));
+        });
+    }
+}
