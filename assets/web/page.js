@@ -1,7 +1,7 @@
 // The page: its time, its colours, and when it draws, which is only if something changed.
 
 const kSettle = 150, kSmooth = 400;  // ms without a change before full resolution; before more
-const kLongest = 250;                // ms that playing moves on in one picture
+const kLongest = 1000;               // ms that playing moves on in one picture
 const kRates = [[0.25, '¼ ×'], [0.5, '½ ×'], [1, '1 ×'], [2, '2 ×'], [4, '4 ×'], [8, '8 ×']];
 const kLong = 60;                    // s from which a slide begins at twice its speed
 
