@@ -482,10 +482,10 @@ class Picture {
 
     // The bytes of the last picture, from its lowest row on.
     pixels() {
-        const {gl} = this, {width, height, frames} = this.target, p = new Uint8Array(4 * width * height);
+        const {gl} = this, {width, height, frames} = this.target, bytes = new Uint8Array(4 * width * height);
         gl.bindFramebuffer(gl.FRAMEBUFFER, frames[this.shown]);
-        gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, p);
-        return {width, height, p};
+        gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+        return {width, height, bytes};
     }
 
     // Mean ms of each pass and of all, over some pictures of what draw() takes.
