@@ -325,7 +325,8 @@ class Page {
             // Draws and reads in one go: a canvas that is read later is empty.
             pixels() {
                 page.paint();
-                return page.picture.pixels();
+                const {width: w, height: h, bytes: p} = page.picture.pixels();
+                return {w, h, p};
             },
             get tick() { return slide.tick; },
             get playing() { return page.playing; },
