@@ -57,6 +57,8 @@ constexpr std::array kFormats{
 };
 
 bool prepare_gdal() {
+    // What no GdalErrors keeps is not printed: libtiff reports to GDAL from then on, even what other code reads by it.
+    CPLSetErrorHandler(CPLQuietErrorHandler);
     for (const Format& format : kFormats) format.register_it();
     OSRSetPROJEnableNetwork(0);
     // libgeotiff also calls PROJ and lets it print failed look-ups. Its contexts are copies of this one.

@@ -226,25 +226,34 @@ class Camera {
         if (share > 1 || this.isClear(pose)) this.send(pose, atOnce);
     }
 
-    // Moves sideways until a point of the ground lies at a place of the picture, x and y from −1 to 1.
+    // Moves until a point of the ground lies at a place of the picture, x and y from −1 to 1: at the eye's height, or
+    // beside a flat ray. If ground is in the way, it backs off.
     drag(pivot, x, y, view) {
-        const ray = view.forward.map((v, i) => v + x * view.right[i] + y * view.up[i]), length = Math.hypot(...ray);
-        const fall = Math.min(ray[2] / length, -kGrazing), way = Math.max(0, view.eye[2] - pivot[2]) / -fall;
-        const level = Math.hypot(ray[0], ray[1]) || 1, reach = way * Math.sqrt(1 - fall * fall) / level;
-        this.move(pivot[0] - view.eye[0] - ray[0] * reach, pivot[1] - view.eye[1] - ray[1] * reach, true);
+        const {eye} = view, from = this.goal, farthest = 6 * this.ground.side;
+        const ray = view.forward.map((v, i) => v + x * view.right[i] + y * view.up[i]);
+        const rise = pivot[2] - eye[2], isFlat = Math.abs(ray[2]) < kGrazing * Math.hypot(...ray) || rise / ray[2] <= 0;
+        const depth = Math.min(isFlat ? dot(pivot.map((v, i) => v - eye[i]), view.forward) : rise / ray[2], farthest);
+        for (let share = 0; share < 1; share += 1 / 32) {
+            const way = depth * (farthest / depth) ** share;
+            const pose = {...from, target: from.target.map((v, i) => v + pivot[i] - way * ray[i] - eye[i])};
+            if (!this.isClear(pose)) continue;
+            this.send(pose, true);
+            return;
+        }
     }
 
-    // Moves to the right and away from the eye, as shares of the distance.
-    pan(right, away) {
-        const a = this.goal.azimuth * kDegree, reach = this.goal.distance;
-        this.move((-right * Math.cos(a) - away * Math.sin(a)) * reach, (right * Math.sin(a) - away * Math.cos(a)) * reach);
+    // Moves to the right and away from the eye, by shares of the distance; half a side beyond the slide at most.
+    pan(right, away, atOnce = false) {
+        const from = this.goal, a = from.azimuth * kDegree, {width, breadth, side} = this.ground;
+        const [x, y, z] = along(along(from.target, [-Math.cos(a), Math.sin(a), 0], right * from.distance),
+                                [-Math.sin(a), -Math.cos(a), 0], away * from.distance);
+        const target = [clamp(x, -0.5 * side, width + 0.5 * side), clamp(y, -0.5 * side, breadth + 0.5 * side), z];
+        this.send({...from, target}, atOnce);
     }
 
-    // Moves by metres east and north, half a side beyond the slide at most.
-    move(east, north, atOnce = false) {
-        const {target: [x, y, z]} = this.goal, {width, breadth, side} = this.ground;
-        const to = [clamp(x + east, -0.5 * side, width + 0.5 * side), clamp(y + north, -0.5 * side, breadth + 0.5 * side), z];
-        this.send({...this.goal, target: to}, atOnce);
+    // Stays where it is now.
+    stop() {
+        this.goal = this.pose;
     }
 
     goHome() {

@@ -177,7 +177,7 @@ class Page {
     seek(tick) {
         this.slide.seek(this.slide.tickOf(this.slide.frameNear(clamp(tick, 0, this.info.last))));
         this.touched = true;
-        part('start').hidden = true;
+        part('welcome').hidden = true;
         this.showTime();
         this.draw();
     }
@@ -193,7 +193,7 @@ class Page {
         if (on === this.playing) return;
         if (on && (!this.touched || this.slide.tick >= this.info.last)) this.seek(0);
         this.playing = on;
-        part('start').hidden = true;
+        part('welcome').hidden = true;
         part('play').classList.toggle('on', on);
         part('play-word').textContent = on ? 'Pause' : 'Play';
         if (!on) this.seek(this.slide.tick);  // a stored state
@@ -336,7 +336,7 @@ class Page {
         this.canvas.focus({preventScroll: true, focusVisible: false});
         this.canvas.setPointerCapture(event.pointerId);
         this.canvas.classList.add('held');
-        part('start').hidden = true;
+        part('welcome').hidden = true;
         if (this.pointers.size === 0) this.travelled = 0;
         this.pointers.set(event.pointerId, [event.offsetX, event.offsetY]);
         this.grip();
@@ -344,6 +344,7 @@ class Page {
 
     // What fingers have taken hold of: the ground under them, or between two of them.
     grip() {
+        this.camera.stop();
         const [x, y] = this.middle();
         this.pivot = this.groundAt(x, y);
     }
@@ -386,10 +387,8 @@ class Page {
     }
 
     drag(from, to) {
-        const view = this.view(), sinks = this.pivot && (view.eye[2] - this.pivot[2]) /
-            Math.hypot(...this.pivot.map((v, i) => v - view.eye[i])) > kGrazing;
-        const shares = 2 * Math.hypot(...view.up) / this.canvas.clientHeight;
-        if (sinks) this.camera.drag(this.pivot, ...this.inPicture(...to), view);
+        const view = this.view(), shares = 2 * Math.hypot(...view.up) / this.canvas.clientHeight;
+        if (this.pivot) this.camera.drag(this.pivot, ...this.inPicture(...to), view);
         else this.camera.pan((from[0] - to[0]) * shares, (to[1] - from[1]) * shares, true);
     }
 
@@ -540,12 +539,14 @@ class Page {
         ].filter(Boolean));
 
         const numbers = part('numbers'), centimetres = metres => Number((100 * metres).toPrecision(2));
-        add(numbers, 'h2', 'The same again, and checked');
-        const repeat = add(numbers, 'div');
-        repeat.className = 'repeat';
-        const command = add(repeat, 'code', info.command), copy = add(repeat, 'button', 'Copy');
-        copy.type = 'button';
-        copy.addEventListener('click', () => this.copy(command, copy));
+        if (info.command) {
+            add(numbers, 'h2', 'The same again, and checked');
+            const repeat = add(numbers, 'div');
+            repeat.className = 'repeat';
+            const command = add(repeat, 'code', info.command), copy = add(repeat, 'button', 'Copy');
+            copy.type = 'button';
+            copy.addEventListener('click', () => this.copy(command, copy));
+        }
         add(numbers, 'h2', 'State hash of the end');
         add(numbers, 'code', info.hash);
         add(numbers, 'p', 'As the program computed it. This page carries it along and cannot compute it.');
@@ -618,7 +619,7 @@ class Page {
         const {volume} = this.info, most = volume.reduce((best, v, i) => v > volume[best] ? i : best, 0);
         this.seek(this.slide.tickOf(Math.round(0.8 * most)));
         this.touched = false;
-        part('start').hidden = false;
+        part('welcome').hidden = false;
     }
 
     // Makes the picture, at first and after the browser has lost it.
@@ -664,8 +665,7 @@ try {
         // Draws and reads in one go: a canvas that is read later is empty.
         pixels() {
             page.paint();
-            const {width: w, height: h, bytes: p} = page.picture.pixels();
-            return {w, h, p};
+            return page.picture.pixels();
         },
         get tick() { return slide.tick; },
         get playing() { return page.playing; },

@@ -253,13 +253,14 @@ void App::share() {
     // In the first tick all is looked at, so that it counts as changed.
     if (sandbox_->known_until() == session.state().tick && session.changed_at() <= 1)
         return tell("Nothing to share yet, because nothing has moved. Release a slide first");
-    auto recorded = sandbox_->recorded_so_far();
-    Outcome<void> begun;
-    if (recorded)
-        begun = sharing_.begin(std::move(*recorded), dated_name(sandbox_->scenario().scene),
-                               {.camera = camera_->camera()});
-    else
-        begun = tl::unexpected(recorded.error());
+    Memory memory = first_.memory;
+    memory.use.sessions = 2;  // the page plays the slide anew
+    const Scenario& scenario = sandbox_->scenario();
+    if (const auto fits = memory.allows(scenario.grid, scenario.lower.has_value()); !fits)
+        return warn(fmt::format("This slide cannot be shared: {}", fits.error()));
+    const auto begun = sandbox_->recorded_so_far().and_then([&](std::string&& recorded) {
+        return sharing_.begin(std::move(recorded), dated_name(scenario.scene), {.camera = camera_->camera()});
+    });
     slide_ended_ = false;
     if (!begun) warn(fmt::format("This slide cannot be shared: {}", begun.error().sentence));
 }

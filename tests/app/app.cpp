@@ -727,6 +727,17 @@ TEST_F(Sending, says_why_there_is_nothing_to_share) {
     EXPECT_NE(last_notice().find("couloir/shared"), std::string::npos) << last_notice();
 }
 
+TEST_F(Sending, shares_nothing_for_which_there_is_no_memory) {
+    begin();
+    wishes_.memory.most = expected_bytes(state().grid, false, {});
+    app_.reset();
+    begin();
+    stroke(5);
+    tap(function_key(10));
+    EXPECT_FALSE(app_->is_sharing());
+    EXPECT_NE(last_notice().find("--max-memory"), std::string::npos) << last_notice();
+}
+
 TEST_F(Sending, leaves_nothing_of_a_slide_if_it_quits_meanwhile) {
     begin();
     stroke(60);

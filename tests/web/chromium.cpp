@@ -188,6 +188,42 @@ void Chromium::click(double x, double y) {
     }
 }
 
+void Chromium::drag(double from_x, double from_y, double to_x, double to_y, bool shift) {
+    constexpr int kSteps = 8;
+    const auto send = [&](const char* type, double share, int buttons) {
+        call("Input.dispatchMouseEvent", {{"type", type},
+                                          {"x", from_x + share * (to_x - from_x)},
+                                          {"y", from_y + share * (to_y - from_y)},
+                                          {"button", "left"},
+                                          {"buttons", buttons},
+                                          {"clickCount", 1},
+                                          {"modifiers", shift ? 8 : 0}});
+    };
+    send("mousePressed", 0, 1);
+    for (int i = 1; i <= kSteps; ++i) send("mouseMoved", static_cast<double>(i) / kSteps, 1);
+    send("mouseReleased", 1, 0);
+}
+
+void Chromium::wheel(double x, double y, double pixels) {
+    call("Input.dispatchMouseEvent",
+         {{"type", "mouseWheel"}, {"x", x}, {"y", y}, {"deltaX", 0}, {"deltaY", pixels}});
+}
+
+void Chromium::pinch(double x, double y, double from_x, double from_y, double to_x, double to_y) {
+    constexpr int kSteps = 8;
+    const auto fingers = [&](double share) {
+        return Json{{{"x", x}, {"y", y}, {"id", 1}},
+                    {{"x", x + from_x + share * (to_x - from_x)},
+                     {"y", y + from_y + share * (to_y - from_y)},
+                     {"id", 2}}};
+    };
+    call("Input.dispatchTouchEvent", {{"type", "touchStart"}, {"touchPoints", fingers(0)}});
+    for (int i = 1; i <= kSteps; ++i)
+        call("Input.dispatchTouchEvent",
+             {{"type", "touchMove"}, {"touchPoints", fingers(static_cast<double>(i) / kSteps)}});
+    call("Input.dispatchTouchEvent", {{"type", "touchEnd"}, {"touchPoints", Json::array()}});
+}
+
 void Chromium::tap(double x, double y) {
     call("Input.dispatchTouchEvent", {{"type", "touchStart"}, {"touchPoints", {{{"x", x}, {"y", y}}}}});
     call("Input.dispatchTouchEvent", {{"type", "touchEnd"}, {"touchPoints", Json::array()}});

@@ -40,7 +40,12 @@ class Chromium {
     // Presses and releases a key, as KeyboardEvent names it: "Home", "a".
     void press(const std::string& key, bool shift = false);
     void click(double x, double y);
+    // From one place to another with the left button, in small steps.
+    void drag(double from_x, double from_y, double to_x, double to_y, bool shift = false);
+    void wheel(double x, double y, double pixels);
     void tap(double x, double y);
+    // One finger stays at a place; another moves, from and to places beside it.
+    void pinch(double x, double y, double from_x, double from_y, double to_x, double to_y);
     // Polls an expression until it is true; false after the time limit.
     bool comes(const std::string& expression, double seconds = 10);
 

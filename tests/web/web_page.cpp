@@ -7,6 +7,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "tests/game/program.h"
 #include "tests/web/chromium.h"
@@ -34,7 +36,8 @@ std::size_t count_of(const std::string& text, const std::string& words) {
 
 TEST(WebPageText, names_no_address_to_fetch_from) {
     const std::string& page = avalanche().page;
-    for (const char* words : {"http:", "https:", "src=", "href=", "@import", "url(", "fetch(", "XMLHttp"})
+    for (const char* words :
+         {"http:", "https:", "src=", "href=\"http", "@import", "url(", "fetch(", "XMLHttp"})
         EXPECT_EQ(count_of(page, words), 0u) << words;
     EXPECT_EQ(count_of(page, "content=\"default-src 'none';"), 1u);
 }
@@ -93,9 +96,11 @@ class WebPage : public testing::Test {
     // A hash of the picture.
     static std::string picture() {
         return browser()
-            .value(
-                "(() => { let hash = 5381; for (const byte of couloir.pixels().p) "
-                "hash = Math.imul(hash, 33) ^ byte; return String(hash >>> 0); })()")
+            .value(R"((() => {
+                let hash = 5381;
+                for (const byte of couloir.pixels().p) hash = Math.imul(hash, 33) ^ byte;
+                return String(hash >>> 0);
+            })())")
             .get<std::string>();
     }
     // Opens a page that cannot be shown and returns its sentence.
@@ -137,18 +142,19 @@ TEST_F(WebPage, fits_large_small_and_touched_screens) {
         double pixels;
         bool touch;
     };
-    for (const Screen& screen :
-         {Screen{1920, 1080, 1, false}, Screen{1280, 720, 1, false}, Screen{390, 844, 2, true}}) {
+    for (const Screen& screen : {Screen{390, 844, 2, true}, Screen{844, 390, 2, true},
+                                 Screen{1280, 720, 1, false}, Screen{1920, 1080, 1, false}}) {
         SCOPED_TRACE(std::to_string(screen.width));
         browser().size(screen.width, screen.height, screen.pixels, screen.touch);
-        open_anew(page_file());
+        if (screen.width == 390) open_anew(page_file());
         EXPECT_EQ(number("document.documentElement.scrollWidth"), screen.width);
         EXPECT_EQ(number("document.getElementById('view').clientHeight"), screen.height);
-        EXPECT_TRUE(holds(
-            "[...document.querySelectorAll('header, footer, footer button, footer select, #scrub')]"
-            ".filter(each => each.checkVisibility()).every(each => { "
-            "const {left, top, right, bottom, width} = each.getBoundingClientRect(); "
-            "return width > 0 && left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight; })"));
+        EXPECT_TRUE(
+            holds(R"([...document.querySelectorAll('header, footer, footer button, footer select, #scrub')]
+            .filter(each => each.checkVisibility()).every(each => {
+                const {left, top, right, bottom, width} = each.getBoundingClientRect();
+                return width > 0 && left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight;
+            }))"));
         EXPECT_TRUE(
             holds("document.querySelector('header').getBoundingClientRect().bottom < "
                   "document.querySelector('footer').getBoundingClientRect().top"));
@@ -172,13 +178,13 @@ TEST_F(WebPage, shows_on_the_canvas_what_it_drew) {
     open();
     for (const char* scale : {"0.3", "1", "0.25"}) {
         browser().value(std::string("couloir.freeze(") + scale + ")");
-        EXPECT_TRUE(
-            holds("(() => { const {w, h, p} = couloir.pixels(), gl = "
-                  "document.getElementById('view').getContext('webgl2'), "
-                  "shown = new Uint8Array(4 * w * h); gl.bindFramebuffer(gl.FRAMEBUFFER, null); "
-                  "gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, shown); "
-                  "return w === gl.drawingBufferWidth && p.every((byte, i) => i % 4 === 3 || byte === "
-                  "shown[i]); })()"))
+        EXPECT_TRUE(holds(R"((() => {
+            const {p} = couloir.pixels(), gl = document.getElementById('view').getContext('webgl2');
+            const shown = new Uint8Array(p.length);
+            gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+            gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, shown);
+            return p.every((byte, i) => i % 4 === 3 || byte === shown[i]);
+        })())"))
             << scale;
     }
 }
@@ -353,6 +359,74 @@ TEST_F(WebPage, is_used_by_keys_alone) {
     EXPECT_TRUE(holds("couloir.playing"));
     browser().press(" ");
     EXPECT_FALSE(holds("couloir.playing"));
+}
+
+// The ground under a hand, east and north; it must be there.
+glm::dvec2 ground_under(Chromium& browser, double x, double y) {
+    const Json at = browser.value("couloir.pick(" + std::to_string(x) + ", " + std::to_string(y) + ")");
+    if (!at.is_object()) {
+        ADD_FAILURE() << "no ground";
+        return {};
+    }
+    return {at["x"].get<double>(), at["y"].get<double>()};
+}
+
+TEST_F(WebPage, keeps_the_ground_under_the_hand) {
+    open();
+    const double side = number("(couloir.info.grid.nx - 1) * couloir.info.grid.dx"), near = 0.004 * side;
+    const auto pose = [] { return browser().value("couloir.camera.pose"); };
+    const auto first = pose();
+    const auto place = ground_under(browser(), 350, 200);
+    browser().drag(350, 200, 400, 280);
+    const auto turned = pose();
+    EXPECT_NEAR(turned["azimuth"].get<double>() - first["azimuth"].get<double>(), 180 * 50 / 640.0, 0.01);
+    EXPECT_GT(turned["elevation"], first["elevation"]);
+    EXPECT_LT(glm::distance(ground_under(browser(), 350, 200), place), near) << "m, after a turn about it";
+
+    const auto grabbed = ground_under(browser(), 300, 240);
+    browser().drag(300, 240, 340, 210, true);
+    EXPECT_LT(glm::distance(ground_under(browser(), 340, 210), grabbed), near) << "m, after it was moved";
+
+    const auto pointed = ground_under(browser(), 280, 260);
+    browser().wheel(280, 260, -300);
+    EXPECT_TRUE(browser().comes("couloir.camera.arrived"));
+    EXPECT_LT(number("couloir.camera.distance"), turned["distance"].get<double>());
+    EXPECT_LT(glm::distance(ground_under(browser(), 280, 260), pointed), near) << "m, after coming nearer";
+}
+
+TEST_F(WebPage, comes_nearer_and_turns_by_two_fingers) {
+    browser().size(390, 844, 2, true);
+    open();
+    const auto first = browser().value("couloir.camera.pose");
+    browser().pinch(195, 500, -60, 0, -120, 0);
+    const auto nearer = browser().value("couloir.camera.pose");
+    EXPECT_NEAR(nearer["distance"].get<double>() / first["distance"].get<double>(), 0.5, 0.05);
+    browser().pinch(195, 500, -100, 0, 0, -100);
+    const auto turned = browser().value("couloir.camera.pose");
+    EXPECT_NEAR(turned["azimuth"].get<double>() - nearer["azimuth"].get<double>(), 90, 5) << "degrees";
+}
+
+TEST_F(WebPage, never_looks_from_below_the_ground) {
+    open();
+    EXPECT_GT(number(R"((() => {
+        const {camera} = couloir;
+        let seed = 1, least = Infinity;
+        const any = (low, high) => {
+            seed = seed * 48271 % 2147483647;
+            return low + (high - low) * seed / 2147483647;
+        };
+        for (let i = 0; i < 2000; ++i) {
+            if (i % 3 === 0) camera.turn(any(-60, 60), any(-40, 20));
+            if (i % 3 === 1) camera.zoom(any(0.3, 1.6));
+            if (i % 3 === 2) camera.pan(any(-1, 1), any(-1, 1));
+            camera.glide(any(0, 0.2));
+            const {eye} = camera.viewOf(160, 90);
+            least = Math.min(least, eye[2] - camera.ground.heightAt(eye[0], eye[1]));
+        }
+        return least;
+    })())"),
+              1)
+        << "m";
 }
 
 TEST_F(WebPage, reads_the_ground_under_a_finger) {
