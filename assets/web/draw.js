@@ -81,6 +81,8 @@ class Picture {
                 treeFar: add([...trees, 'tree_far.vert'], ['slots.glsl', 'tree_far.frag']),
                 treePlain: add([...trees, 'tree_plain.vert'], ['tree_plain.frag']),
             });
+        if (info.arrays['ridges.x'])
+            this.programs.spindrift = add([...light, 'spindrift.vert'], [...frame, 'window_depth.glsl', 'spindrift.frag']);
         const powder = [...frame, 'powder.glsl'], over = [...powder, 'window_depth.glsl', 'powder_over.frag'];
         if (info.arrays['puffs.x'])
             Object.assign(this.programs, {
@@ -258,8 +260,11 @@ class Picture {
         this.mark('structures');
         scenery.drawTrees({...view, pixel: view.pixel * samples}, onScreen);
         this.mark('trees');
-        if (powdery) this.layCloudOver();
-        this.mark('powder over');
+        // What floats in the air lies over everything that is not nearer.
+        if (powdery || scenery.ridges) this.beginAir();
+        if (scenery.ridges && !overlay) scenery.drawSpindrift();
+        if (powdery) cloud.layOver();
+        this.mark('air');
         this.show(scale === 1);
         this.mark('tone and edges');
         if (!this.prepared) this.prepared = setTimeout(() => this.prepareMarks());
@@ -439,10 +444,10 @@ class Picture {
         gpu.enabled([gl.DEPTH_TEST], () => gpu.fill(programs.lights));
     }
 
-    layCloudOver() {
+    // Draws into the picture without its depth, which shaders read.
+    beginAir() {
         this.into('air');
         this.gpu.bind(this.slots.SLOT_SCENE_DEPTH, this.target.depth);
-        this.cloud.layOver();
     }
 
     // Maps light to what a screen shows, and draws that on the canvas: Chromium does not see what is blitted there.

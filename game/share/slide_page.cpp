@@ -29,6 +29,7 @@
 #include "render/height_range.h"
 #include "render/marks.h"
 #include "render/overview.h"
+#include "render/wind.h"
 
 namespace game {
 namespace {
@@ -325,6 +326,7 @@ std::uint64_t SlidePage::Parts::bytes_so_far() const {
 Json SlidePage::Parts::info(const Session& session, std::span<const TimedCommand> commands) const {
     const Measures measures = measure(scenario, session, release_area(scenario, commands), {});
     const Json summary = to_json(Summary{scenario, session, measures});
+    const glm::vec2 wind = render::velocity(scenario.wind);
     const auto look = [](const render::PowderLook& powder) {
         return Json{
             {"strength", powder.strength}, {"speed", powder.speed}, {"colour", colour_json(powder.colour)}};
@@ -369,6 +371,7 @@ Json SlidePage::Parts::info(const Session& session, std::span<const TimedCommand
               {"camera", camera_json(camera)},
               {"frame", block},
               {"texture", scenario.look.flow ? Json(to_string(scenario.look.flow->pattern)) : Json(nullptr)},
+              {"wind", {wind.x, wind.y}},  // where it blows to, m/s
               {"powder", look(scenario.look.powder)},
               {"lower_powder", look(scenario.look.lower_powder)},
               {"overlays", overlays_json()},
