@@ -29,9 +29,6 @@
 namespace render {
 namespace {
 
-// Wind lifts dry snow: its standing layer is as green as that, and as much of it is thrown up as powder.
-constexpr float kSnow = 0.6f, kDry = 0.5f;
-
 int samples_of(Quality quality) {
     return quality == Quality::kFine ? 2 : 1;
 }
@@ -41,8 +38,7 @@ constexpr std::span<const Rectangle> kNowhere;
 // Wind blows snow off ridges, as far as there is any.
 bool drifts(const FrameInput& input) {
     return input.surroundings && !input.surroundings->empty() && input.wind.speed > 0 &&
-           input.look.standing.g > kSnow && input.look.powder.strength > kDry &&
-           input.marks.overlay == Overlay::kNone;
+           is_dry_snow(input.look) && input.marks.overlay == Overlay::kNone;
 }
 
 }  // namespace

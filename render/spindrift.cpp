@@ -60,6 +60,11 @@ double snow_before(const Surroundings& around, glm::dvec2 at) {
 
 }  // namespace
 
+bool is_dry_snow(const Look& look) {
+    constexpr float kBright = 0.6f, kMuchPowder = 0.5f;
+    return look.standing.g > kBright && look.powder.strength > kMuchPowder;
+}
+
 Ridges::Ridges(const Surroundings& around, const Wind& wind) {
     const double lifts = ramp(kLeastSpeed, kGreatestSpeed, wind.speed);
     if (around.empty() || lifts <= 0) return;

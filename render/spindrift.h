@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "render/look.h"
 #include "render/surroundings.h"
 #include "render/wind.h"
 
@@ -19,6 +20,9 @@ struct SpindriftPlace {
     float chance;      // 0 to 1, its own number, by which places differ
     float sunlit = 1;  // share of the light that ground lets through to the snow over it, 0 to 1
 };
+
+// Whether wind lifts the snow of a look: it is bright, and much of it is thrown up as powder.
+bool is_dry_snow(const Look& look);
 
 // The ridges of a world that smoke in wind: on its grid and on the mountains near it. A view: nothing else knows
 // of them. Equal on one machine, as Surroundings are.

@@ -26,8 +26,9 @@ class Picture {
         this.shaders = new Shaders(gl, name => slide.file(name));
         this.slots = this.shaders.constants;
         this.frame = new FrameBlock(this.gpu, slide, this.slots);
-        const names = gl.getExtension('WEBGL_debug_renderer_info');
-        this.renderer = gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
+        // Firefox gives the name itself, and warns of the extension by which others do.
+        const name = gl.getParameter(gl.RENDERER), others = /^WebKit/.test(name) && gl.getExtension('WEBGL_debug_renderer_info');
+        this.renderer = others ? gl.getParameter(others.UNMASKED_RENDERER_WEBGL) : name;
         this.target = {width: 0, height: 0, textures: [], frames: {}};
         this.passes = null;  // ms by name while they are measured
     }
@@ -81,6 +82,8 @@ class Picture {
                 treeFar: add([...trees, 'tree_far.vert'], ['slots.glsl', 'tree_far.frag']),
                 treePlain: add([...trees, 'tree_plain.vert'], ['tree_plain.frag']),
             });
+        if (info.arrays['ridges.x'])
+            this.programs.spindrift = add([...light, 'spindrift.vert'], [...frame, 'window_depth.glsl', 'spindrift.frag']);
         const powder = [...frame, 'powder.glsl'], over = [...powder, 'window_depth.glsl', 'powder_over.frag'];
         if (info.arrays['puffs.x'])
             Object.assign(this.programs, {
@@ -258,8 +261,11 @@ class Picture {
         this.mark('structures');
         scenery.drawTrees({...view, pixel: view.pixel * samples}, onScreen);
         this.mark('trees');
-        if (powdery) this.layCloudOver();
-        this.mark('powder over');
+        // What floats in the air lies over everything that is not nearer.
+        if (powdery || scenery.ridges) this.beginAir();
+        if (scenery.ridges && !overlay) scenery.drawSpindrift();
+        if (powdery) cloud.layOver();
+        this.mark('air');
         this.show(scale === 1);
         this.mark('tone and edges');
         if (!this.prepared) this.prepared = setTimeout(() => this.prepareMarks());
@@ -439,10 +445,10 @@ class Picture {
         gpu.enabled([gl.DEPTH_TEST], () => gpu.fill(programs.lights));
     }
 
-    layCloudOver() {
+    // Draws into the picture without its depth, which shaders read.
+    beginAir() {
         this.into('air');
         this.gpu.bind(this.slots.SLOT_SCENE_DEPTH, this.target.depth);
-        this.cloud.layOver();
     }
 
     // Maps light to what a screen shows, and draws that on the canvas: Chromium does not see what is blitted there.

@@ -96,8 +96,9 @@ class Gpu {
         gl.vertexAttribDivisor(location, divisor);
     }
 
-    // Vertices of some columns of numbers; `attributes`: how many of them are one attribute each.
-    vertices(columns, attributes) {
+    // Vertices of some columns of numbers; `attributes`: how many of them are one attribute each. With `divisor` 1, each row
+    // is an instance.
+    vertices(columns, attributes, divisor = 0) {
         const {gl} = this, width = columns.length, numbers = new Float32Array(width * columns[0].length);
         columns.forEach((column, k) => column.forEach((value, i) => numbers[width * i + k] = value));
         const array = gl.createVertexArray();
@@ -106,7 +107,7 @@ class Gpu {
         gl.bufferData(gl.ARRAY_BUFFER, numbers, gl.STATIC_DRAW);
         let first = 0;
         attributes.forEach((parts, location) => {
-            this.attribute(location, parts, 4 * width, 4 * first);
+            this.attribute(location, parts, 4 * width, 4 * first, divisor);
             first += parts;
         });
         gl.bindVertexArray(null);

@@ -1,4 +1,4 @@
-// What stands on the ground and around it: mountains, or the walls of a block; what people have built; trees.
+// What stands on the ground and around it: mountains, what people have built, trees; and snow that wind blows off ridges.
 
 // What is packed of each vertex of structures, ropes and shadows, in the order of their shaders' attributes.
 const kBuiltColumns = {
@@ -16,6 +16,7 @@ class Scenery {
         if (shaders.around) this.makeMountains();
         if (shaders.built) this.makeBuilt();
         if (shaders.treeNear) this.makeTrees();
+        if (shaders.spindrift) this.makeRidges();
     }
 
     makeMountains() {
@@ -53,6 +54,11 @@ class Scenery {
         this.treeTexture = gpu.texture(slots.SLOT_UNITS, gl.RGBA32F, kTreeNumbers / 4 * kTreesInARow, rows, gl.NEAREST);
     }
 
+    makeRidges() {
+        const columns = ['x', 'y', 'z', 'strength', 'chance', 'sun'].map(name => this.slide.array('ridges.' + name));
+        this.ridges = {array: this.gpu.vertices(columns, [3, 3], 1), count: columns[0].length};
+    }
+
     drawMountains() {
         const {gpu, gpu: {gl}} = this;
         gpu.enabled([gl.DEPTH_TEST, gl.CULL_FACE], () => gpu.drawMesh(this.shaders.around, this.mountains));
@@ -88,6 +94,18 @@ class Scenery {
         gl.polygonOffset(...kShadowOffset);
         gpu.enabled([gl.BLEND, gl.POLYGON_OFFSET_FILL], draw);
         gl.depthMask(true);
+    }
+
+    // How its patterns travel is as in render/passes/spindrift_pass.cpp.
+    drawSpindrift() {
+        const {gpu, gpu: {gl}, shaders: {spindrift}, slide: {tick, info}} = this;
+        const speed = Math.hypot(...info.wind), gone = tick * info.tick_s * speed;
+        spindrift.use();
+        gl.uniform4f(spindrift.at('wind'), info.wind[0] / speed, info.wind[1] / speed, speed, 0);
+        gl.uniform4f(spindrift.at('phase'), fraction(gone * 1.25 / 44), fraction(gone / 97), fraction(0.5 * gone / 430), 0);
+        gl.bindVertexArray(this.ridges.array);
+        gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+        gpu.enabled([gl.BLEND], () => gl.drawArraysInstanced(gl.TRIANGLES, 0, 6, this.ridges.count));
     }
 
     // `onScreen`: where a box is seen; null: nowhere.

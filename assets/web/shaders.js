@@ -31,6 +31,7 @@ class Shader {
                 this.units.set(sampler, this.constants[slot]);
                 return rest;
             })
+            .replace(/layout\(location = \d\) uniform/g, 'uniform')
             .replace(/layout\(location = 0, index = (\d)\) out /g, (_, index) => Number(index) === out ? 'out ' : '');
         const filtered = text.replace(kFilteredByHand, 'bilinear($1,');
         return kHead + (filtered === text ? '' : this.files('bilinear.glsl')) + filtered;

@@ -8,6 +8,7 @@
 
 #include "game/scene/mountains.h"
 #include "game/share/built_pieces.h"
+#include "render/spindrift.h"
 #include "render/sun_sweep.h"
 #include "render/surroundings_mesh.h"
 #include "render/trees_in_view.h"
@@ -66,6 +67,7 @@ void Scenery::pack(PackedStream& into) const {
     if (around_.empty()) return;
     pack_surroundings(into);
     if (!woods_.empty()) pack_woods(into);
+    if (render::is_dry_snow(scenario_.look)) pack_ridges(into);
 }
 
 void Scenery::pack_surroundings(PackedStream& into) const {
@@ -128,6 +130,24 @@ void Scenery::pack_woods(PackedStream& into) const {
                 [](const render::TreeLight& light) { return light.sunlit; });
     pack_column(into, "trees.count", tiles, {1, 2, kNone},
                 [](const render::TreeTile& tile) { return tile.count; });
+}
+
+// Where wind blows snow off.
+void Scenery::pack_ridges(PackedStream& into) const {
+    render::Ridges ridges(around_, scenario_.wind);
+    ridges.light(around_, glm::vec3(frame_.sun));
+    const std::vector<render::SpindriftPlace> places(ridges.places().begin(), ridges.places().end());
+    if (places.empty()) return;
+    using render::SpindriftPlace;
+    const auto add = [&](const std::string& name, const Packing& packing, const auto& value) {
+        pack_column(into, "ridges." + name, places, packing, value);
+    };
+    add("x", {0.25, 2, kNone}, [](const SpindriftPlace& p) { return p.at.x; });
+    add("y", {0.25, 2, kNone}, [](const SpindriftPlace& p) { return p.at.y; });
+    add("z", {0.25, 2, kNone}, [](const SpindriftPlace& p) { return p.at.z; });
+    add("strength", {kShare, 1, kNone}, [](const SpindriftPlace& p) { return p.strength; });
+    add("chance", {kShare, 1, kNone}, [](const SpindriftPlace& p) { return p.chance; });
+    add("sun", {kShare, 1, kNone}, [](const SpindriftPlace& p) { return p.sunlit; });
 }
 
 void Scenery::pack_ends(PackedStream& into, const sim::View& world, std::int64_t frames) const {

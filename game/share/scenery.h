@@ -31,6 +31,7 @@ class Scenery {
   private:
     void pack_surroundings(PackedStream& into) const;
     void pack_woods(PackedStream& into) const;
+    void pack_ridges(PackedStream& into) const;
     void pack_structures(PackedStream& into, const sim::View& world, std::int64_t frames) const;
 
     const Scenario& scenario_;

@@ -29,6 +29,7 @@
 #include "render/height_range.h"
 #include "render/marks.h"
 #include "render/overview.h"
+#include "render/wind.h"
 
 namespace game {
 namespace {
@@ -43,9 +44,10 @@ constexpr std::int64_t kFramesAtOnce = 64;   // kept in memory until they are co
 constexpr int kWidth = 1280, kHeight = 720;  // of the picture whose uniforms the page begins with
 
 // The program of the page, in the order in which it is joined.
-constexpr std::array kScripts{"fields.js",       "camera.js",      "gpu.js",   "frame_block.js", "shaders.js",
-                              "small_relief.js", "slide_tiles.js", "trees.js", "debris.js",      "powder.js",
-                              "cloud.js",        "scenery.js",     "draw.js",  "page.js"};
+constexpr std::array kScripts{
+    "fields.js",      "camera.js", "gpu.js",        "frame_block.js", "shaders.js", "small_relief.js",
+    "slide_tiles.js", "trees.js",  "debris.js",     "powder.js",      "cloud.js",   "scenery.js",
+    "draw.js",        "words.js",  "resolution.js", "hands.js",       "page.js"};
 
 Outcome<std::string> text_of(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
@@ -324,6 +326,7 @@ std::uint64_t SlidePage::Parts::bytes_so_far() const {
 Json SlidePage::Parts::info(const Session& session, std::span<const TimedCommand> commands) const {
     const Measures measures = measure(scenario, session, release_area(scenario, commands), {});
     const Json summary = to_json(Summary{scenario, session, measures});
+    const glm::vec2 wind = render::velocity(scenario.wind);
     const auto look = [](const render::PowderLook& powder) {
         return Json{
             {"strength", powder.strength}, {"speed", powder.speed}, {"colour", colour_json(powder.colour)}};
@@ -368,6 +371,7 @@ Json SlidePage::Parts::info(const Session& session, std::span<const TimedCommand
               {"camera", camera_json(camera)},
               {"frame", block},
               {"texture", scenario.look.flow ? Json(to_string(scenario.look.flow->pattern)) : Json(nullptr)},
+              {"wind", {wind.x, wind.y}},  // where it blows to, m/s
               {"powder", look(scenario.look.powder)},
               {"lower_powder", look(scenario.look.lower_powder)},
               {"overlays", overlays_json()},
