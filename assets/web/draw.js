@@ -26,8 +26,9 @@ class Picture {
         this.shaders = new Shaders(gl, name => slide.file(name));
         this.slots = this.shaders.constants;
         this.frame = new FrameBlock(this.gpu, slide, this.slots);
-        const names = gl.getExtension('WEBGL_debug_renderer_info');
-        this.renderer = gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
+        // Firefox gives the name itself, and warns of the extension by which others do.
+        const name = gl.getParameter(gl.RENDERER), others = /^WebKit/.test(name) && gl.getExtension('WEBGL_debug_renderer_info');
+        this.renderer = others ? gl.getParameter(others.UNMASKED_RENDERER_WEBGL) : name;
         this.target = {width: 0, height: 0, textures: [], frames: {}};
         this.passes = null;  // ms by name while they are measured
     }

@@ -44,9 +44,10 @@ constexpr std::int64_t kFramesAtOnce = 64;   // kept in memory until they are co
 constexpr int kWidth = 1280, kHeight = 720;  // of the picture whose uniforms the page begins with
 
 // The program of the page, in the order in which it is joined.
-constexpr std::array kScripts{"fields.js",       "camera.js",      "gpu.js",   "frame_block.js", "shaders.js",
-                              "small_relief.js", "slide_tiles.js", "trees.js", "debris.js",      "powder.js",
-                              "cloud.js",        "scenery.js",     "draw.js",  "page.js"};
+constexpr std::array kScripts{
+    "fields.js",      "camera.js", "gpu.js",        "frame_block.js", "shaders.js", "small_relief.js",
+    "slide_tiles.js", "trees.js",  "debris.js",     "powder.js",      "cloud.js",   "scenery.js",
+    "draw.js",        "words.js",  "resolution.js", "hands.js",       "page.js"};
 
 Outcome<std::string> text_of(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
