@@ -491,7 +491,7 @@ class Picture {
         const {gl} = this, {width, height, frames} = this.target, bytes = new Uint8Array(4 * width * height);
         gl.bindFramebuffer(gl.FRAMEBUFFER, frames[this.shown]);
         gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-        return {width, height, bytes};
+        return {width, height, p: bytes};
     }
 
     // Mean ms of each pass and of all, over some pictures of what draw() takes.
