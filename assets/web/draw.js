@@ -498,7 +498,7 @@ class Picture {
         const {gl} = this, {width, height} = this.target, bytes = new Uint8Array(4 * width * height);
         gl.bindFramebuffer(gl.FRAMEBUFFER, null);
         gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-        return {width, height, p: bytes};
+        return {width, height, bytes};
     }
 
     // Mean ms of each pass and of all, over some pictures of what draw() takes.
