@@ -255,6 +255,7 @@ void App::share() {
         return tell("Nothing to share yet, because nothing has moved. Release a slide first");
     Memory memory = first_.memory;
     memory.use.sessions = 2;  // the page plays the slide anew
+    memory.use.page = true;
     const Scenario& scenario = sandbox_->scenario();
     if (const auto fits = memory.allows(scenario.grid, scenario.lower.has_value()); !fits)
         return warn(fmt::format("This slide cannot be shared: {}", fits.error()));

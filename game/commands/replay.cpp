@@ -43,6 +43,7 @@ Outcome<int> replay(const ReplayOptions& options) {
     Memory memory = options.memory;
     memory.use.runs = options.paranoid ? 2 : 0;
     memory.use.draws = options.pictures.folder || options.results.perf || options.results.trace;
+    memory.use.page = options.web.file.has_value();
     if (options.pictures.folder)
         memory.use.frames = {options.pictures.size.width, options.pictures.size.height};
     auto recording = read_recording(*path, memory);

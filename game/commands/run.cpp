@@ -21,6 +21,7 @@ namespace {
 Outcome<Scene> scene_of(const RunOptions& options) {
     Overrides overrides = options.overrides;
     overrides.memory.use.draws = options.pictures.folder || options.results.perf || options.results.trace;
+    overrides.memory.use.page = options.web.file.has_value();
     if (options.pictures.folder)
         overrides.memory.use.frames = {options.pictures.size.width, options.pictures.size.height};
     if (!options.terrain) return load_scene(options.scene, overrides);

@@ -65,6 +65,8 @@ std::uint64_t expected_bytes(const sim::Grid& grid, bool two_materials, const Me
     constexpr std::uint64_t kPerTree = 2 * 72 + 60 + 16 + 5 * 80;
     if (use.draws) bytes += kPerTree * render::Woods::kMost;
     bytes += frame_bytes(use.frames);
+    // Per vertex as measured on 2048 by 2048 squares; mountains and trees around, and a page of 32 MB with its parts.
+    if (use.page) bytes += 230 * grid.size() + 140 * kMiB;
     if (use.goes_back) bytes += memory.for_keyframes() + memory.for_undo();
     return bytes;
 }

@@ -30,6 +30,7 @@ struct WorldUse {
     bool draws = false;      // fronts and textures
     FrameUse frames = {};    // images, or the window
     bool goes_back = false;  // keyframes and undo
+    bool page = false;       // of the slide, in the making
 };
 
 std::uint64_t machine_memory();  // bytes

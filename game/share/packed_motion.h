@@ -25,6 +25,9 @@ class PackedMotion {
     std::vector<std::uint32_t> quanta() const { return {now_.begin(), now_.end()}; }  // of the last frame
     // Adds a frame. Errors: as begin_with().
     tl::expected<void, std::string> add(std::span<const float> values);
+    std::size_t waiting() const {
+        return map_.size() + low_.size() + high_.size();
+    }  // bytes that flush() moves
     // Moves the frames until now into the stream. Call it now and then: they are kept in memory until then.
     void flush(PackedStream& into);
 

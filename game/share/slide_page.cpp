@@ -41,8 +41,9 @@ using enum Packing::Predict;
 constexpr int kPageFormat = 1;
 constexpr double kDepthQuantum = 0.01, kSpeedQuantum = 0.125, kShareQuantum = 1.0 / 255;  // m, m/s
 constexpr double kGroundQuantum = 0.01;                                                   // m
-constexpr std::size_t kMostWaiting = 8;      // moments that wait to be packed
-constexpr std::int64_t kFramesAtOnce = 64;   // kept in memory until they are compressed
+constexpr std::size_t kMostWaiting = 8,
+                      kWaitingBytes = std::size_t{32} << 20;  // moments that wait to be packed
+constexpr std::size_t kBytesAtOnce = std::size_t{4} << 20;    // kept in memory until they are compressed
 constexpr int kWidth = 1280, kHeight = 720;  // of the picture whose uniforms the page begins with
 
 // The program of the page, in the order in which it is joined.
@@ -200,6 +201,8 @@ std::vector<double> to_doubles(std::span<const float> values) {
 
 // What a page takes of a world at a tick.
 struct Moment {
+    static constexpr std::size_t kPerVertex = 22;  // bytes, about
+
     std::int64_t tick = 0;
     double volume = 0;                         // m³ that move
     std::vector<float> depth, rolling, speed;  // per vertex, row 0 the south
@@ -258,7 +261,7 @@ struct SlidePage::Parts {
     std::int64_t frames = 0, last_tick = 0;
     std::vector<double> volumes;  // m³ that move, by frame
     double ground_quantum = 0;
-    InOrder packing{kMostWaiting};  // last, because its thread uses the others
+    InOrder packing;  // last, because its thread uses the others
 
     Parts(const Scenario& of, const sim::State& at_first, std::string with_proof, const PageOptions& with)
         : scenario(of),
@@ -269,7 +272,9 @@ struct SlidePage::Parts {
           rolling("R", of.grid.nx, of.grid.ny, kDepthQuantum),
           speed("s", of.grid.nx, of.grid.ny, kSpeedQuantum),
           lower_depth("lower_d", of.grid.nx, of.grid.ny, kShareQuantum),
-          lower_rolling("lower_R", of.grid.nx, of.grid.ny, kShareQuantum) {}
+          lower_rolling("lower_R", of.grid.nx, of.grid.ny, kShareQuantum),
+          packing(std::clamp<std::size_t>(kWaitingBytes / (Moment::kPerVertex * of.grid.size()), 1,
+                                          kMostWaiting)) {}
 
     std::vector<PackedMotion*> moving() {
         std::vector<PackedMotion*> all{&depth, &rolling, &speed};
@@ -336,7 +341,9 @@ Outcome<void> SlidePage::Parts::add_frame(const Moment& moment) {
     puffs.see(moment.puffs, moment.tick, static_cast<double>(scenario.params.tick_s));
     scenery->see({moment.peak_depth, moment.peak_speed}, moment.structures, frames);
     ++frames;
-    return frames % kFramesAtOnce == 0 ? flush() : Outcome<void>();
+    std::size_t waiting = 0;
+    for (const PackedMotion* motion : moving()) waiting += motion->waiting();
+    return waiting >= kBytesAtOnce ? flush() : Outcome<void>();
 }
 
 Outcome<void> SlidePage::Parts::flush() {
@@ -356,7 +363,7 @@ std::uint64_t SlidePage::Parts::bytes_so_far() const {
 
 Json SlidePage::Parts::info(const Session& session, std::span<const TimedCommand> commands) const {
     const Measures measures = measure(scenario, session, release_area(scenario, commands), {});
-    const Json summary = to_json(Summary{scenario, session, measures});
+    const Json summary = to_json(Summary{scenario, session, measures, nullptr, std::nullopt, std::nullopt});
     const glm::vec2 wind = render::velocity(scenario.wind);
     const auto look = [](const render::PowderLook& powder) {
         return Json{
