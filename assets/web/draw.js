@@ -190,9 +190,10 @@ class Picture {
 
     // ---- the target ----
 
-    resize(width, height) {
+    // `isSmoothed`: it has room to smooth edges.
+    resize(width, height, isSmoothed) {
         const {gl, gpu, slots, target} = this;
-        if (width === target.width && height === target.height) return;
+        if (width === target.width && height === target.height && isSmoothed === target.isSmoothed) return;
         for (const texture of target.textures) gl.deleteTexture(texture);
         for (const frame of Object.values(target.frames)) gl.deleteFramebuffer(frame);
         gl.deleteRenderbuffer(target.marks ?? null);
@@ -201,20 +202,27 @@ class Picture {
         const [depth, ground] = [0, 1].map(() => make('SLOT_SCENE_DEPTH', gl.DEPTH_COMPONENT32F));
         const colour = make('SLOT_COLOUR', gl.RGBA16F);
         const sky = gpu.texture(slots.SLOT_SKY, gl.RGBA16F, quarter(width), quarter(height), gl.LINEAR);
-        const stepped = make('SLOT_PICTURE', gl.RGBA8, gl.LINEAR), smooth = make('SLOT_PICTURE', gl.RGBA8, gl.LINEAR);
         const skins = this.programs.debris ? ['SLOT_SKIN_ALBEDO', 'SLOT_SKIN_RELIEF'] : [];
         const skin = skins.map(slot => make(slot, gl.RGBA16F));
         const frames = {scene: gpu.target([colour], depth), ground: gpu.target([], ground), sky: gpu.target([sky]),
-                        air: gpu.target([colour]), stepped: gpu.target([stepped]), skin: gpu.target(skin),
-                        smooth: gpu.target([smooth])};
-        const marks = gl.createRenderbuffer();
-        gl.bindRenderbuffer(gl.RENDERBUFFER, marks);
-        gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT16, width, height);
-        gl.bindFramebuffer(gl.FRAMEBUFFER, frames.smooth);
-        gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, marks);
-        this.target = {width, height, depth, ground, colour, sky, stepped, smooth, skin, marks, frames,
-                       textures: [depth, ground, colour, sky, stepped, smooth, ...skin]};
+                        air: gpu.target([colour]), skin: gpu.target(skin)};
+        this.target = {width, height, isSmoothed, depth, ground, colour, sky, skin, frames,
+                       textures: [depth, ground, colour, sky, ...skin]};
+        if (isSmoothed) this.addSmoothing();
         if (this.cloud) this.cloud.resize(width, height);
+    }
+
+    addSmoothing() {
+        const {gl, gpu, slots, target, target: {width, height}} = this;
+        for (const name of ['stepped', 'smooth']) {
+            target[name] = gpu.texture(slots.SLOT_PICTURE, gl.RGBA8, width, height, gl.LINEAR);
+            target.frames[name] = gpu.target([target[name]]);
+            target.textures.push(target[name]);
+        }
+        target.marks = gl.createRenderbuffer();
+        gl.bindRenderbuffer(gl.RENDERBUFFER, target.marks);
+        gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT16, width, height);
+        gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, target.marks);
     }
 
     into(frame) {
@@ -229,7 +237,7 @@ class Picture {
         const {gl, frame, scenery, cloud} = this;
         if (gl.isContextLost()) return;
         this.began = performance.now();
-        this.resize(gl.drawingBufferWidth, gl.drawingBufferHeight);
+        this.resize(gl.drawingBufferWidth, gl.drawingBufferHeight, scale === 1);  // one sample per pixel has stairs
         // A larger scale has more samples, not more trees.
         const samples = Math.max(scale, 1), onScreen = (low, high) => this.onScreen(view, low, high);
         frame.setView(view, samples);
@@ -266,7 +274,7 @@ class Picture {
         if (scenery.ridges && !overlay) scenery.drawSpindrift();
         if (powdery) cloud.layOver();
         this.mark('air');
-        this.show(scale === 1);
+        this.show();
         this.mark('tone and edges');
         if (!this.prepared) this.prepared = setTimeout(() => this.prepareMarks());
     }
@@ -275,7 +283,7 @@ class Picture {
     mark(pass) {
         if (!this.passes) return;
         const {gl} = this;
-        gl.bindFramebuffer(gl.FRAMEBUFFER, this.target.frames.stepped);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, null);
         gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
         const now = performance.now();
         this.passes[pass] = (this.passes[pass] ?? 0) + now - this.began;
@@ -451,26 +459,25 @@ class Picture {
         this.gpu.bind(this.slots.SLOT_SCENE_DEPTH, this.target.depth);
     }
 
-    // Maps light to what a screen shows, and draws that on the canvas: Chromium does not see what is blitted there.
-    // `isSmoothed`: a picture with one sample per pixel has stairs.
-    show(isSmoothed) {
-        const {gpu, slots, programs} = this, {width, height, colour, stepped, smooth} = this.target;
+    // Maps light to what a screen shows, on the canvas. Chromium does not see what is blitted there.
+    show() {
+        const {gl, gpu, slots, programs} = this, {width, height, isSmoothed, frames, colour, stepped, smooth} = this.target;
         gpu.bind(slots.SLOT_COLOUR, colour);
         gpu.bind(slots.SLOT_PICTURE, null);
-        this.into('stepped');
+        gpu.into(isSmoothed ? frames.stepped : null, width, height);
         gpu.fill(programs.tone);
-        if (isSmoothed) this.smoothEdges();
-        this.shown = isSmoothed ? 'smooth' : 'stepped';
-        gpu.bind(slots.SLOT_PICTURE, isSmoothed ? smooth : stepped);
+        if (!isSmoothed) return;
+        gpu.copy(frames.stepped, frames.smooth, width, height, gl.COLOR_BUFFER_BIT);
+        gpu.bind(slots.SLOT_PICTURE, stepped);
+        this.smoothEdges();
+        gpu.bind(slots.SLOT_PICTURE, smooth);
         gpu.into(null, width, height);
         gpu.fill(programs.copied);
     }
 
     // Edges are marked by depth, and only they are smoothed.
     smoothEdges() {
-        const {gl, gpu, slots, programs} = this, {width, height, frames, stepped} = this.target;
-        gpu.copy(frames.stepped, frames.smooth, width, height, gl.COLOR_BUFFER_BIT);
-        gpu.bind(slots.SLOT_PICTURE, stepped);
+        const {gl, gpu, programs} = this;
         this.into('smooth');
         gl.clearDepth(1);
         gl.clear(gl.DEPTH_BUFFER_BIT);
@@ -486,10 +493,10 @@ class Picture {
 
     // ---- for tests ----
 
-    // The bytes of the last picture, from its lowest row on.
+    // The bytes of the last picture, from its lowest row on. A canvas that is read later is empty.
     pixels() {
-        const {gl} = this, {width, height, frames} = this.target, bytes = new Uint8Array(4 * width * height);
-        gl.bindFramebuffer(gl.FRAMEBUFFER, frames[this.shown]);
+        const {gl} = this, {width, height} = this.target, bytes = new Uint8Array(4 * width * height);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, null);
         gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
         return {width, height, bytes};
     }

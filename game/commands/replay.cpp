@@ -62,11 +62,14 @@ Outcome<int> replay(const ReplayOptions& options) {
     FileUse use;
     use.reads(*path);
     if (options.pictures.folder) use.reads(drawing_assets());
+    if (options.web.file) use.reads(page_assets());
     add_outputs(options.results, use);
     use.writes("--web", options.web.file);
     use.writes_into("--frames", options.pictures.folder, kFrameNames);
     if (auto sound = use.check(); !sound) return tl::unexpected(sound.error());
     if (auto placed = make_places_for(options.results); !placed) return tl::unexpected(placed.error());
+    if (options.web.file)
+        if (auto placed = make_place_for(*options.web.file); !placed) return tl::unexpected(placed.error());
     auto session = Session::begin(scenario, options.step_options, std::nullopt);
     if (!session) return tl::unexpected(session.error());
     if (options.pictures.folder || options.web.file) session->follow_powder(scenario);
@@ -84,7 +87,7 @@ Outcome<int> replay(const ReplayOptions& options) {
     }
     std::optional<SlidePage> page;
     if (options.web.file) {
-        auto begun = SlidePage::begin(scenario, *session, proof_of(*path),
+        auto begun = SlidePage::begin(scenario, *session, proof_of(options.recording),
                                       page_options(options.web, options.pictures));
         if (!begun) return tl::unexpected(begun.error());
         page = std::move(*begun);

@@ -39,6 +39,7 @@ FileUse files_of(const RunOptions& options, const Scene& scene, const terrains::
     FileUse use;
     use.reads(scene.files).reads(reference.files);
     if (options.pictures.folder) use.reads(drawing_assets());
+    if (options.web.file) use.reads(page_assets());
     use.writes("--record", options.record);
     use.writes("--web", options.web.file);
     add_outputs(options.results, use);
@@ -59,6 +60,8 @@ Outcome<Leavings> open_leavings(const RunOptions& options, const Scenario& scena
     if (options.export_folder)
         if (auto made = make_folder(*options.export_folder); !made) return tl::unexpected(made.error());
     if (auto placed = make_places_for(options.results); !placed) return tl::unexpected(placed.error());
+    if (options.web.file)
+        if (auto placed = make_place_for(*options.web.file); !placed) return tl::unexpected(placed.error());
     if (options.pictures.folder) {
         auto gallery =
             Gallery::open(*options.pictures.folder, options.pictures.size, options.pictures.gl, scenario);

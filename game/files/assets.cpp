@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <initializer_list>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -84,15 +85,27 @@ Outcome<fs::path> find_asset(AssetKind kind, std::string_view name_or_path) {
     return unknown_asset(kind, name_or_path);
 }
 
-std::vector<fs::path> drawing_assets() {
+namespace {
+
+std::vector<fs::path> files_below(std::initializer_list<const char*> folders) {
     std::vector<fs::path> files;
     const auto assets = assets_folder();
     if (!assets) return files;
     std::error_code error;
-    for (const char* folder : {"shaders", "textures"})
+    for (const char* folder : folders)
         for (const auto& entry : fs::recursive_directory_iterator(*assets / folder, error))
             if (entry.is_regular_file(error)) files.push_back(entry.path());
     return files;
+}
+
+}  // namespace
+
+std::vector<fs::path> drawing_assets() {
+    return files_below({"shaders", "textures"});
+}
+
+std::vector<fs::path> page_assets() {
+    return files_below({"shaders", "web"});
 }
 
 }  // namespace game

@@ -27,5 +27,7 @@ Outcome<std::filesystem::path> find_asset(AssetKind kind, std::string_view name_
 
 // The shaders and textures that every frame is drawn with.
 std::vector<std::filesystem::path> drawing_assets();
+// Those that a slide's page is made of.
+std::vector<std::filesystem::path> page_assets();
 
 }  // namespace game

@@ -1,16 +1,29 @@
 #include "game/share/share_recording.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include <fmt/format.h>
 
+#include "game/files/assets.h"
 #include "game/recording/reader.h"
+#include "game/scene/shipped_look.h"
 #include "game/session/renew.h"
 
 namespace game {
 
 std::string proof_of(const std::filesystem::path& recording) {
-    return fmt::format("couloir replay {} --verify", recording.filename().string());
+    const bool shipped = is_asset(AssetKind::kRecording, recording.string());
+    std::string name = shipped ? recording.string() : recording.filename().string();
+    const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+        return std::isalnum(c) || c == '-' || c == '_' || c == '.';
+    });
+    if (!plain) {  // as a shell reads it
+        for (std::size_t at = 0; (at = name.find('\'', at)) != name.npos; at += 4)
+            name.replace(at, 1, "'\\''");
+        name = "'" + name + "'";
+    }
+    return fmt::format("couloir replay {} --verify", name);
 }
 
 Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const std::filesystem::path& page,
@@ -19,6 +32,8 @@ Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const 
     auto read = read_recording(recording);
     if (!read) return tl::unexpected(read.error());
     renew(*read);
+    if (auto taken = take_look(LookFrom::kShipped, read->header.scenario); !taken)
+        return tl::unexpected(taken.error());
     const Scenario& scenario = read->header.scenario;
     auto session = Session::begin(scenario, {}, std::nullopt);
     if (!session) return tl::unexpected(session.error());

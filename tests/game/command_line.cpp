@@ -92,7 +92,7 @@ TEST(CommandLine, that_asks_for_files_where_none_can_be_ends_with_3_and_one_line
     const support::TemporaryFolder folder;
     write_bytes(folder.path() / "file", "kept");
     const std::string below = (folder.path() / "file" / "x").string();
-    for (const char* option : {"--record", "--export", "--frames", "--perf", "--summary", "--trace"})
+    for (const char* option : {"--record", "--web", "--export", "--frames", "--perf", "--summary", "--trace"})
         expect_failure(short_run({option, below}), 3, (folder.path() / "file").string());
     EXPECT_EQ(read_bytes(folder.path() / "file"), "kept");
 }
@@ -102,7 +102,7 @@ TEST(CommandLine, finds_out_that_a_file_cannot_be_written_before_it_runs) {
     write_bytes(folder.path() / "file", "kept");
     const std::string below = (folder.path() / "file" / "x").string();
     const auto recording = folder.path() / "part.couloir";
-    for (const char* option : {"--perf", "--summary", "--trace"}) {
+    for (const char* option : {"--web", "--perf", "--summary", "--trace"}) {
         expect_failure(short_run({"--record", recording.string(), option, below}), 3,
                        below.substr(0, below.size() - 2));
         EXPECT_EQ(read_bytes(recording).find("\"end\""), std::string::npos)
@@ -167,13 +167,15 @@ TEST(CommandLine, verifying_tells_a_state_that_was_never_reached) {
 TEST(CommandLine, help_of_every_subcommand_names_every_option) {
     const std::pair<const char*, Arguments> options[] = {
         {"run",
-         {"SCENE",     "--terrain", "--release", "--thickness",  "--reference",   "--material",
-          "--model",   "--scheme",  "--grid",    "--until-rest", "--seconds",     "--record",
-          "--export",  "--frames",  "--every",   "--size",       "--gl",          "--perf",
-          "--summary", "--trace",   "--json",    "--threads",    "bcre-inertial", "local-lax-friedrichs"}},
+         {"SCENE",     "--terrain",    "--release", "--thickness",  "--reference",   "--material",
+          "--model",   "--scheme",     "--grid",    "--until-rest", "--seconds",     "--record",
+          "--export",  "--frames",     "--every",   "--size",       "--gl",          "--perf",
+          "--summary", "--trace",      "--json",    "--threads",    "bcre-inertial", "local-lax-friedrichs",
+          "--web",     "--size-limit", "--camera"}},
         {"replay",
          {"RECORDING", "--headless", "--until", "--verify", "--frames", "--every", "--size", "--gl",
-          "--no-render", "--perf", "--summary", "--trace", "--json", "--threads"}},
+          "--no-render", "--perf", "--summary", "--trace", "--json", "--threads", "--web", "--size-limit",
+          "--camera"}},
         {"bench", {"RECORDING", "--grid",      "--physics", "--scaling", "--repeats",
                    "--ticks",   "--every",     "--size",    "--gl",      "--no-render",
                    "--perf",    "--summary",   "--json",    "--page",    "--trace",

@@ -126,18 +126,17 @@ std::vector<Subcommand> writing_subcommands(const fs::path& folder) {
     const std::string velocities = put("v.npy", array("(2, 4, 2)", 64)),
                       scalar = put("r.npy", array("(2, 4)", 32));
 
-    const std::vector<std::string> results{"--summary", "--perf", "--trace"};
     return {
         {.name = "run a scene",
          .arguments = {"run", scene, "--seconds", "0.3"},
          .inputs = {scene, material, hill, prj},
-         .outputs = {"--record", "--summary", "--perf", "--trace"},
+         .outputs = {"--record", "--web", "--summary", "--perf", "--trace"},
          .drawn = {"--frames", "--export"}},
         {.name = "run a terrain",
          .arguments = {"run", "--terrain", hill, "--release", release, "--reference", reference, "--material",
                        material, "--grid", "8", "--seconds", "0.3"},
          .inputs = {hill, prj, release, reference, material},
-         .outputs = {"--record", "--summary", "--perf", "--trace"},
+         .outputs = {"--record", "--web", "--summary", "--perf", "--trace"},
          .drawn = {"--frames", "--export"}},
         {.name = "run rasters that name others",
          .arguments = {"run", "--terrain", hill_chain[0].string(), "--release", release_chain[0].string(),
@@ -162,7 +161,7 @@ std::vector<Subcommand> writing_subcommands(const fs::path& folder) {
         {.name = "replay",
          .arguments = {"replay", recording},
          .inputs = {recording},
-         .outputs = results,
+         .outputs = {"--web", "--summary", "--perf", "--trace"},
          .drawn = {"--frames"}},
         {.name = "compare",
          .arguments = {"compare", recording, other},
