@@ -22,8 +22,9 @@ class Hands {
         on('wheel', event => this.wheel(event), {passive: false});
         on('contextmenu', event => event.preventDefault());
         addEventListener('keydown', event => {
-            const others = event.ctrlKey || event.metaKey || event.altKey || event.target.tagName === 'SELECT' || part('keys').open;
-            if (!others && this.key(event)) event.preventDefault();
+            if (event.ctrlKey || event.metaKey || event.altKey) return;
+            if (event.target.tagName === 'SELECT' || part('keys').open) return;  // have keys of their own
+            if (this.key(event)) event.preventDefault();
         });
     }
 
@@ -76,7 +77,8 @@ class Hands {
     twist(old, now, other) {
         const before = [old[0] - other[0], old[1] - other[1]], after = [now[0] - other[0], now[1] - other[1]];
         const pivot = this.pivot ?? this.camera.target;
-        const angle = Math.atan2(before[0] * after[1] - before[1] * after[0], before[0] * after[0] + before[1] * after[1]);
+        const angle = Math.atan2(before[0] * after[1] - before[1] * after[0],
+                                 before[0] * after[0] + before[1] * after[1]);
         this.camera.zoom(Math.hypot(...before) / Math.max(1, Math.hypot(...after)), pivot, true);
         this.camera.turn(angle / kDegree, 0, pivot, true);
     }
@@ -104,7 +106,8 @@ class Hands {
 
     wheel(event) {
         event.preventDefault();
-        const pixels = event.deltaY * [1, 18, 300][event.deltaMode] * (event.ctrlKey ? 6 : 1);  // by pixel, line, page; pinched
+        const unit = [1, 18, 300][event.deltaMode];  // pixels, lines, pages
+        const pixels = event.deltaY * unit * (event.ctrlKey ? 6 : 1);  // a pinch on a touchpad comes with Ctrl
         const pivot = this.page.groundAt(event.offsetX, event.offsetY) ?? this.camera.goal.target;
         this.camera.zoom(Math.exp(clamp(pixels, -400, 400) * 0.0014), pivot);
         this.page.draw();

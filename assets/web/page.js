@@ -158,8 +158,8 @@ class Page {
     }
 
     showTime() {
-        const {tick} = this.slide, {last} = this.info, share = tick / Math.max(1, last), now = number(this.seconds(tick), 1);
-        const scrub = part('scrub');
+        const {tick} = this.slide, {last} = this.info, scrub = part('scrub');
+        const share = tick / Math.max(1, last), now = number(this.seconds(tick), 1);
         scrub.value = this.slide.frameNear(tick);
         scrub.setAttribute('aria-valuetext', `${now} seconds of ${number(this.seconds(last), 1)}`);
         part('track').style.setProperty('--played', share);
@@ -243,7 +243,8 @@ class Page {
         const {volume, last} = this.info, most = Math.max(...volume, 1e-9), together = Math.ceil(volume.length / 600);
         let path = 'M0 100';
         for (let i = 0; i < volume.length; i += together) {
-            const x = 1000 * this.slide.tickOf(i) / Math.max(1, last), height = Math.max(...volume.slice(i, i + together));
+            const x = 1000 * this.slide.tickOf(i) / Math.max(1, last);
+            const height = Math.max(...volume.slice(i, i + together));
             path += `L${x.toFixed(1)} ${(100 - 96 * height / most).toFixed(1)}`;
         }
         for (const curve of document.querySelectorAll('.curve path')) curve.setAttribute('d', `${path}L1000 100Z`);

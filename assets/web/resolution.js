@@ -33,6 +33,9 @@ class Resolution {
 
     // `pixels`: of the picture.
     atRest(pixels) {
-        return kAtRest.find(scale => scale === 1 || (scale * scale * pixels < kMostSamples && scale * scale * this.cost < kPatient));
+        return kAtRest.find(scale => {
+            const more = scale * scale;
+            return scale === 1 || (more * pixels < kMostSamples && more * this.cost < kPatient);
+        });
     }
 }

@@ -87,7 +87,7 @@ Outcome<int> replay(const ReplayOptions& options) {
     }
     std::optional<SlidePage> page;
     if (options.web.file) {
-        auto begun = SlidePage::begin(scenario, *session, proof_of(*path),
+        auto begun = SlidePage::begin(scenario, *session, proof_of(options.recording),
                                       page_options(options.web, options.pictures));
         if (!begun) return tl::unexpected(begun.error());
         page = std::move(*begun);

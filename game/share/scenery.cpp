@@ -31,7 +31,7 @@ void pack_column(PackedStream& into, const std::string& name, const std::vector<
 
 }  // namespace
 
-Scenery::Scenery(const Scenario& scenario, const Session& session, const render::FrameBlock& frame)
+Scenery::Scenery(const Scenario& scenario, const sim::View& first, const render::FrameBlock& frame)
     : scenario_(scenario), frame_(frame) {
     if (!scenario.model) {
         around_ = mountains_around(scenario);
@@ -39,7 +39,7 @@ Scenery::Scenery(const Scenario& scenario, const Session& session, const render:
     }
     if (!around_.empty()) frame_.beyond = glm::dvec4(around_.rough_origin(), around_.rough_cell(), 1);
     render::SunSweep sweep;
-    sweep.run(session.view(), &around_, frame_);
+    sweep.run(first, &around_, frame_);
     ceilings_.assign(sweep.ceilings().begin(), sweep.ceilings().end());
     rays_ = sweep.rays();
     fell_.assign(woods_.trees().size(), -1);
@@ -47,18 +47,17 @@ Scenery::Scenery(const Scenario& scenario, const Session& session, const render:
         if (tree.vertex >= 0) standing_.push_back(i);
         ++i;
     }
-    built_.push_back({0, session.structures()});
+    built_.push_back({0, scenario.structures});
 }
 
-void Scenery::see(const Session& session, std::int64_t frame) {
+void Scenery::see(const render::FlowSoFar& flow, const render::Structures& structures, std::int64_t frame) {
     constexpr float kLies = 0.5f;
-    const render::FlowSoFar flow = session.flow_so_far();
     std::erase_if(standing_, [&](std::uint32_t i) {
         if (render::lying(woods_.trees()[i], flow) < kLies) return false;
         fell_[i] = frame;
         return true;
     });
-    if (session.structures() != built_.back().structures) built_.push_back({frame, session.structures()});
+    if (structures != built_.back().structures) built_.push_back({frame, structures});
 }
 
 void Scenery::pack(PackedStream& into) const {

@@ -4,9 +4,10 @@
 #include <vector>
 
 #include "game/scene/scenario.h"
-#include "game/session/session.h"
 #include "game/share/packed_stream.h"
+#include "render/flow_so_far.h"
 #include "render/frame_block.h"
+#include "render/structures.h"
 #include "render/surroundings.h"
 #include "render/woods.h"
 #include "sim/world/state.h"
@@ -16,13 +17,13 @@ namespace game {
 // What a page shows besides the layers: the mountains around, trees, light. As this program draws them.
 class Scenery {
   public:
-    // `session` at tick 0. `scenario` must outlive this.
-    Scenery(const Scenario& scenario, const Session& session, const render::FrameBlock& frame);
+    // `first`: the world at tick 0. `scenario` must outlive this.
+    Scenery(const Scenario& scenario, const sim::View& first, const render::FrameBlock& frame);
 
     const render::Surroundings& surroundings() const { return around_; }
     const render::FrameBlock& frame() const { return frame_; }  // that of these surroundings
     // Notes the trees that a flow has laid down by now, and what it has done to structures. `frame`: number of the moment.
-    void see(const Session& session, std::int64_t frame);
+    void see(const render::FlowSoFar& flow, const render::Structures& structures, std::int64_t frame);
 
     void pack(PackedStream& into) const;  // what is there at tick 0
     void pack_ends(PackedStream& into, const sim::View& world,

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "game/files/assets.h"
 #include "game/recording/reader.h"
 #include "game/scene/shipped_look.h"
 #include "game/session/renew.h"
@@ -12,7 +13,8 @@
 namespace game {
 
 std::string proof_of(const std::filesystem::path& recording) {
-    std::string name = recording.filename().string();
+    const bool shipped = is_asset(AssetKind::kRecording, recording.string());
+    std::string name = shipped ? recording.string() : recording.filename().string();
     const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
         return std::isalnum(c) || c == '-' || c == '_' || c == '.';
     });

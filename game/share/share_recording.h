@@ -14,7 +14,8 @@ Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const 
                                   const PageOptions& options, const std::atomic<bool>* stop,
                                   std::atomic<float>* progress);
 
-// The command by which anybody with the recording repeats a slide and compares its states.
+// The command by which anybody with a recording repeats its slide and compares the states. `recording`: name of a shipped
+// one, which everybody has, or a file.
 std::string proof_of(const std::filesystem::path& recording);
 
 }  // namespace game

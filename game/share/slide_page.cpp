@@ -20,6 +20,7 @@
 #include "game/files/text_file.h"
 #include "game/pages/table.h"
 #include "game/recording/base64.h"
+#include "game/share/in_order.h"
 #include "game/share/packed_motion.h"
 #include "game/share/packed_stream.h"
 #include "game/share/puff_paths.h"
@@ -40,6 +41,7 @@ using enum Packing::Predict;
 constexpr int kPageFormat = 1;
 constexpr double kDepthQuantum = 0.01, kSpeedQuantum = 0.125, kShareQuantum = 1.0 / 255;  // m, m/s
 constexpr double kGroundQuantum = 0.01;                                                   // m
+constexpr std::size_t kMostWaiting = 8;      // moments that wait to be packed
 constexpr std::int64_t kFramesAtOnce = 64;   // kept in memory until they are compressed
 constexpr int kWidth = 1280, kHeight = 720;  // of the picture whose uniforms the page begins with
 
@@ -196,12 +198,24 @@ std::vector<double> to_doubles(std::span<const float> values) {
     return {values.begin(), values.end()};
 }
 
-// The fields of a moment, one value per vertex, row 0 the south.
+// What a page takes of a world at a tick.
 struct Moment {
-    std::vector<float> depth, rolling, speed, lower_depth, lower_rolling;
-    std::vector<std::uint8_t> mixture;
+    std::int64_t tick = 0;
+    double volume = 0;                         // m³ that move
+    std::vector<float> depth, rolling, speed;  // per vertex, row 0 the south
+    std::vector<std::uint8_t> mixture;         // as drawn_mixture() makes it
+    std::vector<float> peak_depth, peak_speed;
+    std::vector<sim::powder::Puff> puffs;
+    render::Structures structures;
 
-    void take(const sim::View& world) {
+    explicit Moment(const Session& session)
+        : tick(session.state().tick),
+          volume(session.cubic_metres(session.state().ledger.rolling)),
+          peak_depth(session.peaks().depth),
+          peak_speed(session.peaks().speed_plan),
+          puffs(session.powder().begin(), session.powder().end()),
+          structures(session.structures()) {
+        const sim::View world = session.view();
         const auto nx = static_cast<std::size_t>(world.grid.nx);
         for (std::vector<float>* field : {&depth, &rolling, &speed}) field->resize(world.grid.size());
         for (int y = 0; y < world.grid.ny; ++y) {
@@ -215,12 +229,14 @@ struct Moment {
             }
         }
         render::drawn_mixture(world, mixture);
-        lower_depth.resize(mixture.size() / 2);
-        lower_rolling.resize(mixture.size() / 2);
-        for (std::size_t i = 0; i < lower_depth.size(); ++i) {
-            lower_depth[i] = static_cast<float>(mixture[2 * i]) * static_cast<float>(kShareQuantum);
-            lower_rolling[i] = static_cast<float>(mixture[2 * i + 1]) * static_cast<float>(kShareQuantum);
-        }
+    }
+
+    // Shares of the lower material: 0 at the surface of the standing layer, 1 in the rolling layer.
+    std::vector<float> shares(std::size_t which) const {
+        std::vector<float> shares(mixture.size() / 2);
+        for (std::size_t i = 0; i < shares.size(); ++i)
+            shares[i] = static_cast<float>(mixture[2 * i + which]) * static_cast<float>(kShareQuantum);
+        return shares;
     }
 };
 
@@ -233,52 +249,59 @@ struct SlidePage::Parts {
     PageFiles files;
     render::Camera camera;
     render::FrameBlock frame{};
-    std::unique_ptr<Scenery> scenery;
+    const sim::State first;   // at tick 0
+    std::int64_t given = -1;  // tick of the last moment that was given
+    std::optional<Scenery> scenery;
     PackedStream stream;
-    Moment moment;
     PackedMotion depth, rolling, speed, lower_depth, lower_rolling;
     PuffPaths puffs;
-    std::int64_t frames = 0, last_tick = -1;
+    std::int64_t frames = 0, last_tick = 0;
     std::vector<double> volumes;  // m³ that move, by frame
     double ground_quantum = 0;
+    InOrder packing{kMostWaiting};  // last, because its thread uses the others
 
-    Parts(const Scenario& of, std::string with_proof, const PageOptions& with)
+    Parts(const Scenario& of, const sim::State& at_first, std::string with_proof, const PageOptions& with)
         : scenario(of),
           proof(std::move(with_proof)),
           options(with),
+          first(at_first),
           depth("d", of.grid.nx, of.grid.ny, kDepthQuantum),
           rolling("R", of.grid.nx, of.grid.ny, kDepthQuantum),
           speed("s", of.grid.nx, of.grid.ny, kSpeedQuantum),
           lower_depth("lower_d", of.grid.nx, of.grid.ny, kShareQuantum),
           lower_rolling("lower_R", of.grid.nx, of.grid.ny, kShareQuantum) {}
 
-    std::vector<std::pair<PackedMotion*, const std::vector<float>*>> moving() {
-        std::vector<std::pair<PackedMotion*, const std::vector<float>*>> all{
-            {&depth, &moment.depth}, {&rolling, &moment.rolling}, {&speed, &moment.speed}};
-        if (scenario.lower)
-            all.insert(all.end(),
-                       {{&lower_depth, &moment.lower_depth}, {&lower_rolling, &moment.lower_rolling}});
+    std::vector<PackedMotion*> moving() {
+        std::vector<PackedMotion*> all{&depth, &rolling, &speed};
+        if (scenario.lower) all.insert(all.end(), {&lower_depth, &lower_rolling});
         return all;
     }
 
     Outcome<void> beyond(const PackedMotion& motion, const std::string& fact) const {
         const char* what = &motion == &speed ? "a speed, m/s" : "a depth, m";
-        return unusable(fmt::format("--web: at {:.1f} s there is {} of {}",
-                                    static_cast<double>(std::max<std::int64_t>(last_tick, 0)) *
-                                        static_cast<double>(scenario.params.tick_s),
-                                    what, fact));
+        return unusable(fmt::format(
+            "--web: at {:.1f} s there is {} of {}",
+            static_cast<double>(last_tick) * static_cast<double>(scenario.params.tick_s), what, fact));
     }
 
-    Outcome<void> pack_start(const sim::View& world);
-    Outcome<void> add_frame(const Session& session);
+    // Has a moment packed, after all before it, while the world goes on.
+    template <class Pack>
+    Outcome<void> give(const Session& session, const Pack& pack) {
+        given = session.state().tick;
+        return packing.give(
+            [pack, moment = std::make_shared<const Moment>(session)] { return pack(*moment); });
+    }
+    Outcome<void> pack_start(const Moment& moment);
+    Outcome<void> add_frame(const Moment& moment);
     Outcome<void> flush();
     std::uint64_t bytes_so_far() const;
     Json info(const Session& session, std::span<const TimedCommand> commands) const;
 };
 
 // What is known before the first frame.
-Outcome<void> SlidePage::Parts::pack_start(const sim::View& world) {
-    moment.take(world);
+Outcome<void> SlidePage::Parts::pack_start(const Moment& moment) {
+    scenery.emplace(scenario, sim::view(first), frame);
+    frame = scenery->frame();
     ground_quantum =
         stream.add("bed", to_doubles(scenario.bedrock), {kGroundQuantum, 2, kPlane}, scenario.grid.nx);
     std::vector<double> holes;
@@ -287,7 +310,7 @@ Outcome<void> SlidePage::Parts::pack_start(const sim::View& world) {
     if (auto begun = depth.begin_with(moment.depth); !begun) return beyond(depth, begun.error());
     stream.add("d0", depth.quanta(), 0, depth.step(), 2, kPlane, scenario.grid.nx);
     if (scenario.lower) {
-        if (auto begun = lower_depth.begin_with(moment.lower_depth); !begun)
+        if (auto begun = lower_depth.begin_with(moment.shares(0)); !begun)
             return beyond(lower_depth, begun.error());
         stream.add("lower0", lower_depth.quanta(), 0, lower_depth.step(), 1, kPlane, scenario.grid.nx);
     }
@@ -296,20 +319,28 @@ Outcome<void> SlidePage::Parts::pack_start(const sim::View& world) {
     return {};
 }
 
-Outcome<void> SlidePage::Parts::add_frame(const Session& session) {
-    last_tick = session.state().tick;
-    moment.take(session.view());
-    for (const auto& [motion, values] : moving())
-        if (auto added = motion->add(*values); !added) return beyond(*motion, added.error());
-    volumes.push_back(session.cubic_metres(session.state().ledger.rolling));
-    puffs.see(session.powder(), last_tick, static_cast<double>(scenario.params.tick_s));
-    scenery->see(session, frames);
+Outcome<void> SlidePage::Parts::add_frame(const Moment& moment) {
+    last_tick = moment.tick;
+    const auto add = [&](PackedMotion& motion, const std::vector<float>& values) -> Outcome<void> {
+        if (auto added = motion.add(values); !added) return beyond(motion, added.error());
+        return {};
+    };
+    if (auto added = add(depth, moment.depth); !added) return added;
+    if (auto added = add(rolling, moment.rolling); !added) return added;
+    if (auto added = add(speed, moment.speed); !added) return added;
+    if (scenario.lower) {
+        if (auto added = add(lower_depth, moment.shares(0)); !added) return added;
+        if (auto added = add(lower_rolling, moment.shares(1)); !added) return added;
+    }
+    volumes.push_back(moment.volume);
+    puffs.see(moment.puffs, moment.tick, static_cast<double>(scenario.params.tick_s));
+    scenery->see({moment.peak_depth, moment.peak_speed}, moment.structures, frames);
     ++frames;
     return frames % kFramesAtOnce == 0 ? flush() : Outcome<void>();
 }
 
 Outcome<void> SlidePage::Parts::flush() {
-    for (const auto& [motion, values] : moving()) motion->flush(stream);
+    for (PackedMotion* motion : moving()) motion->flush(stream);
     if (bytes_so_far() > options.most_bytes)
         return unusable(
             fmt::format("--web: after {:.0f} s of the slide the page is larger than {:.1f} MB. Use a larger "
@@ -394,7 +425,7 @@ Outcome<SlidePage> SlidePage::begin(const Scenario& scenario, const Session& ses
     auto files = read_page_files();
     if (!files) return tl::unexpected(files.error());
     const sim::View world = session.view();
-    auto parts = std::make_unique<Parts>(scenario, std::move(proof), options);
+    auto parts = std::make_unique<Parts>(scenario, session.state(), std::move(proof), options);
     parts->files = std::move(*files);
     parts->camera = options.camera    ? *options.camera
                     : scenario.camera ? *scenario.camera
@@ -408,30 +439,33 @@ Outcome<SlidePage> SlidePage::begin(const Scenario& scenario, const Session& ses
                              .height = kHeight,
                              .first_depth = scenario.depth};
     parts->frame = render::make_frame_block(input, render::height_range(world), 1, std::nullopt);
-    parts->scenery = std::make_unique<Scenery>(scenario, session, parts->frame);
-    parts->frame = parts->scenery->frame();
-    if (auto packed = parts->pack_start(world); !packed) return tl::unexpected(packed.error());
-    if (auto added = parts->add_frame(session); !added) return tl::unexpected(added.error());
+    auto given = parts->give(session, [p = parts.get()](const Moment& moment) -> Outcome<void> {
+        if (auto packed = p->pack_start(moment); !packed) return packed;
+        return p->add_frame(moment);
+    });
+    if (!given) return tl::unexpected(given.error());
     return SlidePage(std::move(parts));
 }
 
 Outcome<void> SlidePage::see(const Session& session) {
     if (session.state().tick % parts_->options.every != 0) return {};
-    return parts_->add_frame(session);
+    return parts_->give(session, [p = parts_.get()](const Moment& moment) { return p->add_frame(moment); });
 }
 
 Outcome<PageReport> SlidePage::write(const fs::path& file, const Session& session,
                                      std::span<const TimedCommand> commands) {
     Parts& p = *parts_;
-    if (session.state().tick != p.last_tick)
-        if (auto added = p.add_frame(session); !added) return tl::unexpected(added.error());
+    if (session.state().tick != p.given)
+        if (auto given = p.give(session, [&p](const Moment& moment) { return p.add_frame(moment); }); !given)
+            return tl::unexpected(given.error());
+    if (auto packed = p.packing.finish(); !packed) return tl::unexpected(packed.error());
     if (auto flushed = p.flush(); !flushed) return tl::unexpected(flushed.error());
     const auto add_peak = [&](const char* name, const std::vector<float>& peak, double step) {
         p.stream.add(name, to_doubles(peak), {step, 2, kPlane}, p.scenario.grid.nx);
     };
     add_peak("peak_depth", session.peaks().depth, kDepthQuantum);
     add_peak("peak_speed", session.peaks().speed_plan, kSpeedQuantum);
-    p.scenery->pack_ends(p.stream, session.view(), p.frames);
+    p.scenery->pack_ends(p.stream, sim::view(p.first), p.frames);
     p.puffs.pack(p.stream);
     const std::string fields = to_base64(p.stream.finish());
 

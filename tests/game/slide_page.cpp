@@ -257,6 +257,8 @@ TEST_F(SlidePages, of_a_recording_are_those_of_the_command_line) {
     EXPECT_GT(progress, 0.9f);
     EXPECT_EQ(page().info()["command"], "couloir replay 'a b.couloir' --verify");
 
+    EXPECT_EQ(proof_of("landslide"), "couloir replay landslide --verify");
+    EXPECT_EQ(proof_of("/home/me/it's mine.couloir"), R"(couloir replay 'it'\''s mine.couloir' --verify)");
     fs::remove(file());
     const std::atomic<bool> stop = true;
     EXPECT_FALSE(write_page_of(recording, file(), {}, &stop, nullptr));

@@ -47,7 +47,7 @@ class Chromium {
     // One finger stays at a place; another moves, from and to places beside it.
     void pinch(double x, double y, double from_x, double from_y, double to_x, double to_y);
     // Polls an expression until it is true; false after the time limit.
-    bool comes(const std::string& expression, double seconds = 10);
+    bool comes(const std::string& expression, double seconds = 20);
 
     // Since the last open(): exceptions, messages in the console and in the log; addresses that were asked for.
     std::vector<std::string> messages();
