@@ -184,7 +184,7 @@ TEST_F(WebPage, shows_on_the_canvas_what_it_drew) {
             const shown = new Uint8Array(p.length);
             gl.bindFramebuffer(gl.FRAMEBUFFER, null);
             gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, shown);
-            return p.every((byte, i) => i % 4 === 3 || byte === shown[i]);
+            return new Set(shown).size > 50 && p.every((byte, i) => i % 4 === 3 || byte === shown[i]);
         })())"))
             << scale;
     }
