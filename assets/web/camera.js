@@ -158,7 +158,7 @@ class Camera {
 
     isClear(pose) {
         const {eye} = poseOf(pose), margin = Math.max(2, 0.008 * this.ground.side, this.ground.cell);
-        return eye[2] > this.ground.heightAt(eye[0], eye[1]) + margin;
+        return !(eye[2] <= this.ground.heightAt(eye[0], eye[1]) + margin);
     }
 
     // The pose, raised until its eye is well above the ground.

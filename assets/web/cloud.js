@@ -1,4 +1,4 @@
-// The cloud of powder: drawn in coarse pixels of its own and laid over the picture, as in render/passes/powder_pass.cpp.
+// The cloud of powder: drawn in coarse pixels of its own, and laid over the picture: render/passes/powder_pass.cpp.
 const kFinestPowder = 2, kCoarsestPowder = 4;         // divisors of the resolution
 const kLeastBudget = 30000, kBudgetPerSample = 0.07;  // pixels of puffs
 const kRim = 1, kCoarseRim = 3;                       // pixels around the box of the cloud

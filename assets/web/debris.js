@@ -100,7 +100,8 @@ class Debris {
                 const v = y * period / size, row = Math.floor(v), up = ease(v - row);
                 const south = row * period, north = (row + 1) % period * period;
                 for (let x = 0; x < size; ++x, ++i) {
-                    const u = x * period / size, west = Math.floor(u), along = ease(u - west), east = (west + 1) % period;
+                    const u = x * period / size, west = Math.floor(u), along = ease(u - west);
+                    const east = (west + 1) % period;
                     heights[i] += weight * lerp(lerp(lattice[south + west], lattice[south + east], along),
                                                 lerp(lattice[north + west], lattice[north + east], along), up);
                 }
@@ -164,7 +165,8 @@ class Debris {
         const perStep = 0.5 * this.recipe.relief * size * 127 / steepest;
         for (let i = 0; i < heights.length; ++i) {
             const x = i % size, row = i - x, at = place => heights[place & heights.length - 1];
-            const alongX = at(row + (x + 1 & size - 1)) - at(row + (x - 1 & size - 1)), alongY = at(i + size) - at(i - size);
+            const alongX = at(row + (x + 1 & size - 1)) - at(row + (x - 1 & size - 1));
+            const alongY = at(i + size) - at(i - size);
             texels[4 * i] = clamp(Math.round(128 + perStep * alongX), 0, 255);
             texels[4 * i + 1] = clamp(Math.round(128 + perStep * alongY), 0, 255);
             texels[4 * i + 2] = bytes[i];
@@ -177,7 +179,8 @@ class Debris {
     colours() {
         const stops = this.recipe.colours;
         return Uint8Array.from([...this.raw].flatMap(height => {
-            const found = stops.findIndex(stop => stop[0] > height), k = found < 0 ? stops.length - 1 : Math.max(found, 1);
+            const found = stops.findIndex(stop => stop[0] > height);
+            const k = found < 0 ? stops.length - 1 : Math.max(found, 1);
             const [low, ...from] = stops[k - 1], [high, ...to] = stops[k];
             const share = clamp((height - low) / (high - low), 0, 1);
             return [...from.map((part, i) => Math.round(255 * lerp(part, to[i], share))), 255];

@@ -27,7 +27,8 @@ class Picture {
         this.slots = this.shaders.constants;
         this.frame = new FrameBlock(this.gpu, slide, this.slots);
         // Firefox gives the name itself, and warns of the extension by which others do.
-        const name = gl.getParameter(gl.RENDERER), others = /^WebKit/.test(name) && gl.getExtension('WEBGL_debug_renderer_info');
+        const name = gl.getParameter(gl.RENDERER);
+        const others = /^WebKit/.test(name) && gl.getExtension('WEBGL_debug_renderer_info');
         this.renderer = others ? gl.getParameter(others.UNMASKED_RENDERER_WEBGL) : name;
         this.target = {width: 0, height: 0, textures: [], frames: {}};
         this.passes = null;  // ms by name while they are measured
@@ -83,7 +84,8 @@ class Picture {
                 treePlain: add([...trees, 'tree_plain.vert'], ['tree_plain.frag']),
             });
         if (info.arrays['ridges.x'])
-            this.programs.spindrift = add([...light, 'spindrift.vert'], [...frame, 'window_depth.glsl', 'spindrift.frag']);
+            this.programs.spindrift = add([...light, 'spindrift.vert'],
+                                          [...frame, 'window_depth.glsl', 'spindrift.frag']);
         const powder = [...frame, 'powder.glsl'], over = [...powder, 'window_depth.glsl', 'powder_over.frag'];
         if (info.arrays['puffs.x'])
             Object.assign(this.programs, {
@@ -461,7 +463,7 @@ class Picture {
 
     // Maps light to what a screen shows, on the canvas. Chromium does not see what is blitted there.
     show() {
-        const {gl, gpu, slots, programs} = this, {width, height, isSmoothed, frames, colour, stepped, smooth} = this.target;
+        const {gl, gpu, slots, programs, target: {width, height, isSmoothed, frames, colour, stepped, smooth}} = this;
         gpu.bind(slots.SLOT_COLOUR, colour);
         gpu.bind(slots.SLOT_PICTURE, null);
         gpu.into(isSmoothed ? frames.stepped : null, width, height);

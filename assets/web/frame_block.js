@@ -8,7 +8,8 @@ class FrameBlock {
         // Where each member lies. C++ and std140 have them one after another.
         this.places = {};
         let at = 0;
-        for (const [, type, name, count] of slide.file('frame.glsl').matchAll(/^\s+(mat4|i?vec4) (\w+)(?:\[(\w+)\])?;/gm)) {
+        const members = slide.file('frame.glsl').matchAll(/^\s+(mat4|i?vec4) (\w+)(?:\[(\w+)\])?;/gm);
+        for (const [, type, name, count] of members) {
             this.places[name] = at;
             at += (type === 'mat4' ? 64 : 16) * (count ? slots[count] : 1);
         }

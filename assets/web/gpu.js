@@ -96,8 +96,8 @@ class Gpu {
         gl.vertexAttribDivisor(location, divisor);
     }
 
-    // Vertices of some columns of numbers; `attributes`: how many of them are one attribute each. With `divisor` 1, each row
-    // is an instance.
+    // Vertices of some columns of numbers; `attributes`: how many of them are one attribute each. With `divisor` 1, each
+    // row is an instance.
     vertices(columns, attributes, divisor = 0) {
         const {gl} = this, width = columns.length, numbers = new Float32Array(width * columns[0].length);
         columns.forEach((column, k) => column.forEach((value, i) => numbers[width * i + k] = value));

@@ -4,7 +4,7 @@ const kThickness = 0.42;  // of an opaque puff, through its middle
 const kScattered = 0.15;  // of the light, passed on from grain to grain
 const kFaintest = 0.01;  // opacity from which on a puff is drawn
 const kNearest = 3, kFar = 15;  // radii: nearer puffs are not drawn, from here on all of them is
-const kHidden = 0.02, kSeen = 0.06;  // what nearer puffs leave to see of one: from here to there it is drawn more and more
+const kHidden = 0.02, kSeen = 0.06;  // what nearer puffs leave to see of one, from which it is drawn, and drawn whole
 const kCore = 0.65, kCoreShare = 0.6;  // part of the radius that hides, and of the opacity there
 const kShadeSide = 64, kAcross = 64, kUp = 36;  // cells of a shade map, and of the veil
 const kPuffNumbers = 12;  // numbers of a drawn puff: attributes of powder.vert
@@ -41,7 +41,8 @@ class ShadeMap {
     thickness(x, y) {
         x = clamp(x - 0.5, 0, kShadeSide - 1.001), y = clamp(y - 0.5, 0, kShadeSide - 1.001);
         const i = Math.floor(x), j = Math.floor(y), at = 2 * (j * kShadeSide + i), c = this.cells;
-        return lerp(lerp(c[at], c[at + 2], x - i), lerp(c[at + 2 * kShadeSide], c[at + 2 * kShadeSide + 2], x - i), y - j);
+        const above = at + 2 * kShadeSide;
+        return lerp(lerp(c[at], c[at + 2], x - i), lerp(c[above], c[above + 2], x - i), y - j);
     }
 
     add(x, y, reach, thickness, along) {

@@ -1,4 +1,4 @@
-// What stands on the ground and around it: mountains, what people have built, trees; and snow that wind blows off ridges.
+// What is on the ground and around it: mountains, what people have built, trees, and snow that wind blows off ridges.
 
 // What is packed of each vertex of structures, ropes and shadows, in the order of their shaders' attributes.
 const kBuiltColumns = {
@@ -102,7 +102,8 @@ class Scenery {
         const speed = Math.hypot(...info.wind), gone = tick * info.tick_s * speed;
         spindrift.use();
         gl.uniform4f(spindrift.at('wind'), info.wind[0] / speed, info.wind[1] / speed, speed, 0);
-        gl.uniform4f(spindrift.at('phase'), fraction(gone * 1.25 / 44), fraction(gone / 97), fraction(0.5 * gone / 430), 0);
+        const phase = [fraction(gone * 1.25 / 44), fraction(gone / 97), fraction(0.5 * gone / 430), 0];
+        gl.uniform4fv(spindrift.at('phase'), phase);
         gl.bindVertexArray(this.ridges.array);
         gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
         gpu.enabled([gl.BLEND], () => gl.drawArraysInstanced(gl.TRIANGLES, 0, 6, this.ridges.count));

@@ -160,7 +160,7 @@ class TreesInView {
         const rootZ = ground(tree[0], tree[1]) + radius * (0.5 - 1.2 * own(71.9));
         const topZ = ground(tree[0] + height * x, tree[1] + height * y) + radius * (0.9 - 1.5 * own(53.7));
         const flat = Math.hypot(height, topZ - rootZ), sine = Math.sin(kLean);
-        const axis = [sine * x * height / flat, sine * y * height / flat, Math.cos(kLean) + sine * (topZ - rootZ) / flat];
+        const part = sine * height / flat, axis = [part * x, part * y, Math.cos(kLean) + sine * (topZ - rootZ) / flat];
         const size = Math.hypot(...axis);
         tree[2] = rootZ;
         tree.set(axis.map(part => part / size), 4);

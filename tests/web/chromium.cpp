@@ -14,7 +14,7 @@
 namespace game::test {
 namespace {
 
-constexpr double kToAnswer = 60;  // s, on a busy machine that draws in software
+constexpr double kToAnswer = 40;  // s, on a busy machine that draws in software
 constexpr double kBetweenLooks = 0.02;
 
 int open_pipe(const std::filesystem::path& path) {
@@ -71,8 +71,10 @@ Chromium::Chromium(const std::vector<std::string>& switches)
 
 Chromium::~Chromium() {
     try {
-        call({{"method", "Browser.close"}});
-        browser_->wait(kToAnswer);
+        if (!stuck_) {
+            call({{"method", "Browser.close"}});
+            browser_->wait(kToAnswer);
+        }
     } catch (const std::exception&) {  // then it is ended by ~Child()
     }
     browser_.reset();
@@ -89,7 +91,7 @@ Json Chromium::call(Json message) {
     const std::string text = message.dump() + '\0';
     for (std::size_t sent = 0; sent < text.size();) {
         const auto some = write(to_, text.data() + sent, text.size() - sent);
-        if (some <= 0) give_up("the browser does not listen");
+        if (some <= 0) stop("the browser does not listen");
         sent += static_cast<std::size_t>(some);
     }
     for (const double end = seconds_now() + kToAnswer;;) {
@@ -112,14 +114,14 @@ Json Chromium::read_message(double seconds) {
         if (poll(&asked, 1, 200) > 0) {
             std::string some(1 << 16, '\0');
             const auto count = read(from_, some.data(), some.size());
-            if (count <= 0) give_up("the browser's pipe is closed");
+            if (count <= 0) stop("the browser's pipe is closed");
             const std::size_t from = unread_.size();
             unread_.append(some, 0, static_cast<std::size_t>(count));
             length = unread_.find('\0', from);
         } else if (browser_->ended()) {
-            give_up("the browser ended");
+            stop("the browser ended");
         } else if (seconds_now() > end) {
-            give_up("the browser does not answer");
+            stop("the browser does not answer");
         }
     }
     Json message = Json::parse(unread_.substr(0, length));
@@ -134,6 +136,11 @@ void Chromium::keep(const Json& event) {
     if (method == "Runtime.exceptionThrown" || method == "Runtime.consoleAPICalled" ||
         method == "Log.entryAdded")
         messages_.push_back(event["params"].dump());
+}
+
+void Chromium::stop(const std::string& what) {
+    stuck_ = true;
+    give_up(what);
 }
 
 void Chromium::give_up(const std::string& what) const {

@@ -49,6 +49,9 @@ class Chromium {
     // Polls an expression until it is true; false after the time limit.
     bool comes(const std::string& expression, double seconds = 20);
 
+    // Whether it stopped answering. Then nothing else will work.
+    bool is_stuck() const { return stuck_; }
+
     // Since the last open(): exceptions, messages in the console and in the log; addresses that were asked for.
     std::vector<std::string> messages();
     std::vector<std::string> requests();
@@ -58,6 +61,7 @@ class Chromium {
     Json read_message(double seconds);
     void keep(const Json& event);
     [[noreturn]] void give_up(const std::string& what) const;
+    [[noreturn]] void stop(const std::string& what);
     std::filesystem::path file(const char* name) const { return folder_.path() / name; }
 
     support::TemporaryFolder folder_;
@@ -66,6 +70,7 @@ class Chromium {
     std::string session_;  // of the page
     std::string unread_;
     int last_id_ = 0;
+    bool stuck_ = false;
     std::vector<std::string> messages_, requests_;
 };
 

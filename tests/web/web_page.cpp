@@ -56,6 +56,7 @@ class WebPage : public testing::Test {
 
     void SetUp() override {
         if (!shared_) GTEST_SKIP() << "chromium is not installed";
+        if (browser().is_stuck()) shared_ = std::make_unique<Shared>();
         browser().size(640, 400);
     }
 
@@ -183,7 +184,7 @@ TEST_F(WebPage, shows_on_the_canvas_what_it_drew) {
             const shown = new Uint8Array(p.length);
             gl.bindFramebuffer(gl.FRAMEBUFFER, null);
             gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, shown);
-            return p.every((byte, i) => i % 4 === 3 || byte === shown[i]);
+            return new Set(shown).size > 50 && p.every((byte, i) => i % 4 === 3 || byte === shown[i]);
         })())"))
             << scale;
     }
@@ -416,7 +417,7 @@ TEST_F(WebPage, never_looks_from_below_the_ground) {
             return low + (high - low) * seed / 2147483647;
         };
         for (let i = 0; i < 2000; ++i) {
-            if (i % 3 === 0) camera.turn(any(-60, 60), any(-40));
+            if (i % 3 === 0) camera.turn(any(-60, 60), any(-40, 20));
             if (i % 3 === 1) camera.zoom(any(0.3, 1.6));
             if (i % 3 === 2) camera.pan(any(-1, 1), any(-1, 1));
             camera.glide(any(0, 0.2));
