@@ -18,7 +18,7 @@ struct PageOptions {
     static constexpr std::int64_t kEvery = 6;  // ticks; between rarer states a front would jump by cells
     std::int64_t every = kEvery;               // ticks between two states that are kept
     std::uint64_t most_bytes = 32'000'000;     // of the page
-    std::optional<render::Camera> camera;      // none: the scenario's, or else a landscape view
+    std::optional<render::Camera> camera = std::nullopt;  // none: the scenario's, or else a landscape view
 };
 
 struct PageReport {
