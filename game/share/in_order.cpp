@@ -1,8 +1,23 @@
 #include "game/share/in_order.h"
 
+#include <exception>
 #include <utility>
 
+#include "game/base/process.h"
+
 namespace game {
+namespace {
+
+// No exception, such as out of memory, may leave the thread.
+Outcome<void> result_of(const InOrder::Work& work) {
+    try {
+        return work();
+    } catch (const std::exception& thrown) {
+        return tl::unexpected(failure_of(thrown));
+    }
+}
+
+}  // namespace
 
 InOrder::InOrder(std::size_t most) : most_(most), thread_([this] { run(); }) {}
 
@@ -42,7 +57,7 @@ void InOrder::run() {
         works_ = true;
         changed_.notify_all();
         lock.unlock();
-        auto done = work();
+        auto done = result_of(work);
         lock.lock();
         works_ = false;
         if (!done) {

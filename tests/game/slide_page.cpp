@@ -1,9 +1,10 @@
 // The page of a slide, as the program writes it. tests/web opens it in a browser.
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
-#include <map>
-#include <set>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "game/analysis/headless.h"
 #include "game/scene/scene.h"
 #include "game/scene/viewpoint.h"
+#include "game/share/in_order.h"
 #include "game/share/share_recording.h"
 #include "game/share/slide_page.h"
 #include "render/drawn_mixture.h"
@@ -266,6 +268,42 @@ TEST_F(SlidePages, of_a_recording_are_those_of_the_command_line) {
     const Finished same = couloir({"replay", recording.string(), "--web", recording.string()});
     EXPECT_EQ(same.status, 2);
     EXPECT_NE(same.err.find("--web"), std::string::npos) << same.err;
+}
+
+TEST(PagePacking, does_its_work_in_order_and_none_after_a_failure) {
+    std::vector<int> done;
+    InOrder packing(2);
+    for (int i = 0; i < 20; ++i)
+        ASSERT_TRUE(packing.give([&done, i]() -> Outcome<void> {
+            done.push_back(i);
+            return {};
+        }));
+    ASSERT_TRUE(packing.finish());
+    ASSERT_EQ(done.size(), 20u);
+    EXPECT_TRUE(std::is_sorted(done.begin(), done.end()));
+
+    ASSERT_TRUE(packing.give([]() -> Outcome<void> { throw std::bad_alloc(); }));
+    const auto failed = packing.finish();
+    ASSERT_FALSE(failed);
+    EXPECT_EQ(failed.error().status, Failure::kMachine);
+    EXPECT_FALSE(packing.give([&done]() -> Outcome<void> {
+        done.clear();
+        return {};
+    }));
+    EXPECT_EQ(done.size(), 20u);
+}
+
+TEST(PagePacking, ends_while_work_waits) {
+    std::atomic<int> done = 0;
+    {
+        InOrder packing(8);
+        for (int i = 0; i < 8; ++i)
+            ASSERT_TRUE(packing.give([&done]() -> Outcome<void> {
+                ++done;
+                return {};
+            }));
+    }
+    EXPECT_LE(done, 8);
 }
 
 TEST(Viewpoint, is_five_numbers_in_their_ranges) {
