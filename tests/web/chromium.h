@@ -47,7 +47,7 @@ class Chromium {
     // One finger stays at a place; another moves, from and to places beside it.
     void pinch(double x, double y, double from_x, double from_y, double to_x, double to_y);
     // Polls an expression until it is true; false after the time limit.
-    bool comes(const std::string& expression, double seconds = 20);
+    bool comes(const std::string& expression, double seconds = 120);
 
     // Whether it stopped answering. Then nothing else will work.
     bool is_stuck() const { return stuck_; }

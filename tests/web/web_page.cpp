@@ -516,7 +516,7 @@ TEST_F(WebPage, returns_after_the_browser_took_its_graphics_memory) {
     EXPECT_TRUE(browser().comes("document.documentElement.dataset.state === 'failed'"));
     EXPECT_NE(sentence().find("memory"), std::string::npos);
     browser().value("lost.restoreContext()");
-    EXPECT_TRUE(browser().comes("document.documentElement.dataset.state === 'ready'", 30));
+    EXPECT_TRUE(browser().comes("document.documentElement.dataset.state === 'ready'", 240));
     EXPECT_FALSE(holds("document.getElementById('note').checkVisibility()"));
     EXPECT_EQ(picture(), before);
 }
