@@ -142,21 +142,27 @@ void add_named(CLI::App& app, const char* option, std::optional<Enum>& value,
         ->type_name("NAME");
 }
 
+// Adds an option that takes a size. `such_as`: examples for the error message.
+void add_bytes(CLI::App& app, const char* option, std::uint64_t& bytes, const char* such_as,
+               const char* help) {
+    app.add_option_function<std::string>(
+           option,
+           [=, &bytes](const std::string& text) {
+               const auto given = bytes_from(text);
+               if (!given)
+                   throw CLI::ValidationError(option,
+                                              "'" + text + "' is not a size in bytes, such as " + such_as);
+               bytes = *given;
+           },
+           help)
+        ->type_name("BYTES");
+}
+
 // Added to every subcommand that builds a world.
 void add_memory(CLI::App& app, Memory& memory) {
-    app.add_option_function<std::string>(
-           "--max-memory",
-           [&memory](const std::string& text) {
-               const auto bytes = bytes_from(text);
-               if (!bytes)
-                   throw CLI::ValidationError(
-                       "--max-memory",
-                       "'" + text + "' is not a size in bytes, such as 4G, 512M or 1073741824");
-               memory.most = *bytes;
-           },
-           "refuse a grid and images whose estimated memory exceeds this many bytes; suffixes K, M, G, T "
-           "[half of the machine's memory]")
-        ->type_name("BYTES");
+    add_bytes(app, "--max-memory", memory.most, "4G, 512M or 1073741824",
+              "refuse a grid and images whose estimated memory exceeds this many bytes; suffixes K, M, G, T "
+              "[half of the machine's memory]");
 }
 
 void add_size(CLI::App& app, PictureSize& size, const char* of_what, const char* usually) {
@@ -292,17 +298,8 @@ void add_web(CLI::App& app, WebOptions& options, std::optional<Viewpoint>& view)
                    "write one page that plays the slide in any browser, with its numbers; --every is "
                    "6 ticks there unless given")
         ->type_name("FILE.html");
-    app.add_option_function<std::string>(
-           "--size-limit",
-           [&options](const std::string& text) {
-               const auto bytes = bytes_from(text);
-               if (!bytes)
-                   throw CLI::ValidationError("--size-limit",
-                                              "'" + text + "' is not a size in bytes, such as 8M");
-               options.most_bytes = *bytes;
-           },
-           "refuse a page that is larger; suffixes K, M, G [32M]")
-        ->type_name("BYTES");
+    add_bytes(app, "--size-limit", options.most_bytes, "8M",
+              "refuse a page that is larger; suffixes K, M, G, T [32000000]");
     app.add_option_function<std::string>(
            "--camera",
            [&view](const std::string& text) {

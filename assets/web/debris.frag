@@ -1,5 +1,5 @@
 // Debris: colour and small relief of what flows and of deposits, in place of flow.frag, because a page does not know how
-// far its texture was carried. Two sheets run down the slope with the flow, one while the other begins anew; where it
+// far its texture was carried. Two sheets run down the slope with the flow, one while the other restarts; where it
 // lies still, a third one lies.
 layout(binding = SLOT_RELIEF) uniform sampler2D relief;
 layout(binding = SLOT_LAYERS) uniform sampler2D layers;
@@ -9,7 +9,7 @@ layout(location = 0) out vec4 skin_albedo;
 layout(location = 1) out vec4 skin_relief;
 
 const int kSheets = 3;
-const float kRun = 1.6;                  // s, after which a sheet begins anew
+const float kRun = 1.6;                  // s, after which a sheet restarts
 const float kHalfSpeed = 10.0;           // m/s, as in surface.glsl
 const float kStill = 0.6, kRuns = 2.5;   // m/s, up to which a sheet lies still, and from which on sheets run
 

@@ -33,7 +33,6 @@ class PackedMotion {
 
     double step() const { return step_; }
     double most_error() const { return 0.51 * step_; }  // half a quantum, and what a float adds to it
-    const std::string& name() const { return name_; }
 
   private:
     tl::expected<void, std::string> take(std::span<const float> values);

@@ -34,10 +34,7 @@ struct PackedStream::Deflate {
             stream.next_out = buffer.data();
             stream.avail_out = static_cast<uInt>(buffer.size());
             deflate(&stream, flush);
-            for (auto end = buffer.begin() + (static_cast<std::ptrdiff_t>(buffer.size()) - stream.avail_out),
-                      it = buffer.begin();
-                 it != end; ++it)
-                bytes.push_back(static_cast<char>(*it));
+            bytes.append(buffer.begin(), buffer.end() - static_cast<std::ptrdiff_t>(stream.avail_out));
         } while (stream.avail_out == 0);
     }
 };
@@ -56,8 +53,7 @@ void PackedStream::add(std::string_view name, std::span<const std::uint8_t> byte
 }
 
 void PackedStream::add(std::string_view name, std::string_view text) {
-    const std::vector<std::uint8_t> bytes(text.begin(), text.end());
-    add(name, std::span(bytes));
+    add(name, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
 double PackedStream::add(std::string_view name, std::span<const double> numbers, const Packing& packing,

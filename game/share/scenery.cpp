@@ -1,10 +1,7 @@
 #include "game/share/scenery.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <string>
-#include <utility>
 
 #include "game/scene/mountains.h"
 #include "game/share/built_pieces.h"

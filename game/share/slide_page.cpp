@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -52,13 +49,6 @@ constexpr std::array kScripts{
     "slide_tiles.js", "trees.js",  "debris.js",     "powder.js",      "cloud.js",   "scenery.js",
     "draw.js",        "words.js",  "resolution.js", "hands.js",       "page.js"};
 
-Outcome<std::string> text_of(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::ostringstream text;
-    if (!in || !(text << in.rdbuf())) return machine_fails(fmt::format("{}: cannot be read", file.string()));
-    return text.str();
-}
-
 // Replaces every slot @NAME@ of a text by what belongs there.
 std::string filled(std::string_view text,
                    std::span<const std::pair<std::string_view, std::string_view>> slots) {
@@ -99,7 +89,7 @@ Outcome<PageFiles> read_page_files() {
     if (!assets) return tl::unexpected(assets.error());
     PageFiles files;
     const auto read = [&](const char* name, std::string& into) -> Outcome<void> {
-        auto text = text_of(*assets / "web" / name);
+        auto text = read_text(*assets / "web" / name);
         if (!text) return tl::unexpected(text.error());
         into += *text;
         return {};
@@ -109,17 +99,14 @@ Outcome<PageFiles> read_page_files() {
     for (const char* name : kScripts)
         if (auto done = read(name, files.program); !done) return tl::unexpected(done.error());
     std::map<std::string, fs::path> shaders;  // in one order everywhere
-    std::error_code error;
-    for (const char* folder : {"shaders", "web"})
-        for (const auto& entry : fs::directory_iterator(*assets / folder, error)) {
-            const std::string name = entry.path().filename().string(),
-                              kind = entry.path().extension().string();
-            if ((kind == ".glsl" || kind == ".vert" || kind == ".frag") &&
-                files.program.find("'" + name + "'") != std::string::npos)
-                shaders[name] = entry.path();
-        }
+    for (const fs::path& path : page_assets()) {
+        const std::string name = path.filename().string(), kind = path.extension().string();
+        if ((kind == ".glsl" || kind == ".vert" || kind == ".frag") &&
+            files.program.find("'" + name + "'") != std::string::npos)
+            shaders[name] = path;
+    }
     for (const auto& [name, path] : shaders) {
-        auto text = text_of(path);
+        auto text = read_text(path);
         if (!text) return tl::unexpected(text.error());
         files.shaders[name] = std::move(*text);
     }
