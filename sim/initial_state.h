@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "sim/world/command.h"
 #include "sim/world/params.h"
 #include "sim/world/state.h"
 
@@ -25,6 +26,18 @@ struct InitialState {
         std::span<const float> depth;  // m, 0 to what `depth` is there
     };
     std::optional<Lower> lower = std::nullopt;
+
+    // kg/m³, of both materials; 0: unknown.
+    float density = 0, lower_density = 0;
+
+    // What stands there at tick 0; commands that place things. They must be without fault_of_things().
+    struct Standing {
+        std::span<const Stems> forest;    // none, or grid.size() values
+        std::span<const Command> placed;  // sculpt, house, lift, net, road …, one after another
+        double earth_budget = -1;         // m³; −1: no limit
+        bool empty() const { return forest.empty() && placed.empty() && earth_budget < 0; }
+    };
+    Standing standing = {};
 };
 State make_state(const InitialState& world, const Params& params);
 

@@ -12,7 +12,25 @@ namespace sim {
 struct Params;
 struct State;
 
-enum class CommandKind : std::uint8_t { kPour, kDig, kBlast, kSettle, kSet };
+enum class CommandKind : std::uint8_t {
+    kPour,
+    kDig,
+    kBlast,
+    kSettle,
+    kSet,
+    // Of things (things.h).
+    kSculpt,
+    kSmooth,
+    kLevel,
+    kPlant,
+    kFell,
+    kHouse,
+    kLift,
+    kNet,
+    kRoad,
+    kTurn,
+    kRemove,
+};
 enum class Layer : std::uint8_t { kRolling, kStanding };
 enum class Part : std::uint8_t { kUpper, kLower };   // which of the two materials (mixture.h)
 enum class Profile : std::uint8_t { kDisc, kCone };  // uniform depth within the radius; highest in the centre
@@ -31,7 +49,14 @@ struct Command {
     Part of = Part::kUpper;
     std::size_t param = 0;  // index in kParams
     double value = 0;
+    double to_x = 0, to_y = 0;                            // where a line ends
+    double rise = 0, level = 0;                           // of earth
+    double stems = 0, diameter = 0;                       // of a forest
+    double length = 0, width = 0, height = 0;             // of a building; height of trees and nets too
+    double turn = 0, strength = 0;                        // of a building; strength of nets too
+    double least_slope = kNoLeast, most_slope = kNoMost;  // of the ground; vertices outside are left alone
 
+    static constexpr double kNoLeast = 0, kNoMost = 90;  // degrees
     bool operator==(const Command&) const = default;
 };
 
@@ -83,6 +108,92 @@ inline constexpr CommandNumber kSetNumbers[] = {
      "new value; must also be within the parameter's own range"},
 };
 
+inline constexpr double kHighestEarth = 30;   // m above or below natural ground
+inline constexpr double kLongestLine = 5000;  // m, of a lift, a net or a road in one command
+inline constexpr double kShortestLift = 60;   // m
+
+inline constexpr CommandNumber kSculptNumbers[] = {
+    {"x", "m", &Command::x, -kFarthest, kFarthest, "centre, east of the south-west vertex"},
+    {"y", "m", &Command::y, -kFarthest, kFarthest, "centre, north of the south-west vertex"},
+    {"radius", "m", &Command::radius, 0, 1e5,
+     "radius of the disc; if below one cell, only the nearest vertex is changed"},
+    {"rise", "m", &Command::rise, -kHighestEarth, kHighestEarth,
+     "height added to the ground, or taken if negative; flanks stay at most 1 : 1.25"},
+};
+inline constexpr CommandNumber kSmoothNumbers[] = {
+    {"x", "m", &Command::x, -kFarthest, kFarthest, "centre, east of the south-west vertex"},
+    {"y", "m", &Command::y, -kFarthest, kFarthest, "centre, north of the south-west vertex"},
+    {"radius", "m", &Command::radius, 0, 1e5,
+     "radius of the disc; if below one cell, only the nearest vertex is changed"},
+    {"rise", "m", &Command::rise, 0, kHighestEarth, "greatest change of height"},
+};
+inline constexpr CommandNumber kLevelNumbers[] = {
+    {"x", "m", &Command::x, -kFarthest, kFarthest, "centre, east of the south-west vertex"},
+    {"y", "m", &Command::y, -kFarthest, kFarthest, "centre, north of the south-west vertex"},
+    {"radius", "m", &Command::radius, 0, 1e5,
+     "radius of the disc; if below one cell, only the nearest vertex is changed"},
+    {"rise", "m", &Command::rise, 0, kHighestEarth, "greatest change of height"},
+    {"level", "m", &Command::level, -2e4, 2e4,
+     "height above the terrain's zero that the ground changes toward"},
+};
+inline constexpr CommandNumber kPlantNumbers[] = {
+    {"x", "m", &Command::x, -kFarthest, kFarthest, "centre, east of the south-west vertex"},
+    {"y", "m", &Command::y, -kFarthest, kFarthest, "centre, north of the south-west vertex"},
+    {"radius", "m", &Command::radius, 0, 1e5,
+     "radius of the disc; if below one cell, only the nearest vertex is planted"},
+    {"stems", "1/ha", &Command::stems, 1, 2000, "stems per hectare"},
+    {"diameter", "m", &Command::diameter, 0.1, 0.6, "of a stem"},
+    {"height", "m", &Command::height, 5, 35, "of a tree"},
+};
+inline constexpr CommandNumber kFellNumbers[] = {
+    {"x", "m", &Command::x, -kFarthest, kFarthest, "centre, east of the south-west vertex"},
+    {"y", "m", &Command::y, -kFarthest, kFarthest, "centre, north of the south-west vertex"},
+    {"radius", "m", &Command::radius, 0, 1e5,
+     "radius of the disc; if below one cell, only the nearest vertex is felled"},
+};
+inline constexpr CommandNumber kHouseNumbers[] = {
+    {"x", "m", &Command::x, -kFarthest, kFarthest, "middle, east of the south-west vertex"},
+    {"y", "m", &Command::y, -kFarthest, kFarthest, "middle, north of the south-west vertex"},
+    {"turn", "deg", &Command::turn, -360, 360, "direction of its front: 0 north, 90 east"},
+    {"length", "m", &Command::length, 3, 200, "along its front's direction"},
+    {"width", "m", &Command::width, 3, 200, "across it"},
+    {"height", "m", &Command::height, 2, 30, "of its roof"},
+    {"strength", "kPa", &Command::strength, 0.5, 1000,
+     "load that destroys it: glass 1, wood 5, brick 10, concrete 30"},
+};
+inline constexpr CommandNumber kLiftNumbers[] = {
+    {"x", "m", &Command::x, -kFarthest, kFarthest, "valley station, east of the south-west vertex"},
+    {"y", "m", &Command::y, -kFarthest, kFarthest, "valley station, north of the south-west vertex"},
+    {"to_x", "m", &Command::to_x, -kFarthest, kFarthest, "mountain station, east of the south-west vertex"},
+    {"to_y", "m", &Command::to_y, -kFarthest, kFarthest, "mountain station, north of the south-west vertex"},
+};
+inline constexpr CommandNumber kNetNumbers[] = {
+    {"x", "m", &Command::x, -kFarthest, kFarthest, "one end, east of the south-west vertex"},
+    {"y", "m", &Command::y, -kFarthest, kFarthest, "one end, north of the south-west vertex"},
+    {"to_x", "m", &Command::to_x, -kFarthest, kFarthest, "other end, east of the south-west vertex"},
+    {"to_y", "m", &Command::to_y, -kFarthest, kFarthest, "other end, north of the south-west vertex"},
+    {"height", "m", &Command::height, 2, 6, "of the nets"},
+    {"strength", "kPa", &Command::strength, 0.5, 1000, "load that destroys a piece of one cell"},
+};
+inline constexpr CommandNumber kRoadNumbers[] = {
+    {"x", "m", &Command::x, -kFarthest, kFarthest, "one end, east of the south-west vertex"},
+    {"y", "m", &Command::y, -kFarthest, kFarthest, "one end, north of the south-west vertex"},
+    {"to_x", "m", &Command::to_x, -kFarthest, kFarthest, "other end, east of the south-west vertex"},
+    {"to_y", "m", &Command::to_y, -kFarthest, kFarthest, "other end, north of the south-west vertex"},
+    {"width", "m", &Command::width, 2, 30, "of the road"},
+};
+inline constexpr CommandNumber kTurnNumbers[] = {
+    {"x", "m", &Command::x, -kFarthest, kFarthest, "a place on the house, east of the south-west vertex"},
+    {"y", "m", &Command::y, -kFarthest, kFarthest, "a place on the house, north of the south-west vertex"},
+    {"turn", "deg", &Command::turn, -360, 360, "new direction of its front: 0 north, 90 east"},
+};
+inline constexpr CommandNumber kRemoveNumbers[] = {
+    {"x", "m", &Command::x, -kFarthest, kFarthest, "centre, east of the south-west vertex"},
+    {"y", "m", &Command::y, -kFarthest, kFarthest, "centre, north of the south-west vertex"},
+    {"radius", "m", &Command::radius, 0, 1e5,
+     "radius of the disc; all objects that reach into it go, a lift, net or road as it was placed"},
+};
+
 // The manifest that generates the readers and writers of recordings and scenes, and their tests.
 struct CommandInfo {
     CommandKind kind;
@@ -92,18 +203,40 @@ struct CommandInfo {
     bool has_profile;  // "profile": "disc" or "cone"
     bool has_part;     // "of": "upper", or "lower" in a world with two materials
     bool has_param;    // "param": name in kParams of one that is not fixed
+    bool has_slope;  // "slope": [least, most], degrees, of the ground that it acts on; all, if it is left out
     std::string_view meaning;
 };
 
 inline constexpr CommandInfo kCommands[] = {
-    {CommandKind::kPour, "pour", kPourNumbers, true, true, true, false,
+    {CommandKind::kPour, "pour", kPourNumbers, true, true, true, false, true,
      "adds material at rest for a duration"},
-    {CommandKind::kDig, "dig", kDigNumbers, false, false, false, false, "removes material for a duration"},
-    {CommandKind::kBlast, "blast", kBlastNumbers, false, false, false, false,
+    {CommandKind::kDig, "dig", kDigNumbers, false, false, false, false, true,
+     "removes material for a duration"},
+    {CommandKind::kBlast, "blast", kBlastNumbers, false, false, false, false, true,
      "releases the erodible layer as rolling layer, at once"},
-    {CommandKind::kSettle, "settle", kSettleNumbers, false, false, false, false,
+    {CommandKind::kSettle, "settle", kSettleNumbers, false, false, false, false, true,
      "deposits the rolling layer, at once"},
-    {CommandKind::kSet, "set", kSetNumbers, false, false, false, true, "sets a parameter of the physics"},
+    {CommandKind::kSet, "set", kSetNumbers, false, false, false, true, false,
+     "sets a parameter of the physics"},
+    {CommandKind::kSculpt, "sculpt", kSculptNumbers, false, true, false, false, true,
+     "raises or lowers bedrock within the budget of earth, at once"},
+    {CommandKind::kSmooth, "smooth", kSmoothNumbers, false, false, false, false, true,
+     "changes bedrock toward the mean of its neighbours, at once"},
+    {CommandKind::kLevel, "level", kLevelNumbers, false, false, false, false, true,
+     "changes bedrock toward a height, at once"},
+    {CommandKind::kPlant, "plant", kPlantNumbers, false, false, false, false, true,
+     "plants a forest, at once"},
+    {CommandKind::kFell, "fell", kFellNumbers, false, false, false, false, true,
+     "removes a forest with its broken trees, at once"},
+    {CommandKind::kHouse, "house", kHouseNumbers, false, false, false, false, false, "builds a house"},
+    {CommandKind::kLift, "lift", kLiftNumbers, false, false, false, false, false,
+     "builds a chairlift with its pylons"},
+    {CommandKind::kNet, "net", kNetNumbers, false, false, false, false, false, "builds a row of snow nets"},
+    {CommandKind::kRoad, "road", kRoadNumbers, false, false, false, false, false,
+     "builds a straight piece of road"},
+    {CommandKind::kTurn, "turn", kTurnNumbers, false, false, false, false, false, "turns a house"},
+    {CommandKind::kRemove, "remove", kRemoveNumbers, false, false, false, false, false,
+     "removes houses, lifts, nets and roads"},
 };
 
 const CommandInfo& info_of(CommandKind kind);

@@ -13,6 +13,7 @@
 #include "sim/world/mixture.h"
 #include "sim/world/params.h"
 #include "sim/world/state_hash.h"
+#include "sim/world/things.h"
 
 namespace sim {
 
@@ -36,6 +37,7 @@ struct State : Layers<float> {
     Ledger ledger;           // where the mass is
 
     std::optional<Mixture> mixture;  // of a world of two materials
+    std::optional<Things> things;    // of a world where anything stands or was sculpted
 
     // Vertices times sub-steps whose speed passed kGreatestPlanSpeed and was cut to it, since the world began;
     // voellmy only. Not part of the hash, because it follows from the rest.
@@ -66,6 +68,7 @@ struct View {
     const Field<Site>& site;
     const Field<float>* smooth_depth;  // m; of the smoothed ground, along which a layer moves; null in bcre
     const Mixture* mixture;            // null in a world of one material
+    const Things* things;              // null in a world without things
     const Tiles& tiles;                // where anything may move; empty without an engine
     double datum;       // m; height above the terrain's zero is datum + bedrock + depth + rolling
     std::int64_t tick;  // ticks done
@@ -81,6 +84,7 @@ inline View view(const State& s) {
             s.site,
             has_momentum(s.params.model) ? &s.smooth_depth : nullptr,
             s.mixture ? &*s.mixture : nullptr,
+            s.things ? &*s.things : nullptr,
             s.tiles,
             s.datum,
             s.tick};
