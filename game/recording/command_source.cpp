@@ -6,6 +6,7 @@
 
 #include "sim/core/float_environment.h"
 #include "sim/world/command.h"
+#include "sim/world/things.h"
 
 namespace game {
 
@@ -36,16 +37,21 @@ void CommandSource::add_new(std::span<const sim::Command> commands) {
 }
 
 Outcome<void> CommandSource::leave_out_clashing() {
-    const auto first = commands_.begin() + static_cast<std::ptrdiff_t>(settled_);
-    const auto fault = sim::fault_after(state_->params, commands_);
-    if (fault) {
+    std::optional<std::string> reason;
+    if (const auto fault = sim::fault_after(state_->params, commands_)) {
         const auto is_set = [](const sim::Command& command) {
             return command.kind == sim::CommandKind::kSet;
         };
+        const auto first = commands_.begin() + static_cast<std::ptrdiff_t>(settled_);
         commands_.erase(std::remove_if(first, commands_.end(), is_set), commands_.end());
+        reason = fmt::format("Parameter not set: {}", *fault);
+    }
+    while (const auto fault = sim::fault_of_things(*state_, commands_)) {
+        if (!reason) reason = fmt::format("Refused: {}", fault->fact);
+        commands_.erase(commands_.begin() + static_cast<std::ptrdiff_t>(fault->command));
     }
     settled_ = commands_.size();
-    return fault ? unusable(fmt::format("Parameter not set: {}", *fault)) : Outcome<void>();
+    return reason ? unusable(*reason) : Outcome<void>();
 }
 
 Outcome<void> check_tick(const sim::State& state, std::span<const sim::Command> commands) {
@@ -58,6 +64,7 @@ Outcome<void> check_tick(const sim::State& state, std::span<const sim::Command> 
             sim::fault_of_counts(commands.size(), state.running_commands.size() + commands.size()))
         return refused(*fault);
     if (const auto fault = sim::fault_after(state.params, commands)) return refused(*fault);
+    if (const auto fault = sim::fault_of_things(state, commands)) return refused(fault->fact);
     if (const auto fault = sim::float_environment_fault())
         return machine_fails(
             fmt::format("tick {}: {}, so a replay would not be bit-identical", state.tick, *fault));
