@@ -352,6 +352,8 @@ TEST(RecordingLine, refuses_each_command_number_just_outside_its_range) {
                 TimedCommand command;
                 command.command.kind = info.kind;
                 if (info.has_param) command.command.param = kAnyParam;
+                for (const sim::CommandNumber& each : info.numbers)
+                    command.command.*each.value = std::clamp(0.0, each.least, each.most);
                 command.command.*number.value = value;
                 const auto line = line_from(through_line(command));
                 ASSERT_FALSE(line) << info.name << " " << number.name << " " << value;
