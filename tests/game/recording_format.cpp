@@ -116,6 +116,31 @@ TEST(RecordingHeader, keeps_the_trees_and_refuses_impossible_ones) {
                    {{"density", 1e7}, {"density", "many"}, {"line_m", 1e5}, {"seed", -1}, {"seed", nullptr}});
 }
 
+TEST(RecordingHeader, keeps_what_stands_bit_identical_and_has_no_key_if_nothing_does) {
+    Header header;
+    header.scenario = small_scenario();
+    EXPECT_FALSE(to_json(header).contains("things"));
+    EXPECT_TRUE(through_header(header.scenario).standing.empty());
+    Scenario::Standing& standing = header.scenario.standing;
+    standing.earth_budget = 1.0 / 3;
+    EXPECT_EQ(through_header(header.scenario).standing, standing);
+    standing.forest.resize(header.scenario.grid.size());
+    standing.forest[7] = {2000, 1, 60, 35};
+    standing.forest[8] = {257, 0, 10, 5};
+    sim::Command plant;
+    plant.kind = sim::CommandKind::kPlant;
+    plant.x = 12.6 + 1.0 / 3, plant.y = -0.0;
+    plant.stems = 400.1, plant.diameter = 0.3, plant.height = 22;
+    plant.least_slope = 30.1, plant.most_slope = 1e-7 + 45;
+    sim::Command sculpt;
+    sculpt.kind = sim::CommandKind::kSculpt;
+    sculpt.x = 9, sculpt.y = 9, sculpt.rise = -0.7;
+    sculpt.profile = sim::Profile::kCone;
+    standing.placed = {plant, sculpt};
+    EXPECT_EQ(through_header(header.scenario).standing, standing);
+    EXPECT_EQ(ground_hash(header.scenario), ground_hash(small_scenario()));
+}
+
 TEST(RecordingHeader, keeps_what_people_built_and_refuses_what_cannot_stand) {
     Header header;
     header.scenario = small_scenario();
@@ -287,7 +312,8 @@ TEST(RecordingLine, keeps_every_number_of_every_command_bit_identical) {
 TEST(RecordingLine, keeps_every_member_of_any_valid_command) {
     constexpr double sim::Command::*kMembers[] = {
         &sim::Command::x,        &sim::Command::y,     &sim::Command::radius, &sim::Command::rate,
-        &sim::Command::duration, &sim::Command::depth, &sim::Command::value};
+        &sim::Command::duration, &sim::Command::depth, &sim::Command::value,  &sim::Command::to_x,
+        &sim::Command::to_y,     &sim::Command::rise,  &sim::Command::level,  &sim::Command::turn};
     std::mt19937 random(7);
     const auto maybe = [&](auto usual, auto other) { return random() % 4 == 0 ? other : usual; };
     int taken = 0;
@@ -301,6 +327,11 @@ TEST(RecordingLine, keeps_every_member_of_any_valid_command) {
         c.profile = maybe(usual.profile, sim::Profile::kCone);
         c.of = maybe(usual.of, sim::Part::kLower);
         c.param = maybe(usual.param, kAnyParam);
+        if (c.kind == sim::CommandKind::kPlant) c.stems = 400, c.diameter = 0.3, c.height = 22;
+        if (c.kind == sim::CommandKind::kHouse) c.length = c.width = c.height = c.strength = 5;
+        if (c.kind == sim::CommandKind::kNet) c.height = 3, c.strength = 30;
+        if (c.kind == sim::CommandKind::kRoad) c.width = 6;
+        if (random() % 4 == 0) c.least_slope = 20, c.most_slope = 20.5;
         if (sim::fault_of(c)) continue;
         ++taken;
         const auto line = line_from(through_line(before));
@@ -323,6 +354,23 @@ TEST(RecordingLine, keeps_layer_profile_and_material) {
                 EXPECT_EQ(std::get<TimedCommand>(line_from(through_line(pour)).value()).command,
                           pour.command);
             }
+}
+
+TEST(RecordingLine, has_a_slope_only_if_a_command_chooses_one) {
+    TimedCommand dig;
+    dig.command.kind = sim::CommandKind::kDig;
+    EXPECT_FALSE(through_line(dig)["dig"].contains("slope"));
+    dig.command.least_slope = 30, dig.command.most_slope = 44.9;
+    EXPECT_EQ(through_line(dig)["dig"]["slope"], (Json{30, 44.9}));
+    EXPECT_EQ(std::get<TimedCommand>(line_from(through_line(dig)).value()).command, dig.command);
+    for (const Json& wrong : {Json{30, 30}, Json{31, 30}, Json{-1, 30}, Json{30, 90.1}, Json{30},
+                              Json{30, "x"}, Json(30), Json{10, 20, 30}, Json(nullptr)}) {
+        Json line = through_line(dig);
+        line["dig"]["slope"] = wrong;
+        const auto refused = line_from(line);
+        ASSERT_FALSE(refused) << wrong;
+        EXPECT_NE(refused.error().find("slope"), std::string::npos) << refused.error();
+    }
 }
 
 TEST(RecordingLine, keeps_every_parameter_that_can_be_set_and_refuses_fixed_ones_and_values_out_of_range) {
