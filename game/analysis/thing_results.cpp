@@ -10,17 +10,15 @@
 namespace game {
 namespace {
 
-// Depth of what came to lie on a place, m, between the vertices around it.
-double risen(const Scenario& scenario, const sim::View& world, glm::dvec2 at) {
+// Depth of what lies or rolls on a place above the first surface, m, between the vertices around it.
+double risen(const sim::State& world, glm::dvec2 at) {
     const sim::Grid& grid = world.grid;
     const glm::dvec2 cell = glm::clamp(at / static_cast<double>(grid.dx), glm::dvec2(0),
                                        glm::dvec2(grid.nx - 1, grid.ny - 1) - 1e-9);
     const int x0 = static_cast<int>(cell.x), y0 = static_cast<int>(cell.y);
     const auto at_vertex = [&](int x, int y) {
-        const auto i =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(x);
-        return static_cast<double>(world.depth(x, y)) + static_cast<double>(world.rolling(x, y)) -
-               static_cast<double>(scenario.depth[i]) - static_cast<double>(scenario.rolling[i]);
+        return static_cast<double>(world.depth(x, y)) - static_cast<double>(world.first_depth(x, y)) +
+               static_cast<double>(world.rolling(x, y));
     };
     const glm::dvec2 share = cell - glm::dvec2(x0, y0);
     const double south = glm::mix(at_vertex(x0, y0), at_vertex(x0 + 1, y0), share.x);
@@ -28,18 +26,30 @@ double risen(const Scenario& scenario, const sim::View& world, glm::dvec2 at) {
     return glm::mix(south, north, share.y);
 }
 
-void add_road_length(const Scenario& scenario, const sim::View& world, const sim::Thing& road,
-                     ThingResults& results) {
-    const glm::dvec2 from(road.x, road.y), to(road.to_x, road.to_y);
-    const double length = glm::distance(from, to);
-    const auto samples = std::max<std::int64_t>(
-        1, std::llrint(std::ceil(length / (0.25 * static_cast<double>(world.grid.dx)))));
-    results.road += length;
-    for (std::int64_t i = 0; i < samples; ++i) {
-        const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(samples);
-        if (risen(scenario, world, glm::mix(from, to, share)) > ThingResults::kBlocking)
-            results.road_blocked += length / static_cast<double>(samples);
-    }
+glm::dvec2 from(const sim::Thing& line) {
+    return {line.x, line.y};
+}
+glm::dvec2 to(const sim::Thing& line) {
+    return {line.to_x, line.to_y};
+}
+
+// m of a piece of road, sampled every quarter of a cell.
+double blocked(const sim::State& world, const sim::Thing& road) {
+    const double length = glm::distance(from(road), to(road));
+    const double samples = std::max(1.0, std::ceil(length / (0.25 * static_cast<double>(world.grid.dx))));
+    double blocked = 0;
+    for (double i = 0.5; i < samples; ++i)
+        if (risen(world, glm::mix(from(road), to(road), i / samples)) > ThingResults::kBlocking)
+            blocked += length / samples;
+    return blocked;
+}
+
+// "intact", "damaged", "destroyed" or "buried"; of a road "clear" or "blocked".
+std::string_view state_of(const sim::State& world, const sim::Thing& thing) {
+    if (thing.kind == sim::ThingKind::kRoad) return blocked(world, thing) > 0 ? "blocked" : "clear";
+    if (thing.destroyed()) return "destroyed";
+    if (thing.under()) return "buried";
+    return thing.damaged() ? "damaged" : "intact";
 }
 
 // The middle of an object.
@@ -56,12 +66,12 @@ double buried_m(const sim::Thing& thing) {
     return static_cast<double>(thing.buried) / 1000;
 }
 
-std::string line_of(const Scenario& scenario, const sim::Thing& thing) {
+std::string line_of(const Scenario& scenario, const sim::State& world, const sim::Thing& thing) {
     const terrains::LocalPoint at = middle_of(thing);
     std::string where = scenario.georeference.describe(at);
     if (where.empty()) where = fmt::format("{:.0f} m east, {:.0f} m north", at.x, at.y);
     return fmt::format("{} at {}: {}, load {:.1f} of {:g} kPa, buried {:.1f} m\n", sim::to_string(thing.kind),
-                       where, state_of(thing), load_kpa(thing), thing.strength, buried_m(thing));
+                       where, state_of(world, thing), load_kpa(thing), thing.strength, buried_m(thing));
 }
 
 // How many pieces of nets are in each state.
@@ -82,9 +92,9 @@ std::string net_text(const std::vector<sim::Thing>& list) {
 
 }  // namespace
 
-ThingResults thing_results(const Scenario& scenario, const Session& session) {
-    const sim::Things& things = *session.state().things;
-    const sim::View world = session.view();
+ThingResults thing_results(const Session& session) {
+    const sim::State& world = session.state();
+    const sim::Things& things = *world.things;
     const auto cell = static_cast<double>(world.grid.dx);
     constexpr double kSquareMetresPerHectare = 1e4;
     ThingResults results;
@@ -97,23 +107,18 @@ ThingResults thing_results(const Scenario& scenario, const Session& session) {
             results.forest_intact_ha += area * stems.standing / all;
             results.forest_broken_ha += area * stems.lying / all;
         }
-    results.earth_used = session.cubic_metres(sim::earth_used(things, world.grid));
+    results.earth_used = session.cubic_metres(sim::earth_used(things));
     for (const sim::Thing& thing : things.list)
-        if (thing.kind == sim::ThingKind::kRoad) add_road_length(scenario, world, thing, results);
+        if (thing.kind == sim::ThingKind::kRoad) {
+            results.road += glm::distance(from(thing), to(thing));
+            results.road_blocked += blocked(world, thing);
+        }
     return results;
-}
-
-std::string_view state_of(const sim::Thing& thing) {
-    if (thing.kind == sim::ThingKind::kRoad)
-        return buried_m(thing) > ThingResults::kBlocking ? "blocked" : "clear";
-    if (thing.destroyed()) return "destroyed";
-    if (thing.under()) return "buried";
-    return thing.damaged() ? "damaged" : "intact";
 }
 
 Json things_to_json(const Scenario& scenario, const Session& session) {
     const sim::Things& things = *session.state().things;
-    const ThingResults results = thing_results(scenario, session);
+    const ThingResults results = thing_results(session);
     Json json;
     json["objects"] = Json::array();
     for (const sim::Thing& thing : things.list) {
@@ -123,12 +128,15 @@ Json things_to_json(const Scenario& scenario, const Session& session) {
             object["latitude"] = place->latitude;
             object["longitude"] = place->longitude;
         }
-        if (thing.kind != sim::ThingKind::kRoad) {
+        if (thing.kind == sim::ThingKind::kRoad) {
+            object["length_m"] = glm::distance(from(thing), to(thing));
+            object["blocked_m"] = blocked(session.state(), thing);
+        } else {
             object["strength_kpa"] = thing.strength;
             object["load_kpa"] = load_kpa(thing);
+            object["buried_m"] = buried_m(thing);
         }
-        object["buried_m"] = buried_m(thing);
-        object["state"] = state_of(thing);
+        object["state"] = state_of(session.state(), thing);
         json["objects"].push_back(std::move(object));
     }
     json["forest"] = {{"intact_ha", results.forest_intact_ha}, {"broken_ha", results.forest_broken_ha}};
@@ -141,12 +149,12 @@ Json things_to_json(const Scenario& scenario, const Session& session) {
 std::string things_to_text(const Scenario& scenario, const Session& session) {
     constexpr int kMostLines = 20;
     const sim::Things& things = *session.state().things;
-    const ThingResults results = thing_results(scenario, session);
+    const ThingResults results = thing_results(session);
     std::string text;
     int lines = 0;
     for (const sim::Thing& thing : things.list) {
         if (thing.kind == sim::ThingKind::kNet || thing.kind == sim::ThingKind::kRoad) continue;
-        if (++lines <= kMostLines) text += line_of(scenario, thing);
+        if (++lines <= kMostLines) text += line_of(scenario, session.state(), thing);
     }
     if (lines > kMostLines) text += fmt::format("and {} more; --json has all\n", lines - kMostLines);
     text += net_text(things.list);

@@ -17,10 +17,7 @@ struct ThingResults {
     double road = 0, road_blocked = 0;                  // m, sampled every quarter of a cell
 };
 // The world of `session` must have things.
-ThingResults thing_results(const Scenario& scenario, const Session& session);
-
-// "intact", "damaged", "destroyed" or "buried"; of a road "clear" or "blocked".
-std::string_view state_of(const sim::Thing& thing);
+ThingResults thing_results(const Session& session);
 
 // As part of a summary: every object with its place, strength, load, burial and state, and the results.
 Json things_to_json(const Scenario& scenario, const Session& session);

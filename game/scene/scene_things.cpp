@@ -232,6 +232,7 @@ ThingsTables read_things(TomlTable& root) {
         if (!budget && !earth->has("budget")) earth->blame("", "needs a budget, in m³");
         things.earth_budget = budget.value_or(-1);
         earth->finish();
+        things.earth = *earth;
     }
     return things;
 }
@@ -271,8 +272,13 @@ void stand(ThingsTables things, Scenario& scenario) {
         }
     }
     if (standing.placed.size() > kMostPlaced) return;
-    if (const auto wrong = fault_of_placed(scenario))
+    if (const auto wrong = fault_of_placed(scenario)) {
         origin[wrong->index]->blame("", "cannot stand: " + wrong->fact);
+        return;
+    }
+    if (const double needed = earth_needed(scenario); needed > standing.earth_budget && things.earth)
+        things.earth->blame("budget", fmt::format("is {:.1f} m³, and the scene's own [[dam]] needs {:.1f} m³",
+                                                  standing.earth_budget, needed));
 }
 
 }  // namespace game

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -25,6 +26,7 @@ struct ThingsTables {
     };
     std::vector<Placed> placed = {};
     std::vector<Forest> forests = {};
+    std::optional<TomlTable> earth;
     double earth_budget = -1;  // m³; −1: no limit
 
     bool empty() const { return placed.empty() && forests.empty() && earth_budget < 0; }

@@ -1,9 +1,10 @@
 #include "game/scene/standing.h"
 
 #include <algorithm>
-#include <vector>
+#include <utility>
 
 #include "sim/initial_state.h"
+#include "sim/world/quanta.h"
 
 namespace game {
 
@@ -25,17 +26,21 @@ std::optional<PlacedFault> fault_of_placed(const Scenario& scenario) {
     sim::InitialState world = initial_state_of(scenario);
     world.standing.placed = {};
     const sim::State state = sim::make_state(world, scenario.params);
-    const auto fault_of_first = [&](std::size_t count) {
-        return sim::fault_of_things(state, placed.first(count));
+    if (auto wrong = sim::fault_of_things(state, placed))
+        return PlacedFault{wrong->command, std::move(wrong->fact)};
+    return std::nullopt;
+}
+
+double earth_needed(const Scenario& scenario) {
+    const auto sculpts = [](const sim::Command& command) {
+        return command.kind == sim::CommandKind::kSculpt;
     };
-    if (!fault_of_first(placed.size())) return std::nullopt;
-    // What is wrong with some commands stays wrong if more follow.
-    std::size_t sound = 0, wrong = placed.size();
-    while (wrong - sound > 1) {
-        const std::size_t middle = sound + (wrong - sound) / 2;
-        (fault_of_first(middle) ? wrong : sound) = middle;
-    }
-    return PlacedFault{wrong - 1, *fault_of_first(wrong)};
+    if (std::ranges::none_of(scenario.standing.placed, sculpts)) return 0;
+    sim::InitialState world = initial_state_of(scenario);
+    world.standing.earth_budget = -1;
+    const sim::State state = sim::make_state(world, scenario.params);
+    return static_cast<double>(sim::earth_used(*state.things)) * static_cast<double>(sim::kQuantum) *
+           scenario.grid.cell_area();
 }
 
 }  // namespace game

@@ -22,9 +22,11 @@ bool has_things(std::span<const TimedCommand> commands);
 
 struct PlacedFault {
     std::size_t index;  // in Scenario::Standing::placed
-    std::string fact;   // such as "house 3 stands on house 1"
+    std::string fact;   // such as "the house at (10, 20) stands on the house at (12, 20)"
 };
 // The first command that cannot be done on the scenario's ground, one after another; nothing if all can.
 std::optional<PlacedFault> fault_of_placed(const Scenario& scenario);
+// Earth that the placed commands use if there is no budget, m³. They must be without fault.
+double earth_needed(const Scenario& scenario);
 
 }  // namespace game

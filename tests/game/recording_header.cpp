@@ -122,9 +122,8 @@ TEST_F(ForgedHeader, of_a_newer_minor_version_may_have_unknown_fields) {
 
 // What this program leaves out may be why its states differ.
 TEST_F(ForgedHeader, of_a_newer_minor_version_with_other_states_is_not_comparable) {
-    const auto last = std::find_if(bodies_.rbegin(), bodies_.rend(), [](const std::string& body) {
-        return json_of(body).contains("hash");
-    });
+    const auto last = std::find_if(bodies_.rbegin(), bodies_.rend(),
+                                   [](const std::string& body) { return json_of(body).contains("hash"); });
     Json state = json_of(*last);
     state["hash"] = "0123456789abcdef";
     *last = body_of(state);

@@ -209,6 +209,10 @@ TEST_F(Placed, dam_that_cannot_be_is_refused_with_its_line) {
 TEST_F(Placed, earth_has_a_budget_if_the_scene_gives_one) {
     EXPECT_EQ(standing("[earth]\nbudget = 15000\n").earth_budget, 15000);
     EXPECT_EQ(standing("[[house]]\nat = [80, 40]\n").earth_budget, -1);
+    const std::string dam = "[[dam]]\npoints = [[40, 60], [80, 60]]\nradius = 15\nrise = 6\n";
+    expect_fault(dam + "[earth]\nbudget = 1000\n", 6,
+                 "budget is 1000.0 m³, and the scene's own [[dam]] needs ");
+    EXPECT_EQ(standing(dam + "[earth]\nbudget = 10000\n").earth_budget, 10000);
     expect_fault("[earth]\nbudget = -1\n", 2, "budget is -1");
     expect_fault("[earth]\n", 1, "needs a budget");
 }
