@@ -47,7 +47,7 @@ Outcome<void> CommandSource::leave_out_clashing() {
         reason = fmt::format("Parameter not set: {}", *fault);
     }
     while (const auto fault = sim::fault_of_things(*state_, commands_)) {
-        if (!reason) reason = fmt::format("Refused: {}", fault->fact);
+        if (!reason) reason = fmt::format("Not done: {}", fault->fact);
         commands_.erase(commands_.begin() + static_cast<std::ptrdiff_t>(fault->command));
     }
     settled_ = commands_.size();
