@@ -198,11 +198,11 @@ void App::begin_stroke() {
         return;
     }
     const sim::View world = sandbox_->session().view();
-    const Deed& deed = deed_of(hand_.brush().tool, input_.modifiers());
     const double bedrock = between(square_under(world.grid, glm::dvec2(*at)), world.bedrock);
-    hand_.press(deed, glm::dvec2(*at), bedrock + world.datum, static_cast<double>(world.grid.dx));
+    hand_.press(input_.modifiers(), glm::dvec2(*at), bedrock + world.datum,
+                static_cast<double>(world.grid.dx));
     earth_before_ = earth_used();
-    sandbox_->begin_action(std::string(sim::info_of(deed.kind).name));
+    sandbox_->begin_action(std::string(sim::info_of(hand_.stroke()->deed().kind).name));
     if (clock_.paused()) tell("Paused: the tool acts when time runs. Press Space to run, or . for one tick");
 }
 

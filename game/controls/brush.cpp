@@ -86,8 +86,8 @@ Command Stroke::command(const Brush& brush, glm::dvec2 at) const {
     const auto set = [&](double Command::*member, double value) {
         if (takes(deed_->kind, member)) command.*member = value;
     };
-    const auto numbers = info_of(brush.tool).numbers;
-    for (std::size_t i = 0; i < numbers.size(); ++i) set(numbers[i].member, brush.own()[i]);
+    const auto numbers = info_of(tool_).numbers;
+    for (std::size_t i = 0; i < numbers.size(); ++i) set(numbers[i].member, brush.of_tool(tool_)[i]);
     set(&Command::radius, brush.radius);
     set(&Command::level, level_);
     set(&Command::turn, brush.turn);
@@ -102,7 +102,7 @@ void Stroke::spread(glm::dvec2 from, glm::dvec2 to, const Brush& brush, double t
     const double wanted = std::max(1.0, std::ceil(2 * glm::distance(from, to) / brush.radius));
     const int discs = wanted > kMostDiscs ? 1 : static_cast<int>(wanted);
     Command each = command(brush, from);
-    double amount = brush.own()[0] / discs;  // m/s of depth
+    double amount = brush.of_tool(tool_)[0] / discs;  // m/s of depth
     if (deed_->amount == Amount::kVolumePerSecond)
         amount *= 3.14159265358979323846 * brush.radius * brush.radius;
     if (deed_->amount == Amount::kPerTick) amount *= tick_s;

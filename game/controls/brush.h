@@ -28,7 +28,8 @@ struct Brush {
     static constexpr double kLeastRadius = 0.1, kMostRadius = 1000;
     static std::array<Numbers, kTools> usual_ones();
     Numbers& own() { return numbers[static_cast<std::size_t>(tool)]; }
-    const Numbers& own() const { return numbers[static_cast<std::size_t>(tool)]; }
+    const Numbers& of_tool(Tool which) const { return numbers[static_cast<std::size_t>(which)]; }
+    const Numbers& own() const { return of_tool(tool); }
     bool operator==(const Brush&) const = default;
 };
 
@@ -44,9 +45,16 @@ double ring_radius(const Brush& brush, const Deed& deed, const sim::Grid& grid);
 // A stroke, from button press to release, converted to commands tick by tick in world units.
 class Stroke {
   public:
-    // Begins at a place, m. `level`: height of the ground there above the terrain's zero, m. `cell`: m, of the grid.
-    Stroke(const Deed& deed, glm::dvec2 at, double level = 0, double cell = 1)
-        : deed_(&deed), level_(level), cell_(cell), first_(at), from_(at), to_(at) {}
+    // Begins at a place, m, with the modifiers that are held there; it keeps its tool to its end. `level`: height of
+    // the ground there above the terrain's zero, m. `cell`: m, of the grid.
+    Stroke(Tool tool, Modifiers with, glm::dvec2 at, double level = 0, double cell = 1)
+        : tool_(tool),
+          deed_(&deed_of(tool, with)),
+          level_(level),
+          cell_(cell),
+          first_(at),
+          from_(at),
+          to_(at) {}
 
     const Deed& deed() const { return *deed_; }
     glm::dvec2 first() const { return first_; }
@@ -77,6 +85,7 @@ class Stroke {
     void place(glm::dvec2 at, const Brush& brush, std::vector<sim::Command>& commands);
     void line(glm::dvec2 to, const Brush& brush, std::vector<sim::Command>& commands);
 
+    Tool tool_;
     const Deed* deed_;
     double level_, cell_;
     glm::dvec2 first_;  // of the piece, if it draws a line

@@ -31,8 +31,8 @@ void Hand::strengthen(double steps) {
         std::clamp(strength * std::pow(kStrengthStep, steps), numbers.front().least, numbers.front().most);
 }
 
-void Hand::press(const Deed& deed, glm::dvec2 at, double level, double cell) {
-    stroke_.emplace(deed, at, level, cell);
+void Hand::press(Modifiers with, glm::dvec2 at, double level, double cell) {
+    stroke_.emplace(brush_.tool, with, at, level, cell);
 }
 
 void Hand::move_to(std::optional<glm::dvec2> at) {

@@ -34,7 +34,7 @@ class Hand {
     // What it does, or would do at a press.
     const Deed& deed(Modifiers with) const { return stroke_ ? stroke_->deed() : deed_of(brush_.tool, with); }
 
-    void press(const Deed& deed, glm::dvec2 at, double level, double cell);
+    void press(Modifiers with, glm::dvec2 at, double level, double cell);
     // The cursor is there, or off the terrain. After the release it no longer moves the stroke.
     void move_to(std::optional<glm::dvec2> at);
     void release();

@@ -118,7 +118,7 @@ void stroke_note(Desk& desk, const Facts& facts) {
     }
     std::array<char, 96> text{};
     std::array<char, 40> used{}, left{};
-    if (note.length)
+    if (note.length && *note.length >= 1)
         std::snprintf(text.data(), text.size(), "%.0f m", *note.length);
     else if (note.earth && *note.earth < 0)
         std::snprintf(text.data(), text.size(), "%s of earth given back", write_volume(used, -*note.earth));

@@ -54,7 +54,8 @@ void things(Desk& desk, const Reading& reading) {
     const sim::Stems& forest = reading.forest;
     if (forest.standing > 0) {
         widgets.fact("Forest", "%d stems/ha", forest.standing);
-        widgets.fact("Trees", "%.2f m thick, %d m high", forest.diameter_cm / 100.0, forest.height_m);
+        widgets.fact("Trees", "%d m high", forest.height_m);
+        widgets.fact("Stems", "%.2f m thick", forest.diameter_cm / 100.0);
     }
     if (forest.lying > 0) widgets.fact("Broken", "%d stems/ha", forest.lying);
     if (!reading.thing) return;

@@ -106,6 +106,12 @@ void sizes(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
         changed |= slide(desk, numbers[i], brush.own()[i], width);
     }
     if (changed) actions.emplace_back(SetBrush{brush});
+    if (!numbers.empty() || desk.narrow()) return;
+    flow.next(ImGui::CalcTextSize(facts.deed.purpose).x);
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, kDimText);
+    ImGui::Text("Hold the left button to %s", facts.deed.purpose);
+    ImGui::PopStyleColor();
 }
 
 // Limits a brush to ground of some slopes.
