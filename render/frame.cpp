@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <glm/common.hpp>
+
 #include "assets/shaders/slots.glsl"
 #include "render/fields_to_gpu.h"
 #include "render/flow_triangles.h"
@@ -192,15 +194,17 @@ void Renderer::draw(const FrameInput& input) {
                                               flows ? std::optional(p.flow_tint(look, marks)) : std::nullopt);
     const Steady steady = steady_of(input, frame);
     const bool resized = p.target.resize(width, height, samples);
-    const bool rebuilt = p.structures.build(input, frame, ground.terrain);
+    const bool rebuilt = p.structures.build(input, frame, ground.terrain, ground.moved);
     const bool new_world = ground.terrain || ground.first_depth || !redrawn.steady ||
                            !same_surface(redrawn.steady->block, frame);
     const bool everything = new_world || resized || rebuilt || marks.flow_mesh || redrawn.steady != steady;
 
     // Upload what changed of the world: everything below reads these textures, and only they change with the state.
     WhatChanged& changed = redrawn.world;
+    const int openness_reach = SurfacePass::openness_reach(world.grid);
     changed.compare(world, p.fields.find_mixture(world), first_depth,
-                    goes_on ? std::nullopt : std::optional(frame.ground.y), p.rules, new_world);
+                    goes_on ? std::nullopt : std::optional(frame.ground.y), p.rules, new_world,
+                    {ground.moved, openness_reach});
     p.fields.upload_layers(world, changed.first_row(), changed.last_row());
     glNamedBufferSubData(p.frame_block.name(), 0, sizeof frame, &frame);
     glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_FRAME, p.frame_block.name());
@@ -216,13 +220,19 @@ void Renderer::draw(const FrameInput& input) {
     }
     p.clock.mark(Pass::kRemesh);
 
-    // Data that depends only on the bedrock is computed here, once per terrain, because it needs the fields
-    // and the frame block.
+    // Data that depends only on the bedrock is computed here, once per terrain and around what changed of it, because
+    // it needs the fields and the frame block.
+    const glm::ivec2 last_vertex(world.grid.nx - 1, world.grid.ny - 1);
     if (ground.terrain) {
         p.terrain.send_mesh(ground_mesh(world.grid, world.site));
         p.surface.resize(world.grid);
         p.shadow.resize(world.grid);
-        p.surface.survey_terrain();
+        p.surface.survey_terrain({0, 0}, last_vertex);
+    } else if (!ground.moved.empty()) {
+        glm::ivec2 low = ground.moved.front(), high = low;
+        for (const glm::ivec2 v : ground.moved) low = glm::min(low, v), high = glm::max(high, v);
+        p.surface.survey_terrain(glm::max(low - openness_reach, 0),
+                                 glm::min(high + openness_reach, last_vertex));
     }
 
     // Compute heights, slopes and shares of the layers once per vertex, before the two passes that read them.
@@ -242,6 +252,7 @@ void Renderer::draw(const FrameInput& input) {
     p.shadow.bind();
     changed.add_shadows(p.sweep, frame);
     changed.add_ring(redrawn.ring, marks.ring, frame);
+    changed.add_outline(redrawn.outline, marks.outline, frame);
     p.clock.mark(Pass::kShadow);
 
     // Find where the frame differs from the last one.
@@ -345,6 +356,7 @@ void Renderer::draw(const FrameInput& input) {
     changed.finish();
     redrawn.steady = steady;
     redrawn.ring = marks.ring;
+    redrawn.outline = marks.outline;
     CHECK(glGetError() == GL_NO_ERROR);
 }
 

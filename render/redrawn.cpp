@@ -14,6 +14,7 @@ Rectangle in_pixels(const Rectangle& r, int samples) {
 Steady steady_of(const FrameInput& input, const FrameBlock& block) {
     Steady steady{block};
     steady.block.ring = steady.block.ring_colour = glm::vec4(0);
+    steady.block.outline = steady.block.outline_colour = glm::vec4(0);
     steady.flows = input.look.flow && input.flow;
     steady.lines = input.marks.has_lines();
     steady.mesh = input.marks.flow_mesh;

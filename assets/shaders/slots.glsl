@@ -35,7 +35,8 @@
 #define SLOT_POWDER_LIT 27      // RGBA16F: colour times opacity, opacity
 #define SLOT_POWDER_HIDDEN 28   // RGBA32F: how the depth of the scene hides the cloud; its shadow on the ground
 #define SLOT_POWDER_LOWER 29    // R16F: share of the lower material times opacity
-#define SLOT_UNITS 30     // number of texture units
+#define SLOT_EARTH 30     // R32F: m that bedrock was raised by; below 0: lowered
+#define SLOT_UNITS 31     // number of texture units
 
 // Storage buffers; cut_vertex.glsl reads the first four
 #define SLOT_MESH_POSITIONS 0    // vec2 of each vertex, m

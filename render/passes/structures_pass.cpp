@@ -8,6 +8,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "assets/shaders/slots.glsl"
 #include "render/passes/scissor.h"
@@ -35,6 +36,26 @@ float largest_rise(const FrameInput& input, const WhatChanged& changed, glm::vec
             most = std::max({most, std::abs(heights.x), std::abs(heights.y)});
         }
     return most;
+}
+
+// Whether one of these vertices is so near that structures stand on it or cast a shadow on it.
+bool is_near_any(const Structures& structures, std::span<const glm::ivec2> vertices, double dx) {
+    constexpr double kNear = 140;  // m
+    if (vertices.empty()) return false;
+    glm::ivec2 low = vertices.front(), high = low;
+    for (const glm::ivec2 v : vertices) low = glm::min(low, v), high = glm::max(high, v);
+    const glm::dvec2 from = dx * glm::dvec2(low), to = dx * glm::dvec2(high);
+    const auto near = [&](glm::dvec2 a, glm::dvec2 b) {
+        return glm::all(glm::lessThanEqual(glm::min(a, b) - kNear, to)) &&
+               glm::all(glm::greaterThanEqual(glm::max(a, b) + kNear, from));
+    };
+    if (std::ranges::any_of(structures.all, [&](const Structure& each) { return near(each.at, each.at); }))
+        return true;
+    return std::ranges::any_of(structures.roads, [&](const Road& road) {
+        for (std::size_t i = 1; i < road.points.size(); ++i)
+            if (near(road.points[i - 1], road.points[i])) return true;
+        return false;
+    });
 }
 
 }  // namespace
@@ -78,7 +99,8 @@ tl::expected<StructuresPass, std::string> StructuresPass::create(const std::file
     return pass;
 }
 
-bool StructuresPass::build(const FrameInput& input, const FrameBlock& frame, bool new_terrain) {
+bool StructuresPass::build(const FrameInput& input, const FrameBlock& frame, bool new_terrain,
+                           std::span<const glm::ivec2> moved) {
     if (!input.structures || input.structures->empty()) {
         const bool were_some = !parts_.empty();
         parts_.clear();
@@ -89,7 +111,8 @@ bool StructuresPass::build(const FrameInput& input, const FrameBlock& frame, boo
     }
     const glm::vec2 snow = snowy(input.look);
     const std::uint64_t around = input.surroundings ? input.surroundings->fingerprint() : 0;
-    if (!new_terrain && around == known_around_ && snow == known_snowy_ && frame.sun == known_sun_ &&
+    if (!new_terrain && !is_near_any(*input.structures, moved, input.world.grid.dx) &&
+        around == known_around_ && snow == known_snowy_ && frame.sun == known_sun_ &&
         *input.structures == known_)
         return false;
     known_ = *input.structures;

@@ -21,8 +21,9 @@ class StructuresPass {
 
     // Makes the mesh anew if anything that it depends on has changed: a few milliseconds. Returns true if it did, or if
     // there were structures in the last frame and are none now. `new_terrain`: this frame's terrain is not that of the
-    // last one.
-    bool build(const FrameInput& input, const FrameBlock& frame, bool new_terrain);
+    // last one; `moved`: the vertices whose bedrock is another one.
+    bool build(const FrameInput& input, const FrameBlock& frame, bool new_terrain,
+               std::span<const glm::ivec2> moved);
     // Finds what a camera sees and, if only the world changed, marks what stands on ground that moved, or in another
     // light.
     void find(const FrameInput& input, const FrameBlock& frame, const WhatChanged& changed,

@@ -88,6 +88,53 @@ TEST_P(Redraw, draws_the_same_bytes_and_shows_a_mistake) {
     EXPECT_GT(wrong_frames(mistaken), 0);
 }
 
+TEST_F(Gl, redraws_only_around_an_outline_that_is_moved) {
+    auto whole = Renderer::create(support::source_dir() / "assets", Quality::kFast);
+    ASSERT_TRUE(whole) << whole.error();
+    Play play;
+    renderer_->set_redraw(kTightestRules);
+    for (int frame = 0; frame < 6; ++frame) {
+        FrameInput input = play.input();
+        if (frame < 5)
+            input.marks.outline = outline_of({80 + 20 * frame, 120}, 25 * frame, 20, 10, {0, 1, 0});
+        if (frame == 0) input.marks.outline->colour = {1, 0, 0};
+        renderer_->draw(input);
+        whole->forget();
+        whole->draw(input);
+        EXPECT_EQ(renderer_->read_back().pixels, whole->read_back().pixels) << frame;
+        EXPECT_TRUE(frame == 0 || frame == 5 || renderer_->redrawn() < 0.6) << frame;
+    }
+}
+
+// Earth is heaped up and dug out, with its shadow, on ground without a standing layer.
+TEST_F(Gl, redraws_ground_that_changes_as_if_it_had_always_been_so) {
+    Play play;
+    play.world.depth.fill(0);
+    play.first_depth.clear();
+    play.world.things.emplace(play.world.grid);
+    play.world.things->natural = play.world.bedrock;
+    renderer_->set_redraw(kTightestRules);
+    Picture flat;
+    for (int frame = 0; frame < 5; ++frame) {
+        const float height = frame == 4 ? 0.f : 3.f * static_cast<float>(frame) * (frame == 3 ? -1.f : 1.f);
+        for (int y = 20; y < 27; ++y)
+            for (int x = 30; x < 36; ++x) play.world.bedrock(x, y) = play.world.things->earth(x, y) = height;
+        renderer_->draw(play.input());
+        EXPECT_TRUE(frame == 0 || renderer_->redrawn() < 1) << frame;
+        const Picture picture = renderer_->read_back();
+        auto fresh = Renderer::create(support::source_dir() / "assets", Quality::kFast);
+        ASSERT_TRUE(fresh) << fresh.error();
+        fresh->draw(play.input());
+        EXPECT_EQ(picture.pixels, fresh->read_back().pixels) << frame;
+        if (frame == 0) flat = picture;
+        EXPECT_EQ(picture.pixels == flat.pixels, frame == 0 || frame == 4) << frame;
+    }
+    // A world that never had things looks the same as one that has none any more.
+    play.world.things.reset();
+    renderer_->draw(play.input());
+    EXPECT_EQ(renderer_->read_back().pixels, flat.pixels);
+}
+
 void roll(Play& play, int x, int frame) {
     for (int i = 0; i < 3; ++i)
         play.world.rolling(x + i, 32 + (frame + i) % 3) = 0.1f * static_cast<float>(1 + (frame + i) % 4);
