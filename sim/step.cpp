@@ -2,6 +2,8 @@
 
 #include "sim/bcre/plain.h"
 #include "sim/engine.h"
+#include "sim/ground.h"
+#include "sim/load_things.h"
 #include "sim/momentum/plain.h"
 #include "sim/sweep/count_mass.h"
 #include "sim/world/params.h"
@@ -35,6 +37,7 @@ void substep_plainly(State& state, Engine& engine, const Substep<float>& sub) {
     Scratch<float>& scratch = *engine.scratch;
     Workers& workers = engine.workers;
     state.tiles.wake_all();
+    scratch.context.things = state.things ? &*state.things : nullptr;
     if (state.mixture) {
         scratch.context.lower = &state.mixture->lower;
         begin_mixing(state, *scratch.context.mixing, workers);
@@ -59,6 +62,7 @@ void step(State& state, std::span<const Command> commands, Engine& engine) {
     // Commands come first: material poured in this tick rolls in this tick, with the parameters set for it.
     engine.watch.begin(StageWatch::kCommands);
     apply_commands(state, commands);
+    renew_ground(state);
     engine.watch.done("commands");
     if (engine.smoother && state.tick % momentum::kTicksPerSmoothing == 0) {
         engine.smoother->smooth(state, engine.workers);
@@ -90,6 +94,7 @@ void step(State& state, std::span<const Command> commands, Engine& engine) {
     }
 
     ++state.tick;
+    load_things(state);
     count_changed_mass(state, engine.options.instruction_set);
     count_still_ticks(state);
 }

@@ -10,17 +10,24 @@
 //     S > s_ero:  Γ = +k |v| (S − s_ero) max(0, R − R_ero)/R       at most d, and half of R in a sub-step
 //     S < μ(h):   Γ = −γ R (μ(h) − S) max(0, 1 − |v|/v_dep)
 //
+// A forest catches snow (Feistl et al. 2014, here with the speed as its measure):
+//
+//     Γ −= K/(ρ max(|v|, 1 m/s))                              at most a fifth of R in a sub-step
+//
 // Erosion goes with speed: a rate that goes with thickness alone brakes like 1/τ at any speed. As drag it equals
 // ξ = g/(k (S − s_ero)). What is eroded joins at rest, v ← v R/(R + ΔR); what is deposited takes its momentum
 // along, so that the rest keeps its speed.
 
 namespace sim::momentum {
 
-// Rows y = 0 … ny-1. Reads b, d, R and cosine; writes exchanged and fed, both in whole quanta, and slows driven_u
+inline constexpr float kMostCaught = 0.2f;  // of R
+
+// Rows y = 0 … ny-1. Reads b, d, R and cosine, of a world with things also detrain and walls; writes exchanged and fed, both in whole quanta, and slows driven_u
 // and driven_v.
-template <class Number, class S = Scalar<Number>>
+template <class Number, bool has_things = false, class S = Scalar<Number>>
 auto exchange(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
     return [c = w.c, ground = ground_rows(w, w.u0.depth, y), rolling = w.u0.rolling[y], cosine = w.cosine[y],
+            walls = wall_rows<has_things>(w, y), detrain = thing_row<has_things>(w.things.detrain, y),
             to_u = to.driven_u[y], to_v = to.driven_v[y], to_exchanged = to.exchanged[y],
             to_fed = to.fed[y]](int i) {
         const Number none(0), r = at<Number>(rolling, i);
@@ -31,7 +38,15 @@ auto exchange(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
             return;
         }
         const Number speed = sqrt(squared), d = at<Number>(ground.here.depth, i);
-        const Number slope = sqrt(Number(gradient<Number>(ground, i, c).squared()));
+        Number squared_slope = gradient<Number>(ground, i, c).squared();
+        if constexpr (has_things) {  // a wall is not steep ground
+            const auto around_it = walls_around<Number>(walls, ground, i, r);
+            const auto leans = around_it.any_stands_out();
+            if (any(leans))
+                squared_slope =
+                    select(leans, gradient<Number>(ground, i, around_it, c).squared(), squared_slope);
+        }
+        const Number slope = sqrt(squared_slope);
 
         const Number steep = max(slope - c.erosion_slope, none), above = max(r - c.erosion_depth, none);
         Number change = none;
@@ -43,6 +58,10 @@ auto exchange(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
         if (any(slow > S{0})) {
             const Number flat = max(friction_of(Number(r * at<Number>(cosine, i)), c) - slope, none);
             change -= min(c.deposit_pace * r * (flat * slow), r);
+        }
+        if constexpr (has_things) {
+            const Number pull = at<Number>(detrain, i);
+            if (any(pull > S{0})) change -= min(c.caught * pull / max(speed, Number(1)), S(kMostCaught) * r);
         }
         const Number whole =
             with_its_sign(change, [&](const Number& size) { return in_quanta(size, c.dither); });

@@ -41,7 +41,13 @@ struct Constants {
     Scalar eroded_per_speed, erosion_slope, erosion_depth;  // k Δt, s; 1; m
     Scalar deposit_pace, per_deposit_speed;                 // γ Δt; s/m
     Scalar start_slope, loose_slope, start_depth, freeze_depth, anchor_gain, anchor_margin;
+
+    // Of what stands in a world (world/things.h).
+    Scalar stem_drag;  // ½ C_d Δt, s: drag takes |v|ₛ times this and A
+    Scalar caught;     // Δt/ρ, m³ s/kg; 0 if ρ is unknown
 };
+
+inline constexpr double kStemDrag = 1.5;  // C_d
 
 template <class Scalar>
 Constants<Scalar> constants_of(const Params& p, float cell, Substep<Scalar> sub) {
@@ -67,7 +73,9 @@ Constants<Scalar> constants_of(const Params& p, float cell, Substep<Scalar> sub)
             .start_depth = nearest_quanta(Scalar{p.start_depth}),
             .freeze_depth = p.freeze_depth,
             .anchor_gain = p.anchor_gain,
-            .anchor_margin = p.anchor_margin + p.anchor_step / (2 * dx)};
+            .anchor_margin = p.anchor_margin + p.anchor_step / (2 * dx),
+            .stem_drag = Scalar(0.5 * kStemDrag) * sub.dt,
+            .caught = p.density > 0 ? sub.dt / Scalar{p.density} : Scalar{0}};
 }
 
 // The layers, which belong to the world.
@@ -135,6 +143,12 @@ constexpr void each_field(Visit&& visit, Lists&... f) {
 static_assert(members_visited<Fields<char>>([](auto visit, auto& f) { each_field(visit, f); }) ==
               sizeof(Fields<char>));
 
+// What stands in a world, as the stages read it (world/things.h).
+template <class Scalar>
+struct ThingRows {
+    Rows<Scalar> natural, drag, detrain, hold, net_depth, wall_x, wall_y;
+};
+
 template <class Scalar>
 using LayerRows = MovingLayers<Rows<Scalar>>;
 
@@ -143,6 +157,7 @@ template <class Scalar>
 struct StageRows : Fields<Rows<Scalar>>, WorldRows<Constants<Scalar>, Scalar> {
     LayerRows<Scalar> u0;
     Rows<Scalar> smooth_depth, first_slope, first_depth;
+    ThingRows<Scalar> things;  // only of a world that has any
 
     // Without exchange, transport takes the layers of the world and writes them again.
     void exchange_nothing() {

@@ -2,6 +2,7 @@
 
 #include "sim/momentum/fields.h"
 #include "sim/momentum/ground.h"
+#include "sim/momentum/walls.h"
 
 // The forces of a sub-step on a layer of vertical thickness R with velocity v in plan, on ground with slope B
 // and inclination θ, under the surface z = b + d + R:
@@ -9,6 +10,7 @@
 //     gravity, pressure    v ← v − Δt G ∇z                      G = g/(1 + max(B·∇z, 0))
 //     Coulomb              |v|ₛ ← max(0, |v|ₛ − Δt μ N)         N = cos θ · max(g + vᵀ H v, 0), at most 4 g cos θ
 //     drag                 |v|ₛ ← |v|ₛ / (1 + Δt g |v₀|ₛ/(ξ R cos θ))
+//     stems and posts      |v|ₛ ← |v|ₛ / (1 + ½ C_d A |v|ₛ Δt)          A: frontal area per volume (world/things.h)
 //
 // |v|ₛ = √(|v|² + (B·v)²) is the speed along the slope, and friction scales v by what it leaves of it. The
 // denominator of the pressure is 1 + B·∇z, not 1 + |∇z|²: pressure acts with cos⁴θ down the slope, cos²θ
@@ -41,11 +43,14 @@ template <class Number, class S = Scalar<Number>>
 [[gnu::always_inline]] inline Gradient<Number> driving_gradient(const GroundRows<S>& ground,
                                                                 const LayerAround<S>& rolling, int i,
                                                                 const Number& own, const Number& u,
-                                                                const Number& v, const Constants<S>& c) {
+                                                                const Number& v, const Constants<S>& c,
+                                                                const auto& walls) {
     const Number none(0), r = at<Number>(rolling.here, i);
     const auto of = [&](const Number& rise_back, const Number& rise_ahead, const Number& r_back,
-                        const Number& r_ahead, const Number& velocity) {
-        const Number back = rise_back + (r - r_back), ahead = rise_ahead + (r_ahead - r);
+                        const Number& r_ahead, const Number& velocity, const auto& wall_back,
+                        const auto& wall_ahead) {
+        const Number back = walls.beside(rise_back + (r - r_back), wall_back),
+                     ahead = walls.beside(rise_ahead + (r_ahead - r), wall_ahead);
         const Number mean = (back + ahead) * c.per_two_cells;
         const auto pit = min(-back, ahead) > own && mean * velocity <= S{0};
         const Number beside = select(mean < S{0}, r_back, r_ahead);  // on the higher side
@@ -53,16 +58,18 @@ template <class Number, class S = Scalar<Number>>
     };
     return {
         of(rise<Number>(ground.here, i - 1, ground.here, i), rise<Number>(ground.here, i, ground.here, i + 1),
-           at<Number>(rolling.here, i - 1), at<Number>(rolling.here, i + 1), u),
+           at<Number>(rolling.here, i - 1), at<Number>(rolling.here, i + 1), u, walls.west, walls.east),
         of(rise<Number>(ground.south, i, ground.here, i), rise<Number>(ground.here, i, ground.north, i),
-           at<Number>(rolling.south, i), at<Number>(rolling.north, i), v)};
+           at<Number>(rolling.south, i), at<Number>(rolling.north, i), v, walls.south, walls.north)};
 }
 
-// Rows y = 0 … ny-1. Reads b, d, s, R, velocity, slope and cosine; writes driven_u, driven_v and, if `exchanges`,
-// held: whether gravity and pressure are at most the friction of a layer at rest, or friction stopped it.
-template <class Number, bool exchanges, class S = Scalar<Number>>
+// Rows y = 0 … ny-1. Reads b, d, s, R, velocity, slope and cosine, of a world with things also drag and walls; writes
+// driven_u, driven_v and, if `exchanges`, held: whether gravity and pressure are at most the friction of a layer at
+// rest, or friction stopped it.
+template <class Number, bool exchanges, bool has_things = false, class S = Scalar<Number>>
 auto drive(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
-    return [c = w.c, ground = ground_rows(w, w.u0.depth, y), smooth = ground_rows(w, w.smooth_depth, y),
+    return [c = w.c, ground = ground_rows(w, w.u0.depth, y), smooth = smooth_rows<has_things>(w, y),
+            walls = wall_rows<has_things>(w, y), stems = thing_row<has_things>(w.things.drag, y),
             rolling = around(w.u0.rolling, y), from_u = w.u0.velocity_x[y], from_v = w.u0.velocity_y[y],
             slope_x = w.slope_x[y], slope_y = w.slope_y[y], cosine = w.cosine[y], to_u = to.driven_u[y],
             to_v = to.driven_v[y], to_held = to.held[y]](int i) {
@@ -79,7 +86,8 @@ auto drive(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
             const Number rises = b.x * x + b.y * y;
             return (x * x + y * y) + rises * rises;
         };
-        const Gradient<Number> z = driving_gradient<Number>(ground, rolling, i, r, u, v, c);
+        const auto around_it = walls_of<has_things, Number>(walls, ground, i, r);
+        const Gradient<Number> z = driving_gradient<Number>(ground, rolling, i, r, u, v, c, around_it);
         const Number pull = c.fall / (Number(1) + max(b.x * z.x + b.y * z.y, none));
         const Number driven_u = u - pull * z.x, driven_v = v - pull * z.y;
 
@@ -92,10 +100,13 @@ auto drive(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
         const Number friction = friction_of(thick, c) * cos;
         const Number speed = sqrt(squared_along_slope(driven_u, driven_v));
         const Number left = max(speed - (c.time * friction) * normal, none);
-        const Number kept =
-            left * thick / max(speed * (thick + c.drag_length * sqrt(before)), Number(S(1e-30)));
-        store(select(rolls, driven_u * kept, none), to_u + i);
-        store(select(rolls, driven_v * kept, none), to_v + i);
+        Number kept = left * thick / max(speed * (thick + c.drag_length * sqrt(before)), Number(S(1e-30)));
+        if constexpr (has_things) {
+            const Number area = at<Number>(stems, i);
+            if (any(area > S{0})) kept /= Number(1) + (c.stem_drag * area) * (speed * kept);
+        }
+        store(select(rolls, around_it.stop_x(driven_u * kept), none), to_u + i);
+        store(select(rolls, around_it.stop_y(driven_v * kept), none), to_v + i);
         if constexpr (exchanges) {
             const Number holds = c.fall * friction;
             const auto held = left <= S{0} || drive_squared(b, z, c.fall) <= holds * holds;

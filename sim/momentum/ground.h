@@ -83,30 +83,6 @@ template <class Number>
     return {a.x + b.x, a.y + b.y};
 }
 
-// Rows y = 0 … ny-1. Reads b, s, R; writes slope_x, slope_y and cosine, where the layer or a neighbour rolls.
-template <class Number, class S = Scalar<Number>>
-auto find_ground(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
-    return [c = w.c, smooth = ground_rows(w, w.smooth_depth, y), rolling = around(w.u0.rolling, y),
-            slope_x = to.slope_x[y], slope_y = to.slope_y[y], cosine = to.cosine[y]](int i) {
-        const Number across = max(at<Number>(rolling.here, i - 1), at<Number>(rolling.here, i + 1));
-        const Number along = max(at<Number>(rolling.south, i), at<Number>(rolling.north, i));
-        if (!any(max(max(across, along), at<Number>(rolling.here, i)) > S{0})) return;
-        const Gradient<Number> b = gradient<Number>(smooth, i, c);
-        store(b.x, slope_x + i), store(b.y, slope_y + i);
-        store(cosine_of(b), cosine + i);
-    };
-}
-// Beyond the border the ground is level; nothing that arrives there is seen again. Rows y = -1 … ny.
-template <class Number, class S = Scalar<Number>>
-void end_ground(const StageRows<S>& w, Fields<Rows<S>>& to, int y, Span x) {
-    S *slope_x = to.slope_x[y], *slope_y = to.slope_y[y], *cosine = to.cosine[y];
-    const auto level = [&](int i) { slope_x[i] = slope_y[i] = 0, cosine[i] = 1; };
-    if (w.is_ground(y))
-        level(-1), level(w.nx);
-    else
-        for (int i = x.first; i < x.last; ++i) level(i);
-}
-
 // vᵀ H v, the acceleration by which the ground bends toward (positive) a velocity, m/s².
 template <class Number, class S = Scalar<Number>>
 [[gnu::always_inline]] inline Number bending(const GroundRows<S>& rows, int i, const Number& u,

@@ -4,6 +4,7 @@
 #include "sim/stages/over_rows.h"
 #include "sim/stages/plain_context.h"
 #include "sim/world/layers.h"
+#include "sim/world/things.h"
 
 namespace sim::momentum {
 
@@ -17,13 +18,22 @@ StageRows<Number> stage_rows(Layers<Number>& layers, const Params& params, Field
              Rows<Number>(layers.velocity_y)},
             Rows<Number>(layers.smooth_depth),
             Rows<Number>(layers.first_slope),
-            Rows<Number>(layers.first_depth)};
+            Rows<Number>(layers.first_depth),
+            {}};
 }
 
-template <class Number>
-void substep(Layers<Number>& layers, const Params& params, Fields<Field<Number>>& fields,
-             const PlainContext& context, Workers& workers, Substep<Number> sub) {
+namespace {
+
+ThingRows<float> thing_rows(Things& t) {
+    return {Rows<float>(t.natural),   Rows<float>(t.drag),   Rows<float>(t.detrain), Rows<float>(t.hold),
+            Rows<float>(t.net_depth), Rows<float>(t.wall_x), Rows<float>(t.wall_y)};
+}
+
+template <class Number, bool has_things>
+void all_stages(Layers<Number>& layers, const Params& params, Fields<Field<Number>>& fields,
+                const PlainContext& context, Workers& workers, Substep<Number> sub) {
     StageRows<Number> w = stage_rows(layers, params, fields, sub);
+    if constexpr (has_things) w.things = thing_rows(*context.things);
     const bool exchanges = params.model == Model::kBcreInertial;
     if (!exchanges) w.exchange_nothing();
     const Outlets::View outlets = context.outlets.view();
@@ -42,24 +52,24 @@ void substep(Layers<Number>& layers, const Params& params, Fields<Field<Number>>
 
     over.each_row_do("fill_halo", [&](int y) { fill_halo<Number>(w, w.u0, y, all); });
     over.each_row(
-        "find_ground", [&](auto& its, int y) { return find_ground<Number>(its, w, y); },
+        "find_ground", [&](auto& its, int y) { return find_ground<Number, has_things>(its, w, y); },
         with_beyond([&](int y) { end_ground<Number>(w, w, y, all); }));
     if (exchanges) {
-        over.each_row("drive", [&](auto& its, int y) { return drive<Number, true>(its, w, y); });
+        over.each_row("drive", [&](auto& its, int y) { return drive<Number, true, has_things>(its, w, y); });
         over.each_row_of_bed(
-            "exchange", [&](auto& its, int y) { return exchange<Number>(its, w, y); },
+            "exchange", [&](auto& its, int y) { return exchange<Number, has_things>(its, w, y); },
             [&](int y) { end_drive<Number>(w, w, y, all), end_exchange<Number>(w, w, y, all); });
     } else {
         over.each_row(
-            "drive", [&](auto& its, int y) { return drive<Number, false>(its, w, y); },
+            "drive", [&](auto& its, int y) { return drive<Number, false, has_things>(its, w, y); },
             [&](int y) { end_drive<Number>(w, w, y, all); });
     }
     over.each_row(
         "reconstruct", [&](auto& its, int y) { return reconstruct<Number>(its, w, y); },
         with_beyond([&](int y) { end_reconstruct<Number>(w, w, y, all); }));
-    over.each_face("find_fluxes_x", [&](int y) { return find_fluxes_x<Number>(w, w, y); });
+    over.each_face("find_fluxes_x", [&](int y) { return find_fluxes_x<Number, has_things>(w, w, y); });
     over.each_face(
-        "find_fluxes_y", [&](int y) { return find_fluxes_y<Number>(w, w, y); },
+        "find_fluxes_y", [&](int y) { return find_fluxes_y<Number, has_things>(w, w, y); },
         [&](int y) { end_fluxes<Number>(w, w, y, all); });
     over.each_row(
         "find_share", [&](auto& its, int y) { return find_share<Number>(its, w.share, y); },
@@ -86,8 +96,18 @@ void substep(Layers<Number>& layers, const Params& params, Fields<Field<Number>>
         });
     for (int y = -1; y <= w.ny; ++y) end_quiet<Number>(w, w, y, all);
     over.each_row_of_bed(
-        "yield", [&](auto& its, int y) { return yield<Number>(its, its.u0, y, its.nx); },
+        "yield", [&](auto& its, int y) { return yield<Number, has_things>(its, its.u0, y, its.nx); },
         [&](int y) { clear_drains<Number>(w.u0, outlets, y, all); });
+}
+
+}  // namespace
+
+template <class Number>
+void substep(Layers<Number>& layers, const Params& params, Fields<Field<Number>>& fields,
+             const PlainContext& context, Workers& workers, Substep<Number> sub) {
+    if constexpr (kHasQuanta<Number>)
+        if (context.things) return all_stages<Number, true>(layers, params, fields, context, workers, sub);
+    all_stages<Number, false>(layers, params, fields, context, workers, sub);
 }
 
 template StageRows<float> stage_rows(Layers<float>&, const Params&, Fields<Field<float>>&, Substep<float>);

@@ -53,10 +53,10 @@ std::size_t work_for(int width, int height, std::size_t reach, const Grid& grid)
     return rows * columns + static_cast<std::size_t>(width) * rows;
 }
 
-// Finds s of a rectangle. `work` has work_for() values.
+// Finds s of a rectangle of ground with this bedrock. `work` has work_for() values.
 template <class Number>
-void smooth_rectangle(Layers<Number>& layers, const std::vector<double>& weights, const Rectangle& of,
-                      double* work) {
+void smooth_rectangle(Layers<Number>& layers, const Field<Number>& bedrock,
+                      const std::vector<double>& weights, const Rectangle& of, double* work) {
     const int nx = layers.grid.nx, ny = layers.grid.ny, reach = static_cast<int>(weights.size());
     const Rectangle around{std::max(of.x0 - reach, 0), std::min(of.x1 + reach, nx),
                            std::max(of.y0 - reach, 0), std::min(of.y1 + reach, ny)};
@@ -66,7 +66,7 @@ void smooth_rectangle(Layers<Number>& layers, const std::vector<double>& weights
     for (int y = around.y0; y < around.y1; ++y) {
         double* h = heights + static_cast<std::ptrdiff_t>(wide) * (y - around.y0) - around.x0;
         for (int x = around.x0; x < around.x1; ++x)
-            h[x] = whole(layers.bedrock(x, y)) + static_cast<double>(layers.depth(x, y));
+            h[x] = whole(bedrock(x, y)) + static_cast<double>(layers.depth(x, y));
         double* to = along_x + static_cast<std::ptrdiff_t>(width) * (y - around.y0) - of.x0;
         std::copy(h + of.x0, h + of.x1, to + of.x0);
         for (int k = 1; k <= reach; ++k) {
@@ -91,7 +91,7 @@ void smooth_rectangle(Layers<Number>& layers, const std::vector<double>& weights
         }
         for (int x = of.x0; x < of.x1; ++x)
             layers.smooth_depth(x, y) =
-                static_cast<Number>(sum[x - of.x0] - static_cast<double>(layers.bedrock(x, y)));
+                static_cast<Number>(sum[x - of.x0] - static_cast<double>(bedrock(x, y)));
     }
 }
 
@@ -134,12 +134,13 @@ void GroundSmoother::smooth(State& s, Workers& workers) {
         if (stale_[i]) tiles_.push_back(i), tiles.awake[i] = 1;
     std::fill(tiles.unsmoothed.begin(), tiles.unsmoothed.end(), std::uint8_t{0});
 
+    const Field<float>& bedrock = s.things ? s.things->natural : s.bedrock;
     workers.each_member(static_cast<int>(tiles_.size()), [&](int member, int first, int last) {
         for (int i = first; i < last; ++i) {
             const int number = static_cast<int>(tiles_[static_cast<std::size_t>(i)]);
             const int x = number % tiles.columns * tiles.width, y = number / tiles.columns * tiles.height;
             smooth_rectangle(
-                s, weights_,
+                s, bedrock, weights_,
                 {x, std::min(x + tiles.width, s.grid.nx), y, std::min(y + tiles.height, s.grid.ny)},
                 work_.data() + static_cast<std::size_t>(member) * most_work_);
         }
@@ -152,7 +153,7 @@ void GroundSmoother::smooth_all(Layers<Number>& layers) {
     const Grid& grid = layers.grid;
     const std::vector<double> weights = weights_of(grid.dx);
     std::vector<double> work(work_for(grid.nx, grid.ny, weights.size(), grid));
-    smooth_rectangle(layers, weights, {0, grid.nx, 0, grid.ny}, work.data());
+    smooth_rectangle(layers, layers.bedrock, weights, {0, grid.nx, 0, grid.ny}, work.data());
     fill_halo(layers);
 }
 

@@ -12,6 +12,8 @@
 //     σ = 7 m, but at most 6 Δx        what is narrower than a flow is thick does not turn it
 //     s = d + Σ_k w_k (h_{x+k} + h_{x−k} − 2 h_x), along x, then y; without pairs that cross the border
 //
+// b is natural ground: earth that was sculpted, and buildings, turn a flow as they are, not smoothed.
+//
 // A plane stays a plane up to the border. s follows digs, pours, erosion and deposits by tick number: it is found
 // anew before every kTicksPerSmoothing-th tick, wherever the ground may have changed since. So a replay depends on
 // nothing else.

@@ -4,6 +4,8 @@
 // rest. `voellmy` has no exchange, start and rest.
 #include "sim/momentum/ground.h"
 
+#include "sim/momentum/walls.h"
+
 #include "sim/momentum/forces.h"
 
 #include "sim/momentum/exchange.h"

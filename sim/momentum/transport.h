@@ -2,6 +2,7 @@
 
 #include "sim/momentum/fields.h"
 #include "sim/momentum/ground.h"
+#include "sim/momentum/walls.h"
 
 // Transport of the layer and its momentum through a face, second order if both are smooth (van Leer 1979,
 // Hancock):
@@ -131,13 +132,16 @@ struct FaceRow {
 
 // Faces of one direction. `across` is the component of velocity through the face, `along` the other; slopes
 // likewise.
-template <class Number, class S = Scalar<Number>>
+template <class Number, bool has_things = false, class S = Scalar<Number>>
 struct Faces {
     Constants<S> c;
     FaceRow<Number> begun, rolling, across, along;  // R before transport; the others at half of the sub-step
     FaceRow<Number> rolling_half, across_half, along_half;
     FaceRow<Number> slope_across, slope_along, cosine;
     S *flux, *leaving_across, *leaving_along, *turned_across, *turned_along;
+    // Of a world with things: rise of bedrock at walls, and the layers before the sub-step.
+    const S* wall;
+    FaceRow<Number> lies, rolls;
 
     [[gnu::always_inline]] void operator()(int i) const {
         const Number none(0);
@@ -165,52 +169,79 @@ struct Faces {
         };
         const Velocity<Number> arrives = turned(leaves, pick(left, right), pick(right, left));
         store(leaves.u, leaving_across + i), store(leaves.v, leaving_along + i);
+        if constexpr (has_things) {
+            const Number rise = at<Number>(wall, i);
+            if (any(abs(rise) > S{0})) return climb(i, rise, forth, leaves, arrives);
+        }
         store(arrives.u, turned_across + i), store(arrives.v, turned_along + i);
+    }
+
+    // What is toward a wall passes by its head alone.
+    [[gnu::always_inline]] void climb(int i, const Number& rise, const auto& forth,
+                                      const Velocity<Number>& leaves, const Velocity<Number>& arrives) const {
+        const Number none(0);
+        const auto up_right = rise > S{0};
+        const Sides<Number> d = lies.at_vertices(i), r = rolls.at_vertices(i);
+        const Number stands_out =
+            (abs(rise) + select(up_right, d.right - d.left, d.left - d.right)) - of_side<Number>(up_right, r);
+        const Number toward = select(up_right, leaves.u, -leaves.u);
+        const auto climbs = abs(rise) > S{0} && stands_out > S{0} && select(forth, rise, -rise) > S{0};
+        const Number share = share_over<Number>(max(stands_out, none), toward);
+        store(select(climbs, at<Number>(flux, i) * share, at<Number>(flux, i)), flux + i);
+        store(select(climbs, leaves.u * share, arrives.u), turned_across + i);
+        store(select(climbs, leaves.v, arrives.v), turned_along + i);
     }
 };
 
-// Along x, faces y = 0 … ny. Reads what reconstruct() and find_ground() wrote, and fed; writes the wanted flux, and
+// Along x, faces y = 0 … ny. Reads what reconstruct() and find_ground() wrote, and fed, of a world with things also d, R
+// and walls; writes the wanted flux, and
 // its velocity where it leaves and where it arrives.
-template <class Number, class S = Scalar<Number>>
+template <class Number, bool has_things = false, class S = Scalar<Number>>
 auto find_fluxes_x(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
     const auto row = [y](const Rows<S>& rows) { return FaceRow<Number>{rows[y] - 1, rows[y]}; };
-    return Faces<Number>{w.c,
-                         row(w.fed),
-                         row(w.mid_rolling),
-                         row(w.mid_u),
-                         row(w.mid_v),
-                         row(w.rolling_x),
-                         row(w.u_x),
-                         row(w.v_x),
-                         row(w.slope_x),
-                         row(w.slope_y),
-                         row(w.cosine),
-                         to.flux_x[y],
-                         to.leaving_xu[y],
-                         to.leaving_xv[y],
-                         to.turned_xu[y],
-                         to.turned_xv[y]};
+    return Faces<Number, has_things>{w.c,
+                                     row(w.fed),
+                                     row(w.mid_rolling),
+                                     row(w.mid_u),
+                                     row(w.mid_v),
+                                     row(w.rolling_x),
+                                     row(w.u_x),
+                                     row(w.v_x),
+                                     row(w.slope_x),
+                                     row(w.slope_y),
+                                     row(w.cosine),
+                                     to.flux_x[y],
+                                     to.leaving_xu[y],
+                                     to.leaving_xv[y],
+                                     to.turned_xu[y],
+                                     to.turned_xv[y],
+                                     thing_row<has_things>(w.things.wall_x, y),
+                                     row(w.u0.depth),
+                                     row(w.u0.rolling)};
 }
 // Along y.
-template <class Number, class S = Scalar<Number>>
+template <class Number, bool has_things = false, class S = Scalar<Number>>
 auto find_fluxes_y(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
     const auto row = [y](const Rows<S>& rows) { return FaceRow<Number>{rows[y - 1], rows[y]}; };
-    return Faces<Number>{w.c,
-                         row(w.fed),
-                         row(w.mid_rolling),
-                         row(w.mid_v),
-                         row(w.mid_u),
-                         row(w.rolling_y),
-                         row(w.v_y),
-                         row(w.u_y),
-                         row(w.slope_y),
-                         row(w.slope_x),
-                         row(w.cosine),
-                         to.flux_y[y],
-                         to.leaving_yv[y],
-                         to.leaving_yu[y],
-                         to.turned_yv[y],
-                         to.turned_yu[y]};
+    return Faces<Number, has_things>{w.c,
+                                     row(w.fed),
+                                     row(w.mid_rolling),
+                                     row(w.mid_v),
+                                     row(w.mid_u),
+                                     row(w.rolling_y),
+                                     row(w.v_y),
+                                     row(w.u_y),
+                                     row(w.slope_y),
+                                     row(w.slope_x),
+                                     row(w.cosine),
+                                     to.flux_y[y],
+                                     to.leaving_yv[y],
+                                     to.leaving_yu[y],
+                                     to.turned_yv[y],
+                                     to.turned_yu[y],
+                                     thing_row<has_things>(w.things.wall_y, y),
+                                     row(w.u0.depth),
+                                     row(w.u0.rolling)};
 }
 // Nothing passes a wall. Faces y = 0 … ny.
 template <class Number, class S = Scalar<Number>>

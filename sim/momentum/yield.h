@@ -21,14 +21,18 @@
 // ground is judged by h too, or the weight of a front alone would break it. It starts under a flow as well, or a
 // pour would roll over its own heap.
 //
+// Forest and nets hold a share H of what lies under them (world/things.h): they raise the slope at which natural ground
+// fails toward tan 60°, and that of loose material toward 1.
+//
 // Natural ground is stronger: a vertex that was steep from the start must become even steeper. anchor_step is a
 // height, independent of the cell: an avalanche leaves a scarp of some metres beside a vertex, whose slope
 // increases as the grid gets finer. Without it one scarp would trigger the next across a whole face.
 
 namespace sim::momentum {
 
-inline constexpr float kNearlyAtRest = 0.2f;  // m/s
-inline constexpr float kStartMargin = 0.95f;  // of the driving force
+inline constexpr float kNearlyAtRest = 0.2f;                       // m/s
+inline constexpr float kStartMargin = 0.95f;                       // of the driving force
+inline constexpr float kHeldNatural = 1.7320508f, kHeldLoose = 1;  // slopes at which what is held starts
 
 // Rows y = 0 … ny-1. Reads d, exchanged, held and the layers after transport; writes moved_depth and quiet.
 template <class Number, class S = Scalar<Number>>
@@ -51,26 +55,39 @@ void end_quiet(const StageRows<S>& w, Fields<Rows<S>>& to, int y, Span x) {
         std::fill(to.quiet[y] + x.first, to.quiet[y] + x.last, S{1});
 }
 
-// Rows y = 0 … ny-1. Reads the layers after transport, quiet, s, first_slope and first_depth; writes d, R and
+// Rows y = 0 … ny-1. Reads the layers after transport, quiet, s, first_slope and first_depth, of a world with things
+// also hold, net_depth and walls; writes d, R and
 // velocity of u0, up to vertex `end`. `active`, if given, has one byte per vector of lanes, which is set if
 // anything rolled or rolls.
-template <class Number, class S = Scalar<Number>>
+template <class Number, bool has_things = false, class S = Scalar<Number>>
 auto yield(const StageRows<S>& w, LayerRows<S>& u0, int y, int end, std::uint8_t* active = nullptr) {
     return [c = w.c, ground = ground_rows(w, w.moved_depth, y), smooth = ground_rows(w, w.smooth_depth, y),
-            rolling = around(w.moved_rolling, y), quiet = around(w.quiet, y), from_u = w.moved_u[y],
-            from_v = w.moved_v[y], first_slope = w.first_slope[y], first_depth = w.first_depth[y],
-            depth = u0.depth[y], to_rolling = u0.rolling[y], to_u = u0.velocity_x[y], to_v = u0.velocity_y[y],
-            end, active](int i) {
+            walls = wall_rows<has_things>(w, y), hold = thing_row<has_things>(w.things.hold, y),
+            nets = thing_row<has_things>(w.things.net_depth, y), rolling = around(w.moved_rolling, y),
+            quiet = around(w.quiet, y), from_u = w.moved_u[y], from_v = w.moved_v[y],
+            first_slope = w.first_slope[y], first_depth = w.first_depth[y], depth = u0.depth[y],
+            to_rolling = u0.rolling[y], to_u = u0.velocity_x[y], to_v = u0.velocity_y[y], end,
+            active](int i) {
         const Number none(0), d = at<Number>(ground.here.depth, i), r = at<Number>(rolling.here, i);
         const Number had = at<Number>(to_rolling, i);
         const Number loose = max(d - at<Number>(first_depth, i), none), slab = min(d, Number(c.start_depth));
         const Gradient<Number> h = gradient<Number>(ground, i, c);
         const Gradient<Number> z =
-            driving_gradient<Number>(ground, rolling, i, Number(r + max(loose, slab)), none, none, c);
+            driving_gradient<Number>(ground, rolling, i, Number(r + max(loose, slab)), none, none, c,
+                                     walls_of<has_things, Number>(walls, ground, i, r));
         const Number steep = z.squared();
-        const Number holds =
+        Number holds =
             max(c.anchor_gain * at<Number>(first_slope, i) + c.anchor_margin, Number(c.start_slope));
-        const Number loose_holds = min(holds, Number(c.loose_slope));
+        Number loose_slope(c.loose_slope);
+        if constexpr (has_things) {
+            const Number net = at<Number>(nets, i);
+            const Number held = select(net > S{0} && d <= net, Number(1), at<Number>(hold, i));
+            if (any(held > S{0})) {
+                holds += held * max(S(kHeldNatural) - holds, none);
+                loose_slope += held * max(S(kHeldLoose) - loose_slope, none);
+            }
+        }
+        const Number loose_holds = min(holds, loose_slope);
         const auto natural = min(steep, h.squared()) > holds * holds;
         const auto lies_loose = loose > S{0} && loose + r >= c.freeze_depth;
         const auto too_steep =

@@ -11,6 +11,8 @@
 
 namespace sim {
 
+struct Things;
+
 // What the plain step of either model needs besides fields.
 struct PlainContext {
     Outlets outlets;
@@ -18,6 +20,8 @@ struct PlainContext {
     // Of a world of two materials; the owner of the state sets them.
     const Params* lower = nullptr;
     std::optional<Mixing> mixing = std::nullopt;
+
+    Things* things = nullptr;  // of a world that has any; the owner of the state sets it
 
     // voellmy: counts limited vertices, one number for each row.
     std::int64_t* limited_in_row = nullptr;

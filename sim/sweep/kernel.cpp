@@ -123,7 +123,7 @@ class Kernel {
         return booked_;
     }
 
-    template <bool exchanges>
+    template <bool exchanges, bool has_things>
     [[gnu::flatten]] Booked momentum(float* work, std::uint8_t* active) {
         using namespace sim::momentum;
         WorkRows rows(work, g_.stride);
@@ -134,6 +134,11 @@ class Kernel {
         w.smooth_depth = Rows<float>(g_.smooth_depth, g_.stride);
         w.first_slope = Rows<float>(g_.first_slope, g_.stride);
         w.first_depth = Rows<float>(g_.first_depth, g_.stride);
+        if constexpr (has_things)
+            w.things = {of_world(g_.things.natural),   of_world(g_.things.drag),
+                        of_world(g_.things.detrain),   of_world(g_.things.hold),
+                        of_world(g_.things.net_depth), of_world(g_.things.wall_x),
+                        of_world(g_.things.wall_y)};
         each_field(rows.keep(4), w);
         // The row beyond the border is written with the last one.
         for (Rows<float>* early : {&w.driven_u, &w.driven_v, &w.fed}) rows.keep(8)({}, *early);
@@ -142,20 +147,22 @@ class Kernel {
         bool limits_outflow[2] = {};  // whether a vertex limits its outflow, in either of the last two rows
         for (int t = job_.y0 - 4 - kMore; t < job_.y1 + 4 + kMore; ++t) {
             if (is_row(t, 4 + kMore)) fill_halo<Lanes>(w, u0, t, wide());
-            if (is_row(t - 1, 3 + kMore)) run(find_ground<Lanes>(w, w, t - 1), fetch(u0.rolling, t + 1));
+            if (is_row(t - 1, 3 + kMore))
+                run(find_ground<Lanes, has_things>(w, w, t - 1), fetch(u0.rolling, t + 1));
             if (is_near(t - 1, 3 + kMore)) end_ground<Lanes>(w, w, t - 1, wide());
             if (is_row(t - 1, 3 + kMore)) {
-                run(drive<Lanes, exchanges>(w, w, t - 1), fetch(w.bedrock, t + 1));
+                run(drive<Lanes, exchanges, has_things>(w, w, t - 1), fetch(w.bedrock, t + 1));
                 if constexpr (exchanges) {
-                    run(exchange<Lanes>(w, w, t - 1));
+                    run(exchange<Lanes, has_things>(w, w, t - 1));
                     end_exchange<Lanes>(w, w, t - 1, wide());
                 }
                 end_drive<Lanes>(w, w, t - 1, wide());
             }
             if (is_row(t - 2, 2 + kMore)) run(reconstruct<Lanes>(w, w, t - 2), fetch(u0.depth, t + 1));
             if (is_near(t - 2, 2 + kMore)) end_reconstruct<Lanes>(w, w, t - 2, wide());
-            if (is_face(t - 2, 1 + kMore)) run(find_fluxes_x<Lanes>(w, w, t - 2));
-            if (is_face(t - 2, 1 + kMore)) run(find_fluxes_y<Lanes>(w, w, t - 2), fetch(u0.velocity_x, t));
+            if (is_face(t - 2, 1 + kMore)) run(find_fluxes_x<Lanes, has_things>(w, w, t - 2));
+            if (is_face(t - 2, 1 + kMore))
+                run(find_fluxes_y<Lanes, has_things>(w, w, t - 2), fetch(u0.velocity_x, t));
             if (is_face(t - 2, 1 + kMore)) end_fluxes<Lanes>(w, w, t - 2, wide());
             if (is_row(t - 3, 1 + kMore)) {
                 limits_outflow[t & 1] = false;
@@ -176,7 +183,7 @@ class Kernel {
                 }
                 if (is_near(t - 4, 1)) end_quiet<Lanes>(w, w, t - 4, wide());
                 if (is_row(t - 5, 0)) {
-                    along<Lanes>(narrow(), yield<Lanes>(w, u0, t - 5, job_.x1, active));
+                    along<Lanes>(narrow(), yield<Lanes, has_things>(w, u0, t - 5, job_.x1, active));
                     end_row(u0, w, t - 5, active);
                 }
             } else if (is_row(t - 4, 0)) {
@@ -252,6 +259,7 @@ class Kernel {
         w.u0.rolling = beside_job(g_.rolling, job_.rolling);
         return w;
     }
+    Rows<float> of_world(float* field) const { return Rows<float>(field, g_.stride); }
     Rows<float> beside_job(float* field, const Job::Apron& apron) const {
         return Rows<float>(field, g_.stride)
             .beside(job_.y0, job_.y0 > 0 ? apron.below : field + job_.y0 * g_.stride, job_.y1,
@@ -343,8 +351,12 @@ std::int64_t quanta(const float* first, std::ptrdiff_t stride, int width, int he
 template <class Lanes>
 Booked run(const Ground& ground, const Job& job, float* work, std::uint8_t* active) {
     Kernel<Lanes> kernel(ground, job);
-    if (ground.model == Model::kVoellmy) return kernel.template momentum<false>(work, active);
-    if (ground.model == Model::kBcreInertial) return kernel.template momentum<true>(work, active);
+    if (ground.model == Model::kVoellmy)
+        return ground.has_things ? kernel.template momentum<false, true>(work, active)
+                                 : kernel.template momentum<false, false>(work, active);
+    if (ground.model == Model::kBcreInertial)
+        return ground.has_things ? kernel.template momentum<true, true>(work, active)
+                                 : kernel.template momentum<true, false>(work, active);
     switch (ground.scheme) {
         case Scheme::kLaxFriedrichs:
             return kernel.template first_order<Scheme::kLaxFriedrichs>(work, active);

@@ -23,6 +23,11 @@ struct Ground {
     int nx, ny;
     std::ptrdiff_t stride;
     float *bedrock, *depth, *rolling, *velocity_x, *velocity_y, *first_slope, *first_depth, *smooth_depth;
+    struct Things {
+        float *natural, *drag, *detrain, *hold, *net_depth, *wall_x, *wall_y;
+    };
+    bool has_things;
+    Things things;                  // none, unless has_things
     std::array<Border, 4> borders;  // by Side
     Outlets::View outlets;
     Model model;

@@ -23,6 +23,7 @@ inline Params blended(const Params& upper, const Params& lower, int blend) {
     Params params = upper;
     for (const ParamInfo& info : kParams)
         params.*info.value = upper.*info.value * (1 - share) + lower.*info.value * share;
+    params.density = upper.density * (1 - share) + lower.density * share;
     return params;
 }
 

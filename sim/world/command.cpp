@@ -6,23 +6,13 @@
 #include <iterator>
 
 #include "sim/core/check.h"
-#include "sim/world/disc.h"
+#include "sim/world/on_ground.h"
 #include "sim/world/params.h"
 #include "sim/world/quanta.h"
 #include "sim/world/state.h"
 
 namespace sim {
 namespace {
-
-// Calls visit(x, y, weight) for each ground vertex under the disc, and wakes what lies there.
-template <class Visit>
-void each_ground(State& s, const Disc& disc, Profile profile, Visit&& visit) {
-    s.tiles.wake(std::max(disc.x0, 0), std::min(disc.x1, s.grid.nx - 1), std::max(disc.y0, 0),
-                 std::min(disc.y1, s.grid.ny - 1));
-    disc.each_vertex(s.grid, profile, [&](int x, int y, double weight) {
-        if (s.site(x, y) == Site::kGround) visit(x, y, weight);
-    });
-}
 
 // This tick's share of an amount that is spread over `ticks`, in whole quanta, so that the shares add up
 // exactly.
@@ -56,7 +46,7 @@ void pour(State& s, const Command& c, std::int64_t tick, std::int64_t ticks, dou
     const Disc disc(c, s.grid.dx);
     const double total = disc.total_weight(s.grid.dx, c.profile);
     const double volume = c.rate * tick_s * static_cast<double>(ticks);
-    each_ground(s, disc, c.profile, [&](int x, int y, double w) {
+    each_ground(s, c, c.profile, [&](int x, int y, double w) {
         const auto due = quanta_due(volume * w / (total * s.grid.cell_area()), tick, ticks);
         float& layer = c.layer == Layer::kStanding ? s.depth(x, y) : s.rolling(x, y);
         const auto room = static_cast<std::int64_t>((kDeepest / 2 - layer) / kQuantum);
@@ -76,7 +66,7 @@ void dig(State& s, const Command& c, std::int64_t tick, std::int64_t ticks, doub
     const double depth = c.rate * tick_s * static_cast<double>(ticks);
     const auto due = static_cast<float>(std::min<std::int64_t>(
         quanta_due(depth, tick, ticks), static_cast<std::int64_t>(kDeepest / kQuantum)));
-    each_ground(s, Disc(c, s.grid.dx), Profile::kDisc, [&](int x, int y, double) {
+    each_ground(s, c, Profile::kDisc, [&](int x, int y, double) {
         const float wanted = due * kQuantum;
         const float from_rolling = std::min(wanted, s.rolling(x, y));
         const float from_depth = std::min(wanted - from_rolling, s.depth(x, y));
@@ -89,9 +79,12 @@ void dig(State& s, const Command& c, std::int64_t tick, std::int64_t ticks, doub
 }
 
 void blast(State& s, const Command& c) {
-    const auto most = nearest_quanta(static_cast<float>(c.depth));
-    each_ground(s, Disc(c, s.grid.dx), Profile::kDisc, [&](int x, int y, double) {
-        const float moved = std::min({most, s.depth(x, y), room_above(s.rolling(x, y))});
+    const auto most = [&](int x, int y) {
+        const float hold = s.things ? held_share(*s.things, x, y, s.depth(x, y)) : 0;
+        return nearest_quanta(static_cast<float>(c.depth) * (1 - hold));
+    };
+    each_ground(s, c, Profile::kDisc, [&](int x, int y, double) {
+        const float moved = std::min({most(x, y), s.depth(x, y), room_above(s.rolling(x, y))});
         start_mixture(s, x, y, moved);
         s.depth(x, y) -= moved;
         set_rolling(s, x, y, s.rolling(x, y) + moved);
@@ -99,7 +92,7 @@ void blast(State& s, const Command& c) {
 }
 
 void settle(State& s, const Command& c) {
-    each_ground(s, Disc(c, s.grid.dx), Profile::kDisc, [&](int x, int y, double) {
+    each_ground(s, c, Profile::kDisc, [&](int x, int y, double) {
         const float moved = std::min(s.rolling(x, y), room_above(s.depth(x, y)));
         stop_mixture(s, x, y, moved);
         s.depth(x, y) += moved;
@@ -123,15 +116,18 @@ std::optional<std::string> fault_of_unused(const Command& command, const Command
         return std::any_of(info.numbers.begin(), info.numbers.end(),
                            [&](const CommandNumber& number) { return number.value == member; });
     };
+    const auto is_default = [&](double Command::*member) {
+        return std::bit_cast<std::uint64_t>(command.*member) ==
+               std::bit_cast<std::uint64_t>(defaults.*member);
+    };
     bool kept = (info.has_layer || command.layer == defaults.layer) &&
                 (info.has_profile || command.profile == defaults.profile) &&
                 (info.has_part || command.of == defaults.of) &&
-                (info.has_param || command.param == defaults.param);
+                (info.has_param || command.param == defaults.param) &&
+                (info.has_slope || (is_default(&Command::least_slope) && is_default(&Command::most_slope)));
     for (const CommandInfo& other : kCommands)
         for (const CommandNumber& number : other.numbers)
-            kept =
-                kept && (is_used(number.value) || std::bit_cast<std::uint64_t>(command.*number.value) ==
-                                                      std::bit_cast<std::uint64_t>(defaults.*number.value));
+            kept = kept && (is_used(number.value) || is_default(number.value));
     if (kept) return std::nullopt;
     return std::string(info.name) + " has a member that only other commands have";
 }
@@ -191,6 +187,11 @@ std::optional<std::string> fault_of(const Command& command, bool has_lower) {
                    std::to_string(value) + " " + std::string(number.unit) + ", outside " +
                    std::to_string(number.least) + " to " + std::to_string(number.most);
     }
+    if (info.has_slope &&
+        !(command.least_slope >= Command::kNoLeast && command.most_slope <= Command::kNoMost &&
+          command.least_slope < command.most_slope))  // NaN too
+        return std::string(info.name) + "'s slope is " + std::to_string(command.least_slope) + " to " +
+               std::to_string(command.most_slope) + " degrees; 0 to 90, in ascending order, are allowed";
     if (command.of == Part::kLower && !has_lower)
         return std::string(info.name) + " is of the lower material, and this world has one material";
     if (info.has_param) {
@@ -252,6 +253,25 @@ void apply_commands(State& state, std::span<const Command> commands) {
                 break;
             case CommandKind::kSettle:
                 settle(state, c);
+                break;
+            case CommandKind::kSculpt:
+            case CommandKind::kSmooth:
+            case CommandKind::kLevel:
+                sculpt(state, c);
+                break;
+            case CommandKind::kPlant:
+            case CommandKind::kFell:
+                plant(state, c);
+                break;
+            case CommandKind::kHouse:
+            case CommandKind::kLift:
+            case CommandKind::kNet:
+            case CommandKind::kRoad:
+                build(state, c);
+                break;
+            case CommandKind::kTurn:
+            case CommandKind::kRemove:
+                rearrange(state, c);
                 break;
             case CommandKind::kSet:
                 set_number(state.params, c);

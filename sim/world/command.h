@@ -256,9 +256,6 @@ std::optional<std::string> fault_of(const Command& command, bool has_lower = tru
 void set_number(Params& params, const Command& set);
 // What would be wrong with the parameters after these commands: the thresholds must keep their order.
 std::optional<std::string> fault_after(const Params& params, std::span<const Command> commands);
-// What is wrong with the commands of things in this state, such as "house 3 stands on house 1"; nothing if each can
-// be done, one after another. Reads things, site, rolling.
-std::optional<std::string> fault_of_things(const State& state, std::span<const Command> commands);
 // Whether a tick has too many commands. `running` includes those given in this tick.
 std::optional<std::string> fault_of_counts(std::size_t given, std::size_t running);
 // Number of ticks for which a command runs, at least one.

@@ -35,6 +35,25 @@ Layers<Number> make_layers(const Grid& grid, const Params& params, std::span<con
     return s;
 }
 
+template <class Number>
+void continue_bedrock(Layers<Number>& s, const Params& params) {
+    const int nx = s.grid.nx, ny = s.grid.ny;
+    Field<Number>& b = s.bedrock;
+    const auto beyond = [&](Side side, Number edge, Number inner) {
+        return params.borders[side] == Border::kWall ? edge : 2 * edge - inner;
+    };
+    for (int y = 0; y < ny; ++y) {
+        b(-1, y) = beyond(kWest, b(0, y), b(1, y));
+        b(nx, y) = beyond(kEast, b(nx - 1, y), b(nx - 2, y));
+    }
+    for (int x = -1; x <= nx; ++x) {
+        b(x, -1) = beyond(kSouth, b(x, 0), b(x, 1));
+        b(x, ny) = beyond(kNorth, b(x, ny - 1), b(x, ny - 2));
+    }
+}
+
+template void continue_bedrock(Layers<float>&, const Params&);
+template void continue_bedrock(Layers<double>&, const Params&);
 template Layers<float> make_layers(const Grid&, const Params&, std::span<const std::uint8_t>);
 template Layers<double> make_layers(const Grid&, const Params&, std::span<const std::uint8_t>);
 

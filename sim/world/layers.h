@@ -41,4 +41,8 @@ struct Layers {
 template <class Number>
 Layers<Number> make_layers(const Grid& grid, const Params& params, std::span<const std::uint8_t> has_data);
 
+// Carries bedrock on over the borders, as steep as inside; walls mirror it.
+template <class Number>
+void continue_bedrock(Layers<Number>& layers, const Params& params);
+
 }  // namespace sim

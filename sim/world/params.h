@@ -29,6 +29,9 @@ struct Params {
     Law law = Law::kConstant;
     std::array<Border, 4> borders{Border::kOpen, Border::kOpen, Border::kOpen, Border::kOpen};  // by Side
 
+    // kg/m³, of the material; 0: unknown, and then nothing breaks and a forest catches nothing. A constant of a world.
+    float density = 0;
+
     float tick_s = 1.f / 60.f;
     float courant = 0.25f;
 

@@ -19,6 +19,14 @@ struct Snapshot {
     Ledger ledger;
     std::optional<Mixture> mixture;
     std::int64_t limited = 0;
+
+    struct Standing {
+        Field<float> earth, first_slope;
+        Field<Stems> forest;
+        std::vector<Thing> list;
+        std::int64_t budget = -1;
+    };
+    std::optional<Standing> things;
 };
 
 Snapshot take_snapshot(const State& state);

@@ -39,10 +39,6 @@ struct State : Layers<float> {
     std::optional<Mixture> mixture;  // of a world of two materials
     std::optional<Things> things;    // of a world where anything stands or was sculpted
 
-    // Of the upper and the lower material, kg/m³; 0: unknown, and then nothing breaks and a forest catches no snow.
-    // Constants of a world.
-    float density = 0, lower_density = 0;
-
     // Vertices times sub-steps whose speed passed kGreatestPlanSpeed and was cut to it, since the world began;
     // voellmy only. Not part of the hash, because it follows from the rest.
     std::int64_t limited = 0;

@@ -10,6 +10,7 @@
 #include <array>
 #include <bit>
 #include <initializer_list>
+#include <span>
 #include <utility>
 
 #include "sim/core/workers.h"
@@ -70,6 +71,10 @@ class Digest {
         XXH3_64bits_update(&state_, &value, sizeof value);
     }
     void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
+    template <class T>
+    void add(std::span<const T> values) {
+        XXH3_64bits_update(&state_, values.data(), values.size_bytes());
+    }
     std::uint64_t value() const { return XXH3_64bits_digest(&state_); }
 
   private:
@@ -87,7 +92,12 @@ void add_command(Digest& digest, const Command& c) {
     for (const auto member : kAlways) digest.add(c.*member);
     digest.add(c.layer);
     digest.add(c.profile);
-    if (c.of != Part::kUpper) digest.add(c.of);  // younger than the first physics version
+    // Younger than the first physics version.
+    if (c.of != Part::kUpper) digest.add(c.of);
+    if (c.least_slope != Command::kNoLeast || c.most_slope != Command::kNoMost) {
+        digest.add(c.least_slope);
+        digest.add(c.most_slope);
+    }
     for (const CommandNumber& number : info.numbers)
         if (std::find(kAlways.begin(), kAlways.end(), number.value) == kAlways.end())
             digest.add(c.*number.value);
@@ -106,7 +116,31 @@ std::uint64_t bedrock_hash(const State& s, const Blocks& blocks) {
     return hash_of_blocks(blocks, [&](std::size_t i) { return block_hash(blocks, i, {&s.bedrock}); });
 }
 
-std::uint64_t whole_hash(const State& s, std::uint64_t bedrock, std::uint64_t moving) {
+// The fields of things, which change only by commands and where something breaks; none if nothing is there.
+std::optional<std::uint64_t> fields_hash(const Things& t) {
+    if (t.empty()) return std::nullopt;
+    Digest digest;
+    for (int y = 0; y < t.earth.ny(); ++y) {
+        digest.add(std::span(t.earth.row(y), static_cast<std::size_t>(t.earth.nx())));
+        digest.add(std::span(t.forest.row(y), static_cast<std::size_t>(t.earth.nx())));
+    }
+    return digest.value();
+}
+
+void add_things(Digest& digest, const Things& t, std::uint64_t fields) {
+    digest.add(fields);
+    digest.add(t.budget);
+    for (const Thing& thing : t.list) {
+        digest.add(thing.kind);
+        for (const double number : {thing.x, thing.y, thing.to_x, thing.to_y, thing.front_x, thing.front_y,
+                                    thing.length, thing.width, thing.height, thing.strength})
+            digest.add(number);
+        for (const std::int64_t number : {thing.group, thing.load, thing.buried}) digest.add(number);
+    }
+}
+
+std::uint64_t whole_hash(const State& s, std::uint64_t bedrock, std::uint64_t moving,
+                         std::optional<std::uint64_t> things) {
     Digest digest;
     digest.add(bedrock);
     digest.add(moving);
@@ -116,6 +150,7 @@ std::uint64_t whole_hash(const State& s, std::uint64_t bedrock, std::uint64_t mo
         digest.add(source.first_tick);
     }
     digest.add(s.seed);
+    if (things) add_things(digest, *s.things, *things);
     return digest.value();
 }
 
@@ -132,15 +167,19 @@ void mark(const Tiles& tiles, int column, int row, const Blocks& blocks, std::ve
 std::uint64_t state_hash(const State& state) {
     const Blocks blocks(state.grid);
     const auto moving = [&](std::size_t i) { return moving_hash(state, blocks, i); };
-    return whole_hash(state, bedrock_hash(state, blocks), hash_of_blocks(blocks, moving));
+    return whole_hash(state, bedrock_hash(state, blocks), hash_of_blocks(blocks, moving),
+                      state.things ? fields_hash(*state.things) : std::nullopt);
 }
 
 std::uint64_t update_state_hash(State& state, Workers& workers) {
     const Blocks blocks(state.grid);
     BlockHashes& known = state.block_hashes;
     if (known.moving.empty())
-        known = {bedrock_hash(state, blocks), std::vector<std::uint64_t>(blocks.count()),
+        known = {bedrock_hash(state, blocks), false, std::vector<std::uint64_t>(blocks.count()),
                  std::vector<std::uint8_t>(blocks.count(), 1)};
+    if (std::exchange(known.bedrock_is_stale, false)) known.bedrock = bedrock_hash(state, blocks);
+    if (state.things && std::exchange(state.things->unhashed, false))
+        state.things->hash = fields_hash(*state.things);
     Tiles& tiles = state.tiles;
     for (int row = 0; row < tiles.rows; ++row)
         for (int column = 0; column < tiles.columns; ++column)
@@ -152,7 +191,8 @@ std::uint64_t update_state_hash(State& state, Workers& workers) {
                 known.moving[i] = moving_hash(state, blocks, i);
     });
     return whole_hash(state, known.bedrock,
-                      hash_of_blocks(blocks, [&](std::size_t i) { return known.moving[i]; }));
+                      hash_of_blocks(blocks, [&](std::size_t i) { return known.moving[i]; }),
+                      state.things ? state.things->hash : std::nullopt);
 }
 
 }  // namespace sim

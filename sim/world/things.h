@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,7 @@
 
 namespace sim {
 
+struct Command;
 struct State;
 
 // Stems of a forest at a vertex. All 0: there is none.
@@ -29,6 +31,12 @@ struct Stems {
     bool operator==(const Stems&) const = default;
 };
 inline constexpr int kMostStems = 2000;  // per hectare
+
+// The unit vector toward `degrees` clockwise from north; the same bits on every machine.
+struct Direction {
+    double x, y;
+};
+Direction direction_of(double degrees);
 
 enum class ThingKind : std::uint8_t {
     kHouse,
@@ -44,10 +52,10 @@ struct Thing {
     ThingKind kind = ThingKind::kHouse;
     double x = 0, y = 0;                       // its middle; of a net or a road one end
     double to_x = 0, to_y = 0;                 // the other end of a net or a road
-    double turn = 0;                           // degrees clockwise from north, of its front
+    double front_x = 0, front_y = 1;           // unit vector along its length, out of its front
     double length = 0, width = 0, height = 0;  // m; length along the front's direction
     double strength = 0;                       // kPa
-    std::int64_t group = 0;                    // the same for what one command placed; ascending
+    std::int64_t group = 0;                    // the same for what one command built; ascending in the list
 
     // What became of it.
     std::int64_t load = 0;    // Pa, the greatest so far
@@ -57,6 +65,7 @@ struct Thing {
     double share() const { return static_cast<double>(load) / (1000 * strength); }  // of its strength
     bool damaged() const { return kind != ThingKind::kRoad && share() >= 0.5; }
     bool destroyed() const { return kind != ThingKind::kRoad && share() >= 1; }
+    double turn() const;  // degrees clockwise from north, of its front; for views
     bool under() const { return kind != ThingKind::kRoad && buried >= 1000 * height; }  // nothing looks out
 };
 
@@ -68,6 +77,19 @@ inline constexpr double kPylonWidth = 1.2, kPylonHeight = 14,
                         kPylonStrength = 100;  // 50, twice for a narrow body
 inline constexpr double kPylonsApart = 80;     // m, about
 
+// A vertex whose flow loads an object: in any direction, or only toward a wall of it.
+struct LoadedVertex {
+    std::int32_t vertex;     // its number, row by row from the south
+    std::int8_t to_x, to_y;  // 0, 0: any direction
+};
+
+// Vertices, x1 and y1 included. None if x1 < x0.
+struct VertexBox {
+    int x0 = 0, x1 = -1, y0 = 0, y1 = -1;
+    bool empty() const { return x1 < x0; }
+    void add(int x, int y);
+};
+
 struct Things {
     explicit Things(const Grid& grid);
 
@@ -75,55 +97,81 @@ struct Things {
     Field<float> earth;  // m that bedrock was raised by, whole quanta; negative: lowered
     Field<Stems> forest;
     std::vector<Thing> list;
-    std::int64_t next_group = 0;
-    std::int64_t budget = -1;  // of earth, quanta times cells; −1: no limit
+    std::int64_t budget = -1;  // of earth, quanta times cells; −1: no limit. A constant of the world.
 
-    // Known from the state; see rebuild_things().
-    Field<float> natural;    // m above datum, bedrock without earth and buildings
-    Field<float> drag;       // A, 1/m: frontal area per volume of flow
-    Field<float> detrain;    // K, Pa
-    Field<float> hold;       // H, 0 to 1, of forest
-    Field<float> net_depth;  // m, greatest depth of the standing layer that nets hold there; 0: no net
-    // Rise of bedrock through a face, m, to the east and to the north, where it is a wall (momentum/walls.h); else 0.
+    // Constants of the world: bedrock (m above datum) and S₀ without earth and buildings.
+    Field<float> natural, natural_slope;
+
+    // Known from the state; see rebuild_objects() and renew_ground().
+    Field<float> built;       // m of bedrock that is a building, or its rubble
+    Field<float> built_drag;  // 1/m, of objects
+    Field<float> drag;        // A, 1/m: frontal area per volume of flow, of objects and stems
+    Field<float> detrain;     // K, Pa
+    Field<float> hold;        // H, 0 to 1, of forest
+    Field<float> net_depth;   // m, greatest depth of the standing layer that nets hold there; 0: no net
+    // Rise of bedrock through a face to the west, or the south, of its vertex, m, where it is a wall
+    // (momentum/walls.h); else 0.
     Field<float> wall_x, wall_y;
-    struct Cells {
-        std::uint32_t first = 0, count = 0;  // in `cells`
+    struct Range {
+        std::uint32_t first = 0, count = 0;
     };
-    std::vector<Cells> cells_of;       // of each of `list`: the vertices whose flow loads it
-    std::vector<std::int32_t> cells;   // vertex numbers, row by row from the south
-    std::vector<std::int32_t> wooded;  // vertices with standing stems
-    std::int64_t changed = 0;          // counts changes of earth, forest or list, and what was destroyed
-    bool unhashed = true;              // changed since the hash of the fields was last found
-    std::uint64_t hash = 0;            // of the fields
+    std::vector<Range> loaded_of;  // of each of `list`, in `loaded`
+    std::vector<LoadedVertex> loaded;
+    std::vector<std::int32_t> wooded;   // vertices with standing stems, ascending
+    VertexBox stale;                    // where bedrock has changed since renew_ground()
+    std::int64_t changed = 0;           // counts changes of earth, forest or list, and what was destroyed
+    bool unhashed = true;               // changed since the hash of the fields was last found
+    std::optional<std::uint64_t> hash;  // of the fields; none if empty()
+
+    // Nothing stands, and nothing was sculpted: the world is as one without things.
+    bool empty() const;
 };
 
 // Makes place for things, if there is none yet.
 Things& things_of(State& state);
 
 // Quanta times cells of earth that are in use: the larger of what was cut and what was filled.
-std::int64_t earth_used(const Things& things, const Grid& grid);
+std::int64_t earth_used(const Things& things);
 
-// Whether a building is part of the bedrock on this grid: at least two cells wide, and it stands.
+// Whether a building is part of the bedrock on this grid: at least two cells wide.
 bool is_solid(const Thing& thing, const Grid& grid);
 
-// Finds all that is known from the state of things: derived fields, bedrock, walls, and S₀ where bedrock has changed.
-// Call after a change of the list, the forest or the earth.
-void rebuild_things(State& state);
+// Its vertices: those on its footprint, or the one that is nearest to its middle.
+std::vector<std::int32_t> footprint_of(const Thing& thing, const Grid& grid);
 
-// A name for the user: "house", "net".
-std::string_view to_string(ThingKind kind);
+// Finds what is known from the list, and bedrock with it. Call after a change of the list, or if something was destroyed.
+void rebuild_objects(State& state);
+// Finds what is known from the forest at a vertex, and `wooded`.
+void rebuild_forest(State& state, int x, int y);
+void rebuild_wooded(Things& things);
+// Sets bedrock of a vertex to natural ground, earth and building.
+void set_bedrock(State& state, int x, int y);
 
-// Square metres of a forest per stem count and the like, as the stages take them (docs/things.md).
+// Finds the walls at the faces of these vertices.
+void find_walls(State& state, const VertexBox& box);
+
+// What a command does to things. Every vertex of a disc that is bare of flow takes part.
+void sculpt(State& state, const Command& command);  // kSculpt, kSmooth, kLevel
+void plant(State& state, const Command& command);   // kPlant, kFell
+void build(State& state, const Command& command);   // kHouse, kLift, kNet, kRoad; nothing at fault is built
+void rearrange(State& state, const Command& command);  // kTurn, kRemove
+
+// What is wrong with the commands of things in this state, such as "the house at (10, 20) stands on house 1"; nothing if
+// each can be done, one after another. `command`: the first that cannot.
+struct ThingFault {
+    std::size_t command = 0;
+    std::string fact;
+};
+std::optional<ThingFault> fault_of_things(const State& state, std::span<const Command> commands);
+
+std::string_view to_string(ThingKind kind);  // "house"
+
+// What a forest does, as the stages take it (docs/things.md).
 float drag_of(const Stems& stems);     // A, 1/m
 float detrain_of(const Stems& stems);  // K, Pa
 float hold_of(const Stems& stems);     // H, 0 to 1
-// M, N m: the bending moment that breaks or uproots one stem.
-double strength_of(const Stems& stems);
-
-// The unit vector toward `degrees` clockwise from north; the same bits on every machine.
-struct Direction {
-    double x, y;
-};
-Direction direction_of(double degrees);
+// What forest and nets hold of a standing layer of this depth, m: 0 nothing to 1 all.
+float held_share(const Things& things, int x, int y, float depth);
+double moment_of(const Stems& stems);  // M, N m: the bending moment that breaks or uproots a stem
 
 }  // namespace sim
