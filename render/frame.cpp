@@ -26,6 +26,7 @@
 #include "render/stage_clock.h"
 #include "render/sun_sweep.h"
 #include "render/target.h"
+#include "render/without_buildings.h"
 #include "sim/core/check.h"
 
 namespace render {
@@ -46,6 +47,7 @@ bool drifts(const FrameInput& input) {
 }  // namespace
 
 struct Renderer::Parts {
+    WithoutBuildings without_buildings;
     FieldsToGpu fields;
     Buffer frame_block;
     SurfacePass surface;
@@ -112,7 +114,8 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
 
     Buffer frame_block = make_buffer();
     glNamedBufferStorage(frame_block.name(), sizeof(FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    return Renderer(std::make_unique<Parts>(Parts{FieldsToGpu(),
+    return Renderer(std::make_unique<Parts>(Parts{WithoutBuildings(),
+                                                  FieldsToGpu(),
                                                   std::move(frame_block),
                                                   std::move(*surface),
                                                   SunSweep(),
@@ -177,7 +180,35 @@ std::optional<DrawTimes> Renderer::stage_times() const {
     return parts_->clock.times();
 }
 
+// A building that is a part of the bedrock is drawn by its mesh, on the ground as it is without it.
 void Renderer::draw(const FrameInput& input) {
+    const sim::Field<float>* ground = parts_->without_buildings.find(input.world);
+    if (!ground) {
+        draw_ground(input);
+        return;
+    }
+    const sim::View& w = input.world;
+    draw_ground({.world = {w.grid, *ground, w.depth, w.rolling, w.velocity_x, w.velocity_y, w.site,
+                           w.smooth_depth, w.mixture, w.things, w.tiles, w.datum, w.tick},
+                 .camera = input.camera,
+                 .light = input.light,
+                 .look = input.look,
+                 .marks = input.marks,
+                 .flow = input.flow,
+                 .width = input.width,
+                 .height = input.height,
+                 .first_depth = input.first_depth,
+                 .surroundings = input.surroundings,
+                 .powder = input.powder,
+                 .powder_strength = input.powder_strength,
+                 .woods = input.woods,
+                 .flow_so_far = input.flow_so_far,
+                 .structures = input.structures,
+                 .wind = input.wind,
+                 .seconds = input.seconds});
+}
+
+void Renderer::draw_ground(const FrameInput& input) {
     Parts& p = *parts_;
     const auto& [world, camera, light, look, marks, flow, width, height, first_depth, around, puffs,
                  powder_strength, woods, so_far, structures, wind, seconds] = input;

@@ -113,6 +113,11 @@
 #define BUILT_ROAD 6
 #define BUILT_BANK 7 // snow beside a road
 #define BUILT_DARK 8 // doors, and the inside of what is broken
+#define BUILT_PLASTER 9
+#define BUILT_TILE 10
+#define BUILT_CONCRETE 11
+#define BUILT_GLASS 12 // of walls, in a frame
+#define BUILT_BRICK 13
 
 #define POWDER_SHADOW 3.0 // mean radii of the puffs, from a cloud to the end of its shadow
 

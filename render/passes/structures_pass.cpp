@@ -51,6 +51,8 @@ bool is_near_any(const Structures& structures, std::span<const glm::ivec2> verti
     };
     if (std::ranges::any_of(structures.all, [&](const Structure& each) { return near(each.at, each.at); }))
         return true;
+    if (std::ranges::any_of(structures.nets, [&](const Net& net) { return near(net.from, net.to); }))
+        return true;
     return std::ranges::any_of(structures.roads, [&](const Road& road) {
         for (std::size_t i = 1; i < road.points.size(); ++i)
             if (near(road.points[i - 1], road.points[i])) return true;
