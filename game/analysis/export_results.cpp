@@ -71,8 +71,9 @@ Outcome<void> export_results(const std::filesystem::path& folder, const Scenario
 void draw_results(Gallery& gallery, const Session& session) {
     const sim::View now = session.view();
     const sim::Field<float> peaks = peak_field(session);
-    const sim::View extent{now.grid, now.bedrock,      now.depth,   peaks,     now.velocity_x, now.velocity_y,
-                           now.site, now.smooth_depth, now.mixture, now.tiles, now.datum,      now.tick};
+    const sim::View extent{now.grid,       now.bedrock, now.depth,        peaks,       now.velocity_x,
+                           now.velocity_y, now.site,    now.smooth_depth, now.mixture, now.things,
+                           now.tiles,      now.datum,   now.tick};
     gallery.draw_map(extent, "map_extent");
     gallery.draw_map(now, "map_end");
 }

@@ -1,12 +1,12 @@
 #include "game/analysis/headless.h"
 
+#include <algorithm>
 #include <chrono>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "game/base/progress.h"
-#include "sim/step.h"
+#include "game/recording/command_source.h"
 
 namespace game {
 namespace {
@@ -29,7 +29,7 @@ void report(Progress& progress, const Session& session, const Until& until) {
 Outcome<bool> play_headless(Session& session, std::span<const TimedCommand> commands, const Until& until,
                             const Watchers& watchers, const std::string& what) {
     Progress progress(what);
-    std::vector<sim::Command> due;
+    CommandSource source;
     const auto done = [&] {
         const std::int64_t tick = session.state().tick;
         return (until.tick && tick >= *until.tick) ||
@@ -48,11 +48,9 @@ Outcome<bool> play_headless(Session& session, std::span<const TimedCommand> comm
         const std::int64_t tick = session.state().tick;
         if (tick >= until.most_ticks) return false;
 
-        due.clear();
-        for (const TimedCommand& given : commands_at(commands, tick)) due.push_back(given.command);
-
         const auto before = Clock::now();
-        if (auto advanced = session.advance(due); !advanced) return tl::unexpected(advanced.error());
+        if (auto advanced = session.advance(source.due(session.state(), commands)); !advanced)
+            return tl::unexpected(advanced.error());
         std::optional<PerfRow> row;
         if (watchers.perf) row = perf_row(session);
         if (watchers.gallery && (done() || (tick + 1) % watchers.ticks_per_picture == 0)) {

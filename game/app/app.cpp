@@ -550,6 +550,7 @@ void App::draw_panels() {
             .brushing = stroke_.has_value(),
             .touched = touched_,
             .actions_to_undo = sandbox_->actions(),
+            .actions_to_redo = sandbox_->undone(),
             .under_cursor = reading,
             .camera_mode = camera_->mode(),
             .display = display_,

@@ -101,6 +101,8 @@ class App {
     void perform(const SetDisplay& set);
     void perform(const Open& open);
     void undo();
+    void redo();
+    void stop_hand();
     void reset();
     void share();
     void tell_results();

@@ -70,6 +70,8 @@ void App::perform(Verb verb) {
             return take_over();
         case Verb::kUndo:
             return undo();
+        case Verb::kRedo:
+            return redo();
         case Verb::kReset:
             return reset();
         case Verb::kPour:
@@ -163,9 +165,7 @@ void App::resize_brush(double steps) {
 }
 
 void App::undo() {
-    stroke_.reset();
-    seeking_.reset();
-    clock_.run_back(false);
+    stop_hand();
     // Parameters waiting for the next tick have no effect yet: discard them and nothing else.
     if (!set_numbers_.empty()) {
         set_numbers_.clear();
@@ -179,6 +179,28 @@ void App::undo() {
     }
     if (!undone) return tell(undone.error().sentence);
     tell(fmt::format("Undone: {}. Back at {:.1f} s", *undone, sandbox_->session().seconds()));
+}
+
+void App::redo() {
+    stop_hand();
+    const auto redone = sandbox_->redo();
+    ++epoch_;
+    if (!redone && redone.error().status == Failure::kMachine) {
+        stop_recording(redone.error());
+        return warn(fmt::format("Redone, but recording has stopped: {}", redone.error().sentence));
+    }
+    if (!redone) return tell(redone.error().sentence);
+    // What follows the action is known, so the world only has to get there.
+    seeking_ = sandbox_->known_until();
+    const double tick_s = static_cast<double>(sandbox_->scenario().params.tick_s);
+    tell(fmt::format("Redone: {}. On to {:.1f} s", *redone, static_cast<double>(*seeking_) * tick_s));
+}
+
+// Ends what the user is doing to the world or to time.
+void App::stop_hand() {
+    stroke_.reset();
+    seeking_.reset();
+    clock_.run_back(false);
 }
 
 bool App::may_go_back() {

@@ -28,7 +28,8 @@ enum class Verb {
     kRunBack,     // toggles rewinding
     kTakeOver,    // branch: continue from this tick
     kUndo,        // go back to just before the last action
-    kReset,       // restart the scene
+    kRedo,
+    kReset,  // restart the scene
     kPour,
     kDig,
     kBlast,

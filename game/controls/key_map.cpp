@@ -5,7 +5,8 @@
 namespace game {
 namespace {
 
-constexpr Modifiers kAlone{}, kShift{true, false, false}, kControl{false, true, false};
+constexpr Modifiers kAlone{}, kShift{true, false, false}, kControl{false, true, false},
+    kControlShift{true, true, false};
 
 // In the order of the help panel.
 constexpr std::array kKeyBindings{
@@ -27,6 +28,8 @@ constexpr std::array kKeyBindings{
     KeyBinding{Key::kEqual, kAlone, false, Verb::kFaster, "twice the speed"},
     KeyBinding{key('0'), kAlone, false, Verb::kUsualSpeed, "normal speed"},
     KeyBinding{key('Z'), kControl, false, Verb::kUndo, "undo the last action"},
+    KeyBinding{key('Y'), kControl, false, Verb::kRedo, "redo what was undone last"},
+    KeyBinding{key('Z'), kControlShift, false, Verb::kRedo, "redo what was undone last"},
     KeyBinding{key('R'), kControl, false, Verb::kReset, "restart the scene"},
     KeyBinding{Key::kHome, kAlone, false, Verb::kOverview, "show the whole terrain"},
     KeyBinding{key('T'), kAlone, false, Verb::kTopDown, "top view on or off"},

@@ -7,7 +7,6 @@
 #include <thread>
 
 #include "sim/named_fields.h"
-#include "sim/step.h"
 #include "sim/world/command.h"
 
 namespace game {
@@ -119,16 +118,11 @@ Run::Run(const Side& side)
     };
 }
 
-std::span<const sim::Command> Run::due() {
-    due_.clear();
-    for (const TimedCommand& due : commands_at(side_.commands, state_.tick)) due_.push_back(due.command);
-    return due_;
-}
-
-void Run::advance() {
+Outcome<void> Run::advance() {
     const std::int64_t tick = state_.tick;
-    sim::step(state_, due(), engine_);
-    if (side_.tamper && engine_.sweeper) side_.tamper({tick, 0, 0, "sweep", state_, nullptr});
+    auto advanced = advance_world(state_, due(), engine_);
+    if (advanced && side_.tamper && engine_.sweeper) side_.tamper({tick, 0, 0, "sweep", state_, nullptr});
+    return advanced;
 }
 
 // Does one tick of two runs by the plain step, each in its own thread,
@@ -175,9 +169,12 @@ class StageByStage {
             };
         };
         watch(a_, true), watch(b_, false);
-        std::thread other([&] { b_.advance(); });
-        a_.advance();
+        // Both have done this tick before, so its commands are fit for it.
+        Outcome<void> first, second;
+        std::thread other([&] { second = b_.advance(); });
+        first = a_.advance();
         other.join();
+        CHECK(first && second);
         return found;
     }
 
@@ -223,6 +220,16 @@ Divergence located(const Side& first, const sim::Snapshot& before_a, const sim::
     return parted;
 }
 
+Divergence refused(const Run& run, int side, const Failure& failure) {
+    Divergence parted;
+    parted.where = Divergence::Where::kRefused;
+    parted.tick = run.state().tick;
+    parted.wrong_side = side;
+    parted.name = failure.sentence;
+    parted.cells.resize(run.state().grid.size());
+    return parted;
+}
+
 void place_in_tiles(const sim::State& state, Divergence& parted) {
     parted.tile_width = state.tiles.width, parted.tile_height = state.tiles.height;
     if (parted.fields.empty()) return;
@@ -241,7 +248,8 @@ LockstepRun::~LockstepRun() = default;
 
 std::optional<Divergence> LockstepRun::follow(const sim::State& first) {
     const bool begins = first.tick == second_.state().tick;
-    if (!begins) second_.advance();
+    if (!begins)
+        if (const auto advanced = second_.advance(); !advanced) return refused(second_, 1, advanced.error());
     const sim::State& second = second_.state();
     CHECK(first.tick == second.tick);
 
@@ -270,7 +278,7 @@ std::optional<Divergence> first_divergence(const Side& a, const Side& b, std::in
     for (;;) {
         if (auto parted = lockstep.follow(first.state()); parted || first.state().tick >= ticks)
             return parted;
-        first.advance();
+        if (const auto advanced = first.advance(); !advanced) return refused(first, 0, advanced.error());
         if (after_tick) after_tick(first.state().tick);
     }
 }

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "game/base/outcome.h"
+#include "game/recording/command_source.h"
 #include "game/scene/scenario.h"
 #include "sim/engine.h"
 #include "sim/world/snapshot.h"
@@ -41,17 +43,18 @@ class Run {
     Run(const Run&) = delete;
     Run& operator=(const Run&) = delete;
 
-    void advance();
+    // Errors: the commands of the tick are not fit for it; nothing has changed.
+    Outcome<void> advance();
     const sim::State& state() const { return state_; }
 
   private:
     friend class StageByStage;
-    std::span<const sim::Command> due();
+    std::span<const sim::Command> due() { return source_.due(state_, side_.commands); }
 
     Side side_;
     sim::State state_;
     sim::Engine engine_;
-    std::vector<sim::Command> due_;  // reused to avoid allocation
+    CommandSource source_;
 };
 
 // How a field differs between two runs.
@@ -70,11 +73,12 @@ struct FieldDifference {
 // Where two runs part.
 struct Divergence {
     enum class Where {
-        kStart,  // before the first tick
-        kStage,  // after a stage of the plain step
-        kSweep,  // the plain steps of both agree, so a swept step is wrong
-        kLost,   // the tick agrees when repeated: the fault is intermittent
-        kElse,   // the plain steps have different stages: another model, scheme or number of sub-steps
+        kStart,    // before the first tick
+        kStage,    // after a stage of the plain step
+        kSweep,    // the plain steps of both agree, so a swept step is wrong
+        kLost,     // the tick agrees when repeated: the fault is intermittent
+        kElse,     // the plain steps have different stages: another model, scheme or number of sub-steps
+        kRefused,  // a run does not take the commands of the tick; it is `wrong_side`, `name` is the reason
     };
     Where where = Where::kStage;
     std::int64_t tick = 0;  // that starts alike and ends differently
@@ -82,8 +86,8 @@ struct Divergence {
     int substeps = 0;       // of that tick
     int stage = 0;          // number within the sub-step, from 1
     std::string name;       // of the stage
-    std::optional<int>
-        wrong_side;  // of kSweep: the run that differs from the plain step, 0 or 1, if only one does
+    // Of kSweep: the run that differs from the plain step, 0 or 1, if only one does.
+    std::optional<int> wrong_side;
 
     // The differing fields after that stage, or else at the end of that tick. None: sources or the mass
     // ledger differ, but no field.

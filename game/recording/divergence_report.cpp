@@ -32,7 +32,7 @@ double metres(const Scenario& start, int cells) {
 }
 
 std::string_view name_of(Divergence::Where where) {
-    constexpr std::string_view kNames[] = {"start", "stage", "sweep", "lost", "else"};
+    constexpr std::string_view kNames[] = {"start", "stage", "sweep", "lost", "else", "refused"};
     return kNames[static_cast<std::size_t>(where)];
 }
 
@@ -52,6 +52,9 @@ std::string stage_text(const Divergence& parted, const std::array<std::string, 2
                                    : ", and neither sweep does");
         case Divergence::Where::kLost:
             return "not found: the tick ends alike when repeated, so the fault is intermittent";
+        case Divergence::Where::kRefused:
+            return fmt::format("commands: {} does not take them: {}",
+                               names[static_cast<std::size_t>(parted.wrong_side.value_or(0))], parted.name);
         case Divergence::Where::kElse:
             break;
     }
@@ -65,7 +68,9 @@ std::size_t differing(const Divergence& parted) {
 std::string to_text(const Divergence& parted, const Scenario& start,
                     const std::array<std::string, 2>& names) {
     std::string text;
-    if (parted.where != Divergence::Where::kStart)
+    if (parted.where == Divergence::Where::kRefused)
+        text = fmt::format("they part before tick {}\n", parted.tick);
+    else if (parted.where != Divergence::Where::kStart)
         text = fmt::format("they part in tick {} (at {:.2f} s): alike at its start, not at its end\n",
                            parted.tick,
                            static_cast<double>(parted.tick) * static_cast<double>(start.params.tick_s));
@@ -75,6 +80,7 @@ std::string to_text(const Divergence& parted, const Scenario& start,
         text += fmt::format("  {:<9} {}\n", what, said);
     };
     line("stage", stage_text(parted, names));
+    if (parted.where == Divergence::Where::kRefused) return text;
     if (parted.fields.empty()) {
         line("field", "none: active commands or the mass ledger differ");
     } else {
@@ -104,6 +110,7 @@ Json to_json(const Divergence& parted, const Scenario& start) {
         json["substeps"] = parted.substeps;
         json["stage"] = {{"number", parted.stage}, {"name", parted.name}};
     }
+    if (parted.where == Divergence::Where::kRefused) json["reason"] = parted.name;
     if (parted.wrong_side) json["wrong_side"] = *parted.wrong_side == 0 ? "first" : "second";
     json["fields"] = Json::array();
     for (const FieldDifference& each : parted.fields)

@@ -35,6 +35,7 @@ Sandbox::Sandbox(LoadedWorld loaded, Session session, std::size_t bytes_per_mome
       keyframes_(opening_.memory.for_keyframes(), bytes_per_moment),
       most_actions_(std::clamp<std::size_t>(opening_.memory.for_undo() / bytes_per_moment, 1, kMostActions)) {
     by_hand_.reserve(kHandMemory);
+    source_.reserve(sim::kMostCommandsPerTick);
     if (can_go_back()) keyframes_.pass(session_);
     if (!opening_.watched) return;
     known_until_ = opening_.watched->last_tick();
@@ -97,6 +98,7 @@ Outcome<void> Sandbox::take_over(const std::optional<std::filesystem::path>& pat
     if (opening_.watched) forget_from(opening_.scene.commands, session_.state().tick);
     opening_.watched.reset();
     past_.clear();  // earlier actions belong to the other recording
+    undone_.clear();
     forget_after(session_.state().tick);
     return told;
 }
@@ -106,6 +108,7 @@ void Sandbox::forget_after(std::int64_t tick) {
     forget_from(by_hand_, tick);
     keyframes_.forget_after(tick);
     known_until_ = tick;
+    returns_ &= looks_back();
     new_action_.reset();
 }
 
@@ -119,61 +122,47 @@ void Sandbox::begin_action(std::string name) {
     new_action_ = std::move(name);
 }
 
-void Sandbox::give_due(const std::vector<TimedCommand>& commands) {
-    for (const TimedCommand& due : commands_at(commands, session_.state().tick))
-        given_.push_back(due.command);
+// The commands of this tick: those of the scene or the recording, then the user's.
+Outcome<void> Sandbox::gather(std::span<const sim::Command> hand) {
+    source_.begin(session_.state());
+    source_.add_known(opening_.scene.commands);
+    auto refused = source_.leave_out_clashing();
+    const std::size_t in_store = source_.commands().size();
+    const bool knows = looks_back();
+    if (knows)
+        source_.add_known(by_hand_);
+    else
+        source_.add_new(hand);
+    if (auto also_refused = source_.leave_out_clashing(); refused) refused = std::move(also_refused);
+    const auto new_ones = source_.commands().subspan(in_store);
+    if (knows || new_ones.empty()) return refused;
+    undone_.clear();
+    if (new_action_) remember();
+    for (const sim::Command& command : new_ones) by_hand_.push_back({session_.state().tick, command});
+    return refused;
 }
 
 Outcome<void> Sandbox::tick(std::span<const sim::Command> hand) {
     const std::int64_t tick = session_.state().tick;
-    const bool knows = looks_back();
-    // Commands of the scene or recording come before the user's.
-    given_.clear();
-    give_due(opening_.scene.commands);
-    auto refused = leave_out_clashing(0);
-    const std::size_t in_store = given_.size();
-    if (knows) give_due(by_hand_);
-    if (!knows) {
-        const std::size_t running = session_.state().running_commands.size() + in_store;
-        const std::size_t room =
-            std::min(sim::kMostCommandsPerTick - std::min(in_store, sim::kMostCommandsPerTick),
-                     sim::kMostRunningCommands - std::min(running, sim::kMostRunningCommands));
-        hand = hand.first(std::min(hand.size(), room));  // drops what exceeds the limits of a tick
-        given_.insert(given_.end(), hand.begin(), hand.end());
-    }
-    if (refused) refused = leave_out_clashing(in_store);
-    if (!knows && given_.size() > in_store) {
-        if (new_action_) remember();
-        for (std::size_t i = in_store; i < given_.size(); ++i) by_hand_.push_back({tick, given_[i]});
-    }
-
+    auto refused = gather(hand);
     auto advanced = advance();
     if (session_.state().tick > tick) {
         known_until_ = std::max(known_until_, session_.state().tick);
+        returns_ &= looks_back();
         if (can_go_back()) keyframes_.pass(session_);
         if (verifier_) verifier_->look_at(session_);
     }
     return advanced ? refused : advanced;
 }
 
-// Drops parameter changes from `first` on if they clash with the others, so that time continues.
-Outcome<void> Sandbox::leave_out_clashing(std::size_t first) {
-    const auto fault = sim::fault_after(session_.state().params, given_);
-    if (!fault) return {};
-    const auto is_set = [](const sim::Command& command) { return command.kind == sim::CommandKind::kSet; };
-    given_.erase(std::remove_if(given_.begin() + static_cast<std::ptrdiff_t>(first), given_.end(), is_set),
-                 given_.end());
-    return unusable(fmt::format("Parameter not set: {}", *fault));
-}
-
 // If the recording can no longer be written, stops recording and still runs the tick.
 Outcome<void> Sandbox::advance() {
     const std::int64_t tick = session_.state().tick;
-    auto advanced = session_.advance(given_);
+    auto advanced = session_.advance(source_.commands());
     if (advanced || advanced.error().status != Failure::kMachine) return advanced;
     session_.stop_recording();
     if (session_.state().tick == tick)
-        if (auto again = session_.advance(given_); !again) return again;
+        if (auto again = session_.advance(source_.commands()); !again) return again;
     return advanced;
 }
 
@@ -183,20 +172,47 @@ void Sandbox::remember() {
     new_action_.reset();
 }
 
+// The world may be before that still, on its way after redo().
+Outcome<void> Sandbox::go_to_just_before(const Action& action) {
+    Outcome<void> rewound;
+    const std::int64_t tick = action.before.world.tick;
+    if (session_.state().tick >= tick) rewound = session_.rewind(action.before);
+    if (!rewound) session_.stop_recording();
+    forget_after(tick);
+    return rewound;
+}
+
 Outcome<std::string> Sandbox::undo() {
     new_action_.reset();
     if (past_.empty()) return unusable("Nothing to undo");
-    if (looks_back())
+    if (!may_change_history())
         return unusable("Cannot undo in the past: go to the present, or continue from here first");
-    const Action action = std::move(past_.back());
+    Undone undone{std::move(past_.back()), {}, known_until_};
     past_.pop_back();
-    auto rewound = session_.rewind(action.before);
-    forget_after(session_.state().tick);
-    if (!rewound) {
-        session_.stop_recording();
-        return tl::unexpected(rewound.error());
-    }
-    return action.name;
+    const auto later = commands_from(by_hand_, undone.action.before.world.tick);
+    undone.by_hand.assign(later.begin(), later.end());
+    auto rewound = go_to_just_before(undone.action);
+    std::string name = undone.action.name;
+    if (can_go_back()) undone_.push_back(std::move(undone));
+    if (!rewound) return tl::unexpected(rewound.error());
+    return name;
+}
+
+Outcome<std::string> Sandbox::redo() {
+    new_action_.reset();
+    if (undone_.empty()) return unusable("Nothing to redo");
+    if (!may_change_history())
+        return unusable("Cannot redo in the past: go to the present, or continue from here first");
+    Undone undone = std::move(undone_.back());
+    undone_.pop_back();
+    auto rewound = go_to_just_before(undone.action);
+    by_hand_.insert(by_hand_.end(), undone.by_hand.begin(), undone.by_hand.end());
+    known_until_ = undone.known_until;
+    returns_ = true;
+    std::string name = undone.action.name;
+    past_.push_back(std::move(undone.action));
+    if (!rewound) return tl::unexpected(rewound.error());
+    return name;
 }
 
 }  // namespace game

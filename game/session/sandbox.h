@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "game/base/outcome.h"
+#include "game/recording/command_source.h"
 #include "game/session/keyframes.h"
 #include "game/session/loaded_world.h"
 #include "game/session/session.h"
@@ -58,10 +59,14 @@ class Sandbox {
     // the session continues unrecorded; or mass was not conserved.
     Outcome<void> tick(std::span<const sim::Command> hand);
 
-    std::size_t actions() const { return past_.size(); }  // that can be undone
+    std::size_t actions() const { return past_.size(); }   // that can be undone
+    std::size_t undone() const { return undone_.size(); }  // actions that can be redone
     // Rewinds world and recording to just before the last action. Returns its name. Errors: there is nothing
     // to undo, the current tick is in the past, or the recording cannot be written.
     Outcome<std::string> undo();
+    // Makes what the last undo took back known again, up to known_until(), which the caller may seek to. Returns
+    // its name. Nothing can be redone any more once the user has done something else. Errors: as for undo().
+    Outcome<std::string> redo();
 
     // The text of the recording up to now, as if it ended here; of a watched recording, its file as it is.
     // Errors: nothing is recorded, or the file cannot be read.
@@ -75,23 +80,31 @@ class Sandbox {
         std::string name;
         Session::Checkpoint before;
     };
+    struct Undone {
+        Action action;
+        std::vector<TimedCommand> by_hand;  // from its first tick on
+        std::int64_t known_until = 0;
+    };
     Sandbox(LoadedWorld loaded, Session session, std::size_t bytes_per_moment);
     void remember();
     void forget_after(std::int64_t tick);
-    void give_due(const std::vector<TimedCommand>& commands);
-    Outcome<void> leave_out_clashing(std::size_t first);
+    Outcome<void> gather(std::span<const sim::Command> hand);
     Outcome<void> advance();
+    bool may_change_history() const { return !looks_back() || returns_; }
+    Outcome<void> go_to_just_before(const Action& action);
     Outcome<Recorder> fork_in(const std::filesystem::path& path) const;
 
     LoadedWorld opening_;
     Session session_;
     std::optional<Verifier> verifier_;
     std::vector<TimedCommand> by_hand_;  // sorted by tick
-    std::vector<sim::Command> given_;    // of this tick; a member to keep its capacity
+    CommandSource source_;
     Keyframes keyframes_;
     std::int64_t known_until_ = 0;
     std::optional<std::string> new_action_;  // begun, without a command yet
     std::deque<Action> past_;
+    std::vector<Undone> undone_;  // the last one is redone first
+    bool returns_ = false;        // from redo() until its last tick is reached
     std::size_t most_actions_ = 1;
 };
 

@@ -6,9 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "game/recording/command_source.h"
 #include "game/scene/surface.h"
-#include "sim/core/float_environment.h"
-#include "sim/step.h"
 
 namespace game {
 namespace {
@@ -16,11 +15,15 @@ namespace {
 // Renewal rate of the textures advected with a rolling layer.
 constexpr sim::front::LayerRule kTextures{.shortest_s = 0.5f, .deformation = 0.3f};
 
+double ms_since(std::chrono::steady_clock::time_point before) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
+}
+
 template <class Stage>
 double ms_of(const Stage& stage) {
     const auto before = std::chrono::steady_clock::now();
     stage();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
+    return ms_since(before);
 }
 
 }  // namespace
@@ -49,32 +52,26 @@ Outcome<Session> Session::begin(const Scenario& scenario, const sim::StepOptions
 }
 
 Outcome<void> Session::advance(std::span<const sim::Command> commands) {
-    for (const sim::Command& command : commands)
-        if (const auto fault = sim::fault_of(command, state_.mixture.has_value()))
-            return unusable(fmt::format("tick {}: {}", state_.tick, *fault));
-    if (const auto fault =
-            sim::fault_of_counts(commands.size(), state_.running_commands.size() + commands.size()))
-        return unusable(fmt::format("tick {}: {}", state_.tick, *fault));
-    if (const auto fault = sim::fault_after(state_.params, commands))
-        return unusable(fmt::format("tick {}: {}", state_.tick, *fault));
-    if (const auto fault = sim::float_environment_fault())
-        return machine_fails(
-            fmt::format("tick {}: {}, so a replay would not be bit-identical", state_.tick, *fault));
     const bool records = recorder_ && state_.tick >= recorded_until_;
-    if (records)
-        for (const sim::Command& command : commands)
-            if (auto written = recorder_->command({state_.tick, command}); !written) return written;
+    // In the first tick, ground may be too steep to stand; later only after a command.
+    const bool rests = state_.tick > 0 && commands.empty() && sim::at_rest(state_);
+    auto begun = std::chrono::steady_clock::now();
+    const auto record = [&]() -> Outcome<void> {
+        if (records)
+            for (const sim::Command& command : commands)
+                if (auto written = recorder_->command({state_.tick, command}); !written) return written;
+        begun = std::chrono::steady_clock::now();
+        return {};
+    };
+    if (auto advanced = advance_world(state_, commands, *engine_, record); !advanced) return advanced;
+    times_ = {};
+    times_.solve_ms = ms_since(begun);
 
     if (line_.tick % kTicksPerState == 0)
         line_.before.clear();
     else
         line_.before.push_back(line_.hash);
-    // In the first tick, ground may be too steep to stand; later only after a command.
-    const bool rests = state_.tick > 0 && commands.empty() && sim::at_rest(state_);
-    times_ = {};
-    times_.solve_ms = ms_of([&] { sim::step(state_, commands, *engine_); });
     find_hash();
-
     if (!rests) changed_at_ = state_.tick;
     // At rest the fronts do not change. A flow demo never rests.
     if ((fronts_ && !rests) || stage_) advance_fronts();

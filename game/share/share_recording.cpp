@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "game/files/assets.h"
+#include "game/recording/command_source.h"
 #include "game/recording/reader.h"
 #include "game/scene/shipped_look.h"
 #include "game/session/renew.h"
@@ -41,15 +42,14 @@ Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const 
     auto slide = SlidePage::begin(scenario, *session, proof_of(recording), options);
     if (!slide) return tl::unexpected(slide.error());
 
-    std::vector<sim::Command> due;
+    CommandSource source;
     const std::int64_t last = read->last_tick();
     for (std::int64_t tick = 0; tick < last; ++tick) {
         if (stop && stop->load())
             return machine_fails(fmt::format("{}: stopped before its end", page.string()));
         if (progress) progress->store(static_cast<float>(tick) / static_cast<float>(last));
-        due.clear();
-        for (const TimedCommand& given : commands_at(read->commands, tick)) due.push_back(given.command);
-        if (auto advanced = session->advance(due); !advanced) return tl::unexpected(advanced.error());
+        if (auto advanced = session->advance(source.due(session->state(), read->commands)); !advanced)
+            return tl::unexpected(advanced.error());
         if (auto seen = slide->see(*session); !seen) return tl::unexpected(seen.error());
     }
     return slide->write(page, *session, read->commands);

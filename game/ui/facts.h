@@ -33,7 +33,7 @@ struct Facts {
     bool inverted = false;  // Ctrl is held
     bool brushing = false;  // a stroke is in progress
     bool touched = false;   // the user has changed the world
-    std::size_t actions_to_undo = 0;
+    std::size_t actions_to_undo = 0, actions_to_redo = 0;
     std::optional<Reading> under_cursor;
     CameraMode camera_mode = CameraMode::kOrbit;
     const Display& display;

@@ -100,6 +100,9 @@ void draw_time(const Pen& pen, Icon icon) {
         case Icon::kUndo:
             pen.arc(0, 0.15f, 0.7f, -kPi * 0.8f, kPi * 0.65f);
             return pen.triangle({-1, -0.05f}, {-0.75f, -0.85f}, {-0.2f, -0.25f});
+        case Icon::kRedo:
+            pen.arc(0, 0.15f, 0.7f, kPi * 0.35f, kPi * 1.8f);
+            return pen.triangle({1, -0.05f}, {0.75f, -0.85f}, {0.2f, -0.25f});
         case Icon::kShare:  // an arrow out of a box
             pen.path({{-0.45f, -0.15f},
                       {-0.8f, -0.15f},

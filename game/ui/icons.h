@@ -15,6 +15,7 @@ enum class Icon {
     kStep,
     kBack,
     kUndo,
+    kRedo,
     kReset,
     kShare,
     kScene,

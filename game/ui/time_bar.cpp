@@ -10,7 +10,7 @@
 namespace game::ui {
 namespace {
 
-constexpr float kWidth = 40.5f;  // em
+constexpr float kWidth = 42.5f;  // em
 constexpr std::array<const char*, 8> kSpeeds{"1/8 ×", "1/4 ×", "1/2 ×", "1 ×", "2 ×", "4 ×", "8 ×", "16 ×"};
 constexpr int kUsual = 3;  // index of 1 ×
 
@@ -30,6 +30,21 @@ void speed(Desk& desk, const Facts& facts, Actions& actions) {
         actions.emplace_back(SetSpeed{std::exp2(chosen - kUsual)});
 }
 
+void undo_and_redo(Desk& desk, const Facts& facts, Actions& actions) {
+    std::array<char, 96> text;
+    ImGui::BeginDisabled(facts.looks_back() || facts.actions_to_undo == 0);
+    std::snprintf(text.data(), text.size(), "undoes the last action; %zu can be undone.",
+                  facts.actions_to_undo);
+    if (verb_button(desk, "Undo", Icon::kUndo, Verb::kUndo, text.data())) actions.emplace_back(Verb::kUndo);
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    ImGui::BeginDisabled(facts.looks_back() || facts.actions_to_redo == 0);
+    std::snprintf(text.data(), text.size(), "redoes what was undone last; %zu can be redone.",
+                  facts.actions_to_redo);
+    if (verb_button(desk, "Redo", Icon::kRedo, Verb::kRedo, text.data())) actions.emplace_back(Verb::kRedo);
+    ImGui::EndDisabled();
+}
+
 void controls(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::BeginDisabled(!facts.timeline.can_go_back);
     if (verb_button(desk, "Rewind", Icon::kBack, Verb::kRunBack, "rewinds, or runs forward again.",
@@ -47,12 +62,7 @@ void controls(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::SameLine();
     speed(desk, facts, actions);
     ImGui::SameLine(0, desk.em());
-    ImGui::BeginDisabled(facts.looks_back() || facts.actions_to_undo == 0);
-    std::array<char, 96> text;
-    std::snprintf(text.data(), text.size(), "undoes the last action; %zu can be undone.",
-                  facts.actions_to_undo);
-    if (verb_button(desk, "Undo", Icon::kUndo, Verb::kUndo, text.data())) actions.emplace_back(Verb::kUndo);
-    ImGui::EndDisabled();
+    undo_and_redo(desk, facts, actions);
     ImGui::SameLine();
     if (verb_button(desk, "Reset", Icon::kReset, Verb::kReset, "restarts the scene."))
         actions.emplace_back(Verb::kReset);

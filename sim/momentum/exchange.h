@@ -3,6 +3,7 @@
 #include "sim/momentum/fields.h"
 #include "sim/momentum/forces.h"
 #include "sim/momentum/ground.h"
+#include "sim/momentum/walls.h"
 
 // Exchange between the layers of bcre-inertial, after the forces. S = |∇(b + d)| is the slope of the standing
 // ground, without the rolling layer, whose face would otherwise erode the more, the finer the grid.
@@ -38,15 +39,7 @@ auto exchange(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
             return;
         }
         const Number speed = sqrt(squared), d = at<Number>(ground.here.depth, i);
-        Number squared_slope = gradient<Number>(ground, i, c).squared();
-        if constexpr (has_things) {  // a wall is not steep ground
-            const auto around_it = walls_around<Number>(walls, ground, i, r);
-            const auto leans = around_it.any_stands_out();
-            if (any(leans))
-                squared_slope =
-                    select(leans, gradient<Number>(ground, i, around_it, c).squared(), squared_slope);
-        }
-        const Number slope = sqrt(squared_slope);
+        const Number slope = sqrt(Number(gradient_beside<has_things, Number>(ground, i, walls, c).squared()));
 
         const Number steep = max(slope - c.erosion_slope, none), above = max(r - c.erosion_depth, none);
         Number change = none;

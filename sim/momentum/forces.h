@@ -86,7 +86,7 @@ auto drive(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
             const Number rises = b.x * x + b.y * y;
             return (x * x + y * y) + rises * rises;
         };
-        const auto around_it = walls_of<has_things, Number>(walls, ground, i, r);
+        const auto around_it = walls_around<has_things, Number>(walls, ground, i, r, u, v);
         const Gradient<Number> z = driving_gradient<Number>(ground, rolling, i, r, u, v, c, around_it);
         const Number pull = c.fall / (Number(1) + max(b.x * z.x + b.y * z.y, none));
         const Number driven_u = u - pull * z.x, driven_v = v - pull * z.y;
@@ -105,8 +105,8 @@ auto drive(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
             const Number area = at<Number>(stems, i);
             if (any(area > S{0})) kept /= Number(1) + (c.stem_drag * area) * (speed * kept);
         }
-        store(select(rolls, around_it.stop_x(driven_u * kept), none), to_u + i);
-        store(select(rolls, around_it.stop_y(driven_v * kept), none), to_v + i);
+        store(select(rolls, around_it.stop_x(Number(driven_u * kept), r, c.courant), none), to_u + i);
+        store(select(rolls, around_it.stop_y(Number(driven_v * kept), r, c.courant), none), to_v + i);
         if constexpr (exchanges) {
             const Number holds = c.fall * friction;
             const auto held = left <= S{0} || drive_squared(b, z, c.fall) <= holds * holds;

@@ -141,7 +141,7 @@ struct Faces {
     S *flux, *leaving_across, *leaving_along, *turned_across, *turned_along;
     // Of a world with things: rise of bedrock at walls, and the layers before the sub-step.
     const S* wall;
-    FaceRow<Number> lies, rolls;
+    FaceRow<Number> lies, rolls, driven;
 
     [[gnu::always_inline]] void operator()(int i) const {
         const Number none(0);
@@ -184,7 +184,8 @@ struct Faces {
         const Sides<Number> d = lies.at_vertices(i), r = rolls.at_vertices(i);
         const Number stands_out =
             (abs(rise) + select(up_right, d.right - d.left, d.left - d.right)) - of_side<Number>(up_right, r);
-        const Number toward = select(up_right, leaves.u, -leaves.u);
+        const Sides<Number> v = driven.at_vertices(i);
+        const Number toward = select(up_right, v.left, -v.right);
         const auto climbs = abs(rise) > S{0} && stands_out > S{0} && select(forth, rise, -rise) > S{0};
         const Number share = share_over<Number>(max(stands_out, none), toward);
         store(select(climbs, at<Number>(flux, i) * share, at<Number>(flux, i)), flux + i);
@@ -217,7 +218,8 @@ auto find_fluxes_x(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
                                      to.turned_xv[y],
                                      thing_row<has_things>(w.things.wall_x, y),
                                      row(w.u0.depth),
-                                     row(w.u0.rolling)};
+                                     row(w.u0.rolling),
+                                     row(w.driven_u)};
 }
 // Along y.
 template <class Number, bool has_things = false, class S = Scalar<Number>>
@@ -241,7 +243,8 @@ auto find_fluxes_y(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
                                      to.turned_yu[y],
                                      thing_row<has_things>(w.things.wall_y, y),
                                      row(w.u0.depth),
-                                     row(w.u0.rolling)};
+                                     row(w.u0.rolling),
+                                     row(w.driven_v)};
 }
 // Nothing passes a wall. Faces y = 0 … ny.
 template <class Number, class S = Scalar<Number>>

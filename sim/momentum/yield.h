@@ -74,7 +74,7 @@ auto yield(const StageRows<S>& w, LayerRows<S>& u0, int y, int end, std::uint8_t
         const Gradient<Number> h = gradient<Number>(ground, i, c);
         const Gradient<Number> z =
             driving_gradient<Number>(ground, rolling, i, Number(r + max(loose, slab)), none, none, c,
-                                     walls_of<has_things, Number>(walls, ground, i, r));
+                                     walls_around<has_things, Number>(walls, ground, i, r, none, none));
         const Number steep = z.squared();
         Number holds =
             max(c.anchor_gain * at<Number>(first_slope, i) + c.anchor_margin, Number(c.start_slope));

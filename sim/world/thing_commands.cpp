@@ -2,6 +2,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <initializer_list>
+#include <string>
+#include <string_view>
 
 #include "sim/world/on_ground.h"
 #include "sim/world/quanta.h"
@@ -176,11 +179,16 @@ std::string text_of(double value) {
     std::snprintf(text.data(), text.size(), "%.0f", value);
     return text.data();
 }
+std::string joined(std::initializer_list<std::string_view> parts) {
+    std::string sentence;
+    for (const std::string_view part : parts) sentence += part;
+    return sentence;
+}
 std::string text_of(Point at) {
-    return "(" + text_of(at.x) + ", " + text_of(at.y) + ")";
+    return joined({"(", text_of(at.x), ", ", text_of(at.y), ")"});
 }
 std::string name_of(const Thing& thing) {
-    return std::string(to_string(thing.kind)) + " at " + text_of({thing.x, thing.y});
+    return joined({to_string(thing.kind), " at ", text_of({thing.x, thing.y})});
 }
 
 // What is wrong with a place on the terrain, or nothing.
@@ -254,16 +262,16 @@ std::optional<std::string> fault_of_line(const Command& c) {
     const double ex = c.to_x - c.x, ey = c.to_y - c.y, far = std::sqrt(ex * ex + ey * ey);
     const double least = c.kind == CommandKind::kLift ? kShortestLift : 1;
     if (far >= least && far <= kLongestLine) return std::nullopt;
-    return std::string("the ") + std::string(info_of(c.kind).name) + " from " + text_of({c.x, c.y}) + " is " +
-           text_of(far) + " m long; " + text_of(least) + " to " + text_of(kLongestLine) + " m are allowed";
+    return joined({"the ", info_of(c.kind).name, " from ", text_of({c.x, c.y}), " is ", text_of(far),
+                   " m long; ", text_of(least), " to ", text_of(kLongestLine), " m are allowed"});
 }
 
 std::optional<std::string> fault_of_body(const State& s, const std::vector<Thing>& list, const Thing& thing) {
     for (const Point& at : corners_of(thing))
-        if (const char* fault = fault_of_place(s, at)) return "the " + name_of(thing) + " is " + fault;
+        if (const char* fault = fault_of_place(s, at)) return joined({"the ", name_of(thing), " is ", fault});
     for (const Thing& other : list)
         if (is_body(other) && overlap(thing, other))
-            return "the " + name_of(thing) + " stands on the " + name_of(other);
+            return joined({"the ", name_of(thing), " stands on the ", name_of(other)});
     return std::nullopt;
 }
 
@@ -273,7 +281,8 @@ std::optional<std::string> fault_of_building(const State& s, const std::vector<T
         if (auto fault = fault_of_line(c)) return fault;
     const std::vector<Thing> built = built_by(c, s.grid);
     if (list.size() + built.size() > kMostThings)
-        return "over " + std::to_string(kMostThings) + " objects: a lift counts its pylons, nets each cell";
+        return joined(
+            {"over ", std::to_string(kMostThings), " objects: a lift counts its pylons, nets each cell"});
     for (const Thing& thing : built) {
         if (is_body(thing)) {
             if (auto fault = fault_of_body(s, list, thing)) return fault;
@@ -281,8 +290,7 @@ std::optional<std::string> fault_of_building(const State& s, const std::vector<T
         }
         for (const Point& at : {Point{thing.x, thing.y}, Point{thing.to_x, thing.to_y}})
             if (const char* fault = fault_of_place(s, at))
-                return "the end " + text_of(at) + " of the " + std::string(to_string(thing.kind)) + " is " +
-                       fault;
+                return joined({"the end ", text_of(at), " of the ", to_string(thing.kind), " is ", fault});
     }
     return std::nullopt;
 }
@@ -325,7 +333,7 @@ std::optional<std::string> fault_of_turning(const State& s, const std::vector<Th
         set_front(turned, c.turn);
         return fault_of_body(s, others, turned);
     }
-    return "no house stands at " + text_of({c.x, c.y});
+    return joined({"no house stands at ", text_of({c.x, c.y})});
 }
 
 std::optional<std::string> fault_of_removing(const std::vector<Thing>& list, const Command& c) {
@@ -333,7 +341,7 @@ std::optional<std::string> fault_of_removing(const std::vector<Thing>& list, con
         return distance_from(thing, c.x, c.y) <= c.radius;
     });
     if (any) return std::nullopt;
-    return "nothing stands within " + text_of(c.radius) + " m of " + text_of({c.x, c.y});
+    return joined({"nothing stands within ", text_of(c.radius), " m of ", text_of({c.x, c.y})});
 }
 
 std::optional<std::string> fault_of_sculpting(const State& s, const Command& c) {
@@ -341,7 +349,7 @@ std::optional<std::string> fault_of_sculpting(const State& s, const Command& c) 
     Disc(c, s.grid.dx).each_vertex(s.grid, Profile::kDisc, [&](int x, int y, double) {
         flows = flows || (s.site(x, y) == Site::kGround && s.rolling(x, y) > 0);
     });
-    if (flows) return "the ground at " + text_of({c.x, c.y}) + " cannot be changed under a flow";
+    if (flows) return joined({"the ground at ", text_of({c.x, c.y}), " cannot be changed under a flow"});
     if (!s.things || s.things->budget < 0) return std::nullopt;
     std::vector<EarthChange> changes = wished_by(s, *s.things, c);
     const bool wished = !changes.empty();
@@ -352,7 +360,7 @@ std::optional<std::string> fault_of_sculpting(const State& s, const Command& c) 
     std::array<char, 64> text;
     std::snprintf(text.data(), text.size(), "%.1f",
                   static_cast<double>(s.things->budget) * static_cast<double>(kQuantum) * s.grid.cell_area());
-    return std::string("the budget of earth, ") + text.data() + " m3, is used up";
+    return joined({"the budget of earth, ", text.data(), " m3, is used up"});
 }
 
 }  // namespace

@@ -380,6 +380,32 @@ TEST_F(Playing, undoes_bit_identically_and_continues) {
     expect_recording_replays();
 }
 
+TEST_F(Playing, ctrl_y_and_ctrl_shift_z_redo_what_was_undone) {
+    begin();
+    frames(5);
+    stroke(15);
+    frames(5);
+    stroke(15);
+    frames(5);
+    tap(Key::kSpace);
+    const StateLine after = line();
+    tap(key('Z'), {.control = true});
+    tap(key('Z'), {.control = true});
+    ASSERT_EQ(app_->sandbox().actions(), 0u);
+    tap(key('Y'), {.control = true});
+    tap(key('Z'), {.shift = true, .control = true});
+    EXPECT_NE(last_notice().find("Redone: pour"), std::string::npos) << last_notice();
+    frames(10);  // the world gets there within the time of a frame each
+    EXPECT_EQ(app_->sandbox().actions(), 2u);
+    EXPECT_EQ(line(), after);
+    EXPECT_FALSE(app_->sandbox().looks_back());
+    tap(key('Y'), {.control = true});
+    EXPECT_EQ(last_notice(), "Nothing to redo");
+    tap(Key::kSpace);
+    frames(10);
+    expect_recording_replays();
+}
+
 TEST_F(Playing, pauses_steps_and_changes_speed_without_changing_the_tick) {
     begin();
     tap(Key::kSpace);

@@ -234,6 +234,24 @@ TEST(Divergence, of_other_stages_is_reported_without_a_stage) {
     EXPECT_FALSE(parted->fields.empty());
 }
 
+TEST(Divergence, names_the_run_that_does_not_take_its_commands) {
+    const Scenario scenario = small_scenario();
+    sim::Command tiny;
+    tiny.radius = -1;
+    const std::vector<TimedCommand> faulty{{4, tiny}};
+    const Side sound{scenario, {}, {}, nullptr}, wrong{scenario, faulty, {}, nullptr};
+    for (const bool second : {false, true}) {
+        const auto parted = second ? first_divergence(sound, wrong, kComparedTicks)
+                                   : first_divergence(wrong, sound, kComparedTicks);
+        ASSERT_TRUE(parted);
+        EXPECT_EQ(parted->where, Divergence::Where::kRefused);
+        EXPECT_EQ(parted->tick, 4);
+        EXPECT_EQ(parted->wrong_side, second ? 1 : 0);
+        EXPECT_NE(to_text(*parted, scenario, {"one", "other"}).find("radius"), std::string::npos);
+        EXPECT_EQ(to_json(*parted, scenario)["where"], "refused");
+    }
+}
+
 TEST(StartDifference, is_empty_for_equal_scenarios_and_ignores_appearance) {
     const Scenario scenario = small_scenario();
     Scenario seen = scenario;

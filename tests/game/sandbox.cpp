@@ -100,6 +100,124 @@ TEST(Sandbox, plays_on_from_an_undo_to_the_bits_it_would_have_had) {
     EXPECT_EQ(bent.session().state_line(), straight.session().state_line());
 }
 
+void go_to_present(Sandbox& sandbox) {
+    ASSERT_TRUE(sandbox.go_toward(sandbox.known_until(), [] { return true; }).value());
+}
+
+TEST(Sandbox, redoes_what_was_undone_to_the_bit_in_the_world_and_in_the_file) {
+    const support::TemporaryFolder folder;
+    const auto path = folder.path() / "hand.couloir";
+    Sandbox sandbox = recorded(path);
+    run(sandbox, 20);
+    stroke(sandbox, "pour", 30);
+    run(sandbox, 7);
+    stroke(sandbox, "pour again", 25);
+    run(sandbox, 31);
+    const StateLine after = sandbox.session().state_line();
+    const Peaks peaks = sandbox.session().peaks();
+
+    ASSERT_TRUE(sandbox.undo());
+    run(sandbox, 11);  // time that goes on is not something else done
+    ASSERT_TRUE(sandbox.undo());
+    EXPECT_EQ(sandbox.undone(), 2u);
+    EXPECT_EQ(sandbox.redo().value(), "pour");
+    go_to_present(sandbox);
+    EXPECT_EQ(sandbox.redo().value(), "pour again");
+    EXPECT_EQ(sandbox.known_until(), after.tick);
+    go_to_present(sandbox);
+    EXPECT_EQ(sandbox.session().state_line(), after);
+    EXPECT_EQ(sandbox.session().peaks().depth, peaks.depth);
+    EXPECT_EQ(sandbox.actions(), 2u);
+    EXPECT_EQ(sandbox.undone(), 0u);
+
+    ASSERT_TRUE(sandbox.finish());
+    const Recording recording = read_recording(path).value();
+    EXPECT_FALSE(recording.warning);
+    EXPECT_EQ(recording.commands.size(), 2u + 30u + 25u);
+    EXPECT_EQ(replayed_hash(path), after.hash);
+}
+
+TEST(Sandbox, undoes_and_redoes_on_the_way_to_what_is_redone) {
+    const support::TemporaryFolder folder;
+    const auto path = folder.path() / "hand.couloir";
+    Sandbox sandbox = recorded(path);
+    run(sandbox, 20);
+    const StateLine first = sandbox.session().state_line();
+    stroke(sandbox, "pour", 30);
+    run(sandbox, 7);
+    stroke(sandbox, "pour again", 25);
+    const StateLine after = sandbox.session().state_line();
+    for (int i = 0; i < 2; ++i) ASSERT_TRUE(sandbox.undo());
+
+    for (int i = 0; i < 2; ++i) ASSERT_TRUE(sandbox.redo());  // no tick between them
+    EXPECT_EQ(sandbox.session().state().tick, first.tick);
+    run(sandbox, 5);
+    EXPECT_EQ(sandbox.undo().value(), "pour again");
+    EXPECT_EQ(sandbox.undo().value(), "pour");
+    EXPECT_EQ(sandbox.session().state_line(), first);
+    EXPECT_FALSE(sandbox.looks_back());
+    for (int i = 0; i < 2; ++i) ASSERT_TRUE(sandbox.redo());
+    go_to_present(sandbox);
+    EXPECT_EQ(sandbox.session().state_line(), after);
+    ASSERT_TRUE(sandbox.finish());
+    EXPECT_EQ(replayed_hash(path), after.hash);
+}
+
+TEST(Sandbox, redoes_nothing_once_something_else_was_done) {
+    Sandbox sandbox = Sandbox::begin(small_opening(), sim::StepOptions{}, std::nullopt).value();
+    EXPECT_EQ(sandbox.redo().error().sentence, "Nothing to redo");
+    stroke(sandbox, "pour", 3);
+    ASSERT_TRUE(sandbox.undo());
+    stroke(sandbox, "dig", 3);
+    EXPECT_EQ(sandbox.undone(), 0u);
+    EXPECT_FALSE(sandbox.redo());
+    ASSERT_TRUE(sandbox.undo());
+    ASSERT_TRUE(sandbox.go_toward(0, [] { return true; }));
+    run(sandbox, 9);
+    ASSERT_TRUE(sandbox.go_toward(4, [] { return true; }));
+    EXPECT_FALSE(sandbox.redo());  // in the past
+    EXPECT_EQ(sandbox.undone(), 1u);
+}
+
+TEST(CommandSource, gathers_in_order_and_within_the_limits_of_a_tick) {
+    const Scenario scenario = small_scenario();
+    sim::State state = sim::make_state(initial_state_of(scenario), scenario.params);
+    const std::vector<TimedCommand> known{
+        {0, pour_here(scenario, 1)}, {0, pour_here(scenario, 2)}, {1, pour_here(scenario, 3)}};
+    CommandSource source;
+    const auto due = source.due(state, known);
+    ASSERT_EQ(due.size(), 2u);
+    EXPECT_EQ(due[1].rate, 2);
+    source.add_new(std::vector<sim::Command>(300, pour_here(scenario, 4)));
+    ASSERT_EQ(source.commands().size(), sim::kMostCommandsPerTick);
+    EXPECT_EQ(source.commands()[2].rate, 4);
+    EXPECT_TRUE(check_tick(state, source.commands()));
+    EXPECT_TRUE(source.due(state, {}).empty());
+}
+
+TEST(CommandSource, leaves_out_what_clashes_and_keeps_what_was_there_before) {
+    const Scenario scenario = small_scenario();
+    const sim::State state = sim::make_state(initial_state_of(scenario), scenario.params);
+    const auto set = [](const char* name, double value) {
+        sim::Command command;
+        command.kind = sim::CommandKind::kSet;
+        command.param = sim::param_from(name).value();
+        command.value = value;
+        return command;
+    };
+    CommandSource source;
+    const std::vector<TimedCommand> known{{0, set("exchange_rate", 3)}};
+    source.due(state, known);
+    EXPECT_TRUE(source.leave_out_clashing());
+    const std::vector<sim::Command> hand{set("friction", 1.5), pour_here(scenario, 1)};
+    source.add_new(hand);
+    EXPECT_FALSE(source.leave_out_clashing());
+    ASSERT_EQ(source.commands().size(), 2u);
+    EXPECT_EQ(source.commands()[0].kind, sim::CommandKind::kSet);
+    EXPECT_EQ(source.commands()[1].kind, sim::CommandKind::kPour);
+    EXPECT_FALSE(check_tick(state, hand));
+}
+
 TEST(Session, knows_when_its_fields_changed_last) {
     LoadedWorld loaded = small_opening();
     loaded.scene.scenario.params.start_slope = 9;  // nothing starts by itself

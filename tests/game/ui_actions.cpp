@@ -74,6 +74,9 @@ TEST_F(UiHand, undoes_only_where_there_is_something_to_undo) {
     EXPECT_TRUE(click("Undo").empty());
     actions_to_undo_ = 1;
     EXPECT_EQ(only<Verb>(click("Undo")), Verb::kUndo);
+    EXPECT_TRUE(click("Redo").empty());
+    actions_to_redo_ = 1;
+    EXPECT_EQ(only<Verb>(click("Redo")), Verb::kRedo);
 }
 
 TEST_F(UiHand, pours_standing_or_rolling_by_the_button_that_is_not_on) {

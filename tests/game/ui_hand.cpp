@@ -29,10 +29,25 @@ void UiHand::begin_anew(ScreenSize size) {
 }
 
 ui::Facts UiHand::facts() const {
-    return {scenario_, state_,           clock_,        brush_,       inverted_,  false,
-            touched_,  actions_to_undo_, under_cursor_, camera_mode_, display_,   times_,
-            notices_,  catalogue_,       timeline_,     recording_,   "scripted", screen_.seconds(),
-            {},        sharing_};
+    return {.scenario = scenario_,
+            .state = state_,
+            .clock = clock_,
+            .brush = brush_,
+            .inverted = inverted_,
+            .touched = touched_,
+            .actions_to_undo = actions_to_undo_,
+            .actions_to_redo = actions_to_redo_,
+            .under_cursor = under_cursor_,
+            .camera_mode = camera_mode_,
+            .display = display_,
+            .times = times_,
+            .notices = notices_,
+            .catalogue = catalogue_,
+            .timeline = timeline_,
+            .recording = recording_,
+            .renderer = "scripted",
+            .now_s = screen_.seconds(),
+            .sharing = sharing_};
 }
 
 Actions UiHand::frame() {

@@ -44,7 +44,7 @@ class UiHand : public testing::Test {
     Notices notices_;
     Catalogue catalogue_;
     bool inverted_ = false, touched_ = false;
-    std::size_t actions_to_undo_ = 0;
+    std::size_t actions_to_undo_ = 0, actions_to_redo_ = 0;
     std::optional<Reading> under_cursor_;
     CameraMode camera_mode_ = CameraMode::kOrbit;
     ui::Timeline timeline_;

@@ -136,7 +136,8 @@ TEST(Commands, refuse_and_name_every_number_out_of_range) {
                  {std::nextafter(number.least, -1e300) - 1, number.most * 1.001 + 1, std::nan("")}) {
                 Command command;
                 command.kind = info.kind;
-                for (const sim::CommandNumber& each : info.numbers) command.*each.value = 1;
+                for (const sim::CommandNumber& each : info.numbers)
+                    command.*each.value = std::clamp(1.0, each.least, each.most);
                 if (info.has_param) command.param = sim::param_from("start_depth").value();
                 ASSERT_FALSE(sim::fault_of(command));
                 command.*number.value = bad;
@@ -233,15 +234,16 @@ TEST(Set, is_checked_with_all_others_of_its_tick) {
 Command sound(const sim::CommandInfo& info) {
     Command command;
     command.kind = info.kind;
-    for (const sim::CommandNumber& number : info.numbers) command.*number.value = 0.25;
+    for (const sim::CommandNumber& number : info.numbers)
+        command.*number.value = std::clamp(0.25, number.least, number.most);
     if (info.has_param) command.param = sim::param_from("start_depth").value();
     return command;
 }
 
 TEST(Command, is_refused_with_a_member_that_its_kind_does_not_use) {
-    constexpr double Command::*kNumbers[] = {&Command::x,    &Command::y,        &Command::radius,
-                                             &Command::rate, &Command::duration, &Command::depth,
-                                             &Command::value};
+    std::vector<double Command::*> numbers;
+    for (const sim::CommandInfo& info : sim::kCommands)
+        for (const sim::CommandNumber& number : info.numbers) numbers.push_back(number.value);
     for (const sim::CommandInfo& info : sim::kCommands) {
         const Command command = sound(info);
         ASSERT_FALSE(sim::fault_of(command)) << *sim::fault_of(command);
@@ -250,15 +252,17 @@ TEST(Command, is_refused_with_a_member_that_its_kind_does_not_use) {
             changed.*member = value;
             return sim::fault_of(changed).has_value();
         };
-        for (const auto member : kNumbers) {
-            const bool is_used = std::any_of(info.numbers.begin(), info.numbers.end(),
-                                             [&](const auto& number) { return number.value == member; });
-            EXPECT_EQ(refused(member, 0.5), !is_used) << info.name;
+        for (const auto member : numbers) {
+            const auto used = std::find_if(info.numbers.begin(), info.numbers.end(),
+                                           [&](const auto& number) { return number.value == member; });
+            const bool is_used = used != info.numbers.end();
+            EXPECT_EQ(refused(member, is_used ? std::clamp(0.5, used->least, used->most) : 0.5), !is_used) << info.name;
             // -0 and 0 have different bits, which the state hash sees.
-            if (Command{}.*member == 0) {
+            if (Command{}.*member == 0 && !(is_used && used->least > 0)) {
                 EXPECT_EQ(refused(member, -0.0), !is_used) << info.name;
             }
         }
+        EXPECT_EQ(refused(&Command::least_slope, 10.0), !info.has_slope) << info.name;
         EXPECT_EQ(refused(&Command::layer, sim::Layer::kStanding), !info.has_layer) << info.name;
         EXPECT_EQ(refused(&Command::profile, sim::Profile::kCone), !info.has_profile) << info.name;
         EXPECT_EQ(refused(&Command::of, sim::Part::kLower), !info.has_part) << info.name;

@@ -22,6 +22,8 @@ std::size_t Ground::at(int x, int y) const {
 sim::InitialState Ground::world() const {
     sim::InitialState world{grid, 0, bedrock, depth, rolling, has_data, 0};
     if (lower) world.lower = sim::InitialState::Lower{*lower, lower_depth};
+    world.density = density, world.lower_density = lower_density;
+    world.standing = {forest, placed, earth_budget};
     return world;
 }
 
@@ -103,6 +105,7 @@ sim::Command of_its_kind(const sim::Command& command) {
     if (info.has_profile) kept.profile = command.profile;
     if (info.has_part) kept.of = command.of;
     if (info.has_param) kept.param = command.param;
+    if (info.has_slope) kept.least_slope = command.least_slope, kept.most_slope = command.most_slope;
     return kept;
 }
 

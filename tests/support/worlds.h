@@ -20,8 +20,12 @@ struct Ground {
     sim::Grid grid;
     std::vector<float> bedrock, depth, rolling;  // m
     std::vector<std::uint8_t> has_data;
-    std::optional<sim::Params> lower;  // of a world with two materials
-    std::vector<float> lower_depth;    // m
+    std::optional<sim::Params> lower;      // of a world with two materials
+    std::vector<float> lower_depth;        // m
+    float density = 0, lower_density = 0;  // kg/m³; 0: unknown
+    std::vector<sim::Stems> forest;        // none, or one for each vertex
+    std::vector<sim::Command> placed;      // things at tick 0
+    double earth_budget = -1;              // m³
 
     explicit Ground(const sim::Grid& on);
     // Sets a field from a function of x and y in metres.

@@ -1,0 +1,67 @@
+#include "game/recording/command_source.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "sim/core/float_environment.h"
+#include "sim/world/command.h"
+
+namespace game {
+
+std::span<const sim::Command> CommandSource::due(const sim::State& state,
+                                                 std::span<const TimedCommand> known) {
+    begin(state);
+    add_known(known);
+    return commands();
+}
+
+void CommandSource::begin(const sim::State& state) {
+    state_ = &state;
+    commands_.clear();
+    settled_ = 0;
+}
+
+void CommandSource::add_known(std::span<const TimedCommand> known) {
+    for (const TimedCommand& due : commands_at(known, state_->tick)) commands_.push_back(due.command);
+}
+
+void CommandSource::add_new(std::span<const sim::Command> commands) {
+    const std::size_t given = std::min(commands_.size(), sim::kMostCommandsPerTick),
+                      running = std::min(state_->running_commands.size() + commands_.size(),
+                                         sim::kMostRunningCommands);
+    const std::size_t room = std::min(sim::kMostCommandsPerTick - given, sim::kMostRunningCommands - running);
+    const auto fit = commands.first(std::min(commands.size(), room));
+    commands_.insert(commands_.end(), fit.begin(), fit.end());
+}
+
+Outcome<void> CommandSource::leave_out_clashing() {
+    const auto first = commands_.begin() + static_cast<std::ptrdiff_t>(settled_);
+    const auto fault = sim::fault_after(state_->params, commands_);
+    if (fault) {
+        const auto is_set = [](const sim::Command& command) {
+            return command.kind == sim::CommandKind::kSet;
+        };
+        commands_.erase(std::remove_if(first, commands_.end(), is_set), commands_.end());
+    }
+    settled_ = commands_.size();
+    return fault ? unusable(fmt::format("Parameter not set: {}", *fault)) : Outcome<void>();
+}
+
+Outcome<void> check_tick(const sim::State& state, std::span<const sim::Command> commands) {
+    const auto refused = [&](const std::string& fault) {
+        return unusable(fmt::format("tick {}: {}", state.tick, fault));
+    };
+    for (const sim::Command& command : commands)
+        if (const auto fault = sim::fault_of(command, state.mixture.has_value())) return refused(*fault);
+    if (const auto fault =
+            sim::fault_of_counts(commands.size(), state.running_commands.size() + commands.size()))
+        return refused(*fault);
+    if (const auto fault = sim::fault_after(state.params, commands)) return refused(*fault);
+    if (const auto fault = sim::float_environment_fault())
+        return machine_fails(
+            fmt::format("tick {}: {}, so a replay would not be bit-identical", state.tick, *fault));
+    return {};
+}
+
+}  // namespace game
