@@ -212,6 +212,8 @@ class House {
         high_ = static_cast<float>(height_of(site.structure()));
         base_ = std::min(style_.base_high, 0.3f * high_);
         low_ = site.lowest() - 1.5f;
+        // Far down a slope there are storeys below the floor.
+        if (style_.wall == BUILT_PLASTER && low_ < -kStorey) style_.base = BUILT_PLASTER;
         eave_ = style_.flat ? high_ : std::max(high_ - std::min(0.5f * wide_, 0.42f * high_), base_ + 1);
         const vec3 corners[] = {
             {-wide_, -long_, 0}, {wide_, -long_, 0}, {wide_, long_, 0}, {-wide_, long_, 0}};
@@ -227,7 +229,8 @@ class House {
         add_top();
         if (site_.state() == StructureState::kDamaged) {
             add_wounds();
-            add_heap(10 + static_cast<int>(std::min(area() / 12, 30.f)), 0.6f, 4, 0.25f);
+            add_heap(14 + static_cast<int>(std::min(area() / 10, 36.f)), 1.5f, 4,
+                     style_.wall == BUILT_WOOD ? 0 : 0.5f);
         }
         part.begin_details();
         add_details();
@@ -240,6 +243,8 @@ class House {
         if (half.y > half.x) pose.axes = glm::mat3(-pose.axes[1], pose.axes[0], pose.axes[2]);
         return pose;
     }
+    // How far the base juts out, m.
+    float base_out() const { return style_.base == style_.wall ? 0.f : 0.1f; }
     bool whole() const { return site_.state() == StructureState::kIntact; }
     float area() const { return 4 * long_ * wide_; }
     Gable gable() const {
@@ -257,7 +262,8 @@ class House {
     }
 
     void add_walls() {
-        in_.box({0, 0, (base_ + low_) / 2}, {wide_ + 0.1f, long_ + 0.1f, (base_ - low_) / 2}, style_.base);
+        const float out = base_out();
+        in_.box({0, 0, (base_ + low_) / 2}, {wide_ + out, long_ + out, (base_ - low_) / 2}, style_.base);
         for (const Wall& wall : walls_) {
             const vec3 a = wall.from + vec3(0, 0, base_), b = wall.to + vec3(0, 0, base_),
                        up(0, 0, eave_ - base_);
@@ -281,15 +287,16 @@ class House {
         const int across = std::min(static_cast<int>((wall.length() - 1) / style_.apart), most);
         if (across < 1) return;
         const float apart = wall.length() / (static_cast<float>(across) + 0.35f);
-        const float half = std::min(style_.half * apart / style_.apart, 2.5f), sill = 1.6f;
-        const int storeys = std::clamp(static_cast<int>((eave_ - base_) / kStorey), 1, simple_ ? 2 : 9);
-        const float storey = std::max(kStorey, (eave_ - base_) / static_cast<float>(storeys));
+        const float half = std::min(style_.half * apart / style_.apart, 2.5f);
+        const int storeys =
+            std::clamp(static_cast<int>(std::lround((eave_ - base_) / kStorey)), 1, simple_ ? 2 : 10);
+        const float storey = (eave_ - base_) / static_cast<float>(storeys), sill = 0.52f * storey;
         const float from = ground_before(wall);
-        const int lowest = style_.base == style_.wall ? static_cast<int>(std::floor(low_ / storey)) : 0;
-        for (int k = lowest; k < storeys; ++k) {
+        for (int k = static_cast<int>(std::floor(low_ / storey)); k < storeys; ++k) {
             const float z = base_ + sill + storey * static_cast<float>(k);
             if (z - style_.half_tall < from + 0.2f || z + style_.half_tall > eave_ - 0.15f) continue;
-            add({0.5f * (wall.from + wall.to) + vec3(0, 0, z), wall.right(), across, apart, half,
+            const vec3 out = k < 0 ? base_out() * wall.out() : vec3(0);
+            add({0.5f * (wall.from + wall.to) + out + vec3(0, 0, z), wall.right(), across, apart, half,
                  style_.half_tall});
         }
     }
@@ -366,7 +373,7 @@ class House {
     }
     // A ragged hole of six corners.
     void add_patch(const Wall& wall, float share, float z, float half, float tall) {
-        const vec3 middle = glm::mix(wall.from, wall.to, share) + vec3(0, 0, z) + 0.03f * wall.out();
+        const vec3 middle = glm::mix(wall.from, wall.to, share) + vec3(0, 0, z) + 0.05f * wall.out();
         const int material = style_.wall == BUILT_PLASTER ? BUILT_BRICK : BUILT_DARK;
         const auto corner = [&](int i) {
             const float angle = 6.2832f * static_cast<float>(i) / 6;
@@ -374,7 +381,7 @@ class House {
             return middle + wall.right() * (half * far * std::cos(angle)) +
                    vec3(0, 0, tall * far * std::sin(angle));
         };
-        for (int i = 0; i < 6; ++i) in_.triangle(middle, corner(i), corner(i + 1), material);
+        for (int i = 0; i < 6; ++i) in_.triangle(middle, corner(i), corner((i + 1) % 6), material);
     }
     // From the eave down, in steps to either side.
     void add_crack(const Wall& wall, float low, int kind) {
@@ -386,7 +393,7 @@ class House {
                         half = 0.09f - 0.012f * static_cast<float>(i);
             const auto at = [&](float x, float up) {
                 return wall.from + wall.right() * std::clamp(x, 0.1f, wall.length() - 0.1f) + vec3(0, 0, up) +
-                       0.025f * wall.out();
+                       0.045f * wall.out();
             };
             in_.quad({at(along + aside - half, z - step), at(along + aside + half, z - step),
                       at(along + half, z), at(along - half, z)},
@@ -395,14 +402,16 @@ class House {
         }
     }
 
-    // The base with stumps of walls, and a heap of what they were made of.
+    // Stumps of walls and, on level ground, the base; a heap of what they were made of.
     void add_ruin() {
-        in_.box({0, 0, (0.3f + low_) / 2}, {wide_ + 0.1f, long_ + 0.1f, (0.3f - low_) / 2}, style_.base);
+        constexpr float kLevel = -3.5f;
+        if (low_ > kLevel)
+            in_.box({0, 0, (0.3f + low_) / 2}, {wide_ + 0.1f, long_ + 0.1f, (0.3f - low_) / 2}, style_.base);
         const bool masonry = style_.rubble == BUILT_BRICK || style_.rubble == BUILT_CONCRETE;
         if (masonry)
             for (const Wall& wall : walls_) add_stump(wall);
-        add_heap(std::clamp(static_cast<int>(area() / 3), 24, simple_ ? 40 : 200), 1.1f,
-                 std::clamp(0.45f * wide_, 2.f, 7.f), masonry ? 0.75f : 0);
+        add_heap(std::clamp(static_cast<int>(area() / 2), 34, simple_ ? 40 : 260), 1.15f,
+                 std::clamp(0.6f * wide_, 3.f, 9.f), masonry ? 0.75f : 0);
     }
     // What is left of a wall: pieces of different heights.
     void add_stump(const Wall& wall) {
@@ -411,11 +420,15 @@ class House {
             const int kind = 900 + i + static_cast<int>(17 * wall.from.x + 5 * wall.from.y);
             const float high = std::min(0.45f * high_, 3.5f) * std::pow(site_.own(kind), 1.7f);
             if (high < 0.35f) continue;
-            const float from = static_cast<float>(i) / static_cast<float>(pieces),
-                        to = static_cast<float>(i + 1) / static_cast<float>(pieces);
-            const vec3 a = glm::mix(wall.from, wall.to, from), b = glm::mix(wall.from, wall.to, to),
-                       in = -0.35f * wall.out();
-            in_.prism({a, b, b + in, a + in}, {0, 0, high}, style_.rubble, style_.wall);
+            const auto at = [&](int k) {
+                const vec3 place =
+                    glm::mix(wall.from, wall.to, static_cast<float>(k) / static_cast<float>(pieces));
+                const float ground =
+                    site_.surface().bedrock(glm::vec2(in_.pose().at(place))) - in_.pose().origin.z;
+                return vec3(place.x, place.y, ground - 0.5f);
+            };
+            const vec3 a = at(i), b = at(i + 1), in = -0.35f * wall.out();
+            in_.prism({a, b, b + in, a + in}, {0, 0, high + 0.5f}, style_.rubble, style_.wall);
         }
     }
 
@@ -434,12 +447,12 @@ class House {
             pose = pose.turned({0, 0, 1}, 6.2832f * site_.own(kind + 3));
             pose = pose.turned(pose.axes[0], site_.between(-0.5f, 0.5f, kind + 4));
             pose.origin.z = site_.surface().height(glm::vec2(middle)) + site_.between(-0.1f, 0.5f, kind + 5) +
-                            std::max(inward, 0.f) * std::min(0.2f * high_, 1.6f) * site_.own(kind + 9);
+                            std::max(inward, 0.f) * std::min(0.3f * high_, 3.f) * site_.own(kind + 9);
             StructureBuilder piece = in_.in(pose);
             piece.rest_on(glm::vec2(middle), site_.surface());
             const float size = site_.between(0.4f, 1, kind + 7);
             if (site_.own(kind + 6) < blocks) {
-                const float half = 0.14f * longest * size + 0.15f;
+                const float half = 0.16f * longest * size + 0.2f;
                 piece.box({0, 0, 0}, {half, 1.3f * half, 0.35f * half + 0.1f},
                           site_.own(kind + 8) < 0.35f ? style_.wall : style_.rubble);
             } else if (glass_ ? site_.own(kind + 6) < 0.6f : site_.own(kind + 6) > 0.7f) {
@@ -461,8 +474,13 @@ class House {
         // A door in the front.
         const Wall& front = walls_[site_.structure().width_m > site_.structure().length_m ? 1 : 2];
         const float door = std::min(2.1f, eave_ - base_ - 0.2f);
-        const vec3 at = glm::mix(front.from, front.to, 0.5f) + vec3(0, 0, base_) + 0.05f * front.out(),
-                   half = std::min(0.6f, 0.2f * front.length()) * front.right(), up(0, 0, door);
+        int across = 0;  // windows beside which it is
+        float apart = 0;
+        for_each_row(front, [&](const Windows& row) { across = row.count, apart = row.apart; });
+        const float aside = across % 2 == 1 && across > 1 ? 0.5f * apart : 0;
+        const vec3 at = glm::mix(front.from, front.to, 0.5f) + aside * front.right() + vec3(0, 0, base_) +
+                        0.05f * front.out(),
+                   half = std::min(0.5f, 0.2f * front.length()) * front.right(), up(0, 0, door);
         in_.quad({at - half, at + half, at + half + up, at - half + up}, BUILT_DARK);
         if (style_.wall != BUILT_WOOD || long_ > 9 || eave_ - base_ < 4.2f) return;
         // A balcony under the gable.

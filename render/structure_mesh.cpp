@@ -172,7 +172,7 @@ NetPost net_post(const Net& net, const FirstSurface& surface, float share, float
 // A net between two posts: a rope along each edge, and meshes.
 void add_net_bay(const NetPost& a, const NetPost& b, float sag, std::vector<RopeVertex>& ropes) {
     constexpr int kMeshes = 4;
-    constexpr float kCable = 0.02f, kThread = 0.011f, kAside = 0.75f;
+    constexpr float kCable = 0.035f, kThread = 0.018f, kAside = 0.75f;
     const auto at = [&](float u, float v) {
         const vec3 low = glm::mix(a.foot, b.foot, u) + vec3(0, 0, 0.3f), high = glm::mix(a.top, b.top, u);
         return glm::mix(low, high, v) - vec3(0, 0, 4 * sag * u * (1 - u) * v);
@@ -193,7 +193,7 @@ void add_net_bay(const NetPost& a, const NetPost& b, float sag, std::vector<Rope
 }
 
 void add_net(const Net& net, std::size_t number, const FirstSurface& surface, StructureMesh& mesh) {
-    constexpr float kPostsApart = 3.5f, kHalfPost = 0.09f;
+    constexpr float kPostsApart = 3.5f, kHalfPost = 0.13f;
     const auto high = static_cast<float>(net.height_m);
     const int bays = std::max(
         1, static_cast<int>(std::lround(glm::distance(net.from, net.to) / static_cast<double>(kPostsApart))));

@@ -4,6 +4,13 @@ layout(binding = SLOT_EARTH) uniform sampler2D earth;
 
 const float kEarthHides = 0.5;  // m, from which nothing else is seen
 
+// Some of it was strewn over what lies on it, which shows where people have built.
+vec3 with_dirt(vec3 lies, Place p, Detail d) {
+    float rise = abs(spline(earth, p.at.xy / frame.ground.x).value.r);
+    float strewn = smoothstep(0.40, 0.85, d.clumps.z + 0.5 * (d.rock.z - 0.4) + 0.4 * (d.soft.z - 0.53));
+    return mix(lies, vec3(0.20, 0.145, 0.10), 0.45 * strewn * frame.haze.w * smoothstep(0.1, 1.5, rise));
+}
+
 Skin with_earth(Skin skin, Place p, Detail d, vec4 fine) {
     float rise = spline(earth, p.at.xy / frame.ground.x).value.r;
     float ragged = 0.5 * (d.clumps.z - 0.59) + 0.4 * (d.rock.z - 0.40) + 0.3 * (d.soft.z - 0.53);
