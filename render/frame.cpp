@@ -228,7 +228,12 @@ void Renderer::draw_ground(const FrameInput& input) {
     const bool rebuilt = p.structures.build(input, frame, ground.terrain, ground.moved);
     const bool new_world = ground.terrain || ground.first_depth || !redrawn.steady ||
                            !same_surface(redrawn.steady->block, frame);
-    const bool everything = new_world || resized || rebuilt || marks.flow_mesh || redrawn.steady != steady;
+    const bool has_trees = marks.overlay == Overlay::kNone;  // they would hide its values
+    const bool planted =
+        has_trees && p.trees.follow(goes_on ? woods : nullptr, goes_on ? around : nullptr, world, first_depth,
+                                    frame.sun, ground.terrain || ground.first_depth);
+    const bool everything =
+        planted || new_world || resized || rebuilt || marks.flow_mesh || redrawn.steady != steady;
 
     // Upload what changed of the world: everything below reads these textures, and only they change with the state.
     WhatChanged& changed = redrawn.world;
@@ -301,10 +306,8 @@ void Renderer::draw_ground(const FrameInput& input) {
     ScreenTiles& with_things = p.rules.things ? tiles : redrawn.forgotten_tiles;
     if (goes_on) p.surroundings.find(frame, changed, screen, everything, with_things);
     p.structures.find(input, frame, changed, screen, everything, with_things);
-    if (steady.woods != 0) {
-        p.trees.survey(*woods, *around, frame);
-        p.trees.find(*woods, world, so_far, frame, screen, everything, with_things);
-    }
+    const bool wooded = has_trees && p.trees.any();
+    if (wooded) p.trees.find(world, so_far, frame, screen, everything, with_things);
     const bool powdery =
         p.powder.find(puffs, frame, look, powder_strength, p.target.samples_across(), p.target.samples_up());
     const bool drifting = drifts(input) && p.spindrift.find(*around, wind, seconds, frame, screen);
@@ -361,7 +364,7 @@ void Renderer::draw_ground(const FrameInput& input) {
     p.clock.mark(Pass::kStructures);
 
     // Trees stand before ground and sky, with a jagged outline. Their shadows darken the ground that is drawn.
-    if (steady.woods != 0) p.trees.draw(redrawn.scene);
+    if (wooded) p.trees.draw(redrawn.scene);
     p.clock.mark(Pass::kTrees);
 
     // What floats in the air lies over everything that is not nearer, and casts a shadow on the ground.

@@ -19,12 +19,8 @@ Steady steady_of(const FrameInput& input, const FrameBlock& block) {
     steady.lines = input.marks.has_lines();
     steady.mesh = input.marks.flow_mesh;
     if (steady.flows) steady.pattern = input.look.flow->pattern;
-    if (input.surroundings && !input.surroundings->empty()) {
+    if (input.surroundings && !input.surroundings->empty())
         steady.surroundings = input.surroundings->fingerprint();
-        // They would hide the values of an overlay.
-        if (input.woods && !input.woods->empty() && input.marks.overlay == Overlay::kNone)
-            steady.woods = input.woods->fingerprint();
-    }
     return steady;
 }
 

@@ -21,13 +21,13 @@ struct Steady {
     FrameBlock block;  // without a ring and an outline
     bool flows = false, lines = false, mesh = false;
     FlowPattern pattern = {};
-    std::uint64_t surroundings = 0, woods = 0;  // fingerprints; 0: none
+    std::uint64_t surroundings = 0;  // fingerprint; 0: none
 
     bool operator==(const Steady& other) const {
         const auto bytes = [](const FrameBlock& of) { return std::as_bytes(std::span(&of, 1)); };
         return std::ranges::equal(bytes(block), bytes(other.block)) && flows == other.flows &&
                lines == other.lines && mesh == other.mesh && pattern == other.pattern &&
-               surroundings == other.surroundings && woods == other.woods;
+               surroundings == other.surroundings;
     }
 };
 

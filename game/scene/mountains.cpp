@@ -38,7 +38,9 @@ std::vector<render::Clearing> clearings_of(const render::Structures& structures)
 }  // namespace
 
 render::Woods woods_on(const Scenario& scenario, const render::Surroundings& mountains) {
-    return {mountains, scenario.trees, scenario.datum, clearings_of(scenario.structures)};
+    render::Woods woods(mountains, scenario.trees, scenario.datum, clearings_of(scenario.structures));
+    if (scenario.woods_act) woods.let_act();
+    return woods;
 }
 
 std::string woods_notice(const Scenario& scenario, const render::Woods& woods) {

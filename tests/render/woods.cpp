@@ -42,9 +42,9 @@ class WoodInValley : public testing::Test {
         std::vector<TreeLight> lights;
         light_trees(of, mountains_around(world), glm::normalize(glm::vec3(1, 1, 1)), lights);
         TreesInView trees;
-        trees.reserve(of);
-        trees.find(of, lights, frame(camera), screen(camera));
-        trees.settle(of, world.view(), flow);
+        trees.reserve(of.trees().size(), of.tiles().size());
+        trees.find({of.trees(), of.tiles(), lights}, frame(camera), screen(camera));
+        trees.settle(of.trees(), world.view(), flow);
         return {trees.drawn().begin(), trees.drawn().end()};
     }
 
@@ -236,13 +236,13 @@ TEST_F(WoodInValley, changes_little_by_little_while_the_camera_moves) {
     std::vector<TreeLight> lights;
     light_trees(all, mountains_around(world), glm::normalize(glm::vec3(1, 1, 1)), lights);
     TreesInView trees;
-    trees.reserve(all);
+    trees.reserve(all.trees().size(), all.tiles().size());
     std::map<std::pair<float, float>, glm::vec2> before;  // by its foot: height, and half its width
     std::size_t changed = 0;
     for (int step = 0; step < 150; ++step) {
         std::map<std::pair<float, float>, glm::vec2> now;
         const Camera camera{{500, 300, 100}, 180, 20, 2000 * std::pow(1.004, step), 40};
-        trees.find(all, lights, frame(camera), screen(camera));
+        trees.find({all.trees(), all.tiles(), lights}, frame(camera), screen(camera));
         for (const DrawnTree& tree : trees.drawn())
             if (tree.foot.x > 100 && tree.foot.x < 900 && tree.foot.y > 0 && tree.foot.y < 1000)
                 now[{tree.foot.x, tree.foot.y}] = {tree.foot.w, tree.look.w};
