@@ -36,7 +36,7 @@ enum class TreeKind : std::int32_t {
 };
 
 // By what a tree stands or lies.
-enum class TreeFate : std::uint8_t {
+enum class TreeFate : std::int32_t {
     kOfFlow,  // a view: by what a flow has done
     kStands,  // by the forest in a world's state
     kLies,
