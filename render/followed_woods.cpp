@@ -39,8 +39,11 @@ float fraction(float x) {
 
 }  // namespace
 
-bool FollowedWoods::follow(const Woods* woods, const Surroundings* around, const sim::View& world,
-                           std::span<const float> first_depth, const glm::vec3& sun, bool new_ground) {
+FollowedWoods::Change FollowedWoods::follow(const Woods* woods, const Surroundings* around,
+                                            const sim::View& world, std::span<const float> first_depth,
+                                            const glm::vec3& sun, bool new_ground) {
+    changed_tiles_.clear();
+    changed_boxes_.clear();
     const std::uint64_t woods_now = woods ? woods->fingerprint() : 0,
                         around_now = around ? around->fingerprint() : 0;
     const bool same =
@@ -59,27 +62,29 @@ bool FollowedWoods::follow(const Woods* woods, const Surroundings* around, const
         const bool stays = same && !follows_;
         follows_ = false;
         if (!stays || !lit) light_woods(around);
-        return !stays;
+        return stays ? Change::kNone : Change::kAll;
     }
     const World of{woods, around, world, first_depth};
     const bool begins = !same || !follows_;
     follows_ = true;
     if (begins) begin(of);
     const bool changed = compare(of);
+    bool all = begins;
     if (changed || begins) {
-        thin();
+        all = thin() || all;
         renew_stale(of);
         if (trees_.size() > 3 * room_ + Woods::kMost / 8) {  // most of it is left behind by tiles that grew
             for (Plot& plot : plots_) plot = {};
             trees_.clear(), lights_.clear(), room_ = 0;
             renew_stale(of);
+            all = true;
         }
     }
     if (!lit)
         for (const TreeTile& tile : tiles_)
             for (std::uint32_t i = tile.first; i < tile.first + tile.count; ++i)
                 lights_[i] = light_of(trees_[i], around, sun);
-    return changed || begins;
+    return all ? Change::kAll : changed ? Change::kSome : Change::kNone;
 }
 
 LitTrees FollowedWoods::trees() const {
@@ -153,12 +158,13 @@ void FollowedWoods::mark_stale(std::size_t vertex) {
 }
 
 // Shows a half, a quarter … of the trees beyond the woods' own, if they are too many.
-void FollowedWoods::thin() {
+bool FollowedWoods::thin() {
     double share = 1;
     while (beyond_ * share > static_cast<double>(Woods::kMost)) share /= 2;
-    if (share == share_) return;
+    if (share == share_) return false;
     share_ = share;
     for (std::size_t plot = own_plots_; plot < plots_.size(); ++plot) plots_[plot].is_stale = true;
+    return true;
 }
 
 void FollowedWoods::renew_stale(const World& world) {
@@ -239,7 +245,7 @@ Tree FollowedWoods::other(int x, int y, int number, const World& world) const {
                           std::lerp(std::lerp(west, east, u), std::lerp(north, across, u), v) - kSunkFoot);
     tree.chance = chance_of(vertex, number, 3);
     tree.height =
-        static_cast<float>(stems.height_m) * (0.72f + 0.42f * std::sqrt(chance_of(vertex, number, 4)));
+        static_cast<float>(stems.height_m) * (0.6f + 0.55f * std::sqrt(chance_of(vertex, number, 4)));
     const glm::vec2 fall(west - east + north - across, west + east - north - across);
     tree.downhill = glm::length(fall) > 0 ? glm::normalize(glm::vec2(fall.x, fall.y)) : glm::vec2(1, 0);
     tree.vertex = static_cast<std::int32_t>(vertex);
@@ -257,6 +263,7 @@ Tree FollowedWoods::other(int x, int y, int number, const World& world) const {
 // Puts the trees of a plot into their place among all, and lights those that were not there before.
 void FollowedWoods::settle(std::size_t plot, const Surroundings* around) {
     TreeTile& tile = tiles_[plot];
+    if (tile.count > 0) changed_boxes_.push_back({tile.lowest, tile.highest});
     if (grown_.size() > plots_[plot].room) {
         room_ -= plots_[plot].room;
         plots_[plot].room = static_cast<std::uint32_t>(grown_.size() + grown_.size() / 2);
@@ -274,6 +281,8 @@ void FollowedWoods::settle(std::size_t plot, const Surroundings* around) {
         tile.lowest = glm::min(tile.lowest, tree.foot);
         tile.highest = glm::max(tile.highest, tree.foot + glm::vec3(0, 0, tree.height));
     }
+    changed_tiles_.push_back(static_cast<std::uint32_t>(plot));
+    if (tile.count > 0) changed_boxes_.push_back({tile.lowest, tile.highest});
 }
 
 double FollowedWoods::beyond_own(std::size_t vertex) const {

@@ -23,13 +23,21 @@ namespace render {
 // beyond the woods, an even share is shown. What changes of the forest is paid for, not what there is of it.
 class FollowedWoods {
   public:
+    // What of the trees differs from those of the last call: those of some tiles, or all may.
+    enum class Change { kNone, kSome, kAll };
     // Makes them those of this world. `woods` and `around` may be null. `new_ground`: bedrock by nature, or the first
-    // depth, is not that of the last call. Returns whether any tree differs from those of the last call.
-    bool follow(const Woods* woods, const Surroundings* around, const sim::View& world,
-                std::span<const float> first_depth, const glm::vec3& sun, bool new_ground);
+    // depth, is not that of the last call.
+    Change follow(const Woods* woods, const Surroundings* around, const sim::View& world,
+                  std::span<const float> first_depth, const glm::vec3& sun, bool new_ground);
 
     // Valid until the next call, and as long as the woods.
     LitTrees trees() const;
+    // The tiles with other trees than in the last call, and boxes around these trees and those before, m.
+    struct Box {
+        glm::vec3 lowest, highest;
+    };
+    std::span<const std::uint32_t> changed_tiles() const { return changed_tiles_; }
+    std::span<const Box> changed_boxes() const { return changed_boxes_; }
 
   private:
     // What a tile shows: trees of a tile of the woods, or the others of a block of vertices.
@@ -57,7 +65,7 @@ class FollowedWoods {
     void find_own(const Woods& woods);
     bool compare(const World& world);
     void mark_stale(std::size_t vertex);
-    void thin();
+    bool thin();
     void renew_stale(const World& world);
     void grow_own(std::size_t plot, const Woods& woods);
     void grow_others(std::size_t plot, const World& world);
@@ -102,6 +110,8 @@ class FollowedWoods {
     std::vector<Tree> trees_;
     std::vector<TreeLight> lights_;  // of trees_, or of the woods
     std::vector<Ordered> grown_;     // of one plot
+    std::vector<std::uint32_t> changed_tiles_;
+    std::vector<Box> changed_boxes_;
 };
 
 }  // namespace render

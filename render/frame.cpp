@@ -225,15 +225,16 @@ void Renderer::draw_ground(const FrameInput& input) {
                                               flows ? std::optional(p.flow_tint(look, marks)) : std::nullopt);
     const Steady steady = steady_of(input, frame);
     const bool resized = p.target.resize(width, height, samples);
-    const bool rebuilt = p.structures.build(input, frame, ground.terrain, ground.moved);
+    p.structures.build(input, frame, ground.terrain, ground.moved);
     const bool new_world = ground.terrain || ground.first_depth || !redrawn.steady ||
                            !same_surface(redrawn.steady->block, frame);
     const bool has_trees = marks.overlay == Overlay::kNone;  // they would hide its values
-    const bool planted =
-        has_trees && p.trees.follow(goes_on ? woods : nullptr, goes_on ? around : nullptr, world, first_depth,
-                                    frame.sun, ground.terrain || ground.first_depth);
-    const bool everything =
-        planted || new_world || resized || rebuilt || marks.flow_mesh || redrawn.steady != steady;
+    const auto trees = has_trees
+                           ? p.trees.follow(goes_on ? woods : nullptr, goes_on ? around : nullptr, world,
+                                            first_depth, frame.sun, ground.terrain || ground.first_depth)
+                           : FollowedWoods::Change::kNone;
+    const bool everything = trees == FollowedWoods::Change::kAll || new_world || resized || marks.flow_mesh ||
+                            redrawn.steady != steady;
 
     // Upload what changed of the world: everything below reads these textures, and only they change with the state.
     WhatChanged& changed = redrawn.world;

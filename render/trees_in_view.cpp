@@ -208,6 +208,18 @@ void TreesInView::find(const LitTrees& of, const FrameBlock& frame, const OnScre
     for (const Upright& tree : upright_) drawn_.push_back(tree.drawn);
 }
 
+void TreesInView::find_again(const LitTrees& of, std::span<const std::uint32_t> tiles,
+                             const FrameBlock& frame, const OnScreen& screen) {
+    drawn_before_.swap(drawn_);
+    settled_.assign(of.trees.size(), nullptr);
+    for (std::size_t i = 0; i < upright_.size(); ++i) settled_[upright_[i].tree] = &drawn_before_[i];
+    for (const std::uint32_t tile : tiles)
+        std::fill_n(settled_.begin() + of.tiles[tile].first, of.tiles[tile].count, nullptr);
+    find(of, frame, screen);
+    for (std::size_t i = 0; i < upright_.size(); ++i)
+        if (const DrawnTree* before = settled_[upright_[i].tree]) drawn_[i] = *before;
+}
+
 void TreesInView::settle(std::span<const Tree> trees, const sim::View& world, const FlowSoFar& flow) {
     moved_.clear();
     for (std::size_t i = 0; i < upright_.size(); ++i) {

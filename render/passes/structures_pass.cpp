@@ -101,22 +101,24 @@ tl::expected<StructuresPass, std::string> StructuresPass::create(const std::file
     return pass;
 }
 
-bool StructuresPass::build(const FrameInput& input, const FrameBlock& frame, bool new_terrain,
+void StructuresPass::build(const FrameInput& input, const FrameBlock& frame, bool new_terrain,
                            std::span<const glm::ivec2> moved) {
+    rebuilt_ = false;
     if (!input.structures || input.structures->empty()) {
-        const bool were_some = !parts_.empty();
+        rebuilt_ = !known_.empty();
         parts_.clear();
         shadow_vertices_.clear();
         ropes_.count = 0;
         known_ = {};
-        return were_some;
+        return;
     }
     const glm::vec2 snow = snowy(input.look);
     const std::uint64_t around = input.surroundings ? input.surroundings->fingerprint() : 0;
     if (!new_terrain && !is_near_any(*input.structures, moved, input.world.grid.dx) &&
         around == known_around_ && snow == known_snowy_ && frame.sun == known_sun_ &&
         *input.structures == known_)
-        return false;
+        return;
+    rebuilt_ = true;
     known_ = *input.structures;
     known_sun_ = frame.sun;
     known_snowy_ = snow;
@@ -124,7 +126,6 @@ bool StructuresPass::build(const FrameInput& input, const FrameBlock& frame, boo
     const std::span<const glm::vec2> cover =
         input.surroundings ? input.surroundings->cover() : std::span<const glm::vec2>();
     send(structure_mesh(known_, {input.world, input.first_depth, cover, snow}, glm::vec3(frame.sun)));
-    return true;
 }
 
 void StructuresPass::send(const StructureMesh& mesh) {
@@ -153,12 +154,16 @@ void StructuresPass::send(const StructureMesh& mesh) {
 
 void StructuresPass::find(const FrameInput& input, const FrameBlock& frame, const WhatChanged& changed,
                           const OnScreen& screen, bool everything, ScreenTiles& tiles) {
-    if (parts_.empty()) {
-        in_view_.clear();
+    const bool marks = rebuilt_ && !everything;
+    if (marks) mark_all(tiles);  // what the last mesh showed
+    if (parts_.empty() && ropes_.count == 0) {
+        in_view_.clear(), seen_.clear(), ranges_.clear();
+        shadows_seen_ = ropes_seen_ = {};
         return;
     }
-    if (everything || !changed.moved().empty()) find_parts_in_view(input, frame, changed, screen);
-    if (everything) return;
+    if (everything || rebuilt_ || !changed.moved().empty()) find_parts_in_view(input, frame, changed, screen);
+    if (marks) mark_all(tiles);
+    if (everything || rebuilt_) return;
     for (std::size_t i = 0; i < in_view_.size(); ++i) {
         const glm::vec2 middle(in_view_[i]->middle);
         if (changed.is_near(middle - in_view_[i]->radius, middle + in_view_[i]->radius)) tiles.mark(seen_[i]);
@@ -170,6 +175,12 @@ void StructuresPass::find(const FrameInput& input, const FrameBlock& frame, cons
             near |= changed.is_near(glm::vec2(shadow_vertices_[k].at), glm::vec2(shadow_vertices_[k].at));
         if (near) tiles.mark(shadow_box(i, changed, screen));
     }
+}
+
+void StructuresPass::mark_all(ScreenTiles& tiles) const {
+    for (const Rectangle& seen : seen_) tiles.mark(seen);
+    tiles.mark(shadows_seen_);
+    tiles.mark(ropes_seen_);
 }
 
 // Where a triangle of a shadow appears: it lies on the ground at its corners.

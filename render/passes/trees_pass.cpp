@@ -32,14 +32,16 @@ tl::expected<TreesPass, std::string> TreesPass::create(const std::filesystem::pa
     return pass;
 }
 
-bool TreesPass::follow(const Woods* woods, const Surroundings* around, const sim::View& world,
-                       std::span<const float> first_depth, const glm::vec4& sun, bool new_ground) {
-    if (!woods_.follow(woods, around, world, first_depth, glm::vec3(sun), new_ground)) return false;
+FollowedWoods::Change TreesPass::follow(const Woods* woods, const Surroundings* around,
+                                        const sim::View& world, std::span<const float> first_depth,
+                                        const glm::vec4& sun, bool new_ground) {
+    const auto change = woods_.follow(woods, around, world, first_depth, glm::vec3(sun), new_ground);
+    if (change == FollowedWoods::Change::kNone) return change;
     const LitTrees all = woods_.trees();
     trees_.reserve(all.trees.size(), all.tiles.size());
     seen_.reserve(all.trees.size());
     listed_.reserve(all.trees.size());
-    return true;
+    return change;
 }
 
 void TreesPass::find(const sim::View& world, const FlowSoFar& flow, const FrameBlock& frame,
@@ -48,6 +50,11 @@ void TreesPass::find(const sim::View& world, const FlowSoFar& flow, const FrameB
         trees_.find(woods_.trees(), frame, screen);
         screen_ = screen;
         seen_.clear();
+    } else if (!woods_.changed_tiles().empty()) {
+        trees_.find_again(woods_.trees(), woods_.changed_tiles(), frame, screen);
+        seen_.clear();
+        for (const auto& [lowest, highest] : woods_.changed_boxes())
+            tiles.mark(screen.box(lowest - TreesInView::kReach, highest + TreesInView::kReach));
     }
     trees_.settle(woods_.trees().trees, world, flow);
     if (everything) return;

@@ -22,11 +22,12 @@ class TreesPass {
     static tl::expected<TreesPass, std::string> create(const std::filesystem::path& shaders);
 
     // Makes the trees those of woods and of the world's forest. New ones, and a light from another side, take a few
-    // hundredths of a second. As FollowedWoods::follow(); returns whether any differs.
-    bool follow(const Woods* woods, const Surroundings* around, const sim::View& world,
-                std::span<const float> first_depth, const glm::vec4& sun, bool new_ground);
+    // hundredths of a second. As FollowedWoods::follow().
+    FollowedWoods::Change follow(const Woods* woods, const Surroundings* around, const sim::View& world,
+                                 std::span<const float> first_depth, const glm::vec4& sun, bool new_ground);
     bool any() const { return !woods_.trees().tiles.empty(); }
-    // Finds the trees of a frame and, if only the world changed, marks those that fell, sank or rose.
+    // Finds the trees of a frame and, if only the world changed, marks those that fell, sank or rose, and those of tiles
+    // with other trees than before.
     void find(const sim::View& world, const FlowSoFar& flow, const FrameBlock& frame, const OnScreen& screen,
               bool everything, ScreenTiles& tiles);
     // Draws colour and depth over what is drawn, in parts of the frame.

@@ -106,6 +106,41 @@ TEST_F(Gl, redraws_only_around_an_outline_that_is_moved) {
     }
 }
 
+// A forest is planted, broken and felled, and houses are built, damaged and removed.
+TEST_F(Gl, redraws_only_around_a_forest_and_houses_that_change) {
+    auto whole = Renderer::create(support::source_dir() / "assets", Quality::kFast);
+    ASSERT_TRUE(whole) << whole.error();
+    Play play;
+    play.world.things.emplace(play.world.grid);
+    play.world.things->natural = play.world.bedrock;
+    sim::Field<sim::Stems>& forest = play.world.things->forest;
+    const auto plant = [&](glm::ivec2 low, glm::ivec2 high, const sim::Stems& stems) {
+        for (int y = low.y; y < high.y; ++y)
+            for (int x = low.x; x < high.x; ++x) forest(x, y) = stems;
+    };
+    plant({40, 40}, {48, 48}, {500, 0, 30, 18});
+    renderer_->set_redraw(kTightestRules);
+    std::vector<std::uint8_t> before;
+    for (int frame = 0; frame < 9; ++frame) {
+        if (frame == 1) plant({20, 20}, {24, 24}, {400, 0, 30, 22});
+        if (frame == 2) plant({20, 20}, {22, 24}, {0, 400, 30, 22});
+        if (frame == 3) plant({20, 20}, {24, 24}, {});
+        if (frame == 4) play.structures.all.push_back({StructureKind::kHouse, {150, 100}, 30, {}, 14, 10, 9});
+        if (frame == 5) play.structures.all[0].state = StructureState::kDestroyed;
+        if (frame == 6) play.structures.nets.push_back({{90, 90}, {110, 92}});
+        if (frame == 7) play.structures = {};
+        if (frame == 8) play.world.rolling(42, 42) = 1;
+        renderer_->draw(play.input());
+        whole->forget();
+        whole->draw(play.input());
+        const Picture picture = renderer_->read_back();
+        EXPECT_EQ(picture.pixels, whole->read_back().pixels) << frame;
+        EXPECT_NE(picture.pixels, before) << frame;
+        EXPECT_TRUE(frame == 0 || renderer_->redrawn() < 0.9) << frame;
+        before = picture.pixels;
+    }
+}
+
 // Earth is heaped up and dug out, with its shadow, on ground without a standing layer.
 TEST_F(Gl, redraws_ground_that_changes_as_if_it_had_always_been_so) {
     Play play;
