@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "game/analysis/thing_results.h"
 #include "game/analysis/trace.h"
 #include "game/base/print.h"
 #include "game/base/version.h"
@@ -108,7 +109,9 @@ std::string mass_text(const Session& session, const std::string& what, const sim
 std::string to_text(const Verdict& verdict) {
     switch (verdict.kind()) {
         case Verdict::Kind::kNotComparable:
-            return "not comparable: recorded with another version of the physics, so nothing is verified\n";
+            return "not comparable: recorded with another version of the physics, or in a newer format; "
+                   "nothing is "
+                   "verified\n";
         case Verdict::Kind::kDiffers:
             return fmt::format("NOT the same: {}\n", *verdict.parted);
         case Verdict::Kind::kNothingProven:
@@ -146,6 +149,7 @@ Json to_json(const Summary& summary) {
                          {"mass", mass_json(summary.session, state.mixture->ledger)}};
     if (scenario.density) json["density_kg_m3"] = *scenario.density;
     if (scenario.lower && scenario.lower->density) json["lower"]["density_kg_m3"] = *scenario.lower->density;
+    if (state.things) json["things"] = things_to_json(scenario, summary.session);
     if (summary.at_rest) json["at_rest"] = *summary.at_rest;
     if (summary.verdict) json["verified"] = verdict_json(*summary.verdict);
     if (summary.paranoid) json["paranoid"] = paranoid_json(*summary.paranoid, scenario);
@@ -201,6 +205,7 @@ std::string to_text(const Summary& summary) {
         text += fmt::format(
             "LIMITED: the speed passed {} m/s and was cut {} times, each at one vertex in one sub-step\n",
             sim::kGreatestPlanSpeed, session.state().limited);
+    if (session.state().things) text += things_to_text(scenario, session);
     text += fmt::format("state hash {}\n", hex(session.state_line().hash));
     if (summary.verdict) text += to_text(*summary.verdict);
     if (summary.paranoid) text += paranoid_text(*summary.paranoid, scenario);

@@ -13,7 +13,7 @@ namespace game {
 
 // Recordings.
 inline constexpr std::size_t kLongestHeader = std::size_t{256} << 20;  // bytes of the first line
-inline constexpr terrains::JsonLimits kHeaderLimits{.depth = 8, .values = 10'000, .members = 256};
+inline constexpr terrains::JsonLimits kHeaderLimits{.depth = 8, .values = 50'000, .members = 256};
 inline constexpr std::size_t kLongestLine = std::size_t{64} << 10;  // bytes of any other line
 inline constexpr terrains::JsonLimits kLineLimits{.depth = 4, .values = 4096, .members = 64};
 inline constexpr int kMostVertices = terrains::kMostSquares + 1;  // along a side of the ground

@@ -35,6 +35,13 @@ std::string name_of(const sim::StepOptions& step_options, bool swept) {
                        step_options.last_tile_first ? " in reverse order" : "");
 }
 
+// States of a newer format may differ because of what this program does not know of it.
+Verdict verdict_of(const Verifier& verifier, const Header& header) {
+    Verdict verdict = verifier.verdict();
+    if (verdict.parted && header.minor > kFormatMinor) verdict.comparable = false;
+    return verdict;
+}
+
 }  // namespace
 
 Outcome<int> replay(const ReplayOptions& options) {
@@ -130,7 +137,7 @@ Outcome<int> replay(const ReplayOptions& options) {
 
     const Measures measures = measure(scenario, *session, release_area(scenario, recording->commands), {});
     Summary summary{scenario, *session, measures, &perf, std::nullopt, std::nullopt};
-    if (options.verify) summary.verdict = verifier.verdict();
+    if (options.verify) summary.verdict = verdict_of(verifier, recording->header);
     if (options.paranoid) summary.paranoid = self_check;
     if (self_check.parted && options.pictures.folder)
         if (auto drawn = render::write_png(desync_picture(*self_check.parted, scenario, self_check.names),

@@ -58,6 +58,7 @@ std::vector<std::string> members_of(const sim::CommandInfo& info) {
     if (info.has_layer) names.emplace_back("as");
     if (info.has_profile) names.emplace_back("profile");
     if (info.has_part) names.emplace_back("of");
+    if (info.has_slope) names.emplace_back("slope");
     return names;
 }
 
@@ -66,6 +67,19 @@ Outcome<void> take(const std::string& name, const std::string& text, const std::
                    Value& into) {
     if (!value) return unusable(fmt::format("--set {}: '{}' is not a valid value", name, text));
     into = *value;
+    return {};
+}
+
+// Takes "30:45", the least and the most slope in degrees.
+Outcome<void> take_slope(const std::string& text, sim::Command& command) {
+    const std::size_t colon = std::min(text.find(':'), text.size());
+    const Range<double> range{sim::Command::kNoLeast, sim::Command::kNoMost, "deg"};
+    const auto least = number_from(text.substr(0, colon), range);
+    const auto most = number_from(text.substr(std::min(colon + 1, text.size())), range);
+    if (!least || !most || !(*least < *most))
+        return unusable(
+            fmt::format("--set slope: '{}' is not LEAST:MOST, two rising angles of 0 to 90", text));
+    command.least_slope = *least, command.most_slope = *most;
     return {};
 }
 
@@ -83,6 +97,7 @@ Outcome<void> set_member(sim::Command& command, const std::string& name, const s
     if (info.has_profile && name == "profile")
         return take(name, text, sim::profile_from(text), command.profile);
     if (info.has_part && name == "of") return take(name, text, sim::part_from(text), command.of);
+    if (info.has_slope && name == "slope") return take_slope(text, command);
     return unusable(fmt::format("--set {}: unknown member of a {}; known are {}", name, info.name,
                                 fmt::join(members_of(info), ", ")));
 }
@@ -105,6 +120,13 @@ bool has_place(const sim::Command& command) {
     return command.kind != sim::CommandKind::kSet;
 }
 
+// Whether it leads from one place to another.
+bool is_line(const sim::Command& command) {
+    return std::ranges::any_of(sim::info_of(command.kind).numbers, [](const sim::CommandNumber& number) {
+        return number.value == &sim::Command::to_x;
+    });
+}
+
 // The changed command; nothing if it is deleted.
 struct Change {
     float tick_s;
@@ -122,6 +144,7 @@ struct Change {
         if (!has_place(command.command)) return unusable("--move: a 'set' command has no position");
         TimedCommand changed = command;
         changed.command.x += move.by.x, changed.command.y += move.by.y;
+        if (is_line(command.command)) changed.command.to_x += move.by.x, changed.command.to_y += move.by.y;
         return changed;
     }
     Result operator()(const Edit::Delay& delay) const {

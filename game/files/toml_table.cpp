@@ -154,6 +154,11 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) {
     return found;
 }
 
+bool TomlTable::is_text(std::string_view key) const {
+    const toml::node* node = table_->get(key);
+    return node && node->is_string();
+}
+
 std::vector<std::string> TomlTable::keys() const {
     std::vector<std::string> all;
     for (const auto& [key, node] : *table_) all.emplace_back(key.str());

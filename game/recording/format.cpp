@@ -11,7 +11,9 @@
 #include "game/base/limits.h"
 #include "game/base/number.h"
 #include "game/base/version.h"
+#include "game/recording/command_json.h"
 #include "game/recording/ground_data.h"
+#include "game/recording/things_json.h"
 #include "game/scene/flow_kinds.h"
 #include "game/scene/structures.h"
 #include "render/sky_light.h"
@@ -23,74 +25,22 @@ constexpr std::string_view kFormatName = "couloir recording";
 constexpr std::int64_t kMostTicks = std::int64_t{1} << 40;
 
 // The readers below throw the fact; the public functions return it as a value.
-[[noreturn]] void refuse(const std::string& fact) {
-    throw std::runtime_error(fact);
-}
-
-const Json& member(const Json& json, const char* key) {
-    if (!json.is_object() || !json.contains(key)) refuse(fmt::format("has no {}", key));
-    return json.at(key);
-}
-
-double number(const Json& json, const char* key, double least, double most) {
-    const Json& value = member(json, key);
-    if (!value.is_number()) refuse(fmt::format("{} is not a number", key));
-    const double number = value.get<double>();
-    if (!(number >= least && number <= most))
-        refuse(fmt::format("{} is {}, outside {} to {}", key, number, least, most));
-    return number;
-}
-
-std::int64_t whole(const Json& json, const char* key, std::int64_t least, std::int64_t most) {
-    const Json& value = member(json, key);
-    if (!value.is_number_integer()) refuse(fmt::format("{} is not a whole number", key));
-    const auto number = value.is_number_unsigned() && value.get<std::uint64_t>() > INT64_MAX
-                            ? INT64_MAX
-                            : value.get<std::int64_t>();
-    if (number < least || number > most)
-        refuse(fmt::format("{} is {}, outside {} to {}", key, number, least, most));
-    return number;
-}
-
-std::string text(const Json& json, const char* key) {
-    const Json& value = member(json, key);
-    if (!value.is_string()) refuse(fmt::format("{} is not a string", key));
-    return value.get<std::string>();
-}
+using values::list;
+using values::member;
+using values::named;
+using values::number;
+using values::numbers;
+using values::place_from;
+using values::place_json;
+using values::refuse;
+using values::text;
+using values::triple;
+using values::whole;
 
 std::uint64_t hash_of(const Json& json, const char* key) {
     const auto value = from_hex(text(json, key));
     if (!value) refuse(fmt::format("{} is not 16 hexadecimal digits", key));
     return *value;
-}
-
-// One of the names that `find` accepts.
-template <class Find>
-auto named(const Json& json, const char* key, Find&& find) {
-    const std::string name = text(json, key);
-    const auto value = find(name);
-    if (!value) refuse(fmt::format("{} is '{}', which this version does not know", key, name));
-    return *value;
-}
-
-Json numbers(std::initializer_list<double> values) {
-    Json list = Json::array();
-    for (const double value : values) list.push_back(value);
-    return list;
-}
-
-glm::dvec3 triple(const Json& json, const char* key, double least, double most) {
-    const Json& list = member(json, key);
-    if (!list.is_array() || list.size() != 3) refuse(fmt::format("{} is not three numbers", key));
-    glm::dvec3 values;
-    for (int i = 0; i < 3; ++i) {
-        const Json& value = list.at(static_cast<std::size_t>(i));
-        if (!value.is_number()) refuse(fmt::format("{} is not three numbers", key));
-        values[i] = value.get<double>();
-        if (!(values[i] >= least && values[i] <= most))
-            refuse(fmt::format("{} has {}, outside {} to {}", key, values[i], least, most));
-    }
-    return values;
 }
 
 Json numbers_json(const sim::Params& params) {
@@ -174,13 +124,13 @@ Json ground_json(const Scenario& scenario) {
     return json;
 }
 
-void ground_from(const Json& json, const Memory& memory, Scenario& scenario) {
+void ground_from(const Json& json, const Memory& memory, bool has_things, Scenario& scenario) {
     scenario.terrain = text(json, "name");
     scenario.licence = text(json, "licence");
     scenario.grid.nx = static_cast<int>(whole(json, "nx", 3, kMostVertices));
     scenario.grid.ny = static_cast<int>(whole(json, "ny", 3, kMostVertices));
     scenario.grid.dx = static_cast<float>(number(json, "dx", 1e-3, 1e5));
-    if (const auto allowed = memory.allows(scenario.grid, scenario.lower.has_value()); !allowed)
+    if (const auto allowed = memory.allows(scenario.grid, scenario.lower.has_value(), has_things); !allowed)
         refuse(allowed.error());
     scenario.datum = number(json, "datum", -2e4, 2e4);
     if (json.contains("georeference")) {
@@ -235,21 +185,6 @@ void flow_from(const Json& json, Scenario& scenario) {
     scenario.look.flow->repeats = number(json, "repeats", 0.1, 100);
 }
 
-Json place_json(glm::dvec2 at) {
-    return numbers({at.x, at.y});
-}
-
-glm::dvec2 place_from(const Json& json) {
-    const auto coordinate = [&](std::size_t i) {
-        const bool is_number = json.is_array() && json.size() == 2 && json.at(i).is_number();
-        const double value = is_number ? json.at(i).get<double>() : 0;
-        if (!is_number || !(std::abs(value) <= kFarthestPlace))
-            refuse("a place is not two numbers of metres");
-        return value;
-    };
-    return {coordinate(0), coordinate(1)};
-}
-
 Json structures_json(const render::Structures& structures) {
     Json json = Json::object();
     for (const render::Structure& each : structures.all)
@@ -265,16 +200,6 @@ Json structures_json(const render::Structures& structures) {
         json["lifts"].push_back({{"from", place_json(valley)}, {"to", place_json(mountain)}});
     }
     return json;
-}
-
-// An array of at most so many; empty if there is none.
-const Json& list(const Json& json, const char* key, std::size_t most) {
-    static const Json kNone = Json::array();
-    if (!json.contains(key)) return kNone;
-    const Json& list = json.at(key);
-    if (!list.is_array() || list.size() > most)
-        refuse(fmt::format("{} is not a list of at most {}", key, most));
-    return list;
 }
 
 render::Structures structures_from(const Json& json) {
@@ -468,11 +393,12 @@ Header read_header(const Json& json, int minor, const Memory& memory) {
     header.renewed = minor < kNewNumbers && scenario.params.model == sim::Model::kBcreInertial;
     if (json.contains("lower")) scenario.lower = lower_from(json.at("lower"), minor, scenario.params);
     view_from(member(json, "view"), scenario);
-    ground_from(member(json, "terrain"), memory, scenario);
+    ground_from(member(json, "terrain"), memory, json.contains("things"), scenario);
     if (const auto wrong = fault_of(scenario.structures, scenario.grid, scenario.has_data))
         refuse("structures: " + *wrong);
     if (const Json& view = member(json, "view"); view.contains("trees"))
         scenario.trees = trees_from(member(view, "trees"), scenario.grid);
+    if (json.contains("things")) values::things_from(json.at("things"), scenario);
     return header;
 }
 
@@ -481,20 +407,6 @@ bool sets_what_is_gone(const Json& numbers, const sim::CommandInfo& info) {
     return info.has_param && numbers.is_object() && numbers.contains("param") &&
            numbers.at("param").is_string() &&
            std::ranges::find(kGone, numbers.at("param").get_ref<const std::string&>()) != std::end(kGone);
-}
-
-TimedCommand read_command(const Json& json, const sim::CommandInfo& info) {
-    const Json& numbers = member(json, info.name.data());
-    TimedCommand timed{whole(json, "tick", 0, kMostTicks), {}};
-    timed.command.kind = info.kind;
-    for (const sim::CommandNumber& each : info.numbers)
-        timed.command.*each.value = number(numbers, each.name.data(), each.least, each.most);
-    if (info.has_param) timed.command.param = named(numbers, "param", sim::param_from);
-    if (info.has_layer) timed.command.layer = named(numbers, "as", sim::layer_from);
-    if (info.has_profile) timed.command.profile = named(numbers, "profile", sim::profile_from);
-    if (info.has_part && numbers.contains("of")) timed.command.of = named(numbers, "of", sim::part_from);
-    if (const auto wrong = sim::fault_of(timed.command)) refuse(*wrong);
-    return timed;
 }
 
 std::vector<std::uint64_t> hashes_before(const Json& state) {
@@ -523,13 +435,11 @@ Line read_line(const Json& json, int minor) {
             hashes_before(json),
             {0, quanta("standing"), quanta("rolling"), quanta("out"), quanta("poured"), quanta("dug")}};
     }
-    for (const sim::CommandInfo& info : sim::kCommands)
-        if (const std::string name(info.name); json.contains(name)) {
-            if (minor < kNewNumbers && sets_what_is_gone(json.at(name), info))
-                return LeftOut{whole(json, "tick", 0, kMostTicks)};
-            return read_command(json, info);
-        }
-    refuse("a line of unknown kind");
+    const sim::CommandInfo* const info = values::kind_in(json);
+    if (!info) refuse("a line of unknown kind");
+    const std::int64_t tick = whole(json, "tick", 0, kMostTicks);
+    if (minor < kNewNumbers && sets_what_is_gone(json.at(info->name), *info)) return LeftOut{tick};
+    return TimedCommand{tick, values::command_from(json, *info)};
 }
 
 }  // namespace
@@ -565,6 +475,7 @@ Json to_json(const Header& header) {
                          {"physics", numbers_json(scenario.lower->params)}};
     if (scenario.lower && scenario.lower->density) json["lower"]["density"] = *scenario.lower->density;
     json["terrain"] = ground_json(scenario);
+    if (!scenario.standing.empty()) json["things"] = values::things_json(scenario);
     return json;
 }
 
@@ -602,33 +513,10 @@ std::string noting_newer(std::string fact, int minor) {
                        fact, kFormatMajor, minor, kFormatMajor, kFormatMinor);
 }
 
-namespace {
-
-// Appends the shortest text that reads back as the same double, and as a double: "-0" would lose its sign.
-void append(double value, std::string& line) {
-    const std::size_t before = line.size();
-    fmt::format_to(std::back_inserter(line), "{}", value);
-    if (line.find_first_of(".e", before) == std::string::npos) line += ".0";
-}
-
-}  // namespace
-
 void write(const TimedCommand& timed, std::string& line) {
-    const sim::CommandInfo& info = sim::info_of(timed.command.kind);
-    const auto out = std::back_inserter(line);
-    fmt::format_to(out, R"({{"tick":{},"{}":{{)", timed.tick, info.name);
-    if (info.has_param) fmt::format_to(out, R"("param":"{}",)", sim::kParams[timed.command.param].name);
-    for (const sim::CommandNumber& each : info.numbers) {
-        fmt::format_to(out, R"("{}":)", each.name);
-        append(timed.command.*each.value, line);
-        line += ',';
-    }
-    if (info.has_layer) fmt::format_to(out, R"("as":"{}",)", sim::to_string(timed.command.layer));
-    if (info.has_profile) fmt::format_to(out, R"("profile":"{}",)", sim::to_string(timed.command.profile));
-    if (timed.command.of != sim::Part::kUpper)
-        fmt::format_to(out, R"("of":"{}",)", sim::to_string(timed.command.of));
-    line.pop_back();  // the last comma
-    line += "}}";
+    fmt::format_to(std::back_inserter(line), R"({{"tick":{},)", timed.tick);
+    values::write(timed.command, line);
+    line += '}';
 }
 
 void write(const StateLine& state, std::string& line) {

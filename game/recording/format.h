@@ -7,8 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "game/recording/json_values.h"
 #include "game/scene/memory.h"
 #include "game/scene/scenario.h"
 #include "sim/world/ledger.h"
@@ -19,10 +18,8 @@ namespace game {
 // ticks, one with the state's hash and the mass ledger, then an end line. Every line ends with "chain", the
 // hash of the previous line and of itself, so that damage can be located. docs/recording.md has an example.
 
-using Json = nlohmann::ordered_json;
-
 inline constexpr int kFormatMajor = 1;  // a reader refuses a greater one
-inline constexpr int kFormatMinor = 6;  // a greater one may have fields that this reader ignores
+inline constexpr int kFormatMinor = 7;  // a greater one may have fields that this reader ignores
 inline constexpr int kPhysicsVersion =
     6;  // of the physics and its hash: recordings of another one play, but are not comparable
 inline constexpr int kSameBcreSince = 5;  // the model bcre has not changed since

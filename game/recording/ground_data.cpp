@@ -94,4 +94,43 @@ tl::expected<std::vector<std::uint8_t>, std::string> unpack_bytes(std::string_vi
     return std::vector<std::uint8_t>(bytes->begin(), bytes->end());
 }
 
+namespace {
+
+constexpr std::size_t kBytesPerStems = 6;
+
+bool is_possible(const sim::Stems& stems) {
+    if (stems.standing > sim::kMostStems || stems.lying > sim::kMostStems) return false;
+    if (stems.standing == 0 && stems.lying == 0) return stems == sim::Stems();
+    return stems.diameter_cm >= 10 && stems.diameter_cm <= 60 && stems.height_m >= 5 && stems.height_m <= 35;
+}
+
+}  // namespace
+
+std::string pack_forest(std::span<const sim::Stems> forest) {
+    std::string bytes;
+    bytes.reserve(forest.size() * kBytesPerStems);
+    const auto add = [&](unsigned value) { bytes.push_back(static_cast<char>(value)); };
+    for (const sim::Stems& each : forest) add(each.standing & 255u), add(each.standing / 256u);
+    for (const sim::Stems& each : forest) add(each.lying & 255u), add(each.lying / 256u);
+    for (const sim::Stems& each : forest) add(each.diameter_cm);
+    for (const sim::Stems& each : forest) add(each.height_m);
+    return pack(bytes);
+}
+
+tl::expected<std::vector<sim::Stems>, std::string> unpack_forest(std::string_view text,
+                                                                 std::size_t vertices) {
+    const auto bytes = unpack(text, vertices * kBytesPerStems);
+    if (!bytes) return tl::unexpected(std::string("a forest that cannot be unpacked"));
+    const auto byte = [&](std::size_t at) { return static_cast<std::uint8_t>((*bytes)[at]); };
+    const auto two = [&](std::size_t at) {
+        return static_cast<std::uint16_t>(byte(at) + 256 * byte(at + 1));
+    };
+    std::vector<sim::Stems> forest(vertices);
+    for (std::size_t i = 0; i < vertices; ++i) {
+        forest[i] = {two(2 * i), two(2 * (vertices + i)), byte(4 * vertices + i), byte(5 * vertices + i)};
+        if (!is_possible(forest[i])) return tl::unexpected(std::string("a forest with impossible stems"));
+    }
+    return forest;
+}
+
 }  // namespace game

@@ -25,4 +25,9 @@ tl::expected<void, std::string> unpack_ground(std::string_view text, Scenario& s
 std::string pack_bytes(std::span<const std::uint8_t> bytes);
 tl::expected<std::vector<std::uint8_t>, std::string> unpack_bytes(std::string_view text, std::size_t count);
 
+// The same for the stems at each vertex: standing (two bytes, little-endian), lying, diameter and height, a plane each.
+// Errors of the second also: stems beyond kMostStems, or sizes that no planted tree has.
+std::string pack_forest(std::span<const sim::Stems> forest);
+tl::expected<std::vector<sim::Stems>, std::string> unpack_forest(std::string_view text, std::size_t vertices);
+
 }  // namespace game

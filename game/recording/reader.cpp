@@ -55,28 +55,36 @@ class Reader {
             whole_bytes_ += line_.size() + 1;
         }
         if (const auto fault = fault_of_commands(recording_.header.scenario.params, recording_.commands))
-            return unusable(fmt::format("{}: {}", name_, *fault));
+            return unusable(noting(fmt::format("{}: {}", name_, *fault)));
         if (!recording_.end && !recording_.warning)
             recording_.warning =
                 fmt::format("{}: has no end line; cut off after line {}", name_, line_number_ - 1);
-        if (recording_.header.renewed) {
-            const std::string renewed = fmt::format(
+        if (recording_.header.minor > kFormatMinor)
+            warn(noting(fmt::format("{}: what is new in it is left out", name_)));
+        if (recording_.header.renewed)
+            warn(fmt::format(
                 "{}: recorded before forces drove bcre-inertial; plays with the numbers of today's {}, "
                 "without changes of parameters, and is not comparable",
-                name_, recording_.header.scenario.material);
-            recording_.warning = recording_.warning ? *recording_.warning + "; " + renewed : renewed;
-        }
+                name_, recording_.header.scenario.material));
         return std::move(recording_);
     }
 
   private:
+    void warn(const std::string& warning) {
+        recording_.warning = recording_.warning ? *recording_.warning + "; " + warning : warning;
+    }
+
+    std::string noting(std::string fact) const {
+        return noting_newer(std::move(fact), recording_.header.minor);
+    }
+
     // What is wrong with this line, and how much before it is whole.
     tl::unexpected<Failure> wrong(const std::string& fact) const {
         const std::string before =
             line_number_ == 1
                 ? ""
                 : fmt::format("; the {} bytes before it are whole, up to tick {}", whole_bytes_, latest_);
-        return unusable(fmt::format("{}:{}: {}{}", name_, line_number_, fact, before));
+        return unusable(fmt::format("{}:{}: {}{}", name_, line_number_, noting(fact), before));
     }
 
     // Check this first, so that a file that is not a recording,
@@ -120,7 +128,7 @@ class Reader {
         const auto json = read_json<Json>(line_, kLineLimits);
         if (!json) return wrong(json.error());
         const auto line = line_from(*json, recording_.header.minor);
-        if (!line) return wrong(noting_newer(line.error(), recording_.header.minor));
+        if (!line) return wrong(line.error());
         return std::visit([&](const auto& each) { return keep(each); }, *line);
     }
 

@@ -40,17 +40,26 @@ void add_field(const char* what, const std::vector<float>& a, const std::vector<
 }
 
 struct Choice {
-    std::string_view name, value;
+    std::string_view name;
+    std::string value;
 };
 // The members of a command that are not numbers.
 std::vector<Choice> choices_of(const sim::Command& command) {
     const sim::CommandInfo& info = sim::info_of(command.kind);
     std::vector<Choice> choices;
-    if (info.has_param) choices.push_back({"param", sim::kParams[command.param].name});
-    if (info.has_layer) choices.push_back({"as", sim::to_string(command.layer)});
-    if (info.has_profile) choices.push_back({"profile", sim::to_string(command.profile)});
-    if (info.has_part) choices.push_back({"of", sim::to_string(command.of)});
+    if (info.has_param) choices.push_back({"param", std::string(sim::kParams[command.param].name)});
+    if (info.has_layer) choices.push_back({"as", std::string(sim::to_string(command.layer))});
+    if (info.has_profile) choices.push_back({"profile", std::string(sim::to_string(command.profile))});
+    if (info.has_part) choices.push_back({"of", std::string(sim::to_string(command.of))});
+    if (info.has_slope)
+        choices.push_back({"slope", fmt::format("{}:{}", command.least_slope, command.most_slope)});
     return choices;
+}
+
+bool is_usual(const Choice& choice, const sim::Command& command) {
+    if (choice.name == "of") return command.of == sim::Part::kUpper;
+    return choice.name == "slope" && command.least_slope == sim::Command::kNoLeast &&
+           command.most_slope == sim::Command::kNoMost;
 }
 
 void add_members(const TimedCommand& a, const TimedCommand& b, std::vector<std::string>& found) {
@@ -97,6 +106,25 @@ void add_density(const std::string& what, std::optional<double> a, std::optional
     if (a != b) found.push_back(differs(what, text(a), text(b)));
 }
 
+void add_standing(const Scenario::Standing& a, const Scenario::Standing& b, std::vector<std::string>& found) {
+    const sim::Stems none;
+    std::size_t stems = 0;
+    for (std::size_t i = 0; i < std::max(a.forest.size(), b.forest.size()); ++i)
+        stems += (i < a.forest.size() ? a.forest[i] : none) != (i < b.forest.size() ? b.forest[i] : none);
+    if (stems > 0) found.push_back(fmt::format("the forest differs at {} vertices", stems));
+    const auto budget = [](double m3) { return m3 < 0 ? "without limit" : fmt::format("{} m3", m3); };
+    if (a.earth_budget != b.earth_budget)
+        found.push_back(differs("the budget of earth", budget(a.earth_budget), budget(b.earth_budget)));
+    // As commands of one tick, of which the differences are known.
+    const auto timed = [](const Scenario::Standing& standing) {
+        std::vector<TimedCommand> commands;
+        for (const sim::Command& each : standing.placed) commands.push_back({0, each});
+        return commands;
+    };
+    for (const std::string& each : differences_of(timed(a), timed(b)))
+        found.push_back(fmt::format("before the start, {}", each));
+}
+
 std::vector<std::string> differences_of(const Scenario& a, const Scenario& b) {
     std::vector<std::string> found = differences_of_ground(a, b);
     add_choices(a.params, b.params, found);
@@ -112,6 +140,7 @@ std::vector<std::string> differences_of(const Scenario& a, const Scenario& b) {
     if (a.grid != b.grid) return found;
     add_field("the cover's depth", a.depth, b.depth, found);
     add_field("the release", a.rolling, b.rolling, found);
+    add_standing(a.standing, b.standing, found);
     if (a.lower && b.lower) add_field("the lower material's depth", a.lower->depth, b.lower->depth, found);
     return found;
 }
@@ -148,8 +177,7 @@ std::string to_text(const sim::Command& command) {
     for (const sim::CommandNumber& number : sim::info_of(command.kind).numbers)
         text += fmt::format(" {}={}", number.name, command.*number.value);
     for (const Choice& choice : choices_of(command))
-        if (choice.name != "of" || command.of != sim::Part::kUpper)
-            text += fmt::format(" {}={}", choice.name, choice.value);
+        if (!is_usual(choice, command)) text += fmt::format(" {}={}", choice.name, choice.value);
     return text;
 }
 

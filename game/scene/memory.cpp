@@ -49,13 +49,16 @@ std::uint64_t Memory::for_undo() const {
     return std::min(128 * kMiB, most / 16);
 }
 
-std::uint64_t expected_bytes(const sim::Grid& grid, bool two_materials, const Memory& memory) {
+std::uint64_t expected_bytes(const sim::Grid& grid, bool two_materials, const Memory& memory,
+                             bool has_things) {
     // Bytes per vertex, measured (docs/results/costs.md#memory).
     const WorldUse& use = memory.use;
     const std::uint64_t reading = 130;
-    const std::uint64_t start = two_materials ? 70 : 50;
-    const std::uint64_t session = two_materials ? 318 : 73;
-    const std::uint64_t run = two_materials ? 235 : 55;
+    // Things (sim/world/things.h): fields and the numbers of vertices in a world, and the forest of a start.
+    const std::uint64_t things = has_things || use.goes_back ? 48 : 0;
+    const std::uint64_t start = (two_materials ? 70 : 50) + (things > 0 ? 6 : 0);
+    const std::uint64_t session = (two_materials ? 318 : 73) + things;
+    const std::uint64_t run = (two_materials ? 235 : 55) + things;
     std::uint64_t using_it = start + session * static_cast<std::uint64_t>(use.sessions) +
                              run * static_cast<std::uint64_t>(use.runs);
     if (use.draws) using_it += grid.size() <= kMostFollowed ? 1020 : 280;
@@ -71,8 +74,9 @@ std::uint64_t expected_bytes(const sim::Grid& grid, bool two_materials, const Me
     return bytes;
 }
 
-tl::expected<void, std::string> Memory::allows(const sim::Grid& grid, bool two_materials) const {
-    const std::uint64_t expected = expected_bytes(grid, two_materials, *this);
+tl::expected<void, std::string> Memory::allows(const sim::Grid& grid, bool two_materials,
+                                               bool has_things) const {
+    const std::uint64_t expected = expected_bytes(grid, two_materials, *this, has_things);
     if (expected <= most) return {};
     const std::string images = use.frames.width > 0 ? fmt::format(" and images of {} by {} pixels",
                                                                   use.frames.width, use.frames.height)

@@ -47,12 +47,15 @@ struct Memory {
     std::uint64_t for_undo() const;
 
     // Errors: the grid needs more than `most`; the fact has both sizes.
-    tl::expected<void, std::string> allows(const sim::Grid& grid, bool two_materials) const;
+    tl::expected<void, std::string> allows(const sim::Grid& grid, bool two_materials,
+                                           bool has_things = false) const;
 };
 
 // Expected peak of the whole program, bytes: of reading the ground or of using it, whichever is more.
 // docs/results/costs.md#memory has the measurements.
-std::uint64_t expected_bytes(const sim::Grid& grid, bool two_materials, const Memory& memory);
+// `has_things`: something stands at tick 0, or a command places it. A user may always place something.
+std::uint64_t expected_bytes(const sim::Grid& grid, bool two_materials, const Memory& memory,
+                             bool has_things = false);
 
 // Parses "800M", "4G", "1073741824": bytes, or multiples of
 // 1024 with K, M, G or T. Nothing for any other text or 0.

@@ -10,6 +10,8 @@
 #define XXH_STATIC_LINKING_ONLY  // for a digest on the stack
 #include <xxhash.h>
 
+#include "game/scene/pressure.h"
+
 namespace game {
 
 std::span<const TimedCommand> commands_from(std::span<const TimedCommand> commands, std::int64_t tick) {
@@ -89,6 +91,11 @@ sim::InitialState initial_state_of(const Scenario& scenario) {
     sim::InitialState world{scenario.grid,    scenario.datum,    scenario.bedrock, scenario.depth,
                             scenario.rolling, scenario.has_data, scenario.seed};
     if (scenario.lower) world.lower = sim::InitialState::Lower{scenario.lower->params, scenario.lower->depth};
+    if (const auto densities = densities_of(scenario)) {
+        world.density = static_cast<float>(densities->upper);
+        world.lower_density = static_cast<float>(densities->lower);
+    }
+    world.standing = {scenario.standing.forest, scenario.standing.placed, scenario.standing.earth_budget};
     return world;
 }
 

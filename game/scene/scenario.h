@@ -27,7 +27,7 @@ struct Scenario {
     std::string title;     // for display
     std::string material;  // name of its preset
     sim::Params params;
-    std::optional<double> density;  // kg/m³, of the flowing material; serves impact pressure only
+    std::optional<double> density;  // kg/m³, of the flowing material; for impact pressure and things
 
     std::string terrain;  // name of the ground
     std::string licence;  // licence of the ground's source; may be empty
@@ -55,6 +55,16 @@ struct Scenario {
         sim::fields::FlowNumbers numbers;
     };
     std::optional<Flow> flow;
+
+    // What stands at tick 0 and acts on a flow (sim/world/things.h).
+    struct Standing {
+        std::vector<sim::Stems> forest;    // none, or grid.size() values
+        std::vector<sim::Command> placed;  // of things, done one after another before tick 0
+        double earth_budget = -1;          // m³; −1: no limit
+        bool empty() const { return forest.empty() && placed.empty() && earth_budget < 0; }
+        bool operator==(const Standing&) const = default;
+    };
+    Standing standing;
 
     render::Look look;
     render::Light light;

@@ -13,7 +13,9 @@
 #include "game/scene/scene_ground.h"
 #include "game/scene/scene_light.h"
 #include "game/scene/scene_structures.h"
+#include "game/scene/scene_things.h"
 #include "game/scene/scene_trees.h"
+#include "game/scene/standing.h"
 #include "game/scene/structures.h"
 #include "render/overview.h"
 #include "terrains/dem_gdal.h"
@@ -106,6 +108,14 @@ sim::Command read_command(TomlTable& table, const sim::CommandInfo& info, bool h
             if (part == sim::Part::kLower && !has_lower)
                 table.blame("of", "is lower, and the scene has no [under]");
             command.of = part.value_or(command.of);
+        }
+    if (info.has_slope)
+        if (const auto slope = table.numbers("slope", 2)) {
+            command.least_slope = (*slope)[0], command.most_slope = (*slope)[1];
+            const bool rises = sim::Command::kNoLeast <= command.least_slope &&
+                               command.least_slope < command.most_slope &&
+                               command.most_slope <= sim::Command::kNoMost;
+            if (!rises) table.blame("slope", "is not two rising angles of 0 to 90 degrees");
         }
     table.finish();
     return command;
@@ -300,7 +310,8 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
     if (under) under->finish();
     TreesTable trees;
     if (auto table = root.table("trees")) trees = read_trees(*table, folder, overrides.references);
-    scenario.structures = read_structures(root);
+    ThingsTables things = read_things(root);
+    scenario.structures = read_structures(root, things);
     if (auto wind = root.table("wind")) read_wind(*wind, scenario.wind);
     scene.commands = read_commands(root, params.tick_s, scenario.lower.has_value());
     const auto sun = read_view(root, scenario);
@@ -312,9 +323,11 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
         return unusable(fmt::format("{}: {}", path.string(), *wrong));
 
     if (const auto file = ground->text("file")) scene.files.push_back(folder / *file);
-    auto terrain = read_terrain(
-        *ground, folder, overrides.squares, overrides.references,
-        [&](const sim::Grid& grid) { return overrides.memory.allows(grid, scenario.lower.has_value()); });
+    auto terrain =
+        read_terrain(*ground, folder, overrides.squares, overrides.references, [&](const sim::Grid& grid) {
+            return overrides.memory.allows(grid, scenario.lower.has_value(),
+                                           !things.empty() || has_things(scene.commands));
+        });
     if (fault) return unusable(*fault);
     if (!terrain) return unusable(terrain.error());
     add_files(terrain->files, scene);
@@ -336,6 +349,7 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
     set_ground(scenario, *terrain);
     if (const auto wrong = fault_of(scenario.structures, scenario.grid, scenario.has_data))
         return unusable(fmt::format("{}: {}", path.string(), *wrong));
+    stand(std::move(things), scenario);
     light_by(sun, root, scenario);
     if (fault) return unusable(*fault);
     return scene;

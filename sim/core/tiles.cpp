@@ -35,7 +35,7 @@ void Tiles::wake_all() {
 }
 
 void Tiles::wake(int x0, int x1, int y0, int y1) {
-    if (columns == 0) return;  // before an engine is made
+    if (awake.empty()) return;  // a state without an engine has no tiles
     open(x0 / width, x1 / width, y0 / height, y1 / height);
     mark(unsmoothed, x0 / width, x1 / width, y0 / height, y1 / height);
     mark(awake, std::max(x0 - kReach, 0) / width, std::min((x1 + kReach) / width, columns - 1),

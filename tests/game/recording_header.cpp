@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <set>
@@ -7,8 +8,10 @@
 #include <gtest/gtest.h>
 
 #include "game/analysis/headless.h"
+#include "game/recording/ground_data.h"
 #include "game/recording/reader.h"
 #include "game/scene/material.h"
+#include "game/scene/standing.h"
 #include "game/session/renew.h"
 #include "game/session/session.h"
 #include "tests/game/program.h"
@@ -102,7 +105,7 @@ TEST_F(ForgedHeader, of_a_newer_minor_version_is_named_where_something_in_it_is_
 }
 
 TEST_F(ForgedHeader, of_a_newer_minor_version_may_have_unknown_fields) {
-    header_["version"] = {1, 7};
+    header_["version"] = {1, kFormatMinor + 1};
     header_["snow_crystals"] = {{"kind", "dendrite"}};
     header_["physics"]["cohesion"] = 3;
     Json state = json_of(bodies_[1]);
@@ -111,6 +114,37 @@ TEST_F(ForgedHeader, of_a_newer_minor_version_may_have_unknown_fields) {
     const auto recording = read(header_);
     ASSERT_TRUE(recording) << recording.error().sentence;
     EXPECT_EQ(recording->header.scenario.params, small_scenario().params);
+    ASSERT_TRUE(recording->warning);
+    EXPECT_NE(recording->warning->find(fmt::format("recorded in format 1.{}", kFormatMinor + 1)),
+              std::string::npos)
+        << *recording->warning;
+}
+
+// What this program leaves out may be why its states differ.
+TEST_F(ForgedHeader, of_a_newer_minor_version_with_other_states_is_not_comparable) {
+    const auto last = std::find_if(bodies_.rbegin(), bodies_.rend(),
+                                   [](const std::string& body) { return json_of(body).contains("hash"); });
+    Json state = json_of(*last);
+    state["hash"] = "0123456789abcdef";
+    *last = body_of(state);
+    for (const bool newer : {false, true}) {
+        header_["version"] = {1, kFormatMinor + (newer ? 1 : 0)};
+        bodies_[0] = body_of(header_);
+        write_bytes(path_, chained(bodies_));
+        const Finished replayed = couloir({"replay", path_.string(), "--verify", "--json"});
+        EXPECT_EQ(replayed.status, 1) << replayed.err;
+        EXPECT_EQ(Json::parse(replayed.out)["verified"]["outcome"], newer ? "not comparable" : "differs");
+        EXPECT_EQ(replayed.err.find("use a newer couloir") != std::string::npos, newer) << replayed.err;
+    }
+}
+
+TEST_F(ForgedHeader, of_a_newer_minor_version_is_named_beside_every_fault) {
+    header_["version"] = {1, kFormatMinor + 1};
+    bodies_.insert(bodies_.begin() + 2, R"({"tick":99999,"settle":{"x":1.0,"y":1.0,"radius":1.0})");
+    const auto recording = read(header_);
+    ASSERT_FALSE(recording);
+    EXPECT_NE(recording.error().sentence.find("use a newer couloir"), std::string::npos)
+        << recording.error().sentence;
 }
 
 TEST_F(ForgedHeader, keeps_its_valid_origin_and_refuses_an_invalid_one) {
@@ -215,6 +249,50 @@ TEST_F(ForgedHeader, of_the_former_bcre_inertial_plays_with_the_numbers_of_today
     bodies_[0] = body_of(header_);
     write_bytes(path_, chained(bodies_));
     EXPECT_FALSE(read_recording(path_));
+}
+
+TEST_F(ForgedHeader, with_things_that_cannot_be_is_refused) {
+    const Json fell = {{"fell", {{"x", 9.0}, {"y", 9.0}, {"radius", 3.0}}}};
+    const Json pour = json_of(
+        R"({"pour":{"x":1.0,"y":1.0,"radius":1.0,"rate":1.0,"duration":1.0,"as":"rolling","profile":"disc"})");
+    header_["things"] = {{"placed", Json::array({fell})}, {"earth_budget", 12.5}};
+    ASSERT_TRUE(read(header_)) << read(header_).error().sentence;
+    const std::vector<sim::Stems> dense(
+        header_["terrain"]["nx"].get<std::size_t>() * header_["terrain"]["ny"].get<std::size_t>(),
+        sim::Stems{2001, 0, 30, 22});
+    const auto one = [](sim::Stems stems) { return pack_forest(std::vector<sim::Stems>(143, stems)); };
+    ASSERT_EQ(dense.size(), 143u);
+    Json steep = fell, high = fell;
+    steep["fell"]["slope"] = {50, 40}, high["fell"]["radius"] = 1e9;
+    const std::vector<std::pair<const char*, Json>> nonsense{
+        {"/things", 7},
+        {"/things/placed", "many"},
+        {"/things/placed", Json::array({7})},
+        {"/things/placed", Json::array({Json::object()})},
+        {"/things/placed", Json::array({pour})},
+        {"/things/placed", Json::array({steep})},
+        {"/things/placed", Json::array({high})},
+        {"/things/placed", std::vector<Json>(kMostPlaced + 1, fell)},
+        {"/things/earth_budget", -1},
+        {"/things/earth_budget", "much"},
+        {"/things/forest", 7},
+        {"/things/forest", "AAAA"},
+        {"/things/forest", pack_forest(std::span(dense).first(142))},
+        {"/things/forest", pack_forest(dense)},
+        {"/things/forest", one({0, 2001, 30, 22})},
+        {"/things/forest", one({1, 0, 9, 22})},
+        {"/things/forest", one({1, 0, 61, 22})},
+        {"/things/forest", one({1, 0, 30, 4})},
+        {"/things/forest", one({1, 0, 30, 36})},
+        {"/things/forest", one({0, 0, 30, 22})},
+    };
+    for (const auto& [where, what] : nonsense) {
+        Json wrong = header_;
+        wrong[Json::json_pointer(where)] = what;
+        EXPECT_FALSE(refused(wrong).empty()) << where << " " << what;
+    }
+    header_["things"]["forest"] = one({2000, 2000, 60, 35});
+    EXPECT_TRUE(read(header_)) << read(header_).error().sentence;
 }
 
 TEST_F(ForgedHeader, with_a_number_beyond_double_range_is_refused) {

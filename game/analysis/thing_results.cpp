@@ -1,0 +1,175 @@
+#include "game/analysis/thing_results.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace game {
+namespace {
+
+// Depth of what lies or rolls on a place above the first surface, m, between the vertices around it.
+double risen(const sim::State& world, glm::dvec2 at) {
+    const sim::Grid& grid = world.grid;
+    const glm::dvec2 cell = glm::clamp(at / static_cast<double>(grid.dx), glm::dvec2(0),
+                                       glm::dvec2(grid.nx - 1, grid.ny - 1) - 1e-9);
+    const int x0 = static_cast<int>(cell.x), y0 = static_cast<int>(cell.y);
+    const auto at_vertex = [&](int x, int y) {
+        return static_cast<double>(world.depth(x, y)) - static_cast<double>(world.first_depth(x, y)) +
+               static_cast<double>(world.rolling(x, y));
+    };
+    const glm::dvec2 share = cell - glm::dvec2(x0, y0);
+    const double south = glm::mix(at_vertex(x0, y0), at_vertex(x0 + 1, y0), share.x);
+    const double north = glm::mix(at_vertex(x0, y0 + 1), at_vertex(x0 + 1, y0 + 1), share.x);
+    return glm::mix(south, north, share.y);
+}
+
+glm::dvec2 from(const sim::Thing& line) {
+    return {line.x, line.y};
+}
+glm::dvec2 to(const sim::Thing& line) {
+    return {line.to_x, line.to_y};
+}
+
+// m of a piece of road, sampled every quarter of a cell.
+double blocked(const sim::State& world, const sim::Thing& road) {
+    const double length = glm::distance(from(road), to(road));
+    const double samples = std::max(1.0, std::ceil(length / (0.25 * static_cast<double>(world.grid.dx))));
+    double blocked = 0;
+    for (double i = 0.5; i < samples; ++i)
+        if (risen(world, glm::mix(from(road), to(road), i / samples)) > ThingResults::kBlocking)
+            blocked += length / samples;
+    return blocked;
+}
+
+// "intact", "damaged", "destroyed" or "buried"; of a road "clear" or "blocked".
+std::string_view state_of(const sim::State& world, const sim::Thing& thing) {
+    if (thing.kind == sim::ThingKind::kRoad) return blocked(world, thing) > 0 ? "blocked" : "clear";
+    if (thing.destroyed()) return "destroyed";
+    if (thing.under()) return "buried";
+    return thing.damaged() ? "damaged" : "intact";
+}
+
+// The middle of an object.
+terrains::LocalPoint middle_of(const sim::Thing& thing) {
+    const bool is_line = thing.kind == sim::ThingKind::kNet || thing.kind == sim::ThingKind::kRoad;
+    if (!is_line) return {thing.x, thing.y};
+    return {(thing.x + thing.to_x) / 2, (thing.y + thing.to_y) / 2};
+}
+
+double load_kpa(const sim::Thing& thing) {
+    return static_cast<double>(thing.load) / 1000;
+}
+double buried_m(const sim::Thing& thing) {
+    return static_cast<double>(thing.buried) / 1000;
+}
+
+std::string line_of(const Scenario& scenario, const sim::State& world, const sim::Thing& thing) {
+    const terrains::LocalPoint at = middle_of(thing);
+    std::string where = scenario.georeference.describe(at);
+    if (where.empty()) where = fmt::format("{:.0f} m east, {:.0f} m north", at.x, at.y);
+    return fmt::format("{} at {}: {}, load {:.1f} of {:g} kPa, buried {:.1f} m\n", sim::to_string(thing.kind),
+                       where, state_of(world, thing), load_kpa(thing), thing.strength, buried_m(thing));
+}
+
+// How many pieces of nets are in each state.
+std::string net_text(const std::vector<sim::Thing>& list) {
+    std::size_t pieces = 0, damaged = 0, destroyed = 0;
+    double greatest = 0;
+    for (const sim::Thing& thing : list) {
+        if (thing.kind != sim::ThingKind::kNet) continue;
+        ++pieces;
+        destroyed += thing.destroyed();
+        damaged += thing.damaged() && !thing.destroyed();
+        greatest = std::max(greatest, load_kpa(thing));
+    }
+    if (pieces == 0) return "";
+    return fmt::format("nets: {} pieces, {} damaged, {} destroyed, load up to {:.1f} kPa\n", pieces, damaged,
+                       destroyed, greatest);
+}
+
+}  // namespace
+
+ThingResults thing_results(const Session& session) {
+    const sim::State& world = session.state();
+    const sim::Things& things = *world.things;
+    const auto cell = static_cast<double>(world.grid.dx);
+    constexpr double kSquareMetresPerHectare = 1e4;
+    ThingResults results;
+    for (int y = 0; y < world.grid.ny; ++y)
+        for (int x = 0; x < world.grid.nx; ++x) {
+            const sim::Stems& stems = things.forest(x, y);
+            const int all = stems.standing + stems.lying;
+            if (all == 0) continue;
+            const double area = cell * cell / kSquareMetresPerHectare;
+            results.forest_intact_ha += area * stems.standing / all;
+            results.forest_broken_ha += area * stems.lying / all;
+        }
+    results.earth_used = session.cubic_metres(sim::earth_used(things));
+    for (const sim::Thing& thing : things.list)
+        if (thing.kind == sim::ThingKind::kRoad) {
+            results.road += glm::distance(from(thing), to(thing));
+            results.road_blocked += blocked(world, thing);
+        }
+    return results;
+}
+
+Json things_to_json(const Scenario& scenario, const Session& session) {
+    const sim::Things& things = *session.state().things;
+    const ThingResults results = thing_results(session);
+    Json json;
+    json["objects"] = Json::array();
+    for (const sim::Thing& thing : things.list) {
+        const terrains::LocalPoint at = middle_of(thing);
+        Json object{{"kind", sim::to_string(thing.kind)}, {"x_m", at.x}, {"y_m", at.y}};
+        if (const auto place = scenario.georeference.to_lat_lon(at)) {
+            object["latitude"] = place->latitude;
+            object["longitude"] = place->longitude;
+        }
+        if (thing.kind == sim::ThingKind::kRoad) {
+            object["length_m"] = glm::distance(from(thing), to(thing));
+            object["blocked_m"] = blocked(session.state(), thing);
+        } else {
+            object["strength_kpa"] = thing.strength;
+            object["load_kpa"] = load_kpa(thing);
+            object["buried_m"] = buried_m(thing);
+        }
+        object["state"] = state_of(session.state(), thing);
+        json["objects"].push_back(std::move(object));
+    }
+    json["forest"] = {{"intact_ha", results.forest_intact_ha}, {"broken_ha", results.forest_broken_ha}};
+    json["earth"] = {{"used_m3", results.earth_used}};
+    if (things.budget >= 0) json["earth"]["budget_m3"] = session.cubic_metres(things.budget);
+    json["road"] = {{"length_m", results.road}, {"blocked_m", results.road_blocked}};
+    return json;
+}
+
+std::string things_to_text(const Scenario& scenario, const Session& session) {
+    constexpr int kMostLines = 20;
+    const sim::Things& things = *session.state().things;
+    const ThingResults results = thing_results(session);
+    std::string text;
+    int lines = 0;
+    for (const sim::Thing& thing : things.list) {
+        if (thing.kind == sim::ThingKind::kNet || thing.kind == sim::ThingKind::kRoad) continue;
+        if (++lines <= kMostLines) text += line_of(scenario, session.state(), thing);
+    }
+    if (lines > kMostLines) text += fmt::format("and {} more; --json has all\n", lines - kMostLines);
+    text += net_text(things.list);
+    if (results.road > 0)
+        text += fmt::format("road: {:.0f} m, of which {:.0f} m are blocked\n", results.road,
+                            results.road_blocked);
+    if (results.forest_intact_ha + results.forest_broken_ha > 0)
+        text += fmt::format("forest: {:.2f} ha intact, {:.2f} ha broken\n", results.forest_intact_ha,
+                            results.forest_broken_ha);
+    if (things.budget >= 0)
+        text += fmt::format("earth: {:.1f} of {:.1f} m3 used\n", results.earth_used,
+                            session.cubic_metres(things.budget));
+    else if (results.earth_used > 0)
+        text += fmt::format("earth: {:.1f} m3 used\n", results.earth_used);
+    return text;
+}
+
+}  // namespace game

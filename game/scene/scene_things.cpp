@@ -1,0 +1,284 @@
+#include "game/scene/scene_things.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "game/base/limits.h"
+#include "game/scene/scene_trees.h"
+#include "game/scene/standing.h"
+#include "game/scene/structures.h"
+
+namespace game {
+namespace {
+
+constexpr double kWood = 5;  // kPa
+constexpr std::pair<std::string_view, double> kStrengths[] = {
+    {"glass", 1}, {"wood", kWood}, {"brick", 10}, {"concrete", 30}};
+constexpr double kNetHeight = 3, kNetStrength = 30;                               // m, kPa
+constexpr double kUsualStems = 400, kUsualDiameter = 0.3, kUsualTreeHeight = 22;  // 1/ha, m, m
+
+// Discs of a dam overlap: their centres are at most this share of their radius apart.
+constexpr double kApart = 0.5;
+// The sum of such cones is at most this steep, per height and radius, and flanks of earth are at most 1 : 1.25.
+constexpr double kSteepest = 1.33, kSteepestFlank = 1 / 1.25;
+
+// A number of a command, in the range that the manifest gives it.
+std::optional<double> read_member(TomlTable& table, std::string_view key, sim::CommandKind kind) {
+    for (const sim::CommandNumber& number : sim::info_of(kind).numbers)
+        if (number.name == key) return table.number(key, number.least, number.most);
+    return std::nullopt;
+}
+
+std::optional<double> read_strength(TomlTable& table, sim::CommandKind kind) {
+    if (!table.is_text("strength")) return read_member(table, "strength", kind);
+    const auto name = table.text("strength");
+    const auto found = std::ranges::find(kStrengths, *name, &std::pair<std::string_view, double>::first);
+    if (found != std::end(kStrengths)) return found->second;
+    table.blame("strength", "is not a number of kPa, nor one of glass, wood, brick, concrete");
+    return std::nullopt;
+}
+
+std::optional<std::vector<glm::dvec2>> read_points(TomlTable& table) {
+    auto points = table.places("points", 2, kMostRoadPoints);
+    if (!points && !table.has("points")) table.blame("", "needs points: places that it leads through");
+    if (points)
+        if (const auto wrong = fault_of_road(*points)) table.blame("points", *wrong);
+    return points;
+}
+
+sim::Command line_command(sim::CommandKind kind, glm::dvec2 from, glm::dvec2 to) {
+    sim::Command command;
+    command.kind = kind;
+    command.x = from.x, command.y = from.y;
+    command.to_x = to.x, command.to_y = to.y;
+    return command;
+}
+
+sim::Command house_command(glm::dvec2 at, double heading) {
+    sim::Command command;
+    command.kind = sim::CommandKind::kHouse;
+    command.x = at.x, command.y = at.y;
+    command.turn = heading;
+    command.length = render::kHutLength, command.width = render::kHutWidth;
+    command.height = render::kHutHeight;
+    command.strength = kWood;
+    return command;
+}
+
+void read_house(TomlTable& table, ThingsTables& things) {
+    const auto at = table.place("at");
+    if (!at && !table.has("at")) table.blame("", "needs `at`: metres east and north");
+    sim::Command command =
+        house_command(at.value_or(glm::dvec2(0)), table.number("heading", -360, 360).value_or(0));
+    const auto take = [&](std::string_view key, double sim::Command::*into) {
+        command.*into = read_member(table, key, command.kind).value_or(command.*into);
+    };
+    take("length", &sim::Command::length);
+    take("width", &sim::Command::width);
+    take("height", &sim::Command::height);
+    command.strength = read_strength(table, command.kind).value_or(command.strength);
+    table.finish();
+    things.placed.push_back({table, {command}});
+}
+
+void read_net(TomlTable& table, ThingsTables& things) {
+    const auto points = read_points(table);
+    const double height = read_member(table, "height", sim::CommandKind::kNet).value_or(kNetHeight);
+    const double strength = read_strength(table, sim::CommandKind::kNet).value_or(kNetStrength);
+    table.finish();
+    std::vector<sim::Command> commands;
+    for (std::size_t i = 1; points && i < points->size(); ++i) {
+        commands.push_back(line_command(sim::CommandKind::kNet, (*points)[i - 1], (*points)[i]));
+        commands.back().height = height;
+        commands.back().strength = strength;
+    }
+    things.placed.push_back({table, std::move(commands)});
+}
+
+// Cones of earth along a line, whose sum is `rise` high along its middle; toward its ends it grows lower.
+std::vector<sim::Command> dam_along(const std::vector<glm::dvec2>& points, double radius, double rise) {
+    std::vector<glm::dvec2> centres;
+    std::vector<double> apart;  // from each centre to the next
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const glm::dvec2 along = points[i] - points[i - 1];
+        const double length = glm::length(along);
+        const auto pieces = static_cast<std::size_t>(std::ceil(length / (kApart * radius)));
+        if (centres.size() + pieces > kMostPlaced) return {};
+        for (std::size_t k = 0; k < pieces; ++k) {
+            centres.push_back(points[i - 1] + along * (static_cast<double>(k) / static_cast<double>(pieces)));
+            apart.push_back(length / static_cast<double>(pieces));
+        }
+    }
+    centres.push_back(points.back());
+    apart.push_back(apart.back());
+    std::vector<sim::Command> commands;
+    for (std::size_t i = 0; i < centres.size(); ++i) {
+        const double around = (apart[i] + apart[i == 0 ? 0 : i - 1]) / 2;
+        sim::Command command;
+        command.kind = sim::CommandKind::kSculpt;
+        command.x = centres[i].x, command.y = centres[i].y;
+        command.radius = radius;
+        command.rise = rise * around / radius;
+        command.profile = sim::Profile::kCone;
+        commands.push_back(command);
+    }
+    return commands;
+}
+
+void read_dam(TomlTable& table, ThingsTables& things) {
+    constexpr double kNarrowest = 1, kWidest = 500;  // m
+    const auto points = read_points(table);
+    const auto radius = table.number("radius", kNarrowest, kWidest);
+    const auto rise = read_member(table, "rise", sim::CommandKind::kSculpt);
+    if (!radius && !table.has("radius"))
+        table.blame("", "needs a radius: metres from its middle to its foot");
+    if (!rise && !table.has("rise")) table.blame("", "needs a rise, in metres; below 0: a ditch");
+    table.finish();
+    if (!points || !radius || !rise) return;
+    if (const double least = std::abs(*rise) * kSteepest / kSteepestFlank; *radius < least)
+        table.blame("radius",
+                    fmt::format("is {} m: its flanks would be steeper than 1 : 1.25; at least {:.1f} m "
+                                "are needed for {} m of earth",
+                                *radius, std::ceil(10 * least) / 10, *rise));
+    auto commands = dam_along(*points, *radius, *rise);
+    if (commands.empty())
+        table.blame("points",
+                    fmt::format("make more than {} strokes of earth; use a larger radius", kMostPlaced));
+    things.placed.push_back({table, std::move(commands), *points});
+}
+
+void read_forest(TomlTable& table, ThingsTables& things) {
+    auto polygon = table.places("polygon", kFewestTreeCorners, kMostTreeCorners);
+    if (!polygon && !table.has("polygon")) table.blame("", "needs a polygon: places around it, in order");
+    if (polygon)
+        if (const auto sides = crossing_sides(*polygon))
+            table.blame("polygon", fmt::format("crosses itself: side {}, from corner {}, meets side {}",
+                                               sides->first, sides->first, sides->second));
+    const auto take = [&](std::string_view key, double usual) {
+        return read_member(table, key, sim::CommandKind::kPlant).value_or(usual);
+    };
+    const double stems = take("stems", kUsualStems), diameter = take("diameter", kUsualDiameter),
+                 height = take("height", kUsualTreeHeight);
+    table.finish();
+    things.forests.push_back({table,
+                              std::move(polygon).value_or(std::vector<glm::dvec2>()),
+                              {static_cast<std::uint16_t>(std::lround(stems)), 0,
+                               static_cast<std::uint8_t>(std::lround(100 * diameter)),
+                               static_cast<std::uint8_t>(std::lround(height))}});
+}
+
+glm::dvec2 extent_of(const sim::Grid& grid) {
+    return glm::dvec2(grid.nx - 1, grid.ny - 1) * static_cast<double>(grid.dx);
+}
+
+std::optional<std::string> fault_of_places(std::string_view what, const std::vector<glm::dvec2>& places,
+                                           const sim::Grid& grid) {
+    const glm::dvec2 size = extent_of(grid);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        if (const glm::dvec2 at = places[i]; at.x < 0 || at.x > size.x || at.y < 0 || at.y > size.y)
+            return fmt::format("has {} {}, {:.6g}, {:.6g}, beside the grid, which is {:.6g} × {:.6g} m", what,
+                               i + 1, at.x, at.y, size.x, size.y);
+    return std::nullopt;
+}
+
+bool is_inside(const std::vector<glm::dvec2>& polygon, glm::dvec2 at) {
+    bool inside = false;
+    for (std::size_t i = 0, before = polygon.size() - 1; i < polygon.size(); before = i++) {
+        const glm::dvec2 a = polygon[before], b = polygon[i];
+        if ((a.y > at.y) != (b.y > at.y) && at.x < a.x + (b.x - a.x) * (at.y - a.y) / (b.y - a.y))
+            inside = !inside;
+    }
+    return inside;
+}
+
+// Plants the vertices inside its polygon. Where two forests meet, the later one grows.
+void plant_forest(ThingsTables::Forest& forest, Scenario& scenario) {
+    const sim::Grid& grid = scenario.grid;
+    if (const auto wrong = fault_of_places("corner", forest.polygon, grid)) {
+        forest.table.blame("polygon", *wrong);
+        return;
+    }
+    std::vector<sim::Stems>& stems = scenario.standing.forest;
+    stems.resize(grid.size());
+    bool any = false;
+    std::size_t i = 0;
+    for (int y = 0; y < grid.ny; ++y)
+        for (int x = 0; x < grid.nx; ++x, ++i)
+            if (scenario.has_data[i] != 0 &&
+                is_inside(forest.polygon, glm::dvec2(x, y) * static_cast<double>(grid.dx)))
+                stems[i] = forest.stems, any = true;
+    if (!any)
+        forest.table.blame(
+            "polygon", fmt::format("has no vertex of the grid inside, whose cells are {:.4g} m", grid.dx));
+}
+
+}  // namespace
+
+ThingsTables read_things(TomlTable& root) {
+    ThingsTables things;
+    // Earth first, because the rest stands on it.
+    for (TomlTable& table : root.tables("dam")) read_dam(table, things);
+    for (TomlTable& table : root.tables("house")) read_house(table, things);
+    for (TomlTable& table : root.tables("net")) read_net(table, things);
+    for (TomlTable& table : root.tables("forest")) read_forest(table, things);
+    if (auto earth = root.table("earth")) {
+        const auto budget = earth->number("budget", 0, kGreatestEarthBudget);
+        if (!budget && !earth->has("budget")) earth->blame("", "needs a budget, in m³");
+        things.earth_budget = budget.value_or(-1);
+        earth->finish();
+        things.earth = *earth;
+    }
+    return things;
+}
+
+void add_road(const TomlTable& table, const std::vector<glm::dvec2>& points, double width,
+              ThingsTables& things) {
+    std::vector<sim::Command> commands;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        commands.push_back(line_command(sim::CommandKind::kRoad, points[i - 1], points[i]));
+        commands.back().width = width;
+    }
+    things.placed.push_back({table, std::move(commands)});
+}
+
+void add_house(const TomlTable& table, glm::dvec2 at, double heading, ThingsTables& things) {
+    things.placed.push_back({table, {house_command(at, heading)}});
+}
+
+void add_lift(const TomlTable& table, glm::dvec2 from, glm::dvec2 to, ThingsTables& things) {
+    things.placed.push_back({table, {line_command(sim::CommandKind::kLift, from, to)}});
+}
+
+void stand(ThingsTables things, Scenario& scenario) {
+    Scenario::Standing& standing = scenario.standing;
+    standing.earth_budget = things.earth_budget;
+    for (ThingsTables::Forest& forest : things.forests) plant_forest(forest, scenario);
+    std::vector<TomlTable*> origin;  // of each command
+    for (ThingsTables::Placed& each : things.placed) {
+        if (standing.placed.size() + each.commands.size() > kMostPlaced)
+            each.table.blame("",
+                             fmt::format("is too many: at most {} pieces may stand in a scene", kMostPlaced));
+        if (const auto wrong = fault_of_places("point", each.points, scenario.grid))
+            each.table.blame("points", *wrong);
+        for (const sim::Command& command : each.commands) {
+            standing.placed.push_back(command);
+            origin.push_back(&each.table);
+        }
+    }
+    if (standing.placed.size() > kMostPlaced) return;
+    if (const auto wrong = fault_of_placed(scenario)) {
+        origin[wrong->index]->blame("", "cannot stand: " + wrong->fact);
+        return;
+    }
+    if (const double needed = earth_needed(scenario); needed > standing.earth_budget && things.earth)
+        things.earth->blame("budget", fmt::format("is {:.1f} m³, and the scene's own [[dam]] needs {:.1f} m³",
+                                                  standing.earth_budget, needed));
+}
+
+}  // namespace game

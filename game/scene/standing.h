@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "game/scene/scenario.h"
+
+namespace game {
+
+// What stands on a scenario's ground at tick 0: limits and faults.
+
+inline constexpr std::size_t kMostPlaced = 2000;     // commands
+inline constexpr double kGreatestEarthBudget = 1e9;  // m³
+
+// Whether a command of this kind may stand in Scenario::Standing::placed: it changes things, not layers or parameters.
+bool places_things(sim::CommandKind kind);
+
+// Whether these commands may give a world things.
+bool has_things(std::span<const TimedCommand> commands);
+
+struct PlacedFault {
+    std::size_t index;  // in Scenario::Standing::placed
+    std::string fact;   // such as "the house at (10, 20) stands on the house at (12, 20)"
+};
+// The first command that cannot be done on the scenario's ground, one after another; nothing if all can.
+std::optional<PlacedFault> fault_of_placed(const Scenario& scenario);
+// Earth that the placed commands use if there is no budget, m³. They must be without fault.
+double earth_needed(const Scenario& scenario);
+
+}  // namespace game
