@@ -44,8 +44,14 @@ Outcome<void> CommandSource::leave_out_clashing() {
         };
         commands_.erase(std::remove_if(first, commands_.end(), is_set), commands_.end());
     }
+    std::optional<std::string> misplaced;
+    while (const auto thing = sim::fault_of_things(*state_, commands_)) {
+        if (!misplaced) misplaced = thing->fact;
+        commands_.erase(commands_.begin() + static_cast<std::ptrdiff_t>(thing->command));
+    }
     settled_ = commands_.size();
-    return fault ? unusable(fmt::format("Parameter not set: {}", *fault)) : Outcome<void>();
+    if (fault) return unusable(fmt::format("Parameter not set: {}", *fault));
+    return misplaced ? unusable(fmt::format("Not done: {}", *misplaced)) : Outcome<void>();
 }
 
 Outcome<void> check_tick(const sim::State& state, std::span<const sim::Command> commands) {
@@ -58,6 +64,7 @@ Outcome<void> check_tick(const sim::State& state, std::span<const sim::Command> 
             sim::fault_of_counts(commands.size(), state.running_commands.size() + commands.size()))
         return refused(*fault);
     if (const auto fault = sim::fault_after(state.params, commands)) return refused(*fault);
+    if (const auto fault = sim::fault_of_things(state, commands)) return refused(fault->fact);
     if (const auto fault = sim::float_environment_fault())
         return machine_fails(
             fmt::format("tick {}: {}, so a replay would not be bit-identical", state.tick, *fault));

@@ -9,7 +9,7 @@ namespace game::ui {
 namespace {
 
 constexpr float kTwoColumns = 48;    // em: narrower panels have one column
-constexpr float kCapHeight = 1.25f;  // em
+constexpr float kCapHeight = 1.2f;  // em
 
 // Rows of key caps with the same effect, followed by the effect.
 class Table {

@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "sim/world/on_ground.h"
 #include "sim/world/quanta.h"
@@ -108,12 +109,11 @@ void keep_within_budget(const Things& t, std::vector<EarthChange>& changes) {
     for (std::int64_t step = kWhole / 2; step > 0; step /= 2)
         if (used(most + step) <= t.budget) most += step;
     EarthMoved moved = before;
+    for (const EarthChange& change : changes) moved.add(change.from, -1), moved.add(at(change, most));
     for (EarthChange& change : changes) {
-        const std::int64_t wished = change.to;
-        change.to = at(change, most);
-        moved.add(change.from, -1), moved.add(change.to);
-        // One more quantum each, which rounding has left.
+        const std::int64_t wished = std::exchange(change.to, at(change, most));
         if (change.to == wished) continue;
+        // One more quantum each, which rounding has left.
         EarthMoved more = moved;
         const std::int64_t next = change.to + (wished > change.to ? 1 : -1);
         more.add(change.to, -1), more.add(next);

@@ -21,7 +21,8 @@ struct World {
         return {grid,    bedrock,    depth,
                 rolling, velocity_x, velocity_y,
                 site,    nullptr,    mixture ? &*mixture : nullptr,
-                tiles,   datum,      0};
+                nullptr, tiles,      datum,
+                0};
     }
     double side() const { return (grid.nx - 1) * static_cast<double>(grid.dx); }  // m
 };

@@ -91,16 +91,35 @@ sim::Command random_command(Dice& dice, const Scenario& scenario) {
     const double dx = static_cast<double>(scenario.grid.dx);
     sim::Command command;
     command.kind = info.kind;
-    if (info.kind != sim::CommandKind::kSet) {
-        command.x = dice.real(-4, scenario.grid.nx + 3) * dx;
-        command.y = dice.real(-4, scenario.grid.ny + 3) * dx;
-        command.radius = dice.one_in(5) ? dice.real(0, 1) : dice.real(1, 0.4 * scenario.grid.nx * dx);
-    }
+    const bool stands = info.kind >= sim::CommandKind::kHouse;  // of an object, which must be on the grid
+    const auto place = [&](int vertices) {
+        return (stands ? dice.real(0, vertices - 1) : dice.real(-4, vertices + 3)) * dx;
+    };
     for (const sim::CommandNumber& number : info.numbers) {
+        double& value = command.*number.value;
+        if (number.name == "x") value = place(scenario.grid.nx);
+        if (number.name == "y") value = place(scenario.grid.ny);
+        if (number.name == "to_x") value = command.x + dice.real(-15, 15) * dx;
+        if (number.name == "to_y") value = command.y + dice.real(-15, 15) * dx;
+        if (number.name == "radius")
+            value = dice.one_in(5) ? dice.real(0, 1) : dice.real(1, 0.4 * scenario.grid.nx * dx);
         if (number.name == "rate")
-            command.rate = info.kind == sim::CommandKind::kDig ? dice.real(0, 5) : dice.real(0, 40) * dx * dx;
-        if (number.name == "duration") command.duration = dice.one_in(2) ? 0 : dice.real(0, 2);
-        if (number.name == "depth") command.depth = dice.real(0, 3);
+            value = info.kind == sim::CommandKind::kDig ? dice.real(0, 5) : dice.real(0, 40) * dx * dx;
+        if (number.name == "duration") value = dice.one_in(2) ? 0 : dice.real(0, 2);
+        if (number.name == "depth") value = dice.real(0, 3);
+        if (number.name == "rise") value = dice.real(std::max(number.least, -4.0), 4);
+        if (number.name == "level") value = scenario.datum + dice.real(-10, 10);
+        if (number.name == "turn") value = dice.real(-180, 180);
+        if (number.name == "length" || number.name == "width")
+            value = std::clamp(dice.real(0.5, 5) * dx, number.least, number.most);
+        if (number.name == "height" || number.name == "diameter")
+            value = dice.real(number.least, number.most);
+        if (number.name == "strength") value = dice.real(0.5, 20);
+        if (number.name == "stems") value = dice.real(50, 1200);
+    }
+    if (info.has_slope && dice.one_in(6)) {
+        command.least_slope = dice.real(0, 40);
+        command.most_slope = command.least_slope + dice.real(5, 40);
     }
     if (info.has_layer && dice.one_in(3)) command.layer = sim::Layer::kStanding;
     if (info.has_profile && dice.one_in(3)) command.profile = sim::Profile::kCone;
