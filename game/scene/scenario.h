@@ -70,7 +70,8 @@ struct Scenario {
     render::Light light;
     std::optional<render::Camera> camera;  // none: the overview
     bool model = false;                    // drawn as a block cut from its mountains
-    render::TreeRules trees;               // for the eye alone
+    render::TreeRules trees;               // for the eye alone, unless woods_act
+    bool woods_act = false;                // the trees on the grid are those of the forest at tick 0
     render::Structures structures;         // the same; intact
     render::Wind wind;                     // for the eye alone
 };
