@@ -179,7 +179,9 @@ void App::move_camera(double elapsed_s) {
 void App::guide_stroke() {
     if (input_.resize_steps() != 0) hand_.resize(input_.resize_steps(), sandbox_->scenario().grid);
     if (input_.brush_pressed()) begin_stroke();
-    hand_.move_to(ground_ ? std::optional<glm::dvec2>(*ground_) : std::nullopt);
+    const auto released_at = input_.brush_released_at();
+    const auto at = released_at ? ground_under(*released_at) : ground_;
+    hand_.move_to(at ? std::optional<glm::dvec2>(*at) : std::nullopt);
     // A click shorter than a tick is still a stroke, unless the simulation is paused.
     if (input_.brush_held()) return;
     hand_.release();
@@ -228,10 +230,7 @@ std::optional<ui::StrokeNote> App::stroke_note() const {
     if (!cursor) return std::nullopt;
     const sim::View world = sandbox_->session().view();
     ui::StrokeNote note{.cursor = *cursor};
-    if (const auto from = stroke->line_from()) {
-        note.line_from = on_screen({*from, surface_height(world, *from)});
-        note.length = glm::distance(*from, glm::dvec2(*ground_));
-    }
+    if (const auto from = stroke->line_from()) note.length = glm::distance(*from, glm::dvec2(*ground_));
     if (!takes(stroke->deed().kind, &sim::Command::rise)) return note;
     const double used = earth_used();
     note.earth = used - earth_before_;
@@ -331,15 +330,31 @@ void App::take_over_at_end() {
                         name_of(Verb::kShare)));
 }
 
+// A ring around what the tool reaches, or the outline of what it is about to place.
+void App::show_hand(render::Marks& marks) const {
+    const glm::dvec2 at(*ground_);
+    const Brush& brush = hand_.brush();
+    const Deed& deed = hand_.deed(input_.modifiers());
+    const double width = number_of(brush, &sim::Command::width),
+                 cell = static_cast<double>(sandbox_->scenario().grid.dx);
+    if (const auto from = hand_.stroke() ? hand_.stroke()->line_from() : std::nullopt; from && *from != at) {
+        marks.outline = render::Outline{*from, at, std::max(width, cell / 4), false, deed.ring};
+    } else if (deed.acts == Acts::kAndTurns) {
+        if (!hand_.stroke())
+            marks.outline =
+                render::outline_of(at, brush.turn, number_of(brush, &sim::Command::length), width, deed.ring);
+    } else {
+        marks.ring = render::Ring{at, ring_radius(brush, deed, sandbox_->scenario().grid), deed.ring};
+    }
+}
+
 render::Marks App::marks() const {
     render::Marks marks{
         .overlay = display_.overlay, .contours = display_.contours, .flow_mesh = display_.flow_mesh};
     if (const auto& densities = sandbox_->session().densities())
         marks.density = glm::dvec2(densities->upper, densities->lower);
     if (ground_ && !sandbox_->looks_back() && !sandbox_->scenario().flow) {
-        const Deed& deed = hand_.deed(input_.modifiers());
-        marks.ring = render::Ring{glm::dvec2(*ground_),
-                                  ring_radius(hand_.brush(), deed, sandbox_->scenario().grid), deed.ring};
+        show_hand(marks);
     }
     return marks;
 }
@@ -393,9 +408,10 @@ void App::draw_world(const FrameTime& time) {
 // Whether a finished image stays, because only the ring has moved on it, of which little is drawn anew.
 bool App::follows_ring(const Seen& seen, const ScreenSize& size) {
     Seen as_before = seen;
-    as_before.marks.ring = seen_.marks.ring;
+    as_before.marks.ring = seen_.marks.ring, as_before.marks.outline = seen_.marks.outline;
     if (!(as_before == seen_)) ring_in_time_ = true;  // it may be smaller in another view
-    return as_before == seen_ && ring_in_time_ && seen.marks.ring && seen_.marks.ring &&
+    const auto shows_hand = [](const render::Marks& marks) { return marks.ring || marks.outline; };
+    return as_before == seen_ && ring_in_time_ && shows_hand(seen.marks) && shows_hand(seen_.marks) &&
            image_for(size, 1, true, bounds_) == drawn_;
 }
 
@@ -535,8 +551,8 @@ void App::draw_once(const ImageSize& image) {
 void App::take_screenshot() {
     const Seen shown = seen_;
     const ImageSize size = drawn_, best = image_for(screen_.size(), 1, true, bounds_);
-    const bool is_shown = !shown.marks.ring && size == best;
-    seen_.marks.ring.reset();
+    const bool is_shown = !shown.marks.ring && !shown.marks.outline && size == best;
+    seen_.marks.ring.reset(), seen_.marks.outline.reset();
     if (!is_shown) draw_image(best);
     if (device_failure_) return;
     const Session& session = sandbox_->session();

@@ -83,6 +83,7 @@ class App {
     void take_screenshot();
 
     render::Marks marks() const;
+    void show_hand(render::Marks& marks) const;
     double rest_ms(const FrameTime& time) const;
     ImageSize moving_image(const ScreenSize& size, bool camera_moved);
     void draw_image(ImageSize image);

@@ -37,15 +37,16 @@ RadiusRange radius_range(const sim::Grid& grid) {
     return {least, std::clamp(extent / 2, least, Brush::kMostRadius)};
 }
 
+double number_of(const Brush& brush, double Command::*member) {
+    const auto numbers = info_of(brush.tool).numbers;
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        if (numbers[i].member == member) return brush.own()[i];
+    return 0;
+}
+
 double ring_radius(const Brush& brush, const Deed& deed, const sim::Grid& grid) {
     if (takes(deed.kind, &Command::radius)) return brush.radius;
-    double length = 0, width = 0;
-    const auto numbers = info_of(brush.tool).numbers;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        if (numbers[i].member == &Command::length) length = brush.own()[i];
-        if (numbers[i].member == &Command::width) width = brush.own()[i];
-    }
-    return std::max(std::hypot(length, width) / 2, static_cast<double>(grid.dx) / 2);
+    return std::max(number_of(brush, &Command::width), static_cast<double>(grid.dx)) / 2;
 }
 
 void Stroke::arrive(double share) {
@@ -53,8 +54,7 @@ void Stroke::arrive(double share) {
 }
 
 std::optional<glm::dvec2> Stroke::line_from() const {
-    const bool draws = deed_->acts == Acts::kByPieces || deed_->acts == Acts::kAtRelease;
-    return draws ? std::optional(first_) : std::nullopt;
+    return takes(deed_->kind, &Command::to_x) ? std::optional(first_) : std::nullopt;
 }
 
 void Stroke::commands_of(int tick, int ticks, const Brush& brush, double tick_s,

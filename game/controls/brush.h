@@ -39,6 +39,8 @@ struct RadiusRange {
 };
 RadiusRange radius_range(const sim::Grid& grid);
 
+// What the tool's number for this member is set to; 0 if it has none.
+double number_of(const Brush& brush, double sim::Command::*member);
 // Radius of the ring that shows what a deed reaches, m.
 double ring_radius(const Brush& brush, const Deed& deed, const sim::Grid& grid);
 

@@ -16,6 +16,7 @@ void Input::take(std::span<const Event> events, ScreenSize size, Kept kept, Acti
     over_panel_ = kept.mouse;
     brush_pressed_ = camera_pressed_ = close_asked_ = dropped_ = false;
     zoom_steps_ = resize_steps_ = 0;
+    brush_released_at_.reset();
     from_ = at_.value_or(glm::dvec2(0));
 
     for (const Event& event : events) {
@@ -63,8 +64,9 @@ void Input::take_key(const KeyEvent& event, bool kept, Actions& actions) {
 void Input::take_button(const ButtonEvent& event, bool kept) {
     with_ = event.with;
     if (!event.down) {
-        if (drag_ && event.button == drag_button_) drag_.reset();
-        return;
+        if (!drag_ || event.button != drag_button_) return;
+        if (drag_ == Gesture::kBrush) brush_released_at_ = at_;
+        return drag_.reset();
     }
     if (kept || drag_) return;  // one drag at a time
     drag_ = gesture_of(event.button, event.with.shift);

@@ -30,6 +30,8 @@ class Input {
     // The brush button: pressed in this frame; held at the end of it.
     bool brush_pressed() const { return brush_pressed_; }
     bool brush_held() const { return drag_ == Gesture::kBrush; }
+    // Where the cursor was when it was released in this frame; it may have moved on since.
+    std::optional<glm::dvec2> brush_released_at() const { return brush_released_at_; }
 
     // The camera. A drag runs from the cursor at the end of the last frame, or from where the button was
     // pressed, to the current position.
@@ -60,6 +62,7 @@ class Input {
     glm::dvec2 from_{0};
     // Of this frame:
     bool brush_pressed_ = false, camera_pressed_ = false, close_asked_ = false, dropped_ = false;
+    std::optional<glm::dvec2> brush_released_at_;
     double zoom_steps_ = 0, resize_steps_ = 0;
 };
 

@@ -29,8 +29,7 @@ struct Timeline {
 // What the stroke in progress is about, told beside the cursor.
 struct StrokeNote {
     glm::dvec2 cursor{0};                 // px from the top left
-    std::optional<glm::dvec2> line_from = {};  // px: a line runs from there to the cursor
-    std::optional<double> length = {};         // m, of that line
+    std::optional<double> length = {};         // m, of the line that it draws
     std::optional<double> earth = {};          // m³ that the stroke uses; negative: gives back
     std::optional<double> earth_left = {};     // m³, if there is a budget
 };

@@ -109,13 +109,6 @@ void stroke_note(Desk& desk, const Facts& facts) {
     const StrokeNote& note = *facts.stroke;
     const float em = desk.em();
     const ImVec2 at{static_cast<float>(note.cursor.x), static_cast<float>(note.cursor.y)};
-    ImDrawList& list = *ImGui::GetForegroundDrawList();
-    if (note.line_from) {
-        const ImVec2 from{static_cast<float>(note.line_from->x), static_cast<float>(note.line_from->y)};
-        list.AddLine(from, at, kPanel | IM_COL32_A_MASK, em * 0.3f);
-        list.AddLine(from, at, kAccent, em * 0.13f);
-        list.AddCircleFilled(from, em * 0.3f, kAccent);
-    }
     std::array<char, 96> text{};
     std::array<char, 40> used{}, left{};
     if (note.length && *note.length >= 1)

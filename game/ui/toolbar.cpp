@@ -5,6 +5,8 @@
 
 #include "game/controls/key_map.h"
 #include "game/ui/panels.h"
+#include "sim/world/quanta.h"
+#include "sim/world/things.h"
 
 namespace game::ui {
 namespace {
@@ -114,6 +116,25 @@ void sizes(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
     ImGui::PopStyleColor();
 }
 
+// What is left of a budget of earth.
+void earth(Desk& desk, const Facts& facts, Flow& flow) {
+    const auto& things = facts.state.things;
+    if (!things || things->budget < 0 || !takes(facts.deed.kind, &sim::Command::rise)) return;
+    const double quantum = static_cast<double>(sim::kQuantum) * facts.state.grid.cell_area();
+    std::array<std::array<char, 40>, 2> volumes;
+    std::array<char, 96> text;
+    std::snprintf(
+        text.data(), text.size(), "Earth left: %s of %s",
+        write_volume(volumes[0], static_cast<double>(things->budget - sim::earth_used(*things)) * quantum),
+        write_volume(volumes[1], static_cast<double>(things->budget) * quantum));
+    flow.next(ImGui::CalcTextSize(text.data()).x, desk.em());
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text.data());
+    desk.widgets.note("Earth left");
+    desk.widgets.tooltip(
+        "What was cut or what was filled, whichever is more, counts. Putting it back frees it.");
+}
+
 // Limits a brush to ground of some slopes.
 void slopes(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
     if (!sim::info_of(info_of(facts.brush.tool).plain->kind).has_slope) return;
@@ -192,6 +213,7 @@ void options(Desk& desk, const Facts& facts, bool wordless, Actions& actions, Fl
     if (wordless && !desk.narrow()) name_of_tool(desk, facts, flow);
     sizes(desk, facts, actions, flow);
     slopes(desk, facts, actions, flow);
+    earth(desk, facts, flow);
     if (pours(info_of(facts.brush.tool))) material(desk, facts, actions, flow);
     ImGui::EndDisabled();
 }

@@ -75,5 +75,25 @@ TEST(KeyMap, hears_function_keys_but_no_others_while_a_number_is_typed) {
     EXPECT_EQ(std::get<Verb>(actions[0]), Verb::kScreenshot);
 }
 
+// On a slow machine the cursor is elsewhere by the end of the frame.
+TEST(Input, knows_where_the_brush_was_released) {
+    Input input;
+    Actions actions;
+    const ScreenSize size{200, 100, 1};
+    input.take(std::vector<Event>{MoveEvent{100, 50}, ButtonEvent{Button::kLeft, true, {}}}, size, {},
+               actions);
+    EXPECT_TRUE(input.brush_held());
+    EXPECT_FALSE(input.brush_released_at());
+    input.take(
+        std::vector<Event>{MoveEvent{150, 50}, ButtonEvent{Button::kLeft, false, {}}, MoveEvent{20, 90}},
+        size, {}, actions);
+    EXPECT_FALSE(input.brush_held());
+    ASSERT_TRUE(input.brush_released_at());
+    EXPECT_EQ(*input.brush_released_at(), glm::dvec2(0.5, 0));
+    EXPECT_EQ(input.cursor()->y, 1 - 2 * 0.9);
+    input.take({}, size, {}, actions);
+    EXPECT_FALSE(input.brush_released_at());
+}
+
 }  // namespace
 }  // namespace game::test
