@@ -16,6 +16,7 @@
 #include "render/context.h"
 #include "render/overview.h"
 #include "render/pick.h"
+#include "sim/world/on_ground.h"
 
 namespace game {
 namespace {
@@ -223,6 +224,15 @@ std::optional<glm::dvec2> App::on_screen(glm::dvec3 place) const {
     return glm::dvec2((clip.x / clip.w + 1) / 2 * size.width, (1 - clip.y / clip.w) / 2 * size.height);
 }
 
+bool App::on_slope_of_brush(glm::dvec2 at) const {
+    const sim::State& state = sandbox_->session().state();
+    sim::Command command;
+    command.least_slope = hand_.brush().least_slope, command.most_slope = hand_.brush().most_slope;
+    const Square square = square_under(state.grid, at);
+    return sim::SlopeFilter(command).takes(state, square.x + (square.across.x >= 0.5),
+                                           square.y + (square.across.y >= 0.5));
+}
+
 std::optional<ui::StrokeNote> App::stroke_note() const {
     const auto& stroke = hand_.stroke();
     if (!stroke || !ground_) return std::nullopt;
@@ -231,6 +241,7 @@ std::optional<ui::StrokeNote> App::stroke_note() const {
     const sim::View world = sandbox_->session().view();
     ui::StrokeNote note{.cursor = *cursor};
     if (const auto from = stroke->line_from()) note.length = glm::distance(*from, glm::dvec2(*ground_));
+    note.left_alone = sim::info_of(stroke->deed().kind).has_slope && !on_slope_of_brush(glm::dvec2(*ground_));
     if (!takes(stroke->deed().kind, &sim::Command::rise)) return note;
     const double used = earth_used();
     note.earth = used - earth_before_;

@@ -112,6 +112,7 @@ class App {
     void tell_camera_mode();
     void begin_stroke();
     std::optional<ui::StrokeNote> stroke_note() const;
+    bool on_slope_of_brush(glm::dvec2 at) const;
     std::optional<glm::dvec2> on_screen(
         glm::dvec3 place) const;                    // px from the top left; nothing behind the camera
     double earth_used() const;                      // m³

@@ -28,10 +28,11 @@ struct Timeline {
 
 // What the stroke in progress is about, told beside the cursor.
 struct StrokeNote {
-    glm::dvec2 cursor{0};                 // px from the top left
-    std::optional<double> length = {};         // m, of the line that it draws
-    std::optional<double> earth = {};          // m³ that the stroke uses; negative: gives back
-    std::optional<double> earth_left = {};     // m³, if there is a budget
+    glm::dvec2 cursor{0};                   // px from the top left
+    std::optional<double> length = {};      // m, of the line that it draws
+    std::optional<double> earth = {};       // m³ that the stroke uses; negative: gives back
+    std::optional<double> earth_left = {};  // m³, if there is a budget
+    bool left_alone = false;                // the ground there is outside the slopes of the brush
 };
 
 // Everything that panels can show. References are valid for one frame.

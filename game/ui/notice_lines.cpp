@@ -111,7 +111,10 @@ void stroke_note(Desk& desk, const Facts& facts) {
     const ImVec2 at{static_cast<float>(note.cursor.x), static_cast<float>(note.cursor.y)};
     std::array<char, 96> text{};
     std::array<char, 40> used{}, left{};
-    if (note.length && *note.length >= 1)
+    if (note.left_alone)
+        std::snprintf(text.data(), text.size(), "Left alone: slope outside %.0f° to %.0f°",
+                      facts.brush.least_slope, facts.brush.most_slope);
+    else if (note.length && *note.length >= 1)
         std::snprintf(text.data(), text.size(), "%.0f m", *note.length);
     else if (note.earth && *note.earth < 0)
         std::snprintf(text.data(), text.size(), "%s of earth given back", write_volume(used, -*note.earth));

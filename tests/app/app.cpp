@@ -345,6 +345,73 @@ TEST_F(Playing, deposits_the_flow_with_an_inverted_blast) {
     expect_recording_replays();
 }
 
+TEST_F(Playing, sculpts_plants_and_builds_and_takes_it_back) {
+    begin();
+    const auto things = [&]() -> const std::optional<sim::Things>& { return state().things; };
+    tap(key('4'));
+    stroke(12);
+    ASSERT_TRUE(things());
+    const auto raised = sim::earth_used(*things());
+    EXPECT_GT(raised, 0);
+    stroke(4, {.control = true});
+    EXPECT_LT(sim::earth_used(*things()), raised);
+    tap(key('7'));
+    stroke(3);
+    EXPECT_FALSE(things()->wooded.empty());
+    stroke(3, {.control = true});
+    EXPECT_TRUE(things()->wooded.empty());
+
+    tap(key('8'));
+    point_at_slope();
+    screen_.press(Button::kLeft);
+    frames(2);
+    ASSERT_EQ(things()->list.size(), 1u);
+    const double turn = things()->list[0].turn();
+    screen_.move(kAtX - 60, kAtY);
+    frames(3);
+    screen_.release(Button::kLeft);
+    frames(2);
+    EXPECT_NE(things()->list[0].turn(), turn);
+    stroke(2);
+    EXPECT_EQ(things()->list.size(), 1u);
+    EXPECT_NE(last_notice().find("stands on the house"), std::string::npos) << last_notice();
+    stroke(2, {.control = true});
+    EXPECT_TRUE(things()->list.empty());
+    tap(key('Z'), {.control = true});
+    EXPECT_EQ(things()->list.size(), 1u);
+    expect_recording_replays();
+}
+
+TEST_F(Playing, draws_a_road_to_where_the_button_was_released) {
+    begin();
+    tap(key('R'));
+    point_at_slope();
+    screen_.press(Button::kLeft);
+    frames(1);
+    for (int i = 1; i <= 10; ++i) {
+        screen_.move(kAtX + 12 * i, kAtY);
+        frames(1);
+    }
+    screen_.release(Button::kLeft);
+    screen_.move(kAtX, kAtY + 60);  // in the same frame
+    frames(3);
+    const auto& list = state().things.value().list;
+    ASSERT_FALSE(list.empty());
+    EXPECT_GT(list.size(), 1u);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        EXPECT_EQ(list[i].kind, sim::ThingKind::kRoad);
+        if (i > 0) {
+            EXPECT_EQ(list[i].x, list[i - 1].to_x);
+        }
+    }
+    const double length = std::hypot(list.back().to_x - list.front().x, list.back().to_y - list.front().y);
+    EXPECT_GT(length, 50);
+    EXPECT_EQ(app_->sandbox().actions(), 1u);
+    tap(key('Z'), {.control = true});
+    EXPECT_TRUE(!state().things || state().things->list.empty());
+    expect_recording_replays();
+}
+
 TEST_F(Playing, undoes_bit_identically_and_continues) {
     begin();
     stroke(10);
