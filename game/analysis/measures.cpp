@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/world/disc.h"
+#include "sim/world/on_ground.h"
 
 namespace game {
 namespace {
@@ -136,11 +137,15 @@ std::vector<std::uint8_t> release_area(const Scenario& scenario, std::span<const
     const sim::Grid& grid = scenario.grid;
     std::vector<std::uint8_t> released(grid.size());
     for (std::size_t i = 0; i < released.size(); ++i) released[i] = scenario.rolling[i] > 0;
+    std::optional<sim::State> first;  // for commands that choose slopes
     for (const TimedCommand& timed : commands) {
         const sim::Command& c = timed.command;
         if (c.kind != sim::CommandKind::kPour && c.kind != sim::CommandKind::kBlast) continue;
+        const sim::SlopeFilter slopes(c);
+        if (!slopes.takes_all() && !first)
+            first = sim::make_state(initial_state_of(scenario), scenario.params);
         sim::Disc(c, grid.dx).each_vertex(grid, sim::Profile::kDisc, [&](int x, int y, double) {
-            released[index(grid, x, y)] = 1;
+            if (slopes.takes_all() || slopes.takes(*first, x, y)) released[index(grid, x, y)] = 1;
         });
     }
     return released;

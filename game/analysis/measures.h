@@ -51,7 +51,8 @@ struct Measures {
 Measures measure(const Scenario& scenario, const Session& session, const std::vector<std::uint8_t>& released,
                  const terrains::Reference& reference);
 
-// 1 at each vertex of the scenario's release and under each command that adds or releases material.
+// 1 at each vertex of the scenario's release and under each command that adds or releases material. A command that
+// chooses slopes is taken on those of tick 0.
 std::vector<std::uint8_t> release_area(const Scenario& scenario, std::span<const TimedCommand> commands);
 
 // Intersection over union of two areas, given as 1 inside; no value if both are empty.

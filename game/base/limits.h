@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "sim/world/command.h"
+#include "sim/world/things.h"
 #include "terrains/limits.h"
 
 // Limits on input files, by reader. docs/limits.md repeats this table; a test compares the two.
@@ -34,6 +35,8 @@ inline constexpr std::size_t kMostTomlDepth = 32;                             //
 inline constexpr double kFarthestPlace = 1e7;                                 // m, of a coordinate of a place
 inline constexpr std::size_t kFewestTreeCorners = 3, kMostTreeCorners = 256;  // of the polygon of [trees]
 
+inline constexpr std::size_t kMostPlaced = 2000;  // commands of things, done before tick 0
+
 // Meshes and arrays.
 inline constexpr std::size_t kLongestMeshLine = std::size_t{64} << 10;  // bytes
 inline constexpr std::size_t kMostMeshParts = 20'000'000;               // vertices, and as many triangles
@@ -60,7 +63,9 @@ inline constexpr auto kReaderLimits = std::to_array<ReaderLimit>({
     {"recording", "commands in all", kMostCommands, ""},
     {"recording, scene", "commands in one tick", sim::kMostCommandsPerTick, ""},
     {"recording, scene", "commands that run at once", sim::kMostRunningCommands, ""},
-    {"recording, scene", "corners of the polygon of trees", kMostTreeCorners, ""},
+    {"recording, scene", "corners of a polygon of trees", kMostTreeCorners, ""},
+    {"recording, scene", "commands of things before tick 0", kMostPlaced, ""},
+    {"recording, scene", "objects that stand in a world", sim::kMostThings, ""},
     {"scene, material", "file", kMostTomlBytes, "bytes"},
     {"scene, material", "keys and table headers", kMostTomlKeys, ""},
     {"scene, material", "dotted keys and table headers", kMostDottedKeys, ""},

@@ -277,7 +277,10 @@ Json view_json(const Scenario& scenario) {
     powder("powder", look.powder);
     if (scenario.lower) powder("lower_powder", look.lower_powder);
     if (scenario.model) json["look"]["style"] = "model";
-    if (scenario.trees.density > 0) json["trees"] = trees_json(scenario.trees);
+    if (scenario.trees.density > 0) {
+        json["trees"] = trees_json(scenario.trees);
+        if (scenario.woods_act) json["trees"]["act"] = true;
+    }
     if (!scenario.structures.empty()) json["structures"] = structures_json(scenario.structures);
     if (const render::Wind& wind = scenario.wind; wind.speed > 0)
         json["wind"] = {{"from_deg", wind.from_deg}, {"speed", wind.speed}};
@@ -398,6 +401,11 @@ Header read_header(const Json& json, int minor, const Memory& memory) {
         refuse("structures: " + *wrong);
     if (const Json& view = member(json, "view"); view.contains("trees"))
         scenario.trees = trees_from(member(view, "trees"), scenario.grid);
+    if (const Json& view = member(json, "view"); view.contains("trees") && view.at("trees").contains("act")) {
+        const Json& act = view.at("trees").at("act");
+        if (!act.is_boolean()) refuse("trees: act is neither true nor false");
+        scenario.woods_act = act.get<bool>();
+    }
     if (json.contains("things")) values::things_from(json.at("things"), scenario);
     return header;
 }

@@ -5,13 +5,13 @@
 #include <span>
 #include <string>
 
+#include "game/base/limits.h"
 #include "game/scene/scenario.h"
 
 namespace game {
 
-// What stands on a scenario's ground at tick 0: limits and faults.
+// What stands on a scenario's ground at tick 0, and what is wrong with it.
 
-inline constexpr std::size_t kMostPlaced = 2000;     // commands
 inline constexpr double kGreatestEarthBudget = 1e9;  // m³
 
 // Whether a command of this kind may stand in Scenario::Standing::placed: it changes things, not layers or parameters.

@@ -28,7 +28,8 @@ void pack_column(PackedStream& into, const std::string& name, const std::vector<
 
 }  // namespace
 
-Scenery::Scenery(const Scenario& scenario, const sim::View& first, const render::FrameBlock& frame)
+Scenery::Scenery(const Scenario& scenario, const sim::View& first, const render::Structures& structures,
+                 const render::FrameBlock& frame)
     : scenario_(scenario), frame_(frame) {
     if (!scenario.model) {
         around_ = mountains_around(scenario);
@@ -44,13 +45,18 @@ Scenery::Scenery(const Scenario& scenario, const sim::View& first, const render:
         if (tree.vertex >= 0) standing_.push_back(i);
         ++i;
     }
-    built_.push_back({0, scenario.structures});
+    built_.push_back({0, structures});
 }
 
-void Scenery::see(const render::FlowSoFar& flow, const render::Structures& structures, std::int64_t frame) {
+void Scenery::see(const render::FlowSoFar& flow, std::span<const sim::Stems> forest,
+                  const render::Structures& structures, std::int64_t frame) {
     constexpr float kLies = 0.5f;
+    const auto stands = [&](const render::Tree& tree) {
+        if (!forest.empty()) return forest[static_cast<std::size_t>(tree.vertex)].standing > 0;
+        return render::lying(tree, flow) < kLies;
+    };
     std::erase_if(standing_, [&](std::uint32_t i) {
-        if (render::lying(woods_.trees()[i], flow) < kLies) return false;
+        if (stands(woods_.trees()[i])) return false;
         fell_[i] = frame;
         return true;
     });
@@ -150,7 +156,8 @@ void Scenery::pack_ends(PackedStream& into, const sim::View& world, std::int64_t
     if (!woods_.empty())
         pack_column(into, "trees.falls", fell_, {1, 2, kNone},
                     [&](std::int64_t frame) { return static_cast<double>(frame < 0 ? frames : frame); });
-    if (!built_.front().structures.empty()) pack_structures(into, world, frames);
+    const auto has_any = [](const Built& built) { return !built.structures.empty(); };
+    if (std::any_of(built_.begin(), built_.end(), has_any)) pack_structures(into, world, frames);
 }
 
 void Scenery::pack_structures(PackedStream& into, const sim::View& world, std::int64_t frames) const {

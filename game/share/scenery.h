@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "game/scene/scenario.h"
@@ -18,12 +19,15 @@ namespace game {
 class Scenery {
   public:
     // `first`: the world at tick 0. `scenario` must outlive this.
-    Scenery(const Scenario& scenario, const sim::View& first, const render::FrameBlock& frame);
+    Scenery(const Scenario& scenario, const sim::View& first, const render::Structures& structures,
+            const render::FrameBlock& frame);
 
     const render::Surroundings& surroundings() const { return around_; }
     const render::FrameBlock& frame() const { return frame_; }  // that of these surroundings
-    // Notes the trees that a flow has laid down by now, and what it has done to structures. `frame`: number of the moment.
-    void see(const render::FlowSoFar& flow, const render::Structures& structures, std::int64_t frame);
+    // Notes the trees that a flow has laid down by now, and what it has done to structures. `forest`: the stems at each
+    // vertex, if the woods act; else none. `frame`: number of the moment.
+    void see(const render::FlowSoFar& flow, std::span<const sim::Stems> forest,
+             const render::Structures& structures, std::int64_t frame);
 
     void pack(PackedStream& into) const;  // what is there at tick 0
     void pack_ends(PackedStream& into, const sim::View& world,

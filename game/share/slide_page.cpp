@@ -188,7 +188,7 @@ std::vector<double> to_doubles(std::span<const float> values) {
 
 // What a page takes of a world at a tick.
 struct Moment {
-    static constexpr std::size_t kPerVertex = 22;  // bytes, about
+    static constexpr std::size_t kPerVertex = 28;  // bytes, about
 
     std::int64_t tick = 0;
     double volume = 0;                         // m³ that move
@@ -197,8 +197,9 @@ struct Moment {
     std::vector<float> peak_depth, peak_speed;
     std::vector<sim::powder::Puff> puffs;
     render::Structures structures;
+    std::vector<sim::Stems> forest;  // per vertex, if the woods act; else none
 
-    explicit Moment(const Session& session)
+    Moment(const Session& session, bool woods_act)
         : tick(session.state().tick),
           volume(session.cubic_metres(session.state().ledger.rolling)),
           peak_depth(session.peaks().depth),
@@ -219,6 +220,9 @@ struct Moment {
             }
         }
         render::drawn_mixture(world, mixture);
+        if (!woods_act || !world.things) return;
+        for (int y = 0; y < world.grid.ny; ++y)
+            forest.insert(forest.end(), world.things->forest.row(y), world.things->forest.row(y) + nx);
     }
 
     // Shares of the lower material: 0 at the surface of the standing layer, 1 in the rolling layer.
@@ -230,6 +234,22 @@ struct Moment {
     }
 };
 
+// What a page cannot show of the things of a world; nothing if it shows all. Its ground never changes, and its trees
+// only fall.
+std::optional<std::string> beyond_pages(const Scenario& scenario, const sim::State& first,
+                                        const sim::State& now) {
+    if (!now.things) return std::nullopt;
+    for (int y = 0; y < now.grid.ny; ++y)
+        for (int x = 0; x < now.grid.nx; ++x) {
+            if (now.things->earth(x, y) != 0) return "sculpted ground";
+            const sim::Stems stems = now.things->forest(x, y);
+            const sim::Stems begun =
+                scenario.woods_act && first.things ? first.things->forest(x, y) : sim::Stems();
+            if (stems.standing + stems.lying > begun.standing + begun.lying) return "planted forest";
+        }
+    return std::nullopt;
+}
+
 }  // namespace
 
 struct SlidePage::Parts {
@@ -239,8 +259,9 @@ struct SlidePage::Parts {
     PageFiles files;
     render::Camera camera;
     render::FrameBlock frame{};
-    const sim::State first;   // at tick 0
-    std::int64_t given = -1;  // tick of the last moment that was given
+    const sim::State first;            // at tick 0
+    std::int64_t given = -1;           // tick of the last moment that was given
+    std::int64_t things_changed = -1;  // as in the state of the last moment
     std::optional<Scenery> scenery;
     PackedStream stream;
     PackedMotion depth, rolling, speed, lower_depth, lower_rolling;
@@ -276,12 +297,22 @@ struct SlidePage::Parts {
             static_cast<double>(last_tick) * static_cast<double>(scenario.params.tick_s), what, fact));
     }
 
+    Outcome<void> check_things(const sim::State& now) {
+        if (!now.things || now.things->changed == things_changed) return {};
+        things_changed = now.things->changed;
+        if (const auto what = beyond_pages(scenario, first, now))
+            return unusable(fmt::format("--web: a page cannot show {} yet; --frames draws it", *what));
+        return {};
+    }
+
     // Has a moment packed, after all before it, while the world goes on.
     template <class Pack>
     Outcome<void> give(const Session& session, const Pack& pack) {
+        if (auto shown = check_things(session.state()); !shown) return shown;
         given = session.state().tick;
-        return packing.give(
-            [pack, moment = std::make_shared<const Moment>(session)] { return pack(*moment); });
+        return packing.give([pack, moment = std::make_shared<const Moment>(session, scenario.woods_act)] {
+            return pack(*moment);
+        });
     }
     Outcome<void> pack_start(const Moment& moment);
     Outcome<void> add_frame(const Moment& moment);
@@ -292,7 +323,7 @@ struct SlidePage::Parts {
 
 // What is known before the first frame.
 Outcome<void> SlidePage::Parts::pack_start(const Moment& moment) {
-    scenery.emplace(scenario, sim::view(first), frame);
+    scenery.emplace(scenario, sim::view(first), moment.structures, frame);
     frame = scenery->frame();
     ground_quantum =
         stream.add("bed", to_doubles(scenario.bedrock), {kGroundQuantum, 2, kPlane}, scenario.grid.nx);
@@ -326,7 +357,7 @@ Outcome<void> SlidePage::Parts::add_frame(const Moment& moment) {
     }
     volumes.push_back(moment.volume);
     puffs.see(moment.puffs, moment.tick, static_cast<double>(scenario.params.tick_s));
-    scenery->see({moment.peak_depth, moment.peak_speed}, moment.structures, frames);
+    scenery->see({moment.peak_depth, moment.peak_speed}, moment.forest, moment.structures, frames);
     ++frames;
     std::size_t waiting = 0;
     for (const PackedMotion* motion : moving()) waiting += motion->waiting();

@@ -16,6 +16,7 @@ class SlopeFilter {
           least_(direction_of(command.least_slope)),
           most_(direction_of(command.most_slope)) {}
 
+    bool takes_all() const { return takes_all_; }
     bool takes(const State& s, int x, int y) const {
         if (takes_all_) return true;
         const auto rise = [&](int x0, int y0, int x1, int y1) {

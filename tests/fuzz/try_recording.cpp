@@ -67,6 +67,7 @@ bool same(const Recording& a, const Recording& b) {
     return a.states == b.states && a.end == b.end && a.header.scenario.params == b.header.scenario.params &&
            a.header.scenario.bedrock == b.header.scenario.bedrock &&
            a.header.scenario.depth == b.header.scenario.depth &&
+           a.header.scenario.standing == b.header.scenario.standing &&
            std::equal(a.commands.begin(), a.commands.end(), b.commands.begin(), b.commands.end(), equal);
 }
 

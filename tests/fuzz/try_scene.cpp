@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "game/scene/scene.h"
+#include "game/scene/standing.h"
 #include "sim/world/params.h"
 
 namespace game::test {
@@ -18,6 +19,9 @@ Outcome<void> try_scene(const std::filesystem::path& file) {
     for (const TimedCommand& timed : scene->commands)
         if (const auto fault = sim::fault_of(timed.command, scenario.lower.has_value()))
             return broken(*fault);
+    if (const auto fault = fault_of_placed(scenario)) return broken(fault->fact);
+    if (!scenario.standing.forest.empty() && scenario.standing.forest.size() != scenario.grid.size())
+        return broken("a forest beside the grid");
     if (!std::ranges::is_sorted(scene->commands, {}, &TimedCommand::tick))
         return broken("commands out of order");
     return check_numbers(scenario.bedrock, -1e5f, 1e5f, "bedrock")

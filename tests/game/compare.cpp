@@ -8,6 +8,7 @@
 #include "game/compare/desync_picture.h"
 #include "game/compare/difference_map.h"
 #include "game/compare/edit.h"
+#include "game/recording/scenario_difference.h"
 #include "game/session/verifier.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"
@@ -187,6 +188,28 @@ Edited edited_to(Edit edit) {
     return edited(recording, edit).value();
 }
 
+TEST(Edit, moves_both_ends_of_a_line_and_sets_slopes) {
+    sim::Command net, fell;
+    net.kind = sim::CommandKind::kNet;
+    net.x = 4, net.y = 5, net.to_x = 8, net.to_y = 9;
+    net.height = 3, net.strength = 30;
+    fell.kind = sim::CommandKind::kFell;
+    const Recording recording = recording_of({{1, net}, {2, fell}});
+    const auto moved = edited(recording, {1, {}, Edit::Move{{10, -1}}}).value().commands[0].command;
+    EXPECT_EQ(moved.x, 14);
+    EXPECT_EQ(moved.y, 4);
+    EXPECT_EQ(moved.to_x, 18);
+    EXPECT_EQ(moved.to_y, 8);
+    const auto steep = edited(recording, {2, {}, Edit::Set{"slope=30:45.5,x=2"}}).value().commands[1].command;
+    EXPECT_EQ(steep.least_slope, 30);
+    EXPECT_EQ(steep.most_slope, 45.5);
+    EXPECT_EQ(steep.x, 2);
+    for (const char* wrong :
+         {"slope=45:30", "slope=30", "slope=30:91", "slope=:", "slope=a:b", "slope=30:30"})
+        EXPECT_FALSE(edited(recording, {2, {}, Edit::Set{wrong}})) << wrong;
+    EXPECT_FALSE(edited(recording, {1, {}, Edit::Set{"slope=30:45"}}));
+}
+
 TEST(Edit, deletes_sets_moves_and_delays_one_command) {
     const auto before = some_commands();
     const auto without = edited_to({20, {}, Edit::Delete{}});
@@ -289,6 +312,31 @@ TEST(DesyncPicture, marks_the_cells_that_differ) {
     const int before = reds_and_blues(desync_picture(parted, scenario, {"one", "other"})).first;
     parted.cells[5 * 13 + 6] = 1;
     EXPECT_GT(reds_and_blues(desync_picture(parted, scenario, {"one", "other"})).first, before + 1000);
+}
+
+TEST(Differences, name_what_stands_before_the_start) {
+    Scenario a = small_scenario(), b = a;
+    a.rolling.assign(a.grid.size(), 0.f), b.rolling = a.rolling;
+    EXPECT_TRUE(differences_of(a, b).empty());
+    sim::Command house;
+    house.kind = sim::CommandKind::kHouse;
+    house.x = 10, house.y = 10;
+    house.length = house.width = house.height = house.strength = 5;
+    a.standing.placed = {house};
+    house.turn = 30;
+    b.standing.placed = {house};
+    b.standing.earth_budget = 500;
+    b.standing.forest.resize(b.grid.size());
+    b.standing.forest[5] = {400, 0, 30, 22};
+    const auto found = differences_of(a, b);
+    ASSERT_EQ(found.size(), 3u);
+    EXPECT_EQ(found[0], "the forest differs at 1 vertices");
+    EXPECT_EQ(found[1], "the budget of earth is without limit in the first and 500 m3 in the second");
+    EXPECT_NE(found[2].find("the house's turn is 0 in the first and 30 in the second"), std::string::npos)
+        << found[2];
+    b.standing = {};
+    ASSERT_EQ(differences_of(a, b).size(), 1u);
+    EXPECT_NE(differences_of(a, b)[0].find("only the first has"), std::string::npos);
 }
 
 }  // namespace

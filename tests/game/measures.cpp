@@ -191,6 +191,17 @@ TEST(ReleaseArea, is_the_release_and_the_area_of_pours_and_blasts) {
               hill.flags({{1, 1}, {5, 4}, {4, 4}, {6, 4}, {5, 3}, {5, 5}, {9, 4}}));
 }
 
+TEST(ReleaseArea, of_a_command_that_chooses_slopes_is_where_it_acts) {
+    const Hill hill;  // of 26.6 degrees
+    sim::Command pour;
+    pour.x = 50, pour.y = 40, pour.radius = 10;
+    pour.least_slope = 20, pour.most_slope = 30;
+    EXPECT_EQ(release_area(hill.scenario, std::vector<TimedCommand>{{0, pour}}),
+              hill.flags({{5, 4}, {4, 4}, {6, 4}, {5, 3}, {5, 5}}));
+    pour.least_slope = 30, pour.most_slope = 40;
+    EXPECT_EQ(release_area(hill.scenario, std::vector<TimedCommand>{{0, pour}}), hill.flags({}));
+}
+
 TEST(ReleaseArea, of_a_disc_smaller_than_a_cell_is_its_vertex) {
     const Hill hill;
     for (const auto& [x, y] : {std::pair(44.9, 44.9), std::pair(36.0, 44.0), std::pair(40.0, 40.0)})

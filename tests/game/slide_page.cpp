@@ -122,6 +122,28 @@ void expect_kept(const UnpackedPage& page, const std::vector<Fields>& ticks) {
     EXPECT_LE(page.info()["error"]["speed"], 0.064);
 }
 
+TEST_F(SlidePages, are_refused_where_ground_is_sculpted_or_forest_planted) {
+    sim::Command sculpt, plant;
+    sculpt.kind = sim::CommandKind::kSculpt;
+    sculpt.x = sculpt.y = 100, sculpt.radius = 20, sculpt.rise = 2;
+    plant.kind = sim::CommandKind::kPlant;
+    plant.x = plant.y = 100, plant.radius = 20;
+    plant.stems = 400, plant.diameter = 0.3, plant.height = 22;
+    for (const auto& [command, what] :
+         {std::pair(sculpt, "sculpted ground"), std::pair(plant, "planted forest")})
+        for (const bool at_start : {false, true}) {
+            Scene scene = scene_of("landslide");
+            if (at_start)
+                scene.scenario.standing.placed = {command};
+            else
+                scene.commands = {{12, command}};
+            const auto refused = write(scene, 30);
+            ASSERT_FALSE(refused) << what;
+            EXPECT_EQ(refused.error().status, Failure::kUnusable);
+            EXPECT_NE(refused.error().sentence.find(what), std::string::npos) << refused.error().sentence;
+        }
+}
+
 TEST_F(SlidePages, keep_every_state_within_the_error_that_they_name) {
     std::vector<Fields> ticks;
     const auto report = write(scene_of("landslide"), 400, {}, &ticks);
