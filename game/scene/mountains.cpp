@@ -1,6 +1,7 @@
 #include "game/scene/mountains.h"
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include <fmt/format.h>
@@ -20,7 +21,8 @@ render::Surroundings mountains_around(const Scenario& scenario) {
 namespace {
 
 // No trees stand in a house, on a road or under a rope.
-std::vector<render::Clearing> clearings_of(const render::Structures& structures) {
+std::vector<render::Clearing> clearings_of(const render::Structures& structures,
+                                           std::span<const sim::Command> placed) {
     constexpr double kAround = 5, kBesideRoad = 5, kBesideRope = 9;  // m
     std::vector<render::Clearing> clearings;
     for (const render::Structure& each : structures.all)
@@ -32,13 +34,23 @@ std::vector<render::Clearing> clearings_of(const render::Structures& structures)
         const auto [valley, mountain] = stations(structures, lift);
         clearings.push_back({valley, mountain, kBesideRope});
     }
+    for (const sim::Command& each : placed) {
+        const glm::dvec2 at(each.x, each.y), to(each.to_x, each.to_y);
+        if (each.kind == sim::CommandKind::kHouse)
+            clearings.push_back({at, at, glm::length(glm::dvec2(each.length, each.width)) / 2 + kAround});
+        else if (each.kind == sim::CommandKind::kRoad)
+            clearings.push_back({at, to, each.width / 2 + kBesideRoad});
+        else if (each.kind == sim::CommandKind::kLift)
+            clearings.push_back({at, to, kBesideRope});
+    }
     return clearings;
 }
 
 }  // namespace
 
 render::Woods woods_on(const Scenario& scenario, const render::Surroundings& mountains) {
-    render::Woods woods(mountains, scenario.trees, scenario.datum, clearings_of(scenario.structures));
+    render::Woods woods(mountains, scenario.trees, scenario.datum,
+                        clearings_of(scenario.structures, scenario.standing.placed));
     if (scenario.woods_act) woods.let_act();
     return woods;
 }
