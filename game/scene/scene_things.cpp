@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "game/scene/scene_trees.h"
 #include "game/scene/standing.h"
 #include "game/scene/structures.h"
+#include "sim/world/disc.h"
 
 namespace game {
 namespace {
@@ -173,6 +175,13 @@ void read_forest(TomlTable& table, ThingsTables& things) {
                                static_cast<std::uint8_t>(std::lround(height))}});
 }
 
+// Gives a cone of earth the volume that it has on a fine grid, so that a dam costs as much on any.
+void fit_to_grid(sim::Command& cone, const sim::Grid& grid) {
+    const auto dx = static_cast<double>(grid.dx);
+    const double exact = std::numbers::pi / 3 * cone.radius * cone.radius;
+    cone.rise *= exact / (sim::Disc(cone, dx).total_weight(dx, cone.profile) * dx * dx);
+}
+
 glm::dvec2 extent_of(const sim::Grid& grid) {
     return glm::dvec2(grid.nx - 1, grid.ny - 1) * static_cast<double>(grid.dx);
 }
@@ -266,7 +275,8 @@ void stand(ThingsTables things, Scenario& scenario) {
                              fmt::format("is too many: at most {} pieces may stand in a scene", kMostPlaced));
         if (const auto wrong = fault_of_places("point", each.points, scenario.grid))
             each.table.blame("points", *wrong);
-        for (const sim::Command& command : each.commands) {
+        for (sim::Command& command : each.commands) {
+            if (command.kind == sim::CommandKind::kSculpt) fit_to_grid(command, scenario.grid);
             standing.placed.push_back(command);
             origin.push_back(&each.table);
         }
