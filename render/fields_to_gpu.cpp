@@ -29,15 +29,46 @@ void send(const Texture& texture, const sim::Field<T>& field, int first_row, int
 
 FieldsToGpu::Ground FieldsToGpu::upload_ground(const sim::View& world, std::span<const float> first_depth) {
     Ground changed;
-    changed.terrain = !is_known(world);
+    moved_.clear();
+    // Only where there are things does bedrock change while a world runs.
+    if (world.things && grid_ == world.grid && same_inside(site_, world.site))
+        send_moved(world);
+    else
+        changed.terrain = !is_known(world);
     if (changed.terrain) {
         if (!(grid_ == world.grid)) allocate(world.grid);
         remember(world);
-        send(bedrock_texture_, world.bedrock, 0, grid_.ny - 1, GL_RED, GL_FLOAT);
+        send(bedrock_texture_, bedrock_, 0, grid_.ny - 1, GL_RED, GL_FLOAT);
+        if (world.things) send_moved(world);
+        moved_.clear();
         send(site_texture_, world.site, 0, grid_.ny - 1, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
     }
+    changed.moved = moved_;
     changed.first_depth = send_first_depth(first_depth);
     return changed;
+}
+
+// Sends the rows between which bedrock or earth changed.
+void FieldsToGpu::send_moved(const sim::View& world) {
+    const sim::Field<float>& earth = world.things->earth;
+    if (earth_.nx() == 0) {
+        earth_ = sim::Field<float>(grid_);
+        send(earth_texture_, earth_, 0, grid_.ny - 1, GL_RED, GL_FLOAT);
+    }
+    const auto columns = static_cast<std::size_t>(grid_.nx);
+    for (int y = 0; y < grid_.ny; ++y) {
+        if (same_row(bedrock_, world.bedrock, y) && same_row(earth_, earth, y)) continue;
+        for (int x = 0; x < grid_.nx; ++x)
+            if (bedrock_(x, y) != world.bedrock(x, y) || earth_(x, y) != earth(x, y))
+                moved_.emplace_back(x, y);
+        std::copy_n(world.bedrock.row(y), columns, bedrock_.row(y));
+        std::copy_n(earth.row(y), columns, earth_.row(y));
+    }
+    if (moved_.empty()) return;
+    const int first = moved_.front().y, last = moved_.back().y;
+    send(bedrock_texture_, bedrock_, first, last, GL_RED, GL_FLOAT);
+    send(earth_texture_, earth_, first, last, GL_RED, GL_FLOAT);
+    heights_ = height_range(world);
 }
 
 bool FieldsToGpu::send_first_depth(std::span<const float> first_depth) {
@@ -81,6 +112,7 @@ void FieldsToGpu::bind() const {
     glBindTextureUnit(SLOT_SITE, site_texture_.name());
     glBindTextureUnit(SLOT_MIXTURE, mixture_texture_.name());
     glBindTextureUnit(SLOT_FIRST_DEPTH, first_depth_texture_.name());
+    glBindTextureUnit(SLOT_EARTH, earth_texture_.name());
 }
 
 bool FieldsToGpu::is_known(const sim::View& world) const {
@@ -93,6 +125,8 @@ void FieldsToGpu::allocate(const sim::Grid& grid) {
         *texture = make_texture(GL_R32F, grid.nx, grid.ny, GL_NEAREST);
     first_depth_texture_ = make_texture(GL_R32F, grid.nx, grid.ny, GL_LINEAR);
     first_depth_.clear();
+    earth_texture_ = make_texture(GL_R32F, grid.nx, grid.ny, GL_LINEAR);
+    earth_ = {};
     site_texture_ = make_texture(GL_R8UI, grid.nx, grid.ny, GL_NEAREST);
     mixture_texture_ = make_texture(GL_RG8, grid.nx, grid.ny, GL_LINEAR);
 }

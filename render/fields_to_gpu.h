@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include "render/gl_handle.h"
 #include "render/height_range.h"
 #include "sim/world/state.h"
@@ -11,12 +13,15 @@
 namespace render {
 
 // Uploads the world's fields as textures, one texel per vertex without the halo, to the texture units of
-// slots.glsl. Bedrock, sites and first depth are sent only if they changed since the last upload.
+// slots.glsl. Bedrock, sites, earth and first depth are sent only if they changed since the last upload.
 class FieldsToGpu {
   public:
     // What changed of that which stays while a world runs.
     struct Ground {
-        bool terrain = false;      // and with it perhaps the size of every texture
+        bool terrain = false;  // and with it perhaps the size of every texture
+        // Vertices whose bedrock or earth differs, if the terrain is still the same: of sculpted ground and of
+        // buildings. Valid until the next call.
+        std::span<const glm::ivec2> moved;
         bool first_depth = false;  // also if it was known and is not any more
     };
     // `first_depth`: as in FrameInput.
@@ -32,6 +37,8 @@ class FieldsToGpu {
 
   private:
     bool is_known(const sim::View& world) const;
+    void send_moved(const sim::View& world);
+    void send_earth(int first_row, int last_row) const;
     void allocate(const sim::Grid& grid);
     void remember(const sim::View& world);
     bool send_first_depth(std::span<const float> first_depth);
@@ -39,9 +46,11 @@ class FieldsToGpu {
     sim::Grid grid_;
     sim::Field<float> bedrock_;  // as uploaded last
     sim::Field<sim::Site> site_;
+    sim::Field<float> earth_;  // as uploaded last; nothing was, until there are things
+    std::vector<glm::ivec2> moved_;
     HeightRange heights_;
     Texture bedrock_texture_, depth_texture_, rolling_texture_, velocity_x_texture_, velocity_y_texture_,
-        site_texture_, mixture_texture_, first_depth_texture_;
+        site_texture_, mixture_texture_, first_depth_texture_, earth_texture_;
     std::vector<float> first_depth_;  // as uploaded last
     std::vector<std::uint8_t> mixture_;
 };

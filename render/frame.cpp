@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <glm/common.hpp>
+
 #include "assets/shaders/slots.glsl"
 #include "render/fields_to_gpu.h"
 #include "render/flow_triangles.h"
@@ -24,6 +26,7 @@
 #include "render/stage_clock.h"
 #include "render/sun_sweep.h"
 #include "render/target.h"
+#include "render/without_buildings.h"
 #include "sim/core/check.h"
 
 namespace render {
@@ -44,6 +47,7 @@ bool drifts(const FrameInput& input) {
 }  // namespace
 
 struct Renderer::Parts {
+    WithoutBuildings without_buildings;
     FieldsToGpu fields;
     Buffer frame_block;
     SurfacePass surface;
@@ -110,7 +114,8 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
 
     Buffer frame_block = make_buffer();
     glNamedBufferStorage(frame_block.name(), sizeof(FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    return Renderer(std::make_unique<Parts>(Parts{FieldsToGpu(),
+    return Renderer(std::make_unique<Parts>(Parts{WithoutBuildings(),
+                                                  FieldsToGpu(),
                                                   std::move(frame_block),
                                                   std::move(*surface),
                                                   SunSweep(),
@@ -175,7 +180,35 @@ std::optional<DrawTimes> Renderer::stage_times() const {
     return parts_->clock.times();
 }
 
+// A building that is a part of the bedrock is drawn by its mesh, on the ground as it is without it.
 void Renderer::draw(const FrameInput& input) {
+    const sim::Field<float>* ground = parts_->without_buildings.find(input.world);
+    if (!ground) {
+        draw_ground(input);
+        return;
+    }
+    const sim::View& w = input.world;
+    draw_ground({.world = {w.grid, *ground, w.depth, w.rolling, w.velocity_x, w.velocity_y, w.site,
+                           w.smooth_depth, w.mixture, w.things, w.tiles, w.datum, w.tick},
+                 .camera = input.camera,
+                 .light = input.light,
+                 .look = input.look,
+                 .marks = input.marks,
+                 .flow = input.flow,
+                 .width = input.width,
+                 .height = input.height,
+                 .first_depth = input.first_depth,
+                 .surroundings = input.surroundings,
+                 .powder = input.powder,
+                 .powder_strength = input.powder_strength,
+                 .woods = input.woods,
+                 .flow_so_far = input.flow_so_far,
+                 .structures = input.structures,
+                 .wind = input.wind,
+                 .seconds = input.seconds});
+}
+
+void Renderer::draw_ground(const FrameInput& input) {
     Parts& p = *parts_;
     const auto& [world, camera, light, look, marks, flow, width, height, first_depth, around, puffs,
                  powder_strength, woods, so_far, structures, wind, seconds] = input;
@@ -192,15 +225,23 @@ void Renderer::draw(const FrameInput& input) {
                                               flows ? std::optional(p.flow_tint(look, marks)) : std::nullopt);
     const Steady steady = steady_of(input, frame);
     const bool resized = p.target.resize(width, height, samples);
-    const bool rebuilt = p.structures.build(input, frame, ground.terrain);
+    p.structures.build(input, frame, ground.terrain, ground.moved);
     const bool new_world = ground.terrain || ground.first_depth || !redrawn.steady ||
                            !same_surface(redrawn.steady->block, frame);
-    const bool everything = new_world || resized || rebuilt || marks.flow_mesh || redrawn.steady != steady;
+    const bool has_trees = marks.overlay == Overlay::kNone;  // they would hide its values
+    const auto trees = has_trees
+                           ? p.trees.follow(goes_on ? woods : nullptr, goes_on ? around : nullptr, world,
+                                            first_depth, frame.sun, ground.terrain || ground.first_depth)
+                           : FollowedWoods::Change::kNone;
+    const bool everything = trees == FollowedWoods::Change::kAll || new_world || resized || marks.flow_mesh ||
+                            redrawn.steady != steady;
 
     // Upload what changed of the world: everything below reads these textures, and only they change with the state.
     WhatChanged& changed = redrawn.world;
+    const int openness_reach = SurfacePass::openness_reach(world.grid);
     changed.compare(world, p.fields.find_mixture(world), first_depth,
-                    goes_on ? std::nullopt : std::optional(frame.ground.y), p.rules, new_world);
+                    goes_on ? std::nullopt : std::optional(frame.ground.y), p.rules, new_world,
+                    {ground.moved, openness_reach});
     p.fields.upload_layers(world, changed.first_row(), changed.last_row());
     glNamedBufferSubData(p.frame_block.name(), 0, sizeof frame, &frame);
     glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_FRAME, p.frame_block.name());
@@ -216,13 +257,19 @@ void Renderer::draw(const FrameInput& input) {
     }
     p.clock.mark(Pass::kRemesh);
 
-    // Data that depends only on the bedrock is computed here, once per terrain, because it needs the fields
-    // and the frame block.
+    // Data that depends only on the bedrock is computed here, once per terrain and around what changed of it, because
+    // it needs the fields and the frame block.
+    const glm::ivec2 last_vertex(world.grid.nx - 1, world.grid.ny - 1);
     if (ground.terrain) {
         p.terrain.send_mesh(ground_mesh(world.grid, world.site));
         p.surface.resize(world.grid);
         p.shadow.resize(world.grid);
-        p.surface.survey_terrain();
+        p.surface.survey_terrain({0, 0}, last_vertex);
+    } else if (!ground.moved.empty()) {
+        glm::ivec2 low = ground.moved.front(), high = low;
+        for (const glm::ivec2 v : ground.moved) low = glm::min(low, v), high = glm::max(high, v);
+        p.surface.survey_terrain(glm::max(low - openness_reach, 0),
+                                 glm::min(high + openness_reach, last_vertex));
     }
 
     // Compute heights, slopes and shares of the layers once per vertex, before the two passes that read them.
@@ -242,6 +289,7 @@ void Renderer::draw(const FrameInput& input) {
     p.shadow.bind();
     changed.add_shadows(p.sweep, frame);
     changed.add_ring(redrawn.ring, marks.ring, frame);
+    changed.add_outline(redrawn.outline, marks.outline, frame);
     p.clock.mark(Pass::kShadow);
 
     // Find where the frame differs from the last one.
@@ -259,10 +307,8 @@ void Renderer::draw(const FrameInput& input) {
     ScreenTiles& with_things = p.rules.things ? tiles : redrawn.forgotten_tiles;
     if (goes_on) p.surroundings.find(frame, changed, screen, everything, with_things);
     p.structures.find(input, frame, changed, screen, everything, with_things);
-    if (steady.woods != 0) {
-        p.trees.survey(*woods, *around, frame);
-        p.trees.find(*woods, world, so_far, frame, screen, everything, with_things);
-    }
+    const bool wooded = has_trees && p.trees.any();
+    if (wooded) p.trees.find(world, so_far, frame, screen, everything, with_things);
     const bool powdery =
         p.powder.find(puffs, frame, look, powder_strength, p.target.samples_across(), p.target.samples_up());
     const bool drifting = drifts(input) && p.spindrift.find(*around, wind, seconds, frame, screen);
@@ -319,7 +365,7 @@ void Renderer::draw(const FrameInput& input) {
     p.clock.mark(Pass::kStructures);
 
     // Trees stand before ground and sky, with a jagged outline. Their shadows darken the ground that is drawn.
-    if (steady.woods != 0) p.trees.draw(redrawn.scene);
+    if (wooded) p.trees.draw(redrawn.scene);
     p.clock.mark(Pass::kTrees);
 
     // What floats in the air lies over everything that is not nearer, and casts a shadow on the ground.
@@ -345,6 +391,7 @@ void Renderer::draw(const FrameInput& input) {
     changed.finish();
     redrawn.steady = steady;
     redrawn.ring = marks.ring;
+    redrawn.outline = marks.outline;
     CHECK(glGetError() == GL_NO_ERROR);
 }
 

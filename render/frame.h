@@ -69,6 +69,8 @@ class Renderer {
     void wait() const;
 
   private:
+    void draw_ground(const FrameInput& input);
+
     struct Parts;
     explicit Renderer(std::unique_ptr<Parts> parts);
     std::unique_ptr<Parts> parts_;

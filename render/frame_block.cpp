@@ -89,6 +89,12 @@ void set_marks(FrameBlock& block, const Marks& marks, HeightRange heights, doubl
         block.ring = glm::dvec4(marks.ring->centre, marks.ring->radius, 1);
         block.ring_colour = glm::vec4(marks.ring->colour, 0);
     }
+    if (marks.outline) {
+        const Outline& outline = *marks.outline;
+        block.outline = glm::dvec4(outline.from, outline.to);
+        const double half = outline.width / 2;
+        block.outline_colour = glm::vec4(outline.colour, outline.front ? -half : half);
+    }
     if (marks.contours) {
         // Measured from the fifth contour below the lowest height: a float measured from sea level would lose
         // its precision.

@@ -26,6 +26,7 @@ struct FrameBlock {
     glm::vec4 rock, meadow, standing, rolling, lower_standing, lower_rolling, turf, lower_turf, material;
     glm::vec4 beyond;
     glm::vec4 ring, ring_colour;
+    glm::vec4 outline, outline_colour;
     glm::vec4 contours;
     glm::vec4 flow, flow_tint;
     glm::ivec4 overlay;
@@ -33,7 +34,7 @@ struct FrameBlock {
     std::array<glm::vec4, MOST_STOPS> stops;
     glm::vec4 lamp, above, below, toward, away, zenith, glow, cloud, disc;
 };
-static_assert(sizeof(FrameBlock) == 64 + (35 + MOST_STOPS) * 16);
+static_assert(sizeof(FrameBlock) == 64 + (37 + MOST_STOPS) * 16);
 
 // The largest `size.z` that any light needs on a grid: rays of the sun sweep.
 int most_rays(const sim::Grid& grid);

@@ -4,7 +4,7 @@
 
 namespace render {
 
-// Lowest and highest bedrock, without no-data vertices, m above datum.
+// Lowest and highest bedrock as it is by nature, without earth, buildings and no-data vertices, m above datum.
 struct HeightRange {
     float lowest = 0, highest = 0;
 };

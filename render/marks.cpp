@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include <glm/trigonometric.hpp>
+
 #include "assets/shaders/slots.glsl"
 
 namespace render {
@@ -80,6 +82,12 @@ Legend legend_of(Overlay overlay) {
             break;
     }
     return {{}, "", false};
+}
+
+Outline outline_of(glm::dvec2 middle, double turn, double length, double width, const glm::vec3& colour) {
+    const double angle = glm::radians(turn);
+    const glm::dvec2 half = 0.5 * length * glm::dvec2(std::sin(angle), std::cos(angle));
+    return {middle - half, middle + half, width, true, colour};
 }
 
 double contour_interval(HeightRange heights) {

@@ -29,16 +29,28 @@ struct Ring {
     bool operator==(const Ring&) const = default;
 };
 
+// The outline of what is about to be placed, draped on the surface: a rectangle along a line.
+struct Outline {
+    glm::dvec2 from{0}, to{0};  // middles of its ends, m
+    double width = 1;           // m, > 0, across the line, in plan
+    bool front = false;         // a heavier line at `to`
+    glm::vec3 colour{1};        // linear light, 0 to 1
+    bool operator==(const Outline&) const = default;
+};
+// That of a building: `length` along its front's direction, degrees clockwise from north.
+Outline outline_of(glm::dvec2 middle, double turn, double length, double width, const glm::vec3& colour);
+
 // Annotations on the ground for the viewer, separate from its look.
 struct Marks {
     Overlay overlay = Overlay::kNone;
     bool contours = false;   // lines of equal height, contour_interval() apart, every fifth one heavier
     bool flow_mesh = false;  // edges of a flow's cut mesh, its fronts and their points
     std::optional<Ring> ring = std::nullopt;
+    std::optional<Outline> outline = std::nullopt;
     glm::vec2 density{0};  // kg/m³, of the upper and the lower material, for kPressure; 0 if unknown
     bool operator==(const Marks&) const = default;
 
-    bool has_lines() const { return contours || ring; }
+    bool has_lines() const { return contours || ring || outline; }
 };
 
 // A value and its colour.

@@ -14,16 +14,13 @@ Rectangle in_pixels(const Rectangle& r, int samples) {
 Steady steady_of(const FrameInput& input, const FrameBlock& block) {
     Steady steady{block};
     steady.block.ring = steady.block.ring_colour = glm::vec4(0);
+    steady.block.outline = steady.block.outline_colour = glm::vec4(0);
     steady.flows = input.look.flow && input.flow;
     steady.lines = input.marks.has_lines();
     steady.mesh = input.marks.flow_mesh;
     if (steady.flows) steady.pattern = input.look.flow->pattern;
-    if (input.surroundings && !input.surroundings->empty()) {
+    if (input.surroundings && !input.surroundings->empty())
         steady.surroundings = input.surroundings->fingerprint();
-        // They would hide the values of an overlay.
-        if (input.woods && !input.woods->empty() && input.marks.overlay == Overlay::kNone)
-            steady.woods = input.woods->fingerprint();
-    }
     return steady;
 }
 

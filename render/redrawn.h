@@ -18,16 +18,16 @@ namespace render {
 // All that a frame depends on but the world, what is built on it and what is in the air. Where one differs from the
 // last frame's, all is drawn anew.
 struct Steady {
-    FrameBlock block;  // without a ring
+    FrameBlock block;  // without a ring and an outline
     bool flows = false, lines = false, mesh = false;
     FlowPattern pattern = {};
-    std::uint64_t surroundings = 0, woods = 0;  // fingerprints; 0: none
+    std::uint64_t surroundings = 0;  // fingerprint; 0: none
 
     bool operator==(const Steady& other) const {
         const auto bytes = [](const FrameBlock& of) { return std::as_bytes(std::span(&of, 1)); };
         return std::ranges::equal(bytes(block), bytes(other.block)) && flows == other.flows &&
                lines == other.lines && mesh == other.mesh && pattern == other.pattern &&
-               surroundings == other.surroundings && woods == other.woods;
+               surroundings == other.surroundings;
     }
 };
 
@@ -38,8 +38,9 @@ bool same_surface(const FrameBlock& a, const FrameBlock& b);
 
 // What one frame draws anew, and the last one drew.
 struct Redrawn {
-    std::optional<Steady> steady;  // of the last frame; none: it is forgotten
-    std::optional<Ring> ring;      // of the last frame
+    std::optional<Steady> steady;    // of the last frame; none: it is forgotten
+    std::optional<Ring> ring;        // of the last frame
+    std::optional<Outline> outline;  // of the last frame
     WhatChanged world;
     ScreenTiles scene_tiles, shown_tiles, smoothed_tiles, forgotten_tiles;
     std::vector<Rectangle> scene;            // samples: what stands there

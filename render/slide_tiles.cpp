@@ -54,7 +54,10 @@ void SlideTiles::find(const FrameInput& input, const OnScreen& screen) {
     const bool everywhere =
         input.look.flow && input.flow && (input.look.flow->everywhere || input.first_depth.empty());
     std::fill(tiles_.begin(), tiles_.end(), static_cast<std::uint8_t>(everywhere));
-    if (!everywhere && find_blocks(input)) {
+    std::fill(blocks_.begin(), blocks_.end(), std::uint8_t{0});
+    const bool slides = !everywhere && find_blocks(input);
+    const bool earth = input.world.things && find_earth(input.world);
+    if (slides || earth) {
         for (int y = 0; y < blocks_along_y_; ++y)
             for (int x = 0; x < blocks_along_x_; ++x)
                 if (blocks_[index(x, y, blocks_along_x_)] != 0) project(input.world, x, y, screen);
@@ -65,13 +68,7 @@ void SlideTiles::find(const FrameInput& input, const OnScreen& screen) {
 // Returns whether there is any slide.
 bool SlideTiles::find_blocks(const FrameInput& input) {
     const sim::View& world = input.world;
-    std::fill(blocks_.begin(), blocks_.end(), std::uint8_t{0});
     const bool is_known = !input.first_depth.empty();
-    const auto mark = [&](int x, int y, int reach, std::uint8_t kind) {
-        for (int j = block_from(y - reach); j <= block_to(y + reach, grid_.ny); ++j)
-            for (int i = block_from(x - reach); i <= block_to(x + reach, grid_.nx); ++i)
-                keep_greater(blocks_[index(i, j, blocks_along_x_)], kind);
-    };
     bool any = false;
     for (int y = 0; y < grid_.ny; ++y) {
         const float *rolling = world.rolling.row(y), *depth = world.depth.row(y);
@@ -87,6 +84,23 @@ bool SlideTiles::find_blocks(const FrameInput& input) {
         }
     }
     return any;
+}
+
+// Returns whether there is any earth.
+bool SlideTiles::find_earth(const sim::View& world) {
+    bool any = false;
+    for (int y = 0; y < grid_.ny; ++y) {
+        const float* earth = world.things->earth.row(y);
+        for (int x = 0; x < grid_.nx; ++x)
+            if (earth[x] != 0) mark(x, y, kReach, 3), any = true;
+    }
+    return any;
+}
+
+void SlideTiles::mark(int x, int y, int reach, std::uint8_t kind) {
+    for (int j = block_from(y - reach); j <= block_to(y + reach, grid_.ny); ++j)
+        for (int i = block_from(x - reach); i <= block_to(x + reach, grid_.nx); ++i)
+            keep_greater(blocks_[index(i, j, blocks_along_x_)], kind);
 }
 
 // Marks the tiles in which a block may be seen.
@@ -120,6 +134,7 @@ void SlideTiles::resize(const sim::Grid& grid, int width, int height) {
     tiles_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
     before_.resize(tiles_.size());
     blocks_.resize(static_cast<std::size_t>(blocks_along_x_) * static_cast<std::size_t>(blocks_along_y_));
+    with_earth_.reserve(tiles_.size());
     with_walls_.reserve(tiles_.size());
     with_slides_.reserve(tiles_.size());
     without_.reserve(tiles_.size());
@@ -134,6 +149,7 @@ void SlideTiles::mark_changes(ScreenTiles& tiles) const {
 
 // Joins tiles of one kind along each row.
 void SlideTiles::collect() {
+    with_earth_.clear();
     with_walls_.clear();
     with_slides_.clear();
     without_.clear();
@@ -142,7 +158,8 @@ void SlideTiles::collect() {
             const auto kind = [&](int i) { return tiles_[index(i, row, columns_)]; };
             int end = column + 1;
             while (end < columns_ && kind(end) == kind(column)) ++end;
-            (kind(column) == 2   ? with_walls_
+            (kind(column) == 3   ? with_earth_
+             : kind(column) == 2 ? with_walls_
              : kind(column) == 1 ? with_slides_
                                  : without_)
                 .push_back({column * kTile, row * kTile, std::min(end * kTile, width_),

@@ -11,6 +11,7 @@ enum class StructureKind {
     kHut,      // of wood, on a base of stone
     kStation,  // of a chairlift, at either end
     kPylon,    // of a chairlift
+    kHouse,    // of any size and material
 };
 enum class StructureState {
     kIntact,
@@ -19,12 +20,30 @@ enum class StructureState {
     kBuried,  // it stands, and nothing of it looks out
 };
 
+// What a house is made of, from weak to strong.
+enum class HouseMaterial {
+    kGlass,     // panes in a frame of steel
+    kWood,      // on a base of stone
+    kBrick,     // plastered
+    kConcrete,  // with a flat roof
+};
+// By the load that destroys it, kPa.
+constexpr HouseMaterial material_of(double strength) {
+    return strength <= 2    ? HouseMaterial::kGlass
+           : strength <= 7  ? HouseMaterial::kWood
+           : strength <= 20 ? HouseMaterial::kBrick
+                            : HouseMaterial::kConcrete;
+}
+
 // Something that people have built. Places are metres from vertex (0, 0).
 struct Structure {
     StructureKind kind = StructureKind::kHut;
     glm::dvec2 at{0};        // its middle
     double heading_deg = 0;  // of its front, or along the rope: 0 north, 90 east
     StructureState state = StructureState::kIntact;
+    // Of a house, m: along its heading, across it, and the height of its roof.
+    double length_m = 0, width_m = 0, height_m = 0;
+    HouseMaterial material = HouseMaterial::kWood;
     bool operator==(const Structure&) const = default;
 };
 
@@ -38,16 +57,27 @@ struct Road {
 // A chairlift: `count` of Structures::all, in a row, between which its rope hangs. A station at either end.
 struct Lift {
     std::size_t first = 0, count = 0;
+    // Where a station or pylon is destroyed, the rope tears: of the span beside it only the end at the other one is left.
+    bool tears = false;
     bool operator==(const Lift&) const = default;
 };
 
-// What people have built on a mountain. For the eye alone: nothing flows differently because of it.
+// A piece of a row of snow nets, between posts of steel.
+struct Net {
+    glm::dvec2 from{0}, to{0};  // m
+    double height_m = 3;
+    StructureState state = StructureState::kIntact;
+    bool operator==(const Net&) const = default;
+};
+
+// What people have built on a mountain, as it is drawn.
 struct Structures {
     std::vector<Structure> all;
     std::vector<Road> roads;
     std::vector<Lift> lifts;
+    std::vector<Net> nets;
 
-    bool empty() const { return all.empty() && roads.empty(); }
+    bool empty() const { return all.empty() && roads.empty() && nets.empty(); }
     bool operator==(const Structures&) const = default;
 };
 
@@ -57,8 +87,10 @@ inline constexpr double kStationLength = 9, kStationWidth = 7, kStationHeight = 
 inline constexpr double kPylonHeight = 14;
 
 // Half of the length (along the heading) and of the width of what stands on the ground, m.
-constexpr glm::dvec2 half_footprint(StructureKind kind) {
-    switch (kind) {
+constexpr glm::dvec2 half_footprint(const Structure& structure) {
+    switch (structure.kind) {
+        case StructureKind::kHouse:
+            return {structure.length_m / 2, structure.width_m / 2};
         case StructureKind::kHut:
             return {kHutLength / 2, kHutWidth / 2};
         case StructureKind::kStation:
@@ -68,8 +100,10 @@ constexpr glm::dvec2 half_footprint(StructureKind kind) {
     }
     return {0.6, 0.6};
 }
-constexpr double height_of(StructureKind kind) {
-    switch (kind) {
+constexpr double height_of(const Structure& structure) {
+    switch (structure.kind) {
+        case StructureKind::kHouse:
+            return structure.height_m;
         case StructureKind::kHut:
             return kHutHeight;
         case StructureKind::kStation:

@@ -46,17 +46,26 @@ bool is_beside(glm::vec3 from, const FrameBlock& frame, float radius) {
     return deep < -radius || outside(frame.ray_right) || outside(frame.ray_up);
 }
 
-// Height of the surface now; outside the grid that of its border.
-float surface(const sim::View& world, glm::vec2 at) {
-    const glm::vec2 cell =
-        glm::clamp(at / world.grid.dx, glm::vec2(0), glm::vec2(world.grid.nx - 1, world.grid.ny - 1));
-    const int x = std::min(static_cast<int>(cell.x), world.grid.nx - 2),
-              y = std::min(static_cast<int>(cell.y), world.grid.ny - 2);
-    const auto z = [&](int i, int j) {
-        return world.bedrock(i, j) + world.depth(i, j) + world.rolling(i, j);
-    };
+// Interpolates between vertices; outside the grid that is what its border has.
+template <class Value>
+float between_vertices(const sim::Grid& grid, glm::vec2 at, const Value& z) {
+    const glm::vec2 cell = glm::clamp(at / grid.dx, glm::vec2(0), glm::vec2(grid.nx - 1, grid.ny - 1));
+    const int x = std::min(static_cast<int>(cell.x), grid.nx - 2),
+              y = std::min(static_cast<int>(cell.y), grid.ny - 2);
     const float u = cell.x - static_cast<float>(x), v = cell.y - static_cast<float>(y);
     return std::lerp(std::lerp(z(x, y), z(x + 1, y), u), std::lerp(z(x, y + 1), z(x + 1, y + 1), u), v);
+}
+
+// Height of the surface now.
+float surface(const sim::View& world, glm::vec2 at) {
+    return between_vertices(world.grid, at, [&](int i, int j) {
+        return world.bedrock(i, j) + world.depth(i, j) + world.rolling(i, j);
+    });
+}
+
+// Height of what was sculpted, m; outside the grid that at its border.
+float earth_at(const sim::View& world, glm::vec2 at) {
+    return between_vertices(world.grid, at, [&](int i, int j) { return world.things->earth(i, j); });
 }
 
 // A number of the tree's own, 0 to 1, independent of the others.
@@ -96,32 +105,12 @@ void lay(const Tree& tree, const sim::View& world, float lying, DrawnTree& drawn
 }  // namespace
 
 float lying(const Tree& tree, const FlowSoFar& flow) {
+    if (tree.fate != TreeFate::kOfFlow) return tree.fate == TreeFate::kLies ? 1.f : 0.f;
     if (tree.vertex < 0 || flow.depth.empty()) return 0;
     const auto vertex = static_cast<std::size_t>(tree.vertex);
     const float strength = 0.7f + 0.6f * own(tree, 19.1f);
     return ramp(kShallow * strength, kDeep * strength, flow.depth[vertex]) *
            ramp(kSlow, kFast, flow.speed[vertex]);
-}
-
-void light_trees(const Woods& woods, const Surroundings& around, const glm::vec3& sun,
-                 std::vector<TreeLight>& into) {
-    const double flat = std::max(std::hypot(static_cast<double>(sun.x), static_cast<double>(sun.y)), 1e-3);
-    const double reach = Surroundings::kRoughReach * around.side();
-    into.clear();
-    for (const Tree& tree : woods.trees()) {
-        const glm::dvec3 from(tree.foot + glm::vec3(0, 0, 0.6f * tree.height));
-        double light = 1;
-        for (double t = 1.5 * around.cell(); t < reach && light > 0; t *= 1.1) {
-            const glm::dvec3 p = from + glm::dvec3(sun) * (t / flat);
-            if (p.z > around.highest()) break;
-            light = std::min(light, 0.5 + (p.z - around.rough_height(p)) / (0.01 * t + 0.2 * around.cell()));
-        }
-        const float length =
-            std::min(tree.height * static_cast<float>(flat) / std::max(sun.z, 0.01f), kLongestShadow);
-        const glm::vec2 tip = glm::vec2(tree.foot) - glm::vec2(sun) * (length / static_cast<float>(flat));
-        into.push_back({static_cast<float>(std::max(light, 0.0)),
-                        glm::vec3(tip, static_cast<float>(around.rough_height(glm::dvec2(tip))))});
-    }
 }
 
 // A crown may lean to any side, and its branches reach a little beyond its outline.
@@ -137,16 +126,15 @@ Rectangle TreesInView::seen(const DrawnTree& tree, const OnScreen& screen) {
                        screen.box(glm::min(foot, tip) - beside - 1.f, glm::max(foot, tip) + beside + 1.f));
 }
 
-void TreesInView::reserve(const Woods& woods) {
+void TreesInView::reserve(std::size_t trees, std::size_t tiles) {
     for (std::vector<Upright>* list : {&upright_, &branched_, &plain_, &without_shadow_})
-        list->reserve(woods.trees().size());
-    drawn_.reserve(woods.trees().size());
-    moved_.reserve(woods.trees().size());
-    tiles_.reserve(woods.tiles().size());
+        list->reserve(trees);
+    drawn_.reserve(trees);
+    moved_.reserve(trees);
+    tiles_.reserve(tiles);
 }
 
-void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, const FrameBlock& frame,
-                       const OnScreen& screen) {
+void TreesInView::find(const LitTrees& of, const FrameBlock& frame, const OnScreen& screen) {
     for (std::vector<Upright>* list : {&upright_, &branched_, &plain_, &without_shadow_}) list->clear();
     tiles_.clear();
     const glm::vec3 eye(frame.eye);
@@ -156,8 +144,9 @@ void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, co
     const auto share_at = [&](float distance, float group) {
         return std::clamp(kMeanWidth * group / (distance * pixel) / wide_pixels, group / kMostTogether, 1.f);
     };
-    for (const TreeTile& tile : woods.tiles())
-        if (!screen.box(tile.lowest - kLongestShadow, tile.highest + kLongestShadow).empty())
+    for (const TreeTile& tile : of.tiles)
+        if (tile.count > 0 &&
+            !screen.box(tile.lowest - kLongestShadow, tile.highest + kLongestShadow).empty())
             tiles_.push_back(&tile);  // with branches and shadows beside it
     std::sort(tiles_.begin(), tiles_.end(), [&](const TreeTile* a, const TreeTile* b) {
         const auto distance = [&](const TreeTile* tile) {
@@ -166,11 +155,10 @@ void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, co
         return std::pair(distance(a), a) < std::pair(distance(b), b);
     });
     for (const TreeTile* tile : tiles_) {
-        const float first =
-            woods.trees()[tile->first].chance;  // of few trees of a tile not always one is left
+        const float first = of.trees[tile->first].chance;  // of few trees of a tile not always one is left
         for (std::uint32_t k = 0; k < tile->count; ++k) {
             const std::uint32_t i = tile->first + k;
-            const Tree& tree = woods.trees()[i];
+            const Tree& tree = of.trees[i];
             const float distance = std::max(glm::distance(tree.foot, eye), 1.f);
             // One that is left out shrinks first.
             const float share = share_at(distance, tree.group);
@@ -190,9 +178,9 @@ void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, co
             const DrawnTree drawn{
                 {tree.foot, height},
                 {0, 0, 1, tree.chance},
-                {lights[i].sunlit, tree.snow, tree.lower, half},
-                {lights[i].tip,
-                 lights[i].sunlit * ramp(1, 2, high / (kShadowPixels * (1 + 3 * tree.closed)))},
+                {of.lights[i].sunlit, tree.snow, tree.lower, half},
+                {of.lights[i].tip,
+                 of.lights[i].sunlit * ramp(1, 2, high / (kShadowPixels * (1 + 3 * tree.closed)))},
                 {static_cast<float>(tree.kind), group ? std::round(together) : 1, tree.closed, 0}};
             const bool near = tree.group < 2 && high > kNearPixels * (0.85f + 0.3f * tree.chance);
             const float pixels = group ? 24 * half / std::round(together) / (distance * pixel) : high;
@@ -220,14 +208,30 @@ void TreesInView::find(const Woods& woods, std::span<const TreeLight> lights, co
     for (const Upright& tree : upright_) drawn_.push_back(tree.drawn);
 }
 
-void TreesInView::settle(const Woods& woods, const sim::View& world, const FlowSoFar& flow) {
+void TreesInView::find_again(const LitTrees& of, std::span<const std::uint32_t> tiles,
+                             const FrameBlock& frame, const OnScreen& screen) {
+    drawn_before_.swap(drawn_);
+    settled_.assign(of.trees.size(), nullptr);
+    for (std::size_t i = 0; i < upright_.size(); ++i) settled_[upright_[i].tree] = &drawn_before_[i];
+    for (const std::uint32_t tile : tiles)
+        std::fill_n(settled_.begin() + of.tiles[tile].first, of.tiles[tile].count, nullptr);
+    find(of, frame, screen);
+    for (std::size_t i = 0; i < upright_.size(); ++i)
+        if (const DrawnTree* before = settled_[upright_[i].tree]) drawn_[i] = *before;
+}
+
+void TreesInView::settle(std::span<const Tree> trees, const sim::View& world, const FlowSoFar& flow) {
     moved_.clear();
     for (std::size_t i = 0; i < upright_.size(); ++i) {
-        const Tree& tree = woods.trees()[upright_[i].tree];
+        const Tree& tree = trees[upright_[i].tree];
         if (tree.vertex < 0) continue;
         DrawnTree now = upright_[i].drawn;
         now.foot.z -=
             std::max(tree.snow - world.depth(tree.vertex % world.grid.nx, tree.vertex / world.grid.nx), 0.f);
+        if (world.things) {
+            now.foot.z += earth_at(world, glm::vec2(tree.foot));
+            now.shadow.z += earth_at(world, glm::vec2(now.shadow));
+        }
         if (const float laid = lying(tree, flow); laid > 0) lay(tree, world, laid, now);
         if (now == drawn_[i]) continue;
         moved_.push_back({i, drawn_[i]});

@@ -10,22 +10,14 @@
 #include "render/flow_so_far.h"
 #include "render/frame_block.h"
 #include "render/on_screen.h"
+#include "render/tree_light.h"
 #include "render/woods.h"
 #include "sim/world/state.h"
 
 namespace render {
 
-// The light of a tree, and where its shadow ends. Changes with the direction of the light only.
-struct TreeLight {
-    float sunlit;   // share of the light that ground lets through to the tree, 0 to 1
-    glm::vec3 tip;  // m, where the shadow of its top meets the ground
-};
-
-// For each tree of `woods`: the light from `sun` (unit vector, z > 0).
-void light_trees(const Woods& woods, const Surroundings& around, const glm::vec3& sun,
-                 std::vector<TreeLight>& into);
-
-// How far a flow has laid a tree of the grid until now: 0 upright, 1 in the deposit; 0 outside the grid.
+// How far a flow has laid a tree of the grid until now: 0 upright, 1 in the deposit; 0 outside the grid. `flow` does not
+// count where the world's state knows.
 float lying(const Tree& tree, const FlowSoFar& flow);
 
 // A tree, or a group of some, as the GPU draws it: an element of SLOT_TREES, as in tree.glsl.
@@ -42,13 +34,18 @@ struct DrawnTree {
 // seeking.
 class TreesInView {
   public:
-    // Makes room for all trees of `woods`.
-    void reserve(const Woods& woods);
-    // Finds the trees that a camera sees, as they stood at tick 0. `lights`: of light_trees().
-    void find(const Woods& woods, std::span<const TreeLight> lights, const FrameBlock& frame,
-              const OnScreen& screen);
-    // Moves them to where they are now. One that a flow has met leans or lies, with its top downhill, on the ground now.
-    void settle(const Woods& woods, const sim::View& world, const FlowSoFar& flow);
+    // Its branches, its shadow and sculpted ground under it are nearer than this to where it stood at tick 0, m.
+    static constexpr float kReach = 70;
+
+    void reserve(std::size_t trees, std::size_t tiles);
+    // Finds the trees that a camera sees, as they stood at tick 0.
+    void find(const LitTrees& of, const FrameBlock& frame, const OnScreen& screen);
+    // The same for the same camera, if only the trees of some tiles differ. The others stay as settle() left them.
+    void find_again(const LitTrees& of, std::span<const std::uint32_t> tiles, const FrameBlock& frame,
+                    const OnScreen& screen);
+    // Moves them to where they are now: onto sculpted ground, and one that a flow has met leans or lies, with its top
+    // downhill, on the ground now. `trees`: those of find().
+    void settle(std::span<const Tree> trees, const sim::View& world, const FlowSoFar& flow);
 
     // The samples that one of them and its shadow may cover.
     static Rectangle seen(const DrawnTree& tree, const OnScreen& screen);
@@ -70,11 +67,13 @@ class TreesInView {
   private:
     struct Upright {
         DrawnTree drawn;
-        std::uint32_t tree;  // in Woods::trees()
+        std::uint32_t tree;  // in LitTrees::trees
     };
 
     std::vector<Upright> upright_, branched_, plain_, without_shadow_;
-    std::vector<DrawnTree> drawn_;  // upright_, settled
+    std::vector<DrawnTree> drawn_;           // upright_, settled
+    std::vector<const DrawnTree*> settled_;  // by tree, while they are found again
+    std::vector<DrawnTree> drawn_before_;
     std::vector<Moved> moved_;
     std::vector<const TreeTile*> tiles_;
     std::size_t near_ = 0, far_ = 0, with_shadow_ = 0;

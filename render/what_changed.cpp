@@ -21,9 +21,9 @@ constexpr float kUntouched = 0.016f;
 constexpr double kFarthest = 0.035;
 // m: room for rounding between a height and a ceiling; height of what people build and of its shadow's way.
 constexpr float kRoom = 0.1f, kHighest = 40;
-// Of a ring, as in marks.glsl: half the width of its line and of its dot, pixels; the smallest sine of the angle at which
-// ground is seen that is used.
-constexpr double kLineWidth = 2.7, kDotWidth = 4.5, kFlattestView = 0.06;
+// As in marks.glsl: half the width of a ring's line, of its dot and of an outline's line, pixels; the smallest sine of
+// the angle at which ground is seen that is used.
+constexpr double kLineWidth = 2.7, kDotWidth = 4.5, kOutlineWidth = 4.2, kFlattestView = 0.06;
 
 // A bound of the length of a pixel on ground at a distance, m, that is seen at an angle with this sine.
 double pixel_on_ground(float distance, double sine, const FrameBlock& frame) {
@@ -50,7 +50,7 @@ int groups_along(int vertices) {
 
 void WhatChanged::compare(const sim::View& world, std::span<const std::uint8_t> mixture,
                           std::span<const float> first_depth, std::optional<float> walls_to,
-                          const RedrawRules& rules, bool everything) {
+                          const RedrawRules& rules, bool everything, const ChangedGround& ground) {
     rules_ = rules;
     everything |= grid_ != world.grid || mixture_.size() != mixture.size();
     if (grid_ != world.grid) resize(world);
@@ -69,6 +69,7 @@ void WhatChanged::compare(const sim::View& world, std::span<const std::uint8_t> 
 
     for (int y = 0; y < grid_.ny; ++y) compare_row(world, y, everything);
     compare_mixture(mixture);
+    if (!everything) compare_ground(world, ground);
     collect_groups();
     if (everything) {
         height_before_ = height_;
@@ -117,6 +118,27 @@ void WhatChanged::compare_row(const sim::View& world, int y, bool everything) {
         change(x, y);
         if (far_reach_ > 0 && (was_untouched || is_untouched_near(x, y))) open_around(x, y, far_reach_);
     }
+}
+
+// Bedrock under a vertex rose or sank, and others around it see more or less of the sky.
+void WhatChanged::compare_ground(const sim::View& world, const ChangedGround& ground) {
+    if (ground.vertices.empty()) return;
+    glm::ivec2 low = ground.vertices.front(), high = low;
+    for (const glm::ivec2 v : ground.vertices) {
+        const auto i = index(v.x, v.y);
+        height_[i] = world.bedrock(v.x, v.y) + world.depth(v.x, v.y) + world.rolling(v.x, v.y);
+        moved_.push_back(v);
+        change(v.x, v.y);
+        low = glm::min(low, v), high = glm::max(high, v);
+    }
+    low = glm::max(low - ground.reach, glm::ivec2(0));
+    high = glm::min(high + ground.reach, glm::ivec2(grid_.nx, grid_.ny) - 1);
+    open_squares(low.x - rules_.reach, high.x + rules_.reach - 1, low.y - rules_.reach,
+                 high.y + rules_.reach - 1);
+    const int across = groups_along(grid_.nx);
+    for (int y = low.y / GROUP_SQUARE; y <= high.y / GROUP_SQUARE; ++y)
+        for (int x = low.x / GROUP_SQUARE; x <= high.x / GROUP_SQUARE; ++x)
+            group_[numbered(x, y, across)] = 1;
 }
 
 void WhatChanged::compare_mixture(std::span<const std::uint8_t> mixture) {
@@ -260,6 +282,31 @@ void WhatChanged::add_ring(const std::optional<Ring>& before, const std::optiona
                 if (away > ring->radius && pixel < 0) pixel = longest_pixel(first, last, frame);
                 if (away > ring->radius && is_beside(pixel)) continue;
                 open_squares(first.x, last.x - 1, first.y, last.y - 1);
+            }
+        }
+}
+
+// Around the rectangle its line is as wide as so many pixels.
+void WhatChanged::add_outline(const std::optional<Outline>& before, const std::optional<Outline>& now,
+                              const FrameBlock& frame) {
+    if (everything_ || before == now) return;
+    const auto dx = static_cast<double>(grid_.dx);
+    for (int y = 0; y + 1 < grid_.ny; ++y)
+        for (int x = 0; x + 1 < grid_.nx; ++x) {
+            const glm::dvec2 middle = dx * (glm::dvec2(x, y) + 0.5);
+            const glm::vec3 corner(grid_.dx * glm::vec2(x, y), height_[index(x, y)]);
+            const float distance = glm::distance(corner, glm::vec3(frame.eye)) + 4 * grid_.dx;
+            const double longest = pixel_on_ground(distance, kFlattestView, frame);
+            for (const std::optional<Outline>& outline : {before, now}) {
+                if (!outline) continue;
+                const glm::dvec2 along = outline->to - outline->from, away = middle - outline->from;
+                const double t =
+                    std::clamp(glm::dot(away, along) / std::max(glm::dot(along, along), 1e-9), 0.0, 1.0);
+                const double beside = glm::distance(away, t * along) - outline->width / 2 - dx;
+                if (beside > kOutlineWidth * longest) continue;  // even if it is seen at the flattest angle
+                if (beside > 0 && beside > kOutlineWidth * longest_pixel({x, y}, {x + 1, y + 1}, frame))
+                    continue;
+                open_squares(x, x, y, y);
             }
         }
 }

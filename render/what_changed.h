@@ -34,6 +34,12 @@ struct RedrawRules {
     bool sun = true, old_heights = true, things = true, air = true, last_rectangle = true;
 };
 
+// Where bedrock differs from that of the last frame.
+struct ChangedGround {
+    std::span<const glm::ivec2> vertices;
+    int reach = 0;  // vertices from one of them to the last whose openness may differ
+};
+
 // Finds what changed in a world since the last frame, and the squares of the grid that look different for it. No GL.
 //
 //     fields, flow ──▶ vertices ──▶ squares within reach ──▶ boxes of them, with old and new heights ──▶ tiles
@@ -42,16 +48,19 @@ class WhatChanged {
   public:
     // Compares the fields with those of the last call, bit by bit, and begins with the squares that they change.
     // `mixture`: two bytes per vertex, as drawn; empty in a world of one material. `walls_to`: the sides of the grid
-    // are seen, down to this height, m. `everything`: as if all differed. Allocates nothing while the grid stays.
+    // are seen, down to this height, m. `everything`: as if all differed. Allocates nothing while grid and bedrock stay.
     void compare(const sim::View& world, std::span<const std::uint8_t> mixture,
                  std::span<const float> first_depth, std::optional<float> walls_to, const RedrawRules& rules,
-                 bool everything);
-    // Adds what changed besides: vertices of a flow, shadows, a ring that is drawn elsewhere than in the last frame.
+                 bool everything, const ChangedGround& ground = {});
+    // Adds what changed besides: vertices of a flow, shadows, a ring or an outline that is drawn elsewhere than in
+    // the last frame.
     // `shown`, `shown_before`: per square, not 0 if the flow is seen there.
     void add_flow(std::span<const int> vertices, std::span<const std::uint8_t> shown,
                   std::span<const std::uint8_t> shown_before);
     void add_shadows(const SunSweep& sweep, const FrameBlock& frame);
     void add_ring(const std::optional<Ring>& before, const std::optional<Ring>& now, const FrameBlock& frame);
+    void add_outline(const std::optional<Outline>& before, const std::optional<Outline>& now,
+                     const FrameBlock& frame);
 
     // Rows of vertices between which all fields that changed are; none if first > last.
     int first_row() const { return first_row_; }
@@ -79,6 +88,7 @@ class WhatChanged {
 
     void resize(const sim::View& world);
     void compare_row(const sim::View& world, int y, bool everything);
+    void compare_ground(const sim::View& world, const ChangedGround& ground);
     void compare_mixture(std::span<const std::uint8_t> mixture);
     void change(int x, int y);
     void open_around(int x, int y, int reach) {

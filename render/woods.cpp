@@ -285,6 +285,34 @@ Woods::Woods(const Surroundings& around, const TreeRules& rules, double datum,
     for (const std::uint8_t share : rules.shares) fingerprint_ = mixed(fingerprint_, share);
 }
 
+void Woods::let_act() {
+    act_ = true;
+    fingerprint_ = mixed(fingerprint_, 1);
+}
+
+std::vector<sim::Stems> forest_of(const Woods& woods, const sim::Grid& grid) {
+    std::vector<std::uint32_t> count(grid.size());
+    std::vector<double> height(grid.size());
+    for (const Tree& tree : woods.trees()) {
+        if (tree.vertex < 0) continue;
+        ++count[static_cast<std::size_t>(tree.vertex)];
+        height[static_cast<std::size_t>(tree.vertex)] += static_cast<double>(tree.height);
+    }
+    constexpr double kHectare = 1e4;  // m²
+    std::vector<sim::Stems> forest(grid.size());
+    for (std::size_t i = 0; i < forest.size(); ++i) {
+        if (count[i] == 0) continue;
+        const double stems = count[i] * kHectare / grid.cell_area(), mean = height[i] / count[i];
+        constexpr double kDiameterOfHeight = 30.0 / 22;  // cm/m
+        forest[i].standing =
+            static_cast<std::uint16_t>(std::clamp(std::rint(stems), 1.0, double{sim::kMostStems}));
+        forest[i].height_m = static_cast<std::uint8_t>(std::clamp(std::rint(mean), 1.0, 255.0));
+        forest[i].diameter_cm =
+            static_cast<std::uint8_t>(std::clamp(std::rint(kDiameterOfHeight * mean), 10.0, 60.0));
+    }
+    return forest;
+}
+
 void Woods::sort_into_tiles(double tile_m) {
     std::map<std::pair<int, int>, std::vector<Tree>> squares;
     for (const Tree& tree : trees_) {

@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "render/surroundings.h"
+#include "sim/world/things.h"
 
 namespace render {
 
@@ -34,6 +35,13 @@ enum class TreeKind : std::int32_t {
     kPine,    // dwarf pine: a low cushion
 };
 
+// By what a tree stands or lies.
+enum class TreeFate : std::int32_t {
+    kOfFlow,  // a view: by what a flow has done
+    kStands,  // by the forest in a world's state
+    kLies,
+};
+
 // A conifer where it grew, or outside the grid a group of them. Space as in shaders.
 struct Tree {
     glm::vec3 foot;       // m, on the ground at tick 0
@@ -46,6 +54,7 @@ struct Tree {
     float closed;         // how closed the wood is around it, 0 to 1
     float group;  // number of trees side by side that it stands for, 1 to kLargestGroup; 1 on the grid
     TreeKind kind;
+    TreeFate fate = TreeFate::kOfFlow;
 };
 
 // A place where no tree grows: all within a distance of a line.
@@ -64,7 +73,7 @@ struct TreeTile {
 // The conifers of a world, on its grid and on the mountains around it. They stand in closed stands with clear
 // edges on slopes below the tree line: not on rock and not on level ground. At the line stands are few, and
 // follow ribs; single trees and dwarf pine are between them. In gullies, where avalanches run, only some
-// trees stand. A view: nothing else knows of them.
+// trees stand. A view: nothing else knows of them, unless they act.
 //
 // A tree of the grid is a function of ground, rules and place, bit-identical on every machine. Those around
 // it are equal on one machine, as Surroundings are.
@@ -78,6 +87,11 @@ class Woods {
     // `datum`: height of shaders' z = 0 above the terrain's zero, m. Without surroundings there are no trees.
     Woods(const Surroundings& around, const TreeRules& rules, double datum,
           std::span<const Clearing> clearings = {});
+
+    // From now on those on the grid are those of the forest in a world's state, which begins with forest_of() them. Else
+    // they are a view, and any forest is shown besides.
+    void let_act();
+    bool act() const { return act_; }
 
     bool empty() const { return trees_.empty(); }
     // Valid as long as the woods are, so not of woods that end with the expression.
@@ -98,6 +112,11 @@ class Woods {
     std::vector<TreeTile> tiles_;
     double asked_ = 0;
     std::uint64_t fingerprint_ = 0;
+    bool act_ = false;
 };
+
+// The forest that stands for the trees of woods on the grid, one value per vertex: their number, clamped to
+// sim::kMostStems, and their mean height.
+std::vector<sim::Stems> forest_of(const Woods& woods, const sim::Grid& grid);
 
 }  // namespace render

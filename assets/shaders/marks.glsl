@@ -1,4 +1,4 @@
-// Marks: contours and a ring on the ground, in screen colours and with widths independent of distance.
+// Marks: contours, a ring and an outline on the ground, in screen colours and with widths independent of distance.
 vec3 overlaid(vec3 picture, Place p, mat2 pixel, vec3 light);  // overlay.glsl or overlay_none.glsl
 
 const float kEdge = 0.06;  // smallest sine of the viewing angle that is used
@@ -47,10 +47,29 @@ vec3 with_ring(vec3 picture, Place p, mat2 pixel) {
     return mix(picture, frame.ring_colour.rgb, max(line(outside, 1.0), dot_shown * line(from_dot, 2.7)));
 }
 
+// The outline of a rectangle, drawn as a ring is; its front is a heavier line.
+vec3 with_outline(vec3 picture, Place p, mat2 pixel) {
+    vec2 line_m = frame.outline.zw - frame.outline.xy, half_size = vec2(0.5 * length(line_m), abs(frame.outline_colour.w));
+    vec2 along = line_m / max(length(line_m), 1e-6), across = vec2(-along.y, along.x);
+    vec2 away = p.at.xy - 0.5 * (frame.outline.xy + frame.outline.zw);
+    vec2 at = vec2(dot(away, along), dot(away, across)), beyond = abs(at) - half_size;
+    // The direction in which the distance to the rectangle grows.
+    bool before_end = beyond.x > beyond.y;
+    vec2 grows = max(beyond.x, beyond.y) > 0.0 ? max(beyond, 0.0) : before_end ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
+    float outside_m = max(beyond.x, beyond.y) > 0.0 ? length(grows) : max(beyond.x, beyond.y);
+    grows *= sign(at) / max(length(grows), 1e-6);
+    float outside = outside_m / length((grows.x * along + grows.y * across) * pixel + 1e-9);  // pixels
+    float heavy = frame.outline_colour.w < 0.0 && before_end && at.x > 0.0 ? 1.5 : 0.0;
+    picture = mix(picture, frame.outline_colour.rgb, 0.15 * clamp(0.5 - outside * frame.material.z, 0.0, 1.0));
+    picture *= 1.0 - 0.75 * line(outside, 2.1 + heavy);
+    return mix(picture, frame.outline_colour.rgb, line(outside, 1.0 + heavy));
+}
+
 vec3 marked(vec3 seen, Place p, vec3 light) {
     mat2 pixel = pixel_on_ground(p);
     vec3 picture = overlaid(shown(seen), p, pixel, light);
     if (frame.contours.x > 0.0) picture = with_contours(picture, p, pixel);
     if (frame.ring.w > 0.5) picture = with_ring(picture, p, pixel);
+    if (frame.outline_colour.w != 0.0) picture = with_outline(picture, p, pixel);
     return light_shown_as(picture);
 }

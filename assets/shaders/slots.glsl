@@ -35,7 +35,8 @@
 #define SLOT_POWDER_LIT 27      // RGBA16F: colour times opacity, opacity
 #define SLOT_POWDER_HIDDEN 28   // RGBA32F: how the depth of the scene hides the cloud; its shadow on the ground
 #define SLOT_POWDER_LOWER 29    // R16F: share of the lower material times opacity
-#define SLOT_UNITS 30     // number of texture units
+#define SLOT_EARTH 30     // R32F: m that bedrock was raised by; below 0: lowered
+#define SLOT_UNITS 31     // number of texture units
 
 // Storage buffers; cut_vertex.glsl reads the first four
 #define SLOT_MESH_POSITIONS 0    // vec2 of each vertex, m
@@ -112,6 +113,11 @@
 #define BUILT_ROAD 6
 #define BUILT_BANK 7 // snow beside a road
 #define BUILT_DARK 8 // doors, and the inside of what is broken
+#define BUILT_PLASTER 9
+#define BUILT_TILE 10
+#define BUILT_CONCRETE 11
+#define BUILT_GLASS 12 // of walls, in a frame
+#define BUILT_BRICK 13
 
 #define POWDER_SHADOW 3.0 // mean radii of the puffs, from a cloud to the end of its shadow
 

@@ -36,6 +36,18 @@ void main() {
             albedo = mix(vec3(0.110, 0.104, 0.096) * (0.6 + 0.7 * rock.z), 0.55 * frame.standing.rgb, numbers.y * smoothstep(0.42, 0.75, soft.z + 0.35 * (rock.z - 0.5)));
             break;
         case BUILT_BANK: albedo *= 0.82 + 0.22 * rock.z; break;
+        case BUILT_PLASTER:
+            albedo = mix(vec3(0.50, 0.45, 0.36), vec3(0.56, 0.53, 0.49), numbers.x) * (0.86 + 0.2 * rock.z + 0.1 * soft.z);
+            albedo *= mix(0.72, 1.0, smoothstep(0.0, 1.2, on_face.y + 0.6 * (rock.z - 0.4)));  // splashed at its foot
+            break;
+        case BUILT_TILE: albedo = vec3(0.155, 0.062, 0.040) * (0.7 + 0.6 * rock.z) * (0.6 + 0.4 * lines(on_face.y, 0.34, pixel)); break;
+        case BUILT_CONCRETE: albedo = vec3(0.27, 0.262, 0.25) * (0.78 + 0.3 * rock.z + 0.12 * soft.z) * (0.86 + 0.14 * lines(on_face.y, 1.2, pixel)); break;
+        case BUILT_GLASS:
+            // The sky in it; bars of the frame between panes.
+            albedo = vec3(0.15, 0.21, 0.235) * (0.75 + 0.7 * soft.z) * (0.35 + 0.65 * lines(on_face.x, 1.5, pixel)) * (0.5 + 0.5 * lines(on_face.y, 1.1, pixel));
+            lamp = 0.35 * frame.cloud.w * vec3(1.0, 0.62, 0.28);
+            break;
+        case BUILT_BRICK: albedo = vec3(0.23, 0.098, 0.066) * (0.6 + 0.7 * rock.z) * (0.72 + 0.28 * lines(on_face.y, 0.16, pixel)); break;
         case BUILT_DARK: albedo = vec3(0.035, 0.024, 0.018); break;
     }
     colour = vec4(albedo * light + lamp + air, 1.0);

@@ -32,6 +32,11 @@ Skin wall(Skin skin, Crown crown, vec3 lies, Detail d, inout Place p);
 Skin left_by_slides(Skin skin, Skin grown, float turf, Slide slide, Detail d, float covered);
 Skin under_flow(Skin skin, Slide slide, Place p, Detail d, float covered, out float rolls);
 
+// Bare earth over bare ground, in earth.glsl; earth_none.glsl is for places where none was sculpted.
+// `with_dirt`: the colour of the standing layer on it.
+Skin with_earth(Skin skin, Place p, Detail d, vec4 fine);
+vec3 with_dirt(vec3 lies, Place p, Detail d);
+
 // Draws marks on the ground, in marks.glsl or marks_none.glsl. `light` is the light that white ground
 // reflects.
 vec3 marked(vec3 seen, Place p, vec3 light);
@@ -70,7 +75,7 @@ void main() {
     vec3 rolling_colour = frame.rolling.rgb * (1.0 - lower.y) + frame.lower_rolling.rgb * lower.y;
     Slide slide = Slide(smoothed, lies, rolling_colour);
     vec4 fine = fine_at(p, d, covered);
-    Skin skin = blend(ground(p, d, fine), cover(lies, d, fine), covered);
+    Skin skin = blend(with_earth(ground(p, d, fine), p, d, fine), cover(with_dirt(lies, p, d), d, fine), covered);
 
     vec4 turf = frame.material.w * mix(frame.turf, frame.lower_turf, lower.x);
     skin = left_by_slides(skin, grown(turf, d, fine), turf.w, slide, d, covered);

@@ -12,6 +12,7 @@
 #include "game/files/recordings_folder.h"
 #include "game/files/ui_font.h"
 #include "game/files/user_folders.h"
+#include "game/scene/surface.h"
 #include "render/context.h"
 #include "render/overview.h"
 #include "render/pick.h"
@@ -36,19 +37,6 @@ class Stopwatch {
     const Screen& screen_;
     double last_;
 };
-
-glm::vec3 ring_colour(sim::CommandKind deed) {
-    switch (deed) {
-        case sim::CommandKind::kDig:
-            return {0.95f, 0.45f, 0.05f};
-        case sim::CommandKind::kBlast:
-            return {0.90f, 0.08f, 0.10f};
-        case sim::CommandKind::kSettle:
-            return {0.35f, 0.75f, 0.20f};
-        default:
-            return {0.10f, 0.45f, 0.95f};
-    }
-}
 
 }  // namespace
 
@@ -189,14 +177,13 @@ void App::move_camera(double elapsed_s) {
 }
 
 void App::guide_stroke() {
-    if (input_.resize_steps() != 0) resize_brush(input_.resize_steps());
+    if (input_.resize_steps() != 0) hand_.resize(input_.resize_steps(), sandbox_->scenario().grid);
     if (input_.brush_pressed()) begin_stroke();
-    if (!stroke_) return;
-    // After the button is released, the cursor no longer moves the stroke.
-    if (!stroke_ends_) stroke_->move_to(ground_ ? std::optional<glm::dvec2>(*ground_) : std::nullopt);
+    hand_.move_to(ground_ ? std::optional<glm::dvec2>(*ground_) : std::nullopt);
     // A click shorter than a tick is still a stroke, unless the simulation is paused.
-    if (!input_.brush_held()) stroke_ends_ = true;
-    if (stroke_ends_ && clock_.paused()) stroke_.reset();
+    if (input_.brush_held()) return;
+    hand_.release();
+    if (clock_.paused()) hand_.drop();
 }
 
 void App::begin_stroke() {
@@ -210,11 +197,47 @@ void App::begin_stroke() {
             tell("Beyond the grid there is only scenery: brushes work inside its border");
         return;
     }
-    const sim::CommandKind deed = deed_of(brush_, input_.inverted());
-    stroke_.emplace(deed, glm::dvec2(*at));
-    stroke_ends_ = false;
-    sandbox_->begin_action(std::string(sim::info_of(deed).name));
-    if (clock_.paused()) tell("Paused: the brush acts when time runs. Press Space to run, or . for one tick");
+    const sim::View world = sandbox_->session().view();
+    const double bedrock = between(square_under(world.grid, glm::dvec2(*at)), world.bedrock);
+    hand_.press(input_.modifiers(), glm::dvec2(*at), bedrock + world.datum,
+                static_cast<double>(world.grid.dx));
+    earth_before_ = earth_used();
+    sandbox_->begin_action(std::string(sim::info_of(hand_.stroke()->deed().kind).name));
+    if (clock_.paused()) tell("Paused: the tool acts when time runs. Press Space to run, or . for one tick");
+}
+
+double App::earth_used() const {
+    const sim::View world = sandbox_->session().view();
+    if (!world.things) return 0;
+    return sandbox_->session().cubic_metres(sim::earth_used(*world.things));
+}
+
+std::optional<glm::dvec2> App::on_screen(glm::dvec3 place) const {
+    const ScreenSize size = screen_.size();
+    const render::Camera& camera = camera_->camera();
+    const glm::dvec4 clip = render::projection_matrix(camera, static_cast<double>(size.width) / size.height) *
+                            (render::view_matrix(camera) * glm::dvec4(place, 1));
+    if (clip.w <= 0) return std::nullopt;
+    return glm::dvec2((clip.x / clip.w + 1) / 2 * size.width, (1 - clip.y / clip.w) / 2 * size.height);
+}
+
+std::optional<ui::StrokeNote> App::stroke_note() const {
+    const auto& stroke = hand_.stroke();
+    if (!stroke || !ground_) return std::nullopt;
+    const auto cursor = on_screen(*ground_);
+    if (!cursor) return std::nullopt;
+    const sim::View world = sandbox_->session().view();
+    ui::StrokeNote note{.cursor = *cursor};
+    if (const auto from = stroke->line_from()) {
+        note.line_from = on_screen({*from, surface_height(world, *from)});
+        note.length = glm::distance(*from, glm::dvec2(*ground_));
+    }
+    if (!takes(stroke->deed().kind, &sim::Command::rise)) return note;
+    const double used = earth_used();
+    note.earth = used - earth_before_;
+    if (world.things && world.things->budget >= 0)
+        note.earth_left = sandbox_->session().cubic_metres(world.things->budget) - used;
+    return note;
 }
 
 void App::run_ticks(double elapsed_s, FrameTime& time) {
@@ -227,11 +250,10 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
         return !sandbox_->watched_to_end() && (time.ticks == 0 || spent < kTickBudget);
     };
     for (double spent = 0; time.ticks < due && may_go_on(spent); ++time.ticks) {
-        hand_.clear();
-        if (!sandbox_->looks_back()) std::swap(hand_, set_numbers_);
-        if (stroke_) stroke_->commands_of(time.ticks, due, brush_, tick_s, hand_);
-        touched_ |= !hand_.empty();
-        if (const auto done = sandbox_->tick(hand_); !done) {
+        const auto commands = hand_.commands_of(time.ticks, due, tick_s, !sandbox_->looks_back());
+        touched_ |= !commands.empty();
+        if (const auto done = sandbox_->tick(commands); !done) {
+            hand_.drop();  // else it would be refused in every tick
             warn(done.error().sentence);
             if (done.error().status == Failure::kMachine) stop_recording(done.error());
             if (done.error().status == Failure::kBadAnswer) {
@@ -244,10 +266,7 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
         spent = now;
     }
     clock_.ticks_undone(due - time.ticks);
-    if (stroke_ && time.ticks > 0) {
-        stroke_->arrive(static_cast<double>(time.ticks) / due);
-        if (stroke_ends_) stroke_.reset();
-    }
+    if (time.ticks > 0) hand_.arrive(static_cast<double>(time.ticks) / due);
     if (time.ticks > 0) watch_slide();
     take_over_at_end();
 }
@@ -272,7 +291,7 @@ void App::watch_slide() {
 
 // Moves toward a known tick, as far as the time budget of the frame allows.
 void App::seek(std::int64_t tick, double begun_s) {
-    stroke_.reset();
+    hand_.drop();
     const std::int64_t before = sandbox_->session().state().tick;
     const auto there = sandbox_->go_toward(tick, [&] { return screen_.seconds() - begun_s < kTickBudget; });
     if (!there) warn(there.error().sentence);
@@ -318,8 +337,9 @@ render::Marks App::marks() const {
     if (const auto& densities = sandbox_->session().densities())
         marks.density = glm::dvec2(densities->upper, densities->lower);
     if (ground_ && !sandbox_->looks_back() && !sandbox_->scenario().flow) {
-        const auto deed = stroke_ ? stroke_->deed() : deed_of(brush_, input_.inverted());
-        marks.ring = render::Ring{glm::dvec2(*ground_), brush_.radius, ring_colour(deed)};
+        const Deed& deed = hand_.deed(input_.modifiers());
+        marks.ring = render::Ring{glm::dvec2(*ground_),
+                                  ring_radius(hand_.brush(), deed, sandbox_->scenario().grid), deed.ring};
     }
     return marks;
 }
@@ -545,10 +565,11 @@ void App::draw_panels() {
             .scenario = sandbox_->scenario(),
             .state = session.state(),
             .clock = clock_,
-            .brush = brush_,
-            .inverted = input_.inverted(),
-            .brushing = stroke_.has_value(),
+            .brush = hand_.brush(),
+            .deed = hand_.deed(input_.modifiers()),
+            .brushing = hand_.stroke().has_value(),
             .touched = touched_,
+            .stroke = stroke_note(),
             .actions_to_undo = sandbox_->actions(),
             .actions_to_redo = sandbox_->undone(),
             .under_cursor = reading,

@@ -10,11 +10,11 @@
 #include "game/app/sharing.h"
 #include "game/base/outcome.h"
 #include "game/controls/action.h"
-#include "game/controls/brush.h"
 #include "game/controls/camera_control.h"
 #include "game/controls/catalogue.h"
 #include "game/controls/display.h"
 #include "game/controls/frame_times.h"
+#include "game/controls/hand.h"
 #include "game/controls/image_size.h"
 #include "game/controls/input.h"
 #include "game/controls/notices.h"
@@ -58,7 +58,7 @@ class App {
     const std::optional<Failure>& device_failure() const { return device_failure_; }
     const Notices& notices() const { return notices_; }
     const TickClock& clock() const { return clock_; }
-    const Brush& brush() const { return brush_; }
+    const Brush& brush() const { return hand_.brush(); }
     const Display& display() const { return display_; }
     const render::Camera& camera() const { return camera_->camera(); }
     const ui::Ui& panels() const { return ui_; }
@@ -94,6 +94,7 @@ class App {
     void fail_lost();
 
     void perform(Verb verb);
+    void perform(Tool tool);
     void perform(const SetSpeed& set);
     void perform(const SeekTick& seek);
     void perform(const SetBrush& set);
@@ -108,8 +109,11 @@ class App {
     void tell_results();
     void watch_slide();
     void tell_camera_mode();
-    void resize_brush(double steps);
     void begin_stroke();
+    std::optional<ui::StrokeNote> stroke_note() const;
+    std::optional<glm::dvec2> on_screen(
+        glm::dvec3 place) const;                    // px from the top left; nothing behind the camera
+    double earth_used() const;                      // m³
     render::Ray ray_under(glm::dvec2 point) const;  // `point` in image coordinates
     // m along the ray to the mountains around the grid.
     std::optional<double> mountain_along(render::Ray ray) const;
@@ -164,12 +168,9 @@ class App {
     TickClock clock_;
     Input input_;
     Actions actions_;
-    Brush brush_;
-    std::optional<Stroke> stroke_;
-    bool stroke_ends_ = false;               // its button is released; it ends after its next tick
-    bool touched_ = false;                   // the user has changed the world
-    std::vector<sim::Command> hand_;         // commands of one tick; kept to reuse its memory
-    std::vector<sim::Command> set_numbers_;  // parameters set in panels, for the next tick
+    Hand hand_;
+    double earth_before_ = 0;  // m³ in use when the stroke began
+    bool touched_ = false;     // the user has changed the world
 
     render::Surroundings mountains_;  // around the world
     render::Woods woods_;             // on them

@@ -17,8 +17,6 @@
 namespace game {
 namespace {
 
-constexpr double kSizeStep = 1.15, kStrengthStep = 1.25;
-
 // A little farther away than in exported images, because bars cover the upper and lower edges.
 render::Camera overview_beside_panels(const sim::View& world) {
     render::Camera camera = render::overview(world);
@@ -35,21 +33,10 @@ std::uint64_t memory_for_frames(const LoadedWorld& loaded) {
     return loaded.memory.most - std::min(loaded.memory.most, world);
 }
 
-// A brush radius of 1/50 of the terrain, but at least 2.5 cells so that the grid resolves it.
-Brush brush_for(const sim::Grid& grid) {
-    const auto dx = static_cast<double>(grid.dx);
-    const RadiusRange range = radius_range(grid);
-    Brush brush;
-    brush.radius =
-        std::clamp(std::max(0.02 * dx * (std::max(grid.nx, grid.ny) - 1), 2.5 * dx), range.least, range.most);
-    return brush;
-}
-
 }  // namespace
 
 void App::perform(Verb verb) {
     if (ui_.perform(verb)) return;
-    const auto choose = [&](Tool tool) { brush_.tool = tool; };
     switch (verb) {
         case Verb::kPauseOrGoOn:
             return clock_.pause(!clock_.paused());
@@ -74,25 +61,16 @@ void App::perform(Verb verb) {
             return redo();
         case Verb::kReset:
             return reset();
-        case Verb::kPour:
-            return choose(Tool::kPour);
-        case Verb::kDig:
-            return choose(Tool::kDig);
-        case Verb::kBlast:
-            return choose(Tool::kBlast);
         case Verb::kSmallerBrush:
-            return resize_brush(-1);
+            return hand_.resize(-1, sandbox_->scenario().grid);
         case Verb::kLargerBrush:
-            return resize_brush(1);
+            return hand_.resize(1, sandbox_->scenario().grid);
         case Verb::kWeakerBrush:
+            return hand_.strengthen(-1);
         case Verb::kStrongerBrush:
-            brush_.amount() = std::clamp(
-                brush_.amount() * (verb == Verb::kStrongerBrush ? kStrengthStep : 1 / kStrengthStep),
-                Brush::kLeastStrength, Brush::kMostStrength);
-            return;
+            return hand_.strengthen(1);
         case Verb::kPourStandingOrRolling:
-            brush_.standing = !brush_.standing;
-            return;
+            return hand_.pour_otherwise();
         case Verb::kOverview:
             return camera_->overview();
         case Verb::kTopDown:
@@ -119,8 +97,11 @@ void App::perform(Verb verb) {
 void App::perform(const SetSpeed& set) {
     clock_.set_speed(set.speed);
 }
+void App::perform(Tool tool) {
+    hand_.choose(tool);
+}
 void App::perform(const SetBrush& set) {
-    brush_ = set.brush;
+    hand_.set(set.brush);
 }
 void App::perform(const SetDisplay& set) {
     if (!(set.display.flow == display_.flow)) sandbox_->set_flow(set.display.flow);
@@ -137,16 +118,10 @@ void App::perform(const Open& open) {
 
 void App::perform(const SetNumber& set) {
     if (sandbox_->looks_back()) return tell_hands_off();
-    sim::Command command;
-    command.kind = sim::CommandKind::kSet;
-    command.param = set.param;
-    command.value = shortest(set.value);  // so that a recording contains 0.6, not 0.6000000238418579
-    auto all = set_numbers_;
-    all.push_back(command);
-    auto fault = sim::fault_of(command);
-    if (!fault) fault = sim::fault_after(sandbox_->session().state().params, all);
-    if (fault) return warn(fmt::format("Parameter not set: {}", *fault));
-    set_numbers_ = std::move(all);
+    // So that a recording contains 0.6, not 0.6000000238418579.
+    const double value = shortest(set.value);
+    if (const auto fault = hand_.set_number(sandbox_->session().state().params, set.param, value))
+        return warn(fmt::format("Parameter not set: {}", *fault));
     sandbox_->begin_action(fmt::format("set {}", sim::kParams[set.param].name));
     if (clock_.paused()) tell("Paused: the parameter changes on the next tick");
 }
@@ -159,18 +134,10 @@ void App::tell_camera_mode() {
         tell("Fly mode. Move with W A S D or arrows, look with the right button; press F to return");
 }
 
-void App::resize_brush(double steps) {
-    const RadiusRange range = radius_range(sandbox_->scenario().grid);
-    brush_.radius = std::clamp(brush_.radius * std::pow(kSizeStep, steps), range.least, range.most);
-}
-
 void App::undo() {
     stop_hand();
     // Parameters waiting for the next tick have no effect yet: discard them and nothing else.
-    if (!set_numbers_.empty()) {
-        set_numbers_.clear();
-        return tell("Undone: parameters set for the next tick");
-    }
+    if (hand_.drop_numbers()) return tell("Undone: parameters set for the next tick");
     const auto undone = sandbox_->undo();
     ++epoch_;
     if (!undone && undone.error().status == Failure::kMachine) {
@@ -198,7 +165,7 @@ void App::redo() {
 
 // Ends what the user is doing to the world or to time.
 void App::stop_hand() {
-    stroke_.reset();
+    hand_.drop();
     seeking_.reset();
     clock_.run_back(false);
 }
@@ -355,8 +322,8 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     ++epoch_;
 
     const Scenario& scenario = sandbox_->scenario();
-    stroke_.reset();
-    set_numbers_.clear();
+    hand_.drop();
+    hand_.drop_numbers();
     if (!same) touched_ = false;  // after a restart of the same scene the hint is not needed
     seeking_.reset();
     sliding_since_.reset();
@@ -368,7 +335,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
         mountains_ = mountains_around(scenario);
         woods_ = woods_on(scenario, mountains_);
         display_.surroundings = !scenario.model;
-        brush_ = brush_for(scenario.grid);
+        hand_.suit(scenario.grid);
         display_.light = scenario.light;
         camera_.emplace(scenario.camera.value_or(overview_beside_panels(world)), world, surroundings());
     }

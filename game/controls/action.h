@@ -30,9 +30,6 @@ enum class Verb {
     kUndo,        // go back to just before the last action
     kRedo,
     kReset,  // restart the scene
-    kPour,
-    kDig,
-    kBlast,
     kSmallerBrush,
     kLargerBrush,
     kWeakerBrush,
@@ -78,7 +75,8 @@ struct Open {
     Overrides overrides;
 };
 
-using Action = std::variant<Verb, SetSpeed, SeekTick, SetBrush, SetNumber, SetDisplay, Open>;
+// A Tool is chosen.
+using Action = std::variant<Verb, Tool, SetSpeed, SeekTick, SetBrush, SetNumber, SetDisplay, Open>;
 using Actions = std::vector<Action>;
 
 }  // namespace game

@@ -57,7 +57,7 @@ void Input::take_key(const KeyEvent& event, bool kept, Actions& actions) {
     if (!event.down || (kept && !is_function_key(event.key))) return;  // those type nothing
     for (const KeyBinding& binding : key_bindings())
         if (binding.key == event.key && binding.with == event.with && (!event.repeat || binding.repeats))
-            actions.emplace_back(binding.verb);
+            std::visit([&](auto what) { actions.emplace_back(what); }, binding.does);
 }
 
 void Input::take_button(const ButtonEvent& event, bool kept) {

@@ -25,7 +25,7 @@ class Input {
 
     // Cursor position, −1 (left, bottom) to 1; nothing over a panel or before the first event.
     std::optional<glm::dvec2> cursor() const;
-    bool inverted() const { return with_.control; }
+    Modifiers modifiers() const { return with_; }  // held
 
     // The brush button: pressed in this frame; held at the end of it.
     bool brush_pressed() const { return brush_pressed_; }

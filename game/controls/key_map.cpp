@@ -1,5 +1,6 @@
 #include "game/controls/key_map.h"
 
+#include <algorithm>
 #include <array>
 
 namespace game {
@@ -10,9 +11,6 @@ constexpr Modifiers kAlone{}, kShift{true, false, false}, kControl{false, true, 
 
 // In the order of the help panel.
 constexpr std::array kKeyBindings{
-    KeyBinding{key('1'), kAlone, false, Verb::kPour, "pour"},
-    KeyBinding{key('2'), kAlone, false, Verb::kDig, "dig"},
-    KeyBinding{key('3'), kAlone, false, Verb::kBlast, "blast"},
     KeyBinding{Key::kLeftBracket, kAlone, true, Verb::kSmallerBrush, "smaller brush"},
     KeyBinding{Key::kRightBracket, kAlone, true, Verb::kLargerBrush, "larger brush"},
     KeyBinding{Key::kLeftBracket, kShift, true, Verb::kWeakerBrush, "weaker brush"},
@@ -64,7 +62,7 @@ constexpr std::array kHeldBindings{
 
 constexpr std::array kGestureBindings{
     GestureBinding{"Left drag", Button::kLeft, false, Gesture::kBrush,
-                   "use the brush; Ctrl swaps pour and dig, blast settles"},
+                   "use the tool; Ctrl does the opposite, Shift smooths earth"},
     GestureBinding{"Right drag", Button::kRight, false, Gesture::kTurn,
                    "rotate about the point under the cursor; in fly mode, look"},
     GestureBinding{"Middle drag", Button::kMiddle, false, Gesture::kPan, "pan the view"},
@@ -118,7 +116,15 @@ std::string_view bare_name(Key key) {
 }  // namespace
 
 std::span<const KeyBinding> key_bindings() {
-    return kKeyBindings;
+    static const auto all = [] {
+        std::array<KeyBinding, kTools + kKeyBindings.size()> bindings{};
+        auto next = bindings.begin();
+        for (const ToolInfo& tool : tool_infos())
+            *next++ = {tool.key, kAlone, false, tool.tool, tool.plain->purpose};
+        std::copy(kKeyBindings.begin(), kKeyBindings.end(), next);
+        return bindings;
+    }();
+    return all;
 }
 
 std::span<const HeldBinding> held_bindings() {
@@ -149,7 +155,7 @@ std::string name_of(Key key, Modifiers with) {
 
 std::string name_of(Verb verb) {
     for (const KeyBinding& binding : kKeyBindings)
-        if (binding.verb == verb) return name_of(binding.key, binding.with);
+        if (std::get<Verb>(binding.does) == verb) return name_of(binding.key, binding.with);
     return {};
 }
 

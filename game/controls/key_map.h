@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "game/controls/action.h"
 #include "game/controls/events.h"
@@ -17,10 +18,10 @@ struct KeyBinding {
     Key key;
     Modifiers with;  // exactly these
     bool repeats;    // repeats while the key is held
-    Verb verb;
+    std::variant<Verb, Tool> does;
     std::string_view meaning;
 };
-std::span<const KeyBinding> key_bindings();
+std::span<const KeyBinding> key_bindings();  // those of tools first
 
 // Keys that act while they are held.
 enum class Held { kForward, kBack, kLeft, kRight, kUp, kDown };

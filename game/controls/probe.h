@@ -8,6 +8,7 @@
 
 #include "game/scene/pressure.h"
 #include "sim/world/state.h"
+#include "sim/world/things.h"
 #include "terrains/georeference.h"
 #include "terrains/locator.h"
 
@@ -27,6 +28,9 @@ struct Reading {
     // Fraction of the lower material at the nearest vertex, 0 to 1: in the rolling layer, else at the surface
     // of the standing layer; nothing in a world with one material.
     std::optional<double> lower_share;
+    std::optional<sim::Thing> thing;  // that stands there, with what became of it
+    sim::Stems forest;                // at the nearest vertex
+    double earth = 0;                 // m, by which the ground was raised there; negative: lowered
     std::array<char, 96>
         where{};  // "47.30012° N 11.43210° E, UTM 32T 683912 5240010"; empty without georeference
 };

@@ -6,6 +6,7 @@
 
 #include "sim/core/float_environment.h"
 #include "sim/world/command.h"
+#include "sim/world/things.h"
 
 namespace game {
 
@@ -36,22 +37,21 @@ void CommandSource::add_new(std::span<const sim::Command> commands) {
 }
 
 Outcome<void> CommandSource::leave_out_clashing() {
-    const auto first = commands_.begin() + static_cast<std::ptrdiff_t>(settled_);
-    const auto fault = sim::fault_after(state_->params, commands_);
-    if (fault) {
+    std::optional<std::string> reason;
+    if (const auto fault = sim::fault_after(state_->params, commands_)) {
         const auto is_set = [](const sim::Command& command) {
             return command.kind == sim::CommandKind::kSet;
         };
+        const auto first = commands_.begin() + static_cast<std::ptrdiff_t>(settled_);
         commands_.erase(std::remove_if(first, commands_.end(), is_set), commands_.end());
+        reason = fmt::format("Parameter not set: {}", *fault);
     }
-    std::optional<std::string> misplaced;
-    while (const auto thing = sim::fault_of_things(*state_, commands_)) {
-        if (!misplaced) misplaced = thing->fact;
-        commands_.erase(commands_.begin() + static_cast<std::ptrdiff_t>(thing->command));
+    while (const auto fault = sim::fault_of_things(*state_, commands_)) {
+        if (!reason) reason = fmt::format("Not done: {}", fault->fact);
+        commands_.erase(commands_.begin() + static_cast<std::ptrdiff_t>(fault->command));
     }
     settled_ = commands_.size();
-    if (fault) return unusable(fmt::format("Parameter not set: {}", *fault));
-    return misplaced ? unusable(fmt::format("Not done: {}", *misplaced)) : Outcome<void>();
+    return reason ? unusable(*reason) : Outcome<void>();
 }
 
 Outcome<void> check_tick(const sim::State& state, std::span<const sim::Command> commands) {

@@ -40,7 +40,8 @@ class CommandSource {
 };
 
 // Checks that a tick of `state` can start with these commands. Errors: a command is out of range, there are too
-// many, the parameters would be inconsistent, or this thread rounds otherwise than a replay would.
+// many, the parameters would be inconsistent, a thing cannot be where it is wanted, or this thread rounds otherwise
+// than a replay would.
 Outcome<void> check_tick(const sim::State& state, std::span<const sim::Command> commands);
 
 // Checks the commands, calls `before_step`, which may record them, and runs one tick with them. Nothing else in

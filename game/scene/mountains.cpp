@@ -24,7 +24,7 @@ std::vector<render::Clearing> clearings_of(const render::Structures& structures)
     constexpr double kAround = 5, kBesideRoad = 5, kBesideRope = 9;  // m
     std::vector<render::Clearing> clearings;
     for (const render::Structure& each : structures.all)
-        clearings.push_back({each.at, each.at, glm::length(render::half_footprint(each.kind)) + kAround});
+        clearings.push_back({each.at, each.at, glm::length(render::half_footprint(each)) + kAround});
     for (const render::Road& road : structures.roads)
         for (std::size_t i = 1; i < road.points.size(); ++i)
             clearings.push_back({road.points[i - 1], road.points[i], road.width_m / 2 + kBesideRoad});
@@ -38,7 +38,9 @@ std::vector<render::Clearing> clearings_of(const render::Structures& structures)
 }  // namespace
 
 render::Woods woods_on(const Scenario& scenario, const render::Surroundings& mountains) {
-    return {mountains, scenario.trees, scenario.datum, clearings_of(scenario.structures)};
+    render::Woods woods(mountains, scenario.trees, scenario.datum, clearings_of(scenario.structures));
+    if (scenario.woods_act) woods.let_act();
+    return woods;
 }
 
 std::string woods_notice(const Scenario& scenario, const render::Woods& woods) {

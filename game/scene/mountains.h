@@ -11,7 +11,8 @@ namespace game {
 // The mountains around a scenario's ground; none (empty) around a flow scene.
 render::Surroundings mountains_around(const Scenario& scenario);
 
-// The trees on a scenario's ground and on the mountains around it.
+// The trees on a scenario's ground and on the mountains around it. If they act, the forest of the world's state says which
+// of those on the grid stand; it begins with render::forest_of() them.
 render::Woods woods_on(const Scenario& scenario, const render::Surroundings& mountains);
 // A notice if there are fewer than the scenario asks for, or no place for any; else empty.
 std::string woods_notice(const Scenario& scenario, const render::Woods& woods);

@@ -26,7 +26,7 @@ double strength_kpa(StructureKind kind) {
             return 5;
         case StructureKind::kStation:
             return 10;
-        case StructureKind::kPylon:
+        default:
             break;
     }
     return 100;
@@ -38,7 +38,7 @@ const char* name_of(StructureKind kind) {
             return "hut";
         case StructureKind::kStation:
             return "station";
-        case StructureKind::kPylon:
+        default:
             break;
     }
     return "pylon";
@@ -48,7 +48,7 @@ const char* name_of(StructureKind kind) {
 std::pair<glm::dvec2, glm::dvec2> half_axes(const Structure& structure) {
     const double heading = glm::radians(structure.heading_deg);
     const glm::dvec2 front(std::sin(heading), std::cos(heading)), right(front.y, -front.x);
-    const glm::dvec2 half = render::half_footprint(structure.kind);
+    const glm::dvec2 half = render::half_footprint(structure);
     return {half.x * front, half.y * right};
 }
 
@@ -88,6 +88,33 @@ double surface_at(const sim::View& world, glm::dvec2 at) {
     return between(world.grid, at, [&](int x, int y) {
         return world.bedrock(x, y) + world.depth(x, y) + world.rolling(x, y);
     });
+}
+
+// What became of a thing. It is buried only while something lies or rolls above it.
+StructureState state_of(const sim::Thing& thing, const sim::View& world, std::span<const float> first_depth) {
+    if (thing.destroyed()) return StructureState::kDestroyed;
+    const bool line = thing.kind == sim::ThingKind::kNet || thing.kind == sim::ThingKind::kRoad;
+    const glm::dvec2 from(thing.x, thing.y), to(thing.to_x, thing.to_y), at = line ? 0.5 * (from + to) : from;
+    const double above = between(world.grid, at, [&](int x, int y) {
+        const float first =
+            first_depth[static_cast<std::size_t>(y) * static_cast<std::size_t>(world.grid.nx) +
+                        static_cast<std::size_t>(x)];
+        return world.depth(x, y) + world.rolling(x, y) - first;
+    });
+    if (thing.kind != sim::ThingKind::kRoad && above >= thing.height) return StructureState::kBuried;
+    return thing.damaged() ? StructureState::kDamaged : StructureState::kIntact;
+}
+
+// Lengthens one of the latest roads, if it ends where the piece begins, or begins another one.
+void add_road_piece(glm::dvec2 from, glm::dvec2 to, double width, std::span<render::Road> of_things,
+                    std::vector<render::Road>& roads) {
+    constexpr std::size_t kLatest = 8;
+    for (render::Road& road : of_things.last(std::min(of_things.size(), kLatest)))
+        if (road.width_m == width && road.points.back() == from) {
+            road.points.push_back(to);
+            return;
+        }
+    roads.push_back({{from, to}, width});
 }
 
 // What is wrong with a place, or nothing.
@@ -160,8 +187,46 @@ std::optional<std::string> fault_of(const render::Structures& structures, const 
     return std::nullopt;
 }
 
+void add_things(const sim::View& world, std::span<const float> first_depth, render::Structures& into) {
+    if (!world.things) return;
+    const std::vector<sim::Thing>& list = world.things->list;
+    const std::size_t first_road = into.roads.size();
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const sim::Thing& thing = list[i];
+        const StructureState state = state_of(thing, world, first_depth);
+        const glm::dvec2 at(thing.x, thing.y), to(thing.to_x, thing.to_y);
+        switch (thing.kind) {
+            case sim::ThingKind::kHouse:
+                into.all.push_back({StructureKind::kHouse, at, thing.turn(), state, thing.length, thing.width,
+                                    thing.height, render::material_of(thing.strength)});
+                break;
+            case sim::ThingKind::kStation:
+            case sim::ThingKind::kPylon: {
+                const bool goes_on = i > 0 && list[i - 1].group == thing.group;
+                if (!goes_on) into.lifts.push_back({into.all.size(), 0, true});
+                ++into.lifts.back().count;
+                const bool pylon = thing.kind == sim::ThingKind::kPylon;
+                into.all.push_back(
+                    {pylon ? StructureKind::kPylon : StructureKind::kStation, at, thing.turn(), state});
+                break;
+            }
+            case sim::ThingKind::kNet:
+                into.nets.push_back({at, to, thing.height, state});
+                break;
+            case sim::ThingKind::kRoad:
+                add_road_piece(at, to, thing.width, std::span(into.roads).subspan(first_road), into.roads);
+                break;
+        }
+    }
+}
+
 StructureWatch::StructureWatch(const render::Structures& structures, const sim::View& world)
-    : structures_(structures) {
+    : views_(structures) {
+    first_depth_.reserve(world.grid.size());
+    for (int y = 0; y < world.grid.ny; ++y)
+        first_depth_.insert(first_depth_.end(), world.depth.row(y), world.depth.row(y) + world.grid.nx);
+    structures_ = views_;
+    add_things(world, first_depth_, structures_);
     for (const Structure& each : structures.all) first_surface_.push_back(surface_at(world, each.at));
 }
 
@@ -173,18 +238,20 @@ void StructureWatch::watch(const sim::View& world, std::span<const float> pressu
         return static_cast<double>(pressure[i]) *
                std::min(1.0, static_cast<double>(depth[i]) / kFullLoadDepth);
     };
-    for (std::size_t i = 0; i < structures_.all.size(); ++i) {
-        Structure& each = structures_.all[i];
+    for (std::size_t i = 0; i < views_.all.size(); ++i) {
+        Structure& each = views_.all[i];
         double most = 0;
         if (!pressure.empty())
             for (const glm::dvec2& at : footprint(each)) most = std::max(most, between(world.grid, at, load));
         const double share = most / strength_kpa(each.kind);
-        const bool under = surface_at(world, each.at) - first_surface_[i] >= render::height_of(each.kind);
+        const bool under = surface_at(world, each.at) - first_surface_[i] >= render::height_of(each);
         each.state = share >= 1     ? StructureState::kDestroyed
                      : under        ? StructureState::kBuried
                      : share >= 0.5 ? StructureState::kDamaged
                                     : StructureState::kIntact;
     }
+    structures_ = views_;
+    add_things(world, first_depth_, structures_);
 }
 
 }  // namespace game

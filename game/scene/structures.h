@@ -34,12 +34,17 @@ std::pair<glm::dvec2, glm::dvec2> stations(const render::Structures& structures,
 std::optional<std::string> fault_of(const render::Structures& structures, const sim::Grid& grid,
                                     std::span<const std::uint8_t> has_data);
 
+// Adds the things of a world, as they are drawn: pieces of road whose ends meet are one road, what one command built of
+// stations and pylons is a lift. `first_depth`: of the standing layer at tick 0, m, one value per vertex.
+void add_things(const sim::View& world, std::span<const float> first_depth, render::Structures& into);
+
 // Sets the state of structures from what a flow has done until now. A view: no flow knows of it, and none is stopped.
 //
 // The load is q = p min(1, h / 1 m), from the greatest impact pressure p and the greatest depth h at each place of its
 // footprint; they may come from different moments, which makes q too large, never too small. A structure is damaged
 // from half of its strength on and destroyed from all of it: 5 kPa for wood, 10 for a station's frame, 100 for a
-// pylon, which flows pass on both sides. It is buried if the surface has risen to its top.
+// pylon, which flows pass on both sides. It is buried if the surface has risen to its top. After these structures come
+// the things of the world, whose state it knows itself.
 class StructureWatch {
   public:
     StructureWatch(const render::Structures& structures, const sim::View& world);
@@ -50,7 +55,9 @@ class StructureWatch {
 
   private:
     render::Structures structures_;
-    std::vector<double> first_surface_;  // m, at the middle of each
+    render::Structures views_;           // of these, without the things
+    std::vector<double> first_surface_;  // m, at the middle of each view
+    std::vector<float> first_depth_;     // m
 };
 
 }  // namespace game

@@ -3,6 +3,8 @@
 #include <optional>
 #include <string_view>
 
+#include <glm/vec2.hpp>
+
 #include "game/controls/brush.h"
 #include "game/controls/camera_control.h"
 #include "game/controls/catalogue.h"
@@ -24,15 +26,25 @@ struct Timeline {
     bool can_go_back = true;
 };
 
+// What the stroke in progress is about, told beside the cursor.
+struct StrokeNote {
+    glm::dvec2 cursor{0};                 // px from the top left
+    std::optional<glm::dvec2> line_from = {};  // px: a line runs from there to the cursor
+    std::optional<double> length = {};         // m, of that line
+    std::optional<double> earth = {};          // m³ that the stroke uses; negative: gives back
+    std::optional<double> earth_left = {};     // m³, if there is a budget
+};
+
 // Everything that panels can show. References are valid for one frame.
 struct Facts {
     const Scenario& scenario;  // initial state of the world; its params are the defaults
     const sim::State& state;   // state.params are the current parameters
     const TickClock& clock;
     const Brush& brush;
-    bool inverted = false;  // Ctrl is held
+    const Deed& deed;       // what the tool does, or would do at a press
     bool brushing = false;  // a stroke is in progress
     bool touched = false;   // the user has changed the world
+    std::optional<StrokeNote> stroke = {};
     std::size_t actions_to_undo = 0, actions_to_redo = 0;
     std::optional<Reading> under_cursor;
     CameraMode camera_mode = CameraMode::kOrbit;

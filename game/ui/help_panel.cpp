@@ -8,8 +8,8 @@
 namespace game::ui {
 namespace {
 
-constexpr float kTwoColumns = 48;    // em: narrower panels have one column
-constexpr float kCapHeight = 1.2f;  // em
+constexpr float kTwoColumns = 48, kThreeColumns = 70;  // em: narrower panels have fewer
+constexpr float kCapHeight = 1.25f;                    // em
 
 // Rows of key caps with the same effect, followed by the effect.
 class Table {
@@ -47,13 +47,16 @@ class Table {
     ImVec2 from_;  // of the row
 };
 
-void hands(Desk& desk, Table& table) {
+void mouse(Desk& desk, Table& table) {
     desk.widgets.heading("Mouse, over the terrain");
     for (const GestureBinding& binding : gesture_bindings()) {
         table.begin();
         table.cap(binding.hand.data());  // a literal
         table.meaning(binding.meaning);
     }
+}
+
+void held_keys(Desk& desk, Table& table) {
     desk.widgets.heading("Held keys");
     const auto held = held_bindings();
     for (std::size_t i = 0; i < held.size(); ++i) {
@@ -65,14 +68,19 @@ void hands(Desk& desk, Table& table) {
     }
 }
 
-bool is_of_brush(Verb verb) {
-    return verb >= Verb::kPour && verb <= Verb::kPourStandingOrRolling;
+enum class Section { kTools, kView, kRest };
+
+Section section_of(const KeyBinding& binding) {
+    const Verb* verb = std::get_if<Verb>(&binding.does);
+    if (!verb || (*verb >= Verb::kSmallerBrush && *verb <= Verb::kPourStandingOrRolling))
+        return Section::kTools;
+    return *verb >= Verb::kOverview && *verb <= Verb::kTogglePanels ? Section::kView : Section::kRest;
 }
 
-void keys(Desk& desk, Table& table, const char* heading, bool of_brush) {
+void keys(Desk& desk, Table& table, const char* heading, Section section) {
     desk.widgets.heading(heading);
     for (const KeyBinding& binding : key_bindings()) {
-        if (is_of_brush(binding.verb) != of_brush) continue;
+        if (section_of(binding) != section) continue;
         table.begin();
         table.cap(name_of(binding.key, binding.with).c_str());
         table.meaning(binding.meaning);
@@ -83,15 +91,18 @@ void keys(Desk& desk, Table& table, const char* heading, bool of_brush) {
 
 void help_panel(Desk& desk) {
     const float em = desk.em(), width = ImGui::GetContentRegionAvail().x;
-    Table table(desk, 9 * em);
+    Table table(desk, 8.4f * em);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {em * 0.3f, em * 0.05f});
-    const bool two = width >= kTwoColumns * em;
-    if (two) ImGui::Columns(2, "help", false);
-    hands(desk, table);
-    keys(desk, table, "Brush keys", true);
-    if (two) ImGui::NextColumn();
-    keys(desk, table, "Keys", false);
-    if (two) ImGui::Columns(1);
+    const int columns = width >= kThreeColumns * em ? 3 : width >= kTwoColumns * em ? 2 : 1;
+    if (columns > 1) ImGui::Columns(columns, "help", false);
+    mouse(desk, table);
+    keys(desk, table, "View and panels", Section::kView);
+    if (columns > 1) ImGui::NextColumn();
+    keys(desk, table, "Tools", Section::kTools);
+    held_keys(desk, table);
+    if (columns > 2) ImGui::NextColumn();
+    keys(desk, table, "Time and program", Section::kRest);
+    if (columns > 1) ImGui::Columns(1);
     ImGui::PopStyleVar();
 }
 

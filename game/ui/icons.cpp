@@ -62,25 +62,21 @@ class Pen {
     ImU32 colour_;
 };
 
-void draw_tool(const Pen& pen, Icon icon) {
-    switch (icon) {
-        case Icon::kPour:  // grains above a heap
-            pen.dot(-0.35f, -0.75f, 0.16f);
-            pen.dot(0.3f, -0.6f, 0.16f);
-            pen.dot(-0.05f, -0.2f, 0.16f);
-            return pen.triangle({0, 0.1f}, {0.95f, 0.9f}, {-0.95f, 0.9f});
-        case Icon::kDig:  // an arrow out of a hollow
-            pen.path({{-1, 0}, {-0.6f, 0}, {-0.4f, 0.8f}, {0.4f, 0.8f}, {0.6f, 0}, {1, 0}});
-            pen.line(0, 0.4f, 0, -0.4f);
-            return pen.triangle({0, -0.95f}, {0.4f, -0.35f}, {-0.4f, -0.35f});
-        case Icon::kBlast:
-            pen.dot(0, 0, 0.3f);
-            return pen.rays(0.5f, 1, 8);
-        default:  // settle: weight on layers
-            pen.triangle({0, 0.1f}, {0.4f, -0.5f}, {-0.4f, -0.5f});
-            pen.line(0, -0.4f, 0, -1);
-            pen.line(-0.9f, 0.4f, 0.9f, 0.4f);
-            return pen.line(-0.9f, 0.85f, 0.9f, 0.85f);
+void draw_part(const Pen& pen, const IconPart& part) {
+    const auto& n = part.numbers;
+    switch (part.shape) {
+        case IconPart::Shape::kLine:
+            return pen.line(n[0], n[1], n[2], n[3]);
+        case IconPart::Shape::kTriangle:
+            return pen.triangle({n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]});
+        case IconPart::Shape::kBox:
+            return pen.box(n[0], n[1], n[2], n[3]);
+        case IconPart::Shape::kDot:
+            return pen.dot(n[0], n[1], n[2]);
+        case IconPart::Shape::kRing:
+            return pen.ring(n[0], n[1], n[2]);
+        case IconPart::Shape::kRays:
+            return pen.rays(n[0], n[1], static_cast<int>(n[2]));
     }
 }
 
@@ -150,9 +146,13 @@ void draw_panel(const Pen& pen, Icon icon) {
 
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 colour) {
     const Pen pen(list, centre, size, colour);
-    if (icon < Icon::kPause) return draw_tool(pen, icon);
     if (icon < Icon::kScene) return draw_time(pen, icon);
     draw_panel(pen, icon);
+}
+
+void draw_icon(ImDrawList& list, std::span<const IconPart> parts, ImVec2 centre, float size, ImU32 colour) {
+    const Pen pen(list, centre, size, colour);
+    for (const IconPart& part : parts) draw_part(pen, part);
 }
 
 }  // namespace game::ui

@@ -44,18 +44,6 @@ void draw_progress(const Desk& desk, double done, const Line& line, ImVec2 from)
     list.AddRectFilled({left, y}, {left + width * static_cast<float>(done), y + em * 0.12f}, kAccent);
 }
 
-const char* deed(Tool tool) {
-    switch (tool) {
-        case Tool::kDig:
-            return "dig";
-        case Tool::kBlast:
-            return "blast the ground loose";
-        case Tool::kPour:
-            break;
-    }
-    return "pour ";
-}
-
 }  // namespace
 
 void notices(Desk& desk, const Facts& facts, bool warnings_only) {
@@ -97,7 +85,6 @@ void notices(Desk& desk, const Facts& facts, bool warnings_only) {
 void hint(Desk& desk, const Facts& facts) {
     desk.lower_edge = desk.time_bar_top;
     if (facts.touched || facts.looks_back() || desk.panels.is_open(Panel::kHelp)) return;
-    const bool pours = facts.brush.tool == Tool::kPour;
     std::array<char, 256> text;
     const std::string keys = name_of(Verb::kToggleHelp);
     if (facts.scenario.flow)
@@ -105,16 +92,47 @@ void hint(Desk& desk, const Facts& facts) {
                       "Flow demo: press %s to change its speeds, %s to show all keys.",
                       name_of(Verb::kToggleDisplay).c_str(), keys.c_str());
     else
-        std::snprintf(
-            text.data(), text.size(),
-            "Hold the left button on the terrain to %s%s. Press %s to show all keys.", deed(facts.brush.tool),
-            pours ? title_in(facts.catalogue.materials, facts.scenario.material) : "", keys.c_str());
+        std::snprintf(text.data(), text.size(),
+                      "Hold the left button on the terrain to %s. Press %s to show all keys.",
+                      facts.deed.purpose, keys.c_str());
     const Line line{text.data(), kAccent, 1, desk.size.x - 4 * desk.em()};
     const ImVec2 size = size_of(desk, line);
     const ImVec2 from{(desk.size.x - size.x) / 2, desk.time_bar_top - desk.margin() - size.y};
     draw(desk, line, from);
     desk.lower_edge = from.y;
     desk.widgets.note("Hint", from, {from.x + size.x, from.y + size.y});
+}
+
+// Beside the cursor: what the stroke costs, or how long its line is.
+void stroke_note(Desk& desk, const Facts& facts) {
+    if (!facts.stroke) return;
+    const StrokeNote& note = *facts.stroke;
+    const float em = desk.em();
+    const ImVec2 at{static_cast<float>(note.cursor.x), static_cast<float>(note.cursor.y)};
+    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    if (note.line_from) {
+        const ImVec2 from{static_cast<float>(note.line_from->x), static_cast<float>(note.line_from->y)};
+        list.AddLine(from, at, kPanel | IM_COL32_A_MASK, em * 0.3f);
+        list.AddLine(from, at, kAccent, em * 0.13f);
+        list.AddCircleFilled(from, em * 0.3f, kAccent);
+    }
+    std::array<char, 96> text{};
+    std::array<char, 40> used{}, left{};
+    if (note.length && *note.length >= 1)
+        std::snprintf(text.data(), text.size(), "%.0f m", *note.length);
+    else if (note.earth && *note.earth < 0)
+        std::snprintf(text.data(), text.size(), "%s of earth given back", write_volume(used, -*note.earth));
+    else if (note.earth && note.earth_left)
+        std::snprintf(text.data(), text.size(), "%s of earth, %s left", write_volume(used, *note.earth),
+                      write_volume(left, *note.earth_left));
+    else if (note.earth)
+        std::snprintf(text.data(), text.size(), "%s of earth", write_volume(used, *note.earth));
+    if (text[0] == 0) return;
+    const Line line{text.data(), kAccent, 1, 24 * em};
+    const ImVec2 size = size_of(desk, line);
+    const ImVec2 from{std::min(at.x + 1.2f * em, desk.size.x - size.x), std::max(at.y - em - size.y, 0.f)};
+    draw(desk, line, from);
+    desk.widgets.note("Stroke", from, {from.x + size.x, from.y + size.y});
 }
 
 }  // namespace game::ui

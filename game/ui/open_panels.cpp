@@ -6,7 +6,7 @@
 namespace game::ui {
 namespace {
 
-constexpr float kColumn = 24, kReadingsHeight = 11.6f, kHelp = 56,
+constexpr float kColumn = 24, kReadingsHeight = 11.6f, kHelp = 78,
                 kBesides = 20;  // em: sizes, and the gap between two columns
 
 bool in_left_column(Panel panel) {

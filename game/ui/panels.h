@@ -77,6 +77,7 @@ void time_bar(Desk& desk, const Facts& facts, Actions& actions);
 void readings(Desk& desk, const Facts& facts);
 void notices(Desk& desk, const Facts& facts, bool warnings_only);
 void hint(Desk& desk, const Facts& facts);
+void stroke_note(Desk& desk, const Facts& facts);
 
 // The contents of each panel; open_panels() draws those that are open.
 void scene_panel(Desk& desk, const Facts& facts, Actions& actions);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <string_view>
@@ -40,6 +41,39 @@ void slope(Desk& desk, const Facts& facts, const Reading& reading) {
     ImGui::Dummy({side * 1.6f, side});
 }
 
+const char* state_of(const sim::Thing& thing) {
+    if (thing.destroyed()) return "destroyed";
+    if (thing.under()) return thing.damaged() ? "damaged, buried" : "buried";
+    return thing.damaged() ? "damaged" : "intact";
+}
+
+// What stands there, if anything.
+void things(Desk& desk, const Reading& reading) {
+    Widgets& widgets = desk.widgets;
+    if (reading.earth != 0) widgets.fact("Earth", "%+.2f m", reading.earth);
+    const sim::Stems& forest = reading.forest;
+    if (forest.standing > 0) {
+        widgets.fact("Forest", "%d stems/ha", forest.standing);
+        widgets.fact("Trees", "%d m high", forest.height_m);
+        widgets.fact("Stems", "%.2f m thick", forest.diameter_cm / 100.0);
+    }
+    if (forest.lying > 0) widgets.fact("Broken", "%d stems/ha", forest.lying);
+    if (!reading.thing) return;
+    const sim::Thing& thing = *reading.thing;
+    const std::string_view kind = sim::to_string(thing.kind);
+    std::array<char, 16> name{};
+    std::snprintf(name.data(), name.size(), "%c%.*s", std::toupper(static_cast<unsigned char>(kind.front())),
+                  static_cast<int>(kind.size() - 1), kind.data() + 1);
+    if (thing.kind != sim::ThingKind::kRoad) {
+        widgets.fact(name.data(), "%s", state_of(thing));
+        widgets.fact("Greatest load", "%.1f of %.0f kPa", static_cast<double>(thing.load) / 1000,
+                     thing.strength);
+    } else {
+        widgets.fact(name.data(), "%.0f m wide", thing.width);
+    }
+    if (thing.buried > 0) widgets.fact("Covered by", "%.1f m", static_cast<double>(thing.buried) / 1000);
+}
+
 void rows(Desk& desk, const Facts& facts, const Reading& reading) {
     Widgets& widgets = desk.widgets;
     widgets.fact("Height", "%.1f m", reading.at.z);
@@ -56,6 +90,7 @@ void rows(Desk& desk, const Facts& facts, const Reading& reading) {
     widgets.fact("Speed on slope", "%.1f m/s", reading.speed_slope);
     widgets.fact("Speed in plan", "%.1f m/s", reading.speed_plan);
     if (reading.pressure) widgets.fact("Pressure", "%.1f kPa", *reading.pressure);
+    things(desk, reading);
 }
 
 // Latitude and longitude on one line, UTM on the next.

@@ -1,12 +1,15 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <string>
 
 #include "game/controls/key_map.h"
 #include "game/ui/panels.h"
 
 namespace game::ui {
 namespace {
+
+constexpr float kToolbarWidth = 62, kNameWidth = 3.8f;  // em
 
 // Places groups of known width side by side, and continues on the next line if the row is full.
 class Flow {
@@ -21,57 +24,118 @@ class Flow {
             used_ = -gap;
         used_ += width + (used_ != 0 ? gap : 0);
     }
+    void new_row() { used_ = 0; }
+    float left() const { return most_ - used_; }  // in this row, px
 
   private:
     float most_, gap_, used_ = 0;
 };
 
-struct ToolInfo {
-    Tool tool;
-    Verb verb;
-    const char* label;
-    const char* inverted;  // what it does while Ctrl is held
-    Icon icon, inverted_icon;
-    const char* tooltip;
-    const char* strength;  // format
-};
-constexpr std::array<ToolInfo, kTools> kToolInfos{{
-    {Tool::kPour, Verb::kPour, "Pour", "Dig", Icon::kPour, Icon::kDig,
-     "Hold the left button on the terrain to add material; with Ctrl, to remove it.", "Rate %.2f m/s"},
-    {Tool::kDig, Verb::kDig, "Dig", "Pour", Icon::kDig, Icon::kPour,
-     "Hold the left button on the terrain to remove material; with Ctrl, to add it.", "Rate %.2f m/s"},
-    {Tool::kBlast, Verb::kBlast, "Blast", "Settle", Icon::kBlast, Icon::kSettle,
-     "Click on the terrain to release the ground; with Ctrl, to deposit the flow.", "Depth %.2f m"},
-}};
+// The deed that a button names: of the tool in the hand, what it does with the keys that are held.
+const Deed& shown(const ToolInfo& info, const Facts& facts) {
+    return info.tool == facts.brush.tool ? facts.deed : *info.plain;
+}
 
-void tools(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
-    for (const ToolInfo& info : kToolInfos) {
-        const bool on = facts.brush.tool == info.tool, inverted = on && facts.inverted;
-        const char* label = inverted ? info.inverted : info.label;
-        const std::string key = name_of(info.verb);
-        flow.next(desk.widgets.tool_button_width(label, key.c_str(), desk.narrow()));
-        ImGui::PushID(info.label);
-        if (desk.widgets.tool_button(label, inverted ? info.inverted_icon : info.icon, key.c_str(),
-                                     info.tooltip, on, desk.narrow()))
-            actions.emplace_back(info.verb);
-        ImGui::PopID();
+// Lays the tool buttons out, or measures them: `button` gets each with its width and the gap before it.
+template <class Button>
+void each_tool(Desk& desk, const Facts& facts, bool wordless, const Button& button) {
+    const ToolInfo* before = nullptr;
+    for (const ToolInfo& info : tool_infos()) {
+        const std::string key = desk.narrow() ? std::string() : name_of(info.key);
+        const float width = desk.widgets.tool_button_width(shown(info, facts).label, key.c_str(), wordless);
+        button(info, width, before && before->group != info.group ? desk.em() : 0, key.c_str());
+        before = &info;
     }
 }
 
+float width_of_tools(Desk& desk, const Facts& facts, bool wordless) {
+    float sum = 0;
+    each_tool(desk, facts, wordless, [&](const ToolInfo&, float width, float gap, const char*) {
+        sum += width + std::max(gap, ImGui::GetStyle().ItemSpacing.x);
+    });
+    return sum;
+}
+
+void tools(Desk& desk, const Facts& facts, bool wordless, Actions& actions, Flow& flow) {
+    each_tool(desk, facts, wordless, [&](const ToolInfo& info, float width, float gap, const char* key) {
+        flow.next(width, gap);
+        ImGui::PushID(static_cast<int>(info.tool));
+        const Deed& deed = shown(info, facts);
+        if (desk.widgets.tool_button(deed.label, deed.icon, key, info.tooltip, info.tool == facts.brush.tool,
+                                     wordless))
+            actions.emplace_back(info.tool);
+        ImGui::PopID();
+    });
+}
+
+// What the buttons have no room for.
+void name_of_tool(Desk& desk, const Facts& facts, Flow& flow) {
+    flow.next(kNameWidth * desk.em());
+    const float from = ImGui::GetCursorPosX();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(facts.deed.label);
+    ImGui::SameLine(from + kNameWidth * desk.em(), 0);
+    ImGui::Dummy({0, 0});
+}
+
+bool pours(const ToolInfo& info) {
+    return sim::info_of(info.plain->kind).has_layer || sim::info_of(info.control->kind).has_layer;
+}
+
+bool slide(Desk& desk, const ToolNumber& number, double& value, float width) {
+    const bool wide = number.most / number.least > 20;
+    return desk.widgets.slider(
+        number.label, value, {number.least, number.most, number.format, wide, false, width}, number.tooltip);
+}
+
+// Radius and numbers of the tool in the hand.
 void sizes(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
-    const float em = desk.em(), width = 9 * em;
+    const float width = (desk.narrow() ? 7 : 9) * desk.em();
     Brush brush = facts.brush;
-    const RadiusRange range = radius_range(facts.state.grid);
-    flow.next(width, em);
-    bool changed = desk.widgets.slider("Radius", brush.radius,
+    bool changed = false;
+    if (takes(info_of(brush.tool).plain->kind, &sim::Command::radius)) {
+        const RadiusRange range = radius_range(facts.state.grid);
+        flow.next(width);
+        changed |= desk.widgets.slider("Radius", brush.radius,
                                        {range.least, range.most, "Radius %.1f m", true, false, width},
                                        "Radius of the brush; Shift and the wheel also change it.");
-    flow.next(width);
-    const char* format = kToolInfos[static_cast<std::size_t>(brush.tool)].strength;
-    changed |= desk.widgets.slider("Strength", brush.amount(),
-                                   {Brush::kLeastStrength, Brush::kMostStrength, format, true, false, width},
-                                   brush.tool == Tool::kBlast ? "Depth of ground that a blast releases."
-                                                              : "Depth added or removed per second.");
+    }
+    const auto numbers = info_of(brush.tool).numbers;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        flow.next(width);
+        changed |= slide(desk, numbers[i], brush.own()[i], width);
+    }
+    if (changed) actions.emplace_back(SetBrush{brush});
+    if (!numbers.empty() || desk.narrow()) return;
+    flow.next(ImGui::CalcTextSize(facts.deed.purpose).x);
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, kDimText);
+    ImGui::Text("Hold the left button to %s", facts.deed.purpose);
+    ImGui::PopStyleColor();
+}
+
+// Limits a brush to ground of some slopes.
+void slopes(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
+    if (!sim::info_of(info_of(facts.brush.tool).plain->kind).has_slope) return;
+    const float width = (desk.narrow() ? 5.f : 6.5f) * desk.em(), gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    constexpr double kNarrowest = 1;  // degrees
+    Brush brush = facts.brush;
+    flow.next(2 * width + gap, desk.em());
+    bool changed = desk.widgets.slider(
+        "Least slope", brush.least_slope,
+        {sim::Command::kNoLeast, sim::Command::kNoMost, "Slope %.0f°", false, false, width},
+        "The tool leaves ground alone that is less steep.");
+    if (changed) brush.most_slope = std::max(brush.most_slope, brush.least_slope + kNarrowest);
+    ImGui::SameLine(0, gap);
+    if (desk.widgets.slider("Most slope", brush.most_slope,
+                            {sim::Command::kNoLeast, sim::Command::kNoMost, "to %.0f°", false, false, width},
+                            "The tool leaves ground alone that is steeper.")) {
+        changed = true;
+        brush.least_slope = std::min(brush.least_slope, brush.most_slope - kNarrowest);
+    }
+    brush.least_slope =
+        std::clamp(brush.least_slope, sim::Command::kNoLeast, sim::Command::kNoMost - kNarrowest);
+    brush.most_slope = std::clamp(brush.most_slope, kNarrowest, sim::Command::kNoMost);
     if (changed) actions.emplace_back(SetBrush{brush});
 }
 
@@ -102,7 +166,7 @@ void material(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
         {{"Rolling", "Pours into the rolling layer: it flows at once.", false},
          {"Standing", "Pours onto the standing layer: it rests until the slope fails.", true}}};
     const float em = desk.em(), width = 5 * em, gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    ImGui::BeginDisabled(deed_of(facts.brush, facts.inverted) != sim::CommandKind::kPour);
+    ImGui::BeginDisabled(facts.deed.kind != sim::CommandKind::kPour);
     flow.next(2 * width + gap, em);
     for (const Way& way : kWays) {
         if (way.standing) ImGui::SameLine(0, gap);
@@ -112,7 +176,7 @@ void material(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
     }
     if (facts.scenario.lower) parts(desk, facts, actions, flow);
     ImGui::EndDisabled();
-    if (facts.scenario.lower) return;
+    if (facts.scenario.lower || desk.narrow()) return;
     const char* title = title_in(facts.catalogue.materials, facts.scenario.material);
     flow.next(ImGui::CalcTextSize(title).x, 0.7f * em);
     ImGui::AlignTextToFramePadding();
@@ -123,9 +187,22 @@ void material(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
     desk.widgets.tooltip("The material of this world. Choose another in the Scene panel.");
 }
 
+void options(Desk& desk, const Facts& facts, bool wordless, Actions& actions, Flow& flow) {
+    ImGui::BeginDisabled(facts.looks_back());
+    if (wordless && !desk.narrow()) name_of_tool(desk, facts, flow);
+    sizes(desk, facts, actions, flow);
+    slopes(desk, facts, actions, flow);
+    if (pours(info_of(facts.brush.tool))) material(desk, facts, actions, flow);
+    ImGui::EndDisabled();
+}
+
+float width_of_panel_buttons() {
+    return kPanels * ImGui::GetFrameHeight() * 1.2f + (kPanels - 1) * ImGui::GetStyle().ItemSpacing.x;
+}
+
 void panel_buttons(Desk& desk, Flow& flow) {
-    const float width = ImGui::GetFrameHeight() * 1.2f, gap = ImGui::GetStyle().ItemSpacing.x;
-    flow.next(kPanels * width + (kPanels - 1) * gap, desk.em());
+    const float width = width_of_panel_buttons();
+    flow.next(width, std::max(2 * desk.em(), flow.left() - width - 1));
     for (const PanelInfo& info : kPanelInfos) {
         std::array<char, 96> text;
         std::snprintf(text.data(), text.size(), "%s: %s", name_of(info.verb).c_str(), info.tooltip);
@@ -150,17 +227,28 @@ void past(Desk& desk, const Facts& facts, Actions& actions) {
 }  // namespace
 
 void toolbar(Desk& desk, const Facts& facts, Actions& actions) {
-    const float margin = desk.margin();
+    const float margin = desk.margin(), padding = 2 * ImGui::GetStyle().WindowPadding.x;
+    const float most = desk.size.x - 2 * margin;
+    const auto width = [&](bool wordless) {
+        return width_of_tools(desk, facts, wordless) + width_of_panel_buttons() + 2 * desk.em() + padding;
+    };
+    const bool wordless = width(false) > most;
+    // Always as wide, so that no button moves when another tool is chosen.
+    const float wide = std::min(std::max(kToolbarWidth * desk.em(), width(wordless)), most);
     ImGui::SetNextWindowPos({desk.size.x / 2, margin}, ImGuiCond_Always, {0.5f, 0});
+    ImGui::SetNextWindowSizeConstraints({wide, 0}, {wide, desk.size.y});
     ImGui::Begin("Toolbar", nullptr, kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize);
-    const float inside = desk.size.x - 2 * margin - 2 * ImGui::GetStyle().WindowPadding.x;
-    Flow flow(inside, ImGui::GetStyle().ItemSpacing.x);
+    Flow flow(wide - padding, ImGui::GetStyle().ItemSpacing.x);
     ImGui::BeginDisabled(facts.looks_back());
-    tools(desk, facts, actions, flow);
-    sizes(desk, facts, actions, flow);
-    material(desk, facts, actions, flow);
+    tools(desk, facts, wordless, actions, flow);
     ImGui::EndDisabled();
-    panel_buttons(desk, flow);
+    if (!desk.narrow()) {
+        panel_buttons(desk, flow);
+        flow.new_row();
+    }
+    // A small window has no room for what cannot be used.
+    if (!desk.narrow() || !facts.looks_back()) options(desk, facts, wordless, actions, flow);
+    if (desk.narrow()) panel_buttons(desk, flow);
     if (facts.looks_back()) past(desk, facts, actions);
     desk.toolbar_bottom = margin + ImGui::GetWindowSize().y;
     ImGui::End();

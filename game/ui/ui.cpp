@@ -140,6 +140,7 @@ void Ui::build(const Facts& facts, Actions& actions) {
         toolbar(desk, facts, actions);
         time_bar(desk, facts, actions);
         hint(desk, facts);
+        stroke_note(desk, facts);
         readings(desk, facts);
         open_panels(desk, facts, actions);
     }

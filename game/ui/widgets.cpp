@@ -108,16 +108,17 @@ float Widgets::tool_button_width(const char* label, const char* key, bool narrow
     const float gap = em * 0.45f;
     const float small = letters.small->FontSize;
     const float word = narrow ? 0 : ImGui::CalcTextSize(label).x + gap;
+    if (key[0] == 0) return em * 0.5f * 2 + em * 0.9f + word;
     return em * 0.6f * 2 + em * 0.9f + gap + word + letters.small->CalcTextSizeA(small, 1e6f, 0, key).x;
 }
 
-bool Widgets::tool_button(const char* label, Icon icon, const char* key, const char* text, bool on,
-                          bool narrow) {
+bool Widgets::tool_button(const char* label, std::span<const IconPart> icon, const char* key,
+                          const char* text, bool on, bool narrow) {
     const float gap = em * 0.45f, side = ImGui::GetFrameHeight();
     const bool pressed = plate(label, {tool_button_width(label, key, narrow), side}, on);
     const ImVec2 from = ImGui::GetItemRectMin();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    float x = from.x + em * 0.6f;
+    float x = from.x + em * (key[0] == 0 ? 0.5f : 0.6f);
     draw_icon(list, icon, {x + em * 0.45f, from.y + side / 2}, em * 0.9f, alive(on ? kAccentText : kText));
     x += em * 0.9f + gap;
     if (!narrow) {

@@ -68,9 +68,9 @@ class Widgets {
 
     bool button(const char* label, const char* tooltip, bool on = false, float width = 0);
     bool icon_button(const char* label, Icon icon, const char* tooltip, bool on = false);
-    // An icon, a word and a key; without the word if `narrow`.
-    bool tool_button(const char* label, Icon icon, const char* key, const char* tooltip, bool on,
-                     bool narrow);
+    // An icon, a word and a key; without the word if `narrow`, without the key if it is empty.
+    bool tool_button(const char* label, std::span<const IconPart> icon, const char* key, const char* tooltip,
+                     bool on, bool narrow);
     float tool_button_width(const char* label, const char* key, bool narrow) const;
 
     bool toggle(const char* label, bool& on, const char* tooltip);

@@ -8,6 +8,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "assets/shaders/slots.glsl"
 #include "render/passes/scissor.h"
@@ -35,6 +36,28 @@ float largest_rise(const FrameInput& input, const WhatChanged& changed, glm::vec
             most = std::max({most, std::abs(heights.x), std::abs(heights.y)});
         }
     return most;
+}
+
+// Whether one of these vertices is so near that structures stand on it or cast a shadow on it.
+bool is_near_any(const Structures& structures, std::span<const glm::ivec2> vertices, double dx) {
+    constexpr double kNear = 140;  // m
+    if (vertices.empty()) return false;
+    glm::ivec2 low = vertices.front(), high = low;
+    for (const glm::ivec2 v : vertices) low = glm::min(low, v), high = glm::max(high, v);
+    const glm::dvec2 from = dx * glm::dvec2(low), to = dx * glm::dvec2(high);
+    const auto near = [&](glm::dvec2 a, glm::dvec2 b) {
+        return glm::all(glm::lessThanEqual(glm::min(a, b) - kNear, to)) &&
+               glm::all(glm::greaterThanEqual(glm::max(a, b) + kNear, from));
+    };
+    if (std::ranges::any_of(structures.all, [&](const Structure& each) { return near(each.at, each.at); }))
+        return true;
+    if (std::ranges::any_of(structures.nets, [&](const Net& net) { return near(net.from, net.to); }))
+        return true;
+    return std::ranges::any_of(structures.roads, [&](const Road& road) {
+        for (std::size_t i = 1; i < road.points.size(); ++i)
+            if (near(road.points[i - 1], road.points[i])) return true;
+        return false;
+    });
 }
 
 }  // namespace
@@ -78,20 +101,24 @@ tl::expected<StructuresPass, std::string> StructuresPass::create(const std::file
     return pass;
 }
 
-bool StructuresPass::build(const FrameInput& input, const FrameBlock& frame, bool new_terrain) {
+void StructuresPass::build(const FrameInput& input, const FrameBlock& frame, bool new_terrain,
+                           std::span<const glm::ivec2> moved) {
+    rebuilt_ = false;
     if (!input.structures || input.structures->empty()) {
-        const bool were_some = !parts_.empty();
+        rebuilt_ = !known_.empty();
         parts_.clear();
         shadow_vertices_.clear();
         ropes_.count = 0;
         known_ = {};
-        return were_some;
+        return;
     }
     const glm::vec2 snow = snowy(input.look);
     const std::uint64_t around = input.surroundings ? input.surroundings->fingerprint() : 0;
-    if (!new_terrain && around == known_around_ && snow == known_snowy_ && frame.sun == known_sun_ &&
+    if (!new_terrain && !is_near_any(*input.structures, moved, input.world.grid.dx) &&
+        around == known_around_ && snow == known_snowy_ && frame.sun == known_sun_ &&
         *input.structures == known_)
-        return false;
+        return;
+    rebuilt_ = true;
     known_ = *input.structures;
     known_sun_ = frame.sun;
     known_snowy_ = snow;
@@ -99,7 +126,6 @@ bool StructuresPass::build(const FrameInput& input, const FrameBlock& frame, boo
     const std::span<const glm::vec2> cover =
         input.surroundings ? input.surroundings->cover() : std::span<const glm::vec2>();
     send(structure_mesh(known_, {input.world, input.first_depth, cover, snow}, glm::vec3(frame.sun)));
-    return true;
 }
 
 void StructuresPass::send(const StructureMesh& mesh) {
@@ -128,12 +154,16 @@ void StructuresPass::send(const StructureMesh& mesh) {
 
 void StructuresPass::find(const FrameInput& input, const FrameBlock& frame, const WhatChanged& changed,
                           const OnScreen& screen, bool everything, ScreenTiles& tiles) {
-    if (parts_.empty()) {
-        in_view_.clear();
+    const bool marks = rebuilt_ && !everything;
+    if (marks) mark_all(tiles);  // what the last mesh showed
+    if (parts_.empty() && ropes_.count == 0) {
+        in_view_.clear(), seen_.clear(), ranges_.clear();
+        shadows_seen_ = ropes_seen_ = {};
         return;
     }
-    if (everything || !changed.moved().empty()) find_parts_in_view(input, frame, changed, screen);
-    if (everything) return;
+    if (everything || rebuilt_ || !changed.moved().empty()) find_parts_in_view(input, frame, changed, screen);
+    if (marks) mark_all(tiles);
+    if (everything || rebuilt_) return;
     for (std::size_t i = 0; i < in_view_.size(); ++i) {
         const glm::vec2 middle(in_view_[i]->middle);
         if (changed.is_near(middle - in_view_[i]->radius, middle + in_view_[i]->radius)) tiles.mark(seen_[i]);
@@ -145,6 +175,12 @@ void StructuresPass::find(const FrameInput& input, const FrameBlock& frame, cons
             near |= changed.is_near(glm::vec2(shadow_vertices_[k].at), glm::vec2(shadow_vertices_[k].at));
         if (near) tiles.mark(shadow_box(i, changed, screen));
     }
+}
+
+void StructuresPass::mark_all(ScreenTiles& tiles) const {
+    for (const Rectangle& seen : seen_) tiles.mark(seen);
+    tiles.mark(shadows_seen_);
+    tiles.mark(ropes_seen_);
 }
 
 // Where a triangle of a shadow appears: it lies on the ground at its corners.

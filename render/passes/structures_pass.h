@@ -19,15 +19,15 @@ class StructuresPass {
   public:
     static tl::expected<StructuresPass, std::string> create(const std::filesystem::path& shaders);
 
-    // Makes the mesh anew if anything that it depends on has changed: a few milliseconds. Returns true if it did, or if
-    // there were structures in the last frame and are none now. `new_terrain`: this frame's terrain is not that of the
-    // last one.
-    bool build(const FrameInput& input, const FrameBlock& frame, bool new_terrain);
+    // Makes the mesh anew if anything that it depends on has changed: a few milliseconds. `new_terrain`: this frame's
+    // terrain is not that of the last one; `moved`: the vertices whose bedrock is another one.
+    void build(const FrameInput& input, const FrameBlock& frame, bool new_terrain,
+               std::span<const glm::ivec2> moved);
     // Finds what a camera sees and, if only the world changed, marks what stands on ground that moved, or in another
-    // light.
+    // light; after the mesh was made anew, whatever it and the last one show.
     void find(const FrameInput& input, const FrameBlock& frame, const WhatChanged& changed,
               const OnScreen& screen, bool everything, ScreenTiles& tiles);
-    bool any() const { return !in_view_.empty(); }
+    bool any() const { return !in_view_.empty() || (!known_.nets.empty() && !ropes_seen_.empty()); }
     // Draws colour and depth over what is drawn, in parts of the frame.
     void draw(std::span<const Rectangle> parts);
 
@@ -35,6 +35,7 @@ class StructuresPass {
     void send(const StructureMesh& mesh);
     void find_parts_in_view(const FrameInput& input, const FrameBlock& frame, const WhatChanged& changed,
                             const OnScreen& screen);
+    void mark_all(ScreenTiles& tiles) const;
     Rectangle shadow_box(std::size_t first, const WhatChanged& changed, const OnScreen& screen) const;
 
     // Vertices of one kind, as they lie on the GPU.
@@ -56,7 +57,8 @@ class StructuresPass {
     std::vector<StructureShadowVertex> shadow_vertices_;
     glm::vec3 ropes_lowest_{0}, ropes_highest_{0};
     Rectangle shadows_seen_, ropes_seen_;
-    Structures known_;  // of the mesh
+    bool rebuilt_ = false;  // in this frame
+    Structures known_;      // of the mesh
     glm::vec4 known_sun_{0};
     glm::vec2 known_snowy_{0};
     std::uint64_t known_around_ = 0;  // fingerprint of the surroundings

@@ -8,6 +8,8 @@
 namespace render {
 namespace {
 
+constexpr GLint kFirstGroup = 0;  // location in openness.comp
+
 GLuint groups(int vertices) {
     return static_cast<GLuint>((vertices + GROUP_SQUARE - 1) / GROUP_SQUARE);
 }
@@ -38,10 +40,18 @@ void SurfacePass::resize(const sim::Grid& grid) {
     openness_texture_ = make_texture(GL_R16F, grid.nx, grid.ny, GL_NEAREST);
 }
 
-void SurfacePass::survey_terrain() const {
+int SurfacePass::openness_reach(const sim::Grid& grid) {
+    constexpr double kReach = 0.25;  // of the longer side, as in openness.glsl
+    constexpr int kLeast = 4;        // of its hollows
+    return std::max(kLeast, static_cast<int>(kReach * std::max(grid.nx, grid.ny))) + 1;
+}
+
+void SurfacePass::survey_terrain(glm::ivec2 low, glm::ivec2 high) const {
+    const glm::ivec2 first = low / GROUP_SQUARE, count = high / GROUP_SQUARE - first + 1;
     glUseProgram(openness_.name());
+    glUniform2i(kFirstGroup, first.x, first.y);
     glBindImageTexture(IMAGE_OPENNESS, openness_texture_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R16F);
-    glDispatchCompute(groups(grid_.nx), groups(grid_.ny), 1);
+    glDispatchCompute(static_cast<GLuint>(count.x), static_cast<GLuint>(count.y), 1);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 

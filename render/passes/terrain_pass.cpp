@@ -1,8 +1,9 @@
 #include "render/passes/terrain_pass.h"
 
 #include <algorithm>
-#include <initializer_list>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "assets/shaders/slots.glsl"
 #include "render/detail.h"
@@ -30,11 +31,11 @@ Texture make_detail_texture() {
 
 // Creates the surface's shading with the files that define materials, slides and marks.
 tl::expected<RectanglePass, std::string> make_shading(const std::filesystem::path& shaders,
-                                                      std::initializer_list<std::string_view> variant) {
+                                                      const std::vector<std::string_view>& variant) {
     std::vector<std::string_view> files{"slots.glsl",       "frame.glsl",       "light.glsl",
                                         "sun_ceiling.glsl", "ground.glsl",      "tone_curve.glsl",
                                         "spline.glsl",      "scene_depth.glsl", "terrain.frag"};
-    files.insert(files.end(), variant);
+    files.insert(files.end(), variant.begin(), variant.end());
     return RectanglePass::create(shaders, files);
 }
 
@@ -50,38 +51,33 @@ tl::expected<TerrainPass, std::string> TerrainPass::create(const std::filesystem
          {GL_FRAGMENT_SHADER, {"slots.glsl", "frame.glsl", "light.glsl", "sun_ceiling.glsl", "walls.frag"}}});
     if (!walls) return tl::unexpected(walls.error());
     TerrainPass pass;
-    struct Variant {
-        RectanglePass& to;
-        std::initializer_list<std::string_view> files;
+    struct Marking {
+        Shading Shadings::*to;
+        std::vector<std::string_view> files;
     };
-    for (const bool two : {false, true}) {
-        Shadings& to = two ? pass.two_materials_ : pass.one_material_;
-        const std::string_view materials = two ? "materials_two.glsl" : "materials_one.glsl";
-        for (const Variant& variant : {
-                 Variant{to.plain.with_walls, {materials, "slides.glsl", "crown.glsl", "marks_none.glsl"}},
-                 Variant{to.plain.with_slides,
-                         {materials, "slides.glsl", "crown_none.glsl", "marks_none.glsl"}},
-                 Variant{to.plain.without,
-                         {materials, "slides_none.glsl", "crown_none.glsl", "marks_none.glsl"}},
-                 Variant{to.marked.with_walls,
-                         {materials, "slides.glsl", "crown.glsl", "marks.glsl", "overlay_none.glsl"}},
-                 Variant{to.marked.with_slides,
-                         {materials, "slides.glsl", "crown_none.glsl", "marks.glsl", "overlay_none.glsl"}},
-                 Variant{
-                     to.marked.without,
-                     {materials, "slides_none.glsl", "crown_none.glsl", "marks.glsl", "overlay_none.glsl"}},
-                 Variant{to.overlaid.with_walls,
-                         {materials, "slides.glsl", "crown.glsl", "marks.glsl", "overlay.glsl"}},
-                 Variant{to.overlaid.with_slides,
-                         {materials, "slides.glsl", "crown_none.glsl", "marks.glsl", "overlay.glsl"}},
-                 Variant{to.overlaid.without,
-                         {materials, "slides_none.glsl", "crown_none.glsl", "marks.glsl", "overlay.glsl"}},
-             }) {
-            auto shading = make_shading(shaders, variant.files);
-            if (!shading) return tl::unexpected(shading.error());
-            variant.to = std::move(*shading);
-        }
-    }
+    struct Variant {
+        RectanglePass Shading::*to;
+        std::vector<std::string_view> files;
+    };
+    const Marking markings[] = {{&Shadings::plain, {"marks_none.glsl"}},
+                                {&Shadings::marked, {"marks.glsl", "overlay_none.glsl"}},
+                                {&Shadings::overlaid, {"marks.glsl", "overlay.glsl"}}};
+    const Variant variants[] = {
+        {&Shading::with_earth, {"earth.glsl", "slides.glsl", "crown.glsl"}},
+        {&Shading::with_walls, {"earth_none.glsl", "slides.glsl", "crown.glsl"}},
+        {&Shading::with_slides, {"earth_none.glsl", "slides.glsl", "crown_none.glsl"}},
+        {&Shading::without, {"earth_none.glsl", "slides_none.glsl", "crown_none.glsl"}}};
+    for (const bool two : {false, true})
+        for (const Marking& marking : markings)
+            for (const Variant& variant : variants) {
+                std::vector<std::string_view> files{two ? "materials_two.glsl" : "materials_one.glsl"};
+                files.insert(files.end(), variant.files.begin(), variant.files.end());
+                files.insert(files.end(), marking.files.begin(), marking.files.end());
+                auto shading = make_shading(shaders, files);
+                if (!shading) return tl::unexpected(shading.error());
+                Shadings& to = two ? pass.two_materials_ : pass.one_material_;
+                (to.*marking.to).*variant.to = std::move(*shading);
+            }
     pass.depth_program_ = std::move(*depth);
     pass.wall_program_ = std::move(*walls);
     pass.detail_texture_ = make_detail_texture();
@@ -181,9 +177,11 @@ void TerrainPass::shade(const Marks& marks, const SlideTiles& tiles, bool two_ma
                              : marks.has_lines()             ? shadings.marked
                                                              : shadings.plain;
     const int across = target.samples_across(), up = target.samples_up();
+    with_earth_.send(tiles.with_earth(), across, up);
     with_walls_.send(tiles.with_walls(), across, up);
     with_slides_.send(tiles.with_slides(), across, up);
     without_.send(tiles.without(), across, up);
+    shading.with_earth.draw_on(with_earth_, parts);
     shading.with_walls.draw_on(with_walls_, parts);
     shading.with_slides.draw_on(with_slides_, parts);
     shading.without.draw_on(without_, parts);

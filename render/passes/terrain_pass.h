@@ -31,7 +31,7 @@ class TerrainPass {
     void find(const WhatChanged& changed, const OnScreen& screen, bool everything);
     // The following draw parts of `target`.
     void draw_depth(Target::Parts parts);  // reads SLOT_RELIEF
-    // Reads SLOT_SCENE_DEPTH, SLOT_RELIEF, SLOT_LAYERS, SLOT_MEASURE, SLOT_SUN_CEILING, SLOT_DETAIL.
+    // Reads SLOT_SCENE_DEPTH, SLOT_RELIEF, SLOT_LAYERS, SLOT_MEASURE, SLOT_SUN_CEILING, SLOT_DETAIL, SLOT_EARTH.
     void shade(const Marks& marks, const SlideTiles& tiles, bool two_materials, const Target& target,
                Target::Parts parts);
     void draw_walls(
@@ -56,13 +56,13 @@ class TerrainPass {
     ProgramName depth_program_, wall_program_;
     // Variants, because shader code costs time even if its branch is not taken.
     struct Shading {
-        RectanglePass with_walls, with_slides, without;
+        RectanglePass with_earth, with_walls, with_slides, without;
     };
     struct Shadings {
         Shading plain, marked, overlaid;
     };
     Shadings one_material_, two_materials_;
-    Rectangles with_walls_, with_slides_, without_;
+    Rectangles with_earth_, with_walls_, with_slides_, without_;
     Indexed surface_, walls_;
     Texture detail_texture_;
     std::vector<GroundMesh::Block> blocks_;

@@ -32,31 +32,31 @@ tl::expected<TreesPass, std::string> TreesPass::create(const std::filesystem::pa
     return pass;
 }
 
-void TreesPass::survey(const Woods& woods, const Surroundings& around, const FrameBlock& frame) {
-    const bool is_new = known_ != woods.fingerprint();
-    if (is_new) {
-        known_ = woods.fingerprint();
-        lights_.reserve(woods.trees().size());
-        trees_.reserve(woods);
-        seen_.reserve(woods.trees().size());
-        listed_.reserve(woods.trees().size());
-        room_ = std::max<std::size_t>(woods.trees().size(), 1);
-        instances_ = make_storage(room_ * sizeof(DrawnTree), nullptr);
-    }
-    if (is_new || known_sun_ != frame.sun) {
-        known_sun_ = frame.sun;
-        light_trees(woods, around, glm::vec3(frame.sun), lights_);
-    }
+FollowedWoods::Change TreesPass::follow(const Woods* woods, const Surroundings* around,
+                                        const sim::View& world, std::span<const float> first_depth,
+                                        const glm::vec4& sun, bool new_ground) {
+    const auto change = woods_.follow(woods, around, world, first_depth, glm::vec3(sun), new_ground);
+    if (change == FollowedWoods::Change::kNone) return change;
+    const LitTrees all = woods_.trees();
+    trees_.reserve(all.trees.size(), all.tiles.size());
+    seen_.reserve(all.trees.size());
+    listed_.reserve(all.trees.size());
+    return change;
 }
 
-void TreesPass::find(const Woods& woods, const sim::View& world, const FlowSoFar& flow,
-                     const FrameBlock& frame, const OnScreen& screen, bool everything, ScreenTiles& tiles) {
+void TreesPass::find(const sim::View& world, const FlowSoFar& flow, const FrameBlock& frame,
+                     const OnScreen& screen, bool everything, ScreenTiles& tiles) {
     if (everything) {
-        trees_.find(woods, lights_, frame, screen);
+        trees_.find(woods_.trees(), frame, screen);
         screen_ = screen;
         seen_.clear();
+    } else if (!woods_.changed_tiles().empty()) {
+        trees_.find_again(woods_.trees(), woods_.changed_tiles(), frame, screen);
+        seen_.clear();
+        for (const auto& [lowest, highest] : woods_.changed_boxes())
+            tiles.mark(screen.box(lowest - TreesInView::kReach, highest + TreesInView::kReach));
     }
-    trees_.settle(woods, world, flow);
+    trees_.settle(woods_.trees().trees, world, flow);
     if (everything) return;
     for (const auto& [number, before] : trees_.moved()) {
         const Rectangle now = TreesInView::seen(trees_.drawn()[number], screen);
@@ -90,7 +90,7 @@ void TreesPass::list(std::span<const Rectangle> parts) {
         }
     }
     if (listed_.size() > room_) {
-        room_ = std::max(2 * room_, listed_.size());
+        room_ = std::max(2 * room_, std::max(listed_.size(), woods_.trees().trees.size()));
         instances_ = make_storage(room_ * sizeof(DrawnTree), nullptr);
     }
     glNamedBufferSubData(instances_.name(), 0, static_cast<GLsizeiptr>(listed_.size() * sizeof(DrawnTree)),

@@ -7,6 +7,7 @@
 
 #include <tl/expected.hpp>
 
+#include "render/followed_woods.h"
 #include "render/frame_block.h"
 #include "render/gl_handle.h"
 #include "render/screen_tiles.h"
@@ -20,11 +21,15 @@ class TreesPass {
   public:
     static tl::expected<TreesPass, std::string> create(const std::filesystem::path& shaders);
 
-    // Makes room for new woods, and lights them anew if the light comes from another side: a few hundredths of a second.
-    void survey(const Woods& woods, const Surroundings& around, const FrameBlock& frame);
-    // Finds the trees of a frame and, if only the world changed, marks those that fell, sank or rose.
-    void find(const Woods& woods, const sim::View& world, const FlowSoFar& flow, const FrameBlock& frame,
-              const OnScreen& screen, bool everything, ScreenTiles& tiles);
+    // Makes the trees those of woods and of the world's forest. New ones, and a light from another side, take a few
+    // hundredths of a second. As FollowedWoods::follow().
+    FollowedWoods::Change follow(const Woods* woods, const Surroundings* around, const sim::View& world,
+                                 std::span<const float> first_depth, const glm::vec4& sun, bool new_ground);
+    bool any() const { return !woods_.trees().tiles.empty(); }
+    // Finds the trees of a frame and, if only the world changed, marks those that fell, sank or rose, and those of tiles
+    // with other trees than before.
+    void find(const sim::View& world, const FlowSoFar& flow, const FrameBlock& frame, const OnScreen& screen,
+              bool everything, ScreenTiles& tiles);
     // Draws colour and depth over what is drawn, in parts of the frame.
     void draw(std::span<const Rectangle> parts);
 
@@ -34,9 +39,7 @@ class TreesPass {
     ProgramName shadow_, near_, far_, plain_;
     VertexArray no_vertices_;
     Buffer instances_;
-    std::uint64_t known_ = 0;  // fingerprint of the woods
-    glm::vec4 known_sun_{0};
-    std::vector<TreeLight> lights_;
+    FollowedWoods woods_;
     TreesInView trees_;
     std::vector<Rectangle> seen_;  // of each drawn tree, once a part of a frame is drawn
     OnScreen screen_;

@@ -253,9 +253,11 @@ void rebuild_wooded(Things& t) {
 
 void set_bedrock(State& s, int x, int y) {
     Things& t = *s.things;
+    const float made = t.earth(x, y) + t.built(x, y);
+    // Natural ground as it was, −0 too: the sum would be 0.
     s.bedrock(x, y) =
-        static_cast<float>(static_cast<double>(t.natural(x, y)) + static_cast<double>(t.earth(x, y)) +
-                           static_cast<double>(t.built(x, y)));
+        made == 0 ? t.natural(x, y)
+                  : static_cast<float>(static_cast<double>(t.natural(x, y)) + static_cast<double>(made));
     t.stale.add(x, y);
 }
 

@@ -1,6 +1,7 @@
-#include "game/controls/brush.h"
+#include "game/controls/hand.h"
 
 #include <cmath>
+#include <set>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -32,8 +33,7 @@ double volume(const std::vector<sim::Command>& commands) {
 TEST(Stroke, gives_one_command_per_tick_of_a_hand_that_rests) {
     Brush brush;
     brush.radius = 3;
-    brush.strength[0] = 2;
-    Stroke stroke(sim::CommandKind::kPour, {10, 20});
+    Stroke stroke(Tool::kPour, {}, {10, 20});
     const auto commands = draw(stroke, brush, {{10, 20}, {10, 20}}, 3);
     ASSERT_EQ(commands.size(), 6u);
     for (const sim::Command& c : commands) {
@@ -50,7 +50,7 @@ TEST(Stroke, gives_one_command_per_tick_of_a_hand_that_rests) {
 TEST(Stroke, fills_the_way_of_a_moving_hand_and_spreads_the_same_amount_along_it) {
     Brush brush;
     brush.radius = 4;
-    Stroke resting(sim::CommandKind::kPour, {0, 0}), moving(sim::CommandKind::kPour, {0, 0});
+    Stroke resting(Tool::kPour, {}, {0, 0}), moving(Tool::kPour, {}, {0, 0});
     const auto still = draw(resting, brush, {{0, 0}}, 2);
     const auto along = draw(moving, brush, {{30, 0}}, 2);
     EXPECT_NEAR(volume(along), volume(still), 1e-9);
@@ -67,7 +67,7 @@ TEST(Stroke, fills_the_way_of_a_moving_hand_and_spreads_the_same_amount_along_it
 TEST(Stroke, goes_on_from_where_the_machine_got_to) {
     Brush brush;
     brush.radius = 4;
-    Stroke stroke(sim::CommandKind::kPour, {0, 0});
+    Stroke stroke(Tool::kPour, {}, {0, 0});
     std::vector<sim::Command> commands;
     stroke.move_to(glm::dvec2(12, 0));
     stroke.commands_of(0, 4, brush, kTick, commands);  // one of four ticks, and no time for more
@@ -92,7 +92,7 @@ TEST(Brush, fits_every_grid_within_what_a_command_may_be) {
 TEST(Stroke, does_not_paint_across_a_valley_that_the_hand_jumped_over) {
     Brush brush;
     brush.radius = 4;
-    Stroke stroke(sim::CommandKind::kDig, {0, 0});
+    Stroke stroke(Tool::kDig, {}, {0, 0});
     const auto commands = draw(stroke, brush, {{5000, 0}}, 1);
     ASSERT_EQ(commands.size(), 1u);
     EXPECT_EQ(commands[0].x, 5000);
@@ -100,7 +100,7 @@ TEST(Stroke, does_not_paint_across_a_valley_that_the_hand_jumped_over) {
 
 TEST(Stroke, rests_while_the_hand_is_off_the_ground_and_goes_on_where_it_comes_back) {
     Brush brush;
-    Stroke stroke(sim::CommandKind::kPour, {0, 0});
+    Stroke stroke(Tool::kPour, {}, {0, 0});
     std::vector<sim::Command> commands;
     stroke.move_to(std::nullopt);
     stroke.commands_of(0, 1, brush, kTick, commands);
@@ -116,7 +116,7 @@ TEST(Stroke, of_blasts_goes_off_at_the_press_and_then_once_a_radius) {
     Brush brush;
     brush.tool = Tool::kBlast;
     brush.radius = 10;
-    Stroke stroke(sim::CommandKind::kBlast, {0, 0});
+    Stroke stroke(Tool::kBlast, {}, {0, 0});
     std::vector<glm::dvec2> way(20, glm::dvec2(0, 0));  // held still for a while
     for (int i = 1; i <= 25; ++i) way.emplace_back(i, 0);
     const auto commands = draw(stroke, brush, way, 1);
@@ -124,34 +124,179 @@ TEST(Stroke, of_blasts_goes_off_at_the_press_and_then_once_a_radius) {
     EXPECT_EQ(commands[0].x, 0);
     EXPECT_EQ(commands[1].x, 10);
     EXPECT_EQ(commands[2].x, 20);
-    EXPECT_EQ(commands[0].depth, brush.strength[2]);
+    EXPECT_EQ(commands[0].depth, brush.own()[0]);
     for (const sim::Command& c : commands) EXPECT_FALSE(sim::fault_of(c));
 }
 
-TEST(Brush, inverts_each_tool) {
-    Brush brush;
-    EXPECT_EQ(deed_of(brush, false), sim::CommandKind::kPour);
-    EXPECT_EQ(deed_of(brush, true), sim::CommandKind::kDig);
-    brush.tool = Tool::kDig;
-    EXPECT_EQ(deed_of(brush, false), sim::CommandKind::kDig);
-    EXPECT_EQ(deed_of(brush, true), sim::CommandKind::kPour);
-    brush.tool = Tool::kBlast;
-    EXPECT_EQ(deed_of(brush, false), sim::CommandKind::kBlast);
-    EXPECT_EQ(deed_of(brush, true), sim::CommandKind::kSettle);
+constexpr Modifiers kControlHeld{.control = true}, kShiftHeld{.shift = true};
+
+TEST(Tools, do_the_opposite_with_control_and_smooth_earth_with_shift) {
+    using sim::CommandKind;
+    const auto kind = [](Tool tool, Modifiers with) { return deed_of(tool, with).kind; };
+    EXPECT_EQ(kind(Tool::kPour, {}), CommandKind::kPour);
+    EXPECT_EQ(kind(Tool::kPour, kControlHeld), CommandKind::kDig);
+    EXPECT_EQ(kind(Tool::kDig, {}), CommandKind::kDig);
+    EXPECT_EQ(kind(Tool::kDig, kControlHeld), CommandKind::kPour);
+    EXPECT_EQ(kind(Tool::kBlast, kControlHeld), CommandKind::kSettle);
+    EXPECT_EQ(kind(Tool::kSculpt, {}), CommandKind::kSculpt);
+    EXPECT_EQ(deed_of(Tool::kSculpt, kControlHeld).amount, Amount::kTakenPerTick);
+    EXPECT_EQ(kind(Tool::kSculpt, kShiftHeld), CommandKind::kSmooth);
+    EXPECT_EQ(kind(Tool::kLevel, kShiftHeld), CommandKind::kSmooth);
+    EXPECT_EQ(kind(Tool::kPlant, kControlHeld), CommandKind::kFell);
+    for (const Tool tool : {Tool::kHouse, Tool::kNet, Tool::kRoad, Tool::kLift})
+        EXPECT_EQ(kind(tool, kControlHeld), CommandKind::kRemove);
 }
 
+TEST(Tools, reach_every_command_but_those_of_parameters_and_turning) {
+    std::set<sim::CommandKind> kinds;
+    for (const ToolInfo& info : tool_infos())
+        for (const Deed* deed : {info.plain, info.control, info.shift}) kinds.insert(deed->kind);
+    for (const sim::CommandInfo& info : sim::kCommands)
+        EXPECT_EQ(kinds.contains(info.kind),
+                  info.kind != sim::CommandKind::kSet && info.kind != sim::CommandKind::kTurn)
+            << info.name;
+}
+
+TEST(Tools, have_numbers_within_the_range_of_their_commands) {
+    for (const ToolInfo& info : tool_infos())
+        for (const ToolNumber& number : info.numbers) {
+            EXPECT_LE(number.least, number.usual) << number.label;
+            EXPECT_LE(number.usual, number.most) << number.label;
+            EXPECT_TRUE(takes(info.plain->kind, number.member)) << info.plain->label << " " << number.label;
+        }
+}
+
+// Every deed at the ends of its ranges, on a way that is long enough for lines.
 TEST(Stroke, gives_commands_in_range_at_every_size_and_strength) {
+    for (const ToolInfo& info : tool_infos())
+        for (const Modifiers with : {Modifiers{}, kControlHeld, kShiftHeld})
+            for (const double radius : {Brush::kLeastRadius, 1.0, Brush::kMostRadius})
+                for (const bool most : {false, true}) {
+                    Brush brush;
+                    brush.tool = info.tool;
+                    brush.radius = radius;
+                    for (std::size_t i = 0; i < info.numbers.size(); ++i)
+                        brush.own()[i] = most ? info.numbers[i].most : info.numbers[i].least;
+                    brush.least_slope = 30, brush.most_slope = 45;
+                    Stroke stroke(info.tool, with, {0, 0}, 1234, 5);
+                    const char* label = stroke.deed().label;
+                    auto commands = draw(stroke, brush, {{1, 1}, {40, 30}}, 2);
+                    stroke.move_to(glm::dvec2(90, 30));
+                    stroke.release();
+                    stroke.commands_of(0, 1, brush, kTick, commands);
+                    EXPECT_FALSE(commands.empty()) << label;
+                    for (const sim::Command& c : commands) {
+                        EXPECT_FALSE(sim::fault_of(c)) << label << ": " << *sim::fault_of(c);
+                        if (sim::info_of(c.kind).has_slope) {
+                            EXPECT_EQ(c.least_slope, 30) << label;
+                        }
+                    }
+                }
+}
+
+TEST(Stroke, sculpts_by_time_up_and_with_control_down) {
     Brush brush;
-    for (const double radius : {Brush::kLeastRadius, 1.0, Brush::kMostRadius})
-        for (const double strength : {Brush::kLeastStrength, Brush::kMostStrength})
-            for (const auto deed : {sim::CommandKind::kPour, sim::CommandKind::kDig, sim::CommandKind::kBlast,
-                                    sim::CommandKind::kSettle}) {
-                brush.radius = radius;
-                brush.strength.fill(strength);
-                Stroke stroke(deed, {0, 0});
-                for (const sim::Command& c : draw(stroke, brush, {{1, 1}}, 2))
-                    EXPECT_FALSE(sim::fault_of(c)) << *sim::fault_of(c);
-            }
+    brush.tool = Tool::kSculpt;
+    for (const bool down : {false, true}) {
+        Stroke stroke(Tool::kSculpt, {.control = down}, {50, 50});
+        const auto commands = draw(stroke, brush, {{50, 50}}, 60);
+        double sum = 0;
+        for (const sim::Command& c : commands) sum += c.rise;
+        EXPECT_NEAR(sum, down ? -brush.own()[0] : brush.own()[0], 1e-9);  // a second of it
+    }
+}
+
+TEST(Stroke, levels_at_the_height_where_it_began) {
+    Brush brush;
+    brush.tool = Tool::kLevel;
+    Stroke stroke(Tool::kLevel, {}, {0, 0}, 1812.5);
+    for (const sim::Command& c : draw(stroke, brush, {{0, 0}, {30, 0}}, 2)) EXPECT_EQ(c.level, 1812.5);
+}
+
+TEST(Stroke, places_one_house_and_turns_it_with_the_hand) {
+    Brush brush;
+    brush.tool = Tool::kHouse;
+    Stroke stroke(Tool::kHouse, {}, {100, 100}, 0, 5);
+    auto commands = draw(stroke, brush, {{100, 100}, {101, 100}, {120, 100}, {120, 100}, {100, 60}}, 3);
+    ASSERT_EQ(commands.size(), 3u);
+    EXPECT_EQ(commands[0].kind, sim::CommandKind::kHouse);
+    EXPECT_EQ(commands[0].turn, 0);
+    EXPECT_EQ(commands[1].kind, sim::CommandKind::kTurn);
+    EXPECT_EQ(commands[1].turn, 90);
+    EXPECT_EQ(commands[2].turn, 180);
+    for (const sim::Command& c : commands) {
+        EXPECT_EQ(c.x, 100);
+        EXPECT_FALSE(sim::fault_of(c)) << *sim::fault_of(c);
+    }
+    EXPECT_EQ(stroke.turn(), 180);
+}
+
+TEST(Stroke, draws_a_road_in_pieces_that_hang_together_and_a_lift_in_one) {
+    for (const Tool tool : {Tool::kRoad, Tool::kLift}) {
+        Brush brush;
+        brush.tool = tool;
+        Stroke stroke(tool, {}, {0, 0}, 0, 5);
+        std::vector<glm::dvec2> way;
+        for (int i = 0; i <= 50; ++i) way.emplace_back(2 * i, 0);
+        auto commands = draw(stroke, brush, way, 1);
+        stroke.release();
+        stroke.commands_of(0, 2, brush, kTick, commands);
+        stroke.commands_of(1, 2, brush, kTick, commands);  // nothing is left for it
+        ASSERT_EQ(commands.size(), tool == Tool::kRoad ? 5u : 1u);
+        double from = 0;
+        for (const sim::Command& c : commands) {
+            EXPECT_EQ(c.x, from);
+            from = c.to_x;
+        }
+        EXPECT_EQ(from, 100);
+    }
+}
+
+TEST(Hand, keeps_sizes_within_their_ranges_and_the_turn_of_the_last_house) {
+    const sim::Grid grid{41, 41, 5};
+    Hand hand;
+    hand.suit(grid);
+    EXPECT_EQ(hand.brush().radius, 12.5);
+    hand.resize(100, grid);
+    EXPECT_EQ(hand.brush().radius, radius_range(grid).most);
+    hand.strengthen(-100);
+    EXPECT_EQ(hand.brush().own()[0], info_of(Tool::kPour).numbers[0].least);
+    hand.choose(Tool::kLift);
+    hand.strengthen(1);  // it has none
+    hand.choose(Tool::kHouse);
+    hand.press({}, {100, 100}, 0, 5);
+    hand.move_to(glm::dvec2(140, 100));
+    EXPECT_EQ(hand.commands_of(0, 1, kTick, true).size(), 1u);
+    hand.release();
+    hand.arrive(1);
+    EXPECT_FALSE(hand.stroke());
+    EXPECT_EQ(hand.brush().turn, 90);
+}
+
+TEST(Hand, ends_a_stroke_with_the_tool_that_began_it) {
+    Hand hand;
+    hand.choose(Tool::kPlant);
+    hand.press({}, {0, 0}, 0, 5);
+    hand.choose(Tool::kHouse);
+    hand.release();
+    const auto commands = hand.commands_of(0, 1, kTick, true);
+    ASSERT_EQ(commands.size(), 1u);
+    EXPECT_EQ(commands[0].kind, sim::CommandKind::kPlant);
+    EXPECT_FALSE(sim::fault_of(commands[0]));
+}
+
+TEST(Hand, gives_parameters_to_the_next_tick_alone) {
+    Hand hand;
+    const sim::Params params;
+    EXPECT_FALSE(hand.set_number(params, sim::param_from("exchange_rate").value(), 3));
+    EXPECT_TRUE(hand.set_number(params, sim::param_from("friction").value(), -1e9));
+    EXPECT_TRUE(hand.commands_of(0, 1, kTick, false).empty());  // not in the past
+    EXPECT_EQ(hand.commands_of(0, 1, kTick, true).size(), 1u);
+    EXPECT_TRUE(hand.commands_of(0, 1, kTick, true).empty());
+    EXPECT_FALSE(hand.drop_numbers());
+    EXPECT_FALSE(hand.set_number(params, sim::param_from("exchange_rate").value(), 4));
+    EXPECT_TRUE(hand.drop_numbers());
+    EXPECT_TRUE(hand.commands_of(0, 1, kTick, true).empty());
 }
 
 }  // namespace

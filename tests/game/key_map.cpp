@@ -18,10 +18,16 @@ TEST(KeyMap, binds_no_key_twice) {
         EXPECT_TRUE(names.insert(name_of(binding.key)).second) << binding.meaning;
 }
 
-TEST(KeyMap, binds_every_verb_and_everything_that_is_held) {
+TEST(KeyMap, binds_every_verb_every_tool_and_everything_that_is_held) {
     std::set<Verb> verbs;
-    for (const KeyBinding& binding : key_bindings()) verbs.insert(binding.verb);
+    std::set<Tool> tools;
+    for (const KeyBinding& binding : key_bindings())
+        if (const Verb* verb = std::get_if<Verb>(&binding.does))
+            verbs.insert(*verb);
+        else
+            tools.insert(std::get<Tool>(binding.does));
     EXPECT_EQ(verbs.size(), kVerbs);
+    EXPECT_EQ(tools.size(), kTools);
     std::set<Held> held;
     for (const HeldBinding& binding : held_bindings()) held.insert(binding.held);
     EXPECT_EQ(held.size(), 6u);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/engine.h"
 #include "tests/support/allocations.h"
 #include "tests/support/worlds.h"
 
@@ -62,6 +63,41 @@ TEST(Probe, is_bilinear_between_four_vertices) {
     EXPECT_DOUBLE_EQ(reading.standing, 0);
     EXPECT_DOUBLE_EQ(reading.speed_plan, 5 * 0.25 * 0.5);
     EXPECT_NEAR(reading.slope_deg, std::atan(std::hypot((4 + 8) / 2.0, 2 + 0.25 * 4) / 5) / kDegree, 1e-9);
+}
+
+TEST(Probe, reads_the_things_that_stand_there) {
+    auto state = hillside(0, 0);
+    const auto command = [](sim::CommandKind kind, double x, double y) {
+        sim::Command c;
+        c.kind = kind;
+        c.x = x, c.y = y;
+        return c;
+    };
+    auto house = command(sim::CommandKind::kHouse, 50, 50);
+    house.length = 12, house.width = 6, house.height = 5, house.strength = 5, house.turn = 90;
+    auto road = command(sim::CommandKind::kRoad, 10, 90);
+    road.to_x = 60, road.to_y = 90, road.width = 8;
+    auto forest = command(sim::CommandKind::kPlant, 80, 20);
+    forest.radius = 12, forest.stems = 400, forest.diameter = 0.3, forest.height = 22;
+    auto dam = command(sim::CommandKind::kSculpt, 20, 20);
+    dam.radius = 8, dam.rise = 1.5;
+    const sim::Engine engine(state, {});
+    sim::apply_commands(state, std::vector<sim::Command>{house, road, forest, dam});
+    state.things->list[0].load = 3000;
+
+    Probe probe(nowhere());
+    const auto at = [&](double x, double y) { return probe.read(sim::view(state), {x, y}).value(); };
+    ASSERT_TRUE(at(55.9, 52.9).thing);  // its front faces east
+    EXPECT_EQ(at(55.9, 52.9).thing->kind, sim::ThingKind::kHouse);
+    EXPECT_TRUE(at(50, 50).thing->damaged());
+    EXPECT_FALSE(at(57.4, 50).thing);  // over a quarter of a cell away
+    ASSERT_TRUE(at(30, 93.9).thing);
+    EXPECT_EQ(at(30, 93.9).thing->kind, sim::ThingKind::kRoad);
+    EXPECT_EQ(at(80, 20).forest.standing, 400);
+    EXPECT_EQ(at(80, 20).forest.height_m, 22);
+    EXPECT_EQ(at(50, 50).forest.standing, 0);
+    EXPECT_NEAR(at(20, 20).earth, 1.5, 1e-4);
+    EXPECT_FALSE(at(20, 20).thing);
 }
 
 TEST(Probe, names_no_speed_where_nothing_rolls) {

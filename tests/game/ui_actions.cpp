@@ -10,9 +10,9 @@ TEST_F(UiHand, asks_for_nothing_while_nobody_touches_it) {
 }
 
 TEST_F(UiHand, asks_for_the_tool_that_is_clicked) {
-    EXPECT_EQ(only<Verb>(click("Dig")), Verb::kDig);
-    EXPECT_EQ(only<Verb>(click("Blast")), Verb::kBlast);
-    EXPECT_EQ(only<Verb>(click("Pour")), Verb::kPour);
+    EXPECT_EQ(only<Tool>(click("Dig")), Tool::kDig);
+    EXPECT_EQ(only<Tool>(click("Blast")), Tool::kBlast);
+    EXPECT_EQ(only<Tool>(click("Pour")), Tool::kPour);
 }
 
 TEST_F(UiHand, asks_for_what_the_time_bar_says) {
@@ -112,7 +112,7 @@ TEST_F(UiHand, sets_radius_and_strength_of_the_brush_by_sliding) {
     screen_.press(Button::kLeft);
     const Brush larger = only<SetBrush>(frame()).brush;
     EXPECT_GT(larger.radius, brush_.radius);
-    EXPECT_EQ(larger.strength, brush_.strength);
+    EXPECT_EQ(larger.numbers, brush_.numbers);
     brush_ = larger;
     screen_.release(Button::kLeft);
     settle();
@@ -124,14 +124,14 @@ TEST_F(UiHand, sets_radius_and_strength_of_the_brush_by_sliding) {
     frame();
     screen_.press(Button::kLeft);
     const Brush weaker = only<SetBrush>(frame()).brush;
-    EXPECT_DOUBLE_EQ(weaker.strength[2], Brush::kLeastStrength);
-    EXPECT_EQ(weaker.strength[0], brush_.strength[0]);
+    EXPECT_DOUBLE_EQ(weaker.own()[0], info_of(Tool::kBlast).numbers[0].least);
+    EXPECT_EQ(weaker.numbers[0], brush_.numbers[0]);
     EXPECT_EQ(weaker.radius, brush_.radius);
 }
 
 TEST_F(UiHand, says_what_a_tool_does_while_control_is_held) {
     brush_.tool = Tool::kBlast;
-    inverted_ = true;
+    modifiers_.control = true;
     frame();
     EXPECT_TRUE(ui_->find("Settle"));
     EXPECT_FALSE(ui_->find("Blast"));

@@ -33,7 +33,7 @@ ui::Facts UiHand::facts() const {
             .state = state_,
             .clock = clock_,
             .brush = brush_,
-            .inverted = inverted_,
+            .deed = deed_of(brush_.tool, modifiers_),
             .touched = touched_,
             .actions_to_undo = actions_to_undo_,
             .actions_to_redo = actions_to_redo_,

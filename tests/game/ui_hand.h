@@ -43,7 +43,8 @@ class UiHand : public testing::Test {
     FrameTimes times_;
     Notices notices_;
     Catalogue catalogue_;
-    bool inverted_ = false, touched_ = false;
+    Modifiers modifiers_;
+    bool touched_ = false;
     std::size_t actions_to_undo_ = 0, actions_to_redo_ = 0;
     std::optional<Reading> under_cursor_;
     CameraMode camera_mode_ = CameraMode::kOrbit;

@@ -52,7 +52,7 @@ TEST_F(UiHand, sees_a_press_and_release_within_one_frame) {
     Actions all;
     for (int i = 0; i < 4; ++i)
         for (const Action& action : frame()) all.push_back(action);
-    EXPECT_EQ(only<Verb>(all), Verb::kDig);
+    EXPECT_EQ(only<Tool>(all), Tool::kDig);
 }
 
 TEST_F(UiHand, clicks_where_the_button_went_down_though_the_cursor_has_gone_on_in_the_same_frame) {
@@ -63,7 +63,7 @@ TEST_F(UiHand, clicks_where_the_button_went_down_though_the_cursor_has_gone_on_i
     Actions all;
     for (int i = 0; i < 5; ++i)
         for (const Action& action : frame()) all.push_back(action);
-    EXPECT_EQ(only<Verb>(all), Verb::kDig);
+    EXPECT_EQ(only<Tool>(all), Tool::kDig);
     EXPECT_FALSE(ui_->keeps_mouse());
 }
 

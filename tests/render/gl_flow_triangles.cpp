@@ -102,7 +102,7 @@ class FlowPicture : public Gl {
         fields_.bind();
         pass_->send(*flow_);
         pass_->cut(*flow_, world_.grid);
-        surface_.survey_terrain();
+        surface_.survey_terrain({0, 0}, {world_.grid.nx - 1, world_.grid.ny - 1});
         surface_.run(changed_.groups());
         surface_.bind();
         target_.resize(kAcross, kUp, 1);

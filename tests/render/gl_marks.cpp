@@ -83,6 +83,31 @@ TEST_F(MarksOnGround, ring_changes_no_pixel_outside_it) {
     EXPECT_EQ(plain.pixels, ringed.pixels);
 }
 
+TEST_F(MarksOnGround, outline_is_drawn_on_its_rectangle_and_follows_a_slope) {
+    const Slope slope;
+    Marks outlined;
+    outlined.outline = outline_of({84, 78}, 30, 40, 24, {1, 0, 1});
+    const Picture plain = shot(slope.world, slope.camera, {});
+    const Picture marked = shot(slope.world, slope.camera, outlined);
+    const double turn = 30 * std::numbers::pi / 180;
+    // `ahead` and `right`: m from the middle.
+    const auto change = [&](double ahead, double right) {
+        const double x = 84 + ahead * std::sin(turn) + right * std::cos(turn),
+                     y = 78 + ahead * std::cos(turn) - right * std::sin(turn);
+        const glm::dvec2 at = seen_at(slope.camera, slope.at(x, y));
+        return colour_distance(pixel(plain, at), pixel(marked, at));
+    };
+    for (double part = -0.9; part < 1; part += 0.1)
+        for (const double side : {-1.0, 1.0}) {
+            EXPECT_GT(change(20 * part, 12 * side), 40) << part;
+            EXPECT_GT(change(20 * side, 12 * part), 40) << part;
+            EXPECT_EQ(change(20 * part, 15 * side), 0) << part;
+            EXPECT_EQ(change(24 * side, 12 * part), 0) << part;
+        }
+    EXPECT_GT(change(0, 0), 1);  // the tint
+    EXPECT_LT(change(0, 0), 40);
+}
+
 // Pixels of a line across the ring's edge that have mostly its colour.
 int width_of_rim(const Picture& picture) {
     int width = 0;

@@ -88,6 +88,88 @@ TEST_P(Redraw, draws_the_same_bytes_and_shows_a_mistake) {
     EXPECT_GT(wrong_frames(mistaken), 0);
 }
 
+TEST_F(Gl, redraws_only_around_an_outline_that_is_moved) {
+    auto whole = Renderer::create(support::source_dir() / "assets", Quality::kFast);
+    ASSERT_TRUE(whole) << whole.error();
+    Play play;
+    renderer_->set_redraw(kTightestRules);
+    for (int frame = 0; frame < 6; ++frame) {
+        FrameInput input = play.input();
+        if (frame < 5)
+            input.marks.outline = outline_of({80 + 20 * frame, 120}, 25 * frame, 20, 10, {0, 1, 0});
+        if (frame == 0) input.marks.outline->colour = {1, 0, 0};
+        renderer_->draw(input);
+        whole->forget();
+        whole->draw(input);
+        EXPECT_EQ(renderer_->read_back().pixels, whole->read_back().pixels) << frame;
+        EXPECT_TRUE(frame == 0 || frame == 5 || renderer_->redrawn() < 0.6) << frame;
+    }
+}
+
+// A forest is planted, broken and felled, and houses are built, damaged and removed.
+TEST_F(Gl, redraws_only_around_a_forest_and_houses_that_change) {
+    auto whole = Renderer::create(support::source_dir() / "assets", Quality::kFast);
+    ASSERT_TRUE(whole) << whole.error();
+    Play play;
+    play.world.things.emplace(play.world.grid);
+    play.world.things->natural = play.world.bedrock;
+    sim::Field<sim::Stems>& forest = play.world.things->forest;
+    const auto plant = [&](glm::ivec2 low, glm::ivec2 high, const sim::Stems& stems) {
+        for (int y = low.y; y < high.y; ++y)
+            for (int x = low.x; x < high.x; ++x) forest(x, y) = stems;
+    };
+    plant({40, 40}, {48, 48}, {500, 0, 30, 18});
+    renderer_->set_redraw(kTightestRules);
+    std::vector<std::uint8_t> before;
+    for (int frame = 0; frame < 9; ++frame) {
+        if (frame == 1) plant({20, 20}, {24, 24}, {400, 0, 30, 22});
+        if (frame == 2) plant({20, 20}, {22, 24}, {0, 400, 30, 22});
+        if (frame == 3) plant({20, 20}, {24, 24}, {});
+        if (frame == 4) play.structures.all.push_back({StructureKind::kHouse, {150, 100}, 30, {}, 14, 10, 9});
+        if (frame == 5) play.structures.all[0].state = StructureState::kDestroyed;
+        if (frame == 6) play.structures.nets.push_back({{90, 90}, {110, 92}});
+        if (frame == 7) play.structures = {};
+        if (frame == 8) play.world.rolling(42, 42) = 1;
+        renderer_->draw(play.input());
+        whole->forget();
+        whole->draw(play.input());
+        const Picture picture = renderer_->read_back();
+        EXPECT_EQ(picture.pixels, whole->read_back().pixels) << frame;
+        EXPECT_NE(picture.pixels, before) << frame;
+        EXPECT_TRUE(frame == 0 || renderer_->redrawn() < 0.9) << frame;
+        before = picture.pixels;
+    }
+}
+
+// Earth is heaped up and dug out, with its shadow, on ground without a standing layer.
+TEST_F(Gl, redraws_ground_that_changes_as_if_it_had_always_been_so) {
+    Play play;
+    play.world.depth.fill(0);
+    play.first_depth.clear();
+    play.world.things.emplace(play.world.grid);
+    play.world.things->natural = play.world.bedrock;
+    renderer_->set_redraw(kTightestRules);
+    Picture flat;
+    for (int frame = 0; frame < 5; ++frame) {
+        const float height = frame == 4 ? 0.f : 3.f * static_cast<float>(frame) * (frame == 3 ? -1.f : 1.f);
+        for (int y = 20; y < 27; ++y)
+            for (int x = 30; x < 36; ++x) play.world.bedrock(x, y) = play.world.things->earth(x, y) = height;
+        renderer_->draw(play.input());
+        EXPECT_TRUE(frame == 0 || renderer_->redrawn() < 1) << frame;
+        const Picture picture = renderer_->read_back();
+        auto fresh = Renderer::create(support::source_dir() / "assets", Quality::kFast);
+        ASSERT_TRUE(fresh) << fresh.error();
+        fresh->draw(play.input());
+        EXPECT_EQ(picture.pixels, fresh->read_back().pixels) << frame;
+        if (frame == 0) flat = picture;
+        EXPECT_EQ(picture.pixels == flat.pixels, frame == 0 || frame == 4) << frame;
+    }
+    // A world that never had things looks the same as one that has none any more.
+    play.world.things.reset();
+    renderer_->draw(play.input());
+    EXPECT_EQ(renderer_->read_back().pixels, flat.pixels);
+}
+
 void roll(Play& play, int x, int frame) {
     for (int i = 0; i < 3; ++i)
         play.world.rolling(x + i, 32 + (frame + i) % 3) = 0.1f * static_cast<float>(1 + (frame + i) % 4);

@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "assets/shaders/slots.glsl"
 #include "render/structure_mesh.h"
@@ -147,6 +149,111 @@ TEST_F(MeshOfHut, has_a_bounded_number_of_faces_for_a_road_of_any_length) {
     Structures structures;
     structures.roads.push_back({{{0, 0}, {1e7, 0}}});
     EXPECT_LT(mesh(structures).faces.size(), 100'000u);
+}
+
+constexpr HouseMaterial kMaterials[] = {HouseMaterial::kGlass, HouseMaterial::kWood, HouseMaterial::kBrick,
+                                        HouseMaterial::kConcrete};
+
+class MeshOfHouse : public MeshOfHut {
+  protected:
+    static Structures house(HouseMaterial material, StructureState state, glm::dvec3 size = {14, 10, 9}) {
+        Structures structures;
+        structures.all.push_back(
+            {StructureKind::kHouse, {100, 100}, 40, state, size.x, size.y, size.z, material});
+        return structures;
+    }
+    // Size of the box around it in its own axes: across, along, and the heights of its lowest and highest corner.
+    static glm::vec4 extent(const StructureMesh& mesh) {
+        const float turn = glm::radians(40.f);
+        const glm::vec2 front(std::sin(turn), std::cos(turn)), right(front.y, -front.x);
+        glm::vec4 most(0, 0, 1e6f, -1e6f);
+        for (const StructureVertex& vertex : mesh.faces) {
+            const glm::vec2 from = glm::vec2(vertex.at) - glm::vec2(100);
+            most.x = std::max(most.x, std::abs(glm::dot(from, right)));
+            most.y = std::max(most.y, std::abs(glm::dot(from, front)));
+            most.z = std::min(most.z, vertex.at.z), most.w = std::max(most.w, vertex.at.z);
+        }
+        return most;
+    }
+};
+
+TEST_F(MeshOfHouse, has_the_size_that_was_asked_for) {
+    for (const HouseMaterial material : kMaterials)
+        for (const glm::dvec3 size : {glm::dvec3(3, 3, 2), {14, 10, 9}, {8, 30, 12}, {120, 40, 30}}) {
+            const glm::vec4 most = extent(mesh(house(material, StructureState::kIntact, size)));
+            EXPECT_NEAR(most.x, size.y / 2, 1.5) << size.x;
+            EXPECT_NEAR(most.y, size.x / 2, 1.5) << size.x;
+            // On a slope of 0.2 it stands as high above the ground uphill as is left of its height, and reaches down
+            // to the lowest ground.
+            const double rise = 0.2 * 0.5 * (size.x * std::sin(0.698) + size.y * std::cos(0.698));
+            EXPECT_GT(most.w, 20 + rise + 0.5 * size.z) << size.x;
+            EXPECT_LT(most.w, 20 + rise + size.z + 2.5) << size.x;
+            EXPECT_LT(most.z, 20 - rise) << size.x;
+        }
+}
+
+TEST_F(MeshOfHouse, shows_its_material_and_its_state) {
+    const int walls[] = {BUILT_GLASS, BUILT_WOOD, BUILT_PLASTER, BUILT_CONCRETE};
+    for (const HouseMaterial material : kMaterials) {
+        const StructureMesh whole = mesh(house(material, StructureState::kIntact)),
+                            damaged = mesh(house(material, StructureState::kDamaged)),
+                            destroyed = mesh(house(material, StructureState::kDestroyed));
+        EXPECT_GT(made_of(whole, walls[static_cast<std::size_t>(material)]), 0u);
+        if (material != HouseMaterial::kGlass) EXPECT_GT(made_of(whole, BUILT_WINDOW), 0u);
+        EXPECT_EQ(made_of(damaged, BUILT_WINDOW), 0u);
+        EXPECT_GT(made_of(damaged, BUILT_DARK), made_of(whole, BUILT_DARK));
+        EXPECT_GT(extent(damaged).w, extent(destroyed).w + 2);
+        EXPECT_TRUE(destroyed.shadows.empty());
+        EXPECT_TRUE(mesh(house(material, StructureState::kBuried)).faces.empty());
+    }
+}
+
+TEST_F(MeshOfHouse, stays_small_for_as_many_as_there_may_be) {
+    Structures structures;
+    for (int i = 0; i < 2000; ++i)
+        structures.all.push_back({StructureKind::kHouse,
+                                  {5 * (i % 40), 4 * (i / 40)},
+                                  0,
+                                  static_cast<StructureState>(i % 3),
+                                  200,
+                                  200,
+                                  30,
+                                  kMaterials[i % 4]});
+    EXPECT_LT(mesh(structures).faces.size(), 5'000'000u);
+}
+
+TEST_F(MeshOfHouse, is_covered_by_its_shadow_in_pieces_that_follow_the_ground) {
+    for (const StructureShadowVertex& vertex : mesh(house(HouseMaterial::kBrick, StructureState::kIntact)).shadows)
+        EXPECT_NEAR(vertex.at.z, 0.2 * vertex.at.x, 0.01);
+}
+
+TEST_F(MeshOfHouse, of_nets_stands_leans_lies_and_vanishes) {
+    float highest = 1e6f;
+    for (const StructureState state :
+         {StructureState::kIntact, StructureState::kDamaged, StructureState::kDestroyed}) {
+        Structures structures;
+        structures.nets.push_back({{100, 90}, {100, 102}, 3, state});
+        const StructureMesh net = mesh(structures);
+        ASSERT_FALSE(net.ropes.empty());
+        const float now = std::ranges::max(net.faces, {}, [](const auto& v) { return v.at.z; }).at.z - 20;
+        EXPECT_LT(now, highest);
+        highest = now;
+        if (state == StructureState::kIntact) EXPECT_NEAR(now, 3, 0.3);
+    }
+    EXPECT_LT(highest, 1.2);
+    Structures buried;
+    buried.nets.push_back({{100, 90}, {100, 102}, 3, StructureState::kBuried});
+    EXPECT_TRUE(mesh(buried).ropes.empty());
+}
+
+TEST_F(MeshOfHut, tears_its_ropes_where_a_pylon_fell) {
+    Structures structures;
+    structures.all = {{StructureKind::kStation, {20, 150}, 90},
+                      {StructureKind::kPylon, {100, 150}, 90, StructureState::kDestroyed},
+                      {StructureKind::kStation, {180, 150}, 90}};
+    structures.lifts.push_back({0, 3, true});
+    for (const RopeVertex& vertex : mesh(structures).ropes)
+        EXPECT_GT(std::abs(vertex.at.x - 100), 60) << "nothing hangs between the stations";
 }
 
 }  // namespace

@@ -9,7 +9,9 @@
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
+#include "render/followed_woods.h"
 #include "render/trees_in_view.h"
 #include "tests/render/mountains.h"
 
@@ -42,9 +44,9 @@ class WoodInValley : public testing::Test {
         std::vector<TreeLight> lights;
         light_trees(of, mountains_around(world), glm::normalize(glm::vec3(1, 1, 1)), lights);
         TreesInView trees;
-        trees.reserve(of);
-        trees.find(of, lights, frame(camera), screen(camera));
-        trees.settle(of, world.view(), flow);
+        trees.reserve(of.trees().size(), of.tiles().size());
+        trees.find({of.trees(), of.tiles(), lights}, frame(camera), screen(camera));
+        trees.settle(of.trees(), world.view(), flow);
         return {trees.drawn().begin(), trees.drawn().end()};
     }
 
@@ -236,13 +238,13 @@ TEST_F(WoodInValley, changes_little_by_little_while_the_camera_moves) {
     std::vector<TreeLight> lights;
     light_trees(all, mountains_around(world), glm::normalize(glm::vec3(1, 1, 1)), lights);
     TreesInView trees;
-    trees.reserve(all);
+    trees.reserve(all.trees().size(), all.tiles().size());
     std::map<std::pair<float, float>, glm::vec2> before;  // by its foot: height, and half its width
     std::size_t changed = 0;
     for (int step = 0; step < 150; ++step) {
         std::map<std::pair<float, float>, glm::vec2> now;
         const Camera camera{{500, 300, 100}, 180, 20, 2000 * std::pow(1.004, step), 40};
-        trees.find(all, lights, frame(camera), screen(camera));
+        trees.find({all.trees(), all.tiles(), lights}, frame(camera), screen(camera));
         for (const DrawnTree& tree : trees.drawn())
             if (tree.foot.x > 100 && tree.foot.x < 900 && tree.foot.y > 0 && tree.foot.y < 1000)
                 now[{tree.foot.x, tree.foot.y}] = {tree.foot.w, tree.look.w};
@@ -311,6 +313,132 @@ TEST_F(WoodInValley, parts_before_the_eye) {
         return least;
     };
     EXPECT_GT(nearest(0.4 * static_cast<double>(tree.height)), 0.1f) << "it is not drawn around the eye";
+}
+
+// The woods of the valley with a forest in the world's state.
+class FollowedForest : public WoodInValley {
+  protected:
+    FollowedForest() : around_(mountains_around(world)), woods_(woods()) {
+        world.things.emplace(world.grid);
+        world.things->natural = world.bedrock;
+    }
+    using Places = std::map<std::pair<float, float>, Tree>;
+    Places follow(bool with_woods = true) {
+        change_ = followed_.follow(with_woods ? &woods_ : nullptr, &around_, world.view(), {},
+                                   glm::normalize(glm::vec3(1, 1, 1)), false);
+        const LitTrees all = followed_.trees();
+        EXPECT_EQ(all.lights.size(), all.trees.size());
+        Places places;
+        for (const TreeTile& tile : all.tiles)
+            for (const Tree& tree : all.trees.subspan(tile.first, tile.count)) {
+                EXPECT_TRUE(glm::all(glm::greaterThanEqual(tree.foot, tile.lowest)));
+                places[{tree.foot.x, tree.foot.y}] = tree;
+            }
+        return places;
+    }
+    void set_forest(const std::vector<sim::Stems>& forest) {
+        for (int y = 0; y < world.grid.ny; ++y)
+            for (int x = 0; x < world.grid.nx; ++x)
+                world.things->forest(x, y) =
+                    forest[static_cast<std::size_t>(y) * static_cast<std::size_t>(world.grid.nx) +
+                           static_cast<std::size_t>(x)];
+    }
+    static bool contains(const Places& all, const Places& some) {
+        return std::ranges::all_of(some, [&](const auto& tree) { return all.contains(tree.first); });
+    }
+
+    const Surroundings around_;
+    Woods woods_;
+    FollowedWoods followed_;
+    FollowedWoods::Change change_ = FollowedWoods::Change::kNone;
+};
+
+TEST_F(FollowedForest, of_woods_that_act_shows_these_until_it_changes) {
+    const Places before = follow();
+    EXPECT_EQ(before.size(), woods_.trees().size());
+    woods_.let_act();
+    set_forest(forest_of(woods_, world.grid));
+    const Places acting = follow();
+    ASSERT_EQ(acting.size(), before.size());
+    for (const auto& [place, tree] : before) {
+        ASSERT_TRUE(acting.contains(place));
+        EXPECT_EQ(acting.at(place).height, tree.height);
+        EXPECT_EQ(acting.at(place).fate, tree.vertex < 0 ? TreeFate::kOfFlow : TreeFate::kStands);
+    }
+    follow();
+    EXPECT_EQ(change_, FollowedWoods::Change::kNone);
+
+    // All is felled, and only the trees outside the grid are left.
+    set_forest(std::vector<sim::Stems>(world.grid.size()));
+    for (const auto& [place, tree] : follow()) EXPECT_LT(tree.vertex, 0);
+    EXPECT_EQ(change_, FollowedWoods::Change::kSome);
+    set_forest(forest_of(woods_, world.grid));
+    EXPECT_EQ(follow().size(), before.size());
+}
+
+TEST_F(FollowedForest, lies_where_it_is_broken) {
+    woods_.let_act();
+    std::vector<sim::Stems> forest = forest_of(woods_, world.grid);
+    for (sim::Stems& stems : forest) std::swap(stems.standing, stems.lying);
+    set_forest(forest);
+    for (const auto& [place, tree] : follow()) {
+        EXPECT_EQ(lying(tree, {}), tree.vertex < 0 ? 0 : 1);
+        EXPECT_EQ(tree.fate, tree.vertex < 0 ? TreeFate::kOfFlow : TreeFate::kLies);
+    }
+}
+
+TEST_F(FollowedForest, is_planted_besides_woods_that_are_a_view) {
+    const Places wild = follow();
+    for (int y = 10; y < 14; ++y)
+        for (int x = 70; x < 80; ++x) world.things->forest(x, y) = {800, 0, 30, 22};
+    const Places planted = follow();
+    EXPECT_TRUE(contains(planted, wild));
+    EXPECT_EQ(planted.size(), wild.size() + 40 * 8);
+    for (const auto& [place, tree] : planted)
+        if (!wild.contains(place)) {
+            EXPECT_NEAR(tree.foot.z, wooded_valley(0, tree.foot.y), 1);
+            EXPECT_GT(tree.height, 22 * 0.59);
+            EXPECT_LT(tree.height, 22 * 1.16);
+        }
+}
+
+TEST_F(FollowedForest, keeps_its_trees_where_more_are_planted_and_gives_up_the_last_ones) {
+    const auto with = [&](std::uint16_t stems) {
+        world.things->forest(50, 12) = {stems, 0, 30, 22};
+        return follow(false);
+    };
+    const Places few = with(300), more = with(1200);
+    EXPECT_EQ(more.size(), 12u);
+    EXPECT_LT(few.size(), more.size());
+    EXPECT_TRUE(contains(more, few));
+    EXPECT_EQ(with(300).size(), few.size());
+    EXPECT_TRUE(contains(few, with(300)));
+    EXPECT_TRUE(with(0).empty());
+}
+
+TEST_F(FollowedForest, is_bounded) {
+    for (int y = 0; y < world.grid.ny; ++y)
+        for (int x = 0; x < world.grid.nx; ++x) world.things->forest(x, y) = {sim::kMostStems, 0, 30, 22};
+    const std::size_t all = follow(false).size();
+    EXPECT_LE(all, Woods::kMost + Woods::kMost / 20);
+    EXPECT_GT(all, Woods::kMost / 3);
+}
+
+TEST_F(FollowedForest, is_the_same_whatever_was_followed_before) {
+    std::mt19937 random(5);
+    for (int step = 0; step < 12; ++step) {
+        const int x = static_cast<int>(random() % 90), y = static_cast<int>(random() % 90);
+        const auto stems = static_cast<std::uint16_t>(random() % 1500),
+                   laid = static_cast<std::uint16_t>(random() % 300);
+        for (int j = y; j < y + 8; ++j)
+            for (int i = x; i < x + 8; ++i) world.things->forest(i, j) = {stems, laid, 30, 20};
+        const Places now = follow();
+        FollowedWoods kept = std::exchange(followed_, FollowedWoods());
+        const Places fresh = follow();
+        followed_ = std::move(kept);
+        ASSERT_EQ(now.size(), fresh.size());
+        EXPECT_TRUE(contains(now, fresh));
+    }
 }
 
 }  // namespace

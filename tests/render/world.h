@@ -14,14 +14,23 @@ struct World {
     sim::Field<float> bedrock, depth, rolling, velocity_x, velocity_y;
     sim::Field<sim::Site> site;
     std::optional<sim::Mixture> mixture;
+    std::optional<sim::Things> things;
     sim::Tiles tiles;  // none
     double datum = 0;
 
     sim::View view() const {
-        return {grid,    bedrock,    depth,
-                rolling, velocity_x, velocity_y,
-                site,    nullptr,    mixture ? &*mixture : nullptr,
-                nullptr, tiles,      datum,
+        return {grid,
+                bedrock,
+                depth,
+                rolling,
+                velocity_x,
+                velocity_y,
+                site,
+                nullptr,
+                mixture ? &*mixture : nullptr,
+                things ? &*things : nullptr,
+                tiles,
+                datum,
                 0};
     }
     double side() const { return (grid.nx - 1) * static_cast<double>(grid.dx); }  // m
