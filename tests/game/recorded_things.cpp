@@ -93,7 +93,7 @@ TEST_F(RecordedThings, cut_anywhere_keep_their_whole_lines_or_name_the_header) {
     const std::string whole = read_bytes(path_);
     const auto cut = folder_.path() / "cut.couloir";
     const std::size_t header = whole.find('\n') + 1;
-    for (std::size_t length = 0; length < whole.size(); ++length) {
+    for (std::size_t length = 0; length < whole.size(); length += length < header ? 1 : 7) {
         write_bytes(cut, whole.substr(0, length));
         const auto recording = read_recording(cut);
         ASSERT_EQ(recording.has_value(), length >= header) << length;
