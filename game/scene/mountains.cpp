@@ -20,11 +20,28 @@ render::Surroundings mountains_around(const Scenario& scenario) {
 
 namespace {
 
+constexpr double kAround = 5, kBesideRoad = 5, kBesideRope = 9;  // m
+
+// The same for what stands in the world at tick 0.
+void clear_for(std::span<const sim::Command> placed, std::vector<render::Clearing>& clearings) {
+    for (const sim::Command& each : placed) {
+        const glm::dvec2 from(each.x, each.y), to(each.to_x, each.to_y);
+        if (each.kind == sim::CommandKind::kHouse)
+            clearings.push_back({from, from, glm::length(glm::dvec2(each.length, each.width)) / 2 + kAround});
+        if (each.kind == sim::CommandKind::kRoad)
+            clearings.push_back({from, to, each.width / 2 + kBesideRoad});
+        if (each.kind != sim::CommandKind::kLift) continue;
+        clearings.push_back({from, to, kBesideRope});
+        const double station = glm::length(glm::dvec2(sim::kStationLength, sim::kStationWidth)) / 2 + kAround;
+        clearings.insert(clearings.end(), {{from, from, station}, {to, to, station}});
+    }
+}
+
 // No trees stand in a house, on a road or under a rope.
-std::vector<render::Clearing> clearings_of(const render::Structures& structures,
-                                           std::span<const sim::Command> placed) {
-    constexpr double kAround = 5, kBesideRoad = 5, kBesideRope = 9;  // m
+std::vector<render::Clearing> clearings_of(const Scenario& scenario) {
+    const render::Structures& structures = scenario.structures;
     std::vector<render::Clearing> clearings;
+    clear_for(scenario.standing.placed, clearings);
     for (const render::Structure& each : structures.all)
         clearings.push_back({each.at, each.at, glm::length(render::half_footprint(each)) + kAround});
     for (const render::Road& road : structures.roads)
@@ -34,23 +51,13 @@ std::vector<render::Clearing> clearings_of(const render::Structures& structures,
         const auto [valley, mountain] = stations(structures, lift);
         clearings.push_back({valley, mountain, kBesideRope});
     }
-    for (const sim::Command& each : placed) {
-        const glm::dvec2 at(each.x, each.y), to(each.to_x, each.to_y);
-        if (each.kind == sim::CommandKind::kHouse)
-            clearings.push_back({at, at, glm::length(glm::dvec2(each.length, each.width)) / 2 + kAround});
-        else if (each.kind == sim::CommandKind::kRoad)
-            clearings.push_back({at, to, each.width / 2 + kBesideRoad});
-        else if (each.kind == sim::CommandKind::kLift)
-            clearings.push_back({at, to, kBesideRope});
-    }
     return clearings;
 }
 
 }  // namespace
 
 render::Woods woods_on(const Scenario& scenario, const render::Surroundings& mountains) {
-    render::Woods woods(mountains, scenario.trees, scenario.datum,
-                        clearings_of(scenario.structures, scenario.standing.placed));
+    render::Woods woods(mountains, scenario.trees, scenario.datum, clearings_of(scenario));
     if (scenario.woods_act) woods.let_act();
     return woods;
 }

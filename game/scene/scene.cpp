@@ -313,6 +313,7 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
     ThingsTables things = read_things(root);
     scenario.structures = read_structures(root, things);
     if (auto wind = root.table("wind")) read_wind(*wind, scenario.wind);
+    const bool woods_act = kStructuresAct && trees.rules.density > 0;
     scene.commands = read_commands(root, params.tick_s, scenario.lower.has_value());
     const auto sun = read_view(root, scenario);
     root.finish();
@@ -326,7 +327,7 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
     auto terrain =
         read_terrain(*ground, folder, overrides.squares, overrides.references, [&](const sim::Grid& grid) {
             return overrides.memory.allows(grid, scenario.lower.has_value(),
-                                           !things.empty() || has_things(scene.commands));
+                                           !things.empty() || woods_act || has_things(scene.commands));
         });
     if (fault) return unusable(*fault);
     if (!terrain) return unusable(terrain.error());
@@ -349,7 +350,7 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
     set_ground(scenario, *terrain);
     if (const auto wrong = fault_of(scenario.structures, scenario.grid, scenario.has_data))
         return unusable(fmt::format("{}: {}", path.string(), *wrong));
-    stand(std::move(things), scenario);
+    stand(std::move(things), woods_act && !scenario.model, scenario);
     light_by(sun, root, scenario);
     if (fault) return unusable(*fault);
     return scene;

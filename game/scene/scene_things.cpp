@@ -2,17 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "game/base/limits.h"
+#include "game/scene/mountains.h"
 #include "game/scene/scene_trees.h"
 #include "game/scene/standing.h"
 #include "game/scene/structures.h"
+#include "sim/world/disc.h"
 
 namespace game {
 namespace {
@@ -173,6 +177,13 @@ void read_forest(TomlTable& table, ThingsTables& things) {
                                static_cast<std::uint8_t>(std::lround(height))}});
 }
 
+// Gives a cone of earth the volume that it has on a fine grid, so that a dam costs as much on any.
+void fit_to_grid(sim::Command& cone, const sim::Grid& grid) {
+    const auto dx = static_cast<double>(grid.dx);
+    const double exact = std::numbers::pi / 3 * cone.radius * cone.radius;
+    cone.rise *= exact / (sim::Disc(cone, dx).total_weight(dx, cone.profile) * dx * dx);
+}
+
 glm::dvec2 extent_of(const sim::Grid& grid) {
     return glm::dvec2(grid.nx - 1, grid.ny - 1) * static_cast<double>(grid.dx);
 }
@@ -218,6 +229,43 @@ void plant_forest(ThingsTables::Forest& forest, Scenario& scenario) {
             "polygon", fmt::format("has no vertex of the grid inside, whose cells are {:.4g} m", grid.dx));
 }
 
+// The trees on the grid become a forest.
+void let_woods_act(Scenario& scenario) {
+    const render::Surroundings mountains = mountains_around(scenario);
+    const render::Woods woods = woods_on(scenario, mountains);
+    scenario.standing.forest = render::forest_of(woods, scenario.grid);
+    scenario.woods_act = true;
+}
+
+// No stems stand in a house or on a road.
+void clear_built(Scenario& scenario) {
+    const sim::Grid& grid = scenario.grid;
+    std::vector<sim::Stems>& forest = scenario.standing.forest;
+    if (forest.empty()) return;
+    const auto clear = [&](sim::Thing thing) {
+        for (const std::int32_t vertex : sim::footprint_of(thing, grid))
+            forest[static_cast<std::size_t>(vertex)] = {};
+    };
+    for (const sim::Command& each : scenario.standing.placed) {
+        const glm::dvec2 from(each.x, each.y), to(each.to_x, each.to_y);
+        if (each.kind == sim::CommandKind::kHouse) {
+            const sim::Direction front = sim::direction_of(each.turn);
+            clear({.x = each.x,
+                   .y = each.y,
+                   .front_x = front.x,
+                   .front_y = front.y,
+                   .length = each.length,
+                   .width = each.width});
+        } else if (each.kind == sim::CommandKind::kRoad) {
+            const double steps = std::ceil(2 * glm::distance(from, to) / static_cast<double>(grid.dx)) + 1;
+            for (double i = 0; i <= steps; ++i) {
+                const glm::dvec2 at = glm::mix(from, to, i / steps);
+                clear({.x = at.x, .y = at.y, .length = each.width, .width = each.width});
+            }
+        }
+    }
+}
+
 }  // namespace
 
 ThingsTables read_things(TomlTable& root) {
@@ -255,23 +303,27 @@ void add_lift(const TomlTable& table, glm::dvec2 from, glm::dvec2 to, ThingsTabl
     things.placed.push_back({table, {line_command(sim::CommandKind::kLift, from, to)}});
 }
 
-void stand(ThingsTables things, Scenario& scenario) {
+void stand(ThingsTables things, bool woods_act, Scenario& scenario) {
     Scenario::Standing& standing = scenario.standing;
     standing.earth_budget = things.earth_budget;
-    for (ThingsTables::Forest& forest : things.forests) plant_forest(forest, scenario);
     std::vector<TomlTable*> origin;  // of each command
     for (ThingsTables::Placed& each : things.placed) {
-        if (standing.placed.size() + each.commands.size() > kMostPlaced)
+        if (standing.placed.size() + each.commands.size() > kMostPlaced) {
             each.table.blame("",
                              fmt::format("is too many: at most {} pieces may stand in a scene", kMostPlaced));
+            return;
+        }
         if (const auto wrong = fault_of_places("point", each.points, scenario.grid))
             each.table.blame("points", *wrong);
-        for (const sim::Command& command : each.commands) {
+        for (sim::Command& command : each.commands) {
+            if (command.kind == sim::CommandKind::kSculpt) fit_to_grid(command, scenario.grid);
             standing.placed.push_back(command);
             origin.push_back(&each.table);
         }
     }
-    if (standing.placed.size() > kMostPlaced) return;
+    if (woods_act) let_woods_act(scenario);
+    for (ThingsTables::Forest& forest : things.forests) plant_forest(forest, scenario);
+    clear_built(scenario);
     if (const auto wrong = fault_of_placed(scenario)) {
         origin[wrong->index]->blame("", "cannot stand: " + wrong->fact);
         return;

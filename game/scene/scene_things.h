@@ -41,8 +41,8 @@ void add_road(const TomlTable& table, const std::vector<glm::dvec2>& points, dou
 void add_house(const TomlTable& table, glm::dvec2 at, double heading, ThingsTables& things);
 void add_lift(const TomlTable& table, glm::dvec2 from, glm::dvec2 to, ThingsTables& things);
 
-// Sets what stands on a scenario's ground. Faults go to the tables' fault: something beside the grid, on no-data or on
-// something else, or a forest that covers no vertex.
-void stand(ThingsTables things, Scenario& scenario);
+// Sets what stands on a scenario's ground; `woods_act`: its trees too. Faults go to the tables' fault: something beside
+// the grid, on no-data or on something else, or a forest that covers no vertex.
+void stand(ThingsTables things, bool woods_act, Scenario& scenario);
 
 }  // namespace game

@@ -28,6 +28,7 @@
 #include "render/marks.h"
 #include "render/overview.h"
 #include "render/wind.h"
+#include "render/without_buildings.h"
 
 namespace game {
 namespace {
@@ -259,7 +260,8 @@ struct SlidePage::Parts {
     PageFiles files;
     render::Camera camera;
     render::FrameBlock frame{};
-    const sim::State first;            // at tick 0
+    const sim::State first;  // at tick 0
+    render::WithoutBuildings without_buildings;
     std::int64_t given = -1;           // tick of the last moment that was given
     std::int64_t things_changed = -1;  // as in the state of the last moment
     std::optional<Scenery> scenery;
@@ -283,6 +285,19 @@ struct SlidePage::Parts {
           lower_rolling("lower_R", of.grid.nx, of.grid.ny, kShareQuantum),
           packing(std::clamp<std::size_t>(kWaitingBytes / (Moment::kPerVertex * of.grid.size()), 1,
                                           kMostWaiting)) {}
+
+    // The world at tick 0 on the ground of the page, which has no buildings: they are drawn by their mesh.
+    sim::View at_first() {
+        const sim::View w = sim::view(first);
+        const sim::Field<float>* ground = without_buildings.find(w);
+        return {w.grid,       ground ? *ground : w.bedrock,
+                w.depth,      w.rolling,
+                w.velocity_x, w.velocity_y,
+                w.site,       w.smooth_depth,
+                w.mixture,    w.things,
+                w.tiles,      w.datum,
+                w.tick};
+    }
 
     std::vector<PackedMotion*> moving() {
         std::vector<PackedMotion*> all{&depth, &rolling, &speed};
@@ -323,7 +338,7 @@ struct SlidePage::Parts {
 
 // What is known before the first frame.
 Outcome<void> SlidePage::Parts::pack_start(const Moment& moment) {
-    scenery.emplace(scenario, sim::view(first), moment.structures, frame);
+    scenery.emplace(scenario, at_first(), moment.structures, frame);
     frame = scenery->frame();
     ground_quantum =
         stream.add("bed", to_doubles(scenario.bedrock), {kGroundQuantum, 2, kPlane}, scenario.grid.nx);
@@ -490,7 +505,7 @@ Outcome<PageReport> SlidePage::write(const fs::path& file, const Session& sessio
     };
     add_peak("peak_depth", session.peaks().depth, kDepthQuantum);
     add_peak("peak_speed", session.peaks().speed_plan, kSpeedQuantum);
-    p.scenery->pack_ends(p.stream, sim::view(p.first), p.frames);
+    p.scenery->pack_ends(p.stream, p.at_first(), p.frames);
     p.puffs.pack(p.stream);
     const std::string fields = to_base64(p.stream.finish());
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -39,25 +40,49 @@ double mean_beside(const State& s, int x, int y) {
     return count ? sum / count : static_cast<double>(s.bedrock(x, y));
 }
 
-// Earth that its neighbours carry: no flank gets steeper than kFlank, one that is already may stay.
-float within_flanks(const Things& t, const Grid& grid, int x, int y, float from, float to) {
-    float highest = static_cast<float>(kHighestEarth), lowest = -highest;
-    for (int j = std::max(y - 1, 0); j <= std::min(y + 1, grid.ny - 1); ++j)
-        for (int i = std::max(x - 1, 0); i <= std::min(x + 1, grid.nx - 1); ++i) {
-            if (i == x && j == y) continue;
-            constexpr float kDiagonal = 1.41421356f;
-            const float rise = kFlank * grid.dx * (i != x && j != y ? kDiagonal : 1.f);
-            highest = std::min(highest, t.earth(i, j) + rise);
-            lowest = std::max(lowest, t.earth(i, j) - rise);
+// Lowers earth, row by row of `width` vertices, until no flank is steeper than kFlank: a distance transform in two
+// passes, from every vertex to those before it and to those after it.
+void settle_flanks(std::vector<float>& earth, int width, float dx) {
+    constexpr float kDiagonal = 1.41421356f;
+    const float beside = kFlank * dx, across = kDiagonal * beside;
+    const int count = static_cast<int>(earth.size());
+    const auto pass = [&](int first, int end, int step) {
+        for (int i = first; i != end; i += step) {
+            const int x = step > 0 ? i % width : width - 1 - i % width;
+            const auto lower_to = [&](bool there, int other, float rise) {
+                if (there && other >= 0 && other < count)
+                    earth[static_cast<std::size_t>(i)] = std::min(
+                        earth[static_cast<std::size_t>(i)], earth[static_cast<std::size_t>(other)] + rise);
+            };
+            lower_to(x > 0, i - step, beside);
+            lower_to(true, i - step * width, beside);
+            lower_to(x > 0, i - step * (width + 1), across);
+            lower_to(x + 1 < width, i - step * (width - 1), across);
         }
-    return to > from ? std::max(from, std::min(to, highest)) : std::min(from, std::max(to, lowest));
+    };
+    pass(0, count, 1);
+    pass(count - 1, -1, -1);
 }
 
-// What a command changes if earth has no limit.
+// What a command changes if earth has no limit. Flanks carry each other: none gets steeper than kFlank, one that is
+// already may stay.
 std::vector<EarthChange> wished_by(const State& s, const Things& t, const Command& c) {
-    std::vector<EarthChange> changes;
+    const Disc disc(c, s.grid.dx);
+    const int x0 = std::max(disc.x0 - 1, 0), x1 = std::min(disc.x1 + 1, s.grid.nx - 1);
+    const int y0 = std::max(disc.y0 - 1, 0), y1 = std::min(disc.y1 + 1, s.grid.ny - 1), width = x1 - x0 + 1;
+    if (x1 < x0 || y1 < y0) return {};
+    std::vector<float> highest;
+    for (int y = y0; y <= y1; ++y)
+        highest.insert(highest.end(), t.earth.row(y) + x0, t.earth.row(y) + x1 + 1);
+    const auto number = [&](int x, int y) { return static_cast<std::size_t>((y - y0) * width + (x - x0)); };
+
+    struct Wish {
+        int x, y;
+        float to;
+    };
+    std::vector<Wish> wishes;
     const SlopeFilter filter(c);
-    Disc(c, s.grid.dx).each_vertex(s.grid, c.profile, [&](int x, int y, double weight) {
+    disc.each_vertex(s.grid, c.profile, [&](int x, int y, double weight) {
         if (s.site(x, y) != Site::kGround || s.rolling(x, y) > 0 || t.built(x, y) != 0) return;
         if (!filter.takes(s, x, y)) return;
         const auto here = static_cast<double>(s.bedrock(x, y));
@@ -66,11 +91,24 @@ std::vector<EarthChange> wished_by(const State& s, const Things& t, const Comman
             rise = std::clamp(mean_beside(s, x, y) - here, -c.rise, c.rise);
         else if (c.kind == CommandKind::kLevel)
             rise = std::clamp(c.level - s.datum - here, -c.rise, c.rise);
-        const float from = t.earth(x, y);
-        const float to = within_flanks(t, s.grid, x, y, from, from + static_cast<float>(rise));
-        const std::int64_t now = quanta_in(from), then = quanta_in(nearest_quanta(to));
-        if (now != then) changes.push_back({x, y, now, then});
+        constexpr auto kHighest = static_cast<float>(kHighestEarth);
+        const float to = std::clamp(t.earth(x, y) + static_cast<float>(rise), -kHighest, kHighest);
+        wishes.push_back({x, y, to});
+        highest[number(x, y)] = to;
     });
+
+    std::vector<float> lowest(highest.size());  // the same upside down
+    std::transform(highest.begin(), highest.end(), lowest.begin(), std::negate<>());
+    settle_flanks(highest, width, s.grid.dx);
+    settle_flanks(lowest, width, s.grid.dx);
+    std::vector<EarthChange> changes;
+    for (const Wish& wish : wishes) {
+        const std::size_t i = number(wish.x, wish.y);
+        const float from = t.earth(wish.x, wish.y);
+        const float to = wish.to > from ? std::max(from, highest[i]) : std::min(from, -lowest[i]);
+        const std::int64_t now = quanta_in(from), then = quanta_in(nearest_quanta(to));
+        if (now != then) changes.push_back({wish.x, wish.y, now, then});
+    }
     return changes;
 }
 

@@ -25,6 +25,7 @@ struct Old {
     const char* texture = nullptr;
     bool flow = false;
     bool parent = false;
+    bool things = false;
 };
 
 std::filesystem::path path_of(const Old& old) {
@@ -49,7 +50,10 @@ TEST_P(OldRecording, is_read_as_it_was_written) {
     EXPECT_EQ(recording_.last_tick(), old_.last_tick);
     EXPECT_EQ(recording_.end.has_value(), old_.whole);
     EXPECT_EQ(recording_.warning.has_value(), !old_.whole || recording_.header.renewed);
-    EXPECT_EQ(recording_.header.renewed, scenario.params.model == sim::Model::kBcreInertial);
+    constexpr int kForcesSince = 6;
+    EXPECT_EQ(recording_.header.renewed,
+              scenario.params.model == sim::Model::kBcreInertial && old_.minor < kForcesSince);
+    EXPECT_EQ(scenario.standing.empty(), !old_.things);
     EXPECT_LE(scenario.grid.nx, 25);
     EXPECT_LE(scenario.grid.ny, 25);
     EXPECT_EQ(scenario.lower.has_value(), old_.two);
@@ -132,6 +136,7 @@ constexpr Old kOld[] = {
     {"format_1_3_texture", 3, 1, 60, true, false, "soil"},
     {"format_1_3_torn", 3, 2, 48, false, false, "soil"},
     {"format_1_4_parent", 4, 1, 90, true, false, "soil", false, true},
+    {"format_1_7_things", 7, 12, 300, true, false, "snow", false, false, true},
 };
 
 INSTANTIATE_TEST_SUITE_P(Files, OldRecording, testing::ValuesIn(kOld),

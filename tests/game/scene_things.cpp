@@ -1,4 +1,6 @@
 // What a scene file places on its mountain, and what it must not.
+#include <cmath>
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -24,13 +26,15 @@ constexpr int kLines = 6;  // of it
 
 class Placed : public testing::Test {
   protected:
-    Outcome<Scene> load(const std::string& tables) {
+    Outcome<Scene> load(const std::string& tables, std::optional<int> squares = std::nullopt) {
         const auto path = folder_.path() / "trial.toml";
         write_bytes(path, kSlope + tables);
-        return load_scene(path.string(), {});
+        Overrides overrides;
+        overrides.squares = squares;
+        return load_scene(path.string(), overrides);
     }
-    Scenario::Standing standing(const std::string& tables) {
-        const auto scene = load(tables);
+    Scenario::Standing standing(const std::string& tables, std::optional<int> squares = std::nullopt) {
+        const auto scene = load(tables, squares);
         EXPECT_TRUE(scene) << scene.error().sentence;
         return scene ? scene->scenario.standing : Scenario::Standing();
     }
@@ -174,7 +178,7 @@ TEST_F(Placed, forest_that_cannot_be_is_refused_with_its_line) {
 
 TEST_F(Placed, dam_is_made_of_cones_that_sum_to_its_height_within_a_twentieth) {
     const auto placed =
-        standing("[[dam]]\npoints = [[40, 60], [80, 60], [80, 90]]\nradius = 15\nrise = 6\n").placed;
+        standing("[[dam]]\npoints = [[40, 60], [80, 60], [80, 90]]\nradius = 15\nrise = 6\n", 160).placed;
     ASSERT_GT(placed.size(), 4u);
     for (const double at : {60.0, 63.0, 66.6}) {
         double rise = 0;
@@ -191,6 +195,14 @@ TEST_F(Placed, dam_is_made_of_cones_that_sum_to_its_height_within_a_twentieth) {
     for (const sim::Command& stroke :
          standing("[[dam]]\npoints = [[40, 60], [80, 60]]\nradius = 15\nrise = -4\n").placed)
         EXPECT_LT(stroke.rise, 0);
+}
+
+TEST_F(Placed, dam_needs_as_much_earth_on_any_grid) {
+    const std::string dam = "[[dam]]\npoints = [[40, 60], [80, 60]]\nradius = 15\nrise = 6\n";
+    const auto needed = [&](int squares) { return earth_needed(load(dam, squares)->scenario); };
+    const double fine = needed(160);
+    EXPECT_GT(fine, 3000);
+    for (const int squares : {16, 32, 64, 80}) EXPECT_NEAR(needed(squares), fine, 0.02 * fine) << squares;
 }
 
 TEST_F(Placed, dam_that_cannot_be_is_refused_with_its_line) {

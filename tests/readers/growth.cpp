@@ -220,6 +220,24 @@ const std::vector<Growing>& all_growing() {
          reads_recording, false},
         {"header_with_a_large_ground", 40, [](int n) { return chained({header_body(ground_of(n, 100))}); },
          reads_recording},
+        {"header_of_things", 150,
+         [](int n) {
+             Scenario scenario = small_scenario();
+             sim::Command fell;
+             fell.kind = sim::CommandKind::kFell;
+             scenario.standing.placed.assign(static_cast<std::size_t>(n), fell);
+             return chained({header_body(scenario)});
+         },
+         reads_recording},
+        {"header_with_a_large_forest", 40,
+         [](int n) {
+             Scenario scenario = ground_of(n, 100);
+             for (std::size_t i = 0; i < scenario.grid.size(); ++i)
+                 scenario.standing.forest.push_back(
+                     {static_cast<std::uint16_t>(1 + i * i % 1999), 0, 30, 22});
+             return chained({header_body(scenario)});
+         },
+         reads_recording},
         {"state_lines", 400, [](int n) { return with_lines(n, false); }, reads_recording},
         {"commands", 400, [](int n) { return with_lines(n, true); }, reads_recording},
         {"line_of_many_values", 150,
@@ -271,6 +289,12 @@ const std::vector<Growing>& all_growing() {
                      return fmt::format("[[command]]\nat = {}\nsettle = {{ x = 1, y = 2, radius = 3 }}", i);
                  },
                  "\n"));
+         },
+         reads_scene, true, ".toml"},
+        {"scene_of_forests", 100,
+         [](int n) {
+             return scene_with(repeated(
+                 n, [](int) { return "[[forest]]\npolygon = [[10, 10], [90, 10], [50, 90]]"; }, "\n"));
          },
          reads_scene, true, ".toml"},
         {"scene_of_unknown_keys", 400,

@@ -343,6 +343,24 @@ TEST(Earth, carries_its_cover_and_keeps_its_flanks) {
         }
 }
 
+TEST(Earth, of_one_stroke_is_as_high_as_its_flanks_allow_on_any_grid) {
+    const auto top = [](double dx, double radius, double rise) {
+        const int squares = static_cast<int>(std::lround(100 / dx));
+        Ground ground = level(squares, static_cast<float>(dx), 0);
+        Play play(ground, frictionless(Model::kVoellmy));
+        Command stroke = sculpting(CommandKind::kSculpt, 50, 50, radius, rise);
+        stroke.profile = sim::Profile::kCone;
+        sim::apply_commands(play.state, {&stroke, 1});
+        return play.state.things->earth(squares / 2, squares / 2);
+    };
+    for (const double dx : {1.0, 2.5, 5.0}) {
+        EXPECT_EQ(top(dx, 20, 8), 8) << dx << ": its flanks are 1 : 2.5";
+        EXPECT_EQ(top(dx, 20, -8), -8) << dx;
+        EXPECT_NEAR(top(dx, 10, 20), 8, 0.8 * dx) << dx << ": no higher than flanks of 1 : 1.25";
+        EXPECT_NEAR(top(dx, 10, -20), -8, 0.8 * dx) << dx;
+    }
+}
+
 TEST(Earth, is_not_sculpted_under_a_flow) {
     Ground ground = level(40, 5, 0);
     ground.rolling[ground.at(20, 20)] = 1;
