@@ -229,7 +229,7 @@ class House {
         add_top();
         if (site_.state() == StructureState::kDamaged) {
             add_wounds();
-            add_heap(14 + static_cast<int>(std::min(area() / 10, 36.f)), 1.5f, 4,
+            add_heap(simple_ ? kSimpleHeap : 14 + static_cast<int>(std::min(area() / 10, 36.f)), 1.5f, 4,
                      style_.wall == BUILT_WOOD ? 0 : 0.5f);
         }
         part.begin_details();
@@ -367,7 +367,7 @@ class House {
                 add_patch(wall, std::lerp(0.12f, 0.88f, site_.own(kind + 4 * k + 2)),
                           std::lerp(low + tall, eave_ - tall, site_.own(kind + 4 * k + 3)), half, tall);
             }
-            if (style_.wall == BUILT_PLASTER || style_.wall == BUILT_CONCRETE)
+            if (!simple_ && (style_.wall == BUILT_PLASTER || style_.wall == BUILT_CONCRETE))
                 for (int k = 0; k < 3; ++k) add_crack(wall, low, kind + 20 + 6 * k);
         }
     }
@@ -410,12 +410,12 @@ class House {
         const bool masonry = style_.rubble == BUILT_BRICK || style_.rubble == BUILT_CONCRETE;
         if (masonry)
             for (const Wall& wall : walls_) add_stump(wall);
-        add_heap(std::clamp(static_cast<int>(area() / 2), 34, simple_ ? 40 : 260), 1.15f,
+        add_heap(simple_ ? kSimpleHeap : std::clamp(static_cast<int>(area() / 2), 34, 260), 1.15f,
                  std::clamp(0.6f * wide_, 3.f, 9.f), masonry ? 0.75f : 0);
     }
     // What is left of a wall: pieces of different heights.
     void add_stump(const Wall& wall) {
-        const int pieces = std::clamp(static_cast<int>(wall.length() / 2.2f), 2, 12);
+        const int pieces = std::clamp(static_cast<int>(wall.length() / 2.2f), 2, simple_ ? 3 : 12);
         for (int i = 0; i < pieces; ++i) {
             const int kind = 900 + i + static_cast<int>(17 * wall.from.x + 5 * wall.from.y);
             const float high = std::min(0.45f * high_, 3.5f) * std::pow(site_.own(kind), 1.7f);
@@ -501,6 +501,7 @@ class House {
     }
 
     static constexpr float kStorey = 2.9f;  // m
+    static constexpr int kSimpleHeap = 8;   // pieces
 
     const BuildingSite& site_;
     HouseStyle style_;

@@ -372,8 +372,15 @@ void add_shadow(const BuildingSite& site, const std::vector<vec3>& corners, cons
         add_shadow_pieces({around[0], around[i], around[i + 1]}, longest, foot, site.surface(), shadows);
 }
 
-void add_shadows(const BuildingSite& site, const vec3& sun, std::vector<StructureShadowVertex>& shadows) {
-    constexpr float kAsItIs = 1e6f, kPiece = 8;  // m
+// Of more, houses are simple, so that meshes stay below about 100 MB.
+bool are_detailed(const Structures& structures) {
+    constexpr std::size_t kMostInDetail = 100;
+    return structures.all.size() <= kMostInDetail;
+}
+
+void add_shadows(const BuildingSite& site, const vec3& sun, bool detailed,
+                 std::vector<StructureShadowVertex>& shadows) {
+    constexpr float kAsItIs = 1e6f, kPiece = 8, kSimplePiece = 20;  // m
     if (site.state() == StructureState::kDestroyed) return;
     const StructureKind kind = site.structure().kind;
     const glm::vec2 half = glm::vec2(half_footprint(site.structure()));
@@ -402,7 +409,7 @@ void add_shadows(const BuildingSite& site, const vec3& sun, std::vector<Structur
         for (const float end : {-1.f, 1.f})
             corners.push_back(pose.at(house && half.y > half.x ? vec3(end * (half.y + over), 0, high)
                                                                : vec3(0, end * (half.x + over), high)));
-    add_shadow(site, corners, sun, house ? kPiece : kAsItIs, shadows);
+    add_shadow(site, corners, sun, !house ? kAsItIs : detailed ? kPiece : kSimplePiece, shadows);
 }
 
 }  // namespace
@@ -413,7 +420,6 @@ glm::vec2 snowy(const Look& look) {
 
 StructureMesh structure_mesh(const Structures& structures, const BuildingGround& ground,
                              const glm::vec3& sun) {
-    constexpr std::size_t kMostInDetail = 300;  // of more, houses are simple
     const FirstSurface surface(ground);
     StructureMesh mesh;
     for (const Road& road : structures.roads) add_road(road, surface, mesh);
@@ -427,7 +433,7 @@ StructureMesh structure_mesh(const Structures& structures, const BuildingGround&
                 add_hut(site, mesh.faces, part);
                 break;
             case StructureKind::kHouse:
-                add_house(site, mesh.faces, part, structures.all.size() > kMostInDetail);
+                add_house(site, mesh.faces, part, !are_detailed(structures));
                 break;
             case StructureKind::kStation:
                 add_station(site, mesh.faces);
@@ -436,7 +442,7 @@ StructureMesh structure_mesh(const Structures& structures, const BuildingGround&
                 add_pylon(site, mesh.faces);
                 break;
         }
-        add_shadows(site, sun, mesh.shadows);
+        add_shadows(site, sun, are_detailed(structures), mesh.shadows);
     }
     for (const Lift& lift : structures.lifts) add_lift(structures, lift, surface, mesh);
     for (std::size_t i = 0; i < structures.nets.size(); ++i)

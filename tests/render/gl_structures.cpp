@@ -56,6 +56,18 @@ TEST_F(DrawnStructures, vanish_under_what_is_deep_enough_but_for_the_debris_on_i
     EXPECT_GT(differing(drawn(&structures_), drawn(nullptr)), 20);
 }
 
+// A building that is a part of the bedrock is drawn by its mesh alone.
+TEST_F(DrawnStructures, hide_no_block_of_bedrock) {
+    const Picture flat = drawn(&structures_);
+    world_.things.emplace(world_.grid);
+    world_.things->natural = world_.bedrock;
+    for (int y = 28; y < 33; ++y)
+        for (int x = 27; x < 34; ++x) world_.bedrock(x, y) = world_.things->built(x, y) = 15;
+    EXPECT_EQ(drawn(&structures_).pixels, flat.pixels);
+    world_.things->built.fill(0);
+    EXPECT_NE(drawn(&structures_).pixels, flat.pixels) << "a hill is drawn";
+}
+
 TEST_F(DrawnStructures, have_lamps_behind_their_windows_in_the_evening) {
     const auto warmest = [](const Picture& picture) {
         int most = 0;

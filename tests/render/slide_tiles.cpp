@@ -33,10 +33,10 @@ struct Tiles {
         const glm::mat4 clip =
             projection_matrix(camera, static_cast<double>(kWidth) / kHeight) * view_matrix(camera);
         tiles.find(input, OnScreen(clip, kWidth, kHeight));
-        const std::vector<int> walls = coverage(tiles.with_walls()), with = coverage(tiles.with_slides()),
-                               without = coverage(tiles.without());
+        const std::vector<int> earth = coverage(tiles.with_earth()), walls = coverage(tiles.with_walls()),
+                               with = coverage(tiles.with_slides()), without = coverage(tiles.without());
         for (std::size_t i = 0; i < with.size(); ++i)
-            ASSERT_EQ(walls[i] + with[i] + without[i], 1) << "sample " << i;
+            ASSERT_EQ(earth[i] + walls[i] + with[i] + without[i], 1) << "sample " << i;
     }
     std::size_t samples_with_slides() const {
         std::size_t sum = 0;
@@ -51,6 +51,20 @@ TEST(SlideTiles, are_none_where_nothing_moved) {
     t.first_depth.assign(t.first_depth.size(), 2.f);
     t.find();
     EXPECT_EQ(t.samples_with_slides(), 0u);
+}
+
+TEST(SlideTiles, hold_earth_whatever_slides_over_it) {
+    for (const bool slides : {false, true}) {
+        Tiles t;
+        t.world.things.emplace(t.world.grid);
+        t.find();
+        EXPECT_TRUE(t.tiles.with_earth().empty());
+        t.world.things->earth(32, 32) = -0.5f;  // in the middle of the frame
+        if (slides) t.world.rolling.fill(1);
+        t.find();
+        EXPECT_EQ(coverage(t.tiles.with_earth())[kHeight / 2 * kWidth + kWidth / 2], 1);
+        EXPECT_EQ(t.samples_with_slides() > 0, slides);
+    }
 }
 
 TEST(SlideTiles, hold_what_rolls_and_what_changed) {

@@ -219,7 +219,7 @@ TEST_F(MeshOfHouse, stays_small_for_as_many_as_there_may_be) {
                                   200,
                                   30,
                                   kMaterials[i % 4]});
-    EXPECT_LT(mesh(structures).faces.size(), 5'000'000u);
+    EXPECT_LT(mesh(structures).faces.size(), 2'000'000u);
 }
 
 TEST_F(MeshOfHouse, is_covered_by_its_shadow_in_pieces_that_follow_the_ground) {
