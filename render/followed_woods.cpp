@@ -33,6 +33,10 @@ int whole(double count, std::size_t vertex) {
     return static_cast<int>(std::floor(count + static_cast<double>(chance_of(vertex, 0, 9))));
 }
 
+double cross(glm::dvec2 a, glm::dvec2 b) {
+    return a.x * b.y - a.y * b.x;
+}
+
 float fraction(float x) {
     return x - std::floor(x);
 }
@@ -43,7 +47,6 @@ FollowedWoods::Change FollowedWoods::follow(const Woods* woods, const Surroundin
                                             const sim::View& world, std::span<const float> first_depth,
                                             const glm::vec3& sun, bool new_ground) {
     changed_tiles_.clear();
-    changed_boxes_.clear();
     const std::uint64_t woods_now = woods ? woods->fingerprint() : 0,
                         around_now = around ? around->fingerprint() : 0;
     const bool same =
@@ -57,8 +60,9 @@ FollowedWoods::Change FollowedWoods::follow(const Woods* woods, const Surroundin
                 if (stems_of(forest(x, y)) > 0) return true;
         return false;
     };
+    const auto is_built_up = [&] { return woods && !woods->empty() && !world.things->list.empty(); };
     const bool acts = woods && woods->act();
-    if (!world.things || (!(same && follows_) && !acts && !is_wooded())) {
+    if (!world.things || (!(same && follows_) && !acts && !is_built_up() && !is_wooded())) {
         const bool stays = same && !follows_;
         follows_ = false;
         if (!stays || !lit) light_woods(around);
@@ -68,7 +72,7 @@ FollowedWoods::Change FollowedWoods::follow(const Woods* woods, const Surroundin
     const bool begins = !same || !follows_;
     follows_ = true;
     if (begins) begin(of);
-    const bool changed = compare(of);
+    const bool built = compare_footprints(*world.things), changed = compare(of) || built;
     bool all = begins;
     if (changed || begins) {
         all = thin() || all;
@@ -112,6 +116,7 @@ void FollowedWoods::begin(const World& world) {
         {});
     tiles_.assign(plots_.size(), {});
     trees_.clear(), lights_.clear();
+    footprints_.clear();
     beyond_ = 0, share_ = 1, room_ = 0;
     if (world.woods && world.woods->act()) find_own(*world.woods);
 }
@@ -150,6 +155,76 @@ bool FollowedWoods::compare(const World& world) {
     return any;
 }
 
+bool FollowedWoods::Footprint::covers(glm::dvec2 place) const {
+    const glm::dvec2 from = place - at;
+    return std::abs(glm::dot(from, along)) < half.x && std::abs(cross(along, from)) < half.y;
+}
+
+// May return true though it lies beside the corners.
+bool FollowedWoods::Footprint::meets(glm::dvec2 low, glm::dvec2 high) const {
+    const double reach = half.x + half.y;
+    return at.x + reach > low.x && at.x - reach < high.x && at.y + reach > low.y && at.y - reach < high.y;
+}
+
+void FollowedWoods::list_footprints(const sim::Things& things) {
+    constexpr double kAround = 2.5, kBesideRoad = 1.5;  // m
+    footprints_now_.clear();
+    for (const sim::Thing& thing : things.list) {
+        const glm::dvec2 from(thing.x, thing.y), to(thing.to_x, thing.to_y);
+        if (thing.kind == sim::ThingKind::kNet || (thing.kind == sim::ThingKind::kRoad && from == to))
+            continue;
+        if (thing.kind == sim::ThingKind::kRoad)
+            footprints_now_.push_back({0.5 * (from + to), glm::normalize(to - from),
+                                       0.5 * glm::dvec2(glm::distance(from, to), thing.width) + kBesideRoad});
+        else
+            footprints_now_.push_back({from,
+                                       {thing.front_x, thing.front_y},
+                                       0.5 * glm::dvec2(thing.length, thing.width) + kAround});
+    }
+}
+
+// Returns whether something was built or removed.
+bool FollowedWoods::compare_footprints(const sim::Things& things) {
+    list_footprints(things);
+    if (footprints_now_ == footprints_) return false;
+    const auto mark_those_not_in = [&](const std::vector<Footprint>& some,
+                                       const std::vector<Footprint>& other) {
+        for (std::size_t i = 0; i < some.size(); ++i)
+            if (i >= other.size() || some[i] != other[i]) mark_around(some[i]);
+    };
+    mark_those_not_in(footprints_, footprints_now_);
+    mark_those_not_in(footprints_now_, footprints_);
+    footprints_.swap(footprints_now_);
+    return true;
+}
+
+// Trees of a block of vertices stand up to half a cell outside it.
+void FollowedWoods::mark_around(const Footprint& footprint) {
+    const auto dx = static_cast<double>(grid_.dx);
+    for (std::size_t plot = 0; plot < plots_.size(); ++plot) {
+        if (plot < own_plots_) {
+            const TreeTile& woods = woods_->tiles()[plot];
+            if (footprint.meets(glm::dvec2(woods.lowest), glm::dvec2(woods.highest)))
+                plots_[plot].is_stale = true;
+            continue;
+        }
+        const auto block = static_cast<int>(plot - own_plots_);
+        const glm::dvec2 low = dx * block_ * glm::dvec2(block % blocks_along_x_, block / blocks_along_x_);
+        if (footprint.meets(low - dx, low + dx * (block_ + 1))) plots_[plot].is_stale = true;
+    }
+}
+
+void FollowedWoods::find_near(glm::dvec2 low, glm::dvec2 high) {
+    near_.clear();
+    for (const Footprint& each : footprints_)
+        if (each.meets(low, high)) near_.push_back(each);
+}
+
+bool FollowedWoods::is_built_on(const Tree& tree) const {
+    return std::ranges::any_of(near_,
+                               [&](const Footprint& each) { return each.covers(glm::dvec2(tree.foot)); });
+}
+
 void FollowedWoods::mark_stale(std::size_t vertex) {
     const auto columns = static_cast<std::size_t>(grid_.nx);
     plots_[plot_at(static_cast<int>(vertex % columns), static_cast<int>(vertex / columns))].is_stale = true;
@@ -182,8 +257,10 @@ void FollowedWoods::renew_stale(const World& world) {
 
 void FollowedWoods::grow_own(std::size_t plot, const Woods& woods) {
     const TreeTile& tile = woods.tiles()[plot];
+    find_near(glm::dvec2(tile.lowest), glm::dvec2(tile.highest));
     for (std::uint32_t i = tile.first; i < tile.first + tile.count; ++i) {
         Tree tree = woods.trees()[i];
+        if (is_built_on(tree)) continue;
         const auto order = static_cast<float>(i - tile.first);
         if (tree.vertex < 0 || own_.empty()) {
             grown_.push_back({order, tree});
@@ -206,6 +283,8 @@ void FollowedWoods::grow_own(std::size_t plot, const Woods& woods) {
 void FollowedWoods::grow_others(std::size_t plot, const World& world) {
     const auto block = static_cast<int>(plot - own_plots_);
     const int x0 = block % blocks_along_x_ * block_, y0 = block / blocks_along_x_ * block_;
+    const auto dx = static_cast<double>(grid_.dx);
+    find_near(dx * (glm::dvec2(x0, y0) - 1.0), dx * (glm::dvec2(x0, y0) + (block_ + 1.0)));
     for (int y = y0; y < std::min(y0 + block_, grid_.ny); ++y)
         for (int x = x0; x < std::min(x0 + block_, grid_.nx); ++x) {
             const std::size_t vertex = vertex_at(x, y);
@@ -213,6 +292,7 @@ void FollowedWoods::grow_others(std::size_t plot, const World& world) {
             const int others = shown_others(vertex), lying = lying_of(vertex) - shown_own(vertex);
             for (int i = 0; i < others; ++i) {
                 Tree tree = other(x, y, i, world);
+                if (is_built_on(tree)) continue;
                 tree.fate = i < lying ? TreeFate::kLies : TreeFate::kStands;
                 grown_.push_back({chance_of(vertex, i, 5), tree});
             }
@@ -263,7 +343,7 @@ Tree FollowedWoods::other(int x, int y, int number, const World& world) const {
 // Puts the trees of a plot into their place among all, and lights those that were not there before.
 void FollowedWoods::settle(std::size_t plot, const Surroundings* around) {
     TreeTile& tile = tiles_[plot];
-    if (tile.count > 0) changed_boxes_.push_back({tile.lowest, tile.highest});
+    changed_tiles_.push_back({static_cast<std::uint32_t>(plot), tile.first, tile.count});
     if (grown_.size() > plots_[plot].room) {
         room_ -= plots_[plot].room;
         plots_[plot].room = static_cast<std::uint32_t>(grown_.size() + grown_.size() / 2);
@@ -281,8 +361,6 @@ void FollowedWoods::settle(std::size_t plot, const Surroundings* around) {
         tile.lowest = glm::min(tile.lowest, tree.foot);
         tile.highest = glm::max(tile.highest, tree.foot + glm::vec3(0, 0, tree.height));
     }
-    changed_tiles_.push_back(static_cast<std::uint32_t>(plot));
-    if (tile.count > 0) changed_boxes_.push_back({tile.lowest, tile.highest});
 }
 
 double FollowedWoods::beyond_own(std::size_t vertex) const {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "render/surroundings.h"
@@ -20,7 +21,7 @@ namespace render {
 //                            the vertex alone; planting adds trees at the end, felling takes them from there
 //
 // Of the n trees the first lie, as many as the state has broken. Of more than Woods::kMost that the forest asks for
-// beyond the woods, an even share is shown. What changes of the forest is paid for, not what there is of it.
+// beyond the woods, an even share is shown. No tree is shown in a building or on a road. What changes of the forest is paid for, not what there is of it.
 class FollowedWoods {
   public:
     // What of the trees differs from those of the last call: those of some tiles, or all may.
@@ -32,12 +33,8 @@ class FollowedWoods {
 
     // Valid until the next call, and as long as the woods.
     LitTrees trees() const;
-    // The tiles with other trees than in the last call, and boxes around these trees and those before, m.
-    struct Box {
-        glm::vec3 lowest, highest;
-    };
-    std::span<const std::uint32_t> changed_tiles() const { return changed_tiles_; }
-    std::span<const Box> changed_boxes() const { return changed_boxes_; }
+    // The tiles with other trees than in the last call; all other trees are where they were among `trees`.
+    std::span<const ChangedTile> changed_tiles() const { return changed_tiles_; }
 
   private:
     // What a tile shows: trees of a tile of the woods, or the others of a block of vertices.
@@ -48,6 +45,14 @@ class FollowedWoods {
     // A tree of the woods on the grid.
     struct Own {
         std::uint32_t tree = 0, plot = 0;
+    };
+    // Where a thing stands, with some room.
+    struct Footprint {
+        glm::dvec2 at{0}, along{0};  // its middle; unit vector
+        glm::dvec2 half{0};          // along it and across
+        bool operator==(const Footprint&) const = default;
+        bool covers(glm::dvec2 place) const;
+        bool meets(glm::dvec2 low, glm::dvec2 high) const;
     };
     struct Ordered {
         float order;
@@ -64,6 +69,11 @@ class FollowedWoods {
     void begin(const World& world);
     void find_own(const Woods& woods);
     bool compare(const World& world);
+    bool compare_footprints(const sim::Things& things);
+    void mark_around(const Footprint& footprint);
+    void list_footprints(const sim::Things& things);
+    void find_near(glm::dvec2 low, glm::dvec2 high);
+    bool is_built_on(const Tree& tree) const;
     void mark_stale(std::size_t vertex);
     bool thin();
     void renew_stale(const World& world);
@@ -99,6 +109,8 @@ class FollowedWoods {
     std::vector<std::uint32_t> first_own_;  // of each vertex, in own_
     std::vector<Own> own_;
     std::vector<sim::Stems> forest_of_own_;
+    std::vector<Footprint> footprints_, footprints_now_;
+    std::vector<Footprint> near_;  // the plot that is renewed
     int block_ = 1, blocks_along_x_ = 0;
     std::size_t own_plots_ = 0;
     double beyond_ = 0;  // trees that the forest asks for beyond the woods' own
@@ -110,8 +122,7 @@ class FollowedWoods {
     std::vector<Tree> trees_;
     std::vector<TreeLight> lights_;  // of trees_, or of the woods
     std::vector<Ordered> grown_;     // of one plot
-    std::vector<std::uint32_t> changed_tiles_;
-    std::vector<Box> changed_boxes_;
+    std::vector<ChangedTile> changed_tiles_;
 };
 
 }  // namespace render

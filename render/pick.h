@@ -20,7 +20,8 @@ struct Ray {
 Ray ray_through(const Camera& camera, double aspect, glm::dvec2 point);
 
 // Where a ray first meets the drawn surface from above, on the triangles of ground_mesh.h. Empty if it
-// misses. z is the height above the terrain's zero.
+// misses. z is the height above the terrain's zero. A building that is a part of the bedrock is met as its block, so that
+// what points at its walls or its roof finds it.
 std::optional<glm::dvec3> pick(const sim::View& world, const Ray& ray);
 
 }  // namespace render

@@ -161,11 +161,10 @@ NetPost net_post(const Net& net, const FirstSurface& surface, float share, float
     const float fall =
         (surface.bedrock(at - kStep * down) - surface.bedrock(at + kStep * down)) / (2 * kStep);
     const vec3 along = glm::normalize(vec3(down, -fall)), up = glm::normalize(vec3(fall * down, 1));
+    const bool lies = net.state == StructureState::kDestroyed;
     // It leans downhill a little, as it is built; bent or thrown it leans more.
-    const float lean = net.state == StructureState::kDestroyed ? 1.45f
-                       : net.state == StructureState::kDamaged ? 0.35f + 0.7f * chance
-                                                               : 0.1f;
-    const vec3 foot(at, surface.bedrock(at) - 0.1f);
+    const float lean = lies ? 1.45f : net.state == StructureState::kDamaged ? 0.35f + 0.7f * chance : 0.1f;
+    const vec3 foot(at, lies ? surface.height(at) + 0.15f : surface.bedrock(at) - 0.1f);
     return {foot, foot + static_cast<float>(net.height_m) * (std::cos(lean) * up + std::sin(lean) * along)};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,12 @@ struct LitTrees {
     std::span<const Tree> trees;
     std::span<const TreeTile> tiles;
     std::span<const TreeLight> lights;
+};
+
+// A tile with other trees than before, and which these were.
+struct ChangedTile {
+    std::uint32_t tile = 0;                            // in LitTrees::tiles
+    std::uint32_t first_before = 0, count_before = 0;  // in LitTrees::trees
 };
 
 }  // namespace render

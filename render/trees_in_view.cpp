@@ -208,16 +208,26 @@ void TreesInView::find(const LitTrees& of, const FrameBlock& frame, const OnScre
     for (const Upright& tree : upright_) drawn_.push_back(tree.drawn);
 }
 
-void TreesInView::find_again(const LitTrees& of, std::span<const std::uint32_t> tiles,
+void TreesInView::find_again(const LitTrees& of, std::span<const ChangedTile> changed,
                              const FrameBlock& frame, const OnScreen& screen) {
     drawn_before_.swap(drawn_);
+    gone_.clear();
+    grown_.clear();
     settled_.assign(of.trees.size(), nullptr);
     for (std::size_t i = 0; i < upright_.size(); ++i) settled_[upright_[i].tree] = &drawn_before_[i];
-    for (const std::uint32_t tile : tiles)
-        std::fill_n(settled_.begin() + of.tiles[tile].first, of.tiles[tile].count, nullptr);
+    for (const ChangedTile& each : changed) {
+        for (std::uint32_t i = each.first_before; i < each.first_before + each.count_before; ++i)
+            if (settled_[i]) gone_.push_back(*settled_[i]);
+        std::fill_n(settled_.begin() + each.first_before, each.count_before, nullptr);
+        std::fill_n(settled_.begin() + of.tiles[each.tile].first, of.tiles[each.tile].count, nullptr);
+    }
     find(of, frame, screen);
-    for (std::size_t i = 0; i < upright_.size(); ++i)
-        if (const DrawnTree* before = settled_[upright_[i].tree]) drawn_[i] = *before;
+    for (std::size_t i = 0; i < upright_.size(); ++i) {
+        if (const DrawnTree* before = settled_[upright_[i].tree])
+            drawn_[i] = *before;
+        else
+            grown_.push_back(i);
+    }
 }
 
 void TreesInView::settle(std::span<const Tree> trees, const sim::View& world, const FlowSoFar& flow) {

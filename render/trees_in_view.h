@@ -34,15 +34,15 @@ struct DrawnTree {
 // seeking.
 class TreesInView {
   public:
-    // Its branches, its shadow and sculpted ground under it are nearer than this to where it stood at tick 0, m.
-    static constexpr float kReach = 70;
-
     void reserve(std::size_t trees, std::size_t tiles);
     // Finds the trees that a camera sees, as they stood at tick 0.
     void find(const LitTrees& of, const FrameBlock& frame, const OnScreen& screen);
     // The same for the same camera, if only the trees of some tiles differ. The others stay as settle() left them.
-    void find_again(const LitTrees& of, std::span<const std::uint32_t> tiles, const FrameBlock& frame,
+    void find_again(const LitTrees& of, std::span<const ChangedTile> changed, const FrameBlock& frame,
                     const OnScreen& screen);
+    // What it found of the changed tiles: the trees that were drawn before, and the numbers of those that are in drawn().
+    std::span<const DrawnTree> gone() const { return gone_; }
+    std::span<const std::size_t> grown() const { return grown_; }
     // Moves them to where they are now: onto sculpted ground, and one that a flow has met leans or lies, with its top
     // downhill, on the ground now. `trees`: those of find().
     void settle(std::span<const Tree> trees, const sim::View& world, const FlowSoFar& flow);
@@ -73,7 +73,8 @@ class TreesInView {
     std::vector<Upright> upright_, branched_, plain_, without_shadow_;
     std::vector<DrawnTree> drawn_;           // upright_, settled
     std::vector<const DrawnTree*> settled_;  // by tree, while they are found again
-    std::vector<DrawnTree> drawn_before_;
+    std::vector<DrawnTree> drawn_before_, gone_;
+    std::vector<std::size_t> grown_;
     std::vector<Moved> moved_;
     std::vector<const TreeTile*> tiles_;
     std::size_t near_ = 0, far_ = 0, with_shadow_ = 0;

@@ -17,6 +17,7 @@ constexpr std::size_t kHandMemory = 4096;  // commands reserved, so that a strok
 std::size_t bytes_per_moment(const Scenario& scenario, bool has_textures) {
     constexpr std::size_t kPowder = sim::powder::Cloud::kMost * sizeof(sim::powder::Puff);
     std::size_t per_vertex = 7 * sizeof(float);
+    per_vertex += 2 * sizeof(float) + sizeof(sim::Stems);  // things, which the user may place at any time
     if (scenario.lower) per_vertex += 3 * sizeof(float);
     if (has_textures) per_vertex += sim::front::TextureLayers::Memory::kBytesPerVertex;
     const bool has_powder = scenario.look.powder.strength > 0 || scenario.look.lower_powder.strength > 0;
@@ -97,10 +98,16 @@ Outcome<void> Sandbox::take_over(const std::optional<std::filesystem::path>& pat
     }
     if (opening_.watched) forget_from(opening_.scene.commands, session_.state().tick);
     opening_.watched.reset();
-    past_.clear();  // earlier actions belong to the other recording
-    undone_.clear();
+    ++files_;
+    forget_actions_after(session_.state().tick);
     forget_after(session_.state().tick);
     return told;
+}
+
+// Of a branch that begins at this tick. What was undone can be redone if no command of the user is discarded.
+void Sandbox::forget_actions_after(std::int64_t tick) {
+    while (!past_.empty() && past_.back().before.world.tick >= tick) past_.pop_back();
+    if (!commands_from(by_hand_, tick).empty()) undone_.clear();
 }
 
 // Drops the user's commands and their results.
@@ -168,7 +175,7 @@ Outcome<void> Sandbox::advance() {
 
 void Sandbox::remember() {
     if (past_.size() == most_actions_) past_.pop_front();
-    past_.push_back({std::move(*new_action_), session_.moment()});
+    past_.push_back({std::move(*new_action_), session_.moment(), files_});
     new_action_.reset();
 }
 
@@ -176,9 +183,27 @@ void Sandbox::remember() {
 Outcome<void> Sandbox::go_to_just_before(const Action& action) {
     Outcome<void> rewound;
     const std::int64_t tick = action.before.world.tick;
-    if (session_.state().tick >= tick) rewound = session_.rewind(action.before);
+    if (session_.state().tick >= tick)
+        rewound = session_.recorder() && action.file != files_ ? fork_again_at(action.before)
+                                                               : session_.rewind(action.before);
     if (!rewound) session_.stop_recording();
     forget_after(tick);
+    return rewound;
+}
+
+// Goes back in a branch to before its beginning: it is written anew, as a branch of the same recording that begins
+// there.
+Outcome<void> Sandbox::fork_again_at(const Session::Checkpoint& moment) {
+    const std::filesystem::path path = session_.recorder()->path();
+    auto recorded = session_.finish().and_then([&] { return read_recording(path, opening_.memory); });
+    session_.stop_recording();
+    ++files_;
+    auto rewound = session_.rewind(moment);
+    if (!recorded) return tl::unexpected(recorded.error());
+    const std::string parent = recorded->header.parent ? recorded->header.parent->name : path.stem().string();
+    auto fork = Recorder::fork(path, *recorded, parent, moment.world.tick);
+    if (!fork) return tl::unexpected(fork.error());
+    session_.record_in(std::move(*fork));
     return rewound;
 }
 

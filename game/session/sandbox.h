@@ -79,6 +79,7 @@ class Sandbox {
     struct Action {
         std::string name;
         Session::Checkpoint before;
+        int file = 0;  // count of files when it began; its mark is of that one
     };
     struct Undone {
         Action action;
@@ -92,6 +93,8 @@ class Sandbox {
     Outcome<void> advance();
     bool may_change_history() const { return !looks_back() || returns_; }
     Outcome<void> go_to_just_before(const Action& action);
+    Outcome<void> fork_again_at(const Session::Checkpoint& moment);
+    void forget_actions_after(std::int64_t tick);
     Outcome<Recorder> fork_in(const std::filesystem::path& path) const;
 
     LoadedWorld opening_;
@@ -104,6 +107,7 @@ class Sandbox {
     std::optional<std::string> new_action_;  // begun, without a command yet
     std::deque<Action> past_;
     std::vector<Undone> undone_;  // the last one is redone first
+    int files_ = 0;               // that this session was recorded in so far
     bool returns_ = false;        // from redo() until its last tick is reached
     std::size_t most_actions_ = 1;
 };

@@ -50,14 +50,18 @@ void TreesPass::find(const sim::View& world, const FlowSoFar& flow, const FrameB
         trees_.find(woods_.trees(), frame, screen);
         screen_ = screen;
         seen_.clear();
-    } else if (!woods_.changed_tiles().empty()) {
+    }
+    const bool again = !everything && !woods_.changed_tiles().empty();
+    if (again) {
         trees_.find_again(woods_.trees(), woods_.changed_tiles(), frame, screen);
         seen_.clear();
-        for (const auto& [lowest, highest] : woods_.changed_boxes())
-            tiles.mark(screen.box(lowest - TreesInView::kReach, highest + TreesInView::kReach));
+        for (const DrawnTree& tree : trees_.gone()) tiles.mark(TreesInView::seen(tree, screen));
     }
     trees_.settle(woods_.trees().trees, world, flow);
     if (everything) return;
+    if (again)
+        for (const std::size_t number : trees_.grown())
+            tiles.mark(TreesInView::seen(trees_.drawn()[number], screen));
     for (const auto& [number, before] : trees_.moved()) {
         const Rectangle now = TreesInView::seen(trees_.drawn()[number], screen);
         tiles.mark(TreesInView::seen(before, screen));

@@ -163,6 +163,59 @@ TEST(Sandbox, undoes_and_redoes_on_the_way_to_what_is_redone) {
     EXPECT_EQ(replayed_hash(path), after.hash);
 }
 
+TEST(Sandbox, undoes_and_redoes_in_a_branch_what_was_done_before_it) {
+    const support::TemporaryFolder folder;
+    const auto first = folder.path() / "first.couloir", second = folder.path() / "second.couloir";
+    Sandbox sandbox = recorded(first);
+    run(sandbox, 20);
+    const StateLine start = sandbox.session().state_line();
+    stroke(sandbox, "pour", 30);
+    run(sandbox, 7);
+    const StateLine between = sandbox.session().state_line();
+    stroke(sandbox, "pour again", 25);
+    run(sandbox, 5);
+    stroke(sandbox, "later", 5);
+    ASSERT_TRUE(sandbox.go_toward(70, [] { return true; }).value());
+    ASSERT_TRUE(sandbox.take_over(second));
+    const StateLine branch = sandbox.session().state_line();
+    EXPECT_EQ(sandbox.actions(), 2u);  // the third is in the first recording alone
+
+    EXPECT_EQ(sandbox.undo().value(), "pour again");
+    EXPECT_EQ(sandbox.session().state_line(), between);
+    EXPECT_EQ(sandbox.undo().value(), "pour");
+    EXPECT_EQ(sandbox.session().state_line(), start);
+    EXPECT_EQ(read_recording(second).value().header.parent, (Parent{"first", start.tick}));
+    for (int i = 0; i < 2; ++i) ASSERT_TRUE(sandbox.redo());
+    go_to_present(sandbox);
+    EXPECT_EQ(sandbox.session().state_line(), branch);
+    stroke(sandbox, "dig", 9);
+    ASSERT_TRUE(sandbox.undo());
+    EXPECT_EQ(sandbox.session().state_line(), branch);
+    run(sandbox, 20);
+    ASSERT_TRUE(sandbox.finish());
+    EXPECT_EQ(replayed_hash(second), sandbox.session().state_line().hash);
+    EXPECT_EQ(read_recording(first).value().commands.size(), 2u + 30u + 25u + 5u);
+}
+
+TEST(Sandbox, redoes_in_a_branch_what_was_undone_before_it) {
+    const support::TemporaryFolder folder;
+    Sandbox sandbox = recorded(folder.path() / "first.couloir");
+    run(sandbox, 20);
+    stroke(sandbox, "pour", 30);
+    run(sandbox, 7);
+    const StateLine after = sandbox.session().state_line();
+    ASSERT_TRUE(sandbox.undo());
+    run(sandbox, 15);
+    ASSERT_TRUE(sandbox.go_toward(10, [] { return true; }).value());
+    const auto second = folder.path() / "second.couloir";
+    ASSERT_TRUE(sandbox.take_over(second));
+    EXPECT_EQ(sandbox.redo().value(), "pour");  // what it begins with is still to come
+    go_to_present(sandbox);
+    EXPECT_EQ(sandbox.session().state_line(), after);
+    ASSERT_TRUE(sandbox.finish());
+    EXPECT_EQ(replayed_hash(second), after.hash);
+}
+
 TEST(Sandbox, redoes_nothing_once_something_else_was_done) {
     Sandbox sandbox = Sandbox::begin(small_opening(), sim::StepOptions{}, std::nullopt).value();
     EXPECT_EQ(sandbox.redo().error().sentence, "Nothing to redo");

@@ -131,8 +131,14 @@ class DrawnThings : public Village {
 
 TEST_F(DrawnThings, are_houses_of_their_size_material_and_state) {
     sim::Thing& house = add({.x = 60, .y = 70, .length = 20, .width = 12, .height = 8, .strength = 10});
-    const Structure drawn_house = drawn().all.at(0);
-    EXPECT_EQ(drawn_house, (Structure{StructureKind::kHouse, {60, 70}, 0, StructureState::kIntact, 20, 12, 8,
+    const Structure& drawn_house = drawn().all.at(0);
+    EXPECT_EQ(drawn_house, (Structure{StructureKind::kHouse,
+                                      {60, 70},
+                                      0,
+                                      StructureState::kIntact,
+                                      20,
+                                      12,
+                                      8,
                                       render::HouseMaterial::kBrick}));
     house.load = 5100;
     EXPECT_EQ(drawn().all.at(0).state, StructureState::kDamaged);
@@ -152,7 +158,14 @@ TEST_F(DrawnThings, are_lifts_of_one_command_and_roads_of_pieces_that_meet) {
     add({.kind = sim::ThingKind::kRoad, .x = 0, .y = 0, .to_x = 50, .to_y = 0, .width = 8, .group = 3});
     add({.kind = sim::ThingKind::kRoad, .x = 50, .y = 0, .to_x = 90, .to_y = 30, .width = 8, .group = 4});
     add({.kind = sim::ThingKind::kRoad, .x = 50, .y = 60, .to_x = 90, .to_y = 60, .width = 8, .group = 5});
-    add({.kind = sim::ThingKind::kNet, .x = 5, .y = 5, .to_x = 9, .to_y = 5, .height = 3, .strength = 30, .group = 6});
+    add({.kind = sim::ThingKind::kNet,
+         .x = 5,
+         .y = 5,
+         .to_x = 9,
+         .to_y = 5,
+         .height = 3,
+         .strength = 30,
+         .group = 6});
     const render::Structures structures = drawn();
     EXPECT_EQ(structures.lifts, (std::vector<render::Lift>{{0, 3, true}, {3, 3, true}}));
     ASSERT_EQ(structures.roads.size(), 2u);

@@ -416,6 +416,23 @@ TEST_F(FollowedForest, keeps_its_trees_where_more_are_planted_and_gives_up_the_l
     EXPECT_TRUE(with(0).empty());
 }
 
+TEST_F(FollowedForest, gives_way_to_what_is_built) {
+    const auto in_house = [](const Places& all) {
+        return std::ranges::count_if(all, [](const auto& tree) {
+            return std::abs(tree.first.first - 800) < 20 && std::abs(tree.first.second - 300) < 20;
+        });
+    };
+    const auto wild = in_house(follow());
+    world.things->list.push_back(
+        {.x = 800, .y = 300, .length = 40, .width = 40, .height = 8, .strength = 10});
+    EXPECT_EQ(in_house(follow()), 0);
+    for (int y = 25; y < 35; ++y)
+        for (int x = 75; x < 85; ++x) world.things->forest(x, y) = {1000, 0, 30, 22};
+    EXPECT_EQ(in_house(follow()), 0);
+    world.things->list.clear();
+    EXPECT_GE(in_house(follow()), wild + 100);
+}
+
 TEST_F(FollowedForest, is_bounded) {
     for (int y = 0; y < world.grid.ny; ++y)
         for (int x = 0; x < world.grid.nx; ++x) world.things->forest(x, y) = {sim::kMostStems, 0, 30, 22};

@@ -137,7 +137,7 @@ sim::Command random_command(Dice& dice, const Scenario& scenario) {
 
 Act random_act(Dice& dice, const Scenario& scenario) {
     Act act;
-    const int which = dice.below(20);
+    const int which = dice.below(22);
     if (which < 10) {
         act.kind = Act::kHand;
         act.command = random_command(dice, scenario);
@@ -151,7 +151,7 @@ Act random_act(Dice& dice, const Scenario& scenario) {
         act.kind = Act::kGo;
         act.where = dice.one_in(2) ? 1 : dice.real(0, 1);
     } else {
-        act.kind = which == 18 ? Act::kUndo : Act::kBranch;
+        act.kind = which < 20 ? Act::kUndo : which == 20 ? Act::kRedo : Act::kBranch;
     }
     return act;
 }
@@ -213,6 +213,10 @@ class Lockstep {
             case Act::kUndo:
                 if (played_->undo().has_value() != plain_->undo().has_value())
                     return "only one of the two refuses to undo";
+                return difference();
+            case Act::kRedo:
+                if (played_->redo().has_value() != plain_->redo().has_value())
+                    return "only one of the two refuses to redo";
                 return difference();
             case Act::kBranch:
                 return branch();
@@ -348,6 +352,8 @@ std::string to_text(const Act& act) {
             return fmt::format("go {}", act.where);
         case Act::kUndo:
             return "undo";
+        case Act::kRedo:
+            return "redo";
         case Act::kBranch:
             return "branch";
     }

@@ -22,6 +22,7 @@ struct Act {
         kHand,    // gives `command` as a separate action
         kGo,      // seeks to `where` of the known time, 0 its start, 1 the present
         kUndo,    // undoes the last action
+        kRedo,    // redoes what was undone last
         kBranch,  // continues from this tick in a new recording
     };
     Kind kind = kTicks;

@@ -85,7 +85,7 @@ TEST(RandomSessions, of_which_there_are_1000_replay_bit_for_bit) {
 }
 
 TEST(RandomSessions, are_the_same_for_the_same_seed_and_cover_every_act_and_command) {
-    std::vector<int> acts(6), commands(std::size(sim::kCommands));
+    std::vector<int> acts(7), commands(std::size(sim::kCommands));
     for (std::uint64_t seed = 1; seed <= 150; ++seed) {
         const RandomSession session = random_session(seed);
         EXPECT_EQ(to_text(session), to_text(random_session(seed)));
