@@ -131,7 +131,7 @@ class DrawnThings : public Village {
 
 TEST_F(DrawnThings, are_houses_of_their_size_material_and_state) {
     sim::Thing& house = add({.x = 60, .y = 70, .length = 20, .width = 12, .height = 8, .strength = 10});
-    const Structure& drawn_house = drawn().all.at(0);
+    const Structure drawn_house = drawn().all.at(0);
     EXPECT_EQ(drawn_house, (Structure{StructureKind::kHouse,
                                       {60, 70},
                                       0,
