@@ -147,16 +147,25 @@ Json things_to_json(const Scenario& scenario, const Session& session) {
 }
 
 std::string things_to_text(const Scenario& scenario, const Session& session) {
-    constexpr int kMostLines = 20;
+    constexpr std::size_t kFew = 12, kMostLines = 20;
     const sim::Things& things = *session.state().things;
     const ThingResults results = thing_results(session);
+    std::vector<const sim::Thing*> named;
+    for (const sim::Thing& thing : things.list)
+        if (thing.kind != sim::ThingKind::kNet && thing.kind != sim::ThingKind::kRoad)
+            named.push_back(&thing);
+    const std::size_t all = named.size();
+    if (all > kFew)
+        std::erase_if(named,
+                      [&](const sim::Thing* thing) { return state_of(session.state(), *thing) == "intact"; });
     std::string text;
-    int lines = 0;
-    for (const sim::Thing& thing : things.list) {
-        if (thing.kind == sim::ThingKind::kNet || thing.kind == sim::ThingKind::kRoad) continue;
-        if (++lines <= kMostLines) text += line_of(scenario, session.state(), thing);
-    }
-    if (lines > kMostLines) text += fmt::format("and {} more; --json has all\n", lines - kMostLines);
+    for (std::size_t i = 0; i < std::min(named.size(), kMostLines); ++i)
+        text += line_of(scenario, session.state(), *named[i]);
+    if (named.size() > kMostLines)
+        text += fmt::format("and {} more that are damaged, destroyed or buried; --json has all\n",
+                            named.size() - kMostLines);
+    if (all > kFew)
+        text += fmt::format("{} of {} buildings and pylons are intact\n", all - named.size(), all);
     text += net_text(things.list);
     if (results.road > 0)
         text += fmt::format("road: {:.0f} m, of which {:.0f} m are blocked\n", results.road,

@@ -21,7 +21,7 @@ ThingResults thing_results(const Session& session);
 
 // As part of a summary: every object with its place, strength, load, burial and state, and the results.
 Json things_to_json(const Scenario& scenario, const Session& session);
-// Some lines: each house and lift, nets and roads together.
+// Some lines: buildings and pylons that are not intact, or all if there are few; nets and roads together.
 std::string things_to_text(const Scenario& scenario, const Session& session);
 
 }  // namespace game
