@@ -256,7 +256,8 @@ TEST(Command, is_refused_with_a_member_that_its_kind_does_not_use) {
             const auto used = std::find_if(info.numbers.begin(), info.numbers.end(),
                                            [&](const auto& number) { return number.value == member; });
             const bool is_used = used != info.numbers.end();
-            EXPECT_EQ(refused(member, is_used ? std::clamp(0.5, used->least, used->most) : 0.5), !is_used) << info.name;
+            EXPECT_EQ(refused(member, is_used ? std::clamp(0.5, used->least, used->most) : 0.5), !is_used)
+                << info.name;
             // -0 and 0 have different bits, which the state hash sees.
             if (Command{}.*member == 0 && !(is_used && used->least > 0)) {
                 EXPECT_EQ(refused(member, -0.0), !is_used) << info.name;
