@@ -14,9 +14,8 @@ namespace {
 
 Json placed_json(std::span<const sim::Command> placed) {
     Json json = Json::array();
-    std::string text;
     for (const sim::Command& command : placed) {
-        text = "{";
+        std::string text(1, '{');
         write(command, text);
         json.push_back(Json::parse(text + "}"));
     }
