@@ -367,11 +367,11 @@ TEST_F(Playing, sculpts_plants_and_builds_and_takes_it_back) {
     frames(2);
     ASSERT_EQ(things()->list.size(), 1u);
     const double turn = things()->list[0].turn();
-    screen_.move(kAtX - 60, kAtY);
+    screen_.move(kAtX + 60, kAtY);
     frames(3);
     screen_.release(Button::kLeft);
     frames(2);
-    EXPECT_NE(things()->list[0].turn(), turn);
+    EXPECT_NE(things()->list[0].turn(), turn) << last_notice();
     stroke(2);
     EXPECT_EQ(things()->list.size(), 1u);
     EXPECT_NE(last_notice().find("stands on the house"), std::string::npos) << last_notice();
