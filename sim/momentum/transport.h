@@ -200,6 +200,7 @@ struct Faces {
 template <class Number, bool has_things = false, class S = Scalar<Number>>
 auto find_fluxes_x(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
     const auto row = [y](const Rows<S>& rows) { return FaceRow<Number>{rows[y] - 1, rows[y]}; };
+    const auto row_by_wall = [&](const Rows<S>& rows) { return has_things ? row(rows) : FaceRow<Number>{}; };
     return Faces<Number, has_things>{w.c,
                                      row(w.fed),
                                      row(w.mid_rolling),
@@ -217,14 +218,15 @@ auto find_fluxes_x(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
                                      to.turned_xu[y],
                                      to.turned_xv[y],
                                      thing_row<has_things>(w.things.wall_x, y),
-                                     row(w.u0.depth),
-                                     row(w.u0.rolling),
-                                     row(w.driven_u)};
+                                     row_by_wall(w.u0.depth),
+                                     row_by_wall(w.u0.rolling),
+                                     row_by_wall(w.driven_u)};
 }
 // Along y.
 template <class Number, bool has_things = false, class S = Scalar<Number>>
 auto find_fluxes_y(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
     const auto row = [y](const Rows<S>& rows) { return FaceRow<Number>{rows[y - 1], rows[y]}; };
+    const auto row_by_wall = [&](const Rows<S>& rows) { return has_things ? row(rows) : FaceRow<Number>{}; };
     return Faces<Number, has_things>{w.c,
                                      row(w.fed),
                                      row(w.mid_rolling),
@@ -242,9 +244,9 @@ auto find_fluxes_y(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
                                      to.turned_yv[y],
                                      to.turned_yu[y],
                                      thing_row<has_things>(w.things.wall_y, y),
-                                     row(w.u0.depth),
-                                     row(w.u0.rolling),
-                                     row(w.driven_v)};
+                                     row_by_wall(w.u0.depth),
+                                     row_by_wall(w.u0.rolling),
+                                     row_by_wall(w.driven_v)};
 }
 // Nothing passes a wall. Faces y = 0 … ny.
 template <class Number, class S = Scalar<Number>>

@@ -98,15 +98,15 @@ struct NoWalls {
     None west, east, south, north;
 
     template <class Number>
-    [[gnu::always_inline]] const Number& beside(const Number& rise, None) const {
+    [[gnu::always_inline]] static Number beside(const Number& rise, None) {
         return rise;
     }
     template <class Number>
-    [[gnu::always_inline]] const Number& stop_x(const Number& u, const Number&, Scalar<Number>) const {
+    [[gnu::always_inline]] static Number stop_x(const Number& u, const Number&, Scalar<Number>) {
         return u;
     }
     template <class Number>
-    [[gnu::always_inline]] const Number& stop_y(const Number& v, const Number&, Scalar<Number>) const {
+    [[gnu::always_inline]] static Number stop_y(const Number& v, const Number&, Scalar<Number>) {
         return v;
     }
 };
