@@ -45,7 +45,7 @@ void set_velocity(sim::State& s, float u) {
     for (int y = 0; y < s.grid.ny; ++y) std::fill(s.velocity_x.row(y), s.velocity_x.row(y) + s.grid.nx, u);
 }
 
-Command at(CommandKind kind, double x, double y, double radius = 0) {
+Command at(CommandKind kind, double x, double y, double radius = Command().radius) {
     Command c;
     c.kind = kind;
     c.x = x, c.y = y, c.radius = radius;
