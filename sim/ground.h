@@ -9,7 +9,7 @@ template <class Number>
 void find_first_slope(Layers<Number>& layers, const Params& params, int x0, int x1, int y0, int y1);
 
 // Finds what follows from the ground where its bedrock has changed: the halo, S₀ there and at the vertices beside it,
-// and walls. Wakes what lies there. Does nothing if no bedrock has changed.
+// and walls. Wakes the tiles there. Does nothing if no bedrock has changed.
 void renew_ground(State& state);
 
 }  // namespace sim

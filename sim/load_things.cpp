@@ -57,7 +57,7 @@ bool breaks(const Flow& flow, const Stems& stems) {
     return moment > moment_of(stems);
 }
 
-// What lies or rolls above the first surface, mm.
+// Depth of the layers above the first surface, mm.
 std::int64_t buried_at(const State& s, std::int32_t vertex) {
     const int x = vertex % s.grid.nx, y = vertex / s.grid.nx;
     const double above = (static_cast<double>(s.depth(x, y)) - static_cast<double>(s.first_depth(x, y))) +

@@ -7,23 +7,15 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "game/scene/surface.h"
+
 namespace game {
 namespace {
 
-// Depth of what lies or rolls on a place above the first surface, m, between the vertices around it.
+// Depth of the layers at a place above the first surface, m, between the vertices around it.
 double risen(const sim::State& world, glm::dvec2 at) {
-    const sim::Grid& grid = world.grid;
-    const glm::dvec2 cell = glm::clamp(at / static_cast<double>(grid.dx), glm::dvec2(0),
-                                       glm::dvec2(grid.nx - 1, grid.ny - 1) - 1e-9);
-    const int x0 = static_cast<int>(cell.x), y0 = static_cast<int>(cell.y);
-    const auto at_vertex = [&](int x, int y) {
-        return static_cast<double>(world.depth(x, y)) - static_cast<double>(world.first_depth(x, y)) +
-               static_cast<double>(world.rolling(x, y));
-    };
-    const glm::dvec2 share = cell - glm::dvec2(x0, y0);
-    const double south = glm::mix(at_vertex(x0, y0), at_vertex(x0 + 1, y0), share.x);
-    const double north = glm::mix(at_vertex(x0, y0 + 1), at_vertex(x0 + 1, y0 + 1), share.x);
-    return glm::mix(south, north, share.y);
+    const Square square = square_under(world.grid, at);
+    return between(square, world.depth) - between(square, world.first_depth) + between(square, world.rolling);
 }
 
 glm::dvec2 from(const sim::Thing& line) {
@@ -55,8 +47,7 @@ std::string_view state_of(const sim::State& world, const sim::Thing& thing) {
 
 // The middle of an object.
 terrains::LocalPoint middle_of(const sim::Thing& thing) {
-    const bool is_line = thing.kind == sim::ThingKind::kNet || thing.kind == sim::ThingKind::kRoad;
-    if (!is_line) return {thing.x, thing.y};
+    if (!thing.is_line()) return {thing.x, thing.y};
     return {(thing.x + thing.to_x) / 2, (thing.y + thing.to_y) / 2};
 }
 
@@ -153,8 +144,7 @@ std::string things_to_text(const Scenario& scenario, const Session& session) {
     const ThingResults results = thing_results(session);
     std::vector<const sim::Thing*> named;
     for (const sim::Thing& thing : things.list)
-        if (thing.kind != sim::ThingKind::kNet && thing.kind != sim::ThingKind::kRoad)
-            named.push_back(&thing);
+        if (!thing.is_line()) named.push_back(&thing);
     const std::size_t all = named.size();
     if (all > kFew)
         std::erase_if(named,

@@ -1,6 +1,5 @@
 #include "game/controls/probe.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <glm/common.hpp>
@@ -49,27 +48,13 @@ glm::dvec2 slope_of_ground(const sim::View& world, const Square& square) {
                     glm::mix(at(x, y + 1), at(x + 1, y + 1), across.x), across.y);
 }
 
-// The shortest distance of a place from an object, m, in plan; 0 on it.
-double distance_from(const sim::Thing& thing, glm::dvec2 at) {
-    const glm::dvec2 from(thing.x, thing.y), way = at - from;
-    if (thing.kind == sim::ThingKind::kNet || thing.kind == sim::ThingKind::kRoad) {
-        const glm::dvec2 line = glm::dvec2(thing.to_x, thing.to_y) - from;
-        const double squared = glm::dot(line, line);
-        const double share = squared > 0 ? glm::clamp(glm::dot(way, line) / squared, 0.0, 1.0) : 0;
-        return std::max(glm::length(way - share * line) - thing.width / 2, 0.0);
-    }
-    const glm::dvec2 front(thing.front_x, thing.front_y), side(front.y, -front.x);
-    const glm::dvec2 beyond(std::abs(glm::dot(way, front)) - thing.length / 2,
-                            std::abs(glm::dot(way, side)) - thing.width / 2);
-    return glm::length(glm::max(beyond, glm::dvec2(0)));
-}
-
 // The nearest object within a quarter of a cell, so that a thin one can be met too.
 std::optional<sim::Thing> thing_at(const sim::View& world, glm::dvec2 at) {
     std::optional<sim::Thing> nearest;
     double least = static_cast<double>(world.grid.dx) / 4;
     for (const sim::Thing& thing : world.things->list)
-        if (const double distance = distance_from(thing, at); distance < least || (distance == 0 && !nearest))
+        if (const double distance = sim::distance_from(thing, at.x, at.y);
+            distance < least || (distance == 0 && !nearest))
             nearest = thing, least = distance;
     return nearest;
 }

@@ -93,7 +93,7 @@ double surface_at(const sim::View& world, glm::dvec2 at) {
 // What became of a thing. It is buried only while something lies or rolls above it.
 StructureState state_of(const sim::Thing& thing, const sim::View& world, std::span<const float> first_depth) {
     if (thing.destroyed()) return StructureState::kDestroyed;
-    const bool line = thing.kind == sim::ThingKind::kNet || thing.kind == sim::ThingKind::kRoad;
+    const bool line = thing.is_line();
     const glm::dvec2 from(thing.x, thing.y), to(thing.to_x, thing.to_y), at = line ? 0.5 * (from + to) : from;
     const double above = between(world.grid, at, [&](int x, int y) {
         const float first =

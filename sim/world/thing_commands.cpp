@@ -168,10 +168,6 @@ struct Point {
     double x, y;  // m
 };
 
-bool is_body(const Thing& thing) {
-    return thing.kind != ThingKind::kNet && thing.kind != ThingKind::kRoad;
-}
-
 // Half of its length and of its width, as vectors, m.
 std::array<Point, 2> half_axes(const Thing& thing) {
     const double length = 0.5 * thing.length, width = 0.5 * thing.width;
@@ -198,21 +194,6 @@ bool overlap(const Thing& a, const Thing& b) {
             return false;
     }
     return true;
-}
-
-// The shortest distance of a place from the line or the rectangle of an object, m; 0 within it.
-double distance_from(const Thing& thing, double x, double y) {
-    if (!is_body(thing)) {
-        const double ex = thing.to_x - thing.x, ey = thing.to_y - thing.y, squared = ex * ex + ey * ey;
-        const double t =
-            squared > 0 ? std::clamp(((x - thing.x) * ex + (y - thing.y) * ey) / squared, 0.0, 1.0) : 0;
-        const double px = x - (thing.x + t * ex), py = y - (thing.y + t * ey);
-        return std::max(std::sqrt(px * px + py * py) - 0.5 * thing.width, 0.0);
-    }
-    const double along = std::abs((x - thing.x) * thing.front_x + (y - thing.y) * thing.front_y);
-    const double across = std::abs((x - thing.x) * thing.front_y - (y - thing.y) * thing.front_x);
-    const double a = std::max(along - 0.5 * thing.length, 0.0), b = std::max(across - 0.5 * thing.width, 0.0);
-    return std::sqrt(a * a + b * b);
 }
 
 std::string text_of(double value) {
@@ -311,7 +292,7 @@ std::optional<std::string> fault_of_body(const State& s, const std::vector<Thing
     for (const Point& at : corners_of(thing))
         if (const char* fault = fault_of_place(s, at)) return joined({"the ", name_of(thing), " is ", fault});
     for (const Thing& other : list)
-        if (is_body(other) && overlap(thing, other))
+        if (!other.is_line() && overlap(thing, other))
             return joined({"the ", name_of(thing), " stands on the ", name_of(other)});
     return std::nullopt;
 }
@@ -325,7 +306,7 @@ std::optional<std::string> fault_of_building(const State& s, const std::vector<T
         return joined(
             {"over ", std::to_string(kMostThings), " objects: a lift counts its pylons, nets each cell"});
     for (const Thing& thing : built) {
-        if (is_body(thing)) {
+        if (!thing.is_line()) {
             if (auto fault = fault_of_body(s, list, thing)) return fault;
             continue;
         }
@@ -405,6 +386,20 @@ std::optional<std::string> fault_of_sculpting(const State& s, const Command& c) 
 }
 
 }  // namespace
+
+double distance_from(const Thing& thing, double x, double y) {
+    if (thing.is_line()) {
+        const double ex = thing.to_x - thing.x, ey = thing.to_y - thing.y, squared = ex * ex + ey * ey;
+        const double t =
+            squared > 0 ? std::clamp(((x - thing.x) * ex + (y - thing.y) * ey) / squared, 0.0, 1.0) : 0;
+        const double px = x - (thing.x + t * ex), py = y - (thing.y + t * ey);
+        return std::max(std::sqrt(px * px + py * py) - 0.5 * thing.width, 0.0);
+    }
+    const double along = std::abs((x - thing.x) * thing.front_x + (y - thing.y) * thing.front_y);
+    const double across = std::abs((x - thing.x) * thing.front_y - (y - thing.y) * thing.front_x);
+    const double a = std::max(along - 0.5 * thing.length, 0.0), b = std::max(across - 0.5 * thing.width, 0.0);
+    return std::sqrt(a * a + b * b);
+}
 
 std::int64_t earth_used(const Things& t) {
     return moved_in(t).used();

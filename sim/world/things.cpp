@@ -31,7 +31,7 @@ double length(Place a) {
 }
 
 Place middle_of(const Thing& thing) {
-    if (thing.kind != ThingKind::kNet && thing.kind != ThingKind::kRoad) return {thing.x, thing.y};
+    if (!thing.is_line()) return {thing.x, thing.y};
     return {0.5 * (thing.x + thing.to_x), 0.5 * (thing.y + thing.to_y)};
 }
 
@@ -210,7 +210,7 @@ std::vector<std::int32_t> footprint_of(const Thing& thing, const Grid& grid) {
     const Place along{thing.front_x, thing.front_y}, across{thing.front_y, -thing.front_x},
         middle = middle_of(thing);
     std::vector<std::int32_t> vertices;
-    if (thing.kind != ThingKind::kNet && thing.kind != ThingKind::kRoad)
+    if (!thing.is_line())
         each_near(grid, middle, 0.5 * (thing.length + thing.width), [&](int x, int y, Place from_middle) {
             if (std::abs(dot(from_middle, along)) <= 0.5 * thing.length &&
                 std::abs(dot(from_middle, across)) <= 0.5 * thing.width)

@@ -62,6 +62,8 @@ struct Thing {
     std::int64_t buried = 0;  // mm, the greatest depth so far of what came to lie on it
     bool operator==(const Thing&) const = default;
 
+    // A net or a road: drawn from one end to the other, not a rectangle on the ground.
+    bool is_line() const { return kind == ThingKind::kNet || kind == ThingKind::kRoad; }
     double share() const { return static_cast<double>(load) / (1000 * strength); }  // of its strength
     bool damaged() const { return kind != ThingKind::kRoad && share() >= 0.5; }
     bool destroyed() const { return kind != ThingKind::kRoad && share() >= 1; }
@@ -138,6 +140,9 @@ bool is_solid(const Thing& thing, const Grid& grid);
 
 // Its vertices: those on its footprint, or the one that is nearest to its middle.
 std::vector<std::int32_t> footprint_of(const Thing& thing, const Grid& grid);
+
+// The shortest distance of a place from the line or the rectangle of an object, m, in plan; 0 on it.
+double distance_from(const Thing& thing, double x, double y);
 
 // Finds what is known from the list, and bedrock with it. Call after a change of the list, or if something was destroyed.
 void rebuild_objects(State& state);
