@@ -36,10 +36,11 @@ glm::dvec2 to(const sim::Thing& line) {
 // m of a piece of road, sampled every quarter of a cell.
 double blocked(const sim::State& world, const sim::Thing& road) {
     const double length = glm::distance(from(road), to(road));
-    const double samples = std::max(1.0, std::ceil(length / (0.25 * static_cast<double>(world.grid.dx))));
+    const int samples =
+        std::max(1, static_cast<int>(std::ceil(length / (0.25 * static_cast<double>(world.grid.dx)))));
     double blocked = 0;
-    for (double i = 0.5; i < samples; ++i)
-        if (risen(world, glm::mix(from(road), to(road), i / samples)) > ThingResults::kBlocking)
+    for (int i = 0; i < samples; ++i)
+        if (risen(world, glm::mix(from(road), to(road), (i + 0.5) / samples)) > ThingResults::kBlocking)
             blocked += length / samples;
     return blocked;
 }

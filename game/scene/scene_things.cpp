@@ -257,9 +257,10 @@ void clear_built(Scenario& scenario) {
                    .length = each.length,
                    .width = each.width});
         } else if (each.kind == sim::CommandKind::kRoad) {
-            const double steps = std::ceil(2 * glm::distance(from, to) / static_cast<double>(grid.dx)) + 1;
-            for (double i = 0; i <= steps; ++i) {
-                const glm::dvec2 at = glm::mix(from, to, i / steps);
+            const auto steps =
+                static_cast<int>(std::ceil(2 * glm::distance(from, to) / static_cast<double>(grid.dx))) + 1;
+            for (int i = 0; i <= steps; ++i) {
+                const glm::dvec2 at = glm::mix(from, to, static_cast<double>(i) / steps);
                 clear({.x = at.x, .y = at.y, .length = each.width, .width = each.width});
             }
         }

@@ -74,7 +74,10 @@ std::vector<EarthChange> wished_by(const State& s, const Things& t, const Comman
     std::vector<float> highest;
     for (int y = y0; y <= y1; ++y)
         highest.insert(highest.end(), t.earth.row(y) + x0, t.earth.row(y) + x1 + 1);
-    const auto number = [&](int x, int y) { return static_cast<std::size_t>((y - y0) * width + (x - x0)); };
+    const auto number = [&](int x, int y) {
+        return static_cast<std::size_t>(y - y0) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(x - x0);
+    };
 
     struct Wish {
         int x, y;
