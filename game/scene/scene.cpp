@@ -16,7 +16,6 @@
 #include "game/scene/scene_things.h"
 #include "game/scene/scene_trees.h"
 #include "game/scene/standing.h"
-#include "game/scene/structures.h"
 #include "render/overview.h"
 #include "terrains/dem_gdal.h"
 #include "terrains/release.h"
@@ -311,9 +310,9 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
     TreesTable trees;
     if (auto table = root.table("trees")) trees = read_trees(*table, folder, overrides.references);
     ThingsTables things = read_things(root);
-    scenario.structures = read_structures(root, things);
+    read_structures(root, things);
     if (auto wind = root.table("wind")) read_wind(*wind, scenario.wind);
-    const bool woods_act = kStructuresAct && trees.rules.density > 0;
+    const bool woods_act = trees.rules.density > 0;
     scene.commands = read_commands(root, params.tick_s, scenario.lower.has_value());
     const auto sun = read_view(root, scenario);
     root.finish();
@@ -348,8 +347,6 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
                             path.string(), most, kDeepestCover));
     }
     set_ground(scenario, *terrain);
-    if (const auto wrong = fault_of(scenario.structures, scenario.grid, scenario.has_data))
-        return unusable(fmt::format("{}: {}", path.string(), *wrong));
     stand(std::move(things), woods_act && !scenario.model, scenario);
     light_by(sun, root, scenario);
     if (fault) return unusable(*fault);

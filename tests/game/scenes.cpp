@@ -8,8 +8,6 @@
 
 #include "game/files/assets.h"
 #include "game/scene/mountains.h"
-#include "game/scene/scene_structures.h"
-#include "game/scene/structures.h"
 #include "tests/game/program.h"
 #include "tests/support/places.h"
 #include "tests/terrains/files.h"
@@ -132,24 +130,15 @@ TEST_F(SceneFile, has_what_people_built_and_refuses_it_off_the_terrain) {
     const auto built = [this](const std::string& tables) {
         return load(with("[light]", tables + "[light]"));
     };
-    EXPECT_TRUE(built("")->scenario.structures.empty());
+    EXPECT_TRUE(built("")->scenario.standing.empty());
     const auto scene = built(
         "[[hut]]\nat = [80, 40]\nheading = 190\n[[road]]\npoints = [[20, 20], [90, 25]]\nwidth = 5\n"
         "[[lift]]\nfrom = [120, 30]\nto = [120, 130]\n");
     ASSERT_TRUE(scene) << scene.error().sentence;
-    if (kStructuresAct) {
-        EXPECT_TRUE(scene->scenario.structures.empty());
-        std::vector<sim::CommandKind> kinds;
-        for (const sim::Command& each : scene->scenario.standing.placed) kinds.push_back(each.kind);
-        EXPECT_EQ(kinds,
-                  (std::vector{sim::CommandKind::kHouse, sim::CommandKind::kRoad, sim::CommandKind::kLift}));
-    } else {
-        render::Structures expected;
-        expected.all.push_back({render::StructureKind::kHut, {80, 40}, 190});
-        expected.roads.push_back({{{20, 20}, {90, 25}}, 5});
-        add_lift({120, 30}, {120, 130}, expected);
-        EXPECT_EQ(scene->scenario.structures, expected);
-    }
+    std::vector<sim::CommandKind> kinds;
+    for (const sim::Command& each : scene->scenario.standing.placed) kinds.push_back(each.kind);
+    EXPECT_EQ(kinds,
+              (std::vector{sim::CommandKind::kHouse, sim::CommandKind::kRoad, sim::CommandKind::kLift}));
 
     const auto outside = built("[[hut]]\nat = [80, 400]\n");
     ASSERT_FALSE(outside);
