@@ -93,16 +93,16 @@ TEST_F(ThingsSheet, nets_pylons_and_a_road) {
     EXPECT_TRUE(matches_baseline(draw({{126, 115, 15}, 180, 24, 180, 45}), "things_lines"));
 }
 
-// Intact; damaged; with torn ropes beside a pylon that is destroyed; with a valley station that is buried.
+// Intact; damaged; destroyed, but for the mountain station, from which torn ropes hang; with its valley station buried.
 TEST_F(ThingsSheet, chairlifts) {
-    constexpr StructureState kStations[][2] = {
+    constexpr StructureState kValleyAndPylon[][2] = {
         {StructureState::kIntact, StructureState::kIntact},
         {StructureState::kDamaged, StructureState::kDamaged},
-        {StructureState::kDamaged, StructureState::kDestroyed},
+        {StructureState::kDestroyed, StructureState::kDestroyed},
         {StructureState::kBuried, StructureState::kIntact},
     };
     for (int column = 0; column < 4; ++column) {
-        const auto [valley, pylon] = kStations[column];
+        const auto [valley, pylon] = kValleyAndPylon[column];
         const glm::dvec2 at(81 + 30 * column, 90), up(0, 38);
         structures_.lifts.push_back({structures_.all.size(), 3, pylon == StructureState::kDestroyed});
         structures_.all.push_back({StructureKind::kStation, at, 0, valley});
