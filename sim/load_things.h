@@ -11,8 +11,9 @@ namespace sim {
 //     a stem breaks where ½ C_d p D h · h/2 > M
 //
 // Keeps the greatest load and burial of each object; what is destroyed no longer acts. Reads R, d, d₀, v and the
-// smoothed ground at vertices with things only. Writes things, and bedrock where a solid building falls. Call at the
-// end of a tick.
+// smoothed ground at vertices with things only, of forest only in tiles that were written in this tick: in others
+// nothing has changed. Writes things, and bedrock where a solid building falls. Call at the end of a tick, before
+// count_changed_mass().
 void load_things(State& state);
 
 }  // namespace sim

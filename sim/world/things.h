@@ -119,7 +119,7 @@ struct Things {
     };
     std::vector<Range> loaded_of;  // of each of `list`, in `loaded`
     std::vector<LoadedVertex> loaded;
-    std::vector<std::int32_t> wooded;   // vertices with standing stems, ascending
+    std::vector<std::int32_t> wooded;   // where stems stand, or stood until they broke; ascending
     VertexBox stale;                    // where bedrock has changed since renew_ground()
     std::int64_t changed = 0;           // counts changes of earth, forest or list, and what was destroyed
     bool unhashed = true;               // changed since the hash of the fields was last found

@@ -93,6 +93,38 @@ TEST_F(ThingsSheet, nets_pylons_and_a_road) {
     EXPECT_TRUE(matches_baseline(draw({{126, 115, 15}, 180, 24, 180, 45}), "things_lines"));
 }
 
+// Intact; damaged; destroyed, but for the mountain station, from which torn ropes hang; with its valley station buried.
+TEST_F(ThingsSheet, chairlifts) {
+    constexpr StructureState kValleyAndPylon[][2] = {
+        {StructureState::kIntact, StructureState::kIntact},
+        {StructureState::kDamaged, StructureState::kDamaged},
+        {StructureState::kDestroyed, StructureState::kDestroyed},
+        {StructureState::kBuried, StructureState::kIntact},
+    };
+    for (int column = 0; column < 4; ++column) {
+        const auto [valley, pylon] = kValleyAndPylon[column];
+        const glm::dvec2 at(81 + 30 * column, 90), up(0, 38);
+        structures_.lifts.push_back({structures_.all.size(), 3, pylon == StructureState::kDestroyed});
+        structures_.all.push_back({StructureKind::kStation, at, 0, valley});
+        structures_.all.push_back({StructureKind::kPylon, at + up, 0, pylon});
+        structures_.all.push_back({StructureKind::kStation, at + 2.0 * up, 180, StructureState::kIntact});
+        if (valley == StructureState::kBuried) heap(at, 16, 10);
+    }
+    EXPECT_TRUE(matches_baseline(draw({{126, 122, 22}, 180, 26, 118, 48}), "things_lifts"));
+}
+
+// Clear; with a tongue of snow across it; under a deposit that just blocks it; buried.
+TEST_F(ThingsSheet, roads) {
+    for (int column = 0; column < 4; ++column) {
+        const glm::dvec2 at(84 + 28 * column, 125), up(0, 16);
+        structures_.roads.push_back({{at - 2.0 * up, at + 2.0 * up}, 8});
+        if (column == 1) heap(at, 11, 1.5f);
+        for (const int along : {-2, -1, 0, 1, 2})
+            if (column >= 2) heap(at + static_cast<double>(along) * up, 12, column == 2 ? 0.35f : 4);
+    }
+    EXPECT_TRUE(matches_baseline(draw({{126, 122, 18}, 180, 38, 100, 52}), "things_roads"));
+}
+
 TEST_F(ThingsSheet, forest_and_a_dam) {
     sim::Field<sim::Stems>& forest = world_.things->forest;
     for (int y = 0; y <= kSquares; ++y)

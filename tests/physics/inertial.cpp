@@ -19,26 +19,6 @@ using sim::Model;
 using support::Ground;
 using support::Play;
 
-sim::Params loose_dry_snow() {
-    const auto tangent = [](double angle_deg) {
-        return static_cast<float>(std::tan(angle_deg * std::numbers::pi / 180));
-    };
-    sim::Params params;
-    params.friction = 0.2f;
-    params.drag = 1500;
-    params.friction_thin = 1;
-    params.friction_fold_depth = 0.1f;
-    params.erosion_rate = 0.1f;
-    params.erosion_slope = params.loose_slope = tangent(33);
-    params.erosion_depth = 0.1f;
-    params.deposit_rate = 1.5f;
-    params.deposit_speed = 6;
-    params.start_slope = tangent(40);
-    params.start_depth = 0.5f;
-    params.freeze_depth = 0.02f;
-    return params;
-}
-
 // Runs until everything rests, for at most `seconds`. Returns the greatest R at each vertex, m.
 std::vector<double> peaks_of(Play& play, int seconds, const std::vector<sim::Command>& first = {}) {
     const sim::Grid grid = play.state.grid;
@@ -68,7 +48,7 @@ Taken heap_in_a_gully(double dx) {
         return 0.09 * y + 0.64 * (up + std::sqrt(up * up + ease * ease)) / 2 +
                0.0012 * (x - kHeapX) * (x - kHeapX);
     });
-    Play play(ground, loose_dry_snow());
+    Play play(ground, support::loose_dry_snow());
     const sim::Field<float> before = play.state.depth;
     sim::Command pour = support::pour_at(kHeapX, kHeapY, kRadius, 3000, 2);
     pour.layer = sim::Layer::kStanding;
@@ -190,7 +170,7 @@ Outlines release_on_a_hill(double azimuth_deg, double cover) {
         }
         return 2. * in / (kFine * kFine);
     });
-    Play play(ground, loose_dry_snow());
+    Play play(ground, support::loose_dry_snow());
     const sim::Field<float> before = play.state.depth;
     const std::vector<double> peaks = peaks_of(play, 90);
     EXPECT_TRUE(sim::at_rest(play.state));

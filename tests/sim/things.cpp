@@ -132,6 +132,29 @@ TEST(Forest, breaks_at_its_bending_moment) {
     }
 }
 
+TEST(Forest, breaks_alike_with_and_without_sleeping_tiles) {
+    Ground ground = support::plane(160, 5, 0.5);
+    ground.density = kSnow;
+    ground.forest.assign(ground.grid.size(), {400, 0, 30, 22});
+    ground.set(ground.rolling,
+               [](double x, double y) { return std::hypot(x - 300, y - 60) < 40 ? 4.0 : 0.0; });
+    const sim::Params params = support::lively(Model::kBcreInertial);
+    Play sleeping(ground, params, {.tile_width = 32, .tile_height = 16}),
+        awake(ground, params, {.tile_width = 32, .tile_height = 16, .tiles_may_sleep = false});
+    set_velocity(sleeping.state, 20), set_velocity(awake.state, 20);
+    for (int tick = 0; tick < 300; ++tick) {
+        sleeping.ticks(1), awake.ticks(1);
+        ASSERT_EQ(sim::state_hash(sleeping.state), sim::state_hash(awake.state)) << tick;
+    }
+    const auto broken = [](const sim::Stems& stems) { return stems.lying > 0; };
+    const sim::Field<sim::Stems>& forest = sleeping.state.things->forest;
+    std::ptrdiff_t count = 0;
+    for (int y = 0; y <= 160; ++y) count += std::count_if(forest.row(y), forest.row(y) + 161, broken);
+    EXPECT_GT(count, 20);
+    const auto& tiles = sleeping.state.tiles.awake;
+    EXPECT_GT(std::count(tiles.begin(), tiles.end(), 0), 10);
+}
+
 TEST(Forest, holds_what_a_blast_would_release) {
     for (const auto& [stems, share] : {std::pair{0.0, 1.0}, {200.0, 0.5}, {400.0, 0.0}, {800.0, 0.0}}) {
         Play play(support::plane(20, 5, 0.3, 2), frictionless(Model::kBcreInertial));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 #include <random>
 
 namespace support {
@@ -85,6 +86,26 @@ sim::Params lively(sim::Model model, sim::Scheme scheme) {
     params.erosion_slope = params.loose_slope = 0.55f;
     params.deposit_rate = 2;
     params.deposit_speed = 2.5f;
+    return params;
+}
+
+sim::Params loose_dry_snow() {
+    const auto tangent = [](double angle_deg) {
+        return static_cast<float>(std::tan(angle_deg * std::numbers::pi / 180));
+    };
+    sim::Params params;
+    params.friction = 0.2f;
+    params.drag = 1500;
+    params.friction_thin = 1;
+    params.friction_fold_depth = 0.1f;
+    params.erosion_rate = 0.1f;
+    params.erosion_slope = params.loose_slope = tangent(33);
+    params.erosion_depth = 0.1f;
+    params.deposit_rate = 1.5f;
+    params.deposit_speed = 6;
+    params.start_slope = tangent(40);
+    params.start_depth = 0.5f;
+    params.freeze_depth = 0.02f;
     return params;
 }
 

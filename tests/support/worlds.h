@@ -67,6 +67,9 @@ inline constexpr Physics kPhysics[] = {{sim::Model::kBcre, sim::Scheme::kLaxFrie
 // Parameters that make all models active on grounds of a few metres per cell.
 sim::Params lively(sim::Model model, sim::Scheme scheme = sim::Scheme::kLocalLaxFriedrichs);
 
+// The material snow-dry in bcre-inertial.
+sim::Params loose_dry_snow();
+
 // Whether two fields are bit-identical, without the halo.
 bool same_bits(const sim::Field<float>& a, const sim::Field<float>& b);
 
