@@ -150,6 +150,7 @@ Json to_json(const Summary& summary) {
     if (scenario.density) json["density_kg_m3"] = *scenario.density;
     if (scenario.lower && scenario.lower->density) json["lower"]["density_kg_m3"] = *scenario.lower->density;
     if (state.things) json["things"] = things_to_json(scenario, summary.session);
+    if (summary.score) json["challenge"] = to_json(*scenario.goal, *summary.score);
     if (summary.at_rest) json["at_rest"] = *summary.at_rest;
     if (summary.verdict) json["verified"] = verdict_json(*summary.verdict);
     if (summary.paranoid) json["paranoid"] = paranoid_json(*summary.paranoid, scenario);
@@ -206,6 +207,7 @@ std::string to_text(const Summary& summary) {
             "LIMITED: the speed passed {} m/s and was cut {} times, each at one vertex in one sub-step\n",
             sim::kGreatestPlanSpeed, session.state().limited);
     if (session.state().things) text += things_to_text(scenario, session);
+    if (summary.score) text += to_text(*scenario.goal, *summary.score);
     text += fmt::format("state hash {}\n", hex(session.state_line().hash));
     if (summary.verdict) text += to_text(*summary.verdict);
     if (summary.paranoid) text += paranoid_text(*summary.paranoid, scenario);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "game/analysis/measures.h"
+#include "game/analysis/score.h"
 #include "game/files/file_use.h"
 #include "game/recording/divergence.h"
 #include "game/scene/scenario.h"
@@ -30,6 +31,7 @@ struct Summary {
     std::optional<bool> at_rest;    // whether rest was reached, if requested
     std::optional<Verdict> verdict;
     std::optional<SelfCheck> paranoid = std::nullopt;
+    std::optional<Score> score = std::nullopt;  // of the scenario's goal
 };
 
 Json to_json(const Summary& summary);

@@ -64,7 +64,7 @@ Outcome<int> run(const RunOptions& options);
 struct ReplayOptions {
     std::string recording;  // name or file
     std::optional<std::int64_t> until;
-    bool verify = false, paranoid = false;
+    bool verify = false, paranoid = false, score = false;
     LookFrom look = LookFrom::kShipped;
     PictureOptions pictures;
     WebOptions web;

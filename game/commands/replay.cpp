@@ -12,6 +12,7 @@
 #include "game/files/file_use.h"
 #include "game/files/text_file.h"
 #include "game/recording/file_hash.h"
+#include "game/scene/scene.h"
 #include "game/session/renew.h"
 #include "game/session/verifier.h"
 #include "game/share/share_recording.h"
@@ -42,6 +43,25 @@ Verdict verdict_of(const Verifier& verifier, const Header& header) {
     return verdict;
 }
 
+// What the score is of: the challenge that this program ships, or another.
+std::string challenge_text(const Scenario& scenario) {
+    Overrides overrides;
+    overrides.squares = std::max(scenario.grid.nx, scenario.grid.ny) - 1;
+    const auto shipped = find_asset(AssetKind::kScene, scenario.scene);
+    const auto scene = shipped ? load_scene(scenario.scene, overrides) : unusable("none");
+    return scene && is_same_challenge(scene->scenario, scenario)
+               ? fmt::format("the challenge {} as it ships", scenario.scene)
+               : fmt::format("a challenge of its own, {}", scenario.scene);
+}
+
+// Why a claimed score cannot be believed; nothing if it can, or if there is none.
+std::optional<std::string> fault_of_claim(const std::optional<ClaimLine>& claim, const Score& score) {
+    if (!claim || *claim == score.claim()) return std::nullopt;
+    return fmt::format("it claims a score of {} ({}) at tick {}; its commands give {} ({}) at tick {}",
+                       claim->score, medal_name(claim->medal), claim->tick, score.points,
+                       medal_name(score.medal), score.tick);
+}
+
 }  // namespace
 
 Outcome<int> replay(const ReplayOptions& options) {
@@ -66,6 +86,12 @@ Outcome<int> replay(const ReplayOptions& options) {
         if (auto looked = look_from(*options.view, recording->header.scenario); !looked)
             return tl::unexpected(looked.error());
     const Scenario& scenario = recording->header.scenario;
+    if (options.score && !scenario.goal)
+        return unusable(fmt::format("{}: its scene has no goal, so there is no score", options.recording));
+    if (options.score && !is_comparable(recording->header))
+        return unusable(
+            fmt::format("{}: recorded with another version of the physics, so its score means nothing here",
+                        options.recording));
 
     FileUse use;
     use.reads(*path);
@@ -104,6 +130,7 @@ Outcome<int> replay(const ReplayOptions& options) {
                   gallery ? std::optional(gallery->drawn_by()) : std::nullopt},
                  options.results.log_keeps());
     Verifier verifier(*recording);
+    Referee referee(scenario, recording->commands);
 
     const auto until = Until::after(options.until.value_or(recording->last_tick()));
     Watchers watchers;
@@ -123,6 +150,7 @@ Outcome<int> replay(const ReplayOptions& options) {
     if (page) watchers.keep = [&](const Session& now) { return page->see(now); };
     watchers.after_tick = [&](const Session& now) {
         if (options.verify) verifier.look_at(now);
+        if (options.score) referee.see(now);
         if (!lockstep || self_check.parted) return;
         self_check.parted = lockstep->follow(now.state());
         self_check.ticks = now.state().tick;
@@ -138,6 +166,13 @@ Outcome<int> replay(const ReplayOptions& options) {
     const Measures measures = measure(scenario, *session, release_area(scenario, recording->commands), {});
     Summary summary{scenario, *session, measures, &perf, std::nullopt, std::nullopt};
     if (options.verify) summary.verdict = verdict_of(verifier, recording->header);
+    if (options.score) {
+        const auto score = referee.decide();
+        if (!score)
+            return tl::unexpected(Failure{score.error().status,
+                                          fmt::format("{}: {}", options.recording, score.error().sentence)});
+        summary.score = *score;
+    }
     if (options.paranoid) summary.paranoid = self_check;
     if (self_check.parted && options.pictures.folder)
         if (auto drawn = render::write_png(desync_picture(*self_check.parted, scenario, self_check.names),
@@ -146,6 +181,12 @@ Outcome<int> replay(const ReplayOptions& options) {
             return machine_fails(drawn.error());
     if (auto told = tell(summary, options.results); !told) return tl::unexpected(told.error());
     const bool proven = verifier.verdict().kind() == Verdict::Kind::kExact;
+    if (summary.score) {
+        print_line(stderr, "couloir: scored {}", challenge_text(scenario));
+        if (const auto wrong = fault_of_claim(recording->claim, *summary.score))
+            return tl::unexpected(
+                Failure{Failure::kBadAnswer, fmt::format("{}: {}", options.recording, *wrong)});
+    }
     const bool bad = (options.verify && !proven) || self_check.parted;
     return bad ? Failure::kBadAnswer : 0;
 }

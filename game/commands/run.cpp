@@ -132,6 +132,8 @@ Outcome<int> run(const RunOptions& options) {
     watchers.gallery = gallery ? &*gallery : nullptr;
     watchers.ticks_per_picture = options.pictures.every.value_or(kTicksPerPicture);
     watchers.perf = &perf;
+    Referee referee(scenario, scene->commands);
+    if (scenario.goal) watchers.after_tick = [&](const Session& now) { referee.see(now); };
     const auto finished =
         play_headless(*session, scene->commands, until_of(options, scenario.params), watchers, "running");
     if (!finished) return tl::unexpected(finished.error());
@@ -141,6 +143,8 @@ Outcome<int> run(const RunOptions& options) {
         measure(scenario, *session, release_area(scenario, scene->commands), *reference);
     Summary summary{scenario, *session, measures, &perf, std::nullopt, std::nullopt};
     if (options.until_rest) summary.at_rest = *finished;
+    if (scenario.goal)
+        if (const auto score = referee.decide()) summary.score = *score;
     if (gallery) {
         draw_results(*gallery, *session);
         if (auto closed = gallery->close(); !closed) return tl::unexpected(closed.error());

@@ -126,7 +126,7 @@ std::optional<double> TomlTable::moment(std::string_view key, int first, int las
         const sys_days date =
             year(value->date.year) / month(value->date.month) / std::chrono::day(value->date.day);
         const auto since = date.time_since_epoch() + hours(time.hour) + minutes(time.minute) +
-                           seconds(time.second) - minutes(value->offset->minutes);
+                           std::chrono::seconds(time.second) - minutes(value->offset->minutes);
         return duration<double>(since).count() + 1e-9 * time.nanosecond;
     }
     return std::nullopt;
@@ -157,6 +157,11 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) {
 bool TomlTable::is_text(std::string_view key) const {
     const toml::node* node = table_->get(key);
     return node && node->is_string();
+}
+
+bool TomlTable::is_list(std::string_view key) const {
+    const toml::node* node = table_->get(key);
+    return node && node->is_array();
 }
 
 std::vector<std::string> TomlTable::keys() const {

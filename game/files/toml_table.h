@@ -39,6 +39,7 @@ class TomlTable {
     std::optional<double> moment(std::string_view key, int first, int last);
     bool has(std::string_view key) const { return table_->contains(key); }
     bool is_text(std::string_view key) const;
+    bool is_list(std::string_view key) const;
     std::vector<std::string> keys() const;
 
     // Reports that `key` (or the table itself, if empty) is wrong.

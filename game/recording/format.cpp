@@ -12,6 +12,7 @@
 #include "game/base/number.h"
 #include "game/base/version.h"
 #include "game/recording/command_json.h"
+#include "game/recording/goal_json.h"
 #include "game/recording/ground_data.h"
 #include "game/recording/things_json.h"
 #include "game/scene/flow_kinds.h"
@@ -23,6 +24,7 @@ namespace {
 
 constexpr std::string_view kFormatName = "couloir recording";
 constexpr std::int64_t kMostTicks = std::int64_t{1} << 40;
+constexpr int kMostMedal = 3;  // gold
 
 // The readers below throw the fact; the public functions return it as a value.
 using values::list;
@@ -407,6 +409,7 @@ Header read_header(const Json& json, int minor, const Memory& memory) {
         scenario.woods_act = act.get<bool>();
     }
     if (json.contains("things")) values::things_from(json.at("things"), scenario);
+    if (json.contains("goal")) scenario.goal = values::goal_from(json.at("goal"));
     return header;
 }
 
@@ -443,6 +446,10 @@ Line read_line(const Json& json, int minor) {
             hashes_before(json),
             {0, quanta("standing"), quanta("rolling"), quanta("out"), quanta("poured"), quanta("dug")}};
     }
+    if (json.contains("score"))
+        return ClaimLine{whole(json, "tick", 0, kMostTicks),
+                         whole(json, "score", INT64_MIN / 8, INT64_MAX / 8),
+                         static_cast<int>(whole(json, "medal", 0, kMostMedal))};
     const sim::CommandInfo* const info = values::kind_in(json);
     if (!info) refuse("a line of unknown kind");
     const std::int64_t tick = whole(json, "tick", 0, kMostTicks);
@@ -484,6 +491,7 @@ Json to_json(const Header& header) {
     if (scenario.lower && scenario.lower->density) json["lower"]["density"] = *scenario.lower->density;
     json["terrain"] = ground_json(scenario);
     if (!scenario.standing.empty()) json["things"] = values::things_json(scenario);
+    if (scenario.goal) json["goal"] = values::goal_json(*scenario.goal);
     return json;
 }
 
@@ -540,6 +548,11 @@ void write(const StateLine& state, std::string& line) {
     fmt::format_to(
         out, R"("hash":"{:016x}","mass":{{"standing":{},"rolling":{},"out":{},"poured":{},"dug":{}}}}})",
         state.hash, mass.standing, mass.rolling, mass.out, mass.poured, mass.dug);
+}
+
+void write(const ClaimLine& claim, std::string& line) {
+    fmt::format_to(std::back_inserter(line), R"({{"tick":{},"score":{},"medal":{}}})", claim.tick,
+                   claim.score, claim.medal);
 }
 
 void write(const EndLine& end, std::string& line) {

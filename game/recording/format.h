@@ -19,7 +19,7 @@ namespace game {
 // hash of the previous line and of itself, so that damage can be located. docs/recording.md has an example.
 
 inline constexpr int kFormatMajor = 1;  // a reader refuses a greater one
-inline constexpr int kFormatMinor = 7;  // a greater one may have fields that this reader ignores
+inline constexpr int kFormatMinor = 8;  // a greater one may have fields that this reader ignores
 inline constexpr int kPhysicsVersion =
     6;  // of the physics and its hash: recordings of another one play, but are not comparable
 inline constexpr int kSameBcreSince = 5;  // the model bcre has not changed since
@@ -36,6 +36,14 @@ struct StateLine {
 
 struct EndLine {
     std::int64_t tick = 0;  // ticks done
+};
+
+// What a try at the scenario's goal claims to have scored, at the tick at which it ended. Only a replay proves it.
+struct ClaimLine {
+    std::int64_t tick = 0;
+    std::int64_t score = 0;
+    int medal = 0;  // 0 none, 1 bronze, 2 silver, 3 gold
+    bool operator==(const ClaimLine&) const = default;
 };
 
 // The recording that this one was forked from.
@@ -87,12 +95,13 @@ tl::expected<void, std::string> check_format(const Json& json);
 // Appended to `line`, without a line break. Allocates only if the string must grow.
 void write(const TimedCommand& command, std::string& line);
 void write(const StateLine& state, std::string& line);
+void write(const ClaimLine& claim, std::string& line);
 void write(const EndLine& end, std::string& line);
 // A `set` of a number that the physics no longer has.
 struct LeftOut {
     std::int64_t tick = 0;
 };
-using Line = std::variant<TimedCommand, StateLine, EndLine, LeftOut>;
+using Line = std::variant<TimedCommand, StateLine, ClaimLine, EndLine, LeftOut>;
 tl::expected<Line, std::string> line_from(const Json& json, int minor = kFormatMinor);
 
 // The double whose shortest text equals the float's.

@@ -165,6 +165,16 @@ class Reader {
         return {};
     }
 
+    Outcome<void> keep(const ClaimLine& claim) {
+        if (!recording_.header.scenario.goal) return wrong("claims a score, and the recording has no goal");
+        if (claim.tick < latest_)
+            return wrong(fmt::format("goes back to tick {} from {}", claim.tick, latest_));
+        if (auto proven = check_states(claim.tick); !proven) return proven;
+        latest_ = claim.tick;
+        recording_.claim = claim;
+        return {};
+    }
+
     Outcome<void> keep(const EndLine& end) {
         if (end.tick < latest_) return wrong(fmt::format("ends at tick {}, before {}", end.tick, latest_));
         if (auto proven = check_states(end.tick); !proven) return proven;

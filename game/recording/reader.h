@@ -15,6 +15,7 @@ struct Recording {
     Header header;
     std::vector<TimedCommand> commands;  // sorted by tick
     std::vector<StateLine> states;       // sorted by tick
+    std::optional<ClaimLine> claim;      // the last one
     std::optional<std::int64_t> end;     // ticks done; none if the recorder was cut off
     std::optional<std::string>
         warning;  // a torn last line, a missing end, or numbers that are not the recorded ones

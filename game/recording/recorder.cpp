@@ -120,6 +120,10 @@ Outcome<void> Recorder::state(const StateLine& line) {
     mark_.last_state = line.tick;
     return {};
 }
+Outcome<void> Recorder::claim(const ClaimLine& line) {
+    write(line, line_);
+    return write_line();
+}
 Outcome<void> Recorder::end(std::int64_t tick) {
     write(EndLine{tick}, line_);
     if (auto written = write_line(); !written) return written;

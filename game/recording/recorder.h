@@ -31,6 +31,7 @@ class Recorder {
 
     Outcome<void> command(const TimedCommand& command);
     Outcome<void> state(const StateLine& line);
+    Outcome<void> claim(const ClaimLine& line);
     Outcome<void> end(std::int64_t tick);
 
     // The text of the file so far as if it ended at `tick`, with a last state line if there is one; the file goes

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "game/base/outcome.h"
+#include "game/scene/goal.h"
+#include "game/scene/timed_command.h"
 #include "render/camera.h"
 #include "render/look.h"
 #include "render/structures.h"
@@ -65,6 +67,7 @@ struct Scenario {
         bool operator==(const Standing&) const = default;
     };
     Standing standing;
+    std::optional<Goal> goal;  // of a challenge
 
     render::Look look;
     render::Light light;
@@ -77,12 +80,6 @@ struct Scenario {
 };
 
 inline constexpr double kLeastDensity = 1, kGreatestDensity = 3000;  // kg/m³
-
-// A command and the tick at whose start it applies.
-struct TimedCommand {
-    std::int64_t tick = 0;
-    sim::Command command;
-};
 
 // Of commands sorted by tick: those from a tick on, and those that apply at its start.
 std::span<const TimedCommand> commands_from(std::span<const TimedCommand> commands, std::int64_t tick);

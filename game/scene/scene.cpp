@@ -10,6 +10,7 @@
 #include "game/files/toml_table.h"
 #include "game/scene/flow_scene.h"
 #include "game/scene/material.h"
+#include "game/scene/scene_goal.h"
 #include "game/scene/scene_ground.h"
 #include "game/scene/scene_light.h"
 #include "game/scene/scene_structures.h"
@@ -314,6 +315,10 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
     if (auto wind = root.table("wind")) read_wind(*wind, scenario.wind);
     const bool woods_act = trees.rules.density > 0;
     scene.commands = read_commands(root, params.tick_s, scenario.lower.has_value());
+    if (auto table = root.table("goal")) {
+        scenario.goal = read_goal(*table);
+        scenario.goal->events = scene.commands;
+    }
     const auto sun = read_view(root, scenario);
     root.finish();
     if (fault) return unusable(*fault);

@@ -97,6 +97,10 @@ Outcome<void> Sandbox::take_over(const std::optional<std::filesystem::path>& pat
         }
     }
     if (opening_.watched) forget_from(opening_.scene.commands, session_.state().tick);
+    if (opening_.watched && scenario().goal) {  // what the scene does goes on
+        const auto events = commands_from(scenario().goal->events, session_.state().tick);
+        opening_.scene.commands.insert(opening_.scene.commands.end(), events.begin(), events.end());
+    }
     opening_.watched.reset();
     ++files_;
     forget_actions_after(session_.state().tick);
@@ -129,6 +133,36 @@ void Sandbox::begin_action(std::string name) {
     new_action_ = std::move(name);
 }
 
+GoalUse Sandbox::goal_use() const {
+    GoalUse use(*scenario().goal);
+    const std::int64_t tick = session_.state().tick;
+    const float tick_s = session_.state().params.tick_s;
+    const auto take = [&](const std::vector<TimedCommand>& commands) {
+        for (const TimedCommand& command : commands)
+            if (command.tick < tick) use.take(command, tick_s);
+    };
+    take(opening_.scene.commands), take(by_hand_);
+    return use;
+}
+
+// Adds what the rules of the challenge allow. Errors: what they do not, and why; the rest is added.
+Outcome<void> Sandbox::add_allowed(std::span<const sim::Command> hand) {
+    if (!scenario().goal || hand.empty()) {
+        source_.add_new(hand);
+        return {};
+    }
+    Outcome<void> told;
+    GoalUse use = goal_use();
+    for (const sim::Command& command : hand) {
+        const sim::Command fitted = fitted_to(*scenario().goal, command);
+        if (auto forbidden = use.take({session_.state().tick, fitted}, session_.state().params.tick_s))
+            told = unusable("Not done: " + *forbidden);
+        else
+            source_.add_new({&fitted, 1});
+    }
+    return told;
+}
+
 // The commands of this tick: those of the scene or the recording, then the user's.
 Outcome<void> Sandbox::gather(std::span<const sim::Command> hand) {
     source_.begin(session_.state());
@@ -138,8 +172,8 @@ Outcome<void> Sandbox::gather(std::span<const sim::Command> hand) {
     const bool knows = looks_back();
     if (knows)
         source_.add_known(by_hand_);
-    else
-        source_.add_new(hand);
+    else if (auto forbidden = add_allowed(hand); refused)
+        refused = std::move(forbidden);
     if (auto also_refused = source_.leave_out_clashing(); refused) refused = std::move(also_refused);
     const auto new_ones = source_.commands().subspan(in_store);
     if (knows || new_ones.empty()) return refused;

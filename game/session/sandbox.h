@@ -59,6 +59,9 @@ class Sandbox {
     // the session continues unrecorded; or mass was not conserved.
     Outcome<void> tick(std::span<const sim::Command> hand);
 
+    // What is left of each of the goal's tools until now. Only of a world with a goal.
+    GoalUse goal_use() const;
+
     std::size_t actions() const { return past_.size(); }   // that can be undone
     std::size_t undone() const { return undone_.size(); }  // actions that can be redone
     // Rewinds world and recording to just before the last action. Returns its name. Errors: there is nothing
@@ -90,6 +93,7 @@ class Sandbox {
     void remember();
     void forget_after(std::int64_t tick);
     Outcome<void> gather(std::span<const sim::Command> hand);
+    Outcome<void> add_allowed(std::span<const sim::Command> hand);
     Outcome<void> advance();
     bool may_change_history() const { return !looks_back() || returns_; }
     Outcome<void> go_to_just_before(const Action& action);

@@ -39,6 +39,7 @@ Session::Session(const Scenario& scenario, const sim::StepOptions& options, std:
     peaks_.speed_slope.assign(state_.grid.size(), 0.f);
     if (densities_) peaks_.pressure.assign(state_.grid.size(), 0.f);
     line_.before.reserve(kTicksPerState);
+    if (scenario.goal) try_.emplace(*scenario.goal, state_.params.tick_s);
     find_hash();
     watch();
 }
@@ -84,6 +85,7 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
                         state_.tick, cubic_metres(error), sim::kDeepest)});
     times_.peaks_ms = ms_of([&] {
         watch();
+        if (try_) try_->see(state_);
         if (!rests) watch_structures();
         if (powder_) advance_powder(commands, rests);
     });
@@ -113,9 +115,14 @@ Outcome<void> Session::write_state() {
     return lacks_state() ? recorder_->state(line_) : Outcome<void>();
 }
 
+Outcome<void> Session::claim(const ClaimLine& line) {
+    if (!recorder_ || state_.tick != recorded_until_) return {};
+    return recorder_->claim(line);
+}
+
 Session::Checkpoint Session::moment() const {
     Checkpoint moment{
-        sim::take_snapshot(state_), std::nullopt, {}, peaks_, active_cells_, line_, std::nullopt};
+        sim::take_snapshot(state_), std::nullopt, {}, peaks_, active_cells_, try_, line_, std::nullopt};
     if (powder_) moment.powder.assign(powder_->puffs().begin(), powder_->puffs().end());
     if (fronts_) moment.textures = fronts_->memory();
     if (recorder_) moment.mark = recorder_->mark();
@@ -143,6 +150,7 @@ void Session::put(const Checkpoint& moment) {
     peaks_ = moment.peaks;
     watch_structures();
     active_cells_ = moment.active_cells;
+    try_ = moment.challenge;
     line_ = moment.line;
     changed_at_ = state_.tick;
 }

@@ -11,6 +11,7 @@
 #include "game/scene/pressure.h"
 #include "game/scene/scenario.h"
 #include "game/scene/structures.h"
+#include "game/session/try_watch.h"
 #include "game/session/world_fronts.h"
 #include "render/flow_so_far.h"
 #include "sim/engine.h"
@@ -49,6 +50,7 @@ class Session {
         std::vector<sim::powder::Puff> powder;
         Peaks peaks;
         std::size_t active_cells = 0;
+        std::optional<TryWatch> challenge;
         StateLine line;
         std::optional<Recorder::Mark> mark;
     };
@@ -116,6 +118,13 @@ class Session {
     const TickTimes& times() const { return times_; }
     // The state line of this tick; `before` has the hashes since the last recorded state line.
     const StateLine& state_line() const { return line_; }
+    // When the try at the scenario's goal ended: tick.
+    std::optional<std::int64_t> try_ended_at() const {
+        return try_ ? try_->ended_at() : std::nullopt;
+    }
+    // Writes what the try that ended in this tick scores, if this tick is being recorded for the first time. Errors:
+    // the recording cannot be written.
+    Outcome<void> claim(const ClaimLine& line);
     std::size_t active_cells() const { return active_cells_; }  // vertices whose rolling layer is not empty
     double seconds() const {
         return static_cast<double>(state_.tick) * static_cast<double>(state_.params.tick_s);
@@ -142,6 +151,7 @@ class Session {
     Peaks peaks_;
     std::optional<Densities> densities_;
     StructureWatch structures_;
+    std::optional<TryWatch> try_;  // of a challenge
     TickTimes times_;
     std::size_t active_cells_ = 0;
     std::int64_t changed_at_ = 0;

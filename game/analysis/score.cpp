@@ -1,0 +1,248 @@
+#include "game/analysis/score.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "game/analysis/measures.h"
+#include "game/analysis/thing_results.h"
+#include "sim/world/ledger.h"
+
+namespace game {
+namespace {
+
+// Everything that quantities are read from, found once.
+class Findings {
+  public:
+    Findings(const Scenario& scenario, const Session& session, std::span<const TimedCommand> commands)
+        : scenario_(scenario),
+          session_(session),
+          measures_(measure(scenario, session, release_area(scenario, commands), {})),
+          use_(*scenario.goal) {
+        if (session.state().things) things_ = thing_results(session);
+        // Only the hand of a person can break a rule, and what it may not do was left out or is told by Referee.
+        for (const TimedCommand& command : commands) use_.take(command, scenario.params.tick_s);
+    }
+
+    // In thousandths of the measure's unit.
+    std::int64_t value(const Quantity& quantity) const {
+        return std::llrint(static_cast<double>(Score::kParts) * amount(quantity));
+    }
+
+  private:
+    double amount(const Quantity& quantity) const {
+        switch (quantity.measure) {
+            case Measure::kRunOut:
+                return measures_.run_out;
+            case Measure::kDrop:
+                return measures_.fall;
+            case Measure::kTopSpeed:
+                return measures_.peak_speed_slope;
+            case Measure::kEroded:
+                return measures_.eroded;
+            case Measure::kDeposit:
+                return session_.cubic_metres(quanta_in(
+                    quantity.area, [](double first, double now) { return std::max(now - first, 0.0); }));
+            case Measure::kRemoved: {
+                const auto gone = quanta_of_depth(
+                    quantity.area, [](double first, double now) { return std::max(first - now, 0.0); });
+                const auto all = quanta_of_depth(quantity.area, [](double first, double) { return first; });
+                return all > 0 ? 100 * static_cast<double>(gone) / static_cast<double>(all) : 0;
+            }
+            case Measure::kLoad: {
+                std::int64_t load = 0;
+                each_house([&](const sim::Thing& house) { load = std::max(load, house.load); });
+                return static_cast<double>(load) / 1000;
+            }
+            case Measure::kDestroyed: {
+                int destroyed = 0;
+                each_house([&](const sim::Thing& house) { destroyed += house.destroyed(); });
+                return destroyed;
+            }
+            case Measure::kBlocked:
+                return things_ ? things_->road_blocked : 0;
+            case Measure::kBroken:
+                return things_ ? things_->forest_broken_ha : 0;
+            case Measure::kUnused: {
+                const auto tool = std::ranges::find(scenario_.goal->tools, quantity.tool, &Goal::Tool::kind);
+                return tool == scenario_.goal->tools.end() ? 0 : use_.left(*tool).value_or(0);
+            }
+            case Measure::kTime:
+                return session_.seconds();
+        }
+        return 0;
+    }
+
+    template <class Visit>
+    void each_house(Visit&& visit) const {
+        if (!session_.state().things) return;
+        for (const sim::Thing& thing : session_.state().things->list)
+            if (thing.kind == sim::ThingKind::kHouse) visit(thing);
+    }
+
+    // The sum over the vertices of an area, in quanta of depth: exact, in any order.
+    template <class Of>
+    std::int64_t sum(const std::optional<Area>& area, Of&& of) const {
+        const sim::Grid& grid = scenario_.grid;
+        const auto cell = static_cast<double>(grid.dx);
+        std::int64_t quanta = 0;
+        for (int y = 0; y < grid.ny; ++y)
+            for (int x = 0; x < grid.nx; ++x)
+                if (!area || area->has(x * cell, y * cell))
+                    quanta += std::llrint(of(x, y) / static_cast<double>(sim::kQuantum));
+        return quanta;
+    }
+    // Of the surface above the bedrock, and of the standing layer alone: `of(first, now)`, m.
+    template <class Of>
+    std::int64_t quanta_in(const std::optional<Area>& area, Of&& of) const {
+        const sim::State& s = session_.state();
+        return sum(area, [&](int x, int y) {
+            return of(first(scenario_.depth, x, y) + first(scenario_.rolling, x, y),
+                      static_cast<double>(s.depth(x, y)) + static_cast<double>(s.rolling(x, y)));
+        });
+    }
+    template <class Of>
+    std::int64_t quanta_of_depth(const std::optional<Area>& area, Of&& of) const {
+        const sim::State& s = session_.state();
+        return sum(area, [&](int x, int y) {
+            return of(first(scenario_.depth, x, y), static_cast<double>(s.depth(x, y)));
+        });
+    }
+    double first(const std::vector<float>& field, int x, int y) const {
+        return static_cast<double>(
+            field[static_cast<std::size_t>(y) * static_cast<std::size_t>(scenario_.grid.nx) +
+                  static_cast<std::size_t>(x)]);
+    }
+
+    const Scenario& scenario_;
+    const Session& session_;
+    Measures measures_;
+    std::optional<ThingResults> things_;
+    GoalUse use_;
+};
+
+std::string value_text(const Quantity& quantity, std::int64_t value) {
+    const MeasureInfo& info = info_of(quantity.measure);
+    const std::string_view unit = info.has_tool ? unit_of(quantity.tool) : info.unit;
+    const double number = static_cast<double>(value) / static_cast<double>(Score::kParts);
+    const std::string text = std::abs(number) < 100 && value % Score::kParts != 0
+                                 ? fmt::format("{:.1f}", number)
+                                 : fmt::format("{}", std::llrint(number));
+    return unit.empty() ? text : fmt::format("{} {}", text, unit);
+}
+
+std::string name_of(const Quantity& quantity) {
+    const MeasureInfo& info = info_of(quantity.measure);
+    return info.has_tool ? fmt::format("{} {}", sim::info_of(quantity.tool).name, info.words)
+                         : std::string(info.words);
+}
+
+// "greatest load on a house is 8.2 kPa; at most 5 are allowed"
+std::string need_text(const Goal::Need& need, const Score::Judged& judged) {
+    return fmt::format("{} is {}; {}", name_of(need.quantity), value_text(need.quantity, judged.value),
+                       need.most ? fmt::format("at most {:g} is allowed", *need.most)
+                                 : fmt::format("at least {:g} is needed", *need.least));
+}
+
+bool meets(const Goal::Need& need, std::int64_t value) {
+    const auto parts = [](double of) { return std::llrint(of * static_cast<double>(Score::kParts)); };
+    return need.most ? value <= parts(*need.most) : value >= parts(*need.least);
+}
+
+}  // namespace
+
+bool Score::meets_needs() const {
+    return std::ranges::all_of(needs, &Judged::met);
+}
+
+Score score_now(const Scenario& scenario, const Session& session, std::span<const TimedCommand> commands) {
+    const Goal& goal = *scenario.goal;
+    const Findings found(scenario, session, commands);
+    Score score;
+    score.tick = session.state().tick;
+    for (const Goal::Need& need : goal.needs) {
+        const std::int64_t value = found.value(need.quantity);
+        score.needs.push_back({value, meets(need, value)});
+    }
+    double points = goal.base;
+    for (const Goal::Term& term : goal.score)
+        points +=
+            term.times * static_cast<double>(found.value(term.quantity)) / static_cast<double>(Score::kParts);
+    score.points = std::llrint(points);
+    if (score.meets_needs())
+        score.medal = static_cast<int>(
+            std::ranges::count_if(goal.medals, [&](std::int64_t least) { return score.points >= least; }));
+    score.won = score.medal > 0;
+    return score;
+}
+
+const char* medal_name(int medal) {
+    constexpr const char* kNames[] = {"no medal", "bronze", "silver", "gold"};
+    return kNames[std::clamp(medal, 0, 3)];
+}
+
+std::string verdict_of(const Goal& goal, const Score& score) {
+    if (score.won) return fmt::format("Won: {}", medal_name(score.medal));
+    for (std::size_t i = 0; i < goal.needs.size(); ++i)
+        if (!score.needs[i].met) return fmt::format("Lost: {}", need_text(goal.needs[i], score.needs[i]));
+    return fmt::format("No medal: the score is {}, and bronze begins at {}", score.points, goal.medals[0]);
+}
+
+std::string to_text(const Goal& goal, const Score& score) {
+    std::string text =
+        fmt::format("challenge: {}\nscore {}, bronze from {}, silver from {}, gold from {}\n",
+                    verdict_of(goal, score), score.points, goal.medals[0], goal.medals[1], goal.medals[2]);
+    for (std::size_t i = 0; i < goal.needs.size(); ++i)
+        text += fmt::format("{}: {}\n", score.needs[i].met ? "met" : "not met",
+                            need_text(goal.needs[i], score.needs[i]));
+    return text;
+}
+
+Json to_json(const Goal& goal, const Score& score) {
+    Json json{{"tick", score.tick},    {"won", score.won},
+              {"score", score.points}, {"medal", medal_name(score.medal)},
+              {"medals", goal.medals}, {"needs", Json::array()}};
+    for (std::size_t i = 0; i < goal.needs.size(); ++i)
+        json["needs"].push_back(
+            {{"measure", info_of(goal.needs[i].quantity.measure).name},
+             {"value", static_cast<double>(score.needs[i].value) / static_cast<double>(Score::kParts)},
+             {"met", score.needs[i].met}});
+    return json;
+}
+
+void Referee::see(const Session& session) {
+    const std::int64_t tick = session.state().tick;
+    if (session.try_ended_at() != tick) return;
+    const auto later = commands_from(commands_, tick);
+    score_ = score_now(scenario_, session, commands_.first(commands_.size() - later.size()));
+}
+
+Outcome<Score> Referee::decide() const {
+    if (!score_)
+        return tl::unexpected(Failure{Failure::kBadAnswer, "the try at the challenge has not ended"});
+    GoalUse use(*scenario_.goal);
+    for (const TimedCommand& command : commands_) {
+        if (command.tick >= score_->tick) break;
+        if (const auto forbidden = use.take(command, scenario_.params.tick_s))
+            return unusable(fmt::format("tick {}: {}", command.tick, *forbidden));
+    }
+    if (const TimedCommand* event = use.missing(score_->tick))
+        return unusable(fmt::format("tick {}: the scene's own {} is missing", event->tick,
+                                    sim::info_of(event->command.kind).name));
+    return *score_;
+}
+
+bool is_same_challenge(const Scenario& one, const Scenario& other) {
+    const auto text = [](const Scenario& scenario) {
+        Header header;
+        header.scenario = scenario;
+        Json json = to_json(header);
+        for (const char* seen : {"view", "title", "program"}) json.erase(seen);
+        json["terrain"].erase("name"), json["terrain"].erase("licence");
+        return json;
+    };
+    return text(one) == text(other);
+}
+
+}  // namespace game

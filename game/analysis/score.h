@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "game/base/outcome.h"
+#include "game/recording/format.h"
+#include "game/scene/scenario.h"
+#include "game/session/session.h"
+
+namespace game {
+
+// What a try at a challenge came to. Every number follows from states and commands alone.
+struct Score {
+    static constexpr std::int64_t kParts = 1000;  // values are whole thousandths of the measure's unit
+
+    struct Judged {
+        std::int64_t value = 0;
+        bool met = true;
+    };
+    std::int64_t tick = 0;      // at which the try ended
+    std::vector<Judged> needs;  // as the goal has them
+    bool won = false;           // all needs are met, and there is a medal
+    std::int64_t points = 0;
+    int medal = 0;  // 0 none, 1 bronze, 2 silver, 3 gold; 0 if a need is not met
+
+    bool meets_needs() const;
+    ClaimLine claim() const { return {tick, points, medal}; }
+    bool operator==(const Score& other) const { return claim() == other.claim(); }
+};
+
+// Judges the state that a session is in, which must be that of the tick in which the try ended. `commands`: all of this
+// world until now, sorted by tick. Needs a scenario with a goal.
+Score score_now(const Scenario& scenario, const Session& session, std::span<const TimedCommand> commands);
+
+const char* medal_name(int medal);  // "gold"
+// "Won: silver", or the first need that is not met: "Lost: greatest load on a house is 8.2 kPa; at most 5 are allowed".
+std::string verdict_of(const Goal& goal, const Score& score);
+// The same, the score and each need as lines.
+std::string to_text(const Goal& goal, const Score& score);
+Json to_json(const Goal& goal, const Score& score);
+
+// Watches a session from tick 0 and scores its try at the moment at which it ends.
+class Referee {
+  public:
+    // Both outlive it. `commands`: that the session will be given, sorted by tick.
+    Referee(const Scenario& scenario, std::span<const TimedCommand> commands)
+        : scenario_(scenario), commands_(commands) {}
+
+    // Call after every tick.
+    void see(const Session& session);
+    // The score. Errors: the try did not end (status 1), or a command broke a rule of the challenge (status 2): its
+    // tick and what forbids it.
+    Outcome<Score> decide() const;
+
+  private:
+    const Scenario& scenario_;
+    std::span<const TimedCommand> commands_;
+    std::optional<Score> score_;
+};
+
+// Whether two scenarios are the same challenge: all but how they are drawn and called is the same.
+bool is_same_challenge(const Scenario& one, const Scenario& other);
+
+}  // namespace game

@@ -1,0 +1,208 @@
+#include "game/scene/goal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace game {
+namespace {
+
+constexpr MeasureInfo kMeasures[] = {
+    {Measure::kRunOut, "run_out", "m", "run-out", false, false},
+    {Measure::kDrop, "drop", "m", "drop", false, false},
+    {Measure::kTopSpeed, "top_speed", "m/s", "top speed", false, false},
+    {Measure::kEroded, "eroded", "m3", "swept along", false, false},
+    {Measure::kDeposit, "deposit", "m3", "deposit", true, false},
+    {Measure::kRemoved, "removed", "%", "emptied", true, false},
+    {Measure::kLoad, "load", "kPa", "greatest load on a house", false, false},
+    {Measure::kDestroyed, "destroyed", "houses", "destroyed", false, false},
+    {Measure::kBlocked, "blocked", "m", "blocked road", false, false},
+    {Measure::kBroken, "broken", "ha", "broken forest", false, false},
+    {Measure::kUnused, "unused", "", "unused", false, true},
+    {Measure::kTime, "time", "s", "time", false, false},
+};
+
+double disc_area(const sim::Command& command) {
+    return std::numbers::pi * command.radius * command.radius;
+}
+
+// What a command takes of the total of its tool.
+double cost_of(const sim::Command& command, float tick_s) {
+    constexpr double kHectare = 1e4;  // m²
+    const double seconds = static_cast<double>(sim::ticks_of(command, tick_s)) * static_cast<double>(tick_s);
+    switch (command.kind) {
+        case sim::CommandKind::kPour:
+            return command.rate * seconds;
+        case sim::CommandKind::kDig:
+            return command.rate * seconds * disc_area(command);
+        case sim::CommandKind::kPlant:
+            return disc_area(command) / kHectare;
+        case sim::CommandKind::kNet:
+        case sim::CommandKind::kRoad: {
+            const double x = command.to_x - command.x, y = command.to_y - command.y;
+            return std::sqrt(x * x + y * y);
+        }
+        default:
+            return 0;
+    }
+}
+
+// Sums of shares of a budget may exceed it by their rounding.
+constexpr double kRounding = 1e-9;
+
+std::string number_text(double value) {
+    return fmt::format("{:g}", value);
+}
+
+}  // namespace
+
+bool Area::has(double x, double y) const {
+    if (shape == Shape::kBox) return from.x <= x && x <= to.x && from.y <= y && y <= to.y;
+    const double east = (x - from.x) / to.x, north = (y - from.y) / to.y;
+    return east * east + north * north <= 1;
+}
+
+std::span<const MeasureInfo> measure_infos() {
+    return kMeasures;
+}
+
+const MeasureInfo& info_of(Measure measure) {
+    return kMeasures[static_cast<std::size_t>(measure)];
+}
+
+std::optional<Measure> measure_from(std::string_view name) {
+    const auto found = std::ranges::find(kMeasures, name, &MeasureInfo::name);
+    if (found == std::end(kMeasures)) return std::nullopt;
+    return found->measure;
+}
+
+std::string_view unit_of(sim::CommandKind kind) {
+    switch (kind) {
+        case sim::CommandKind::kPour:
+        case sim::CommandKind::kDig:
+            return "m3";
+        case sim::CommandKind::kPlant:
+            return "ha";
+        case sim::CommandKind::kNet:
+        case sim::CommandKind::kRoad:
+            return "m";
+        default:
+            return "";
+    }
+}
+
+std::optional<std::string> fault_of(const Goal& goal) {
+    const auto has_tool = [&](sim::CommandKind kind) {
+        return std::ranges::any_of(goal.tools, [&](const Goal::Tool& tool) { return tool.kind == kind; });
+    };
+    if (goal.say.empty()) return "says nothing";
+    if (goal.score.empty()) return "has no score";
+    if (!std::ranges::is_sorted(goal.medals)) return "has medals that do not rise";
+    if (goal.latest_s && *goal.latest_s <= goal.earliest_s) return "ends before it may end";
+    for (std::size_t i = 0; i < goal.tools.size(); ++i) {
+        const Goal::Tool& tool = goal.tools[i];
+        const std::string_view name = sim::info_of(tool.kind).name;
+        for (std::size_t k = 0; k < i; ++k)
+            if (goal.tools[k].kind == tool.kind) return fmt::format("has the tool {} twice", name);
+        if (tool.total && unit_of(tool.kind).empty())
+            return fmt::format("has a total of {}, which only a count can limit", name);
+    }
+    const auto fault_of_quantity = [&](const Quantity& quantity) -> std::optional<std::string> {
+        const MeasureInfo& info = info_of(quantity.measure);
+        if (quantity.area && !info.has_area) return fmt::format("measures {} in an area", info.name);
+        if (!info.has_tool) return std::nullopt;
+        const auto tool = std::ranges::find(goal.tools, quantity.tool, &Goal::Tool::kind);
+        if (!has_tool(quantity.tool))
+            return fmt::format("counts what is unused of {}, which is no tool of it",
+                               sim::info_of(quantity.tool).name);
+        if (!tool->total && !tool->count)
+            return fmt::format("counts what is unused of {}, of which there is no end",
+                               sim::info_of(quantity.tool).name);
+        return std::nullopt;
+    };
+    for (const Goal::Need& need : goal.needs) {
+        if (need.least.has_value() == need.most.has_value())
+            return fmt::format("needs a {} that has not one of `least` and `most`",
+                               info_of(need.quantity.measure).name);
+        if (auto wrong = fault_of_quantity(need.quantity)) return wrong;
+    }
+    for (const Goal::Term& term : goal.score)
+        if (auto wrong = fault_of_quantity(term.quantity)) return wrong;
+    return std::nullopt;
+}
+
+sim::Command fitted_to(const Goal& goal, sim::Command command) {
+    const auto tool = std::ranges::find(goal.tools, command.kind, &Goal::Tool::kind);
+    if (tool == goal.tools.end()) return command;
+    for (const Goal::Limit& limit : tool->limits)
+        for (const sim::CommandNumber& number : sim::info_of(command.kind).numbers)
+            if (number.name == limit.number)
+                command.*number.value = std::clamp(command.*number.value, limit.least, limit.most);
+    if (tool->layer) command.layer = *tool->layer;
+    return command;
+}
+
+std::size_t GoalUse::index_of(sim::CommandKind kind) const {
+    const auto found = std::ranges::find(goal_->tools, kind, &Goal::Tool::kind);
+    return static_cast<std::size_t>(found - goal_->tools.begin());
+}
+
+std::optional<std::string> GoalUse::refusal(const sim::Command& command, float tick_s) const {
+    const sim::CommandInfo& info = sim::info_of(command.kind);
+    const std::size_t i = index_of(command.kind);
+    if (i == goal_->tools.size()) return fmt::format("{} is no tool of this challenge", info.name);
+    const Goal::Tool& tool = goal_->tools[i];
+    if (goal_->zone && !goal_->zone->has(command.x, command.y))
+        return fmt::format("({:.0f}, {:.0f}) is outside the zone of this challenge", command.x, command.y);
+    for (const Goal::Limit& limit : tool.limits)
+        for (const sim::CommandNumber& number : info.numbers) {
+            if (number.name != limit.number) continue;
+            const double value = command.*number.value;
+            if (limit.least <= value && value <= limit.most) continue;
+            return limit.least == limit.most
+                       ? fmt::format("the {} of a {} is {} {}, and must be {}", number.name, info.name,
+                                     number_text(value), number.unit, number_text(limit.least))
+                       : fmt::format("the {} of a {} is {} {}, outside {} to {}", number.name, info.name,
+                                     number_text(value), number.unit, number_text(limit.least),
+                                     number_text(limit.most));
+        }
+    if (tool.layer && command.layer != *tool.layer)
+        return fmt::format("a {} must be as {}", info.name, sim::to_string(*tool.layer));
+    if (tool.count && counts_[i] >= *tool.count)
+        return fmt::format("there {} {} {}, and {} used", *tool.count == 1 ? "is" : "are", *tool.count,
+                           info.name, *tool.count == 1 ? "it is" : "all are");
+    if (tool.total && totals_[i] + cost_of(command, tick_s) > *tool.total * (1 + kRounding))
+        return fmt::format("the budget of {} is {} {}, and {:.1f} {} are left", info.name,
+                           number_text(*tool.total), unit_of(tool.kind), *tool.total - totals_[i],
+                           unit_of(tool.kind));
+    return std::nullopt;
+}
+
+std::optional<std::string> GoalUse::take(const TimedCommand& timed, float tick_s) {
+    if (events_ < goal_->events.size() && goal_->events[events_] == timed) {
+        ++events_;
+        return std::nullopt;
+    }
+    if (auto forbidden = refusal(timed.command, tick_s)) return forbidden;
+    const std::size_t i = index_of(timed.command.kind);
+    ++counts_[i];
+    totals_[i] += cost_of(timed.command, tick_s);
+    return std::nullopt;
+}
+
+const TimedCommand* GoalUse::missing(std::int64_t tick) const {
+    if (events_ == goal_->events.size() || goal_->events[events_].tick >= tick) return nullptr;
+    return &goal_->events[events_];
+}
+
+std::optional<double> GoalUse::left(const Goal::Tool& tool) const {
+    const std::size_t i = index_of(tool.kind);
+    if (tool.total) return std::max(*tool.total - totals_[i], 0.0);
+    if (tool.count) return static_cast<double>(*tool.count - counts_[i]);
+    return std::nullopt;
+}
+
+}  // namespace game
