@@ -183,10 +183,7 @@ void App::guide_stroke() {
     const auto released_at = input_.brush_released_at();
     const auto at = released_at ? ground_under(*released_at) : ground_;
     hand_.move_to(at ? std::optional<glm::dvec2>(*at) : std::nullopt);
-    // A click shorter than a tick is still a stroke, unless the simulation is paused.
-    if (input_.brush_held()) return;
-    hand_.release();
-    if (clock_.paused()) hand_.drop();
+    if (!input_.brush_held()) hand_.release();  // a click shorter than a tick is still a stroke
 }
 
 void App::begin_stroke() {
@@ -206,7 +203,6 @@ void App::begin_stroke() {
                 static_cast<double>(world.grid.dx));
     earth_before_ = earth_used();
     sandbox_->begin_action(std::string(sim::info_of(hand_.stroke()->deed().kind).name));
-    if (clock_.paused()) tell("Paused: the tool acts when time runs. Press Space to run, or . for one tick");
 }
 
 double App::earth_used() const {
@@ -250,9 +246,22 @@ std::optional<ui::StrokeNote> App::stroke_note() const {
     return note;
 }
 
+// A tool acts in a pause too, and time moves for that alone: by one tick for what acts at once, and while the button
+// is held for what acts all the time. True in the latter case.
+bool App::works_in_pause(double tick_s) {
+    if (!clock_.paused() || !hand_.stroke() || sandbox_->looks_back()) return false;
+    if (!hand_.would_act(tick_s)) {
+        hand_.arrive(1);
+        return false;
+    }
+    if (hand_.stroke()->deed().acts == Acts::kAllTheTime) return true;
+    clock_.step_once();
+    return false;
+}
+
 void App::run_ticks(double elapsed_s, FrameTime& time) {
     const double tick_s = static_cast<double>(sandbox_->scenario().params.tick_s);
-    const int due = clock_.ticks_due(elapsed_s, tick_s);
+    const int due = clock_.ticks_due(elapsed_s, tick_s, works_in_pause(tick_s));
     const double begun = screen_.seconds();
     if (clock_.runs_back() && !seeking_) seeking_ = sandbox_->session().state().tick - due;
     if (seeking_) return seek(*seeking_, begun);

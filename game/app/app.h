@@ -77,6 +77,7 @@ class App {
     void move_camera(double elapsed_s);
     void guide_stroke();
     void run_ticks(double elapsed_s, FrameTime& time);
+    bool works_in_pause(double tick_s);
     void seek(std::int64_t tick, double begun_s);
     void draw_world(const FrameTime& time);
     void draw_panels();
@@ -102,6 +103,7 @@ class App {
     void perform(const SetNumber& set);
     void perform(const SetDisplay& set);
     void perform(const Open& open);
+    void pause(bool on);
     void undo();
     void redo();
     void stop_hand();

@@ -39,9 +39,9 @@ void App::perform(Verb verb) {
     if (ui_.perform(verb)) return;
     switch (verb) {
         case Verb::kPauseOrGoOn:
-            return clock_.pause(!clock_.paused());
+            return pause(!clock_.paused());
         case Verb::kStepOnce:
-            clock_.pause(true);
+            pause(true);
             return clock_.step_once();
         case Verb::kSlower:
             return clock_.set_speed(clock_.speed() / 2);
@@ -92,6 +92,12 @@ void App::perform(Verb verb) {
         default:
             return;  // panel verbs, handled by ui_
     }
+}
+
+// A stroke that is held while time is paused ends there, because it would let time run on.
+void App::pause(bool on) {
+    clock_.pause(on);
+    if (on) hand_.release();
 }
 
 void App::perform(const SetSpeed& set) {

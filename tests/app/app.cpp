@@ -382,6 +382,106 @@ TEST_F(Playing, sculpts_plants_and_builds_and_takes_it_back) {
     expect_recording_replays();
 }
 
+TEST_F(Playing, builds_in_a_pause_with_one_tick_for_each_thing) {
+    begin();
+    tap(Key::kSpace);
+    const auto paused = state().tick;
+    tap(key('8'));
+    stroke(6);
+    ASSERT_TRUE(state().things);
+    EXPECT_EQ(state().things->list.size(), 1u);
+    EXPECT_EQ(state().tick, paused + 1);
+    stroke(6);  // one stands there already: refused, in a tick of its own
+    EXPECT_EQ(state().tick, paused + 2);
+    stroke(6, {.control = true});
+    EXPECT_TRUE(state().things->list.empty());
+    EXPECT_EQ(state().tick, paused + 3);
+    tap(key('7'));
+    stroke(6);
+    EXPECT_FALSE(state().things->wooded.empty());
+    EXPECT_EQ(state().tick, paused + 4);
+    stroke(6, {.control = true});
+    EXPECT_TRUE(state().things->wooded.empty());
+    EXPECT_EQ(state().tick, paused + 5);
+    tap(key('R'));
+    point_at_slope();
+    screen_.press(Button::kLeft);
+    frames(2);
+    EXPECT_EQ(state().tick, paused + 5);
+    screen_.move(kAtX + 30, kAtY);
+    frames(2);
+    screen_.release(Button::kLeft);
+    frames(3);
+    EXPECT_FALSE(state().things->list.empty());
+    const auto after = state().tick;
+    EXPECT_GT(after, paused + 5);
+    frames(20);
+    EXPECT_EQ(state().tick, after);
+    EXPECT_TRUE(app_->clock().paused());
+    tap(key('Z'), {.control = true});
+    EXPECT_TRUE(state().things->list.empty());
+    EXPECT_EQ(state().tick, paused + 5);
+    expect_recording_replays();
+}
+
+TEST_F(Playing, lets_time_run_in_a_pause_while_the_brush_is_held) {
+    begin();
+    tap(Key::kSpace);
+    const auto ticks_of = [&](int count) {
+        const auto before = state().tick;
+        stroke(count);
+        const auto ticks = static_cast<double>(state().tick - before);
+        frames(20);
+        EXPECT_EQ(static_cast<double>(state().tick - before), ticks) << "paused again";
+        return ticks;
+    };
+    tap(key('4'));
+    EXPECT_NEAR(ticks_of(1), 1, 1);  // a click
+    const auto raised = sim::earth_used(state().things.value());
+    EXPECT_GT(raised, 0);
+    EXPECT_NEAR(ticks_of(30), 30, 2);
+    EXPECT_GT(sim::earth_used(*state().things), 10 * raised);
+    tap(key('1'));
+    EXPECT_NEAR(ticks_of(30), 30, 2);
+    EXPECT_GT(mass().poured, 0);
+    EXPECT_TRUE(app_->clock().paused());
+    screen_.move(5, 5);  // no ground under the cursor
+    frames(1);
+    const auto before = state().tick;
+    screen_.press(Button::kLeft);
+    frames(10);
+    screen_.release(Button::kLeft);
+    frames(3);
+    EXPECT_EQ(state().tick, before);
+    expect_recording_replays();
+}
+
+TEST_F(Playing, blasts_in_a_pause) {
+    begin();
+    tap(Key::kSpace);
+    tap(key('3'));
+    const auto tick = state().tick;
+    stroke(6);
+    EXPECT_GT(mass().rolling, 0);
+    EXPECT_EQ(state().tick, tick + 1);
+    expect_recording_replays();
+}
+
+TEST_F(Playing, stands_still_once_paused_though_the_brush_is_held) {
+    begin();
+    point_at_slope();
+    screen_.press(Button::kLeft);
+    frames(10);
+    tap(Key::kSpace);
+    frames(3);
+    const auto paused = state().tick;
+    frames(10);
+    EXPECT_EQ(state().tick, paused);
+    screen_.release(Button::kLeft);
+    frames(3);
+    EXPECT_EQ(state().tick, paused);
+}
+
 TEST_F(Playing, draws_a_road_to_where_the_button_was_released) {
     begin();
     tap(key('R'));
