@@ -116,7 +116,7 @@ bool App::frame() {
 
 Outcome<void> App::finish() {
     if (record_ && sandbox_->watches()) take_over();
-    return sandbox_->finish();
+    return close_recording();
 }
 
 void App::perform_all() {
@@ -373,9 +373,8 @@ render::Marks App::marks() const {
         .overlay = display_.overlay, .contours = display_.contours, .flow_mesh = display_.flow_mesh};
     if (const auto& densities = sandbox_->session().densities())
         marks.density = glm::dvec2(densities->upper, densities->lower);
-    if (ground_ && !sandbox_->looks_back() && !sandbox_->scenario().flow) {
-        show_hand(marks);
-    }
+    const bool wanted = !ui_.hides_panels() || hand_.stroke();  // without panels the image is for looking
+    if (ground_ && wanted && !sandbox_->looks_back() && !sandbox_->scenario().flow) show_hand(marks);
     return marks;
 }
 
@@ -576,6 +575,7 @@ void App::take_screenshot() {
     if (!is_shown) draw_image(best);
     if (device_failure_) return;
     const Session& session = sandbox_->session();
+    keeps_untouched_ = true;
     Shot shot{sandbox_->scenario(), recording_.value_or(""), session.state().tick, shown.camera};
     if (sandbox_->watches()) shot.recording = first_.name + ".couloir";
     const auto begun =

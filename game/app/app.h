@@ -111,6 +111,7 @@ class App {
     void share();
     void tell_results();
     void watch_slide();
+    render::Camera home() const;
     void tell_camera_mode();
     void begin_stroke();
     std::optional<ui::StrokeNote> stroke_note() const;
@@ -137,6 +138,7 @@ class App {
                                                      const std::optional<std::filesystem::path>& wanted);
     void open_or_tell(const std::string& name_or_path, const Overrides& overrides);
     void stop_recording(const Failure& failure);
+    Outcome<void> close_recording();
 
     void tell(std::string sentence) { notices_.tell(Notice::Kind::kInfo, std::move(sentence), now_s_); }
     void warn(std::string sentence) { notices_.tell(Notice::Kind::kWarning, std::move(sentence), now_s_); }
@@ -165,6 +167,7 @@ class App {
     std::optional<std::filesystem::path> recording_;
     std::int64_t epoch_ = 0;                       // grows when the world restarts or goes back in time
     std::optional<std::filesystem::path> record_;  // from --record, until a session is written to it
+    bool keeps_untouched_ = false;  // the recording: it was asked for with --record, or a screenshot names it
     std::optional<Failure> recording_failure_;
     std::optional<std::int64_t> seeking_;  // target tick of a seek
     bool takes_over_there_ = false;

@@ -76,7 +76,7 @@ void things(Desk& desk, const Reading& reading) {
 
 void rows(Desk& desk, const Facts& facts, const Reading& reading) {
     Widgets& widgets = desk.widgets;
-    widgets.fact("Height", "%.1f m", reading.at.z);
+    widgets.fact("Height", "%.1f m", reading.height);
     slope(desk, facts, reading);
     if (reading.aspect_deg)
         widgets.fact("Faces", "%.0f° %s", *reading.aspect_deg, compass_point(*reading.aspect_deg));
@@ -120,6 +120,7 @@ void readings(Desk& desk, const Facts& facts) {
     ImGui::PopFont();
     if (facts.under_cursor->where[0] != 0) where(desk, *facts.under_cursor);
     desk.readings_height = ImGui::GetWindowSize().y;
+    desk.widgets.keep_window_clear("Readings");
     ImGui::End();
     ImGui::PopStyleVar(2);
 }

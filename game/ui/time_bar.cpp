@@ -184,6 +184,7 @@ void time_bar(Desk& desk, const Facts& facts, Actions& actions) {
     mass(desk, facts);
     desk.time_bar_top = ImGui::GetWindowPos().y;
     desk.time_bar_left = ImGui::GetWindowPos().x;
+    desk.widgets.keep_window_clear("Time bar");
     ImGui::End();
 }
 

@@ -17,6 +17,10 @@ namespace {
 
 constexpr double kLetterHeight = 16;  // px at scale 1
 
+double letter_height(const ScreenSize& size, double letters) {
+    return std::round(kLetterHeight * std::clamp(size.scale * letters, 0.5, 8.0));
+}
+
 // ImGui's context, current during its lifetime.
 struct Context {
     Context() {
@@ -83,14 +87,28 @@ Ui::Ui(std::optional<std::filesystem::path> font) : parts_(std::make_unique<Part
 
 Ui::~Ui() = default;
 
+bool Ui::hides_panels() const {
+    return parts_->desk.panels.hidden();
+}
+
+double Ui::free_height(const ScreenSize& size, double letters) const {
+    constexpr double kBars = 11.9;  // em, before they were drawn
+    const double height = size.height;
+    if (hides_panels()) return height;
+    const Desk& desk = parts_->desk;
+    const bool drawn = desk.time_bar_top > 0;
+    const double bars =
+        drawn ? height - (desk.time_bar_top - desk.toolbar_bottom) : kBars * letter_height(size, letters);
+    return std::max(height - bars, height / 2);
+}
+
 void Ui::begin(std::span<const Event> events, Screen& screen, double letters, double elapsed_s) {
     Parts& parts = *parts_;
     Desk& desk = parts.desk;
     const ScreenSize size = screen.size();
     parts.screen = &screen;
 
-    const auto em =
-        static_cast<float>(std::round(kLetterHeight * std::clamp(size.scale * letters, 0.5, 8.0)));
+    const auto em = static_cast<float>(letter_height(size, letters));
     if (em != desk.widgets.em) {
         desk.widgets.em = em;
         desk.widgets.letters = set_letters(parts.font, em);

@@ -1,6 +1,7 @@
 #include "game/ui/widgets.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
@@ -11,6 +12,7 @@ namespace game::ui {
 namespace {
 
 constexpr double kTooltipAfter = 0.4;  // s
+constexpr float kTooltipWidth = 20;    // em, at most
 constexpr float kLabelShare = 0.42f;   // of a row's width
 
 ImU32 plate_colour(bool on) {
@@ -54,6 +56,7 @@ const Places::Place* Places::find(std::string_view label) const {
 
 void Widgets::begin_frame(double elapsed_s) {
     places_.clear();
+    occupied_ = std::exchange(occupied_next_, {});
     elapsed_s_ = elapsed_s;
     if (!std::exchange(hovering_, false)) hovered_s_ = 0;
 }
@@ -65,14 +68,71 @@ void Widgets::tooltip(const char* text) {
     hovered_ = at;
     hovering_ = true;
     if (hovered_s_ < kTooltipAfter || ImGui::IsItemActive()) return;
+    const float width = em * kTooltipWidth;
+    const ImVec2 words = ImGui::CalcTextSize(text, nullptr, false, width),
+                 pad = ImGui::GetStyle().WindowPadding;
+    const ImVec2 size{words.x + 2 * pad.x, words.y + 2 * pad.y}, window = ImGui::GetWindowPos(),
+                                                                 extent = ImGui::GetWindowSize();
+    const ImVec2 to = beside({ImGui::GetItemRectMin(), ImGui::GetItemRectMax()},
+                             {window, {window.x + extent.x, window.y + extent.y}}, size);
+    ImGui::SetNextWindowPos(to);
     const float alpha = ImGui::GetStyle().Alpha;
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, std::max(alpha, 1.f));  // readable over a greyed widget
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(em * 20);
+    ImGui::PushTextWrapPos(pad.x + width);
     ImGui::TextUnformatted(text);
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
     ImGui::PopStyleVar();
+    places_.note("Tooltip", to, {to.x + size.x, to.y + size.y});
+}
+
+// The place for a tooltip that is nearest to its item: below, above or beside its panel and clear of all others.
+// If there is none, below the item or above it.
+ImVec2 Widgets::beside(const Box& item, const Box& panel, ImVec2 size) const {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float gap = em * 0.3f;
+    // Of a wide item, where the cursor is.
+    const bool wide = item.to.x - item.from.x > em * kTooltipWidth / 2;
+    const float x = wide ? ImGui::GetIO().MousePos.x : (item.from.x + item.to.x) / 2;
+    const float centred = std::clamp(x - size.x / 2, 0.f, std::max(screen.x - size.x, 0.f));
+    ImVec2 best{centred, item.to.y + gap};
+    if (best.y + size.y > screen.y) best.y = item.from.y - gap - size.y;
+    float least = FLT_MAX;
+    const auto consider = [&](float left, float top) {
+        const float right = left + size.x, bottom = top + size.y;
+        if (left < 0 || top < 0 || right > screen.x || bottom > screen.y) return;
+        const auto hides = [&](const Box& box) {
+            return left < box.to.x && right > box.from.x && top < box.to.y && bottom > box.from.y;
+        };
+        const auto boxes = occupied_.boxes.begin();
+        if (hides(panel) || std::any_of(boxes, boxes + static_cast<std::ptrdiff_t>(occupied_.size), hides))
+            return;
+        const float away = std::hypot(left - centred, top - item.from.y);
+        if (away >= least) return;
+        least = away;
+        best = {left, top};
+    };
+    for (const float top : {panel.to.y + gap, panel.from.y - gap - size.y, item.from.y}) {
+        for (const float left : {centred, panel.to.x + gap, panel.from.x - gap - size.x}) consider(left, top);
+        for (std::size_t i = 0; i < occupied_.size; ++i) {
+            consider(occupied_.boxes[i].to.x + gap, top);
+            consider(occupied_.boxes[i].from.x - gap - size.x, top);
+        }
+    }
+    return best;
+}
+
+void Widgets::keep_clear(const Box& box) {
+    Boxes& next = occupied_next_;
+    if (next.size < next.boxes.size()) next.boxes[next.size++] = box;
+}
+
+void Widgets::keep_window_clear(const char* label) {
+    const ImVec2 from = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    const Box box{from, {from.x + size.x, from.y + size.y}};
+    keep_clear(box);
+    places_.note(label, box.from, box.to);
 }
 
 bool Widgets::plate(const char* label, ImVec2 size, bool on) {
@@ -113,19 +173,18 @@ float Widgets::tool_button_width(const char* label, const char* key, bool narrow
 }
 
 bool Widgets::tool_button(const char* label, std::span<const IconPart> icon, const char* key,
-                          const char* text, bool on, bool narrow) {
+                          const char* text, bool on, bool narrow, float width) {
     const float gap = em * 0.45f, side = ImGui::GetFrameHeight();
-    const bool pressed = plate(label, {tool_button_width(label, key, narrow), side}, on);
+    const bool pressed = plate(label, {width, side}, on);
     const ImVec2 from = ImGui::GetItemRectMin();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     float x = from.x + em * (key[0] == 0 ? 0.5f : 0.6f);
     draw_icon(list, icon, {x + em * 0.45f, from.y + side / 2}, em * 0.9f, alive(on ? kAccentText : kText));
     x += em * 0.9f + gap;
-    if (!narrow) {
+    if (!narrow)
         list.AddText({x, from.y + ImGui::GetStyle().FramePadding.y}, alive(on ? kAccentText : kText), label);
-        x += ImGui::CalcTextSize(label).x + gap;
-    }
     const float small = letters.small->FontSize;
+    x = from.x + width - em * 0.6f - letters.small->CalcTextSizeA(small, FLT_MAX, 0, key).x;
     list.AddText(letters.small, small, {x, from.y + (side - small) / 2},
                  alive(on ? faded(kAccentText, 0.7f) : kDimText), key);
     tooltip(text);

@@ -654,6 +654,8 @@ TEST_F(Playing, restarts_with_the_same_first_hash_and_another_file) {
     EXPECT_EQ(mass().poured, 0);
     EXPECT_NE(app_->recording(), first);
     EXPECT_FALSE(read_recording(*first).value().warning);  // closed
+    tap(Key::kSpace);
+    stroke(3);
     expect_recording_replays();
 }
 
@@ -735,12 +737,12 @@ TEST_F(Playing, leaves_a_whole_file_of_a_watched_recording_however_it_is_left) {
     struct Way {
         const char* name;
         std::vector<char> keys;  // E: Enter, R: Ctrl+R
-        bool is_written_at_end;
+        bool is_written_at_end;  // else what is open at the end is another one, in which nothing was done
     };
     for (const Way& way :
          {Way{"quit", {}, true}, Way{"restart", {'R'}, true}, Way{"take over", {'E'}, true},
           Way{"take over, restart", {'E', 'R'}, false}, Way{"restart, take over", {'R', 'E'}, true},
-          Way{"take over, restart, take over", {'E', 'R', 'E'}, true}}) {
+          Way{"take over, restart, take over", {'E', 'R', 'E'}, false}}) {
         std::filesystem::remove(file);
         begin("landslide.couloir", 0);
         frames(3);
@@ -807,6 +809,111 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
     for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     return files;
+}
+
+TEST_F(Playing, begins_another_world_at_normal_speed_and_not_paused) {
+    begin();
+    tap(Key::kEqual);
+    tap(Key::kSpace);
+    tap(key('R'), {.control = true});
+    EXPECT_TRUE(app_->clock().paused()) << "the same one goes on as it was";
+    for (const char* file : {"assets/scenes/landslide.toml", "assets/recordings/landslide.couloir"}) {
+        app_->frame();
+        screen_.drop({support::source_dir() / file});
+        frames(5);
+        EXPECT_FALSE(app_->clock().paused()) << file;
+        EXPECT_EQ(app_->clock().speed(), 1) << file;
+        EXPECT_GT(state().tick, 0) << file;
+        tap(Key::kEqual);
+        tap(Key::kSpace);
+    }
+}
+
+TEST_F(Playing, shows_no_ring_while_panels_are_hidden_except_during_a_stroke) {
+    begin();
+    tap(Key::kSpace);
+    tap(Key::kTab);
+    const auto picture_at = [&](double x) {
+        screen_.move(x, kAtY);
+        frames(60);
+        return screen_.picture().pixels;
+    };
+    frames(1000);  // until no notice is fading
+    const auto without = picture_at(kAtX);
+    EXPECT_EQ(picture_at(kAtX + 40), without);
+    screen_.press(Button::kLeft);
+    frames(3);
+    EXPECT_NE(screen_.picture().pixels, without);
+    screen_.release(Button::kLeft);
+    frames(3);
+    tap(Key::kTab);
+    const auto with = picture_at(kAtX);
+    EXPECT_NE(picture_at(kAtX + 40), with);
+}
+
+TEST_F(Playing, opens_on_a_view_that_has_room_between_the_bars) {
+    screen_.resize_to(1280, 720);
+    begin("landslide");
+    const double own = app_->sandbox().scenario().camera.value().field_of_view_deg;
+    const render::Camera first = app_->camera();
+    EXPECT_GT(first.field_of_view_deg, own + 5);
+    EXPECT_EQ(first.distance_m, app_->sandbox().scenario().camera->distance_m);
+    tap(Key::kTab);
+    tap(Key::kHome);
+    frames(200);
+    EXPECT_DOUBLE_EQ(app_->camera().field_of_view_deg, own) << "there are no bars now";
+}
+
+// As play() does without --record.
+class Keeping : public Playing {
+  protected:
+    void begin_in_folder(const std::string& what) {
+        wishes_.squares = 80;
+        auto loaded = open_anything(what, wishes_);
+        ASSERT_TRUE(loaded) << loaded.error().sentence;
+        auto begun = App::begin(screen_, std::move(*loaded), sim::StepOptions{}, std::nullopt, tier_);
+        ASSERT_TRUE(begun) << begun.error().sentence;
+        app_ = std::move(*begun);
+        frames(2);
+    }
+    std::size_t kept() {
+        EXPECT_TRUE(app_->finish());
+        return files_in(folder_.path() / "couloir/recordings").size();
+    }
+};
+
+TEST_F(Keeping, leaves_no_recording_of_a_session_in_which_nothing_was_done) {
+    begin_in_folder("alpine-valley");
+    ASSERT_TRUE(app_->recording());
+    frames(10);
+    tap(key('R'), {.control = true});
+    screen_.drop({support::source_dir() / "assets/scenes/landslide.toml"});
+    frames(10);
+    EXPECT_EQ(kept(), 0u);
+    EXPECT_FALSE(app_->recording());
+}
+
+TEST_F(Keeping, leaves_no_recording_if_all_that_was_done_was_undone) {
+    begin_in_folder("alpine-valley");
+    stroke(5);
+    tap(key('Z'), {.control = true});
+    EXPECT_EQ(kept(), 0u);
+}
+
+TEST_F(Keeping, leaves_the_recording_of_a_session_in_which_something_was_done) {
+    begin_in_folder("alpine-valley");
+    stroke(5);
+    tap(key('R'), {.control = true});
+    EXPECT_NE(last_notice().find("stays in its recording"), std::string::npos) << last_notice();
+    frames(5);
+    EXPECT_EQ(kept(), 1u);
+}
+
+TEST_F(Keeping, leaves_a_recording_that_a_screenshot_names) {
+    begin_in_folder("alpine-valley");
+    tap(function_key(12));
+    frames(2);
+    EXPECT_EQ(kept(), 1u);
 }
 
 class Sending : public Playing {
