@@ -109,10 +109,14 @@ void readings(Desk& desk, const Facts& facts) {
     // Beside the time bar if there is room, else above it.
     const float bottom = desk.beside_time_bar() ? desk.size.y : desk.lower_edge;
     ImGui::SetNextWindowPos({margin, bottom - margin}, ImGuiCond_Always, {0, 1});
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, desk.size.y});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     const bool low = desk.size.y < kLow * desk.em();
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, low ? 0 : desk.em() * 0.05f});
+    // As many rows as there is room for below the toolbar; the first ones matter most.
+    const float padding = 2 * ImGui::GetStyle().WindowPadding.y, row = ImGui::GetFrameHeight();
+    const float room = bottom - 2 * margin - desk.toolbar_bottom - padding;
+    const float most = padding + row * std::max(std::floor(room / row), 1.f);
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, most});
     ImGui::Begin("Readings", nullptr,
                  kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
     ImGui::PushFont(low ? desk.widgets.letters.small : desk.widgets.letters.usual);

@@ -102,7 +102,7 @@ void coloured(const char* text, ImU32 colour) {
     ImGui::PopStyleColor();
 }
 
-// Shows the time, the tick if there is room for it, and the pace at the right end.
+// Shows the time, and as far as there is room the pace at the right end, and the tick.
 void moment(Desk& desk, const Facts& facts) {
     const double seconds =
         static_cast<double>(facts.state.tick) * static_cast<double>(facts.state.params.tick_s);
@@ -122,9 +122,10 @@ void moment(Desk& desk, const Facts& facts) {
         desk.widgets.note("Tick");
         ImGui::SameLine();
     }
+    const bool fits = ImGui::GetCursorPosX() <= pace_from;
     ImGui::SetCursorPosX(pace_from);
-    coloured(pace.text.data(), pace.colour);
-    if (pace.text[0] == 0) return;
+    coloured(fits ? pace.text.data() : "", pace.colour);
+    if (pace.text[0] == 0 || !fits) return;
     desk.widgets.note(pace.text.data());
     if (facts.clock.behind()) desk.widgets.tooltip("The computer cannot keep up with the chosen speed.");
 }

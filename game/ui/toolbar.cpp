@@ -271,14 +271,10 @@ void toolbar(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::BeginDisabled(facts.looks_back());
     tools(desk, facts, wordless, actions, flow);
     ImGui::EndDisabled();
-    const bool fits = width(wordless) <= most;
-    if (fits) {
-        panel_buttons(desk, flow);
-        flow.new_row();
-    }
+    panel_buttons(desk, flow);
+    if (width(wordless) <= most) flow.new_row();
     // A small window has no room for what cannot be used.
     if (!desk.narrow() || !facts.looks_back()) options(desk, facts, wordless, actions, flow);
-    if (!fits) panel_buttons(desk, flow);
     if (facts.looks_back()) past(desk, facts, actions);
     desk.toolbar_bottom = margin + ImGui::GetWindowSize().y;
     desk.widgets.keep_window_clear("Toolbar");

@@ -16,9 +16,13 @@ namespace game::ui {
 namespace {
 
 constexpr double kLetterHeight = 16;  // px at scale 1
+constexpr double kLeastLetters = 10;  // px, in a window without room
 
+// px, as the user has set it; smaller on a screen that else had no room for the bars, as long as it can be read.
 double letter_height(const ScreenSize& size, double letters) {
-    return std::round(kLetterHeight * std::clamp(size.scale * letters, 0.5, 8.0));
+    const double wanted = kLetterHeight * std::clamp(size.scale * letters, 0.5, 8.0);
+    const double fits = std::min(size.width / kLeastWidth, size.height / kLeastHeight);
+    return std::round(std::min(wanted, std::max(fits, kLeastLetters)));
 }
 
 // ImGui's context, current during its lifetime.
@@ -114,6 +118,7 @@ void Ui::begin(std::span<const Event> events, Screen& screen, double letters, do
         desk.widgets.letters = set_letters(parts.font, em);
         parts.letters_stale = true;
     }
+    desk.usual_em = kLetterHeight * size.scale;
     ImGuiIO& io = ImGui::GetIO();
     desk.size = io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
     io.DeltaTime = static_cast<float>(std::clamp(elapsed_s, 1e-4, 1.0));

@@ -325,6 +325,7 @@ void Widgets::warn_over_foot(const char* label, const char* text) {
     list.AddRectFilled(from, {from.x + em * 0.2f, to.y}, kWarning);
     list.AddText(letters.usual, em, {from.x + pad.x, from.y + pad.y}, kWarning, text, nullptr, width);
     places_.note(label, from, to);
+    places_.note(text, from, to);
 }
 
 const char* write_volume(std::span<char> text, double cubic_metres) {
