@@ -76,8 +76,11 @@ App::~App() = default;
 bool App::frame() {
     const double before = std::exchange(now_s_, screen_.seconds());
     const double elapsed_s = now_s_ - before;
+    if (last_) {  // only now is known how long it took
+        last_->frame_ms = static_cast<float>(1000 * elapsed_s);
+        times_.add(*last_);
+    }
     FrameTime time;
-    time.frame_ms = static_cast<float>(1000 * elapsed_s);
     Stopwatch watch(screen_);
 
     // Input first, so that its effect is seen in this frame; panels before the world, because they lie on
@@ -110,7 +113,7 @@ bool App::frame() {
         // Last, of the world that was just shown.
         if (std::exchange(screenshot_asked_, false)) take_screenshot();
     }
-    times_.add(time);
+    last_ = time;
     return !leaving_;
 }
 

@@ -197,6 +197,7 @@ class App {
     std::optional<Failure> device_failure_;
     Notices notices_;
     FrameTimes times_;
+    std::optional<FrameTime> last_;  // the last frame, which is not in times_ yet
     double now_s_ = 0;
     bool leaving_ = false;
 

@@ -112,7 +112,10 @@ void Ui::begin(std::span<const Event> events, Screen& screen, double letters, do
     const ScreenSize size = screen.size();
     parts.screen = &screen;
 
-    const auto em = static_cast<float>(letter_height(size, letters));
+    // A minimised frame is begun but never built. Ended here, because letters may change only between frames.
+    if (ImGui::GetFrameCount() > 0) ImGui::EndFrame();
+    const bool minimised = size.width == 0 && desk.widgets.em > 0;
+    const float em = minimised ? desk.widgets.em : static_cast<float>(letter_height(size, letters));
     if (em != desk.widgets.em) {
         desk.widgets.em = em;
         desk.widgets.letters = set_letters(parts.font, em);
@@ -123,8 +126,6 @@ void Ui::begin(std::span<const Event> events, Screen& screen, double letters, do
     desk.size = io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
     io.DeltaTime = static_cast<float>(std::clamp(elapsed_s, 1e-4, 1.0));
     parts.feed.add(events);
-    // A minimised frame is begun but never built.
-    if (ImGui::GetFrameCount() > 0) ImGui::EndFrame();
     ImGui::NewFrame();
 }
 

@@ -150,6 +150,21 @@ TEST_F(UiPanels, show_all_of_the_performance_panel_in_the_usual_window) {
     }
 }
 
+TEST_F(UiPanels, keep_their_letters_while_minimised_and_take_those_of_the_size_after_it) {
+    const double before = place("Pour").height;
+    const auto show = [&](ScreenSize size) {
+        screen_.resize(size);
+        if (size.width > 0) return settle();
+        for (int i = 0; i < 3; ++i) ui_->begin(screen_.poll(), screen_, display_.letters, 1.0 / 60);
+    };
+    show({0, 0, 1});
+    show({1280, 720, 1});
+    EXPECT_EQ(place("Pour").height, before);
+    show({0, 0, 1});
+    show({400, 300, 1});
+    EXPECT_LT(place("Pour").height, before);
+}
+
 // Down to what nobody plays in.
 TEST_F(UiPanels, keep_bars_readings_and_clock_apart_in_small_windows_and_with_large_letters) {
     under_cursor_.emplace();
