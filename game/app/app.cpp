@@ -252,7 +252,7 @@ std::optional<ui::StrokeNote> App::stroke_note() const {
 // A tool acts in a pause too, and time moves for that alone: by one tick for what acts at once, and while the button
 // is held for what acts all the time. True in the latter case.
 bool App::works_in_pause(double tick_s) {
-    if (!clock_.paused() || !hand_.stroke() || sandbox_->looks_back()) return false;
+    if (!clock_.paused() || clock_.runs_back() || !hand_.stroke() || sandbox_->looks_back()) return false;
     if (!hand_.would_act(tick_s)) {
         hand_.arrive(1);
         return false;

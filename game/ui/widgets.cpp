@@ -26,6 +26,15 @@ ImU32 alive(ImU32 colour) {
     return faded(colour, ImGui::GetStyle().Alpha);
 }
 
+bool enabled() {
+    return ImGui::GetStyle().Alpha >= 1;
+}
+
+// Of words and icons; light on the accent too once that is greyed.
+ImU32 colour_on_plate(bool on) {
+    return on && enabled() ? kAccentText : kText;
+}
+
 }  // namespace
 
 void Places::note(std::string_view label) {
@@ -149,7 +158,7 @@ bool Widgets::button(const char* label, const char* text, bool on, float width) 
     const bool pressed = plate(label, {wide, ImGui::GetFrameHeight()}, on);
     const ImVec2 from = ImGui::GetItemRectMin();
     ImGui::GetWindowDrawList()->AddText({from.x + (wide - size.x) / 2, from.y + padding.y},
-                                        alive(on ? kAccentText : kText), label);
+                                        alive(colour_on_plate(on)), label);
     tooltip(text);
     return pressed;
 }
@@ -159,7 +168,7 @@ bool Widgets::icon_button(const char* label, Icon icon, const char* text, bool o
     const bool pressed = plate(label, {side * 1.2f, side}, on);
     const ImVec2 from = ImGui::GetItemRectMin();
     draw_icon(*ImGui::GetWindowDrawList(), icon, {from.x + side * 0.6f, from.y + side * 0.5f}, em * 0.8f,
-              alive(on ? kAccentText : kText));
+              alive(colour_on_plate(on)));
     tooltip(text);
     return pressed;
 }
@@ -179,14 +188,14 @@ bool Widgets::tool_button(const char* label, std::span<const IconPart> icon, con
     const ImVec2 from = ImGui::GetItemRectMin();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     float x = from.x + em * (key[0] == 0 ? 0.5f : 0.6f);
-    draw_icon(list, icon, {x + em * 0.45f, from.y + side / 2}, em * 0.9f, alive(on ? kAccentText : kText));
+    draw_icon(list, icon, {x + em * 0.45f, from.y + side / 2}, em * 0.9f, alive(colour_on_plate(on)));
     x += em * 0.9f + gap;
     if (!narrow)
-        list.AddText({x, from.y + ImGui::GetStyle().FramePadding.y}, alive(on ? kAccentText : kText), label);
+        list.AddText({x, from.y + ImGui::GetStyle().FramePadding.y}, alive(colour_on_plate(on)), label);
     const float small = letters.small->FontSize;
     x = from.x + width - em * 0.6f - letters.small->CalcTextSizeA(small, FLT_MAX, 0, key).x;
     list.AddText(letters.small, small, {x, from.y + (side - small) / 2},
-                 alive(on ? faded(kAccentText, 0.7f) : kDimText), key);
+                 alive(on && enabled() ? faded(kAccentText, 0.7f) : kDimText), key);
     tooltip(text);
     return pressed;
 }
@@ -201,7 +210,7 @@ bool Widgets::toggle(const char* label, bool& on, const char* text) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({from.x, y - radius}, {from.x + em * 2, y + radius}, alive(plate_colour(on)), radius);
     list.AddCircleFilled({from.x + (on ? em * 2 - radius : radius), y}, radius * 0.72f,
-                         alive(on ? kAccentText : kText));
+                         alive(colour_on_plate(on)));
     places_.note(label);
     tooltip(text);
     return pressed;

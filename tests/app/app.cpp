@@ -851,6 +851,31 @@ TEST_F(Playing, shows_no_ring_while_panels_are_hidden_except_during_a_stroke) {
     EXPECT_NE(picture_at(kAtX + 40), with);
 }
 
+TEST_F(Playing, greys_all_tools_alike_in_the_past) {
+    screen_.resize_to(1280, 720);
+    begin();
+    stroke(5);
+    frames(20);
+    const auto brightest = [&](const char* label) {
+        const auto at = app_->panels().find(label).value();
+        const render::Picture shown = screen_.picture();
+        int most = 0;
+        for (int y = static_cast<int>(at.y); y < at.y + at.height; ++y)
+            for (int x = static_cast<int>(at.x); x < at.x + at.width; ++x)
+                most = std::max<int>(most, shown.pixels[static_cast<std::size_t>(3 * (y * shown.width + x))]);
+        return most;
+    };
+    // In red, which the accent has little of and letters have much of.
+    for (const char* label : {"Dig", "Blast", "Radius", "Standing"})
+        EXPECT_GT(brightest(label), 180) << label;
+    tap(Key::kComma);
+    screen_.move(5, 300);
+    frames(3);
+    ASSERT_TRUE(app_->sandbox().looks_back());
+    for (const char* label : {"Pour", "Dig", "Blast", "Radius", "Rolling", "Standing"})
+        EXPECT_LT(brightest(label), 150) << label;
+}
+
 TEST_F(Playing, opens_on_a_view_that_has_room_between_the_bars) {
     screen_.resize_to(1280, 720);
     begin("landslide");
