@@ -76,8 +76,11 @@ App::~App() = default;
 bool App::frame() {
     const double before = std::exchange(now_s_, screen_.seconds());
     const double elapsed_s = now_s_ - before;
+    if (last_) {  // only now is known how long it took
+        last_->frame_ms = static_cast<float>(1000 * elapsed_s);
+        times_.add(*last_);
+    }
     FrameTime time;
-    time.frame_ms = static_cast<float>(1000 * elapsed_s);
     Stopwatch watch(screen_);
 
     // Input first, so that its effect is seen in this frame; panels before the world, because they lie on
@@ -110,13 +113,13 @@ bool App::frame() {
         // Last, of the world that was just shown.
         if (std::exchange(screenshot_asked_, false)) take_screenshot();
     }
-    times_.add(time);
+    last_ = time;
     return !leaving_;
 }
 
 Outcome<void> App::finish() {
     if (record_ && sandbox_->watches()) take_over();
-    return sandbox_->finish();
+    return close_recording();
 }
 
 void App::perform_all() {
@@ -183,10 +186,7 @@ void App::guide_stroke() {
     const auto released_at = input_.brush_released_at();
     const auto at = released_at ? ground_under(*released_at) : ground_;
     hand_.move_to(at ? std::optional<glm::dvec2>(*at) : std::nullopt);
-    // A click shorter than a tick is still a stroke, unless the simulation is paused.
-    if (input_.brush_held()) return;
-    hand_.release();
-    if (clock_.paused()) hand_.drop();
+    if (!input_.brush_held()) hand_.release();  // a click shorter than a tick is still a stroke
 }
 
 void App::begin_stroke() {
@@ -206,7 +206,6 @@ void App::begin_stroke() {
                 static_cast<double>(world.grid.dx));
     earth_before_ = earth_used();
     sandbox_->begin_action(std::string(sim::info_of(hand_.stroke()->deed().kind).name));
-    if (clock_.paused()) tell("Paused: the tool acts when time runs. Press Space to run, or . for one tick");
 }
 
 double App::earth_used() const {
@@ -250,9 +249,22 @@ std::optional<ui::StrokeNote> App::stroke_note() const {
     return note;
 }
 
+// A tool acts in a pause too, and time moves for that alone: by one tick for what acts at once, and while the button
+// is held for what acts all the time. True in the latter case.
+bool App::works_in_pause(double tick_s) {
+    if (!clock_.paused() || clock_.runs_back() || !hand_.stroke() || sandbox_->looks_back()) return false;
+    if (!hand_.would_act(tick_s)) {
+        hand_.arrive(1);
+        return false;
+    }
+    if (hand_.stroke()->deed().acts == Acts::kAllTheTime) return true;
+    clock_.step_once();
+    return false;
+}
+
 void App::run_ticks(double elapsed_s, FrameTime& time) {
     const double tick_s = static_cast<double>(sandbox_->scenario().params.tick_s);
-    const int due = clock_.ticks_due(elapsed_s, tick_s);
+    const int due = clock_.ticks_due(elapsed_s, tick_s, works_in_pause(tick_s));
     const double begun = screen_.seconds();
     if (clock_.runs_back() && !seeking_) seeking_ = sandbox_->session().state().tick - due;
     if (seeking_) return seek(*seeking_, begun);
@@ -364,9 +376,8 @@ render::Marks App::marks() const {
         .overlay = display_.overlay, .contours = display_.contours, .flow_mesh = display_.flow_mesh};
     if (const auto& densities = sandbox_->session().densities())
         marks.density = glm::dvec2(densities->upper, densities->lower);
-    if (ground_ && !sandbox_->looks_back() && !sandbox_->scenario().flow) {
-        show_hand(marks);
-    }
+    const bool wanted = !ui_.hides_panels() || hand_.stroke();  // without panels the image is for looking
+    if (ground_ && wanted && !sandbox_->looks_back() && !sandbox_->scenario().flow) show_hand(marks);
     return marks;
 }
 
@@ -567,6 +578,7 @@ void App::take_screenshot() {
     if (!is_shown) draw_image(best);
     if (device_failure_) return;
     const Session& session = sandbox_->session();
+    keeps_untouched_ = true;
     Shot shot{sandbox_->scenario(), recording_.value_or(""), session.state().tick, shown.camera};
     if (sandbox_->watches()) shot.recording = first_.name + ".couloir";
     const auto begun =

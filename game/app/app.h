@@ -77,6 +77,7 @@ class App {
     void move_camera(double elapsed_s);
     void guide_stroke();
     void run_ticks(double elapsed_s, FrameTime& time);
+    bool works_in_pause(double tick_s);
     void seek(std::int64_t tick, double begun_s);
     void draw_world(const FrameTime& time);
     void draw_panels();
@@ -102,6 +103,7 @@ class App {
     void perform(const SetNumber& set);
     void perform(const SetDisplay& set);
     void perform(const Open& open);
+    void pause(bool on);
     void undo();
     void redo();
     void stop_hand();
@@ -109,6 +111,7 @@ class App {
     void share();
     void tell_results();
     void watch_slide();
+    render::Camera home() const;
     void tell_camera_mode();
     void begin_stroke();
     std::optional<ui::StrokeNote> stroke_note() const;
@@ -135,6 +138,7 @@ class App {
                                                      const std::optional<std::filesystem::path>& wanted);
     void open_or_tell(const std::string& name_or_path, const Overrides& overrides);
     void stop_recording(const Failure& failure);
+    Outcome<void> close_recording();
 
     void tell(std::string sentence) { notices_.tell(Notice::Kind::kInfo, std::move(sentence), now_s_); }
     void warn(std::string sentence) { notices_.tell(Notice::Kind::kWarning, std::move(sentence), now_s_); }
@@ -163,6 +167,7 @@ class App {
     std::optional<std::filesystem::path> recording_;
     std::int64_t epoch_ = 0;                       // grows when the world restarts or goes back in time
     std::optional<std::filesystem::path> record_;  // from --record, until a session is written to it
+    bool keeps_untouched_ = false;  // the recording: it was asked for with --record, or a screenshot names it
     std::optional<Failure> recording_failure_;
     std::optional<std::int64_t> seeking_;  // target tick of a seek
     bool takes_over_there_ = false;
@@ -192,6 +197,7 @@ class App {
     std::optional<Failure> device_failure_;
     Notices notices_;
     FrameTimes times_;
+    std::optional<FrameTime> last_;  // the last frame, which is not in times_ yet
     double now_s_ = 0;
     bool leaving_ = false;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <glm/trigonometric.hpp>
 
 #include "game/app/app.h"
 #include "game/base/process.h"
@@ -16,13 +17,6 @@
 
 namespace game {
 namespace {
-
-// A little farther away than in exported images, because bars cover the upper and lower edges.
-render::Camera overview_beside_panels(const sim::View& world) {
-    render::Camera camera = render::overview(world);
-    camera.distance_m *= 1.3;
-    return camera;
-}
 
 // What a software renderer may take for the buffers of an image, beside the world, bytes.
 std::uint64_t memory_for_frames(const LoadedWorld& loaded) {
@@ -39,9 +33,9 @@ void App::perform(Verb verb) {
     if (ui_.perform(verb)) return;
     switch (verb) {
         case Verb::kPauseOrGoOn:
-            return clock_.pause(!clock_.paused());
+            return pause(!clock_.paused());
         case Verb::kStepOnce:
-            clock_.pause(true);
+            pause(true);
             return clock_.step_once();
         case Verb::kSlower:
             return clock_.set_speed(clock_.speed() / 2);
@@ -72,6 +66,7 @@ void App::perform(Verb verb) {
         case Verb::kPourStandingOrRolling:
             return hand_.pour_otherwise();
         case Verb::kOverview:
+            camera_->set_home(home());
             return camera_->overview();
         case Verb::kTopDown:
             camera_->top_down(camera_->mode() != CameraMode::kTopDown);
@@ -92,6 +87,12 @@ void App::perform(Verb verb) {
         default:
             return;  // panel verbs, handled by ui_
     }
+}
+
+// A stroke that is held while time is paused ends there, because it would let time run on.
+void App::pause(bool on) {
+    clock_.pause(on);
+    if (on) hand_.release();
 }
 
 void App::perform(const SetSpeed& set) {
@@ -124,6 +125,27 @@ void App::perform(const SetNumber& set) {
         return warn(fmt::format("Parameter not set: {}", *fault));
     sandbox_->begin_action(fmt::format("set {}", sim::kParams[set.param].name));
     if (clock_.paused()) tell("Paused: the parameter changes on the next tick");
+}
+
+// The pose of the scene, or one that shows the whole terrain, such that its image would fit into the rows of the window
+// that the bars leave free. From a pose of the scene's own, which may stand close to the ground, the view widens,
+// unless it is wide already.
+render::Camera App::home() const {
+    constexpr double kImageAspect = 16.0 / 9.0, kWidest = 62;  // degrees; more would look distorted
+    const auto& own = sandbox_->scenario().camera;
+    render::Camera camera = own ? *own : render::overview(sandbox_->session().view());
+    const ScreenSize size = screen_.size();
+    if (size.width == 0) return camera;
+    const double height = size.height, aspect = size.width / height;
+    const double times =
+        std::max({1.0, height / ui_.free_height(size, display_.letters), kImageAspect / aspect});
+    if (!own) {
+        camera.distance_m *= times;
+    } else if (camera.field_of_view_deg < kWidest) {
+        const double wide = 2 * std::atan(times * std::tan(glm::radians(camera.field_of_view_deg) / 2));
+        camera.field_of_view_deg = std::min(glm::degrees(wide), kWidest);
+    }
+    return camera;
 }
 
 // Shows a notice, because neither mode is visible in the image.
@@ -217,7 +239,8 @@ void App::take_over() {
     }
     recording_.reset();
     if (sandbox_->session().recorder()) recording_ = *path;
-    if (record_ == recording_) record_.reset();
+    keeps_untouched_ = record_ && record_ == recording_;
+    if (keeps_untouched_) record_.reset();
     tell(fmt::format("Branched at {:.1f} s into a new recording. The original keeps what came after",
                      seconds));
 }
@@ -231,7 +254,9 @@ void App::tell_hands_off() {
 void App::reset() {
     LoadedWorld again = first_;
     again.told = fmt::format("Restarted: {}{}", first_.scene.scenario.title,
-                             recording_ ? ". The previous session stays in its recording" : "");
+                             recording_ && (keeps_untouched_ || sandbox_->was_touched())
+                                 ? ". The previous session stays in its recording"
+                                 : "");
     if (const auto begun = begin_world(std::move(again), record_); !begun) warn(begun.error().sentence);
 }
 
@@ -285,7 +310,18 @@ void App::open_or_tell(const std::string& name_or_path, const Overrides& overrid
     auto loaded = open_anything(name_or_path, within);
     if (!loaded) return warn(loaded.error().sentence);
     if (const auto begun = begin_world(std::move(*loaded), std::nullopt); !begun)
-        warn(begun.error().sentence);
+        return warn(begun.error().sentence);
+    clock_ = {};  // neither paused nor at another speed, because another world begins
+}
+
+// Nothing remains of a session in which nothing was done, unless somebody counts on its recording.
+Outcome<void> App::close_recording() {
+    auto closed = sandbox_->finish();
+    if (!closed || !recording_ || keeps_untouched_ || sandbox_->was_touched()) return closed;
+    std::error_code ignored;  // then it remains, which does no harm
+    std::filesystem::remove(*recording_, ignored);
+    recording_.reset();
+    return closed;
 }
 
 Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem::path> record) {
@@ -307,7 +343,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     }
     if (!begun) return tl::unexpected(begun.error());
     if (sandbox_)
-        if (const auto closed = sandbox_->finish(); !closed) {
+        if (const auto closed = close_recording(); !closed) {
             stop_recording(closed.error());
             warn(closed.error().sentence);
         }
@@ -316,6 +352,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     frame_memory_ = memory_for_frames(first_);
     bounds_ = {};  // another world leaves another room
     recording_ = std::move(recording);
+    keeps_untouched_ = recording_ && record;
     if (recording_) record.reset();  // it is used now
     record_ = std::move(record);
     catalogue_.own = own_recordings();
@@ -337,10 +374,11 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
         display_.surroundings = !scenario.model;
         hand_.suit(scenario.grid);
         display_.light = scenario.light;
-        camera_.emplace(scenario.camera.value_or(overview_beside_panels(world)), world, surroundings());
+        camera_.emplace(home(), world, surroundings());
     }
     if (scenario.flow) display_.flow = scenario.flow->numbers;
-    probe_.emplace(scenario.georeference, densities_of(scenario));
+    probe_.emplace(scenario.georeference, densities_of(scenario),
+                   zero_of_heights(sandbox_->session().view(), scenario.georeference));
     screen_.show_title(fmt::format("Couloir: {}", scenario.title));
     tell(first_.told);
     if (scenario.look.flow && !sandbox_->session().fronts()) tell(Session::kTooFine);

@@ -49,6 +49,7 @@ class CameraControl {
     // On: looks straight down on the image centre at the same scale, north up, from the next move() on. Off:
     // returns to the previous pose.
     void top_down(bool on);
+    void set_home(const render::Camera& home) { home_ = home; }
     void overview();  // in orbit mode
 
     // Applies the input of a frame. `aspect`: image width / height. Held keys count for at most 0.25 s per

@@ -21,7 +21,8 @@ struct FrameTime {
     int ticks = 0;
 };
 
-// Times of the last frames. Does not allocate.
+// Times of the last frames. What it measures is of the last second, all of it, so that no two numbers are of different
+// times. Does not allocate.
 class FrameTimes {
   public:
     static constexpr std::size_t kKept = 240;
@@ -30,11 +31,17 @@ class FrameTimes {
 
     std::size_t size() const { return size_; }
     const FrameTime& operator[](std::size_t i) const;  // 0 is the oldest
-    double frames_per_second() const;  // over the last second, or all if shorter; 0 below 0.1 s
+    double frames_per_second() const;                  // 0 below 0.1 s
     double median_ms(Stage stage) const;
+    double median_rest_ms() const;  // of the frame beside its stages
     float worst_tick_ms() const;
+    double ticks_per_frame() const;
 
   private:
+    std::size_t recent() const;  // frames, the last of them, that fill a second; all if they are fewer
+    template <class Value>
+    double median(const Value& value) const;
+
     std::array<FrameTime, kKept> frames_{};
     std::size_t next_ = 0, size_ = 0;
 };

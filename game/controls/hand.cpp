@@ -68,6 +68,13 @@ std::span<const sim::Command> Hand::commands_of(int tick, int ticks, double tick
     return commands_;
 }
 
+bool Hand::would_act(double tick_s) {
+    if (!stroke_) return false;
+    commands_.clear();
+    Stroke(*stroke_).commands_of(0, 1, brush_, tick_s, commands_);
+    return !commands_.empty();
+}
+
 void Hand::arrive(double share) {
     if (!stroke_) return;
     stroke_->arrive(share);

@@ -49,6 +49,8 @@ class Hand {
     // The commands of tick `tick` of `ticks` in a frame, valid until the next call. `may_act`: false if the tick is
     // in the past, where parameters wait and strokes have ended.
     std::span<const sim::Command> commands_of(int tick, int ticks, double tick_s, bool may_act);
+    // Whether the stroke has commands for a tick now. Parameters wait.
+    bool would_act(double tick_s);
     // Ends the ticks of a frame, of which `share` was done.
     void arrive(double share);
 

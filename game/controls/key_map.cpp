@@ -17,7 +17,7 @@ constexpr std::array kKeyBindings{
     KeyBinding{Key::kRightBracket, kShift, true, Verb::kStrongerBrush, "stronger brush"},
     KeyBinding{key('L'), kAlone, false, Verb::kPourStandingOrRolling,
                "pour onto the standing or into the rolling layer"},
-    KeyBinding{Key::kSpace, kAlone, false, Verb::kPauseOrGoOn, "pause or resume"},
+    KeyBinding{Key::kSpace, kAlone, false, Verb::kPauseOrGoOn, "pause or resume; tools act in a pause too"},
     KeyBinding{Key::kPeriod, kAlone, true, Verb::kStepOnce, "step one tick"},
     KeyBinding{Key::kComma, kAlone, true, Verb::kStepBack, "step one tick back"},
     KeyBinding{Key::kBackspace, kAlone, false, Verb::kRunBack, "rewind, or run forward again"},

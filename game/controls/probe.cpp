@@ -1,5 +1,6 @@
 #include "game/controls/probe.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/common.hpp>
@@ -68,6 +69,16 @@ std::optional<double> aspect(glm::dvec2 rise) {
 
 }  // namespace
 
+double zero_of_heights(const sim::View& world, const terrains::Georeference& georeference) {
+    double lowest = 0;
+    if (georeference.has_coordinates()) return lowest;
+    for (int y = 0; y < world.grid.ny; ++y)
+        for (int x = 0; x < world.grid.nx; ++x)
+            if (world.site(x, y) != sim::Site::kDrain)
+                lowest = std::min(lowest, static_cast<double>(world.bedrock(x, y)) + world.datum);
+    return lowest;
+}
+
 std::optional<Reading> Probe::read(const sim::View& world, glm::dvec2 at) {
     if (!on_grid(world.grid, at)) return std::nullopt;
     const Square square = square_under(world.grid, at);
@@ -77,6 +88,7 @@ std::optional<Reading> Probe::read(const sim::View& world, glm::dvec2 at) {
     reading.standing = between(square, world.depth);
     reading.rolling = between(square, world.rolling);
     reading.at = {at, between(square, world.bedrock) + reading.standing + reading.rolling + world.datum};
+    reading.height = reading.at.z - zero_;
     const glm::dvec2 rise = gradient(world, square);
     reading.slope_deg = glm::degrees(std::atan(glm::length(rise)));
     reading.aspect_deg = aspect(rise);

@@ -17,6 +17,7 @@ namespace game {
 // The values shown for a point on the surface.
 struct Reading {
     glm::dvec3 at{0};      // m; z above the terrain's zero
+    double height = 0;     // m, as shown: z above zero_of_heights()
     double slope_deg = 0;  // of the surface
     // Downslope direction: 0 north, 90 east, below 360; nothing if the slope is gentler than 1 in 1000.
     std::optional<double> aspect_deg;
@@ -35,12 +36,17 @@ struct Reading {
         where{};  // "47.30012° N 11.43210° E, UTM 32T 683912 5240010"; empty without georeference
 };
 
+// The height that is shown as 0, m above the terrain's zero: that zero, which is sea level on a terrain with a place
+// on Earth. Without such a place, if ground lies below zero, its lowest point, because nothing there is at −30 m.
+double zero_of_heights(const sim::View& world, const terrains::Georeference& georeference);
+
 // Reads the world at single points. Does not allocate.
 class Probe {
   public:
     // `densities`: of the world's materials; without them there is no pressure.
-    explicit Probe(const terrains::Georeference& georeference, std::optional<Densities> densities = {})
-        : locator_(georeference), densities_(densities) {}
+    explicit Probe(const terrains::Georeference& georeference, std::optional<Densities> densities = {},
+                   double zero = 0)
+        : locator_(georeference), densities_(densities), zero_(zero) {}
 
     // Interpolates bilinearly between the four surrounding vertices. Nothing outside the grid or if one of
     // the four has no data. A point up to a millionth of a cell outside counts as on the border.
@@ -49,6 +55,7 @@ class Probe {
   private:
     terrains::Locator locator_;
     std::optional<Densities> densities_;
+    double zero_;                     // m, zero_of_heights()
     std::optional<glm::dvec2> last_;  // the point described by where_
     std::array<char, 96> where_{};
 };

@@ -16,8 +16,8 @@ void TickClock::set_speed(double speed) {
     speed_ = std::exp2(std::rint(std::log2(std::clamp(speed, kSlowest, kFastest))));
 }
 
-int TickClock::ticks_due(double elapsed_s, double tick_s) {
-    due_are_steps_ = paused_ || steps_ > 0;
+int TickClock::ticks_due(double elapsed_s, double tick_s, bool tool_works) {
+    due_are_steps_ = (paused_ && !tool_works) || steps_ > 0;
     if (due_are_steps_) return std::exchange(steps_, 0);
     const double wanted = elapsed_s * speed_ / tick_s;
     const double granted = std::min(elapsed_s, kLongestFrame) * speed_ / tick_s;

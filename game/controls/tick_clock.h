@@ -17,8 +17,8 @@ class TickClock {
     void set_speed(double speed);  // to the nearest power of two within kSlowest … kFastest
 
     // Ticks due after `elapsed_s` seconds. At most 0.25 s count, so that no backlog builds up after a
-    // suspend.
-    int ticks_due(double elapsed_s, double tick_s);
+    // suspend. While `tool_works`, they are due in a pause too.
+    int ticks_due(double elapsed_s, double tick_s, bool tool_works = false);
 
     // Reports that `count` of the ticks due were not run. They are dropped, so that the simulation slows down
     // instead of stalling.

@@ -38,6 +38,8 @@ class Sandbox {
     // True for a watched recording until the user takes over.
     bool watches() const { return opening_.watched.has_value(); }
     bool watched_to_end() const { return watches() && !looks_back(); }
+    // Whether the user has changed this world, other than by what was undone.
+    bool was_touched() const { return !by_hand_.empty(); }
     // The comparison with the watched recording so far.
     std::optional<Verdict> verdict() const;
 

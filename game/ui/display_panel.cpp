@@ -100,12 +100,10 @@ double in_steps(double percent) {
 }
 
 // The largest text size, in percent, at which a panel still fits beside the bars.
-double most_letters(const Desk& desk, double letters) {
-    constexpr double kWide = 42, kHigh = 27;  // em
-    const double em = static_cast<double>(desk.em()) / letters;
-    const double fits =
-        std::min(static_cast<double>(desk.size.x) / kWide, static_cast<double>(desk.size.y) / kHigh);
-    return std::clamp(kStep * std::floor(100 * fits / em / kStep), 100., 300.);
+double most_letters(const Desk& desk) {
+    const double fits = std::min(static_cast<double>(desk.size.x) / kLeastWidth,
+                                 static_cast<double>(desk.size.y) / kLeastHeight);
+    return std::clamp(kStep * std::floor(100 * fits / desk.usual_em / kStep), 100., 300.);
 }
 
 // The words of resolutions, in the order of kScales.
@@ -156,8 +154,7 @@ bool picture(Desk& desk, Display& display) {
         changed = true;
     }
     desk.widgets.row("Text size");
-    if (desk.widgets.slider("Text size", letters,
-                            {50, most_letters(desk, display.letters), "%.0f %%", false, true},
+    if (desk.widgets.slider("Text size", letters, {50, most_letters(desk), "%.0f %%", false, true},
                             "Size of text and panels.")) {
         display.letters = in_steps(letters) / 100;
         changed = true;

@@ -4,6 +4,7 @@
 
 #include "game/controls/key_map.h"
 #include "game/ui/panels.h"
+#include "sim/world/ledger.h"
 
 // Notices and the first hint, drawn over the image. They are not windows, so the mouse passes through them.
 
@@ -85,6 +86,8 @@ void notices(Desk& desk, const Facts& facts, bool warnings_only) {
 void hint(Desk& desk, const Facts& facts) {
     desk.lower_edge = desk.time_bar_top;
     if (facts.touched || facts.looks_back() || desk.panels.is_open(Panel::kHelp)) return;
+    if (!sim::at_rest(facts.state) && !facts.scenario.flow)
+        return;  // what moves by itself is looked at first
     std::array<char, 256> text;
     const std::string keys = name_of(Verb::kToggleHelp);
     if (facts.scenario.flow)
@@ -100,7 +103,9 @@ void hint(Desk& desk, const Facts& facts) {
     const ImVec2 from{(desk.size.x - size.x) / 2, desk.time_bar_top - desk.margin() - size.y};
     draw(desk, line, from);
     desk.lower_edge = from.y;
-    desk.widgets.note("Hint", from, {from.x + size.x, from.y + size.y});
+    const ImVec2 to{from.x + size.x, from.y + size.y};
+    desk.widgets.note("Hint", from, to);
+    desk.widgets.keep_clear({from, to});
 }
 
 // Beside the cursor: what the stroke costs, or how long its line is.

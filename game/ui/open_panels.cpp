@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 #include "game/ui/panels.h"
@@ -55,6 +56,9 @@ float draw(Desk& desk, const PanelInfo& info, const PanelFrame& frame, const Fac
     header(desk, info);
     build(desk, info.panel, facts, actions);
     const float height = ImGui::GetWindowSize().y;
+    std::array<char, 32> label;
+    std::snprintf(label.data(), label.size(), "Panel %s", info.title);
+    desk.widgets.keep_window_clear(label.data());
     ImGui::End();
     return height;
 }

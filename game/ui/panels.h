@@ -52,6 +52,8 @@ struct SceneChoice {
 };
 
 inline constexpr float kReadingsWidth = 16;  // em
+// em: the bars, and a panel beside them, have room on a screen as large as this.
+inline constexpr double kLeastWidth = 42, kLeastHeight = 27;
 
 // State that all panels share, kept between frames.
 struct Desk {
@@ -60,6 +62,7 @@ struct Desk {
     SceneChoice choice;
     std::array<char, 192> refusal{};  // why a number was rejected
     ImVec2 size{1280, 720};           // of the screen, px
+    double usual_em = 16;             // px, at a text size of 100 %
     // px, as last drawn. lower_edge bounds items for which there is no room beside the time bar.
     float toolbar_bottom = 0, time_bar_top = 0, time_bar_left = 0, lower_edge = 0;
     float readings_height = 0;  // kept while the cursor is off the terrain, so that panels do not move

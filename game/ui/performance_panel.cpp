@@ -69,7 +69,7 @@ void axis(Desk& desk, ImDrawList& list, const Chart& chart) {
 void chart(Desk& desk, const FrameTimes& times) {
     const float em = desk.em();
     const ImVec2 from = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x, height = 8 * em;
+    const float width = ImGui::GetContentRegionAvail().x, height = 7 * em;
     const Chart chart{
         {from.x, from.y + em * 0.5f}, {from.x + width - 3.4f * em, from.y + height}, top_of(times)};
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -83,8 +83,11 @@ void chart(Desk& desk, const FrameTimes& times) {
     desk.widgets.note("Chart");
 }
 
-void stage_row(Desk& desk, const char* name, ImU32 colour, double ms) {
-    const float em = desk.em(), side = em * 0.7f;
+// A stage in the left or the right half of a row.
+void stage_cell(Desk& desk, const char* name, ImU32 colour, double ms, bool left) {
+    const float em = desk.em(), side = em * 0.7f, half = (ImGui::GetWindowContentRegionMax().x) / 2;
+    const float from = left ? ImGui::GetCursorPosX() : half + em;
+    if (!left) ImGui::SameLine(from);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float y = at.y + (ImGui::GetTextLineHeight() - side) / 2;
     ImGui::GetWindowDrawList()->AddRectFilled({at.x, y}, {at.x + side, y + side}, colour, side * 0.2f);
@@ -94,20 +97,15 @@ void stage_row(Desk& desk, const char* name, ImU32 colour, double ms) {
     desk.widgets.note(name);
     std::array<char, 24> text;
     std::snprintf(text.data(), text.size(), "%.2f ms", ms);
-    ImGui::SameLine(em * 11 - ImGui::CalcTextSize(text.data()).x);
+    ImGui::SameLine(from + em * 10 - ImGui::CalcTextSize(text.data()).x);
     ImGui::TextUnformatted(text.data());
 }
 
-double median_rest_ms(const FrameTimes& times) {
-    std::array<float, FrameTimes::kKept> rest;
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        rest[i] = times[i].frame_ms;
-        for (const float ms : times[i].stage_ms) rest[i] -= ms;
-    }
-    if (times.size() == 0) return 0;
-    const auto middle = rest.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-    std::nth_element(rest.begin(), middle, rest.begin() + static_cast<std::ptrdiff_t>(times.size()));
-    return static_cast<double>(std::max(*middle, 0.f));
+void stages(Desk& desk, const FrameTimes& times) {
+    for (std::size_t stage = 0; stage < kStages; ++stage)
+        stage_cell(desk, kStageNames[stage], kStageColours[stage], times.median_ms(static_cast<Stage>(stage)),
+                   stage % 2 == 0);
+    stage_cell(desk, "other", kRest, times.median_rest_ms(), kStages % 2 == 0);
 }
 
 }  // namespace
@@ -117,19 +115,21 @@ void performance_panel(Desk& desk, const Facts& facts) {
     const FrameTimes& times = facts.times;
     const sim::Grid& grid = facts.state.grid;
     chart(desk, times);
-    widgets.dim("The last 240 frames (amber tip: exceeds the axis), and the median of each stage:");
-    for (std::size_t stage = 0; stage < kStages; ++stage)
-        stage_row(desk, kStageNames[stage], kStageColours[stage], times.median_ms(static_cast<Stage>(stage)));
-    stage_row(desk, "other", kRest, median_rest_ms(times));
-    ImGui::Separator();
+    widgets.dim("The last 240 frames; an amber tip exceeds the axis.");
+    widgets.heading("In the last second");
+    stages(desk, times);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 0});
     widgets.fact("Frames", "%.1f per second", times.frames_per_second());
-    widgets.fact("Image", "%d × %d pixels, %s", facts.image.width, facts.image.height,
-                 facts.image.fine ? "2 × 2 samples each" : "one sample each");
     widgets.fact("Worst tick", "%.1f ms", static_cast<double>(times.worst_tick_ms()));
-    widgets.fact("Ticks per frame", "%d", times.size() > 0 ? times[times.size() - 1].ticks : 0);
+    widgets.fact("Ticks per frame", "%.1f", times.ticks_per_frame());
+    widgets.heading("Now");
+    widgets.fact("Image", "%d × %d, %s", facts.image.width, facts.image.height,
+                 facts.image.fine ? "2 × 2 samples" : "one sample");
     widgets.fact("Sub-steps per tick", "%d", sim::substeps_of(facts.state).count);
     widgets.fact("Grid", "%d × %d squares", grid.nx - 1, grid.ny - 1);
+    ImGui::PopStyleVar();
     widgets.dim("Drawn by %.*s", static_cast<int>(facts.renderer.size()), facts.renderer.data());
+    widgets.note("Drawn by");
 }
 
 }  // namespace game::ui

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -67,13 +68,17 @@ std::array<char, 32> label_of(const sim::ParamInfo& info) {
     return label;
 }
 
-void refuse(Desk& desk, std::string_view sentence) {
-    std::snprintf(desk.refusal.data(), desk.refusal.size(), "Not set: %.*s.",
-                  static_cast<int>(sentence.size()), sentence.data());
+// Tells what is wrong with what was typed for a parameter, and the value that it keeps.
+void refuse(Desk& desk, const sim::ParamInfo& info, float kept, std::string_view sentence) {
+    const std::array<char, 32> label = label_of(info);
+    const char* unit = unit_of(info);
+    std::snprintf(desk.refusal.data(), desk.refusal.size(), "Not set: %.*s. %s stays %.4g%s%s.",
+                  static_cast<int>(sentence.size()), sentence.data(), label.data(), shown(info, kept),
+                  *unit != 0 ? " " : "", unit);
 }
 
 // Rejects text that is no number, or a number out of range, in the unit in which it was typed.
-void refuse_typed(Desk& desk, const sim::ParamInfo& info, const double* typed) {
+void refuse_typed(Desk& desk, const sim::ParamInfo& info, float kept, const double* typed) {
     std::array<char, 160> sentence;
     const std::array<char, 32> label = label_of(info);
     if (typed)
@@ -81,20 +86,22 @@ void refuse_typed(Desk& desk, const sim::ParamInfo& info, const double* typed) {
                       label.data(), shown(info, info.least), shown(info, info.most), unit_of(info), *typed);
     else
         std::snprintf(sentence.data(), sentence.size(), "%s must be a number", label.data());
-    refuse(desk, sentence.data());
+    refuse(desk, info, kept, sentence.data());
 }
 
 void set(Desk& desk, const sim::Params& params, std::size_t param, float value, Actions& actions) {
+    const sim::ParamInfo& info = sim::kParams[param];
     sim::Params changed = params;
-    changed.*sim::kParams[param].value = value;
+    changed.*info.value = value;
     desk.refusal[0] = 0;
-    if (const auto fault = sim::fault_of(changed))
-        refuse(desk, *fault);
-    else
+    if (auto fault = sim::fault_of(changed)) {
+        std::replace(fault->begin(), fault->end(), '_', ' ');  // names, as they are called in this panel
+        refuse(desk, info, params.*info.value, *fault);
+    } else
         actions.emplace_back(SetNumber{param, value});
 }
 
-void write_tooltip(std::span<char> text, const sim::ParamInfo& info, float value) {
+void write_tooltip(std::span<char> text, const sim::ParamInfo& info, float value, sim::Model model) {
     const auto length = [](std::string_view part) { return static_cast<int>(part.size()); };
     const double least = shown(info, info.least), most = shown(info, info.most);
     const char* unit = unit_of(info);
@@ -103,8 +110,11 @@ void write_tooltip(std::span<char> text, const sim::ParamInfo& info, float value
                                    info.meaning.data(), least, most, *unit != 0 ? " " : "", unit);
     if (used <= 0 || static_cast<std::size_t>(used) >= text.size()) return;
     const std::span<char> rest = text.subspan(static_cast<std::size_t>(used));
+    // Else it seems wrong wherever steeper ground stays.
+    const bool anchored = info.name == "start_slope" && model == sim::Model::kBcreInertial;
     if (is_slope(info))
-        std::snprintf(rest.data(), rest.size(), " Its tangent is %.4g.", static_cast<double>(value));
+        std::snprintf(rest.data(), rest.size(), " Its tangent is %.4g.%s", static_cast<double>(value),
+                      anchored ? " Natural ground that began steeper holds: see anchor gain." : "");
     else if (!editable(info))
         std::snprintf(rest.data(), rest.size(), " Fixed by the scene.");
 }
@@ -113,20 +123,20 @@ void number(Desk& desk, const Facts& facts, std::size_t param, Actions& actions)
     const sim::ParamInfo& info = sim::kParams[param];
     const float now = facts.state.params.*info.value, usual = facts.scenario.params.*info.value;
     const std::array<char, 32> label = label_of(info);
-    std::array<char, 256> tooltip;
-    write_tooltip(tooltip, info, now);
+    std::array<char, 320> tooltip;
+    write_tooltip(tooltip, info, now, facts.state.params.model);
     const Typed typed = desk.widgets.number(
         {label.data(), shown(info, now), shown(info, usual), unit_of(info), tooltip.data(), editable(info)});
     switch (typed.what) {
         case Typed::What::kNothing:
             return;
         case Typed::What::kNonsense:
-            return refuse_typed(desk, info, nullptr);
+            return refuse_typed(desk, info, now, nullptr);
         case Typed::What::kUsual:
             return set(desk, facts.state.params, param, usual, actions);
         case Typed::What::kValue:
             if (!(typed.value >= shown(info, info.least) && typed.value <= shown(info, info.most)))
-                return refuse_typed(desk, info, &typed.value);
+                return refuse_typed(desk, info, now, &typed.value);
             return set(desk, facts.state.params, param, meant(info, typed.value), actions);
     }
 }

@@ -76,7 +76,7 @@ void things(Desk& desk, const Reading& reading) {
 
 void rows(Desk& desk, const Facts& facts, const Reading& reading) {
     Widgets& widgets = desk.widgets;
-    widgets.fact("Height", "%.1f m", reading.at.z);
+    widgets.fact("Height", "%.1f m", reading.height);
     slope(desk, facts, reading);
     if (reading.aspect_deg)
         widgets.fact("Faces", "%.0f° %s", *reading.aspect_deg, compass_point(*reading.aspect_deg));
@@ -109,10 +109,14 @@ void readings(Desk& desk, const Facts& facts) {
     // Beside the time bar if there is room, else above it.
     const float bottom = desk.beside_time_bar() ? desk.size.y : desk.lower_edge;
     ImGui::SetNextWindowPos({margin, bottom - margin}, ImGuiCond_Always, {0, 1});
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, desk.size.y});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     const bool low = desk.size.y < kLow * desk.em();
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, low ? 0 : desk.em() * 0.05f});
+    // As many rows as there is room for below the toolbar; the first ones matter most.
+    const float padding = 2 * ImGui::GetStyle().WindowPadding.y, row = ImGui::GetFrameHeight();
+    const float room = bottom - 2 * margin - desk.toolbar_bottom - padding;
+    const float most = padding + row * std::max(std::floor(room / row), 1.f);
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, most});
     ImGui::Begin("Readings", nullptr,
                  kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
     ImGui::PushFont(low ? desk.widgets.letters.small : desk.widgets.letters.usual);
@@ -120,6 +124,7 @@ void readings(Desk& desk, const Facts& facts) {
     ImGui::PopFont();
     if (facts.under_cursor->where[0] != 0) where(desk, *facts.under_cursor);
     desk.readings_height = ImGui::GetWindowSize().y;
+    desk.widgets.keep_window_clear("Readings");
     ImGui::End();
     ImGui::PopStyleVar(2);
 }

@@ -102,7 +102,7 @@ void coloured(const char* text, ImU32 colour) {
     ImGui::PopStyleColor();
 }
 
-// Shows the time, the tick if there is room for it, and the pace at the right end.
+// Shows the time, and as far as there is room the pace at the right end, and the tick.
 void moment(Desk& desk, const Facts& facts) {
     const double seconds =
         static_cast<double>(facts.state.tick) * static_cast<double>(facts.state.params.tick_s);
@@ -122,9 +122,10 @@ void moment(Desk& desk, const Facts& facts) {
         desk.widgets.note("Tick");
         ImGui::SameLine();
     }
+    const bool fits = ImGui::GetCursorPosX() <= pace_from;
     ImGui::SetCursorPosX(pace_from);
-    coloured(pace.text.data(), pace.colour);
-    if (pace.text[0] == 0) return;
+    coloured(fits ? pace.text.data() : "", pace.colour);
+    if (pace.text[0] == 0 || !fits) return;
     desk.widgets.note(pace.text.data());
     if (facts.clock.behind()) desk.widgets.tooltip("The computer cannot keep up with the chosen speed.");
 }
@@ -184,6 +185,7 @@ void time_bar(Desk& desk, const Facts& facts, Actions& actions) {
     mass(desk, facts);
     desk.time_bar_top = ImGui::GetWindowPos().y;
     desk.time_bar_left = ImGui::GetWindowPos().x;
+    desk.widgets.keep_window_clear("Time bar");
     ImGui::End();
 }
 

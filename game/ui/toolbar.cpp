@@ -40,31 +40,36 @@ const Deed& shown(const ToolInfo& info, const Facts& facts) {
 
 // Lays the tool buttons out, or measures them: `button` gets each with its width and the gap before it.
 template <class Button>
-void each_tool(Desk& desk, const Facts& facts, bool wordless, const Button& button) {
+void each_tool(Desk& desk, bool wordless, const Button& button) {
     const ToolInfo* before = nullptr;
     for (const ToolInfo& info : tool_infos()) {
         const std::string key = desk.narrow() ? std::string() : name_of(info.key);
-        const float width = desk.widgets.tool_button_width(shown(info, facts).label, key.c_str(), wordless);
+        float width = 0;  // the same with every key that may be held, so that no button moves
+        for (const Deed* deed : {info.plain, info.control, info.shift})
+            width = std::max(width, desk.widgets.tool_button_width(deed->label, key.c_str(), wordless));
         button(info, width, before && before->group != info.group ? desk.em() : 0, key.c_str());
         before = &info;
     }
 }
 
-float width_of_tools(Desk& desk, const Facts& facts, bool wordless) {
+float width_of_tools(Desk& desk, bool wordless) {
     float sum = 0;
-    each_tool(desk, facts, wordless, [&](const ToolInfo&, float width, float gap, const char*) {
+    each_tool(desk, wordless, [&](const ToolInfo&, float width, float gap, const char*) {
         sum += width + std::max(gap, ImGui::GetStyle().ItemSpacing.x);
     });
     return sum;
 }
 
 void tools(Desk& desk, const Facts& facts, bool wordless, Actions& actions, Flow& flow) {
-    each_tool(desk, facts, wordless, [&](const ToolInfo& info, float width, float gap, const char* key) {
+    each_tool(desk, wordless, [&](const ToolInfo& info, float width, float gap, const char* key) {
         flow.next(width, gap);
         ImGui::PushID(static_cast<int>(info.tool));
         const Deed& deed = shown(info, facts);
-        if (desk.widgets.tool_button(deed.label, deed.icon, key, info.tooltip, info.tool == facts.brush.tool,
-                                     wordless))
+        std::array<char, 160> text;
+        std::snprintf(text.data(), text.size(), "%s (%s). %s", info.plain->label, name_of(info.key).c_str(),
+                      info.tooltip);
+        if (desk.widgets.tool_button(deed.label, deed.icon, key, text.data(), info.tool == facts.brush.tool,
+                                     wordless, width))
             actions.emplace_back(info.tool);
         ImGui::PopID();
     });
@@ -76,6 +81,7 @@ void name_of_tool(Desk& desk, const Facts& facts, Flow& flow) {
     const float from = ImGui::GetCursorPosX();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(facts.deed.label);
+    desk.widgets.note("Name of the tool");
     ImGui::SameLine(from + kNameWidth * desk.em(), 0);
     ImGui::Dummy({0, 0});
 }
@@ -210,7 +216,7 @@ void material(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
 
 void options(Desk& desk, const Facts& facts, bool wordless, Actions& actions, Flow& flow) {
     ImGui::BeginDisabled(facts.looks_back());
-    if (wordless && !desk.narrow()) name_of_tool(desk, facts, flow);
+    if (wordless) name_of_tool(desk, facts, flow);
     sizes(desk, facts, actions, flow);
     slopes(desk, facts, actions, flow);
     earth(desk, facts, flow);
@@ -227,7 +233,8 @@ void panel_buttons(Desk& desk, Flow& flow) {
     flow.next(width, std::max(2 * desk.em(), flow.left() - width - 1));
     for (const PanelInfo& info : kPanelInfos) {
         std::array<char, 96> text;
-        std::snprintf(text.data(), text.size(), "%s: %s", name_of(info.verb).c_str(), info.tooltip);
+        std::snprintf(text.data(), text.size(), "%s (%s). %s", info.title, name_of(info.verb).c_str(),
+                      info.tooltip);
         if (info.panel != Panel::kScene) ImGui::SameLine();
         if (desk.widgets.icon_button(info.title, info.icon, text.data(), desk.panels.is_open(info.panel)))
             desk.panels.toggle(info.panel);
@@ -252,7 +259,7 @@ void toolbar(Desk& desk, const Facts& facts, Actions& actions) {
     const float margin = desk.margin(), padding = 2 * ImGui::GetStyle().WindowPadding.x;
     const float most = desk.size.x - 2 * margin;
     const auto width = [&](bool wordless) {
-        return width_of_tools(desk, facts, wordless) + width_of_panel_buttons() + 2 * desk.em() + padding;
+        return width_of_tools(desk, wordless) + width_of_panel_buttons() + 2 * desk.em() + padding;
     };
     const bool wordless = width(false) > most;
     // Always as wide, so that no button moves when another tool is chosen.
@@ -264,15 +271,13 @@ void toolbar(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::BeginDisabled(facts.looks_back());
     tools(desk, facts, wordless, actions, flow);
     ImGui::EndDisabled();
-    if (!desk.narrow()) {
-        panel_buttons(desk, flow);
-        flow.new_row();
-    }
+    panel_buttons(desk, flow);
+    if (width(wordless) <= most) flow.new_row();
     // A small window has no room for what cannot be used.
     if (!desk.narrow() || !facts.looks_back()) options(desk, facts, wordless, actions, flow);
-    if (desk.narrow()) panel_buttons(desk, flow);
     if (facts.looks_back()) past(desk, facts, actions);
     desk.toolbar_bottom = margin + ImGui::GetWindowSize().y;
+    desk.widgets.keep_window_clear("Toolbar");
     ImGui::End();
 }
 

@@ -16,6 +16,14 @@ namespace game::ui {
 namespace {
 
 constexpr double kLetterHeight = 16;  // px at scale 1
+constexpr double kLeastLetters = 10;  // px, in a window without room
+
+// px, as the user has set it; smaller on a screen that else had no room for the bars, as long as it can be read.
+double letter_height(const ScreenSize& size, double letters) {
+    const double wanted = kLetterHeight * std::clamp(size.scale * letters, 0.5, 8.0);
+    const double fits = std::min(size.width / kLeastWidth, size.height / kLeastHeight);
+    return std::round(std::min(wanted, std::max(fits, kLeastLetters)));
+}
 
 // ImGui's context, current during its lifetime.
 struct Context {
@@ -83,25 +91,41 @@ Ui::Ui(std::optional<std::filesystem::path> font) : parts_(std::make_unique<Part
 
 Ui::~Ui() = default;
 
+bool Ui::hides_panels() const {
+    return parts_->desk.panels.hidden();
+}
+
+double Ui::free_height(const ScreenSize& size, double letters) const {
+    constexpr double kBars = 11.9;  // em, before they were drawn
+    const double height = size.height;
+    if (hides_panels()) return height;
+    const Desk& desk = parts_->desk;
+    const bool drawn = desk.time_bar_top > 0;
+    const double bars =
+        drawn ? height - (desk.time_bar_top - desk.toolbar_bottom) : kBars * letter_height(size, letters);
+    return std::max(height - bars, height / 2);
+}
+
 void Ui::begin(std::span<const Event> events, Screen& screen, double letters, double elapsed_s) {
     Parts& parts = *parts_;
     Desk& desk = parts.desk;
     const ScreenSize size = screen.size();
     parts.screen = &screen;
 
-    const auto em =
-        static_cast<float>(std::round(kLetterHeight * std::clamp(size.scale * letters, 0.5, 8.0)));
+    // A minimised frame is begun but never built. Ended here, because letters may change only between frames.
+    if (ImGui::GetFrameCount() > 0) ImGui::EndFrame();
+    const bool minimised = size.width == 0 && desk.widgets.em > 0;
+    const float em = minimised ? desk.widgets.em : static_cast<float>(letter_height(size, letters));
     if (em != desk.widgets.em) {
         desk.widgets.em = em;
         desk.widgets.letters = set_letters(parts.font, em);
         parts.letters_stale = true;
     }
+    desk.usual_em = kLetterHeight * size.scale;
     ImGuiIO& io = ImGui::GetIO();
     desk.size = io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
     io.DeltaTime = static_cast<float>(std::clamp(elapsed_s, 1e-4, 1.0));
     parts.feed.add(events);
-    // A minimised frame is begun but never built.
-    if (ImGui::GetFrameCount() > 0) ImGui::EndFrame();
     ImGui::NewFrame();
 }
 

@@ -34,6 +34,9 @@ class Ui {
 
     // Builds all open panels; to be called once per frame between begin() and draw().
     void build(const Facts& facts, Actions& actions);
+    bool hides_panels() const;
+    // What toolbar and time bar leave of the screen's height, px: at least half of it, and all while panels are hidden.
+    double free_height(const ScreenSize& size, double letters) const;
     // Draws onto the bound framebuffer. Needs the screen's GL context. Preserves the GL state.
     void draw();
 

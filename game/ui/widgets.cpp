@@ -1,6 +1,7 @@
 #include "game/ui/widgets.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
@@ -11,6 +12,7 @@ namespace game::ui {
 namespace {
 
 constexpr double kTooltipAfter = 0.4;  // s
+constexpr float kTooltipWidth = 20;    // em, at most
 constexpr float kLabelShare = 0.42f;   // of a row's width
 
 ImU32 plate_colour(bool on) {
@@ -22,6 +24,15 @@ ImU32 plate_colour(bool on) {
 // Applies BeginDisabled, which ImDrawList ignores.
 ImU32 alive(ImU32 colour) {
     return faded(colour, ImGui::GetStyle().Alpha);
+}
+
+bool enabled() {
+    return ImGui::GetStyle().Alpha >= 1;
+}
+
+// Of words and icons; light on the accent too once that is greyed.
+ImU32 colour_on_plate(bool on) {
+    return on && enabled() ? kAccentText : kText;
 }
 
 }  // namespace
@@ -54,6 +65,7 @@ const Places::Place* Places::find(std::string_view label) const {
 
 void Widgets::begin_frame(double elapsed_s) {
     places_.clear();
+    occupied_ = std::exchange(occupied_next_, {});
     elapsed_s_ = elapsed_s;
     if (!std::exchange(hovering_, false)) hovered_s_ = 0;
 }
@@ -65,14 +77,71 @@ void Widgets::tooltip(const char* text) {
     hovered_ = at;
     hovering_ = true;
     if (hovered_s_ < kTooltipAfter || ImGui::IsItemActive()) return;
+    const float width = em * kTooltipWidth;
+    const ImVec2 words = ImGui::CalcTextSize(text, nullptr, false, width),
+                 pad = ImGui::GetStyle().WindowPadding;
+    const ImVec2 size{words.x + 2 * pad.x, words.y + 2 * pad.y}, window = ImGui::GetWindowPos(),
+                                                                 extent = ImGui::GetWindowSize();
+    const ImVec2 to = beside({ImGui::GetItemRectMin(), ImGui::GetItemRectMax()},
+                             {window, {window.x + extent.x, window.y + extent.y}}, size);
+    ImGui::SetNextWindowPos(to);
     const float alpha = ImGui::GetStyle().Alpha;
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, std::max(alpha, 1.f));  // readable over a greyed widget
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(em * 20);
+    ImGui::PushTextWrapPos(pad.x + width);
     ImGui::TextUnformatted(text);
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
     ImGui::PopStyleVar();
+    places_.note("Tooltip", to, {to.x + size.x, to.y + size.y});
+}
+
+// The place for a tooltip that is nearest to its item: below, above or beside its panel and clear of all others.
+// If there is none, below the item or above it.
+ImVec2 Widgets::beside(const Box& item, const Box& panel, ImVec2 size) const {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float gap = em * 0.3f;
+    // Of a wide item, where the cursor is.
+    const bool wide = item.to.x - item.from.x > em * kTooltipWidth / 2;
+    const float x = wide ? ImGui::GetIO().MousePos.x : (item.from.x + item.to.x) / 2;
+    const float centred = std::clamp(x - size.x / 2, 0.f, std::max(screen.x - size.x, 0.f));
+    ImVec2 best{centred, item.to.y + gap};
+    if (best.y + size.y > screen.y) best.y = item.from.y - gap - size.y;
+    float least = FLT_MAX;
+    const auto consider = [&](float left, float top) {
+        const float right = left + size.x, bottom = top + size.y;
+        if (left < 0 || top < 0 || right > screen.x || bottom > screen.y) return;
+        const auto hides = [&](const Box& box) {
+            return left < box.to.x && right > box.from.x && top < box.to.y && bottom > box.from.y;
+        };
+        const auto boxes = occupied_.boxes.begin();
+        if (hides(panel) || std::any_of(boxes, boxes + static_cast<std::ptrdiff_t>(occupied_.size), hides))
+            return;
+        const float away = std::hypot(left - centred, top - item.from.y);
+        if (away >= least) return;
+        least = away;
+        best = {left, top};
+    };
+    for (const float top : {panel.to.y + gap, panel.from.y - gap - size.y, item.from.y}) {
+        for (const float left : {centred, panel.to.x + gap, panel.from.x - gap - size.x}) consider(left, top);
+        for (std::size_t i = 0; i < occupied_.size; ++i) {
+            consider(occupied_.boxes[i].to.x + gap, top);
+            consider(occupied_.boxes[i].from.x - gap - size.x, top);
+        }
+    }
+    return best;
+}
+
+void Widgets::keep_clear(const Box& box) {
+    Boxes& next = occupied_next_;
+    if (next.size < next.boxes.size()) next.boxes[next.size++] = box;
+}
+
+void Widgets::keep_window_clear(const char* label) {
+    const ImVec2 from = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    const Box box{from, {from.x + size.x, from.y + size.y}};
+    keep_clear(box);
+    places_.note(label, box.from, box.to);
 }
 
 bool Widgets::plate(const char* label, ImVec2 size, bool on) {
@@ -89,7 +158,7 @@ bool Widgets::button(const char* label, const char* text, bool on, float width) 
     const bool pressed = plate(label, {wide, ImGui::GetFrameHeight()}, on);
     const ImVec2 from = ImGui::GetItemRectMin();
     ImGui::GetWindowDrawList()->AddText({from.x + (wide - size.x) / 2, from.y + padding.y},
-                                        alive(on ? kAccentText : kText), label);
+                                        alive(colour_on_plate(on)), label);
     tooltip(text);
     return pressed;
 }
@@ -99,7 +168,7 @@ bool Widgets::icon_button(const char* label, Icon icon, const char* text, bool o
     const bool pressed = plate(label, {side * 1.2f, side}, on);
     const ImVec2 from = ImGui::GetItemRectMin();
     draw_icon(*ImGui::GetWindowDrawList(), icon, {from.x + side * 0.6f, from.y + side * 0.5f}, em * 0.8f,
-              alive(on ? kAccentText : kText));
+              alive(colour_on_plate(on)));
     tooltip(text);
     return pressed;
 }
@@ -113,21 +182,20 @@ float Widgets::tool_button_width(const char* label, const char* key, bool narrow
 }
 
 bool Widgets::tool_button(const char* label, std::span<const IconPart> icon, const char* key,
-                          const char* text, bool on, bool narrow) {
+                          const char* text, bool on, bool narrow, float width) {
     const float gap = em * 0.45f, side = ImGui::GetFrameHeight();
-    const bool pressed = plate(label, {tool_button_width(label, key, narrow), side}, on);
+    const bool pressed = plate(label, {width, side}, on);
     const ImVec2 from = ImGui::GetItemRectMin();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     float x = from.x + em * (key[0] == 0 ? 0.5f : 0.6f);
-    draw_icon(list, icon, {x + em * 0.45f, from.y + side / 2}, em * 0.9f, alive(on ? kAccentText : kText));
+    draw_icon(list, icon, {x + em * 0.45f, from.y + side / 2}, em * 0.9f, alive(colour_on_plate(on)));
     x += em * 0.9f + gap;
-    if (!narrow) {
-        list.AddText({x, from.y + ImGui::GetStyle().FramePadding.y}, alive(on ? kAccentText : kText), label);
-        x += ImGui::CalcTextSize(label).x + gap;
-    }
+    if (!narrow)
+        list.AddText({x, from.y + ImGui::GetStyle().FramePadding.y}, alive(colour_on_plate(on)), label);
     const float small = letters.small->FontSize;
+    x = from.x + width - em * 0.6f - letters.small->CalcTextSizeA(small, FLT_MAX, 0, key).x;
     list.AddText(letters.small, small, {x, from.y + (side - small) / 2},
-                 alive(on ? faded(kAccentText, 0.7f) : kDimText), key);
+                 alive(on && enabled() ? faded(kAccentText, 0.7f) : kDimText), key);
     tooltip(text);
     return pressed;
 }
@@ -142,7 +210,7 @@ bool Widgets::toggle(const char* label, bool& on, const char* text) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({from.x, y - radius}, {from.x + em * 2, y + radius}, alive(plate_colour(on)), radius);
     list.AddCircleFilled({from.x + (on ? em * 2 - radius : radius), y}, radius * 0.72f,
-                         alive(on ? kAccentText : kText));
+                         alive(colour_on_plate(on)));
     places_.note(label);
     tooltip(text);
     return pressed;
@@ -266,6 +334,7 @@ void Widgets::warn_over_foot(const char* label, const char* text) {
     list.AddRectFilled(from, {from.x + em * 0.2f, to.y}, kWarning);
     list.AddText(letters.usual, em, {from.x + pad.x, from.y + pad.y}, kWarning, text, nullptr, width);
     places_.note(label, from, to);
+    places_.note(text, from, to);
 }
 
 const char* write_volume(std::span<char> text, double cubic_metres) {

@@ -33,6 +33,11 @@ class Places {
     std::size_t size_ = 0;
 };
 
+// A rectangle on the screen, px.
+struct Box {
+    ImVec2 from, to;
+};
+
 struct Slide {
     double least, most;
     const char* format = "%.0f";  // printf format, with the unit
@@ -55,7 +60,7 @@ struct Typed {
 };
 
 // The kinds of widget used in panels. Each is identified by its label, to the user and to Places, and has a
-// tooltip of one sentence.
+// tooltip of one sentence, which is shown beside the panels and over none of them if there is room.
 class Widgets {
   public:
     Letters letters;
@@ -65,12 +70,16 @@ class Widgets {
     const Places& places() const { return places_; }
     void note(std::string_view label) { places_.note(label); }
     void note(std::string_view label, ImVec2 from, ImVec2 to) { places_.note(label, from, to); }
+    // Tooltips of the next frame keep clear of this.
+    void keep_clear(const Box& box);
+    void keep_window_clear(const char* label);  // the current one
 
     bool button(const char* label, const char* tooltip, bool on = false, float width = 0);
     bool icon_button(const char* label, Icon icon, const char* tooltip, bool on = false);
-    // An icon, a word and a key; without the word if `narrow`, without the key if it is empty.
+    // An icon, a word and a key; without the word if `narrow`, without the key if it is empty. `width`: px, at least
+    // that of tool_button_width().
     bool tool_button(const char* label, std::span<const IconPart> icon, const char* key, const char* tooltip,
-                     bool on, bool narrow);
+                     bool on, bool narrow, float width);
     float tool_button_width(const char* label, const char* key, bool narrow) const;
 
     bool toggle(const char* label, bool& on, const char* tooltip);
@@ -112,8 +121,15 @@ class Widgets {
     void fill(const Slide& slide, double value, float width);
     bool usual_mark(const Number& number);
     Typed typed(std::string_view was);
+    ImVec2 beside(const Box& item, const Box& panel, ImVec2 size) const;
 
     Places places_;
+    // What tooltips keep clear of, as it was in the last frame and so far in this one.
+    struct Boxes {
+        std::array<Box, 16> boxes;
+        std::size_t size = 0;
+    };
+    Boxes occupied_, occupied_next_;
     // The widget being edited, and the value it shows meanwhile.
     bool closing_choice_ = false;
     ImGuiID changing_ = 0;

@@ -382,6 +382,106 @@ TEST_F(Playing, sculpts_plants_and_builds_and_takes_it_back) {
     expect_recording_replays();
 }
 
+TEST_F(Playing, builds_in_a_pause_with_one_tick_for_each_thing) {
+    begin();
+    tap(Key::kSpace);
+    const auto paused = state().tick;
+    tap(key('8'));
+    stroke(6);
+    ASSERT_TRUE(state().things);
+    EXPECT_EQ(state().things->list.size(), 1u);
+    EXPECT_EQ(state().tick, paused + 1);
+    stroke(6);  // one stands there already: refused, in a tick of its own
+    EXPECT_EQ(state().tick, paused + 2);
+    stroke(6, {.control = true});
+    EXPECT_TRUE(state().things->list.empty());
+    EXPECT_EQ(state().tick, paused + 3);
+    tap(key('7'));
+    stroke(6);
+    EXPECT_FALSE(state().things->wooded.empty());
+    EXPECT_EQ(state().tick, paused + 4);
+    stroke(6, {.control = true});
+    EXPECT_TRUE(state().things->wooded.empty());
+    EXPECT_EQ(state().tick, paused + 5);
+    tap(key('R'));
+    point_at_slope();
+    screen_.press(Button::kLeft);
+    frames(2);
+    EXPECT_EQ(state().tick, paused + 5);
+    screen_.move(kAtX + 30, kAtY);
+    frames(2);
+    screen_.release(Button::kLeft);
+    frames(3);
+    EXPECT_FALSE(state().things->list.empty());
+    const auto after = state().tick;
+    EXPECT_GT(after, paused + 5);
+    frames(20);
+    EXPECT_EQ(state().tick, after);
+    EXPECT_TRUE(app_->clock().paused());
+    tap(key('Z'), {.control = true});
+    EXPECT_TRUE(state().things->list.empty());
+    EXPECT_EQ(state().tick, paused + 5);
+    expect_recording_replays();
+}
+
+TEST_F(Playing, lets_time_run_in_a_pause_while_the_brush_is_held) {
+    begin();
+    tap(Key::kSpace);
+    const auto ticks_of = [&](int count) {
+        const auto before = state().tick;
+        stroke(count);
+        const auto ticks = static_cast<double>(state().tick - before);
+        frames(20);
+        EXPECT_EQ(static_cast<double>(state().tick - before), ticks) << "paused again";
+        return ticks;
+    };
+    tap(key('4'));
+    EXPECT_NEAR(ticks_of(1), 1, 1);  // a click
+    const auto raised = sim::earth_used(state().things.value());
+    EXPECT_GT(raised, 0);
+    EXPECT_NEAR(ticks_of(30), 30, 2);
+    EXPECT_GT(sim::earth_used(*state().things), 10 * raised);
+    tap(key('1'));
+    EXPECT_NEAR(ticks_of(30), 30, 2);
+    EXPECT_GT(mass().poured, 0);
+    EXPECT_TRUE(app_->clock().paused());
+    screen_.move(5, 5);  // no ground under the cursor
+    frames(1);
+    const auto before = state().tick;
+    screen_.press(Button::kLeft);
+    frames(10);
+    screen_.release(Button::kLeft);
+    frames(3);
+    EXPECT_EQ(state().tick, before);
+    expect_recording_replays();
+}
+
+TEST_F(Playing, blasts_in_a_pause) {
+    begin();
+    tap(Key::kSpace);
+    tap(key('3'));
+    const auto tick = state().tick;
+    stroke(6);
+    EXPECT_GT(mass().rolling, 0);
+    EXPECT_EQ(state().tick, tick + 1);
+    expect_recording_replays();
+}
+
+TEST_F(Playing, stands_still_once_paused_though_the_brush_is_held) {
+    begin();
+    point_at_slope();
+    screen_.press(Button::kLeft);
+    frames(10);
+    tap(Key::kSpace);
+    frames(3);
+    const auto paused = state().tick;
+    frames(10);
+    EXPECT_EQ(state().tick, paused);
+    screen_.release(Button::kLeft);
+    frames(3);
+    EXPECT_EQ(state().tick, paused);
+}
+
 TEST_F(Playing, draws_a_road_to_where_the_button_was_released) {
     begin();
     tap(key('R'));
@@ -554,6 +654,8 @@ TEST_F(Playing, restarts_with_the_same_first_hash_and_another_file) {
     EXPECT_EQ(mass().poured, 0);
     EXPECT_NE(app_->recording(), first);
     EXPECT_FALSE(read_recording(*first).value().warning);  // closed
+    tap(Key::kSpace);
+    stroke(3);
     expect_recording_replays();
 }
 
@@ -635,12 +737,12 @@ TEST_F(Playing, leaves_a_whole_file_of_a_watched_recording_however_it_is_left) {
     struct Way {
         const char* name;
         std::vector<char> keys;  // E: Enter, R: Ctrl+R
-        bool is_written_at_end;
+        bool is_written_at_end;  // else what is open at the end is another one, in which nothing was done
     };
     for (const Way& way :
          {Way{"quit", {}, true}, Way{"restart", {'R'}, true}, Way{"take over", {'E'}, true},
           Way{"take over, restart", {'E', 'R'}, false}, Way{"restart, take over", {'R', 'E'}, true},
-          Way{"take over, restart, take over", {'E', 'R', 'E'}, true}}) {
+          Way{"take over, restart, take over", {'E', 'R', 'E'}, false}}) {
         std::filesystem::remove(file);
         begin("landslide.couloir", 0);
         frames(3);
@@ -707,6 +809,136 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
     for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     return files;
+}
+
+TEST_F(Playing, begins_another_world_at_normal_speed_and_not_paused) {
+    begin();
+    tap(Key::kEqual);
+    tap(Key::kSpace);
+    tap(key('R'), {.control = true});
+    EXPECT_TRUE(app_->clock().paused()) << "the same one goes on as it was";
+    for (const char* file : {"assets/scenes/landslide.toml", "assets/recordings/landslide.couloir"}) {
+        app_->frame();
+        screen_.drop({support::source_dir() / file});
+        frames(5);
+        EXPECT_FALSE(app_->clock().paused()) << file;
+        EXPECT_EQ(app_->clock().speed(), 1) << file;
+        EXPECT_GT(state().tick, 0) << file;
+        tap(Key::kEqual);
+        tap(Key::kSpace);
+    }
+}
+
+TEST_F(Playing, shows_no_ring_while_panels_are_hidden_except_during_a_stroke) {
+    begin();
+    tap(Key::kSpace);
+    tap(Key::kTab);
+    const auto picture_at = [&](double x) {
+        screen_.move(x, kAtY);
+        frames(60);
+        return screen_.picture().pixels;
+    };
+    frames(1000);  // until no notice is fading
+    const auto without = picture_at(kAtX);
+    EXPECT_EQ(picture_at(kAtX + 40), without);
+    screen_.press(Button::kLeft);
+    frames(3);
+    EXPECT_NE(screen_.picture().pixels, without);
+    screen_.release(Button::kLeft);
+    frames(3);
+    tap(Key::kTab);
+    const auto with = picture_at(kAtX);
+    EXPECT_NE(picture_at(kAtX + 40), with);
+}
+
+TEST_F(Playing, greys_all_tools_alike_in_the_past) {
+    screen_.resize_to(1280, 720);
+    begin();
+    stroke(5);
+    frames(20);
+    const auto brightest = [&](const char* label) {
+        const auto at = app_->panels().find(label).value();
+        const render::Picture shown = screen_.picture();
+        int most = 0;
+        for (int y = static_cast<int>(at.y); y < at.y + at.height; ++y)
+            for (int x = static_cast<int>(at.x); x < at.x + at.width; ++x)
+                most = std::max<int>(most, shown.pixels[static_cast<std::size_t>(3 * (y * shown.width + x))]);
+        return most;
+    };
+    // In red, which the accent has little of and letters have much of.
+    for (const char* label : {"Dig", "Blast", "Radius", "Standing"})
+        EXPECT_GT(brightest(label), 180) << label;
+    tap(Key::kComma);
+    screen_.move(5, 300);
+    frames(3);
+    ASSERT_TRUE(app_->sandbox().looks_back());
+    for (const char* label : {"Pour", "Dig", "Blast", "Radius", "Rolling", "Standing"})
+        EXPECT_LT(brightest(label), 150) << label;
+}
+
+TEST_F(Playing, opens_on_a_view_that_has_room_between_the_bars) {
+    screen_.resize_to(1280, 720);
+    begin("landslide");
+    const double own = app_->sandbox().scenario().camera.value().field_of_view_deg;
+    const render::Camera first = app_->camera();
+    EXPECT_GT(first.field_of_view_deg, own + 5);
+    EXPECT_EQ(first.distance_m, app_->sandbox().scenario().camera->distance_m);
+    tap(Key::kTab);
+    tap(Key::kHome);
+    frames(200);
+    EXPECT_DOUBLE_EQ(app_->camera().field_of_view_deg, own) << "there are no bars now";
+}
+
+// As play() does without --record.
+class Keeping : public Playing {
+  protected:
+    void begin_in_folder(const std::string& what) {
+        wishes_.squares = 80;
+        auto loaded = open_anything(what, wishes_);
+        ASSERT_TRUE(loaded) << loaded.error().sentence;
+        auto begun = App::begin(screen_, std::move(*loaded), sim::StepOptions{}, std::nullopt, tier_);
+        ASSERT_TRUE(begun) << begun.error().sentence;
+        app_ = std::move(*begun);
+        frames(2);
+    }
+    std::size_t kept() {
+        EXPECT_TRUE(app_->finish());
+        return files_in(folder_.path() / "couloir/recordings").size();
+    }
+};
+
+TEST_F(Keeping, leaves_no_recording_of_a_session_in_which_nothing_was_done) {
+    begin_in_folder("alpine-valley");
+    ASSERT_TRUE(app_->recording());
+    frames(10);
+    tap(key('R'), {.control = true});
+    screen_.drop({support::source_dir() / "assets/scenes/landslide.toml"});
+    frames(10);
+    EXPECT_EQ(kept(), 0u);
+    EXPECT_FALSE(app_->recording());
+}
+
+TEST_F(Keeping, leaves_no_recording_if_all_that_was_done_was_undone) {
+    begin_in_folder("alpine-valley");
+    stroke(5);
+    tap(key('Z'), {.control = true});
+    EXPECT_EQ(kept(), 0u);
+}
+
+TEST_F(Keeping, leaves_the_recording_of_a_session_in_which_something_was_done) {
+    begin_in_folder("alpine-valley");
+    stroke(5);
+    tap(key('R'), {.control = true});
+    EXPECT_NE(last_notice().find("stays in its recording"), std::string::npos) << last_notice();
+    frames(5);
+    EXPECT_EQ(kept(), 1u);
+}
+
+TEST_F(Keeping, leaves_a_recording_that_a_screenshot_names) {
+    begin_in_folder("alpine-valley");
+    tap(function_key(12));
+    frames(2);
+    EXPECT_EQ(kept(), 1u);
 }
 
 class Sending : public Playing {

@@ -285,6 +285,29 @@ TEST(Hand, ends_a_stroke_with_the_tool_that_began_it) {
     EXPECT_FALSE(sim::fault_of(commands[0]));
 }
 
+TEST(Hand, tells_whether_it_would_act_and_changes_nothing_by_that) {
+    const auto acts = [](Hand& hand) { return hand.would_act(kTick); };
+    Hand hand;
+    EXPECT_FALSE(acts(hand));
+    hand.choose(Tool::kHouse);
+    hand.press({}, {5, 5}, 0, 1);
+    hand.move_to(glm::dvec2(5, 5));
+    EXPECT_TRUE(acts(hand));
+    EXPECT_TRUE(acts(hand));
+    EXPECT_EQ(hand.commands_of(0, 1, kTick, true).size(), 1u);
+    EXPECT_FALSE(acts(hand)) << "it stands";
+    hand.move_to(glm::dvec2(9, 5));
+    EXPECT_TRUE(acts(hand)) << "it turns";
+    hand.drop();
+    hand.choose(Tool::kPour);
+    hand.press({}, {5, 5}, 0, 1);
+    hand.move_to(std::nullopt);
+    EXPECT_FALSE(acts(hand)) << "off the terrain";
+    hand.drop();
+    ASSERT_FALSE(hand.set_number(sim::Params{}, sim::param_from("exchange_rate").value(), 3));
+    EXPECT_FALSE(acts(hand)) << "a parameter waits";
+}
+
 TEST(Hand, gives_parameters_to_the_next_tick_alone) {
     Hand hand;
     const sim::Params params;

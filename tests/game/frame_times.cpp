@@ -55,13 +55,29 @@ TEST(FrameTimes, are_told_by_a_median_that_one_hiccup_does_not_move) {
     EXPECT_EQ(times.median_ms(Stage::kDraw), 0);
 }
 
-TEST(FrameTimes, remember_the_worst_tick_as_long_as_its_frame) {
+TEST(FrameTimes, remember_the_worst_tick_for_a_second) {
     FrameTimes times;
     times.add(frame_of(16, 0, 30));
-    for (std::size_t i = 1; i < FrameTimes::kKept; ++i) times.add(frame_of(16, 0, 5));
+    for (int i = 1; i < 62; ++i) times.add(frame_of(16, 0, 5));
     EXPECT_EQ(times.worst_tick_ms(), 30);
-    times.add(frame_of(16, 0, 5));
+    for (int i = 0; i < 2; ++i) times.add(frame_of(16, 0, 5));
     EXPECT_EQ(times.worst_tick_ms(), 5);
+}
+
+// After a pause, frames take much longer at once: no number may be of the time before.
+TEST(FrameTimes, measure_one_and_the_same_second) {
+    FrameTimes times;
+    for (std::size_t i = 0; i < FrameTimes::kKept; ++i) times.add(frame_of(16, 1, 1));
+    for (int i = 0; i < 2; ++i) {
+        FrameTime slow = frame_of(900, 600, 300);
+        slow.ticks = 3;
+        times.add(slow);
+    }
+    EXPECT_NEAR(times.frames_per_second(), 1000.0 / 900, 1e-6);
+    EXPECT_EQ(times.median_ms(Stage::kSolve), 600);
+    EXPECT_EQ(times.median_rest_ms(), 300);
+    EXPECT_EQ(times.worst_tick_ms(), 300);
+    EXPECT_EQ(times.ticks_per_frame(), 3);
 }
 
 }  // namespace

@@ -65,6 +65,18 @@ TEST(Probe, is_bilinear_between_four_vertices) {
     EXPECT_NEAR(reading.slope_deg, std::atan(std::hypot((4 + 8) / 2.0, 2 + 0.25 * 4) / 5) / kDegree, 1e-9);
 }
 
+TEST(Probe, counts_heights_from_the_lowest_ground_of_a_place_that_is_nowhere_and_below_zero) {
+    const auto height_of = [](const sim::State& state, const terrains::Georeference& place) {
+        const sim::View world = sim::view(state);
+        return Probe(place, {}, zero_of_heights(world, place)).read(world, {0, 50}).value().height;
+    };
+    auto state = hillside(-0.5, 0);  // down to −50 m, with 1.5 m of snow
+    EXPECT_DOUBLE_EQ(height_of(state, nowhere()), 51.5);
+    EXPECT_DOUBLE_EQ(height_of(state, terrains::Georeference::unnamed(0, 0)), 1.5);
+    state.datum = 1000;
+    EXPECT_DOUBLE_EQ(height_of(state, nowhere()), 1001.5);
+}
+
 TEST(Probe, reads_the_things_that_stand_there) {
     auto state = hillside(0, 0);
     const auto command = [](sim::CommandKind kind, double x, double y) {

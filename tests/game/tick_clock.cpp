@@ -43,6 +43,15 @@ TEST(TickClock, owes_nothing_while_paused_and_one_tick_per_step) {
     EXPECT_NEAR(ticks_of(clock, 1, 60), 60, 1);
 }
 
+TEST(TickClock, owes_its_ticks_in_a_pause_while_a_tool_works) {
+    TickClock clock;
+    clock.pause(true);
+    int ticks = 0;
+    for (int frame = 0; frame < 60; ++frame) ticks += clock.ticks_due(1.0 / 60, kClockTick, true);
+    EXPECT_NEAR(ticks, 60, 1);
+    EXPECT_EQ(ticks_of(clock, 5, 60), 0);
+}
+
 TEST(TickClock, keeps_its_speed_to_powers_of_two_in_its_range) {
     TickClock clock;
     for (const auto& [asked, got] : {std::pair{0.001, 0.125}, {0.9, 1.0}, {3.1, 4.0}, {1e9, 16.0}}) {

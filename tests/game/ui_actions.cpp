@@ -188,6 +188,75 @@ TEST_F(UiHand, hints_at_the_brush_until_the_world_was_touched) {
     EXPECT_FALSE(ui_->find("Hint"));
 }
 
+TEST_F(UiHand, hints_at_nothing_while_something_moves_by_itself) {
+    state_.ledger.rolling = 1;
+    settle();
+    EXPECT_FALSE(ui_->find("Hint"));
+    state_.ledger.rolling = 0;
+    settle();
+    EXPECT_TRUE(ui_->find("Hint"));
+}
+
+TEST_F(UiHand, tells_word_and_key_of_each_tool_and_names_the_one_in_the_hand_at_every_width) {
+    for (const ScreenSize size : {ScreenSize{1280, 720, 1}, {640, 480, 1}, {1280, 720, 2}}) {
+        begin_anew(size);
+        for (const ToolInfo& info : tool_infos()) {
+            brush_.tool = info.tool;
+            settle();
+            const auto name = place("Name of the tool");
+            EXPECT_GE(name.x, 0);
+            EXPECT_LE(name.x + name.width, size.width);
+        }
+        brush_.tool = Tool::kPour;
+    }
+    begin_anew({1920, 1080, 1});
+    EXPECT_FALSE(ui_->find("Name of the tool")) << "the buttons have words";
+}
+
+TEST_F(UiHand, moves_no_button_for_another_material_or_tool_or_for_keys_that_are_held) {
+    for (const ScreenSize size : {ScreenSize{640, 480, 1}, {1280, 720, 1}, {1920, 1080, 1}}) {
+        begin_anew(size);
+        const auto buttons = [&] {
+            settle();
+            std::vector<double> at;
+            for (const char* label : {"Dig", "Lift", "Scene", "Help"}) at.push_back(place(label).x);
+            return at;
+        };
+        const std::vector<double> before = buttons();
+        scenario_.material = "a material with a very long name, from a file";
+        EXPECT_EQ(buttons(), before);
+        brush_.tool = Tool::kHouse;
+        EXPECT_EQ(buttons(), before);
+        modifiers_.control = true;
+        EXPECT_EQ(buttons(), before);
+        modifiers_ = {};
+        brush_.tool = Tool::kPour;
+    }
+}
+
+bool overlap(const ui::Ui::Place& a, const ui::Ui::Place& b) {
+    return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+}
+
+TEST_F(UiHand, shows_tooltips_beside_the_panels) {
+    begin_anew({1280, 900, 1});
+    timeline_ = {.known_until = 600};
+    actions_to_undo_ = 1;
+    for (const Verb verb : {Verb::kToggleDisplay, Verb::kTogglePerformance}) ui_->perform(verb);
+    settle();
+    for (const char* label :
+         {"Pour", "Lift", "Radius", "Standing", "Help", "Performance", "Display", "Close Performance",
+          "Close Display", "Direction", "Contours", "Timeline", "Undo", "Mass"}) {
+        point_at(label);
+        settle(60);
+        const ui::Ui::Place tooltip = place("Tooltip");
+        for (const char* other : {label, "Toolbar", "Time bar", "Panel Display", "Panel Performance"})
+            EXPECT_FALSE(overlap(tooltip, place(other))) << label << " over " << other;
+        EXPECT_GE(tooltip.x, 0);
+        EXPECT_LE(tooltip.x + tooltip.width, 1280);
+    }
+}
+
 TEST_F(UiHand, reads_out_what_is_under_the_cursor_and_nothing_where_there_is_none) {
     EXPECT_FALSE(ui_->find("Slope"));
     under_cursor_.emplace();

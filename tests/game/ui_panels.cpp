@@ -139,6 +139,53 @@ TEST_F(UiPanels, keep_every_button_on_the_screen_at_any_size_and_scale) {
     }
 }
 
+TEST_F(UiPanels, show_all_of_the_performance_panel_in_the_usual_window) {
+    ui_->perform(Verb::kTogglePerformance);
+    for (const bool past : {false, true}) {
+        timeline_.known_until = past ? 600 : 0;
+        settle();
+        EXPECT_TRUE(ui_->find("Close Performance"));
+        const auto panel = place("Panel Performance"), last = place("Drawn by");
+        EXPECT_LT(last.y + last.height, panel.y + panel.height) << past;
+    }
+}
+
+TEST_F(UiPanels, keep_their_letters_while_minimised_and_take_those_of_the_size_after_it) {
+    const double before = place("Pour").height;
+    const auto show = [&](ScreenSize size) {
+        screen_.resize(size);
+        if (size.width > 0) return settle();
+        for (int i = 0; i < 3; ++i) ui_->begin(screen_.poll(), screen_, display_.letters, 1.0 / 60);
+    };
+    show({0, 0, 1});
+    show({1280, 720, 1});
+    EXPECT_EQ(place("Pour").height, before);
+    show({0, 0, 1});
+    show({400, 300, 1});
+    EXPECT_LT(place("Pour").height, before);
+}
+
+// Down to what nobody plays in.
+TEST_F(UiPanels, keep_bars_readings_and_clock_apart_in_small_windows_and_with_large_letters) {
+    under_cursor_.emplace();
+    under_cursor_->forest.standing = 400;
+    under_cursor_->pressure = 1;
+    clock_.pause(true);
+    for (const ScreenSize size : {ScreenSize{400, 300, 1}, {640, 480, 1}, {1280, 720, 2}, {320, 240, 1}}) {
+        begin_anew(size);
+        const auto toolbar = place("Toolbar"), time_bar = place("Time bar"), readings = place("Readings");
+        EXPECT_LT(toolbar.y + toolbar.height, time_bar.y) << size.width;
+        EXPECT_LE(toolbar.y + toolbar.height, readings.y) << size.width;
+        EXPECT_LE(readings.y + readings.height, time_bar.y) << size.width;
+        EXPECT_GT(readings.height, 2 * place("Height").height) << size.width;
+        const auto clock = place("Time");
+        if (const auto pace = ui_->find("paused")) {
+            EXPECT_LE(clock.x + clock.width, pace->x) << size.width;
+        }
+        EXPECT_EQ(ui_->find("paused").has_value(), size.width >= 400) << size.width;
+    }
+}
+
 TEST_F(UiPanels, begin_a_scene_as_it_was_chosen) {
     ui_->perform(Verb::kToggleScene);
     settle();

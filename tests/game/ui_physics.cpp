@@ -1,4 +1,6 @@
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 #include <gtest/gtest.h>
 
@@ -101,6 +103,14 @@ TEST_F(UiPhysics, moves_no_row_for_what_it_refuses) {
 TEST_F(UiPhysics, refuses_thresholds_in_the_wrong_order) {
     EXPECT_TRUE(type_into("friction", "1.9").empty());  // above that of a thin layer
     EXPECT_TRUE(refused());
+}
+
+TEST_F(UiPhysics, names_parameters_in_a_refusal_as_the_panel_does_and_tells_what_stays) {
+    EXPECT_TRUE(type_into("friction", "1.9").empty());
+    std::array<char, 80> told;
+    std::snprintf(told.data(), told.size(), "Not set: friction is above friction thin. friction stays %.4g.",
+                  static_cast<double>(state_.params.friction));
+    EXPECT_TRUE(ui_->find(told.data())) << told.data();
 }
 
 TEST_F(UiPhysics, leads_back_to_a_default_to_the_bit) {
