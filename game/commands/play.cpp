@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kFirstScene = "winter-valley";
 
-// Prints the frame rate and the time per stage of the last frames, as in the performance panel.
+// Prints the frame rate and the time per stage in the last second, as in the performance panel.
 void tell_times(const FrameTimes& times, const ImageSize& image) {
     if (times.frames_per_second() == 0) return;  // too few to measure
     std::string text = fmt::format(
