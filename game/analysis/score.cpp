@@ -25,6 +25,7 @@ class Findings {
         for (const TimedCommand& command : commands) use_.take(command, scenario.params.tick_s);
     }
 
+    const Measures& measures() const { return measures_; }
     // In thousandths of the measure's unit.
     std::int64_t value(const Quantity& quantity) const {
         return std::llrint(static_cast<double>(Score::kParts) * amount(quantity));
@@ -122,9 +123,13 @@ class Findings {
     GoalUse use_;
 };
 
-std::string value_text(const Quantity& quantity, std::int64_t value) {
+std::string_view unit_text(const Quantity& quantity) {
     const MeasureInfo& info = info_of(quantity.measure);
-    const std::string_view unit = info.has_tool ? unit_of(quantity.tool) : info.unit;
+    return info.has_tool ? unit_of(quantity.tool) : info.unit;
+}
+
+std::string value_text(const Quantity& quantity, std::int64_t value) {
+    const std::string_view unit = unit_text(quantity);
     const double number = static_cast<double>(value) / static_cast<double>(Score::kParts);
     const std::string text = std::abs(number) < 100 && value % Score::kParts != 0
                                  ? fmt::format("{:.1f}", number)
@@ -138,11 +143,11 @@ std::string name_of(const Quantity& quantity) {
                          : std::string(info.words);
 }
 
-// "greatest load on a house is 8.2 kPa; at most 5 are allowed"
-std::string need_text(const Goal::Need& need, const Score::Judged& judged) {
-    return fmt::format("{} is {}; {}", name_of(need.quantity), value_text(need.quantity, judged.value),
-                       need.most ? fmt::format("at most {:g} is allowed", *need.most)
-                                 : fmt::format("at least {:g} is needed", *need.least));
+// "at most 5 kPa"
+std::string bound_text(const Goal::Need& need) {
+    const std::string_view unit = unit_text(need.quantity);
+    return fmt::format("{} {:g}{}{}", need.most ? "at most" : "at least",
+                       need.most ? *need.most : *need.least, unit.empty() ? "" : " ", unit);
 }
 
 bool meets(const Goal::Need& need, std::int64_t value) {
@@ -161,6 +166,7 @@ Score score_now(const Scenario& scenario, const Session& session, std::span<cons
     const Findings found(scenario, session, commands);
     Score score;
     score.tick = session.state().tick;
+    score.measures = found.measures();
     for (const Goal::Need& need : goal.needs) {
         const std::int64_t value = found.value(need.quantity);
         score.needs.push_back({value, meets(need, value)});
@@ -182,20 +188,35 @@ const char* medal_name(int medal) {
     return kNames[std::clamp(medal, 0, 3)];
 }
 
-std::string verdict_of(const Goal& goal, const Score& score) {
+NeedText text_of(const Goal::Need& need, const Score::Judged& judged) {
+    return {name_of(need.quantity), value_text(need.quantity, judged.value), bound_text(need)};
+}
+
+std::string verdict_of(const Score& score) {
     if (score.won) return fmt::format("Won: {}", medal_name(score.medal));
+    return score.meets_needs() ? "No medal" : "Lost";
+}
+
+std::string reason_of(const Goal& goal, const Score& score) {
     for (std::size_t i = 0; i < goal.needs.size(); ++i)
-        if (!score.needs[i].met) return fmt::format("Lost: {}", need_text(goal.needs[i], score.needs[i]));
-    return fmt::format("No medal: the score is {}, and bronze begins at {}", score.points, goal.medals[0]);
+        if (!score.needs[i].met) {
+            const NeedText text = text_of(goal.needs[i], score.needs[i]);
+            return fmt::format("The {} is {}, and must be {}.", text.what, text.value, text.bound);
+        }
+    if (score.won) return "";
+    return fmt::format("The score is {}, and bronze begins at {}.", score.points, goal.medals[0]);
 }
 
 std::string to_text(const Goal& goal, const Score& score) {
-    std::string text =
-        fmt::format("challenge: {}\nscore {}, bronze from {}, silver from {}, gold from {}\n",
-                    verdict_of(goal, score), score.points, goal.medals[0], goal.medals[1], goal.medals[2]);
-    for (std::size_t i = 0; i < goal.needs.size(); ++i)
-        text += fmt::format("{}: {}\n", score.needs[i].met ? "met" : "not met",
-                            need_text(goal.needs[i], score.needs[i]));
+    const std::string reason = reason_of(goal, score);
+    std::string text = fmt::format(
+        "challenge: {}{}{}\nscore {}; bronze from {}, silver from {}, gold from {}\n", verdict_of(score),
+        reason.empty() ? "" : ". ", reason, score.points, goal.medals[0], goal.medals[1], goal.medals[2]);
+    for (std::size_t i = 0; i < goal.needs.size(); ++i) {
+        const NeedText need = text_of(goal.needs[i], score.needs[i]);
+        text += fmt::format("{}: {} {}, {}\n", score.needs[i].met ? "met" : "not met", need.what, need.value,
+                            need.bound);
+    }
     return text;
 }
 
@@ -219,14 +240,14 @@ void Referee::see(const Session& session) {
 }
 
 Outcome<Score> Referee::decide() const {
-    if (!score_)
-        return tl::unexpected(Failure{Failure::kBadAnswer, "the try at the challenge has not ended"});
     GoalUse use(*scenario_.goal);
     for (const TimedCommand& command : commands_) {
-        if (command.tick >= score_->tick) break;
+        if (score_ && command.tick >= score_->tick) break;
         if (const auto forbidden = use.take(command, scenario_.params.tick_s))
             return unusable(fmt::format("tick {}: {}", command.tick, *forbidden));
     }
+    if (!score_)
+        return tl::unexpected(Failure{Failure::kBadAnswer, "the try at the challenge has not ended"});
     if (const TimedCommand* event = use.missing(score_->tick))
         return unusable(fmt::format("tick {}: the scene's own {} is missing", event->tick,
                                     sim::info_of(event->command.kind).name));

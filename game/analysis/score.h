@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "game/analysis/measures.h"
 #include "game/base/outcome.h"
 #include "game/recording/format.h"
 #include "game/scene/scenario.h"
@@ -23,6 +24,7 @@ struct Score {
     };
     std::int64_t tick = 0;      // at which the try ended
     std::vector<Judged> needs;  // as the goal has them
+    Measures measures;          // of the slide until then
     bool won = false;           // all needs are met, and there is a medal
     std::int64_t points = 0;
     int medal = 0;  // 0 none, 1 bronze, 2 silver, 3 gold; 0 if a need is not met
@@ -37,9 +39,16 @@ struct Score {
 Score score_now(const Scenario& scenario, const Session& session, std::span<const TimedCommand> commands);
 
 const char* medal_name(int medal);  // "gold"
-// "Won: silver", or the first need that is not met: "Lost: greatest load on a house is 8.2 kPa; at most 5 are allowed".
-std::string verdict_of(const Goal& goal, const Score& score);
-// The same, the score and each need as lines.
+// "greatest load on a house", "8.2 kPa" and "at most 5 kPa".
+struct NeedText {
+    std::string what, value, bound;
+};
+NeedText text_of(const Goal::Need& need, const Score::Judged& judged);
+// "Won: silver", "No medal" or "Lost".
+std::string verdict_of(const Score& score);
+// Why it is not won, by the first need that is not met; empty if it is.
+std::string reason_of(const Goal& goal, const Score& score);
+// Both, the score and each need as lines.
 std::string to_text(const Goal& goal, const Score& score);
 Json to_json(const Goal& goal, const Score& score);
 

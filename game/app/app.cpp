@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "game/app/result_card.h"
 #include "game/controls/key_map.h"
 #include "game/files/assets.h"
 #include "game/files/recordings_folder.h"
@@ -182,11 +183,25 @@ void App::move_camera(double elapsed_s) {
 
 void App::guide_stroke() {
     if (input_.resize_steps() != 0) hand_.resize(input_.resize_steps(), sandbox_->scenario().grid);
+    fit_hand();
     if (input_.brush_pressed()) begin_stroke();
     const auto released_at = input_.brush_released_at();
     const auto at = released_at ? ground_under(*released_at) : ground_;
     hand_.move_to(at ? std::optional<glm::dvec2>(*at) : std::nullopt);
     if (!input_.brush_held()) hand_.release();  // a click shorter than a tick is still a stroke
+}
+
+// A challenge has its own tools and limits.
+void App::fit_hand() {
+    const auto& goal = sandbox_->scenario().goal;
+    if (!goal || hand_.stroke()) return;
+    const auto& infos = tool_infos();
+    if (!tool_of(*goal, deed_of(hand_.brush().tool).kind))
+        if (const auto first = std::ranges::find_if(
+                infos, [&](const ToolInfo& info) { return tool_of(*goal, info.plain->kind) != nullptr; });
+            first != infos.end())
+            hand_.choose(first->tool);
+    hand_.fit(*goal);
 }
 
 void App::begin_stroke() {
@@ -283,6 +298,7 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
                 break;
             }
         }
+        judge_try();
         const double now = screen_.seconds() - begun;
         time.worst_tick_ms = std::max(time.worst_tick_ms, static_cast<float>(1000 * (now - spent)));
         spent = now;
@@ -291,6 +307,22 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
     if (time.ticks > 0) hand_.arrive(static_cast<double>(time.ticks) / due);
     if (time.ticks > 0) watch_slide();
     take_over_at_end();
+}
+
+// Scores a try at the moment at which it ends, and forgets the score if that moment is taken back.
+void App::judge_try() {
+    const Session& session = sandbox_->session();
+    const std::int64_t tick = session.state().tick;
+    if (score_ && sandbox_->known_until() < score_->tick) score_.reset();
+    if (session.try_ended_at() != tick || score_) return;
+    score_ = score_now(sandbox_->scenario(), session, sandbox_->commands_so_far());
+    card_ = card_of(sandbox_->scenario(), *score_);
+    shows_card_ = true;
+    if (const auto claimed = sandbox_->claim(score_->claim()); !claimed) stop_recording(claimed.error());
+}
+
+bool App::has_card() const {
+    return shows_card_ && score_ && sandbox_->session().state().tick >= score_->tick;
 }
 
 // Says that a slide has come to rest, and how to share it. What moves for a moment is not called a slide.
@@ -609,6 +641,8 @@ void App::draw_panels() {
             .brushing = hand_.stroke().has_value(),
             .touched = touched_,
             .stroke = stroke_note(),
+            .goal_use = sandbox_->scenario().goal ? std::optional(sandbox_->goal_use()) : std::nullopt,
+            .card = has_card() ? &card_ : nullptr,
             .actions_to_undo = sandbox_->actions(),
             .actions_to_redo = sandbox_->undone(),
             .under_cursor = reading,

@@ -8,6 +8,7 @@
 
 #include "game/app/screenshots.h"
 #include "game/app/sharing.h"
+#include "game/analysis/score.h"
 #include "game/base/outcome.h"
 #include "game/controls/action.h"
 #include "game/controls/camera_control.h"
@@ -111,6 +112,9 @@ class App {
     void share();
     void tell_results();
     void watch_slide();
+    void judge_try();
+    bool has_card() const;
+    void fit_hand();
     render::Camera home() const;
     void tell_camera_mode();
     void begin_stroke();
@@ -200,6 +204,10 @@ class App {
     std::optional<FrameTime> last_;  // the last frame, which is not in times_ yet
     double now_s_ = 0;
     bool leaving_ = false;
+
+    std::optional<Score> score_;  // of a try that has ended
+    ui::ResultCard card_;         // that tells it
+    bool shows_card_ = false;     // it was not closed
 
     std::optional<double> sliding_since_;  // s of the world, while something moves
     bool slide_ended_ = false;             // and was not shared since

@@ -30,6 +30,10 @@ std::uint64_t memory_for_frames(const LoadedWorld& loaded) {
 }  // namespace
 
 void App::perform(Verb verb) {
+    if (verb == Verb::kClosePanel && has_card()) {
+        shows_card_ = false;
+        return;
+    }
     if (ui_.perform(verb)) return;
     switch (verb) {
         case Verb::kPauseOrGoOn:
@@ -99,6 +103,9 @@ void App::perform(const SetSpeed& set) {
     clock_.set_speed(set.speed);
 }
 void App::perform(Tool tool) {
+    const auto& goal = sandbox_->scenario().goal;
+    if (goal && !tool_of(*goal, deed_of(tool).kind))
+        return tell(fmt::format("{} is no tool of this challenge", deed_of(tool).label));
     hand_.choose(tool);
 }
 void App::perform(const SetBrush& set) {
@@ -365,6 +372,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     seeking_.reset();
     sliding_since_.reset();
     slide_ended_ = false;
+    score_.reset();
     takes_over_there_ = false;
     clock_.run_back(false);
     if (!same) {

@@ -18,6 +18,21 @@ void Hand::suit(const sim::Grid& grid) {
         std::clamp(std::max(0.02 * dx * (std::max(grid.nx, grid.ny) - 1), 2.5 * dx), range.least, range.most);
 }
 
+void Hand::fit(const Goal& goal) {
+    const Deed& deed = deed_of(brush_.tool);
+    const Goal::Tool* const tool = tool_of(goal, deed.kind);
+    if (!tool) return;
+    if (tool->layer) brush_.standing = *tool->layer == sim::Layer::kStanding;
+    const auto fit_number = [&](double sim::Command::*member, double& value) {
+        if (const Goal::Limit* const limit = limit_of(*tool, member))
+            value = std::clamp(value, limit->least, limit->most);
+    };
+    fit_number(&sim::Command::radius, brush_.radius);
+    if (deed.amount != Amount::kAsItIs) return;
+    const auto numbers = info_of(brush_.tool).numbers;
+    for (std::size_t i = 0; i < numbers.size(); ++i) fit_number(numbers[i].member, brush_.own()[i]);
+}
+
 void Hand::resize(double steps, const sim::Grid& grid) {
     const RadiusRange range = radius_range(grid);
     brush_.radius = std::clamp(brush_.radius * std::pow(kSizeStep, steps), range.least, range.most);

@@ -9,6 +9,7 @@
 
 #include "game/controls/brush.h"
 #include "game/controls/events.h"
+#include "game/scene/goal.h"
 #include "sim/core/grid.h"
 #include "sim/world/command.h"
 #include "sim/world/params.h"
@@ -22,6 +23,8 @@ class Hand {
     const Brush& brush() const { return brush_; }
     void set(const Brush& brush) { brush_ = brush; }
     void choose(Tool tool) { brush_.tool = tool; }
+    // Brings the tool in it into the limits of a challenge.
+    void fit(const Goal& goal);
     // A radius of 1/50 of the terrain, but at least 2.5 cells so that the grid resolves it. All else as at first.
     void suit(const sim::Grid& grid);
     // Each step is a factor. Radius and strength stay within their ranges.

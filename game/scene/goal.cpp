@@ -50,8 +50,8 @@ double cost_of(const sim::Command& command, float tick_s) {
     }
 }
 
-// Sums of shares of a budget may exceed it by their rounding.
-constexpr double kRounding = 1e-9;
+// Sums of shares of a budget may exceed it by the rounding of a tick's length.
+constexpr double kRounding = 1e-6;
 
 std::string number_text(double value) {
     return fmt::format("{:g}", value);
@@ -134,13 +134,25 @@ std::optional<std::string> fault_of(const Goal& goal) {
     return std::nullopt;
 }
 
+const Goal::Limit* limit_of(const Goal::Tool& tool, double sim::Command::*number) {
+    const auto numbers = sim::info_of(tool.kind).numbers;
+    const auto named = std::ranges::find(numbers, number, &sim::CommandNumber::value);
+    if (named == numbers.end()) return nullptr;
+    const auto limit = std::ranges::find(tool.limits, named->name, &Goal::Limit::number);
+    return limit == tool.limits.end() ? nullptr : &*limit;
+}
+
+const Goal::Tool* tool_of(const Goal& goal, sim::CommandKind kind) {
+    const auto tool = std::ranges::find(goal.tools, kind, &Goal::Tool::kind);
+    return tool == goal.tools.end() ? nullptr : &*tool;
+}
+
 sim::Command fitted_to(const Goal& goal, sim::Command command) {
-    const auto tool = std::ranges::find(goal.tools, command.kind, &Goal::Tool::kind);
-    if (tool == goal.tools.end()) return command;
-    for (const Goal::Limit& limit : tool->limits)
-        for (const sim::CommandNumber& number : sim::info_of(command.kind).numbers)
-            if (number.name == limit.number)
-                command.*number.value = std::clamp(command.*number.value, limit.least, limit.most);
+    const Goal::Tool* const tool = tool_of(goal, command.kind);
+    if (!tool) return command;
+    for (const sim::CommandNumber& number : sim::info_of(command.kind).numbers)
+        if (const Goal::Limit* const limit = limit_of(*tool, number.value))
+            command.*number.value = std::clamp(command.*number.value, limit->least, limit->most);
     if (tool->layer) command.layer = *tool->layer;
     return command;
 }

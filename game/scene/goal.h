@@ -108,6 +108,11 @@ std::string_view unit_of(sim::CommandKind kind);
 // What is wrong with a goal; nothing if it can be played.
 std::optional<std::string> fault_of(const Goal& goal);
 
+// What limits a number of a tool's commands; null if nothing does.
+const Goal::Limit* limit_of(const Goal::Tool& tool, double sim::Command::*number);
+// A person may give commands of this kind; null if there is no such tool.
+const Goal::Tool* tool_of(const Goal& goal, sim::CommandKind kind);
+
 // A command with every number that a tool of the goal limits brought into its range, and its layer as there.
 sim::Command fitted_to(const Goal& goal, sim::Command command);
 

@@ -145,6 +145,16 @@ GoalUse Sandbox::goal_use() const {
     return use;
 }
 
+std::vector<TimedCommand> Sandbox::commands_so_far() const {
+    std::vector<TimedCommand> all;
+    for (const std::vector<TimedCommand>* from :
+         std::initializer_list<const std::vector<TimedCommand>*>{&opening_.scene.commands, &by_hand_})
+        for (const TimedCommand& each : *from)
+            if (each.tick < session_.state().tick) all.push_back(each);
+    std::ranges::stable_sort(all, {}, &TimedCommand::tick);
+    return all;
+}
+
 // Adds what the rules of the challenge allow. Errors: what they do not, and why; the rest is added.
 Outcome<void> Sandbox::add_allowed(std::span<const sim::Command> hand) {
     if (!scenario().goal || hand.empty()) {

@@ -63,6 +63,8 @@ class Sandbox {
 
     // What is left of each of the goal's tools until now. Only of a world with a goal.
     GoalUse goal_use() const;
+    // Everything that was done before this tick, sorted by tick; in each the scene or the recording first.
+    std::vector<TimedCommand> commands_so_far() const;
 
     std::size_t actions() const { return past_.size(); }   // that can be undone
     std::size_t undone() const { return undone_.size(); }  // actions that can be redone
@@ -79,6 +81,8 @@ class Sandbox {
 
     // Closes the recording. Errors: the recording cannot be written.
     Outcome<void> finish() { return session_.finish(); }
+    // Writes what a try came to that ended in this tick (Session::claim()).
+    Outcome<void> claim(const ClaimLine& line) { return session_.claim(line); }
 
   private:
     struct Action {

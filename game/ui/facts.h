@@ -1,7 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <glm/vec2.hpp>
 
@@ -35,6 +37,16 @@ struct StrokeNote {
     bool left_alone = false;                // the ground there is outside the slopes of the brush
 };
 
+// What a try at a challenge came to.
+struct ResultCard {
+    struct Row {
+        std::string label, value;
+    };
+    std::string title, verdict, reason, learn;  // the last two may be empty
+    int medal = 0;                              // 0 none to 3 gold
+    std::vector<Row> rows;
+};
+
 // Everything that panels can show. References are valid for one frame.
 struct Facts {
     const Scenario& scenario;  // initial state of the world; its params are the defaults
@@ -45,6 +57,8 @@ struct Facts {
     bool brushing = false;  // a stroke is in progress
     bool touched = false;   // the user has changed the world
     std::optional<StrokeNote> stroke = {};
+    std::optional<GoalUse> goal_use = {};  // of a challenge
+    const ResultCard* card = nullptr;      // none: no try has ended, or the card was closed
     std::size_t actions_to_undo = 0, actions_to_redo = 0;
     std::optional<Reading> under_cursor;
     CameraMode camera_mode = CameraMode::kOrbit;

@@ -81,6 +81,8 @@ void readings(Desk& desk, const Facts& facts);
 void notices(Desk& desk, const Facts& facts, bool warnings_only);
 void hint(Desk& desk, const Facts& facts);
 void stroke_note(Desk& desk, const Facts& facts);
+void challenge(Desk& desk, const Facts& facts);
+void result_card(Desk& desk, const Facts& facts, Actions& actions);
 
 // The contents of each panel; open_panels() draws those that are open.
 void scene_panel(Desk& desk, const Facts& facts, Actions& actions);

@@ -38,11 +38,26 @@ const Deed& shown(const ToolInfo& info, const Facts& facts) {
     return info.tool == facts.brush.tool ? facts.deed : *info.plain;
 }
 
+// Whether a challenge has this tool. Without one there are all.
+bool is_there(const ToolInfo& info, const Facts& facts) {
+    const auto& goal = facts.scenario.goal;
+    return !goal || tool_of(*goal, info.plain->kind);
+}
+
+// Whether a challenge leaves no choice in a number of the tool.
+bool is_fixed(double sim::Command::*number, const Facts& facts) {
+    const Goal::Tool* const tool =
+        facts.scenario.goal ? tool_of(*facts.scenario.goal, facts.deed.kind) : nullptr;
+    const Goal::Limit* const limit = tool ? limit_of(*tool, number) : nullptr;
+    return limit && limit->least == limit->most;
+}
+
 // Lays the tool buttons out, or measures them: `button` gets each with its width and the gap before it.
 template <class Button>
-void each_tool(Desk& desk, bool wordless, const Button& button) {
+void each_tool(Desk& desk, const Facts& facts, bool wordless, const Button& button) {
     const ToolInfo* before = nullptr;
     for (const ToolInfo& info : tool_infos()) {
+        if (!is_there(info, facts)) continue;
         const std::string key = desk.narrow() ? std::string() : name_of(info.key);
         float width = 0;  // the same with every key that may be held, so that no button moves
         for (const Deed* deed : {info.plain, info.control, info.shift})
@@ -52,16 +67,16 @@ void each_tool(Desk& desk, bool wordless, const Button& button) {
     }
 }
 
-float width_of_tools(Desk& desk, bool wordless) {
+float width_of_tools(Desk& desk, const Facts& facts, bool wordless) {
     float sum = 0;
-    each_tool(desk, wordless, [&](const ToolInfo&, float width, float gap, const char*) {
+    each_tool(desk, facts, wordless, [&](const ToolInfo&, float width, float gap, const char*) {
         sum += width + std::max(gap, ImGui::GetStyle().ItemSpacing.x);
     });
     return sum;
 }
 
 void tools(Desk& desk, const Facts& facts, bool wordless, Actions& actions, Flow& flow) {
-    each_tool(desk, wordless, [&](const ToolInfo& info, float width, float gap, const char* key) {
+    each_tool(desk, facts, wordless, [&](const ToolInfo& info, float width, float gap, const char* key) {
         flow.next(width, gap);
         ImGui::PushID(static_cast<int>(info.tool));
         const Deed& deed = shown(info, facts);
@@ -101,7 +116,8 @@ void sizes(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
     const float width = (desk.narrow() ? 7 : 9) * desk.em();
     Brush brush = facts.brush;
     bool changed = false;
-    if (takes(info_of(brush.tool).plain->kind, &sim::Command::radius)) {
+    if (takes(info_of(brush.tool).plain->kind, &sim::Command::radius) &&
+        !is_fixed(&sim::Command::radius, facts)) {
         const RadiusRange range = radius_range(facts.state.grid);
         flow.next(width);
         changed |= desk.widgets.slider("Radius", brush.radius,
@@ -110,6 +126,7 @@ void sizes(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
     }
     const auto numbers = info_of(brush.tool).numbers;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (is_fixed(numbers[i].member, facts)) continue;
         flow.next(width);
         changed |= slide(desk, numbers[i], brush.own()[i], width);
     }
@@ -259,7 +276,7 @@ void toolbar(Desk& desk, const Facts& facts, Actions& actions) {
     const float margin = desk.margin(), padding = 2 * ImGui::GetStyle().WindowPadding.x;
     const float most = desk.size.x - 2 * margin;
     const auto width = [&](bool wordless) {
-        return width_of_tools(desk, wordless) + width_of_panel_buttons() + 2 * desk.em() + padding;
+        return width_of_tools(desk, facts, wordless) + width_of_panel_buttons() + 2 * desk.em() + padding;
     };
     const bool wordless = width(false) > most;
     // Always as wide, so that no button moves when another tool is chosen.

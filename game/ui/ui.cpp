@@ -164,9 +164,11 @@ void Ui::build(const Facts& facts, Actions& actions) {
         toolbar(desk, facts, actions);
         time_bar(desk, facts, actions);
         hint(desk, facts);
+        challenge(desk, facts);
         stroke_note(desk, facts);
         readings(desk, facts);
         open_panels(desk, facts, actions);
+        result_card(desk, facts, actions);
     }
     notices(desk, facts, desk.panels.hidden());
     ImGui::Render();

@@ -147,8 +147,8 @@ bool is_better(const Try& one, const Try& other) {
 
 void tell(const char* what, const Goal& goal, const Try& attempt) {
     if (!attempt.score) return fmt::print("{}: does not end;{}\n", what, text_of(attempt));
-    fmt::print("{}: score {}, {};{}\n", what, attempt.score->points, game::verdict_of(goal, *attempt.score),
-               text_of(attempt));
+    fmt::print("{}: score {}, {} {};{}\n", what, attempt.score->points, game::verdict_of(*attempt.score),
+               game::reason_of(goal, *attempt.score), text_of(attempt));
     std::fflush(stdout);
 }
 

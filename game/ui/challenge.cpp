@@ -1,0 +1,103 @@
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "game/ui/panels.h"
+
+// What a challenge asks, and what a try came to.
+
+namespace game::ui {
+namespace {
+
+constexpr float kLineWidth = 44, kCardWidth = 22;  // em
+constexpr std::array<ImU32, 4> kMedals{kControlHeld, IM_COL32(205, 127, 70, 255),
+                                       IM_COL32(200, 208, 216, 255), IM_COL32(250, 200, 60, 255)};
+
+const char* verb_of(sim::CommandKind kind) {
+    for (const ToolInfo& info : tool_infos())
+        for (const Deed* deed : {info.plain, info.control, info.shift})
+            if (deed->kind == kind) return deed->label;
+    return sim::info_of(kind).name.data();  // a literal
+}
+
+// "Blast 2 of 3", "Plant 1.4 of 6 ha"
+void what_is_left(Desk& desk, const Goal& goal, const GoalUse& use) {
+    for (const Goal::Tool& tool : goal.tools) {
+        const auto left = use.left(tool);
+        if (!left) continue;
+        const double all = tool.total ? *tool.total : static_cast<double>(*tool.count);
+        const std::string_view unit = tool.total ? unit_of(tool.kind) : "";
+        std::array<char, 64> text;
+        std::snprintf(text.data(), text.size(), "%s: %.4g of %.4g%s%.*s left", verb_of(tool.kind), *left, all,
+                      unit.empty() ? "" : " ", static_cast<int>(unit.size()), unit.data());
+        if (&tool != &goal.tools.front()) ImGui::SameLine(0, 1.5f * desk.em());
+        ImGui::PushStyleColor(ImGuiCol_Text, *left > 0 ? kAccent : kDimText);
+        ImGui::TextUnformatted(text.data());
+        ImGui::PopStyleColor();
+        desk.widgets.note(text.data());
+    }
+}
+
+void medal(Desk& desk, const ResultCard& card) {
+    const float side = 2.4f * desk.em();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 middle{at.x + side / 2, at.y + side / 2};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddCircleFilled(middle, side / 2, kMedals.at(static_cast<std::size_t>(card.medal)));
+    list.AddCircle(middle, side * 0.36f, faded(kAccentText, 0.5f), 0, desk.em() * 0.1f);
+    ImGui::Dummy({side, side});
+    ImGui::SameLine(0, 0.8f * desk.em());
+    ImGui::BeginGroup();
+    ImGui::TextUnformatted(card.verdict.c_str());
+    desk.widgets.note("Verdict");
+    desk.widgets.dim("%s", card.title.c_str());
+    ImGui::EndGroup();
+}
+
+}  // namespace
+
+void challenge(Desk& desk, const Facts& facts) {
+    if (!facts.scenario.goal || !facts.goal_use) return;
+    const float width = std::min(kLineWidth * desk.em(), desk.size.x - 2 * desk.margin());
+    ImGui::SetNextWindowPos({desk.size.x / 2, desk.toolbar_bottom + desk.margin() / 2}, ImGuiCond_Always,
+                            {0.5f, 0});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, desk.size.y});
+    ImGui::Begin("Challenge", nullptr,
+                 kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
+    desk.widgets.plain("%s", facts.scenario.goal->say.c_str());
+    desk.widgets.note("Task");
+    what_is_left(desk, *facts.scenario.goal, *facts.goal_use);
+    desk.widgets.keep_window_clear("Challenge");
+    ImGui::End();
+}
+
+void result_card(Desk& desk, const Facts& facts, Actions& actions) {
+    const ResultCard* const card = facts.card;
+    if (!card) return;
+    const float width = std::min(kCardWidth * desk.em(), desk.size.x - 2 * desk.margin());
+    const float right = desk.size.x - desk.margin() - (desk.narrow() ? 0 : desk.right_column);
+    ImGui::SetNextWindowPos({right, desk.size.y / 2}, ImGuiCond_Always, {1, 0.5f});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, desk.size.y});
+    ImGui::SetNextWindowBgAlpha(0.95f);
+    ImGui::Begin("Result", nullptr, kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize);
+    medal(desk, *card);
+    if (!card->reason.empty()) desk.widgets.plain("%s", card->reason.c_str());
+    ImGui::Separator();
+    for (const ResultCard::Row& row : card->rows)
+        desk.widgets.fact(row.label.c_str(), "%s", row.value.c_str());
+    if (!card->learn.empty()) {
+        ImGui::Separator();
+        desk.widgets.plain("%s", card->learn.c_str());
+    }
+    const float each = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+    if (desk.widgets.button("Try again", "Starts the challenge again; this try stays in its recording.", true,
+                            each))
+        actions.emplace_back(Verb::kReset);
+    ImGui::SameLine();
+    if (desk.widgets.button("Look around", "Closes this card; the mountain stays as it is.", false, each))
+        actions.emplace_back(Verb::kClosePanel);
+    desk.widgets.keep_window_clear("Result");
+    ImGui::End();
+}
+
+}  // namespace game::ui

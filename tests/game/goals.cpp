@@ -1,0 +1,294 @@
+// Challenges: the [goal] of a scene, its rules, and scores that a recording alone proves.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "game/analysis/score.h"
+#include "game/recording/reader.h"
+#include "game/scene/goal.h"
+#include "game/scene/scene.h"
+#include "game/session/sandbox.h"
+#include "tests/game/program.h"
+#include "tests/game/recording_files.h"
+#include "tests/support/places.h"
+
+namespace game::test {
+namespace {
+
+constexpr const char* kSlope = R"(title = "A trial"
+[terrain]
+generator = "slope-of-soil"
+grid = 24
+[cover]
+material = "soil"
+[physics]
+model = "bcre-inertial"
+borders = "open"
+[camera]
+target = [80, 72, -48]
+[light]
+azimuth = 255
+)";
+constexpr const char* kGoal = R"([goal]
+say = "Let two heaps go."
+learn = "Heaps go."
+zone = { box = [20, 90, 140, 150] }
+base = 10
+medals = [11, 20, 1000000]
+latest = 60
+[[goal.tool]]
+command = "blast"
+count = 2
+radius = [5, 12]
+depth = 1
+[[goal.tool]]
+command = "pour"
+total = 100
+as = "standing"
+[[goal.need]]
+measure = "run_out"
+least = 1
+[[goal.score]]
+measure = "eroded"
+[[goal.score]]
+measure = "unused"
+of = "blast"
+times = 100
+)";
+
+sim::Command blast_at(double x, double y) {
+    sim::Command blast;
+    blast.kind = sim::CommandKind::kBlast;
+    blast.x = x, blast.y = y;
+    blast.radius = 10, blast.depth = 1;
+    return blast;
+}
+
+class Challenge : public testing::Test {
+  protected:
+    Outcome<Scene> load(const std::string& goal) {
+        write_bytes(scene_path_, kSlope + goal);
+        return load_scene(scene_path_.string(), {});
+    }
+    Scene scene() { return load(kGoal).value(); }
+
+    // Plays a try by hand and records it; nothing is done if the place is outside the zone.
+    void play(double x, double y) {
+        LoadedWorld loaded;
+        loaded.scene = scene();
+        auto recorder = Recorder::create(path_, loaded.scene.scenario);
+        Sandbox sandbox = Sandbox::begin(std::move(loaded), sim::StepOptions{}, std::move(*recorder)).value();
+        const sim::Command blast = blast_at(x, y);
+        sandbox.begin_action("blast");
+        ASSERT_TRUE(sandbox.tick({&blast, 1}));
+        while (sandbox.session().try_ended_at() != sandbox.session().state().tick)
+            ASSERT_TRUE(sandbox.tick({}));
+        score_ = score_now(sandbox.scenario(), sandbox.session(), sandbox.commands_so_far());
+        ASSERT_TRUE(sandbox.claim(score_.claim()));
+        for (int i = 0; i < 20; ++i) ASSERT_TRUE(sandbox.tick({}));
+        ASSERT_TRUE(sandbox.finish());
+    }
+
+    support::TemporaryFolder folder_;
+    std::filesystem::path scene_path_ = folder_.path() / "trial.toml", path_ = folder_.path() / "try.couloir";
+    Score score_;
+};
+
+TEST_F(Challenge, is_read_from_a_scene_and_kept_in_a_recording) {
+    const auto loaded = load(kGoal);
+    ASSERT_TRUE(loaded) << loaded.error().sentence;
+    const Goal& goal = *loaded->scenario.goal;
+    EXPECT_EQ(goal.say, "Let two heaps go.");
+    EXPECT_EQ(goal.medals, (std::array<std::int64_t, 3>{11, 20, 1000000}));
+    ASSERT_EQ(goal.tools.size(), 2u);
+    EXPECT_EQ(goal.tools[0].limits, (std::vector<Goal::Limit>{{"radius", 5, 12}, {"depth", 1, 1}}));
+    record(path_, loaded->scenario, 10, {});
+    EXPECT_EQ(read_recording(path_)->header.scenario.goal, goal);
+}
+
+TEST_F(Challenge, whose_goal_is_wrong_is_refused_with_its_line) {
+    struct Wrong {
+        const char *part, *instead, *fact;
+    };
+    for (const Wrong& wrong : {
+             Wrong{"say = \"Let two heaps go.\"\n", "", "says nothing"},
+             {"medals = [11, 20, 1000000]\n", "", "needs medals"},
+             {"medals = [11, 20, 1000000]\n", "medals = [11, 9, 12]\n", "medals that do not rise"},
+             {"command = \"blast\"", "command = \"bang\"", "is not the name of a command"},
+             {"command = \"pour\"\ntotal = 100\nas = \"standing\"", "command = \"blast\"",
+              "the tool blast twice"},
+             {"total = 100", "total = -1", "is -1, outside 0"},
+             {"radius = [5, 12]", "radius = [12, 5]", "is not two rising numbers"},
+             {"depth = 1\n", "depth = 1\ntotal = 5\n", "which only a count can limit"},
+             {"measure = \"run_out\"", "measure = \"fun\"", "is not one of run_out, drop"},
+             {"least = 1\n", "", "not one of `least` and `most`"},
+             {"of = \"blast\"", "of = \"dig\"", "which is no tool of it"},
+             {"zone = { box = [20, 90, 140, 150] }", "zone = { box = [140, 90, 20, 150] }", "west, south"},
+             {"zone = { box = [20, 90, 140, 150] }", "zone = { disc = [1, 2] }",
+              "zone.disc is not a known key"},
+             {"latest = 60\n", "latest = 60\nluck = 1\n", "luck"},
+         }) {
+        std::string goal = kGoal;
+        const auto at = goal.find(wrong.part);
+        ASSERT_NE(at, std::string::npos) << wrong.part;
+        const auto loaded = load(goal.replace(at, std::string(wrong.part).size(), wrong.instead));
+        ASSERT_FALSE(loaded) << wrong.fact;
+        EXPECT_EQ(loaded.error().status, Failure::kUnusable);
+        EXPECT_EQ(loaded.error().sentence.rfind(scene_path_.string() + ":", 0), 0u)
+            << loaded.error().sentence;
+        EXPECT_NE(loaded.error().sentence.find(wrong.fact), std::string::npos) << loaded.error().sentence;
+    }
+}
+
+TEST_F(Challenge, allows_its_tools_within_their_limits_and_budgets_alone) {
+    const Scene of = scene();
+    GoalUse use(*of.scenario.goal);
+    const float tick_s = of.scenario.params.tick_s;
+    const auto refused = [&](const sim::Command& command) {
+        return use.take({5, command}, tick_s).value_or("");
+    };
+    sim::Command dig = blast_at(80, 120), far = blast_at(80, 20), large = blast_at(80, 120),
+                 pour = blast_at(80, 120);
+    dig.kind = sim::CommandKind::kDig;
+    large.radius = 13;
+    pour.kind = sim::CommandKind::kPour, pour.layer = sim::Layer::kStanding;
+    pour.rate = 60, pour.duration = 1, pour.depth = 0;
+    EXPECT_EQ(refused(dig), "dig is no tool of this challenge");
+    EXPECT_EQ(refused(far), "(80, 20) is outside the zone of this challenge");
+    EXPECT_EQ(refused(large), "the radius of a blast is 13 m, outside 5 to 12");
+    EXPECT_EQ(refused(blast_at(80, 120)), "");
+    EXPECT_EQ(refused(blast_at(80, 120)), "");
+    EXPECT_EQ(refused(blast_at(80, 120)), "there are 2 blast, and all are used");
+    EXPECT_EQ(refused(pour), "");
+    EXPECT_EQ(refused(pour), "the budget of pour is 100 m3, and 40.0 m3 are left");
+    pour.rate = 40;
+    EXPECT_EQ(refused(pour), "");  // to the last grain
+    EXPECT_EQ(use.left(of.scenario.goal->tools[1]), 0);
+    pour.layer = sim::Layer::kRolling;
+    EXPECT_EQ(refused(pour), "a pour must be as standing");
+}
+
+TEST_F(Challenge, brings_what_a_hand_does_into_its_limits) {
+    const Scene of = scene();
+    sim::Command blast = blast_at(80, 120);
+    blast.radius = 40, blast.depth = 0.2;
+    const sim::Command fitted = fitted_to(*of.scenario.goal, blast);
+    EXPECT_EQ(fitted.radius, 12);
+    EXPECT_EQ(fitted.depth, 1);
+}
+
+TEST_F(Challenge, refuses_a_hand_that_breaks_its_rules_and_goes_on) {
+    LoadedWorld loaded;
+    loaded.scene = scene();
+    Sandbox sandbox = Sandbox::begin(std::move(loaded), sim::StepOptions{}, std::nullopt).value();
+    const sim::Command far = blast_at(80, 20), near = blast_at(80, 120);
+    const auto done = sandbox.tick({&far, 1});
+    ASSERT_FALSE(done);
+    EXPECT_EQ(done.error().sentence, "Not done: (80, 20) is outside the zone of this challenge");
+    EXPECT_EQ(sandbox.session().state().tick, 1);
+    EXPECT_FALSE(sandbox.was_touched());
+    sandbox.begin_action("blast");
+    ASSERT_TRUE(sandbox.tick({&near, 1}));
+    ASSERT_TRUE(sandbox.tick({&near, 1}));
+    ASSERT_FALSE(sandbox.tick({&near, 1}));
+    EXPECT_EQ(sandbox.goal_use().left(sandbox.scenario().goal->tools[0]), 0);
+    ASSERT_TRUE(sandbox.undo());  // both: they were one action
+    EXPECT_EQ(sandbox.goal_use().left(sandbox.scenario().goal->tools[0]), 2);
+}
+
+TEST_F(Challenge, that_was_played_is_scored_from_its_recording) {
+    play(80, 120);
+    EXPECT_TRUE(score_.won);
+    EXPECT_GE(score_.medal, 2);
+    const Finished said = couloir({"replay", path_.string(), "--score", "--verify"});
+    EXPECT_EQ(said.status, 0) << said.err;
+    EXPECT_NE(said.out.find(fmt::format("challenge: Won: {}", medal_name(score_.medal))), std::string::npos)
+        << said.out;
+    EXPECT_NE(said.out.find(fmt::format("score {};", score_.points)), std::string::npos) << said.out;
+    for (const char* kernel : {"plain", "x86-64-v2"})
+        for (const char* threads : {"1", "8"}) {
+            const Finished same = couloir(
+                {"replay", path_.string(), "--score", "--json", "--kernel", kernel, "--threads", threads});
+            const Json json = Json::parse(same.out);
+            EXPECT_EQ(json.at("challenge").at("score"), score_.points) << kernel << threads;
+            EXPECT_EQ(json.at("challenge").at("tick"), score_.tick) << kernel << threads;
+        }
+}
+
+TEST_F(Challenge, whose_file_was_edited_is_told_from_an_honest_one) {
+    play(80, 120);
+    const std::vector<std::string> honest = bodies_of(read_bytes(path_));
+    const auto edited = [&](const std::string& part, const std::string& instead) {
+        std::vector<std::string> bodies = honest;
+        bool found = false;
+        for (std::string& body : bodies)
+            if (const auto at = body.find(part); at != std::string::npos && !found) {
+                body.replace(at, part.size(), instead);
+                found = true;
+            }
+        EXPECT_TRUE(found) << part;
+        write_bytes(path_, chained(bodies));
+        return couloir({"replay", path_.string(), "--score"});
+    };
+    Finished said = edited(fmt::format(R"("score":{})", score_.points), R"("score":999999)");
+    EXPECT_EQ(said.status, 1);
+    EXPECT_NE(said.err.find("it claims a score of 999999"), std::string::npos) << said.err;
+    EXPECT_NE(said.err.find(fmt::format("its commands give {}", score_.points)), std::string::npos)
+        << said.err;
+
+    said = edited(R"("y":120.0,"radius":10.0)", R"("y":20.0,"radius":10.0)");
+    EXPECT_EQ(said.status, 2);
+    EXPECT_NE(said.err.find("tick 0: (80, 20) is outside the zone"), std::string::npos) << said.err;
+
+    said = edited(R"("medals":[11,)", R"("medals":[1,)");  // an easier challenge is not the shipped one
+    EXPECT_NE(said.err.find("a challenge of its own"), std::string::npos) << said.err;
+
+    said = edited(R"("medals":[11,)", R"("medals":[true,)");
+    EXPECT_EQ(said.status, 2);
+    EXPECT_NE(said.err.find(":1: medals is not three whole numbers"), std::string::npos) << said.err;
+
+    std::vector<std::string> cut(honest.begin(), honest.begin() + 4);
+    write_bytes(path_, chained(cut));
+    said = couloir({"replay", path_.string(), "--score"});
+    EXPECT_EQ(said.status, 1);
+    EXPECT_NE(said.err.find("the try at the challenge has not ended"), std::string::npos) << said.err;
+}
+
+TEST_F(Challenge, is_needed_for_a_score) {
+    record(path_, small_scenario(), 20, {});
+    const Finished said = couloir({"replay", path_.string(), "--score"});
+    EXPECT_EQ(said.status, 2);
+    EXPECT_NE(said.err.find("its scene has no goal"), std::string::npos) << said.err;
+}
+
+TEST_F(Challenge, of_which_nothing_is_done_is_not_won) {
+    const Finished said = couloir({"run", (scene(), scene_path_.string()), "--seconds", "61", "--json"});
+    EXPECT_EQ(said.status, 0) << said.err;
+    const Json challenge = Json::parse(said.out).at("challenge");
+    EXPECT_EQ(challenge.at("won"), false);
+    EXPECT_EQ(challenge.at("medal"), "no medal");
+}
+
+TEST_F(Challenge, goes_on_with_the_events_of_its_scene_in_a_branch) {
+    const std::string event = "[[command]]\nat = 1\nblast = { x = 80, y = 120, radius = 10, depth = 1 }\n";
+    write_bytes(scene_path_, kSlope + event + kGoal);
+    LoadedWorld loaded;
+    loaded.scene = load_scene(scene_path_.string(), {}).value();
+    record(path_, loaded.scene.scenario, 30, {});
+    LoadedWorld again;
+    again.watched = read_recording(path_).value();
+    again.scene = {again.watched->header.scenario, again.watched->commands};
+    again.name = "try";
+    Sandbox sandbox = Sandbox::begin(std::move(again), sim::StepOptions{}, std::nullopt).value();
+    for (int i = 0; i < 12; ++i) ASSERT_TRUE(sandbox.tick({}));
+    ASSERT_TRUE(sandbox.take_over(folder_.path() / "branch.couloir"));
+    for (int i = 0; i < 60; ++i) ASSERT_TRUE(sandbox.tick({}));
+    ASSERT_EQ(sandbox.commands_so_far().size(), 1u);
+    EXPECT_EQ(sandbox.commands_so_far()[0], sandbox.scenario().goal->events[0]);
+}
+
+}  // namespace
+}  // namespace game::test
