@@ -1,9 +1,12 @@
 #include "game/app/result_card.h"
 
+#include <array>
 #include <cctype>
 #include <string>
 
 #include <fmt/format.h>
+
+#include "game/ui/widgets.h"
 
 namespace game {
 namespace {
@@ -38,7 +41,8 @@ ui::ResultCard card_of(const Scenario& scenario, const Score& score) {
         card.rows.push_back({"Drop", fmt::format("{:.0f} m", m.fall)});
         card.rows.push_back({"Top speed", fmt::format("{:.0f} m/s, {:.0f} km/h", m.peak_speed_slope,
                                                       kKmPerHour * m.peak_speed_slope)});
-        card.rows.push_back({"Swept along", fmt::format("{:.0f} m3", m.eroded)});
+        std::array<char, 40> volume{};
+        card.rows.push_back({"Swept along", ui::write_volume(volume, m.eroded)});
     }
     return card;
 }

@@ -15,9 +15,12 @@
 namespace game {
 namespace {
 
-Outcome<std::string> title_of_toml(const Catalogue::Entry& entry) {
+// Reads the title of a scene or a material, and which kind of scene it is.
+Outcome<std::string> look_into_toml(Catalogue::Entry& entry) {
     const auto document = parse_toml(entry.file);
     if (!document) return tl::unexpected(document.error());
+    if (document->contains("goal")) entry.kind = Catalogue::Kind::kChallenge;
+    if (document->contains("flow")) entry.kind = Catalogue::Kind::kFlowDemo;
     return (*document)["title"].value_or(entry.name);
 }
 
@@ -41,7 +44,7 @@ Outcome<std::vector<Catalogue::Entry>> read_entries(AssetKind kind) {
         const auto file = find_asset(kind, name);
         if (!file) return tl::unexpected(file.error());
         Catalogue::Entry entry{name, {}, *file};
-        auto title = kind == AssetKind::kRecording ? title_of_recording(entry) : title_of_toml(entry);
+        auto title = kind == AssetKind::kRecording ? title_of_recording(entry) : look_into_toml(entry);
         if (!title) return tl::unexpected(title.error());
         entry.title = std::move(*title);
         entries.push_back(std::move(entry));
@@ -60,6 +63,7 @@ Outcome<Catalogue> read_catalogue() {
         if (!found) return tl::unexpected(found.error());
         *entries = std::move(*found);
     }
+    std::ranges::stable_sort(catalogue.scenes, {}, &Catalogue::Entry::kind);
     return catalogue;
 }
 

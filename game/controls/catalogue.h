@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -10,11 +11,14 @@ namespace game {
 
 // The scenes, materials and recordings that can be opened, by name and title.
 struct Catalogue {
+    enum class Kind : std::uint8_t { kChallenge, kMountain, kFlowDemo };  // of a scene
     struct Entry {
         std::string name, title;
         std::filesystem::path file;  // a scene and a recording may share a name
+        Kind kind = Kind::kMountain;
     };
-    std::vector<Entry> scenes, materials, recordings;
+    std::vector<Entry> scenes;  // by kind, then by name
+    std::vector<Entry> materials, recordings;
     std::vector<Entry> own;  // the user's recordings, newest first
 };
 

@@ -165,10 +165,11 @@ Outcome<void> Sandbox::add_allowed(std::span<const sim::Command> hand) {
     GoalUse use = goal_use();
     for (const sim::Command& command : hand) {
         const sim::Command fitted = fitted_to(*scenario().goal, command);
-        if (auto forbidden = use.take({session_.state().tick, fitted}, session_.state().params.tick_s))
-            told = unusable("Not done: " + *forbidden);
-        else
+        const auto forbidden = use.take({session_.state().tick, fitted}, session_.state().params.tick_s);
+        if (!forbidden)
             source_.add_new({&fitted, 1});
+        else if (new_action_)  // a stroke that has acted just ends where the rules end it
+            told = unusable(fmt::format("Not done: {}", *forbidden));
     }
     return told;
 }

@@ -58,13 +58,16 @@ void medal(Desk& desk, const ResultCard& card) {
 
 void challenge(Desk& desk, const Facts& facts) {
     if (!facts.scenario.goal || !facts.goal_use) return;
-    const float width = std::min(kLineWidth * desk.em(), desk.size.x - 2 * desk.margin());
+    const float padding = 2 * ImGui::GetStyle().WindowPadding.x;
+    const float most = std::min(kLineWidth * desk.em(), desk.size.x - 2 * desk.margin()) - padding;
+    const char* const say = facts.scenario.goal->say.c_str();
+    const float width = ImGui::CalcTextSize(say, nullptr, false, most).x + padding + 1;
     ImGui::SetNextWindowPos({desk.size.x / 2, desk.toolbar_bottom + desk.margin() / 2}, ImGuiCond_Always,
                             {0.5f, 0});
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, desk.size.y});
     ImGui::Begin("Challenge", nullptr,
                  kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
-    desk.widgets.plain("%s", facts.scenario.goal->say.c_str());
+    desk.widgets.plain("%s", say);
     desk.widgets.note("Task");
     what_is_left(desk, *facts.scenario.goal, *facts.goal_use);
     desk.widgets.keep_window_clear("Challenge");

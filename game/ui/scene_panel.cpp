@@ -81,6 +81,21 @@ Open begin_of(const SceneChoice& choice, const Facts& facts) {
     return open;
 }
 
+// One button for each challenge.
+void challenges(Desk& desk, const Facts& facts, Actions& actions) {
+    const auto is_challenge = [](const Catalogue::Entry& entry) {
+        return entry.kind == Catalogue::Kind::kChallenge;
+    };
+    if (std::none_of(facts.catalogue.scenes.begin(), facts.catalogue.scenes.end(), is_challenge)) return;
+    desk.widgets.heading("Challenges");
+    for (const Catalogue::Entry& entry : facts.catalogue.scenes)
+        if (is_challenge(entry) &&
+            desk.widgets.button(entry.title.c_str(),
+                                "Starts this challenge; the current session stays in its recording.",
+                                entry.name == facts.scenario.scene, ImGui::GetContentRegionAvail().x))
+            actions.emplace_back(Open{entry.name, {}});
+}
+
 void what_to_begin(Desk& desk, const Facts& facts, Actions& actions) {
     SceneChoice& choice = desk.choice;
     const auto& scenes = facts.catalogue.scenes;
@@ -136,6 +151,7 @@ void sharing(Desk& desk, const Facts& facts, Actions& actions) {
 void scene_panel(Desk& desk, const Facts& facts, Actions& actions) {
     what_is_loaded(desk, facts);
     sharing(desk, facts, actions);
+    challenges(desk, facts, actions);
     what_to_begin(desk, facts, actions);
     recordings(desk, "Watch a recording and continue from its end", facts.catalogue.recordings,
                facts.recording, actions);
