@@ -9,7 +9,7 @@
 namespace game {
 
 bool places_things(sim::CommandKind kind) {
-    return kind >= sim::CommandKind::kSculpt;
+    return kind >= sim::CommandKind::kSculpt && kind <= sim::CommandKind::kRemove;
 }
 
 bool has_things(std::span<const TimedCommand> commands) {

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "sim/core/check.h"
+#include "sim/core/number_text.h"
 #include "sim/world/on_ground.h"
 #include "sim/world/params.h"
 #include "sim/world/quanta.h"
@@ -183,15 +184,15 @@ std::optional<std::string> fault_of(const Command& command, bool has_lower) {
     for (const CommandNumber& number : info.numbers) {
         const double value = command.*number.value;
         if (!(value >= number.least && value <= number.most))  // NaN too
-            return std::string(info.name) + "'s " + std::string(number.name) + " is " +
-                   std::to_string(value) + " " + std::string(number.unit) + ", outside " +
-                   std::to_string(number.least) + " to " + std::to_string(number.most);
+            return std::string(info.name) + "'s " + std::string(number.name) + " is " + number_text(value) +
+                   " " + std::string(number.unit) + ", outside " + number_text(number.least) + " to " +
+                   number_text(number.most);
     }
     if (info.has_slope &&
         !(command.least_slope >= Command::kNoLeast && command.most_slope <= Command::kNoMost &&
           command.least_slope < command.most_slope))  // NaN too
-        return std::string(info.name) + "'s slope is " + std::to_string(command.least_slope) + " to " +
-               std::to_string(command.most_slope) + " degrees; 0 to 90, in ascending order, are allowed";
+        return std::string(info.name) + "'s slope is " + number_text(command.least_slope) + " to " +
+               number_text(command.most_slope) + " degrees; 0 to 90, in ascending order, are allowed";
     if (command.of == Part::kLower && !has_lower)
         return std::string(info.name) + " is of the lower material, and this world has one material";
     if (info.has_param) {
@@ -200,9 +201,9 @@ std::optional<std::string> fault_of(const Command& command, bool has_lower) {
         const ParamInfo& param = kParams[command.param];
         const auto value = static_cast<float>(command.value);  // what it will be
         if (!(value >= param.least && value <= param.most))
-            return "set " + std::string(param.name) + " is " + std::to_string(command.value) + " " +
-                   std::string(param.unit) + ", outside " + std::to_string(param.least) + " to " +
-                   std::to_string(param.most);
+            return "set " + std::string(param.name) + " is " + number_text(command.value) + " " +
+                   std::string(param.unit) + ", outside " + number_text(param.least) + " to " +
+                   number_text(param.most);
     }
     return std::nullopt;
 }

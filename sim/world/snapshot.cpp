@@ -19,6 +19,7 @@ void restore_things(const Snapshot& snapshot, State& s) {
     const Snapshot::Standing none{Field<float>(s.grid), t.natural_slope, Field<Stems>(s.grid), {}};
     const Snapshot::Standing& then = snapshot.things ? *snapshot.things : none;
     t.earth = then.earth;
+    t.earth_moved = moved_in(t.earth);
     t.forest = then.forest;
     t.list = then.list;
     t.budget = then.budget;

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <initializer_list>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "sim/core/number_text.h"
 #include "sim/world/on_ground.h"
 #include "sim/world/quanta.h"
 #include "sim/world/state.h"
@@ -115,26 +115,10 @@ std::vector<EarthChange> wished_by(const State& s, const Things& t, const Comman
     return changes;
 }
 
-// Earth that is filled and cut, quanta times cells.
-struct EarthMoved {
-    std::int64_t filled = 0, cut = 0;
-    std::int64_t used() const { return std::max(filled, cut); }
-    void add(std::int64_t quanta, std::int64_t times = 1) {
-        (quanta > 0 ? filled : cut) += times * std::abs(quanta);
-    }
-};
-
-EarthMoved moved_in(const Things& t) {
-    EarthMoved moved;
-    for (int y = 0; y < t.earth.ny(); ++y)
-        for (int x = 0; x < t.earth.nx(); ++x) moved.add(quanta_in(t.earth(x, y)));
-    return moved;
-}
-
 // Cuts the changes down to what the budget allows: all by the same share, then quantum by quantum.
 void keep_within_budget(const Things& t, std::vector<EarthChange>& changes) {
     if (t.budget < 0) return;
-    const EarthMoved before = moved_in(t);
+    const EarthMoved before = t.earth_moved;
     constexpr std::int64_t kWhole = std::int64_t{1} << 20;
     const auto at = [](const EarthChange& change, std::int64_t share) {
         return change.from + (change.to - change.from) * share / kWhole;
@@ -196,10 +180,9 @@ bool overlap(const Thing& a, const Thing& b) {
     return true;
 }
 
-std::string text_of(double value) {
-    std::array<char, 32> text;
-    std::snprintf(text.data(), text.size(), "%.0f", value);
-    return text.data();
+// Of metres, to the metre.
+std::string text_of(double metres) {
+    return number_text(std::rint(metres) + 0.0);  // 0, not −0
 }
 std::string joined(std::initializer_list<std::string_view> parts) {
     std::string sentence;
@@ -379,10 +362,10 @@ std::optional<std::string> fault_of_sculpting(const State& s, const Command& c) 
     const bool allowed = std::any_of(changes.begin(), changes.end(),
                                      [](const EarthChange& change) { return change.from != change.to; });
     if (!wished || allowed) return std::nullopt;
-    std::array<char, 64> text;
-    std::snprintf(text.data(), text.size(), "%.1f",
-                  static_cast<double>(s.things->budget) * static_cast<double>(kQuantum) * s.grid.cell_area());
-    return joined({"the budget of earth, ", text.data(), " m3, is used up"});
+    const double budget =
+        static_cast<double>(s.things->budget) * static_cast<double>(kQuantum) * s.grid.cell_area();
+    const double rounded = std::rint(10 * budget) / 10;
+    return joined({"the budget of earth, ", number_text(rounded), " m3, is used up"});
 }
 
 }  // namespace
@@ -401,16 +384,13 @@ double distance_from(const Thing& thing, double x, double y) {
     return std::sqrt(a * a + b * b);
 }
 
-std::int64_t earth_used(const Things& t) {
-    return moved_in(t).used();
-}
-
 void sculpt(State& s, const Command& c) {
     Things& t = things_of(s);
     std::vector<EarthChange> changes = wished_by(s, t, c);
     keep_within_budget(t, changes);
     for (const EarthChange& change : changes) {
         t.earth(change.x, change.y) = static_cast<float>(change.to) * kQuantum;
+        t.earth_moved.add(change.from, -1), t.earth_moved.add(change.to);
         set_bedrock(s, change.x, change.y);
     }
     if (!changes.empty()) ++t.changed, t.unhashed = true;

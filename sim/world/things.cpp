@@ -192,6 +192,13 @@ bool Things::empty() const {
     return true;
 }
 
+EarthMoved moved_in(const Field<float>& earth) {
+    EarthMoved moved;
+    for (int y = 0; y < earth.ny(); ++y)
+        for (int x = 0; x < earth.nx(); ++x) moved.add(static_cast<std::int64_t>(earth(x, y) / kQuantum));
+    return moved;
+}
+
 Things& things_of(State& s) {
     if (!s.things) {
         s.things.emplace(s.grid);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <optional>
 #include <span>
 #include <string>
@@ -92,6 +94,16 @@ struct VertexBox {
     void add(int x, int y);
 };
 
+// Earth that is filled and cut, quanta times cells.
+struct EarthMoved {
+    std::int64_t filled = 0, cut = 0;
+    std::int64_t used() const { return std::max(filled, cut); }
+    void add(std::int64_t quanta, std::int64_t times = 1) {
+        (quanta > 0 ? filled : cut) += times * std::abs(quanta);
+    }
+};
+EarthMoved moved_in(const Field<float>& earth);
+
 struct Things {
     explicit Things(const Grid& grid);
 
@@ -120,6 +132,7 @@ struct Things {
     std::vector<Range> loaded_of;  // of each of `list`, in `loaded`
     std::vector<LoadedVertex> loaded;
     std::vector<std::int32_t> wooded;   // where stems stand, or stood until they broke; ascending
+    EarthMoved earth_moved;             // of all of `earth`
     VertexBox stale;                    // where bedrock has changed since renew_ground()
     std::int64_t changed = 0;           // counts changes of earth, forest or list, and what was destroyed
     bool unhashed = true;               // changed since the hash of the fields was last found
@@ -133,7 +146,9 @@ struct Things {
 Things& things_of(State& state);
 
 // Quanta times cells of earth that are in use: the larger of what was cut and what was filled.
-std::int64_t earth_used(const Things& things);
+inline std::int64_t earth_used(const Things& things) {
+    return things.earth_moved.used();
+}
 
 // Whether a building is part of the bedrock on this grid: at least two cells wide.
 bool is_solid(const Thing& thing, const Grid& grid);

@@ -147,6 +147,15 @@ TEST(Commands, refuse_and_name_every_number_out_of_range) {
             }
 }
 
+TEST(Commands, refuse_in_numbers_as_people_write_them) {
+    Command sculpt;
+    sculpt.kind = CommandKind::kSculpt;
+    sculpt.rise = 31;
+    EXPECT_EQ(sim::fault_of(sculpt), "sculpt's rise is 31 m, outside -30 to 30");
+    sculpt.rise = 1, sculpt.radius = 250'000;
+    EXPECT_EQ(sim::fault_of(sculpt), "sculpt's radius is 250 000 m, outside 0 to 100 000");
+}
+
 TEST(Settle, deposits_the_rolling_layer_within_its_disc_and_conserves_mass) {
     Play play = flat(1);
     const Command pour = support::pour_at(20, 20, 8, 600, 0);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/core/number_text.h"
 #include "sim/simd/exponential.h"
 #include "sim/world/params.h"
 #include "sim/world/quanta.h"
@@ -78,6 +79,20 @@ TEST(Params, defaults_are_valid_and_every_number_out_of_range_is_named) {
             ASSERT_TRUE(fault) << info.name;
             EXPECT_NE(fault->find(info.name), std::string::npos) << *fault;
         }
+}
+
+TEST(NumberText, has_as_few_digits_as_give_it_back_in_groups_of_three) {
+    using sim::number_text;
+    EXPECT_EQ(number_text(0.0), "0");
+    EXPECT_EQ(number_text(0.1f), "0.1");
+    EXPECT_EQ(number_text(-0.5), "-0.5");
+    EXPECT_EQ(number_text(1000.0), "1000");
+    EXPECT_EQ(number_text(20000.0), "20 000");
+    EXPECT_EQ(number_text(-1e7), "-10 000 000");
+    EXPECT_EQ(number_text(123456.75), "123 456.75");
+    EXPECT_EQ(number_text(1e300), "1e+300");
+    EXPECT_EQ(number_text(1e-9), "1e-09");
+    EXPECT_EQ(number_text(std::numeric_limits<double>::quiet_NaN()), "nan");
 }
 
 TEST(Params, thresholds_must_keep_their_order) {
