@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -69,6 +71,8 @@ class Findings {
                 const auto tool = std::ranges::find(scenario_.goal->tools, quantity.tool, &Goal::Tool::kind);
                 return tool == scenario_.goal->tools.end() ? 0 : use_.left(*tool).value_or(0);
             }
+            case Measure::kEarth:
+                return things_ ? things_->earth_used : 0;
             case Measure::kTime:
                 return session_.seconds();
         }
@@ -150,6 +154,16 @@ std::string bound_text(const Goal::Need& need) {
                        need.most ? *need.most : *need.least, unit.empty() ? "" : " ", unit);
 }
 
+// The terms of the score, without its base.
+double combined(const Goal& goal, const Findings& found) {
+    std::vector<double> terms;
+    for (const Goal::Term& term : goal.score)
+        terms.push_back(term.times * static_cast<double>(found.value(term.quantity)) /
+                        static_cast<double>(Score::kParts));
+    return goal.combine == Goal::Combine::kSmallest ? *std::ranges::min_element(terms)
+                                                    : std::accumulate(terms.begin(), terms.end(), 0.0);
+}
+
 bool meets(const Goal::Need& need, std::int64_t value) {
     const auto parts = [](double of) { return std::llrint(of * static_cast<double>(Score::kParts)); };
     return need.most ? value <= parts(*need.most) : value >= parts(*need.least);
@@ -171,11 +185,7 @@ Score score_now(const Scenario& scenario, const Session& session, std::span<cons
         const std::int64_t value = found.value(need.quantity);
         score.needs.push_back({value, meets(need, value)});
     }
-    double points = goal.base;
-    for (const Goal::Term& term : goal.score)
-        points +=
-            term.times * static_cast<double>(found.value(term.quantity)) / static_cast<double>(Score::kParts);
-    score.points = std::llrint(points);
+    score.points = std::llrint(goal.base + combined(goal, found));
     if (score.meets_needs())
         score.medal = static_cast<int>(
             std::ranges::count_if(goal.medals, [&](std::int64_t least) { return score.points >= least; }));

@@ -114,6 +114,7 @@ Json goal_json(const Goal& goal) {
         each["times"] = term.times;
         json["score"].push_back(std::move(each));
     }
+    if (goal.combine != Goal::Combine::kSum) json["combine"] = to_string(goal.combine);
     json["medals"] = goal.medals;
     json["earliest_s"] = goal.earliest_s;
     if (goal.latest_s) json["latest_s"] = *goal.latest_s;
@@ -136,6 +137,7 @@ Goal goal_from(const Json& json) {
     goal.base = number(json, "base", -kFar, kFar);
     for (const Json& each : list(json, "score", Goal::kMostTerms))
         goal.score.push_back({quantity_from(each), number(each, "times", -kFar, kFar)});
+    if (json.contains("combine")) goal.combine = named(json, "combine", combine_from);
     const Json& medals = list(json, "medals", goal.medals.size());
     if (medals.size() != goal.medals.size()) refuse("medals is not three whole numbers");
     for (std::size_t i = 0; i < goal.medals.size(); ++i) {

@@ -23,6 +23,7 @@ constexpr MeasureInfo kMeasures[] = {
     {Measure::kBroken, "broken", "ha", "broken forest", false, false},
     {Measure::kUnused, "unused", "", "unused", false, true},
     {Measure::kTime, "time", "s", "time", false, false},
+    {Measure::kEarth, "earth", "m3", "earth in use", false, false},
 };
 
 double disc_area(const sim::Command& command) {
@@ -77,6 +78,16 @@ std::optional<Measure> measure_from(std::string_view name) {
     const auto found = std::ranges::find(kMeasures, name, &MeasureInfo::name);
     if (found == std::end(kMeasures)) return std::nullopt;
     return found->measure;
+}
+
+std::string_view to_string(Goal::Combine combine) {
+    return combine == Goal::Combine::kSmallest ? "smallest" : "sum";
+}
+
+std::optional<Goal::Combine> combine_from(std::string_view name) {
+    for (const auto combine : {Goal::Combine::kSum, Goal::Combine::kSmallest})
+        if (to_string(combine) == name) return combine;
+    return std::nullopt;
 }
 
 std::string_view unit_of(sim::CommandKind kind) {

@@ -40,6 +40,7 @@ enum class Measure : std::uint8_t {
     kBroken,     // ha of forest
     kUnused,     // of a tool: how much of its budget is left
     kTime,       // s
+    kEarth,      // m³ of earth in use (sim/world/things.h)
 };
 
 struct Quantity {
@@ -82,7 +83,10 @@ struct Goal {
     std::vector<Tool> tools;
     std::optional<Area> zone;  // where they may be used
     std::vector<Need> needs;   // empty: every score wins that has a medal
-    double base = 0;           // score = base + Σ times · quantity, rounded
+    // score = base + Σ times · quantity, rounded; or, of kSmallest, base + the least of its terms
+    enum class Combine : std::uint8_t { kSum, kSmallest };
+    double base = 0;
+    Combine combine = Combine::kSum;
     std::vector<Term> score;
     std::array<std::int64_t, 3> medals{};  // least scores for bronze, silver, gold; rising
     double earliest_s = 0;                 // the try ends at rest, but not before this
@@ -101,6 +105,8 @@ struct MeasureInfo {
 std::span<const MeasureInfo> measure_infos();
 const MeasureInfo& info_of(Measure measure);
 std::optional<Measure> measure_from(std::string_view name);
+std::string_view to_string(Goal::Combine combine);  // "smallest"
+std::optional<Goal::Combine> combine_from(std::string_view name);
 
 // What `total` of a tool counts, such as "m3"; empty if nothing but `count` does.
 std::string_view unit_of(sim::CommandKind kind);

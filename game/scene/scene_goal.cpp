@@ -130,6 +130,11 @@ Goal read_goal(TomlTable& table) {
     goal.needs = read_all(table, "need", Goal::kMostNeeds, read_need);
     goal.score = read_all(table, "score", Goal::kMostTerms, read_term);
     goal.base = table.number("base", -kMostOfAnything, kMostOfAnything).value_or(0);
+    if (const auto name = table.text("combine")) {
+        const auto combine = combine_from(*name);
+        if (!combine) table.blame("combine", "is neither sum nor smallest");
+        goal.combine = combine.value_or(goal.combine);
+    }
     goal.earliest_s = table.number("earliest", 0, kLongestTry).value_or(0);
     goal.latest_s = table.number("latest", 0, kLongestTry);
     if (const auto medals = table.numbers("medals", 3))

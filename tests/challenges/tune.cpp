@@ -1,5 +1,5 @@
-// Plays a challenge at random, to find numbers at which it can be won but not by chance: docs/challenges.md has the
-// procedure. Not a test: a thousand tries take a quarter of an hour.
+// Plays a challenge at random, to find numbers at which it can be won but not by chance, and records a try that wins
+// and one that loses: docs/challenges.md has the procedure. Not a test: a thousand tries take a quarter of an hour.
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <numbers>
 #include <optional>
 #include <random>
+#include <ranges>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -52,25 +54,56 @@ Result must(game::Outcome<Result> outcome) {
     if constexpr (!std::is_void_v<Result>) return std::move(*outcome);
 }
 
-// Plays until the try ends, at most ten minutes; into a recording, if there is a path.
-void play(const game::Scene& scene, Try& attempt, const std::optional<std::string>& path = std::nullopt) {
+// Writes a try with one state line per second: a session's own has ten, and is three times as long.
+class Writer {
+  public:
+    Writer(const std::string& path, const Scenario& scenario)
+        : recorder_(must(game::Recorder::create(path, header_of(scenario)))) {}
+
+    void command(const TimedCommand& command) { must(recorder_.command(command)); }
+    void state(game::StateLine line) {
+        line.before.clear();
+        must(recorder_.state(line));
+    }
+    void end(const Score& score) {
+        must(recorder_.claim(score.claim()));
+        must(recorder_.end(score.tick));
+    }
+    static constexpr std::int64_t kTicks = 60;  // from a state line to the next
+
+  private:
+    static game::Header header_of(const Scenario& scenario) {
+        game::Header header;
+        header.scenario = scenario;
+        header.ticks_per_state = kTicks;
+        return header;
+    }
+    game::Recorder recorder_;
+};
+
+// Plays until the try ends, at most ten minutes.
+void play(const game::Scene& scene, Try& attempt, Writer* writer = nullptr) {
     const std::vector<TimedCommand> commands = all_of(scene, attempt);
-    std::optional<game::Recorder> recorder;
-    if (path) recorder = must(game::Recorder::create(*path, scene.scenario));
-    auto session = must(game::Session::begin(scene.scenario, {}, std::move(recorder)));
+    auto session = must(game::Session::begin(scene.scenario, {}, std::nullopt));
+    if (writer) writer->state(session.state_line());
     game::Referee referee(scene.scenario, commands);
     for (std::int64_t tick = 0; tick < 60 * 600 && !session.try_ended_at(); ++tick) {
         std::vector<sim::Command> now;
-        for (const TimedCommand& each : game::commands_at(commands, tick)) now.push_back(each.command);
+        for (const TimedCommand& each : game::commands_at(commands, tick)) {
+            now.push_back(each.command);
+            if (writer) writer->command(each);
+        }
         must(session.advance(now));
         referee.see(session);
+        if (writer && (session.state().tick % Writer::kTicks == 0 || session.try_ended_at()))
+            writer->state(session.state_line());
     }
     if (const auto score = referee.decide()) attempt.score = *score;
-    if (path && attempt.score) must(session.claim(attempt.score->claim()));
-    if (path) must(session.finish());
+    if (writer && attempt.score) writer->end(*attempt.score);
 }
 
-// A person who tries anything: as many of each tool as there are at most, anywhere in the zone, at any time.
+// A person who tries anything, anywhere in the zone, at any time: of a tool with a count some, each at a place of its
+// own; of one without a single stroke.
 class Chance {
   public:
     Chance(const game::Scene& scene, unsigned seed)
@@ -80,24 +113,28 @@ class Chance {
         Try made;
         game::GoalUse use(goal_);
         for (const Goal::Tool& tool : goal_.tools) {
-            const auto most = static_cast<double>(tool.count.value_or(3));
-            const int count = static_cast<int>(std::floor(between(1, most + 0.999)));
-            for (int i = 0; i < count; ++i) {
-                const TimedCommand command{std::llrint(between(0, latest_s()) * 60), command_of(tool)};
-                if (!use.take(command, scenario_.params.tick_s)) made.by_hand.push_back(command);
+            const int strokes = tool.count ? whole_to(static_cast<int>(*tool.count)) : 1;
+            for (int i = 0; i < strokes; ++i) {
+                const std::int64_t tick = std::llrint(between(0, latest_s()) * 60);
+                for (const sim::Command& each : stroke_of(tool))
+                    if (!use.take({tick, each}, scenario_.params.tick_s))
+                        made.by_hand.push_back({tick, each});
             }
         }
         std::ranges::stable_sort(made.by_hand, {}, &TimedCommand::tick);
         return made;
     }
 
-    // The same try with each place moved by up to `far` metres.
+    // The same try with each place moved by up to `far` metres; a stroke, which is one tick, as a whole.
     Try near(const Try& other, double far) {
         Try made{other.by_hand, std::nullopt};
+        std::int64_t tick = -1;
+        double east = 0, north = 0;
         for (TimedCommand& each : made.by_hand) {
-            const double east = each.command.x + between(-far, far),
-                         north = each.command.y + between(-far, far);
-            if (!goal_.zone || goal_.zone->has(east, north)) each.command.x = east, each.command.y = north;
+            if (each.tick != tick) east = between(-far, far), north = between(-far, far);
+            tick = each.tick;
+            const double x = each.command.x + east, y = each.command.y + north;
+            if (!goal_.zone || goal_.zone->has(x, y)) each.command.x = x, each.command.y = y;
         }
         return made;
     }
@@ -105,6 +142,25 @@ class Chance {
   private:
     double between(double least, double most) {
         return std::uniform_real_distribution<double>(least, most)(random_);
+    }
+    int whole_to(int most) { return static_cast<int>(std::floor(between(1, most + 0.999))); }
+    // One command of a tool with a count. Else up to eight in a row, a radius apart; with durations that use some of
+    // its total.
+    std::vector<sim::Command> stroke_of(const Goal::Tool& tool) {
+        std::vector<sim::Command> stroke{command_of(tool)};
+        if (tool.count) return stroke;
+        sim::Command next = stroke.front();
+        const int many = whole_to(8);
+        const double heading = between(0, 2 * std::numbers::pi), share = between(0.3, 1);
+        if (tool.total && tool.kind == sim::CommandKind::kDig)
+            next.duration =
+                share * *tool.total / (many * next.rate * std::numbers::pi * next.radius * next.radius);
+        stroke.assign(static_cast<std::size_t>(many), next);
+        for (int i = 0; i < many; ++i) {
+            sim::Command& each = stroke[static_cast<std::size_t>(i)];
+            each.x += i * next.radius * std::sin(heading), each.y += i * next.radius * std::cos(heading);
+        }
+        return stroke;
     }
     double latest_s() const {
         const double event = goal_.events.empty() ? 1 : static_cast<double>(goal_.events.back().tick) / 60;
@@ -152,11 +208,26 @@ void tell(const char* what, const Goal& goal, const Try& attempt) {
     std::fflush(stdout);
 }
 
+// The first of them that still wins with all its places moved by a cell, whichever way. Looks at the ten best.
+std::optional<Try> best_sound(const game::Scene& scene, const std::vector<Try>& winners) {
+    const auto dx = static_cast<double>(scene.scenario.grid.dx);
+    const auto wins = [&](const Try& winner, double east, double north) {
+        Try moved{winner.by_hand, std::nullopt};
+        for (TimedCommand& each : moved.by_hand) each.command.x += east * dx, each.command.y += north * dx;
+        play(scene, moved);
+        return moved.score && moved.score->won;
+    };
+    for (const Try& winner : winners | std::views::take(10))
+        if (wins(winner, -1, 0) && wins(winner, 1, 0) && wins(winner, 0, -1) && wins(winner, 0, 1))
+            return winner;
+    return std::nullopt;
+}
+
 }  // namespace
 
 int main(int count, char** words) {
     if (count < 3) {
-        fmt::print("Usage: {} SCENE TRIES [SEED [CLIMBS [RECORDING]]]\n", words[0]);
+        fmt::print("Usage: {} SCENE TRIES [SEED [CLIMBS [RECORDINGS]]]\n", words[0]);
         return 2;
     }
     const auto scene = game::load_scene(words[1], {});
@@ -170,14 +241,22 @@ int main(int count, char** words) {
     Try nothing;
     play(*scene, nothing);
     tell("nothing done", goal, nothing);
-    Try best;
+    std::vector<Try> winners;  // the best one first
+    std::optional<Try> loser;
+    const auto keep = [&](const Try& attempt) {
+        if (attempt.score && attempt.score->won)
+            winners.insert(std::ranges::upper_bound(winners, attempt, is_better), attempt);
+    };
     std::array<int, 4> medals{};
     std::vector<std::int64_t> points;
+    Try best;
     for (int i = 0; i < tries; ++i) {
         Try attempt = chance.attempt();
         play(*scene, attempt);
+        keep(attempt);
         if (attempt.score) ++medals.at(static_cast<std::size_t>(attempt.score->medal));
         if (attempt.score && attempt.score->meets_needs()) points.push_back(attempt.score->points);
+        if (attempt.score && !attempt.score->won && !attempt.by_hand.empty() && !loser) loser = attempt;
         if (!is_better(attempt, best)) continue;
         best = attempt;
         tell("best so far", goal, best);
@@ -194,17 +273,23 @@ int main(int count, char** words) {
     for (int i = 0; i < climbs; ++i) {
         Try attempt = chance.near(best, 20 * dx * std::pow(0.1, static_cast<double>(i) / climbs));
         play(*scene, attempt);
+        keep(attempt);
         if (is_better(attempt, best)) best = attempt;
     }
     if (climbs > 0) tell("climbed to", goal, best);
-    int won = 0;
-    for (const auto& [east, north] : {std::pair(-1, 0), {1, 0}, {0, -1}, {0, 1}}) {
-        Try attempt{best.by_hand, std::nullopt};
-        for (TimedCommand& each : attempt.by_hand) each.command.x += east * dx, each.command.y += north * dx;
-        play(*scene, attempt);
-        won += attempt.score && attempt.score->won;
+    const std::optional<Try> sound = best_sound(*scene, winners);
+    if (sound) tell("the best that wins with its places moved by a cell", goal, *sound);
+    if (count <= 5) return 0;
+    if (!sound || !loser) {
+        fmt::print("nothing recorded: there is no {} try\n", sound ? "losing" : "sound winning");
+        return 1;
     }
-    fmt::print("the best one moved by a cell wins {} times of 4\n", won);
-    if (count > 5) play(*scene, best, words[5]);
+    const auto record = [&](Try attempt, const char* end) {
+        Writer writer(std::string(words[5]) + end, scene->scenario);
+        play(*scene, attempt, &writer);
+    };
+    record(*sound, "_won.couloir");
+    record(*loser, "_lost.couloir");
+    tell("recorded as lost", goal, *loser);
     return 0;
 }
