@@ -250,8 +250,28 @@ void StructureWatch::watch(const sim::View& world, std::span<const float> pressu
                      : share >= 0.5 ? StructureState::kDamaged
                                     : StructureState::kIntact;
     }
+    // Made anew only if things came or went, because the points of roads need memory.
+    const std::int64_t changed = world.things ? world.things->changed : -1;
+    if (changed == changed_) return take_states(world);
+    changed_ = changed;
     structures_ = views_;
     add_things(world, first_depth_, structures_);
+}
+
+// Sets the states alone. Things have the order of their list, after the views.
+void StructureWatch::take_states(const sim::View& world) {
+    auto next = structures_.all.begin();
+    for (const Structure& view : views_.all) (next++)->state = view.state;
+    if (!world.things) return;
+    auto next_net = structures_.nets.begin() + static_cast<std::ptrdiff_t>(views_.nets.size());
+    for (const sim::Thing& thing : world.things->list) {
+        if (thing.kind == sim::ThingKind::kRoad) continue;
+        const StructureState state = state_of(thing, world, first_depth_);
+        if (thing.kind == sim::ThingKind::kNet)
+            (next_net++)->state = state;
+        else
+            (next++)->state = state;
+    }
 }
 
 }  // namespace game

@@ -54,8 +54,11 @@ class StructureWatch {
     const render::Structures& structures() const { return structures_; }
 
   private:
+    void take_states(const sim::View& world);
+
     render::Structures structures_;
-    render::Structures views_;           // of these, without the things
+    std::int64_t changed_ = -1;  // sim::Things::changed when structures_ were made; −1: without things
+    render::Structures views_;   // of these, without the things
     std::vector<double> first_surface_;  // m, at the middle of each view
     std::vector<float> first_depth_;     // m
 };

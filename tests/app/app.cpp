@@ -181,6 +181,31 @@ TEST_F(Playing, allocates_nothing_in_a_frame_once_it_has_played_for_a_while) {
     EXPECT_GT(without, 30);
 }
 
+// A slide among forest, houses, nets, a road and a dam, with a tool in hand that shows what is left of the budget.
+TEST_F(Playing, allocates_nothing_in_a_frame_among_things_once_it_has_played_for_a_while) {
+    screen_.resize_to(1280, 720);
+    begin("protection", 0);
+    tap(key('4'));
+    screen_.move(640, 420);
+    frames(200);
+    ASSERT_GT(mass().rolling, 0);
+    ASSERT_GE(state().things->budget, 0);
+    int quiet = 0, without = 0;
+    for (int i = 0; i < 60; ++i) {
+        screen_.move(640 + i % 7, 420);
+        const std::size_t keyframes = app_->sandbox().keyframes().count();
+        const std::int64_t changed = state().things->changed, before = support::allocations();
+        ASSERT_TRUE(app_->frame());
+        const std::int64_t allocated = support::allocations() - before;
+        // A keyframe was stored, or something broke.
+        if (app_->sandbox().keyframes().count() != keyframes || state().things->changed != changed) continue;
+        ++quiet;
+        without += allocated == 0;
+    }
+    EXPECT_GT(quiet, 30);
+    EXPECT_GE(5 * without, 4 * quiet) << "a list of rectangles may grow with the flow, now and then";
+}
+
 // The pixels of a part of the image where there is neither a panel nor the ring.
 std::vector<std::uint8_t> part_of(const render::Picture& picture) {
     std::vector<std::uint8_t> part;

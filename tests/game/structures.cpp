@@ -182,5 +182,20 @@ TEST_F(DrawnThings, come_after_the_structures_that_are_a_view) {
     EXPECT_EQ(watch.structures(), hut_at({150, 150}));
 }
 
+TEST_F(DrawnThings, change_their_states_while_none_comes_or_goes) {
+    add({.kind = sim::ThingKind::kRoad, .x = 0, .y = 0, .to_x = 50, .to_y = 0, .width = 8});
+    add({.kind = sim::ThingKind::kNet, .x = 5, .y = 5, .to_x = 9, .to_y = 5, .height = 3, .strength = 30});
+    add({.x = 60, .y = 70, .length = 20, .width = 12, .height = 8, .strength = 10});
+    StructureWatch watch(hut_at({150, 150}), sim::view(state_));
+    for (const std::int64_t load : {0, 5100, 10'000}) {
+        for (sim::Thing& thing : state_.things->list) thing.load = load;
+        watch.watch(sim::view(state_), {}, {});
+        render::Structures anew = hut_at({150, 150});
+        add_things(sim::view(state_), first_, anew);
+        EXPECT_EQ(watch.structures(), anew) << load;
+    }
+    EXPECT_EQ(watch.structures().all.back().state, StructureState::kDestroyed);
+}
+
 }  // namespace
 }  // namespace game
