@@ -151,6 +151,7 @@ class Chance {
         if (tool.count) return stroke;
         sim::Command next = stroke.front();
         const int many = whole_to(8);
+        if (tool.kind == sim::CommandKind::kSculpt) next.rise = between(1, 8);
         const double heading = between(0, 2 * std::numbers::pi), share = between(0.3, 1);
         if (tool.total && tool.kind == sim::CommandKind::kDig)
             next.duration =

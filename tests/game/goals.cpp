@@ -130,6 +130,7 @@ TEST_F(Challenge, whose_goal_is_wrong_is_refused_with_its_line) {
              {"zone = { box = [20, 90, 140, 150] }", "zone = { disc = [1, 2] }",
               "zone.disc is not a known key"},
              {"latest = 60\n", "latest = 60\nluck = 1\n", "luck"},
+             {"base = 10\n", "combine = \"largest\"\n", "is neither sum nor smallest"},
          }) {
         std::string goal = kGoal;
         const auto at = goal.find(wrong.part);
@@ -270,6 +271,22 @@ TEST_F(Challenge, of_which_nothing_is_done_is_not_won) {
     const Json challenge = Json::parse(said.out).at("challenge");
     EXPECT_EQ(challenge.at("won"), false);
     EXPECT_EQ(challenge.at("medal"), "no medal");
+}
+
+TEST_F(Challenge, scores_the_smallest_of_its_terms_if_it_says_so) {
+    const auto scored = [&](const std::string& combine) {
+        std::string goal = kGoal;
+        goal.replace(goal.find("base = 10\n"), 10, "base = 10\n" + combine);
+        const auto loaded = load(goal);
+        EXPECT_TRUE(loaded) << loaded.error().sentence;
+        record(path_, loaded->scenario, 10, {});
+        EXPECT_EQ(read_recording(path_)->header.scenario.goal, loaded->scenario.goal);
+        const Finished said = couloir({"run", scene_path_.string(), "--seconds", "61", "--json"});
+        return Json::parse(said.out).at("challenge").at("score").get<int>();
+    };
+    EXPECT_EQ(scored(""), 10 + 0 + 200);
+    EXPECT_EQ(scored("combine = \"sum\"\n"), 10 + 0 + 200);
+    EXPECT_EQ(scored("combine = \"smallest\"\n"), 10 + 0);
 }
 
 TEST_F(Challenge, goes_on_with_the_events_of_its_scene_in_a_branch) {

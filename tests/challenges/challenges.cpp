@@ -1,0 +1,114 @@
+// Every challenge that ships can be won and lost: a recording of each beside this file proves it.
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "game/analysis/score.h"
+#include "game/files/assets.h"
+#include "game/recording/reader.h"
+#include "game/scene/scene.h"
+#include "game/session/session.h"
+#include "tests/support/places.h"
+
+namespace game::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> scenes_with_a_goal() {
+    const std::vector<std::string> scenes = asset_names(AssetKind::kScene).value();
+    std::vector<std::string> names;
+    for (const std::string& name : scenes)
+        if (load_scene(name, {}).value().scenario.goal) names.push_back(name);
+    return names;
+}
+
+const std::vector<std::string>& challenges() {
+    static const std::vector<std::string> names = scenes_with_a_goal();
+    return names;
+}
+
+fs::path recording_of(const std::string& challenge, const std::string& end) {
+    return support::source_dir() / "tests/challenges" / (challenge + "_" + end + ".couloir");
+}
+
+// Plays until the try ends, and judges it.
+Outcome<Score> judged(const Scenario& scenario, const std::vector<TimedCommand>& commands) {
+    constexpr std::int64_t kLongest = 36'000;  // ticks
+    Session session = Session::begin(scenario, {}, std::nullopt).value();
+    Referee referee(scenario, commands);
+    while (!session.try_ended_at() && session.state().tick < kLongest) {
+        std::vector<sim::Command> now;
+        for (const TimedCommand& each : commands_at(commands, session.state().tick))
+            now.push_back(each.command);
+        if (auto advanced = session.advance(now); !advanced) return tl::unexpected(advanced.error());
+        referee.see(session);
+    }
+    return referee.decide();
+}
+
+TEST(Challenges, each_have_a_recording_that_wins_and_one_that_loses_and_no_other_recording_is_here) {
+    std::set<fs::path> wanted;
+    for (const std::string& name : challenges())
+        for (const char* end : {"won", "lost"}) wanted.insert(recording_of(name, end));
+    ASSERT_FALSE(wanted.empty());
+    std::set<fs::path> found;
+    for (const auto& entry : fs::directory_iterator(support::source_dir() / "tests/challenges")) {
+        if (entry.path().extension() != ".couloir") continue;
+        found.insert(entry.path());
+        EXPECT_LT(entry.file_size(), 400'000u) << entry.path();
+    }
+    EXPECT_EQ(found, wanted);
+}
+
+TEST(Challenges, are_scored_from_their_recordings_as_these_claim) {
+    for (const std::string& name : challenges())
+        for (const std::string end : {"won", "lost"}) {
+            const auto recording = read_recording(recording_of(name, end));
+            ASSERT_TRUE(recording) << recording.error().sentence;
+            EXPECT_TRUE(is_same_challenge(recording->header.scenario, load_scene(name, {}).value().scenario))
+                << name;
+            const auto score = judged(recording->header.scenario, recording->commands);
+            ASSERT_TRUE(score) << name << " " << end << ": " << score.error().sentence;
+            EXPECT_EQ(score->won, end == "won") << name;
+            EXPECT_EQ(score->medal > 0, end == "won") << name;
+            ASSERT_TRUE(recording->claim) << name;
+            EXPECT_EQ(score->claim(), *recording->claim) << name;
+        }
+}
+
+TEST(Challenges, are_not_won_by_doing_nothing) {
+    for (const std::string& name : challenges()) {
+        const Scene scene = load_scene(name, {}).value();
+        const auto score = judged(scene.scenario, scene.commands);
+        EXPECT_FALSE(score && score->won) << name;
+    }
+}
+
+TEST(Challenges, refuse_a_recording_whose_command_was_edited) {
+    for (const std::string& name : challenges()) {
+        const auto recording = read_recording(recording_of(name, "lost"));
+        ASSERT_TRUE(recording) << recording.error().sentence;
+        const Goal& goal = *recording->header.scenario.goal;
+        std::vector<TimedCommand> commands = recording->commands;
+        const auto by_hand = std::ranges::find_if(commands, [&](const TimedCommand& each) {
+            return std::ranges::find(goal.events, each) == goal.events.end();
+        });
+        ASSERT_NE(by_hand, commands.end()) << name;
+        by_hand->command.radius *= 3;
+        const auto score = judged(recording->header.scenario, commands);
+        ASSERT_FALSE(score) << name;
+        EXPECT_EQ(score.error().status, Failure::kUnusable) << name;
+    }
+}
+
+}  // namespace
+}  // namespace game::test
