@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "game/analysis/score.h"
 #include "game/app/screenshots.h"
 #include "game/app/sharing.h"
-#include "game/analysis/score.h"
 #include "game/base/outcome.h"
 #include "game/controls/action.h"
 #include "game/controls/camera_control.h"

@@ -119,9 +119,7 @@ class Session {
     // The state line of this tick; `before` has the hashes since the last recorded state line.
     const StateLine& state_line() const { return line_; }
     // When the try at the scenario's goal ended: tick.
-    std::optional<std::int64_t> try_ended_at() const {
-        return try_ ? try_->ended_at() : std::nullopt;
-    }
+    std::optional<std::int64_t> try_ended_at() const { return try_ ? try_->ended_at() : std::nullopt; }
     // Writes what the try that ended in this tick scores, if this tick is being recorded for the first time. Errors:
     // the recording cannot be written.
     Outcome<void> claim(const ClaimLine& line);

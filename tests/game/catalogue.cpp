@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "game/files/assets.h"
+#include "game/scene/scene.h"
 
 namespace game::test {
 namespace {
@@ -24,8 +25,19 @@ TEST(Catalogue, has_everything_that_ships_with_a_title_and_a_file_that_opens) {
             // A material's name may be all there is to say.
             EXPECT_TRUE(kind == AssetKind::kMaterial || entry.title != entry.name) << entry.name;
         }
+        std::ranges::sort(names);
         EXPECT_EQ(names, asset_names(kind).value());
         EXPECT_FALSE(names.empty());
+    }
+}
+
+TEST(Catalogue, has_challenges_first_and_flow_demos_last) {
+    const auto scenes = read_catalogue()->scenes;
+    EXPECT_TRUE(std::ranges::is_sorted(scenes, {}, &Catalogue::Entry::kind));
+    for (const Catalogue::Entry& scene : scenes) {
+        const Scenario scenario = load_scene(scene.name, {})->scenario;
+        EXPECT_EQ(scene.kind == Catalogue::Kind::kChallenge, scenario.goal.has_value()) << scene.name;
+        EXPECT_EQ(scene.kind == Catalogue::Kind::kFlowDemo, scenario.flow.has_value()) << scene.name;
     }
 }
 

@@ -186,14 +186,17 @@ TEST_F(Challenge, refuses_a_hand_that_breaks_its_rules_and_goes_on) {
     loaded.scene = scene();
     Sandbox sandbox = Sandbox::begin(std::move(loaded), sim::StepOptions{}, std::nullopt).value();
     const sim::Command far = blast_at(80, 20), near = blast_at(80, 120);
+    sandbox.begin_action("blast");
     const auto done = sandbox.tick({&far, 1});
     ASSERT_FALSE(done);
     EXPECT_EQ(done.error().sentence, "Not done: (80, 20) is outside the zone of this challenge");
     EXPECT_EQ(sandbox.session().state().tick, 1);
     EXPECT_FALSE(sandbox.was_touched());
     sandbox.begin_action("blast");
-    ASSERT_TRUE(sandbox.tick({&near, 1}));
-    ASSERT_TRUE(sandbox.tick({&near, 1}));
+    for (int i = 0; i < 3; ++i)
+        ASSERT_TRUE(sandbox.tick({&near, 1}));  // a stroke ends where the budget does, and nothing is said
+    EXPECT_EQ(sandbox.commands_so_far().size(), 2u);
+    sandbox.begin_action("blast");
     ASSERT_FALSE(sandbox.tick({&near, 1}));
     EXPECT_EQ(sandbox.goal_use().left(sandbox.scenario().goal->tools[0]), 0);
     ASSERT_TRUE(sandbox.undo());  // both: they were one action
