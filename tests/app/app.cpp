@@ -914,6 +914,98 @@ TEST_F(Playing, opens_on_a_view_that_has_room_between_the_bars) {
     EXPECT_DOUBLE_EQ(app_->camera().field_of_view_deg, own) << "there are no bars now";
 }
 
+// A challenge on a small slope, of three seconds, that asks for one blast.
+constexpr const char* kChallenge = R"(title = "A small challenge"
+[terrain]
+generator = "slope-of-soil"
+grid = 40
+[cover]
+material = "soil"
+[physics]
+model = "bcre-inertial"
+borders = "open"
+[camera]
+target = [80, 72, -48]
+azimuth = 200
+elevation = 30
+distance = 200
+[light]
+azimuth = 255
+[goal]
+say = "Move something."
+learn = "Blasts move things."
+medals = [1, 100000, 200000]
+latest = 3
+[[goal.tool]]
+command = "blast"
+count = 1
+radius = 12
+depth = 1
+[[goal.score]]
+measure = "eroded"
+)";
+
+TEST_F(Playing, tells_the_task_of_a_challenge_and_what_a_try_came_to) {
+    screen_.resize_to(1280, 720);
+    const auto scene = folder_.path() / "small.toml";
+    std::ofstream(scene) << kChallenge;
+    begin(scene.string(), 0);
+    const auto shows = [&](const char* label) { return app_->panels().find(label).has_value(); };
+    EXPECT_TRUE(shows("Task"));
+    EXPECT_TRUE(shows("Blast: 1 of 1 left"));
+    EXPECT_FALSE(shows("Pour")) << "is no tool of it";
+    EXPECT_FALSE(shows("Radius")) << "leaves no choice";
+    EXPECT_EQ(app_->brush().tool, Tool::kBlast);
+    EXPECT_EQ(app_->brush().radius, 12);
+    tap(key('1'));
+    EXPECT_EQ(last_notice(), "Pour is no tool of this challenge");
+    EXPECT_EQ(app_->brush().tool, Tool::kBlast);
+
+    screen_.move(640, 330);
+    frames(1);
+    screen_.press(Button::kLeft);
+    frames(2);
+    screen_.release(Button::kLeft);
+    frames(1);
+    EXPECT_TRUE(shows("Blast: 0 of 1 left"));
+    for (int i = 0; i < 2000 && !shows("Verdict"); ++i) frames(1);
+    ASSERT_TRUE(shows("Verdict"));
+    frames(2);
+    EXPECT_TRUE(shows("Try again"));
+
+    tap(Key::kComma);  // a look back hides the card, and it returns
+    while (state().tick >= 180) tap(Key::kComma);
+    EXPECT_FALSE(shows("Verdict"));
+    tap(Key::kEscape);
+    ASSERT_TRUE(app_->finish());
+    const auto recording = read_recording(*app_->recording());
+    ASSERT_TRUE(recording) << recording.error().sentence;
+    ASSERT_TRUE(recording->claim);
+    EXPECT_EQ(recording->claim->tick, 180);
+    EXPECT_EQ(recording->claim->medal, 1);
+}
+
+TEST_F(Playing, forgets_what_a_try_came_to_that_is_undone) {
+    screen_.resize_to(1280, 720);
+    const auto scene = folder_.path() / "small.toml";
+    std::ofstream(scene) << kChallenge;
+    begin(scene.string(), 0);
+    screen_.move(640, 330);
+    frames(1);
+    screen_.press(Button::kLeft);
+    frames(2);
+    screen_.release(Button::kLeft);
+    const auto shows = [&](const char* label) { return app_->panels().find(label).has_value(); };
+    for (int i = 0; i < 2000 && !shows("Verdict"); ++i) frames(1);
+    ASSERT_TRUE(shows("Verdict"));
+    tap(key('Z'), {.control = true});
+    frames(2);
+    EXPECT_FALSE(shows("Verdict"));
+    EXPECT_TRUE(shows("Blast: 1 of 1 left"));
+    ASSERT_TRUE(app_->finish());
+    EXPECT_EQ(app_->sandbox().session().try_ended_at(), std::nullopt);
+}
+
 // As play() does without --record.
 class Keeping : public Playing {
   protected:

@@ -104,7 +104,7 @@ TEST(Challenges, refuse_a_recording_whose_command_was_edited) {
         });
         ASSERT_NE(by_hand, commands.end()) << name;
         by_hand->command.radius *= 3;
-        const auto score = judged(recording->header.scenario, commands);
+        const auto score = Referee(recording->header.scenario, commands).decide();
         ASSERT_FALSE(score) << name;
         EXPECT_EQ(score.error().status, Failure::kUnusable) << name;
     }

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <optional>
 #include <random>
-#include <ranges>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -218,7 +218,7 @@ std::optional<Try> best_sound(const game::Scene& scene, const std::vector<Try>& 
         play(scene, moved);
         return moved.score && moved.score->won;
     };
-    for (const Try& winner : winners | std::views::take(10))
+    for (const Try& winner : std::span(winners).first(std::min<std::size_t>(10, winners.size())))
         if (wins(winner, -1, 0) && wins(winner, 1, 0) && wins(winner, 0, -1) && wins(winner, 0, 1))
             return winner;
     return std::nullopt;

@@ -292,6 +292,19 @@ TEST_F(Challenge, scores_the_smallest_of_its_terms_if_it_says_so) {
     EXPECT_EQ(scored("combine = \"smallest\"\n"), 10 + 0);
 }
 
+TEST_F(Challenge, counts_the_earth_that_is_in_use) {
+    const std::string dam = "[[dam]]\npoints = [[60, 40], [100, 40]]\nradius = 12\nrise = 3\n";
+    std::string goal = kGoal;
+    goal.replace(goal.find("measure = \"eroded\""), 18, "measure = \"earth\"\ntimes = -1");
+    write_bytes(scene_path_, kSlope + dam + goal);
+    const Finished said = couloir({"run", scene_path_.string(), "--seconds", "61", "--json"});
+    ASSERT_EQ(said.status, 0) << said.err;
+    const Json json = Json::parse(said.out);
+    const double used = json.at("things").at("earth").at("used_m3").get<double>();
+    EXPECT_GT(used, 500);
+    EXPECT_NEAR(json.at("challenge").at("score").get<double>(), 10 - used + 200, 0.51);
+}
+
 TEST_F(Challenge, goes_on_with_the_events_of_its_scene_in_a_branch) {
     const std::string event = "[[command]]\nat = 1\nblast = { x = 80, y = 120, radius = 10, depth = 1 }\n";
     write_bytes(scene_path_, kSlope + event + kGoal);
