@@ -195,8 +195,7 @@ std::optional<std::string> GoalUse::refusal(const sim::Command& command, float t
     if (tool.layer && command.layer != *tool.layer)
         return fmt::format("a {} must be as {}", info.name, sim::to_string(*tool.layer));
     if (tool.count && counts_[i] >= *tool.count)
-        return fmt::format("there {} {} {}, and {} used", *tool.count == 1 ? "is" : "are", *tool.count,
-                           info.name, *tool.count == 1 ? "it is" : "all are");
+        return fmt::format("no {} is left: this challenge has {}", info.name, *tool.count);
     if (tool.total && totals_[i] + cost_of(command, tick_s) > *tool.total * (1 + kRounding))
         return fmt::format("the budget of {} is {} {}, and {:.1f} {} are left", info.name,
                            number_text(*tool.total), unit_of(tool.kind), *tool.total - totals_[i],

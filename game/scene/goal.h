@@ -127,8 +127,8 @@ class GoalUse {
   public:
     explicit GoalUse(const Goal& goal) : goal_(&goal) {}
 
-    // Takes a command that is a person's or an event of the scene. Returns what forbids it, such as "there are 3
-    // charges, and all are used"; it is not taken then.
+    // Takes a command that is a person's or an event of the scene. Returns what forbids it, such as "no
+    // blast is left: this challenge has 3"; it is not taken then.
     std::optional<std::string> take(const TimedCommand& timed, float tick_s);
     // The first event before `tick` that was not taken.
     const TimedCommand* missing(std::int64_t tick) const;

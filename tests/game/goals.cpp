@@ -162,7 +162,7 @@ TEST_F(Challenge, allows_its_tools_within_their_limits_and_budgets_alone) {
     EXPECT_EQ(refused(large), "the radius of a blast is 13 m, outside 5 to 12");
     EXPECT_EQ(refused(blast_at(80, 120)), "");
     EXPECT_EQ(refused(blast_at(80, 120)), "");
-    EXPECT_EQ(refused(blast_at(80, 120)), "there are 2 blast, and all are used");
+    EXPECT_EQ(refused(blast_at(80, 120)), "no blast is left: this challenge has 2");
     EXPECT_EQ(refused(pour), "");
     EXPECT_EQ(refused(pour), "the budget of pour is 100 m3, and 40.0 m3 are left");
     pour.rate = 40;
