@@ -412,9 +412,10 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
         "--verify", options.verify,
         "compare every recorded state hash and mass ledger; exit status 0 only if at least one is compared "
         "and all are equal, else 1");
-    app.add_flag("--score", options.score,
-                 "score the try at the challenge from its commands and states alone; exit with status 1 if it "
-                 "has not ended or the recording claims another score, and 2 if a command broke a rule");
+    app.add_flag(
+        "--score", options.score,
+        "score the try at the challenge from its commands and states alone; exit with status 1 if it "
+        "has not ended or the recording claims another score, and 2 if a command broke a rule");
     app.add_flag("--paranoid", options.paranoid,
                  "compute every tick twice, with different threads and tiles, and compare; if they differ, "
                  "exit with status 1, report where, and with --frames write desync.png");
