@@ -68,8 +68,8 @@ class Findings {
             case Measure::kBroken:
                 return things_ ? things_->forest_broken_ha : 0;
             case Measure::kUnused: {
-                const auto tool = std::ranges::find(scenario_.goal->tools, quantity.tool, &Goal::Tool::kind);
-                return tool == scenario_.goal->tools.end() ? 0 : use_.left(*tool).value_or(0);
+                const Goal::Tool* const tool = tool_of(*scenario_.goal, quantity.tool);
+                return tool ? use_.left(*tool).value_or(0) : 0;
             }
             case Measure::kEarth:
                 return things_ ? things_->earth_used : 0;
@@ -189,7 +189,6 @@ Score score_now(const Scenario& scenario, const Session& session, std::span<cons
     if (score.meets_needs())
         score.medal = static_cast<int>(
             std::ranges::count_if(goal.medals, [&](std::int64_t least) { return score.points >= least; }));
-    score.won = score.medal > 0;
     return score;
 }
 
@@ -203,7 +202,7 @@ NeedText text_of(const Goal::Need& need, const Score::Judged& judged) {
 }
 
 std::string verdict_of(const Score& score) {
-    if (score.won) return fmt::format("Won: {}", medal_name(score.medal));
+    if (score.won()) return fmt::format("Won: {}", medal_name(score.medal));
     return score.meets_needs() ? "No medal" : "Lost";
 }
 
@@ -213,7 +212,7 @@ std::string reason_of(const Goal& goal, const Score& score) {
             const NeedText text = text_of(goal.needs[i], score.needs[i]);
             return fmt::format("The {} is {}, and must be {}.", text.what, text.value, text.bound);
         }
-    if (score.won) return "";
+    if (score.won()) return "";
     return fmt::format("The score is {}, and bronze begins at {}.", score.points, goal.medals[0]);
 }
 
@@ -231,7 +230,7 @@ std::string to_text(const Goal& goal, const Score& score) {
 }
 
 Json to_json(const Goal& goal, const Score& score) {
-    Json json{{"tick", score.tick},    {"won", score.won},
+    Json json{{"tick", score.tick},    {"won", score.won()},
               {"score", score.points}, {"medal", medal_name(score.medal)},
               {"medals", goal.medals}, {"needs", Json::array()}};
     for (std::size_t i = 0; i < goal.needs.size(); ++i)
@@ -245,14 +244,12 @@ Json to_json(const Goal& goal, const Score& score) {
 void Referee::see(const Session& session) {
     const std::int64_t tick = session.state().tick;
     if (session.try_ended_at() != tick) return;
-    const auto later = commands_from(commands_, tick);
-    score_ = score_now(scenario_, session, commands_.first(commands_.size() - later.size()));
+    score_ = score_now(scenario_, session, commands_before(commands_, tick));
 }
 
 Outcome<Score> Referee::decide() const {
     GoalUse use(*scenario_.goal);
-    for (const TimedCommand& command : commands_) {
-        if (score_ && command.tick >= score_->tick) break;
+    for (const TimedCommand& command : score_ ? commands_before(commands_, score_->tick) : commands_) {
         if (const auto forbidden = use.take(command, scenario_.params.tick_s))
             return unusable(fmt::format("tick {}: {}", command.tick, *forbidden));
     }

@@ -25,13 +25,12 @@ struct Score {
     std::int64_t tick = 0;      // at which the try ended
     std::vector<Judged> needs;  // as the goal has them
     Measures measures;          // of the slide until then
-    bool won = false;           // all needs are met, and there is a medal
     std::int64_t points = 0;
     int medal = 0;  // 0 none, 1 bronze, 2 silver, 3 gold; 0 if a need is not met
 
     bool meets_needs() const;
+    bool won() const { return medal > 0; }
     ClaimLine claim() const { return {tick, points, medal}; }
-    bool operator==(const Score& other) const { return claim() == other.claim(); }
 };
 
 // Judges the state that a session is in, which must be that of the tick in which the try ended. `commands`: all of this

@@ -26,7 +26,7 @@ ui::ResultCard card_of(const Scenario& scenario, const Score& score) {
     ui::ResultCard card{scenario.title,
                         verdict_of(score),
                         reason_of(goal, score),
-                        score.won ? goal.learn : "",
+                        score.won() ? goal.learn : "",
                         score.medal,
                         {}};
     card.rows.push_back({"Score", fmt::format("{}{}", score.points, next_medal(goal, score))});

@@ -1,7 +1,6 @@
 #include "game/recording/goal_json.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "game/recording/command_json.h"

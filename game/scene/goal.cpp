@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/core/number_text.h"
+
 namespace game {
 namespace {
 
@@ -53,10 +55,6 @@ double cost_of(const sim::Command& command, float tick_s) {
 
 // Sums of shares of a budget may exceed it by the rounding of a tick's length.
 constexpr double kRounding = 1e-6;
-
-std::string number_text(double value) {
-    return fmt::format("{:g}", value);
-}
 
 }  // namespace
 
@@ -106,9 +104,6 @@ std::string_view unit_of(sim::CommandKind kind) {
 }
 
 std::optional<std::string> fault_of(const Goal& goal) {
-    const auto has_tool = [&](sim::CommandKind kind) {
-        return std::ranges::any_of(goal.tools, [&](const Goal::Tool& tool) { return tool.kind == kind; });
-    };
     if (goal.say.empty()) return "says nothing";
     if (goal.score.empty()) return "has no score";
     if (!std::ranges::is_sorted(goal.medals)) return "has medals that do not rise";
@@ -125,8 +120,8 @@ std::optional<std::string> fault_of(const Goal& goal) {
         const MeasureInfo& info = info_of(quantity.measure);
         if (quantity.area && !info.has_area) return fmt::format("measures {} in an area", info.name);
         if (!info.has_tool) return std::nullopt;
-        const auto tool = std::ranges::find(goal.tools, quantity.tool, &Goal::Tool::kind);
-        if (!has_tool(quantity.tool))
+        const Goal::Tool* const tool = tool_of(goal, quantity.tool);
+        if (!tool)
             return fmt::format("counts what is unused of {}, which is no tool of it",
                                sim::info_of(quantity.tool).name);
         if (!tool->total && !tool->count)
@@ -168,37 +163,35 @@ sim::Command fitted_to(const Goal& goal, sim::Command command) {
     return command;
 }
 
-std::size_t GoalUse::index_of(sim::CommandKind kind) const {
-    const auto found = std::ranges::find(goal_->tools, kind, &Goal::Tool::kind);
-    return static_cast<std::size_t>(found - goal_->tools.begin());
+std::size_t GoalUse::index_of(const Goal::Tool& tool) const {
+    return static_cast<std::size_t>(&tool - goal_->tools.data());
 }
 
 std::optional<std::string> GoalUse::refusal(const sim::Command& command, float tick_s) const {
     const sim::CommandInfo& info = sim::info_of(command.kind);
-    const std::size_t i = index_of(command.kind);
-    if (i == goal_->tools.size()) return fmt::format("{} is no tool of this challenge", info.name);
-    const Goal::Tool& tool = goal_->tools[i];
+    const Goal::Tool* const found = tool_of(*goal_, command.kind);
+    if (!found) return fmt::format("{} is no tool of this challenge", info.name);
+    const Goal::Tool& tool = *found;
+    const std::size_t i = index_of(tool);
     if (goal_->zone && !goal_->zone->has(command.x, command.y))
         return fmt::format("({:.0f}, {:.0f}) is outside the zone of this challenge", command.x, command.y);
-    for (const Goal::Limit& limit : tool.limits)
-        for (const sim::CommandNumber& number : info.numbers) {
-            if (number.name != limit.number) continue;
-            const double value = command.*number.value;
-            if (limit.least <= value && value <= limit.most) continue;
-            return limit.least == limit.most
-                       ? fmt::format("the {} of a {} is {} {}, and must be {}", number.name, info.name,
-                                     number_text(value), number.unit, number_text(limit.least))
-                       : fmt::format("the {} of a {} is {} {}, outside {} to {}", number.name, info.name,
-                                     number_text(value), number.unit, number_text(limit.least),
-                                     number_text(limit.most));
-        }
+    for (const sim::CommandNumber& number : info.numbers) {
+        const Goal::Limit* const limit = limit_of(tool, number.value);
+        const double value = command.*number.value;
+        if (!limit || (limit->least <= value && value <= limit->most)) continue;
+        return fmt::format(
+            "the {} of a {} is {} {}, {}", number.name, info.name, sim::number_text(value), number.unit,
+            limit->least == limit->most ? fmt::format("and must be {}", sim::number_text(limit->least))
+                                        : fmt::format("outside {} to {}", sim::number_text(limit->least),
+                                                      sim::number_text(limit->most)));
+    }
     if (tool.layer && command.layer != *tool.layer)
         return fmt::format("a {} must be as {}", info.name, sim::to_string(*tool.layer));
     if (tool.count && counts_[i] >= *tool.count)
         return fmt::format("no {} is left: this challenge has {}", info.name, *tool.count);
     if (tool.total && totals_[i] + cost_of(command, tick_s) > *tool.total * (1 + kRounding))
         return fmt::format("the budget of {} is {} {}, and {:.1f} {} are left", info.name,
-                           number_text(*tool.total), unit_of(tool.kind), *tool.total - totals_[i],
+                           sim::number_text(*tool.total), unit_of(tool.kind), *tool.total - totals_[i],
                            unit_of(tool.kind));
     return std::nullopt;
 }
@@ -209,7 +202,7 @@ std::optional<std::string> GoalUse::take(const TimedCommand& timed, float tick_s
         return std::nullopt;
     }
     if (auto forbidden = refusal(timed.command, tick_s)) return forbidden;
-    const std::size_t i = index_of(timed.command.kind);
+    const std::size_t i = index_of(*tool_of(*goal_, timed.command.kind));
     ++counts_[i];
     totals_[i] += cost_of(timed.command, tick_s);
     return std::nullopt;
@@ -221,7 +214,7 @@ const TimedCommand* GoalUse::missing(std::int64_t tick) const {
 }
 
 std::optional<double> GoalUse::left(const Goal::Tool& tool) const {
-    const std::size_t i = index_of(tool.kind);
+    const std::size_t i = index_of(tool);
     if (tool.total) return std::max(*tool.total - totals_[i], 0.0);
     if (tool.count) return static_cast<double>(*tool.count - counts_[i]);
     return std::nullopt;

@@ -132,12 +132,12 @@ class GoalUse {
     std::optional<std::string> take(const TimedCommand& timed, float tick_s);
     // The first event before `tick` that was not taken.
     const TimedCommand* missing(std::int64_t tick) const;
-    // What is left of a tool: of its total, or of its count; nothing if it has neither.
+    // What is left of a tool of the goal: of its total, or of its count; nothing if it has neither.
     std::optional<double> left(const Goal::Tool& tool) const;
 
   private:
     std::optional<std::string> refusal(const sim::Command& command, float tick_s) const;
-    std::size_t index_of(sim::CommandKind kind) const;  // tools.size(): there is none
+    std::size_t index_of(const Goal::Tool& tool) const;  // `tool`: one of the goal's
 
     const Goal* goal_;
     std::size_t events_ = 0;  // taken

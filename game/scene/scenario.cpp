@@ -14,13 +14,16 @@
 
 namespace game {
 
+std::span<const TimedCommand> commands_before(std::span<const TimedCommand> commands, std::int64_t tick) {
+    return commands.first(commands.size() - commands_from(commands, tick).size());
+}
+
 std::span<const TimedCommand> commands_from(std::span<const TimedCommand> commands, std::int64_t tick) {
     return {std::ranges::lower_bound(commands, tick, {}, &TimedCommand::tick), commands.end()};
 }
 
 std::span<const TimedCommand> commands_at(std::span<const TimedCommand> commands, std::int64_t tick) {
-    const auto from = commands_from(commands, tick);
-    return from.first(from.size() - commands_from(from, tick + 1).size());
+    return commands_before(commands_from(commands, tick), tick + 1);
 }
 
 namespace {

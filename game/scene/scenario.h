@@ -81,7 +81,8 @@ struct Scenario {
 
 inline constexpr double kLeastDensity = 1, kGreatestDensity = 3000;  // kg/m³
 
-// Of commands sorted by tick: those from a tick on, and those that apply at its start.
+// Of commands sorted by tick: those before a tick, those from it on, and those that apply at its start.
+std::span<const TimedCommand> commands_before(std::span<const TimedCommand> commands, std::int64_t tick);
 std::span<const TimedCommand> commands_from(std::span<const TimedCommand> commands, std::int64_t tick);
 std::span<const TimedCommand> commands_at(std::span<const TimedCommand> commands, std::int64_t tick);
 

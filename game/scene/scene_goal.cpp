@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-
-#include "game/files/toml_limits.h"
 
 namespace game {
 namespace {

@@ -1,6 +1,7 @@
 #include "game/session/sandbox.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -25,7 +26,7 @@ std::size_t bytes_per_moment(const Scenario& scenario, bool has_textures) {
 }
 
 void forget_from(std::vector<TimedCommand>& commands, std::int64_t tick) {
-    commands.resize(commands.size() - commands_from(commands, tick).size());
+    commands.resize(commands_before(commands, tick).size());
 }
 
 }  // namespace
@@ -135,22 +136,16 @@ void Sandbox::begin_action(std::string name) {
 
 GoalUse Sandbox::goal_use() const {
     GoalUse use(*scenario().goal);
-    const std::int64_t tick = session_.state().tick;
-    const float tick_s = session_.state().params.tick_s;
-    const auto take = [&](const std::vector<TimedCommand>& commands) {
-        for (const TimedCommand& command : commands)
-            if (command.tick < tick) use.take(command, tick_s);
-    };
-    take(opening_.scene.commands), take(by_hand_);
+    for (const auto* commands : {&opening_.scene.commands, &by_hand_})
+        for (const TimedCommand& each : commands_before(*commands, session_.state().tick))
+            use.take(each, session_.state().params.tick_s);
     return use;
 }
 
 std::vector<TimedCommand> Sandbox::commands_so_far() const {
     std::vector<TimedCommand> all;
-    for (const std::vector<TimedCommand>* from :
-         std::initializer_list<const std::vector<TimedCommand>*>{&opening_.scene.commands, &by_hand_})
-        for (const TimedCommand& each : *from)
-            if (each.tick < session_.state().tick) all.push_back(each);
+    for (const auto* commands : {&opening_.scene.commands, &by_hand_})
+        std::ranges::copy(commands_before(*commands, session_.state().tick), std::back_inserter(all));
     std::ranges::stable_sort(all, {}, &TimedCommand::tick);
     return all;
 }

@@ -15,6 +15,7 @@
 #include "tests/app/gl_screen.h"
 #include "tests/support/allocations.h"
 #include "tests/support/places.h"
+#include "tests/support/slope_scene.h"
 
 // The whole sandbox, from events to pixels and files, on a screen without a window.
 
@@ -914,17 +915,31 @@ TEST_F(Playing, opens_on_a_view_that_has_room_between_the_bars) {
     EXPECT_DOUBLE_EQ(app_->camera().field_of_view_deg, own) << "there are no bars now";
 }
 
-// A challenge on a small slope, of three seconds, that asks for one blast.
-constexpr const char* kChallenge = R"(title = "A small challenge"
-[terrain]
-generator = "slope-of-soil"
-grid = 40
-[cover]
-material = "soil"
-[physics]
-model = "bcre-inertial"
-borders = "open"
-[camera]
+// On a small slope, of three seconds, and asks for one blast.
+class PlayingAChallenge : public Playing {
+  protected:
+    PlayingAChallenge() {
+        screen_.resize_to(1280, 720);
+        const auto scene = folder_.path() / "small.toml";
+        std::ofstream(scene) << support::slope_scene("A small challenge", 40) << kRest;
+        begin(scene.string(), 0);
+    }
+    bool shows(const char* label) const { return app_->panels().find(label).has_value(); }
+    void blast() {
+        screen_.move(640, 330);
+        frames(1);
+        screen_.press(Button::kLeft);
+        frames(2);
+        screen_.release(Button::kLeft);
+        frames(1);
+    }
+    void go_on_to_the_card() {
+        for (int i = 0; i < 2000 && !shows("Verdict"); ++i) frames(1);
+        ASSERT_TRUE(shows("Verdict"));
+    }
+
+  private:
+    static constexpr const char* kRest = R"([camera]
 target = [80, 72, -48]
 azimuth = 200
 elevation = 30
@@ -944,13 +959,9 @@ depth = 1
 [[goal.score]]
 measure = "eroded"
 )";
+};
 
-TEST_F(Playing, tells_the_task_of_a_challenge_and_what_a_try_came_to) {
-    screen_.resize_to(1280, 720);
-    const auto scene = folder_.path() / "small.toml";
-    std::ofstream(scene) << kChallenge;
-    begin(scene.string(), 0);
-    const auto shows = [&](const char* label) { return app_->panels().find(label).has_value(); };
+TEST_F(PlayingAChallenge, tells_its_task_and_what_a_try_came_to) {
     EXPECT_TRUE(shows("Task"));
     EXPECT_TRUE(shows("Blast: 1 of 1 left"));
     EXPECT_FALSE(shows("Pour")) << "is no tool of it";
@@ -961,19 +972,13 @@ TEST_F(Playing, tells_the_task_of_a_challenge_and_what_a_try_came_to) {
     EXPECT_EQ(last_notice(), "Pour is no tool of this challenge");
     EXPECT_EQ(app_->brush().tool, Tool::kBlast);
 
-    screen_.move(640, 330);
-    frames(1);
-    screen_.press(Button::kLeft);
-    frames(2);
-    screen_.release(Button::kLeft);
-    frames(1);
+    blast();
     EXPECT_TRUE(shows("Blast: 0 of 1 left"));
-    for (int i = 0; i < 2000 && !shows("Verdict"); ++i) frames(1);
-    ASSERT_TRUE(shows("Verdict"));
+    go_on_to_the_card();
     frames(2);
     EXPECT_TRUE(shows("Try again"));
 
-    tap(Key::kComma);  // a look back hides the card, and it returns
+    tap(Key::kComma);  // a look back hides the card
     while (state().tick >= 180) tap(Key::kComma);
     EXPECT_FALSE(shows("Verdict"));
     tap(Key::kEscape);
@@ -985,19 +990,9 @@ TEST_F(Playing, tells_the_task_of_a_challenge_and_what_a_try_came_to) {
     EXPECT_EQ(recording->claim->medal, 1);
 }
 
-TEST_F(Playing, forgets_what_a_try_came_to_that_is_undone) {
-    screen_.resize_to(1280, 720);
-    const auto scene = folder_.path() / "small.toml";
-    std::ofstream(scene) << kChallenge;
-    begin(scene.string(), 0);
-    screen_.move(640, 330);
-    frames(1);
-    screen_.press(Button::kLeft);
-    frames(2);
-    screen_.release(Button::kLeft);
-    const auto shows = [&](const char* label) { return app_->panels().find(label).has_value(); };
-    for (int i = 0; i < 2000 && !shows("Verdict"); ++i) frames(1);
-    ASSERT_TRUE(shows("Verdict"));
+TEST_F(PlayingAChallenge, forgets_what_a_try_came_to_that_is_undone) {
+    blast();
+    go_on_to_the_card();
     tap(key('Z'), {.control = true});
     frames(2);
     EXPECT_FALSE(shows("Verdict"));

@@ -78,7 +78,7 @@ TEST(Challenges, are_scored_from_their_recordings_as_these_claim) {
                 << name;
             const auto score = judged(recording->header.scenario, recording->commands);
             ASSERT_TRUE(score) << name << " " << end << ": " << score.error().sentence;
-            EXPECT_EQ(score->won, end == "won") << name;
+            EXPECT_EQ(score->won(), end == "won") << name;
             EXPECT_EQ(score->medal > 0, end == "won") << name;
             ASSERT_TRUE(recording->claim) << name;
             EXPECT_EQ(score->claim(), *recording->claim) << name;
@@ -89,7 +89,7 @@ TEST(Challenges, are_not_won_by_doing_nothing) {
     for (const std::string& name : challenges()) {
         const Scene scene = load_scene(name, {}).value();
         const auto score = judged(scene.scenario, scene.commands);
-        EXPECT_FALSE(score && score->won) << name;
+        EXPECT_FALSE(score && score->won()) << name;
     }
 }
 

@@ -19,7 +19,6 @@
 #include <fmt/format.h>
 
 #include "game/analysis/score.h"
-#include "game/base/number.h"
 #include "game/recording/recorder.h"
 #include "game/scene/scene.h"
 #include "game/session/session.h"
@@ -170,10 +169,9 @@ class Chance {
     sim::Command command_of(const Goal::Tool& tool) {
         sim::Command command;
         command.kind = tool.kind;
-        for (const sim::CommandNumber& number : sim::info_of(tool.kind).numbers) {
-            const auto limit = std::ranges::find(tool.limits, number.name, &Goal::Limit::number);
-            if (limit != tool.limits.end()) command.*number.value = between(limit->least, limit->most);
-        }
+        for (const sim::CommandNumber& number : sim::info_of(tool.kind).numbers)
+            if (const Goal::Limit* const limit = limit_of(tool, number.value))
+                command.*number.value = between(limit->least, limit->most);
         if (tool.layer) command.layer = *tool.layer;
         const auto dx = static_cast<double>(scenario_.grid.dx);
         do {
@@ -216,7 +214,7 @@ std::optional<Try> best_sound(const game::Scene& scene, const std::vector<Try>& 
         Try moved{winner.by_hand, std::nullopt};
         for (TimedCommand& each : moved.by_hand) each.command.x += east * dx, each.command.y += north * dx;
         play(scene, moved);
-        return moved.score && moved.score->won;
+        return moved.score && moved.score->won();
     };
     for (const Try& winner : std::span(winners).first(std::min<std::size_t>(10, winners.size())))
         if (wins(winner, -1, 0) && wins(winner, 1, 0) && wins(winner, 0, -1) && wins(winner, 0, 1))
@@ -245,7 +243,7 @@ int main(int count, char** words) {
     std::vector<Try> winners;  // the best one first
     std::optional<Try> loser;
     const auto keep = [&](const Try& attempt) {
-        if (attempt.score && attempt.score->won)
+        if (attempt.score && attempt.score->won())
             winners.insert(std::ranges::upper_bound(winners, attempt, is_better), attempt);
     };
     std::array<int, 4> medals{};
@@ -257,7 +255,7 @@ int main(int count, char** words) {
         keep(attempt);
         if (attempt.score) ++medals.at(static_cast<std::size_t>(attempt.score->medal));
         if (attempt.score && attempt.score->meets_needs()) points.push_back(attempt.score->points);
-        if (attempt.score && !attempt.score->won && !attempt.by_hand.empty() && !loser) loser = attempt;
+        if (attempt.score && !attempt.score->won() && !attempt.by_hand.empty() && !loser) loser = attempt;
         if (!is_better(attempt, best)) continue;
         best = attempt;
         tell("best so far", goal, best);

@@ -14,24 +14,13 @@
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"
 #include "tests/support/places.h"
+#include "tests/support/slope_scene.h"
 
 namespace game::test {
 namespace {
 
-constexpr const char* kSlope = R"(title = "A trial"
-[terrain]
-generator = "slope-of-soil"
-grid = 24
-[cover]
-material = "soil"
-[physics]
-model = "bcre-inertial"
-borders = "open"
-[camera]
-target = [80, 72, -48]
-[light]
-azimuth = 255
-)";
+const std::string kSlope =
+    support::slope_scene("A trial", 24) + "[camera]\ntarget = [80, 72, -48]\n[light]\nazimuth = 255\n";
 constexpr const char* kGoal = R"([goal]
 say = "Let two heaps go."
 learn = "Heaps go."
@@ -205,7 +194,7 @@ TEST_F(Challenge, refuses_a_hand_that_breaks_its_rules_and_goes_on) {
 
 TEST_F(Challenge, that_was_played_is_scored_from_its_recording) {
     play(80, 120);
-    EXPECT_TRUE(score_.won);
+    EXPECT_TRUE(score_.won());
     EXPECT_GE(score_.medal, 2);
     const Finished said = couloir({"replay", path_.string(), "--score", "--verify"});
     EXPECT_EQ(said.status, 0) << said.err;

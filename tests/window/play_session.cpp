@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/slope_scene.h"
+
 namespace game::test {
 namespace {
 
@@ -12,16 +14,7 @@ using nlohmann::json;
 
 constexpr double kSoon = 20;  // s, for a busy machine without a GPU
 
-constexpr const char* kScene = R"(title = "A slope to try hands on"
-[terrain]
-generator = "slope-of-soil"
-grid = 40
-[cover]
-material = "soil"
-[physics]
-model = "bcre-inertial"
-borders = "open"
-[camera]
+constexpr const char* kCamera = R"([camera]
 target = [80, 84, -33]
 azimuth = 207
 elevation = 33
@@ -35,7 +28,7 @@ constexpr const char* kKinds[] = {"pour", "dig", "blast", "settle", "set"};
 
 PlaySession::PlaySession() : desktop_(1024, 768) {
     const auto scene = desktop_.folder() / "hands.toml";
-    write_bytes(scene, kScene);
+    write_bytes(scene, support::slope_scene("A slope to try hands on", 40) + kCamera);
     desktop_.start({support::program().string(), "play", scene.string(), "--record", recording().string(),
                     "--size", std::to_string(kWidth) + "x" + std::to_string(kHeight), "--threads", "1"},
                    "Couloir");
