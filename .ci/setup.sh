@@ -191,17 +191,19 @@ build() {
 }
 
 # run_tests PRESET [CTEST ARGS]: to standard output. Of a program that fails, prints what its failing tests printed, without
-# the tests that passed; closes with ctest's summary and how many tests that were.
+# the tests that passed; closes with ctest's summary and how many tests passed, failed and were skipped.
 run_tests() {
     local folder=build/$1 status=0
     shift
     ctest --test-dir "$folder" --parallel "$(nproc)" --output-on-failure --no-tests=error --no-label-summary "$@" |
         sed -u '/^\[-*\]/d; /^\[ RUN      \]/{N; /\n\[       OK \]/d}' || status=$?
     awk '/^\[       OK \]/ { ++passed }
-        /^\[  SKIPPED \] .* ms\)$/ { skipped[$4]; ++count }
+        /^\[  FAILED  \] .* ms\)$/ { failed[$4]; ++failures }
+        /^\[  SKIPPED \] .* ms\)$/ { skipped[$4]; ++skips }
         END {
-            printf "%d tests passed, %d skipped\n", passed, count
+            printf "%d tests passed, %d skipped, %d failed\n", passed, skips, failures
             for (name in skipped) print "  skipped: " name
+            for (name in failed) print "  failed: " name
         }' "$folder/Testing/Temporary/LastTest.log"
     return $status
 }
