@@ -70,7 +70,9 @@ App::App(Screen& screen, render::Renderer renderer, Catalogue catalogue, const s
       renderer_(std::move(renderer)),
       ui_(ui_font()),
       catalogue_(std::move(catalogue)),
-      options_(options) {}
+      options_(options) {
+    ui_.read_pictures(catalogue_.scenes);
+}
 
 App::~App() = default;
 

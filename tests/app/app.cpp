@@ -11,6 +11,7 @@
 #include "game/analysis/headless.h"
 #include "game/recording/reader.h"
 #include "game/session/verifier.h"
+#include "game/ui/scene_pictures.h"
 #include "render/picture.h"
 #include "render/png.h"
 #include "tests/app/gl_screen.h"
@@ -1079,6 +1080,37 @@ TEST_F(Playing, tells_the_best_run_of_a_challenge_that_ships_and_not_of_another_
     EXPECT_EQ(quarry()->best->score, 3600);
     EXPECT_EQ(quarry()->best->medal, 1);
     EXPECT_TRUE(app_->best_runs().empty()) << "it is not open";
+}
+
+TEST_F(Playing, reads_the_pictures_of_scenes_and_does_without_those_that_are_missing_or_of_another_size) {
+    const auto put = [&](const char* name, int width, int height) {
+        const std::size_t bytes = 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+        ASSERT_TRUE(render::write_png({width, height, std::vector<std::uint8_t>(bytes, 90)},
+                                      folder_.path() / (std::string(name) + ".png")));
+    };
+    put("first", Catalogue::kPictureWidth, Catalogue::kPictureHeight);
+    put("large", Catalogue::kPictureWidth + 1, Catalogue::kPictureHeight);
+    put("last", Catalogue::kPictureWidth, Catalogue::kPictureHeight);
+    std::ofstream(folder_.path() / "broken.png") << "no picture";
+    std::vector<Catalogue::Entry> scenes;
+    for (const std::string name : {"first", "missing", "large", "broken", "last"})
+        scenes.push_back({name, name, folder_.path() / (name + ".toml")});
+    ui::ScenePictures pictures;
+    pictures.read(scenes);
+    for (int i = 0; i < 5000 && !pictures.of("last"); ++i) {
+        pictures.upload_if_read();
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    const auto first = pictures.of("first"), last = pictures.of("last");
+    ASSERT_TRUE(first);
+    ASSERT_TRUE(last);
+    EXPECT_TRUE(pictures.owns(first->texture));
+    EXPECT_EQ(first->texture, last->texture);
+    EXPECT_LT(first->from.y, 0.5f);
+    EXPECT_LT(first->to.y, first->from.y) << "the lowest row comes first";
+    EXPECT_GT(last->to.y, 0.5f);
+    for (const char* none : {"missing", "large", "broken", "elsewhere"})
+        EXPECT_FALSE(pictures.of(none)) << none;
 }
 
 // As play() does without --record.
