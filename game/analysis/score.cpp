@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <xxhash.h>
 
 #include "game/analysis/measures.h"
 #include "game/analysis/thing_results.h"
@@ -164,6 +165,16 @@ double combined(const Goal& goal, const Findings& found) {
                                                     : std::accumulate(terms.begin(), terms.end(), 0.0);
 }
 
+// All of a challenge but how it is drawn and called.
+Json rules_of(const Scenario& scenario) {
+    Header header;
+    header.scenario = scenario;
+    Json json = to_json(header);
+    for (const char* seen : {"view", "title", "program"}) json.erase(seen);
+    json["terrain"].erase("name"), json["terrain"].erase("licence");
+    return json;
+}
+
 bool meets(const Goal::Need& need, std::int64_t value) {
     const auto parts = [](double of) { return std::llrint(of * static_cast<double>(Score::kParts)); };
     return need.most ? value <= parts(*need.most) : value >= parts(*need.least);
@@ -262,15 +273,15 @@ Outcome<Score> Referee::decide() const {
 }
 
 bool is_same_challenge(const Scenario& one, const Scenario& other) {
-    const auto text = [](const Scenario& scenario) {
-        Header header;
-        header.scenario = scenario;
-        Json json = to_json(header);
-        for (const char* seen : {"view", "title", "program"}) json.erase(seen);
-        json["terrain"].erase("name"), json["terrain"].erase("licence");
-        return json;
-    };
-    return text(one) == text(other);
+    return rules_of(one) == rules_of(other);
+}
+
+std::string challenge_id(const Scenario& scenario) {
+    Json rules = rules_of(scenario);
+    rules.erase("version");
+    rules["terrain"].erase("data");  // its hash stays
+    const std::string text = rules.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return hex(XXH3_64bits(text.data(), text.size()));
 }
 
 }  // namespace game

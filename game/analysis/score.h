@@ -72,5 +72,7 @@ class Referee {
 
 // Whether two scenarios are the same challenge: all but how they are drawn and called is the same.
 bool is_same_challenge(const Scenario& one, const Scenario& other);
+// 16 hexadecimal digits that tell challenges apart as is_same_challenge() does, whatever format recordings have.
+std::string challenge_id(const Scenario& scenario);
 
 }  // namespace game

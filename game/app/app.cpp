@@ -331,9 +331,20 @@ void App::judge_try() {
     if (score_ && sandbox_->known_until() < score_->tick) score_.reset();
     if (session.try_ended_at() != tick || score_) return;
     score_ = score_now(sandbox_->scenario(), session, sandbox_->commands_so_far());
-    card_ = card_of(sandbox_->scenario(), *score_);
+    card_ = card_of(sandbox_->scenario(), *score_, best_list_.runs());
     shows_card_ = true;
     if (const auto claimed = sandbox_->claim(score_->claim()); !claimed) stop_recording(claimed.error());
+    keep_run();
+}
+
+// Keeps the try that ended in this tick, if it may be among the best: one in which the user did something.
+void App::keep_run() {
+    if (!score_->meets_needs() || sandbox_->watches() || sandbox_->looks_back() || !sandbox_->was_touched())
+        return;
+    const auto kept = sandbox_->recorded_so_far().and_then([&](const std::string& recorded) {
+        return best_list_.keep(*score_, sandbox_->session().state_line().hash, recorded);
+    });
+    if (!kept) warn(fmt::format("This run is not among the best runs: {}", kept.error().sentence));
 }
 
 bool App::has_card() const {
@@ -661,6 +672,7 @@ void App::draw_panels() {
             .stroke = stroke_note(),
             .goal_use = sandbox_->scenario().goal ? std::optional(sandbox_->goal_use()) : std::nullopt,
             .card = has_card() ? &card_ : nullptr,
+            .best_runs = best_list_.runs(),
             .actions_to_undo = sandbox_->actions(),
             .actions_to_redo = sandbox_->undone(),
             .under_cursor = reading,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "game/analysis/score.h"
+#include "game/app/best_list.h"
 #include "game/app/screenshots.h"
 #include "game/app/sharing.h"
 #include "game/base/outcome.h"
@@ -63,6 +64,9 @@ class App {
     const TickClock& clock() const { return clock_; }
     const Brush& brush() const { return hand_.brush(); }
     const Display& display() const { return display_; }
+    const Catalogue& catalogue() const { return catalogue_; }
+    // Of the challenge that is open, the best first.
+    const std::vector<BestRun>& best_runs() const { return best_list_.runs(); }
     const render::Camera& camera() const { return camera_->camera(); }
     const ui::Ui& panels() const { return ui_; }
     bool is_sharing() const { return sharing_.progress().has_value(); }
@@ -116,6 +120,7 @@ class App {
     void set_pace();
     void watch_slide();
     void judge_try();
+    void keep_run();
     bool has_card() const;
     void fit_hand();
     render::Camera home() const;
@@ -213,6 +218,7 @@ class App {
     std::optional<Score> score_;  // of a try that has ended
     ui::ResultCard card_;         // that tells it
     bool shows_card_ = false;     // it was not closed
+    BestList best_list_;
 
     std::optional<double> sliding_since_;  // s of the world, while something moves
     bool slide_ended_ = false;             // and was not shared since

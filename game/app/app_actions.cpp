@@ -296,6 +296,7 @@ void App::share() {
 
 // Of what other threads have written.
 void App::tell_results() {
+    best_list_.mark(catalogue_.scenes);
     while (const auto screenshot = screenshots_.result()) {
         if (*screenshot)
             tell(fmt::format("Screenshot: {}", (*screenshot)->string()));
@@ -373,6 +374,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     ++epoch_;
 
     const Scenario& scenario = sandbox_->scenario();
+    best_list_.open(scenario);
     hand_.drop();
     hand_.drop_numbers();
     if (!same) touched_ = false;  // after a restart of the same scene the hint is not needed

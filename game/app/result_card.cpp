@@ -3,6 +3,7 @@
 #include <array>
 #include <cctype>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,16 +12,30 @@
 namespace game {
 namespace {
 
-// The medal that comes next, and what it asks.
+// The medal that comes next, and what it asks, or by how little it was missed.
 std::string next_medal(const Goal& goal, const Score& score) {
+    constexpr std::int64_t kNear = 10;  // less than one part in so many was missing
     const int next = score.medal + 1;
     if (next > 3) return "";
-    return fmt::format(" ({} from {})", medal_name(next), goal.medals.at(static_cast<std::size_t>(next - 1)));
+    const std::int64_t least = goal.medals.at(static_cast<std::size_t>(next - 1));
+    const std::int64_t missing = least - score.points;
+    if (score.meets_needs() && missing < least / kNear)
+        return fmt::format(", {} short of {}", missing, medal_name(next));
+    return fmt::format(" ({} from {})", medal_name(next), least);
+}
+
+// How a try compares with the best one before it; empty if there is nothing to compare.
+std::string beside_best(const Score& score, std::span<const BestRun> earlier) {
+    if (earlier.empty()) return score.meets_needs() ? "this one" : "";
+    const BestRun& best = earlier.front();
+    if (score.meets_needs() && std::pair(score.medal, score.points) > std::pair(best.medal, best.score))
+        return fmt::format("this one; before it {}", best.score);
+    return fmt::format("{}, {}", best.score, medal_name(best.medal));
 }
 
 }  // namespace
 
-ui::ResultCard card_of(const Scenario& scenario, const Score& score) {
+ui::ResultCard card_of(const Scenario& scenario, const Score& score, std::span<const BestRun> earlier) {
     const Goal& goal = *scenario.goal;
     const Measures& m = score.measures;
     ui::ResultCard card{scenario.title,
@@ -30,6 +45,8 @@ ui::ResultCard card_of(const Scenario& scenario, const Score& score) {
                         score.medal,
                         {}};
     card.rows.push_back({"Score", fmt::format("{}{}", score.points, next_medal(goal, score))});
+    if (std::string best = beside_best(score, earlier); !best.empty())
+        card.rows.push_back({"Best run", std::move(best)});
     for (std::size_t i = 0; i < goal.needs.size(); ++i) {
         NeedText need = text_of(goal.needs[i], score.needs[i]);
         need.what.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(need.what.front())));

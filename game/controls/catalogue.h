@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,15 @@ namespace game {
 // The scenes, materials and recordings that can be opened, by name and title.
 struct Catalogue {
     enum class Kind : std::uint8_t { kChallenge, kMountain, kFlowDemo };  // of a scene
+    struct Best {
+        std::int64_t score = 0;
+        int medal = 0;  // 0 none to 3 gold
+    };
     struct Entry {
         std::string name, title;
         std::filesystem::path file;  // a scene and a recording may share a name
         Kind kind = Kind::kMountain;
+        std::optional<Best> best = {};  // run of a challenge that is known; read_catalogue() knows none
     };
     std::vector<Entry> scenes;  // by kind, then by name
     std::vector<Entry> materials, recordings;

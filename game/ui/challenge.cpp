@@ -10,8 +10,6 @@ namespace game::ui {
 namespace {
 
 constexpr float kLineWidth = 44, kCardWidth = 22;  // em
-constexpr std::array<ImU32, 4> kMedals{kControlHeld, IM_COL32(205, 127, 70, 255),
-                                       IM_COL32(200, 208, 216, 255), IM_COL32(250, 200, 60, 255)};
 
 const char* verb_of(sim::CommandKind kind) {
     for (const ToolInfo& info : tool_infos())
@@ -43,7 +41,7 @@ void medal(Desk& desk, const ResultCard& card) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 middle{at.x + side / 2, at.y + side / 2};
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddCircleFilled(middle, side / 2, kMedals.at(static_cast<std::size_t>(card.medal)));
+    list.AddCircleFilled(middle, side / 2, medal_colour(card.medal));
     list.AddCircle(middle, side * 0.36f, faded(kAccentText, 0.5f), 0, desk.em() * 0.1f);
     ImGui::Dummy({side, side});
     ImGui::SameLine(0, 0.8f * desk.em());

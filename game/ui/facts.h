@@ -1,12 +1,14 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <glm/vec2.hpp>
 
+#include "game/analysis/best_runs.h"
 #include "game/controls/brush.h"
 #include "game/controls/camera_control.h"
 #include "game/controls/catalogue.h"
@@ -57,8 +59,9 @@ struct Facts {
     bool brushing = false;  // a stroke is in progress
     bool touched = false;   // the user has changed the world
     std::optional<StrokeNote> stroke = {};
-    std::optional<GoalUse> goal_use = {};  // of a challenge
-    const ResultCard* card = nullptr;      // none: no try has ended, or the card was closed
+    std::optional<GoalUse> goal_use = {};     // of a challenge
+    const ResultCard* card = nullptr;         // none: no try has ended, or the card was closed
+    std::span<const BestRun> best_runs = {};  // of the challenge, the best first
     std::size_t actions_to_undo = 0, actions_to_redo = 0;
     std::optional<Reading> under_cursor;
     CameraMode camera_mode = CameraMode::kOrbit;

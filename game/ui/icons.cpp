@@ -5,6 +5,8 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "game/ui/style.h"
+
 namespace game::ui {
 namespace {
 
@@ -153,6 +155,28 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 col
 void draw_icon(ImDrawList& list, std::span<const IconPart> parts, ImVec2 centre, float size, ImU32 colour) {
     const Pen pen(list, centre, size, colour);
     for (const IconPart& part : parts) draw_part(pen, part);
+}
+
+void draw_stars(ImDrawList& list, int medal, ImVec2 left, float em, ImU32 outline) {
+    constexpr int kStars = 3, kCorners = 10;
+    const float each = kStarsWidth * em / kStars;
+    for (int star = 0; star < kStars; ++star) {
+        const ImVec2 middle{left.x + each * (static_cast<float>(star) + 0.5f), left.y};
+        std::array<ImVec2, kCorners> corners;
+        for (int i = 0; i < kCorners; ++i) {
+            const float angle = kPi * (2 * static_cast<float>(i) / kCorners - 0.5f),
+                        radius = each * (i % 2 == 0 ? 0.48f : 0.21f);
+            corners[static_cast<std::size_t>(i)] = {middle.x + radius * std::cos(angle),
+                                                    middle.y + radius * std::sin(angle)};
+        }
+        const bool filled = star < medal;
+        if (filled)
+            for (std::size_t i = 0; i < kCorners; i += 2)
+                list.AddQuadFilled(middle, corners[(i + kCorners - 1) % kCorners], corners[i], corners[i + 1],
+                                   medal_colour(medal));
+        list.AddPolyline(corners.data(), kCorners, filled ? medal_colour(medal) : faded(outline, 0.5f),
+                         ImDrawFlags_Closed, std::max(1.f, em * 0.06f));
+    }
 }
 
 }  // namespace game::ui

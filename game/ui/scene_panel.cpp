@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdio>
 
+#include "game/analysis/score.h"
 #include "game/ui/panels.h"
 
 namespace game::ui {
@@ -88,12 +89,43 @@ void challenges(Desk& desk, const Facts& facts, Actions& actions) {
     };
     if (std::none_of(facts.catalogue.scenes.begin(), facts.catalogue.scenes.end(), is_challenge)) return;
     desk.widgets.heading("Challenges");
-    for (const Catalogue::Entry& entry : facts.catalogue.scenes)
-        if (is_challenge(entry) &&
-            desk.widgets.button(entry.title.c_str(),
-                                "Starts this challenge; the current session stays in its recording.",
-                                entry.name == facts.scenario.scene, ImGui::GetContentRegionAvail().x))
+    for (const Catalogue::Entry& entry : facts.catalogue.scenes) {
+        if (!is_challenge(entry)) continue;
+        std::array<char, 24> score{};
+        if (entry.best)
+            std::snprintf(score.data(), score.size(), "%lld", static_cast<long long>(entry.best->score));
+        if (desk.widgets.list_row({entry.title.c_str(), entry.best ? entry.best->medal : -1, score.data()},
+                                  "Starts this challenge; the current session stays in its recording.",
+                                  entry.name == facts.scenario.scene))
             actions.emplace_back(Open{entry.name, {}});
+        if (!entry.best) continue;
+        std::array<char, 64> medal{};
+        std::snprintf(medal.data(), medal.size(), "%s: %s", entry.title.c_str(),
+                      medal_name(entry.best->medal));
+        desk.widgets.note(medal.data());
+    }
+}
+
+// A list of the runs of the challenge that is open; the one that is chosen is played.
+void best_runs_of_challenge(Desk& desk, const Facts& facts, Actions& actions) {
+    if (facts.best_runs.empty()) return;
+    std::array<char, 64> text{};
+    const auto name = [&](std::size_t i) {
+        const BestRun& run = facts.best_runs[i];
+        std::snprintf(text.data(), text.size(), "%lld, %s, %.16s", static_cast<long long>(run.score),
+                      medal_name(run.medal), run.when.c_str());
+        return text.data();
+    };
+    std::array<char, 32> best{};
+    std::snprintf(best.data(), best.size(), "%lld, %s", static_cast<long long>(facts.best_runs.front().score),
+                  medal_name(facts.best_runs.front().medal));
+    int chosen = -1;
+    desk.widgets.row("Best runs");
+    if (desk.widgets.choice(
+            "Best runs", chosen, static_cast<int>(facts.best_runs.size()),
+            "Your best tries at this challenge. Choose one to watch its recording.",
+            [&](int i) { return name(static_cast<std::size_t>(i)); }, 0, best.data()))
+        actions.emplace_back(Open{facts.best_runs[static_cast<std::size_t>(chosen)].file.string(), {}});
 }
 
 void what_to_begin(Desk& desk, const Facts& facts, Actions& actions) {
@@ -151,6 +183,7 @@ void sharing(Desk& desk, const Facts& facts, Actions& actions) {
 void scene_panel(Desk& desk, const Facts& facts, Actions& actions) {
     what_is_loaded(desk, facts);
     sharing(desk, facts, actions);
+    best_runs_of_challenge(desk, facts, actions);
     challenges(desk, facts, actions);
     what_to_begin(desk, facts, actions);
     recordings(desk, "Watch a recording and continue from its end", facts.catalogue.recordings,

@@ -23,6 +23,13 @@ inline constexpr ImU32 kControlHovered = IM_COL32(255, 255, 255, 40);
 inline constexpr ImU32 kControlHeld = IM_COL32(255, 255, 255, 60);
 inline constexpr ImU32 kLine = IM_COL32(255, 255, 255, 28);
 
+// Of a medal, 0 none to 3 gold.
+constexpr ImU32 medal_colour(int medal) {
+    constexpr ImU32 kColours[]{kControlHeld, IM_COL32(205, 127, 70, 255), IM_COL32(200, 208, 216, 255),
+                               IM_COL32(250, 200, 60, 255)};
+    return kColours[medal];
+}
+
 constexpr ImU32 faded(ImU32 colour, float strength) {
     const auto alpha = static_cast<float>(colour >> IM_COL32_A_SHIFT) * strength;
     return (colour & ~IM_COL32_A_MASK) | (static_cast<ImU32>(alpha) << IM_COL32_A_SHIFT);

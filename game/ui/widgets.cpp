@@ -200,6 +200,28 @@ bool Widgets::tool_button(const char* label, std::span<const IconPart> icon, con
     return pressed;
 }
 
+bool Widgets::list_row(const ListRow& row, const char* text, bool on) {
+    const float side = ImGui::GetFrameHeight(), width = ImGui::GetContentRegionAvail().x, gap = em * 0.5f;
+    const bool pressed = plate(row.label, {width, side}, on);
+    const ImVec2 from = ImGui::GetItemRectMin(), padding = ImGui::GetStyle().FramePadding;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImU32 colour = alive(colour_on_plate(on));
+    float right = from.x + width - gap;
+    if (row.medal >= 0) {
+        right -= kStarsWidth * em;
+        draw_stars(list, row.medal, {right, from.y + side / 2}, em, colour);
+        right -= gap;
+    }
+    const float small = letters.small->FontSize;
+    right -= letters.small->CalcTextSizeA(small, FLT_MAX, 0, row.note).x;
+    list.AddText(letters.small, small, {right, from.y + (side - small) / 2}, colour, row.note);
+    list.PushClipRect(from, {right - gap, from.y + side}, true);
+    list.AddText({from.x + gap, from.y + padding.y}, colour, row.label);
+    list.PopClipRect();
+    tooltip(text);
+    return pressed;
+}
+
 bool Widgets::toggle(const char* label, bool& on, const char* text) {
     row(label);
     const float side = ImGui::GetFrameHeight(), radius = em * 0.5f;

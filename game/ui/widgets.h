@@ -82,15 +82,24 @@ class Widgets {
                      bool on, bool narrow, float width);
     float tool_button_width(const char* label, const char* key, bool narrow) const;
 
+    // A button over the whole width of a list. `medal`: of its stars at the right, 0 none to 3 gold; −1: no stars.
+    struct ListRow {
+        const char* label;
+        int medal = -1;
+        const char* note = "";  // beside the stars
+    };
+    bool list_row(const ListRow& row, const char* tooltip, bool on = false);
+
     bool toggle(const char* label, bool& on, const char* tooltip);
     bool slider(const char* label, double& value, const Slide& slide, const char* tooltip);
     Typed number(const Number& number);
 
-    // A drop-down list of `name(i)`, i from 0 to `count` − 1. True if `chosen` was changed.
+    // A drop-down list of `name(i)`, i from 0 to `count` − 1; while none is chosen, it shows `unchosen`. True if
+    // `chosen` was changed.
     template <class Name>
-    bool choice(const char* label, int& chosen, int count, const char* tooltip, Name&& name,
-                float width = 0) {
-        if (!begin_choice(label, chosen >= 0 && chosen < count ? name(chosen) : "", tooltip, width))
+    bool choice(const char* label, int& chosen, int count, const char* tooltip, Name&& name, float width = 0,
+                const char* unchosen = "") {
+        if (!begin_choice(label, chosen >= 0 && chosen < count ? name(chosen) : unchosen, tooltip, width))
             return false;
         bool changed = false;
         for (int i = 0; i < count; ++i)

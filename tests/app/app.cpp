@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "game/analysis/headless.h"
 #include "game/recording/reader.h"
 #include "game/session/verifier.h"
 #include "render/picture.h"
@@ -954,6 +955,16 @@ class PlayingAChallenge : public Playing {
         screen_.release(Button::kLeft);
         frames(1);
     }
+    // As couloir replay --score computes it.
+    static Outcome<Score> replayed_score(const Recording& recording) {
+        auto session = Session::begin(recording.header.scenario, sim::StepOptions{}, std::nullopt);
+        Referee referee(recording.header.scenario, recording.commands);
+        Watchers watchers;
+        watchers.after_tick = [&](const Session& now) { referee.see(now); };
+        EXPECT_TRUE(
+            play_headless(*session, recording.commands, Until::after(recording.last_tick()), watchers, ""));
+        return referee.decide();
+    }
     void go_on_to_the_card() {
         for (int i = 0; i < 2000 && !shows("Verdict"); ++i) frames(1);
         ASSERT_TRUE(shows("Verdict"));
@@ -1020,6 +1031,75 @@ TEST_F(PlayingAChallenge, forgets_what_a_try_came_to_that_is_undone) {
     EXPECT_TRUE(shows("Blast: 1 of 1 left"));
     ASSERT_TRUE(app_->finish());
     EXPECT_EQ(app_->sandbox().session().try_ended_at(), std::nullopt);
+}
+
+TEST_F(PlayingAChallenge, keeps_the_recording_of_a_run_that_proves_its_score) {
+    EXPECT_TRUE(app_->best_runs().empty());
+    blast();
+    go_on_to_the_card();
+    ASSERT_EQ(app_->best_runs().size(), 1u);
+    const BestRun run = app_->best_runs().front();
+    const auto recording = read_recording(run.file);
+    ASSERT_TRUE(recording) << recording.error().sentence;
+    EXPECT_FALSE(recording->warning);
+    EXPECT_EQ(recording->end, 180);
+    ASSERT_TRUE(recording->claim);
+    const auto score = replayed_score(*recording);
+    ASSERT_TRUE(score) << score.error().sentence;
+    EXPECT_EQ(score->claim(), *recording->claim);
+    EXPECT_EQ(score->points, run.score);
+    EXPECT_EQ(score->medal, run.medal);
+}
+
+TEST_F(PlayingAChallenge, keeps_a_try_once_even_if_it_is_undone_and_done_again) {
+    blast();
+    go_on_to_the_card();
+    frames(30);
+    EXPECT_EQ(app_->best_runs().size(), 1u);
+    tap(key('Z'), {.control = true});
+    tap(key('Y'), {.control = true});
+    for (int i = 0; i < 2000 && state().tick < 190; ++i) frames(1);
+    EXPECT_EQ(app_->best_runs().size(), 1u);
+}
+
+TEST_F(PlayingAChallenge, keeps_no_run_that_is_watched_or_in_which_nothing_was_done) {
+    go_on_to_the_card();
+    EXPECT_TRUE(app_->best_runs().empty());
+    tap(key('R'), {.control = true});
+    blast();
+    go_on_to_the_card();
+    ASSERT_EQ(app_->best_runs().size(), 1u);
+    const auto before = app_->best_runs().front().file;
+    screen_.drop({before});
+    frames(3);
+    ASSERT_TRUE(app_->sandbox().watches());
+    EXPECT_EQ(app_->best_runs().size(), 1u) << "it is a run of the same challenge";
+    go_on_to_the_card();
+    for (int i = 0; i < 300; ++i) frames(1);
+    ASSERT_EQ(app_->best_runs().size(), 1u);
+    EXPECT_EQ(app_->best_runs().front().file, before);
+}
+
+TEST_F(Playing, tells_the_best_run_of_a_challenge_that_ships_and_not_of_another_of_its_name) {
+    const auto folder = folder_.path() / "couloir/best";
+    const auto put = [&](const std::string& challenge, const char* name) {
+        std::filesystem::create_directories(folder / challenge);
+        std::ofstream(folder / challenge / name) << "a recording";
+    };
+    put("quarry-0123456789abcdef", "9999_gold_2026-11-26_12-58-00_0123456789abcdef.couloir");
+    put("quarry-" + challenge_id(load_scene("quarry", {})->scenario),
+        "3600_bronze_2026-11-26_12-58-00_0123456789abcdef.couloir");
+    begin();
+    const auto quarry = [&] {
+        const auto& scenes = app_->catalogue().scenes;
+        return std::ranges::find(scenes, "quarry", &Catalogue::Entry::name);
+    };
+    ASSERT_NE(quarry(), app_->catalogue().scenes.end());
+    for (int i = 0; i < 3000 && !quarry()->best; ++i) frames(1);
+    ASSERT_TRUE(quarry()->best);
+    EXPECT_EQ(quarry()->best->score, 3600);
+    EXPECT_EQ(quarry()->best->medal, 1);
+    EXPECT_TRUE(app_->best_runs().empty()) << "it is not open";
 }
 
 // As play() does without --record.

@@ -51,6 +51,7 @@ class UiHand : public testing::Test {
     ui::Timeline timeline_;
     std::string recording_ = "/tmp/valley.couloir";
     std::optional<double> sharing_;
+    std::vector<BestRun> best_runs_;
     std::optional<ui::Ui> ui_;
 };
 

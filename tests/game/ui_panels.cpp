@@ -218,6 +218,26 @@ TEST_F(UiPanels, open_a_recording_by_its_file_because_scenes_have_names_too) {
     EXPECT_EQ(only<Open>(click("Watch slope")).name_or_path, "/recordings/slope.couloir");
 }
 
+TEST_F(UiPanels, tell_the_best_run_of_each_challenge_and_play_those_of_the_one_that_is_open) {
+    catalogue_.scenes.insert(catalogue_.scenes.begin(),
+                             {"bowl", "The bowl", "/scenes/bowl.toml", Catalogue::Kind::kChallenge});
+    ui_->perform(Verb::kToggleScene);
+    settle();
+    EXPECT_TRUE(ui_->find("The bowl"));
+    EXPECT_FALSE(ui_->find("The bowl: gold"));
+    EXPECT_FALSE(ui_->find("Best runs"));
+    catalogue_.scenes.front().best = Catalogue::Best{1465, 3};
+    best_runs_ = {{1465, 3, "2026-11-26 12:58:00", 1, "/best/first.couloir"},
+                  {900, 0, "2026-11-25 08:00:59", 2, "/best/second.couloir"}};
+    settle();
+    EXPECT_TRUE(ui_->find("The bowl: gold"));
+    EXPECT_EQ(only<Open>(click("The bowl")).name_or_path, "bowl");
+    EXPECT_TRUE(click("Best runs").empty());
+    EXPECT_EQ(only<Open>(click("900, no medal, 2026-11-25 08:00")).name_or_path, "/best/second.couloir");
+    EXPECT_TRUE(click("Best runs").empty());
+    EXPECT_EQ(only<Open>(click("1465, gold, 2026-11-26 12:58")).name_or_path, "/best/first.couloir");
+}
+
 TEST_F(UiPanels, choose_whether_the_folder_of_a_shared_slide_is_opened) {
     ui_->perform(Verb::kToggleScene);
     settle();
