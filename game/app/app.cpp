@@ -178,6 +178,11 @@ void App::move_camera(double elapsed_s) {
     wish.walk = {input_.held(Held::kRight, Held::kLeft), input_.held(Held::kForward, Held::kBack),
                  input_.held(Held::kUp, Held::kDown)};
     wish.fast = input_.fast();
+    if (camera_->mode() == CameraMode::kChase)
+        front_.see(world);
+    else
+        front_.forget();
+    if (const auto& front = front_.front()) wish.followed = CameraWish::Followed{front->at, front->heading};
     camera_->move(wish, world, surroundings(), aspect, elapsed_s);
 
     ground_ = cursor ? ground_under(*cursor) : std::nullopt;
@@ -279,8 +284,17 @@ bool App::works_in_pause(double tick_s) {
     return false;
 }
 
+// Time passes as the slide asks for, but at the chosen speed for who rewinds or holds a brush.
+void App::set_pace() {
+    double pace = 1;
+    if (display_.slow_release && pace_.releases(now_s_)) pace = Pace::kAtRelease;
+    if (display_.fast_creep && pace_.creeps()) pace = Pace::kInCreep;
+    clock_.set_pace(clock_.runs_back() || hand_.stroke() || sandbox_->scenario().flow ? 1 : pace);
+}
+
 void App::run_ticks(double elapsed_s, FrameTime& time) {
     const double tick_s = static_cast<double>(sandbox_->scenario().params.tick_s);
+    set_pace();
     const int due = clock_.ticks_due(elapsed_s, tick_s, works_in_pause(tick_s));
     const double begun = screen_.seconds();
     if (clock_.runs_back() && !seeking_) seeking_ = sandbox_->session().state().tick - due;
@@ -307,6 +321,7 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
     }
     clock_.ticks_undone(due - time.ticks);
     if (time.ticks > 0) hand_.arrive(static_cast<double>(time.ticks) / due);
+    if (time.ticks > 0) pace_.see(sandbox_->session().state(), now_s_);
     if (time.ticks > 0) watch_slide();
     take_over_at_end();
 }
@@ -362,7 +377,10 @@ void App::seek(std::int64_t tick, double begun_s) {
     const std::int64_t before = sandbox_->session().state().tick;
     const auto there = sandbox_->go_toward(tick, [&] { return screen_.seconds() - begun_s < kTickBudget; });
     if (!there) warn(there.error().sentence);
-    if (sandbox_->session().state().tick != before) ++epoch_;
+    if (sandbox_->session().state().tick != before) {
+        ++epoch_;
+        pace_.forget();
+    }
     if (there && !*there && sandbox_->can_go_back()) return;  // continues in the next frame
     seeking_.reset();
     if (clock_.runs_back() && sandbox_->session().state().tick == 0) {

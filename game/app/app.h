@@ -21,9 +21,11 @@
 #include "game/controls/image_size.h"
 #include "game/controls/input.h"
 #include "game/controls/notices.h"
+#include "game/controls/pace.h"
 #include "game/controls/probe.h"
 #include "game/controls/resolution_control.h"
 #include "game/controls/screen.h"
+#include "game/controls/slide_front.h"
 #include "game/controls/tick_clock.h"
 #include "game/controls/tier_trial.h"
 #include "game/session/sandbox.h"
@@ -117,6 +119,7 @@ class App {
     void reset();
     void share();
     void tell_results();
+    void set_pace();
     void watch_slide();
     void judge_try();
     void keep_run();
@@ -185,6 +188,8 @@ class App {
     bool takes_over_there_ = false;
 
     TickClock clock_;
+    Pace pace_;
+    SlideFront front_;
     Input input_;
     Actions actions_;
     Hand hand_;

@@ -78,6 +78,9 @@ void App::perform(Verb verb) {
         case Verb::kFly:
             camera_->fly(camera_->mode() != CameraMode::kFly);
             return tell_camera_mode();
+        case Verb::kChase:
+            camera_->chase(camera_->mode() != CameraMode::kChase);
+            return tell_camera_mode();
         case Verb::kShare:
             return share();
         case Verb::kScreenshot:
@@ -159,6 +162,10 @@ render::Camera App::home() const {
 void App::tell_camera_mode() {
     if (camera_->mode() == CameraMode::kTopDown)
         tell("Top view, north up. Drag with the middle button to pan; press T to return");
+    if (camera_->mode() == CameraMode::kChase)
+        tell(fmt::format("The camera follows the front of {}. Press {} to stop",
+                         sim::at_rest(sandbox_->session().state()) ? "the next slide" : "the slide",
+                         name_of(Verb::kChase)));
     if (camera_->mode() == CameraMode::kFly)
         tell("Fly mode. Move with W A S D or arrows, look with the right button; press F to return");
 }
@@ -376,6 +383,8 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     if (!same) touched_ = false;  // after a restart of the same scene the hint is not needed
     seeking_.reset();
     sliding_since_.reset();
+    pace_.forget();
+    front_.forget();
     slide_ended_ = false;
     score_.reset();
     takes_over_there_ = false;

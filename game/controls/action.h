@@ -38,6 +38,7 @@ enum class Verb {
     kOverview,     // camera that shows the whole terrain
     kTopDown,      // toggles
     kFly,          // toggles
+    kChase,        // toggles
     kToggleScene,  // panels
     kTogglePhysics,
     kToggleDisplay,

@@ -21,6 +21,11 @@ constexpr double kFast = 4;
 constexpr double kDelay = 0.08;    // s, in which the remaining path falls to 1/e
 constexpr double kLongest = 0.25;  // s, limit for held keys in one frame
 constexpr double kSteps = 240;     // per second; fixed steps make the path independent of the frame rate
+constexpr double kCatchUp = 0.5;   // s, in which the way to what is followed falls to 1/e
+constexpr double kAhead = 35;  // degrees between the heading of what is followed and the direction to the eye
+constexpr double kChaseElevation = 12;                       // degrees
+constexpr double kNearChase = 200, kFarChase = 420;          // m, but
+constexpr double kNearChaseCells = 20, kFarChaseCells = 40;  // at most so many cells
 constexpr double kGrazing = 0.15;  // sine below which a ray is too flat to drag the ground with
 
 // Limits input, so that sums and powers stay finite.
@@ -71,6 +76,15 @@ void CameraControl::fly(bool on) {
     }
 }
 
+void CameraControl::chase(bool on) {
+    if (on == (mode_ == CameraMode::kChase)) return;
+    fly(false);
+    top_down(false);
+    dragging_ = Drag::kNone;
+    mode_ = on ? CameraMode::kChase : CameraMode::kOrbit;
+    chase_begins_ = on;
+}
+
 void CameraControl::top_down(bool on) {
     if (on == (mode_ == CameraMode::kTopDown)) return;
     dragging_ = Drag::kNone;
@@ -108,6 +122,7 @@ void CameraControl::move(const CameraWish& asked, const sim::View& world, const 
 
     goal_ = room.inside(goal_);  // the ground may have risen
     look_down(room);
+    begin_chase(wish, room);
     take_hold(wish, aspect, room);
     zoom(wish.zoom_steps, room);
     for (int i = 0; i < steps; ++i) {
@@ -116,6 +131,7 @@ void CameraControl::move(const CameraWish& asked, const sim::View& world, const 
         if (wish.drag == Drag::kTurn) turn((wish.to - wish.from) / static_cast<double>(steps), aspect, room);
         if (wish.drag == Drag::kPan) pan(wish, to, aspect, room);
         walk(wish, acted / steps, room);
+        follow(wish, acted / steps, room);
         goal_ = room.inside(goal_);
         approach(acted / steps, room);
     }
@@ -140,16 +156,40 @@ void CameraControl::look_down(const CameraRoom& room) {
     hold_ = {Grip::About::kPoint, middle};
 }
 
+// The eye goes ahead of what is followed, on the side on which it is already.
+void CameraControl::begin_chase(const CameraWish& wish, const CameraRoom& room) {
+    if (wish.drag == Drag::kPan || wish.walk != glm::dvec3(0)) chase(false);
+    if (mode_ != CameraMode::kChase || !chase_begins_ || !wish.followed) return;
+    chase_begins_ = false;
+    const double ahead = glm::degrees(std::atan2(wish.followed->heading.x, wish.followed->heading.y));
+    const double side = std::remainder(goal_.azimuth_deg - ahead, 360) < 0 ? -1 : 1;
+    goal_.azimuth_deg = the_short_way(ahead + side * kAhead, now_.azimuth_deg);
+    goal_.elevation_deg = kChaseElevation;
+    goal_.distance_m = std::clamp(goal_.distance_m, std::min(kNearChase, kNearChaseCells * room.cell()),
+                                  std::min(kFarChase, kFarChaseCells * room.cell()));
+    goal_.target = wish.followed->at;
+    goal_ = room.inside(goal_);
+    hold_ = {Grip::About::kTarget, goal_.target};
+}
+
+void CameraControl::follow(const CameraWish& wish, double seconds, const CameraRoom& room) {
+    if (mode_ != CameraMode::kChase || !wish.followed) return;
+    goal_.target += (wish.followed->at - goal_.target) * -std::expm1(-seconds / kCatchUp);
+    goal_ = room.inside(goal_);
+    hold_ = {Grip::About::kTarget, goal_.target};
+}
+
 // A drag grabs a point where it is visible now, although the camera may still be moving.
 void CameraControl::take_hold(const CameraWish& wish, double aspect, const CameraRoom& room) {
     const bool begins = wish.drag != dragging_;
     dragging_ = wish.drag;
     const bool zooms = wish.zoom_steps != 0;
     if (!zooms && (!begins || wish.drag == Drag::kNone)) return;
-    if (!zooms && wish.drag == Drag::kTurn && mode_ != CameraMode::kOrbit) return;
+    const bool chases = mode_ == CameraMode::kChase;
+    if (!zooms && wish.drag == Drag::kTurn && mode_ != CameraMode::kOrbit && !chases) return;
 
     glm::dvec3 point = now_.target;
-    if (wish.pivot && room.reaches(*wish.pivot) && can_hold(*wish.pivot, now_))
+    if (!chases && wish.pivot && room.reaches(*wish.pivot) && can_hold(*wish.pivot, now_))
         point = *wish.pivot;
     else if (wish.drag == Drag::kPan)
         point = point_at({tangents(wish.from, now_, aspect), now_.distance_m}, now_);

@@ -12,7 +12,7 @@
 
 namespace game {
 
-enum class CameraMode { kOrbit, kFly, kTopDown };
+enum class CameraMode { kOrbit, kFly, kTopDown, kChase };
 
 // Camera input of one frame. Image coordinates run from −1 (left, bottom) to 1.
 struct CameraWish {
@@ -23,6 +23,11 @@ struct CameraWish {
     std::optional<glm::dvec3> pivot;  // m; fixed by turn, pan and zoom; nothing over the sky
     glm::dvec3 walk{0};               // held keys: right, forward, up, each −1 to 1
     bool fast = false;                // four times as fast
+    struct Followed {
+        glm::dvec3 at;       // m
+        glm::dvec2 heading;  // of length 1, in plan
+    };
+    std::optional<Followed> followed;  // what chase mode follows; nothing: it waits
 };
 
 // Moves a camera by user input. It never changes the world.
@@ -33,6 +38,8 @@ struct CameraWish {
 //          cells to six grid diagonals.
 //   walk   moves along the ground (in fly mode along the view); in one second about half the distance to what
 //          the camera looks at.
+//   chase  stays ahead and beside what is followed, and looks back at it: turning and zooming go on, about the
+//          followed; panning and walking end it.
 // The camera moves smoothly, within a few tenths of a second, on the same path at any frame rate. The eye
 // stays one cell above the surface: if the ground is in the way, a turn rises, a zoom stops and a pan backs
 // off.
@@ -46,6 +53,7 @@ class CameraControl {
     bool still() const;  // has arrived: the camera does not move until the next input
 
     void fly(bool on);  // leaves the top view
+    void chase(bool on);
     // On: looks straight down on the image centre at the same scale, north up, from the next move() on. Off:
     // returns to the previous pose.
     void top_down(bool on);
@@ -64,12 +72,15 @@ class CameraControl {
     void turn(glm::dvec2 by, double aspect, const CameraRoom& room);
     void pan(const CameraWish& wish, glm::dvec2 to, double aspect, const CameraRoom& room);
     void walk(const CameraWish& wish, double seconds, const CameraRoom& room);
+    void begin_chase(const CameraWish& wish, const CameraRoom& room);
+    void follow(const CameraWish& wish, double seconds, const CameraRoom& room);
     void approach(double seconds, const CameraRoom& room);
 
     render::Camera home_, now_, goal_, before_top_down_;
     CameraMode mode_ = CameraMode::kOrbit, mode_before_top_down_ = CameraMode::kOrbit;
     Grip hold_;                                            // what stays fixed on the way to the goal
     CameraWish::Drag dragging_ = CameraWish::Drag::kNone;  // in the frame before
+    bool chase_begins_ = false;                            // nothing was followed yet
     bool look_down_ = false;                               // requested; move() has not found the ground yet
 };
 

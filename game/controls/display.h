@@ -25,6 +25,8 @@ struct Display {
     double frame_ms = 33;           // target for a frame, 8 to 200, unless the tier is full
     double most_scale = 1;          // of a moving image, one of kScales, unless the tier is full
     double letters = 1;             // text size relative to the monitor's scale, 0.5 to 3
+    bool slow_release = true;       // time passes slower for a moment when a slide breaks loose
+    bool fast_creep = true;         // and faster when only creep is left of it
     bool shows_shared = true;       // the folder of a shared slide, in the desktop's file manager
     bool operator==(const Display&) const = default;
 };

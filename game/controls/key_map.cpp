@@ -32,6 +32,7 @@ constexpr std::array kKeyBindings{
     KeyBinding{Key::kHome, kAlone, false, Verb::kOverview, "show the whole terrain"},
     KeyBinding{key('T'), kAlone, false, Verb::kTopDown, "top view on or off"},
     KeyBinding{key('F'), kAlone, false, Verb::kFly, "fly mode on or off"},
+    KeyBinding{key('V'), kAlone, false, Verb::kChase, "follow the front of a slide, or stop that"},
     KeyBinding{function_key(1), kAlone, false, Verb::kToggleHelp, "this help"},
     KeyBinding{function_key(2), kAlone, false, Verb::kToggleScene, "scene panel"},
     KeyBinding{function_key(3), kAlone, false, Verb::kTogglePhysics, "physics panel"},

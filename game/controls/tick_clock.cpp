@@ -19,8 +19,8 @@ void TickClock::set_speed(double speed) {
 int TickClock::ticks_due(double elapsed_s, double tick_s, bool tool_works) {
     due_are_steps_ = (paused_ && !tool_works) || steps_ > 0;
     if (due_are_steps_) return std::exchange(steps_, 0);
-    const double wanted = elapsed_s * speed_ / tick_s;
-    const double granted = std::min(elapsed_s, kLongestFrame) * speed_ / tick_s;
+    const double wanted = elapsed_s * speed_ * pace_ / tick_s;
+    const double granted = std::min(elapsed_s, kLongestFrame) * speed_ * pace_ / tick_s;
     const double fade = std::exp(-elapsed_s / kMemory);
     wanted_ = wanted_ * fade + wanted;
     lost_ = lost_ * fade + wanted - granted;
@@ -38,11 +38,11 @@ void TickClock::ticks_undone(int count) {
 }
 
 double TickClock::reached_speed() const {
-    return wanted_ > 0 ? speed_ * (1 - lost_ / wanted_) : speed_;
+    return speed_ * pace_ * (wanted_ > 0 ? 1 - lost_ / wanted_ : 1);
 }
 
 bool TickClock::behind() const {
-    return !paused_ && reached_speed() < 0.9 * speed_;
+    return !paused_ && reached_speed() < 0.9 * speed_ * pace_;
 }
 
 }  // namespace game

@@ -15,6 +15,9 @@ class TickClock {
 
     double speed() const { return speed_; }
     void set_speed(double speed);  // to the nearest power of two within kSlowest … kFastest
+    // A factor of the speed, above 0, that the world asks for: 1 is usual.
+    double pace() const { return pace_; }
+    void set_pace(double pace) { pace_ = pace; }
 
     // Ticks due after `elapsed_s` seconds. At most 0.25 s count, so that no backlog builds up after a
     // suspend. While `tool_works`, they are due in a pause too.
@@ -24,16 +27,17 @@ class TickClock {
     // instead of stalling.
     void ticks_undone(int count);
 
-    // Speed reached over about the last half second; below speed() if the computer cannot keep up.
+    // Speed reached over about the last half second; below speed() × pace() if the computer cannot
+    // keep up.
     double reached_speed() const;
-    bool behind() const;  // reaches less than 90 % of its speed
+    bool behind() const;  // reaches less than 90 % of that
 
   private:
     bool paused_ = false;
     bool back_ = false;
     int steps_ = 0;  // requested single steps
     bool due_are_steps_ = false;
-    double speed_ = 1;
+    double speed_ = 1, pace_ = 1;
     double owed_ = 0;               // fraction of a tick
     double wanted_ = 0, lost_ = 0;  // ticks of the last half second, fading
 };

@@ -85,7 +85,7 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
                         state_.tick, cubic_metres(error), sim::kDeepest)});
     times_.peaks_ms = ms_of([&] {
         watch();
-        if (try_) try_->see(state_);
+        if (try_) try_->see(state_, !commands.empty());
         if (!rests) watch_structures();
         if (powder_) advance_powder(commands, rests);
     });

@@ -2,23 +2,53 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace game {
 
 TryWatch::TryWatch(const Goal& goal, float tick_s) {
     const auto ticks = [&](double seconds) { return std::llrint(seconds / static_cast<double>(tick_s)); };
+    calm_ = ticks(kCalm);
     earliest_ = ticks(goal.earliest_s);
-    if (!goal.events.empty()) earliest_ = std::max(earliest_, goal.events.back().tick + 1);
-    calm_enough_ = ticks(kCalm);
+    if (!goal.events.empty()) last_event_ = goal.events.back().tick;
     if (goal.latest_s) latest_ = ticks(*goal.latest_s);
 }
 
-void TryWatch::see(const sim::State& state) {
+void TryWatch::see(const sim::State& state, bool acted) {
     if (ended_at_) return;
-    most_moved_ = std::max(most_moved_, state.ledger.rolling);
-    const bool calm = most_moved_ > 0 && state.ledger.rolling * kStillMoves < most_moved_;
-    calm_ = calm && state.tick >= earliest_ ? calm_ + 1 : 0;
-    if (calm_ >= calm_enough_ || (latest_ && state.tick >= *latest_)) ended_at_ = state.tick;
+    if (acted) {
+        acted_at_ = state.tick - 1;
+        if (!begun_at_) begun_at_ = acted_at_;
+        reach_.fill(std::numeric_limits<int>::min());
+        greatest_energy_ = 0;
+    }
+    if (!begun_at_) return;
+    const Reach before = reach_;
+    const double energy = see_flow(state);
+    greatest_energy_ = std::max(greatest_energy_, energy);
+    if (acted || reach_ != before || !state.running_commands.empty()) farther_at_ = state.tick;
+    const bool calm = state.tick - farther_at_ >= calm_ && energy <= kCalmShare * greatest_energy_;
+    const bool may_end = state.tick > last_event_ && state.tick - acted_at_ >= earliest_;
+    const bool is_late = latest_ && state.tick - *begun_at_ >= *latest_;
+    if ((calm && may_end) || is_late) ended_at_ = state.tick;
+}
+
+double TryWatch::see_flow(const sim::State& state) {
+    double energy = 0;
+    for (int y = 0; y < state.grid.ny; ++y) {
+        const float* const rolling = state.rolling.row(y);
+        const float *const u = state.velocity_x.row(y), *const v = state.velocity_y.row(y);
+        for (int x = 0; x < state.grid.nx; ++x) {
+            if (rolling[x] == 0) continue;
+            const auto depth = static_cast<double>(rolling[x]);
+            const auto east = static_cast<double>(u[x]), north = static_cast<double>(v[x]);
+            energy += depth * (east * east + north * north);
+            if (depth < kFlowDepth) continue;
+            const Reach here{-x, x, -y, y, -x - y, x + y, x - y, y - x};
+            for (std::size_t i = 0; i < here.size(); ++i) reach_[i] = std::max(reach_[i], here[i]);
+        }
+    }
+    return energy;
 }
 
 }  // namespace game

@@ -172,6 +172,15 @@ bool picture(Desk& desk, Display& display) {
     return changed;
 }
 
+bool pace(Desk& desk, Display& display) {
+    desk.widgets.heading("Time");
+    bool changed = desk.widgets.toggle("Slow release", display.slow_release,
+                                       "Half the speed for a second when a slide breaks loose.");
+    changed |= desk.widgets.toggle("Fast creep", display.fast_creep,
+                                   "Four times the speed when next to nothing moves any more.");
+    return changed;
+}
+
 void camera(Desk& desk, const Facts& facts, Actions& actions) {
     desk.widgets.heading("Camera");
     if (desk.widgets.button("Overview", "Shows the whole mountain.")) actions.emplace_back(Verb::kOverview);
@@ -183,6 +192,9 @@ void camera(Desk& desk, const Facts& facts, Actions& actions) {
     if (desk.widgets.button("Fly", "Switches fly mode on and off: keys move, the mouse looks around.",
                             facts.camera_mode == CameraMode::kFly))
         actions.emplace_back(Verb::kFly);
+    if (desk.widgets.button("Follow", "Follows the front of a slide.",
+                            facts.camera_mode == CameraMode::kChase))
+        actions.emplace_back(Verb::kChase);
     ImGui::SameLine();
     if (desk.widgets.button("Full screen", "Switches full screen on and off."))
         actions.emplace_back(Verb::kFullscreen);
@@ -196,6 +208,7 @@ void display_panel(Desk& desk, const Facts& facts, Actions& actions) {
     if (facts.scenario.flow) changed |= flow(desk, display);
     changed |= picture(desk, display);
     changed |= quality(desk, display);
+    changed |= pace(desk, display);
     changed |= sun(desk, facts, display);
     if (changed) actions.emplace_back(SetDisplay{display});
     camera(desk, facts, actions);

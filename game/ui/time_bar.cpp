@@ -92,6 +92,9 @@ Pace pace_of(const Facts& facts) {
         std::snprintf(pace.text.data(), pace.text.size(), "paused");
     } else if (sim::at_rest(facts.state)) {
         std::snprintf(pace.text.data(), pace.text.size(), "at rest");
+    } else if (facts.clock.pace() != 1) {
+        std::snprintf(pace.text.data(), pace.text.size(), "%s: %.3g ×",
+                      facts.clock.pace() < 1 ? "slow" : "creep", facts.clock.speed() * facts.clock.pace());
     }
     return pace;
 }

@@ -111,6 +111,49 @@ TEST(CameraControl, pans_zooms_and_does_not_turn_from_the_top) {
     EXPECT_NEAR(hands.camera().elevation_deg, 40, 1e-9);
 }
 
+TEST(CameraControl, follows_what_moves_from_ahead_of_it_until_it_is_panned) {
+    for (const double azimuth : {100.0, 260.0}) {
+        Hands hands(level(), over({300, 300}, 0, azimuth, 50, 900));
+        hands.control.chase(true);
+        hands.frame();
+        EXPECT_EQ(hands.control.mode(), CameraMode::kChase);
+        EXPECT_EQ(hands.camera().distance_m, 900) << "nothing to follow yet";
+        CameraWish wish;
+        wish.followed = CameraWish::Followed{{300, 500, 0}, {0, -1}};
+        for (int i = 0; i < 300; ++i) {
+            wish.followed->at.y -= 0.5;  // 30 m/s
+            hands.frame(wish);
+        }
+        // Behind it by what it runs in half a second, the delays of the camera being short.
+        EXPECT_LT(glm::distance(hands.camera().target, wish.followed->at), 25);
+        EXPECT_NEAR(hands.camera().distance_m, 400, 1e-6);
+        EXPECT_NEAR(std::remainder(hands.camera().azimuth_deg - 180, 360), azimuth < 180 ? -35 : 35, 1e-6);
+        const glm::dvec3 ahead = render::eye(hands.camera()) - wish.followed->at;
+        EXPECT_GT(glm::dot(glm::dvec2(ahead), glm::dvec2(0, -1)), 100);
+
+        // One may look at it from elsewhere, and nearer.
+        wish.drag = Drag::kTurn, wish.to = {0.2, 0};
+        hands.frame(wish);
+        wish.drag = Drag::kNone, wish.zoom_steps = 2;
+        hands.frame(wish);
+        wish.zoom_steps = 0;
+        for (int i = 0; i < 200; ++i) hands.frame(wish);
+        EXPECT_EQ(hands.control.mode(), CameraMode::kChase);
+        EXPECT_LT(hands.camera().distance_m, 300);
+        EXPECT_LT(glm::distance(hands.camera().target, wish.followed->at), 1);
+
+        wish.drag = Drag::kPan, wish.from = {0, 0}, wish.to = {0.1, 0};
+        hands.frame(wish);
+        EXPECT_EQ(hands.control.mode(), CameraMode::kOrbit);
+        const glm::dvec3 left = hands.camera().target;
+        wish = {};
+        wish.followed = CameraWish::Followed{{0, 0, 0}, {0, -1}};
+        hands.settle();
+        for (int i = 0; i < 60; ++i) hands.frame(wish);
+        EXPECT_LT(glm::distance(hands.camera().target, left), 100);
+    }
+}
+
 TEST(CameraControl, flies_home_on_the_short_way) {
     const render::Camera home = over({300, 300}, 1040, 350, 30, 700);
     Hands hands(valley(), home);

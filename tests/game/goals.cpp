@@ -48,6 +48,9 @@ of = "blast"
 times = 100
 )";
 
+// An event that changes nothing, but from which the time of a try counts.
+const std::string kEvent = "[[command]]\nat = 0\nsettle = { x = 80, y = 20, radius = 5 }\n";
+
 sim::Command blast_at(double x, double y) {
     sim::Command blast;
     blast.kind = sim::CommandKind::kBlast;
@@ -257,19 +260,32 @@ TEST_F(Challenge, is_needed_for_a_score) {
     EXPECT_NE(said.err.find("its scene has no goal"), std::string::npos) << said.err;
 }
 
-TEST_F(Challenge, of_which_nothing_is_done_is_not_won) {
+TEST_F(Challenge, of_which_nothing_is_done_does_not_end) {
     const Finished said = couloir({"run", (scene(), scene_path_.string()), "--seconds", "61", "--json"});
     EXPECT_EQ(said.status, 0) << said.err;
-    const Json challenge = Json::parse(said.out).at("challenge");
-    EXPECT_EQ(challenge.at("won"), false);
-    EXPECT_EQ(challenge.at("medal"), "no medal");
+    EXPECT_FALSE(Json::parse(said.out).contains("challenge"));
+}
+
+TEST_F(Challenge, counts_its_time_from_the_first_command) {
+    const auto ended_at = [&](const std::string& event, const std::string& limits) {
+        std::string goal = kGoal;
+        load(event + goal.replace(goal.find("latest = 60\n"), 12, limits)).value();
+        const Finished said = couloir({"run", scene_path_.string(), "--seconds", "90", "--json"});
+        return Json::parse(said.out).at("challenge").at("tick").get<int>();
+    };
+    const std::string blast = "[[command]]\nat = 20\nblast = { x = 80, y = 120, radius = 10, depth = 1 }\n";
+    EXPECT_EQ(ended_at(blast, "latest = 2\n"), 22 * 60);
+    EXPECT_EQ(ended_at(blast, "earliest = 40\nlatest = 60\n"), 60 * 60);
+    EXPECT_EQ(ended_at(kEvent, ""), 5 * 60 + 1) << "nothing moved";
+    EXPECT_EQ(ended_at(kEvent + blast, "latest = 30\n"), 30 * 60);
+    EXPECT_EQ(ended_at(kEvent + blast, "latest = 10\n"), 10 * 60) << "whatever comes";
 }
 
 TEST_F(Challenge, scores_the_smallest_of_its_terms_if_it_says_so) {
     const auto scored = [&](const std::string& combine) {
         std::string goal = kGoal;
         goal.replace(goal.find("base = 10\n"), 10, "base = 10\n" + combine);
-        const auto loaded = load(goal);
+        const auto loaded = load(kEvent + goal);
         EXPECT_TRUE(loaded) << loaded.error().sentence;
         record(path_, loaded->scenario, 10, {});
         EXPECT_EQ(read_recording(path_)->header.scenario.goal, loaded->scenario.goal);
@@ -285,7 +301,7 @@ TEST_F(Challenge, counts_the_earth_that_is_in_use) {
     const std::string dam = "[[dam]]\npoints = [[60, 40], [100, 40]]\nradius = 12\nrise = 3\n";
     std::string goal = kGoal;
     goal.replace(goal.find("measure = \"eroded\""), 18, "measure = \"earth\"\ntimes = -1");
-    write_bytes(scene_path_, kSlope + dam + goal);
+    write_bytes(scene_path_, kSlope + dam + kEvent + goal);
     const Finished said = couloir({"run", scene_path_.string(), "--seconds", "61", "--json"});
     ASSERT_EQ(said.status, 0) << said.err;
     const Json json = Json::parse(said.out);

@@ -60,6 +60,18 @@ TEST(TickClock, keeps_its_speed_to_powers_of_two_in_its_range) {
     }
 }
 
+TEST(TickClock, owes_the_ticks_of_its_speed_at_the_pace_that_the_world_asks_for) {
+    for (const double pace : {0.5, 1.0, 4.0}) {
+        TickClock clock;
+        clock.set_speed(2);
+        clock.set_pace(pace);
+        EXPECT_NEAR(ticks_of(clock, 10, 60), 10 * 60 * 2 * pace, 1);
+        EXPECT_FALSE(clock.behind());
+        EXPECT_DOUBLE_EQ(clock.reached_speed(), 2 * pace);
+        EXPECT_EQ(clock.speed(), 2);
+    }
+}
+
 TEST(TickClock, slows_the_world_and_says_so_where_the_machine_cannot_keep_up) {
     TickClock clock;
     clock.set_speed(16);

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+
+#include "sim/world/state.h"
+
+namespace game {
+
+// Finds how time should pass for a viewer: slower for a moment when a slide breaks loose, and faster when only creep is
+// left of it. A view, which never affects the world.
+class Pace {
+  public:
+    static constexpr double kAtRelease = 0.5, kInCreep = 4;  // factors of the speed
+    static constexpr double kSlowFor = 1;                    // s of real time
+    static constexpr std::int64_t kStillCreeps = 33;  // one part in so many of the greatest volume in motion
+
+    // Call after the ticks of a frame, at real time `now_s`.
+    void see(const sim::State& state, double now_s);
+    // After the world has restarted, or gone to another time.
+    void forget() { *this = {}; }
+
+    bool releases(double now_s) const { return now_s < slow_until_; }
+    bool creeps() const { return creeps_; }
+
+  private:
+    std::int64_t moved_ = 0, most_moved_ = 0;  // quanta times cells in motion: as seen last, at most so far
+    double slow_until_ = 0;                    // s
+    bool creeps_ = false;
+};
+
+}  // namespace game

@@ -1,0 +1,64 @@
+#include "game/controls/pace.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/game/camera_hands.h"
+
+namespace game::test {
+namespace {
+
+// A state of which so many cubic metres move.
+sim::State moving(double cubic_metres) {
+    sim::State state = level();
+    state.ledger.rolling =
+        std::llround(cubic_metres / (static_cast<double>(sim::kQuantum) * state.grid.cell_area()));
+    return state;
+}
+
+TEST(Pace, slows_for_a_second_where_much_breaks_loose_at_once) {
+    Pace pace;
+    pace.see(moving(0), 10);
+    EXPECT_FALSE(pace.releases(10));
+    pace.see(moving(5000), 10.1);
+    EXPECT_TRUE(pace.releases(10.1));
+    EXPECT_TRUE(pace.releases(11));
+    EXPECT_FALSE(pace.releases(11.2));
+    // It grows, and that is no other release.
+    for (int i = 1; i <= 30; ++i) pace.see(moving(5000 + 600 * i), 12);
+    EXPECT_FALSE(pace.releases(12.1));
+    pace.see(moving(60000), 13);
+    EXPECT_TRUE(pace.releases(13.5));
+}
+
+TEST(Pace, does_not_slow_for_what_a_hand_pours) {
+    Pace pace;
+    for (int i = 0; i < 50; ++i) pace.see(moving(20.0 * i), i);
+    EXPECT_FALSE(pace.releases(49.1));
+}
+
+TEST(Pace, finds_creep_after_a_slide_but_not_before_one_or_at_rest) {
+    Pace pace;
+    pace.see(moving(0), 0);
+    EXPECT_FALSE(pace.creeps());
+    pace.see(moving(50), 1);
+    EXPECT_FALSE(pace.creeps());
+    pace.see(moving(40000), 2);
+    EXPECT_FALSE(pace.creeps());
+    pace.see(moving(2000), 3);
+    EXPECT_FALSE(pace.creeps());
+    pace.see(moving(1000), 4);
+    EXPECT_TRUE(pace.creeps());
+    sim::State poured = moving(1000);
+    poured.running_commands.emplace_back();
+    pace.see(poured, 5);
+    EXPECT_FALSE(pace.creeps());
+    pace.see(moving(0), 6);
+    EXPECT_FALSE(pace.creeps());
+    pace.see(moving(100), 7);  // another slide, which only begins
+    EXPECT_FALSE(pace.creeps());
+}
+
+}  // namespace
+}  // namespace game::test
