@@ -170,7 +170,10 @@ void recordings(Desk& desk, const char* heading, const std::vector<Catalogue::En
     }
 }
 
-}  // namespace
+void hints(Desk& desk, const Facts& facts, Actions& actions) {
+    if (facts.guide && desk.widgets.button("Show hints again", "Leads through the first steps once more."))
+        actions.emplace_back(GuideWish{GuideWish::kAgain});
+}
 
 // What happens after a slide was shared.
 void sharing(Desk& desk, const Facts& facts, Actions& actions) {
@@ -180,9 +183,12 @@ void sharing(Desk& desk, const Facts& facts, Actions& actions) {
         actions.emplace_back(SetDisplay{display});
 }
 
+}  // namespace
+
 void scene_panel(Desk& desk, const Facts& facts, Actions& actions) {
     what_is_loaded(desk, facts);
     sharing(desk, facts, actions);
+    hints(desk, facts, actions);
     best_runs_of_challenge(desk, facts, actions);
     challenges(desk, facts, actions);
     what_to_begin(desk, facts, actions);

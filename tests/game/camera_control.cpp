@@ -16,7 +16,7 @@ namespace {
 using Drag = CameraWish::Drag;
 
 TEST(CameraControl, turns_about_the_ground_under_the_cursor_all_the_way) {
-    for (const Case& c : cases()) {
+    for (const CameraCase& c : cases()) {
         Hands hands(valley(), c.camera);
         const glm::dvec3 pivot = hands.ground(c.place).value();
         double astray = 0;
@@ -45,7 +45,7 @@ TEST(CameraControl, turns_half_round_over_a_picture_width_and_keeps_above_3_and_
 }
 
 TEST(CameraControl, pans_so_that_the_ground_stays_under_the_cursor) {
-    for (const Case& c : cases()) {
+    for (const CameraCase& c : cases()) {
         Hands hands(valley(), c.camera);
         const glm::dvec3 pivot = hands.ground(c.place).value();
         const glm::dvec2 to = c.place + glm::dvec2(c.place.x > 0 ? -0.5 : 0.5, c.place.y > 0 ? -0.4 : 0.4);
@@ -82,7 +82,7 @@ TEST(CameraControl, pans_at_the_height_of_the_eye_and_along_the_picture_where_th
 }
 
 TEST(CameraControl, zooms_to_the_ground_under_the_cursor_all_the_way) {
-    for (const Case& c : cases())
+    for (const CameraCase& c : cases())
         for (const double steps : {3.0, -3.0}) {
             Hands hands(valley(), c.camera);
             const glm::dvec3 pivot = hands.ground(c.place).value();
@@ -100,7 +100,7 @@ TEST(CameraControl, zooms_to_the_ground_under_the_cursor_all_the_way) {
 
 // Picture coordinates span 2, so 2 % of the picture are 0.04.
 TEST(CameraControl, holds_what_is_grabbed_while_the_camera_is_still_on_its_way) {
-    for (const Case& c : cases()) {
+    for (const CameraCase& c : cases()) {
         Hands hands(valley(), c.camera);
         hands.wheel(-c.place, 2);
         hands.drag(Drag::kTurn, c.place, c.place + glm::dvec2(0.2, 0), 2);

@@ -69,13 +69,13 @@ bool finite(const render::Camera& c) {
            std::isfinite(c.distance_m) && c.distance_m > 0;
 }
 
-std::vector<Case> cases() {
+std::vector<CameraCase> cases() {
     std::mt19937 random(7);
     const auto between = [&](double a, double b) {
         return a + (b - a) * static_cast<double>(random()) / 4294967296.0;
     };
     const sim::State world = valley();
-    std::vector<Case> made;
+    std::vector<CameraCase> made;
     while (made.size() < 60) {
         const render::Camera camera = over({between(200, 400), between(200, 400)}, between(1030, 1060),
                                            between(0, 360), between(20, 80), std::exp(between(4.6, 7)));

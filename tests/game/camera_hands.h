@@ -32,11 +32,11 @@ double clearance(const render::Camera& camera, const sim::View& world);
 bool finite(const render::Camera& camera);
 
 // Many cameras over the valley, each with a place well inside the picture that shows ground.
-struct Case {
+struct CameraCase {
     render::Camera camera;
     glm::dvec2 place;
 };
-std::vector<Case> cases();
+std::vector<CameraCase> cases();
 
 // A control over a world, with the frames that hands need.
 struct Hands {

@@ -62,7 +62,7 @@ TEST(CameraControl, comes_back_from_flying_to_an_elevation_for_orbit) {
 }
 
 TEST(CameraControl, looks_straight_down_on_the_middle_as_on_a_map_and_back) {
-    for (const Case& c : cases()) {
+    for (const CameraCase& c : cases()) {
         if (!ground_at(c.camera, sim::view(valley()), {0, 0})) continue;
         Hands hands(valley(), c.camera);
         const glm::dvec3 middle = hands.ground({0, 0}).value();
