@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 
 #include "assets/shaders/slots.glsl"
+#include "render/drawn_extent.h"
 #include "render/fields_to_gpu.h"
 #include "render/flow_triangles.h"
 #include "render/frame_block.h"
@@ -71,6 +72,7 @@ struct Renderer::Parts {
     StageClock clock;
     Redrawn redrawn;
     RedrawRules rules;
+    DrawnExtent extent;
 
     // The factor for the colours of a flow's texture. A rolling layer keeps its own mean colour.
     glm::vec3 flow_tint(const Look& look, const Marks& marks) const {
@@ -140,7 +142,8 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
                                                   assets,
                                                   StageClock(),
                                                   Redrawn(),
-                                                  RedrawRules()}));
+                                                  RedrawRules(),
+                                                  DrawnExtent()}));
 }
 
 Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -205,13 +208,14 @@ void Renderer::draw(const FrameInput& input) {
                  .flow_so_far = input.flow_so_far,
                  .structures = input.structures,
                  .wind = input.wind,
-                 .seconds = input.seconds});
+                 .seconds = input.seconds,
+                 .extent = input.extent});
 }
 
 void Renderer::draw_ground(const FrameInput& input) {
     Parts& p = *parts_;
     const auto& [world, camera, light, look, marks, flow, width, height, first_depth, around, puffs,
-                 powder_strength, woods, so_far, structures, wind, seconds] = input;
+                 powder_strength, woods, so_far, structures, wind, seconds, extent] = input;
     const int samples = samples_of(p.quality);
     const ScopedState state;               // restores the state for other users of the context
     const bool flows = look.flow && flow;  // the advected texture is visible
@@ -290,6 +294,7 @@ void Renderer::draw_ground(const FrameInput& input) {
     changed.add_shadows(p.sweep, frame);
     changed.add_ring(redrawn.ring, marks.ring, frame);
     changed.add_outline(redrawn.outline, marks.outline, frame);
+    if (marks.extent != 0) changed.add_extent(p.extent.send(extent, world.grid));
     p.clock.mark(Pass::kShadow);
 
     // Find where the frame differs from the last one.
@@ -329,6 +334,7 @@ void Renderer::draw_ground(const FrameInput& input) {
 
     // Shade each pixel once, whatever the number of triangles under it.
     p.target.begin_shading();
+    if (marks.extent != 0) p.extent.bind();
     p.terrain.shade(marks, p.tiles, world.mixture != nullptr, p.target, redrawn.scene);
     p.clock.mark(Pass::kTerrain);
 

@@ -101,6 +101,7 @@ void set_marks(FrameBlock& block, const Marks& marks, HeightRange heights, doubl
         const double interval = contour_interval(heights), five = 5 * interval;
         block.contours = glm::dvec4(1 / interval, (datum - five * std::floor(datum / five)) / interval, 0, 0);
     }
+    if (marks.extent != 0) block.contours.z = 1;
     const Legend legend = legend_of(marks.overlay);
     block.overlay = {static_cast<int>(marks.overlay), static_cast<int>(legend.stops.size()), legend.stepped,
                      0};

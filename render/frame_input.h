@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "render/camera.h"
@@ -45,6 +46,9 @@ struct FrameInput {
     // It blows snow off the ridges of these surroundings, if look is that of dry snow: bright, with much powder.
     Wind wind = {};
     double seconds = 0;  // time of the world, by which that snow moves
+    // A part of the ground whose outline marks.extent draws: 255 inside and 0 outside, one value per vertex, row 0 the
+    // south; valid during the call. Not empty if marks.extent is not 0.
+    std::span<const std::uint8_t> extent = {};
 };
 
 }  // namespace render

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -47,10 +48,12 @@ struct Marks {
     bool flow_mesh = false;  // edges of a flow's cut mesh, its fronts and their points
     std::optional<Ring> ring = std::nullopt;
     std::optional<Outline> outline = std::nullopt;
+    // Not 0: a dashed line around FrameInput::extent, of which another one has another number.
+    std::int64_t extent = 0;
     glm::vec2 density{0};  // kg/m³, of the upper and the lower material, for kPressure; 0 if unknown
     bool operator==(const Marks&) const = default;
 
-    bool has_lines() const { return contours || ring || outline; }
+    bool has_lines() const { return contours || ring || outline || extent != 0; }
 };
 
 // A value and its colour.

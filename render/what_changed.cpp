@@ -311,6 +311,13 @@ void WhatChanged::add_outline(const std::optional<Outline>& before, const std::o
         }
 }
 
+// A line follows from the four by four vertices of the spline alone.
+void WhatChanged::add_extent(std::span<const glm::ivec2> vertices) {
+    constexpr int kSpline = 2;  // vertices to each side
+    if (everything_) return;
+    for (const glm::ivec2 v : vertices) open_around(v.x, v.y, kSpline);
+}
+
 // The longest that a pixel can be on the ground between two vertices, m.
 double WhatChanged::longest_pixel(glm::ivec2 first, glm::ivec2 last, const FrameBlock& frame) const {
     const glm::vec3 eye(frame.eye);

@@ -61,6 +61,8 @@ class WhatChanged {
     void add_ring(const std::optional<Ring>& before, const std::optional<Ring>& now, const FrameBlock& frame);
     void add_outline(const std::optional<Outline>& before, const std::optional<Outline>& now,
                      const FrameBlock& frame);
+    // Vertices of an extent whose outline is drawn.
+    void add_extent(std::span<const glm::ivec2> vertices);
 
     // Rows of vertices between which all fields that changed are; none if first > last.
     int first_row() const { return first_row_; }

@@ -25,7 +25,7 @@ layout(std140, binding = SLOT_FRAME) uniform Frame {
     vec4 ring_colour;       // linear light
     vec4 outline;           // middles of its ends, m
     vec4 outline_colour;    // linear light; w: half its width, m, below 0: with a front; 0: none
-    vec4 contours;          // lines per metre of height, 0: none; line, counted from a heavy one, at z = 0
+    vec4 contours;          // lines per metre of height, 0: none; line, counted from a heavy one, at z = 0; 1: the outline of an extent is drawn
     vec4 flow;              // texture tiles per m; where it is drawn: FLOW_*; 0, 0
     vec4 flow_tint;         // factor on the texture's colours; 0
     ivec4 overlay;          // OVERLAY_*, 0: none; stops of its legend; 1: they are steps

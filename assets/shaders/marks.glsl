@@ -1,5 +1,7 @@
-// Marks: contours, a ring and an outline on the ground, in screen colours and with widths independent of distance.
+// Marks: contours, a ring, an outline and that of an extent on the ground, in screen colours and with widths independent of distance.
 vec3 overlaid(vec3 picture, Place p, mat2 pixel, vec3 light);  // overlay.glsl or overlay_none.glsl
+
+layout(binding = SLOT_EXTENT) uniform sampler2D extent;
 
 const float kEdge = 0.06;  // smallest sine of the viewing angle that is used
 
@@ -65,10 +67,25 @@ vec3 with_outline(vec3 picture, Place p, mat2 pixel) {
     return mix(picture, frame.outline_colour.rgb, line(outside, 1.0 + heavy));
 }
 
+// A dashed line around an extent, between dark hairlines: midway between the last vertex inside and the first outside.
+// Dashes follow the axis that the line runs along; each octave of the size of a pixel has a length of its own.
+vec3 with_extent(vec3 picture, Place p, mat2 pixel) {
+    const vec3 kGold = vec3(0.955, 0.577, 0.045);
+    const float kDash = 10.0;  // least length of dash and gap together, pixels
+    Smooth inside = spline(extent, p.at.xy / frame.ground.x);
+    vec2 grows = vec2(inside.along_x.x, inside.along_y.x) / frame.ground.x;
+    float away = (inside.value.x - 0.5) / max(length(grows * pixel), 1e-5);  // pixels
+    float length_m = exp2(ceil(log2(kDash * sqrt(abs(determinant(pixel))))));
+    float dash = step(fract((abs(grows.x) > abs(grows.y) ? p.at.y : p.at.x) / length_m), 0.6);
+    picture *= 1.0 - 0.75 * dash * line(away, 2.1);
+    return mix(picture, kGold, dash * line(away, 1.1));
+}
+
 vec3 marked(vec3 seen, Place p, vec3 light) {
     mat2 pixel = pixel_on_ground(p);
     vec3 picture = overlaid(shown(seen), p, pixel, light);
     if (frame.contours.x > 0.0) picture = with_contours(picture, p, pixel);
+    if (frame.contours.z > 0.5) picture = with_extent(picture, p, pixel);
     if (frame.ring.w > 0.5) picture = with_ring(picture, p, pixel);
     if (frame.outline_colour.w != 0.0) picture = with_outline(picture, p, pixel);
     return light_shown_as(picture);

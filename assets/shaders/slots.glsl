@@ -35,6 +35,7 @@
 #define SLOT_POWDER_LIT 27      // RGBA16F: colour times opacity, opacity
 #define SLOT_POWDER_HIDDEN 28   // RGBA32F: how the depth of the scene hides the cloud; its shadow on the ground
 #define SLOT_POWDER_LOWER 29    // R16F: share of the lower material times opacity
+#define SLOT_EXTENT SLOT_PICTURE // R8, while the ground is shaded: FrameInput::extent
 #define SLOT_EARTH 30     // R32F: m that bedrock was raised by; below 0: lowered
 #define SLOT_UNITS 31     // number of texture units
 

@@ -75,7 +75,9 @@ App::App(Screen& screen, render::Renderer renderer, Catalogue catalogue, const s
       renderer_(std::move(renderer)),
       ui_(ui_font()),
       catalogue_(std::move(catalogue)),
-      options_(options) {}
+      options_(options) {
+    ui_.read_pictures(catalogue_.scenes);
+}
 
 App::~App() = default;
 
@@ -494,9 +496,35 @@ void App::show_hand(render::Marks& marks) const {
     }
 }
 
+// Where the best run was at this time of its try.
+void App::see_ghost() {
+    const auto& goal = sandbox_->scenario().goal;
+    const auto action =
+        goal && !goal->events.empty() ? std::optional<std::int64_t>(0) : sandbox_->first_action();
+    const bool wanted = goal && display_.ghost && action && !sandbox_->watches();
+    const Session& session = sandbox_->session();
+    const std::int64_t before = ghost_.version();
+    ghost_.see(wanted ? session.state().tick - *action : -1);
+    while (const auto fault = ghost_.fault()) warn(fmt::format("A best run is not shown: {}", *fault));
+    if (ghost_.version() == before) return;
+    const auto hectares = [&](std::ptrdiff_t vertices) {
+        constexpr double kHectare = 1e4;  // m²
+        const auto dx = static_cast<double>(session.state().grid.dx);
+        return static_cast<double>(vertices) * dx * dx / kHectare;
+    };
+    ghost_note_.reset();
+    if (ghost_.version() == 0) return;
+    const auto& deepest = session.peaks().depth;
+    ghost_note_ = {
+        hectares(std::ranges::count_if(deepest, [](float depth) { return depth >= RunExtent::kReached; })),
+        hectares(std::ranges::count_if(ghost_.inside(), [](std::uint8_t in) { return in != 0; }))};
+}
+
 render::Marks App::marks() const {
-    render::Marks marks{
-        .overlay = display_.overlay, .contours = display_.contours, .flow_mesh = display_.flow_mesh};
+    render::Marks marks{.overlay = display_.overlay,
+                        .contours = display_.contours,
+                        .flow_mesh = display_.flow_mesh,
+                        .extent = ghost_.version()};
     if (const auto& densities = sandbox_->session().densities())
         marks.density = glm::dvec2(densities->upper, densities->lower);
     if (opening_since_) return marks;
@@ -506,6 +534,7 @@ render::Marks App::marks() const {
 }
 
 void App::draw_world(const FrameTime& time) {
+    see_ghost();
     const ScreenSize size = screen_.size();
     const Seen seen{
         epoch_,     sandbox_->session().changed_at(), camera_->camera(), display_, marks(), size.width,
@@ -689,16 +718,19 @@ void App::draw_once(const ImageSize& image) {
                     .flow_so_far = session.flow_so_far(),
                     .structures = &session.structures(),
                     .wind = sandbox_->scenario().wind,
-                    .seconds = session.seconds()});
+                    .seconds = session.seconds(),
+                    .extent = ghost_.inside()});
 }
 
-// Draws the world as last shown once more, without the ring and as finely as an image that stands still. Then
+// Draws the world as last shown once more, without the ring and the ghost, and as finely as an image that stands still. Then
 // draws what was shown again, so that the next frame can go on from it.
 void App::take_screenshot() {
     const Seen shown = seen_;
     const ImageSize size = drawn_, best = image_for(screen_.size(), 1, true, bounds_);
-    const bool is_shown = !shown.marks.ring && !shown.marks.outline && size == best;
+    const bool is_shown =
+        !shown.marks.ring && !shown.marks.outline && shown.marks.extent == 0 && size == best;
     seen_.marks.ring.reset(), seen_.marks.outline.reset();
+    seen_.marks.extent = 0;
     if (!is_shown) draw_image(best);
     if (device_failure_) return;
     const Session& session = sandbox_->session();
@@ -738,6 +770,7 @@ void App::draw_panels() {
             .stroke = stroke_note(),
             .goal_use = sandbox_->scenario().goal ? std::optional(sandbox_->goal_use()) : std::nullopt,
             .card = has_card() ? &card_ : nullptr,
+            .ghost = ghost_note_,
             .best_runs = best_list_.runs(),
             .actions_to_undo = sandbox_->actions(),
             .actions_to_redo = sandbox_->undone(),

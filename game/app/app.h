@@ -8,6 +8,7 @@
 
 #include "game/analysis/score.h"
 #include "game/app/best_list.h"
+#include "game/app/ghost.h"
 #include "game/app/guide_memory.h"
 #include "game/app/screenshots.h"
 #include "game/app/sharing.h"
@@ -74,6 +75,7 @@ class App {
     const std::vector<BestRun>& best_runs() const { return best_list_.runs(); }
     const render::Camera& camera() const { return camera_->camera(); }
     const ui::Ui& panels() const { return ui_; }
+    const Ghost& ghost() const { return ghost_; }
     bool is_sharing() const { return sharing_.progress().has_value(); }
     // The file that this session is written to; nothing while a recording is watched, if none could be created,
     // or if writing failed.
@@ -131,6 +133,7 @@ class App {
     void watch_slide();
     void judge_try();
     void keep_run();
+    void see_ghost();
     bool has_card() const;
     void fit_hand();
     render::Camera home() const;
@@ -229,6 +232,8 @@ class App {
     ui::ResultCard card_;         // that tells it
     bool shows_card_ = false;     // it was not closed
     BestList best_list_;
+    Ghost ghost_;
+    std::optional<ui::GhostNote> ghost_note_;  // of the ghost as it is shown
 
     std::optional<Guide> guide_;
     Guide::Step kept_step_ = Guide::Step::kWatch;  // as it was kept last

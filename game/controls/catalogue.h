@@ -12,6 +12,8 @@ namespace game {
 
 // The scenes, materials and recordings that can be opened, by name and title.
 struct Catalogue {
+    // Pixels of the picture of a shipped scene, which is NAME.png beside NAME.toml.
+    static constexpr int kPictureWidth = 144, kPictureHeight = 81;
     enum class Kind : std::uint8_t { kChallenge, kMountain, kFlowDemo };  // of a scene
     struct Best {
         std::int64_t score = 0;

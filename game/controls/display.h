@@ -19,6 +19,7 @@ struct Display {
     float detail = 1;               // 0 to 1, small-scale relief
     bool surroundings = true;       // mountains around the grid; else a block cut from them
     bool trees = true;              // the scene's trees
+    bool ghost = true;              // the outline of the best run of a challenge
     float powder = 1;               // 0 to 1, strength of powder and dust
     Tier tier = Tier::kFast;        // what an image may lose while something moves
     double frame_ms = 33;           // target for a frame, 8 to 200, unless the tier is full

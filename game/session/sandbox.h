@@ -40,6 +40,10 @@ class Sandbox {
     bool watched_to_end() const { return watches() && !looks_back(); }
     // Whether the user has changed this world, other than by what was undone.
     bool was_touched() const { return !by_hand_.empty(); }
+    // The tick of the user's first command in this world.
+    std::optional<std::int64_t> first_action() const {
+        return by_hand_.empty() ? std::nullopt : std::optional(by_hand_.front().tick);
+    }
     // The comparison with the watched recording so far.
     std::optional<Verdict> verdict() const;
 

@@ -68,6 +68,11 @@ void challenge(Desk& desk, const Facts& facts) {
     desk.widgets.plain("%s", say);
     desk.widgets.note("Task");
     what_is_left(desk, *facts.scenario.goal, *facts.goal_use);
+    if (facts.ghost) {
+        desk.widgets.dim("Reached: %.1f ha; best run by now %.1f ha, dashed", facts.ghost->own,
+                         facts.ghost->best);
+        desk.widgets.note("Ghost");
+    }
     desk.widgets.keep_window_clear("Challenge");
     ImGui::End();
 }

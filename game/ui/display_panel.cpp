@@ -42,6 +42,10 @@ bool colours(Desk& desk, const Facts& facts, Display& display) {
     changed |=
         desk.widgets.toggle("Surroundings", display.surroundings,
                             "Mountains around the grid, for the eye alone. Off: a block cut from them.");
+    if (facts.scenario.goal)
+        changed |=
+            desk.widgets.toggle("Ghost", display.ghost,
+                                "Dashed: what your best run of this challenge had reached by the same time.");
     if (facts.scenario.trees.density > 0)
         changed |= desk.widgets.toggle("Trees", display.trees, "Trees of the scene, for the eye alone.");
     return changed;

@@ -40,6 +40,11 @@ struct StrokeNote {
     bool left_alone = false;                // the ground there is outside the slopes of the brush
 };
 
+// What the user's slide and the ghost of the best run have reached by now, ha.
+struct GhostNote {
+    double own = 0, best = 0;
+};
+
 // What a try at a challenge came to.
 struct ResultCard {
     struct Row {
@@ -60,8 +65,9 @@ struct Facts {
     bool brushing = false;  // a stroke is in progress
     bool touched = false;   // the user has changed the world
     std::optional<StrokeNote> stroke = {};
-    std::optional<GoalUse> goal_use = {};     // of a challenge
-    const ResultCard* card = nullptr;         // none: no try has ended, or the card was closed
+    std::optional<GoalUse> goal_use = {};  // of a challenge
+    const ResultCard* card = nullptr;      // none: no try has ended, or the card was closed
+    std::optional<GhostNote> ghost = {};
     std::span<const BestRun> best_runs = {};  // of the challenge, the best first
     std::size_t actions_to_undo = 0, actions_to_redo = 0;
     std::optional<Reading> under_cursor;

@@ -5,6 +5,7 @@
 
 #include "game/controls/action.h"
 #include "game/ui/facts.h"
+#include "game/ui/scene_pictures.h"
 #include "game/ui/widgets.h"
 
 namespace game::ui {
@@ -58,6 +59,7 @@ inline constexpr double kLeastWidth = 42, kLeastHeight = 27;
 // State that all panels share, kept between frames.
 struct Desk {
     Widgets widgets;
+    ScenePictures pictures;
     OpenPanels panels;
     SceneChoice choice;
     std::array<char, 192> refusal{};  // why a number was rejected

@@ -35,7 +35,7 @@ void what_is_loaded(Desk& desk, const Facts& facts) {
     const Scenario& scenario = facts.scenario;
     const sim::Grid& grid = facts.state.grid;
     const double dx = static_cast<double>(grid.dx);
-    widgets.plain("%s", scenario.title.c_str());
+    widgets.heading("This scene");
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, desk.em() * 0.12f});
     widgets.fact("Terrain", "%s", scenario.terrain.c_str());
@@ -82,20 +82,23 @@ Open begin_of(const SceneChoice& choice, const Facts& facts) {
     return open;
 }
 
-// One button for each challenge.
-void challenges(Desk& desk, const Facts& facts, Actions& actions) {
-    const auto is_challenge = [](const Catalogue::Entry& entry) {
-        return entry.kind == Catalogue::Kind::kChallenge;
-    };
-    if (std::none_of(facts.catalogue.scenes.begin(), facts.catalogue.scenes.end(), is_challenge)) return;
-    desk.widgets.heading("Challenges");
-    for (const Catalogue::Entry& entry : facts.catalogue.scenes) {
-        if (!is_challenge(entry)) continue;
+// A row for each scene of a kind, which starts it.
+void scenes_of_kind(Desk& desk, const char* heading, Catalogue::Kind kind, const Facts& facts,
+                    Actions& actions) {
+    const auto& scenes = facts.catalogue.scenes;
+    if (std::ranges::find(scenes, kind, &Catalogue::Entry::kind) == scenes.end()) return;
+    desk.widgets.heading(heading);
+    for (const Catalogue::Entry& entry : scenes) {
+        if (entry.kind != kind) continue;
         std::array<char, 24> score{};
-        if (entry.best)
+        Widgets::ListRow row{.label = entry.title.c_str()};
+        if (const auto picture = desk.pictures.of(entry.name))
+            row.picture = picture->texture, row.from = picture->from, row.to = picture->to;
+        if (entry.best) {
             std::snprintf(score.data(), score.size(), "%lld", static_cast<long long>(entry.best->score));
-        if (desk.widgets.list_row({entry.title.c_str(), entry.best ? entry.best->medal : -1, score.data()},
-                                  "Starts this challenge; the current session stays in its recording.",
+            row.medal = entry.best->medal, row.note = score.data();
+        }
+        if (desk.widgets.list_row(row, "Starts this scene; the current session stays in its recording.",
                                   entry.name == facts.scenario.scene))
             actions.emplace_back(Open{entry.name, {}});
         if (!entry.best) continue;
@@ -134,7 +137,7 @@ void what_to_begin(Desk& desk, const Facts& facts, Actions& actions) {
     const auto& materials = facts.catalogue.materials;
     if (scenes.empty()) return;
     if (choice.scene < 0) choice.scene = scene_at_first(facts);
-    desk.widgets.heading("Start a scene");
+    desk.widgets.heading("Start with another material, model or grid");
     desk.widgets.row("Scene");
     desk.widgets.choice("Choose a scene", choice.scene, static_cast<int>(scenes.size()),
                         "Terrain, initial layers, light and scheduled commands.",
@@ -186,15 +189,18 @@ void sharing(Desk& desk, const Facts& facts, Actions& actions) {
 }  // namespace
 
 void scene_panel(Desk& desk, const Facts& facts, Actions& actions) {
-    what_is_loaded(desk, facts);
-    sharing(desk, facts, actions);
+    desk.widgets.plain("%s", facts.scenario.title.c_str());
     hints(desk, facts, actions);
     best_runs_of_challenge(desk, facts, actions);
-    challenges(desk, facts, actions);
+    scenes_of_kind(desk, "Challenges", Catalogue::Kind::kChallenge, facts, actions);
+    scenes_of_kind(desk, "Mountains", Catalogue::Kind::kMountain, facts, actions);
+    scenes_of_kind(desk, "Flow demos", Catalogue::Kind::kFlowDemo, facts, actions);
     what_to_begin(desk, facts, actions);
     recordings(desk, "Watch a recording and continue from its end", facts.catalogue.recordings,
                facts.recording, actions);
     recordings(desk, "Your recordings, newest first", facts.catalogue.own, facts.recording, actions);
+    what_is_loaded(desk, facts);
+    sharing(desk, facts, actions);
     ImGui::Dummy({0, desk.em() * 0.2f});
     desk.widgets.dim("You can also drop a scene, a terrain file or a recording onto the window.");
 }

@@ -72,14 +72,15 @@ void Ui::Parts::lend_clipboard() {
     };
 }
 
-// The frame was built with the old texture's name. Everything in it uses that one texture, so replace it.
+// The frame was built with the old texture's name. Everything in it but pictures uses that one texture, so replace it.
 void Ui::Parts::draw_letters_texture() {
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
     void* const texture = ImGui::GetIO().Fonts->TexID;
     const ImDrawData& drawing = *ImGui::GetDrawData();
     for (int i = 0; i < drawing.CmdListsCount; ++i)
-        for (ImDrawCmd& command : drawing.CmdLists[i]->CmdBuffer) command.TextureId = texture;
+        for (ImDrawCmd& command : drawing.CmdLists[i]->CmdBuffer)
+            if (!desk.pictures.owns(command.TextureId)) command.TextureId = texture;
     letters_stale = false;
 }
 
@@ -157,6 +158,10 @@ bool Ui::perform(Verb verb) {
     return true;
 }
 
+void Ui::read_pictures(const std::vector<Catalogue::Entry>& scenes) {
+    parts_->desk.pictures.read(scenes);
+}
+
 void Ui::build(const Facts& facts, Actions& actions) {
     Desk& desk = parts_->desk;
     desk.widgets.begin_frame(static_cast<double>(ImGui::GetIO().DeltaTime));
@@ -196,6 +201,7 @@ void Ui::draw() {
         parts.gl_ready = true;
         parts.letters_stale = true;
     }
+    parts.desk.pictures.upload_if_read();
     if (parts.letters_stale) parts.draw_letters_texture();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     if (srgb) glEnable(GL_FRAMEBUFFER_SRGB);

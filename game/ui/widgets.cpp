@@ -56,8 +56,8 @@ void Places::note(std::string_view label, ImVec2 from, ImVec2 to) {
 }
 
 const Places::Place* Places::find(std::string_view label) const {
-    const auto end = places_.begin() + static_cast<std::ptrdiff_t>(size_);
-    const auto found = std::find_if(places_.begin(), end, [label](const Place& place) {
+    const auto end = places_.rend(), last = end - static_cast<std::ptrdiff_t>(size_);
+    const auto found = std::find_if(last, end, [label](const Place& place) {
         return std::string_view(place.label.data()) == label.substr(0, place.label.size() - 1);
     });
     return found == end ? nullptr : &*found;
@@ -201,22 +201,26 @@ bool Widgets::tool_button(const char* label, std::span<const IconPart> icon, con
 }
 
 bool Widgets::list_row(const ListRow& row, const char* text, bool on) {
-    const float side = ImGui::GetFrameHeight(), width = ImGui::GetContentRegionAvail().x, gap = em * 0.5f;
+    const float side = em * 3, width = ImGui::GetContentRegionAvail().x, gap = em * 0.6f,
+                rounding = ImGui::GetStyle().FrameRounding, small = letters.small->FontSize;
     const bool pressed = plate(row.label, {width, side}, on);
-    const ImVec2 from = ImGui::GetItemRectMin(), padding = ImGui::GetStyle().FramePadding;
+    const ImVec2 from = ImGui::GetItemRectMin(), picture_to{from.x + side * 16 / 9, from.y + side};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImU32 colour = alive(colour_on_plate(on));
-    float right = from.x + width - gap;
+    if (row.picture)
+        list.AddImageRounded(row.picture, from, picture_to, row.from, row.to, alive(IM_COL32_WHITE), rounding,
+                             ImDrawFlags_RoundCornersLeft);
+    const float left = picture_to.x + gap, wide = from.x + width - gap - left;
+    const float words = ImGui::CalcTextSize(row.label, nullptr, false, wide).y,
+                below = row.medal >= 0 ? em * 1.15f : 0, top = from.y + (side - words - below) / 2;
+    list.PushClipRect(from, {from.x + width, from.y + side}, true);
+    list.AddText(nullptr, 0, {left, top}, colour, row.label, nullptr, wide);
     if (row.medal >= 0) {
-        right -= kStarsWidth * em;
-        draw_stars(list, row.medal, {right, from.y + side / 2}, em, colour);
-        right -= gap;
+        const float middle = top + words + below * 0.55f;
+        draw_stars(list, row.medal, {left, middle}, em, colour);
+        list.AddText(letters.small, small, {left + kStarsWidth * em + gap, middle - small / 2}, colour,
+                     row.note);
     }
-    const float small = letters.small->FontSize;
-    right -= letters.small->CalcTextSizeA(small, FLT_MAX, 0, row.note).x;
-    list.AddText(letters.small, small, {right, from.y + (side - small) / 2}, colour, row.note);
-    list.PushClipRect(from, {right - gap, from.y + side}, true);
-    list.AddText({from.x + gap, from.y + padding.y}, colour, row.label);
     list.PopClipRect();
     tooltip(text);
     return pressed;

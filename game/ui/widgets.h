@@ -26,6 +26,7 @@ class Places {
     // Records ImGui's last item, if its centre is visible.
     void note(std::string_view label);
     void note(std::string_view label, ImVec2 from, ImVec2 to);
+    // The last one of this label: an item of an open list, not what the list covers.
     const Place* find(std::string_view label) const;
 
   private:
@@ -82,11 +83,14 @@ class Widgets {
                      bool on, bool narrow, float width);
     float tool_button_width(const char* label, const char* key, bool narrow) const;
 
-    // A button over the whole width of a list. `medal`: of its stars at the right, 0 none to 3 gold; −1: no stars.
+    // A button over the whole width of a list, with a picture of 16 : 9 at the left. `medal`: of the stars below the label,
+    // 0 none to 3 gold; −1: no stars.
     struct ListRow {
         const char* label;
         int medal = -1;
         const char* note = "";  // beside the stars
+        ImTextureID picture = nullptr;
+        ImVec2 from = {}, to = {};  // texture coordinates of its top left and bottom right
     };
     bool list_row(const ListRow& row, const char* tooltip, bool on = false);
 

@@ -11,6 +11,7 @@
 #include "game/analysis/headless.h"
 #include "game/recording/reader.h"
 #include "game/session/verifier.h"
+#include "game/ui/scene_pictures.h"
 #include "render/picture.h"
 #include "render/png.h"
 #include "tests/app/gl_screen.h"
@@ -1171,6 +1172,122 @@ TEST_F(PlayingAChallenge, keeps_no_run_that_is_watched_or_in_which_nothing_was_d
     EXPECT_EQ(app_->best_runs().front().file, before);
 }
 
+// Where the flow of a recorded run had been after so many ticks since its first command.
+std::vector<std::uint8_t> reached_by(const std::filesystem::path& file, std::int64_t ticks) {
+    const Recording recording = read_recording(file).value();
+    Session session = Session::begin(recording.header.scenario, {}, std::nullopt).value();
+    const auto until = Until::after(recording.commands.front().tick + ticks);
+    EXPECT_TRUE(play_headless(session, recording.commands, until, {}, ""));
+    std::vector<std::uint8_t> reached;
+    for (const float depth : session.peaks().depth) reached.push_back(depth >= 0.1f ? 255 : 0);
+    return reached;
+}
+
+class PlayingAgain : public PlayingAChallenge {
+  protected:
+    PlayingAgain() {
+        setenv("HOME", folder_.path().c_str(), 1);
+        setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1);
+    }
+    // Returns how many there are then.
+    std::size_t take_screenshot() {
+        const std::string before = last_notice();
+        tap(function_key(12));
+        for (int i = 0; i < 1000 && last_notice() == before; ++i) frames(1);
+        return files_in(folder_.path() / "couloir/screenshots").size();
+    }
+    // After a first try; then blasts once more, elsewhere.
+    void play_again() {
+        tap(key('R'), {.control = true});
+        frames(10);
+        screen_.move(600, 330);
+        frames(1);
+        screen_.press(Button::kLeft);
+        frames(2);
+        screen_.release(Button::kLeft);
+        frames(1);
+    }
+    void wait_for_the_ghost() {
+        for (int i = 0; i < 100 && app_->ghost().version() == 0; ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+            frames(1);
+        }
+        ASSERT_NE(app_->ghost().version(), 0);
+    }
+    std::vector<std::uint8_t> ghost() const {
+        return {app_->ghost().inside().begin(), app_->ghost().inside().end()};
+    }
+    std::int64_t since_action() const { return state().tick - *app_->sandbox().first_action(); }
+};
+
+TEST_F(PlayingAgain, has_a_ghost_that_is_where_the_best_run_was_at_the_same_time) {
+    blast();
+    EXPECT_EQ(app_->ghost().version(), 0) << "there is none in the first try";
+    go_on_to_the_card();
+    EXPECT_EQ(app_->ghost().version(), 0);
+    const auto best = app_->best_runs().front().file;
+    play_again();
+    wait_for_the_ghost();
+    frames(2);
+    EXPECT_TRUE(shows("Ghost"));
+    int compared = 0;
+    for (std::int64_t before = 0; since_action() < 160; frames(1)) {
+        if (app_->ghost().version() == before) continue;
+        before = app_->ghost().version();
+        const std::int64_t step = since_action() / RunExtent::kStep;
+        EXPECT_EQ(ghost(), reached_by(best, step * RunExtent::kStep)) << step;
+        ++compared;
+    }
+    EXPECT_GT(compared, 2);
+    EXPECT_TRUE(std::ranges::count(ghost(), 255) > 10);
+}
+
+TEST_F(PlayingAgain, shows_no_ghost_if_the_display_says_so_and_never_in_a_screenshot) {
+    blast();
+    go_on_to_the_card();
+    play_again();
+    wait_for_the_ghost();
+    tap(Key::kSpace);
+    EXPECT_EQ(take_screenshot(), 1u);
+    ASSERT_NE(app_->ghost().version(), 0);
+    tap(function_key(4));
+    frames(3);
+    const auto at = app_->panels().find("Ghost");
+    ASSERT_TRUE(at);
+    screen_.move(at->x + at->width / 2, at->y + at->height / 2);
+    frames(1);
+    screen_.press(Button::kLeft);
+    frames(1);
+    screen_.release(Button::kLeft);
+    frames(3);
+    EXPECT_FALSE(app_->display().ghost);
+    EXPECT_EQ(app_->ghost().version(), 0);
+    EXPECT_EQ(take_screenshot(), 2u);
+    const auto shots = files_in(folder_.path() / "couloir/screenshots");
+    ASSERT_EQ(shots.size(), 2u);
+    EXPECT_EQ(render::read_png(shots[0], 3).value().values, render::read_png(shots[1], 3).value().values);
+}
+
+TEST_F(PlayingAgain, has_no_ghost_of_a_run_whose_name_claims_more_than_it_scores) {
+    blast();
+    go_on_to_the_card();
+    const auto best = app_->best_runs().front().file;
+    const auto false_claim = best.parent_path() / "9999999_gold_2026-11-26_12-58-00_0123456789abcdef.couloir";
+    std::filesystem::copy_file(best, false_claim);
+    std::ofstream(best.parent_path() / "9999998_gold_2026-11-26_12-58-00_0123456789abcdef.couloir")
+        << "no recording";
+    play_again();
+    ASSERT_EQ(app_->best_runs().front().file, false_claim);
+    wait_for_the_ghost();
+    EXPECT_EQ(ghost(), reached_by(best, since_action() / RunExtent::kStep * RunExtent::kStep));
+    std::string told;
+    for (std::size_t i = 0; i < app_->notices().size(); ++i) told += app_->notices()[i].sentence + '\n';
+    EXPECT_NE(told.find(false_claim.string() + ": its name claims a score of 9999999 (gold)"),
+              std::string::npos)
+        << told;
+    EXPECT_NE(told.find("9999998_gold"), std::string::npos) << told;
+}
+
 TEST_F(Playing, tells_the_best_run_of_a_challenge_that_ships_and_not_of_another_of_its_name) {
     const auto folder = folder_.path() / "couloir/best";
     const auto put = [&](const std::string& challenge, const char* name) {
@@ -1191,6 +1308,37 @@ TEST_F(Playing, tells_the_best_run_of_a_challenge_that_ships_and_not_of_another_
     EXPECT_EQ(quarry()->best->score, 3600);
     EXPECT_EQ(quarry()->best->medal, 1);
     EXPECT_TRUE(app_->best_runs().empty()) << "it is not open";
+}
+
+TEST_F(Playing, reads_the_pictures_of_scenes_and_does_without_those_that_are_missing_or_of_another_size) {
+    const auto put = [&](const char* name, int width, int height) {
+        const std::size_t bytes = 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+        ASSERT_TRUE(render::write_png({width, height, std::vector<std::uint8_t>(bytes, 90)},
+                                      folder_.path() / (std::string(name) + ".png")));
+    };
+    put("first", Catalogue::kPictureWidth, Catalogue::kPictureHeight);
+    put("large", Catalogue::kPictureWidth + 1, Catalogue::kPictureHeight);
+    put("last", Catalogue::kPictureWidth, Catalogue::kPictureHeight);
+    std::ofstream(folder_.path() / "broken.png") << "no picture";
+    std::vector<Catalogue::Entry> scenes;
+    for (const std::string name : {"first", "missing", "large", "broken", "last"})
+        scenes.push_back({name, name, folder_.path() / (name + ".toml")});
+    ui::ScenePictures pictures;
+    pictures.read(scenes);
+    for (int i = 0; i < 5000 && !pictures.of("last"); ++i) {
+        pictures.upload_if_read();
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    const auto first = pictures.of("first"), last = pictures.of("last");
+    ASSERT_TRUE(first);
+    ASSERT_TRUE(last);
+    EXPECT_TRUE(pictures.owns(first->texture));
+    EXPECT_EQ(first->texture, last->texture);
+    EXPECT_LT(first->from.y, 0.5f);
+    EXPECT_LT(first->to.y, first->from.y) << "the lowest row comes first";
+    EXPECT_GT(last->to.y, 0.5f);
+    for (const char* none : {"missing", "large", "broken", "elsewhere"})
+        EXPECT_FALSE(pictures.of(none)) << none;
 }
 
 // As play() does without --record.

@@ -11,7 +11,9 @@
 #include "game/app/result_card.h"
 #include "game/files/text_file.h"
 #include "game/scene/scene.h"
+#include "game/session/run_extent.h"
 #include "tests/support/places.h"
+#include "tests/support/worlds.h"
 
 namespace game::test {
 namespace {
@@ -154,6 +156,37 @@ TEST_F(BestRuns, of_each_challenge_have_a_folder_of_their_own) {
     Overrides coarse;
     coarse.squares = 40;
     EXPECT_NE(best_runs_folder(load_scene("quarry", coarse)->scenario).value(), *folder);
+}
+
+TEST(RunExtent, is_what_the_flow_had_reached_by_the_end_of_each_step) {
+    sim::State state = sim::make_state(support::plane(8, 5, 0.6).world(), {});
+    RunExtent extent(state.grid, 100);
+    const auto reach = [&](int x, std::int64_t tick, float depth) {
+        state.rolling(x, 2) = depth;
+        state.tick = tick;
+        extent.see(state);
+    };
+    reach(1, 90, 0.2f);    // before the first action
+    reach(2, 130, 0.09f);  // not deep enough
+    reach(3, 130, 0.1f);
+    reach(4, 131, 5);
+    reach(1, 140, 0);  // it stays reached
+    const auto columns_at = [&](std::int64_t ticks) {
+        std::vector<std::uint8_t> inside;
+        extent.at(ticks, inside);
+        EXPECT_EQ(inside.size(), state.grid.size());
+        std::string columns;
+        for (std::size_t i = 0; i < inside.size(); ++i)
+            if (inside[i] == 255) columns += std::to_string(i % static_cast<std::size_t>(state.grid.nx));
+        return columns;
+    };
+    EXPECT_EQ(columns_at(-1), "");
+    EXPECT_EQ(columns_at(0), "1");
+    EXPECT_EQ(columns_at(29), "1");
+    EXPECT_EQ(columns_at(30), "13");
+    EXPECT_EQ(columns_at(59), "13");
+    EXPECT_EQ(columns_at(60), "134");
+    EXPECT_EQ(columns_at(1'000'000'000), "134");
 }
 
 class ResultCardText : public testing::Test {

@@ -7,6 +7,7 @@
 
 #include "game/files/assets.h"
 #include "game/scene/scene.h"
+#include "render/png.h"
 
 namespace game::test {
 namespace {
@@ -39,6 +40,29 @@ TEST(Catalogue, has_challenges_first_and_flow_demos_last) {
         EXPECT_EQ(scene.kind == Catalogue::Kind::kChallenge, scenario.goal.has_value()) << scene.name;
         EXPECT_EQ(scene.kind == Catalogue::Kind::kFlowDemo, scenario.flow.has_value()) << scene.name;
     }
+}
+
+TEST(Catalogue, has_a_small_picture_of_each_scene_and_no_other) {
+    constexpr std::uintmax_t kMostBytes = 600'000;  // of all together
+    const auto scenes = read_catalogue()->scenes;
+    std::uintmax_t bytes = 0;
+    for (const Catalogue::Entry& scene : scenes) {
+        const auto file = std::filesystem::path(scene.file).replace_extension(".png");
+        ASSERT_TRUE(std::filesystem::exists(file))
+            << file << " is missing: draw it with build/release/bin/draw_scene_pictures " << scene.name;
+        const auto picture = render::read_png(file, 3);
+        ASSERT_TRUE(picture) << picture.error();
+        EXPECT_EQ(picture->width, Catalogue::kPictureWidth) << file;
+        EXPECT_EQ(picture->height, Catalogue::kPictureHeight) << file;
+        bytes += std::filesystem::file_size(file);
+    }
+    EXPECT_LT(bytes, kMostBytes);
+    for (const auto& entry : std::filesystem::directory_iterator(scenes.front().file.parent_path()))
+        if (entry.path().extension() == ".png") {
+            EXPECT_TRUE(
+                std::filesystem::exists(std::filesystem::path(entry.path()).replace_extension(".toml")))
+                << entry.path() << " is of no scene";
+        }
 }
 
 }  // namespace

@@ -93,11 +93,11 @@ TEST_F(UiPanels, close_one_by_one_from_the_top_a_list_before_its_panel) {
     };
     close();
     EXPECT_FALSE(ui_->find("Close Help"));
-    click("Choose a scene");
+    click("New material");
     settle();
-    ASSERT_TRUE(ui_->find("A slope"));  // an item of the list
+    ASSERT_TRUE(ui_->find("dry sand"));  // an item of the list
     close();
-    EXPECT_FALSE(ui_->find("A slope"));
+    EXPECT_FALSE(ui_->find("dry sand"));
     EXPECT_TRUE(ui_->find("Close Scene"));
     close();
     EXPECT_FALSE(ui_->find("Close Scene"));

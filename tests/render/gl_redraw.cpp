@@ -106,6 +106,30 @@ TEST_F(Gl, redraws_only_around_an_outline_that_is_moved) {
     }
 }
 
+TEST_F(Gl, redraws_only_around_the_outline_of_an_extent_that_grows) {
+    auto whole = Renderer::create(support::source_dir() / "assets", Quality::kFast);
+    ASSERT_TRUE(whole) << whole.error();
+    Play play;
+    renderer_->set_redraw(kTightestRules);
+    renderer_->draw(play.input());
+    const auto plain = renderer_->read_back().pixels;
+    std::vector<std::uint8_t> extent(play.world.grid.size());
+    for (int frame = 0; frame < 7; ++frame) {
+        FrameInput input = play.input();
+        for (int y = 0; y < play.world.grid.ny; ++y)
+            for (int x = 0; x < play.world.grid.nx; ++x)
+                extent[static_cast<std::size_t>(y * play.world.grid.nx + x)] =
+                    std::hypot(x - 30, y - 28) < 3 + frame % 6 ? 255 : 0;
+        if (frame < 6) input.marks.extent = frame + 1, input.extent = extent;
+        renderer_->draw(input);
+        whole->forget();
+        whole->draw(input);
+        EXPECT_EQ(renderer_->read_back().pixels, whole->read_back().pixels) << frame;
+        EXPECT_TRUE(frame == 0 || frame == 6 || renderer_->redrawn() < 0.6) << frame;
+        EXPECT_EQ(renderer_->read_back().pixels == plain, frame == 6) << frame;
+    }
+}
+
 // A forest is planted, broken and felled, and houses are built, damaged and removed.
 TEST_F(Gl, redraws_only_around_a_forest_and_houses_that_change) {
     auto whole = Renderer::create(support::source_dir() / "assets", Quality::kFast);

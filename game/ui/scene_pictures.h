@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <future>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <imgui.h>
+
+#include "game/controls/catalogue.h"
+#include "render/gl_handle.h"
+
+namespace game::ui {
+
+// The pictures of the scenes that ship, NAME.png beside NAME.toml, in one texture. They are read on a thread; until then,
+// and if one is missing or has another size, its scene has none.
+class ScenePictures {
+  public:
+    static constexpr std::size_t kMost = 100;
+
+    // Starts to read those of these scenes, at most kMost. Call it once.
+    void read(const std::vector<Catalogue::Entry>& scenes);
+    // Makes the texture once they are read. Needs the screen's GL context.
+    void upload_if_read();
+
+    struct Part {
+        ImTextureID texture = nullptr;
+        ImVec2 from, to;  // texture coordinates of its top left and bottom right
+    };
+    std::optional<Part> of(std::string_view scene) const;
+    bool owns(ImTextureID texture) const { return texture_.name() != 0 && texture == id(); }
+
+  private:
+    struct Atlas {
+        std::vector<std::string> scenes;  // from the first row on
+        std::vector<std::uint8_t> texels;
+    };
+    static Atlas read_all(const std::vector<Catalogue::Entry>& scenes);
+    ImTextureID id() const { return reinterpret_cast<ImTextureID>(std::uintptr_t{texture_.name()}); }
+
+    std::future<Atlas> job_;
+    std::vector<std::string> scenes_;
+    render::Texture texture_;
+};
+
+}  // namespace game::ui

@@ -1,0 +1,111 @@
+// Draws the pictures of the list of scenes, assets/scenes/NAME.png, at the moment at which most is in motion: of a
+// challenge, in the recording that wins it. Run it after a change of a scene or of its looks, for those scenes or for all.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "game/analysis/gallery.h"
+#include "game/controls/catalogue.h"
+#include "game/files/assets.h"
+#include "game/recording/reader.h"
+#include "game/scene/scene.h"
+#include "game/session/session.h"
+#include "render/picture.h"
+#include "render/png.h"
+#include "tests/support/places.h"
+
+namespace game {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kFiner = 4;                    // how much more finely it is drawn
+constexpr std::int64_t kLongest = 90 * 60;   // ticks
+constexpr std::int64_t kFlowDemo = 10 * 60;  // ticks: the moment of a scene that cannot go back
+
+// The mean of each block of kFiner by kFiner pixels.
+render::Picture shrunk(const render::Texels& large) {
+    render::Picture small{Catalogue::kPictureWidth, Catalogue::kPictureHeight, {}, 3};
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x)
+            for (int channel = 0; channel < 3; ++channel) {
+                int sum = 0;
+                for (int v = 0; v < kFiner; ++v)
+                    for (int u = 0; u < kFiner; ++u) {
+                        const int row = large.height - 1 - (kFiner * y + v);  // the lowest comes first
+                        sum += large.values[static_cast<std::size_t>(
+                            3 * (row * large.width + kFiner * x + u) + channel)];
+                    }
+                small.pixels.push_back(static_cast<std::uint8_t>(sum / (kFiner * kFiner)));
+            }
+    return small;
+}
+
+Outcome<std::vector<TimedCommand>> commands_of(const std::string& name, const Scene& scene) {
+    const fs::path winner = support::source_dir() / "tests/challenges" / (name + "_won.couloir");
+    if (!scene.scenario.goal) return scene.commands;
+    auto recording = read_recording(winner);
+    if (!recording) return tl::unexpected(recording.error());
+    return std::move(recording->commands);
+}
+
+Outcome<void> play_to_its_moment(Session& session, const std::vector<TimedCommand>& commands,
+                                 bool goes_back) {
+    Session::Checkpoint best = session.moment();
+    std::int64_t most = 0;
+    std::vector<sim::Command> due;
+    while (session.state().tick < (goes_back ? kLongest : kFlowDemo)) {
+        due.clear();
+        for (const TimedCommand& each : commands_at(commands, session.state().tick))
+            due.push_back(each.command);
+        if (auto advanced = session.advance(due); !advanced) return advanced;
+        if (!goes_back || session.state().ledger.rolling <= most) continue;
+        most = session.state().ledger.rolling;
+        best = session.moment();
+    }
+    return goes_back ? session.go_to(best) : Outcome<void>();
+}
+
+Outcome<void> draw(const std::string& name) {
+    const support::TemporaryFolder folder;
+    const auto scene = load_scene(name, {});
+    if (!scene) return tl::unexpected(scene.error());
+    const auto commands = commands_of(name, *scene);
+    if (!commands) return tl::unexpected(commands.error());
+    auto session = Session::begin(scene->scenario, {}, std::nullopt);
+    if (!session) return tl::unexpected(session.error());
+    session->follow_fronts(scene->scenario);
+    session->follow_powder(scene->scenario);
+    if (auto played = play_to_its_moment(*session, *commands, !scene->scenario.flow); !played) return played;
+    auto gallery =
+        Gallery::open(folder.path(), {kFiner * Catalogue::kPictureWidth, kFiner * Catalogue::kPictureHeight},
+                      "auto", scene->scenario);
+    if (!gallery) return tl::unexpected(gallery.error());
+    gallery->draw(*session, "large");
+    if (auto closed = gallery->close(); !closed) return closed;
+    const auto large = render::read_png(folder.path() / "large.png", 3);
+    if (!large) return machine_fails(large.error());
+    const fs::path file = support::source_dir() / "assets/scenes" / (name + ".png");
+    if (auto written = render::write_png(shrunk(*large), file, render::kSmallestPngCompression); !written)
+        return machine_fails(written.error());
+    fmt::print("{}: at {:.1f} s, {} bytes\n", file.string(), session->seconds(), fs::file_size(file));
+    return {};
+}
+
+}  // namespace
+}  // namespace game
+
+int main(int count, char** words) {
+    std::vector<std::string> names(words + 1, words + count);
+    if (names.empty()) names = game::asset_names(game::AssetKind::kScene).value();
+    for (const std::string& name : names)
+        if (const auto drawn = game::draw(name); !drawn) {
+            fmt::print(stderr, "{}: {}\n", name, drawn.error().sentence);
+            return drawn.error().status;
+        }
+    return 0;
+}
