@@ -291,7 +291,7 @@ int main(int count, char** words) {
         Try attempt = chance.near(best, 20 * dx * std::pow(0.1, static_cast<double>(i) / climbs));
         play(*scene, attempt);
         keep(attempt);
-        if (is_better(attempt, best)) best = attempt;
+        if (!is_better(best, attempt)) best = attempt;  // also sideways: some scores are coarse
     }
     if (climbs > 0) tell("climbed to", goal, best);
     const std::optional<Try> sound = best_sound(*scene, winners);
