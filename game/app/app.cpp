@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "game/app/guide_memory.h"
 #include "game/app/result_card.h"
 #include "game/controls/key_map.h"
 #include "game/files/assets.h"
@@ -23,8 +25,10 @@ namespace game {
 namespace {
 
 constexpr double kTickBudget = 0.04;  // s per frame; more would make the display stutter
-constexpr double kLateRing = 1.5;    // of the frame time; a ring that takes longer is drawn on a moving image
-constexpr double kStillAfter = 0.4;  // s without a change, until an image is finished
+constexpr double kLateRing = 1.5;  // of the frame time; a ring that takes longer is drawn on a moving image
+constexpr double kOpeningSpeed = 2, kOpeningTicks = 50, kLongestOpening = 30;  // ×; s of the slide; s
+constexpr glm::dvec2 kPlaceToClick(620, 1725);  // m, on the guide's mountain: where a small blast does most
+constexpr double kStillAfter = 0.4;             // s without a change, until an image is finished
 
 // Milliseconds since the last call.
 class Stopwatch {
@@ -44,7 +48,7 @@ class Stopwatch {
 
 Outcome<std::unique_ptr<App>> App::begin(Screen& screen, LoadedWorld loaded, const sim::StepOptions& options,
                                          const std::optional<std::filesystem::path>& record,
-                                         std::optional<Tier> tier) {
+                                         std::optional<Tier> tier, const std::optional<Remembered>& led) {
     const auto assets = assets_folder();
     if (!assets) return tl::unexpected(assets.error());
     auto catalogue = read_catalogue();
@@ -62,6 +66,7 @@ Outcome<std::unique_ptr<App>> App::begin(Screen& screen, LoadedWorld loaded, con
         app->trial_.emplace(app->display_.frame_ms);
     if (auto begun = app->begin_world(std::move(loaded), record); !begun)
         return tl::unexpected(begun.error());
+    if (led) app->begin_leading(*led);
     return app;
 }
 
@@ -88,7 +93,7 @@ bool App::frame() {
 
     // Input first, so that its effect is seen in this frame; panels before the world, because they lie on
     // top.
-    const auto events = screen_.poll();
+    const auto events = watch_opening(screen_.poll());
     const ScreenSize size = screen_.size();
     ui_.begin(events, screen_, display_.letters, elapsed_s);
     input_.take(events, size, {ui_.keeps_mouse(), ui_.keeps_keys()}, actions_);
@@ -104,6 +109,7 @@ bool App::frame() {
     run_ticks(elapsed_s, time);
     time.stage_ms[stage_index(Stage::kSolve)] = watch.lap();
 
+    lead();
     if (size.width > 0) {
         // The world after its ticks, then the panels, which describe the same tick.
         draw_world(time);
@@ -123,6 +129,60 @@ bool App::frame() {
 Outcome<void> App::finish() {
     if (record_ && sandbox_->watches()) take_over();
     return close_recording();
+}
+
+void App::begin_leading(const Remembered& led) {
+    guide_ = led.guide;
+    kept_step_ = led.guide.step();
+    if (!led.told.empty()) warn(led.told);
+    if (guide_->step() != Guide::Step::kWatch) return;
+    if (!sandbox_->watches()) return guide_->next();
+    opening_since_ = now_s_ = screen_.seconds();
+    clock_.set_speed(kOpeningSpeed);
+    camera_->chase(true);
+}
+
+// While the slide of the opening is watched, any key or button ends it, and does nothing else.
+std::span<const Event> App::watch_opening(std::span<const Event> events) {
+    if (!opening_since_) return events;
+    const auto is_press = [](const Event& event) {
+        const auto* const key = std::get_if<KeyEvent>(&event);
+        const auto* const button = std::get_if<ButtonEvent>(&event);
+        return (key && key->down) || (button && button->down);
+    };
+    const bool over =
+        sandbox_->session().seconds() >= kOpeningTicks || now_s_ - *opening_since_ >= kLongestOpening;
+    if (over || std::ranges::any_of(events, is_press)) end_opening();
+    left_events_.clear();
+    std::ranges::copy_if(events, std::back_inserter(left_events_), [](const Event& event) {
+        return !std::holds_alternative<KeyEvent>(event) && !std::holds_alternative<ButtonEvent>(event) &&
+               !std::holds_alternative<WheelEvent>(event) && !std::holds_alternative<TextEvent>(event);
+    });
+    return left_events_;
+}
+
+// The same mountain, untouched.
+void App::end_opening() {
+    opening_since_.reset();
+    camera_->chase(false);
+    open_or_tell(Guide::kMountain, {});
+    camera_->set_home(home());
+    camera_->overview();
+    guide_->next();
+}
+
+// Shows the hint that is due. Keeps how far the guide has led, and puts the tool of a new step into the hand.
+void App::lead() {
+    if (!guide_) return;
+    guide_->see({.now_s = now_s_,
+                 .may_play = !opening_since_ && !sandbox_->watches() && !sandbox_->scenario().goal &&
+                             !sandbox_->scenario().flow,
+                 .moves = !sim::at_rest(sandbox_->session().state()) && !pace_.creeps(),
+                 .runs_back = clock_.runs_back(),
+                 .looks_back = sandbox_->looks_back()});
+    if (std::exchange(kept_step_, guide_->step()) == guide_->step()) return;
+    if (guide_->step() == Guide::Step::kBlast) hand_.choose(Tool::kBlast);
+    if (const auto kept = remember(*guide_); !kept) warn(kept.error().sentence);
 }
 
 void App::perform_all() {
@@ -305,6 +365,8 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
     for (double spent = 0; time.ticks < due && may_go_on(spent); ++time.ticks) {
         const auto commands = hand_.commands_of(time.ticks, due, tick_s, !sandbox_->looks_back());
         touched_ |= !commands.empty();
+        for (const sim::Command& each : commands)
+            if (guide_) guide_->did(each.kind);
         if (const auto done = sandbox_->tick(commands); !done) {
             hand_.drop();  // else it would be refused in every tick
             warn(done.error().sentence);
@@ -465,6 +527,7 @@ render::Marks App::marks() const {
                         .extent = ghost_.version()};
     if (const auto& densities = sandbox_->session().densities())
         marks.density = glm::dvec2(densities->upper, densities->lower);
+    if (opening_since_) return marks;
     const bool wanted = !ui_.hides_panels() || hand_.stroke();  // without panels the image is for looking
     if (ground_ && wanted && !sandbox_->looks_back() && !sandbox_->scenario().flow) show_hand(marks);
     return marks;
@@ -692,6 +755,9 @@ void App::draw_panels() {
     const ui::Timeline timeline{.known_until = sandbox_->known_until(),
                                 .watches = sandbox_->watches(),
                                 .can_go_back = sandbox_->can_go_back()};
+    std::optional<glm::dvec2> place_to_click;
+    if (guide_ && guide_->shows_place())
+        place_to_click = on_screen({kPlaceToClick, surface_height(session.view(), kPlaceToClick)});
     ui_.build(
         {
             .scenario = sandbox_->scenario(),
@@ -721,6 +787,9 @@ void App::draw_panels() {
             .image = drawn_,
             .sharing = sharing_.progress(),
             .slide_ended = slide_ended_,
+            .guide = guide_ ? &*guide_ : nullptr,
+            .opening_s = opening_since_ ? std::optional(now_s_ - *opening_since_) : std::nullopt,
+            .place_to_click = place_to_click,
         },
         actions_);
     ui_.draw();

@@ -9,6 +9,7 @@
 #include "game/analysis/score.h"
 #include "game/app/best_list.h"
 #include "game/app/ghost.h"
+#include "game/app/guide_memory.h"
 #include "game/app/screenshots.h"
 #include "game/app/sharing.h"
 #include "game/base/outcome.h"
@@ -17,6 +18,7 @@
 #include "game/controls/catalogue.h"
 #include "game/controls/display.h"
 #include "game/controls/frame_times.h"
+#include "game/controls/guide.h"
 #include "game/controls/hand.h"
 #include "game/controls/image_size.h"
 #include "game/controls/input.h"
@@ -41,11 +43,13 @@ class App {
   public:
     // Starts with `loaded` on a screen that outlives the app; `record` as in begin_world. Errors: shaders or
     // assets are missing, or `record` cannot be written (3). Without a `tier`, the first frames measure which
-    // one suits the machine.
+    // one suits the machine. Who is `led`
+    // from the very first step watches `loaded`, the guide's slide.
     static Outcome<std::unique_ptr<App>> begin(Screen& screen, LoadedWorld loaded,
                                                const sim::StepOptions& options,
                                                const std::optional<std::filesystem::path>& record,
-                                               std::optional<Tier> tier = std::nullopt);
+                                               std::optional<Tier> tier = std::nullopt,
+                                               const std::optional<Remembered>& led = std::nullopt);
     ~App();
 
     // Runs one frame, from events to the image on the screen. False once the user has asked to quit, or if
@@ -64,6 +68,7 @@ class App {
     const Notices& notices() const { return notices_; }
     const TickClock& clock() const { return clock_; }
     const Brush& brush() const { return hand_.brush(); }
+    const std::optional<Guide>& guide() const { return guide_; }
     const Display& display() const { return display_; }
     const Catalogue& catalogue() const { return catalogue_; }
     // Of the challenge that is open, the best first.
@@ -91,6 +96,10 @@ class App {
     void draw_world(const FrameTime& time);
     void draw_panels();
     void take_screenshot();
+    std::span<const Event> watch_opening(std::span<const Event> events);
+    void end_opening();
+    void lead();
+    void begin_leading(const Remembered& led);
 
     render::Marks marks() const;
     void show_hand(render::Marks& marks) const;
@@ -112,6 +121,7 @@ class App {
     void perform(const SetNumber& set);
     void perform(const SetDisplay& set);
     void perform(const Open& open);
+    void perform(const GuideWish& wish);
     void pause(bool on);
     void undo();
     void redo();
@@ -224,6 +234,11 @@ class App {
     BestList best_list_;
     Ghost ghost_;
     std::optional<ui::GhostNote> ghost_note_;  // of the ghost as it is shown
+
+    std::optional<Guide> guide_;
+    Guide::Step kept_step_ = Guide::Step::kWatch;  // as it was kept last
+    std::optional<double> opening_since_;          // s, while the guide's slide is watched
+    std::vector<Event> left_events_;               // of a frame in which that ended
 
     std::optional<double> sliding_since_;  // s of the world, while something moves
     bool slide_ended_ = false;             // and was not shared since

@@ -127,6 +127,14 @@ void App::perform(const Open& open) {
     open_or_tell(open.name_or_path, open.overrides);
 }
 
+void App::perform(const GuideWish& wish) {
+    if (!guide_) return;
+    if (wish.kind == GuideWish::kNext)
+        guide_->next();
+    else
+        guide_.emplace(Guide::Step::kBlast);
+}
+
 void App::perform(const SetNumber& set) {
     if (sandbox_->looks_back()) return tell_hands_off();
     // So that a recording contains 0.6, not 0.6000000238418579.

@@ -1,17 +1,17 @@
 #include <fmt/format.h>
 
 #include "game/app/app.h"
+#include "game/app/guide_memory.h"
 #include "game/app/window.h"
 #include "game/base/print.h"
 #include "game/commands/commands.h"
 #include "game/files/assets.h"
 #include "game/files/file_use.h"
+#include "game/files/ui_font.h"
 #include "game/recording/reader.h"
 
 namespace game {
 namespace {
-
-constexpr const char* kFirstScene = "winter-valley";
 
 // Prints the frame rate and the time per stage in the last second, as in the performance panel.
 void tell_times(const FrameTimes& times, const ImageSize& image) {
@@ -31,6 +31,15 @@ std::string with_recording(const std::string& sentence, const App& app, const Pl
                        app.recording()->string());
 }
 
+// Until the world is ready, which takes a second.
+void show_title(Window& window) {
+    ui::Ui ui(ui_font());
+    ui.begin({}, window, 1, 0);
+    ui.build_title();
+    ui.draw();
+    window.present();
+}
+
 }  // namespace
 
 Outcome<int> play(const PlayOptions& options) {
@@ -38,7 +47,13 @@ Outcome<int> play(const PlayOptions& options) {
     Overrides overrides = options.overrides;
     overrides.memory.use = {
         .draws = true, .frames = {options.size.width, options.size.height}, .goes_back = true};
-    auto loaded = open_anything(options.what.empty() ? kFirstScene : options.what, overrides);
+    std::optional<Remembered> led;
+    if (options.what.empty()) led = remembered_guide();
+    const bool watches = led && led->guide.step() == Guide::Step::kWatch && !options.record;
+    auto loaded = open_anything(!options.what.empty() ? options.what
+                                : watches             ? Guide::kSlide
+                                                      : Guide::kMountain,
+                                overrides);
     if (!loaded) return tl::unexpected(loaded.error());
     FileUse use;
     if (auto sound =
@@ -56,7 +71,9 @@ Outcome<int> play(const PlayOptions& options) {
             return tl::unexpected(has.error());
     auto window = Window::open("Couloir", options.size.width, options.size.height);
     if (!window) return tl::unexpected(window.error());
-    auto app = App::begin(**window, std::move(*loaded), options.step_options, options.record, options.tier);
+    show_title(**window);
+    auto app =
+        App::begin(**window, std::move(*loaded), options.step_options, options.record, options.tier, led);
     if (!app) return tl::unexpected(app.error());
     if (options.until) (*app)->take_over_at(*options.until);
     while ((*app)->frame()) {

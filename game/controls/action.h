@@ -76,8 +76,13 @@ struct Open {
     Overrides overrides;
 };
 
+// What the guide is to do: end the current hint, or begin anew.
+struct GuideWish {
+    enum Kind { kNext, kAgain } kind;
+};
+
 // A Tool is chosen.
-using Action = std::variant<Verb, Tool, SetSpeed, SeekTick, SetBrush, SetNumber, SetDisplay, Open>;
+using Action = std::variant<Verb, Tool, SetSpeed, SeekTick, SetBrush, SetNumber, SetDisplay, Open, GuideWish>;
 using Actions = std::vector<Action>;
 
 }  // namespace game

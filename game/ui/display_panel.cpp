@@ -208,10 +208,10 @@ void display_panel(Desk& desk, const Facts& facts, Actions& actions) {
     if (facts.scenario.flow) changed |= flow(desk, display);
     changed |= picture(desk, display);
     changed |= quality(desk, display);
-    changed |= pace(desk, display);
     changed |= sun(desk, facts, display);
-    if (changed) actions.emplace_back(SetDisplay{display});
     camera(desk, facts, actions);
+    changed |= pace(desk, display);
+    if (changed) actions.emplace_back(SetDisplay{display});
 }
 
 }  // namespace game::ui

@@ -14,6 +14,7 @@
 #include "game/controls/catalogue.h"
 #include "game/controls/display.h"
 #include "game/controls/frame_times.h"
+#include "game/controls/guide.h"
 #include "game/controls/image_size.h"
 #include "game/controls/notices.h"
 #include "game/controls/probe.h"
@@ -83,6 +84,9 @@ struct Facts {
     ImageSize image = {};                // of the world, as last drawn
     std::optional<double> sharing = {};  // 0 to 1, how much of the page of a shared slide is done
     bool slide_ended = false;            // it has come to rest, and was not shared yet
+    const Guide* guide = nullptr;        // none: nobody is led
+    std::optional<double> opening_s = {};            // s since the slide to watch began, while it is watched
+    std::optional<glm::dvec2> place_to_click = {};   // px, while the guide shows one
 };
 
 }  // namespace game::ui

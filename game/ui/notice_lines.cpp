@@ -85,6 +85,8 @@ void notices(Desk& desk, const Facts& facts, bool warnings_only) {
 
 void hint(Desk& desk, const Facts& facts) {
     desk.lower_edge = desk.time_bar_top;
+    if (facts.guide && facts.guide->step() != Guide::Step::kDone && !facts.scenario.goal)
+        return;  // it says more
     if (facts.touched || facts.looks_back() || desk.panels.is_open(Panel::kHelp)) return;
     if (!sim::at_rest(facts.state) && !facts.scenario.flow)
         return;  // what moves by itself is looked at first

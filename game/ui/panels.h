@@ -84,6 +84,9 @@ void notices(Desk& desk, const Facts& facts, bool warnings_only);
 void hint(Desk& desk, const Facts& facts);
 void stroke_note(Desk& desk, const Facts& facts);
 void challenge(Desk& desk, const Facts& facts);
+void title(Desk& desk, float strength);
+void opening(Desk& desk, const Facts& facts);  // instead of all others
+void guide(Desk& desk, const Facts& facts, Actions& actions);
 void result_card(Desk& desk, const Facts& facts, Actions& actions);
 
 // The contents of each panel; open_panels() draws those that are open.

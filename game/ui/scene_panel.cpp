@@ -173,7 +173,10 @@ void recordings(Desk& desk, const char* heading, const std::vector<Catalogue::En
     }
 }
 
-}  // namespace
+void hints(Desk& desk, const Facts& facts, Actions& actions) {
+    if (facts.guide && desk.widgets.button("Show hints again", "Leads through the first steps once more."))
+        actions.emplace_back(GuideWish{GuideWish::kAgain});
+}
 
 // What happens after a slide was shared.
 void sharing(Desk& desk, const Facts& facts, Actions& actions) {
@@ -183,8 +186,11 @@ void sharing(Desk& desk, const Facts& facts, Actions& actions) {
         actions.emplace_back(SetDisplay{display});
 }
 
+}  // namespace
+
 void scene_panel(Desk& desk, const Facts& facts, Actions& actions) {
     desk.widgets.plain("%s", facts.scenario.title.c_str());
+    hints(desk, facts, actions);
     best_runs_of_challenge(desk, facts, actions);
     scenes_of_kind(desk, "Challenges", Catalogue::Kind::kChallenge, facts, actions);
     scenes_of_kind(desk, "Mountains", Catalogue::Kind::kMountain, facts, actions);

@@ -6,12 +6,14 @@
 namespace game::ui {
 namespace {
 
-constexpr float kSmall = 0.8125f;  // relative to the usual text size
+constexpr float kSmall = 0.8125f, kTitle = 5;  // relative to the usual text size
 
 // Latin-1, plus other characters used in titles, units and place names. Ranges in pairs, ending with 0.
 constexpr ImWchar kGlyphs[] = {0x0020, 0x00ff, 0x0100, 0x017f, 0x2010, 0x2027, 0x2032,
                                0x2033, 0x20ac, 0x20ac, 0x215b, 0x215e, 0x2190, 0x21ff,
                                0x2212, 0x2212, 0x2248, 0x2248, 0x2264, 0x2265, 0};
+
+constexpr ImWchar kTitleGlyphs[] = {'A', 'Z', 'a', 'z', 0};
 
 ImFont* own_letters(ImFontAtlas& atlas, float height) {
     ImFontConfig config;
@@ -19,12 +21,13 @@ ImFont* own_letters(ImFontAtlas& atlas, float height) {
     return atlas.AddFontDefault(&config);
 }
 
-ImFont* letters_of(ImFontAtlas& atlas, const std::optional<std::filesystem::path>& font, float height) {
+ImFont* letters_of(ImFontAtlas& atlas, const std::optional<std::filesystem::path>& font, float height,
+                   const ImWchar* glyphs = kGlyphs) {
     std::error_code error;
     if (!font || !std::filesystem::is_regular_file(*font, error)) return own_letters(atlas, height);
     ImFontConfig config;
     config.OversampleH = height < 24 ? 2 : 1;
-    ImFont* letters = atlas.AddFontFromFileTTF(font->c_str(), height, &config, kGlyphs);
+    ImFont* letters = atlas.AddFontFromFileTTF(font->c_str(), height, &config, glyphs);
     return letters ? letters : own_letters(atlas, height);
 }
 
@@ -83,6 +86,7 @@ Letters set_letters(const std::optional<std::filesystem::path>& font, float em) 
     Letters letters;
     letters.usual = letters_of(*io.Fonts, font, em);
     letters.small = letters_of(*io.Fonts, font, std::round(em * kSmall));
+    letters.title = letters_of(*io.Fonts, font, std::round(em * kTitle), kTitleGlyphs);
     io.Fonts->Build();
     io.FontDefault = letters.usual;
     set_colours(ImGui::GetStyle());

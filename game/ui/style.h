@@ -38,6 +38,7 @@ constexpr ImU32 faded(ImU32 colour, float strength) {
 struct Letters {
     ImFont* usual = nullptr;
     ImFont* small = nullptr;
+    ImFont* title = nullptr;  // has only the letters of the title
 };
 
 // Rebuilds the font atlas of the current context with text `em` px high, and scales all sizes with it.

@@ -165,17 +165,29 @@ void Ui::read_pictures(const std::vector<Catalogue::Entry>& scenes) {
 void Ui::build(const Facts& facts, Actions& actions) {
     Desk& desk = parts_->desk;
     desk.widgets.begin_frame(static_cast<double>(ImGui::GetIO().DeltaTime));
-    if (!desk.panels.hidden()) {
+    if (facts.opening_s) {
+        opening(desk, facts);
+    } else if (!desk.panels.hidden()) {
         toolbar(desk, facts, actions);
         time_bar(desk, facts, actions);
         hint(desk, facts);
+        guide(desk, facts, actions);
         challenge(desk, facts);
         stroke_note(desk, facts);
         readings(desk, facts);
         open_panels(desk, facts, actions);
         result_card(desk, facts, actions);
     }
-    notices(desk, facts, desk.panels.hidden());
+    notices(desk, facts, desk.panels.hidden() || facts.opening_s);
+    ImGui::Render();
+}
+
+void Ui::build_title() {
+    Desk& desk = parts_->desk;
+    // Dusk, from the sky to the snow below it.
+    constexpr ImU32 kSky = IM_COL32(38, 62, 96, 255), kSnow = IM_COL32(132, 156, 186, 255);
+    ImGui::GetBackgroundDrawList()->AddRectFilledMultiColor({0, 0}, desk.size, kSky, kSky, kSnow, kSnow);
+    title(desk, 1);
     ImGui::Render();
 }
 

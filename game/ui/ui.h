@@ -37,6 +37,8 @@ class Ui {
 
     // Builds all open panels; to be called once per frame between begin() and draw().
     void build(const Facts& facts, Actions& actions);
+    // Builds nothing but the program's name, for the time until there is a world.
+    void build_title();
     bool hides_panels() const;
     // What toolbar and time bar leave of the screen's height, px: at least half of it, and all while panels are hidden.
     double free_height(const ScreenSize& size, double letters) const;

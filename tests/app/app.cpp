@@ -64,6 +64,18 @@ class Playing : public testing::Test {
         frames(1);
     }
 
+    bool shows(const char* label) const { return app_->panels().find(label).has_value(); }
+    void click(const char* label) {
+        const auto at = app_->panels().find(label);
+        ASSERT_TRUE(at) << label;
+        screen_.move(at->x + at->width / 2, at->y + at->height / 2);
+        frames(2);
+        screen_.press(Button::kLeft);
+        frames(1);
+        screen_.release(Button::kLeft);
+        frames(2);
+    }
+
     const sim::State& state() const { return app_->sandbox().session().state(); }
     const sim::Ledger& mass() const { return state().ledger; }
     StateLine line() const { return app_->sandbox().session().state_line(); }
@@ -939,6 +951,86 @@ TEST_F(Playing, opens_on_a_view_that_has_room_between_the_bars) {
 }
 
 // On a small slope, of three seconds, and asks for one blast.
+class FirstMinute : public Playing {
+  protected:
+    void begin_led(Guide guide, const std::string& what) {
+        wishes_.squares = 40;
+        auto loaded = open_anything(what, what == Guide::kSlide ? Overrides{} : wishes_);
+        ASSERT_TRUE(loaded) << loaded.error().sentence;
+        auto begun = App::begin(screen_, std::move(*loaded), sim::StepOptions{}, std::nullopt, Tier::kFast,
+                                Remembered{guide, ""});
+        ASSERT_TRUE(begun) << begun.error().sentence;
+        app_ = std::move(*begun);
+        frames(2);
+    }
+    Guide::Step kept() const { return remembered_guide().guide.step(); }
+};
+
+TEST_F(FirstMinute, begins_with_a_slide_that_any_key_ends_without_doing_anything_else) {
+    begin_led(Guide(), Guide::kSlide);
+    EXPECT_TRUE(app_->sandbox().watches());
+    EXPECT_EQ(app_->clock().speed(), 2);
+    EXPECT_FALSE(shows("Pause"));
+    frames(75);
+    EXPECT_FALSE(sim::at_rest(state()));
+    EXPECT_LT(app_->camera().distance_m, 470) << "it follows the front";
+    tap(Key::kSpace);
+    frames(2);
+    EXPECT_FALSE(app_->sandbox().watches());
+    EXPECT_EQ(app_->sandbox().scenario().scene, Guide::kMountain);
+    EXPECT_FALSE(app_->clock().paused());
+    EXPECT_EQ(app_->clock().speed(), 1);
+    EXPECT_EQ(app_->brush().tool, Tool::kBlast);
+    EXPECT_TRUE(shows("Your turn"));
+    EXPECT_EQ(kept(), Guide::Step::kBlast);
+    EXPECT_FALSE(shows("Try here"));
+    frames(8 * 60 + 10);
+    EXPECT_TRUE(shows("Try here"));
+}
+
+TEST_F(FirstMinute, leads_to_a_first_challenge_by_real_keys_and_clicks) {
+    begin_led(Guide(Guide::Step::kBlast), Guide::kMountain);
+    for (int i = 0; i < 4; ++i) tap(Key::kEqual);  // 16 times as fast
+    tap(key('3'));
+    stroke(1);
+    EXPECT_EQ(app_->guide()->step(), Guide::Step::kRewind);
+    for (int i = 0; i < 60 && !shows("Too much?"); ++i) frames(10);
+    EXPECT_TRUE(shows("Too much?"));
+    tap(Key::kBackspace);
+    frames(5);
+    EXPECT_EQ(app_->guide()->step(), Guide::Step::kGoOn);
+    tap(Key::kBackspace);
+    frames(1);
+    EXPECT_TRUE(shows("Far enough?"));
+    tap(Key::kEnter);
+    frames(2);
+    EXPECT_TRUE(shows("Now pour"));
+    tap(key('1'));
+    stroke(10);
+    EXPECT_EQ(app_->guide()->step(), Guide::Step::kChallenge);
+    for (int i = 0; i < 60 && !shows("A challenge"); ++i) frames(10);
+    click("Try it");
+    frames(2);
+    EXPECT_EQ(app_->sandbox().scenario().scene, Guide::kChallenge);
+    EXPECT_FALSE(shows("A challenge"));
+    EXPECT_EQ(kept(), Guide::Step::kDone);
+}
+
+TEST_F(FirstMinute, lets_each_hint_be_closed_and_shown_again) {
+    begin_led(Guide(Guide::Step::kBlast), Guide::kMountain);
+    for (const char* heading : {"Your turn", "Too much?"}) {
+        EXPECT_TRUE(shows(heading));
+        click("Close hint");
+        frames(2);
+        EXPECT_FALSE(shows(heading));
+    }
+    tap(function_key(2));
+    frames(2);
+    click("Show hints again");
+    frames(2);
+    EXPECT_TRUE(shows("Your turn"));
+}
+
 class PlayingAChallenge : public Playing {
   protected:
     PlayingAChallenge() {
@@ -947,7 +1039,6 @@ class PlayingAChallenge : public Playing {
         std::ofstream(scene) << support::slope_scene("A small challenge", 40) << kRest;
         begin(scene.string(), 0);
     }
-    bool shows(const char* label) const { return app_->panels().find(label).has_value(); }
     void blast() {
         screen_.move(640, 330);
         frames(1);

@@ -62,8 +62,8 @@ Outcome<Score> judged(const Scenario& scenario, const std::vector<TimedCommand>&
     return judged(scenario, commands, [](const Session&) {});
 }
 
-// Finds when there is nothing more to wait for: until then something is done, the flow runs out farther by a cell in
-// five seconds or covers a hundredth more ground, or the load on a house grows.
+// Finds when there is nothing more to wait for: until then something is done, the flow runs out farther by half a cell
+// in five seconds or covers a hundredth more ground, or the load on a house grows.
 class FrontWatch {
   public:
     explicit FrontWatch(const Recording& recording)
@@ -80,7 +80,7 @@ class FrontWatch {
             for (const sim::Thing& thing : session.state().things->list) load = std::max(load, thing.load);
         const Measures &now = flows_.back(),
                        &before = flows_[flows_.size() - std::min<std::size_t>(flows_.size(), 6)];
-        if (now.run_out >= before.run_out + static_cast<double>(scenario_.grid.dx) ||
+        if (now.run_out > before.run_out + 0.5 * static_cast<double>(scenario_.grid.dx) ||
             now.extent_area > 1.01 * before.extent_area || load > load_)
             stopped_at_ = std::max(stopped_at_, session.seconds());
         load_ = load;

@@ -80,7 +80,19 @@ class Writer {
     game::Recorder recorder_;
 };
 
-// Plays until the try ends, at most ten minutes.
+// Whether a house was hit harder than a need allows: such a try is lost, however it goes on.
+bool is_lost(const Goal& goal, const game::Session& session) {
+    if (!session.state().things) return false;
+    double load = 0;
+    for (const sim::Thing& thing : session.state().things->list)
+        if (thing.kind == sim::ThingKind::kHouse)
+            load = std::max(load, static_cast<double>(thing.load) / 1000);
+    return std::ranges::any_of(goal.needs, [&](const Goal::Need& need) {
+        return need.quantity.measure == game::Measure::kLoad && need.most && load > *need.most;
+    });
+}
+
+// Plays until the try ends, at most ten minutes, or until it is lost, unless it is written.
 void play(const game::Scene& scene, Try& attempt, Writer* writer = nullptr) {
     const std::vector<TimedCommand> commands = all_of(scene, attempt);
     auto session = must(game::Session::begin(scene.scenario, {}, std::nullopt));
@@ -94,6 +106,10 @@ void play(const game::Scene& scene, Try& attempt, Writer* writer = nullptr) {
         }
         must(session.advance(now));
         referee.see(session);
+        if (!writer && tick % Writer::kTicks == 0 && is_lost(*scene.scenario.goal, session)) {
+            attempt.score = score_now(scene.scenario, session, commands_before(commands, tick));
+            return;
+        }
         if (writer && (session.state().tick % Writer::kTicks == 0 || session.try_ended_at()))
             writer->state(session.state_line());
     }
@@ -275,7 +291,7 @@ int main(int count, char** words) {
         Try attempt = chance.near(best, 20 * dx * std::pow(0.1, static_cast<double>(i) / climbs));
         play(*scene, attempt);
         keep(attempt);
-        if (is_better(attempt, best)) best = attempt;
+        if (!is_better(best, attempt)) best = attempt;  // also sideways: some scores are coarse
     }
     if (climbs > 0) tell("climbed to", goal, best);
     const std::optional<Try> sound = best_sound(*scene, winners);
