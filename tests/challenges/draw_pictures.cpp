@@ -1,5 +1,6 @@
 // Draws the pictures of the list of scenes, assets/scenes/NAME.png, at the moment at which most is in motion: of a
-// challenge, in the recording that wins it. Run it after a change of a scene or of its looks, for those scenes or for all.
+// challenge, in the recording that wins it; later if nothing ever moves. Run it after a change of a scene or of its
+// looks, for those scenes or for all.
 
 #include <cstdint>
 #include <filesystem>
@@ -67,7 +68,7 @@ Outcome<void> play_to_its_moment(Session& session, const std::vector<TimedComman
         most = session.state().ledger.rolling;
         best = session.moment();
     }
-    return goes_back ? session.go_to(best) : Outcome<void>();
+    return most > 0 ? session.go_to(best) : Outcome<void>();
 }
 
 Outcome<void> draw(const std::string& name) {
