@@ -28,6 +28,8 @@ constexpr double kTickBudget = 0.04;  // s per frame; more would make the displa
 constexpr double kLateRing = 1.5;  // of the frame time; a ring that takes longer is drawn on a moving image
 constexpr double kOpeningSpeed = 2, kOpeningTicks = 50, kLongestOpening = 30;  // ×; s of the slide; s
 constexpr glm::dvec2 kPlaceToClick(620, 1725);  // m, on the guide's mountain: where a small blast does most
+constexpr double kSlide = 5;                    // s; what moves for a shorter time is not called a slide
+constexpr double kLeastSlide = 100;             // m³; less is no reason for a card
 constexpr double kStillAfter = 0.4;             // s without a change, until an image is finished
 
 // Milliseconds since the last call.
@@ -385,6 +387,7 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
     if (time.ticks > 0) hand_.arrive(static_cast<double>(time.ticks) / due);
     if (time.ticks > 0) pace_.see(sandbox_->session().state(), now_s_);
     if (time.ticks > 0) watch_slide();
+    if (time.ticks > 0) judge_slide();
     take_over_at_end();
 }
 
@@ -392,10 +395,11 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
 void App::judge_try() {
     const Session& session = sandbox_->session();
     const std::int64_t tick = session.state().tick;
-    if (score_ && sandbox_->known_until() < score_->tick) score_.reset();
+    if (card_tick_ && sandbox_->known_until() < *card_tick_) score_.reset(), card_tick_.reset();
     if (session.try_ended_at() != tick || score_) return;
     score_ = score_now(sandbox_->scenario(), session, sandbox_->commands_so_far());
     card_ = card_of(sandbox_->scenario(), *score_, best_list_.runs());
+    card_tick_ = tick;
     shows_card_ = true;
     if (const auto claimed = sandbox_->claim(score_->claim()); !claimed) stop_recording(claimed.error());
     keep_run();
@@ -412,12 +416,34 @@ void App::keep_run() {
 }
 
 bool App::has_card() const {
-    return shows_card_ && score_ && sandbox_->session().state().tick >= score_->tick;
+    return shows_card_ && card_tick_ && sandbox_->session().state().tick >= *card_tick_;
+}
+
+// Tells what a slide in free play came to, as soon as only creep is left of it.
+void App::judge_slide() {
+    const Session& session = sandbox_->session();
+    const Scenario& scenario = sandbox_->scenario();
+    if (scenario.goal || scenario.flow || sandbox_->watches() || sandbox_->looks_back())
+        return running_since_.reset();
+    if (!sim::at_rest(session.state()) && !pace_.creeps()) {
+        if (!running_since_) running_since_ = session.seconds();
+        shows_card_ = false;
+        return;
+    }
+    const auto since = std::exchange(running_since_, std::nullopt);
+    if (!since || session.seconds() - *since < kSlide || !sandbox_->was_touched()) return;
+    const Measures measures =
+        measure(scenario, session, release_area(scenario, sandbox_->commands_so_far()), {});
+    if (measures.eroded < kLeastSlide)
+        return tell(
+            fmt::format("Only {:.0f} m³ were swept along. Try it steeper: 40° or more", measures.eroded));
+    card_ = card_of_slide(scenario, measures);
+    card_tick_ = session.state().tick;
+    shows_card_ = true;
 }
 
 // Says that a slide has come to rest, and how to share it. What moves for a moment is not called a slide.
 void App::watch_slide() {
-    constexpr double kSlide = 5;  // s
     const Session& session = sandbox_->session();
     if (sandbox_->looks_back() || sandbox_->watches() || sandbox_->scenario().flow)
         return sliding_since_.reset();

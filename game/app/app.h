@@ -132,6 +132,7 @@ class App {
     void set_pace();
     void watch_slide();
     void judge_try();
+    void judge_slide();
     void keep_run();
     void see_ghost();
     bool has_card() const;
@@ -228,9 +229,10 @@ class App {
     double now_s_ = 0;
     bool leaving_ = false;
 
-    std::optional<Score> score_;  // of a try that has ended
-    ui::ResultCard card_;         // that tells it
-    bool shows_card_ = false;     // it was not closed
+    std::optional<Score> score_;             // of a try that has ended
+    std::optional<std::int64_t> card_tick_;  // at which that, or a slide in free play, ended
+    ui::ResultCard card_;                    // that tells it
+    bool shows_card_ = false;                // it was not closed
     BestList best_list_;
     Ghost ghost_;
     std::optional<ui::GhostNote> ghost_note_;  // of the ghost as it is shown
@@ -241,6 +243,7 @@ class App {
     std::vector<Event> left_events_;               // of a frame in which that ended
 
     std::optional<double> sliding_since_;  // s of the world, while something moves
+    std::optional<double> running_since_;  // the same, while more than creep does
     bool slide_ended_ = false;             // and was not shared since
     bool screenshot_asked_ = false;
     Screenshots screenshots_;  // being written

@@ -395,6 +395,8 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     front_.forget();
     slide_ended_ = false;
     score_.reset();
+    card_tick_.reset();
+    running_since_.reset();
     takes_over_there_ = false;
     clock_.run_back(false);
     if (!same) {

@@ -33,11 +33,21 @@ std::string beside_best(const Score& score, std::span<const BestRun> earlier) {
     return fmt::format("{}, {}", best.score, medal_name(best.medal));
 }
 
+void add_rows(const Measures& m, ui::ResultCard& card) {
+    if (m.run_out <= 0) return;
+    constexpr double kKmPerHour = 3.6;
+    card.rows.push_back({"Run-out", fmt::format("{:.0f} m", m.run_out)});
+    card.rows.push_back({"Drop", fmt::format("{:.0f} m", m.fall)});
+    card.rows.push_back({"Top speed", fmt::format("{:.0f} m/s, {:.0f} km/h", m.peak_speed_slope,
+                                                  kKmPerHour * m.peak_speed_slope)});
+    std::array<char, 40> volume{};
+    card.rows.push_back({"Swept along", ui::write_volume(volume, m.eroded)});
+}
+
 }  // namespace
 
 ui::ResultCard card_of(const Scenario& scenario, const Score& score, std::span<const BestRun> earlier) {
     const Goal& goal = *scenario.goal;
-    const Measures& m = score.measures;
     ui::ResultCard card{scenario.title,
                         verdict_of(score),
                         reason_of(goal, score),
@@ -52,15 +62,15 @@ ui::ResultCard card_of(const Scenario& scenario, const Score& score, std::span<c
         need.what.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(need.what.front())));
         card.rows.push_back({need.what, fmt::format("{} ({})", need.value, need.bound)});
     }
-    if (m.run_out > 0) {
-        constexpr double kKmPerHour = 3.6;
-        card.rows.push_back({"Run-out", fmt::format("{:.0f} m", m.run_out)});
-        card.rows.push_back({"Drop", fmt::format("{:.0f} m", m.fall)});
-        card.rows.push_back({"Top speed", fmt::format("{:.0f} m/s, {:.0f} km/h", m.peak_speed_slope,
-                                                      kKmPerHour * m.peak_speed_slope)});
-        std::array<char, 40> volume{};
-        card.rows.push_back({"Swept along", ui::write_volume(volume, m.eroded)});
-    }
+    add_rows(score.measures, card);
+    return card;
+}
+
+ui::ResultCard card_of_slide(const Scenario& scenario, const Measures& measures) {
+    ui::ResultCard card{scenario.title, "Your slide", "", "", std::nullopt, {}};
+    add_rows(measures, card);
+    if (measures.peak_pressure)
+        card.rows.push_back({"Top pressure", fmt::format("{:.0f} kPa", *measures.peak_pressure)});
     return card;
 }
 

@@ -36,15 +36,17 @@ void what_is_left(Desk& desk, const Goal& goal, const GoalUse& use) {
     }
 }
 
-void medal(Desk& desk, const ResultCard& card) {
-    const float side = 2.4f * desk.em();
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const ImVec2 middle{at.x + side / 2, at.y + side / 2};
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddCircleFilled(middle, side / 2, medal_colour(card.medal));
-    list.AddCircle(middle, side * 0.36f, faded(kAccentText, 0.5f), 0, desk.em() * 0.1f);
-    ImGui::Dummy({side, side});
-    ImGui::SameLine(0, 0.8f * desk.em());
+void verdict(Desk& desk, const ResultCard& card) {
+    if (card.medal) {
+        const float side = 2.4f * desk.em();
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const ImVec2 middle{at.x + side / 2, at.y + side / 2};
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        list.AddCircleFilled(middle, side / 2, medal_colour(*card.medal));
+        list.AddCircle(middle, side * 0.36f, faded(kAccentText, 0.5f), 0, desk.em() * 0.1f);
+        ImGui::Dummy({side, side});
+        ImGui::SameLine(0, 0.8f * desk.em());
+    }
     ImGui::BeginGroup();
     ImGui::TextUnformatted(card.verdict.c_str());
     desk.widgets.note("Verdict");
@@ -86,7 +88,7 @@ void result_card(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, desk.size.y});
     ImGui::SetNextWindowBgAlpha(0.95f);
     ImGui::Begin("Result", nullptr, kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize);
-    medal(desk, *card);
+    verdict(desk, *card);
     if (!card->reason.empty()) desk.widgets.plain("%s", card->reason.c_str());
     ImGui::Separator();
     for (const ResultCard::Row& row : card->rows)
@@ -96,9 +98,13 @@ void result_card(Desk& desk, const Facts& facts, Actions& actions) {
         desk.widgets.plain("%s", card->learn.c_str());
     }
     const float each = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
-    if (desk.widgets.button("Try again", "Starts the challenge again; this try stays in its recording.", true,
-                            each))
-        actions.emplace_back(Verb::kReset);
+    if (card->medal) {
+        if (desk.widgets.button("Try again", "Starts the challenge again; this try stays in its recording.",
+                                true, each))
+            actions.emplace_back(Verb::kReset);
+    } else if (desk.widgets.button("Again", "Goes back to just before what you did last.", true, each)) {
+        actions.emplace_back(Verb::kUndo);
+    }
     ImGui::SameLine();
     if (desk.widgets.button("Look around", "Closes this card; the mountain stays as it is.", false, each))
         actions.emplace_back(Verb::kClosePanel);

@@ -45,13 +45,13 @@ struct GhostNote {
     double own = 0, best = 0;
 };
 
-// What a try at a challenge came to.
+// What a try at a challenge came to, or a slide in free play.
 struct ResultCard {
     struct Row {
         std::string label, value;
     };
     std::string title, verdict, reason, learn;  // the last two may be empty
-    int medal = 0;                              // 0 none to 3 gold
+    std::optional<int> medal;                   // of a challenge: 0 none to 3 gold
     std::vector<Row> rows;
 };
 
@@ -66,7 +66,7 @@ struct Facts {
     bool touched = false;   // the user has changed the world
     std::optional<StrokeNote> stroke = {};
     std::optional<GoalUse> goal_use = {};  // of a challenge
-    const ResultCard* card = nullptr;      // none: no try has ended, or the card was closed
+    const ResultCard* card = nullptr;      // none: no try and no slide has ended, or the card was closed
     std::optional<GhostNote> ghost = {};
     std::span<const BestRun> best_runs = {};  // of the challenge, the best first
     std::size_t actions_to_undo = 0, actions_to_redo = 0;
@@ -78,15 +78,15 @@ struct Facts {
     const Catalogue& catalogue;
     Timeline timeline;
     bool looks_back() const { return state.tick < timeline.known_until; }  // read-only
-    std::string_view recording;          // file that is being written; empty if none
-    std::string_view renderer;           // GL's name
-    double now_s = 0;                    // screen's clock
-    ImageSize image = {};                // of the world, as last drawn
-    std::optional<double> sharing = {};  // 0 to 1, how much of the page of a shared slide is done
-    bool slide_ended = false;            // it has come to rest, and was not shared yet
-    const Guide* guide = nullptr;        // none: nobody is led
-    std::optional<double> opening_s = {};            // s since the slide to watch began, while it is watched
-    std::optional<glm::dvec2> place_to_click = {};   // px, while the guide shows one
+    std::string_view recording;                     // file that is being written; empty if none
+    std::string_view renderer;                      // GL's name
+    double now_s = 0;                               // screen's clock
+    ImageSize image = {};                           // of the world, as last drawn
+    std::optional<double> sharing = {};             // 0 to 1, how much of the page of a shared slide is done
+    bool slide_ended = false;                       // it has come to rest, and was not shared yet
+    const Guide* guide = nullptr;                   // none: nobody is led
+    std::optional<double> opening_s = {};           // s since the slide to watch began, while it is watched
+    std::optional<glm::dvec2> place_to_click = {};  // px, while the guide shows one
 };
 
 }  // namespace game::ui

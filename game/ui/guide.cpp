@@ -108,7 +108,8 @@ void opening(Desk& desk, const Facts& facts) {
 }
 
 void guide(Desk& desk, const Facts& facts, Actions& actions) {
-    if (!facts.guide || !facts.guide->speaks() || facts.card || desk.panels.is_open(Panel::kHelp)) return;
+    if (!facts.guide || !facts.guide->speaks() || desk.panels.is_open(Panel::kHelp)) return;
+    if (facts.card && desk.narrow()) return;  // it needs the room
     const Words words = words_of(facts.guide->step());
     const bool asks = facts.guide->step() == Guide::Step::kChallenge;
     const float em = desk.em();

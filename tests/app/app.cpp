@@ -951,6 +951,30 @@ TEST_F(Playing, opens_on_a_view_that_has_room_between_the_bars) {
 }
 
 // On a small slope, of three seconds, and asks for one blast.
+TEST_F(Playing, tells_what_a_slide_in_free_play_came_to_and_goes_back_to_before_it) {
+    begin("winter-valley", 40);
+    for (int i = 0; i < 4; ++i) tap(Key::kEqual);  // 16 times as fast
+    tap(key('3'));
+    stroke(1);
+    EXPECT_FALSE(shows("Verdict"));
+    for (int i = 0; i < 100 && !shows("Verdict"); ++i) frames(5);
+    EXPECT_TRUE(shows("Verdict"));
+    EXPECT_TRUE(shows("Swept along"));
+    EXPECT_FALSE(sim::at_rest(state())) << "creep is not waited for";
+    click("Look around");
+    EXPECT_FALSE(shows("Verdict"));
+    frames(60);
+    EXPECT_FALSE(shows("Verdict"));
+
+    stroke(1);  // another one
+    for (int i = 0; i < 100 && !shows("Verdict"); ++i) frames(5);
+    const std::int64_t ended = state().tick;
+    click("Again");
+    EXPECT_FALSE(shows("Verdict"));
+    EXPECT_LT(state().tick, ended);
+    EXPECT_EQ(app_->sandbox().actions(), 1u);
+}
+
 class FirstMinute : public Playing {
   protected:
     void begin_led(Guide guide, const std::string& what) {
@@ -1008,6 +1032,8 @@ TEST_F(FirstMinute, leads_to_a_first_challenge_by_real_keys_and_clicks) {
     tap(key('1'));
     stroke(10);
     EXPECT_EQ(app_->guide()->step(), Guide::Step::kChallenge);
+    for (int i = 0; i < 60 && !shows("Verdict"); ++i) frames(10);
+    click("Look around");
     for (int i = 0; i < 60 && !shows("A challenge"); ++i) frames(10);
     click("Try it");
     frames(2);
