@@ -774,8 +774,33 @@ void App::take_screenshot() {
     now_s_ = screen_.seconds();  // this time must not be simulated
 }
 
+// Follows the surface once per second of the world.
+void App::trace_goal() {
+    const auto& goal = sandbox_->scenario().goal;
+    if (!goal || ui_.hides_panels()) return;
+    const ScreenSize size = screen_.size();
+    const sim::View world = sandbox_->session().view();
+    constexpr double kHidden = 0.02;  // of the distance; ground that is met earlier hides a place
+    const auto seen = [&](glm::dvec2 place) -> std::optional<glm::dvec2> {
+        const glm::dvec3 at(place, surface_height(world, place));
+        const auto on = on_screen(at);
+        if (!on) return std::nullopt;
+        const glm::dvec3 eye = render::eye(camera_->camera());
+        const render::Ray ray{eye, glm::normalize(at - eye)};
+        const auto met = render::pick(world, ray);
+        const double away = glm::distance(eye, at);
+        if (met && glm::distance(eye, *met) < away * (1 - kHidden)) return std::nullopt;
+        return on;
+    };
+    goal_lines_.trace(*goal, world.grid,
+                      {camera_->camera(), size.width, size.height,
+                       static_cast<std::int64_t>(sandbox_->session().seconds())},
+                      seen);
+}
+
 void App::draw_panels() {
     const Session& session = sandbox_->session();
+    trace_goal();
     std::optional<Reading> reading;
     if (ground_) reading = probe_->read(session.view(), glm::dvec2(*ground_));
     const ui::Timeline timeline{.known_until = sandbox_->known_until(),
@@ -795,6 +820,7 @@ void App::draw_panels() {
             .touched = touched_,
             .stroke = stroke_note(),
             .goal_use = sandbox_->scenario().goal ? std::optional(sandbox_->goal_use()) : std::nullopt,
+            .goal_lines = goal_lines_.lines(),
             .card = has_card() ? &card_ : nullptr,
             .ghost = ghost_note_,
             .best_runs = best_list_.runs(),

@@ -9,6 +9,7 @@
 #include "game/analysis/score.h"
 #include "game/app/best_list.h"
 #include "game/app/ghost.h"
+#include "game/app/goal_lines.h"
 #include "game/app/guide_memory.h"
 #include "game/app/screenshots.h"
 #include "game/app/sharing.h"
@@ -137,6 +138,7 @@ class App {
     void see_ghost();
     bool has_card() const;
     void fit_hand();
+    void trace_goal();
     render::Camera home() const;
     void tell_camera_mode();
     void begin_stroke();
@@ -233,6 +235,7 @@ class App {
     std::optional<std::int64_t> card_tick_;  // at which that, or a slide in free play, ended
     ui::ResultCard card_;                    // that tells it
     bool shows_card_ = false;                // it was not closed
+    GoalLines goal_lines_;
     BestList best_list_;
     Ghost ghost_;
     std::optional<ui::GhostNote> ghost_note_;  // of the ghost as it is shown

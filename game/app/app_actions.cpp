@@ -396,6 +396,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     slide_ended_ = false;
     score_.reset();
     card_tick_.reset();
+    goal_lines_.forget();
     running_since_.reset();
     takes_over_there_ = false;
     clock_.run_back(false);

@@ -54,10 +54,21 @@ void verdict(Desk& desk, const ResultCard& card) {
     ImGui::EndGroup();
 }
 
+// Gold around what counts, blue around where tools work.
+void outlines(const Desk& desk, const Facts& facts) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const auto px = [](glm::dvec2 at) { return ImVec2{static_cast<float>(at.x), static_cast<float>(at.y)}; };
+    for (const GoalLine& line : facts.goal_lines) {
+        list.AddLine(px(line.from), px(line.to), faded(kAccentText, 0.6f), desk.em() * 0.25f);
+        list.AddLine(px(line.from), px(line.to), line.zone ? kAccent : medal_colour(3), desk.em() * 0.12f);
+    }
+}
+
 }  // namespace
 
 void challenge(Desk& desk, const Facts& facts) {
     if (!facts.scenario.goal || !facts.goal_use) return;
+    outlines(desk, facts);
     const float padding = 2 * ImGui::GetStyle().WindowPadding.x;
     const float most = std::min(kLineWidth * desk.em(), desk.size.x - 2 * desk.margin()) - padding;
     const char* const say = facts.scenario.goal->say.c_str();

@@ -55,6 +55,12 @@ struct ResultCard {
     std::vector<Row> rows;
 };
 
+// A dash around the zone of a challenge, or around an area that it counts in.
+struct GoalLine {
+    glm::dvec2 from{0}, to{0};  // px from the top left
+    bool zone = false;
+};
+
 // Everything that panels can show. References are valid for one frame.
 struct Facts {
     const Scenario& scenario;  // initial state of the world; its params are the defaults
@@ -66,7 +72,8 @@ struct Facts {
     bool touched = false;   // the user has changed the world
     std::optional<StrokeNote> stroke = {};
     std::optional<GoalUse> goal_use = {};  // of a challenge
-    const ResultCard* card = nullptr;      // none: no try and no slide has ended, or the card was closed
+    std::span<const GoalLine> goal_lines = {};
+    const ResultCard* card = nullptr;  // none: no try and no slide has ended, or the card was closed
     std::optional<GhostNote> ghost = {};
     std::span<const BestRun> best_runs = {};  // of the challenge, the best first
     std::size_t actions_to_undo = 0, actions_to_redo = 0;

@@ -1,0 +1,69 @@
+#include "game/app/goal_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/common.hpp>
+
+namespace game {
+namespace {
+
+constexpr int kPoints = 128;  // around an area
+
+// Areas may reach beyond the grid, and their outlines end at its border.
+std::vector<glm::dvec2> outline_of(const Area& area, glm::dvec2 most) {
+    std::vector<glm::dvec2> points;
+    for (int i = 0; i <= kPoints; ++i) {
+        glm::dvec2 at;
+        if (area.shape == Area::Shape::kEllipse) {
+            const double angle = 2 * std::numbers::pi * i / kPoints;
+            at = area.from + area.to * glm::dvec2(std::cos(angle), std::sin(angle));
+        } else {
+            const glm::dvec2 low = glm::clamp(glm::min(area.from, area.to), glm::dvec2(0), most),
+                             high = glm::clamp(glm::max(area.from, area.to), glm::dvec2(0), most);
+            const double along = 4.0 * i / kPoints, share = along - std::floor(along);
+            const glm::dvec2 corners[] = {low, {high.x, low.y}, high, {low.x, high.y}, low, low};
+            const auto side = static_cast<std::size_t>(along);
+            at = glm::mix(corners[side], corners[side + 1], share);
+        }
+        points.push_back(glm::clamp(at, glm::dvec2(0), most));
+    }
+    return points;
+}
+
+std::vector<Area> counted_areas(const Goal& goal) {
+    std::vector<Area> areas;
+    const auto add = [&](const Quantity& quantity) {
+        if (quantity.area && std::ranges::find(areas, *quantity.area) == areas.end())
+            areas.push_back(*quantity.area);
+    };
+    for (const Goal::Need& need : goal.needs) add(need.quantity);
+    for (const Goal::Term& term : goal.score) add(term.quantity);
+    return areas;
+}
+
+}  // namespace
+
+void GoalLines::trace(const Goal& goal, const sim::Grid& grid, const View& view,
+                      const std::function<std::optional<glm::dvec2>(glm::dvec2)>& seen) {
+    if (view_ == view) return;
+    view_ = view;
+    lines_.clear();
+    const glm::dvec2 most = static_cast<double>(grid.dx) * glm::dvec2(grid.nx - 1, grid.ny - 1);
+    const auto add = [&](const Area& area, bool zone) {
+        std::optional<glm::dvec2> before;
+        bool dash = false;
+        for (const glm::dvec2 place : outline_of(area, most)) {
+            const auto at = seen(place);
+            dash = !dash;
+            if (at && before && dash) lines_.push_back({*before, *at, zone});
+            before = at;
+        }
+    };
+    const std::vector<Area> areas = counted_areas(goal);
+    for (const Area& area : areas) add(area, false);
+    if (goal.zone && std::ranges::find(areas, *goal.zone) == areas.end()) add(*goal.zone, true);
+}
+
+}  // namespace game

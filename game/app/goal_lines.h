@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "game/scene/goal.h"
+#include "game/ui/facts.h"
+#include "render/camera.h"
+#include "sim/core/grid.h"
+
+namespace game {
+
+// The outlines of a challenge's zone and of the areas that it counts in, as a camera sees them on the ground.
+class GoalLines {
+  public:
+    // What the lines depend on, beside the goal.
+    struct View {
+        render::Camera camera;
+        int width = 0, height = 0;  // px
+        std::int64_t ground = 0;    // another number after the surface has changed
+        bool operator==(const View&) const = default;
+    };
+    // Traces them anew if the view is another. `seen`: where a place of the ground is on the screen, px; nothing if it is
+    // hidden.
+    void trace(const Goal& goal, const sim::Grid& grid, const View& view,
+               const std::function<std::optional<glm::dvec2>(glm::dvec2)>& seen);
+    // After the goal has become another.
+    void forget() { lines_.clear(), view_.reset(); }
+
+    const std::vector<ui::GoalLine>& lines() const { return lines_; }
+
+  private:
+    std::optional<View> view_;
+    std::vector<ui::GoalLine> lines_;
+};
+
+}  // namespace game

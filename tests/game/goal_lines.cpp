@@ -1,0 +1,85 @@
+#include "game/app/goal_lines.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+namespace game::test {
+namespace {
+
+constexpr sim::Grid kMap{41, 31, 10};  // 400 m by 300 m
+
+// Places are where they are in plan, px for metres.
+std::optional<glm::dvec2> in_plan(glm::dvec2 place) {
+    return place;
+}
+
+Goal with_areas() {
+    Goal goal;
+    goal.zone = Area{Area::Shape::kBox, {100, 100}, {200, 250}};
+    goal.score.push_back({{Measure::kRemoved, Area{Area::Shape::kEllipse, {300, 150}, {50, 30}}}, 1});
+    return goal;
+}
+
+TEST(GoalLines, run_around_the_zone_and_what_is_counted) {
+    GoalLines lines;
+    lines.trace(with_areas(), kMap, {}, in_plan);
+    ASSERT_FALSE(lines.lines().empty());
+    double zone = 0, counted = 0;
+    for (const ui::GoalLine& line : lines.lines()) {
+        (line.zone ? zone : counted) += glm::distance(line.from, line.to);
+        for (const glm::dvec2 at : {line.from, line.to}) {
+            if (line.zone) {
+                const bool on_side = at.x == 100 || at.x == 200, on_end = at.y == 100 || at.y == 250;
+                EXPECT_TRUE(on_side || on_end) << at.x << " " << at.y;
+            } else {
+                EXPECT_NEAR(glm::length((at - glm::dvec2(300, 150)) / glm::dvec2(50, 30)), 1, 1e-9);
+            }
+        }
+    }
+    // Half of the way is dashes.
+    EXPECT_NEAR(zone, 250, 1);
+    EXPECT_NEAR(counted, 255.3 / 2, 2);
+}
+
+TEST(GoalLines, end_at_the_border_of_the_map_and_where_the_ground_hides_them) {
+    Goal goal;
+    goal.zone = Area{Area::Shape::kBox, {-1e9, 100}, {1e9, 1e9}};
+    GoalLines lines;
+    const auto east_is_hidden = [](glm::dvec2 place) -> std::optional<glm::dvec2> {
+        if (place.x > 300) return std::nullopt;
+        return place;
+    };
+    lines.trace(goal, kMap, {}, east_is_hidden);
+    ASSERT_FALSE(lines.lines().empty());
+    for (const ui::GoalLine& line : lines.lines())
+        for (const glm::dvec2 at : {line.from, line.to}) {
+            EXPECT_TRUE(0 <= at.x && at.x <= 300) << at.x;
+            EXPECT_TRUE(100 <= at.y && at.y <= 300) << at.y;
+        }
+}
+
+TEST(GoalLines, are_traced_once_per_view_and_name_no_place_twice) {
+    Goal goal = with_areas();
+    goal.zone = goal.score.front().quantity.area;
+    int looked = 0;
+    const auto count = [&](glm::dvec2 place) {
+        ++looked;
+        return std::optional(place);
+    };
+    GoalLines lines;
+    lines.trace(goal, kMap, {}, count);
+    const int once = looked;
+    EXPECT_TRUE(std::ranges::none_of(lines.lines(), &ui::GoalLine::zone));
+    lines.trace(goal, kMap, {}, count);
+    EXPECT_EQ(looked, once);
+    lines.trace(goal, kMap, {{}, 0, 0, 1}, count);
+    EXPECT_EQ(looked, 2 * once);
+    lines.forget();
+    EXPECT_TRUE(lines.lines().empty());
+}
+
+}  // namespace
+}  // namespace game::test
