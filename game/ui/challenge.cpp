@@ -64,6 +64,41 @@ void outlines(const Desk& desk, const Facts& facts) {
     }
 }
 
+// The shipped challenge after the current one; the first after the last. Null: this one is not shipped.
+const Catalogue::Entry* next_challenge(const Facts& facts) {
+    const Catalogue::Entry* first = nullptr;
+    bool found = false;
+    for (const Catalogue::Entry& entry : facts.catalogue.scenes) {
+        if (entry.kind != Catalogue::Kind::kChallenge) continue;
+        if (found) return &entry;
+        if (!first) first = &entry;
+        found = entry.name == facts.scenario.scene;
+    }
+    return found ? first : nullptr;
+}
+
+// The buttons of the card.
+void what_next(Desk& desk, const ResultCard& card, const Facts& facts, Actions& actions) {
+    const Catalogue::Entry* const next = card.medal.value_or(0) > 0 ? next_challenge(facts) : nullptr;
+    const float gap = ImGui::GetStyle().ItemSpacing.x, all = ImGui::GetContentRegionAvail().x;
+    const float each = next ? (all - 2 * gap) / 3 : (all - gap) / 2;
+    if (card.medal) {
+        if (desk.widgets.button("Try again", "Starts the challenge again; this try stays in its recording.",
+                                !next, each))
+            actions.emplace_back(Verb::kReset);
+    } else if (desk.widgets.button("Again", "Goes back to just before what you did last.", true, each)) {
+        actions.emplace_back(Verb::kUndo);
+    }
+    ImGui::SameLine();
+    if (next) {
+        if (desk.widgets.button("Next", next->title.c_str(), true, each))
+            actions.emplace_back(Open{next->name, {}});
+        ImGui::SameLine();
+    }
+    if (desk.widgets.button("Look around", "Closes this card; the mountain stays as it is.", false, each))
+        actions.emplace_back(Verb::kClosePanel);
+}
+
 }  // namespace
 
 void challenge(Desk& desk, const Facts& facts) {
@@ -108,17 +143,7 @@ void result_card(Desk& desk, const Facts& facts, Actions& actions) {
         ImGui::Separator();
         desk.widgets.plain("%s", card->learn.c_str());
     }
-    const float each = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
-    if (card->medal) {
-        if (desk.widgets.button("Try again", "Starts the challenge again; this try stays in its recording.",
-                                true, each))
-            actions.emplace_back(Verb::kReset);
-    } else if (desk.widgets.button("Again", "Goes back to just before what you did last.", true, each)) {
-        actions.emplace_back(Verb::kUndo);
-    }
-    ImGui::SameLine();
-    if (desk.widgets.button("Look around", "Closes this card; the mountain stays as it is.", false, each))
-        actions.emplace_back(Verb::kClosePanel);
+    what_next(desk, *card, facts, actions);
     desk.widgets.keep_window_clear("Result");
     ImGui::End();
 }

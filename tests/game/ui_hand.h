@@ -52,6 +52,7 @@ class UiHand : public testing::Test {
     std::string recording_ = "/tmp/valley.couloir";
     std::optional<double> sharing_;
     std::vector<BestRun> best_runs_;
+    std::optional<ui::ResultCard> card_;
     std::optional<ui::Ui> ui_;
 };
 

@@ -352,5 +352,30 @@ TEST_F(UiPanels, list_every_key_and_every_gesture_in_the_help) {
         EXPECT_TRUE(ui_->find(binding.meaning)) << binding.meaning;
 }
 
+TEST_F(UiHand, goes_from_a_won_challenge_to_the_next_shipped_one) {
+    catalogue_.scenes = {{"bowl", "The bowl", {}, Catalogue::Kind::kChallenge},
+                         {"shovel", "The shovel", {}, Catalogue::Kind::kChallenge},
+                         {"valley", "The valley", {}, Catalogue::Kind::kMountain}};
+    card_ = ui::ResultCard{"The bowl", "Won: silver", "", "", 2, {}};
+    scenario_.scene = "bowl";
+    settle();
+    EXPECT_EQ(only<Open>(click("Next")).name_or_path, "shovel");
+    scenario_.scene = "shovel";
+    settle();
+    EXPECT_EQ(only<Open>(click("Next")).name_or_path, "bowl");
+    EXPECT_EQ(only<Verb>(click("Try again")), Verb::kReset);
+    for (const std::optional<int> medal : {std::optional(0), std::optional<int>()}) {
+        card_->medal = medal;
+        settle();
+        EXPECT_FALSE(ui_->find("Next"));
+        EXPECT_EQ(only<Verb>(click(medal ? "Try again" : "Again")), medal ? Verb::kReset : Verb::kUndo);
+    }
+    card_->medal = 3;
+    scenario_.scene = "one of my own";
+    settle();
+    EXPECT_FALSE(ui_->find("Next"));
+    EXPECT_EQ(only<Verb>(click("Look around")), Verb::kClosePanel);
+}
+
 }  // namespace
 }  // namespace game::test
