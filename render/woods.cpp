@@ -306,9 +306,10 @@ std::vector<sim::Stems> forest_of(const Woods& woods, const sim::Grid& grid) {
         constexpr double kDiameterOfHeight = 30.0 / 22;  // cm/m
         forest[i].standing =
             static_cast<std::uint16_t>(std::clamp(std::rint(stems), 1.0, double{sim::kMostStems}));
-        forest[i].height_m = static_cast<std::uint8_t>(std::clamp(std::rint(mean), 1.0, 255.0));
-        forest[i].diameter_cm =
-            static_cast<std::uint8_t>(std::clamp(std::rint(kDiameterOfHeight * mean), 10.0, 60.0));
+        forest[i].height_m = static_cast<std::uint8_t>(
+            std::clamp(std::rint(mean), double{sim::kLeastTreeM}, double{sim::kMostTreeM}));
+        forest[i].diameter_cm = static_cast<std::uint8_t>(std::clamp(
+            std::rint(kDiameterOfHeight * mean), double{sim::kLeastStemCm}, double{sim::kMostStemCm}));
     }
     return forest;
 }

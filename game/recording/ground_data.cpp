@@ -101,7 +101,8 @@ constexpr std::size_t kBytesPerStems = 6;
 bool is_possible(const sim::Stems& stems) {
     if (stems.standing > sim::kMostStems || stems.lying > sim::kMostStems) return false;
     if (stems.standing == 0 && stems.lying == 0) return stems == sim::Stems();
-    return stems.diameter_cm >= 10 && stems.diameter_cm <= 60 && stems.height_m >= 5 && stems.height_m <= 35;
+    return stems.diameter_cm >= sim::kLeastStemCm && stems.diameter_cm <= sim::kMostStemCm &&
+           stems.height_m >= sim::kLeastTreeM && stems.height_m <= sim::kMostTreeM;
 }
 
 }  // namespace

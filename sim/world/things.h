@@ -33,6 +33,8 @@ struct Stems {
     bool operator==(const Stems&) const = default;
 };
 inline constexpr int kMostStems = 2000;  // per hectare
+// Where there are any: from dwarf pine to the tallest trees.
+inline constexpr int kLeastStemCm = 10, kMostStemCm = 60, kLeastTreeM = 1, kMostTreeM = 35;
 
 // The unit vector toward `degrees` clockwise from north; the same bits on every machine.
 struct Direction {

@@ -2,12 +2,15 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "game/files/assets.h"
+#include "game/recording/reader.h"
 #include "game/scene/mountains.h"
+#include "game/session/session.h"
 #include "tests/game/program.h"
 #include "tests/support/places.h"
 #include "tests/terrains/files.h"
@@ -51,6 +54,31 @@ class SceneFile : public testing::Test {
     support::TemporaryFolder folder_;
     std::filesystem::path path_;
 };
+
+TEST(ShippedScenes, are_recorded_in_files_that_can_be_read) {
+    const support::TemporaryFolder folder;
+    const auto names = asset_names(AssetKind::kScene).value();
+    for (const std::string& name : names)
+        for (const bool own_grid : {true, false}) {
+            Overrides overrides;
+            if (!own_grid) overrides.squares = 32;
+            const Scene scene = load_scene(name, overrides).value();
+            if (scene.scenario.flow && own_grid) continue;
+            const std::filesystem::path path = folder.path() / fmt::format("{}_{}.couloir", name, own_grid);
+            auto recorder = Recorder::create(path, scene.scenario);
+            ASSERT_TRUE(recorder) << recorder.error().sentence;
+            auto session = Session::begin(scene.scenario, {}, std::move(*recorder)).value();
+            for (int tick = 0; tick < 3; ++tick) ASSERT_TRUE(session.advance({})) << name;
+            ASSERT_TRUE(session.finish());
+
+            const auto recording = read_recording(path);
+            ASSERT_TRUE(recording) << name << ": " << recording.error().sentence;
+            EXPECT_FALSE(recording->warning) << name;
+            auto again = Session::begin(recording->header.scenario, {}, std::nullopt).value();
+            for (int tick = 0; tick < 3; ++tick) ASSERT_TRUE(again.advance({})) << name;
+            EXPECT_EQ(again.state_line().hash, session.state_line().hash) << name;
+        }
+}
 
 TEST(ShippedScenes, load_on_their_own_grid_and_on_a_coarser_one) {
     const auto names = asset_names(AssetKind::kScene).value();
