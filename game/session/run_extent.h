@@ -13,8 +13,8 @@ namespace game {
 // was reached stays reached.
 class RunExtent {
   public:
-    static constexpr std::int64_t kStep = 30;        // ticks
-    static constexpr float kReached = 0.1f;          // m, of the rolling layer: as for the run-out
+    static constexpr std::int64_t kStep = 30;  // ticks
+    static constexpr float kReached = 0.1f;    // m, of the rolling layer: as for the run-out
     // `from`: the tick from which on steps count.
     RunExtent(const sim::Grid& grid, std::int64_t from) : from_(from), reached_(grid.size(), kNever) {}
 
