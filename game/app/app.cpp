@@ -26,7 +26,7 @@ namespace {
 
 constexpr double kTickBudget = 0.04;  // s per frame; more would make the display stutter
 constexpr double kLateRing = 1.5;  // of the frame time; a ring that takes longer is drawn on a moving image
-constexpr double kOpeningSpeed = 2, kOpeningTicks = 50, kLongestOpening = 30;  // ×; s of the slide; s
+constexpr double kOpeningSpeed = 2, kOpeningLasts = 50, kLongestOpening = 30;  // ×; s of the slide; s
 constexpr glm::dvec2 kPlaceToClick(620, 1725);  // m, on the guide's mountain: where a small blast does most
 constexpr double kSlide = 5;                    // s; what moves for a shorter time is not called a slide
 constexpr double kLeastSlide = 100;             // m³; less is no reason for a card
@@ -153,7 +153,7 @@ std::span<const Event> App::watch_opening(std::span<const Event> events) {
         return (key && key->down) || (button && button->down);
     };
     const bool over =
-        sandbox_->session().seconds() >= kOpeningTicks || now_s_ - *opening_since_ >= kLongestOpening;
+        sandbox_->session().seconds() >= kOpeningLasts || now_s_ - *opening_since_ >= kLongestOpening;
     if (over || std::ranges::any_of(events, is_press)) end_opening();
     left_events_.clear();
     std::ranges::copy_if(events, std::back_inserter(left_events_), [](const Event& event) {

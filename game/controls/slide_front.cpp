@@ -49,9 +49,10 @@ Sum around(const sim::View& world, glm::dvec2 middle, double reach) {
 // Of discs that cover the grid, the one in which most moves.
 Sum strongest(const sim::View& world, double reach) {
     Sum best;
-    for (double y = 0; y < world.grid.ny; y += reach)
-        for (double x = 0; x < world.grid.nx; x += reach) {
-            const Sum sum = around(world, {x, y}, reach);
+    const int apart = static_cast<int>(reach);
+    for (int y = 0; y < world.grid.ny; y += apart)
+        for (int x = 0; x < world.grid.nx; x += apart) {
+            const Sum sum = around(world, glm::dvec2(x, y), reach);
             if (sum.weight > best.weight) best = sum;
         }
     return best;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <future>
 #include <optional>
@@ -38,7 +39,7 @@ class ScenePictures {
         std::vector<std::uint8_t> texels;
     };
     static Atlas read_all(const std::vector<Catalogue::Entry>& scenes);
-    ImTextureID id() const { return reinterpret_cast<ImTextureID>(std::uintptr_t{texture_.name()}); }
+    ImTextureID id() const { return std::bit_cast<ImTextureID>(std::uintptr_t{texture_.name()}); }
 
     std::future<Atlas> job_;
     std::vector<std::string> scenes_;
