@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "game/app/guide_memory.h"
 #include "game/app/result_card.h"
 #include "game/controls/key_map.h"
 #include "game/files/assets.h"
@@ -244,7 +243,7 @@ void App::move_camera(double elapsed_s) {
         front_.see(world);
     else
         front_.forget();
-    if (const auto& front = front_.front()) wish.followed = CameraWish::Followed{front->at, front->heading};
+    wish.followed = front_.front();
     camera_->move(wish, world, surroundings(), aspect, elapsed_s);
 
     ground_ = cursor ? ground_under(*cursor) : std::nullopt;
@@ -425,13 +424,9 @@ void App::judge_slide() {
     const Scenario& scenario = sandbox_->scenario();
     if (scenario.goal || scenario.flow || sandbox_->watches() || sandbox_->looks_back())
         return running_since_.reset();
-    if (!sim::at_rest(session.state()) && !pace_.creeps()) {
-        if (!running_since_) running_since_ = session.seconds();
-        shows_card_ = false;
-        return;
-    }
-    const auto since = std::exchange(running_since_, std::nullopt);
-    if (!since || session.seconds() - *since < kSlide || !sandbox_->was_touched()) return;
+    const bool runs = !sim::at_rest(session.state()) && !pace_.creeps();
+    if (runs) shows_card_ = false;
+    if (!slide_just_ended(running_since_, runs) || !sandbox_->was_touched()) return;
     const Measures measures =
         measure(scenario, session, release_area(scenario, sandbox_->commands_so_far()), {});
     if (measures.eroded < kLeastSlide)
@@ -442,21 +437,28 @@ void App::judge_slide() {
     shows_card_ = true;
 }
 
-// Says that a slide has come to rest, and how to share it. What moves for a moment is not called a slide.
+// How long it went on, in seconds of the world, if it has just ended and was a slide: what moves for a moment is none.
+std::optional<double> App::slide_just_ended(std::optional<double>& since, bool goes_on) const {
+    const double now = sandbox_->session().seconds();
+    if (goes_on && !since) since = now;
+    if (goes_on) return std::nullopt;
+    const auto began = std::exchange(since, std::nullopt);
+    if (!began || now - *began < kSlide) return std::nullopt;
+    return now - *began;
+}
+
+// Says that a slide has come to rest, and how to share it.
 void App::watch_slide() {
     const Session& session = sandbox_->session();
     if (sandbox_->looks_back() || sandbox_->watches() || sandbox_->scenario().flow)
         return sliding_since_.reset();
-    if (!sim::at_rest(session.state())) {
-        if (!sliding_since_) sliding_since_ = session.seconds();
-        slide_ended_ = false;
-        return;
-    }
-    const auto since = std::exchange(sliding_since_, std::nullopt);
-    if (!since || session.seconds() - *since < kSlide) return;
+    const bool moves = !sim::at_rest(session.state());
+    if (moves) slide_ended_ = false;
+    const auto lasted = slide_just_ended(sliding_since_, moves);
+    if (!lasted) return;
     slide_ended_ = true;
-    tell(fmt::format("The slide has come to rest after {:.0f} s. {} shares it as a web page",
-                     session.seconds() - *since, name_of(Verb::kShare)));
+    tell(fmt::format("The slide has come to rest after {:.0f} s. {} shares it as a web page", *lasted,
+                     name_of(Verb::kShare)));
 }
 
 // Moves toward a known tick, as far as the time budget of the frame allows.

@@ -44,8 +44,8 @@ class App {
   public:
     // Starts with `loaded` on a screen that outlives the app; `record` as in begin_world. Errors: shaders or
     // assets are missing, or `record` cannot be written (3). Without a `tier`, the first frames measure which
-    // one suits the machine. Who is `led`
-    // from the very first step watches `loaded`, the guide's slide.
+    // one suits the machine. Who is `led` from the very
+    // first step watches `loaded`, the guide's slide.
     static Outcome<std::unique_ptr<App>> begin(Screen& screen, LoadedWorld loaded,
                                                const sim::StepOptions& options,
                                                const std::optional<std::filesystem::path>& record,
@@ -134,6 +134,7 @@ class App {
     void watch_slide();
     void judge_try();
     void judge_slide();
+    std::optional<double> slide_just_ended(std::optional<double>& since, bool goes_on) const;
     void keep_run();
     void see_ghost();
     bool has_card() const;

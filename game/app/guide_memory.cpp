@@ -46,7 +46,7 @@ Remembered remembered_guide() {
     if (step) return {Guide(*step), ""};
     const fs::path aside = fs::path(*path).concat(".damaged");
     fs::rename(*path, aside, error);
-    return {Guide(), fmt::format("{}: {}; the first steps begin anew{}", path->string(), step.error(),
+    return {Guide(), fmt::format("{}: {}; the first steps start again{}", path->string(), step.error(),
                                  error ? "" : fmt::format(", and it is kept as {}", aside.string()))};
 }
 

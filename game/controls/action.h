@@ -76,7 +76,7 @@ struct Open {
     Overrides overrides;
 };
 
-// What the guide is to do: end the current hint, or begin anew.
+// What the guide is to do: end the current hint, or start again.
 struct GuideWish {
     enum Kind { kNext, kAgain } kind;
 };

@@ -7,6 +7,7 @@
 
 #include "game/controls/camera_path.h"
 #include "game/controls/camera_room.h"
+#include "game/controls/slide_front.h"
 #include "render/camera.h"
 #include "sim/world/state.h"
 
@@ -23,10 +24,7 @@ struct CameraWish {
     std::optional<glm::dvec3> pivot;  // m; fixed by turn, pan and zoom; nothing over the sky
     glm::dvec3 walk{0};               // held keys: right, forward, up, each −1 to 1
     bool fast = false;                // four times as fast
-    struct Followed {
-        glm::dvec3 at;       // m
-        glm::dvec2 heading;  // of length 1, in plan
-    };
+    using Followed = SlideFront::Front;
     std::optional<Followed> followed;  // what chase mode follows; nothing: it waits
 };
 

@@ -113,7 +113,7 @@ TEST_F(GuideFile, that_is_damaged_is_set_aside_with_a_sentence) {
         EXPECT_EQ(got.guide.step(), Step::kWatch);
         const std::string aside = file().string() + ".damaged";
         EXPECT_EQ(got.told, file().string() + ": " + fault +
-                                "; the first steps begin anew, and it is kept as " + aside);
+                                "; the first steps start again, and it is kept as " + aside);
         EXPECT_FALSE(std::filesystem::exists(file()));
         EXPECT_EQ(read_text(aside).value(), text);
     }
