@@ -112,6 +112,7 @@ auto read_all(TomlTable& table, std::string_view key, std::size_t most, Read&& r
     std::vector<decltype(read(table))> all;
     std::vector<TomlTable> tables = table.tables(key);
     if (tables.size() > most) table.blame(key, fmt::format("has more than {}", most));
+    all.reserve(tables.size());
     for (TomlTable& each : tables) all.push_back(read(each));
     return all;
 }
