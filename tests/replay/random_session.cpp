@@ -7,7 +7,6 @@
 
 #include "game/recording/format.h"
 #include "game/session/sandbox.h"
-#include "game/session/verifier.h"
 #include "sim/world/state_hash.h"
 #include "tests/support/worlds.h"
 
@@ -156,21 +155,6 @@ Act random_act(Dice& dice, const Scenario& scenario) {
     return act;
 }
 
-std::string kernel_name(const sim::StepOptions& options) {
-    return fmt::format("{}, threads {}", options.plain ? "plain" : sim::to_string(options.instruction_set),
-                       options.threads);
-}
-
-// The newest kernel with every number of threads, the others with one.
-std::vector<sim::StepOptions> replay_options() {
-    std::vector<sim::StepOptions> all;
-    for (const int threads : kThreads) all.push_back({.threads = threads});
-    all.push_back({.plain = true});
-    for (const auto set : sim::kInstructionSets)
-        if (sim::has(set) && set != sim::best_instruction_set()) all.push_back({.instruction_set = set});
-    return all;
-}
-
 // Two sandboxes with the same actions: one by the sweep,
 // with a recorder and everything it shows, and a plain one.
 class Lockstep {
@@ -191,8 +175,10 @@ class Lockstep {
         for (const Act& act : acts)
             if (auto fault = play(act)) return fault;
         if (const auto done = played_->finish(); !done) return done.error().sentence;
-        for (const auto& file : files_)
-            if (auto fault = fault_of_file(file)) return fault;
+        for (const auto& file : files_) {
+            if (auto fault = fault_of_recording(file, tally_.replays)) return fault;
+            ++tally_.files;
+        }
         return std::nullopt;
     }
 
@@ -291,36 +277,6 @@ class Lockstep {
         return std::nullopt;
     }
 
-    std::optional<std::string> fault_of_file(const std::filesystem::path& file) {
-        const auto recording = read_recording(file);
-        if (!recording) return recording.error().sentence;
-        if (recording->warning) return *recording->warning;
-        ++tally_.files;
-        for (const sim::StepOptions& options : replay_options()) {
-            auto session = Session::begin(recording->header.scenario, options, std::nullopt);
-            Verifier verifier(*recording);
-            verifier.look_at(*session);
-            std::vector<sim::Command> due;
-            while (session->state().tick < recording->last_tick()) {
-                due.clear();
-                for (const auto& given : commands_at(recording->commands, session->state().tick))
-                    due.push_back(given.command);
-                if (const auto done = session->advance(due); !done) return done.error().sentence;
-                verifier.look_at(*session);
-            }
-            const game::Verdict& verdict = verifier.verdict();
-            const std::string where =
-                fmt::format("{} by {}: ", file.filename().string(), kernel_name(options));
-            if (verdict.parted) return where + *verdict.parted;
-            if (verdict.proven_tick != recording->last_tick())
-                return where +
-                       fmt::format("proven up to tick {} of {}", verdict.proven_tick, recording->last_tick());
-            ++tally_.replays;
-            tally_.replayed += verdict.compared;
-        }
-        return std::nullopt;
-    }
-
     using StateField = sim::Field<float> sim::State::*;
     static constexpr std::pair<const char*, StateField> kFields[] = {
         {"bedrock", &sim::State::bedrock},       {"depth", &sim::State::depth},
@@ -363,7 +319,8 @@ std::string to_text(const Act& act) {
 }  // namespace
 
 void Tally::add(const Tally& other) {
-    ticks += other.ticks, files += other.files, replays += other.replays, replayed += other.replayed;
+    ticks += other.ticks, files += other.files;
+    replays.count += other.replays.count, replays.states += other.replays.states;
 }
 
 RandomSession random_session(std::uint64_t seed) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "game/scene/scenario.h"
+#include "tests/replay/all_kernels.h"
 
 // Random sessions of the sandbox: random user actions on a small world, run by the sweep and the plain kernel
 // in lockstep, recorded, and replayed by every kernel and number of threads.
@@ -45,10 +46,9 @@ RandomSession random_session(std::uint64_t seed);
 std::string to_text(const RandomSession& session);
 
 struct Tally {
-    std::int64_t ticks = 0;     // with compared hash and fields
-    std::int64_t files = 0;     // recordings that were written
-    std::int64_t replays = 0;   // of these recordings
-    std::int64_t replayed = 0;  // states compared by these replays
+    std::int64_t ticks = 0;  // with compared hash and fields
+    std::int64_t files = 0;  // recordings that were written
+    Replays replays;         // of these recordings
     void add(const Tally& other);
 };
 

@@ -57,7 +57,8 @@ std::vector<std::string> play_sessions(std::uint64_t first, int count, unsigned 
     std::printf(
         "%d sessions, %lld ticks compared, %lld recordings, %lld replays of %lld states: %zu differ\n", count,
         static_cast<long long>(tally.ticks), static_cast<long long>(tally.files),
-        static_cast<long long>(tally.replays), static_cast<long long>(tally.replayed), failures.size());
+        static_cast<long long>(tally.replays.count), static_cast<long long>(tally.replays.states),
+        failures.size());
     return failures;
 }
 
