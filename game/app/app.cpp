@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "game/app/result_card.h"
+#include "game/app/slide_map.h"
 #include "game/controls/key_map.h"
 #include "game/files/assets.h"
 #include "game/files/recordings_folder.h"
@@ -29,6 +31,7 @@ constexpr double kOpeningSpeed = 2, kOpeningLasts = 50, kLongestOpening = 30;  /
 constexpr glm::dvec2 kPlaceToClick(620, 1725);  // m, on the guide's mountain: where a small blast does most
 constexpr double kSlide = 5;                    // s; what moves for a shorter time is not called a slide
 constexpr double kLeastSlide = 100;             // m³; less is no reason for a card
+constexpr double kBeforeSlide = 2;              // s, of the world as it was, when a slide is seen again
 constexpr double kStillAfter = 0.4;             // s without a change, until an image is finished
 
 // Milliseconds since the last call.
@@ -387,6 +390,7 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
     if (time.ticks > 0) pace_.see(sandbox_->session().state(), now_s_);
     if (time.ticks > 0) watch_slide();
     if (time.ticks > 0) judge_slide();
+    if (seen_again_ && !sandbox_->looks_back()) seen_again_ = false, clock_.set_speed(1);
     take_over_at_end();
 }
 
@@ -397,9 +401,9 @@ void App::judge_try() {
     if (card_tick_ && sandbox_->known_until() < *card_tick_) score_.reset(), card_tick_.reset();
     if (session.try_ended_at() != tick || score_) return;
     score_ = score_now(sandbox_->scenario(), session, sandbox_->commands_so_far());
-    card_ = card_of(sandbox_->scenario(), *score_, best_list_.runs());
-    card_tick_ = tick;
-    shows_card_ = true;
+    const auto commands = sandbox_->commands_so_far();
+    show_card(card_of(sandbox_->scenario(), *score_, best_list_.runs()),
+              commands.empty() ? 0 : commands.front().tick);
     if (const auto claimed = sandbox_->claim(score_->claim()); !claimed) stop_recording(claimed.error());
     keep_run();
 }
@@ -426,14 +430,24 @@ void App::judge_slide() {
         return running_since_.reset();
     const bool runs = !sim::at_rest(session.state()) && !pace_.creeps();
     if (runs) shows_card_ = false;
-    if (!slide_just_ended(running_since_, runs) || !sandbox_->was_touched()) return;
+    const auto lasted = slide_just_ended(running_since_, runs);
+    if (!lasted || !sandbox_->was_touched()) return;
     const Measures measures =
         measure(scenario, session, release_area(scenario, sandbox_->commands_so_far()), {});
     if (measures.eroded < kLeastSlide)
         return tell(
             fmt::format("Only {:.0f} m³ were swept along. Try it steeper: 40° or more", measures.eroded));
-    card_ = card_of_slide(scenario, measures);
+    const double tick_s = static_cast<double>(scenario.params.tick_s);
+    show_card(card_of_slide(scenario, measures),
+              session.state().tick - static_cast<std::int64_t>(std::ceil((*lasted + kBeforeSlide) / tick_s)));
+}
+
+void App::show_card(ui::ResultCard card, std::int64_t began) {
+    const Session& session = sandbox_->session();
+    card_ = std::move(card);
+    card_.map = map_of_slide(sandbox_->scenario(), session, sandbox_->commands_by_hand());
     card_tick_ = session.state().tick;
+    card_began_ = std::max<std::int64_t>(began, 0);
     shows_card_ = true;
 }
 

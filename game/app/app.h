@@ -122,6 +122,8 @@ class App {
     void perform(const SetNumber& set);
     void perform(const SetDisplay& set);
     void perform(const Open& open);
+    void perform(const LookAt& wish);
+    void perform(const SeeFromFront& wish);
     void perform(const GuideWish& wish);
     void pause(bool on);
     void undo();
@@ -134,6 +136,7 @@ class App {
     void watch_slide();
     void judge_try();
     void judge_slide();
+    void show_card(ui::ResultCard card, std::int64_t began);
     std::optional<double> slide_just_ended(std::optional<double>& since, bool goes_on) const;
     void keep_run();
     void see_ghost();
@@ -235,6 +238,8 @@ class App {
     std::optional<Score> score_;             // of a try that has ended
     std::optional<std::int64_t> card_tick_;  // at which that, or a slide in free play, ended
     ui::ResultCard card_;                    // that tells it
+    std::int64_t card_began_ = 0;            // tick at which the try or the slide began
+    bool seen_again_ = false;                // it is being played once more
     bool shows_card_ = false;                // it was not closed
     GoalLines goal_lines_;
     BestList best_list_;

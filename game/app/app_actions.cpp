@@ -8,15 +8,19 @@
 
 #include "game/app/app.h"
 #include "game/base/process.h"
+#include "game/controls/front_view.h"
 #include "game/controls/key_map.h"
 #include "game/files/recordings_folder.h"
 #include "game/files/user_folders.h"
 #include "game/recording/format.h"
 #include "game/scene/mountains.h"
+#include "game/scene/surface.h"
 #include "render/overview.h"
 
 namespace game {
 namespace {
+
+constexpr double kSeenAgainSpeed = 2;  // ×, of a slide that is seen from its front
 
 // What a software renderer may take for the buffers of an image, beside the world, bytes.
 std::uint64_t memory_for_frames(const LoadedWorld& loaded) {
@@ -125,6 +129,26 @@ void App::perform(const SetDisplay& set) {
 }
 void App::perform(const Open& open) {
     open_or_tell(open.name_or_path, open.overrides);
+}
+
+void App::perform(const LookAt& wish) {
+    const sim::View world = sandbox_->session().view();
+    render::Camera there = camera_->camera();
+    const double distance = glm::distance(render::eye(there), there.target);
+    there.target = {wish.place, surface_height(world, wish.place)};
+    there.distance_m = distance;
+    camera_->go_to(there);
+}
+
+// Its speed is the usual one again at its end (run_ticks).
+void App::perform(const SeeFromFront&) {
+    if (!has_card() || !may_go_back()) return;
+    camera_->go_to(view_from_front(sandbox_->session().view(), card_.top, card_.toe));
+    clock_.set_speed(kSeenAgainSpeed);
+    clock_.pause(false);
+    clock_.run_back(false);
+    seeking_ = card_began_;
+    seen_again_ = true;
 }
 
 void App::perform(const GuideWish& wish) {
@@ -396,6 +420,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     slide_ended_ = false;
     score_.reset();
     card_tick_.reset();
+    seen_again_ = false;
     goal_lines_.forget();
     running_since_.reset();
     takes_over_there_ = false;

@@ -35,6 +35,7 @@ std::string beside_best(const Score& score, std::span<const BestRun> earlier) {
 
 void add_rows(const Measures& m, ui::ResultCard& card) {
     if (m.run_out <= 0) return;
+    card.top = {m.top.x, m.top.y}, card.toe = {m.toe.x, m.toe.y};
     constexpr double kKmPerHour = 3.6;
     card.rows.push_back({"Run-out", fmt::format("{:.0f} m", m.run_out)});
     card.rows.push_back({"Drop", fmt::format("{:.0f} m", m.fall)});

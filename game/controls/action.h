@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include "game/controls/brush.h"
 #include "game/controls/display.h"
 #include "game/scene/scene.h"
@@ -76,13 +78,21 @@ struct Open {
     Overrides overrides;
 };
 
+// Turns the camera to a place in plan, m.
+struct LookAt {
+    glm::dvec2 place;
+};
+// Plays the slide that the card tells about once more, seen from where it came to rest.
+struct SeeFromFront {};
+
 // What the guide is to do: end the current hint, or start again.
 struct GuideWish {
     enum Kind { kNext, kAgain } kind;
 };
 
 // A Tool is chosen.
-using Action = std::variant<Verb, Tool, SetSpeed, SeekTick, SetBrush, SetNumber, SetDisplay, Open, GuideWish>;
+using Action = std::variant<Verb, Tool, SetSpeed, SeekTick, SetBrush, SetNumber, SetDisplay, Open, LookAt,
+                            SeeFromFront, GuideWish>;
 using Actions = std::vector<Action>;
 
 }  // namespace game

@@ -101,9 +101,9 @@ void CameraControl::top_down(bool on) {
     }
 }
 
-void CameraControl::overview() {
-    goal_ = home_;
-    goal_.azimuth_deg = the_short_way(home_.azimuth_deg, now_.azimuth_deg);
+void CameraControl::go_to(const render::Camera& pose) {
+    goal_ = pose;
+    goal_.azimuth_deg = the_short_way(pose.azimuth_deg, now_.azimuth_deg);
     hold_ = {};
     dragging_ = Drag::kNone;
     mode_ = CameraMode::kOrbit;

@@ -56,7 +56,9 @@ class CameraControl {
     // returns to the previous pose.
     void top_down(bool on);
     void set_home(const render::Camera& home) { home_ = home; }
-    void overview();  // in orbit mode
+    // Moves there, and orbits.
+    void go_to(const render::Camera& pose);
+    void overview() { go_to(home_); }
 
     // Applies the input of a frame. `aspect`: image width / height. Held keys count for at most 0.25 s per
     // frame.

@@ -67,6 +67,7 @@ class Sandbox {
 
     // What is left of each of the goal's tools until now. Only of a world with a goal.
     GoalUse goal_use() const;
+    std::span<const TimedCommand> commands_by_hand() const { return by_hand_; }  // sorted by tick
     // Everything that was done before this tick, sorted by tick; in each the scene or the recording first.
     std::vector<TimedCommand> commands_so_far() const;
 

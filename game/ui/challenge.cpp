@@ -10,6 +10,7 @@ namespace game::ui {
 namespace {
 
 constexpr float kLineWidth = 44, kCardWidth = 22;  // em
+constexpr float kMapsHeight = 36;                  // em; on a lower screen a card has no map
 
 const char* verb_of(sim::CommandKind kind) {
     for (const ToolInfo& info : tool_infos())
@@ -81,7 +82,7 @@ const Catalogue::Entry* next_challenge(const Facts& facts) {
 void what_next(Desk& desk, const ResultCard& card, const Facts& facts, Actions& actions) {
     const Catalogue::Entry* const next = card.medal.value_or(0) > 0 ? next_challenge(facts) : nullptr;
     const float gap = ImGui::GetStyle().ItemSpacing.x, all = ImGui::GetContentRegionAvail().x;
-    const float each = next ? (all - 2 * gap) / 3 : (all - gap) / 2;
+    const float each = (all - gap) / 2;
     if (card.medal) {
         if (desk.widgets.button("Try again", "Starts the challenge again; this try stays in its recording.",
                                 !next, each))
@@ -89,13 +90,20 @@ void what_next(Desk& desk, const ResultCard& card, const Facts& facts, Actions& 
     } else if (desk.widgets.button("Again", "Goes back to just before what you did last.", true, each)) {
         actions.emplace_back(Verb::kUndo);
     }
-    ImGui::SameLine();
     if (next) {
+        ImGui::SameLine();
         if (desk.widgets.button("Next", next->title.c_str(), true, each))
             actions.emplace_back(Open{next->name, {}});
-        ImGui::SameLine();
     }
-    if (desk.widgets.button("Look around", "Closes this card; the mountain stays as it is.", false, each))
+    if (card.map) {
+        if (!next) ImGui::SameLine();
+        if (desk.widgets.button("From the front", "Plays it again, seen from where it came to rest.", false,
+                                each))
+            actions.emplace_back(SeeFromFront{});
+    }
+    if (next || !card.map) ImGui::SameLine();
+    const float rest = next || !card.map ? each : all;
+    if (desk.widgets.button("Look around", "Closes this card; the mountain stays as it is.", false, rest))
         actions.emplace_back(Verb::kClosePanel);
 }
 
@@ -136,7 +144,10 @@ void result_card(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::Begin("Result", nullptr, kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize);
     verdict(desk, *card);
     if (!card->reason.empty()) desk.widgets.plain("%s", card->reason.c_str());
-    ImGui::Separator();
+    if (card->map && desk.size.y >= kMapsHeight * desk.em())
+        desk.card_map.show(desk.widgets, card->map, actions);
+    else
+        ImGui::Separator();
     for (const ResultCard::Row& row : card->rows)
         desk.widgets.fact(row.label.c_str(), "%s", row.value.c_str());
     if (!card->learn.empty()) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -45,6 +47,18 @@ struct GhostNote {
     double own = 0, best = 0;
 };
 
+// The part of the ground around a slide, from above, north up.
+struct SlideMap {
+    int width = 0, height = 0;                // px
+    std::vector<std::uint8_t> texels;         // red, green, blue; from the top row down
+    glm::dvec2 south_west{0}, north_east{0};  // m, its corners
+    struct Mark {
+        glm::dvec2 at{0};  // m
+        enum class Kind : std::uint8_t { kCommand, kIntact, kDamaged, kDestroyed } kind = Kind::kCommand;
+    };
+    std::vector<Mark> marks;  // what the user did, and houses
+};
+
 // What a try at a challenge came to, or a slide in free play.
 struct ResultCard {
     struct Row {
@@ -53,6 +67,8 @@ struct ResultCard {
     std::string title, verdict, reason, learn;  // the last two may be empty
     std::optional<int> medal;                   // of a challenge: 0 none to 3 gold
     std::vector<Row> rows;
+    std::shared_ptr<const SlideMap> map = {};  // none if nothing flowed
+    glm::dvec2 top{0}, toe{0};                 // m, the ends of the slide; the same if there was none
 };
 
 // A dash around the zone of a challenge, or around an area that it counts in.

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "game/controls/action.h"
+#include "game/ui/card_map.h"
 #include "game/ui/facts.h"
 #include "game/ui/scene_pictures.h"
 #include "game/ui/widgets.h"
@@ -60,6 +61,7 @@ inline constexpr double kLeastWidth = 42, kLeastHeight = 27;
 struct Desk {
     Widgets widgets;
     ScenePictures pictures;
+    CardMap card_map;
     OpenPanels panels;
     SceneChoice choice;
     std::array<char, 192> refusal{};  // why a number was rejected

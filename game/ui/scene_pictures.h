@@ -31,7 +31,6 @@ class ScenePictures {
         ImVec2 from, to;  // texture coordinates of its top left and bottom right
     };
     std::optional<Part> of(std::string_view scene) const;
-    bool owns(ImTextureID texture) const { return texture_.name() != 0 && texture == id(); }
 
   private:
     struct Atlas {

@@ -72,15 +72,16 @@ void Ui::Parts::lend_clipboard() {
     };
 }
 
-// The frame was built with the old texture's name. Everything in it but pictures uses that one texture, so replace it.
+// The frame was built with the old texture's name, so replace it.
 void Ui::Parts::draw_letters_texture() {
+    void* const before = ImGui::GetIO().Fonts->TexID;
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
     void* const texture = ImGui::GetIO().Fonts->TexID;
     const ImDrawData& drawing = *ImGui::GetDrawData();
     for (int i = 0; i < drawing.CmdListsCount; ++i)
         for (ImDrawCmd& command : drawing.CmdLists[i]->CmdBuffer)
-            if (!desk.pictures.owns(command.TextureId)) command.TextureId = texture;
+            if (command.TextureId == before) command.TextureId = texture;
     letters_stale = false;
 }
 
@@ -202,6 +203,7 @@ void Ui::draw() {
         parts.letters_stale = true;
     }
     parts.desk.pictures.upload_if_read();
+    parts.desk.card_map.upload_if_new();
     if (parts.letters_stale) parts.draw_letters_texture();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     if (srgb) glEnable(GL_FRAMEBUFFER_SRGB);
