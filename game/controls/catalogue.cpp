@@ -8,8 +8,8 @@
 #include "game/base/limits.h"
 #include "game/files/assets.h"
 #include "game/files/recordings_folder.h"
-#include "game/files/toml_table.h"
 #include "game/recording/format.h"
+#include "game/scene/scene_file.h"
 #include "terrains/json_reader.h"
 
 namespace game {
@@ -17,11 +17,13 @@ namespace {
 
 // Reads the title of a scene or a material, and which kind of scene it is.
 Outcome<std::string> look_into_toml(Catalogue::Entry& entry) {
-    const auto document = parse_toml(entry.file);
-    if (!document) return tl::unexpected(document.error());
-    if (document->contains("goal")) entry.kind = Catalogue::Kind::kChallenge;
-    if (document->contains("flow")) entry.kind = Catalogue::Kind::kFlowDemo;
-    return (*document)["title"].value_or(entry.name);
+    const auto scene = read_scene_file(entry.file);
+    if (!scene) return tl::unexpected(scene.error());
+    const toml::table& document = scene->document;
+    if (document.contains("goal")) entry.kind = Catalogue::Kind::kChallenge;
+    if (document.contains("flow")) entry.kind = Catalogue::Kind::kFlowDemo;
+    if (scene->harder_than) entry.harder_than = *scene->harder_than;
+    return document["title"].value_or(entry.name);
 }
 
 // Reads only the first line, because recordings are long.

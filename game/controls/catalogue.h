@@ -23,6 +23,7 @@ struct Catalogue {
         std::string name, title;
         std::filesystem::path file;  // a scene and a recording may share a name
         Kind kind = Kind::kMountain;
+        std::string harder_than = {};   // the name of another challenge; empty: none
         std::optional<Best> best = {};  // run of a challenge that is known; read_catalogue() knows none
     };
     std::vector<Entry> scenes;  // by kind, then by name

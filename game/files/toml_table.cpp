@@ -173,10 +173,11 @@ std::vector<std::string> TomlTable::keys() const {
 void TomlTable::blame(std::string_view key, const std::string& fact) {
     if (*fault_) return;
     const toml::node* node = key.empty() ? table_ : table_->get(key);
-    const auto line = (node ? node : table_)->source().begin.line;
+    const toml::source_region& from = (node ? node : table_)->source();
+    const std::string& file = from.path ? *from.path : file_;  // a table may come from several files
     const std::string place =
         name_.empty() ? std::string(key) : fmt::format("{}{}{}", name_, key.empty() ? "" : ".", key);
-    *fault_ = fmt::format("{}:{}: {}{}{}", file_, line, place, place.empty() ? "" : " ", fact);
+    *fault_ = fmt::format("{}:{}: {}{}{}", file, from.begin.line, place, place.empty() ? "" : " ", fact);
 }
 
 void TomlTable::finish() {
@@ -199,7 +200,7 @@ Outcome<toml::table> parse_toml(const std::filesystem::path& file) {
     if (const auto excess = excess_of(text))
         return unusable(fmt::format("{}:{}: {}", file.string(), excess->line, excess->fact));
     try {
-        return toml::parse(text);
+        return toml::parse(text, file.string());
     } catch (const toml::parse_error& wrong) {
         return unusable(
             fmt::format("{}:{}: {}", file.string(), wrong.source().begin.line, wrong.description()));

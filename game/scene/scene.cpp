@@ -10,6 +10,7 @@
 #include "game/files/toml_table.h"
 #include "game/scene/flow_scene.h"
 #include "game/scene/material.h"
+#include "game/scene/scene_file.h"
 #include "game/scene/scene_goal.h"
 #include "game/scene/scene_ground.h"
 #include "game/scene/scene_light.h"
@@ -244,12 +245,13 @@ Outcome<Material> material_of_scene(const std::string& name, const fs::path& fol
 
 // Reads the whole file in the order of its dependencies. Faults
 // are collected in `fault`; the result is then meaningless.
-Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides& overrides,
+Outcome<Scene> read_scene(TomlTable& root, const SceneFile& file, const Overrides& overrides,
                           TomlFault& fault) {
+    const fs::path& path = file.files.front();
     Scene scene;
     Scenario& scenario = scene.scenario;
     const fs::path folder = path.parent_path();
-    scene.files.push_back(path);
+    scene.files = file.files;
     scenario.scene = path.stem().string();
     scenario.title = root.text("title").value_or(scenario.scene);
 
@@ -363,11 +365,11 @@ Outcome<Scene> read_scene(TomlTable& root, const fs::path& path, const Overrides
 Outcome<Scene> load_scene(std::string_view name_or_path, const Overrides& overrides) {
     const auto path = find_asset(AssetKind::kScene, name_or_path);
     if (!path) return tl::unexpected(path.error());
-    const auto document = parse_toml(*path);
-    if (!document) return tl::unexpected(document.error());
+    const auto file = read_scene_file(*path);
+    if (!file) return tl::unexpected(file.error());
     TomlFault fault;
-    TomlTable root(*document, "", path->string(), fault);
-    return read_scene(root, *path, overrides, fault);
+    TomlTable root(file->document, "", path->string(), fault);
+    return read_scene(root, *file, overrides, fault);
 }
 
 namespace {

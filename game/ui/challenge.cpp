@@ -65,12 +65,22 @@ void outlines(const Desk& desk, const Facts& facts) {
     }
 }
 
+// The shipped challenge that is harder than the current one. Null: there is none.
+const Catalogue::Entry* harder_challenge(const Facts& facts) {
+    const auto& scenes = facts.catalogue.scenes;
+    const auto found = std::ranges::find(scenes, facts.scenario.scene, &Catalogue::Entry::harder_than);
+    return found == scenes.end() ? nullptr : &*found;
+}
+
 // The shipped challenge after the current one; the first after the last. Null: this one is not shipped.
 const Catalogue::Entry* next_challenge(const Facts& facts) {
     const Catalogue::Entry* first = nullptr;
     bool found = false;
     for (const Catalogue::Entry& entry : facts.catalogue.scenes) {
         if (entry.kind != Catalogue::Kind::kChallenge) continue;
+        const bool is_harder = !entry.harder_than.empty();
+        if (is_harder) found |= entry.name == facts.scenario.scene;
+        if (is_harder) continue;
         if (found) return &entry;
         if (!first) first = &entry;
         found = entry.name == facts.scenario.scene;
@@ -80,30 +90,31 @@ const Catalogue::Entry* next_challenge(const Facts& facts) {
 
 // The buttons of the card.
 void what_next(Desk& desk, const ResultCard& card, const Facts& facts, Actions& actions) {
-    const Catalogue::Entry* const next = card.medal.value_or(0) > 0 ? next_challenge(facts) : nullptr;
-    const float gap = ImGui::GetStyle().ItemSpacing.x, all = ImGui::GetContentRegionAvail().x;
-    const float each = (all - gap) / 2;
+    constexpr int kGold = 3;
+    const Catalogue::Entry* const harder = card.medal == kGold ? harder_challenge(facts) : nullptr;
+    const Catalogue::Entry* const next = harder                       ? harder
+                                         : card.medal.value_or(0) > 0 ? next_challenge(facts)
+                                                                      : nullptr;
+    // In rows of two; the last one fills what is left.
+    const float all = ImGui::GetContentRegionAvail().x, half = (all - ImGui::GetStyle().ItemSpacing.x) / 2;
+    int buttons = 0;
+    const auto offers = [&](const char* label, const char* tooltip, bool is_main, bool is_last = false) {
+        if (buttons % 2 == 1) ImGui::SameLine();
+        const float width = is_last && buttons % 2 == 0 ? all : half;
+        ++buttons;
+        return desk.widgets.button(label, tooltip, is_main, width);
+    };
     if (card.medal) {
-        if (desk.widgets.button("Try again", "Starts the challenge again; this try stays in its recording.",
-                                !next, each))
+        if (offers("Try again", "Starts the challenge again; this try stays in its recording.", !next))
             actions.emplace_back(Verb::kReset);
-    } else if (desk.widgets.button("Again", "Goes back to just before what you did last.", true, each)) {
+    } else if (offers("Again", "Goes back to just before what you did last.", true)) {
         actions.emplace_back(Verb::kUndo);
     }
-    if (next) {
-        ImGui::SameLine();
-        if (desk.widgets.button("Next", next->title.c_str(), true, each))
-            actions.emplace_back(Open{next->name, {}});
-    }
-    if (card.map) {
-        if (!next) ImGui::SameLine();
-        if (desk.widgets.button("From the front", "Plays it again, seen from where it came to rest.", false,
-                                each))
-            actions.emplace_back(SeeFromFront{});
-    }
-    if (next || !card.map) ImGui::SameLine();
-    const float rest = next || !card.map ? each : all;
-    if (desk.widgets.button("Look around", "Closes this card; the mountain stays as it is.", false, rest))
+    if (next && offers(harder ? "Harder" : "Next", next->title.c_str(), true))
+        actions.emplace_back(Open{next->name, {}});
+    if (card.map && offers("From the front", "Plays it again, seen from where it came to rest.", false))
+        actions.emplace_back(SeeFromFront{});
+    if (offers("Look around", "Closes this card; the mountain stays as it is.", false, true))
         actions.emplace_back(Verb::kClosePanel);
 }
 

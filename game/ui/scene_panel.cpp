@@ -82,6 +82,15 @@ Open begin_of(const SceneChoice& choice, const Facts& facts) {
     return open;
 }
 
+// A harder challenge is listed once the other one was won in gold, or it was played itself.
+bool waits_for_gold(const Catalogue::Entry& entry, const Facts& facts) {
+    constexpr int kGold = 3;
+    if (entry.harder_than.empty() || entry.best || entry.name == facts.scenario.scene) return false;
+    const auto& scenes = facts.catalogue.scenes;
+    const auto easier = std::ranges::find(scenes, entry.harder_than, &Catalogue::Entry::name);
+    return easier != scenes.end() && (!easier->best || easier->best->medal < kGold);
+}
+
 // A row for each scene of a kind, which starts it.
 void scenes_of_kind(Desk& desk, const char* heading, Catalogue::Kind kind, const Facts& facts,
                     Actions& actions) {
@@ -89,10 +98,10 @@ void scenes_of_kind(Desk& desk, const char* heading, Catalogue::Kind kind, const
     if (std::ranges::find(scenes, kind, &Catalogue::Entry::kind) == scenes.end()) return;
     desk.widgets.heading(heading);
     for (const Catalogue::Entry& entry : scenes) {
-        if (entry.kind != kind) continue;
+        if (entry.kind != kind || waits_for_gold(entry, facts)) continue;
         std::array<char, 24> score{};
         Widgets::ListRow row{.label = entry.title.c_str()};
-        if (const auto picture = desk.pictures.of(entry.name))
+        if (const auto picture = desk.pictures.of(entry.harder_than.empty() ? entry.name : entry.harder_than))
             row.picture = picture->texture, row.from = picture->from, row.to = picture->to;
         if (entry.best) {
             std::snprintf(score.data(), score.size(), "%lld", static_cast<long long>(entry.best->score));

@@ -97,12 +97,21 @@ Outcome<void> draw(const std::string& name) {
     return {};
 }
 
+// A harder challenge has the picture of the other one.
+std::vector<std::string> scenes_with_a_picture() {
+    const Catalogue catalogue = read_catalogue().value();
+    std::vector<std::string> names;
+    for (const Catalogue::Entry& scene : catalogue.scenes)
+        if (scene.harder_than.empty()) names.push_back(scene.name);
+    return names;
+}
+
 }  // namespace
 }  // namespace game
 
 int main(int count, char** words) {
     std::vector<std::string> names(words + 1, words + count);
-    if (names.empty()) names = game::asset_names(game::AssetKind::kScene).value();
+    if (names.empty()) names = game::scenes_with_a_picture();
     for (const std::string& name : names)
         if (const auto drawn = game::draw(name); !drawn) {
             fmt::print(stderr, "{}: {}\n", name, drawn.error().sentence);

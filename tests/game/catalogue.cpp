@@ -48,6 +48,10 @@ TEST(Catalogue, has_a_small_picture_of_each_scene_and_no_other) {
     std::uintmax_t bytes = 0;
     for (const Catalogue::Entry& scene : scenes) {
         const auto file = std::filesystem::path(scene.file).replace_extension(".png");
+        if (!scene.harder_than.empty()) {  // it has the picture of the other one
+            EXPECT_FALSE(std::filesystem::exists(file)) << file;
+            continue;
+        }
         ASSERT_TRUE(std::filesystem::exists(file))
             << file << " is missing: draw it with build/release/bin/draw_scene_pictures " << scene.name;
         const auto picture = render::read_png(file, 3);

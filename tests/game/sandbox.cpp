@@ -1,7 +1,11 @@
 #include "game/session/sandbox.h"
 
 #include <csignal>
+#include <filesystem>
 #include <fstream>
+#include <set>
+#include <thread>
+#include <vector>
 
 #include <sys/resource.h>
 
@@ -496,6 +500,28 @@ TEST(Recordings, of_ones_own_are_offered_the_newest_first) {
     ASSERT_EQ(own.size(), 3u);
     EXPECT_EQ(own[0].name, "2026-01-03_a");
     EXPECT_EQ(own[2].name, "2025-12-31_a");
+}
+
+TEST(Recordings, of_windows_that_begin_at_once_have_names_of_their_own) {
+    constexpr int kWindows = 4, kSessions = 25;
+    const support::TemporaryFolder folder;
+    ASSERT_EQ(setenv("XDG_DATA_HOME", folder.path().c_str(), 1), 0);
+    const Scenario scenario = small_scenario();
+    std::vector<std::vector<std::filesystem::path>> files(kWindows);
+    std::vector<std::thread> windows;
+    for (auto& own : files)
+        windows.emplace_back([&] {
+            for (int i = 0; i < kSessions; ++i) {
+                own.push_back(next_recording("slope").value());
+                auto recorder = Recorder::create(own.back(), scenario);
+                if (!recorder || !recorder->end(0)) own.back().clear();
+            }
+        });
+    for (std::thread& window : windows) window.join();
+    std::set<std::filesystem::path> all;
+    for (const auto& own : files) all.insert(own.begin(), own.end());
+    EXPECT_EQ(all.size(), std::size_t{kWindows} * kSessions);
+    for (const auto& file : all) EXPECT_TRUE(read_recording(file)) << file;
 }
 
 TEST(Recordings, are_named_by_time_and_scene_and_never_replace_one_another) {

@@ -119,6 +119,80 @@ TEST_F(SceneFile, is_read_with_its_terrain_material_commands_and_view) {
     EXPECT_EQ(scene->scenario.light.azimuth_deg, 255);
 }
 
+class HarderScene : public SceneFile {
+  protected:
+    static constexpr const char* kGoal = R"([goal]
+say = "Move it."
+medals = [1, 2, 3]
+latest = 20
+[[goal.tool]]
+command = "blast"
+count = 3
+radius = 9
+depth = 1
+[[goal.score]]
+measure = "eroded"
+)";
+    HarderScene() { write_bytes(folder_.path() / "easy.toml", std::string(kScene) + kGoal); }
+
+    // The sentence without the folder.
+    std::string fault_of(const std::string& text) {
+        const auto scene = load(text);
+        if (scene) return "none";
+        std::string sentence = scene.error().sentence;
+        const std::string folder = folder_.path().string() + "/";
+        for (auto at = sentence.find(folder); at != std::string::npos; at = sentence.find(folder))
+            sentence.erase(at, folder.size());
+        return sentence;
+    }
+};
+
+TEST_F(HarderScene, has_all_of_the_other_one_but_what_it_states) {
+    const auto easy = load_scene((folder_.path() / "easy.toml").string(), {});
+    ASSERT_TRUE(easy) << easy.error().sentence;
+    const auto hard = load(R"(harder_than = "easy"
+title = "Harder"
+[goal]
+medals = [10, 20, 30]
+[[goal.tool]]
+command = "blast"
+count = 1
+radius = 4
+depth = 1
+)");
+    ASSERT_TRUE(hard) << hard.error().sentence;
+    EXPECT_EQ(hard->scenario.scene, "trial");
+    EXPECT_EQ(hard->scenario.title, "Harder");
+    EXPECT_EQ(hard->files.size(), easy->files.size() + 1);
+    EXPECT_EQ(ground_hash(hard->scenario), ground_hash(easy->scenario));
+    EXPECT_EQ(hard->commands, easy->commands);
+    Goal expected = *easy->scenario.goal;
+    expected.medals = {10, 20, 30};
+    expected.tools.front().count = 1;
+    expected.tools.front().limits.front().least = expected.tools.front().limits.front().most = 4;
+    EXPECT_EQ(*hard->scenario.goal, expected);
+}
+
+TEST_F(HarderScene, blames_the_file_that_a_fault_is_in) {
+    EXPECT_EQ(fault_of("harder_than = \"easy\"\n[goal]\nmedals = 3\n"),
+              "trial.toml:3: goal.medals is not a list of 3 numbers");
+    write_bytes(folder_.path() / "easy.toml", std::string(kScene) + kGoal + "sum = 1\n");
+    EXPECT_EQ(fault_of("harder_than = \"easy\"\n"), "easy.toml:28: score.sum is not a known key");
+}
+
+TEST_F(HarderScene, is_harder_than_a_challenge_that_ships_or_is_beside_it_and_is_no_chain) {
+    EXPECT_EQ(fault_of("harder_than = 3\n"), "trial.toml:1: harder_than is not a string in quotes");
+    EXPECT_EQ(fault_of("\nharder_than = \"none\"\n"),
+              "trial.toml:2: harder_than is \"none\", which neither ships nor is none.toml beside this file");
+    EXPECT_EQ(fault_of("harder_than = \"../easy\"\n"),
+              "trial.toml:1: harder_than is not the name of a scene");
+    EXPECT_EQ(fault_of("harder_than = \"landslide\"\n"),
+              "trial.toml:1: harder_than is \"landslide\", which is no challenge");
+    EXPECT_EQ(fault_of("harder_than = \"trial\"\n"),
+              "trial.toml:1: harder_than is \"trial\", which is harder than another one itself");
+    EXPECT_EQ(fault_of("harder_than = \"one-shovel\"\ntitle = \"A\"\n"), "none");
+}
+
 TEST_F(SceneFile, applies_its_own_parameters_to_its_own_model_only) {
     const std::string text = with("borders = \"open\"", "borders = \"wall\"\ndrag = 750");
     const auto own = load(text);

@@ -377,5 +377,41 @@ TEST_F(UiHand, goes_from_a_won_challenge_to_the_next_shipped_one) {
     EXPECT_EQ(only<Verb>(click("Look around")), Verb::kClosePanel);
 }
 
+TEST_F(UiHand, goes_from_gold_to_the_harder_challenge_and_from_there_to_the_next_one) {
+    catalogue_.scenes = {{"bowl", "The bowl", {}, Catalogue::Kind::kChallenge},
+                         {"bowl-hard", "The small bowl", {}, Catalogue::Kind::kChallenge, "bowl"},
+                         {"shovel", "The shovel", {}, Catalogue::Kind::kChallenge}};
+    card_ = ui::ResultCard{"The bowl", "Won: silver", "", "", 2, {}};
+    scenario_.scene = "bowl";
+    settle();
+    EXPECT_EQ(only<Open>(click("Next")).name_or_path, "shovel");
+    card_->medal = 3;
+    settle();
+    EXPECT_FALSE(ui_->find("Next"));
+    EXPECT_EQ(only<Open>(click("Harder")).name_or_path, "bowl-hard");
+    scenario_.scene = "bowl-hard";
+    settle();
+    EXPECT_EQ(only<Open>(click("Next")).name_or_path, "shovel");
+}
+
+TEST_F(UiPanels, list_a_harder_challenge_once_the_other_one_was_won_in_gold) {
+    using Best = Catalogue::Best;
+    catalogue_.scenes = {
+        {"bowl", "The bowl", "/scenes/bowl.toml", Catalogue::Kind::kChallenge},
+        {"bowl-hard", "The small bowl", "/scenes/bowl-hard.toml", Catalogue::Kind::kChallenge, "bowl"}};
+    ui_->perform(Verb::kToggleScene);
+    settle();
+    EXPECT_TRUE(ui_->find("The bowl"));
+    EXPECT_FALSE(ui_->find("The small bowl"));
+    for (const auto& [bowl, small, listed] : {std::tuple(Best{900, 2}, std::optional<Best>(), false),
+                                              {Best{1465, 3}, std::nullopt, true},
+                                              {Best{900, 2}, std::optional(Best{300, 1}), true}}) {
+        catalogue_.scenes[0].best = bowl, catalogue_.scenes[1].best = small;
+        settle();
+        EXPECT_EQ(ui_->find("The small bowl").has_value(), listed);
+    }
+    EXPECT_EQ(only<Open>(click("The small bowl")).name_or_path, "bowl-hard");
+}
+
 }  // namespace
 }  // namespace game::test

@@ -1,0 +1,70 @@
+#include "game/scene/scene_file.h"
+
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "game/files/assets.h"
+#include "game/files/toml_table.h"
+
+namespace game {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kHarderThan = "harder_than";
+
+// Adds what `document` does not state itself. Nodes are moved, because a copy would forget its line.
+void complete(toml::table& document, toml::table&& from) {
+    for (auto&& [key, node] : from) {
+        toml::node* const own = document.get(key);
+        if (!own)
+            document.insert(key, std::move(node));
+        else if (own->is_table() && node.is_table())
+            complete(*own->as_table(), std::move(*node.as_table()));
+    }
+}
+
+// The file of the scene that `name` means in `file`.
+Outcome<fs::path> easier_scene(const std::string& name, const fs::path& file) {
+    if (name != fs::path(name).filename()) return unusable("is not the name of a scene");
+    if (is_asset(AssetKind::kScene, name)) return find_asset(AssetKind::kScene, name);
+    const fs::path beside = file.parent_path() / (name + ".toml");
+    std::error_code error;
+    if (fs::is_regular_file(beside, error)) return beside;
+    return unusable(fmt::format("is \"{}\", which neither ships nor is {} beside this file", name,
+                                beside.filename().string()));
+}
+
+}  // namespace
+
+Outcome<SceneFile> read_scene_file(const fs::path& file) {
+    auto document = parse_toml(file);
+    if (!document) return tl::unexpected(document.error());
+    SceneFile scene{std::move(*document), {file}, {}};
+    TomlFault fault;
+    TomlTable root(scene.document, "", file.string(), fault);
+    scene.harder_than = root.text(kHarderThan);
+    if (fault) return unusable(*fault);
+    if (!scene.harder_than) return scene;
+
+    const auto blamed = [&](const std::string& fact) {
+        root.blame(kHarderThan, fact);
+        return unusable(*fault);
+    };
+    const auto easier = easier_scene(*scene.harder_than, file);
+    if (!easier) return blamed(easier.error().sentence);
+    auto other = parse_toml(*easier);
+    if (!other) return tl::unexpected(other.error());
+    if (other->contains(kHarderThan))
+        return blamed(fmt::format("is \"{}\", which is harder than another one itself", *scene.harder_than));
+    if (!other->contains("goal"))
+        return blamed(fmt::format("is \"{}\", which is no challenge", *scene.harder_than));
+    scene.files.push_back(*easier);
+    scene.document.erase(kHarderThan);
+    complete(scene.document, std::move(*other));
+    return scene;
+}
+
+}  // namespace game
