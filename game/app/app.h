@@ -123,9 +123,11 @@ class App {
     void perform(const SetDisplay& set);
     void perform(const Open& open);
     void perform(const GuideWish& wish);
+    void perform(const SaveWorld&);
     void pause(bool on);
     void undo();
     void redo();
+    void list_own();
     void stop_hand();
     void reset();
     void share();
