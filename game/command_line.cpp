@@ -372,6 +372,9 @@ void add_run(CLI::App& app, RunOptions& options) {
                  "stop when nothing moves, or after --seconds [3600], whichever is first");
     add_number(app, "--seconds", "S", options.seconds, kSeconds, "simulate this much time");
     app.add_option("--record", options.record, "write the recording to this file")->type_name("FILE.couloir");
+    app.add_option("--save-world", options.save_world,
+                   "write the world as it stands in the end to this file, to play in")
+        ->type_name("FILE.couloir");
     app.add_option("--export", options.export_folder,
                    "write deposit, peak depth and speeds, extent and summary here, and images to DIR/frames")
         ->type_name("DIR");

@@ -18,17 +18,29 @@ void enclose(Layers<Number>& s, const Params& params) {
 
 namespace {
 
+// Visits the values of a field without a halo.
+template <class Value, class Visit>
+void each_vertex(const Grid& grid, std::span<const Value> values, Visit&& visit) {
+    CHECK(values.size() == grid.size());
+    std::size_t i = 0;
+    for (int y = 0; y < grid.ny; ++y)
+        for (int x = 0; x < grid.nx; ++x) visit(x, y, values[i++]);
+}
+
 void place(State& s, const InitialState::Standing& standing) {
     Things& t = things_of(s);
+    if (!standing.earth.empty()) {
+        each_vertex(s.grid, standing.earth, [&](int x, int y, float earth) {
+            t.earth(x, y) = earth;
+            if (earth != 0) set_bedrock(s, x, y);
+        });
+        t.earth_moved = moved_in(t.earth);
+    }
     if (!standing.forest.empty()) {
-        CHECK(standing.forest.size() == s.grid.size());
-        for (int y = 0; y < s.grid.ny; ++y)
-            for (int x = 0; x < s.grid.nx; ++x) {
-                t.forest(x, y) =
-                    standing.forest[static_cast<std::size_t>(y) * static_cast<std::size_t>(s.grid.nx) +
-                                    static_cast<std::size_t>(x)];
-                rebuild_forest(s, x, y);
-            }
+        each_vertex(s.grid, standing.forest, [&](int x, int y, const Stems& stems) {
+            t.forest(x, y) = stems;
+            rebuild_forest(s, x, y);
+        });
         rebuild_wooded(t);
     }
     if (standing.earth_budget >= 0)
@@ -60,14 +72,15 @@ State make_state(const InitialState& world, const Params& params) {
             s.rolling(x, y) = nearest_quanta(world.rolling[i]);
         }
     if (world.lower) {
-        s.mixture = make_mixture(s, world.lower->params, world.lower->depth);
+        const InitialState::Lower& lower = *world.lower;
+        s.mixture = make_mixture(s, lower.params, {lower.depth, lower.settled, lower.rolling});
         s.mixture->lower.density = world.lower_density;
     }
     enclose(s, params);
     if (!world.standing.empty()) place(s, world.standing);
     count_mass(s);
     s.ledger.initial = s.ledger.standing + s.ledger.rolling;
-    if (s.mixture) s.mixture->ledger.initial = s.mixture->ledger.standing;
+    if (s.mixture) s.mixture->ledger.initial = s.mixture->ledger.standing + s.mixture->ledger.rolling;
     return s;
 }
 

@@ -24,6 +24,9 @@ struct InitialState {
     struct Lower {
         Params params;                 // model, scheme, law, borders, tick and Courant number are the world's
         std::span<const float> depth;  // m, 0 to what `depth` is there
+        // Where the materials are mixed already, m of this one, in whole quanta: in the standing layer above its
+        // `depth`, and in the rolling layer. None: 0.
+        std::span<const float> settled = {}, rolling = {};
     };
     std::optional<Lower> lower = std::nullopt;
 
@@ -35,7 +38,9 @@ struct InitialState {
         std::span<const Stems> forest;    // none, or grid.size() values
         std::span<const Command> placed;  // sculpt, house, lift, net, road …, one after another
         double earth_budget = -1;         // m³; −1: no limit
-        bool empty() const { return forest.empty() && placed.empty() && earth_budget < 0; }
+        std::span<const float> earth =
+            {};  // m that bedrock is raised by, whole quanta; none, or grid.size() values
+        bool empty() const { return forest.empty() && placed.empty() && earth_budget < 0 && earth.empty(); }
     };
     Standing standing = {};
 };

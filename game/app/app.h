@@ -125,9 +125,11 @@ class App {
     void perform(const LookAt& wish);
     void perform(const SeeFromFront& wish);
     void perform(const GuideWish& wish);
+    void perform(const SaveWorld&);
     void pause(bool on);
     void undo();
     void redo();
+    void list_own();
     void stop_hand();
     void reset();
     void share();

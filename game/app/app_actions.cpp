@@ -10,11 +10,13 @@
 #include "game/base/process.h"
 #include "game/controls/front_view.h"
 #include "game/controls/key_map.h"
+#include "game/files/own_worlds.h"
 #include "game/files/recordings_folder.h"
 #include "game/files/user_folders.h"
 #include "game/recording/format.h"
 #include "game/scene/mountains.h"
 #include "game/scene/surface.h"
+#include "game/session/world_now.h"
 #include "render/overview.h"
 
 namespace game {
@@ -159,6 +161,28 @@ void App::perform(const GuideWish& wish) {
         guide_.emplace(Guide::Step::kBlast);
 }
 
+// What the user has recorded and saved by now.
+void App::list_own() {
+    catalogue_.own = own_recordings();
+    catalogue_.worlds = own_worlds();
+}
+
+void App::perform(const SaveWorld&) {
+    if (sandbox_->looks_back()) return tell_hands_off();
+    const sim::State& state = sandbox_->session().state();
+    const auto saved = scenario_of_now(sandbox_->scenario(), state).and_then([&](Scenario&& now) {
+        now.camera = camera_->camera();
+        now.camera->azimuth_deg =
+            std::remainder(now.camera->azimuth_deg, 360.0);  // it may have turned on and on
+        now.light = display_.light;
+        return keep_own(OwnKind::kWorld, now.title, recording_of(now));
+    });
+    now_s_ = screen_.seconds();  // this time must not be simulated
+    if (!saved) return warn(fmt::format("This world is not saved: {}", saved.error().sentence));
+    list_own();
+    tell(fmt::format("Saved as {}{}", saved->string(), not_kept(state)));
+}
+
 void App::perform(const SetNumber& set) {
     if (sandbox_->looks_back()) return tell_hands_off();
     // So that a recording contains 0.6, not 0.6000000238418579.
@@ -277,7 +301,7 @@ void App::take_over() {
     const double seconds = sandbox_->session().seconds();
     auto taken = sandbox_->take_over(path ? std::optional(*path) : std::nullopt);
     if (!path) taken = tl::unexpected(path.error());
-    catalogue_.own = own_recordings();
+    list_own();
     if (!taken) {
         stop_recording(taken.error());
         return warn(
@@ -402,7 +426,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     keeps_untouched_ = recording_ && record;
     if (recording_) record.reset();  // it is used now
     record_ = std::move(record);
-    catalogue_.own = own_recordings();
+    list_own();
     ++epoch_;
 
     const Scenario& scenario = sandbox_->scenario();

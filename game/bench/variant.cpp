@@ -105,6 +105,13 @@ Outcome<Scenario> on_grid(Scenario scenario, int squares, const Memory& memory) 
             return unusable(fmt::format("{}: {}", scenario.title, allowed.error()));
         return scenario;
     }
+    const bool is_mixed =
+        scenario.lower && !(scenario.lower->settled.empty() && scenario.lower->rolling.empty());
+    if (is_mixed || !scenario.standing.forest.empty() || !scenario.standing.earth.empty())
+        return unusable(
+            fmt::format("{}: has forest, earth or mixed layers of a grid of {} squares, the only "
+                        "one to measure it on",
+                        scenario.title, squares_of(scenario)));
     const double dx = scenario.grid.dx;
     const auto grid = terrains::grid_over((scenario.grid.nx - 1) * dx, (scenario.grid.ny - 1) * dx,
                                           {squares, [&](const sim::Grid& wanted) {

@@ -50,7 +50,7 @@ struct RunOptions {
     Overrides overrides;
     bool until_rest = false;
     std::optional<double> seconds;
-    std::optional<std::filesystem::path> record, export_folder;
+    std::optional<std::filesystem::path> record, save_world, export_folder;
     bool iseesnow = false;                   // export in ISeeSnow's format
     std::optional<std::string> export_name;  // of its files
     PictureOptions pictures;

@@ -12,6 +12,7 @@
 #include "game/files/assets.h"
 #include "game/files/file_use.h"
 #include "game/files/text_file.h"
+#include "game/session/world_now.h"
 #include "game/share/share_recording.h"
 #include "terrains/release.h"
 
@@ -42,6 +43,7 @@ FileUse files_of(const RunOptions& options, const Scene& scene, const terrains::
     if (options.pictures.folder) use.reads(drawing_assets());
     if (options.web.file) use.reads(page_assets());
     use.writes("--record", options.record);
+    use.writes("--save-world", options.save_world);
     use.writes("--web", options.web.file);
     add_outputs(options.results, use);
     use.writes_into("--export", options.export_folder, options.iseesnow ? kIseesnowNames : kExportedNames);
@@ -63,6 +65,8 @@ Outcome<Leavings> open_leavings(const RunOptions& options, const Scenario& scena
     if (auto placed = make_places_for(options.results); !placed) return tl::unexpected(placed.error());
     if (options.web.file)
         if (auto placed = make_place_for(*options.web.file); !placed) return tl::unexpected(placed.error());
+    if (options.save_world)
+        if (auto placed = make_place_for(*options.save_world); !placed) return tl::unexpected(placed.error());
     if (options.pictures.folder) {
         auto gallery =
             Gallery::open(*options.pictures.folder, options.pictures.size, options.pictures.gl, scenario);
@@ -139,6 +143,12 @@ Outcome<int> run(const RunOptions& options) {
     if (!finished) return tl::unexpected(finished.error());
     if (auto closed = session->finish(); !closed) return tl::unexpected(closed.error());
 
+    if (options.save_world) {
+        const auto saved = scenario_of_now(scenario, session->state()).and_then([&](const Scenario& now) {
+            return write_text(*options.save_world, recording_of(now));
+        });
+        if (!saved) return tl::unexpected(saved.error());
+    }
     const Measures measures =
         measure(scenario, *session, release_area(scenario, scene->commands), *reference);
     Summary summary{scenario, *session, measures, &perf, std::nullopt, std::nullopt};

@@ -90,9 +90,12 @@ struct GuideWish {
     enum Kind { kNext, kAgain } kind;
 };
 
+// Saves the world as it stands, as a scene of one's own.
+struct SaveWorld {};
+
 // A Tool is chosen.
 using Action = std::variant<Verb, Tool, SetSpeed, SeekTick, SetBrush, SetNumber, SetDisplay, Open, LookAt,
-                            SeeFromFront, GuideWish>;
+                            SeeFromFront, GuideWish, SaveWorld>;
 using Actions = std::vector<Action>;
 
 }  // namespace game

@@ -7,6 +7,7 @@
 
 #include "game/base/limits.h"
 #include "game/files/assets.h"
+#include "game/files/own_worlds.h"
 #include "game/files/recordings_folder.h"
 #include "game/recording/format.h"
 #include "game/scene/scene_file.h"
@@ -81,6 +82,15 @@ std::vector<Catalogue::Entry> own_recordings() {
     std::sort(own.begin(), own.end(), [](const auto& a, const auto& b) { return a.name > b.name; });
     if (own.size() > kMostOwn) own.resize(kMostOwn);
     return own;
+}
+
+std::vector<Catalogue::Entry> own_worlds() {
+    std::vector<Catalogue::Entry> worlds;
+    for (const OwnFile& own : own_files(kMostOwn))
+        worlds.push_back(
+            {own.path.stem().string(), own.path.string(), own.path,
+             own.kind == OwnKind::kChallenge ? Catalogue::Kind::kChallenge : Catalogue::Kind::kMountain});
+    return worlds;
 }
 
 }  // namespace game

@@ -28,14 +28,17 @@ struct Catalogue {
     };
     std::vector<Entry> scenes;  // by kind, then by name
     std::vector<Entry> materials, recordings;
-    std::vector<Entry> own;  // the user's recordings, newest first
+    std::vector<Entry> own;     // the user's recordings, newest first
+    std::vector<Entry> worlds;  // that the user has saved, and challenges; newest first
 };
 
-// Reads everything except `own`. Errors: an asset cannot be found or read.
+// Reads everything except `own` and `worlds`. Errors: an asset cannot be found or read.
 Outcome<Catalogue> read_catalogue();
 
 // The newest recordings in the recordings folder, at most kMostOwn; none if there is no such folder.
 inline constexpr std::size_t kMostOwn = 8;
 std::vector<Catalogue::Entry> own_recordings();
+// The newest worlds and challenges of the user, at most kMostOwn (files/own_worlds.h).
+std::vector<Catalogue::Entry> own_worlds();
 
 }  // namespace game

@@ -16,6 +16,7 @@
 #include "game/recording/ground_data.h"
 #include "game/recording/things_json.h"
 #include "game/scene/flow_kinds.h"
+#include "game/scene/standing.h"
 #include "game/scene/structures.h"
 #include "render/sky_light.h"
 
@@ -68,7 +69,7 @@ constexpr std::pair<std::string_view, int> kSince[] = {
     {"law", 1},          {"exchange_depth", 1}, {"shear_rate", 1},    {"anchor_step", 2},
     {"friction", 5},     {"drag", 5},           {"friction_thin", 6}, {"friction_fold_depth", 6},
     {"erosion_rate", 6}, {"deposit_rate", 6},   {"loose_slope", 6}};
-constexpr int kNewNumbers = 6;  // the minor version since which forces drive bcre-inertial
+constexpr int kNewNumbers = 6;    // the minor version since which forces drive bcre-inertial
 constexpr std::string_view kGone[] = {"relaxation_time", "half_speed_depth", "stop_slope_thick",
                                       "stop_fold_depth"};
 
@@ -108,6 +109,28 @@ Scenario::Lower lower_from(const Json& json, int minor, const sim::Params& world
     numbers_from(member(json, "physics"), minor, lower.params);
     sim::take_choices(world, lower.params);
     return lower;
+}
+
+// Where the materials are mixed at tick 0.
+Json mixed_json(const Scenario::Lower& lower) {
+    Json json;
+    if (!lower.settled.empty()) json["settled"] = pack_metres(lower.settled);
+    if (!lower.rolling.empty()) json["rolling"] = pack_metres(lower.rolling);
+    return json;
+}
+
+// After the ground, whose layers bound them.
+void mixed_from(const Json& json, Scenario& scenario) {
+    const auto read = [&](const char* key, std::vector<float>& part) {
+        if (!json.contains(key)) return;
+        auto metres = unpack_metres(text(json, key), scenario.grid.size());
+        if (!metres) refuse(fmt::format("mixed: {}: {}", key, metres.error()));
+        part = std::move(*metres);
+    };
+    if (!json.is_object()) refuse("mixed is not an object");
+    read("settled", scenario.lower->settled);
+    read("rolling", scenario.lower->rolling);
+    if (const auto wrong = fault_of_mixed(scenario)) refuse("mixed: " + *wrong);
 }
 
 Json ground_json(const Scenario& scenario) {
@@ -399,6 +422,8 @@ Header read_header(const Json& json, int minor, const Memory& memory) {
     if (json.contains("lower")) scenario.lower = lower_from(json.at("lower"), minor, scenario.params);
     view_from(member(json, "view"), scenario);
     ground_from(member(json, "terrain"), memory, json.contains("things"), scenario);
+    if (scenario.lower && json.at("lower").contains("mixed"))
+        mixed_from(json.at("lower").at("mixed"), scenario);
     if (const auto wrong = fault_of(scenario.structures, scenario.grid, scenario.has_data))
         refuse("structures: " + *wrong);
     if (const Json& view = member(json, "view"); view.contains("trees"))
@@ -489,6 +514,9 @@ Json to_json(const Header& header) {
         json["lower"] = {{"material", scenario.lower->material},
                          {"physics", numbers_json(scenario.lower->params)}};
     if (scenario.lower && scenario.lower->density) json["lower"]["density"] = *scenario.lower->density;
+    if (scenario.lower)
+        if (Json mixed = mixed_json(*scenario.lower); !mixed.empty())
+            json["lower"]["mixed"] = std::move(mixed);
     json["terrain"] = ground_json(scenario);
     if (!scenario.standing.empty()) json["things"] = values::things_json(scenario);
     if (scenario.goal) json["goal"] = values::goal_json(*scenario.goal);

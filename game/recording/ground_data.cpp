@@ -94,6 +94,20 @@ tl::expected<std::vector<std::uint8_t>, std::string> unpack_bytes(std::string_vi
     return std::vector<std::uint8_t>(bytes->begin(), bytes->end());
 }
 
+std::string pack_metres(std::span<const float> metres) {
+    return pack({reinterpret_cast<const char*>(metres.data()), metres.size_bytes()});
+}
+
+tl::expected<std::vector<float>, std::string> unpack_metres(std::string_view text, std::size_t vertices) {
+    const auto bytes = unpack(text, vertices * sizeof(float));
+    if (!bytes) return tl::unexpected(std::string("a field that cannot be unpacked"));
+    std::vector<float> metres(vertices);
+    std::memcpy(metres.data(), bytes->data(), bytes->size());
+    for (const float each : metres)
+        if (!std::isfinite(each)) return tl::unexpected(std::string("a field with impossible values"));
+    return metres;
+}
+
 namespace {
 
 constexpr std::size_t kBytesPerStems = 6;

@@ -25,6 +25,10 @@ tl::expected<void, std::string> unpack_ground(std::string_view text, Scenario& s
 std::string pack_bytes(std::span<const std::uint8_t> bytes);
 tl::expected<std::vector<std::uint8_t>, std::string> unpack_bytes(std::string_view text, std::size_t count);
 
+// The same for metres at each vertex. Errors of the second also: a value that is not finite.
+std::string pack_metres(std::span<const float> metres);
+tl::expected<std::vector<float>, std::string> unpack_metres(std::string_view text, std::size_t vertices);
+
 // The same for the stems at each vertex: standing (two bytes, little-endian), lying, diameter and height, a plane each.
 // Errors of the second also: stems beyond kMostStems, or sizes that no planted tree has.
 std::string pack_forest(std::span<const sim::Stems> forest);

@@ -32,10 +32,14 @@ void add_numbers(const std::string& of, const sim::Params& a, const sim::Params&
             found.push_back(differs(fmt::format("{}{}", of, info.name), a.*info.value, b.*info.value));
 }
 
+// A field that is empty is 0 everywhere.
 void add_field(const char* what, const std::vector<float>& a, const std::vector<float>& b,
                std::vector<std::string>& found) {
     std::size_t count = 0;
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) count += a[i] != b[i];
+    const auto at = [](const std::vector<float>& field, std::size_t i) {
+        return i < field.size() ? field[i] : 0.f;
+    };
+    for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) count += at(a, i) != at(b, i);
     if (count > 0) found.push_back(fmt::format("{} differs at {} vertices", what, count));
 }
 
@@ -115,6 +119,7 @@ void add_standing(const Scenario::Standing& a, const Scenario::Standing& b, std:
     const auto budget = [](double m3) { return m3 < 0 ? "without limit" : fmt::format("{} m3", m3); };
     if (a.earth_budget != b.earth_budget)
         found.push_back(differs("the budget of earth", budget(a.earth_budget), budget(b.earth_budget)));
+    add_field("earth", a.earth, b.earth, found);
     // As commands of one tick, of which the differences are known.
     const auto timed = [](const Scenario::Standing& standing) {
         std::vector<TimedCommand> commands;
@@ -141,7 +146,10 @@ std::vector<std::string> differences_of(const Scenario& a, const Scenario& b) {
     add_field("the cover's depth", a.depth, b.depth, found);
     add_field("the release", a.rolling, b.rolling, found);
     add_standing(a.standing, b.standing, found);
-    if (a.lower && b.lower) add_field("the lower material's depth", a.lower->depth, b.lower->depth, found);
+    if (!a.lower || !b.lower) return found;
+    add_field("the lower material's depth", a.lower->depth, b.lower->depth, found);
+    add_field("the lower material in deposits", a.lower->settled, b.lower->settled, found);
+    add_field("the lower material in the release", a.lower->rolling, b.lower->rolling, found);
     return found;
 }
 

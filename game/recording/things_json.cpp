@@ -37,6 +37,7 @@ Json things_json(const Scenario& scenario) {
     if (!standing.forest.empty()) json["forest"] = pack_forest(standing.forest);
     if (!standing.placed.empty()) json["placed"] = placed_json(standing.placed);
     if (standing.earth_budget >= 0) json["earth_budget"] = standing.earth_budget;
+    if (!standing.earth.empty()) json["earth"] = pack_metres(standing.earth);
     return json;
 }
 
@@ -51,6 +52,12 @@ void things_from(const Json& json, Scenario& scenario) {
     for (const Json& each : list(json, "placed", kMostPlaced)) standing.placed.push_back(placed_from(each));
     if (json.contains("earth_budget"))
         standing.earth_budget = number(json, "earth_budget", 0, kGreatestEarthBudget);
+    if (json.contains("earth")) {
+        auto earth = unpack_metres(text(json, "earth"), scenario.grid.size());
+        if (!earth) refuse("things: earth: " + earth.error());
+        standing.earth = std::move(*earth);
+        if (const auto wrong = fault_of_earth(scenario)) refuse("things: " + *wrong);
+    }
     if (const auto wrong = fault_of_placed(scenario)) refuse("things: " + wrong->fact);
 }
 

@@ -93,12 +93,14 @@ void leave_old_cover_on_bare_ground(Scenario& scenario) {
 sim::InitialState initial_state_of(const Scenario& scenario) {
     sim::InitialState world{scenario.grid,    scenario.datum,    scenario.bedrock, scenario.depth,
                             scenario.rolling, scenario.has_data, scenario.seed};
-    if (scenario.lower) world.lower = sim::InitialState::Lower{scenario.lower->params, scenario.lower->depth};
+    if (const auto& lower = scenario.lower)
+        world.lower = sim::InitialState::Lower{lower->params, lower->depth, lower->settled, lower->rolling};
     if (const auto densities = densities_of(scenario)) {
         world.density = static_cast<float>(densities->upper);
         world.lower_density = static_cast<float>(densities->lower);
     }
-    world.standing = {scenario.standing.forest, scenario.standing.placed, scenario.standing.earth_budget};
+    const Scenario::Standing& standing = scenario.standing;
+    world.standing = {standing.forest, standing.placed, standing.earth_budget, standing.earth};
     return world;
 }
 

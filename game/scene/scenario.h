@@ -48,6 +48,9 @@ struct Scenario {
         sim::Params params;
         std::vector<float> depth;       // m, the part of `depth` that is this material, from bedrock up
         std::optional<double> density;  // kg/m³
+        // Where the materials are mixed already, m of this one: in the standing layer above its depth, and in the
+        // rolling layer; none, or grid.size() values.
+        std::vector<float> settled = {}, rolling = {};
     };
     std::optional<Lower> lower;
 
@@ -63,7 +66,9 @@ struct Scenario {
         std::vector<sim::Stems> forest;    // none, or grid.size() values
         std::vector<sim::Command> placed;  // of things, done one after another before tick 0
         double earth_budget = -1;          // m³; −1: no limit
-        bool empty() const { return forest.empty() && placed.empty() && earth_budget < 0; }
+        std::vector<float> earth =
+            {};  // m that bedrock is raised by, whole quanta; none, or grid.size() values
+        bool empty() const { return forest.empty() && placed.empty() && earth_budget < 0 && earth.empty(); }
         bool operator==(const Standing&) const = default;
     };
     Standing standing;

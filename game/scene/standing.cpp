@@ -1,7 +1,11 @@
 #include "game/scene/standing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include "sim/initial_state.h"
 #include "sim/world/quanta.h"
@@ -29,6 +33,63 @@ std::optional<PlacedFault> fault_of_placed(const Scenario& scenario) {
     if (auto wrong = sim::fault_of_things(state, placed))
         return PlacedFault{wrong->command, std::move(wrong->fact)};
     return std::nullopt;
+}
+
+namespace {
+
+bool is_in_quanta(float metres) {
+    return sim::nearest_quanta(metres) == metres;  // not of NaN
+}
+
+// What is wrong with a field of the lower material that `most(vertex)` bounds, m.
+template <class Most>
+std::optional<std::string> fault_of_part(const std::vector<float>& part, std::size_t vertices,
+                                         const char* name, Most&& most) {
+    if (part.empty()) return std::nullopt;
+    if (part.size() != vertices)
+        return fmt::format("{} has {} values for {} vertices", name, part.size(), vertices);
+    for (std::size_t i = 0; i < vertices; ++i)
+        if (!is_in_quanta(part[i]) || part[i] < 0 || part[i] > most(i))
+            return fmt::format("{} has {} m at vertex {}, where at most {} m can be", name, part[i], i,
+                               most(i));
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> fault_of_earth(const Scenario& scenario) {
+    const Scenario::Standing& standing = scenario.standing;
+    if (standing.earth.empty()) return std::nullopt;
+    if (standing.earth.size() != scenario.grid.size())
+        return fmt::format("earth has {} values for {} vertices", standing.earth.size(),
+                           scenario.grid.size());
+    sim::EarthMoved moved;
+    for (std::size_t i = 0; i < standing.earth.size(); ++i) {
+        const float earth = standing.earth[i];
+        if (!is_in_quanta(earth) || std::abs(static_cast<double>(earth)) > sim::kHighestEarth)
+            return fmt::format("earth of {} m at vertex {} is not in whole quanta within {} m", earth, i,
+                               sim::kHighestEarth);
+        if (earth != 0 && scenario.has_data[i] == 0)
+            return fmt::format("earth at vertex {}, where the terrain has no data", i);
+        moved.add(std::llrint(earth / sim::kQuantum));
+    }
+    const double cubic_metres = scenario.grid.cell_area() * static_cast<double>(sim::kQuantum);
+    if (standing.earth_budget < 0 || moved.used() <= std::llrint(standing.earth_budget / cubic_metres))
+        return std::nullopt;
+    return fmt::format("earth of {:.1f} m3, and the budget is {:.1f} m3",
+                       static_cast<double>(moved.used()) * cubic_metres, standing.earth_budget);
+}
+
+std::optional<std::string> fault_of_mixed(const Scenario& scenario) {
+    if (!scenario.lower) return std::nullopt;
+    const Scenario::Lower& lower = *scenario.lower;
+    const auto above = [&](std::size_t i) {
+        const float depth = sim::nearest_quanta(scenario.depth[i]);
+        return depth - std::min(sim::nearest_quanta(lower.depth[i]), depth);
+    };
+    const auto rolling = [&](std::size_t i) { return sim::nearest_quanta(scenario.rolling[i]); };
+    if (auto fault = fault_of_part(lower.settled, scenario.grid.size(), "settled", above)) return fault;
+    return fault_of_part(lower.rolling, scenario.grid.size(), "rolling", rolling);
 }
 
 double earth_needed(const Scenario& scenario) {

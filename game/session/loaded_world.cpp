@@ -35,8 +35,17 @@ Outcome<LoadedWorld> open_recording(const fs::path& path, const Overrides& overr
     loaded.scene.scenario = recording->header.scenario;
     if (auto taken = take_look(overrides.look, loaded.scene.scenario); !taken)
         return tl::unexpected(taken.error());
-    loaded.scene.commands = recording->commands;
     loaded.scene.files = {*found};
+    if (is_world(*recording)) {
+        Scenario& world = loaded.scene.scenario;
+        if (world.goal)
+            loaded.scene.commands = world.goal->events;
+        else
+            world.scene = loaded.name;  // what is recorded in it is named by that
+        loaded.told = recording->warning.value_or(fmt::format("Loaded {}", found->filename().string()));
+        return loaded;
+    }
+    loaded.scene.commands = recording->commands;
     loaded.told = recording->warning.value_or(fmt::format("Watching {}", found->filename().string()));
     loaded.watched = std::move(*recording);
     return loaded;
@@ -52,6 +61,10 @@ Outcome<LoadedWorld> open_terrain(const fs::path& path, const Overrides& overrid
 }
 
 }  // namespace
+
+bool is_world(const Recording& recording) {
+    return recording.end == 0 && recording.commands.empty();
+}
 
 Outcome<LoadedWorld> open_anything(const std::string& name_or_path, const Overrides& overrides) {
     const fs::path path(name_or_path);

@@ -18,8 +18,11 @@ struct LoadedWorld {
     Memory memory;                     // the limits under which it was opened
 };
 
+// Whether nothing was done in a recording, and no time passed: it is a world to play in, not a session to watch.
+bool is_world(const Recording& recording);
+
 // Opens a scene by its name, or a file: a scene (.toml), a recording (.couloir) or else an elevation raster.
-// Shipped recordings are found by NAME.couloir. `overrides` apply to scenes and rasters; only `look` and
+// Shipped recordings are found by NAME.couloir. A recording that is_world() begins as a scene, called by its file. `overrides` apply to scenes and rasters; only `look` and
 // `memory` apply to recordings.
 // Errors: the file cannot be read or is damaged.
 Outcome<LoadedWorld> open_anything(const std::string& name_or_path, const Overrides& overrides);

@@ -182,6 +182,38 @@ void recordings(Desk& desk, const char* heading, const std::vector<Catalogue::En
     }
 }
 
+// Keeps the world as it stands as a scene of the user's own.
+void save_world(Desk& desk, const Facts& facts, Actions& actions) {
+    const char* const obstacle =
+        facts.scenario.flow  ? "A flow demo has no world to save."
+        : facts.looks_back() ? "Only the present can be saved. Go there, or continue from here, first."
+                             : nullptr;
+    ImGui::BeginDisabled(obstacle != nullptr);
+    if (desk.widgets.button(
+            "Save this world",
+            obstacle ? obstacle
+                     : "Keeps the mountain as it stands now as a scene of your own: layers, forest, "
+                       "earth and what is built.",
+            false, ImGui::GetContentRegionAvail().x))
+        actions.emplace_back(SaveWorld{});
+    ImGui::EndDisabled();
+}
+
+// What the user has saved; the one that is chosen is opened.
+void own_worlds_of(Desk& desk, const Facts& facts, Actions& actions) {
+    if (facts.catalogue.worlds.empty()) return;
+    desk.widgets.heading("Yours, newest first");
+    for (const Catalogue::Entry& entry : facts.catalogue.worlds) {
+        const bool is_challenge = entry.kind == Catalogue::Kind::kChallenge;
+        if (desk.widgets.button(entry.name.c_str(),
+                                is_challenge
+                                    ? "Shows how this challenge of yours is won; then try it yourself."
+                                    : "Starts in this world; the current session stays in its recording.",
+                                entry.name == facts.scenario.scene, ImGui::GetContentRegionAvail().x))
+            actions.emplace_back(Open{entry.file.string(), {}});
+    }
+}
+
 void hints(Desk& desk, const Facts& facts, Actions& actions) {
     if (facts.guide && desk.widgets.button("Show hints again", "Leads through the first steps once more."))
         actions.emplace_back(GuideWish{GuideWish::kAgain});
@@ -200,7 +232,9 @@ void sharing(Desk& desk, const Facts& facts, Actions& actions) {
 void scene_panel(Desk& desk, const Facts& facts, Actions& actions) {
     desk.widgets.plain("%s", facts.scenario.title.c_str());
     hints(desk, facts, actions);
+    save_world(desk, facts, actions);
     best_runs_of_challenge(desk, facts, actions);
+    own_worlds_of(desk, facts, actions);
     scenes_of_kind(desk, "Challenges", Catalogue::Kind::kChallenge, facts, actions);
     scenes_of_kind(desk, "Mountains", Catalogue::Kind::kMountain, facts, actions);
     scenes_of_kind(desk, "Flow demos", Catalogue::Kind::kFlowDemo, facts, actions);

@@ -147,15 +147,22 @@ float share_at_surface(const View& s, int x, int y) {
     return above >= skin ? m.settled(x, y) / above : (m.settled(x, y) + (skin - above)) / skin;
 }
 
-Mixture make_mixture(const State& s, const Params& lower, std::span<const float> depth) {
-    CHECK(depth.size() == s.grid.size());
+Mixture make_mixture(const State& s, const Params& lower, const LowerAmounts& amounts) {
+    CHECK(amounts.untouched.size() == s.grid.size());
+    CHECK(amounts.settled.empty() || amounts.settled.size() == s.grid.size());
+    CHECK(amounts.rolling.empty() || amounts.rolling.size() == s.grid.size());
     Mixture m{lower, Field<float>(s.grid), Field<float>(s.grid), Field<float>(s.grid), {}};
     take_choices(s.params, m.lower);
     for (int y = 0; y < s.grid.ny; ++y)
         for (int x = 0; x < s.grid.nx; ++x) {
             const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(s.grid.nx) +
                            static_cast<std::size_t>(x);
-            m.untouched(x, y) = std::min(nearest_quanta(depth[i]), s.depth(x, y));
+            m.untouched(x, y) = std::min(nearest_quanta(amounts.untouched[i]), s.depth(x, y));
+            if (!amounts.settled.empty())
+                m.settled(x, y) =
+                    std::min(nearest_quanta(amounts.settled[i]), s.depth(x, y) - m.untouched(x, y));
+            if (!amounts.rolling.empty())
+                m.rolling(x, y) = std::min(nearest_quanta(amounts.rolling[i]), s.rolling(x, y));
         }
     return m;
 }

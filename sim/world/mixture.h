@@ -49,9 +49,14 @@ float share_at_surface(const View& world, int x, int y);
 // parameters are its own.
 void take_choices(const Params& world, Params& lower);
 
-// Makes the mixture of an initial state. `depth`: m of the lower material, grid.size() values, row-major, cut
-// off at the standing depth; the rest is the upper material. `state` must have its layers.
-Mixture make_mixture(const State& state, const Params& lower, std::span<const float> depth);
+// How much of the lower material there is, m, grid.size() values each, row-major. The rest is the upper material.
+struct LowerAmounts {
+    std::span<const float> untouched;     // cut off at the standing depth
+    std::span<const float> settled = {};  // cut off at what stands above; none: 0
+    std::span<const float> rolling = {};  // cut off at the rolling layer; none: 0
+};
+// Makes the mixture of an initial state, which must have its layers.
+Mixture make_mixture(const State& state, const Params& lower, const LowerAmounts& amounts);
 
 // Apply a command to the mixture of a vertex; the last three do nothing in a world of one material. Call
 // before R and d change. Amounts: m, whole quanta.

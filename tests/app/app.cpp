@@ -65,6 +65,15 @@ class Playing : public testing::Test {
         frames(1);
     }
 
+    void blast_at(double x, double y) {
+        screen_.move(x, y);
+        frames(1);
+        screen_.press(Button::kLeft);
+        frames(2);
+        screen_.release(Button::kLeft);
+        frames(1);
+    }
+
     bool shows(const char* label) const { return app_->panels().find(label).has_value(); }
     void click(const char* label) {
         const auto at = app_->panels().find(label);
@@ -976,6 +985,58 @@ TEST_F(Playing, tells_what_a_slide_in_free_play_came_to_and_goes_back_to_before_
     EXPECT_EQ(app_->sandbox().actions(), 1u);
 }
 
+TEST_F(Playing, saves_the_world_as_it_stands_and_begins_it_again) {
+    screen_.resize_to(1280, 720);
+    begin("winter-valley", 40);
+    tap(key('3'));
+    blast_at(640, 330);
+    frames(60);
+    ASSERT_GT(mass().rolling, 0);
+    tap(function_key(2));
+    frames(3);
+    click("Save this world");
+    const auto folder = folder_.path() / "couloir/scenes";
+    ASSERT_EQ(app_->catalogue().worlds.size(), 1u) << last_notice();
+    const std::filesystem::path file = app_->catalogue().worlds[0].file;
+    EXPECT_EQ(file.parent_path(), folder);
+    EXPECT_NE(last_notice().find(file.string()), std::string::npos) << last_notice();
+    const auto recording = read_recording(file);
+    ASSERT_TRUE(recording) << recording.error().sentence;
+    EXPECT_TRUE(is_world(*recording));
+    EXPECT_NEAR(recording->header.scenario.camera->distance_m, app_->camera().distance_m, 1e-9);
+
+    frames(30);
+    click(file.stem().c_str());
+    EXPECT_FALSE(app_->sandbox().watches());
+    EXPECT_EQ(app_->sandbox().scenario().scene, file.stem());
+    EXPECT_LT(state().tick, 5);
+    EXPECT_GT(mass().rolling, 0) << "what moved goes on from rest";
+    ASSERT_TRUE(app_->recording());
+    EXPECT_NE(app_->recording()->string().find(file.stem().string()), std::string::npos);
+    tap(function_key(2));
+    blast_at(640, 330);
+    frames(30);
+    expect_recording_replays();
+}
+
+TEST_F(Playing, saves_no_world_of_the_past_and_says_why_one_cannot_be_written) {
+    screen_.resize_to(1280, 720);
+    begin("winter-valley", 40);
+    tap(function_key(2));
+    frames(3);
+    std::filesystem::create_directory(folder_.path() / "couloir");
+    std::ofstream(folder_.path() / "couloir/scenes") << "a file in place of the folder";
+    click("Save this world");
+    EXPECT_NE(last_notice().find("not saved"), std::string::npos) << last_notice();
+    EXPECT_TRUE(app_->catalogue().worlds.empty());
+    std::filesystem::remove(folder_.path() / "couloir/scenes");
+
+    tap(Key::kComma);
+    frames(3);
+    click("Save this world");
+    EXPECT_TRUE(app_->catalogue().worlds.empty()) << "looking back";
+}
+
 class FirstMinute : public Playing {
   protected:
     void begin_led(Guide guide, const std::string& what) {
@@ -1070,14 +1131,7 @@ class PlayingAChallenge : public Playing {
         std::ofstream(scene) << support::slope_scene("A small challenge", 40) << kRest;
         begin(scene.string(), 0);
     }
-    void blast() {
-        screen_.move(640, 330);
-        frames(1);
-        screen_.press(Button::kLeft);
-        frames(2);
-        screen_.release(Button::kLeft);
-        frames(1);
-    }
+    void blast() { blast_at(640, 330); }
     // As couloir replay --score computes it.
     static Outcome<Score> replayed_score(const Recording& recording) {
         auto session = Session::begin(recording.header.scenario, sim::StepOptions{}, std::nullopt);

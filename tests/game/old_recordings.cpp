@@ -138,6 +138,7 @@ constexpr Old kOld[] = {
     {"format_1_4_parent", 4, 1, 90, true, false, "soil", false, true},
     {"format_1_7_things", 7, 12, 300, true, false, "snow", false, false, true},
     {"format_1_8_goal", 8, 7, 3600, true, false, "soil"},
+    {"format_1_9_saved_world", 9, 1, 60, true, true, "snow", false, false, true},
 };
 
 INSTANTIATE_TEST_SUITE_P(Files, OldRecording, testing::ValuesIn(kOld),

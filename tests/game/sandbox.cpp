@@ -1,18 +1,16 @@
 #include "game/session/sandbox.h"
 
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <thread>
 #include <vector>
 
-#include <sys/resource.h>
-
 #include <gtest/gtest.h>
 
 #include "game/controls/catalogue.h"
 #include "game/files/recordings_folder.h"
+#include "tests/game/full_disk.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"
 #include "tests/support/places.h"
@@ -444,27 +442,6 @@ TEST(Sandbox, says_why_there_is_no_recording_to_copy) {
     Sandbox into_device = recorded("/dev/null");
     EXPECT_FALSE(into_device.recorded_so_far());
 }
-
-// Files of this process may grow to `bytes` and no further, as on a full disk.
-class FullDisk {
-  public:
-    explicit FullDisk(rlim_t bytes) {
-        getrlimit(RLIMIT_FSIZE, &before_);
-        signal_ = std::signal(SIGXFSZ, SIG_IGN);
-        const rlimit less{bytes, before_.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &less);
-    }
-    ~FullDisk() {
-        setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, signal_);
-    }
-    FullDisk(const FullDisk&) = delete;
-    FullDisk& operator=(const FullDisk&) = delete;
-
-  private:
-    rlimit before_{};
-    void (*signal_)(int) = nullptr;
-};
 
 TEST(Sandbox, says_that_the_disk_is_full_and_plays_on_without_a_recording) {
     const support::TemporaryFolder folder;
