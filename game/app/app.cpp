@@ -808,10 +808,11 @@ void App::trace_goal() {
         if (met && glm::distance(eye, *met) < away * (1 - kHidden)) return std::nullopt;
         return on;
     };
-    goal_lines_.trace(*goal, world.grid,
-                      {camera_->camera(), size.width, size.height,
-                       static_cast<std::int64_t>(sandbox_->session().seconds())},
-                      seen);
+    goal_lines_.trace(
+        *goal, world.grid,
+        {camera_->camera(), size.width, size.height,
+         static_cast<std::int64_t>(sandbox_->session().seconds())},
+        {sandbox_->session().state().tick, static_cast<double>(sandbox_->scenario().params.tick_s)}, seen);
 }
 
 void App::draw_panels() {
@@ -837,6 +838,7 @@ void App::draw_panels() {
             .stroke = stroke_note(),
             .goal_use = sandbox_->scenario().goal ? std::optional(sandbox_->goal_use()) : std::nullopt,
             .goal_lines = goal_lines_.lines(),
+            .goal_events = goal_lines_.events(),
             .card = has_card() ? &card_ : nullptr,
             .ghost = ghost_note_,
             .best_runs = best_list_.runs(),

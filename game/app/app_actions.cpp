@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/trigonometric.hpp>
@@ -380,9 +381,12 @@ void App::open_or_tell(const std::string& name_or_path, const Overrides& overrid
     within.memory.use.sessions = 2;  // the old world exists until the new one is loaded
     auto loaded = open_anything(name_or_path, within);
     if (!loaded) return warn(loaded.error().sentence);
-    if (const auto begun = begin_world(std::move(*loaded), std::nullopt); !begun)
-        return warn(begun.error().sentence);
-    clock_ = {};  // neither paused nor at another speed, because another world begins
+    // Neither paused nor at another speed, because another world begins.
+    const TickClock before = std::exchange(clock_, {});
+    if (const auto begun = begin_world(std::move(*loaded), std::nullopt); !begun) {
+        clock_ = before;
+        warn(begun.error().sentence);
+    }
 }
 
 // Nothing remains of a session in which nothing was done, unless somebody counts on its recording.
@@ -465,6 +469,8 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     tell(first_.told);
     if (scenario.look.flow && !sandbox_->session().fronts()) tell(Session::kTooFine);
     if (const std::string notice = woods_notice(scenario, woods_); !notice.empty()) tell(notice);
+    // Who plays against the clock may look first.
+    if (scenario.goal && !scenario.goal->events.empty() && !sandbox_->watches()) clock_.pause(true);
     now_s_ = screen_.seconds();  // loading time must not be simulated
     return {};
 }

@@ -9,20 +9,20 @@
 namespace game {
 namespace {
 
-constexpr int kPoints = 128;  // around an area
+constexpr int kPoints = 128, kPointsOfEvent = 24;  // around an area
 
 // Areas may reach beyond the grid, and their outlines end at its border.
-std::vector<glm::dvec2> outline_of(const Area& area, glm::dvec2 most) {
+std::vector<glm::dvec2> outline_of(const Area& area, int count, glm::dvec2 most) {
     std::vector<glm::dvec2> points;
-    for (int i = 0; i <= kPoints; ++i) {
+    for (int i = 0; i <= count; ++i) {
         glm::dvec2 at;
         if (area.shape == Area::Shape::kEllipse) {
-            const double angle = 2 * std::numbers::pi * i / kPoints;
+            const double angle = 2 * std::numbers::pi * i / count;
             at = area.from + area.to * glm::dvec2(std::cos(angle), std::sin(angle));
         } else {
             const glm::dvec2 low = glm::clamp(glm::min(area.from, area.to), glm::dvec2(0), most),
                              high = glm::clamp(glm::max(area.from, area.to), glm::dvec2(0), most);
-            const double along = 4.0 * i / kPoints, share = along - std::floor(along);
+            const double along = 4.0 * i / count, share = along - std::floor(along);
             const glm::dvec2 corners[] = {low, {high.x, low.y}, high, {low.x, high.y}, low, low};
             const auto side = static_cast<std::size_t>(along);
             at = glm::mix(corners[side], corners[side + 1], share);
@@ -45,25 +45,36 @@ std::vector<Area> counted_areas(const Goal& goal) {
 
 }  // namespace
 
-void GoalLines::trace(const Goal& goal, const sim::Grid& grid, const View& view,
+void GoalLines::trace(const Goal& goal, const sim::Grid& grid, const View& view, const Time& time,
                       const std::function<std::optional<glm::dvec2>(glm::dvec2)>& seen) {
     if (view_ == view) return;
     view_ = view;
     lines_.clear();
     const glm::dvec2 most = static_cast<double>(grid.dx) * glm::dvec2(grid.nx - 1, grid.ny - 1);
-    const auto add = [&](const Area& area, bool zone) {
+    events_.clear();
+    using Around = ui::GoalLine::Around;
+    const auto add = [&](const Area& area, Around around) {
         std::optional<glm::dvec2> before;
         bool dash = false;
-        for (const glm::dvec2 place : outline_of(area, most)) {
+        for (const glm::dvec2 place :
+             outline_of(area, around == Around::kEvent ? kPointsOfEvent : kPoints, most)) {
             const auto at = seen(place);
             dash = !dash;
-            if (at && before && dash) lines_.push_back({*before, *at, zone});
+            if (at && before && dash) lines_.push_back({*before, *at, around});
             before = at;
         }
     };
     const std::vector<Area> areas = counted_areas(goal);
-    for (const Area& area : areas) add(area, false);
-    if (goal.zone && std::ranges::find(areas, *goal.zone) == areas.end()) add(*goal.zone, true);
+    for (const Area& area : areas) add(area, Around::kCounted);
+    if (goal.zone && std::ranges::find(areas, *goal.zone) == areas.end()) add(*goal.zone, Around::kZone);
+    for (const TimedCommand& event : goal.events) {
+        const sim::Command& command = event.command;
+        if (event.tick < time.tick || !(command.radius > 0)) continue;
+        const glm::dvec2 place(command.x, command.y);
+        add({Area::Shape::kEllipse, place, glm::dvec2(command.radius)}, Around::kEvent);
+        if (const auto at = seen(place))
+            events_.push_back({*at, static_cast<double>(event.tick - time.tick) * time.tick_s});
+    }
 }
 
 }  // namespace game

@@ -14,7 +14,8 @@
 
 namespace game {
 
-// The outlines of a challenge's zone and of the areas that it counts in, as a camera sees them on the ground.
+// The outlines of a challenge's zone, of the areas that it counts in, and of where its scene is going to act, as a camera
+// sees them on the ground.
 class GoalLines {
   public:
     // What the lines depend on, beside the goal.
@@ -24,18 +25,24 @@ class GoalLines {
         std::int64_t ground = 0;    // another number after the surface has changed
         bool operator==(const View&) const = default;
     };
-    // Traces them anew if the view is another. `seen`: where a place of the ground is on the screen, px; nothing if it is
-    // hidden.
-    void trace(const Goal& goal, const sim::Grid& grid, const View& view,
+    // Traces them anew if the view is another. `time`: the tick of the world, and its length, s. `seen`: where a place of
+    // the ground is on the screen, px; nothing if it is hidden.
+    struct Time {
+        std::int64_t tick = 0;
+        double tick_s = 1;
+    };
+    void trace(const Goal& goal, const sim::Grid& grid, const View& view, const Time& time,
                const std::function<std::optional<glm::dvec2>(glm::dvec2)>& seen);
     // After the goal has become another.
-    void forget() { lines_.clear(), view_.reset(); }
+    void forget() { lines_.clear(), events_.clear(), view_.reset(); }
 
     const std::vector<ui::GoalLine>& lines() const { return lines_; }
+    const std::vector<ui::GoalEvent>& events() const { return events_; }
 
   private:
     std::optional<View> view_;
     std::vector<ui::GoalLine> lines_;
+    std::vector<ui::GoalEvent> events_;
 };
 
 }  // namespace game

@@ -57,7 +57,8 @@ void add_marks(const Session& session, std::span<const TimedCommand> by_hand, ui
                                      thing.destroyed() ? Kind::kDestroyed
                                      : thing.damaged() ? Kind::kDamaged
                                                        : Kind::kIntact});
-    // One mark for what a stroke gave in many ticks.
+    // One mark for what a stroke gave in many ticks, and none over another.
+    const double apart = 0.06 * (map.north_east - map.south_west).y;
     for (const TimedCommand& each : by_hand) {
         const sim::Command& command = each.command;
         const auto& numbers = sim::info_of(command.kind).numbers;
@@ -65,7 +66,8 @@ void add_marks(const Session& session, std::span<const TimedCommand> by_hand, ui
             continue;
         const glm::dvec2 at(command.x, command.y);
         const auto is_near = [&](const ui::SlideMap::Mark& mark) {
-            return mark.kind == Kind::kCommand && glm::distance(mark.at, at) < command.radius;
+            return mark.kind == Kind::kCommand &&
+                   glm::distance(mark.at, at) < std::max(command.radius, apart);
         };
         if (std::ranges::none_of(map.marks, is_near)) map.marks.push_back({at, Kind::kCommand});
     }

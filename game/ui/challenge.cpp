@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "game/controls/key_map.h"
 #include "game/ui/panels.h"
 
 // What a challenge asks, and what a try came to.
@@ -55,14 +56,43 @@ void verdict(Desk& desk, const ResultCard& card) {
     ImGui::EndGroup();
 }
 
-// Gold around what counts, blue around where tools work.
-void outlines(const Desk& desk, const Facts& facts) {
+// The time until something happens there, on a plate below the place.
+void countdown(Desk& desk, const GoalEvent& event, ImDrawList& list) {
+    constexpr double kHundredth = 0.01;  // s; 30 s are not 31 because a tick is no decimal
+    std::array<char, 32> text;
+    const auto seconds = static_cast<int>(std::ceil(event.in_s - kHundredth));
+    std::snprintf(text.data(), text.size(), "in %d:%02d", seconds / 60, seconds % 60);
+    const ImVec2 size = ImGui::CalcTextSize(text.data());
+    const ImVec2 from{static_cast<float>(event.at.x) - size.x / 2,
+                      static_cast<float>(event.at.y) + desk.em()};
+    const float edge = 0.35f * desk.em();
+    list.AddRectFilled({from.x - edge, from.y - edge / 2},
+                       {from.x + size.x + edge, from.y + size.y + edge / 2}, kPanel, edge);
+    list.AddText(from, kWarning, text.data());
+    desk.widgets.note(text.data(), from, {from.x + size.x, from.y + size.y});
+}
+
+ImU32 colour_of(GoalLine::Around around) {
+    switch (around) {
+        case GoalLine::Around::kZone:
+            return kAccent;
+        case GoalLine::Around::kCounted:
+            return medal_colour(3);
+        case GoalLine::Around::kEvent:
+            return kDanger;
+    }
+    return kText;
+}
+
+// Gold around what counts, blue around where tools work, red around what is going to happen.
+void outlines(Desk& desk, const Facts& facts) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const auto px = [](glm::dvec2 at) { return ImVec2{static_cast<float>(at.x), static_cast<float>(at.y)}; };
     for (const GoalLine& line : facts.goal_lines) {
         list.AddLine(px(line.from), px(line.to), faded(kAccentText, 0.6f), desk.em() * 0.25f);
-        list.AddLine(px(line.from), px(line.to), line.zone ? kAccent : medal_colour(3), desk.em() * 0.12f);
+        list.AddLine(px(line.from), px(line.to), colour_of(line.around), desk.em() * 0.12f);
     }
+    for (const GoalEvent& event : facts.goal_events) countdown(desk, event, list);
 }
 
 // The shipped challenge that is harder than the current one. Null: there is none.
@@ -135,6 +165,11 @@ void challenge(Desk& desk, const Facts& facts) {
     desk.widgets.plain("%s", say);
     desk.widgets.note("Task");
     what_is_left(desk, *facts.scenario.goal, *facts.goal_use);
+    if (facts.clock.paused() && !facts.goal_events.empty()) {
+        desk.widgets.plain("Time stands still. Look around and get ready, then press %s",
+                           name_of(Verb::kPauseOrGoOn).c_str());
+        desk.widgets.note("Ready");
+    }
     if (facts.ghost) {
         desk.widgets.dim("Reached: %.1f ha; best run by now %.1f ha, dashed", facts.ghost->own,
                          facts.ghost->best);

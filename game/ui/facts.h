@@ -71,10 +71,17 @@ struct ResultCard {
     glm::dvec2 top{0}, toe{0};                 // m, the ends of the slide; the same if there was none
 };
 
-// A dash around the zone of a challenge, or around an area that it counts in.
+// A dash around the zone of a challenge, around an area that it counts in, or around where the scene will act.
 struct GoalLine {
+    enum class Around : std::uint8_t { kZone, kCounted, kEvent };
     glm::dvec2 from{0}, to{0};  // px from the top left
-    bool zone = false;
+    Around around = Around::kZone;
+};
+
+// What the scene of a challenge is going to do.
+struct GoalEvent {
+    glm::dvec2 at{0};  // px from the top left
+    double in_s = 0;   // of the world
 };
 
 // Everything that panels can show. References are valid for one frame.
@@ -89,6 +96,7 @@ struct Facts {
     std::optional<StrokeNote> stroke = {};
     std::optional<GoalUse> goal_use = {};  // of a challenge
     std::span<const GoalLine> goal_lines = {};
+    std::span<const GoalEvent> goal_events = {};
     const ResultCard* card = nullptr;  // none: no try and no slide has ended, or the card was closed
     std::optional<GhostNote> ghost = {};
     std::span<const BestRun> best_runs = {};  // of the challenge, the best first

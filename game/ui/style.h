@@ -16,6 +16,7 @@ inline constexpr ImU32 kDimText = IM_COL32(159, 171, 184, 255);
 inline constexpr ImU32 kAccent = IM_COL32(88, 184, 240, 255);
 inline constexpr ImU32 kAccentText = IM_COL32(8, 22, 32, 255);  // on the accent
 inline constexpr ImU32 kWarning = IM_COL32(250, 184, 76, 255);
+inline constexpr ImU32 kDanger = IM_COL32(240, 84, 64, 255);
 inline constexpr ImU32 kPanel = IM_COL32(17, 21, 27, 226);
 inline constexpr ImU32 kNoticePlate = IM_COL32(17, 21, 27, 250);
 inline constexpr ImU32 kControl = IM_COL32(255, 255, 255, 20);

@@ -303,7 +303,9 @@ void Widgets::row(const char* label) {
     const float from = ImGui::GetCursorPosX(), wide = ImGui::GetContentRegionAvail().x;
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, kDimText);
+    ImGui::PushTextWrapPos(from + wide * kLabelShare - 0.3f * em);
     ImGui::TextUnformatted(label);
+    ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     ImGui::SameLine(from + wide * kLabelShare);
 }

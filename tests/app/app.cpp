@@ -1132,6 +1132,15 @@ class PlayingAChallenge : public Playing {
         begin(scene.string(), 0);
     }
     void blast() { blast_at(640, 330); }
+    // The same, and the scene does something itself.
+    void open_with_an_event() {
+        const auto scene = folder_.path() / "event.toml";
+        std::ofstream(scene) << support::slope_scene("A challenge with an event", 40) << kRest
+                             << "[[command]]\nat = 2\nblast = { x = 80, y = 100, radius = 9, depth = 1 }\n";
+        screen_.drop({scene});
+        frames(2);
+        ASSERT_EQ(app_->sandbox().scenario().title, "A challenge with an event");
+    }
     // As couloir replay --score computes it.
     static Outcome<Score> replayed_score(const Recording& recording) {
         auto session = Session::begin(recording.header.scenario, sim::StepOptions{}, std::nullopt);
@@ -1199,6 +1208,28 @@ TEST_F(PlayingAChallenge, tells_its_task_and_what_a_try_came_to) {
     EXPECT_EQ(recording->claim->medal, 1);
 }
 
+TEST_F(PlayingAChallenge, waits_for_its_player_if_its_scene_is_going_to_act_and_counts_the_time_until_then) {
+    screen_.resize_to(640, 360);
+    EXPECT_FALSE(app_->clock().paused());
+    open_with_an_event();
+    frames(10);
+    EXPECT_TRUE(app_->clock().paused());
+    EXPECT_EQ(state().tick, 0);
+    EXPECT_TRUE(shows("Ready"));
+    EXPECT_TRUE(shows("in 0:02"));
+    tap(Key::kSpace);
+    frames(70);
+    EXPECT_FALSE(shows("Ready"));
+    EXPECT_TRUE(shows("in 0:01"));
+    frames(70);
+    EXPECT_FALSE(shows("in 0:01"));
+    EXPECT_FALSE(sim::at_rest(state()));
+    tap(key('R'), {.control = true});
+    frames(5);
+    EXPECT_TRUE(app_->clock().paused());
+    EXPECT_EQ(state().tick, 0);
+}
+
 TEST_F(PlayingAChallenge, shows_a_map_of_the_try_and_plays_it_once_more_from_its_front) {
     blast();
     const std::int64_t first = state().tick - 3;
@@ -1207,14 +1238,18 @@ TEST_F(PlayingAChallenge, shows_a_map_of_the_try_and_plays_it_once_more_from_its
     ASSERT_TRUE(shows("Map"));
     const render::Camera before = app_->camera();
     click("Map");  // its middle is that of the slide, and of the grid's width
+    screen_.resize_to(640, 360);
     frames(120);
     EXPECT_NEAR(app_->camera().target.x, 80, 40);
     EXPECT_NE(app_->camera().target, before.target);
     EXPECT_NEAR(app_->camera().distance_m, before.distance_m, 1e-9);
 
+    screen_.resize_to(1280, 720);
+    frames(2);
     tap(Key::kSpace);
     const StateLine live = line();
     click("From the front");
+    screen_.resize_to(640, 360);
     for (int i = 0; i < 100 && state().tick >= live.tick; ++i) frames(1);
     EXPECT_NEAR(static_cast<double>(state().tick), static_cast<double>(first), 8);
     EXPECT_TRUE(app_->sandbox().looks_back());

@@ -16,6 +16,10 @@ std::optional<glm::dvec2> in_plan(glm::dvec2 place) {
     return place;
 }
 
+bool is_zone(const ui::GoalLine& line) {
+    return line.around == ui::GoalLine::Around::kZone;
+}
+
 Goal with_areas() {
     Goal goal;
     goal.zone = Area{Area::Shape::kBox, {100, 100}, {200, 250}};
@@ -25,13 +29,13 @@ Goal with_areas() {
 
 TEST(GoalLines, run_around_the_zone_and_what_is_counted) {
     GoalLines lines;
-    lines.trace(with_areas(), kMap, {}, in_plan);
+    lines.trace(with_areas(), kMap, {}, {}, in_plan);
     ASSERT_FALSE(lines.lines().empty());
     double zone = 0, counted = 0;
     for (const ui::GoalLine& line : lines.lines()) {
-        (line.zone ? zone : counted) += glm::distance(line.from, line.to);
+        (is_zone(line) ? zone : counted) += glm::distance(line.from, line.to);
         for (const glm::dvec2 at : {line.from, line.to}) {
-            if (line.zone) {
+            if (is_zone(line)) {
                 const bool on_side = at.x == 100 || at.x == 200, on_end = at.y == 100 || at.y == 250;
                 EXPECT_TRUE(on_side || on_end) << at.x << " " << at.y;
             } else {
@@ -52,7 +56,7 @@ TEST(GoalLines, end_at_the_border_of_the_map_and_where_the_ground_hides_them) {
         if (place.x > 300) return std::nullopt;
         return place;
     };
-    lines.trace(goal, kMap, {}, east_is_hidden);
+    lines.trace(goal, kMap, {}, {}, east_is_hidden);
     ASSERT_FALSE(lines.lines().empty());
     for (const ui::GoalLine& line : lines.lines())
         for (const glm::dvec2 at : {line.from, line.to}) {
@@ -70,14 +74,41 @@ TEST(GoalLines, are_traced_once_per_view_and_name_no_place_twice) {
         return std::optional(place);
     };
     GoalLines lines;
-    lines.trace(goal, kMap, {}, count);
+    lines.trace(goal, kMap, {}, {}, count);
     const int once = looked;
-    EXPECT_TRUE(std::ranges::none_of(lines.lines(), &ui::GoalLine::zone));
-    lines.trace(goal, kMap, {}, count);
+    EXPECT_TRUE(std::ranges::none_of(lines.lines(), is_zone));
+    lines.trace(goal, kMap, {}, {}, count);
     EXPECT_EQ(looked, once);
-    lines.trace(goal, kMap, {{}, 0, 0, 1}, count);
+    lines.trace(goal, kMap, {{}, 0, 0, 1}, {}, count);
     EXPECT_EQ(looked, 2 * once);
     lines.forget();
+    EXPECT_TRUE(lines.lines().empty());
+}
+
+TEST(GoalLines, run_around_what_is_going_to_happen_and_count_the_seconds_until_then) {
+    Goal goal;
+    sim::Command blast;
+    blast.kind = sim::CommandKind::kBlast;
+    blast.x = 200, blast.y = 120, blast.radius = 40, blast.depth = 1;
+    goal.events = {{60, blast}, {600, blast}};
+    GoalLines lines;
+    const auto around = [&](std::int64_t tick) {
+        lines.forget();
+        lines.trace(goal, kMap, {}, {tick, 0.5}, in_plan);
+        for (const ui::GoalLine& line : lines.lines()) {
+            EXPECT_EQ(line.around, ui::GoalLine::Around::kEvent);
+            EXPECT_NEAR(glm::distance(line.from, glm::dvec2(200, 120)), 40, 1e-9);
+        }
+        return lines.events();
+    };
+    const auto both = around(20), one = around(61), none = around(601);
+    ASSERT_EQ(both.size(), 2u);
+    EXPECT_EQ(both[0].at, glm::dvec2(200, 120));
+    EXPECT_EQ(both[0].in_s, 20);
+    EXPECT_EQ(both[1].in_s, 290);
+    ASSERT_EQ(one.size(), 1u);
+    EXPECT_EQ(one[0].in_s, 269.5);
+    EXPECT_TRUE(none.empty());
     EXPECT_TRUE(lines.lines().empty());
 }
 
