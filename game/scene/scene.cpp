@@ -9,6 +9,7 @@
 #include "game/files/assets.h"
 #include "game/files/toml_table.h"
 #include "game/scene/flow_scene.h"
+#include "game/scene/goal_reach.h"
 #include "game/scene/material.h"
 #include "game/scene/scene_file.h"
 #include "game/scene/scene_goal.h"
@@ -317,8 +318,9 @@ Outcome<Scene> read_scene(TomlTable& root, const SceneFile& file, const Override
     if (auto wind = root.table("wind")) read_wind(*wind, scenario.wind);
     const bool woods_act = trees.rules.density > 0;
     scene.commands = read_commands(root, params.tick_s, scenario.lower.has_value());
-    if (auto table = root.table("goal")) {
-        scenario.goal = read_goal(*table);
+    auto goal = root.table("goal");
+    if (goal) {
+        scenario.goal = read_goal(*goal);
         scenario.goal->events = scene.commands;
     }
     const auto sun = read_view(root, scenario);
@@ -357,6 +359,12 @@ Outcome<Scene> read_scene(TomlTable& root, const SceneFile& file, const Override
     stand(std::move(things), woods_act && !scenario.model, scenario);
     light_by(sun, root, scenario);
     if (fault) return unusable(*fault);
+    if (goal)
+        if (const auto wrong = fault_of_reach(scenario)) {
+            TomlTable table = wrong->table.empty() ? *goal : goal->tables(wrong->table).at(wrong->index);
+            table.blame(wrong->key, wrong->fact);
+            return unusable(*fault);
+        }
     return scene;
 }
 

@@ -1167,7 +1167,7 @@ azimuth = 255
 [goal]
 say = "Move something."
 learn = "Blasts move things."
-medals = [1, 100000, 200000]
+medals = [1, 10000, 12000]
 latest = 3
 [[goal.tool]]
 command = "blast"

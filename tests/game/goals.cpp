@@ -26,7 +26,7 @@ say = "Let two heaps go."
 learn = "Heaps go."
 zone = { box = [20, 90, 140, 150] }
 base = 10
-medals = [11, 20, 1000000]
+medals = [11, 20, 200]
 latest = 60
 [[goal.tool]]
 command = "blast"
@@ -94,7 +94,7 @@ TEST_F(Challenge, is_read_from_a_scene_and_kept_in_a_recording) {
     ASSERT_TRUE(loaded) << loaded.error().sentence;
     const Goal& goal = *loaded->scenario.goal;
     EXPECT_EQ(goal.say, "Let two heaps go.");
-    EXPECT_EQ(goal.medals, (std::array<std::int64_t, 3>{11, 20, 1000000}));
+    EXPECT_EQ(goal.medals, (std::array<std::int64_t, 3>{11, 20, 200}));
     ASSERT_EQ(goal.tools.size(), 2u);
     EXPECT_EQ(goal.tools[0].limits, (std::vector<Goal::Limit>{{"radius", 5, 12}, {"depth", 1, 1}}));
     record(path_, loaded->scenario, 10, {});
@@ -107,8 +107,8 @@ TEST_F(Challenge, whose_goal_is_wrong_is_refused_with_its_line) {
     };
     for (const Wrong& wrong : {
              Wrong{"say = \"Let two heaps go.\"\n", "", "says nothing"},
-             {"medals = [11, 20, 1000000]\n", "", "needs medals"},
-             {"medals = [11, 20, 1000000]\n", "medals = [11, 9, 12]\n", "medals that do not rise"},
+             {"medals = [11, 20, 200]\n", "", "needs medals"},
+             {"medals = [11, 20, 200]\n", "medals = [11, 9, 12]\n", "medals that do not rise"},
              {"command = \"blast\"", "command = \"bang\"", "is not the name of a command"},
              {"command = \"pour\"\ntotal = 100\nas = \"standing\"", "command = \"blast\"",
               "the tool blast twice"},
@@ -134,6 +134,95 @@ TEST_F(Challenge, whose_goal_is_wrong_is_refused_with_its_line) {
             << loaded.error().sentence;
         EXPECT_NE(loaded.error().sentence.find(wrong.fact), std::string::npos) << loaded.error().sentence;
     }
+}
+
+// One goal of each kind that no try can reach, on a slope with two houses, 40 m of road and a budget of earth.
+TEST_F(Challenge, that_no_try_can_win_is_refused_with_its_line) {
+    const std::string things = R"([[house]]
+at = [60, 40]
+[[house]]
+at = [100, 40]
+[[road]]
+points = [[60, 20], [100, 20]]
+width = 5
+[earth]
+budget = 500
+)";
+    const auto goal = [&](const std::string& rest, const std::string& medals = "[1, 2, 3]") {
+        return things + "[goal]\nsay = \"Try.\"\nmedals = " + medals + "\n" + rest;
+    };
+    const std::string eroded = "[[goal.score]]\nmeasure = \"eroded\"\n";
+    const std::string blast = "[[goal.tool]]\ncommand = \"blast\"\ncount = 2\n";
+    const auto need = [&](const std::string& what) {
+        return goal(eroded + blast + "[[goal.need]]\n" + what);
+    };
+    const auto score = [&](const std::string& what, const std::string& medals = "[1, 2, 3]") {
+        return goal(blast + "[[goal.score]]\n" + what, medals);
+    };
+    struct Goals {
+        std::string text;
+        const char *place, *fact;
+    };
+    for (const Goals& wrong : {
+             Goals{need("measure = \"load\"\nmost = -1\n"), "most", "load is never below 0"},
+             {need("measure = \"removed\"\nleast = 101\n"), "least", "100 %"},
+             {need("measure = \"unused\"\nof = \"blast\"\nleast = 3\n"), "least", "there are 2 in all"},
+             {need("measure = \"blocked\"\nleast = 41\n"), "least", "at most 40 m of road"},
+             {need("measure = \"destroyed\"\nleast = 3\n"), "least", "is 3, and at most 2 houses"},
+             {need("measure = \"broken\"\nleast = 0.1\n"), "least", "0.00 ha of forest"},
+             {need("measure = \"earth\"\nleast = 501\n"), "least", "the budget of earth is 500 m3"},
+             {need("measure = \"eroded\"\nleast = 1e8\n"), "least", "m3 lie there"},
+             {need("measure = \"run_out\"\nleast = 300\n"), "least", "the terrain is 226 m across"},
+             {need("measure = \"drop\"\nleast = 300\n"), "least", "m of relief"},
+             {need("measure = \"deposit\"\narea = { box = [200, 0, 300, 50] }\nleast = 1\n"), "area",
+              "has no vertex of the grid inside"},
+             {score("measure = \"deposit\"\narea = { ellipse = [-50, 0, 20, 20] }\n"), "area",
+              "has no vertex of the grid inside"},
+             {goal("zone = { box = [-90, 0, -10, 50] }\n" + eroded), "zone", "lies beside the grid"},
+             {goal("zone = { ellipse = [200, 80, 30, 30] }\n" + eroded), "zone", "lies beside the grid"},
+             {score("measure = \"destroyed\"\n"), "medals", "go up to 3, and no try can score more than 2"},
+             {score("measure = \"destroyed\"\ntimes = -1\n", "[-2, -1, 1]"), "medals", "more than 0"},
+             {score("measure = \"removed\"\n", "[50, 90, 110]"), "medals", "more than 100"},
+         }) {
+        const auto loaded = load(wrong.text);
+        ASSERT_FALSE(loaded) << wrong.text;
+        const std::string& said = loaded.error().sentence;
+        EXPECT_EQ(loaded.error().status, Failure::kUnusable);
+        EXPECT_EQ(said.rfind(scene_path_.string() + ":", 0), 0u) << said;
+        EXPECT_NE(said.find(wrong.place), std::string::npos) << said;
+        EXPECT_NE(said.find(wrong.fact), std::string::npos) << said;
+    }
+    for (const std::string& sound :
+         {need("measure = \"load\"\nmost = 0\n"), need("measure = \"removed\"\nleast = 100\n"),
+          need("measure = \"unused\"\nof = \"blast\"\nleast = 2\n"),
+          need("measure = \"blocked\"\nleast = 40\n"), need("measure = \"destroyed\"\nleast = 2\n"),
+          need("measure = \"earth\"\nleast = 500\n"), need("measure = \"run_out\"\nleast = 226\n"),
+          score("measure = \"destroyed\"\n", "[0, 1, 2]"),
+          need("measure = \"deposit\"\narea = { box = [150, 0, 300, 50] }\nleast = 1\n"),
+          goal("zone = { ellipse = [180, 80, 30, 30] }\n" + eroded),
+          need("measure = \"destroyed\"\nleast = 5\n[[goal.tool]]\ncommand = \"house\"\ncount = 3\n"),
+          need("measure = \"broken\"\nleast = 0.1\n[[goal.tool]]\ncommand = \"plant\"\ntotal = 1\n")})
+        EXPECT_TRUE(load(sound)) << load(sound).error().sentence;
+}
+
+TEST_F(Challenge, that_no_try_can_win_is_refused_in_a_recording_too_but_not_in_an_old_one) {
+    record(path_, scene().scenario, 10, {});
+    auto bodies = bodies_of(read_bytes(path_));
+    Json header = json_of(bodies[0]);
+    header["goal"]["needs"][0]["least"] = 5000;
+    const auto read = [&] {
+        bodies[0] = body_of(header);
+        write_bytes(path_, chained(bodies));
+        return read_recording(path_);
+    };
+    const auto refused = read();
+    ASSERT_FALSE(refused);
+    EXPECT_NE(
+        refused.error().sentence.find(":1: the goal: need 1: least is 5000, and the terrain is 226 m across"),
+        std::string::npos)
+        << refused.error().sentence;
+    header["version"] = {1, 8};
+    EXPECT_TRUE(read()) << read().error().sentence;
 }
 
 TEST_F(Challenge, allows_its_tools_within_their_limits_and_budgets_alone) {
