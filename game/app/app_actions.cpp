@@ -469,8 +469,10 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     tell(first_.told);
     if (scenario.look.flow && !sandbox_->session().fronts()) tell(Session::kTooFine);
     if (const std::string notice = woods_notice(scenario, woods_); !notice.empty()) tell(notice);
-    // Who plays against the clock may look first.
-    if (scenario.goal && !scenario.goal->events.empty() && !sandbox_->watches()) clock_.pause(true);
+    // Who plays against the clock may look first, unless the scene begins itself.
+    const bool waits =
+        scenario.goal && !scenario.goal->events.empty() && scenario.goal->events.front().tick > 0;
+    if (waits && !sandbox_->watches()) clock_.pause(true);
     now_s_ = screen_.seconds();  // loading time must not be simulated
     return {};
 }

@@ -69,7 +69,7 @@ void GoalLines::trace(const Goal& goal, const sim::Grid& grid, const View& view,
     if (goal.zone && std::ranges::find(areas, *goal.zone) == areas.end()) add(*goal.zone, Around::kZone);
     for (const TimedCommand& event : goal.events) {
         const sim::Command& command = event.command;
-        if (event.tick < time.tick || !(command.radius > 0)) continue;
+        if (event.tick <= time.tick || !(command.radius > 0)) continue;
         const glm::dvec2 place(command.x, command.y);
         add({Area::Shape::kEllipse, place, glm::dvec2(command.radius)}, Around::kEvent);
         if (const auto at = seen(place))

@@ -12,15 +12,14 @@
 namespace game {
 namespace {
 
-// The medal that comes next, and what it asks, or by how little it was missed.
+// Of a try that meets all needs: the medal that comes next, and what it asks, or by how little it was missed.
 std::string next_medal(const Goal& goal, const Score& score) {
     constexpr std::int64_t kNear = 10;  // less than one part in so many was missing
     const int next = score.medal + 1;
     if (next > 3) return "";
     const std::int64_t least = goal.medals.at(static_cast<std::size_t>(next - 1));
     const std::int64_t missing = least - score.points;
-    if (score.meets_needs() && missing < least / kNear)
-        return fmt::format(", {} short of {}", missing, medal_name(next));
+    if (missing < least / kNear) return fmt::format(", {} short of {}", missing, medal_name(next));
     return fmt::format(" ({} from {})", medal_name(next), least);
 }
 
@@ -55,7 +54,9 @@ ui::ResultCard card_of(const Scenario& scenario, const Score& score, std::span<c
                         score.won() ? goal.learn : "",
                         score.medal,
                         {}};
-    card.rows.push_back({"Score", fmt::format("{}{}", score.points, next_medal(goal, score))});
+    card.rows.push_back({"Score", score.meets_needs()
+                                      ? fmt::format("{}{}", score.points, next_medal(goal, score))
+                                      : "none, because it is lost"});
     if (std::string best = beside_best(score, earlier); !best.empty())
         card.rows.push_back({"Best run", std::move(best)});
     for (std::size_t i = 0; i < goal.needs.size(); ++i) {

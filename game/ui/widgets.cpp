@@ -303,7 +303,7 @@ void Widgets::row(const char* label) {
     const float from = ImGui::GetCursorPosX(), wide = ImGui::GetContentRegionAvail().x;
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, kDimText);
-    ImGui::PushTextWrapPos(from + wide * kLabelShare - 0.3f * em);
+    ImGui::PushTextWrapPos(from + wide * kLabelShare);
     ImGui::TextUnformatted(label);
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();

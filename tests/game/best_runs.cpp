@@ -222,6 +222,7 @@ TEST_F(ResultCardText, compares_with_the_best_run_before_it) {
     scenario_.goal->needs.emplace_back().most = 1;
     EXPECT_EQ(row("Best run", lost, earlier), "120, silver");
     EXPECT_EQ(row("Best run", lost), "") << "it is not kept";
+    EXPECT_EQ(row("Score", lost), "none, because it is lost");
 }
 
 }  // namespace
