@@ -137,9 +137,7 @@ void App::perform(const Open& open) {
 void App::perform(const LookAt& wish) {
     const sim::View world = sandbox_->session().view();
     render::Camera there = camera_->camera();
-    const double distance = glm::distance(render::eye(there), there.target);
     there.target = {wish.place, surface_height(world, wish.place)};
-    there.distance_m = distance;
     camera_->go_to(there);
 }
 

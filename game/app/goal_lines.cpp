@@ -10,6 +10,7 @@ namespace game {
 namespace {
 
 constexpr int kPoints = 128, kPointsOfEvent = 24;  // around an area
+constexpr std::size_t kMostEvents = 8;             // that are shown, the next first
 
 // Areas may reach beyond the grid, and their outlines end at its border.
 std::vector<glm::dvec2> outline_of(const Area& area, int count, glm::dvec2 most) {
@@ -68,6 +69,7 @@ void GoalLines::trace(const Goal& goal, const sim::Grid& grid, const View& view,
     for (const Area& area : areas) add(area, Around::kCounted);
     if (goal.zone && std::ranges::find(areas, *goal.zone) == areas.end()) add(*goal.zone, Around::kZone);
     for (const TimedCommand& event : goal.events) {
+        if (events_.size() == kMostEvents) break;
         const sim::Command& command = event.command;
         if (event.tick <= time.tick || !(command.radius > 0)) continue;
         const glm::dvec2 place(command.x, command.y);

@@ -14,7 +14,7 @@ namespace game {
 namespace {
 
 constexpr int kHeight = 240;      // px; about one and a half of what the card shows
-constexpr float kWidest = 2;      // times the height
+constexpr float kAspect = 2;      // the most by which a side is longer than the other
 constexpr float kMargin = 0.12f;  // of the slide, on each side
 // Of the top speed, from slow to fast; sRGB.
 const std::array<glm::vec3, 5> kSpeeds{
@@ -36,14 +36,15 @@ Box box_of_extent(const sim::Grid& grid, std::span<const float> depth) {
     return box;
 }
 
-// The map's part of the grid: the slide with a margin, widened as far as there is ground.
+// The map's part of the grid: the slide with a margin, widened as far as there is ground. On a narrow grid that may not
+// be all of the slide.
 Box framed(const Box& slide, const sim::Grid& grid) {
     constexpr float kLeast = 24;  // cells
     const glm::vec2 most(grid.nx - 1, grid.ny - 1);
     const glm::vec2 least =
         glm::min(glm::max((slide.last - slide.first) * (1 + 2 * kMargin), glm::vec2(kLeast)), most);
-    const float height = std::min(std::max(least.y, least.x / kWidest), most.y);
-    const glm::vec2 half = glm::vec2(std::clamp(kWidest * height, least.x, most.x), height) / 2.f,
+    const float height = std::min({std::max(least.y, least.x / kAspect), most.y, kAspect * most.x});
+    const glm::vec2 half = glm::vec2(std::min(kAspect * height, most.x), height) / 2.f,
                     middle = glm::clamp((slide.first + slide.last) / 2.f, half, most - half);
     return {middle - half, middle + half};
 }
@@ -83,9 +84,9 @@ std::shared_ptr<const ui::SlideMap> map_of_slide(const Scenario& scenario, const
     if (slide.empty()) return nullptr;
     const Box frame = framed(slide, grid);
 
-    const glm::vec2 cells = frame.last - frame.first;
-    const float scale = kHeight / cells.y;
-    const int width = static_cast<int>(std::lround(scale * cells.x));
+    const glm::vec2 size = frame.last - frame.first;  // cells
+    const float scale = kHeight / size.y;
+    const int width = static_cast<int>(std::lround(scale * size.x));
     render::Sheet sheet(width, kHeight);
     const Relief relief(scenario, frame.first + 0.5f, frame.last - 0.5f, {0, 0}, scale);
     float fastest = 0;
