@@ -10,8 +10,8 @@
 namespace game::ui {
 namespace {
 
-constexpr float kLineWidth = 44, kCardWidth = 22;  // em
-constexpr float kMapsHeight = 36;                  // em; on a lower screen a card has no map
+constexpr float kLineWidth = 44, kLeastLine = 24, kCardWidth = 22;  // em
+constexpr float kMapsHeight = 36;                                   // em; on a lower screen a card has no map
 
 const char* verb_of(sim::CommandKind kind) {
     for (const ToolInfo& info : tool_infos())
@@ -153,12 +153,16 @@ void what_next(Desk& desk, const ResultCard& card, const Facts& facts, Actions& 
 void challenge(Desk& desk, const Facts& facts) {
     if (!facts.scenario.goal || !facts.goal_use) return;
     outlines(desk, facts);
+    // Between what is open on the left and on the right, if there is room.
     const float padding = 2 * ImGui::GetStyle().WindowPadding.x;
-    const float most = std::min(kLineWidth * desk.em(), desk.size.x - 2 * desk.margin()) - padding;
+    float left = desk.left_column, right = desk.right_column + (facts.card ? kCardWidth * desk.em() : 0);
+    if (desk.size.x - left - right < kLeastLine * desk.em()) left = right = 0;
+    const float room = desk.size.x - left - right - 2 * desk.margin(),
+                most = std::min(kLineWidth * desk.em(), room) - padding;
     const char* const say = facts.scenario.goal->say.c_str();
     const float width = ImGui::CalcTextSize(say, nullptr, false, most).x + padding + 1;
-    ImGui::SetNextWindowPos({desk.size.x / 2, desk.toolbar_bottom + desk.margin() / 2}, ImGuiCond_Always,
-                            {0.5f, 0});
+    ImGui::SetNextWindowPos({(left + desk.size.x - right) / 2, desk.toolbar_bottom + desk.margin() / 2},
+                            ImGuiCond_Always, {0.5f, 0});
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, desk.size.y});
     ImGui::Begin("Challenge", nullptr,
                  kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);

@@ -76,7 +76,7 @@ void column(Desk& desk, bool left, const Facts& facts, Actions& actions) {
     if (left && desk.beside_time_bar())
         bottom = desk.size.y - desk.margin() - std::max(desk.readings_height, kReadingsHeight * desk.em());
     if (desk.narrow()) bottom = desk.size.y;
-    if (!left) desk.right_column = waiting > 0 ? width + desk.margin() : 0;
+    (left ? desk.left_column : desk.right_column) = waiting > 0 ? width + desk.margin() : 0;
     PanelFrame frame{left ? desk.margin() : desk.size.x - desk.margin() - width,
                      desk.toolbar_bottom + desk.margin(), width, 0};
     for (const PanelInfo& info : kPanelInfos) {

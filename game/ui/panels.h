@@ -70,7 +70,7 @@ struct Desk {
     // px, as last drawn. lower_edge bounds items for which there is no room beside the time bar.
     float toolbar_bottom = 0, time_bar_top = 0, time_bar_left = 0, lower_edge = 0;
     float readings_height = 0;  // kept while the cursor is off the terrain, so that panels do not move
-    float right_column = 0;     // width with margin; 0 if none of its panels is open
+    float left_column = 0, right_column = 0;  // width with margin; 0 if none of its panels is open
 
     float em() const { return widgets.em; }
     float margin() const { return em() * 0.6f; }
