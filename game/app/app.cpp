@@ -840,6 +840,8 @@ void App::draw_panels() {
             .now_s = now_s_,
             .image = drawn_,
             .sharing = sharing_.progress(),
+            .making_challenge = maker_.is_busy(),
+            .may_try = first_.watched && first_.scene.scenario.goal,
             .slide_ended = slide_ended_,
             .guide = guide_ ? &*guide_ : nullptr,
             .opening_s = opening_since_ ? std::optional(now_s_ - *opening_since_) : std::nullopt,

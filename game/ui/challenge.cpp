@@ -77,12 +77,35 @@ const Catalogue::Entry* next_challenge(const Facts& facts) {
     return found ? first : nullptr;
 }
 
+// Of a recording that was opened.
+void try_it(Desk& desk, float width, Actions& actions) {
+    if (desk.widgets.button("Try it yourself", "Begins this challenge from its start, untouched.", true,
+                            width))
+        actions.emplace_back(TryChallenge{});
+}
+
+// Of a slide in free play.
+void make_it_a_challenge(Desk& desk, const Facts& facts, Actions& actions) {
+    ImGui::BeginDisabled(facts.making_challenge);
+    if (desk.widgets.button(
+            "Make it a challenge",
+            facts.making_challenge
+                ? "A challenge is being made: its slide is played again."
+                : "Makes a challenge of what you did in this world: the same tools, and gold for "
+                  "running as far.",
+            false, ImGui::GetContentRegionAvail().x))
+        actions.emplace_back(MakeChallenge{});
+    ImGui::EndDisabled();
+}
+
 // The buttons of the card.
 void what_next(Desk& desk, const ResultCard& card, const Facts& facts, Actions& actions) {
     const Catalogue::Entry* const next = card.medal.value_or(0) > 0 ? next_challenge(facts) : nullptr;
     const float gap = ImGui::GetStyle().ItemSpacing.x, all = ImGui::GetContentRegionAvail().x;
     const float each = next ? (all - 2 * gap) / 3 : (all - gap) / 2;
-    if (card.medal) {
+    if (card.medal && facts.may_try) {
+        try_it(desk, each, actions);
+    } else if (card.medal) {
         if (desk.widgets.button("Try again", "Starts the challenge again; this try stays in its recording.",
                                 !next, each))
             actions.emplace_back(Verb::kReset);
@@ -101,7 +124,7 @@ void what_next(Desk& desk, const ResultCard& card, const Facts& facts, Actions& 
 
 }  // namespace
 
-void challenge(Desk& desk, const Facts& facts) {
+void challenge(Desk& desk, const Facts& facts, Actions& actions) {
     if (!facts.scenario.goal || !facts.goal_use) return;
     outlines(desk, facts);
     const float padding = 2 * ImGui::GetStyle().WindowPadding.x;
@@ -111,8 +134,10 @@ void challenge(Desk& desk, const Facts& facts) {
     ImGui::SetNextWindowPos({desk.size.x / 2, desk.toolbar_bottom + desk.margin() / 2}, ImGuiCond_Always,
                             {0.5f, 0});
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, desk.size.y});
-    ImGui::Begin("Challenge", nullptr,
-                 kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
+    const bool may_try = facts.may_try && facts.timeline.watches;
+    ImGui::Begin(
+        "Challenge", nullptr,
+        kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize | (may_try ? 0 : ImGuiWindowFlags_NoInputs));
     desk.widgets.plain("%s", say);
     desk.widgets.note("Task");
     what_is_left(desk, *facts.scenario.goal, *facts.goal_use);
@@ -121,6 +146,7 @@ void challenge(Desk& desk, const Facts& facts) {
                          facts.ghost->best);
         desk.widgets.note("Ghost");
     }
+    if (may_try) try_it(desk, 0, actions);
     desk.widgets.keep_window_clear("Challenge");
     ImGui::End();
 }
@@ -144,6 +170,7 @@ void result_card(Desk& desk, const Facts& facts, Actions& actions) {
         desk.widgets.plain("%s", card->learn.c_str());
     }
     what_next(desk, *card, facts, actions);
+    if (!card->medal) make_it_a_challenge(desk, facts, actions);
     desk.widgets.keep_window_clear("Result");
     ImGui::End();
 }
