@@ -445,7 +445,7 @@ void App::judge_slide() {
 void App::show_card(ui::ResultCard card, std::int64_t began) {
     const Session& session = sandbox_->session();
     card_ = std::move(card);
-    card_.map = map_of_slide(sandbox_->scenario(), session, sandbox_->commands_by_hand());
+    card_.map = map_of_slide(sandbox_->scenario(), session, sandbox_->deeds().by_hand);
     card_tick_ = session.state().tick;
     card_began_ = std::max<std::int64_t>(began, 0);
     shows_card_ = true;
@@ -856,6 +856,8 @@ void App::draw_panels() {
             .now_s = now_s_,
             .image = drawn_,
             .sharing = sharing_.progress(),
+            .making_challenge = maker_.is_busy(),
+            .may_try = first_.watched && first_.scene.scenario.goal,
             .slide_ended = slide_ended_,
             .guide = guide_ ? &*guide_ : nullptr,
             .opening_s = opening_since_ ? std::optional(now_s_ - *opening_since_) : std::nullopt,

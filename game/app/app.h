@@ -8,6 +8,7 @@
 
 #include "game/analysis/score.h"
 #include "game/app/best_list.h"
+#include "game/app/challenge_maker.h"
 #include "game/app/ghost.h"
 #include "game/app/goal_lines.h"
 #include "game/app/guide_memory.h"
@@ -77,6 +78,7 @@ class App {
     const render::Camera& camera() const { return camera_->camera(); }
     const ui::Ui& panels() const { return ui_; }
     const Ghost& ghost() const { return ghost_; }
+    bool is_making_challenge() const { return maker_.is_busy(); }
     bool is_sharing() const { return sharing_.progress().has_value(); }
     // The file that this session is written to; nothing while a recording is watched, if none could be created,
     // or if writing failed.
@@ -126,6 +128,8 @@ class App {
     void perform(const SeeFromFront& wish);
     void perform(const GuideWish& wish);
     void perform(const SaveWorld&);
+    void perform(const MakeChallenge&);
+    void perform(const TryChallenge&);
     void pause(bool on);
     void undo();
     void redo();
@@ -134,6 +138,7 @@ class App {
     void reset();
     void share();
     void tell_results();
+    void tell_made();
     void set_pace();
     void watch_slide();
     void judge_try();
@@ -259,6 +264,7 @@ class App {
     bool screenshot_asked_ = false;
     Screenshots screenshots_;  // being written
     Sharing sharing_;
+    ChallengeMaker maker_;
 };
 
 }  // namespace game

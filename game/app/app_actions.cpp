@@ -15,6 +15,7 @@
 #include "game/files/recordings_folder.h"
 #include "game/files/user_folders.h"
 #include "game/recording/format.h"
+#include "game/scene/goal_reach.h"
 #include "game/scene/mountains.h"
 #include "game/scene/surface.h"
 #include "game/session/world_now.h"
@@ -180,6 +181,45 @@ void App::perform(const SaveWorld&) {
     if (!saved) return warn(fmt::format("This world is not saved: {}", saved.error().sentence));
     list_own();
     tell(fmt::format("Saved as {}{}", saved->string(), not_kept(state)));
+}
+
+void App::perform(const MakeChallenge&) {
+    if (maker_.is_busy()) return tell("A challenge is being made already");
+    if (sandbox_->scenario().goal) return tell("This world is a challenge already");
+    const Scenario& scenario = sandbox_->scenario();
+    Memory memory = first_.memory;
+    memory.use.sessions = 2;  // it is played again
+    const bool has_things = sandbox_->session().state().things.has_value();
+    if (const auto fits = memory.allows(scenario.grid, scenario.lower.has_value(), has_things); !fits)
+        return warn(fmt::format("No challenge: {}", fits.error()));
+    sim::StepOptions options;
+    options.threads = 1;  // the window goes on
+    if (const auto begun = maker_.begin(scenario, sandbox_->deeds(), options); !begun)
+        return warn(fmt::format("No challenge: {}", begun.error().sentence));
+    tell("Your slide is played again, to prove that the challenge can be won");
+}
+
+void App::tell_made() {
+    const auto made = maker_.result();
+    if (!made) return;
+    if (!*made) return warn(fmt::format("No challenge: {}", made->error().sentence));
+    list_own();
+    tell(fmt::format("Your challenge, gold from {} m, is in the Scene panel: {}", (*made)->gold,
+                     (*made)->file.string()));
+}
+
+void App::perform(const TryChallenge&) {
+    if (!first_.watched || !first_.scene.scenario.goal) return;
+    if (const auto wrong = fault_of_reach(first_.scene.scenario))
+        return warn(fmt::format("Nobody can win this challenge: {}", to_text(*wrong)));
+    LoadedWorld own = first_;
+    own.watched.reset();
+    own.name.clear();
+    own.scene.commands = own.scene.scenario.goal->events;
+    own.told = "Your turn";
+    if (const auto begun = begin_world(std::move(own), std::nullopt); !begun)
+        return warn(begun.error().sentence);
+    clock_ = {};
 }
 
 void App::perform(const SetNumber& set) {
@@ -352,6 +392,7 @@ void App::share() {
 // Of what other threads have written.
 void App::tell_results() {
     best_list_.mark(catalogue_.scenes);
+    tell_made();
     while (const auto screenshot = screenshots_.result()) {
         if (*screenshot)
             tell(fmt::format("Screenshot: {}", (*screenshot)->string()));

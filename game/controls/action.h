@@ -92,10 +92,14 @@ struct GuideWish {
 
 // Saves the world as it stands, as a scene of one's own.
 struct SaveWorld {};
+// Makes a challenge of what was done in this world.
+struct MakeChallenge {};
+// Begins the challenge of the recording that was opened, from its start and untouched.
+struct TryChallenge {};
 
 // A Tool is chosen.
 using Action = std::variant<Verb, Tool, SetSpeed, SeekTick, SetBrush, SetNumber, SetDisplay, Open, LookAt,
-                            SeeFromFront, GuideWish, SaveWorld>;
+                            SeeFromFront, GuideWish, SaveWorld, MakeChallenge, TryChallenge>;
 using Actions = std::vector<Action>;
 
 }  // namespace game

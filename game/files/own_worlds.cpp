@@ -17,7 +17,7 @@ Outcome<fs::path> own_folder(OwnKind kind) {
 
 Outcome<fs::path> keep_own(OwnKind kind, const std::string& title, const std::string& text) {
     const auto folder = own_folder(kind);
-    if (!folder) return folder;
+    if (!folder) return tl::unexpected(folder.error());
     auto path = new_file(*folder, dated_name(title), "couloir");
     if (!path) return path;
     if (const auto written = write_text(*path, text); !written) {
@@ -42,7 +42,9 @@ std::vector<OwnFile> own_files(std::size_t most) {
              entry.increment(error)) {
             std::error_code gone;
             const auto written = fs::last_write_time(entry->path(), gone);
-            if (!gone && entry->path().extension() == ".couloir")
+            // An empty one is still being made.
+            const bool is_whole = !gone && fs::file_size(entry->path(), gone) > 0 && !gone;
+            if (is_whole && entry->path().extension() == ".couloir")
                 all.push_back({written, {kind, entry->path()}});
         }
     }
@@ -51,6 +53,7 @@ std::vector<OwnFile> own_files(std::size_t most) {
     });
     if (all.size() > most) all.resize(most);
     std::vector<OwnFile> files;
+    files.reserve(all.size());
     for (Dated& each : all) files.push_back(std::move(each.file));
     return files;
 }

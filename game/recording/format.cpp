@@ -16,7 +16,6 @@
 #include "game/recording/ground_data.h"
 #include "game/recording/things_json.h"
 #include "game/scene/flow_kinds.h"
-#include "game/scene/goal_reach.h"
 #include "game/scene/standing.h"
 #include "game/scene/structures.h"
 #include "render/sky_light.h"
@@ -70,8 +69,7 @@ constexpr std::pair<std::string_view, int> kSince[] = {
     {"law", 1},          {"exchange_depth", 1}, {"shear_rate", 1},    {"anchor_step", 2},
     {"friction", 5},     {"drag", 5},           {"friction_thin", 6}, {"friction_fold_depth", 6},
     {"erosion_rate", 6}, {"deposit_rate", 6},   {"loose_slope", 6}};
-constexpr int kNewNumbers = 6;    // the minor version since which forces drive bcre-inertial
-constexpr int kGoalsInReach = 9;  // the minor version since which a goal that no try can reach is refused
+constexpr int kNewNumbers = 6;  // the minor version since which forces drive bcre-inertial
 constexpr std::string_view kGone[] = {"relaxation_time", "half_speed_depth", "stop_slope_thick",
                                       "stop_fold_depth"};
 
@@ -437,8 +435,6 @@ Header read_header(const Json& json, int minor, const Memory& memory) {
     }
     if (json.contains("things")) values::things_from(json.at("things"), scenario);
     if (json.contains("goal")) scenario.goal = values::goal_from(json.at("goal"));
-    if (scenario.goal && minor >= kGoalsInReach)
-        if (const auto wrong = fault_of_reach(scenario)) refuse("the goal: " + to_text(*wrong));
     return header;
 }
 

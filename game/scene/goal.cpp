@@ -32,27 +32,6 @@ double disc_area(const sim::Command& command) {
     return std::numbers::pi * command.radius * command.radius;
 }
 
-// What a command takes of the total of its tool.
-double cost_of(const sim::Command& command, float tick_s) {
-    constexpr double kHectare = 1e4;  // m²
-    const double seconds = static_cast<double>(sim::ticks_of(command, tick_s)) * static_cast<double>(tick_s);
-    switch (command.kind) {
-        case sim::CommandKind::kPour:
-            return command.rate * seconds;
-        case sim::CommandKind::kDig:
-            return command.rate * seconds * disc_area(command);
-        case sim::CommandKind::kPlant:
-            return disc_area(command) / kHectare;
-        case sim::CommandKind::kNet:
-        case sim::CommandKind::kRoad: {
-            const double x = command.to_x - command.x, y = command.to_y - command.y;
-            return std::sqrt(x * x + y * y);
-        }
-        default:
-            return 0;
-    }
-}
-
 // Sums of shares of a budget may exceed it by the rounding of a tick's length.
 constexpr double kRounding = 1e-6;
 
@@ -100,6 +79,26 @@ std::string_view unit_of(sim::CommandKind kind) {
             return "m";
         default:
             return "";
+    }
+}
+
+double cost_of(const sim::Command& command, float tick_s) {
+    constexpr double kHectare = 1e4;  // m²
+    const double seconds = static_cast<double>(sim::ticks_of(command, tick_s)) * static_cast<double>(tick_s);
+    switch (command.kind) {
+        case sim::CommandKind::kPour:
+            return command.rate * seconds;
+        case sim::CommandKind::kDig:
+            return command.rate * seconds * disc_area(command);
+        case sim::CommandKind::kPlant:
+            return disc_area(command) / kHectare;
+        case sim::CommandKind::kNet:
+        case sim::CommandKind::kRoad: {
+            const double x = command.to_x - command.x, y = command.to_y - command.y;
+            return std::sqrt(x * x + y * y);
+        }
+        default:
+            return 0;
     }
 }
 

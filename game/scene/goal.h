@@ -110,6 +110,8 @@ std::optional<Goal::Combine> combine_from(std::string_view name);
 
 // What `total` of a tool counts, such as "m3"; empty if nothing but `count` does.
 std::string_view unit_of(sim::CommandKind kind);
+// What a command takes of that; 0 if nothing but `count` limits it.
+double cost_of(const sim::Command& command, float tick_s);
 
 // What is wrong with a goal; nothing if it can be played.
 std::optional<std::string> fault_of(const Goal& goal);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "game/files/assets.h"
+#include "game/scene/goal_reach.h"
 #include "game/session/renew.h"
 
 namespace game {
@@ -38,10 +39,12 @@ Outcome<LoadedWorld> open_recording(const fs::path& path, const Overrides& overr
     loaded.scene.files = {*found};
     if (is_world(*recording)) {
         Scenario& world = loaded.scene.scenario;
-        if (world.goal)
+        if (!world.goal) world.scene = loaded.name;  // what is recorded in it is named by that
+        if (world.goal) {
+            if (const auto wrong = fault_of_reach(world))
+                return unusable(fmt::format("{}: the goal: {}", found->string(), to_text(*wrong)));
             loaded.scene.commands = world.goal->events;
-        else
-            world.scene = loaded.name;  // what is recorded in it is named by that
+        }
         loaded.told = recording->warning.value_or(fmt::format("Loaded {}", found->filename().string()));
         return loaded;
     }

@@ -142,6 +142,12 @@ GoalUse Sandbox::goal_use() const {
     return use;
 }
 
+Deeds Sandbox::deeds() const {
+    if (!opening_.name.empty()) return {{}, commands_so_far()};
+    const auto done = commands_before(by_hand_, session_.state().tick);
+    return {opening_.scene.commands, {done.begin(), done.end()}};
+}
+
 std::vector<TimedCommand> Sandbox::commands_so_far() const {
     std::vector<TimedCommand> all;
     for (const auto* commands : {&opening_.scene.commands, &by_hand_})

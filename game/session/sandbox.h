@@ -18,6 +18,12 @@
 
 namespace game {
 
+// What was done in a world since it began.
+struct Deeds {
+    std::vector<TimedCommand> scene;    // its own commands, all of them, sorted by tick
+    std::vector<TimedCommand> by_hand;  // those of a person so far, sorted by tick
+};
+
 // An interactive session without a window: scheduled commands of a scene or a watched recording, user
 // commands, seeking and undo.
 class Sandbox {
@@ -67,7 +73,9 @@ class Sandbox {
 
     // What is left of each of the goal's tools until now. Only of a world with a goal.
     GoalUse goal_use() const;
-    std::span<const TimedCommand> commands_by_hand() const { return by_hand_; }  // sorted by tick
+    // What was done in this world, its own commands and a person's apart. What was done in a recording before it was
+    // taken over counts as a person's.
+    Deeds deeds() const;
     // Everything that was done before this tick, sorted by tick; in each the scene or the recording first.
     std::vector<TimedCommand> commands_so_far() const;
 

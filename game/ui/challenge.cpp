@@ -11,7 +11,9 @@ namespace game::ui {
 namespace {
 
 constexpr float kLineWidth = 44, kLeastLine = 24, kCardWidth = 22;  // em
-constexpr float kMapsHeight = 36;                                   // em; on a lower screen a card has no map
+constexpr const char* kTryIt = "Try it yourself";                   // of a recording that was opened
+constexpr const char* kTryItMeans = "Begins this challenge from its start, untouched.";
+constexpr float kMapsHeight = 36;  // em; on a lower screen a card has no map
 
 const char* verb_of(sim::CommandKind kind) {
     for (const ToolInfo& info : tool_infos())
@@ -118,6 +120,20 @@ const Catalogue::Entry* next_challenge(const Facts& facts) {
     return found ? first : nullptr;
 }
 
+// Of a slide in free play.
+void make_it_a_challenge(Desk& desk, const Facts& facts, Actions& actions) {
+    ImGui::BeginDisabled(facts.making_challenge);
+    if (desk.widgets.button(
+            "Make it a challenge",
+            facts.making_challenge
+                ? "A challenge is being made: its slide is played again."
+                : "Makes a challenge of what you did in this world: the same tools, and gold for "
+                  "running as far.",
+            false, ImGui::GetContentRegionAvail().x))
+        actions.emplace_back(MakeChallenge{});
+    ImGui::EndDisabled();
+}
+
 // The buttons of the card.
 void what_next(Desk& desk, const ResultCard& card, const Facts& facts, Actions& actions) {
     constexpr int kGold = 3;
@@ -134,7 +150,9 @@ void what_next(Desk& desk, const ResultCard& card, const Facts& facts, Actions& 
         ++buttons;
         return desk.widgets.button(label, tooltip, is_main, width);
     };
-    if (card.medal) {
+    if (card.medal && facts.may_try) {
+        if (offers(kTryIt, kTryItMeans, true)) actions.emplace_back(TryChallenge{});
+    } else if (card.medal) {
         if (offers("Try again", "Starts the challenge again; this try stays in its recording.", !next))
             actions.emplace_back(Verb::kReset);
     } else if (offers("Again", "Goes back to just before what you did last.", true)) {
@@ -150,7 +168,7 @@ void what_next(Desk& desk, const ResultCard& card, const Facts& facts, Actions& 
 
 }  // namespace
 
-void challenge(Desk& desk, const Facts& facts) {
+void challenge(Desk& desk, const Facts& facts, Actions& actions) {
     if (!facts.scenario.goal || !facts.goal_use) return;
     outlines(desk, facts);
     // Between what is open on the left and on the right, if there is room.
@@ -164,8 +182,10 @@ void challenge(Desk& desk, const Facts& facts) {
     ImGui::SetNextWindowPos({(left + desk.size.x - right) / 2, desk.toolbar_bottom + desk.margin() / 2},
                             ImGuiCond_Always, {0.5f, 0});
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, desk.size.y});
-    ImGui::Begin("Challenge", nullptr,
-                 kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
+    const bool may_try = facts.may_try && facts.timeline.watches;
+    ImGui::Begin(
+        "Challenge", nullptr,
+        kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize | (may_try ? 0 : ImGuiWindowFlags_NoInputs));
     desk.widgets.plain("%s", say);
     desk.widgets.note("Task");
     what_is_left(desk, *facts.scenario.goal, *facts.goal_use);
@@ -179,6 +199,7 @@ void challenge(Desk& desk, const Facts& facts) {
                          facts.ghost->best);
         desk.widgets.note("Ghost");
     }
+    if (may_try && desk.widgets.button(kTryIt, kTryItMeans)) actions.emplace_back(TryChallenge{});
     desk.widgets.keep_window_clear("Challenge");
     ImGui::End();
 }
@@ -205,6 +226,7 @@ void result_card(Desk& desk, const Facts& facts, Actions& actions) {
         desk.widgets.plain("%s", card->learn.c_str());
     }
     what_next(desk, *card, facts, actions);
+    if (!card->medal) make_it_a_challenge(desk, facts, actions);
     desk.widgets.keep_window_clear("Result");
     ImGui::End();
 }

@@ -109,14 +109,16 @@ struct Facts {
     const Catalogue& catalogue;
     Timeline timeline;
     bool looks_back() const { return state.tick < timeline.known_until; }  // read-only
-    std::string_view recording;                     // file that is being written; empty if none
-    std::string_view renderer;                      // GL's name
-    double now_s = 0;                               // screen's clock
-    ImageSize image = {};                           // of the world, as last drawn
-    std::optional<double> sharing = {};             // 0 to 1, how much of the page of a shared slide is done
-    bool slide_ended = false;                       // it has come to rest, and was not shared yet
-    const Guide* guide = nullptr;                   // none: nobody is led
-    std::optional<double> opening_s = {};           // s since the slide to watch began, while it is watched
+    std::string_view recording;            // file that is being written; empty if none
+    std::string_view renderer;             // GL's name
+    double now_s = 0;                      // screen's clock
+    ImageSize image = {};                  // of the world, as last drawn
+    std::optional<double> sharing = {};    // 0 to 1, how much of the page of a shared slide is done
+    bool making_challenge = false;         // of the slide, in the background
+    bool may_try = false;                  // a recording of a challenge was opened, which can be tried
+    bool slide_ended = false;              // it has come to rest, and was not shared yet
+    const Guide* guide = nullptr;          // none: nobody is led
+    std::optional<double> opening_s = {};  // s since the slide to watch began, while it is watched
     std::optional<glm::dvec2> place_to_click = {};  // px, while the guide shows one
 };
 

@@ -85,7 +85,7 @@ void readings(Desk& desk, const Facts& facts);
 void notices(Desk& desk, const Facts& facts, bool warnings_only);
 void hint(Desk& desk, const Facts& facts);
 void stroke_note(Desk& desk, const Facts& facts);
-void challenge(Desk& desk, const Facts& facts);
+void challenge(Desk& desk, const Facts& facts, Actions& actions);
 void title(Desk& desk, float strength);
 void opening(Desk& desk, const Facts& facts);  // instead of all others
 void guide(Desk& desk, const Facts& facts, Actions& actions);

@@ -199,19 +199,17 @@ void save_world(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::EndDisabled();
 }
 
-// What the user has saved; the one that is chosen is opened.
-void own_worlds_of(Desk& desk, const Facts& facts, Actions& actions) {
-    if (facts.catalogue.worlds.empty()) return;
-    desk.widgets.heading("Yours, newest first");
-    for (const Catalogue::Entry& entry : facts.catalogue.worlds) {
-        const bool is_challenge = entry.kind == Catalogue::Kind::kChallenge;
-        if (desk.widgets.button(entry.name.c_str(),
-                                is_challenge
-                                    ? "Shows how this challenge of yours is won; then try it yourself."
-                                    : "Starts in this world; the current session stays in its recording.",
-                                entry.name == facts.scenario.scene, ImGui::GetContentRegionAvail().x))
+// What the user has saved of a kind; the one that is chosen is opened.
+void own_worlds_of(Desk& desk, const char* heading, Catalogue::Kind kind, const char* tooltip,
+                   const Facts& facts, Actions& actions) {
+    const auto& worlds = facts.catalogue.worlds;
+    if (std::ranges::find(worlds, kind, &Catalogue::Entry::kind) == worlds.end()) return;
+    desk.widgets.heading(heading);
+    for (const Catalogue::Entry& entry : worlds)
+        if (entry.kind == kind &&
+            desk.widgets.button(entry.name.c_str(), tooltip, entry.name == facts.scenario.scene,
+                                ImGui::GetContentRegionAvail().x))
             actions.emplace_back(Open{entry.file.string(), {}});
-    }
 }
 
 void hints(Desk& desk, const Facts& facts, Actions& actions) {
@@ -234,7 +232,10 @@ void scene_panel(Desk& desk, const Facts& facts, Actions& actions) {
     hints(desk, facts, actions);
     save_world(desk, facts, actions);
     best_runs_of_challenge(desk, facts, actions);
-    own_worlds_of(desk, facts, actions);
+    own_worlds_of(desk, "Your challenges, newest first", Catalogue::Kind::kChallenge,
+                  "Shows how this challenge of yours is won; then try it yourself.", facts, actions);
+    own_worlds_of(desk, "Your worlds, newest first", Catalogue::Kind::kMountain,
+                  "Starts in this world; the current session stays in its recording.", facts, actions);
     scenes_of_kind(desk, "Challenges", Catalogue::Kind::kChallenge, facts, actions);
     scenes_of_kind(desk, "Mountains", Catalogue::Kind::kMountain, facts, actions);
     scenes_of_kind(desk, "Flow demos", Catalogue::Kind::kFlowDemo, facts, actions);

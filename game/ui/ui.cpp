@@ -173,7 +173,7 @@ void Ui::build(const Facts& facts, Actions& actions) {
         time_bar(desk, facts, actions);
         hint(desk, facts);
         guide(desk, facts, actions);
-        challenge(desk, facts);
+        challenge(desk, facts, actions);
         stroke_note(desk, facts);
         readings(desk, facts);
         open_panels(desk, facts, actions);

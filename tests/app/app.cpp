@@ -1037,6 +1037,53 @@ TEST_F(Playing, saves_no_world_of_the_past_and_says_why_one_cannot_be_written) {
     EXPECT_TRUE(app_->catalogue().worlds.empty()) << "looking back";
 }
 
+TEST_F(Playing, makes_a_challenge_of_a_slide_that_can_be_watched_and_then_tried) {
+    screen_.resize_to(1280, 720);
+    begin("winter-valley", 40);
+    for (int i = 0; i < 4; ++i) tap(Key::kEqual);
+    tap(key('3'));
+    blast_at(640, 330);
+    for (int i = 0; i < 100 && !shows("Verdict"); ++i) frames(5);
+    ASSERT_TRUE(shows("Make it a challenge"));
+    click("Make it a challenge");
+    for (int i = 0; i < 3000 && app_->is_making_challenge(); ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        if (i % 100 == 0) frames(1);
+    }
+    frames(2);
+    ASSERT_EQ(app_->catalogue().worlds.size(), 1u) << last_notice();
+    EXPECT_EQ(app_->catalogue().worlds[0].kind, Catalogue::Kind::kChallenge);
+    const std::filesystem::path file = app_->catalogue().worlds[0].file;
+    EXPECT_NE(last_notice().find(file.string()), std::string::npos) << last_notice();
+
+    tap(function_key(2));
+    frames(3);
+    click(file.stem().c_str());
+    EXPECT_TRUE(app_->sandbox().watches());
+    frames(3);
+    ASSERT_TRUE(shows("Try it yourself"));
+    EXPECT_TRUE(shows("Task"));
+    frames(20);
+    click("Try it yourself");
+    EXPECT_FALSE(app_->sandbox().watches());
+    EXPECT_FALSE(shows("Try it yourself"));
+    EXPECT_LT(state().tick, 10);
+    EXPECT_FALSE(app_->sandbox().was_touched());
+    EXPECT_TRUE(shows("Blast: 1 of 1 left"));
+    tap(function_key(2));
+    frames(2);
+    const std::int64_t begun = state().tick;
+    blast_at(640, 330);
+    for (int i = 0; i < 4; ++i) tap(Key::kEqual);
+    for (int i = 0; i < 200 && !shows("Verdict"); ++i) frames(5);
+    ASSERT_TRUE(shows("Verdict"));
+    EXPECT_TRUE(shows("Try again"));
+    ASSERT_EQ(app_->best_runs().size(), 1u) << last_notice() << begun;
+    click("Try again");
+    EXPECT_FALSE(app_->sandbox().watches());
+    EXPECT_TRUE(app_->sandbox().scenario().goal);
+}
+
 class FirstMinute : public Playing {
   protected:
     void begin_led(Guide guide, const std::string& what) {

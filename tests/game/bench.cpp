@@ -403,6 +403,22 @@ double mean(const std::vector<float>& depth) {
     return sum / static_cast<double>(depth.size());
 }
 
+TEST(OnGrid, refuses_a_forest_earth_and_mixed_layers_of_another_grid) {
+    for (int i = 0; i < 3; ++i) {
+        Scenario scenario = small_scenario();
+        const std::size_t vertices = scenario.grid.size();
+        if (i == 0) scenario.standing.forest.resize(vertices);
+        if (i == 1) scenario.standing.earth.resize(vertices);
+        if (i == 2)
+            scenario.lower = {
+                "soil", scenario.params, std::vector<float>(vertices), {}, std::vector<float>(vertices), {}};
+        EXPECT_TRUE(on_grid(scenario, 12, {})) << i;
+        const auto other = on_grid(scenario, 24, {});
+        ASSERT_FALSE(other) << i;
+        EXPECT_NE(other.error().sentence.find("12 squares"), std::string::npos) << other.error().sentence;
+    }
+}
+
 TEST(OnGrid, keeps_the_rectangle_the_slope_and_how_deep_the_cover_is) {
     const Scenario scenario = shipped("snow-avalanche");
     for (const int squares : {40, 80, 160, 320}) {

@@ -358,6 +358,7 @@ TEST_F(OwnWorlds, are_files_of_their_own_and_listed_the_newest_first) {
     std::filesystem::last_write_time(*second, now - std::chrono::hours(2));
     std::filesystem::last_write_time(*third, now - std::chrono::hours(1));
     std::ofstream(folder_.path() / "couloir/scenes/note.txt") << "x";
+    std::ofstream(folder_.path() / "couloir/scenes/empty.couloir");
     const auto files = own_files(2);
     ASSERT_EQ(files.size(), 2u);
     EXPECT_EQ(files[0].path, *first);
