@@ -390,7 +390,11 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
     if (time.ticks > 0) pace_.see(sandbox_->session().state(), now_s_);
     if (time.ticks > 0) watch_slide();
     if (time.ticks > 0) judge_slide();
-    if (seen_again_ && !sandbox_->looks_back()) seen_again_ = false, clock_.set_speed(1);
+    if (seen_again_ &&
+        (has_card() || !sandbox_->looks_back())) {  // back to the present, once it has come to rest
+        stop_seeing_again();
+        seeking_ = sandbox_->known_until();
+    }
     take_over_at_end();
 }
 

@@ -126,6 +126,7 @@ class App {
     void perform(const Open& open);
     void perform(const LookAt& wish);
     void perform(const SeeFromFront& wish);
+    void stop_seeing_again();
     void perform(const GuideWish& wish);
     void perform(const SaveWorld&);
     void perform(const MakeChallenge&);

@@ -142,7 +142,7 @@ void App::perform(const LookAt& wish) {
     camera_->go_to(there);
 }
 
-// Its speed is the usual one again at its end (run_ticks).
+// It ends when the slide has come to rest again (run_ticks), or when the user goes elsewhere in time.
 void App::perform(const SeeFromFront&) {
     if (!has_card() || !may_go_back()) return;
     camera_->go_to(view_from_front(sandbox_->session().view(), card_.top, card_.toe));
@@ -151,6 +151,10 @@ void App::perform(const SeeFromFront&) {
     clock_.run_back(false);
     seeking_ = card_began_;
     seen_again_ = true;
+}
+
+void App::stop_seeing_again() {
+    if (std::exchange(seen_again_, false)) clock_.set_speed(1);
 }
 
 void App::perform(const GuideWish& wish) {
@@ -308,6 +312,7 @@ bool App::may_go_back() {
 
 void App::perform(const SeekTick& seek) {
     if (!may_go_back()) return;
+    stop_seeing_again();
     clock_.run_back(false);
     seeking_ = seek.tick;
 }
@@ -319,6 +324,7 @@ void App::step_back() {
 
 void App::run_back() {
     if (!may_go_back()) return;
+    stop_seeing_again();
     clock_.run_back(!clock_.runs_back());
     clock_.pause(false);
     seeking_.reset();

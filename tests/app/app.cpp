@@ -1307,8 +1307,10 @@ TEST_F(PlayingAChallenge, shows_a_map_of_the_try_and_plays_it_once_more_from_its
         << "from the south, where it went";
     EXPECT_LT(app_->camera().elevation_deg, 0) << "it looks up";
     go_on_to_the_card();
-    for (int i = 0; i < 100 && state().tick < live.tick; ++i) frames(1);
+    frames(3);
     EXPECT_EQ(app_->clock().speed(), 1);
+    EXPECT_GE(state().tick, live.tick) << "back in the present";
+    EXPECT_FALSE(app_->sandbox().looks_back());
     EXPECT_EQ(app_->best_runs().size(), 1u);
 }
 
