@@ -105,7 +105,7 @@ std::optional<double> density_from(const Json& json) {
 }
 
 Scenario::Lower lower_from(const Json& json, int minor, const sim::Params& world) {
-    Scenario::Lower lower{text(json, "material"), world, {}, density_from(json)};
+    Scenario::Lower lower{text(json, "material"), world, {}, density_from(json), {}, {}};
     numbers_from(member(json, "physics"), minor, lower.params);
     sim::take_choices(world, lower.params);
     return lower;

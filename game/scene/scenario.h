@@ -50,7 +50,7 @@ struct Scenario {
         std::optional<double> density;  // kg/m³
         // Where the materials are mixed already, m of this one: in the standing layer above its depth, and in the
         // rolling layer; none, or grid.size() values.
-        std::vector<float> settled = {}, rolling = {};
+        std::vector<float> settled, rolling;
     };
     std::optional<Lower> lower;
 

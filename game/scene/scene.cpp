@@ -215,7 +215,7 @@ void add_files(const std::vector<fs::path>& files, Scene& scene) {
 }
 
 void take_lower(Scenario& scenario, const Material& lower) {
-    scenario.lower = Scenario::Lower{lower.name, lower.params, {}, lower.density};
+    scenario.lower = Scenario::Lower{lower.name, lower.params, {}, lower.density, {}, {}};
     sim::take_choices(scenario.params, scenario.lower->params);
     take_look_of_lower(lower.look, scenario.look);
 }

@@ -59,7 +59,8 @@ TEST(LoadedWorld, of_a_recording_looks_as_its_materials_ship_now) {
 
     Scenario two = small;
     two.material = "snow-wet";
-    two.lower = Scenario::Lower{"soil", small.params, std::vector<float>(small.depth.size(), 0.f), {}};
+    two.lower =
+        Scenario::Lower{"soil", small.params, std::vector<float>(small.depth.size(), 0.f), {}, {}, {}};
     const render::Look mixed = opened(two, LookFrom::kShipped);
     EXPECT_EQ(mixed.rolling, wet.look.rolling);
     EXPECT_EQ(mixed.lower_rolling, soil.look.rolling);

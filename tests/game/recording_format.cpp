@@ -214,8 +214,8 @@ TEST(RecordingHeader, keeps_where_trees_may_grow_and_refuses_impossible_places) 
 TEST(RecordingHeader, keeps_the_density_of_each_material_or_that_it_is_unknown) {
     Header header;
     header.scenario = small_scenario();
-    header.scenario.lower =
-        Scenario::Lower{"soil", header.scenario.params, std::vector<float>(header.scenario.depth.size()), {}};
+    header.scenario.lower = Scenario::Lower{
+        "soil", header.scenario.params, std::vector<float>(header.scenario.depth.size()), {}, {}, {}};
     const Header unknown = header_from(to_json(header)).value();
     EXPECT_FALSE(unknown.scenario.density);
     EXPECT_FALSE(unknown.scenario.lower->density);

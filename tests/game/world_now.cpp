@@ -329,7 +329,7 @@ TEST(SavedWorlds, have_earth_that_sculpting_can_make) {
 TEST(SavedWorlds, have_no_more_of_the_lower_material_than_their_layers) {
     Scenario scenario = small_scenario();
     const std::size_t vertices = scenario.grid.size();
-    scenario.lower = Scenario::Lower{"soil", scenario.params, std::vector<float>(vertices), {}};
+    scenario.lower = Scenario::Lower{"soil", scenario.params, std::vector<float>(vertices), {}, {}, {}};
     const auto all = [&](float metres) { return pack_metres(std::vector<float>(vertices, metres)); };
     EXPECT_EQ(fault_with(scenario, "/lower/mixed", Json{{"settled", all(0)}, {"rolling", all(0)}}), "");
     for (const Json& wrong :

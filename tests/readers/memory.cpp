@@ -23,7 +23,8 @@ Scenario even_ground(int side, bool two_materials) {
     scenario.bedrock.assign(vertices, 0.f), scenario.depth.assign(vertices, 1.f);
     scenario.rolling.assign(vertices, 0.f), scenario.has_data.assign(vertices, 1);
     if (two_materials)
-        scenario.lower = Scenario::Lower{"soil", scenario.params, std::vector<float>(vertices, 0.5f), {}};
+        scenario.lower =
+            Scenario::Lower{"soil", scenario.params, std::vector<float>(vertices, 0.5f), {}, {}, {}};
     return scenario;
 }
 

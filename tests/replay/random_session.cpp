@@ -78,7 +78,7 @@ Scenario random_start(Dice& dice) {
         lower.stop_slope = 0.55f;
         std::vector<float> depth = ground.depth;
         for (float& d : depth) d *= 0.5f;
-        scenario.lower = Scenario::Lower{"soil", lower, std::move(depth), {}};
+        scenario.lower = Scenario::Lower{"soil", lower, std::move(depth), {}, {}, {}};
     }
     if (dice.one_in(6)) scenario.look.flow = render::FlowLook{render::FlowPattern::kSoil};  // tracks fronts
     return scenario;
