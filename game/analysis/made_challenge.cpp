@@ -226,7 +226,6 @@ Outcome<void> record_try(const Scenario& scenario, const std::vector<TimedComman
     if (!recorder) return tl::unexpected(recorder.error());
     auto played = play_try(scenario, commands, options, std::move(*recorder), stop);
     if (!played) return tl::unexpected(played.error());
-    constexpr int kGold = 3;
     if (played->score.medal != kGold)
         return tl::unexpected(
             Failure{Failure::kBadAnswer, fmt::format("played again it scores {}, and gold begins at {}",

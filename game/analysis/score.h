@@ -37,6 +37,7 @@ struct Score {
 // world until now, sorted by tick. Needs a scenario with a goal.
 Score score_now(const Scenario& scenario, const Session& session, std::span<const TimedCommand> commands);
 
+inline constexpr int kGold = 3;
 const char* medal_name(int medal);  // "gold"
 // "greatest load on a house", "8.2 kPa" and "at most 5 kPa".
 struct NeedText {

@@ -404,8 +404,8 @@ void App::judge_try() {
     const std::int64_t tick = session.state().tick;
     if (card_tick_ && sandbox_->known_until() < *card_tick_) score_.reset(), card_tick_.reset();
     if (session.try_ended_at() != tick || score_) return;
-    score_ = score_now(sandbox_->scenario(), session, sandbox_->commands_so_far());
-    const auto commands = sandbox_->commands_so_far();
+    const std::vector<TimedCommand> commands = sandbox_->commands_so_far();
+    score_ = score_now(sandbox_->scenario(), session, commands);
     show_card(card_of(sandbox_->scenario(), *score_, best_list_.runs()),
               commands.empty() ? 0 : commands.front().tick);
     if (const auto claimed = sandbox_->claim(score_->claim()); !claimed) stop_recording(claimed.error());

@@ -16,7 +16,7 @@ namespace {
 std::string next_medal(const Goal& goal, const Score& score) {
     constexpr std::int64_t kNear = 10;  // less than one part in so many was missing
     const int next = score.medal + 1;
-    if (next > 3) return "";
+    if (next > kGold) return "";
     const std::int64_t least = goal.medals.at(static_cast<std::size_t>(next - 1));
     const std::int64_t missing = least - score.points;
     if (missing < least / kNear) return fmt::format(", {} short of {}", missing, medal_name(next));

@@ -136,7 +136,6 @@ void make_it_a_challenge(Desk& desk, const Facts& facts, Actions& actions) {
 
 // The buttons of the card.
 void what_next(Desk& desk, const ResultCard& card, const Facts& facts, Actions& actions) {
-    constexpr int kGold = 3;
     const Catalogue::Entry* const harder = card.medal == kGold ? harder_challenge(facts) : nullptr;
     const Catalogue::Entry* const next = harder                       ? harder
                                          : card.medal.value_or(0) > 0 ? next_challenge(facts)

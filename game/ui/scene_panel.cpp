@@ -84,7 +84,6 @@ Open begin_of(const SceneChoice& choice, const Facts& facts) {
 
 // A harder challenge is listed once the other one was won in gold, or it was played itself.
 bool waits_for_gold(const Catalogue::Entry& entry, const Facts& facts) {
-    constexpr int kGold = 3;
     if (entry.harder_than.empty() || entry.best || entry.name == facts.scenario.scene) return false;
     const auto& scenes = facts.catalogue.scenes;
     const auto easier = std::ranges::find(scenes, entry.harder_than, &Catalogue::Entry::name);

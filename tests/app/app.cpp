@@ -1010,7 +1010,7 @@ TEST_F(Playing, saves_the_world_as_it_stands_and_begins_it_again) {
     EXPECT_FALSE(app_->sandbox().watches());
     EXPECT_EQ(app_->sandbox().scenario().scene, file.stem());
     EXPECT_LT(state().tick, 5);
-    EXPECT_GT(mass().rolling, 0) << "what moved goes on from rest";
+    EXPECT_GT(mass().rolling, 0) << "what moved starts from rest";
     ASSERT_TRUE(app_->recording());
     EXPECT_NE(app_->recording()->string().find(file.stem().string()), std::string::npos);
     tap(function_key(2));

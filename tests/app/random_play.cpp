@@ -15,10 +15,10 @@
 #include <gtest/gtest.h>
 
 #include "game/app/app.h"
-#include "game/base/number.h"
 #include "game/controls/key_map.h"
 #include "tests/app/gl_screen.h"
 #include "tests/replay/all_kernels.h"
+#include "tests/replay/environment.h"
 #include "tests/support/places.h"
 
 namespace game {
@@ -171,19 +171,13 @@ class Restless {
     std::int64_t frames_ = 0;
 };
 
-// A whole number from the environment, or else `otherwise`.
-std::uint64_t number_from_environment(const char* variable, std::uint64_t otherwise) {
-    const char* const text = std::getenv(variable);
-    return text == nullptr ? otherwise : number_from<std::uint64_t>(text).value();
-}
-
 // COULOIR_PLAYS=N plays N worlds, COULOIR_SEED=S starts with seed S.
 TEST(RandomPlay, loses_nothing_in_any_scene_and_leaves_recordings_that_replay_by_every_kernel) {
     std::vector<std::string> scenes;
     const Catalogue catalogue = read_catalogue().value();
     for (const Catalogue::Entry& entry : catalogue.scenes) scenes.push_back(entry.name);
-    const std::uint64_t plays = number_from_environment("COULOIR_PLAYS", 2),
-                        first = number_from_environment("COULOIR_SEED", 1);
+    const std::uint64_t plays = test::number_of("COULOIR_PLAYS", 2),
+                        first = test::number_of("COULOIR_SEED", 1);
     test::Replays replays;
     std::int64_t frames = 0;
     for (std::uint64_t seed = first; seed < first + plays; ++seed) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "game/analysis/score.h"
+#include "game/recording/command_source.h"
 #include "game/recording/reader.h"
 #include "game/session/session.h"
 #include "game/session/verifier.h"
@@ -34,11 +35,9 @@ std::optional<std::string> fault_by(const sim::StepOptions& options, const Recor
     Verifier verifier(recording);
     Referee referee(recording.header.scenario, recording.commands);
     verifier.look_at(*session);
-    std::vector<sim::Command> due;
+    CommandSource source;
     while (session->state().tick < recording.last_tick()) {
-        due.clear();
-        for (const auto& given : commands_at(recording.commands, session->state().tick))
-            due.push_back(given.command);
+        const auto due = source.due(session->state(), recording.commands);
         if (const auto done = session->advance(due); !done) return done.error().sentence;
         verifier.look_at(*session);
         if (recording.header.scenario.goal) referee.see(*session);

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "game/base/number.h"
+#include "tests/replay/environment.h"
 #include "tests/support/places.h"
 
 namespace game::test {
@@ -68,12 +68,6 @@ void expect_none(const std::vector<std::string>& failures) {
 
 TEST(RandomSessions, of_which_there_are_50_replay_bit_for_bit) {
     expect_none(play_sessions(1, 50, 1));
-}
-
-// A whole number from the environment, or else `otherwise`.
-std::uint64_t number_of(const char* variable, std::uint64_t otherwise) {
-    const char* text = std::getenv(variable);
-    return text == nullptr ? otherwise : number_from<std::uint64_t>(text).value();
 }
 
 // COULOIR_SESSIONS=N plays N sessions, COULOIR_SEED=S starts with seed S.
