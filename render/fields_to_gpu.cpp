@@ -124,6 +124,8 @@ void FieldsToGpu::allocate(const sim::Grid& grid) {
          {&bedrock_texture_, &depth_texture_, &rolling_texture_, &velocity_x_texture_, &velocity_y_texture_})
         *texture = make_texture(GL_R32F, grid.nx, grid.ny, GL_NEAREST);
     first_depth_texture_ = make_texture(GL_R32F, grid.nx, grid.ny, GL_LINEAR);
+    glClearTexImage(first_depth_texture_.name(), 0, GL_RED, GL_FLOAT,
+                    nullptr);  // read also while it is unknown
     first_depth_.clear();
     earth_texture_ = make_texture(GL_R32F, grid.nx, grid.ny, GL_LINEAR);
     earth_ = {};

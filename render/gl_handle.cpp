@@ -1,8 +1,42 @@
 #include "render/gl_handle.h"
 
+#include <array>
+#include <cstdint>
+#include <limits>
+
 namespace render {
 
 namespace {
+
+bool spoils = false;
+
+void spoil(const Texture& texture, GLenum format) {
+    static int number = 0;
+    const bool is_nan = number++ % 3 == 0;
+    const float wrong =
+        is_nan ? std::numeric_limits<float>::quiet_NaN() : std::numeric_limits<float>::lowest();
+    const std::array wrongs{wrong, wrong, wrong, wrong};
+    constexpr std::array kShares{0.9f, 0.1f, 0.6f, 0.3f};
+    constexpr std::uint8_t kByte = 0xab;
+    const auto clear = [&](GLenum layout, GLenum type, const void* value) {
+        glClearTexImage(texture.name(), 0, layout, type, value);
+    };
+    switch (format) {
+        case GL_R8UI:
+            return clear(GL_RED_INTEGER, GL_UNSIGNED_BYTE, &kByte);
+        case GL_STENCIL_INDEX8:
+            return clear(GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, &kByte);
+        case GL_DEPTH_COMPONENT32F:
+            return clear(GL_DEPTH_COMPONENT, GL_FLOAT, kShares.data());
+        case GL_R8:
+        case GL_RG8:
+        case GL_RGBA8:
+        case GL_SRGB8_ALPHA8:
+            return clear(GL_RGBA, GL_FLOAT, kShares.data());
+        default:
+            return clear(GL_RGBA, GL_FLOAT, wrongs.data());
+    }
+}
 
 void set_sampling(GLuint name, GLint filter) {
     glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, filter);
@@ -13,12 +47,18 @@ void set_sampling(GLuint name, GLint filter) {
 
 }  // namespace
 
+void spoil_new_memory(bool on) {
+    spoils = on;
+}
+
 Texture make_texture(GLenum format, int width, int height, GLint filter) {
     GLuint name = 0;
     glCreateTextures(GL_TEXTURE_2D, 1, &name);
     glTextureStorage2D(name, 1, format, width, height);
     set_sampling(name, filter);
-    return Texture(name);
+    Texture texture(name);
+    if (spoils) spoil(texture, format);
+    return texture;
 }
 
 Texture make_view(const Texture& texture, GLenum format, GLint filter) {
@@ -38,6 +78,9 @@ Buffer make_buffer() {
 Buffer make_storage(std::size_t bytes, const void* data) {
     Buffer buffer = make_buffer();
     glNamedBufferStorage(buffer.name(), static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_STORAGE_BIT);
+    constexpr std::uint32_t kNan = 0x7fc0abcd;
+    if (spoils && !data)
+        glClearNamedBufferData(buffer.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &kNan);
     return buffer;
 }
 

@@ -68,7 +68,12 @@ using Renderbuffer = GlHandle<DeleteRenderbuffer>;
 using ShaderName = GlHandle<DeleteShader>;
 using ProgramName = GlHandle<DeleteProgram>;
 
-// Creates a 2D texture of one level, clamped to its edge. `filter` is GL_NEAREST or GL_LINEAR.
+// For tests: fills what OpenGL leaves undefined in new textures and buffers with numbers that show, some with NaN
+// and most with the lowest number where a format has those. Mesa's drivers clear such memory; on a GPU, which does not, a
+// read of it shows as blotches.
+void spoil_new_memory(bool on);
+
+// Creates a 2D texture of one level, clamped to its edge. `filter` is GL_NEAREST or GL_LINEAR. Its texels are undefined.
 Texture make_texture(GLenum format, int width, int height, GLint filter);
 // Creates another name for the texels of `texture`, read in `format`, which has as many bits.
 Texture make_view(const Texture& texture, GLenum format, GLint filter);

@@ -131,6 +131,8 @@ void PowderPass::resize(int width, int height) {
     farthest_ = make_texture(GL_R32F, across(), up(), GL_NEAREST);
     thick_ = make_texture(GL_RGBA16F, across(), up(), GL_NEAREST);
     lower_ = make_texture(GL_R16F, across(), up(), GL_NEAREST);
+    glClearTexImage(lower_.name(), 0, GL_RED, GL_FLOAT,
+                    kNothing);  // read, but not drawn to, with one material
     lit_ = make_texture(GL_RGBA16F, across(), up(), GL_LINEAR);
     hidden_ = make_texture(GL_RGBA32F, across(), up(), GL_NEAREST);
     farthest_frame_ = make_framebuffer();

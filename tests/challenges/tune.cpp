@@ -293,7 +293,8 @@ int main(int count, char** words) {
         keep(attempt);
         if (!is_better(best, attempt)) best = attempt;  // also sideways: some scores are coarse
     }
-    if (climbs > 0) tell("climbed to", goal, best);
+    if (climbs == 0 && count <= 5) return 0;
+    tell("climbed to", goal, best);
     const std::optional<Try> sound = best_sound(*scene, winners);
     if (sound) tell("the best that wins with its places moved by a cell", goal, *sound);
     if (count <= 5) return 0;

@@ -101,7 +101,7 @@ TEST_F(Gl, redraws_only_around_an_outline_that_is_moved) {
         renderer_->draw(input);
         whole->forget();
         whole->draw(input);
-        EXPECT_EQ(renderer_->read_back().pixels, whole->read_back().pixels) << frame;
+        EXPECT_TRUE(alike(renderer_->read_back(), whole->read_back())) << frame;
         EXPECT_TRUE(frame == 0 || frame == 5 || renderer_->redrawn() < 0.6) << frame;
     }
 }
@@ -124,7 +124,7 @@ TEST_F(Gl, redraws_only_around_the_outline_of_an_extent_that_grows) {
         renderer_->draw(input);
         whole->forget();
         whole->draw(input);
-        EXPECT_EQ(renderer_->read_back().pixels, whole->read_back().pixels) << frame;
+        EXPECT_TRUE(alike(renderer_->read_back(), whole->read_back())) << frame;
         EXPECT_TRUE(frame == 0 || frame == 6 || renderer_->redrawn() < 0.6) << frame;
         EXPECT_EQ(renderer_->read_back().pixels == plain, frame == 6) << frame;
     }
@@ -158,7 +158,7 @@ TEST_F(Gl, redraws_only_around_a_forest_and_houses_that_change) {
         whole->forget();
         whole->draw(play.input());
         const Picture picture = renderer_->read_back();
-        EXPECT_EQ(picture.pixels, whole->read_back().pixels) << frame;
+        EXPECT_TRUE(alike(picture, whole->read_back())) << frame;
         EXPECT_NE(picture.pixels, before) << frame;
         EXPECT_TRUE(frame == 0 || renderer_->redrawn() < 0.9) << frame;
         before = picture.pixels;
@@ -184,14 +184,14 @@ TEST_F(Gl, redraws_ground_that_changes_as_if_it_had_always_been_so) {
         auto fresh = Renderer::create(support::source_dir() / "assets", Quality::kFast);
         ASSERT_TRUE(fresh) << fresh.error();
         fresh->draw(play.input());
-        EXPECT_EQ(picture.pixels, fresh->read_back().pixels) << frame;
+        EXPECT_TRUE(alike(picture, fresh->read_back())) << frame;
         if (frame == 0) flat = picture;
         EXPECT_EQ(picture.pixels == flat.pixels, frame == 0 || frame == 4) << frame;
     }
     // A world that never had things looks the same as one that has none any more.
     play.world.things.reset();
     renderer_->draw(play.input());
-    EXPECT_EQ(renderer_->read_back().pixels, flat.pixels);
+    EXPECT_TRUE(alike(renderer_->read_back(), flat));
 }
 
 void roll(Play& play, int x, int frame) {
@@ -230,14 +230,16 @@ const Mistake kMistakes[] = {
      [](Play& play, int frame) {
          play.set_tower({26, 30}, {38, 34}, 60 - 4 * static_cast<float>(frame));
      }},
-    // The upper edge of a long wall slopes a little, so that its stairs are long; at its end a tower sinks.
+    // The upper edge of a long wall slopes a little, so that its stairs are long; somewhere on it a tower rises.
     {"edges", [](RedrawRules& rules) { rules.edge_reach = 0; },
      [](Play& play) {
          play.camera = {{128, 128, 20}, 180, 2, 900, 25};
          for (int x = 12; x < 60; ++x) play.set_tower({x, 31}, {x, 33}, 10 + 0.3f * static_cast<float>(x));
      },
      [](Play& play, int frame) {
-         play.set_tower({34, 31}, {35, 33}, 20 + 2 * static_cast<float>(frame % 5));
+         for (int x = 14; x < 58; x += 4)
+             play.set_tower({x, 31}, {x, 33},
+                            10 + 0.3f * static_cast<float>(x) + (x % 12 == 2 * (frame % 6) ? 2.f : 0.f));
      }},
     // The shadow of a tower that rises comes over a hut, which is seen before ground far behind it.
     {"things", [](RedrawRules& rules) { rules.things = false; },

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "render/gl_handle.h"
 #include "tests/support/places.h"
 
 namespace render::test {
@@ -54,6 +55,26 @@ int differing(const Picture& a, const Picture& b) {
     return count;
 }
 
+testing::AssertionResult alike(const Picture& a, const Picture& b, int most) {
+    if (a.width != b.width || a.height != b.height)
+        return testing::AssertionFailure() << "images of " << a.width << " x " << a.height << " and "
+                                           << b.width << " x " << b.height << " pixels";
+    int count = 0, greatest = 0;
+    std::size_t where = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); i += 3) {
+        int difference = 0;
+        for (std::size_t c = i; c < i + 3; ++c)
+            difference = std::max(difference, std::abs(int{a.pixels[c]} - int{b.pixels[c]}));
+        count += difference > most;
+        if (difference > greatest) greatest = difference, where = i / 3;
+    }
+    if (count == 0) return testing::AssertionSuccess();
+    const auto width = static_cast<std::size_t>(a.width);
+    return testing::AssertionFailure()
+           << count << " of " << a.pixels.size() / 3 << " pixels differ by more than " << most << ", by "
+           << greatest << " at most, at (" << where % width << ", " << where / width << ")";
+}
+
 double colour_distance(const Colour& a, const Colour& b) {
     const Colour p = to_lab(a), q = to_lab(b);
     return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
@@ -85,6 +106,7 @@ const HeadlessContext& Gl::context() {
 
 void Gl::SetUp() {
     context();
+    spoil_new_memory(true);
     auto renderer = Renderer::create(support::source_dir() / "assets", Quality::kFast);
     ASSERT_TRUE(renderer) << renderer.error();
     renderer_.emplace(std::move(*renderer));

@@ -19,6 +19,9 @@ Colour mean_colour(const Picture& picture, int x, int y, int half);
 // Pixels whose red differs by more than 3 of 255 between two images of one size.
 int differing(const Picture& a, const Picture& b);
 
+// Whether no channel differs by more than `most` of 255 between two images; else says how many pixels do, and where.
+testing::AssertionResult alike(const Picture& a, const Picture& b, int most = 0);
+
 // CIE L*a*b* distance; 2.3 is just noticeable to most people, 10 is obvious.
 double colour_distance(const Colour& a, const Colour& b);
 
