@@ -11,7 +11,10 @@ namespace render {
 
 // Hashes a cell of a lattice that repeats after `period` cells to 0 … 1, excluding 1.
 inline float hash(int x, int y, int period, std::uint32_t seed) {
-    const auto wrap = [period](int v) { return static_cast<std::uint32_t>((v % period + period) % period); };
+    const auto wrap = [period](int v) {
+        const int within = v % period;
+        return static_cast<std::uint32_t>(within < 0 ? within + period : within);
+    };
     std::uint32_t h = wrap(x) * 0x9E3779B1u ^ wrap(y) * 0x85EBCA77u ^ seed * 0xC2B2AE3Du;
     h = (h ^ (h >> 15)) * 0x2C1B3C6Du;
     h = (h ^ (h >> 12)) * 0x297A2D39u;

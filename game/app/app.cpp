@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <future>
 #include <iterator>
 #include <utility>
 
@@ -57,6 +59,8 @@ Outcome<std::unique_ptr<App>> App::begin(Screen& screen, LoadedWorld loaded, con
     if (!assets) return tl::unexpected(assets.error());
     auto catalogue = read_catalogue();
     if (!catalogue) return tl::unexpected(catalogue.error());
+    // Beside the shaders, which take as long.
+    auto around = std::async(std::launch::async, around_of, std::cref(loaded.scene.scenario));
     auto renderer = render::Renderer::create(*assets, render::Quality::kFast);
     if (!renderer) return machine_fails(renderer.error());
 
@@ -68,7 +72,7 @@ Outcome<std::unique_ptr<App>> App::begin(Screen& screen, LoadedWorld loaded, con
         app->display_.tier = *tier;
     else
         app->trial_.emplace(app->display_.frame_ms);
-    if (auto begun = app->begin_world(std::move(loaded), record); !begun)
+    if (auto begun = app->begin_world(std::move(loaded), record, around.get()); !begun)
         return tl::unexpected(begun.error());
     if (led) app->begin_leading(*led);
     return app;
@@ -201,7 +205,7 @@ void App::perform_all() {
 
 const render::Surroundings& App::surroundings() const {
     static const render::Surroundings none;
-    return display_.surroundings ? mountains_ : none;
+    return display_.surroundings ? around_.mountains : none;
 }
 
 render::Ray App::ray_under(glm::dvec2 point) const {
@@ -760,7 +764,7 @@ void App::draw_once(const ImageSize& image) {
                     .surroundings = &surroundings(),
                     .powder = session.powder(),
                     .powder_strength = display_.powder,
-                    .woods = display_.trees ? &woods_ : nullptr,
+                    .woods = display_.trees ? &around_.woods : nullptr,
                     .flow_so_far = session.flow_so_far(),
                     .structures = &session.structures(),
                     .wind = sandbox_->scenario().wind,

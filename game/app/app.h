@@ -32,6 +32,7 @@
 #include "game/controls/slide_front.h"
 #include "game/controls/tick_clock.h"
 #include "game/controls/tier_trial.h"
+#include "game/scene/mountains.h"
 #include "game/session/sandbox.h"
 #include "game/ui/ui.h"
 #include "render/frame.h"
@@ -172,8 +173,10 @@ class App {
     const render::Surroundings& surroundings() const;  // as displayed
 
     // Replaces the world by `loaded`, recorded in `record` or else in the recordings folder, and closes the
-    // previous world. Errors: `record` cannot be written, and then nothing has changed.
-    Outcome<void> begin_world(LoadedWorld loaded, std::optional<std::filesystem::path> record);
+    // previous world. `around` is what lies around `loaded`, if it is known. Errors: `record` cannot be written, and
+    // then nothing has changed.
+    Outcome<void> begin_world(LoadedWorld loaded, std::optional<std::filesystem::path> record,
+                              std::optional<Around> around = std::nullopt);
     Outcome<std::optional<Recorder>> begin_recording(const Scenario& scenario,
                                                      const std::optional<std::filesystem::path>& wanted);
     void open_or_tell(const std::string& name_or_path, const Overrides& overrides);
@@ -221,8 +224,7 @@ class App {
     double earth_before_ = 0;  // m³ in use when the stroke began
     bool touched_ = false;     // the user has changed the world
 
-    render::Surroundings mountains_;  // around the world
-    render::Woods woods_;             // on them
+    Around around_;  // mountains around the world, and woods on them
     std::optional<CameraControl> camera_;
     std::optional<Probe> probe_;
     std::optional<glm::dvec3> drag_pivot_;

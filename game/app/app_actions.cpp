@@ -16,7 +16,6 @@
 #include "game/files/user_folders.h"
 #include "game/recording/format.h"
 #include "game/scene/goal_reach.h"
-#include "game/scene/mountains.h"
 #include "game/scene/surface.h"
 #include "game/session/world_now.h"
 #include "render/overview.h"
@@ -444,7 +443,8 @@ Outcome<void> App::close_recording() {
     return closed;
 }
 
-Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem::path> record) {
+Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem::path> record,
+                               std::optional<Around> around) {
     // Reset keeps brush and camera; a different terrain does not.
     const bool same = sandbox_ && ground_hash(sandbox_->scenario()) == ground_hash(loaded.scene.scenario);
     if (const auto& flow = loaded.scene.scenario.look.flow)
@@ -500,8 +500,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     clock_.run_back(false);
     if (!same) {
         const sim::View world = sandbox_->session().view();
-        mountains_ = mountains_around(scenario);
-        woods_ = woods_on(scenario, mountains_);
+        around_ = around ? std::move(*around) : around_of(scenario);
         display_.surroundings = !scenario.model;
         hand_.suit(scenario.grid);
         display_.light = scenario.light;
@@ -513,7 +512,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     screen_.show_title(fmt::format("Couloir: {}", scenario.title));
     tell(first_.told);
     if (scenario.look.flow && !sandbox_->session().fronts()) tell(Session::kTooFine);
-    if (const std::string notice = woods_notice(scenario, woods_); !notice.empty()) tell(notice);
+    if (const std::string notice = woods_notice(scenario, around_.woods); !notice.empty()) tell(notice);
     // Who plays against the clock may look first, unless the scene begins itself.
     const bool waits =
         scenario.goal && !scenario.goal->events.empty() && scenario.goal->events.front().tick > 0;

@@ -17,4 +17,11 @@ render::Woods woods_on(const Scenario& scenario, const render::Surroundings& mou
 // A notice if there are fewer than the scenario asks for, or no place for any; else empty.
 std::string woods_notice(const Scenario& scenario, const render::Woods& woods);
 
+// Both. To find them takes up to half a second.
+struct Around {
+    render::Surroundings mountains;
+    render::Woods woods;
+};
+Around around_of(const Scenario& scenario);
+
 }  // namespace game

@@ -1,6 +1,7 @@
 #include "render/passes/terrain_pass.h"
 
 #include <algorithm>
+#include <future>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -16,12 +17,11 @@ namespace {
 constexpr int kDetailLevels = 10;  // kDetailSize = 2⁹
 static_assert(1 << (kDetailLevels - 1) == kDetailSize);
 
-Texture make_detail_texture() {
+Texture detail_texture_of(const std::vector<std::uint8_t>& texels) {
     GLuint name = 0;
     glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &name);
     Texture texture(name);
     glTextureStorage3D(name, kDetailLevels, GL_RGBA8, kDetailSize, kDetailSize, DETAIL_LAYERS);
-    const std::vector<std::uint8_t> texels = make_detail();
     glTextureSubImage3D(name, 0, 0, 0, 0, kDetailSize, kDetailSize, DETAIL_LAYERS, GL_RGBA, GL_UNSIGNED_BYTE,
                         texels.data());
     glGenerateTextureMipmap(name);
@@ -42,6 +42,7 @@ tl::expected<RectanglePass, std::string> make_shading(const std::filesystem::pat
 }  // namespace
 
 tl::expected<TerrainPass, std::string> TerrainPass::create(const std::filesystem::path& shaders) {
+    auto detail = std::async(std::launch::async, make_detail);  // beside the shaders, which take as long
     const ShaderStage vertex{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "terrain.vert"}};
     auto depth = link_program(shaders, {vertex, {GL_FRAGMENT_SHADER, {"depth.frag"}}});
     if (!depth) return tl::unexpected(depth.error());
@@ -80,7 +81,7 @@ tl::expected<TerrainPass, std::string> TerrainPass::create(const std::filesystem
             }
     pass.depth_program_ = std::move(*depth);
     pass.wall_program_ = std::move(*walls);
-    pass.detail_texture_ = make_detail_texture();
+    pass.detail_texture_ = detail_texture_of(detail.get());
     return pass;
 }
 

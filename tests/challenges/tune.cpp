@@ -19,6 +19,7 @@
 #include <fmt/format.h>
 
 #include "game/analysis/score.h"
+#include "game/recording/reader.h"
 #include "game/recording/recorder.h"
 #include "game/scene/scene.h"
 #include "game/session/session.h"
@@ -216,6 +217,22 @@ bool is_better(const Try& one, const Try& other) {
            std::pair(other.score->medal, other.score->points);
 }
 
+// What a person did in a recording, all that is not the scene's own; of an easier challenge as far as tools allow.
+Try known_from(const char* path, const game::Scene& scene) {
+    Try known;
+    for (TimedCommand each : must(game::read_recording(path)).commands) {
+        if (std::ranges::find(scene.commands, each) != scene.commands.end()) continue;
+        for (const Goal::Tool& tool : scene.scenario.goal->tools)
+            for (const sim::CommandNumber& number : sim::info_of(tool.kind).numbers)
+                if (const Goal::Limit* limit = limit_of(tool, number.value);
+                    limit && tool.kind == each.command.kind)
+                    each.command.*number.value =
+                        std::clamp(each.command.*number.value, limit->least, limit->most);
+        known.by_hand.push_back(each);
+    }
+    return known;
+}
+
 void tell(const char* what, const Goal& goal, const Try& attempt) {
     if (!attempt.score) return fmt::print("{}: does not end;{}\n", what, text_of(attempt));
     fmt::print("{}: score {}, {} {};{}\n", what, attempt.score->points, game::verdict_of(*attempt.score),
@@ -242,7 +259,7 @@ std::optional<Try> best_sound(const game::Scene& scene, const std::vector<Try>& 
 
 int main(int count, char** words) {
     if (count < 3) {
-        fmt::print("Usage: {} SCENE TRIES [SEED [CLIMBS [RECORDINGS]]]\n", words[0]);
+        fmt::print("Usage: {} SCENE TRIES [SEED [CLIMBS [RECORDINGS [KNOWN]]]]\n", words[0]);
         return 2;
     }
     const auto scene = game::load_scene(words[1], {});
@@ -267,6 +284,12 @@ int main(int count, char** words) {
     std::array<int, 4> medals{};
     std::vector<std::int64_t> points;
     Try best;
+    if (count > 6) {
+        best = known_from(words[6], *scene);
+        play(*scene, best);
+        keep(best);
+        tell("known", goal, best);
+    }
     for (int i = 0; i < tries; ++i) {
         Try attempt = chance.attempt();
         play(*scene, attempt);
