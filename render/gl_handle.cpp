@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace render {
 
@@ -77,10 +78,11 @@ Buffer make_buffer() {
 
 Buffer make_storage(std::size_t bytes, const void* data) {
     Buffer buffer = make_buffer();
-    glNamedBufferStorage(buffer.name(), static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_STORAGE_BIT);
-    constexpr std::uint32_t kNan = 0x7fc0abcd;
-    if (spoils && !data)
-        glClearNamedBufferData(buffer.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &kNan);
+    // Handed over rather than cleared: on a GPU a clear came after what was sent next.
+    constexpr std::uint8_t kNan = 0xff;  // and no number of a tree, an edge or a vertex either
+    const std::vector<std::uint8_t> wrong(spoils && !data ? bytes : 0, kNan);
+    glNamedBufferStorage(buffer.name(), static_cast<GLsizeiptr>(bytes), wrong.empty() ? data : wrong.data(),
+                         GL_DYNAMIC_STORAGE_BIT);
     return buffer;
 }
 

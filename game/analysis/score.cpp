@@ -15,6 +15,42 @@
 namespace game {
 namespace {
 
+// The sum over the vertices of an area, in quanta of depth: exact, in any order. `of(i, x, y)`: m at a vertex, by its
+// index in the scenario and its place.
+template <class Of>
+std::int64_t sum(const sim::Grid& grid, const std::optional<Area>& area, Of&& of) {
+    const auto cell = static_cast<double>(grid.dx);
+    std::int64_t quanta = 0;
+    std::size_t i = 0;
+    for (int y = 0; y < grid.ny; ++y)
+        for (int x = 0; x < grid.nx; ++x, ++i)
+            if (!area || area->has(x * cell, y * cell))
+                quanta += std::llrint(of(i, x, y) / static_cast<double>(sim::kQuantum));
+    return quanta;
+}
+
+// m³ above the surface of tick 0.
+double deposit_in(const Scenario& scenario, const Session& session, const std::optional<Area>& area) {
+    const sim::State& s = session.state();
+    return session.cubic_metres(sum(scenario.grid, area, [&](std::size_t i, int x, int y) {
+        const double first =
+            static_cast<double>(scenario.depth[i]) + static_cast<double>(scenario.rolling[i]);
+        const double now = static_cast<double>(s.depth(x, y)) + static_cast<double>(s.rolling(x, y));
+        return std::max(now - first, 0.0);
+    }));
+}
+
+// % of the standing layer of tick 0.
+double removed_from(const Scenario& scenario, const Session& session, const std::optional<Area>& area) {
+    const sim::State& s = session.state();
+    const auto first = [&](std::size_t i) { return static_cast<double>(scenario.depth[i]); };
+    const std::int64_t all = sum(scenario.grid, area, [&](std::size_t i, int, int) { return first(i); });
+    const std::int64_t gone = sum(scenario.grid, area, [&](std::size_t i, int x, int y) {
+        return std::max(first(i) - static_cast<double>(s.depth(x, y)), 0.0);
+    });
+    return all > 0 ? 100 * static_cast<double>(gone) / static_cast<double>(all) : 0;
+}
+
 // Everything that quantities are read from, found once.
 class Findings {
   public:
@@ -46,14 +82,8 @@ class Findings {
             case Measure::kEroded:
                 return measures_.eroded;
             case Measure::kDeposit:
-                return session_.cubic_metres(quanta_in(
-                    quantity.area, [](double first, double now) { return std::max(now - first, 0.0); }));
-            case Measure::kRemoved: {
-                const auto gone = quanta_of_depth(
-                    quantity.area, [](double first, double now) { return std::max(first - now, 0.0); });
-                const auto all = quanta_of_depth(quantity.area, [](double first, double) { return first; });
-                return all > 0 ? 100 * static_cast<double>(gone) / static_cast<double>(all) : 0;
-            }
+            case Measure::kRemoved:
+                return amount_in_area(scenario_, session_, quantity);
             case Measure::kLoad: {
                 std::int64_t load = 0;
                 each_house([&](const sim::Thing& house) { load = std::max(load, house.load); });
@@ -85,40 +115,6 @@ class Findings {
         if (!session_.state().things) return;
         for (const sim::Thing& thing : session_.state().things->list)
             if (thing.kind == sim::ThingKind::kHouse) visit(thing);
-    }
-
-    // The sum over the vertices of an area, in quanta of depth: exact, in any order.
-    template <class Of>
-    std::int64_t sum(const std::optional<Area>& area, Of&& of) const {
-        const sim::Grid& grid = scenario_.grid;
-        const auto cell = static_cast<double>(grid.dx);
-        std::int64_t quanta = 0;
-        for (int y = 0; y < grid.ny; ++y)
-            for (int x = 0; x < grid.nx; ++x)
-                if (!area || area->has(x * cell, y * cell))
-                    quanta += std::llrint(of(x, y) / static_cast<double>(sim::kQuantum));
-        return quanta;
-    }
-    // Of the surface above the bedrock, and of the standing layer alone: `of(first, now)`, m.
-    template <class Of>
-    std::int64_t quanta_in(const std::optional<Area>& area, Of&& of) const {
-        const sim::State& s = session_.state();
-        return sum(area, [&](int x, int y) {
-            return of(first(scenario_.depth, x, y) + first(scenario_.rolling, x, y),
-                      static_cast<double>(s.depth(x, y)) + static_cast<double>(s.rolling(x, y)));
-        });
-    }
-    template <class Of>
-    std::int64_t quanta_of_depth(const std::optional<Area>& area, Of&& of) const {
-        const sim::State& s = session_.state();
-        return sum(area, [&](int x, int y) {
-            return of(first(scenario_.depth, x, y), static_cast<double>(s.depth(x, y)));
-        });
-    }
-    double first(const std::vector<float>& field, int x, int y) const {
-        return static_cast<double>(
-            field[static_cast<std::size_t>(y) * static_cast<std::size_t>(scenario_.grid.nx) +
-                  static_cast<std::size_t>(x)]);
     }
 
     const Scenario& scenario_;
@@ -201,6 +197,11 @@ Score score_now(const Scenario& scenario, const Session& session, std::span<cons
         score.medal = static_cast<int>(
             std::ranges::count_if(goal.medals, [&](std::int64_t least) { return score.points >= least; }));
     return score;
+}
+
+double amount_in_area(const Scenario& scenario, const Session& session, const Quantity& quantity) {
+    return quantity.measure == Measure::kRemoved ? removed_from(scenario, session, quantity.area)
+                                                 : deposit_in(scenario, session, quantity.area);
 }
 
 const char* medal_name(int medal) {

@@ -37,6 +37,9 @@ struct Score {
 // world until now, sorted by tick. Needs a scenario with a goal.
 Score score_now(const Scenario& scenario, const Session& session, std::span<const TimedCommand> commands);
 
+// What the area of a deposit (m³), or of snow removed (%), has come to until now. Costs a pass over the grid.
+double amount_in_area(const Scenario& scenario, const Session& session, const Quantity& quantity);
+
 inline constexpr int kGold = 3;
 const char* medal_name(int medal);  // "gold"
 // "greatest load on a house", "8.2 kPa" and "at most 5 kPa".

@@ -820,7 +820,10 @@ void App::trace_goal() {
         *goal, world.grid,
         {camera_->camera(), size.width, size.height,
          static_cast<std::int64_t>(sandbox_->session().seconds())},
-        {sandbox_->session().state().tick, static_cast<double>(sandbox_->scenario().params.tick_s)}, seen);
+        {sandbox_->session().state().tick, static_cast<double>(sandbox_->scenario().params.tick_s)}, seen,
+        [&](const Quantity& quantity) {
+            return amount_in_area(sandbox_->scenario(), sandbox_->session(), quantity);
+        });
 }
 
 void App::draw_panels() {
@@ -847,6 +850,7 @@ void App::draw_panels() {
             .goal_use = sandbox_->scenario().goal ? std::optional(sandbox_->goal_use()) : std::nullopt,
             .goal_lines = goal_lines_.lines(),
             .goal_events = goal_lines_.events(),
+            .goal_counts = goal_lines_.counts(),
             .card = has_card() ? &card_ : nullptr,
             .ghost = ghost_note_,
             .best_runs = best_list_.runs(),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include <glm/common.hpp>
@@ -33,22 +34,34 @@ std::vector<glm::dvec2> outline_of(const Area& area, int count, glm::dvec2 most)
     return points;
 }
 
-std::vector<Area> counted_areas(const Goal& goal) {
-    std::vector<Area> areas;
+std::vector<Quantity> counted_in_areas(const Goal& goal) {
+    std::vector<Quantity> counted;
     const auto add = [&](const Quantity& quantity) {
-        if (quantity.area && std::ranges::find(areas, *quantity.area) == areas.end())
-            areas.push_back(*quantity.area);
+        if (quantity.area && std::ranges::find(counted, quantity) == counted.end())
+            counted.push_back(quantity);
     };
     for (const Goal::Need& need : goal.needs) add(need.quantity);
     for (const Goal::Term& term : goal.score) add(term.quantity);
-    return areas;
+    return counted;
+}
+
+// Where its count is told: inside, near its northern end, on the map.
+glm::dvec2 place_for_count(const Area& area, glm::dvec2 most) {
+    constexpr double kUp = 0.9;  // of the way from south to north
+    const bool ellipse = area.shape == Area::Shape::kEllipse;
+    const glm::dvec2 low = ellipse ? area.from - area.to : glm::min(area.from, area.to),
+                     high = ellipse ? area.from + area.to : glm::max(area.from, area.to);
+    return glm::mix(glm::clamp(low, glm::dvec2(0), most), glm::clamp(high, glm::dvec2(0), most),
+                    glm::dvec2(0.5, kUp));
 }
 
 }  // namespace
 
 void GoalLines::trace(const Goal& goal, const sim::Grid& grid, const View& view, const Time& time,
-                      const std::function<std::optional<glm::dvec2>(glm::dvec2)>& seen) {
+                      const std::function<std::optional<glm::dvec2>(glm::dvec2)>& seen,
+                      const std::function<double(const Quantity&)>& amount) {
     if (view_ == view) return;
+    const bool counts_anew = !view_ || view_->ground != view.ground;
     view_ = view;
     lines_.clear();
     const glm::dvec2 most = static_cast<double>(grid.dx) * glm::dvec2(grid.nx - 1, grid.ny - 1);
@@ -65,9 +78,19 @@ void GoalLines::trace(const Goal& goal, const sim::Grid& grid, const View& view,
             before = at;
         }
     };
-    const std::vector<Area> areas = counted_areas(goal);
-    for (const Area& area : areas) add(area, Around::kCounted);
-    if (goal.zone && std::ranges::find(areas, *goal.zone) == areas.end()) add(*goal.zone, Around::kZone);
+    const std::vector<Quantity> counted = counted_in_areas(goal);
+    if (counts_anew) {
+        amounts_.clear();
+        std::ranges::transform(counted, std::back_inserter(amounts_), amount);
+    }
+    counts_.clear();
+    for (std::size_t i = 0; i < counted.size(); ++i) {
+        add(*counted[i].area, Around::kCounted);
+        if (const auto at = seen(place_for_count(*counted[i].area, most)))
+            counts_.push_back({*at, amounts_[i], counted[i].measure == Measure::kRemoved});
+    }
+    if (goal.zone && std::ranges::find(counted, goal.zone, &Quantity::area) == counted.end())
+        add(*goal.zone, Around::kZone);
     for (const TimedCommand& event : goal.events) {
         if (events_.size() == kMostEvents) break;
         const sim::Command& command = event.command;

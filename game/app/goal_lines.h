@@ -15,7 +15,7 @@
 namespace game {
 
 // The outlines of a challenge's zone, of the areas that it counts in, and of where its scene is going to act, as a camera
-// sees them on the ground.
+// sees them on the ground; and how much each of those areas has come to.
 class GoalLines {
   public:
     // What the lines depend on, beside the goal.
@@ -26,23 +26,27 @@ class GoalLines {
         bool operator==(const View&) const = default;
     };
     // Traces them anew if the view is another. `time`: the tick of the world, and its length, s. `seen`: where a place of
-    // the ground is on the screen, px; nothing if it is hidden.
+    // the ground is on the screen, px; nothing if it is hidden. `amount` is asked after the surface has changed.
     struct Time {
         std::int64_t tick = 0;
         double tick_s = 1;
     };
     void trace(const Goal& goal, const sim::Grid& grid, const View& view, const Time& time,
-               const std::function<std::optional<glm::dvec2>(glm::dvec2)>& seen);
+               const std::function<std::optional<glm::dvec2>(glm::dvec2)>& seen,
+               const std::function<double(const Quantity&)>& amount);
     // After the goal has become another.
-    void forget() { lines_.clear(), events_.clear(), view_.reset(); }
+    void forget() { lines_.clear(), events_.clear(), counts_.clear(), amounts_.clear(), view_.reset(); }
 
     const std::vector<ui::GoalLine>& lines() const { return lines_; }
     const std::vector<ui::GoalEvent>& events() const { return events_; }
+    const std::vector<ui::GoalCount>& counts() const { return counts_; }
 
   private:
     std::optional<View> view_;
     std::vector<ui::GoalLine> lines_;
     std::vector<ui::GoalEvent> events_;
+    std::vector<ui::GoalCount> counts_;
+    std::vector<double> amounts_;  // in each area that counts
 };
 
 }  // namespace game

@@ -377,7 +377,12 @@ Outcome<Scene> load_scene(std::string_view name_or_path, const Overrides& overri
     if (!file) return tl::unexpected(file.error());
     TomlFault fault;
     TomlTable root(file->document, "", path->string(), fault);
-    return read_scene(root, *file, overrides, fault);
+    auto scene = read_scene(root, *file, overrides, fault);
+    // What does not go together may be a line of the easier one, which does not say what was read.
+    if (!scene && file->harder_than && scene.error().sentence.find(path->string()) == std::string::npos)
+        scene.error().sentence = fmt::format("{}: is harder than \"{}\": {}", path->string(),
+                                             *file->harder_than, scene.error().sentence);
+    return scene;
 }
 
 namespace {

@@ -58,20 +58,36 @@ void verdict(Desk& desk, const ResultCard& card) {
     ImGui::EndGroup();
 }
 
-// The time until something happens there, on a plate below the place.
+// A few letters on a plate around a place of the ground, or below it.
+void plate(Desk& desk, glm::dvec2 at, double below, const char* text, ImU32 colour, ImDrawList& list) {
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    const ImVec2 from{static_cast<float>(at.x) - size.x / 2,
+                      static_cast<float>(at.y) + static_cast<float>(below) * desk.em()};
+    const float edge = 0.35f * desk.em();
+    list.AddRectFilled({from.x - edge, from.y - edge / 2},
+                       {from.x + size.x + edge, from.y + size.y + edge / 2}, kPanel, edge);
+    list.AddText(from, colour, text);
+    desk.widgets.note(text, from, {from.x + size.x, from.y + size.y});
+}
+
+// The time until something happens there.
 void countdown(Desk& desk, const GoalEvent& event, ImDrawList& list) {
     constexpr double kHundredth = 0.01;  // s; 30 s are not 31 because a tick is no decimal
     std::array<char, 32> text;
     const auto seconds = static_cast<int>(std::ceil(event.in_s - kHundredth));
     std::snprintf(text.data(), text.size(), "in %d:%02d", seconds / 60, seconds % 60);
-    const ImVec2 size = ImGui::CalcTextSize(text.data());
-    const ImVec2 from{static_cast<float>(event.at.x) - size.x / 2,
-                      static_cast<float>(event.at.y) + desk.em()};
-    const float edge = 0.35f * desk.em();
-    list.AddRectFilled({from.x - edge, from.y - edge / 2},
-                       {from.x + size.x + edge, from.y + size.y + edge / 2}, kPanel, edge);
-    list.AddText(from, kWarning, text.data());
-    desk.widgets.note(text.data(), from, {from.x + size.x, from.y + size.y});
+    plate(desk, event.at, 1, text.data(), kWarning, list);
+}
+
+// How much of what counts is there.
+void amount_there(Desk& desk, const GoalCount& count, ImDrawList& list) {
+    std::array<char, 32> text;
+    const double whole = std::round(count.amount);
+    if (count.is_share)
+        std::snprintf(text.data(), text.size(), "%.0f %%", whole);
+    else
+        write_volume(text, whole);
+    plate(desk, count.at, -0.5, text.data(), medal_colour(3), list);
 }
 
 ImU32 colour_of(GoalLine::Around around) {
@@ -94,6 +110,7 @@ void outlines(Desk& desk, const Facts& facts) {
         list.AddLine(px(line.from), px(line.to), faded(kAccentText, 0.6f), desk.em() * 0.25f);
         list.AddLine(px(line.from), px(line.to), colour_of(line.around), desk.em() * 0.12f);
     }
+    for (const GoalCount& count : facts.goal_counts) amount_there(desk, count, list);
     for (const GoalEvent& event : facts.goal_events) countdown(desk, event, list);
 }
 

@@ -84,6 +84,13 @@ struct GoalEvent {
     double in_s = 0;   // of the world
 };
 
+// What an area of a challenge has come to.
+struct GoalCount {
+    glm::dvec2 at{0};   // px from the top left
+    double amount = 0;  // m³, or %
+    bool is_share = false;
+};
+
 // Everything that panels can show. References are valid for one frame.
 struct Facts {
     const Scenario& scenario;  // initial state of the world; its params are the defaults
@@ -97,6 +104,7 @@ struct Facts {
     std::optional<GoalUse> goal_use = {};  // of a challenge
     std::span<const GoalLine> goal_lines = {};
     std::span<const GoalEvent> goal_events = {};
+    std::span<const GoalCount> goal_counts = {};
     const ResultCard* card = nullptr;  // none: no try and no slide has ended, or the card was closed
     std::optional<GhostNote> ghost = {};
     std::span<const BestRun> best_runs = {};  // of the challenge, the best first

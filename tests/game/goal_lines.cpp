@@ -16,6 +16,10 @@ std::optional<glm::dvec2> in_plan(glm::dvec2 place) {
     return place;
 }
 
+double none(const Quantity&) {
+    return 0;
+}
+
 bool is_zone(const ui::GoalLine& line) {
     return line.around == ui::GoalLine::Around::kZone;
 }
@@ -29,7 +33,7 @@ Goal with_areas() {
 
 TEST(GoalLines, run_around_the_zone_and_what_is_counted) {
     GoalLines lines;
-    lines.trace(with_areas(), kMap, {}, {}, in_plan);
+    lines.trace(with_areas(), kMap, {}, {}, in_plan, none);
     ASSERT_FALSE(lines.lines().empty());
     double zone = 0, counted = 0;
     for (const ui::GoalLine& line : lines.lines()) {
@@ -56,7 +60,7 @@ TEST(GoalLines, end_at_the_border_of_the_map_and_where_the_ground_hides_them) {
         if (place.x > 300) return std::nullopt;
         return place;
     };
-    lines.trace(goal, kMap, {}, {}, east_is_hidden);
+    lines.trace(goal, kMap, {}, {}, east_is_hidden, none);
     ASSERT_FALSE(lines.lines().empty());
     for (const ui::GoalLine& line : lines.lines())
         for (const glm::dvec2 at : {line.from, line.to}) {
@@ -74,15 +78,47 @@ TEST(GoalLines, are_traced_once_per_view_and_name_no_place_twice) {
         return std::optional(place);
     };
     GoalLines lines;
-    lines.trace(goal, kMap, {}, {}, count);
+    lines.trace(goal, kMap, {}, {}, count, none);
     const int once = looked;
     EXPECT_TRUE(std::ranges::none_of(lines.lines(), is_zone));
-    lines.trace(goal, kMap, {}, {}, count);
+    lines.trace(goal, kMap, {}, {}, count, none);
     EXPECT_EQ(looked, once);
-    lines.trace(goal, kMap, {{}, 0, 0, 1}, {}, count);
+    lines.trace(goal, kMap, {{}, 0, 0, 1}, {}, count, none);
     EXPECT_EQ(looked, 2 * once);
     lines.forget();
     EXPECT_TRUE(lines.lines().empty());
+}
+
+TEST(GoalLines, tell_what_each_area_came_to_and_ask_again_when_the_surface_has_changed) {
+    Goal goal = with_areas();
+    const Area fan{Area::Shape::kBox, {50, -1e9}, {150, 100}};
+    const Quantity deposit{Measure::kDeposit, fan};
+    goal.needs.push_back({deposit, 2000, {}});
+    goal.score.push_back({deposit, 1});
+    int asked = 0;
+    const auto amount = [&](const Quantity& quantity) {
+        ++asked;
+        return quantity == deposit ? 2000. : 7.;
+    };
+    GoalLines lines;
+    const auto trace = [&](int width, std::int64_t ground) {
+        lines.trace(goal, kMap, {{}, width, 0, ground}, {}, in_plan, amount);
+    };
+    trace(0, 0);
+    ASSERT_EQ(lines.counts().size(), 2u) << "a need and a score of the same are told once";
+    EXPECT_EQ(lines.counts()[0].amount, 2000);
+    EXPECT_FALSE(lines.counts()[0].is_share);
+    EXPECT_EQ(lines.counts()[0].at, glm::dvec2(100, 90)) << "on the map";
+    EXPECT_EQ(lines.counts()[1].amount, 7);
+    EXPECT_TRUE(lines.counts()[1].is_share);
+    EXPECT_EQ(lines.counts()[1].at, glm::dvec2(300, 174));
+    EXPECT_EQ(asked, 2);
+    trace(1, 0);
+    EXPECT_EQ(asked, 2) << "from elsewhere it is as much";
+    trace(1, 1);
+    EXPECT_EQ(asked, 4);
+    lines.forget();
+    EXPECT_TRUE(lines.counts().empty());
 }
 
 TEST(GoalLines, run_around_what_is_going_to_happen_and_count_the_seconds_until_then) {
@@ -94,21 +130,21 @@ TEST(GoalLines, run_around_what_is_going_to_happen_and_count_the_seconds_until_t
     GoalLines lines;
     const auto around = [&](std::int64_t tick) {
         lines.forget();
-        lines.trace(goal, kMap, {}, {tick, 0.5}, in_plan);
+        lines.trace(goal, kMap, {}, {tick, 0.5}, in_plan, none);
         for (const ui::GoalLine& line : lines.lines()) {
             EXPECT_EQ(line.around, ui::GoalLine::Around::kEvent);
             EXPECT_NEAR(glm::distance(line.from, glm::dvec2(200, 120)), 40, 1e-9);
         }
         return lines.events();
     };
-    const auto both = around(20), one = around(61), none = around(601);
+    const auto both = around(20), one = around(61), past = around(601);
     ASSERT_EQ(both.size(), 2u);
     EXPECT_EQ(both[0].at, glm::dvec2(200, 120));
     EXPECT_EQ(both[0].in_s, 20);
     EXPECT_EQ(both[1].in_s, 290);
     ASSERT_EQ(one.size(), 1u);
     EXPECT_EQ(one[0].in_s, 269.5);
-    EXPECT_TRUE(none.empty());
+    EXPECT_TRUE(past.empty());
     EXPECT_TRUE(lines.lines().empty());
 }
 

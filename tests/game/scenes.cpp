@@ -177,7 +177,8 @@ TEST_F(HarderScene, blames_the_file_that_a_fault_is_in) {
     EXPECT_EQ(fault_of("harder_than = \"easy\"\n[goal]\nmedals = 3\n"),
               "trial.toml:3: goal.medals is not a list of 3 numbers");
     write_bytes(folder_.path() / "easy.toml", std::string(kScene) + kGoal + "sum = 1\n");
-    EXPECT_EQ(fault_of("harder_than = \"easy\"\n"), "easy.toml:28: score.sum is not a known key");
+    EXPECT_EQ(fault_of("harder_than = \"easy\"\n"),
+              "trial.toml: is harder than \"easy\": easy.toml:28: score.sum is not a known key");
 }
 
 TEST_F(HarderScene, is_harder_than_a_challenge_that_ships_or_is_beside_it_and_is_no_chain) {
