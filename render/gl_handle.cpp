@@ -48,8 +48,8 @@ void set_sampling(GLuint name, GLint filter) {
 
 }  // namespace
 
-void spoil_new_memory(bool on) {
-    spoils = on;
+void spoil_new_memory() {
+    spoils = true;
 }
 
 Texture make_texture(GLenum format, int width, int height, GLint filter) {
@@ -78,8 +78,8 @@ Buffer make_buffer() {
 
 Buffer make_storage(std::size_t bytes, const void* data) {
     Buffer buffer = make_buffer();
-    // Handed over rather than cleared: on a GPU a clear came after what was sent next.
-    constexpr std::uint8_t kNan = 0xff;  // and no number of a tree, an edge or a vertex either
+    // Handed over rather than cleared: on a GPU trees that were sent after a clear were not drawn.
+    constexpr std::uint8_t kNan = 0xff;
     const std::vector<std::uint8_t> wrong(spoils && !data ? bytes : 0, kNan);
     glNamedBufferStorage(buffer.name(), static_cast<GLsizeiptr>(bytes), wrong.empty() ? data : wrong.data(),
                          GL_DYNAMIC_STORAGE_BIT);

@@ -68,10 +68,10 @@ using Renderbuffer = GlHandle<DeleteRenderbuffer>;
 using ShaderName = GlHandle<DeleteShader>;
 using ProgramName = GlHandle<DeleteProgram>;
 
-// For tests: fills what OpenGL leaves undefined in new textures and buffers with numbers that show, some with NaN
+// For tests: from now on fills what OpenGL leaves undefined in new textures and buffers with numbers that show, some with NaN
 // and most with the lowest number where a format has those. Mesa's drivers clear such memory; on a GPU, which does not, a
 // read of it shows as blotches.
-void spoil_new_memory(bool on);
+void spoil_new_memory();
 
 // Creates a 2D texture of one level, clamped to its edge. `filter` is GL_NEAREST or GL_LINEAR. Its texels are undefined.
 Texture make_texture(GLenum format, int width, int height, GLint filter);

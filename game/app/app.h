@@ -173,7 +173,7 @@ class App {
     const render::Surroundings& surroundings() const;  // as displayed
 
     // Replaces the world by `loaded`, recorded in `record` or else in the recordings folder, and closes the
-    // previous world. `around` is what lies around `loaded`, if it is known. Errors: `record` cannot be written, and
+    // previous world. `around`: mountains and woods of `loaded`, if they are known. Errors: `record` cannot be written, and
     // then nothing has changed.
     Outcome<void> begin_world(LoadedWorld loaded, std::optional<std::filesystem::path> record,
                               std::optional<Around> around = std::nullopt);

@@ -220,16 +220,9 @@ bool is_better(const Try& one, const Try& other) {
 // What a person did in a recording, all that is not the scene's own; of an easier challenge as far as tools allow.
 Try known_from(const char* path, const game::Scene& scene) {
     Try known;
-    for (TimedCommand each : must(game::read_recording(path)).commands) {
-        if (std::ranges::find(scene.commands, each) != scene.commands.end()) continue;
-        for (const Goal::Tool& tool : scene.scenario.goal->tools)
-            for (const sim::CommandNumber& number : sim::info_of(tool.kind).numbers)
-                if (const Goal::Limit* limit = limit_of(tool, number.value);
-                    limit && tool.kind == each.command.kind)
-                    each.command.*number.value =
-                        std::clamp(each.command.*number.value, limit->least, limit->most);
-        known.by_hand.push_back(each);
-    }
+    for (const TimedCommand& each : must(game::read_recording(path)).commands)
+        if (std::ranges::find(scene.commands, each) == scene.commands.end())
+            known.by_hand.push_back({each.tick, game::fitted_to(*scene.scenario.goal, each.command)});
     return known;
 }
 

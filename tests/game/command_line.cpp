@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <filesystem>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -206,7 +205,7 @@ TEST(CommandLine, version_is_one_line) {
 
 TEST(CommandLine, lists_what_ships_for_people_and_as_json) {
     const Finished text = couloir({"list"});
-    EXPECT_TRUE(std::regex_search(text.out, std::regex("winter-avalanche +An avalanche"))) << text.out;
+    EXPECT_NE(text.out.find("winter-avalanche       An avalanche"), std::string::npos) << text.out;
     EXPECT_EQ(text.status, 0);
     const Json json = Json::parse(couloir({"list", "--json"}).out);
     for (const char* shelf : {"scenes", "materials", "recordings", "terrains"}) {

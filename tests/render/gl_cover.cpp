@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 
+#include "render/context.h"
 #include "tests/render/gl_scene.h"
 
 // How much of the ground a thin cover hides.
@@ -45,8 +46,9 @@ TEST_F(Cover, hides_the_same_share_at_any_resolution) {
     const double whole = share(world, 384);
     EXPECT_GT(whole, 0.2);
     EXPECT_LT(whole, 0.8);
-    // From far details are means of texels, which a GPU takes otherwise than Mesa: there 0.058, here 0.02 at most.
-    for (const int pixels : {96, 192, 768}) EXPECT_NEAR(share(world, pixels), whole, 0.07) << pixels;
+    // From far details are means of texels, which a GPU takes otherwise: 0.058 on one.
+    const double most = is_software_renderer() ? 0.02 : 0.07;
+    for (const int pixels : {96, 192, 768}) EXPECT_NEAR(share(world, pixels), whole, most) << pixels;
 }
 
 // Level ground, beyond it a slope of 60 degrees; all bare.

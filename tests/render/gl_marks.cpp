@@ -80,7 +80,7 @@ TEST_F(MarksOnGround, ring_changes_no_pixel_outside_it) {
     const Slope slope;
     const Picture plain = shot(slope.world, slope.camera, {});
     const Picture ringed = shot(slope.world, slope.camera, with_ring({-500, 0}, 25));
-    EXPECT_TRUE(alike(plain, ringed, 1));  // another shader: a GPU may round otherwise
+    EXPECT_TRUE(alike(plain, ringed, rounding()));
 }
 
 TEST_F(MarksOnGround, outline_is_drawn_on_its_rectangle_and_follows_a_slope) {
@@ -169,7 +169,7 @@ TEST_F(MarksOnGround, contours_are_absent_on_level_ground_at_the_height_of_a_lin
     World level = make_world(40, 4, [](double, double) { return 0; });
     level.datum = 1200;
     const Camera camera = from_above({80, 80, 1200}, 60);
-    EXPECT_TRUE(alike(shot(level, camera, {}), shot(level, camera, with_contours()), 1));
+    EXPECT_TRUE(alike(shot(level, camera, {}), shot(level, camera, with_contours()), rounding()));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "render/context.h"
 #include "render/gl_handle.h"
 #include "tests/support/places.h"
 
@@ -104,9 +105,13 @@ const HeadlessContext& Gl::context() {
     return *context;
 }
 
+int Gl::rounding() {
+    return is_software_renderer() ? 0 : 1;
+}
+
 void Gl::SetUp() {
     context();
-    spoil_new_memory(true);
+    spoil_new_memory();
     auto renderer = Renderer::create(support::source_dir() / "assets", Quality::kFast);
     ASSERT_TRUE(renderer) << renderer.error();
     renderer_.emplace(std::move(*renderer));

@@ -38,6 +38,9 @@ class Gl : public testing::Test {
 
     static const HeadlessContext& context();
 
+    // By how much of 255 two shaders may round what is the same otherwise: 0 on the processor, 1 on a GPU.
+    static int rounding();
+
     Picture draw(const World& world, const Camera& camera, const Light& light, const Look& look,
                  int width = 96, int height = 96, const Marks& marks = {});
 
