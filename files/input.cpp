@@ -18,7 +18,9 @@ tl::expected<void, std::string> check_input(const fs::path& path) {
         case fs::file_type::regular:
             return {};
         case fs::file_type::not_found:
-            return bad("there is no such file");
+            return bad(path.string().find('\\') == std::string::npos
+                           ? "there is no such file"
+                           : "there is no such file; / parts folders, not \\");
         case fs::file_type::directory:
             return bad("is a folder, not a file");
         case fs::file_type::none:
@@ -39,8 +41,11 @@ tl::expected<std::ifstream, std::string> open_input(const fs::path& path) {
 
 bool is_within(const fs::path& folder, const fs::path& path) {
     std::error_code error;
+    // From the absolute path, because a relative one of which nothing exists would stay relative.
+    const fs::path absolute = fs::absolute(path, error);
+    if (error) return false;
     const fs::path real =
-        fs::weakly_canonical(path, error)
+        fs::weakly_canonical(absolute, error)
             .lexically_relative(fs::canonical(folder.empty() ? fs::path(".") : folder, error));
     return !error && !real.empty() && *real.begin() != "..";
 }

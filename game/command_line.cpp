@@ -341,7 +341,9 @@ CLI::Option* add_thickness(CLI::App& app, std::optional<terrains::Thickness>& th
                 thickness =
                     measured == "normal" ? terrains::Thickness::kNormal : terrains::Thickness::kVertical;
             },
-            "how the raster of --release is measured: vertical, normal (to the slope) [vertical]")
+            "how the raster of --release, or `thickness` of its polygons, is measured: vertical, normal (to "
+            "the "
+            "slope, as AvaFrame and RAMMS measure) [vertical]")
         ->type_name("DIRECTION");
 }
 
@@ -357,8 +359,14 @@ void add_run(CLI::App& app, RunOptions& options) {
             ->type_name("FILE")
             ->needs(terrain);
     add_thickness(app, options.thickness)->needs(release);
+    app.add_flag("--accept-loss", options.accept_loss,
+                 "exit with 0 even if over 1 % of the release is lost: outside the grid, where the terrain "
+                 "has no data, "
+                 "or where polygons overlap")
+        ->needs(release);
     app.add_option("--crs", options.overrides.crs,
-                   "coordinate system of a DEM that names none: EPSG:31287, or WKT of a system in metres")
+                   "coordinate system of a DEM that names none: EPSG:31287, EPSG:31287+5778, or WKT of a "
+                   "system in metres")
         ->type_name("SYSTEM")
         ->needs(terrain);
     app.add_option("--reference", options.reference,

@@ -100,10 +100,62 @@ class Line {
     std::vector<std::size_t> free_;  // for a filled sample: a later one on the path to the next free one
 };
 
+using Outline = std::vector<LocalPoint>;
+
+double area_within(const Outline& ring) {
+    double twice = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const LocalPoint &from = ring[i], &to = ring[(i + 1) % ring.size()];
+        // About the first point, because coordinates are large beside the ring.
+        twice += (from.x - ring[0].x) * (to.y - ring[0].y) - (to.x - ring[0].x) * (from.y - ring[0].y);
+    }
+    return std::abs(twice) / 2;
+}
+
+// The part of a ring where `coordinate` is at least `least`, after Sutherland and Hodgman (1974). Parts of a concave
+// ring stay joined along the line, which adds no area.
+Outline clip(const Outline& ring, double LocalPoint::*coordinate, double sign, double least) {
+    Outline kept;
+    kept.reserve(ring.size() + 4);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const LocalPoint &from = ring[i], &to = ring[(i + 1) % ring.size()];
+        const double before = sign * from.*coordinate - least, after = sign * to.*coordinate - least;
+        if (before >= 0) kept.push_back(from);
+        if ((before >= 0) != (after >= 0)) {
+            const double t = before / (before - after);
+            kept.push_back({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)});
+        }
+    }
+    return kept;
+}
+
+template <class AreaOfRing>
+double less_holes(const Area& area, AreaOfRing area_of_one) {
+    double sum = 0;
+    for (std::size_t i = 0; i < area.rings.size(); ++i) {
+        const double one = area_of_one(area.rings[i]);
+        sum += i == 0 ? one : -one;
+    }
+    return std::max(sum, 0.0);
+}
+
 }  // namespace
 
-tl::expected<std::vector<float>, std::string> mean_thickness(const sim::Grid& grid,
-                                                             const std::vector<Area>& areas) {
+double area_of(const Area& area) {
+    return less_holes(area, area_within);
+}
+
+double area_on_grid(const Area& area, const sim::Grid& grid) {
+    const double dx = static_cast<double>(grid.dx);
+    return less_holes(area, [&](const Outline& ring) {
+        Outline inside = clip(ring, &LocalPoint::x, 1, -dx / 2);
+        inside = clip(inside, &LocalPoint::x, -1, -(grid.nx - 0.5) * dx);
+        inside = clip(inside, &LocalPoint::y, 1, -dx / 2);
+        return area_within(clip(inside, &LocalPoint::y, -1, -(grid.ny - 0.5) * dx));
+    });
+}
+
+tl::expected<Coverage, std::string> cover(const sim::Grid& grid, const std::vector<Area>& areas) {
     std::vector<Crossing> crossings;
     if (!add_crossings(grid, areas, crossings))
         return tl::unexpected<std::string>("its outlines are too complex for this grid; simplify them");
@@ -112,6 +164,7 @@ tl::expected<std::vector<float>, std::string> mean_thickness(const sim::Grid& gr
     Line line(samples);
     std::vector<Span> spans;
     std::vector<double> sum(grid.size());
+    double of_all = 0, of_thickest = 0;  // thickness of all samples of all areas, and of those that count
     for (std::size_t first = 0, last = 0; first < crossings.size(); first = last) {
         const std::int32_t at = crossings[first].line;
         while (last < crossings.size() && crossings[last].line == at) ++last;
@@ -121,10 +174,18 @@ tl::expected<std::vector<float>, std::string> mean_thickness(const sim::Grid& gr
         double* row =
             sum.data() + static_cast<std::size_t>(at / kSamples) * static_cast<std::size_t>(grid.nx);
         for (std::size_t i = 0; i < samples; ++i) row[i / kSamples] += thickness[i];
+        of_thickest = std::accumulate(thickness.begin(), thickness.end(), of_thickest);
+        for (const Span& span : spans)
+            if (span.last > span.first)
+                of_all += static_cast<double>(span.last - span.first) * span.thickness;
     }
-    std::vector<float> mean(sum.size());
-    for (std::size_t i = 0; i < sum.size(); ++i) mean[i] = static_cast<float>(sum[i] / (kSamples * kSamples));
-    return mean;
+    Coverage coverage;
+    coverage.mean.resize(sum.size());
+    for (std::size_t i = 0; i < sum.size(); ++i)
+        coverage.mean[i] = static_cast<float>(sum[i] / (kSamples * kSamples));
+    const double side = static_cast<double>(grid.dx) / kSamples;  // of a sample's square, m
+    coverage.overlap = std::max(of_all - of_thickest, 0.0) * side * side;
+    return coverage;
 }
 
 }  // namespace terrains

@@ -3,55 +3,44 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "terrains/gdal_support.h"
-#include "terrains/limits.h"
 #include "terrains/plane_transform.h"
-#include "terrains/raster_place.h"
+#include "terrains/raster_system.h"
+#include "terrains/raster_values.h"
 
 namespace terrains {
 namespace {
 
-constexpr double kDeepest = 200;  // m
-
 struct Depths {
     int columns = 0, rows = 0;
     std::vector<float> metres;  // row 0 first in the file
-    std::array<double, 6> to_pixels{};
+    std::array<double, 6> to_pixels{}, from_pixels{};
     std::string wkt;
 };
 
 // How a raster's values are read: as amounts of either sign, or as signed changes, up or down.
 enum class Meaning { kAmount, kSigned };
 
-tl::expected<void, std::string> read_values(GDALDatasetH dataset, Meaning meaning, Depths& depths) {
-    const GdalErrors errors;
-    GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
-    const std::size_t count = static_cast<std::size_t>(depths.columns) * depths.rows;
-    depths.metres.resize(count);
-    std::vector<std::uint8_t> known(count);
-    const bool done = GDALRasterIO(band, GF_Read, 0, 0, depths.columns, depths.rows, depths.metres.data(),
-                                   depths.columns, depths.rows, GDT_Float32, 0, 0) == CE_None &&
-                      GDALRasterIO(GDALGetMaskBand(band), GF_Read, 0, 0, depths.columns, depths.rows,
-                                   known.data(), depths.columns, depths.rows, GDT_Byte, 0, 0) == CE_None;
-    if (!done || errors.any())
-        return tl::unexpected(fmt::format("damaged or cut short ({})", errors.first()));
+tl::expected<void, std::string> read_values(RasterValues& values, Meaning meaning, Depths& depths) {
+    const std::size_t columns = static_cast<std::size_t>(values.columns());
+    depths.columns = values.columns();
+    depths.rows = values.rows();
+    depths.metres.reserve(columns * static_cast<std::size_t>(values.rows()));
     bool raised = false, lowered = false;
-    for (std::size_t i = 0; i < count; ++i) {
-        float& depth = depths.metres[i];
-        if (known[i] == 0 || std::isnan(depth) || depth == -9999.f || depth == -32768.f) depth = 0;
-        if (!(std::abs(depth) <= kDeepest))
-            return tl::unexpected(fmt::format("row {}, column {} is {} m deep; the limit is {} m",
-                                              i / depths.columns + 1, i % depths.columns + 1, depth,
-                                              kDeepest));
-        raised = raised || depth > 0;
-        lowered = lowered || depth < 0;
-        if (meaning == Meaning::kAmount) depth = std::abs(depth);
+    std::vector<double> row;
+    for (int i = 0; i < values.rows(); ++i) {
+        if (auto read = values.read(i, row); !read) return read;
+        for (const double metres : row) {
+            const float depth = std::isnan(metres) ? 0.f : static_cast<float>(metres);
+            raised = raised || depth > 0;
+            lowered = lowered || depth < 0;
+            depths.metres.push_back(meaning == Meaning::kAmount ? std::abs(depth) : depth);
+        }
     }
     if (meaning == Meaning::kAmount && raised && lowered)
         return tl::unexpected<std::string>(
@@ -59,41 +48,42 @@ tl::expected<void, std::string> read_values(GDALDatasetH dataset, Meaning meanin
     return {};
 }
 
-tl::expected<Depths, std::string> read(GDALDatasetH dataset, Meaning meaning) {
-    if (auto bounded = check_size(dataset); !bounded) return tl::unexpected(bounded.error());
+tl::expected<Depths, std::string> read(const Raster& raster, Meaning meaning) {
+    auto values = RasterValues::open(raster, Quantity::kDepth);
+    if (!values) return tl::unexpected(values.error());
     Depths depths;
-    depths.columns = GDALGetRasterXSize(dataset);
-    depths.rows = GDALGetRasterYSize(dataset);
-    if (static_cast<std::uint64_t>(depths.columns) * static_cast<std::uint64_t>(depths.rows) >
-        kMostDepthPixels)
-        return tl::unexpected(fmt::format("over {} million pixels, the limit for a depth raster",
-                                          kMostDepthPixels / 1'000'000));
-    std::array<double, 6> from_pixels{};
-    if (GDALGetGeoTransform(dataset, from_pixels.data()) != CE_None ||
-        GDALInvGeoTransform(from_pixels.data(), depths.to_pixels.data()) == 0)
+    if (GDALGetGeoTransform(raster.get(), depths.from_pixels.data()) != CE_None ||
+        GDALInvGeoTransform(depths.from_pixels.data(), depths.to_pixels.data()) == 0)
         return tl::unexpected<std::string>("it has no geotransform, so its position is unknown");
-    depths.wkt = system_of(dataset).wkt;
-    if (auto values = read_values(dataset, meaning, depths); !values) return tl::unexpected(values.error());
+    const auto system = system_of(raster);
+    if (!system) return tl::unexpected(system.error());
+    depths.wkt = system->wkt;
+    if (auto read = read_values(*values, meaning, depths); !read) return tl::unexpected(read.error());
     return depths;
 }
 
-// The transform from the terrain's plane to the raster's system; none if both are the same.
-tl::expected<std::optional<PlaneTransform>, std::string> between(const Georeference& ground,
-                                                                 const Depths& depths) {
+// The ways between the terrain's plane and the raster's system; none if both are the same.
+struct Ways {
+    std::optional<PlaneTransform> to_raster, to_ground;
+};
+
+tl::expected<Ways, std::string> between(const Georeference& ground, const Depths& depths) {
     if (!ground.has_coordinates())
         return tl::unexpected<std::string>(
             "the terrain has no coordinates, so no raster can be placed on it");
     if (depths.wkt.empty() && ground.is_local())
         return tl::unexpected<std::string>(
             "it has no coordinate system, and the terrain uses a local plane; add a .prj");
-    if (depths.wkt.empty()) return std::nullopt;
+    if (depths.wkt.empty()) return Ways();
     if (!ground.placed())
         return tl::unexpected<std::string>(
             "it has a coordinate system but the terrain has none, so they cannot be aligned");
-    if (depths.wkt == ground.wkt()) return std::nullopt;
-    auto transform = PlaneTransform::between(ground.wkt(), depths.wkt);
-    if (!transform) return tl::unexpected(transform.error());
-    return std::optional<PlaneTransform>(std::move(*transform));
+    if (depths.wkt == ground.wkt()) return Ways();
+    auto to_raster = PlaneTransform::between(ground.wkt(), depths.wkt);
+    if (!to_raster) return tl::unexpected(to_raster.error());
+    auto to_ground = PlaneTransform::between(depths.wkt, ground.wkt());
+    if (!to_ground) return tl::unexpected(to_ground.error());
+    return Ways{std::move(*to_raster), std::move(*to_ground)};
 }
 
 // One row of cell corners, in pixels, from the first cell's south-west corner to the last cell's south-east
@@ -152,53 +142,131 @@ float mean_depth(const Depths& depths, const Corners& below, const Corners& abov
     return static_cast<float>(sum / (samples * samples));
 }
 
-tl::expected<std::vector<float>, std::string> read(GDALDatasetH dataset, Meaning meaning,
-                                                   const Terrain& terrain) {
-    const auto depths = read(dataset, meaning);
-    if (!depths) return tl::unexpected(depths.error());
-    const auto way = between(terrain.georeference, *depths);
-    if (!way) return tl::unexpected(way.error());
-    std::vector<float> thickness;
-    thickness.reserve(terrain.grid.size());
-    Corners below = corners_below(0, terrain, *depths, *way);
+std::vector<float> mean_depths(const Depths& depths, const Terrain& terrain,
+                               const std::optional<PlaneTransform>& way) {
+    std::vector<float> mean;
+    mean.reserve(terrain.grid.size());
+    Corners below = corners_below(0, terrain, depths, way);
     // Three samples across a pixel, at least four across a cell.
     const double across = std::hypot(below.column[1] - below.column[0], below.row[1] - below.row[0]);
     const int samples =
         static_cast<int>(std::clamp(std::isfinite(across) ? std::ceil(3 * across) : 4.0, 4.0, 64.0));
     for (int y = 0; y < terrain.grid.ny; ++y) {
-        Corners above = corners_below(y + 1, terrain, *depths, *way);
+        Corners above = corners_below(y + 1, terrain, depths, way);
         for (int x = 0; x < terrain.grid.nx; ++x)
-            thickness.push_back(mean_depth(*depths, below, above, x, samples));
+            mean.push_back(mean_depth(depths, below, above, x, samples));
         below = std::move(above);
     }
-    return thickness;
+    return mean;
 }
 
-tl::expected<std::vector<float>, std::string> read(const std::filesystem::path& path, Meaning meaning,
-                                                   const Terrain& terrain, References references,
-                                                   std::vector<std::filesystem::path>* files) {
+// Positions and areas of some pixels of one row on the terrain's plane.
+struct Knots {
+    std::vector<double> column, x, y, area;
+};
+
+constexpr int kStride = 16;
+
+// Of every kStride-th pixel from `first` to `last`; between them all is linear enough.
+Knots knots_of(const Depths& depths, int row, int first, int last, const std::optional<PlaneTransform>& way) {
+    Knots knots;
+    for (int column = first; column < last; column += kStride) knots.column.push_back(column);
+    knots.column.push_back(last);
+    const std::size_t count = knots.column.size();
+    // Three points of each pixel: its centre, and a pixel farther along columns and rows.
+    std::vector<double> x(3 * count), y(3 * count);
+    const auto& g = depths.from_pixels;
+    for (std::size_t k = 0; k < count; ++k)
+        for (const int point : {0, 1, 2}) {
+            const double c = knots.column[k] + 0.5 + (point == 1 ? 1 : 0),
+                         r = row + 0.5 + (point == 2 ? 1 : 0);
+            x[3 * k + static_cast<std::size_t>(point)] = g[0] + c * g[1] + r * g[2];
+            y[3 * k + static_cast<std::size_t>(point)] = g[3] + c * g[4] + r * g[5];
+        }
+    if (way) way->apply(x, y);
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t i = 3 * k;
+        knots.x.push_back(x[i]);
+        knots.y.push_back(y[i]);
+        knots.area.push_back(
+            std::abs((x[i + 1] - x[i]) * (y[i + 2] - y[i]) - (x[i + 2] - x[i]) * (y[i + 1] - y[i])));
+    }
+    return knots;
+}
+
+// The volume of a whole raster.
+struct FileVolume {
+    double m3 = 0;             // of amounts without sign, each pixel with its area on the plane
+    bool near_border = false;  // a pixel with a depth lies not within the grid's cells by its own width
+};
+
+void add_row(const Depths& depths, int row, const Terrain& terrain, const std::optional<PlaneTransform>& way,
+             FileVolume& volume) {
+    const float* values =
+        depths.metres.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(depths.columns);
+    int first = 0, last = depths.columns - 1;
+    while (first <= last && values[first] == 0) ++first;
+    while (last > first && values[last] == 0) --last;
+    if (first > last) return;
+    const Knots knots = knots_of(depths, row, first, last, way);
+    const double dx = static_cast<double>(terrain.grid.dx);
+    const double west = terrain.georeference.origin_x() - dx / 2,
+                 south = terrain.georeference.origin_y() - dx / 2;
+    const double east = west + terrain.grid.nx * dx, north = south + terrain.grid.ny * dx;
+    for (int column = first; column <= last; ++column) {
+        if (values[column] == 0) continue;
+        const auto k = static_cast<std::size_t>((column - first) / kStride);
+        const std::size_t next = std::min(k + 1, knots.column.size() - 1);
+        const double step = knots.column[next] - knots.column[k];
+        const double t = step > 0 ? (column - knots.column[k]) / step : 0;
+        const auto at = [&](const std::vector<double>& of) { return (1 - t) * of[k] + t * of[next]; };
+        const double x = at(knots.x), y = at(knots.y), area = at(knots.area), width = std::sqrt(area);
+        if (!(x - width >= west && x + width <= east && y - width >= south && y + width <= north))
+            volume.near_border = true;
+        if (std::isfinite(area)) volume.m3 += std::abs(static_cast<double>(values[column])) * area;
+    }
+}
+
+double volume_on_grid(const std::vector<float>& mean, const Terrain& terrain) {
+    const double dx = static_cast<double>(terrain.grid.dx);
+    double sum = 0;
+    for (const float depth : mean) sum += std::abs(static_cast<double>(depth));
+    return sum * dx * dx;
+}
+
+tl::expected<DepthRaster, std::string> read(const std::filesystem::path& path, Meaning meaning,
+                                            const Terrain& terrain, References references) {
     const GdalErrors errors;
-    const auto dataset = Raster::open(path, references);
-    if (!dataset) return tl::unexpected(dataset.error());
-    auto values = read(dataset->get(), meaning, terrain);
-    if (!values) return tl::unexpected(fmt::format("{}: {}", path.string(), values.error()));
-    if (files != nullptr) *files = dataset->files();
-    return values;
+    const auto raster = Raster::open(path, references);
+    if (!raster) return tl::unexpected(raster.error());
+    const auto bad = [&path](const std::string& fact) {
+        return tl::unexpected(fmt::format("{}: {}", path.string(), fact));
+    };
+    const auto depths = read(*raster, meaning);
+    if (!depths) return bad(depths.error());
+    const auto ways = between(terrain.georeference, *depths);
+    if (!ways) return bad(ways.error());
+    DepthRaster result;
+    result.mean = mean_depths(*depths, terrain, ways->to_raster);
+    FileVolume volume;
+    for (int row = 0; row < depths->rows; ++row) add_row(*depths, row, terrain, ways->to_ground, volume);
+    result.in_file = volume.m3;
+    // Otherwise the two differ by the samples of the cells only.
+    if (volume.near_border) result.outside = std::max(volume.m3 - volume_on_grid(result.mean, terrain), 0.0);
+    result.files = raster->files();
+    return result;
 }
 
 }  // namespace
 
-tl::expected<std::vector<float>, std::string> read_depth_raster(const std::filesystem::path& path,
-                                                                const Terrain& terrain, References references,
-                                                                std::vector<std::filesystem::path>* files) {
-    return read(path, Meaning::kAmount, terrain, references, files);
+tl::expected<DepthRaster, std::string> read_depth_raster(const std::filesystem::path& path,
+                                                         const Terrain& terrain, References references) {
+    return read(path, Meaning::kAmount, terrain, references);
 }
 
-tl::expected<std::vector<float>, std::string> read_signed_raster(const std::filesystem::path& path,
-                                                                 const Terrain& terrain,
-                                                                 References references,
-                                                                 std::vector<std::filesystem::path>* files) {
-    return read(path, Meaning::kSigned, terrain, references, files);
+tl::expected<DepthRaster, std::string> read_signed_raster(const std::filesystem::path& path,
+                                                          const Terrain& terrain, References references) {
+    return read(path, Meaning::kSigned, terrain, references);
 }
 
 }  // namespace terrains

@@ -142,8 +142,8 @@ tl::expected<Raster, std::string> Raster::open(const std::filesystem::path& path
     raster.files_ = std::make_unique<RasterFiles>(path, references);
     raster.virtual_rasters_ = std::make_unique<VirtualRasters>(references);
     // Use an absolute path, so that GDAL does not read the name as one of its special ones.
-    const std::filesystem::path absolute = std::filesystem::absolute(path, error);
-    raster.dataset_.reset(GDALOpenEx(absolute.c_str(),
+    raster.path_ = std::filesystem::absolute(path, error);
+    raster.dataset_.reset(GDALOpenEx(raster.path_.c_str(),
                                      GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr,
                                      nullptr, nullptr));
     if (raster.get() != nullptr && GDALGetRasterCount(raster.get()) >= 1) {

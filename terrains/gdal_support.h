@@ -59,6 +59,7 @@ class Raster {
     static tl::expected<Raster, std::string> open(const std::filesystem::path& path, References references);
 
     GDALDatasetH get() const { return dataset_.get(); }
+    const std::filesystem::path& path() const { return path_; }  // absolute
 
     // Every file that was read for the raster so far, and every one that it names, such as the sources of a
     // virtual raster; canonical.
@@ -67,6 +68,7 @@ class Raster {
   private:
     Raster() = default;
 
+    std::filesystem::path path_;
     std::unique_ptr<RasterFiles> files_;  // outlive the dataset
     std::unique_ptr<VirtualRasters> virtual_rasters_;
     Dataset dataset_;

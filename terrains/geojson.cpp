@@ -67,6 +67,7 @@ struct Outlines {
     std::vector<double> x, y;
     std::vector<std::vector<std::size_t>> ring_sizes;  // per polygon
     std::vector<Stated> thickness;                     // per polygon
+    std::size_t without_geometry = 0;                  // features
 };
 
 Done add_ring(const Json& ring, Outlines& outlines) {
@@ -127,11 +128,16 @@ tl::expected<Stated, std::string> thickness_of(const Json& feature,
     if (!(thickness > 0 && thickness <= kMostThickness))
         return tl::unexpected(fmt::format("its '{}' is {} m; it must be above 0 and at most {} m", name,
                                           thickness, kMostThickness));
-    return Stated{thickness, normal};
+    return Stated{thickness, normal || names->both_normal};
 }
 
 Done add_feature(const Json& feature, const std::optional<ThicknessNames>& names, Outlines& outlines) {
     const bool bare = text_of(member(feature, "type")) != "Feature";
+    if (!bare && (!feature.contains("geometry"))) return tl::unexpected<std::string>("it has no geometry");
+    if (!bare && feature["geometry"].is_null()) {
+        ++outlines.without_geometry;
+        return {};
+    }
     const auto thickness = thickness_of(feature, names);
     if (!thickness) return tl::unexpected(thickness.error());
     return add_geometry(bare ? feature : member(feature, "geometry"), *thickness, outlines);
@@ -142,6 +148,7 @@ tl::expected<Outlines, std::string> collect(const Json& root, const std::optiona
     Outlines outlines;
     if (text_of(member(root, "type")) != "FeatureCollection") {
         if (auto added = add_feature(root, names, outlines); !added) return tl::unexpected(added.error());
+        if (outlines.x.empty()) return tl::unexpected<std::string>("its feature has no geometry");
         return outlines;
     }
     const Json& features = member(root, "features");
@@ -149,10 +156,11 @@ tl::expected<Outlines, std::string> collect(const Json& root, const std::optiona
     for (std::size_t i = 0; i < features.size(); ++i)
         if (auto added = add_feature(features[i], names, outlines); !added)
             return tl::unexpected(fmt::format("feature {}: {}", i + 1, added.error()));
+    if (outlines.x.empty()) return tl::unexpected<std::string>("none of its features has a geometry");
     return outlines;
 }
 
-tl::expected<std::vector<Area>, std::string> on_plane(Outlines outlines, const Georeference& georeference) {
+tl::expected<Areas, std::string> on_plane(Outlines outlines, const Georeference& georeference) {
     if (!georeference.placed())
         return tl::unexpected<std::string>(
             "it is in degrees, but the terrain has no coordinate system, so they cannot be aligned");
@@ -161,7 +169,9 @@ tl::expected<std::vector<Area>, std::string> on_plane(Outlines outlines, const G
     if (!transform->apply(outlines.x, outlines.y))
         return tl::unexpected<std::string>(
             "it has points that the terrain's coordinate system cannot express");
-    std::vector<Area> areas;
+    Areas result{{}, outlines.without_geometry};
+    std::vector<Area>& areas = result.areas;
+    areas.reserve(outlines.ring_sizes.size());
     std::size_t next = 0;
     for (std::size_t polygon = 0; polygon < outlines.ring_sizes.size(); ++polygon) {
         areas.push_back({{}, outlines.thickness[polygon].thickness, outlines.thickness[polygon].normal});
@@ -172,7 +182,7 @@ tl::expected<std::vector<Area>, std::string> on_plane(Outlines outlines, const G
                     {outlines.x[next] - georeference.origin_x(), outlines.y[next] - georeference.origin_y()});
         }
     }
-    return areas;
+    return result;
 }
 
 }  // namespace
@@ -185,9 +195,9 @@ bool looks_like_json(const std::filesystem::path& path) {
     return first == '{';
 }
 
-tl::expected<std::vector<Area>, std::string> read_areas(const std::filesystem::path& path,
-                                                        const Georeference& georeference,
-                                                        const std::optional<ThicknessNames>& names) {
+tl::expected<Areas, std::string> read_areas(const std::filesystem::path& path,
+                                            const Georeference& georeference,
+                                            const std::optional<ThicknessNames>& names) {
     if (auto is_file = files::check_input(path); !is_file) return tl::unexpected(is_file.error());
     auto areas =
         parse(path)

@@ -61,28 +61,55 @@ Done check_picture(const OIIO::ImageSpec& spec) {
                                           spec.tile_width, spec.tile_height));
     if (spec.nchannels > kMostHeightmapChannels)
         return tl::unexpected(fmt::format("{} channels; a heightmap must be grey", spec.nchannels));
+    if (spec.alpha_channel == 0 || (spec.nchannels == 2 && spec.alpha_channel != 1))
+        return tl::unexpected<std::string>(
+            "its channels are not grey, or grey and an opacity; a heightmap must be grey");
+    if (const int orientation = spec.get_int_attribute("Orientation", 1); orientation != 1)
+        return tl::unexpected(
+            fmt::format("states that it is to be shown turned or mirrored (orientation {}); save it upright",
+                        orientation));
     if (spec.format == OIIO::TypeDesc::HALF)
         return tl::unexpected<std::string>(
             "half floats, whose steps are metres at a mountain's height; convert it");
     return {};
 }
 
-// The first channel of every pixel as 0 to 1, read in the file's own type.
+// The grey of every pixel as 0 to 1, read in the file's own type; NaN where it is transparent.
 template <class Stored>
 Done read_as(OIIO::ImageInput& input, std::vector<float>& brightness) {
     const OIIO::ImageSpec& spec = input.spec();
-    std::vector<Stored> pixels(static_cast<std::size_t>(spec.width) * spec.height);
-    if (!input.read_image(0, 0, 0, 1, OIIO::BaseTypeFromC<Stored>::value, pixels.data()))
+    const auto channels = static_cast<std::size_t>(spec.nchannels);
+    // Grey was multiplied by opacity, and divided again it would be coarser than it looks.
+    const bool multiplied = channels == 2 && spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
+    const std::size_t count = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
+    std::vector<Stored> pixels(count * channels);
+    if (!input.read_image(0, 0, 0, spec.nchannels, OIIO::BaseTypeFromC<Stored>::value, pixels.data()))
         return tl::unexpected(fmt::format("damaged or cut short ({})", input.geterror()));
-    brightness.resize(pixels.size());
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        double value = static_cast<double>(pixels[i]);
-        if constexpr (std::numeric_limits<Stored>::is_integer) value /= std::numeric_limits<Stored>::max();
+    constexpr bool kWhole = std::numeric_limits<Stored>::is_integer;
+    constexpr double kWhite = kWhole ? static_cast<double>(std::numeric_limits<Stored>::max()) : 1;
+    const auto at = [&](std::size_t i) {
+        return fmt::format("row {}, column {}", i / static_cast<std::size_t>(spec.width) + 1,
+                           i % static_cast<std::size_t>(spec.width) + 1);
+    };
+    brightness.resize(count);
+    bool any = false;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double value = static_cast<double>(pixels[channels * i]) / kWhite;
+        const double opacity = channels == 2 ? static_cast<double>(pixels[2 * i + 1]) / kWhite : 1;
+        if (!(opacity > 0)) {
+            brightness[i] = std::numeric_limits<float>::quiet_NaN();
+            continue;
+        }
+        if (multiplied && opacity < 1)
+            return tl::unexpected(fmt::format(
+                "{} is partly transparent, which makes its grey darker in this format; remove the opacity",
+                at(i)));
         if (!(value >= 0 && value <= 1))
-            return tl::unexpected(fmt::format("row {}, column {} is {}; brightness must be 0 to 1",
-                                              i / spec.width + 1, i % spec.width + 1, value));
+            return tl::unexpected(fmt::format("{} is {}; brightness must be 0 to 1", at(i), value));
         brightness[i] = static_cast<float>(value);
+        any = true;
     }
+    if (!any) return tl::unexpected<std::string>("all of its pixels are transparent");
     return {};
 }
 
@@ -113,8 +140,9 @@ tl::expected<GreyPicture, std::string> read(const std::filesystem::path& path) {
     const char* format = format_of(beginning);
     if (format == nullptr) return bad("not a readable image; use PNG, TIFF, PNM, OpenEXR, JPEG or BMP");
     const auto input = OIIO::ImageInput::create(format);
-    OIIO::ImageSpec spec;
-    if (!input || !input->open(path.string(), spec))
+    OIIO::ImageSpec spec, wanted;
+    wanted.attribute("oiio:UnassociatedAlpha", 1);  // or else grey is multiplied by opacity
+    if (!input || !input->open(path.string(), spec, wanted))
         return bad(fmt::format("not a readable image ({})", input ? input->geterror() : OIIO::geterror()));
     if (auto fits = check_picture(spec); !fits) return bad(fits.error());
     GreyPicture picture{spec.width, spec.height, {}, spec.get_string_attribute("Copyright")};

@@ -33,16 +33,22 @@ tl::expected<Terrain, std::string> terrain_of(const GreyPicture& picture, const 
     for (int row = 0; row < height; ++row)
         for (int column = 0; column < width; ++column) {
             const double share = picture.brightness[static_cast<std::size_t>(row) * width + column];
-            fit.add(column * scale.cell, (height - 1 - row) * scale.cell,
-                    scale.lowest + share * (scale.highest - scale.lowest));
+            const double x = column * scale.cell, y = (height - 1 - row) * scale.cell;
+            if (std::isnan(share))
+                fit.add_void(x, y);
+            else
+                fit.add(x, y, scale.lowest + share * (scale.highest - scale.lowest));
         }
     auto fitted = fit.finish();
+    if (std::find(fitted.has_data.begin(), fitted.has_data.end(), 1) == fitted.has_data.end())
+        return tl::unexpected<std::string>("its opaque pixels cover no vertex, so the terrain has no ground");
     Terrain terrain;
     terrain.licence = picture.licence;
     terrain.grid = *grid;
     terrain.surface = std::move(fitted.surface);
     terrain.has_data = std::move(fitted.has_data);
     terrain.cover.assign(grid->size(), 0.f);
+    fill_voids(terrain.grid, terrain.has_data, terrain.surface);
     return terrain;
 }
 

@@ -19,10 +19,10 @@ struct HeightmapScale {
 
 // Reads a grey image whose brightness is height: 8, 16 or 32 bits, or float from 0 to 1, in its native type,
 // so that a 16-bit image keeps its precision. Its first row is the north. It is resampled to `squares` (8 to
-// 4096) along the longer side as in read_dem(); not placed on Earth, has_data 1 and cover 0 everywhere. 8
+// 4096) along the longer side as in read_dem(); not placed on Earth, cover 0 everywhere, has_data 0 where it is
+// transparent. 8
 // bits give steps of 1/255 of the height range, which show as terraces on a high hill. Errors, in one
-// sentence that names the file: missing, not an image, damaged, over 100 million pixels, in colour, half
-// floats (they would be metres off), a float outside 0 to 1, a scale or squares out of range, a grid that is
+// sentence that names the file: those of read_grey_picture(), a scale or squares out of range, a grid that is
 // not allowed.
 tl::expected<Terrain, std::string> read_heightmap(const std::filesystem::path& path,
                                                   const HeightmapScale& scale, const GridChoice& choice);

@@ -14,25 +14,22 @@ const RasterDoor& door() {
 }  // namespace
 
 tl::expected<Terrain, std::string> read_dem(const std::filesystem::path& path, const GridChoice& choice,
-                                            References references) {
-    return door().read_dem(path, choice, references);
+                                            References references, Quantity quantity) {
+    return door().read_dem(path, choice, references, quantity);
 }
 
 tl::expected<void, std::string> set_system(const std::string& system, Terrain& terrain) {
     return door().set_system(system, terrain);
 }
 
-tl::expected<std::vector<float>, std::string> read_depth_raster(const std::filesystem::path& path,
-                                                                const Terrain& terrain, References references,
-                                                                std::vector<std::filesystem::path>* files) {
-    return door().read_depth_raster(path, terrain, references, files);
+tl::expected<DepthRaster, std::string> read_depth_raster(const std::filesystem::path& path,
+                                                         const Terrain& terrain, References references) {
+    return door().read_depth_raster(path, terrain, references);
 }
 
-tl::expected<std::vector<float>, std::string> read_signed_raster(const std::filesystem::path& path,
-                                                                 const Terrain& terrain,
-                                                                 References references,
-                                                                 std::vector<std::filesystem::path>* files) {
-    return door().read_signed_raster(path, terrain, references, files);
+tl::expected<DepthRaster, std::string> read_signed_raster(const std::filesystem::path& path,
+                                                          const Terrain& terrain, References references) {
+    return door().read_signed_raster(path, terrain, references);
 }
 
 tl::expected<std::string, std::string> encode_geotiff(const sim::Grid& grid, const Georeference& place,

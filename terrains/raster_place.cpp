@@ -1,22 +1,15 @@
 #include "terrains/raster_place.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <cstdint>
-#include <memory>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
-#include <cpl_conv.h>
 #include <fmt/format.h>
-#include <ogr_srs_api.h>
 #include <GeographicLib/Geodesic.hpp>
 
-#include "terrains/gdal_support.h"
-#include "terrains/limits.h"
+#include "terrains/raster_system.h"
 #include "terrains/well_known_text.h"
 
 namespace terrains {
@@ -44,81 +37,21 @@ double scale_at(const PlaneTransform& to_degrees, double x, double y) {
     return worst;
 }
 
-std::string to_wkt(OGRSpatialReferenceH system) {
-    char* text = nullptr;
-    std::string wkt;
-    if (OSRExportToWkt(system, &text) == OGRERR_NONE && text != nullptr) wkt = text;
-    CPLFree(text);
-    return wkt;
-}
-
-// Reserves cache for GDAL, which decompresses whole blocks. A row of the raster needs all blocks that it
-// crosses.
-tl::expected<void, std::string> check_blocks(GDALDatasetH dataset) {
-    constexpr std::int64_t kMostBytes = std::int64_t{512} << 20;
-    constexpr std::int64_t kUsualBytes = std::int64_t{64} << 20;
-    GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
-    int across = 0, down = 0;
-    GDALGetBlockSize(band, &across, &down);
-    const auto blocks = (GDALGetRasterXSize(dataset) + std::int64_t{across} - 1) / across;
-    const std::int64_t most = blocks * across * down * GDALGetDataTypeSizeBytes(GDALGetRasterDataType(band));
-    if (most > kMostBytes)
-        return tl::unexpected(fmt::format(
-            "one row of its blocks takes {} MiB, and the most is {}; rewrite it in tiles of 512 pixels",
-            most >> 20, kMostBytes >> 20));
-    GDALSetCacheMax64(kUsualBytes + most + most / 2);  // includes their masks
-    return {};
-}
-
 }  // namespace
-
-tl::expected<void, std::string> check_size(GDALDatasetH dataset) {
-    const int width = GDALGetRasterXSize(dataset), height = GDALGetRasterYSize(dataset);
-    if (width < 2 || height < 2 || width > kMostDemSide || height > kMostDemSide ||
-        static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) > kMostDemPixels)
-        return tl::unexpected(
-            fmt::format("{} × {} pixels; a raster has 2 to {} along each side and at most {} million in all",
-                        width, height, kMostDemSide, kMostDemPixels / 1'000'000));
-    return check_blocks(dataset);
-}
-
-RasterSystem system_of(GDALDatasetH dataset) {
-    RasterSystem system;
-    OGRSpatialReferenceH declared = GDALGetSpatialRef(dataset);
-    if (declared == nullptr) return system;
-    const std::unique_ptr<void, void (*)(void*)> own(OSRClone(declared), OSRDestroySpatialReference);
-    if (OSRIsCompound(own.get()) != 0) {
-        system.metres_per_height = OSRGetTargetLinearUnits(own.get(), "VERT_CS", nullptr);
-        OSRStripVertical(own.get());
-    }
-    system.geographic = OSRIsGeographic(own.get()) != 0;
-    system.projected = OSRIsProjected(own.get()) != 0;
-    system.metres_per_unit = OSRGetLinearUnits(own.get(), nullptr);
-    if (system.geographic || system.projected) system.wkt = to_wkt(own.get());
-    return system;
-}
 
 tl::expected<Georeference, std::string> place_in(const std::string& text, double x, double y, double middle_x,
                                                  double middle_y) {
-    const std::unique_ptr<void, void (*)(void*)> system(OSRNewSpatialReference(nullptr),
-                                                        OSRDestroySpatialReference);
-    // Other forms of GDAL's "user input" may name files or addresses.
-    constexpr std::string_view kPrefix = "EPSG:";
-    const bool by_code = std::string_view(text).starts_with(kPrefix);
-    int code = 0;
-    const char* const end = text.data() + text.size();
-    const bool whole =
-        by_code && std::from_chars(text.data() + kPrefix.size(), end, code).ptr == end && code > 0;
-    const bool read = by_code ? whole && OSRImportFromEPSG(system.get(), code) == OGRERR_NONE
-                              : static_cast<bool>(SpatialReference::from_wkt(text)) &&
-                                    OSRSetFromUserInput(system.get(), text.c_str()) == OGRERR_NONE;
-    if (!read)
+    const auto system = read_system(text);
+    if (!system)
         return tl::unexpected(fmt::format(
             "--crs '{}' is neither the code of a known system, such as EPSG:31287, nor WKT", text));
-    if (OSRIsProjected(system.get()) == 0 || OSRGetLinearUnits(system.get(), nullptr) != 1)
+    if (!system->projected || system->metres_per_unit != 1)
         return tl::unexpected(
             fmt::format("--crs '{}' is no system in metres; put a .prj beside the file", text));
-    const std::string wkt = to_wkt(system.get());
+    if (system->metres_per_height != 1)
+        return tl::unexpected(
+            fmt::format("--crs '{}' has heights that are not in metres; put a .prj beside the file", text));
+    const std::string& wkt = system->wkt;
     const auto to_degrees = PlaneTransform::between(wkt, wgs84_wkt());
     if (!to_degrees) return tl::unexpected(to_degrees.error());
     if (!(std::abs(scale_at(*to_degrees, middle_x, middle_y) - 1) <= kTrueScale))
@@ -127,7 +60,8 @@ tl::expected<Georeference, std::string> place_in(const std::string& text, double
     return Georeference::projected(wkt, x, y);
 }
 
-tl::expected<RasterPlace, std::string> RasterPlace::of_dem(GDALDatasetH dataset) {
+tl::expected<RasterPlace, std::string> RasterPlace::of_dem(const Raster& raster) {
+    GDALDatasetH dataset = raster.get();
     RasterPlace place;
     place.columns_ = GDALGetRasterXSize(dataset);
     place.rows_ = GDALGetRasterYSize(dataset);
@@ -138,7 +72,9 @@ tl::expected<RasterPlace, std::string> RasterPlace::of_dem(GDALDatasetH dataset)
     const double area = g[1] * g[5] - g[2] * g[4];
     if (!std::isfinite(area) || area == 0 || !std::isfinite(g[0] + g[3]))
         return tl::unexpected<std::string>("its pixels have no size");
-    const RasterSystem system = system_of(dataset);
+    const auto stated = system_of(raster);
+    if (!stated) return tl::unexpected(stated.error());
+    const RasterSystem& system = *stated;
     if (system.wkt.empty()) {
         if (auto kept = place.keep_axes(); !kept) return tl::unexpected(kept.error());
         place.georeference = Georeference::unnamed(place.min_x, place.min_y);

@@ -5,26 +5,22 @@
 #include <string>
 #include <vector>
 
-#include <gdal.h>
 #include <tl/expected.hpp>
 
+#include "terrains/gdal_support.h"
 #include "terrains/georeference.h"
 #include "terrains/plane_transform.h"
 
 namespace terrains {
-
-// Checks a raster's size before pixels are read. Errors: over 100,000 pixels along a side, over 400 million
-// in all, fewer than 2 along a side, a row of blocks (tiles, strips) over 512 MiB.
-tl::expected<void, std::string> check_size(GDALDatasetH dataset);
 
 // The positions of a raster's pixels on the terrain's plane; read_dem() describes the choice of that plane.
 // Include from sources only: GDAL's types are in it.
 class RasterPlace {
   public:
     // Errors: no geotransform, degrees over more than 2° (other warped systems: 250 km), pixels off the
-    // Earth, a raster that seems to be in degrees but names no coordinate system, a rotated raster without
+    // Earth, a .prj that cannot be read, a raster that seems to be in degrees but names no coordinate system, a rotated raster without
     // one, pixels or coordinates of an impossible size.
-    static tl::expected<RasterPlace, std::string> of_dem(GDALDatasetH dataset);
+    static tl::expected<RasterPlace, std::string> of_dem(const Raster& raster);
 
     // Plane coordinates of the pixel centres of one row, m; NaN if the plane cannot express them. On a warped
     // raster every eighth is exact and the others are interpolated linearly: under 2 mm off for pixels up to
@@ -56,18 +52,7 @@ class RasterPlace {
     std::optional<PlaneTransform> warp_;  // from the raster's system to the plane, if they differ
 };
 
-// WKT of a raster's horizontal coordinate system, and metres per unit of its vertical one (1 if it states
-// none). The WKT is empty if the file states no system.
-struct RasterSystem {
-    std::string wkt;
-    bool geographic = false;
-    bool projected = false;
-    double metres_per_unit = 1;  // of a projected system's axes
-    double metres_per_height = 1;
-};
-RasterSystem system_of(GDALDatasetH dataset);
-
-// A grid in a metric system given as "EPSG:n" or WKT, with vertex (0, 0) at x, y. Errors: those of
+// A grid in a metric system given as a code or WKT (read_system()), with vertex (0, 0) at x, y. Errors: those of
 // set_system(), which are checked at (middle_x, middle_y).
 tl::expected<Georeference, std::string> place_in(const std::string& system, double x, double y,
                                                  double middle_x, double middle_y);

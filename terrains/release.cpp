@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "terrains/coverage.h"
 #include "terrains/depth_raster.h"
 #include "terrains/geojson.h"
+#include "terrains/polygon_file.h"
 
 namespace terrains {
 namespace {
@@ -39,92 +41,152 @@ void make_vertical(const Terrain& terrain, std::vector<float>& normal) {
                     static_cast<float>(static_cast<double>(normal[i]) * vertical_per_normal(terrain, x, y));
 }
 
-tl::expected<std::vector<float>, std::string> of_areas(const std::filesystem::path& path,
-                                                       const Terrain& terrain) {
-    auto areas = read_areas(path, terrain.georeference, ThicknessNames());
-    if (!areas) return tl::unexpected(areas.error());
-    const auto vertical_from =
-        std::partition(areas->begin(), areas->end(), [](const Area& a) { return a.normal; });
-    auto thickness = mean_thickness(terrain.grid, {areas->begin(), vertical_from});
-    const auto vertical = mean_thickness(terrain.grid, {vertical_from, areas->end()});
-    for (const auto* mean : {&std::as_const(thickness), &vertical})
-        if (!*mean) return tl::unexpected(fmt::format("{}: {}", path.string(), mean->error()));
-    make_vertical(terrain, *thickness);
-    for (std::size_t i = 0; i < thickness->size(); ++i)
-        (*thickness)[i] = std::max((*thickness)[i], (*vertical)[i]);
-    return thickness;
+double volume(const Terrain& terrain, const std::vector<float>& thickness) {
+    const double dx = static_cast<double>(terrain.grid.dx);
+    return std::accumulate(thickness.begin(), thickness.end(), 0.0) * dx * dx;
 }
 
-tl::expected<std::vector<float>, std::string> of_raster(const std::filesystem::path& path,
-                                                        const Terrain& terrain, Thickness measured,
-                                                        References references,
-                                                        std::vector<std::filesystem::path>* files) {
-    auto thickness = read_depth_raster(path, terrain, references, files);
-    if (thickness && measured == Thickness::kNormal) make_vertical(terrain, *thickness);
-    return thickness;
+// What some areas release, all measured in one way.
+tl::expected<Release, std::string> cover_ground(const Terrain& terrain, const std::vector<Area>& areas,
+                                                Thickness measured) {
+    Release release;
+    auto coverage = cover(terrain.grid, areas);
+    if (!coverage) return tl::unexpected(coverage.error());
+    release.thickness = std::move(coverage->mean);
+    double vertical_per_measured = 1;
+    if (measured == Thickness::kNormal) {
+        const double before = volume(terrain, release.thickness);
+        make_vertical(terrain, release.thickness);
+        if (before > 0) vertical_per_measured = volume(terrain, release.thickness) / before;
+    }
+    for (const Area& area : areas) {
+        const double per_area = area.thickness * vertical_per_measured, whole = area_of(area);
+        release.volumes.in_file += whole * per_area;
+        release.volumes.outside += std::max(whole - area_on_grid(area, terrain.grid), 0.0) * per_area;
+    }
+    release.volumes.overlap = coverage->overlap * vertical_per_measured;
+    return release;
+}
+
+tl::expected<Release, std::string> of_areas(const std::filesystem::path& path, const Terrain& terrain,
+                                            std::optional<Thickness> measured) {
+    const ThicknessNames names{.both_normal = measured == Thickness::kNormal};
+    auto read = read_areas(path, terrain.georeference, names);
+    if (!read) return tl::unexpected(read.error());
+    std::vector<Area>& areas = read->areas;
+    const auto vertical_from =
+        std::partition(areas.begin(), areas.end(), [](const Area& a) { return a.normal; });
+    if (measured == Thickness::kVertical && vertical_from != areas.begin())
+        return tl::unexpected(fmt::format("{}: it has '{}', which is not vertical; leave --thickness out",
+                                          path.string(), names.normal));
+    auto release = cover_ground(terrain, {areas.begin(), vertical_from}, Thickness::kNormal);
+    const auto vertical = cover_ground(terrain, {vertical_from, areas.end()}, Thickness::kVertical);
+    for (const auto* one : {&std::as_const(release), &vertical})
+        if (!*one) return tl::unexpected(fmt::format("{}: {}", path.string(), one->error()));
+    release->normal = vertical_from != areas.begin();
+    release->vertical = vertical_from != areas.end();
+    ReleaseVolumes& volumes = release->volumes;
+    const double apart = volume(terrain, release->thickness) + volume(terrain, vertical->thickness);
+    std::transform(release->thickness.begin(), release->thickness.end(), vertical->thickness.begin(),
+                   release->thickness.begin(), [](float a, float b) { return std::max(a, b); });
+    volumes.in_file += vertical->volumes.in_file;
+    volumes.outside += vertical->volumes.outside;
+    volumes.overlap += vertical->volumes.overlap + (apart - volume(terrain, release->thickness));
+    release->without_geometry = read->without_geometry;
+    release->files = {path};
+    return release;
+}
+
+// The file as a raster, or, if its beginning is that of polygons, what to do with them.
+template <class Read>
+auto raster_or_advice(const std::filesystem::path& path, Read read) {
+    auto raster = read();
+    if (!raster)
+        if (const auto advice = advice_on_polygons(path)) raster = tl::unexpected(*advice);
+    return raster;
+}
+
+tl::expected<Release, std::string> of_raster(const std::filesystem::path& path, const Terrain& terrain,
+                                             Thickness measured, References references) {
+    auto depths = raster_or_advice(path, [&] { return read_depth_raster(path, terrain, references); });
+    if (!depths) return tl::unexpected(depths.error());
+    Release release;
+    release.files = std::move(depths->files);
+    release.thickness = std::move(depths->mean);
+    release.volumes.in_file = depths->in_file;
+    release.volumes.outside = depths->outside;
+    release.normal = measured == Thickness::kNormal;
+    release.vertical = !release.normal;
+    if (release.vertical) return release;
+    const double before = volume(terrain, release.thickness);
+    make_vertical(terrain, release.thickness);
+    if (before > 0) {
+        const double vertical_per_normal = volume(terrain, release.thickness) / before;
+        release.volumes.in_file *= vertical_per_normal;
+        release.volumes.outside *= vertical_per_normal;
+    }
+    return release;
 }
 
 bool empty(const std::vector<float>& thickness) {
     return std::none_of(thickness.begin(), thickness.end(), [](float t) { return t > 0; });
 }
 
-}  // namespace
-
-tl::expected<std::vector<float>, std::string> read_release(const std::filesystem::path& path,
-                                                           const Terrain& terrain,
-                                                           std::optional<Thickness> measured,
-                                                           References references,
-                                                           std::vector<std::filesystem::path>* files) {
-    if (files != nullptr) *files = {path};
-    if (auto is_file = files::check_input(path); !is_file) return tl::unexpected(is_file.error());
-    const bool areas = looks_like_json(path);
-    if (areas && measured)
-        return tl::unexpected(
-            fmt::format("{}: its features say how they are measured, by thickness or thickness_normal; leave "
-                        "--thickness out",
-                        path.string()));
-    auto thickness =
-        areas ? of_areas(path, terrain)
-              : of_raster(path, terrain, measured.value_or(Thickness::kVertical), references, files);
-    if (!thickness) return thickness;
-    for (std::size_t i = 0; i < thickness->size(); ++i)
-        if (terrain.has_data[i] == 0) (*thickness)[i] = 0;
-    if (empty(*thickness))
-        return tl::unexpected(fmt::format("{}: it covers no ground of {}", path.string(), terrain.name));
-    return thickness;
+tl::expected<Reference, std::string> read_extent(const std::filesystem::path& path, const Terrain& terrain) {
+    auto read = read_areas(path, terrain.georeference, std::nullopt);
+    if (!read) return tl::unexpected(read.error());
+    Reference reference;
+    for (Area& area : read->areas) {
+        area.thickness = 1;  // so that the mean thickness is the share covered
+        const double whole = area_of(area);
+        reference.in_file += whole;
+        reference.outside += std::max(whole - area_on_grid(area, terrain.grid), 0.0);
+    }
+    const auto coverage = cover(terrain.grid, read->areas);
+    if (!coverage) return tl::unexpected(fmt::format("{}: {}", path.string(), coverage.error()));
+    const std::vector<float>& share = coverage->mean;
+    if (empty(share))
+        return tl::unexpected(fmt::format("{}: none of its polygons covers {}", path.string(), terrain.name));
+    reference.extent.resize(share.size());
+    std::transform(share.begin(), share.end(), reference.extent.begin(),
+                   [](float s) { return s >= 0.5f ? 1 : 0; });
+    reference.without_geometry = read->without_geometry;
+    reference.files = {path};
+    return reference;
 }
 
-tl::expected<std::vector<std::uint8_t>, std::string> read_extent(const std::filesystem::path& path,
-                                                                 const Terrain& terrain) {
-    auto areas = read_areas(path, terrain.georeference, std::nullopt);
-    if (!areas) return tl::unexpected(areas.error());
-    for (Area& area : *areas) area.thickness = 1;  // so that the mean thickness is the share covered
-    const auto share = mean_thickness(terrain.grid, *areas);
-    if (!share) return tl::unexpected(fmt::format("{}: {}", path.string(), share.error()));
-    if (empty(*share))
-        return tl::unexpected(fmt::format("{}: none of its polygons covers {}", path.string(), terrain.name));
-    std::vector<std::uint8_t> mask(share->size());
-    std::transform(share->begin(), share->end(), mask.begin(), [](float s) { return s >= 0.5f ? 1 : 0; });
-    return mask;
+}  // namespace
+
+tl::expected<Release, std::string> read_release(const std::filesystem::path& path, const Terrain& terrain,
+                                                std::optional<Thickness> measured, References references) {
+    if (auto is_file = files::check_input(path); !is_file) return tl::unexpected(is_file.error());
+    auto release = looks_like_json(path)
+                       ? of_areas(path, terrain, measured)
+                       : of_raster(path, terrain, measured.value_or(Thickness::kVertical), references);
+    if (!release) return release;
+    const double on_grid = volume(terrain, release->thickness);
+    for (std::size_t i = 0; i < release->thickness.size(); ++i)
+        if (terrain.has_data[i] == 0) release->thickness[i] = 0;
+    if (empty(release->thickness))
+        return tl::unexpected(fmt::format("{}: it covers no ground of {}", path.string(), terrain.name));
+    release->volumes.on_ground = volume(terrain, release->thickness);
+    release->volumes.on_no_data = on_grid - release->volumes.on_ground;
+    return release;
 }
 
 tl::expected<Reference, std::string> read_reference(const std::filesystem::path& path, const Terrain& terrain,
                                                     References references) {
     if (auto is_file = files::check_input(path); !is_file) return tl::unexpected(is_file.error());
+    if (looks_like_json(path)) return read_extent(path, terrain);
+    auto change = raster_or_advice(path, [&] { return read_signed_raster(path, terrain, references); });
+    if (!change) return tl::unexpected(change.error());
+    if (std::all_of(change->mean.begin(), change->mean.end(), [](float metres) { return metres == 0; }))
+        return tl::unexpected(fmt::format("{}: it has no height change on {}", path.string(), terrain.name));
     Reference reference;
-    reference.files = {path};
-    if (looks_like_json(path)) {
-        auto extent = read_extent(path, terrain);
-        if (!extent) return tl::unexpected(extent.error());
-        reference.extent = std::move(*extent);
-    } else {
-        auto change = read_signed_raster(path, terrain, references, &reference.files);
-        if (!change) return tl::unexpected(change.error());
-        if (std::all_of(change->begin(), change->end(), [](float metres) { return metres == 0; }))
-            return tl::unexpected(
-                fmt::format("{}: it has no height change on {}", path.string(), terrain.name));
-        reference.change = std::move(*change);
-    }
+    reference.change = std::move(change->mean);
+    reference.in_file = change->in_file;
+    reference.outside = change->outside;
+    reference.files = std::move(change->files);
     return reference;
 }
 

@@ -28,6 +28,9 @@ struct Terrain {
 
     // Every file that a raster was read from, and every one that it names. Empty for other terrains.
     std::vector<std::filesystem::path> files = {};
+
+    // What the file states that is hardly meant, one sentence each, for the user to read.
+    std::vector<std::string> warnings = {};
 };
 
 }  // namespace terrains

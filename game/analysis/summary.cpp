@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "game/analysis/release_report.h"
 #include "game/analysis/thing_results.h"
 #include "game/analysis/trace.h"
 #include "game/base/print.h"
@@ -151,6 +152,8 @@ Json to_json(const Summary& summary) {
     if (scenario.lower && scenario.lower->density) json["lower"]["density_kg_m3"] = *scenario.lower->density;
     if (state.things) json["things"] = things_to_json(scenario, summary.session);
     if (summary.score) json["challenge"] = to_json(*scenario.goal, *summary.score);
+    if (summary.release) json["release"] = to_json(*summary.release);
+    if (summary.reference) json["reference"] = to_json(*summary.reference);
     if (summary.at_rest) json["at_rest"] = *summary.at_rest;
     if (summary.verdict) json["verified"] = verdict_json(*summary.verdict);
     if (summary.paranoid) json["paranoid"] = paranoid_json(*summary.paranoid, scenario);
@@ -170,6 +173,8 @@ std::string to_text(const Summary& summary) {
                     one_line(materials), one_line(scenario.terrain), scenario.grid.nx - 1,
                     scenario.grid.ny - 1, scenario.grid.dx, sim::to_string(scenario.params.model));
     if (!scenario.licence.empty()) text += fmt::format("terrain: {}\n", one_line(scenario.licence));
+    if (summary.release) text += to_text(*summary.release);
+    if (summary.reference) text += to_text(*summary.reference);
     text += fmt::format("{} ticks, {:.1f} s{}\n", session.state().tick, session.seconds(),
                         !summary.at_rest   ? ""
                         : *summary.at_rest ? ", at rest"

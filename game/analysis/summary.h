@@ -12,6 +12,7 @@
 #include "game/session/perf_log.h"
 #include "game/session/session.h"
 #include "game/session/verifier.h"
+#include "terrains/release.h"
 
 namespace game {
 
@@ -32,6 +33,9 @@ struct Summary {
     std::optional<Verdict> verdict;
     std::optional<SelfCheck> paranoid = std::nullopt;
     std::optional<Score> score = std::nullopt;  // of the scenario's goal
+    // Of a run on a real hill: what became of its file of a release, and of its reference; null otherwise.
+    const terrains::Release* release = nullptr;
+    const terrains::Reference* reference = nullptr;
 };
 
 Json to_json(const Summary& summary);

@@ -46,7 +46,8 @@ inline PageOptions page_options(const WebOptions& web, const PictureOptions& pic
 struct RunOptions {
     std::string scene;  // empty if there is a terrain
     std::optional<std::filesystem::path> terrain, release, reference;
-    std::optional<terrains::Thickness> thickness;  // of a release that is a raster
+    std::optional<terrains::Thickness> thickness;  // how the release is measured
+    bool accept_loss = false;                      // of more than 1 % of the release
     Overrides overrides;
     bool until_rest = false;
     std::optional<double> seconds;

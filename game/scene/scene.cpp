@@ -340,6 +340,7 @@ Outcome<Scene> read_scene(TomlTable& root, const SceneFile& file, const Override
     if (fault) return unusable(*fault);
     if (!terrain) return unusable(terrain.error());
     add_files(terrain->files, scene);
+    scene.warnings = std::move(terrain->warnings);
     if (trees.raster) scene.files.push_back(*trees.raster);
     const auto on_ground = trees_on(trees, *terrain, overrides.references, scene.files);
     if (!on_ground) return unusable(fmt::format("{}: {}", path.string(), on_ground.error()));
@@ -387,17 +388,21 @@ Outcome<Scene> load_scene(std::string_view name_or_path, const Overrides& overri
 
 namespace {
 
-Outcome<std::vector<float>> read_release_on(const Terrain& terrain, const ReleaseFile& release,
-                                            terrains::References references, Scene& scene) {
-    std::vector<fs::path> files;
-    auto rolling = terrains::read_release(release.path, terrain, release.measured, references, &files);
-    if (!rolling) return unusable(rolling.error());
+// Puts the release into the scenario as rolling layer at rest.
+Outcome<void> add_release(const Terrain& terrain, const ReleaseFile& file, terrains::References references,
+                          Scene& scene) {
+    auto release = terrains::read_release(file.path, terrain, file.measured, references);
+    if (!release) return unusable(release.error());
     constexpr float kDeepestRelease = sim::kDeepest / 2;
-    if (const float most = *std::max_element(rolling->begin(), rolling->end()); most > kDeepestRelease)
-        return unusable(fmt::format("{}: {} m thick; at most {} m are allowed", release.path.string(), most,
+    if (const float most = *std::max_element(release->thickness.begin(), release->thickness.end());
+        most > kDeepestRelease)
+        return unusable(fmt::format("{}: {} m thick; at most {} m are allowed", file.path.string(), most,
                                     kDeepestRelease));
-    add_files(files, scene);
-    return std::move(*rolling);
+    add_files(release->files, scene);
+    scene.files.push_back(file.path);
+    scene.scenario.rolling = std::exchange(release->thickness, {});
+    scene.release = std::move(*release);
+    return {};
 }
 
 }  // namespace
@@ -431,12 +436,10 @@ Outcome<Scene> scene_of_terrain(const fs::path& dem, const std::optional<Release
     take_material(scene.scenario, *material, params);
     set_ground(scene.scenario, *terrain);
     view_from_valley(scene.scenario);
-    if (release) {
-        auto rolling = read_release_on(*terrain, *release, overrides.references, scene);
-        if (!rolling) return tl::unexpected(rolling.error());
-        scene.scenario.rolling = std::move(*rolling);
-        scene.files.push_back(release->path);
-    }
+    scene.warnings = std::move(terrain->warnings);
+    if (release)
+        if (auto added = add_release(*terrain, *release, overrides.references, scene); !added)
+            return tl::unexpected(added.error());
     return scene;
 }
 

@@ -40,13 +40,16 @@ struct Scene {
     Scenario scenario;
     std::vector<TimedCommand> commands;             // sorted by tick
     std::vector<std::filesystem::path> files = {};  // that it was read from, sources of a VRT included
+    // Of a real hill: what the file of its release states and where it went. Its thickness is in the scenario.
+    std::optional<terrains::Release> release = std::nullopt;
+    std::vector<std::string> warnings = {};  // of its files, one sentence each, for the user to read
 };
 
 // Reads a scene by name or file (docs/scenes.md lists every key), its material and its terrain. Errors:
 // damage, with file and line, or a fault of the terrain or the material.
 Outcome<Scene> load_scene(std::string_view name_or_path, const Overrides& overrides);
 
-// A release to read, and how it is measured if it is a raster (terrains/release.h).
+// A release to read, and how it is measured (terrains/release.h).
 struct ReleaseFile {
     std::filesystem::path path;
     std::optional<terrains::Thickness> measured;

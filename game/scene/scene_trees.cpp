@@ -40,8 +40,8 @@ tl::expected<std::vector<std::uint8_t>, std::string> read_shares(const fs::path&
                                                                  terrains::References references,
                                                                  std::vector<fs::path>& files) {
     const sim::Grid& grid = terrain.grid;
-    const auto raster =
-        terrains::read_dem(file, terrains::GridChoice(std::max(grid.nx, grid.ny) - 1), references);
+    const auto raster = terrains::read_dem(file, terrains::GridChoice(std::max(grid.nx, grid.ny) - 1),
+                                           references, terrains::Quantity::kShare);
     if (!raster) return tl::unexpected(raster.error());
     files.insert(files.end(), raster->files.begin(), raster->files.end());
     const sim::Grid& own = raster->grid;
@@ -57,11 +57,8 @@ tl::expected<std::vector<std::uint8_t>, std::string> read_shares(const fs::path&
     std::vector<std::uint8_t> shares(grid.size());
     for (std::size_t i = 0; i < shares.size(); ++i) {
         if (raster->has_data[i] == 0) continue;
-        // Between pixels a plane is fitted, which may lie a little beyond them.
+        // The reader bounds them, but between pixels a plane is fitted, which may lie a little beyond.
         const double share = raster->surface[i];
-        if (share < -0.1 || share > 1.1)
-            return tl::unexpected(fmt::format(
-                "{}: has a value of about {:.3g}; a share of the wood is 0 to 1", file.string(), share));
         shares[i] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
     }
     return shares;

@@ -60,6 +60,7 @@ Outcome<LoadedWorld> open_terrain(const fs::path& path, const Overrides& overrid
     const sim::Grid& grid = scene->scenario.grid;
     std::string told = fmt::format("Loaded {}: {} by {} squares of {:.1f} m", path.filename().string(),
                                    grid.nx - 1, grid.ny - 1, grid.dx);
+    for (const std::string& warning : scene->warnings) told += ". " + warning;
     return LoadedWorld{std::move(*scene), {}, std::nullopt, std::move(told), overrides.memory};
 }
 

@@ -447,7 +447,7 @@ TEST(Coverage, takes_hardly_longer_for_a_hundred_areas_than_for_one) {
     const terrains::Area everywhere{{{{-10, -10}, {3000, -10}, {3000, 3000}, {-10, 3000}}}, 1};
     const auto steps_of = [&](std::size_t areas) {
         const std::int64_t before = work().steps;
-        EXPECT_TRUE(terrains::mean_thickness(grid, std::vector(areas, everywhere)).has_value());
+        EXPECT_TRUE(terrains::cover(grid, std::vector(areas, everywhere)).has_value());
         return work().steps - before;
     };
     EXPECT_LT(steps_of(100), 6 * steps_of(1));

@@ -290,7 +290,7 @@ TEST(Dem, errors_name_file_and_fact) {
     std::string infinite = flat(5);
     infinite.replace(infinite.rfind("5.000000"), 8, "inf");
     expect(refusal(infinite), "row 17, column 21 is");
-    expect(refusal(flat(5) + "5\n"), "358 heights where its header promises 357");
+    expect(refusal(flat(5) + "5\n"), "358 numbers where its header promises 357");
     expect(refusal(flat(5), 7), "8 to 4096");
     expect(refusal(flat(5), 5000), "8 to 4096");
     expect(refusal(header("30000", "30000", "1")), "400 million");

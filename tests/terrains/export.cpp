@@ -91,7 +91,7 @@ TEST(Export, restores_a_mask_from_its_outlines) {
                         .georeference = place};
         const auto written = write_outlines(folder.path() / "mask.geojson", kGrid, place, mask);
         ASSERT_TRUE(written) << written.error();
-        const auto back = read_extent(folder.path() / "mask.geojson", terrain);
+        const auto back = test::extent_in(folder.path() / "mask.geojson", terrain);
         ASSERT_TRUE(back) << back.error();
         EXPECT_EQ(*back, mask);
     }

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -41,6 +42,19 @@ std::string web_mercator() {
                        R"(PARAMETER["Standard_Parallel_1",0.0],PARAMETER["Auxiliary_Sphere_Type",0.0],)"
                        R"(UNIT["Meter",1.0]])",
                        kWgs84);
+}
+
+tl::expected<std::vector<float>, std::string> thickness_in(const std::filesystem::path& path,
+                                                           const Terrain& terrain,
+                                                           std::optional<Thickness> measured) {
+    return read_release(path, terrain, measured).map([](Release release) {
+        return std::move(release.thickness);
+    });
+}
+
+tl::expected<std::vector<std::uint8_t>, std::string> extent_in(const std::filesystem::path& path,
+                                                               const Terrain& terrain) {
+    return read_reference(path, terrain).map([](Reference reference) { return std::move(reference.extent); });
 }
 
 std::string ascii_text(const AsciiGrid& grid, const Height& height) {

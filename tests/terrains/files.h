@@ -2,8 +2,13 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include <tl/expected.hpp>
+
+#include "terrains/release.h"
 #include "terrains/terrain.h"
 
 // Small files for the tests of terrains/, written into a folder of the test's own.
@@ -24,6 +29,13 @@ struct AsciiGrid {
 std::string ascii_text(const AsciiGrid& grid, const Height& height);
 std::filesystem::path write_ascii_grid(const std::filesystem::path& folder, const std::string& name,
                                        const AsciiGrid& grid, const Height& height);
+
+// The field of a release or an extent alone.
+tl::expected<std::vector<float>, std::string> thickness_in(const std::filesystem::path& path,
+                                                           const Terrain& terrain,
+                                                           std::optional<Thickness> measured = {});
+tl::expected<std::vector<std::uint8_t>, std::string> extent_in(const std::filesystem::path& path,
+                                                               const Terrain& terrain);
 
 void write_text(const std::filesystem::path& path, const std::string& text);
 std::string read_text(const std::filesystem::path& path);

@@ -1,11 +1,15 @@
 #include "terrains/heightmap_image.h"
 
-#include <gtest/gtest.h>
-
+#include <array>
 #include <string>
 
+#include <gdal.h>
+#include <gtest/gtest.h>
+
+#include "terrains/gdal_support.h"
 #include "tests/support/places.h"
 #include "tests/terrains/files.h"
+#include "tests/terrains/memory_files.h"
 
 namespace terrains {
 namespace {
@@ -61,6 +65,72 @@ TEST(Heightmap, maps_black_and_white_of_eight_bits_to_lowest_and_highest) {
     const auto terrain = read_heightmap(path, {.cell = 10, .lowest = 200, .highest = 700}, 8).value();
     EXPECT_FLOAT_EQ(terrain.surface.front(), 200);  // south
     EXPECT_FLOAT_EQ(terrain.surface.back(), 700);   // north
+}
+
+// Grey and opacity by GDAL, as PNG or TIFF of 8 or 16 bits. Grey rises to the north-east; opacity is `opaque` of white,
+// and 0 in the four columns of the west.
+std::filesystem::path with_opacity(const std::filesystem::path& folder, const char* driver, GDALDataType type,
+                                   const char* alpha, double opaque) {
+    constexpr int kSide = 32;
+    const GdalErrors registered;
+    const double white = type == GDT_Byte ? 255 : 65535;
+    const std::string option = std::string("ALPHA=") + alpha;
+    std::array<char*, 2> options{const_cast<char*>(option.c_str()), nullptr};
+    {
+        const Dataset made(GDALCreate(GDALGetDriverByName("GTiff"), "/vsimem/grey/hill.tif", kSide, kSide, 2,
+                                      type, options.data()));
+        for (int row = 0; row < kSide; ++row)
+            for (const int band : {1, 2}) {
+                std::array<double, kSide> values{};
+                for (int column = 0; column < kSide; ++column)
+                    values[static_cast<std::size_t>(column)] =
+                        band == 1    ? white * (column + kSide - 1 - row) / (2 * kSide)
+                        : column < 4 ? 0
+                                     : white * opaque;
+                EXPECT_EQ(GDALRasterIO(GDALGetRasterBand(made.get(), band), GF_Write, 0, row, kSide, 1,
+                                       values.data(), kSide, 1, GDT_Float64, 0, 0),
+                          CE_None);
+            }
+        if (std::string(driver) == "PNG")
+            Dataset(GDALCreateCopy(GDALGetDriverByName("PNG"), "/vsimem/grey/hill.png", made.get(), FALSE,
+                                   nullptr, nullptr, nullptr));
+    }
+    test::unload("/vsimem/grey", folder);
+    return folder / (std::string(driver) == "PNG" ? "hill.png" : "hill.tif");
+}
+
+TEST(Heightmap, has_heights_that_no_opacity_changes_and_none_where_it_is_transparent) {
+    const support::TemporaryFolder folder;
+    const HeightmapScale scale{.cell = 10, .lowest = 0, .highest = 6400};
+    for (const char* driver : {"PNG", "GTiff"})
+        for (const GDALDataType type : {GDT_Byte, GDT_UInt16})
+            for (const double opaque : {1.0, 0.5, 0.1}) {
+                const auto path = with_opacity(folder.path(), driver, type, "NON-PREMULTIPLIED", opaque);
+                const auto terrain = read_heightmap(path, scale, 31);
+                ASSERT_TRUE(terrain) << terrain.error();
+                const double step = type == GDT_Byte ? 6400 / 255.0 : 0.1;
+                for (std::size_t y = 0; y < 32; ++y)
+                    for (std::size_t x = 0; x < 32; ++x) {
+                        EXPECT_EQ(terrain->has_data[y * 32 + x], x < 4 ? 0 : 1) << x;
+                        if (x >= 4)
+                            EXPECT_NEAR(terrain->surface[y * 32 + x], 100.0 * static_cast<double>(x + y),
+                                        step)
+                                << driver << " " << opaque;
+                    }
+            }
+}
+
+TEST(Heightmap, is_refused_where_opacity_was_multiplied_into_its_grey) {
+    const support::TemporaryFolder folder;
+    const HeightmapScale scale{.cell = 10, .lowest = 0, .highest = 6400};
+    EXPECT_TRUE(
+        read_heightmap(with_opacity(folder.path(), "GTiff", GDT_Byte, "PREMULTIPLIED", 1), scale, 31));
+    const auto half =
+        read_heightmap(with_opacity(folder.path(), "GTiff", GDT_Byte, "PREMULTIPLIED", 0.5), scale, 31);
+    ASSERT_FALSE(half);
+    EXPECT_NE(half.error().find("row 1, column 5 is partly transparent"), std::string::npos) << half.error();
+    EXPECT_FALSE(
+        read_heightmap(with_opacity(folder.path(), "PNG", GDT_Byte, "NON-PREMULTIPLIED", 0), scale, 31));
 }
 
 TEST(Heightmap, errors_name_file_and_fact) {

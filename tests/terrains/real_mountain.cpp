@@ -61,7 +61,7 @@ TEST_F(RealMountain, releases_the_same_volume_in_three_coordinate_systems) {
     constexpr double kArea = 41'025;  // m² in plan, thickness 1 m
     for (const int squares : {80, 160, 320})
         for (const Terrain& terrain : alplehner(squares)) {
-            const auto thickness = read_release(file("alr/release.geojson"), terrain);
+            const auto thickness = test::thickness_in(file("alr/release.geojson"), terrain);
             ASSERT_TRUE(thickness) << thickness.error();
             EXPECT_NEAR(volume(terrain, *thickness), kArea, 0.01 * kArea)
                 << terrain.name << " at " << squares;
@@ -70,7 +70,7 @@ TEST_F(RealMountain, releases_the_same_volume_in_three_coordinate_systems) {
 
 TEST_F(RealMountain, has_the_reference_extent_below_its_release) {
     for (const Terrain& terrain : alplehner(400)) {
-        const auto extent = read_extent(file("alr/reference_extent.geojson"), terrain);
+        const auto extent = test::extent_in(file("alr/reference_extent.geojson"), terrain);
         ASSERT_TRUE(extent) << extent.error();
         const double hectares = static_cast<double>(std::accumulate(extent->begin(), extent->end(), 0L)) *
                                 terrain.grid.cell_area() / 1e4;
@@ -96,7 +96,7 @@ TEST_F(RealMountain, finds_its_landslide_by_coordinates_without_a_system) {
     for (const int squares : {60, 121, 240}) {
         const auto terrain = read_dem(file("landslide/pre_runout_DEM.asc"), squares).value();
         EXPECT_FALSE(terrain.georeference.placed());
-        const auto thickness = read_release(file("landslide/landslide_depth.asc"), terrain);
+        const auto thickness = test::thickness_in(file("landslide/landslide_depth.asc"), terrain);
         ASSERT_TRUE(thickness) << thickness.error();
         EXPECT_NEAR(volume(terrain, *thickness), truth, 0.01 * truth) << squares;
     }

@@ -63,7 +63,7 @@ class Release : public testing::Test {
   protected:
     tl::expected<std::vector<float>, std::string> read(const std::string& text, const Terrain& terrain) {
         test::write_text(path_, text);
-        return read_release(path_, terrain);
+        return test::thickness_in(path_, terrain);
     }
     std::string refusal(const std::string& text, const Terrain& terrain) {
         const auto thickness = read(text, terrain);
@@ -105,7 +105,7 @@ TEST_F(Release, accepts_one_feature_and_an_extent_a_bare_geometry_too) {
     const std::string coordinates = "[" + ring(terrain, 95, 45, 145, 75) + "]";
     EXPECT_TRUE(read(feature(R"("thickness": 1)", "Polygon", coordinates), terrain));
     test::write_text(path_, R"({ "type": "Polygon", "coordinates": )" + coordinates + " }");
-    EXPECT_TRUE(read_extent(path_, terrain));
+    EXPECT_TRUE(test::extent_in(path_, terrain));
 }
 
 TEST_F(Release, requires_one_thickness) {
@@ -147,7 +147,7 @@ TEST_F(Release, is_thicker_vertically_than_normal_to_the_slope) {
     for (const float thickness : *whole) EXPECT_NEAR(thickness, std::sqrt(2.0), 1e-3);
 }
 
-TEST_F(Release, of_a_raster_is_measured_as_one_says) {
+TEST_F(Release, is_measured_as_one_says) {
     const Terrain terrain = tilted(utm_ground());
     const auto path = test::write_ascii_grid(folder_.path(), "depth",
                                              {.columns = 12,
@@ -157,18 +157,27 @@ TEST_F(Release, of_a_raster_is_measured_as_one_says) {
                                               .cell = 7,
                                               .prj = test::utm_32n()},
                                              [](double, double) { return 3.0; });
-    const auto vertical = read_release(path, terrain),
-               same = read_release(path, terrain, Thickness::kVertical),
-               normal = read_release(path, terrain, Thickness::kNormal);
+    const auto vertical = test::thickness_in(path, terrain),
+               same = test::thickness_in(path, terrain, Thickness::kVertical),
+               normal = test::thickness_in(path, terrain, Thickness::kNormal);
     ASSERT_TRUE(vertical && same && normal);
     EXPECT_EQ(*vertical, *same);
     EXPECT_NEAR(volume(terrain, *normal), std::sqrt(2.0) * volume(terrain, *vertical), 1);
 
     test::write_text(path_, collection(feature(R"("thickness": 1)", "Polygon",
                                                "[" + ring(terrain, 95, 45, 145, 75) + "]")));
-    const auto areas = read_release(path_, terrain, Thickness::kNormal);
-    ASSERT_FALSE(areas);
-    EXPECT_NE(areas.error().find("leave --thickness out"), std::string::npos) << areas.error();
+    const auto upright = test::thickness_in(path_, terrain, Thickness::kVertical),
+               tilted_areas = test::thickness_in(path_, terrain, Thickness::kNormal);
+    ASSERT_TRUE(upright && tilted_areas);
+    EXPECT_NEAR(volume(terrain, *upright), 50 * 30, 0.1);
+    EXPECT_NEAR(volume(terrain, *tilted_areas), std::sqrt(2.0) * 50 * 30, 0.1);
+    // A name that says the contrary.
+    test::write_text(path_, collection(feature(R"("thickness_normal": 1)", "Polygon",
+                                               "[" + ring(terrain, 95, 45, 145, 75) + "]")));
+    EXPECT_TRUE(test::thickness_in(path_, terrain, Thickness::kNormal));
+    const auto contrary = test::thickness_in(path_, terrain, Thickness::kVertical);
+    ASSERT_FALSE(contrary);
+    EXPECT_NE(contrary.error().find("leave --thickness out"), std::string::npos) << contrary.error();
 }
 
 TEST_F(Release, names_byte_or_feature_of_damage) {
@@ -217,7 +226,7 @@ TEST_F(Release, refuses_degrees_for_a_terrain_that_is_not_placed) {
     const std::string text =
         collection(feature(R"("thickness": 1)", "Polygon", "[" + ring(utm_ground(), 0, 0, 9, 9) + "]"));
     EXPECT_NE(refusal(text, ground({})).find("coordinate system"), std::string::npos);
-    EXPECT_FALSE(read_release(folder_.path() / "none.geojson", utm_ground()));
+    EXPECT_FALSE(test::thickness_in(folder_.path() / "none.geojson", utm_ground()));
 }
 
 TEST_F(Release, resamples_a_depth_raster_by_coordinates_and_conserves_its_volume) {
@@ -233,7 +242,7 @@ TEST_F(Release, resamples_a_depth_raster_by_coordinates_and_conserves_its_volume
         const auto path =
             test::write_ascii_grid(folder_.path(), "depth", grid, [](double, double) { return 3.0; });
         const Terrain terrain = utm_ground();
-        const auto thickness = read_release(path, terrain);
+        const auto thickness = test::thickness_in(path, terrain);
         ASSERT_TRUE(thickness) << thickness.error();
         EXPECT_NEAR(volume(terrain, *thickness), 3 * 84 * 63, 0.01 * 3 * 84 * 63);
         EXPECT_FLOAT_EQ((*thickness)[12 * 41 + 15], 3);
@@ -251,7 +260,7 @@ TEST_F(Release, resamples_a_depth_raster_between_systems) {
     const auto path =
         test::write_ascii_grid(folder_.path(), "depth", grid, [](double, double) { return 2.0; });
     const Terrain terrain = ground(Georeference::projected(test::utm_32n(), 682'950, 5'240'050));
-    const auto thickness = read_release(path, terrain);
+    const auto thickness = test::thickness_in(path, terrain);
     ASSERT_TRUE(thickness) << thickness.error();
     const double area = 0.002 * 0.002 * 111'176 * 75'595;  // m per degree at 47.29° N
     EXPECT_NEAR(volume(terrain, *thickness), 2 * area, 0.01 * 2 * area);
@@ -263,13 +272,16 @@ TEST_F(Release, reads_negative_depths_as_amounts_and_refuses_both_signs) {
         return test::write_ascii_grid(folder_.path(), "depth",
                                       {.columns = 10, .rows = 10, .west = 1100, .south = 2100}, depth);
     };
-    const auto positive = read_release(write([](double x, double) { return x > 1150 ? 1.25 : 0; }), terrain);
+    const auto positive =
+        test::thickness_in(write([](double x, double) { return x > 1150 ? 1.25 : 0; }), terrain);
     ASSERT_TRUE(positive) << positive.error();
-    EXPECT_EQ(read_release(write([](double x, double) { return x > 1150 ? -1.25 : 0; }), terrain), positive);
-    const auto both = read_release(write([](double x, double) { return x > 1150 ? -1.25 : 1; }), terrain);
+    EXPECT_EQ(test::thickness_in(write([](double x, double) { return x > 1150 ? -1.25 : 0; }), terrain),
+              positive);
+    const auto both =
+        test::thickness_in(write([](double x, double) { return x > 1150 ? -1.25 : 1; }), terrain);
     ASSERT_FALSE(both);
     EXPECT_NE(both.error().find("both signs"), std::string::npos) << both.error();
-    const auto deep = read_release(write([](double, double) { return 201.0; }), terrain);
+    const auto deep = test::thickness_in(write([](double, double) { return 201.0; }), terrain);
     ASSERT_FALSE(deep);
     EXPECT_NE(deep.error().find("row 1, column 1 is 201 m deep"), std::string::npos) << deep.error();
 }
@@ -279,12 +291,12 @@ TEST_F(Release, refuses_depth_rasters_that_cannot_be_aligned_with_the_terrain) {
     const auto bare = test::write_ascii_grid(folder_.path(), "bare", {.west = 10, .south = 10}, flat);
     const auto named = test::write_ascii_grid(folder_.path(), "named",
                                               {.west = kEast, .south = kNorth, .prj = test::utm_32n()}, flat);
-    EXPECT_FALSE(read_release(bare, ground({})));
-    EXPECT_FALSE(read_release(bare, ground(Georeference::local({47.3, 11.4}, 0, 0))));
-    EXPECT_FALSE(read_release(named, ground(Georeference::unnamed(kEast, kNorth))));
-    EXPECT_FALSE(read_release(bare, utm_ground()));  // far away
-    EXPECT_TRUE(read_release(named, utm_ground()));
-    EXPECT_FALSE(read_release(folder_.path() / "none.tif", utm_ground()));
+    EXPECT_FALSE(test::thickness_in(bare, ground({})));
+    EXPECT_FALSE(test::thickness_in(bare, ground(Georeference::local({47.3, 11.4}, 0, 0))));
+    EXPECT_FALSE(test::thickness_in(named, ground(Georeference::unnamed(kEast, kNorth))));
+    EXPECT_FALSE(test::thickness_in(bare, utm_ground()));  // far away
+    EXPECT_TRUE(test::thickness_in(named, utm_ground()));
+    EXPECT_FALSE(test::thickness_in(folder_.path() / "none.tif", utm_ground()));
 }
 
 TEST_F(Release, leaves_no_data_bare) {
@@ -303,13 +315,13 @@ TEST_F(Release, reads_an_extent_whether_or_not_it_has_a_thickness) {
     for (const char* properties : {"", R"("thickness": 0.001)", R"("thickness": "thick")"}) {
         test::write_text(path_, collection(feature(properties, "Polygon",
                                                    fmt::format("[{}]", ring(terrain, 95, 45, 149, 75)))));
-        const auto extent = read_extent(path_, terrain);
+        const auto extent = test::extent_in(path_, terrain);
         ASSERT_TRUE(extent) << extent.error();
         EXPECT_EQ(std::accumulate(extent->begin(), extent->end(), 0), 15)
             << properties;  // 0.4 of a cell is outside
     }
     test::write_text(path_, collection(feature("", "Polygon", "[" + ring(terrain, 950, 45, 990, 75) + "]")));
-    EXPECT_FALSE(read_extent(path_, terrain));
+    EXPECT_FALSE(test::extent_in(path_, terrain));
 }
 
 TEST_F(Release, reads_a_reference_as_an_extent_or_as_a_change_with_its_signs) {

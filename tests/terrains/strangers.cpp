@@ -25,6 +25,7 @@
 #include "terrains/well_known_text.h"
 #include "tests/support/places.h"
 #include "tests/terrains/files.h"
+#include "tests/terrains/memory_files.h"
 
 namespace terrains {
 namespace {
@@ -220,22 +221,6 @@ TEST(Strangers, do_not_block_on_a_pipe_or_a_device) {
     EXPECT_TRUE(read_dem(hill, 16));
 }
 
-// GDAL's files in memory, as files of a folder.
-std::vector<fs::path> unload(const char* memory, const fs::path& folder) {
-    std::vector<fs::path> written;
-    char** names = VSIReadDir(memory);
-    for (int i = 0; names != nullptr && names[i] != nullptr; ++i) {
-        vsi_l_offset size = 0;
-        const GByte* bytes =
-            VSIGetMemFileBuffer((std::string(memory) + "/" + names[i]).c_str(), &size, FALSE);
-        written.push_back(folder / names[i]);
-        test::write_text(written.back(), std::string(reinterpret_cast<const char*>(bytes), size));
-    }
-    CSLDestroy(names);
-    VSIRmdirRecursive(memory);
-    return written;
-}
-
 struct Format {
     const char *driver, *name;
     GDALDataType type = GDT_Float32;
@@ -288,7 +273,7 @@ TEST(Formats, of_elevation_are_read_with_all_their_files) {
             ASSERT_NE(made, nullptr) << format.driver << ": " << errors.first();
         }
         VSIUnlink("/vsimem/source.tif");
-        EXPECT_FALSE(unload("/vsimem/made", folder.path()).empty());
+        EXPECT_FALSE(test::unload("/vsimem/made", folder.path()).empty());
         const auto terrain = read_dem(folder.path() / format.name, 16);
         ASSERT_TRUE(terrain) << format.driver << ": " << terrain.error();
         EXPECT_NEAR(terrain->surface.front(), 100 + 29, 30) << format.driver;
@@ -369,7 +354,7 @@ TEST(Blocks, that_would_take_too_much_memory_are_refused_before_a_pixel_is_read)
         double pixels[6] = {0, 1, 0, 0, 0, -1};
         GDALSetGeoTransform(made.get(), pixels);
     }
-    unload("/vsimem/made", folder.path());
+    test::unload("/vsimem/made", folder.path());
     ASSERT_LT(fs::file_size(path), 100'000u);
     EXPECT_FALSE(read_dem(path, 16));
     EXPECT_LT(GDALGetCacheUsed64(), 1 << 20);
