@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "sim/world/command.h"
+#include "sim/world/thing_places.h"
 #include "sim/world/things.h"
 #include "terrains/limits.h"
 
@@ -36,6 +37,7 @@ inline constexpr double kFarthestPlace = 1e7;                                 //
 inline constexpr std::size_t kFewestTreeCorners = 3, kMostTreeCorners = 256;  // of the polygon of [trees]
 
 inline constexpr std::size_t kMostPlaced = 2000;  // commands of things, done before tick 0
+inline constexpr std::size_t kMostForests = 100;  // [[forest]] of a scene
 
 // Meshes and arrays.
 inline constexpr std::size_t kLongestMeshLine = std::size_t{64} << 10;  // bytes
@@ -66,6 +68,11 @@ inline constexpr auto kReaderLimits = std::to_array<ReaderLimit>({
     {"recording, scene", "corners of a polygon of trees", kMostTreeCorners, ""},
     {"recording, scene", "commands of things before tick 0", kMostPlaced, ""},
     {"recording, scene", "objects that stand in a world", sim::kMostThings, ""},
+    {"recording, scene", "vertices that commands of things before tick 0 visit", sim::kAlwaysVisitsBefore,
+     ""},
+    {"recording, scene", "the same in one tick", sim::kAlwaysVisits, ""},
+    {"recording, scene", "the same on a larger grid, of its vertices", sim::kMostVisits, "times"},
+    {"scene", "forests", kMostForests, ""},
     {"scene, material", "file", kMostTomlBytes, "bytes"},
     {"scene, material", "keys and table headers", kMostTomlKeys, ""},
     {"scene, material", "dotted keys and table headers", kMostDottedKeys, ""},

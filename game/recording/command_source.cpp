@@ -6,6 +6,7 @@
 
 #include "sim/core/float_environment.h"
 #include "sim/world/command.h"
+#include "sim/world/thing_places.h"
 #include "sim/world/things.h"
 
 namespace game {
@@ -46,6 +47,10 @@ Outcome<void> CommandSource::leave_out_clashing() {
         commands_.erase(std::remove_if(first, commands_.end(), is_set), commands_.end());
         reason = fmt::format("Parameter not set: {}", *fault);
     }
+    if (const auto fault = sim::fault_of_visits(state_->grid, commands_)) {
+        commands_.resize(settled_);
+        reason = fmt::format("Not done: {}", *fault);
+    }
     while (const auto fault = sim::fault_of_things(*state_, commands_)) {
         if (!reason) reason = fmt::format("Not done: {}", fault->fact);
         commands_.erase(commands_.begin() + static_cast<std::ptrdiff_t>(fault->command));
@@ -54,17 +59,33 @@ Outcome<void> CommandSource::leave_out_clashing() {
     return reason ? unusable(*reason) : Outcome<void>();
 }
 
+namespace {
+
+tl::unexpected<Failure> refused(std::int64_t tick, const std::string& fault) {
+    return unusable(fmt::format("tick {}: {}", tick, fault));
+}
+
+}  // namespace
+
+Outcome<void> check_ahead(const sim::State& state, std::span<const TimedCommand> commands) {
+    for (const TimedCommand& each : commands) {
+        if (const auto fault = sim::fault_of(each.command, state.mixture.has_value()))
+            return refused(each.tick, *fault);
+        if (const auto fault = sim::fault_of_place(state, each.command)) return refused(each.tick, *fault);
+    }
+    return {};
+}
+
 Outcome<void> check_tick(const sim::State& state, std::span<const sim::Command> commands) {
-    const auto refused = [&](const std::string& fault) {
-        return unusable(fmt::format("tick {}: {}", state.tick, fault));
-    };
     for (const sim::Command& command : commands)
-        if (const auto fault = sim::fault_of(command, state.mixture.has_value())) return refused(*fault);
+        if (const auto fault = sim::fault_of(command, state.mixture.has_value()))
+            return refused(state.tick, *fault);
     if (const auto fault =
             sim::fault_of_counts(commands.size(), state.running_commands.size() + commands.size()))
-        return refused(*fault);
-    if (const auto fault = sim::fault_after(state.params, commands)) return refused(*fault);
-    if (const auto fault = sim::fault_of_things(state, commands)) return refused(fault->fact);
+        return refused(state.tick, *fault);
+    if (const auto fault = sim::fault_of_visits(state.grid, commands)) return refused(state.tick, *fault);
+    if (const auto fault = sim::fault_after(state.params, commands)) return refused(state.tick, *fault);
+    if (const auto fault = sim::fault_of_things(state, commands)) return refused(state.tick, fault->fact);
     if (const auto fault = sim::float_environment_fault())
         return machine_fails(
             fmt::format("tick {}: {}, so a replay would not be bit-identical", state.tick, *fault));

@@ -44,6 +44,10 @@ class CommandSource {
 // than a replay would.
 Outcome<void> check_tick(const sim::State& state, std::span<const sim::Command> commands);
 
+// Checks what can be known of commands before their ticks: each is in range, and what it builds has a place in the
+// terrain of `state`. Errors: the first that will be refused whatever happens until then.
+Outcome<void> check_ahead(const sim::State& state, std::span<const TimedCommand> commands);
+
 // Checks the commands, calls `before_step`, which may record them, and runs one tick with them. Nothing else in
 // the program advances a world. Errors: those of check_tick() and of `before_step`; the state is then as before.
 template <class BeforeStep>

@@ -17,6 +17,7 @@
 #include "game/scene/standing.h"
 #include "game/scene/structures.h"
 #include "sim/world/disc.h"
+#include "sim/world/thing_places.h"
 
 namespace game {
 namespace {
@@ -198,19 +199,31 @@ std::optional<std::string> fault_of_places(std::string_view what, const std::vec
     return std::nullopt;
 }
 
-bool is_inside(const std::vector<glm::dvec2>& polygon, glm::dvec2 at) {
-    bool inside = false;
+// Where the sides of a polygon cross a line to the east, from west to east. A place on it is inside if it has an odd
+// number of them to its east.
+std::vector<double> crossings_at(const std::vector<glm::dvec2>& polygon, double north) {
+    std::vector<double> east;
     for (std::size_t i = 0, before = polygon.size() - 1; i < polygon.size(); before = i++) {
         const glm::dvec2 a = polygon[before], b = polygon[i];
-        if ((a.y > at.y) != (b.y > at.y) && at.x < a.x + (b.x - a.x) * (at.y - a.y) / (b.y - a.y))
-            inside = !inside;
+        if ((a.y > north) != (b.y > north)) east.push_back(a.x + (b.x - a.x) * (north - a.y) / (b.y - a.y));
     }
-    return inside;
+    std::ranges::sort(east);
+    return east;
 }
 
-// Plants the vertices inside its polygon. Where two forests meet, the later one grows.
+// Rows of the grid that a polygon reaches into.
+std::pair<int, int> rows_of(const std::vector<glm::dvec2>& polygon, const sim::Grid& grid) {
+    const auto [south, north] = std::ranges::minmax(polygon, {}, &glm::dvec2::y);
+    const auto row = [&](double metres) {
+        return std::clamp(static_cast<int>(metres / static_cast<double>(grid.dx)), 0, grid.ny - 1);
+    };
+    return {row(south.y), std::min(row(north.y) + 1, grid.ny - 1)};
+}
+
+// Plants the vertices inside its polygon, row by row. Where two forests meet, the later one grows.
 void plant_forest(ThingsTables::Forest& forest, Scenario& scenario) {
     const sim::Grid& grid = scenario.grid;
+    if (forest.polygon.empty()) return;  // it has been blamed
     if (const auto wrong = fault_of_places("corner", forest.polygon, grid)) {
         forest.table.blame("polygon", *wrong);
         return;
@@ -218,12 +231,19 @@ void plant_forest(ThingsTables::Forest& forest, Scenario& scenario) {
     std::vector<sim::Stems>& stems = scenario.standing.forest;
     stems.resize(grid.size());
     bool any = false;
-    std::size_t i = 0;
-    for (int y = 0; y < grid.ny; ++y)
-        for (int x = 0; x < grid.nx; ++x, ++i)
-            if (scenario.has_data[i] != 0 &&
-                is_inside(forest.polygon, glm::dvec2(x, y) * static_cast<double>(grid.dx)))
+    const auto [first, last] = rows_of(forest.polygon, grid);
+    for (int y = first; y <= last; ++y) {
+        const std::vector<double> crossings = crossings_at(forest.polygon, y * static_cast<double>(grid.dx));
+        if (crossings.empty()) continue;
+        std::size_t passed = 0;  // crossings that are not to the east
+        std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.nx);
+        for (int x = 0; x < grid.nx && passed < crossings.size(); ++x, ++i) {
+            while (passed < crossings.size() && !(x * static_cast<double>(grid.dx) < crossings[passed]))
+                ++passed;
+            if ((crossings.size() - passed) % 2 != 0 && scenario.has_data[i] != 0)
                 stems[i] = forest.stems, any = true;
+        }
+    }
     if (!any)
         forest.table.blame(
             "polygon", fmt::format("has no vertex of the grid inside, whose cells are {:.4g} m", grid.dx));
@@ -235,6 +255,25 @@ void let_woods_act(Scenario& scenario) {
     const render::Woods woods = woods_on(scenario, mountains);
     scenario.standing.forest = render::forest_of(woods, scenario.grid);
     scenario.woods_act = true;
+}
+
+// Squares of a road's width that cover it, half a cell apart.
+int squares_along(const sim::Command& road, const sim::Grid& grid) {
+    const double length = glm::distance(glm::dvec2(road.x, road.y), glm::dvec2(road.to_x, road.to_y));
+    return static_cast<int>(std::ceil(2 * length / static_cast<double>(grid.dx))) + 1;
+}
+
+// The first road up to which clearing them of stems visits more vertices than commands before tick 0 may.
+std::optional<std::size_t> first_unclearable(const Scenario& scenario) {
+    double visits = 0;
+    const std::vector<sim::Command>& placed = scenario.standing.placed;
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        if (placed[i].kind != sim::CommandKind::kRoad) continue;
+        const double across = placed[i].width / static_cast<double>(scenario.grid.dx) + 1;
+        visits += squares_along(placed[i], scenario.grid) * across * across;
+        if (visits > static_cast<double>(sim::kAlwaysVisitsBefore)) return i;
+    }
+    return std::nullopt;
 }
 
 // No stems stand in a house or on a road.
@@ -257,8 +296,7 @@ void clear_built(Scenario& scenario) {
                    .length = each.length,
                    .width = each.width});
         } else if (each.kind == sim::CommandKind::kRoad) {
-            const auto steps =
-                static_cast<int>(std::ceil(2 * glm::distance(from, to) / static_cast<double>(grid.dx))) + 1;
+            const int steps = squares_along(each, grid);
             for (int i = 0; i <= steps; ++i) {
                 const glm::dvec2 at = glm::mix(from, to, static_cast<double>(i) / steps);
                 clear({.x = at.x, .y = at.y, .length = each.width, .width = each.width});
@@ -275,7 +313,12 @@ ThingsTables read_things(TomlTable& root) {
     for (TomlTable& table : root.tables("dam")) read_dam(table, things);
     for (TomlTable& table : root.tables("house")) read_house(table, things);
     for (TomlTable& table : root.tables("net")) read_net(table, things);
-    for (TomlTable& table : root.tables("forest")) read_forest(table, things);
+    for (TomlTable& table : root.tables("forest")) {
+        read_forest(table, things);
+        if (things.forests.size() == kMostForests + 1)
+            table.blame("",
+                        fmt::format("is too many: at most {} forests may stand in a scene", kMostForests));
+    }
     if (auto earth = root.table("earth")) {
         const auto budget = earth->number("budget", 0, kGreatestEarthBudget);
         if (!budget && !earth->has("budget")) earth->blame("", "needs a budget, in m³");
@@ -324,12 +367,20 @@ void stand(ThingsTables things, bool woods_act, Scenario& scenario) {
     }
     if (woods_act) let_woods_act(scenario);
     for (ThingsTables::Forest& forest : things.forests) plant_forest(forest, scenario);
+    if (const auto road = first_unclearable(scenario); road && !standing.forest.empty()) {
+        origin[*road]->blame(
+            "", fmt::format("is too much road for this grid: clearing all roads of trees takes over {} "
+                            "vertices; use narrower or shorter roads",
+                            sim::kAlwaysVisitsBefore));
+        return;
+    }
     clear_built(scenario);
     if (const auto wrong = fault_of_placed(scenario)) {
         origin[wrong->index]->blame("", "cannot stand: " + wrong->fact);
         return;
     }
-    if (const double needed = earth_needed(scenario); needed > standing.earth_budget && things.earth)
+    if (!things.earth) return;
+    if (const double needed = earth_needed(scenario); needed > standing.earth_budget)
         things.earth->blame("budget", fmt::format("is {:.1f} m³, and the scene's own [[dam]] needs {:.1f} m³",
                                                   standing.earth_budget, needed));
 }

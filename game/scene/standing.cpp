@@ -9,6 +9,7 @@
 
 #include "sim/initial_state.h"
 #include "sim/world/quanta.h"
+#include "sim/world/thing_places.h"
 
 namespace game {
 
@@ -26,6 +27,8 @@ std::optional<PlacedFault> fault_of_placed(const Scenario& scenario) {
     if (placed.empty()) return std::nullopt;
     for (std::size_t i = 0; i < placed.size(); ++i)
         if (const auto wrong = sim::fault_of(placed[i])) return PlacedFault{i, *wrong};
+    if (const auto wrong = sim::fault_of_visits(scenario.grid, placed, sim::kAlwaysVisitsBefore))
+        return PlacedFault{0, *wrong};
 
     sim::InitialState world = initial_state_of(scenario);
     world.standing.placed = {};

@@ -11,6 +11,7 @@
 #include "sim/world/params.h"
 #include "sim/world/quanta.h"
 #include "sim/world/state.h"
+#include "sim/world/thing_places.h"
 
 namespace sim {
 namespace {
@@ -239,8 +240,14 @@ void apply_commands(State& state, std::span<const Command> commands) {
     }
 
     const double tick_s = state.params.tick_s;
+    // What is known from objects and forest is found once after a row of commands, because it takes the whole grid.
+    bool objects_changed = false, forest_changed = false;
     for (const RunningCommand& source : state.running_commands) {
         const Command& c = source.command;
+        if (objects_changed && !is_of_objects(c)) {
+            rebuild_objects(state);
+            objects_changed = false;
+        }
         const std::int64_t tick = state.tick - source.first_tick;
         switch (c.kind) {
             case CommandKind::kPour:
@@ -263,16 +270,19 @@ void apply_commands(State& state, std::span<const Command> commands) {
             case CommandKind::kPlant:
             case CommandKind::kFell:
                 plant(state, c);
+                forest_changed = true;
                 break;
             case CommandKind::kHouse:
             case CommandKind::kLift:
             case CommandKind::kNet:
             case CommandKind::kRoad:
                 build(state, c);
+                objects_changed = true;
                 break;
             case CommandKind::kTurn:
             case CommandKind::kRemove:
                 rearrange(state, c);
+                objects_changed = true;
                 break;
             case CommandKind::kSet:
                 set_number(state.params, c);
@@ -281,6 +291,8 @@ void apply_commands(State& state, std::span<const Command> commands) {
                 break;
         }
     }
+    if (objects_changed) rebuild_objects(state);
+    if (forest_changed) rebuild_wooded(*state.things);
     std::erase_if(state.running_commands, [&](const RunningCommand& source) {
         return state.tick + 1 - source.first_tick >= ticks_of(source.command, state.params.tick_s);
     });

@@ -11,6 +11,7 @@
 #include "sim/world/on_ground.h"
 #include "sim/world/quanta.h"
 #include "sim/world/state.h"
+#include "sim/world/thing_places.h"
 #include "sim/world/things.h"
 
 namespace sim {
@@ -23,6 +24,14 @@ std::int64_t quanta_in(float metres) {
 }
 
 // ---------------------------------------------------------------------------------------------- earth
+
+// How many of a grid's vertices the box of a disc has.
+std::int64_t vertices_about(const Disc& disc, const Grid& grid) {
+    const auto count = [](int first, int last, int most) {
+        return static_cast<std::int64_t>(std::max(std::min(last, most - 1) - std::max(first, 0) + 1, 0));
+    };
+    return count(disc.x0, disc.x1, grid.nx) * count(disc.y0, disc.y1, grid.ny);
+}
 
 // What a command would do to the earth of a vertex.
 struct EarthChange {
@@ -40,28 +49,28 @@ double mean_beside(const State& s, int x, int y) {
     return count ? sum / count : static_cast<double>(s.bedrock(x, y));
 }
 
+// Lowers a row of earth until no flank to its other rows, or along it to one side, is steeper than kFlank. `before`: the
+// row that was settled before it, if there is one; `step` leads along the row away from its first vertex.
+void settle_row(float* row, const float* before, int width, int step, float dx) {
+    constexpr float kDiagonal = 1.41421356f;
+    const float beside = kFlank * dx, across = kDiagonal * beside;
+    if (before) {
+        for (int x = 0; x < width; ++x) row[x] = std::min(row[x], before[x] + beside);
+        for (int x = 1; x < width; ++x) row[x] = std::min(row[x], before[x - 1] + across);
+        for (int x = 0; x + 1 < width; ++x) row[x] = std::min(row[x], before[x + 1] + across);
+    }
+    float* at = step > 0 ? row : row + width - 1;
+    for (int x = 1; x < width; ++x, at += step) at[step] = std::min(at[step], at[0] + beside);
+}
+
 // Lowers earth, row by row of `width` vertices, until no flank is steeper than kFlank: a distance transform in two
 // passes, from every vertex to those before it and to those after it.
 void settle_flanks(std::vector<float>& earth, int width, float dx) {
-    constexpr float kDiagonal = 1.41421356f;
-    const float beside = kFlank * dx, across = kDiagonal * beside;
-    const int count = static_cast<int>(earth.size());
-    const auto pass = [&](int first, int end, int step) {
-        for (int i = first; i != end; i += step) {
-            const int x = step > 0 ? i % width : width - 1 - i % width;
-            const auto lower_to = [&](bool there, int other, float rise) {
-                if (there && other >= 0 && other < count)
-                    earth[static_cast<std::size_t>(i)] = std::min(
-                        earth[static_cast<std::size_t>(i)], earth[static_cast<std::size_t>(other)] + rise);
-            };
-            lower_to(x > 0, i - step, beside);
-            lower_to(true, i - step * width, beside);
-            lower_to(x > 0, i - step * (width + 1), across);
-            lower_to(x + 1 < width, i - step * (width - 1), across);
-        }
-    };
-    pass(0, count, 1);
-    pass(count - 1, -1, -1);
+    const int rows = static_cast<int>(earth.size()) / width;
+    const auto row = [&](int y) { return earth.data() + static_cast<std::ptrdiff_t>(y) * width; };
+    for (int y = 0; y < rows; ++y) settle_row(row(y), y > 0 ? row(y - 1) : nullptr, width, 1, dx);
+    for (int y = rows - 1; y >= 0; --y)
+        settle_row(row(y), y + 1 < rows ? row(y + 1) : nullptr, width, -1, dx);
 }
 
 // What a command changes if earth has no limit. Flanks carry each other: none gets steeper than kFlank, one that is
@@ -84,6 +93,8 @@ std::vector<EarthChange> wished_by(const State& s, const Things& t, const Comman
         float to;
     };
     std::vector<Wish> wishes;
+    wishes.reserve(static_cast<std::size_t>(vertices_about(disc, s.grid)));
+    bool any_up = false, any_down = false;
     const SlopeFilter filter(c);
     disc.each_vertex(s.grid, c.profile, [&](int x, int y, double weight) {
         if (s.site(x, y) != Site::kGround || s.rolling(x, y) > 0 || t.built(x, y) != 0) return;
@@ -97,17 +108,24 @@ std::vector<EarthChange> wished_by(const State& s, const Things& t, const Comman
         constexpr auto kHighest = static_cast<float>(kHighestEarth);
         const float to = std::clamp(t.earth(x, y) + static_cast<float>(rise), -kHighest, kHighest);
         wishes.push_back({x, y, to});
+        any_up = any_up || to > t.earth(x, y);
+        any_down = any_down || to < t.earth(x, y);
         highest[number(x, y)] = to;
     });
 
-    std::vector<float> lowest(highest.size());  // the same upside down
-    std::transform(highest.begin(), highest.end(), lowest.begin(), std::negate<>());
-    settle_flanks(highest, width, s.grid.dx);
-    settle_flanks(lowest, width, s.grid.dx);
+    std::vector<float> lowest;  // the same upside down
+    if (any_down) {
+        lowest.resize(highest.size());
+        std::transform(highest.begin(), highest.end(), lowest.begin(), std::negate<>());
+        settle_flanks(lowest, width, s.grid.dx);
+    }
+    if (any_up) settle_flanks(highest, width, s.grid.dx);
     std::vector<EarthChange> changes;
+    changes.reserve(wishes.size());
     for (const Wish& wish : wishes) {
         const std::size_t i = number(wish.x, wish.y);
         const float from = t.earth(wish.x, wish.y);
+        if (wish.to == from) continue;
         const float to = wish.to > from ? std::max(from, highest[i]) : std::min(from, -lowest[i]);
         const std::int64_t now = quanta_in(from), then = quanta_in(nearest_quanta(to));
         if (now != then) changes.push_back({wish.x, wish.y, now, then});
@@ -211,10 +229,29 @@ std::int64_t next_group(const std::vector<Thing>& list) {
     return list.empty() ? 0 : list.back().group + 1;
 }
 
+double length_of(const Command& c) {
+    const double ex = c.to_x - c.x, ey = c.to_y - c.y;
+    return std::sqrt(ex * ex + ey * ey);
+}
+
+// Pieces of a row of nets, at most a cell long; spans of a lift.
+int parts_of(const Command& c, const Grid& grid) {
+    const double far = length_of(c);
+    if (c.kind == CommandKind::kNet)
+        return std::max(1, static_cast<int>(std::ceil(far / static_cast<double>(grid.dx))));
+    return c.kind == CommandKind::kLift ? std::max(1, static_cast<int>(std::rint(far / kPylonsApart))) : 1;
+}
+
+// How many objects built_by() makes.
+std::size_t count_of(const Command& c, const Grid& grid) {
+    return static_cast<std::size_t>(parts_of(c, grid)) + (c.kind == CommandKind::kLift ? 1 : 0);
+}
+
 // What a command of building adds to a list, all of one group. A lift is straight, with pylons at equal distances.
 std::vector<Thing> built_by(const Command& c, const Grid& grid) {
     std::vector<Thing> built;
-    const double ex = c.to_x - c.x, ey = c.to_y - c.y, far = std::sqrt(ex * ex + ey * ey);
+    const double ex = c.to_x - c.x, ey = c.to_y - c.y, far = length_of(c);
+    const int parts = parts_of(c, grid);
     if (c.kind == CommandKind::kHouse) {
         const Direction front = direction_of(c.turn);
         built.push_back({.kind = ThingKind::kHouse,
@@ -230,12 +267,11 @@ std::vector<Thing> built_by(const Command& c, const Grid& grid) {
         built.push_back(
             {.kind = ThingKind::kRoad, .x = c.x, .y = c.y, .to_x = c.to_x, .to_y = c.to_y, .width = c.width});
     } else if (c.kind == CommandKind::kNet) {
-        const int pieces = std::max(1, static_cast<int>(std::ceil(far / static_cast<double>(grid.dx))));
         const auto end = [&](int i) {
-            const double t = static_cast<double>(i) / pieces;
+            const double t = static_cast<double>(i) / parts;
             return Point{c.x + t * ex, c.y + t * ey};
         };
-        for (int i = 0; i < pieces; ++i)
+        for (int i = 0; i < parts; ++i)
             built.push_back({.kind = ThingKind::kNet,
                              .x = end(i).x,
                              .y = end(i).y,
@@ -244,10 +280,9 @@ std::vector<Thing> built_by(const Command& c, const Grid& grid) {
                              .height = c.height,
                              .strength = c.strength});
     } else {
-        const int spans = std::max(1, static_cast<int>(std::rint(far / kPylonsApart)));
-        for (int i = 0; i <= spans; ++i) {
-            const bool end = i == 0 || i == spans;
-            const double t = static_cast<double>(i) / spans;
+        for (int i = 0; i <= parts; ++i) {
+            const bool end = i == 0 || i == parts;
+            const double t = static_cast<double>(i) / parts;
             Thing thing{.kind = end ? ThingKind::kStation : ThingKind::kPylon,
                         .x = c.x + t * ex,
                         .y = c.y + t * ey,
@@ -264,7 +299,7 @@ std::vector<Thing> built_by(const Command& c, const Grid& grid) {
 }
 
 std::optional<std::string> fault_of_line(const Command& c) {
-    const double ex = c.to_x - c.x, ey = c.to_y - c.y, far = std::sqrt(ex * ex + ey * ey);
+    const double far = length_of(c);
     const double least = c.kind == CommandKind::kLift ? kShortestLift : 1;
     if (far >= least && far <= kLongestLine) return std::nullopt;
     return joined({"the ", info_of(c.kind).name, " from ", text_of({c.x, c.y}), " is ", text_of(far),
@@ -284,10 +319,10 @@ std::optional<std::string> fault_of_building(const State& s, const std::vector<T
                                              const Command& c) {
     if (c.kind != CommandKind::kHouse)
         if (auto fault = fault_of_line(c)) return fault;
-    const std::vector<Thing> built = built_by(c, s.grid);
-    if (list.size() + built.size() > kMostThings)
+    if (list.size() + count_of(c, s.grid) > kMostThings)  // before they are made
         return joined(
             {"over ", std::to_string(kMostThings), " objects: a lift counts its pylons, nets each cell"});
+    const std::vector<Thing> built = built_by(c, s.grid);
     for (const Thing& thing : built) {
         if (!thing.is_line()) {
             if (auto fault = fault_of_body(s, list, thing)) return fault;
@@ -408,7 +443,6 @@ void plant(State& s, const Command& c) {
         t.forest(x, y) = stems;
         rebuild_forest(s, x, y);
     });
-    rebuild_wooded(t);
     ++t.changed, t.unhashed = true;
 }
 
@@ -417,7 +451,6 @@ void build(State& s, const Command& c) {
     if (fault_of_building(s, t.list, c)) return;
     apply_to(t.list, c, s.grid);
     t.unhashed = true;
-    rebuild_objects(s);
 }
 
 void rearrange(State& s, const Command& c) {
@@ -425,7 +458,41 @@ void rearrange(State& s, const Command& c) {
     if (c.kind == CommandKind::kTurn && fault_of_turning(s, t.list, c)) return;
     apply_to(t.list, c, s.grid);
     t.unhashed = true;
-    rebuild_objects(s);
+}
+
+bool is_of_objects(const Command& c) {
+    return c.kind >= CommandKind::kHouse && c.kind <= CommandKind::kRemove;
+}
+
+std::optional<std::string> fault_of_visits(const Grid& grid, std::span<const Command> commands,
+                                           std::int64_t always) {
+    const auto whole = static_cast<std::int64_t>(grid.size());
+    std::int64_t visits = 0;
+    bool in_a_row = false;  // the last command was of objects too
+    for (const Command& c : commands) {
+        const bool objects = is_of_objects(c);
+        if (objects && !in_a_row) visits += whole;
+        in_a_row = objects;
+        if (c.kind >= CommandKind::kSculpt && c.kind <= CommandKind::kFell)
+            visits += vertices_about(Disc(c, grid.dx), grid);
+    }
+    const std::int64_t most = std::max(kMostVisits * whole, always);
+    if (visits <= most) return std::nullopt;
+    return joined({"the commands of things visit ", std::to_string(visits),
+                   " vertices together; on this grid ", std::to_string(most),
+                   " are allowed: use smaller discs, or fewer at once"});
+}
+
+std::optional<std::string> fault_of_place(const State& s, const Command& c) {
+    switch (c.kind) {
+        case CommandKind::kHouse:
+        case CommandKind::kLift:
+        case CommandKind::kNet:
+        case CommandKind::kRoad:
+            return fault_of_building(s, {}, c);
+        default:
+            return std::nullopt;
+    }
 }
 
 std::optional<ThingFault> fault_of_things(const State& s, std::span<const Command> commands) {

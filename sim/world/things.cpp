@@ -48,18 +48,49 @@ std::int32_t nearest_vertex(const Grid& grid, Place at) {
     return number_of(grid, nearest(at.x / dx, grid.nx), nearest(at.y / dx, grid.ny));
 }
 
-// Visits the vertices of the grid within `reach` of a place along both axes.
+// A rectangle about a place: from `before` behind it to `after` ahead along a unit vector, and to `half` on either side.
+struct Rectangle {
+    Place at, along;
+    double before, after, half;  // m
+
+    Place across() const { return {along.y, -along.x}; }
+};
+
+// A range of places, to be cut down to those p with least <= p * factor + offset <= most.
+struct Span {
+    double from, to;
+
+    // Of a factor that is almost 0 the range has no end that could be computed.
+    void cut(double factor, double offset, double least, double most) {
+        constexpr double kAlmost = 1e-3;
+        if (std::abs(factor) < kAlmost) return;
+        const double a = (least - offset) / factor, b = (most - offset) / factor;
+        from = std::max(from, std::min(a, b)), to = std::min(to, std::max(a, b));
+    }
+};
+
+// Visits the vertices of the grid in a rectangle, row by row, and perhaps some beside it.
 template <class Visit>
-void each_near(const Grid& grid, Place at, double reach, Visit&& visit) {
+void each_near(const Grid& grid, const Rectangle& within, Visit&& visit) {
     const auto dx = static_cast<double>(grid.dx);
+    const Place across = within.across();
+    const double far = std::max(within.before, within.after);
+    const double reach_x = std::abs(within.along.x) * far + std::abs(across.x) * within.half,
+                 reach_y = std::abs(within.along.y) * far + std::abs(across.y) * within.half;
     const auto vertex = [&](double metres, int count) {
         return static_cast<int>(std::clamp(metres / dx, -1.0, static_cast<double>(count)));
     };
-    for (int y = std::max(vertex(at.y - reach, grid.ny), 0);
-         y <= std::min(vertex(at.y + reach, grid.ny) + 1, grid.ny - 1); ++y)
-        for (int x = std::max(vertex(at.x - reach, grid.nx), 0);
-             x <= std::min(vertex(at.x + reach, grid.nx) + 1, grid.nx - 1); ++x)
-            visit(x, y, Place{x * dx, y * dx} - at);
+    const double margin = dx + 1e-3;  // more than any rounding
+    for (int y = std::max(vertex(within.at.y - reach_y - margin, grid.ny), 0);
+         y <= std::min(vertex(within.at.y + reach_y + margin, grid.ny), grid.ny - 1); ++y) {
+        const double north = y * dx - within.at.y;
+        Span east{-reach_x, reach_x};
+        east.cut(within.along.x, north * within.along.y, -within.before, within.after);
+        east.cut(across.x, north * across.y, -within.half, within.half);
+        for (int x = std::max(vertex(within.at.x + east.from - margin, grid.nx), 0);
+             x <= std::min(vertex(within.at.x + east.to + margin, grid.nx), grid.nx - 1); ++x)
+            visit(x, y, Place{x * dx - within.at.x, north});
+    }
 }
 
 // Length of the strip upslope of a net of height 1 in which it holds the snow, on a slope of this tangent.
@@ -137,7 +168,7 @@ class Builder {
         if (slope == 0) return;
         const Place up = (1 / slope) * rise, across{-up.y, up.x};
         const double reach = thing.height * strip_of(slope), half = 0.75 * static_cast<double>(grid.dx);
-        each_near(grid, middle, reach + two_cells, [&](int i, int j, Place from_middle) {
+        each_near(grid, {middle, up, half, reach, half}, [&](int i, int j, Place from_middle) {
             const double above = dot(from_middle, up);
             if (above < -half || above > reach || std::abs(dot(from_middle, across)) > half) return;
             t_.net_depth(i, j) = std::max(t_.net_depth(i, j), static_cast<float>(thing.height));
@@ -218,11 +249,12 @@ std::vector<std::int32_t> footprint_of(const Thing& thing, const Grid& grid) {
         middle = middle_of(thing);
     std::vector<std::int32_t> vertices;
     if (!thing.is_line())
-        each_near(grid, middle, 0.5 * (thing.length + thing.width), [&](int x, int y, Place from_middle) {
-            if (std::abs(dot(from_middle, along)) <= 0.5 * thing.length &&
-                std::abs(dot(from_middle, across)) <= 0.5 * thing.width)
-                vertices.push_back(number_of(grid, x, y));
-        });
+        each_near(grid, {middle, along, 0.5 * thing.length, 0.5 * thing.length, 0.5 * thing.width},
+                  [&](int x, int y, Place from_middle) {
+                      if (std::abs(dot(from_middle, along)) <= 0.5 * thing.length &&
+                          std::abs(dot(from_middle, across)) <= 0.5 * thing.width)
+                          vertices.push_back(number_of(grid, x, y));
+                  });
     if (vertices.empty()) vertices.push_back(nearest_vertex(grid, middle));
     return vertices;
 }

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -152,6 +154,34 @@ TEST_F(Placed, forest_stands_at_the_vertices_inside_its_polygon) {
     EXPECT_EQ(usual[17 * 2 + 4], (sim::Stems{400, 0, 30, 22}));
 }
 
+// A star of many corners against the test that asks each vertex of the grid about each side.
+TEST_F(Placed, forest_of_any_polygon_stands_where_a_ray_to_the_east_leaves_it_an_odd_number_of_times) {
+    constexpr int kCorners = 254;
+    std::vector<std::pair<double, double>> corners;
+    std::string tables = "[[forest]]\npolygon = [";
+    for (int i = 0; i < kCorners; ++i) {
+        const double angle = 2 * 3.14159265358979 * i / kCorners, radius = i % 2 ? 75 : 20 + i % 7;
+        corners.emplace_back(80 + std::round(radius * std::cos(angle)), 80 + radius * std::sin(angle));
+        tables += fmt::format("[{}, {}],", corners.back().first, corners.back().second);
+    }
+    const auto forest = standing(tables + "]\n", 64).forest;
+    ASSERT_EQ(forest.size(), 65u * 65u);
+    int trees = 0;
+    for (std::size_t i = 0; i < forest.size(); ++i) {
+        const double east = 2.5 * static_cast<double>(i % 65), north = 2.5 * static_cast<double>(i / 65);
+        bool inside = false;
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            const auto [ax, ay] = corners[(k + corners.size() - 1) % corners.size()];
+            const auto [bx, by] = corners[k];
+            if ((ay > north) != (by > north) && east < ax + (bx - ax) * (north - ay) / (by - ay))
+                inside = !inside;
+        }
+        EXPECT_EQ(forest[i].standing > 0, inside) << east << " " << north;
+        trees += inside;
+    }
+    EXPECT_GT(trees, 500);
+}
+
 TEST_F(Placed, later_forest_replaces_an_earlier_one) {
     const std::string square =
         "[[forest]]\npolygon = [[15, 15], [45, 15], [45, 45], [15, 45]]\nstems = 2000\n";
@@ -240,6 +270,48 @@ TEST_F(Placed, more_than_two_thousand_are_refused) {
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().status, Failure::kUnusable);
     EXPECT_NE(refused.error().sentence.find("trial.toml:"), std::string::npos) << refused.error().sentence;
+}
+
+// Some lines of text must not cost minutes. Refused by counting, before anything is done.
+TEST_F(Placed, what_would_visit_too_many_vertices_is_refused_with_its_line) {
+    std::string zigzag = "[[dam]]\nradius = 80\nrise = 1\npoints = [";
+    for (int i = 0; i < 180; ++i) zigzag += fmt::format("[{}, {}],", i % 2 ? 1 : 159, 1 + 0.85 * i);
+    zigzag += "]\n";
+    EXPECT_TRUE(load(zigzag, 128)) << "on a coarse grid it is a dam like any other";
+    const auto refused = load(zigzag, 1024);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().status, Failure::kUnusable);
+    EXPECT_NE(refused.error().sentence.find("trial.toml:7: "), std::string::npos) << refused.error().sentence;
+    EXPECT_NE(refused.error().sentence.find("67108864"), std::string::npos) << refused.error().sentence;
+
+    const std::string forest = "[[forest]]\npolygon = [[15, 15], [45, 15], [45, 35]]\n";
+    std::string forests;
+    for (std::size_t i = 0; i <= kMostForests; ++i) forests += forest;
+    expect_fault(forests, 2 * static_cast<int>(kMostForests) + 1, "at most 100 forests");
+
+    std::string roads = forest;
+    for (int i = 0; i < 100; ++i)
+        roads += fmt::format("[[road]]\nwidth = 30\npoints = [[1, {0}], [159, {0}]]\n", 1 + i);
+    EXPECT_TRUE(load(roads));
+    const auto fine = load(roads, 2048);
+    ASSERT_FALSE(fine);
+    EXPECT_NE(fine.error().sentence.find("too much road"), std::string::npos) << fine.error().sentence;
+}
+
+TEST_F(Placed, commands_of_one_tick_that_visit_too_many_vertices_are_refused) {
+    std::string strokes;
+    for (int i = 0; i < 256; ++i)
+        strokes += "[[command]]\nat = 0\nsmooth = { x = 80, y = 80, radius = 100000, rise = 1 }\n";
+    const auto path = folder_.path() / "strokes.toml";
+    write_bytes(path, kSlope + strokes);
+    const auto run = [&](const char* squares) {
+        return couloir({"run", path.string(), "--grid", squares, "--seconds", "0.02"});
+    };
+    EXPECT_EQ(run("64").status, 0);
+    const Finished refused = run("512");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find("tick 0: "), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("67371264 vertices"), std::string::npos) << refused.err;
 }
 
 TEST_F(Placed, commands_of_a_scene_may_act_on_some_slopes_only) {

@@ -13,6 +13,7 @@
 #include "sim/world/quanta.h"
 #include "sim/world/snapshot.h"
 #include "sim/world/state_hash.h"
+#include "sim/world/thing_places.h"
 #include "tests/support/worlds.h"
 
 namespace {
@@ -534,6 +535,113 @@ TEST(Things, come_and_go_with_snapshots_of_a_world_without_any) {
         play.ticks(1), never.ticks(1);
         ASSERT_EQ(sim::state_hash(play.state), sim::state_hash(never.state)) << i;
     }
+}
+
+// Rectangles of any size and direction, also beside the grid.
+TEST(Footprint, has_the_vertices_that_a_look_at_the_whole_grid_finds) {
+    const sim::Grid grid{61, 47, 3.5f};
+    std::mt19937 random(5);
+    const auto number = [&](double least, double most) {
+        return least +
+               (most - least) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+    };
+    for (int trial = 0; trial < 600; ++trial) {
+        const double turn = trial % 3 == 0 ? 90 * (trial % 4) + number(-0.1, 0.1) : number(0, 360);
+        const sim::Direction front = sim::direction_of(turn);
+        const sim::Thing thing{.x = number(-40, 260),
+                               .y = number(-40, 210),
+                               .front_x = front.x,
+                               .front_y = front.y,
+                               .length = number(1, 200),
+                               .width = number(1, trial % 2 ? 200 : 8)};
+        std::vector<std::int32_t> expected;
+        for (int y = 0; y < grid.ny; ++y)
+            for (int x = 0; x < grid.nx; ++x) {
+                const double east = x * static_cast<double>(grid.dx) - thing.x,
+                             north = y * static_cast<double>(grid.dx) - thing.y;
+                if (std::abs(east * front.x + north * front.y) <= 0.5 * thing.length &&
+                    std::abs(east * front.y - north * front.x) <= 0.5 * thing.width)
+                    expected.push_back(y * grid.nx + x);
+            }
+        const auto found = sim::footprint_of(thing, grid);
+        if (expected.empty())
+            EXPECT_EQ(found.size(), 1u) << "the nearest one";
+        else
+            EXPECT_EQ(found, expected) << trial;
+    }
+}
+
+// What is known from the objects is found once for a row of commands.
+TEST(Commands, of_objects_in_a_row_act_as_one_by_one) {
+    Ground ground = support::rough(40, 5, 3);
+    ground.set(ground.rolling, [](double, double) { return 0.0; });
+    const std::vector<Command> commands{
+        house(100, 100, 5, 20),
+        line(CommandKind::kNet, 20, 150, 60, 160),
+        at(CommandKind::kTurn, 100, 100),
+        house(60, 60, 5, 4),
+        sculpting(CommandKind::kSculpt, 110, 100, 30, 3),  // not under the house
+        forest(100, 100, 30, 300),
+        line(CommandKind::kLift, 20, 20, 180, 30),
+        at(CommandKind::kRemove, 60, 60, 1),
+        line(CommandKind::kRoad, 20, 100, 60, 100),
+        at(CommandKind::kFell, 110, 100, 10),
+        house(150, 150, 5, 15)};
+    Play together(ground, support::lively(Model::kBcreInertial)),
+        apart(ground, support::lively(Model::kBcreInertial));
+    sim::apply_commands(together.state, commands);
+    for (const Command& each : commands) sim::apply_commands(apart.state, {&each, 1});
+    EXPECT_EQ(sim::state_hash(together.state), sim::state_hash(apart.state));
+    const sim::Things &one = *together.state.things, &other = *apart.state.things;
+    EXPECT_TRUE(support::same_bits(together.state.bedrock, apart.state.bedrock));
+    for (const auto field : {&sim::Things::built, &sim::Things::built_drag, &sim::Things::drag,
+                             &sim::Things::net_depth, &sim::Things::hold})
+        EXPECT_TRUE(support::same_bits(one.*field, other.*field));
+    EXPECT_EQ(one.wooded, other.wooded);
+    EXPECT_EQ(one.loaded.size(), other.loaded.size());
+    EXPECT_GT(one.wooded.size(), 0u);
+}
+
+TEST(Commands, of_things_visit_a_bounded_number_of_vertices_in_a_tick) {
+    const sim::Grid small{161, 161, 5}, large{1025, 1025, 2};
+    const auto strokes = [](std::size_t count, double radius) {
+        return std::vector<Command>(count, sculpting(CommandKind::kSmooth, 400, 400, radius, 1));
+    };
+    EXPECT_FALSE(sim::fault_of_visits(small, strokes(sim::kMostCommandsPerTick, 100)));
+    EXPECT_FALSE(sim::fault_of_visits(large, strokes(sim::kMostVisits, 1e5)));
+    const auto fault = sim::fault_of_visits(large, strokes(sim::kMostVisits + 1, 1e5));
+    ASSERT_TRUE(fault);
+    EXPECT_NE(fault->find("17860625 vertices"), std::string::npos) << *fault;
+    EXPECT_FALSE(sim::fault_of_visits(large, strokes(63, 1e5), sim::kAlwaysVisitsBefore));
+    // Far beside the grid there is nothing to visit.
+    std::vector<Command> beside = strokes(sim::kMostCommandsPerTick, 1e5);
+    for (Command& each : beside) each.x = -2e5;
+    EXPECT_FALSE(sim::fault_of_visits(large, beside));
+
+    // Objects take the whole grid, once for all in a row.
+    EXPECT_FALSE(sim::fault_of_visits(large, std::vector<Command>(200, house(100, 100, 5))));
+    std::vector<Command> mixed;
+    for (int i = 0; i < 17; ++i) {
+        mixed.push_back(house(100, 100, 5));
+        mixed.push_back(sculpting(CommandKind::kSculpt, 100, 100, 1, 1));
+    }
+    EXPECT_TRUE(sim::fault_of_visits(large, mixed));
+    EXPECT_FALSE(sim::fault_of_visits(small, mixed));
+}
+
+// A row of 10,000 nets is refused before any is made; the count is what built() makes.
+TEST(Things, that_are_too_many_are_refused_before_they_are_made) {
+    const Ground ground = level(100, 0.5f, 0);
+    const Play play(ground, frictionless(Model::kVoellmy));
+    const Command fits = line(CommandKind::kNet, 1, 1, 1, 49);
+    EXPECT_FALSE(sim::fault_of_place(play.state, fits));
+    Play built(ground, frictionless(Model::kVoellmy));
+    sim::apply_commands(built.state, {&fits, 1});
+    EXPECT_EQ(built.state.things->list.size(), 96u);
+    const Command far = line(CommandKind::kNet, 1, 1, 1, 4900);
+    const auto fault = sim::fault_of_place(play.state, far);
+    ASSERT_TRUE(fault);
+    EXPECT_NE(fault->find("over 2000 objects"), std::string::npos) << *fault;
 }
 
 TEST(Direction, is_the_sine_and_cosine_of_a_bearing) {
