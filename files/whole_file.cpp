@@ -12,6 +12,7 @@
 
 #include "files/destination.h"
 #include "files/lock.h"
+#include "files/new_file.h"
 
 namespace files {
 namespace {
@@ -52,19 +53,10 @@ tl::expected<WholeFile, std::string> WholeFile::open(const std::filesystem::path
     return file;
 }
 
-// Use an unused name, because NAME.part may belong to the user.
 Written WholeFile::open_beside() {
-    constexpr int kMostTries = 1000;
     if (is_locked(target_)) return failed(kBeingWritten);
-    for (int n = 1; n <= kMostTries && !file_; ++n) {
-        std::filesystem::path name = target_;
-        name += n == 1 ? ".part" : fmt::format(".{}.part", n);
-        file_ = Descriptor(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-        if (file_)
-            beside_ = std::move(name);
-        else if (errno != EEXIST)
-            break;
-    }
+    NewFile beside = create_beside(target_);
+    file_ = std::move(beside.file), beside_ = std::move(beside.path);
     return {};
 }
 

@@ -6,6 +6,8 @@
 #include "game/compare/comparison.h"
 #include "game/files/file_use.h"
 #include "game/files/text_file.h"
+#include "game/recording/command_source.h"
+#include "sim/initial_state.h"
 
 namespace game {
 namespace {
@@ -26,6 +28,11 @@ Outcome<int> edit(const EditOptions& options) {
     if (!old) return tl::unexpected(old.error());
     auto changed = edited(old->recording, options.edit);
     if (!changed) return unusable(fmt::format("{}: {}", options.recording, changed.error().sentence));
+    const Scenario& scenario = old->recording.header.scenario;
+    if (auto possible =
+            check_ahead(sim::make_state(initial_state_of(scenario), scenario.params), changed->commands);
+        !possible)
+        return unusable(fmt::format("{}: {}", options.recording, possible.error().sentence));
     FileUse use;
     use.reads(old->path).writes("--out", options.out).writes_into("--maps", options.maps, kMapNames);
     if (auto sound = use.check(); !sound) return tl::unexpected(sound.error());
@@ -33,10 +40,10 @@ Outcome<int> edit(const EditOptions& options) {
         if (auto made = make_folder(*options.maps); !made) return tl::unexpected(made.error());
 
     Named made{options.out.stem().string(), options.out, {}};
-    made.recording.header.scenario = old->recording.header.scenario;
+    made.recording.header.scenario = scenario;
     made.recording.header.parent = Parent{old->name, options.edit.tick, changed->change};
     made.recording.commands = std::move(changed->commands);
-    auto recorder = Recorder::create(options.out, made.recording.header);
+    auto recorder = Recorder::create(options.out, made.recording.header, Recorder::Replaces::kWhenDone);
     if (!recorder) return tl::unexpected(recorder.error());
 
     const auto before =

@@ -25,7 +25,7 @@ Outcome<int> normalise(const NormaliseOptions& options) {
     FileUse use;
     if (auto sound = use.reads(old->path).writes("--out", options.out).check(); !sound)
         return tl::unexpected(sound.error());
-    auto recorder = Recorder::create(options.out, rewritten);
+    auto recorder = Recorder::create(options.out, rewritten, Recorder::Replaces::kWhenDone);
     if (!recorder) return tl::unexpected(recorder.error());
 
     auto session = Session::begin(header.scenario, options.step_options, std::move(*recorder));

@@ -12,6 +12,7 @@
 #include "game/files/assets.h"
 #include "game/files/file_use.h"
 #include "game/files/text_file.h"
+#include "game/recording/command_source.h"
 #include "game/session/world_now.h"
 #include "game/share/share_recording.h"
 #include "terrains/release.h"
@@ -51,36 +52,47 @@ FileUse files_of(const RunOptions& options, const Scene& scene, const terrains::
     return use;
 }
 
-// The outputs of a run. They are opened before it begins, so that a folder that cannot be written fails
-// before the computation.
-struct Leavings {
-    std::optional<Recorder> recorder;
+// Makes the folders of all outputs before the run, so that one that cannot be written fails before the computation.
+Outcome<void> make_places(const RunOptions& options) {
+    if (options.export_folder)
+        if (auto made = make_folder(*options.export_folder); !made) return made;
+    if (auto placed = make_places_for(options.results); !placed) return placed;
+    for (const auto& file : {options.web.file, options.save_world})
+        if (file)
+            if (auto placed = make_place_for(*file); !placed) return placed;
+    return {};
+}
+
+// What watches a run, beside its session.
+struct Outputs {
+    std::optional<SlidePage> page;
     std::optional<Gallery> gallery;
 };
 
-Outcome<Leavings> open_leavings(const RunOptions& options, const Scenario& scenario) {
-    Leavings leavings;
-    if (options.export_folder)
-        if (auto made = make_folder(*options.export_folder); !made) return tl::unexpected(made.error());
-    if (auto placed = make_places_for(options.results); !placed) return tl::unexpected(placed.error());
-    if (options.web.file)
-        if (auto placed = make_place_for(*options.web.file); !placed) return tl::unexpected(placed.error());
-    if (options.save_world)
-        if (auto placed = make_place_for(*options.save_world); !placed) return tl::unexpected(placed.error());
+// Opens the outputs once all that can be refused has been: the recording last, because the others may fail, and a
+// recording of that name is worth more than the beginning of one.
+Outcome<Outputs> open_outputs(const RunOptions& options, const Scenario& scenario, Session& session) {
+    Outputs outputs;
+    if (options.pictures.folder || options.web.file) session.follow_powder(scenario);
+    if (options.web.file) {
+        auto begun = SlidePage::begin(scenario, session, options.record ? proof_of(*options.record) : "",
+                                      page_options(options.web, options.pictures));
+        if (!begun) return tl::unexpected(begun.error());
+        outputs.page = std::move(*begun);
+    }
+    if (auto made = make_places(options); !made) return tl::unexpected(made.error());
     if (options.pictures.folder) {
         auto gallery =
             Gallery::open(*options.pictures.folder, options.pictures.size, options.pictures.gl, scenario);
         if (!gallery) return tl::unexpected(gallery.error());
-        leavings.gallery = std::move(*gallery);
+        outputs.gallery = std::move(*gallery);
     }
-    // Last, because a recording proves nothing before its first state, and a failure above must not replace
-    // one.
-    if (options.record) {
-        auto recorder = Recorder::create(*options.record, scenario);
-        if (!recorder) return tl::unexpected(recorder.error());
-        leavings.recorder = std::move(*recorder);
-    }
-    return leavings;
+    if (!options.record) return outputs;
+    auto recorder = Recorder::create(*options.record, scenario);
+    if (!recorder) return tl::unexpected(recorder.error());
+    if (auto begun = session.record_from_start(std::move(*recorder)); !begun)
+        return tl::unexpected(begun.error());
+    return outputs;
 }
 
 Until until_of(const RunOptions& options, const sim::Params& params) {
@@ -96,6 +108,82 @@ Until until_of(const RunOptions& options, const sim::Params& params) {
     return until;
 }
 
+// Whether more of the release is lost than the user accepts.
+bool loses_release(const RunOptions& options, const Scene& scene) {
+    return scene.release && scene.release->volumes.much_is_lost() && !options.accept_loss;
+}
+
+// Before the work, which may take long.
+void tell_warnings(const RunOptions& options, const Scene& scene) {
+    for (const std::string& warning : scene.warnings) print_line(stderr, "couloir: {}", warning);
+    if (loses_release(options, scene))
+        print_line(
+            stderr,
+            "couloir: {}: over 1 % of the release is lost, see the summary; --accept-loss accepts that",
+            options.release->string());
+}
+
+// Plays the session, and writes what is wanted of it.
+Outcome<int> play_and_write(const RunOptions& options, const Scene& scene,
+                            const terrains::Reference& reference, Session& session, Outputs& outputs) {
+    const Scenario& scenario = scene.scenario;
+    std::optional<SlidePage>& page = outputs.page;
+    std::optional<Gallery>& gallery = outputs.gallery;
+    PerfLog perf({scenario.scene, "", options.step_options.threads,
+                  gallery ? std::optional(gallery->drawn_by()) : std::nullopt},
+                 options.results.log_keeps());
+    Watchers watchers;
+    if (page) watchers.keep = [&](const Session& now) { return page->see(now); };
+    watchers.gallery = gallery ? &*gallery : nullptr;
+    watchers.ticks_per_picture = options.pictures.every.value_or(kTicksPerPicture);
+    watchers.perf = &perf;
+    Referee referee(scenario, scene.commands);
+    if (scenario.goal) watchers.after_tick = [&](const Session& now) { referee.see(now); };
+    const auto finished =
+        play_headless(session, scene.commands, until_of(options, scenario.params), watchers, "running");
+    if (!finished) return tl::unexpected(finished.error());
+    if (auto ended = session.end_recording(); !ended) return tl::unexpected(ended.error());
+
+    if (options.save_world) {
+        const auto saved = scenario_of_now(scenario, session.state()).and_then([&](const Scenario& now) {
+            return write_text(*options.save_world, recording_of(now));
+        });
+        if (!saved) return tl::unexpected(saved.error());
+    }
+    const Measures measures = measure(scenario, session, release_area(scenario, scene.commands), reference);
+    Summary summary{scenario, session, measures, &perf, std::nullopt, std::nullopt};
+    if (options.until_rest) summary.at_rest = *finished;
+    if (scene.release) summary.release = &*scene.release;
+    if (options.reference) summary.reference = &reference;
+    if (scenario.goal)
+        if (const auto score = referee.decide()) summary.score = *score;
+    if (gallery) {
+        draw_results(*gallery, session);
+        if (auto closed = gallery->close(); !closed) return tl::unexpected(closed.error());
+    }
+    if (page)
+        if (auto written = page->write(*options.web.file, session, scene.commands); !written)
+            return tl::unexpected(written.error());
+    if (options.export_folder) {
+        const auto exported =
+            options.iseesnow
+                ? export_iseesnow(*options.export_folder, *options.export_name, *options.release, summary)
+                : export_results(*options.export_folder, scenario, session, summary);
+        if (!exported) return tl::unexpected(exported.error());
+    }
+    if (auto told = tell(summary, options.results); !told) return tl::unexpected(told.error());
+    return *finished && !loses_release(options, scene) ? 0 : Failure::kBadAnswer;
+}
+
+// A failure that also says where the recording is whose name this run has taken.
+Failure with_replaced(Failure failure, const Session& session) {
+    if (session.recorder() && session.recorder()->replaced())
+        failure.sentence +=
+            fmt::format("; what {} held before is kept as {}", session.recorder()->path().string(),
+                        session.recorder()->replaced()->string());
+    return failure;
+}
+
 }  // namespace
 
 Outcome<int> run(const RunOptions& options) {
@@ -109,78 +197,24 @@ Outcome<int> run(const RunOptions& options) {
     if (!reference) return tl::unexpected(reference.error());
     if (auto sound = files_of(options, *scene, *reference).check(); !sound)
         return tl::unexpected(sound.error());
-    auto leavings = open_leavings(options, scenario);
-    if (!leavings) return tl::unexpected(leavings.error());
-    auto session = Session::begin(scenario, options.step_options, std::move(leavings->recorder));
+    auto session = Session::begin(scenario, options.step_options, std::nullopt);
     if (!session) return tl::unexpected(session.error());
-    for (const std::string& warning : scene->warnings) print_line(stderr, "couloir: {}", warning);
-    const bool release_lost =
-        scene->release && scene->release->volumes.much_is_lost() && !options.accept_loss;
-    if (release_lost)
-        print_line(
-            stderr,
-            "couloir: {}: over 1 % of the release is lost, see the summary; --accept-loss accepts that",
-            options.release->string());
+    if (auto possible = check_ahead(session->state(), scene->commands); !possible)
+        return tl::unexpected(possible.error());
+    auto outputs = open_outputs(options, scenario, *session);
+    if (!outputs) return tl::unexpected(outputs.error());
+    tell_warnings(options, *scene);
 
-    if (leavings->gallery || options.web.file) session->follow_powder(scenario);
-    if (leavings->gallery || options.results.perf || options.results.trace) {
+    if (outputs->gallery || options.results.perf || options.results.trace) {
         session->follow_fronts(scenario);
         if (scenario.look.flow && !session->fronts()) print_line(stderr, "couloir: {}", Session::kTooFine);
     }
-    std::optional<Gallery>& gallery = leavings->gallery;
-    if (gallery && !gallery->notice().empty()) print_line(stderr, "couloir: {}", gallery->notice());
-    PerfLog perf({scenario.scene, "", options.step_options.threads,
-                  gallery ? std::optional(gallery->drawn_by()) : std::nullopt},
-                 options.results.log_keeps());
-    std::optional<SlidePage> page;
-    if (options.web.file) {
-        auto begun = SlidePage::begin(scenario, *session, options.record ? proof_of(*options.record) : "",
-                                      page_options(options.web, options.pictures));
-        if (!begun) return tl::unexpected(begun.error());
-        page = std::move(*begun);
-    }
-    Watchers watchers;
-    if (page) watchers.keep = [&](const Session& now) { return page->see(now); };
-    watchers.gallery = gallery ? &*gallery : nullptr;
-    watchers.ticks_per_picture = options.pictures.every.value_or(kTicksPerPicture);
-    watchers.perf = &perf;
-    Referee referee(scenario, scene->commands);
-    if (scenario.goal) watchers.after_tick = [&](const Session& now) { referee.see(now); };
-    const auto finished =
-        play_headless(*session, scene->commands, until_of(options, scenario.params), watchers, "running");
-    if (!finished) return tl::unexpected(finished.error());
-    if (auto closed = session->finish(); !closed) return tl::unexpected(closed.error());
-
-    if (options.save_world) {
-        const auto saved = scenario_of_now(scenario, session->state()).and_then([&](const Scenario& now) {
-            return write_text(*options.save_world, recording_of(now));
-        });
-        if (!saved) return tl::unexpected(saved.error());
-    }
-    const Measures measures =
-        measure(scenario, *session, release_area(scenario, scene->commands), *reference);
-    Summary summary{scenario, *session, measures, &perf, std::nullopt, std::nullopt};
-    if (options.until_rest) summary.at_rest = *finished;
-    if (scene->release) summary.release = &*scene->release;
-    if (options.reference) summary.reference = &*reference;
-    if (scenario.goal)
-        if (const auto score = referee.decide()) summary.score = *score;
-    if (gallery) {
-        draw_results(*gallery, *session);
-        if (auto closed = gallery->close(); !closed) return tl::unexpected(closed.error());
-    }
-    if (page)
-        if (auto written = page->write(*options.web.file, *session, scene->commands); !written)
-            return tl::unexpected(written.error());
-    if (options.export_folder) {
-        const auto exported =
-            options.iseesnow
-                ? export_iseesnow(*options.export_folder, *options.export_name, *options.release, summary)
-                : export_results(*options.export_folder, scenario, *session, summary);
-        if (!exported) return tl::unexpected(exported.error());
-    }
-    if (auto told = tell(summary, options.results); !told) return tl::unexpected(told.error());
-    return *finished && !release_lost ? 0 : Failure::kBadAnswer;
+    if (outputs->gallery && !outputs->gallery->notice().empty())
+        print_line(stderr, "couloir: {}", outputs->gallery->notice());
+    auto status = play_and_write(options, *scene, *reference, *session, *outputs);
+    if (!status) return tl::unexpected(with_replaced(status.error(), *session));
+    session->delete_replaced();
+    return status;
 }
 
 }  // namespace game

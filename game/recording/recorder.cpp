@@ -1,19 +1,12 @@
 #include "game/recording/recorder.h"
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <utility>
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <fmt/format.h>
 
-#include "files/destination.h"
 #include "files/input.h"
-#include "files/lock.h"
 #include "game/base/limits.h"
 
 namespace game {
@@ -23,39 +16,24 @@ tl::unexpected<Failure> cannot_write(const std::filesystem::path& path) {
     return machine_fails(fmt::format("{}: cannot be written: {}", path.string(), std::strerror(errno)));
 }
 
-// Whether the open file is still the one of that name.
-bool is_in_place(int file, const std::filesystem::path& path) {
-    struct stat opened {
-    }, named{};
-    return fstat(file, &opened) == 0 && stat(path.c_str(), &named) == 0 && opened.st_dev == named.st_dev &&
-           opened.st_ino == named.st_ino;
-}
-
 }  // namespace
 
-// Opens an empty file that only this process writes, or a device
-// or a pipe. An existing file is emptied only after it is locked.
-Outcome<Recorder::Opened> Recorder::open_alone(const std::filesystem::path& path) {
-    using Kind = files::Destination::Kind;
-    const files::Destination to = files::destination_of(path);
-    if (to.kind == Kind::kDescriptor) {
-        std::fflush(nullptr);  // earlier output comes first
-        files::Descriptor file(fcntl(to.descriptor, F_DUPFD_CLOEXEC, 3));
-        if (!file) return cannot_write(path);
-        return Opened{std::move(file), false};
+Outcome<void> Recorder::open(Replaces replaces) {
+    using Fault = files::GrowingFile::Fault;
+    replaces_ = replaces;
+    std::error_code error;
+    if (path_.has_parent_path()) std::filesystem::create_directories(path_.parent_path(), error);
+    switch (to_.open(path_, replaces)) {
+        case Fault::kNone:
+            return {};
+        case Fault::kSystem:
+            return cannot_write(path_);
+        case Fault::kBeingWritten:
+            break;
     }
-    while (true) {
-        files::Descriptor file(open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOCTTY, 0666));
-        if (!file) return cannot_write(path);
-        if (to.kind == Kind::kThrough) return Opened{std::move(file), false};
-        if (!files::lock(file.number()))
-            return machine_fails(fmt::format(
-                "{}: another program is recording into it; close that program, or choose another file",
-                path.string()));
-        if (!is_in_place(file.number(), path)) continue;  // it was replaced before it was locked
-        if (!file.cut(0)) return cannot_write(path);
-        return Opened{std::move(file), true};
-    }
+    return machine_fails(
+        fmt::format("{}: another program is recording into it; close that program, or choose another file",
+                    path_.string()));
 }
 
 Outcome<Recorder> Recorder::create(const std::filesystem::path& path, const Scenario& scenario,
@@ -66,19 +44,13 @@ Outcome<Recorder> Recorder::create(const std::filesystem::path& path, const Scen
     return create(path, header);
 }
 
-Outcome<Recorder> Recorder::create(const std::filesystem::path& path, const Header& header) {
-    std::error_code error;
-    if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
-    auto opened = open_alone(path);
-    if (!opened) return tl::unexpected(opened.error());
-    Recorder recorder(path, std::move(*opened));
+Outcome<Recorder> Recorder::create(const std::filesystem::path& path, const Header& header,
+                                   Replaces replaces) {
+    Recorder recorder(path);
+    if (auto opened = recorder.open(replaces); !opened) return tl::unexpected(opened.error());
     // A file name may be invalid UTF-8, but a recording must be valid.
     recorder.line_ = to_json(header).dump(-1, ' ', false, Json::error_handler_t::replace);
-    if (const auto written = recorder.write_line(); !written) {
-        // Without its first line, a file is not a recording.
-        if (recorder.to_.regular) unlink(files::destination_of(path).path.c_str());
-        return tl::unexpected(written.error());
-    }
+    if (const auto written = recorder.write_line(); !written) return tl::unexpected(written.error());
     recorder.line_ = {};  // frees the header's memory, which is not needed again
     return recorder;
 }
@@ -112,27 +84,37 @@ Outcome<Recorder> Recorder::fork(const std::filesystem::path& path, const Record
 
 Outcome<void> Recorder::command(const TimedCommand& command) {
     write(command, line_);
-    return write_line();
+    return add_line();
 }
 Outcome<void> Recorder::state(const StateLine& line) {
     write(line, line_);
-    if (auto written = write_line(); !written) return written;
+    if (auto written = add_line(); !written) return written;
     mark_.last_state = line.tick;
     return {};
 }
 Outcome<void> Recorder::claim(const ClaimLine& line) {
     write(line, line_);
-    return write_line();
+    return add_line();
 }
 Outcome<void> Recorder::end(std::int64_t tick) {
     write(EndLine{tick}, line_);
     if (auto written = write_line(); !written) return written;
-    if (!to_.file.settle()) return cannot_write(path_);
+    if (!to_.file().settle()) return cannot_write(path_);
+    return appear();
+}
+
+Outcome<void> Recorder::add_line() {
+    if (auto written = write_line(); !written) return written;
+    return replaces_ == Replaces::kAsItGrows ? appear() : Outcome<void>();
+}
+
+Outcome<void> Recorder::appear() {
+    if (!to_.appear()) return cannot_write(path_);
     return {};
 }
 
 Outcome<std::string> Recorder::copy_ended_at(std::int64_t tick, const StateLine* last) const {
-    auto file = files::open_input(path_);
+    auto file = files::open_input(to_.place());
     if (!file) return machine_fails(file.error());
     std::string copy(static_cast<std::size_t>(mark_.bytes), '\0');
     if (!file->read(copy.data(), mark_.bytes))
@@ -151,7 +133,7 @@ Outcome<std::string> Recorder::copy_ended_at(std::int64_t tick, const StateLine*
 }
 
 Outcome<void> Recorder::rewind(const Mark& mark) {
-    if (!to_.file.cut(static_cast<off_t>(mark.bytes))) return cannot_write(path_);
+    if (!to_.file().cut(static_cast<off_t>(mark.bytes))) return cannot_write(path_);
     mark_ = mark;
     return {};
 }
@@ -161,11 +143,11 @@ Outcome<void> Recorder::write_line() {
     after.chain.close(line_);
     line_ += '\n';
     after.bytes += static_cast<std::int64_t>(line_.size());
-    const bool whole = to_.file.write(line_);
+    const bool whole = to_.file().write(line_);
     line_.clear();
     if (!whole) {
         const auto failed = cannot_write(path_);
-        if (to_.regular) static_cast<void>(to_.file.cut(static_cast<off_t>(mark_.bytes)));
+        if (to_.regular()) static_cast<void>(to_.file().cut(static_cast<off_t>(mark_.bytes)));
         return failed;
     }
     mark_ = after;

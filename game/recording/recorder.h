@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "files/descriptor.h"
+#include "files/growing_file.h"
 #include "game/base/outcome.h"
 #include "game/recording/chain.h"
 #include "game/recording/format.h"
@@ -15,12 +15,19 @@ namespace game {
 // Writes a recording as it happens. Every line is passed to the system before the world continues, so a
 // recording survives a `kill -9` up to its last whole line. The file is locked, so that no other process
 // records into it. Errors of all calls: the file cannot be written (status 3); whole lines remain.
+//
+// A file of this name is replaced when the first line after the header is written, and kept beside the new one until
+// delete_replaced(). With kWhenDone nothing is seen of the new one, and nothing replaced, before the end line. A
+// recorder that writes no line after its header leaves everything as it was.
 class Recorder {
   public:
-    // Creates the file, replacing any of this name; makes its folder.
+    using Replaces = files::GrowingFile::Replaces;
+
+    // Creates the file; makes its folder.
     static Outcome<Recorder> create(const std::filesystem::path& path, const Scenario& scenario,
                                     std::optional<Parent> parent = std::nullopt);
-    static Outcome<Recorder> create(const std::filesystem::path& path, const Header& header);
+    static Outcome<Recorder> create(const std::filesystem::path& path, const Header& header,
+                                    Replaces replaces = Replaces::kAsItGrows);
 
     // Creates a file that continues from `of` at `tick`. It includes everything in `of` up to there, except
     // states of another version of the physics. `name`: the name of `of`. Errors: without these states, more
@@ -51,18 +58,20 @@ class Recorder {
     // Tick of the last state written; −1 if there is none.
     std::int64_t last_state() const { return mark_.last_state; }
     const std::filesystem::path& path() const { return path_; }
+    // Where the recording is that this one replaced, while it is kept.
+    const std::optional<std::filesystem::path>& replaced() const { return to_.kept(); }
+    void delete_replaced() { to_.delete_kept(); }
 
   private:
-    struct Opened {
-        files::Descriptor file;
-        bool regular = false;  // false: a device or a pipe, whose lines cannot be removed
-    };
-    static Outcome<Opened> open_alone(const std::filesystem::path& path);
-    Recorder(std::filesystem::path path, Opened&& to) : path_(std::move(path)), to_(std::move(to)) {}
+    explicit Recorder(std::filesystem::path path) : path_(std::move(path)) {}
+    Outcome<void> open(Replaces replaces);
     Outcome<void> write_line();  // closes line_, writes and empties it
+    Outcome<void> add_line();    // the same after the header
+    Outcome<void> appear();
 
     std::filesystem::path path_;
-    Opened to_;
+    files::GrowingFile to_;
+    Replaces replaces_ = Replaces::kAsItGrows;
     Mark mark_;         // after what was written
     std::string line_;  // reused to avoid allocation
 };

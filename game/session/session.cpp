@@ -28,10 +28,9 @@ double ms_of(const Stage& stage) {
 
 }  // namespace
 
-Session::Session(const Scenario& scenario, const sim::StepOptions& options, std::optional<Recorder> recorder)
+Session::Session(const Scenario& scenario, const sim::StepOptions& options)
     : state_(sim::make_state(initial_state_of(scenario), scenario.params)),
       engine_(std::make_unique<sim::Engine>(state_, options)),
-      recorder_(std::move(recorder)),
       densities_(densities_of(scenario)),
       structures_(scenario.structures, view()) {
     peaks_.depth.assign(state_.grid.size(), 0.f);
@@ -46,9 +45,10 @@ Session::Session(const Scenario& scenario, const sim::StepOptions& options, std:
 
 Outcome<Session> Session::begin(const Scenario& scenario, const sim::StepOptions& options,
                                 std::optional<Recorder> recorder) {
-    Session session(scenario, options, std::move(recorder));
-    if (session.recorder_)
-        if (const auto written = session.write_state(); !written) return tl::unexpected(written.error());
+    Session session(scenario, options);
+    if (recorder)
+        if (const auto written = session.record_from_start(std::move(*recorder)); !written)
+            return tl::unexpected(written.error());
     return session;
 }
 
@@ -95,6 +95,16 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
 }
 
 Outcome<void> Session::finish() {
+    auto ended = end_recording();
+    if (ended) delete_replaced();
+    return ended;
+}
+
+void Session::delete_replaced() {
+    if (recorder_) recorder_->delete_replaced();
+}
+
+Outcome<void> Session::end_recording() {
     if (!recorder_) return {};
     // Also writes the last state, so that the whole recording can be verified.
     if (auto written = write_state(); !written) return written;
@@ -158,6 +168,12 @@ void Session::put(const Checkpoint& moment) {
 void Session::record_in(Recorder recorder) {
     recorder_ = std::move(recorder);
     recorded_until_ = state_.tick;
+}
+
+Outcome<void> Session::record_from_start(Recorder recorder) {
+    CHECK(state_.tick == 0);
+    record_in(std::move(recorder));
+    return write_state();
 }
 
 void Session::find_hash() {

@@ -85,8 +85,11 @@ class Session {
     // inconsistent, and then nothing has changed; the recording cannot be written; or mass was not conserved,
     // which is checked every tick.
     Outcome<void> advance(std::span<const sim::Command> commands);
-    // Closes the recording.
+    // Closes the recording, and deletes what it replaced.
     Outcome<void> finish();
+    // Closes the recording; what it replaced stays until delete_replaced(), because the caller may still fail.
+    Outcome<void> end_recording();
+    void delete_replaced();
     // The text of the recording so far, as finish() would leave it; the recording goes on. Call it only with a
     // recorder. Errors: those of Recorder::copy_ended_at().
     Outcome<std::string> recorded_so_far() const;
@@ -103,6 +106,8 @@ class Session {
     std::int64_t recorded_until() const { return recorded_until_; }  // tick
     // Continues in `recorder`, which already holds all ticks so far.
     void record_in(Recorder recorder);
+    // The same at tick 0: writes its state. Errors: the recording cannot be written.
+    Outcome<void> record_from_start(Recorder recorder);
     // Leaves the file as it is, without an end line, and continues unrecorded.
     void stop_recording() { recorder_.reset(); }
 
@@ -130,7 +135,7 @@ class Session {
     double cubic_metres(std::int64_t quanta) const;
 
   private:
-    Session(const Scenario& scenario, const sim::StepOptions& options, std::optional<Recorder> recorder);
+    Session(const Scenario& scenario, const sim::StepOptions& options);
     void find_hash();
     void put(const Checkpoint& moment);
     bool lacks_state() const;

@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include "game/recording/reader.h"
 #include "tests/game/program.h"
 #include "tests/game/subcommands.h"
 #include "tests/support/places.h"
@@ -281,6 +282,66 @@ TEST_F(Outputs, in_a_folder_never_replace_standard_output) {
     const fs::path folder = out() / "images", file = folder / "front_000000.png";
     fs::create_directories(folder);
     EXPECT_EQ(couloir(track.with({{"--frames", folder}}, out()), {.out = file}).status, 2);
+}
+
+// The names of a folder's files that a subcommand may write.
+constexpr std::array kNamesInFolders{"index.html",      "figure-06.png",      "numbers.csv",
+                                     "tick_000000.png", "map_peak_depth.png", "front_000000.png"};
+
+TEST_F(Outputs, keep_what_they_held_if_the_call_is_refused) {
+    const fs::path there = out() / "there", folder = out() / "folder";
+    write_bytes(there, "kept");
+    fs::create_directories(folder);
+    for (const char* name : kNamesInFolders) write_bytes(folder / name, "kept");
+    for (const Subcommand& each : all())
+        for (const std::vector<std::string>& refusal : refusals_of(each)) {
+            const auto expect_kept = [&](const std::string& option, const fs::path& path) {
+                auto arguments = each.with({{option, path}}, out());
+                arguments.insert(arguments.end(), refusal.begin(), refusal.end());
+                expect_refused(arguments);
+            };
+            for (const std::string& option : each.outputs) expect_kept(option, there);
+            for (const auto* options : {&each.folders, &each.drawn})
+                for (const std::string& option : *options) expect_kept(option, folder);
+        }
+}
+
+TEST_F(Outputs, keep_what_they_held_if_an_input_is_refused) {
+    const fs::path there = out() / "there";
+    write_bytes(there, "kept");
+    for (const Subcommand& each : subcommands_refused_by_content(in()))
+        for (const std::string& option : each.outputs) {
+            SCOPED_TRACE(each.name);
+            expect_refused(each.with({{option, there}}, out()));
+        }
+}
+
+// Two houses at one place: the second is refused at tick 12, when the recording has begun.
+TEST_F(Outputs, of_a_run_that_fails_later_keep_what_they_replaced_beside_them) {
+    const fs::path scene = in() / "clash.toml", recording = out() / "mine.couloir";
+    const std::string house =
+        "house = { x = 20, y = 20, turn = 0, length = 5, width = 5, height = 5, "
+        "strength = 5 }\n";
+    write_bytes(scene,
+                "[terrain]\ngenerator = \"slope-of-soil\"\ngrid = 16\nlength = 64\nbreak_at = 32\n"
+                "[cover]\nmaterial = \"soil\"\n[physics]\n[[command]]\nat = 0.1\n" +
+                    house + "[[command]]\nat = 0.2\n" + house);
+    write_bytes(recording, "kept");
+    const Finished failed = couloir({"run", scene, "--seconds", "1", "--record", recording});
+    EXPECT_EQ(failed.status, 2) << failed.err;
+    const fs::path beside = out() / "mine.before.couloir";
+    EXPECT_EQ(read_bytes(beside), "kept");
+    EXPECT_NE(failed.err.find(beside.string()), std::string::npos) << failed.err;
+    const auto read = read_recording(recording);
+    ASSERT_TRUE(read) << read.error().sentence;
+    EXPECT_EQ(read->states.back().tick, 12);
+
+    // A second one takes another name, and one that succeeds leaves nothing beside its own.
+    EXPECT_EQ(couloir({"run", scene, "--seconds", "1", "--record", recording}).status, 2);
+    EXPECT_EQ(read_bytes(beside), "kept");
+    EXPECT_TRUE(fs::remove(out() / "mine.before2.couloir"));
+    EXPECT_EQ(couloir({"run", scene, "--seconds", "0.1", "--record", recording}).status, 0);
+    EXPECT_EQ(files_below(out()).size(), 2u);
 }
 
 }  // namespace

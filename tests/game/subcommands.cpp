@@ -223,4 +223,62 @@ std::vector<Subcommand> writing_subcommands(const fs::path& folder) {
     };
 }
 
+std::vector<std::vector<std::string>> refusals_of(const Subcommand& subcommand) {
+    const std::string& verb = subcommand.arguments[0];
+    if (verb == "track") return {{"--dt", "-1"}, {"--every", "0"}};
+    if (verb == "figures") return {{"--only", "99"}, {"--pixels", "1"}};
+    std::vector<std::vector<std::string>> all{{"--max-memory", "1K"}};
+    if (verb == "gallery") return {{"--size", "1x1"}};
+    if (verb == "run") all.push_back({"--set", "friction=99"});
+    if (verb == "replay") all.push_back({"--until", "99999"}), all.push_back({"--score"});
+    if (verb == "compare") all.push_back({"--tick", "99999"});
+    if (verb == "edit") all.push_back({"--command", "9"});
+    if (verb == "bench") all.push_back({"--physics", "none"});
+    if (verb == "play") all.push_back({"--until", "99999"});
+    return all;
+}
+
+std::vector<Subcommand> subcommands_refused_by_content(const fs::path& folder) {
+    const auto scene = [&folder](const char* name, const std::string& rest) {
+        const fs::path path = folder / name;
+        write_bytes(path,
+                    "[terrain]\ngenerator = \"slope-of-soil\"\ngrid = 16\nlength = 64\nbreak_at = 32\n"
+                    "[cover]\nmaterial = \"soil\"\n[physics]\n" +
+                        rest);
+        return path;
+    };
+    const std::string house =
+        "house = { x = 20, y = 20, turn = 0, length = 5, width = 5, height = 5, "
+        "strength = 5 }\n";
+    const fs::path sculpted = scene("sculpted.toml",
+                                    "[[dam]]\npoints = [[20, 32], [40, 34]]\nradius = 7\nrise = 3\n"),
+                   beside = scene("beside.toml",
+                                  "[[command]]\nat = 0.5\nhouse = { x = 500, y = 500, turn = 0, "
+                                  "length = 5, width = 5, height = 5, strength = 5 }\n"),
+                   built = scene("built.toml", "[[command]]\nat = 0.1\n" + house);
+    const fs::path recording = folder / "built.couloir";
+    const Scene loaded = load_scene(built.string(), {}).value();
+    record(recording, loaded.scenario, 18, loaded.commands);
+    const std::vector<std::string> outputs{"--record", "--save-world", "--summary", "--perf", "--trace"};
+    return {
+        {.name = "a page of sculpted ground",
+         .arguments = {"run", sculpted, "--seconds", "0.1"},
+         .outputs = outputs,
+         .needed = {"--web"}},
+        {.name = "a page of a flow",
+         .arguments = {"run", "flow-disc", "--seconds", "0.1"},
+         .outputs = outputs,
+         .needed = {"--web"}},
+        {.name = "a house beside the terrain at tick 30",
+         .arguments = {"run", beside, "--seconds", "1"},
+         .outputs = outputs},
+        {.name = "a house that is moved beside the terrain",
+         .arguments = {"edit", recording, "--tick", "6", "--move", "5000,5000"},
+         .outputs = {"--out"}},
+        {.name = "a house that is turned to no place",
+         .arguments = {"edit", recording, "--tick", "6", "--set", "x=0,y=0"},
+         .outputs = {"--out"}},
+    };
+}
+
 }  // namespace game::test

@@ -25,4 +25,10 @@ struct Subcommand {
 // All subcommands that write files, on small inputs of their own, which it makes in this folder.
 std::vector<Subcommand> writing_subcommands(const std::filesystem::path& folder);
 
+// Arguments that make a call of this subcommand refused once its inputs are read, each for another reason.
+std::vector<std::vector<std::string>> refusals_of(const Subcommand& subcommand);
+
+// Calls that are refused because of what is in their inputs, before tick 0.
+std::vector<Subcommand> subcommands_refused_by_content(const std::filesystem::path& folder);
+
 }  // namespace game::test
