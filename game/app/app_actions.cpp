@@ -483,6 +483,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     Memory with_ghost = first_.memory;
     with_ghost.use.sessions = 2;
     ghost_.follow(scenario, best_list_.runs(), with_ghost);
+    ghost_note_.reset();
     hand_.drop();
     hand_.drop_numbers();
     if (!same) touched_ = false;  // after a restart of the same scene the hint is not needed

@@ -1439,6 +1439,24 @@ TEST_F(PlayingAgain, has_a_ghost_that_is_where_the_best_run_was_at_the_same_time
     EXPECT_TRUE(std::ranges::count(ghost(), 255) > 10);
 }
 
+TEST_F(PlayingAgain, forgets_what_the_ghost_came_to_when_the_challenge_restarts_or_another_one_begins) {
+    blast();
+    go_on_to_the_card();
+    play_again();
+    wait_for_the_ghost();
+    frames(2);
+    ASSERT_TRUE(shows("Ghost"));
+    tap(key('R'), {.control = true});
+    frames(3);
+    EXPECT_FALSE(shows("Ghost"));
+    play_again();
+    wait_for_the_ghost();
+    frames(2);
+    ASSERT_TRUE(shows("Ghost"));
+    open_with_an_event();
+    EXPECT_FALSE(shows("Ghost"));
+}
+
 TEST_F(PlayingAgain, shows_no_ghost_if_the_display_says_so_and_never_in_a_screenshot) {
     blast();
     go_on_to_the_card();
