@@ -480,7 +480,7 @@ void App::watch_slide() {
     if (!lasted) return;
     slide_ended_ = true;
     tell(fmt::format("The slide has come to rest after {:.0f} s. {} shares it as a web page", *lasted,
-                     name_of(Verb::kShare)));
+                     name_of(screen_.layout(), Verb::kShare)));
 }
 
 // Moves toward a known tick, as far as the time budget of the frame allows.
@@ -525,7 +525,7 @@ void App::take_over_at_end() {
         tell(
             fmt::format("End of the recording, replayed bit for bit. You can continue from here; {} shares "
                         "it as a web page",
-                        name_of(Verb::kShare)));
+                        name_of(screen_.layout(), Verb::kShare)));
 }
 
 // A ring around what the tool reaches, or the outline of what it is about to place.
@@ -682,7 +682,8 @@ void App::end_trial(double draw_ms) {
         "this machine draws moving images in time at full resolution or a little less",
         "this machine draws every image in time at full resolution with smooth edges"};
     tell(fmt::format("Quality: {}, because {}. Change it in the Display panel ({})", info_of(*tier).name,
-                     kMeanings[static_cast<std::size_t>(*tier)], name_of(Verb::kToggleDisplay)));
+                     kMeanings[static_cast<std::size_t>(*tier)],
+                     name_of(screen_.layout(), Verb::kToggleDisplay)));
 }
 
 // Tells once per size of the screen what does not fit.
@@ -862,6 +863,7 @@ void App::draw_panels() {
             .times = times_,
             .notices = notices_,
             .catalogue = catalogue_,
+            .keyboard = screen_.layout(),
             .timeline = timeline,
             .recording = recording_ ? std::string_view(recording_->native()) : std::string_view(),
             .renderer = renderer_name_,

@@ -258,14 +258,17 @@ render::Camera App::home() const {
 
 // Shows a notice, because neither mode is visible in the image.
 void App::tell_camera_mode() {
+    const KeyboardLayout& keys = screen_.layout();
     if (camera_->mode() == CameraMode::kTopDown)
-        tell("Top view, north up. Drag with the middle button to pan; press T to return");
+        tell(fmt::format("Top view, north up. Drag with the middle button to pan; press {} to return",
+                         name_of(keys, Verb::kTopDown)));
     if (camera_->mode() == CameraMode::kChase)
         tell(fmt::format("The camera follows the front of {}. Press {} to stop",
                          sim::at_rest(sandbox_->session().state()) ? "the next slide" : "the slide",
-                         name_of(Verb::kChase)));
+                         name_of(keys, Verb::kChase)));
     if (camera_->mode() == CameraMode::kFly)
-        tell("Fly mode. Move with W A S D or arrows, look with the right button; press F to return");
+        tell(fmt::format("Fly mode. Move with {} or arrows, look with the right button; press {} to return",
+                         names_of_walking(keys), name_of(keys, Verb::kFly)));
 }
 
 void App::undo() {
@@ -362,7 +365,7 @@ void App::take_over() {
 void App::tell_hands_off() {
     tell(fmt::format("Read-only: {}. Press {} to continue from here",
                      sandbox_->watches() ? "watching a recording" : "looking at the past",
-                     name_of(Verb::kTakeOver)));
+                     name_of(screen_.layout(), Verb::kTakeOver)));
 }
 
 void App::reset() {

@@ -21,8 +21,6 @@ constexpr int kLeastWidth = 480, kLeastHeight = 270;  // of the window; panels a
 constexpr int kUsualRate = 60;                        // Hz, for a monitor that reports no rate
 constexpr std::size_t kEventsPerFrame = 1024;         // room for a fast mouse and a slow frame
 
-static_assert(GLFW_KEY_LAST < 512, "pressed_ has a place for every key");
-
 struct NamedKey {
     int glfw;
     Key key;
@@ -47,14 +45,22 @@ constexpr NamedKey kNamedKeys[] = {
     {GLFW_KEY_LEFT_CONTROL, Key::kControl},
     {GLFW_KEY_RIGHT_CONTROL, Key::kControl},
     {GLFW_KEY_LEFT_ALT, Key::kAlt},
-    {GLFW_KEY_RIGHT_ALT, Key::kAlt},
     {GLFW_KEY_KP_ADD, Key::kEqual},
     {GLFW_KEY_KP_SUBTRACT, Key::kMinus},
     {GLFW_KEY_KP_DECIMAL, Key::kPeriod},
 };
 
+static_assert(GLFW_KEY_A == 'A' && GLFW_KEY_WORLD_1 == static_cast<int>(Key::kExtra1) &&
+                  GLFW_KEY_WORLD_2 == static_cast<int>(Key::kExtra2),
+              "keys that print have one number here and there");
+
+bool prints(int glfw_key) {
+    return glfw_key <= GLFW_KEY_WORLD_2 && KeyboardLayout::is_place(static_cast<Key>(glfw_key));
+}
+
+// Of a key that prints nothing, or lies on the keypad.
 Key key_of(int glfw_key) {
-    if (glfw_key >= GLFW_KEY_SPACE && glfw_key <= GLFW_KEY_GRAVE_ACCENT) return static_cast<Key>(glfw_key);
+    if (glfw_key == GLFW_KEY_SPACE) return Key::kSpace;
     if (glfw_key >= GLFW_KEY_F1 && glfw_key <= GLFW_KEY_F12) return function_key(glfw_key - GLFW_KEY_F1 + 1);
     if (glfw_key >= GLFW_KEY_KP_0 && glfw_key <= GLFW_KEY_KP_9)
         return key(static_cast<char>('0' + glfw_key - GLFW_KEY_KP_0));
@@ -63,11 +69,25 @@ Key key_of(int glfw_key) {
     return named == std::end(kNamedKeys) ? Key::kNone : named->key;
 }
 
-// The letter printed on a key; if there is none from A to Z, the key by its position.
-Key printed_on(int glfw_key, int scancode) {
-    const char* name = glfwGetKeyName(glfw_key, scancode);
-    if (name == nullptr || name[0] < 'a' || name[0] > 'z' || name[1] != '\0') return key_of(glfw_key);
-    return key(static_cast<char>(name[0] - 'a' + 'A'));
+// The character that a key prints alone; 0 if there is none.
+char32_t printed_on(int glfw_key) {
+    const char* const name = glfwGetKeyName(glfw_key, 0);
+    if (name == nullptr) return 0;
+    const auto byte = [name](int i) { return static_cast<unsigned char>(name[i]); };
+    const int more = byte(0) < 0x80 ? 0 : byte(0) < 0xe0 ? 1 : byte(0) < 0xf0 ? 2 : 3;
+    char32_t character = more == 0 ? byte(0) : byte(0) & (0x3fU >> more);
+    for (int i = 1; i <= more; ++i) {
+        if ((byte(i) & 0xc0U) != 0x80) return 0;
+        character = character << 6 | (byte(i) & 0x3fU);
+    }
+    return byte(more + 1) == 0 ? character : 0;  // several characters are none
+}
+
+KeyboardLayout layout_now() {
+    KeyboardLayout::Printed printed{};
+    for (std::size_t place = 0; place < printed.size(); ++place)
+        if (prints(static_cast<int>(place))) printed[place] = printed_on(static_cast<int>(place));
+    return KeyboardLayout(printed);
 }
 
 Modifiers modifiers(int bits) {
@@ -80,7 +100,12 @@ Modifiers modifiers_held(GLFWwindow* window) {
         return glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
     };
     return {held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
-            held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL), held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)};
+            held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL), held(GLFW_KEY_LEFT_ALT, GLFW_KEY_LEFT_ALT)};
+}
+
+// Whether the right Alt key is held as AltGr, which X11 reports as no modifier and Windows as Ctrl+Alt.
+bool is_alt_gr(GLFWwindow* window, Modifiers with) {
+    return glfwGetKey(window, GLFW_KEY_RIGHT_ALT) == GLFW_PRESS && with.alt == with.control;
 }
 
 std::optional<Button> button_of(int glfw_button) {
@@ -137,6 +162,13 @@ tl::unexpected<Failure> no_window(std::string_view what, std::string_view why) {
                                      what, display_tried(), why));
 }
 
+// Whether the primary monitor asks for windows that are larger, and not smaller, than on one of 96 dpi.
+bool asks_for_larger_windows() {
+    float x = 1, y = 1;
+    if (GLFWmonitor* const monitor = glfwGetPrimaryMonitor()) glfwGetMonitorContentScale(monitor, &x, &y);
+    return std::max(x, y) > 1;
+}
+
 void set_hints(bool reports_resets) {
     glfwDefaultWindowHints();
     glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_API);
@@ -149,7 +181,7 @@ void set_hints(bool reports_resets) {
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfwWindowHint(GLFW_ALPHA_BITS, 0);  // otherwise the desktop may show through
-    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, asks_for_larger_windows() ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "couloir");
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "couloir");
 }
@@ -188,20 +220,28 @@ struct Window::Callbacks {
     static Window& of(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
 
     static void take(GLFWwindow* window, const Event& event) {
-        guarded([&] { of(window).events_.push_back(event); });
+        guarded([&] {
+            of(window).keyboard_.settle(of(window).events_);
+            of(window).events_.push_back(event);
+        });
     }
 
-    static void on_key(GLFWwindow* window, int glfw_key, int scancode, int action, int mods) {
+    static void on_key(GLFWwindow* window, int glfw_key, int /*scancode*/, int action, int mods) {
         if (glfw_key < 0) return;  // a key unknown to GLFW
-        Key& pressed = of(window).pressed_[static_cast<std::size_t>(glfw_key)];
-        // A release reports the same key as its press, even if Control changed in between.
-        if (action == GLFW_PRESS)
-            pressed = (mods & GLFW_MOD_CONTROL) != 0 ? printed_on(glfw_key, scancode) : key_of(glfw_key);
-        if (pressed == Key::kNone) return;
-        // For a modifier's own key, GLFW reports the modifiers from before the event.
-        const bool is_modifier = pressed == Key::kShift || pressed == Key::kControl || pressed == Key::kAlt;
-        take(window, KeyEvent{pressed, action != GLFW_RELEASE, action == GLFW_REPEAT,
-                              is_modifier ? modifiers_held(window) : modifiers(mods)});
+        guarded([&] {
+            const auto number = static_cast<std::size_t>(glfw_key);
+            Keyboard& keyboard = of(window).keyboard_;
+            auto& events = of(window).events_;
+            const Key key = key_of(glfw_key);
+            // For a modifier's own key, GLFW reports the modifiers from before the event.
+            const bool is_modifier = key == Key::kShift || key == Key::kControl || key == Key::kAlt;
+            const Modifiers with = is_modifier ? modifiers_held(window) : modifiers(mods);
+            if (action == GLFW_RELEASE) return keyboard.release(number, with, events);
+            if (action == GLFW_REPEAT) return keyboard.repeat(number, with, events);
+            if (!prints(glfw_key)) return keyboard.press(number, {key, with}, events);
+            keyboard.set(layout_now());  // it may change at any time
+            keyboard.press(number, static_cast<Key>(glfw_key), with, is_alt_gr(window, with), events);
+        });
     }
 
     static void on_button(GLFWwindow* window, int glfw_button, int action, int mods) {
@@ -221,16 +261,14 @@ struct Window::Callbacks {
     }
 
     static void on_text(GLFWwindow* window, unsigned character) {
-        take(window, TextEvent{static_cast<char32_t>(character)});
+        guarded([&] { of(window).keyboard_.type(character, of(window).events_); });
     }
 
     static void on_focus(GLFWwindow* window, int focused) { take(window, FocusEvent{focused == GLFW_TRUE}); }
 
     static void on_drop(GLFWwindow* window, int count, const char** paths) {
-        guarded([&] {
-            of(window).dropped_.assign(paths, paths + count);
-            of(window).events_.push_back(DropEvent{});
-        });
+        guarded([&] { of(window).dropped_.assign(paths, paths + count); });
+        take(window, DropEvent{});
     }
 
     // The app decides whether the window closes.
@@ -281,8 +319,9 @@ Outcome<std::unique_ptr<Window>> Window::open(const std::string& title, int widt
     return opened;
 }
 
-Window::Window(GLFWwindow* window) : window_(window) {
+Window::Window(GLFWwindow* window) : window_(window), keyboard_(GLFW_KEY_LAST + 1) {
     events_.reserve(kEventsPerFrame);
+    keyboard_.set(layout_now());
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
     longest_side_ = longest_side_of_device();
@@ -322,6 +361,8 @@ std::span<const Event> Window::poll() {
         glfwWaitEventsTimeout(0.1);
     else
         glfwPollEvents();
+    keyboard_.settle(events_);
+    if (!events_.empty()) keyboard_.set(layout_now());  // another one is chosen by an event
     return events_;
 }
 

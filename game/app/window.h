@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <chrono>
 #include <memory>
 
@@ -14,8 +13,7 @@ namespace game {
 // A desktop window with keyboard and mouse. At most one at a time, on the main thread. Only this class uses
 // GLFW. The default framebuffer has colour only: no depth, no alpha.
 //
-// Keys are identified by position, as the letter of a US keyboard, so that W A S D lie together on every
-// layout. With Control held, a letter is the one printed on the key, so that Ctrl+Z is Z everywhere.
+// Keys are what they print, as controls/keyboard.h says. AltGr is no modifier.
 class Window final : public Screen {
   public:
     // Opens a window of `width` × `height`, times the monitor's scale, with a current OpenGL 4.5 core context
@@ -27,6 +25,7 @@ class Window final : public Screen {
 
     std::span<const Event> poll() override;
     std::vector<std::filesystem::path> dropped() override { return dropped_; }
+    const KeyboardLayout& layout() const override { return keyboard_.layout(); }
     ScreenSize size() const override;
     unsigned framebuffer() const override { return 0; }
     double seconds() const override;
@@ -57,7 +56,7 @@ class Window final : public Screen {
     GLFWwindow* window_;
     std::vector<Event> events_;
     std::vector<std::filesystem::path> dropped_;
-    std::array<Key, 512> pressed_{};  // by GLFW number: the key that was reported as pressed
+    Keyboard keyboard_;  // its keys have GLFW's numbers
     Pair window_size_, framebuffer_size_;
     double scale_ = 1;
     int longest_side_ = 0;

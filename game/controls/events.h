@@ -18,6 +18,8 @@ enum class Key : std::uint16_t {
     kEqual = '=',
     kLeftBracket = '[',
     kRightBracket = ']',
+    kExtra1 = 161,  // keys that a US keyboard lacks
+    kExtra2,
     kEscape = 256,
     kEnter,
     kTab,

@@ -136,7 +136,7 @@ std::span<const GestureBinding> gesture_bindings() {
     return kGestureBindings;
 }
 
-std::string name_of(Key key, Modifiers with) {
+std::string name_of(const KeyboardLayout& layout, Key key, Modifiers with) {
     std::string name;
     if (with.control) name += "Ctrl+";
     if (with.alt) name += "Alt+";
@@ -148,16 +148,26 @@ std::string name_of(Key key, Modifiers with) {
         name += static_cast<char>('0' + function % 10);
     } else if (const std::string_view word = bare_name(key); !word.empty()) {
         name += word;
-    } else if (code > ' ' && code < 127) {
-        name += static_cast<char>(code);
+    } else {
+        name += layout.name_of(key);
     }
     return name;
 }
 
-std::string name_of(Verb verb) {
+std::string name_of(const KeyboardLayout& layout, Verb verb) {
     for (const KeyBinding& binding : kKeyBindings)
-        if (std::get<Verb>(binding.does) == verb) return name_of(binding.key, binding.with);
+        if (std::get<Verb>(binding.does) == verb) return name_of(layout, binding.key, binding.with);
     return {};
+}
+
+std::string names_of_walking(const KeyboardLayout& layout) {
+    std::string names;
+    for (const Held held : {Held::kForward, Held::kLeft, Held::kBack, Held::kRight}) {
+        const auto* const first = std::ranges::find(kHeldBindings, held, &HeldBinding::held);
+        if (!names.empty()) names += ' ';
+        names += layout.name_of(first->key);
+    }
+    return names;
 }
 
 }  // namespace game

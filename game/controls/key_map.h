@@ -8,6 +8,7 @@
 
 #include "game/controls/action.h"
 #include "game/controls/events.h"
+#include "game/controls/keyboard.h"
 
 namespace game {
 
@@ -43,10 +44,12 @@ struct GestureBinding {
 };
 std::span<const GestureBinding> gesture_bindings();
 
-// The label of a key: "Ctrl+Z", "Space", "F1"; empty for a key without a name. Short enough that std::string
-// does not allocate, except with all three modifiers.
-std::string name_of(Key key, Modifiers with = {});
+// The label of a key on a keyboard: "Ctrl+Z", "Space", "F1"; empty for a key without a name. Short enough that
+// std::string does not allocate, except with all three modifiers.
+std::string name_of(const KeyboardLayout& layout, Key key, Modifiers with = {});
 // The key of a verb; the first if there are several.
-std::string name_of(Verb verb);
+std::string name_of(const KeyboardLayout& layout, Verb verb);
+// The keys that move the camera: "W A S D".
+std::string names_of_walking(const KeyboardLayout& layout);
 
 }  // namespace game

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "game/controls/events.h"
+#include "game/controls/keyboard.h"
 
 namespace game {
 
@@ -34,6 +35,7 @@ class Screen {
     // height 0), waits for an event for at most 0.1 s.
     virtual std::span<const Event> poll() = 0;
     virtual std::vector<std::filesystem::path> dropped() = 0;  // paths of the last DropEvent
+    virtual const KeyboardLayout& layout() const = 0;          // of the keyboard, as of the last poll()
 
     virtual ScreenSize size() const = 0;
     virtual unsigned framebuffer() const = 0;  // GL name to draw into

@@ -18,6 +18,7 @@
 #include "game/controls/frame_times.h"
 #include "game/controls/guide.h"
 #include "game/controls/image_size.h"
+#include "game/controls/keyboard.h"
 #include "game/controls/notices.h"
 #include "game/controls/probe.h"
 #include "game/controls/tick_clock.h"
@@ -115,6 +116,7 @@ struct Facts {
     const FrameTimes& times;
     const Notices& notices;
     const Catalogue& catalogue;
+    const KeyboardLayout& keyboard;  // which names the keys
     Timeline timeline;
     bool looks_back() const { return state.tick < timeline.known_until; }  // read-only
     std::string_view recording;            // file that is being written; empty if none

@@ -14,6 +14,8 @@ namespace game::ui {
 
 // Passes events to ImGui, which sees one state of mouse and keys per frame. Events that would be lost (a
 // press and release, or a press and move, in one frame) wait for the next frame, in order.
+//
+// A comma reaches text fields as a point: all of them hold numbers, and the decimal key of many keypads types a comma.
 class Feed {
   public:
     Feed();  // into the current ImGui context

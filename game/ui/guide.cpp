@@ -16,7 +16,7 @@ struct Words {
     std::array<char, 160> text;
 };
 
-Words words_of(Guide::Step step) {
+Words words_of(Guide::Step step, const KeyboardLayout& keyboard) {
     Words words{"", {}};
     const auto say = [&](const char* heading, const char* format, const std::string& key) {
         words.heading = heading;
@@ -27,13 +27,14 @@ Words words_of(Guide::Step step) {
             say("Your turn", "Click on the snow, high up.", "");
             break;
         case Guide::Step::kRewind:
-            say("Too much?", "Press %s: time runs back.", name_of(Verb::kRunBack));
+            say("Too much?", "Press %s: time runs back.", name_of(keyboard, Verb::kRunBack));
             break;
         case Guide::Step::kGoOn:
-            say("Far enough?", "Press %s to go on from here.", name_of(Verb::kTakeOver));
+            say("Far enough?", "Press %s to go on from here.", name_of(keyboard, Verb::kTakeOver));
             break;
         case Guide::Step::kPour:
-            say("Now pour", "Press 1, then hold the left button and drag along the ridge.%s", "");
+            say("Now pour", "Press %s, then hold the left button and drag along the ridge.",
+                name_of(keyboard, info_of(Tool::kPour).key));
             break;
         case Guide::Step::kChallenge:
             say("A challenge", "One shovel of snow: how far can you make it run?", "");
@@ -110,7 +111,7 @@ void opening(Desk& desk, const Facts& facts) {
 void guide(Desk& desk, const Facts& facts, Actions& actions) {
     if (!facts.guide || !facts.guide->speaks() || desk.panels.is_open(Panel::kHelp)) return;
     if (facts.card && desk.narrow()) return;  // it needs the room
-    const Words words = words_of(facts.guide->step());
+    const Words words = words_of(facts.guide->step(), facts.keyboard);
     const bool asks = facts.guide->step() == Guide::Step::kChallenge;
     const float em = desk.em();
     ImGui::SetNextWindowPos({desk.size.x / 2, desk.time_bar_top - desk.margin()}, ImGuiCond_Always,

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <string>
 
 #include "game/controls/key_map.h"
@@ -28,6 +29,9 @@ class Table {
         list.AddText(desk_.widgets.letters.small, small, {at.x + em * 0.35f, at.y + (size.y - small) / 2},
                      kText, name);
         ImGui::Dummy(size);
+        std::array<char, 32> label;
+        std::snprintf(label.data(), label.size(), "key %s", name);
+        desk_.widgets.note(label.data());
         ImGui::SameLine(0, em * 0.3f);
     }
 
@@ -56,14 +60,14 @@ void mouse(Desk& desk, Table& table) {
     }
 }
 
-void held_keys(Desk& desk, Table& table) {
+void held_keys(Desk& desk, Table& table, const KeyboardLayout& keyboard) {
     desk.widgets.heading("Held keys");
     const auto held = held_bindings();
     for (std::size_t i = 0; i < held.size(); ++i) {
         table.begin();
-        table.cap(name_of(held[i].key).c_str());
+        table.cap(name_of(keyboard, held[i].key).c_str());
         while (i + 1 < held.size() && held[i + 1].held == held[i].held)
-            table.cap(name_of(held[++i].key).c_str());
+            table.cap(name_of(keyboard, held[++i].key).c_str());
         table.meaning(held[i].meaning);
     }
 }
@@ -77,31 +81,31 @@ Section section_of(const KeyBinding& binding) {
     return *verb >= Verb::kOverview && *verb <= Verb::kTogglePanels ? Section::kView : Section::kRest;
 }
 
-void keys(Desk& desk, Table& table, const char* heading, Section section) {
+void keys(Desk& desk, Table& table, const KeyboardLayout& keyboard, const char* heading, Section section) {
     desk.widgets.heading(heading);
     for (const KeyBinding& binding : key_bindings()) {
         if (section_of(binding) != section) continue;
         table.begin();
-        table.cap(name_of(binding.key, binding.with).c_str());
+        table.cap(name_of(keyboard, binding.key, binding.with).c_str());
         table.meaning(binding.meaning);
     }
 }
 
 }  // namespace
 
-void help_panel(Desk& desk) {
+void help_panel(Desk& desk, const KeyboardLayout& keyboard) {
     const float em = desk.em(), width = ImGui::GetContentRegionAvail().x;
     Table table(desk, 8.4f * em);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {em * 0.3f, em * 0.05f});
     const int columns = width >= kThreeColumns * em ? 3 : width >= kTwoColumns * em ? 2 : 1;
     if (columns > 1) ImGui::Columns(columns, "help", false);
     mouse(desk, table);
-    keys(desk, table, "View and panels", Section::kView);
+    keys(desk, table, keyboard, "View and panels", Section::kView);
     if (columns > 1) ImGui::NextColumn();
-    keys(desk, table, "Tools", Section::kTools);
-    held_keys(desk, table);
+    keys(desk, table, keyboard, "Tools", Section::kTools);
+    held_keys(desk, table, keyboard);
     if (columns > 2) ImGui::NextColumn();
-    keys(desk, table, "Time and program", Section::kRest);
+    keys(desk, table, keyboard, "Time and program", Section::kRest);
     if (columns > 1) ImGui::Columns(1);
     ImGui::PopStyleVar();
 }

@@ -25,7 +25,7 @@ void build(Desk& desk, Panel panel, const Facts& facts, Actions& actions) {
         case Panel::kPerformance:
             return performance_panel(desk, facts);
         case Panel::kHelp:
-            return help_panel(desk);
+            return help_panel(desk, facts.keyboard);
     }
 }
 

@@ -96,7 +96,7 @@ void scene_panel(Desk& desk, const Facts& facts, Actions& actions);
 void physics_panel(Desk& desk, const Facts& facts, Actions& actions);
 void display_panel(Desk& desk, const Facts& facts, Actions& actions);
 void performance_panel(Desk& desk, const Facts& facts);
-void help_panel(Desk& desk);
+void help_panel(Desk& desk, const KeyboardLayout& keyboard);
 void open_panels(Desk& desk, const Facts& facts, Actions& actions);
 
 // A window without frame and title that cannot be moved.

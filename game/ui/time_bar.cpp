@@ -15,9 +15,10 @@ constexpr std::array<const char*, 8> kSpeeds{"1/8 ×", "1/4 ×", "1/2 ×", "1 ×
 constexpr int kUsual = 3;  // index of 1 ×
 
 // A button for a verb, with the verb's key in the tooltip.
-bool verb_button(Desk& desk, const char* label, Icon icon, Verb verb, const char* text, bool on = false) {
+bool verb_button(Desk& desk, const Facts& facts, const char* label, Icon icon, Verb verb, const char* text,
+                 bool on = false) {
     std::array<char, 128> tooltip;
-    std::snprintf(tooltip.data(), tooltip.size(), "%s: %s", name_of(verb).c_str(), text);
+    std::snprintf(tooltip.data(), tooltip.size(), "%s: %s", name_of(facts.keyboard, verb).c_str(), text);
     return desk.widgets.icon_button(label, icon, tooltip.data(), on);
 }
 
@@ -35,40 +36,42 @@ void undo_and_redo(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::BeginDisabled(facts.looks_back() || facts.actions_to_undo == 0);
     std::snprintf(text.data(), text.size(), "undoes the last action; %zu can be undone.",
                   facts.actions_to_undo);
-    if (verb_button(desk, "Undo", Icon::kUndo, Verb::kUndo, text.data())) actions.emplace_back(Verb::kUndo);
+    if (verb_button(desk, facts, "Undo", Icon::kUndo, Verb::kUndo, text.data()))
+        actions.emplace_back(Verb::kUndo);
     ImGui::EndDisabled();
     ImGui::SameLine();
     ImGui::BeginDisabled(facts.looks_back() || facts.actions_to_redo == 0);
     std::snprintf(text.data(), text.size(), "redoes what was undone last; %zu can be redone.",
                   facts.actions_to_redo);
-    if (verb_button(desk, "Redo", Icon::kRedo, Verb::kRedo, text.data())) actions.emplace_back(Verb::kRedo);
+    if (verb_button(desk, facts, "Redo", Icon::kRedo, Verb::kRedo, text.data()))
+        actions.emplace_back(Verb::kRedo);
     ImGui::EndDisabled();
 }
 
 void controls(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::BeginDisabled(!facts.timeline.can_go_back);
-    if (verb_button(desk, "Rewind", Icon::kBack, Verb::kRunBack, "rewinds, or runs forward again.",
+    if (verb_button(desk, facts, "Rewind", Icon::kBack, Verb::kRunBack, "rewinds, or runs forward again.",
                     facts.clock.runs_back()))
         actions.emplace_back(Verb::kRunBack);
     ImGui::EndDisabled();
     ImGui::SameLine();
     const bool paused = facts.clock.paused();
-    if (verb_button(desk, paused ? "Resume" : "Pause", paused ? Icon::kPlay : Icon::kPause,
+    if (verb_button(desk, facts, paused ? "Resume" : "Pause", paused ? Icon::kPlay : Icon::kPause,
                     Verb::kPauseOrGoOn, paused ? "resumes." : "pauses."))
         actions.emplace_back(Verb::kPauseOrGoOn);
     ImGui::SameLine();
-    if (verb_button(desk, "Step", Icon::kStep, Verb::kStepOnce, "runs one tick and pauses."))
+    if (verb_button(desk, facts, "Step", Icon::kStep, Verb::kStepOnce, "runs one tick and pauses."))
         actions.emplace_back(Verb::kStepOnce);
     ImGui::SameLine();
     speed(desk, facts, actions);
     ImGui::SameLine(0, desk.em());
     undo_and_redo(desk, facts, actions);
     ImGui::SameLine();
-    if (verb_button(desk, "Reset", Icon::kReset, Verb::kReset, "restarts the scene."))
+    if (verb_button(desk, facts, "Reset", Icon::kReset, Verb::kReset, "restarts the scene."))
         actions.emplace_back(Verb::kReset);
     ImGui::SameLine();
     ImGui::BeginDisabled(facts.sharing.has_value());
-    if (verb_button(desk, "Share", Icon::kShare, Verb::kShare,
+    if (verb_button(desk, facts, "Share", Icon::kShare, Verb::kShare,
                     "writes this slide as a web page to send to a friend.", facts.slide_ended))
         actions.emplace_back(Verb::kShare);
     ImGui::EndDisabled();

@@ -15,12 +15,17 @@
 namespace game::ui {
 namespace {
 
-constexpr double kLetterHeight = 16;  // px at scale 1
+constexpr double kLetterHeight = 16;  // px at scale 1, which is 96 dpi
 constexpr double kLeastLetters = 10;  // px, in a window without room
+
+// px, at a text size of 100 %. A monitor that calls itself coarser than 96 dpi gets no smaller letters.
+double usual_height(const ScreenSize& size) {
+    return kLetterHeight * std::max(size.scale, 1.0);
+}
 
 // px, as the user has set it; smaller on a screen that else had no room for the bars, as long as it can be read.
 double letter_height(const ScreenSize& size, double letters) {
-    const double wanted = kLetterHeight * std::clamp(size.scale * letters, 0.5, 8.0);
+    const double wanted = std::clamp(usual_height(size) * letters, 0.5 * kLetterHeight, 8 * kLetterHeight);
     const double fits = std::min(size.width / kLeastWidth, size.height / kLeastHeight);
     return std::round(std::min(wanted, std::max(fits, kLeastLetters)));
 }
@@ -68,6 +73,7 @@ void Ui::Parts::lend_clipboard() {
     io.GetClipboardTextFn = [](void* user) {
         auto* const parts = static_cast<Parts*>(user);
         parts->clipboard = parts->screen ? parts->screen->clipboard() : std::string();
+        std::ranges::replace(parts->clipboard, ',', '.');  // as in Feed
         return parts->clipboard.c_str();
     };
 }
@@ -123,7 +129,7 @@ void Ui::begin(std::span<const Event> events, Screen& screen, double letters, do
         desk.widgets.letters = set_letters(parts.font, em);
         parts.letters_stale = true;
     }
-    desk.usual_em = kLetterHeight * size.scale;
+    desk.usual_em = usual_height(size);
     ImGuiIO& io = ImGui::GetIO();
     desk.size = io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
     io.DeltaTime = static_cast<float>(std::clamp(elapsed_s, 1e-4, 1.0));

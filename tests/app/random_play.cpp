@@ -122,14 +122,14 @@ class Restless {
         const Verb* const verb = std::get_if<Verb>(&binding.does);
         if (verb && *verb == Verb::kQuit && !one_in(10)) return;
         if (verb && *verb == Verb::kShare && !one_in(10)) return;  // takes as long as all else
-        done_ += name_of(binding.key, binding.with) + " ";
+        done_ += name_of({}, binding.key, binding.with) + " ";
         screen_.tap(binding.key, binding.with);
         frames(1 + below(10));
     }
 
     void choose_tool() {
         const ToolInfo& info = tool_infos()[static_cast<std::size_t>(below(kTools))];
-        done_ += name_of(info.key) + " ";
+        done_ += name_of({}, info.key) + " ";
         screen_.tap(info.key);
         frames(1);
         drag(Button::kLeft);

@@ -12,10 +12,10 @@ namespace {
 TEST(KeyMap, binds_no_key_twice) {
     std::set<std::string> names;
     for (const KeyBinding& binding : key_bindings())
-        EXPECT_TRUE(names.insert(name_of(binding.key, binding.with)).second) << binding.meaning;
+        EXPECT_TRUE(names.insert(name_of({}, binding.key, binding.with)).second) << binding.meaning;
     // Keys to hold act with any modifier but Ctrl, so that even their bare key must be free.
     for (const HeldBinding& binding : held_bindings())
-        EXPECT_TRUE(names.insert(name_of(binding.key)).second) << binding.meaning;
+        EXPECT_TRUE(names.insert(name_of({}, binding.key)).second) << binding.meaning;
 }
 
 TEST(KeyMap, binds_every_verb_every_tool_and_everything_that_is_held) {
@@ -47,22 +47,22 @@ TEST(KeyMap, gives_one_meaning_to_each_gesture_of_the_hand) {
 TEST(KeyMap, says_something_of_every_binding) {
     for (const KeyBinding& binding : key_bindings()) {
         EXPECT_FALSE(binding.meaning.empty());
-        EXPECT_FALSE(name_of(binding.key, binding.with).empty()) << binding.meaning;
+        EXPECT_FALSE(name_of({}, binding.key, binding.with).empty()) << binding.meaning;
     }
-    for (const HeldBinding& binding : held_bindings()) EXPECT_FALSE(name_of(binding.key).empty());
+    for (const HeldBinding& binding : held_bindings()) EXPECT_FALSE(name_of({}, binding.key).empty());
 }
 
 TEST(KeyMap, names_keys_as_they_are_printed_on_keyboards) {
-    EXPECT_EQ(name_of(key('Z'), {false, true, false}), "Ctrl+Z");
-    EXPECT_EQ(name_of(Key::kLeftBracket, {true, false, false}), "Shift+[");
-    EXPECT_EQ(name_of(Key::kSpace), "Space");
-    EXPECT_EQ(name_of(function_key(1)), "F1");
-    EXPECT_EQ(name_of(function_key(9)), "F9");
-    EXPECT_EQ(name_of(function_key(10)), "F10");
-    EXPECT_EQ(name_of(function_key(12)), "F12");
-    EXPECT_EQ(name_of(Key::kPageDown), "PageDown");
-    EXPECT_EQ(name_of(Key::kNone), "");
-    EXPECT_EQ(name_of(Verb::kToggleHelp), "F1");
+    EXPECT_EQ(name_of({}, key('Z'), {false, true, false}), "Ctrl+Z");
+    EXPECT_EQ(name_of({}, Key::kLeftBracket, {true, false, false}), "Shift+[");
+    EXPECT_EQ(name_of({}, Key::kSpace), "Space");
+    EXPECT_EQ(name_of({}, function_key(1)), "F1");
+    EXPECT_EQ(name_of({}, function_key(9)), "F9");
+    EXPECT_EQ(name_of({}, function_key(10)), "F10");
+    EXPECT_EQ(name_of({}, function_key(12)), "F12");
+    EXPECT_EQ(name_of({}, Key::kPageDown), "PageDown");
+    EXPECT_EQ(name_of({}, Key::kNone), "");
+    EXPECT_EQ(name_of({}, Verb::kToggleHelp), "F1");
 }
 
 TEST(KeyMap, hears_function_keys_but_no_others_while_a_number_is_typed) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/game/ui_hand.h"
+#include "tests/support/layouts.h"
 
 namespace game::test {
 namespace {
@@ -127,6 +128,46 @@ TEST_F(UiHand, sets_radius_and_strength_of_the_brush_by_sliding) {
     EXPECT_DOUBLE_EQ(weaker.own()[0], info_of(Tool::kBlast).numbers[0].least);
     EXPECT_EQ(weaker.numbers[0], brush_.numbers[0]);
     EXPECT_EQ(weaker.radius, brush_.radius);
+}
+
+// The decimal key of many keypads types a comma.
+TEST_F(UiHand, takes_a_comma_for_the_point_in_a_number_that_is_typed_or_pasted_into_a_slider) {
+    const auto open_for_typing = [&] {
+        point_at("Radius");
+        frame();
+        screen_.press(Button::kLeft, {.control = true});
+        frame();
+        screen_.release(Button::kLeft);
+        settle();
+    };
+    open_for_typing();
+    screen_.type("6,5");
+    screen_.tap(Key::kEnter);
+    Actions asked;
+    for (int i = 0; i < 4; ++i)
+        for (const Action& action : frame()) asked.push_back(action);
+    EXPECT_EQ(only<SetBrush>(asked).brush.radius, 6.5);
+
+    open_for_typing();
+    screen_.set_clipboard("7,25");
+    screen_.tap(key('V'), {.control = true});
+    screen_.tap(Key::kEnter);
+    asked.clear();
+    for (int i = 0; i < 4; ++i)
+        for (const Action& action : frame()) asked.push_back(action);
+    EXPECT_EQ(only<SetBrush>(asked).brush.radius, 7.25);
+}
+
+TEST_F(UiHand, names_the_keys_of_the_keyboard_in_use) {
+    ui_->perform(Verb::kToggleHelp);
+    settle();
+    EXPECT_TRUE(ui_->find("key Shift+["));
+    EXPECT_FALSE(ui_->find("key Shift+Ü"));
+    screen_.have(support::layout("de"));
+    settle();
+    EXPECT_TRUE(ui_->find("key Ü"));
+    EXPECT_TRUE(ui_->find("key Shift+Ü"));
+    EXPECT_FALSE(ui_->find("key Shift+["));
 }
 
 TEST_F(UiHand, says_what_a_tool_does_while_control_is_held) {

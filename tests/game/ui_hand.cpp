@@ -45,6 +45,7 @@ ui::Facts UiHand::facts() const {
             .times = times_,
             .notices = notices_,
             .catalogue = catalogue_,
+            .keyboard = screen_.layout(),
             .timeline = timeline_,
             .recording = recording_,
             .renderer = "scripted",

@@ -165,6 +165,15 @@ TEST_F(UiPanels, keep_their_letters_while_minimised_and_take_those_of_the_size_a
     EXPECT_LT(place("Pour").height, before);
 }
 
+TEST_F(UiPanels, have_no_smaller_letters_on_a_monitor_below_96_dpi) {
+    const double usual = place("Pour").height;
+    for (const double scale : {0.5, 0.75, 1.25}) {
+        begin_anew({1600, 1000, scale});
+        EXPECT_EQ(place("Pour").height > usual, scale > 1) << scale;
+        EXPECT_GE(place("Pour").height, usual) << scale;
+    }
+}
+
 // Down to what nobody plays in.
 TEST_F(UiPanels, keep_bars_readings_and_clock_apart_in_small_windows_and_with_large_letters) {
     under_cursor_.emplace();

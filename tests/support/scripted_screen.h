@@ -26,6 +26,7 @@ class ScriptedScreen : public game::Screen {
     void tap(game::Key key, game::Modifiers with = {});
     void type(std::string_view text);  // ASCII
     void drop(std::vector<std::filesystem::path> files);
+    void have(const game::KeyboardLayout& layout) { layout_ = layout; }
 
     void resize(game::ScreenSize size) { size_ = size; }
     void pass(double seconds) { seconds_ += seconds; }
@@ -39,6 +40,7 @@ class ScriptedScreen : public game::Screen {
 
     std::span<const game::Event> poll() override;
     std::vector<std::filesystem::path> dropped() override { return std::exchange(dropped_, {}); }
+    const game::KeyboardLayout& layout() const override { return layout_; }
     game::ScreenSize size() const override { return size_; }
     unsigned framebuffer() const override { return framebuffer_; }
     double seconds() const override { return seconds_; }
@@ -55,6 +57,7 @@ class ScriptedScreen : public game::Screen {
   private:
     std::vector<game::Event> coming_, polled_;
     std::vector<std::filesystem::path> dropped_;
+    game::KeyboardLayout layout_;
     game::ScreenSize size_;
     unsigned framebuffer_ = 0;
     double seconds_ = 0;

@@ -1,9 +1,12 @@
 #include <algorithm>
+#include <array>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "game/controls/events.h"
+#include "game/controls/keyboard.h"
 #include "tests/window/screenshot.h"
 #include "tests/window/x_session.h"
 
@@ -31,6 +34,26 @@ class Window : public testing::Test {
     bool says_size(int width, int height, bool full_screen) {
         const std::string line = fmt::format("\nsize {} {} full screen {} ", width, height, full_screen);
         return within(5, [&] { return desktop->out().find(line) != std::string::npos; });
+    }
+
+    // Presses the keys; what it prints of keys that print something. Ends with F9, which prints nothing.
+    std::string printing_keys(std::vector<std::string> keys) {
+        const std::size_t before = desktop->out().size();
+        keys.emplace_back("F9");
+        desktop->keys(keys);
+        const std::string end = fmt::format("key {} up", static_cast<int>(function_key(9)));
+        EXPECT_TRUE(within(5, [&] { return desktop->out().find(end, before) != std::string::npos; }));
+        std::istringstream lines(desktop->out().substr(before));
+        std::string reported;
+        for (std::string line, word, down, with; std::getline(lines, line);) {
+            int number = 0;
+            std::istringstream words(line);
+            if (!(words >> word >> number >> down) || word != "key" || down != "down") continue;
+            if (!KeyboardLayout::is_place(static_cast<Key>(number))) continue;
+            if (words >> with) reported += with == "shift" ? "^" : with;
+            reported += static_cast<char>(number);
+        }
+        return reported;
     }
 
     std::optional<XSession> desktop;
@@ -97,13 +120,33 @@ TEST_F(Window, reports_typed_text) {
     EXPECT_TRUE(says("text 233")) << desktop->out();
 }
 
-// The key that prints Z on a German keyboard prints Y on an American one.
-TEST_F(Window, uses_the_printed_letter_with_control_and_the_key_position_without) {
+// Each key as a keyboard types it, and what it is reported as: "^" if with Shift.
+TEST_F(Window, takes_keys_as_what_they_print_on_each_layout) {
+    const std::vector<std::string> marks{"bracketleft", "bracketright", "equal", "comma", "period"};
+    struct Layout {
+        const char* name;
+        std::vector<std::string> more;
+        std::string reported;
+    };
+    const std::array kLayouts{
+        Layout{"us", {"minus", "8", "0", "z", "y", "shift+bracketleft"}, "-80ZY^["},
+        Layout{"de", {"minus", "8", "0", "z", "y", "ssharp", "at", "udiaeresis", "Udiaeresis"}, "-80ZY[^["},
+        Layout{"fr", {"parenright", "underscore", "8", "agrave", "z", "q", "m"}, "-880ZQM"},
+        Layout{"ch", {"minus", "8", "0", "z", "y", "numbersign"}, "-80ZY"},
+        Layout{"se", {"minus", "8", "0", "z", "y", "aring", "dollar"}, "-80ZY["},
+    };
+    for (const Layout& each : kLayouts) {
+        desktop->keyboard(each.name);
+        std::vector<std::string> keys = marks;
+        keys.insert(keys.end(), each.more.begin(), each.more.end());
+        EXPECT_EQ(printing_keys(keys), "[]=,." + each.reported) << each.name;
+    }
+}
+
+TEST_F(Window, takes_letters_with_control_as_what_they_print) {
     desktop->keyboard("de");
     desktop->key("ctrl+z");
     EXPECT_TRUE(says(key('Z'), "down control")) << desktop->out();
-    desktop->key("z");
-    EXPECT_TRUE(says(key('Y'), "down")) << desktop->out();
 }
 
 TEST_F(Window, follows_its_size) {

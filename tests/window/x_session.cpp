@@ -104,6 +104,13 @@ void XSession::key(const std::string& keys) {
     breathe();
 }
 
+void XSession::keys(const std::vector<std::string>& keys) {
+    std::vector<std::string> command{"xdotool", "key", "--delay", "20"};
+    command.insert(command.end(), keys.begin(), keys.end());
+    tool(command);
+    breathe();
+}
+
 void XSession::key_down(const std::string& name) {
     tool({"xdotool", "keydown", name});
     breathe();

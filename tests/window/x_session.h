@@ -36,6 +36,7 @@ class XSession {
     void drag(int x, int y, int steps = 10);
     void wheel(int steps);              // away from the user is positive
     void key(const std::string& keys);  // as xdotool names them: "ctrl+z", "space", "period"
+    void keys(const std::vector<std::string>& keys);
     void key_down(const std::string& name);
     void key_up(const std::string& name);
     void type(const std::string& text);
