@@ -188,7 +188,9 @@ tl::expected<Areas, std::string> on_plane(Outlines outlines, const Georeference&
 }  // namespace
 
 bool looks_like_json(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
+    auto opened = files::open_input(path);  // not a pipe, which might never begin
+    if (!opened) return false;
+    std::ifstream& file = *opened;
     if (file.peek() == 0xEF) file.ignore(3);  // a byte order mark
     char first = 0;
     file >> std::ws >> first;

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <string_view>
 
 #include <fmt/format.h>
+
+#include "files/input.h"
 
 namespace terrains {
 namespace {
@@ -34,9 +35,10 @@ const char* format_of(std::string_view beginning, const std::filesystem::path& p
 }  // namespace
 
 std::optional<std::string> advice_on_polygons(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
+    auto file = files::open_input(path);
+    if (!file) return std::nullopt;
     std::string beginning(4096, ' ');
-    file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+    file->read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
     const char* format = format_of(beginning, path);
     if (format == nullptr) return std::nullopt;
     std::filesystem::path source = path;

@@ -37,7 +37,6 @@ inline constexpr double kFarthestPlace = 1e7;                                 //
 inline constexpr std::size_t kFewestTreeCorners = 3, kMostTreeCorners = 256;  // of the polygon of [trees]
 
 inline constexpr std::size_t kMostPlaced = 2000;  // commands of things, done before tick 0
-inline constexpr std::size_t kMostForests = 100;  // [[forest]] of a scene
 
 // Meshes and arrays.
 inline constexpr std::size_t kLongestMeshLine = std::size_t{64} << 10;  // bytes
@@ -72,7 +71,6 @@ inline constexpr auto kReaderLimits = std::to_array<ReaderLimit>({
      ""},
     {"recording, scene", "the same in one tick", sim::kAlwaysVisits, ""},
     {"recording, scene", "the same on a larger grid, of its vertices", sim::kMostVisits, "times"},
-    {"scene", "forests", kMostForests, ""},
     {"scene, material", "file", kMostTomlBytes, "bytes"},
     {"scene, material", "keys and table headers", kMostTomlKeys, ""},
     {"scene, material", "dotted keys and table headers", kMostDottedKeys, ""},

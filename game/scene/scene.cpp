@@ -11,6 +11,7 @@
 #include "game/scene/flow_scene.h"
 #include "game/scene/goal_reach.h"
 #include "game/scene/material.h"
+#include "game/scene/poured_beside.h"
 #include "game/scene/scene_file.h"
 #include "game/scene/scene_goal.h"
 #include "game/scene/scene_ground.h"
@@ -357,6 +358,8 @@ Outcome<Scene> read_scene(TomlTable& root, const SceneFile& file, const Override
                             path.string(), most, kDeepestCover));
     }
     set_ground(scenario, *terrain);
+    if (const auto beside = warning_of_pours(scenario.grid, scenario.has_data, scene.commands))
+        scene.warnings.push_back(fmt::format("{}: {}", path.string(), *beside));
     stand(std::move(things), woods_act && !scenario.model, scenario);
     light_by(sun, root, scenario);
     if (fault) return unusable(*fault);

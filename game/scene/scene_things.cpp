@@ -220,6 +220,17 @@ std::pair<int, int> rows_of(const std::vector<glm::dvec2>& polygon, const sim::G
     return {row(south.y), std::min(row(north.y) + 1, grid.ny - 1)};
 }
 
+// Vertices that may be visited before tick 0 by one kind of work, as by commands of things.
+std::int64_t most_visits_before(const sim::Grid& grid) {
+    return std::max(sim::kAlwaysVisitsBefore, sim::kMostVisits * static_cast<std::int64_t>(grid.size()));
+}
+
+// Vertices and sides that planting a forest visits.
+std::int64_t visits_of(const std::vector<glm::dvec2>& polygon, const sim::Grid& grid) {
+    const auto [first, last] = rows_of(polygon, grid);
+    return (last - first + std::int64_t{1}) * (grid.nx + static_cast<std::int64_t>(polygon.size()));
+}
+
 // Plants the vertices inside its polygon, row by row. Where two forests meet, the later one grows.
 void plant_forest(ThingsTables::Forest& forest, Scenario& scenario) {
     const sim::Grid& grid = scenario.grid;
@@ -313,12 +324,7 @@ ThingsTables read_things(TomlTable& root) {
     for (TomlTable& table : root.tables("dam")) read_dam(table, things);
     for (TomlTable& table : root.tables("house")) read_house(table, things);
     for (TomlTable& table : root.tables("net")) read_net(table, things);
-    for (TomlTable& table : root.tables("forest")) {
-        read_forest(table, things);
-        if (things.forests.size() == kMostForests + 1)
-            table.blame("",
-                        fmt::format("is too many: at most {} forests may stand in a scene", kMostForests));
-    }
+    for (TomlTable& table : root.tables("forest")) read_forest(table, things);
     if (auto earth = root.table("earth")) {
         const auto budget = earth->number("budget", 0, kGreatestEarthBudget);
         if (!budget && !earth->has("budget")) earth->blame("", "needs a budget, in m³");
@@ -366,7 +372,18 @@ void stand(ThingsTables things, bool woods_act, Scenario& scenario) {
         }
     }
     if (woods_act) let_woods_act(scenario);
-    for (ThingsTables::Forest& forest : things.forests) plant_forest(forest, scenario);
+    std::int64_t visits = 0;
+    for (ThingsTables::Forest& forest : things.forests) {
+        if (!forest.polygon.empty()) visits += visits_of(forest.polygon, scenario.grid);
+        if (visits > most_visits_before(scenario.grid)) {
+            forest.table.blame(
+                "polygon",
+                fmt::format("is too much forest: up to it {} vertices would be visited, and the most is {}",
+                            visits, most_visits_before(scenario.grid)));
+            break;
+        }
+        plant_forest(forest, scenario);
+    }
     if (const auto road = first_unclearable(scenario); road && !standing.forest.empty()) {
         origin[*road]->blame(
             "", fmt::format("is too much road for this grid: clearing all roads of trees takes over {} "

@@ -7,16 +7,23 @@
 #include "game/files/assets.h"
 #include "game/scene/goal_reach.h"
 #include "game/session/renew.h"
+#include "terrains/geojson.h"
 
 namespace game {
 namespace {
 
 namespace fs = std::filesystem;
 
+std::string warnings_of(const Scene& scene) {
+    std::string text;
+    for (const std::string& warning : scene.warnings) text += ". " + warning;
+    return text;
+}
+
 Outcome<LoadedWorld> open_scene(const std::string& name_or_path, const Overrides& overrides) {
     auto scene = load_scene(name_or_path, overrides);
     if (!scene) return tl::unexpected(scene.error());
-    std::string told = fmt::format("Loaded {}", scene->scenario.title);
+    std::string told = fmt::format("Loaded {}", scene->scenario.title) + warnings_of(*scene);
     return LoadedWorld{std::move(*scene), {}, std::nullopt, std::move(told), overrides.memory};
 }
 
@@ -55,12 +62,17 @@ Outcome<LoadedWorld> open_recording(const fs::path& path, const Overrides& overr
 }
 
 Outcome<LoadedWorld> open_terrain(const fs::path& path, const Overrides& overrides) {
+    if (terrains::looks_like_json(path))
+        return unusable(
+            fmt::format("{}: polygons are no terrain; a release is given with its hill: couloir run "
+                        "--terrain DEM --release {}",
+                        path.string(), path.filename().string()));
     auto scene = scene_of_terrain(path, std::nullopt, overrides);
     if (!scene) return tl::unexpected(scene.error());
     const sim::Grid& grid = scene->scenario.grid;
     std::string told = fmt::format("Loaded {}: {} by {} squares of {:.1f} m", path.filename().string(),
                                    grid.nx - 1, grid.ny - 1, grid.dx);
-    for (const std::string& warning : scene->warnings) told += ". " + warning;
+    told += warnings_of(*scene);
     return LoadedWorld{std::move(*scene), {}, std::nullopt, std::move(told), overrides.memory};
 }
 

@@ -1,5 +1,7 @@
 #include "tests/fuzz/try_reader.h"
 
+#include <fmt/format.h>
+
 #include "terrains/release.h"
 
 namespace game::test {
@@ -22,9 +24,13 @@ const terrains::Terrain& slope() {
 }
 
 Outcome<void> try_release(const std::filesystem::path& file) {
-    const auto depth = terrains::read_release(file, slope());
-    if (!depth) return unusable(depth.error());
-    return check_numbers(*depth, 0, 200, "a release");
+    const auto release = terrains::read_release(file, slope());
+    if (!release) return unusable(release.error());
+    const terrains::ReleaseVolumes& v = release->volumes;
+    for (const double volume : {v.in_file, v.on_ground, v.outside, v.on_no_data, v.overlap})
+        if (!(volume >= -1e-6 * v.in_file))
+            return broken(fmt::format("a volume of the release is {}", volume));
+    return check_numbers(release->thickness, 0, 200, "a release");
 }
 
 }  // namespace

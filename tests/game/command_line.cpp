@@ -264,6 +264,41 @@ TEST(CommandLine, run_takes_parameters_and_refuses_what_is_none) {
     }
 }
 
+// A hill of 45°, with a pit that is no ground, and a depth raster of 1 m of which half lies beyond it.
+TEST(CommandLine, run_says_what_is_lost_of_a_release_and_that_its_hill_has_a_pit) {
+    const support::TemporaryFolder folder;
+    const auto dem = folder.path() / "hill.asc", release = folder.path() / "release.asc";
+    const auto grid = [](double west, const char* usual, const char* first) {
+        std::string text = fmt::format("ncols 21\nnrows 21\nxllcenter {}\nyllcenter 0\ncellsize 10\n", west);
+        for (int row = 0; row < 21; ++row)
+            for (int column = 0; column < 21; ++column)
+                text += std::string(row + column == 0 ? first : usual) + (column == 20 ? "\n" : " ");
+        return text;
+    };
+    write_bytes(dem, grid(0, "900", "-99"));
+    write_bytes(release, grid(100, "1", "1"));
+    const std::vector<std::string> run{"run",       "--terrain", dem.string(), "--release", release.string(),
+                                       "--seconds", "0.1"};
+    const Finished lossy = couloir(run);
+    EXPECT_EQ(lossy.status, 1) << lossy.err;
+    EXPECT_NE(lossy.err.find("hill.asc: row 1, column 2 is 900 m high"), std::string::npos) << lossy.err;
+    EXPECT_NE(lossy.out.find("release: thickness taken vertically; 44100.0 m3 in the file"),
+              std::string::npos)
+        << lossy.out;
+    EXPECT_NE(lossy.out.find("release: LOST "), std::string::npos) << lossy.out;
+
+    auto accepted = run;
+    accepted.insert(accepted.end(), {"--accept-loss", "--json", "--thickness", "normal"});
+    const Finished json = couloir(accepted);
+    ASSERT_EQ(json.status, 0) << json.err;
+    const auto told = Json::parse(json.out)["release"];
+    EXPECT_EQ(told["thickness"], "normal");
+    EXPECT_GT(told["lost_m3"]["outside"].get<double>(), 0.3 * told["file_m3"].get<double>());
+    EXPECT_NEAR(told["ground_m3"].get<double>() + told["lost_m3"]["outside"].get<double>() +
+                    told["lost_m3"]["no_data"].get<double>(),
+                told["file_m3"].get<double>(), 1);
+}
+
 // A plane of 45° in the dialect of ISeeSnow, with a hole, and a release of 1 m normal to it.
 TEST(CommandLine, run_exports_what_iseesnow_asks_for) {
     const support::TemporaryFolder folder;

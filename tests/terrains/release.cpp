@@ -349,5 +349,130 @@ TEST_F(Release, reads_a_reference_as_an_extent_or_as_a_change_with_its_signs) {
     EXPECT_FALSE(extent->extent.empty());
 }
 
+// Where the volume of a release goes.
+TEST_F(Release, tells_the_volume_of_its_polygons_and_each_loss_with_its_cause) {
+    const auto of = [&](const Terrain& terrain, const std::string& features) {
+        test::write_text(path_, collection(features));
+        return read_release(path_, terrain).value();
+    };
+    const auto square = [](const Terrain& terrain, double west, double south, double east, double north,
+                           double thick) {
+        return feature(fmt::format(R"("thickness": {})", thick), "Polygon",
+                       fmt::format("[{}]", ring(terrain, west, south, east, north)));
+    };
+    Terrain terrain = utm_ground();  // cells from -5 to 405 and -5 to 305
+    const auto whole = of(terrain, square(terrain, 95, 45, 145, 75, 2));
+    EXPECT_NEAR(whole.volumes.in_file, 3000, 0.1);
+    EXPECT_NEAR(whole.volumes.on_ground, 3000, 0.1);
+    EXPECT_NEAR(whole.volumes.lost(), 0, 0.1);
+    EXPECT_FALSE(whole.volumes.much_is_lost());
+    EXPECT_TRUE(whole.vertical && !whole.normal);
+
+    const auto beyond = of(terrain, square(terrain, -55, 45, 45, 75, 2));
+    EXPECT_NEAR(beyond.volumes.in_file, 6000, 0.1);
+    EXPECT_NEAR(beyond.volumes.on_ground, 3000, 0.1);
+    EXPECT_NEAR(beyond.volumes.outside, 3000, 0.1);
+    EXPECT_TRUE(beyond.volumes.much_is_lost());
+
+    const auto twice =
+        of(terrain, square(terrain, 95, 45, 145, 75, 2) + "," + square(terrain, 125, 45, 175, 75, 1));
+    EXPECT_NEAR(twice.volumes.in_file, 4500, 0.1);
+    EXPECT_NEAR(twice.volumes.overlap, 600, 0.1);
+    EXPECT_NEAR(twice.volumes.on_ground, 3900, 0.1);
+
+    terrain.has_data[6 * 41 + 12] = 0;
+    const auto hole = of(terrain, square(terrain, 95, 45, 145, 75, 2));
+    EXPECT_NEAR(hole.volumes.on_no_data, 200, 0.1);
+    EXPECT_NEAR(hole.volumes.on_ground, 2800, 0.1);
+
+    // Normal to the slope, beyond the grid as within it.
+    const Terrain slope = tilted(utm_ground());
+    const auto normal =
+        of(slope, feature(R"("thickness_normal": 2)", "Polygon", "[" + ring(slope, -55, 45, 45, 75) + "]"));
+    EXPECT_NEAR(normal.volumes.in_file, 6000 * std::sqrt(2.0), 1);
+    EXPECT_NEAR(normal.volumes.outside, 3000 * std::sqrt(2.0), 1);
+    EXPECT_TRUE(normal.normal && !normal.vertical);
+}
+
+TEST_F(Release, tells_what_of_a_raster_lies_outside) {
+    const Terrain terrain = utm_ground();
+    for (const double cell : {7.0, 21.0})
+        for (const double east : {113.0, -42.0, 363.0}) {
+            const auto path = test::write_ascii_grid(folder_.path(), "depth",
+                                                     {.columns = static_cast<int>(84 / cell),
+                                                      .rows = static_cast<int>(63 / cell),
+                                                      .west = kEast + east + cell / 2,
+                                                      .south = kNorth + 92 + cell / 2,
+                                                      .cell = cell,
+                                                      .prj = test::utm_32n()},
+                                                     [](double, double) { return 3.0; });
+            const auto release = read_release(path, terrain);
+            ASSERT_TRUE(release) << release.error();
+            const double in_file = 3 * 84 * 63, inside = east < 0 ? 47 : east > 300 ? 42 : 84;
+            EXPECT_NEAR(release->volumes.in_file, in_file, 1e-3 * in_file);
+            EXPECT_NEAR(release->volumes.on_ground, in_file * inside / 84, 0.02 * in_file);
+            EXPECT_NEAR(release->volumes.outside, in_file * (1 - inside / 84), 0.02 * in_file);
+            EXPECT_EQ(release->volumes.much_is_lost(), inside < 84) << cell << " " << east;
+        }
+}
+
+TEST_F(Release, tells_the_volume_of_a_raster_in_another_system) {
+    const auto path = test::write_ascii_grid(folder_.path(), "depth",
+                                             {.columns = 40,
+                                              .rows = 40,
+                                              .west = 11.4205,
+                                              .south = 47.2885,
+                                              .cell = 0.00005,
+                                              .prj = test::degrees()},
+                                             [](double, double) { return 2.0; });
+    const auto release =
+        read_release(path, ground(Georeference::projected(test::utm_32n(), 682'950, 5'240'050)));
+    ASSERT_TRUE(release) << release.error();
+    const double truth = 2 * 0.002 * 0.002 * 111'176 * 75'595;
+    EXPECT_NEAR(release->volumes.in_file, truth, 0.005 * truth);
+    EXPECT_FALSE(release->volumes.much_is_lost());
+}
+
+TEST_F(Release, skips_and_counts_features_whose_geometry_is_null) {
+    const Terrain terrain = utm_ground();
+    const std::string null = R"({ "type": "Feature", "properties": {}, "geometry": null })";
+    const std::string area =
+        feature(R"("thickness": 1)", "Polygon", "[" + ring(terrain, 95, 45, 145, 75) + "]");
+    test::write_text(path_, collection(null + "," + area + "," + null));
+    const auto release = read_release(path_, terrain);
+    ASSERT_TRUE(release) << release.error();
+    EXPECT_EQ(release->without_geometry, 2u);
+    EXPECT_NEAR(release->volumes.on_ground, 1500, 0.1);
+    const auto reference = read_reference(path_, terrain);
+    ASSERT_TRUE(reference) << reference.error();
+    EXPECT_EQ(reference->without_geometry, 2u);
+    EXPECT_NE(refusal(collection(null), terrain).find("none of its features has a geometry"),
+              std::string::npos);
+    EXPECT_NE(refusal(null, terrain).find("no geometry"), std::string::npos);
+    EXPECT_NE(refusal(collection(R"({ "type": "Feature", "properties": { "thickness": 1 } })"), terrain)
+                  .find("feature 1: it has no geometry"),
+              std::string::npos);
+}
+
+TEST_F(Release, of_another_format_gets_the_command_that_makes_geojson_of_it) {
+    using namespace std::string_literals;
+    const Terrain terrain = utm_ground();
+    for (const auto& [name, beginning] :
+         {std::pair{"a.shp", "\0\0\x27\x0a"s}, std::pair{"a.dbf", "\x03"s},
+          std::pair{"a.gpkg", "SQLite format 3\0"s}, std::pair{"a.kml", "<?xml version=\"1.0\"?>\n<kml>"s},
+          std::pair{"a.fgb", "fgb\x03"s}, std::pair{"a.gml", "<x xmlns:gml=\"http://www.opengis.net/gml\">"s},
+          std::pair{"a.zip", "PK\x03\x04"s}}) {
+        const auto path = folder_.path() / name;
+        test::write_text(path, beginning + std::string(300, '\0'));
+        for (const auto& error :
+             {read_release(path, terrain).error(), read_reference(path, terrain).error()}) {
+            EXPECT_NE(error.find("ogr2ogr -f GeoJSON -t_srs EPSG:4326"), std::string::npos) << error;
+            EXPECT_NE(error.find("a.geojson"), std::string::npos) << error;
+        }
+    }
+    test::write_text(folder_.path() / "a.txt", "nothing");
+    EXPECT_EQ(read_release(folder_.path() / "a.txt", terrain).error().find("ogr2ogr"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace terrains
