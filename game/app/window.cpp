@@ -12,6 +12,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "game/base/one_line.h"
 #include "render/context.h"
 
 namespace game {
@@ -400,7 +401,7 @@ DeviceFault Window::device_fault() {
 }
 
 void Window::show_title(const std::string& title) {
-    glfwSetWindowTitle(window_, title.c_str());
+    glfwSetWindowTitle(window_, one_line(title).c_str());
 }
 
 void Window::set_fullscreen(bool on) {

@@ -1,32 +1,21 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 
 namespace game {
 
-// The text as it is printed: control characters (escape sequences, NUL, also those of ISO 8859-1 in UTF-8)
-// become '?', because messages quote untrusted input. Line breaks stay.
-inline std::string printable(const std::string& text) {
-    std::string shown;
-    shown.reserve(text.size());
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto c = static_cast<unsigned char>(text[i]);
-        const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : 0);
-        const bool wide = c == 0xc2 && next >= 0x80 && next < 0xa0;  // U+0080 to U+009F
-        const bool control = (c < 0x20 && c != '\n') || c == 0x7f || wide;
-        shown.push_back(control ? '?' : text[i]);
-        if (wide) ++i;
-    }
-    return shown;
-}
+// What must not reach a terminal, a window or a page from text that somebody else wrote: control characters (escape
+// sequences, NUL, those of ISO 8859-1), characters that turn the direction of text or separate lines, invisible ones
+// with which two names look alike, and code points that are no characters. Text that is not UTF-8 keeps its bytes,
+// but for those from 0x80 to 0x9f, which are controls of ISO 8859-1.
+
+// The text as it is printed: each such character becomes '?'. Line breaks stay.
+std::string printable(const std::string& text);
 
 // The same for a sentence, whose line breaks become '?' too.
-inline std::string one_line(const std::string& sentence) {
-    std::string line = printable(sentence);
-    for (char& c : line)
-        if (c == '\n') c = '?';
-    return line;
-}
+std::string one_line(const std::string& sentence);
+
+// The same for JSON, which has the means to keep them: \u202e. Of those beyond U+FFFF it makes surrogates.
+std::string printable_json(const std::string& json);
 
 }  // namespace game

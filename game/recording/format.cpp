@@ -10,6 +10,7 @@
 
 #include "game/base/limits.h"
 #include "game/base/number.h"
+#include "game/base/one_line.h"
 #include "game/base/version.h"
 #include "game/recording/command_json.h"
 #include "game/recording/goal_json.h"
@@ -594,7 +595,7 @@ tl::expected<Line, std::string> line_from(const Json& json, int minor) try {
 }
 
 std::string printed(const Json& json) {
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return printable_json(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 std::string hex(std::uint64_t value) {

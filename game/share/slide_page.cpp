@@ -12,6 +12,7 @@
 
 #include "game/analysis/measures.h"
 #include "game/analysis/summary.h"
+#include "game/base/one_line.h"
 #include "game/base/version.h"
 #include "game/files/assets.h"
 #include "game/files/text_file.h"
@@ -22,6 +23,7 @@
 #include "game/share/packed_stream.h"
 #include "game/share/puff_paths.h"
 #include "game/share/scenery.h"
+#include "game/share/sha256.h"
 #include "render/drawn_mixture.h"
 #include "render/frame_block.h"
 #include "render/height_range.h"
@@ -68,10 +70,31 @@ std::string filled(std::string_view text,
     return out;
 }
 
-// JSON that ends no script element and means the same.
+// "1.5 MB", so that a small limit does not read 0.0 MB.
+std::string size_text(std::uint64_t bytes) {
+    if (bytes < 1000) return fmt::format("{} bytes", bytes);
+    const auto size = static_cast<double>(bytes);
+    return bytes < 1'000'000 ? fmt::format("{:.1f} kB", size / 1e3) : fmt::format("{:.1f} MB", size / 1e6);
+}
+
+// What a policy calls the scripts of a page: 'sha256-…' of each element without attributes. Only they may run, whatever
+// else the page was made to hold.
+std::string names_of_scripts(std::string_view page) {
+    constexpr std::string_view kBegin = "<script>", kEnd = "</script>";
+    std::string names;
+    for (auto at = page.find(kBegin); at != std::string_view::npos; at = page.find(kBegin, at)) {
+        at += kBegin.size();
+        const auto digest = sha256(page.substr(at, page.find(kEnd, at) - at));
+        const std::string_view bytes(reinterpret_cast<const char*>(digest.data()), digest.size());
+        names += fmt::format("{}'sha256-{}'", names.empty() ? "" : " ", to_base64(bytes));
+    }
+    return names;
+}
+
+// JSON that ends no script element and means the same, but for what is not printable.
 std::string in_script(const Json& json) {
     std::string text;
-    for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace))
+    for (const char c : printable(json.dump(-1, ' ', false, Json::error_handler_t::replace)))
         if (c == '<')
             text += "\\u003c";
         else
@@ -383,10 +406,10 @@ Outcome<void> SlidePage::Parts::flush() {
     for (PackedMotion* motion : moving()) motion->flush(stream);
     if (bytes_so_far() > options.most_bytes)
         return unusable(
-            fmt::format("--web: after {:.0f} s of the slide the page is larger than {:.1f} MB. Use a larger "
+            fmt::format("--web: after {:.0f} s of the slide the page is larger than {}. Use a larger "
                         "--every or --size-limit",
                         static_cast<double>(last_tick) * static_cast<double>(scenario.params.tick_s),
-                        static_cast<double>(options.most_bytes) / 1e6));
+                        size_text(options.most_bytes)));
     return {};
 }
 
@@ -510,17 +533,19 @@ Outcome<PageReport> SlidePage::write(const fs::path& file, const Session& sessio
     const std::string fields = to_base64(p.stream.finish());
 
     const std::string title = html_text(p.scenario.title), slide = in_script(p.info(session, commands));
-    const std::array<std::pair<std::string_view, std::string_view>, 5> slots{
-        {{"@TITLE@", title},
-         {"@STYLE@", p.files.style},
-         {"@SLIDE@", slide},
-         {"@FIELDS@", fields},
-         {"@PROGRAM@", p.files.program}}};
-    const std::string page = filled(p.files.frame, slots);
+    const std::array<std::pair<std::string_view, std::string_view>, 1> program{
+        {{"@PROGRAM@", p.files.program}}};
+    const std::string frame = filled(p.files.frame, program), scripts = names_of_scripts(frame);
+    const std::array<std::pair<std::string_view, std::string_view>, 5> slots{{{"@TITLE@", title},
+                                                                              {"@SCRIPTS@", scripts},
+                                                                              {"@STYLE@", p.files.style},
+                                                                              {"@SLIDE@", slide},
+                                                                              {"@FIELDS@", fields}}};
+    const std::string page = filled(frame, slots);
     if (page.size() > p.options.most_bytes)
-        return unusable(fmt::format(
-            "--web: the page has {:.1f} MB, and {:.1f} are allowed. Use a larger --every or --size-limit",
-            static_cast<double>(page.size()) / 1e6, static_cast<double>(p.options.most_bytes) / 1e6));
+        return unusable(
+            fmt::format("--web: the page has {}, and {} are allowed. Use a larger --every or --size-limit",
+                        size_text(page.size()), size_text(p.options.most_bytes)));
     if (auto written = write_text(file, page); !written) return tl::unexpected(written.error());
     return PageReport{page.size(), p.frames};
 }

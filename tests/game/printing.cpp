@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "game/base/one_line.h"
 #include "game/files/text_file.h"
+#include "game/recording/json_values.h"
 #include "tests/game/program.h"
 #include "tests/game/subcommands.h"
 #include "tests/support/places.h"
@@ -31,6 +34,51 @@ TEST(OneLine, has_no_control_characters) {
     EXPECT_EQ(one_line("Höhe → ½ °"), "Höhe → ½ °");
     EXPECT_EQ(one_line("\xc2"), "\xc2");
     EXPECT_EQ(printable("a\nb\r\n"), "a\nb?\n");
+}
+
+std::string utf8(char32_t code) {
+    const auto byte = [](char32_t bits) { return static_cast<char>(bits); };
+    if (code < 0x80) return {byte(code)};
+    if (code < 0x800) return {byte(0xc0 | code >> 6), byte(0x80 | (code & 0x3f))};
+    if (code < 0x10000)
+        return {byte(0xe0 | code >> 12), byte(0x80 | (code >> 6 & 0x3f)), byte(0x80 | (code & 0x3f))};
+    return {byte(0xf0 | code >> 18), byte(0x80 | (code >> 12 & 0x3f)), byte(0x80 | (code >> 6 & 0x3f)),
+            byte(0x80 | (code & 0x3f))};
+}
+
+// Characters that turn text around, that nobody sees, or that are none.
+std::vector<char32_t> hidden_characters() {
+    std::vector<char32_t> hidden{0x00ad, 0x034f, 0x061c, 0x115f, 0x180e, 0x2028, 0x2029,  0x3164,
+                                 0xfeff, 0xfffb, 0xfdd0, 0xfdef, 0xfffe, 0xffff, 0x1fffe, 0x10ffff};
+    const auto add = [&](char32_t first, char32_t last) {
+        for (char32_t code = first; code <= last; ++code) hidden.push_back(code);
+    };
+    add(0x80, 0x9f), add(0x200b, 0x200f), add(0x202a, 0x202e), add(0x2060, 0x206f), add(0xe0000, 0xe007f);
+    return hidden;
+}
+
+TEST(OneLine, has_no_character_that_hides_or_turns_text) {
+    for (const char32_t code : hidden_characters()) {
+        EXPECT_EQ(one_line(fmt::format("a{}b", utf8(code))), "a?b") << static_cast<unsigned>(code);
+        EXPECT_EQ(printable(utf8(code) + "\n"), "?\n") << static_cast<unsigned>(code);
+    }
+    // Words of any script, and signs beside those above.
+    for (const char* text :
+         {"Lawine, обвал, 雪崩, انهيار, מפולת, हिमस्खलन", "❄ 🏔 “½ °” … – ‰ €",
+          "\u2027\u202f\u2010\u2070\u2030\ufdcf\ufdf0\ufffd\u00a0\u00ae"})
+        EXPECT_EQ(printable(text), text);
+    // Bytes that are no UTF-8: overlong, a surrogate, cut off, and a control of ISO 8859-1.
+    EXPECT_EQ(one_line("\xc0\x8a\xff"), "\xc0?\xff");
+    EXPECT_EQ(one_line("h\xfcgel\x9b\xe2\x80"), "h\xfcgel?\xe2?");
+}
+
+TEST(PrintableJson, means_the_same_and_hides_nothing) {
+    for (const char32_t code : hidden_characters()) {
+        const std::string text = fmt::format("a{}b", utf8(code));
+        const std::string shown = printable_json(Json(text).dump());
+        EXPECT_EQ(printable(shown), shown) << static_cast<unsigned>(code);
+        EXPECT_EQ(Json::parse(shown), text) << static_cast<unsigned>(code);
+    }
 }
 
 // Every subcommand, whose inputs, outputs and folders have hostile names: run to its end and refused.
@@ -101,6 +149,25 @@ TEST(Printing, shows_no_control_character_of_a_scene) {
     EXPECT_EQ(finished.status, 0) << finished.err;
     EXPECT_EQ(finished.out.substr(0, 10), "a?[31m?b: ");
     expect_harmless(finished);
+}
+
+TEST(Printing, turns_no_text_around_that_a_scene_carries) {
+    const support::TemporaryFolder folder;
+    const fs::path scene = folder.path() / "scene.toml", page = folder.path() / "page.html";
+    const std::string landslide = read_bytes(support::source_dir() / "assets/scenes/landslide.toml");
+    write_bytes(scene, "title = \"a\\u202ehtaed\"\n" + landslide.substr(landslide.find("[terrain]")));
+    const std::vector<std::string> call{"run", scene.string(), "--grid", "8", "--seconds", "0"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), call.begin(), call.end());
+        return couloir(more);
+    };
+    const Finished text = with({"--web", page.string()}), json = with({"--json"});
+    EXPECT_EQ(text.out.substr(0, 8), "a?htaed:") << text.err;
+    EXPECT_EQ(Json::parse(json.out).at("title"), "a\u202ehtaed");
+    const std::string html = read_bytes(page);
+    EXPECT_NE(html.find("<title>a?htaed</title>"), std::string::npos);
+    for (const std::string* shown : {&text.out, &json.out, &html})
+        EXPECT_EQ(shown->find("\u202e"), std::string::npos);
 }
 
 // Text reaches a terminal only by game/base/print.h and main.cpp, which replace control characters.

@@ -3,17 +3,21 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <new>
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "game/analysis/headless.h"
+#include "game/recording/base64.h"
 #include "game/scene/scene.h"
 #include "game/scene/viewpoint.h"
 #include "game/share/in_order.h"
+#include "game/share/sha256.h"
 #include "game/share/share_recording.h"
 #include "game/share/slide_page.h"
 #include "render/drawn_mixture.h"
@@ -243,12 +247,54 @@ TEST_F(SlidePages, show_any_title_as_it_is) {
     EXPECT_EQ(page().info()["licence"], scene.scenario.licence);
 }
 
+// FIPS 180-4 and lengths about the end of a block; expected values from coreutils' sha256sum.
+TEST(Sha256, is_that_of_the_standard) {
+    const auto digest = [](const std::string& bytes) {
+        std::string text;
+        for (const std::uint8_t byte : sha256(bytes)) text += fmt::format("{:02x}", byte);
+        return text;
+    };
+    EXPECT_EQ(digest(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    EXPECT_EQ(digest("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    EXPECT_EQ(digest(std::string(55, 'y')),
+              "fb66d40c3bfff05b0d5af8612d0abfbfacc6f5f26c330bc7ad634f1f44bc20ad");
+    EXPECT_EQ(digest(std::string(56, 'y')),
+              "4877e564e5e36e367c7c8d59670774becd3350610b6df4c399c9fa9b66da5813");
+    EXPECT_EQ(digest(std::string(64, 'x')),
+              "7ce100971f64e7001e8fe5a51973ecdfe1ced42befe7ee8d5fd6219506b5393c");
+    EXPECT_EQ(digest(std::string(1'000'000, 'a')),
+              "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+TEST_F(SlidePages, let_only_their_own_scripts_run) {
+    Scene scene = scene_of("landslide", 16);
+    scene.scenario.title = "<script>alert(1)</script>";
+    ASSERT_TRUE(write(scene, 6));
+    const std::string html = read_bytes(file());
+    const std::string begin = "http-equiv=\"Content-Security-Policy\" content=\"";
+    const auto at = html.find(begin) + begin.size();
+    const std::string policy = html.substr(at, html.find('"', at) - at);
+    for (const char* rule : {"default-src 'none'", "base-uri 'none'", "form-action 'none'"})
+        EXPECT_NE(policy.find(rule), std::string::npos) << policy;
+    const auto scripts = policy.find("script-src "), end = policy.find(';', scripts);
+    std::string expected = "script-src";
+    for (auto from = html.find("<script>"); from != std::string::npos; from = html.find("<script>", from)) {
+        from += std::string("<script>").size();
+        const auto digest = sha256(html.substr(from, html.find("</script>", from) - from));
+        expected += " 'sha256-" + to_base64(std::string(digest.begin(), digest.end())) + "'";
+    }
+    EXPECT_EQ(policy.substr(scripts, end - scripts), expected);
+    EXPECT_EQ(std::count(expected.begin(), expected.end(), ' '), 2);
+}
+
 TEST_F(SlidePages, that_are_too_large_are_refused_and_not_written) {
     for (const std::uint64_t most : {1'000u, 300'000u}) {
         const auto refused = write(scene_of("winter-avalanche", 48), 1000, {.most_bytes = most});
         ASSERT_FALSE(refused) << most;
         EXPECT_EQ(refused.error().status, Failure::kUnusable);
         EXPECT_NE(refused.error().sentence.find("Use a larger --every or --size-limit"), std::string::npos)
+            << refused.error().sentence;
+        EXPECT_NE(refused.error().sentence.find(most == 1'000 ? "1.0 kB" : "300.0 kB"), std::string::npos)
             << refused.error().sentence;
         EXPECT_FALSE(fs::exists(file()));
     }

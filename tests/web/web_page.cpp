@@ -104,10 +104,14 @@ class WebPage : public testing::Test {
             })())")
             .get<std::string>();
     }
+    // Opens a page that is not the avalanche's and returns its state.
+    static std::string open_other(const std::string& page) {
+        shared_->opened.clear();
+        return browser().open(file_of(page));
+    }
     // Opens a page that cannot be shown and returns its sentence.
     static std::string refusal(const std::string& page) {
-        shared_->opened.clear();
-        EXPECT_EQ(browser().open(file_of(page)), "failed");
+        EXPECT_EQ(open_other(page), "failed");
         EXPECT_TRUE(holds("document.getElementById('note').checkVisibility()"));
         EXPECT_TRUE(browser().messages().empty()) << browser().messages().front();
         return sentence();
@@ -476,6 +480,19 @@ TEST_F(WebPage, shows_any_title_as_plain_text) {
     EXPECT_EQ(browser().value("document.title"), kHostileTitle);
     EXPECT_EQ(number("document.querySelectorAll('b').length"), 0);
     EXPECT_EQ(browser().messages(), std::vector<std::string>());
+}
+
+// Whatever is brought into a page, its policy lets nothing of it run.
+TEST_F(WebPage, runs_no_script_but_its_own) {
+    std::string page = avalanche().page;
+    const std::string body = "<body>";
+    page.insert(page.find(body) + body.size(),
+                "<script>document.documentElement.dataset.mine = 1</script>"
+                "<img src=\"data:,\" onerror=\"document.documentElement.dataset.mine = 2\">"
+                "<base href=\"https://example.org/\">");
+    EXPECT_EQ(open_other(page), "ready");
+    EXPECT_FALSE(holds("'mine' in document.documentElement.dataset"));
+    EXPECT_TRUE(holds("document.baseURI.startsWith('file:')"));
 }
 
 TEST_F(WebPage, says_that_its_data_is_damaged) {
