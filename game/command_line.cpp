@@ -204,7 +204,8 @@ void add_material_and_model(CLI::App& app, Overrides& overrides) {
 // A parameter of the physics, as NAME=VALUE. Throws its error message as a CLI11 exception.
 Overrides::Set set_from(const std::string& text) {
     const std::size_t equals = text.find('=');
-    if (equals == std::string::npos) throw CLI::ValidationError("--set", "'" + text + "' is not NAME=VALUE");
+    if (equals == std::string::npos)
+        throw CLI::ValidationError("--set", "'" + text + "' is not NAME=VALUE; numbers have a decimal point");
     const std::string name = text.substr(0, equals);
     for (const sim::ParamInfo& info : sim::kParams) {
         if (info.name != name) continue;

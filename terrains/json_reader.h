@@ -43,8 +43,11 @@ class JsonBuilder {
         auto& members = open_.back()->template get_ref<typename Json::object_t&>();
         if (members.size() == limits_.members)
             return refuse(fmt::format("an object of over {} members", limits_.members));
-        member_ = &members[std::move(name)];
-        return true;
+        const auto [place, is_new] = members.emplace(name, Json());
+        member_ = &place->second;
+        // The second one would replace the first, and a reader of the text may take the first for what counts.
+        return is_new ||
+               refuse(fmt::format("the key '{}' twice in one object", name.substr(0, kLongestQuote)));
     }
     bool parse_error(std::size_t byte, const std::string&, const nlohmann::detail::exception&) {
         return refuse(fmt::format("byte {}: not JSON", byte));
@@ -56,6 +59,8 @@ class JsonBuilder {
     }
 
   private:
+    static constexpr std::size_t kLongestQuote = 60;  // bytes of a name
+
     bool refuse(std::string fault) {
         fault_ = std::move(fault);
         return false;

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,7 +17,7 @@ namespace game {
 template <class Number>
 struct Range {
     Number least, most;
-    std::string_view unit = {};  // "m", "ticks"; empty: a bare number
+    std::string_view unit = {};  // "m", "ticks"; empty or "1": a bare number
 };
 
 // Parses the whole of `text` as a decimal number, in any locale: an optional "-", and for a real number "."
@@ -36,7 +37,17 @@ std::optional<Number> number_from(std::string_view text) {
 // "8 to 4096 squares"
 template <class Number>
 std::string to_text(const Range<Number>& range) {
-    return fmt::format("{} to {}{}{}", range.least, range.most, range.unit.empty() ? "" : " ", range.unit);
+    const bool bare = range.unit.empty() || range.unit == "1";
+    return fmt::format("{} to {}{}{}", range.least, range.most, bare ? "" : " ", bare ? "" : range.unit);
+}
+
+// "0.5" of "0,5", as many languages write it; empty if the text is no such number.
+inline std::string with_decimal_point(std::string_view text) {
+    const std::size_t comma = text.find(',');
+    if (comma == std::string_view::npos) return {};
+    std::string pointed(text);
+    pointed[comma] = '.';
+    return number_from<double>(pointed) ? pointed : std::string();
 }
 
 // The same within a range. The error names the text and the accepted range.
@@ -44,9 +55,10 @@ template <class Number>
 tl::expected<Number, std::string> number_from(std::string_view text, const Range<Number>& range) {
     const auto number = number_from<Number>(text);
     if (number && *number >= range.least && *number <= range.most) return *number;
-    return tl::unexpected(fmt::format("'{}' is not a {} from {}", text,
-                                      std::is_integral_v<Number> ? "whole number" : "number",
-                                      to_text(range)));
+    const std::string pointed = std::is_integral_v<Number> ? "" : with_decimal_point(text);
+    return tl::unexpected(fmt::format("'{}' is not a {} from {}{}{}", text,
+                                      std::is_integral_v<Number> ? "whole number" : "number", to_text(range),
+                                      pointed.empty() ? "" : "; write a decimal point: ", pointed));
 }
 
 }  // namespace game

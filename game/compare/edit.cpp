@@ -108,7 +108,8 @@ Outcome<void> set_members(sim::Command& command, const std::string& members) {
         const std::string member = members.substr(from, to - from);
         const std::size_t equals = member.find('=');
         if (equals == std::string::npos)
-            return unusable(fmt::format("--set {}: '{}' is not NAME=VALUE", members, member));
+            return unusable(fmt::format("--set {}: '{}' is not NAME=VALUE; numbers have a decimal point",
+                                        members, member));
         if (auto set = set_member(command, member.substr(0, equals), member.substr(equals + 1)); !set)
             return set;
         from = to + 1;

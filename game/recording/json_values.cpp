@@ -27,9 +27,9 @@ double number(const Json& json, const char* key, double least, double most) {
 std::int64_t whole(const Json& json, const char* key, std::int64_t least, std::int64_t most) {
     const Json& value = member(json, key);
     if (!value.is_number_integer()) refuse(fmt::format("{} is not a whole number", key));
-    const auto number = value.is_number_unsigned() && value.get<std::uint64_t>() > INT64_MAX
-                            ? INT64_MAX
-                            : value.get<std::int64_t>();
+    if (value.is_number_unsigned() && value.get<std::uint64_t>() > INT64_MAX)
+        refuse(fmt::format("{} is {}, outside {} to {}", key, value.get<std::uint64_t>(), least, most));
+    const auto number = value.get<std::int64_t>();
     if (number < least || number > most)
         refuse(fmt::format("{} is {}, outside {} to {}", key, number, least, most));
     return number;

@@ -170,6 +170,11 @@ class Reader {
         if (claim.tick < latest_)
             return wrong(fmt::format("goes back to tick {} from {}", claim.tick, latest_));
         if (auto proven = check_states(claim.tick); !proven) return proven;
+        // Who goes back and plays the end of a try again claims the same again.
+        if (recording_.claim && *recording_.claim != claim)
+            return wrong(fmt::format("claims a score of {} at tick {}, and an earlier line {} at tick {}",
+                                     claim.score, claim.tick, recording_.claim->score,
+                                     recording_.claim->tick));
         latest_ = claim.tick;
         recording_.claim = claim;
         return {};

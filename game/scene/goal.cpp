@@ -179,7 +179,7 @@ std::optional<std::string> GoalUse::refusal(const sim::Command& command, float t
         const double value = command.*number.value;
         if (!limit || (limit->least <= value && value <= limit->most)) continue;
         return fmt::format(
-            "the {} of a {} is {} {}, {}", number.name, info.name, sim::number_text(value), number.unit,
+            "the {} of a {} is {}, {}", number.name, info.name, sim::number_text(value, number.unit),
             limit->least == limit->most ? fmt::format("and must be {}", sim::number_text(limit->least))
                                         : fmt::format("outside {} to {}", sim::number_text(limit->least),
                                                       sim::number_text(limit->most)));

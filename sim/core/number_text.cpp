@@ -26,7 +26,22 @@ std::string text_of_number(Number value) {
     return result;
 }
 
+template <class Number>
+std::string text_with_unit(Number value, std::string_view unit) {
+    std::string text = text_of_number(value);
+    if (unit.empty() || unit == "1") return text;
+    return text.append(" ").append(unit);
+}
+
 }  // namespace
+
+std::string number_text(double value, std::string_view unit) {
+    return text_with_unit(value, unit);
+}
+
+std::string number_text(float value, std::string_view unit) {
+    return text_with_unit(value, unit);
+}
 
 std::string number_text(double value) {
     return text_of_number(value);

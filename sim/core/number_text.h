@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace sim {
 
@@ -8,5 +9,8 @@ namespace sim {
 // exponent unless it is huge or tiny. "0.5", "1000", "20 000".
 std::string number_text(double value);
 std::string number_text(float value);
+// With its unit, "0.5 m"; a number without a dimension, whose unit is empty or "1", has none.
+std::string number_text(double value, std::string_view unit);
+std::string number_text(float value, std::string_view unit);
 
 }  // namespace sim

@@ -185,8 +185,8 @@ std::optional<std::string> fault_of(const Command& command, bool has_lower) {
     for (const CommandNumber& number : info.numbers) {
         const double value = command.*number.value;
         if (!(value >= number.least && value <= number.most))  // NaN too
-            return std::string(info.name) + "'s " + std::string(number.name) + " is " + number_text(value) +
-                   " " + std::string(number.unit) + ", outside " + number_text(number.least) + " to " +
+            return std::string(info.name) + "'s " + std::string(number.name) + " is " +
+                   number_text(value, number.unit) + ", outside " + number_text(number.least) + " to " +
                    number_text(number.most);
     }
     if (info.has_slope &&
@@ -202,9 +202,8 @@ std::optional<std::string> fault_of(const Command& command, bool has_lower) {
         const ParamInfo& param = kParams[command.param];
         const auto value = static_cast<float>(command.value);  // what it will be
         if (!(value >= param.least && value <= param.most))
-            return "set " + std::string(param.name) + " is " + number_text(command.value) + " " +
-                   std::string(param.unit) + ", outside " + number_text(param.least) + " to " +
-                   number_text(param.most);
+            return "set " + std::string(param.name) + " is " + number_text(command.value, param.unit) +
+                   ", outside " + number_text(param.least) + " to " + number_text(param.most);
     }
     return std::nullopt;
 }

@@ -68,8 +68,8 @@ std::optional<std::string> fault_of(const Params& params) {
     for (const ParamInfo& info : kParams) {
         const float value = params.*info.value;
         if (!(value >= info.least && value <= info.most))  // NaN too
-            return std::string(info.name) + " is " + number_text(value) + " " + std::string(info.unit) +
-                   ", outside " + number_text(info.least) + " to " + number_text(info.most);
+            return std::string(info.name) + " is " + number_text(value, info.unit) + ", outside " +
+                   number_text(info.least) + " to " + number_text(info.most);
     }
     if (params.model == Model::kBcre && params.start_slope < params.stop_slope)
         return "start_slope is below stop_slope";

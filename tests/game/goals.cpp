@@ -341,6 +341,41 @@ TEST_F(Challenge, whose_file_was_edited_is_told_from_an_honest_one) {
     EXPECT_NE(said.err.find("the try at the challenge has not ended"), std::string::npos) << said.err;
 }
 
+TEST_F(Challenge, may_be_claimed_again_but_not_differently) {
+    play(80, 120);
+    const std::vector<std::string> honest = bodies_of(read_bytes(path_));
+    const auto claim = std::ranges::find_if(honest, [](const std::string& body) {
+        return body.find("\"medal\":") != std::string::npos && body.find("\"score\":") < 20;
+    });
+    ASSERT_NE(claim, honest.end());
+    const auto with_more = [&](const std::string& body, std::ptrdiff_t after) {
+        std::vector<std::string> bodies = honest;
+        bodies.insert(bodies.begin() + (claim - honest.begin()) + after, body);
+        write_bytes(path_, chained(bodies));
+        return couloir({"replay", path_.string(), "--score"});
+    };
+    const Finished same = with_more(*claim, 0);
+    EXPECT_EQ(same.status, 0) << same.err;
+    const std::string points = fmt::format(R"("score":{})", score_.points);
+    const auto instead = [&](const std::string& score) {
+        return std::string(*claim).replace(claim->find(points), points.size(), score);
+    };
+    for (const std::ptrdiff_t after : {0, 1}) {  // a false one before or after the true one
+        const Finished said = with_more(instead(R"("score":999999)"), after);
+        EXPECT_EQ(said.status, 2) << said.err;
+        EXPECT_NE(said.err.find("999999"), std::string::npos) << said.err;
+    }
+    for (const char* beyond : {"9223372036854775808", "18446744073709551615"}) {
+        std::vector<std::string> bodies = honest;
+        bodies[static_cast<std::size_t>(claim - honest.begin())] =
+            instead(fmt::format(R"("score":{})", beyond));
+        write_bytes(path_, chained(bodies));
+        const Finished said = couloir({"replay", path_.string(), "--score"});
+        EXPECT_EQ(said.status, 2) << said.err;
+        EXPECT_NE(said.err.find(beyond), std::string::npos) << said.err;
+    }
+}
+
 TEST_F(Challenge, is_needed_for_a_score) {
     record(path_, small_scenario(), 20, {});
     const Finished said = couloir({"replay", path_.string(), "--score"});

@@ -49,6 +49,21 @@ TEST(Number, in_a_range_holds_both_ends_and_tells_unit_and_range) {
     EXPECT_FALSE(number_from("0", Range<double>{1e-9, 1}));
 }
 
+TEST(Number, with_a_decimal_comma_is_refused_with_the_point_that_it_needs) {
+    const auto error = [](const char* text) { return number_from(text, Range<double>{0, 9, "s"}).error(); };
+    EXPECT_NE(error("0,5").find("0.5"), std::string::npos) << error("0,5");
+    EXPECT_NE(error("-1,5e3").find("-1.5e3"), std::string::npos) << error("-1,5e3");
+    for (const char* text : {"1,2,3", "half", ",", "1.5,2", "77"})
+        EXPECT_EQ(error(text).find("point"), std::string::npos) << error(text);
+    EXPECT_EQ(number_from("8,5", Range<int>{0, 9}).error().find("point"), std::string::npos);
+}
+
+TEST(Number, without_a_unit_has_none_in_its_range) {
+    EXPECT_EQ(to_text(Range<double>{0, 2, "1"}), "0 to 2");
+    EXPECT_EQ(to_text(Range<double>{0, 2, ""}), "0 to 2");
+    EXPECT_EQ(to_text(Range<double>{0, 2, "m"}), "0 to 2 m");
+}
+
 // An option of the program as --help describes it.
 struct Option {
     std::string subcommand, name, type, help;
@@ -176,6 +191,10 @@ TEST(Number, of_every_option_of_every_subcommand_is_refused_unless_it_is_one_in_
         ASSERT_TRUE(std::regex_search(option.help, range, told)) << option.help;
         const std::string least = range[1], most = range[2];
         ++numbers;
+        if (option.type == "S" || option.type == "NUMBER") {
+            const std::string told_so = failure_of(option, "0,5").sentence;
+            EXPECT_NE(told_so.find("decimal point: 0.5"), std::string::npos) << told_so;
+        }
         for (const std::string& pattern : kTypes.at(option.type)) {
             for (const std::string& number : wrong_numbers(option, least, most)) {
                 const Failure failure = failure_of(option, with(pattern, number));

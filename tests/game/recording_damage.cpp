@@ -242,6 +242,28 @@ TEST_F(DamagedRecording, with_lines_of_nonsense_is_refused) {
     }
 }
 
+// What counts must not depend on which of two a reader takes.
+TEST_F(DamagedRecording, with_a_key_twice_in_any_object_is_refused_with_the_key) {
+    const auto bodies = bodies_of(whole_);
+    const auto expect_refused = [&](std::size_t line, const std::string& part, const std::string& more,
+                                    const std::string& key) {
+        auto changed = bodies;
+        const auto at = changed[line].find(part);
+        ASSERT_NE(at, std::string::npos) << part;
+        changed[line].insert(at + part.size(), more);
+        const std::string sentence = refused_at(line + 1, read(chained(changed)));
+        EXPECT_NE(sentence.find("the key '" + key + "' twice"), std::string::npos) << sentence;
+    };
+    expect_refused(0, R"("format":"couloir recording",)", R"("format":"couloir recording",)", "format");
+    expect_refused(0, R"("physics":{)", R"("tick_s":1,)", "tick_s");
+    expect_refused(1, "{", R"("hash":"0",)", "hash");
+    const auto command = std::ranges::find_if(
+        bodies, [](const std::string& body) { return body.find("\"pour\":{") != std::string::npos; });
+    ASSERT_NE(command, bodies.end());
+    expect_refused(static_cast<std::size_t>(command - bodies.begin()), R"("pour":{)", R"("radius":1,)",
+                   "radius");
+}
+
 TEST_F(DamagedRecording, nested_deeper_than_any_recording_is_refused) {
     std::string nested = R"({"format":"couloir recording","a":)";
     for (int depth = 0; depth < 10000; ++depth) nested += "{\"a\":";

@@ -93,6 +93,22 @@ TEST(NumberText, has_as_few_digits_as_give_it_back_in_groups_of_three) {
     EXPECT_EQ(number_text(1e300), "1e+300");
     EXPECT_EQ(number_text(1e-9), "1e-09");
     EXPECT_EQ(number_text(std::numeric_limits<double>::quiet_NaN()), "nan");
+    EXPECT_EQ(number_text(20000.0, "m"), "20 000 m");
+    EXPECT_EQ(number_text(0.5f, "1"), "0.5");
+    EXPECT_EQ(number_text(0.5, ""), "0.5");
+}
+
+// "1" says that a number has no dimension; nobody is to read it as a number.
+TEST(Params, out_of_range_are_named_without_the_unit_of_what_has_none) {
+    for (const sim::ParamInfo& info : sim::kParams) {
+        sim::Params params;
+        params.*info.value = std::numeric_limits<float>::quiet_NaN();
+        const auto fault = sim::fault_of(params);
+        ASSERT_TRUE(fault) << info.name;
+        const std::string unit = info.unit == "1" ? std::string() : std::string(" ").append(info.unit);
+        EXPECT_NE(fault->find(std::string(info.name) + " is nan" + unit + ", outside "), std::string::npos)
+            << *fault;
+    }
 }
 
 TEST(Params, thresholds_must_keep_their_order) {

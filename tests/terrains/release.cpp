@@ -100,6 +100,24 @@ TEST_F(Release, conserves_the_volume_for_any_polygon_or_plane) {
     }
 }
 
+TEST_F(Release, with_a_key_twice_in_an_object_is_refused_with_the_key) {
+    const Terrain terrain = utm_ground();
+    const std::string square = "[" + ring(terrain, 95, 45, 145, 75) + "]";
+    ASSERT_TRUE(read(collection(feature(R"("thickness": 1.5)", "Polygon", square)), terrain));
+    const auto expect_refused = [&](const std::string& text, const std::string& key) {
+        const std::string said = refusal(text, terrain);
+        EXPECT_NE(said.find("the key '" + key + "' twice"), std::string::npos) << said;
+    };
+    expect_refused(collection(feature(R"("thickness": 1.5, "thickness": 9)", "Polygon", square)),
+                   "thickness");
+    expect_refused(collection(feature(R"("thickness": 1.5)", "Polygon", square), R"("type": "Feature", )"),
+                   "type");
+    expect_refused(collection(feature(R"("a": {"b": 1, "c": [], "b": {}})", "Polygon", square)), "b");
+    // The same key in other objects is another one.
+    EXPECT_TRUE(
+        read(collection(feature(R"("thickness": 1.5, "a": {"thickness": 9})", "Polygon", square)), terrain));
+}
+
 TEST_F(Release, accepts_one_feature_and_an_extent_a_bare_geometry_too) {
     const Terrain terrain = utm_ground();
     const std::string coordinates = "[" + ring(terrain, 95, 45, 145, 75) + "]";
