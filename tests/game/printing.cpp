@@ -153,7 +153,7 @@ TEST(Printing, shows_no_control_character_of_a_scene) {
 
 TEST(Printing, turns_no_text_around_that_a_scene_carries) {
     const support::TemporaryFolder folder;
-    const fs::path scene = folder.path() / "scene.toml", page = folder.path() / "page.html";
+    const fs::path scene = folder.path() / "a\u202ehtaed.toml", page = folder.path() / "page.html";
     const std::string landslide = read_bytes(support::source_dir() / "assets/scenes/landslide.toml");
     write_bytes(scene, "title = \"a\\u202ehtaed\"\n" + landslide.substr(landslide.find("[terrain]")));
     const std::vector<std::string> call{"run", scene.string(), "--grid", "8", "--seconds", "0"};
@@ -163,7 +163,7 @@ TEST(Printing, turns_no_text_around_that_a_scene_carries) {
     };
     const Finished text = with({"--web", page.string()}), json = with({"--json"});
     EXPECT_EQ(text.out.substr(0, 8), "a?htaed:") << text.err;
-    EXPECT_EQ(Json::parse(json.out).at("title"), "a\u202ehtaed");
+    EXPECT_EQ(Json::parse(json.out).at("scene"), "a\u202ehtaed");
     const std::string html = read_bytes(page);
     EXPECT_NE(html.find("<title>a?htaed</title>"), std::string::npos);
     for (const std::string* shown : {&text.out, &json.out, &html})
