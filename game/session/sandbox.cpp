@@ -14,28 +14,14 @@ namespace {
 constexpr std::size_t kMostActions = 1000;
 constexpr std::size_t kHandMemory = 4096;  // commands reserved, so that a stroke does not allocate
 
-// Size of a Session::Checkpoint.
-std::size_t bytes_per_moment(const Scenario& scenario, bool has_textures) {
-    constexpr std::size_t kPowder = sim::powder::Cloud::kMost * sizeof(sim::powder::Puff);
-    std::size_t per_vertex = 7 * sizeof(float);
-    per_vertex += 2 * sizeof(float) + sizeof(sim::Stems);  // things, which the user may place at any time
-    if (scenario.lower) per_vertex += 3 * sizeof(float);
-    if (has_textures) per_vertex += sim::front::TextureLayers::Memory::kBytesPerVertex;
-    const bool has_powder = scenario.look.powder.strength > 0 || scenario.look.lower_powder.strength > 0;
-    return per_vertex * scenario.grid.size() + (has_powder ? kPowder : 0);
-}
-
 void forget_from(std::vector<TimedCommand>& commands, std::int64_t tick) {
     commands.resize(commands_before(commands, tick).size());
 }
 
 }  // namespace
 
-Sandbox::Sandbox(LoadedWorld loaded, Session session, std::size_t bytes_per_moment)
-    : opening_(std::move(loaded)),
-      session_(std::move(session)),
-      keyframes_(opening_.memory.for_keyframes(), bytes_per_moment),
-      most_actions_(std::clamp<std::size_t>(opening_.memory.for_undo() / bytes_per_moment, 1, kMostActions)) {
+Sandbox::Sandbox(LoadedWorld loaded, Session session)
+    : opening_(std::move(loaded)), session_(std::move(session)), keyframes_(opening_.memory.for_keyframes()) {
     by_hand_.reserve(kHandMemory);
     source_.reserve(sim::kMostCommandsPerTick);
     if (can_go_back()) keyframes_.pass(session_);
@@ -52,8 +38,7 @@ Outcome<Sandbox> Sandbox::begin(LoadedWorld loaded, const sim::StepOptions& opti
     if (!session) return tl::unexpected(session.error());
     session->follow_fronts(scenario);
     session->follow_powder(scenario);
-    const std::size_t bytes = bytes_per_moment(scenario, session->fronts() != nullptr);
-    return Sandbox(std::move(loaded), std::move(*session), bytes);
+    return Sandbox(std::move(loaded), std::move(*session));
 }
 
 std::optional<Verdict> Sandbox::verdict() const {
@@ -219,9 +204,15 @@ Outcome<void> Sandbox::advance() {
     return advanced;
 }
 
+// Forgets the oldest actions if memory for undo would not suffice; the newest one stays.
 void Sandbox::remember() {
-    if (past_.size() == most_actions_) past_.pop_front();
     past_.push_back({std::move(*new_action_), session_.moment(), files_});
+    std::size_t bytes = 0;
+    for (const Action& action : past_) bytes += bytes_of(action.before);
+    while (past_.size() > 1 && (past_.size() > kMostActions || bytes > opening_.memory.for_undo())) {
+        bytes -= bytes_of(past_.front().before);
+        past_.pop_front();
+    }
     new_action_.reset();
 }
 

@@ -108,7 +108,7 @@ class Sandbox {
         std::vector<TimedCommand> by_hand;  // from its first tick on
         std::int64_t known_until = 0;
     };
-    Sandbox(LoadedWorld loaded, Session session, std::size_t bytes_per_moment);
+    Sandbox(LoadedWorld loaded, Session session);
     void remember();
     void forget_after(std::int64_t tick);
     Outcome<void> gather(std::span<const sim::Command> hand);
@@ -132,7 +132,6 @@ class Sandbox {
     std::vector<Undone> undone_;  // the last one is redone first
     int files_ = 0;               // that this session was recorded in so far
     bool returns_ = false;        // from redo() until its last tick is reached
-    std::size_t most_actions_ = 1;
 };
 
 }  // namespace game

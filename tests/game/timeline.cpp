@@ -1,5 +1,6 @@
 // Time as something to go along: keyframes, the way back and forth, and where a session is forked.
 #include <algorithm>
+#include <functional>
 
 #include <gtest/gtest.h>
 
@@ -220,7 +221,9 @@ TEST(Timeline, goes_on_unrecorded_where_a_fork_cannot_be_written) {
 
 TEST(Keyframes, stay_within_their_budget_by_keeping_every_other_one) {
     auto session = Session::begin(small_scenario(), sim::StepOptions{}, std::nullopt).value();
-    Keyframes keyframes(1000, 100);
+    // Ten of those at rest; they need no more later.
+    const std::size_t budget = 10 * bytes_of(session.moment()) + 1000;
+    Keyframes keyframes(budget);
     keyframes.pass(session);
     std::int64_t spacing = keyframes.spacing();
     const std::int64_t finest = spacing;
@@ -228,6 +231,7 @@ TEST(Keyframes, stay_within_their_budget_by_keeping_every_other_one) {
         ASSERT_TRUE(session.advance({}));
         keyframes.pass(session);
         ASSERT_LE(keyframes.count(), 10u);
+        ASSERT_LE(keyframes.bytes(), budget);
         if (keyframes.spacing() != spacing) {
             EXPECT_EQ(keyframes.spacing(), 2 * spacing);
             spacing = keyframes.spacing();
@@ -244,9 +248,32 @@ TEST(Keyframes, stay_within_their_budget_by_keeping_every_other_one) {
     EXPECT_EQ(keyframes.count(), 3u);
 }
 
+// What a moment holds is what it was made of, with the room between the rows of its fields.
+TEST(Keyframes, count_what_each_holds) {
+    Scenario scenario = small_scenario();
+    const auto moment_of = [](const Scenario& of, const std::function<void(Session&)>& follow) {
+        auto session = Session::begin(of, sim::StepOptions{}, std::nullopt).value();
+        follow(session);
+        return session.moment();
+    };
+    const auto nothing = [](Session&) {};
+    const std::size_t plain = bytes_of(moment_of(scenario, nothing));
+    const sim::Field<float> field(scenario.grid);
+    const std::size_t one_field =
+        sizeof(float) * static_cast<std::size_t>(field.stride()) * static_cast<std::size_t>(field.ny() + 2);
+    EXPECT_GE(plain, 5 * one_field + 3 * sizeof(float) * scenario.grid.size());
+    EXPECT_LE(plain, 7 * one_field + 5 * sizeof(float) * scenario.grid.size() + 4096);
+    const std::size_t followed =
+        bytes_of(moment_of(scenario, [&](Session& s) { s.follow_fronts(scenario); }));
+    EXPECT_GE(followed,
+              plain + scenario.grid.size() * sim::front::TextureLayers::Memory::kBytesPerVertex / 2);
+    scenario.standing.earth_budget = 100;
+    EXPECT_GE(bytes_of(moment_of(scenario, nothing)), plain + 2 * one_field);
+}
+
 TEST(Keyframes, are_two_at_least_however_small_the_budget) {
     auto session = Session::begin(small_scenario(), sim::StepOptions{}, std::nullopt).value();
-    Keyframes keyframes(10, 100);
+    Keyframes keyframes(10);
     for (int i = 0; i < 200; ++i) {
         keyframes.pass(session);
         ASSERT_TRUE(session.advance({}));
