@@ -17,9 +17,6 @@ constexpr float kWallSlope = 0.57735027f;  // tan 30°, from which on a rise of 
 struct Place {
     double x, y;  // m
 };
-Place operator-(Place a, Place b) {
-    return {a.x - b.x, a.y - b.y};
-}
 Place operator*(double factor, Place a) {
     return {factor * a.x, factor * a.y};
 }
