@@ -111,7 +111,7 @@ Outcome<void> write_all(const BenchReport& report, const std::vector<Table>& tab
     };
     auto written = write(options.perf, [&] { return csv_of(report); });
     if (written) written = write(options.summary, [&] { return printed(to_json(report)); });
-    if (written) written = write(options.page, [&] { return page_of(report, tables); });
+    if (written) written = write(options.page, [&] { return printable(page_of(report, tables)); });
     if (written)
         written = write(options.trace, [&] {
             std::vector<TracedRun> runs;

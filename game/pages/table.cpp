@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "game/base/one_line.h"
-
 namespace game {
 namespace {
 
@@ -54,7 +52,7 @@ std::string as_html(const Table& table) {
 
 std::string html_text(const std::string& text) {
     std::string html;
-    for (const char c : printable(text)) switch (c) {
+    for (const char c : text) switch (c) {
             case '&':
                 html += "&amp;";
                 break;

@@ -532,7 +532,8 @@ Outcome<PageReport> SlidePage::write(const fs::path& file, const Session& sessio
     p.puffs.pack(p.stream);
     const std::string fields = to_base64(p.stream.finish());
 
-    const std::string title = html_text(p.scenario.title), slide = in_script(p.info(session, commands));
+    const std::string title = html_text(one_line(p.scenario.title)),
+                      slide = in_script(p.info(session, commands));
     const std::array<std::pair<std::string_view, std::string_view>, 1> program{
         {{"@PROGRAM@", p.files.program}}};
     const std::string frame = filled(p.files.frame, program), scripts = names_of_scripts(frame);
