@@ -175,7 +175,8 @@ void find_walls(State& state, const VertexBox& box);
 // What a command does to things. Every vertex of a disc that is bare of flow takes part.
 void sculpt(State& state, const Command& command);  // kSculpt, kSmooth, kLevel
 void plant(State& state, const Command& command);   // kPlant, kFell; rebuild_wooded() after the last
-void build(State& state, const Command& command);   // kHouse, kLift, kNet, kRoad; rebuild_objects() after the last
+void build(State& state,
+           const Command& command);  // kHouse, kLift, kNet, kRoad; rebuild_objects() after the last
 void rearrange(State& state, const Command& command);  // kTurn, kRemove
 
 // What is wrong with the commands of things in this state, such as "the house at (10, 20) stands on house 1"; nothing if
