@@ -363,8 +363,7 @@ void add_run(CLI::App& app, RunOptions& options) {
     app.add_flag("--accept-loss", options.accept_loss,
                  "exit with 0 even if over 1 % of the release is lost: outside the grid, where the terrain "
                  "has no data, "
-                 "or where polygons overlap")
-        ->needs(release);
+                 "or where polygons overlap");
     app.add_option("--crs", options.overrides.crs,
                    "coordinate system of a DEM that names none: EPSG:31287, EPSG:31287+5778, or WKT of a "
                    "system in metres")
@@ -697,6 +696,8 @@ Outcome<void> check(RunOptions& options) {
     if (options.scene.empty() && !options.terrain)
         return unusable(
             "run needs a scene, or --terrain DEM with --release FILE; `couloir list` prints the scenes");
+    if (options.accept_loss && !options.release)
+        return unusable("--accept-loss needs --release FILE, of which something may be lost");
     if (options.terrain && !options.release)
         return unusable("--terrain needs --release FILE; without it no material would move");
     if (!options.until_rest && !options.seconds) return unusable("run needs --until-rest or --seconds S");
