@@ -112,10 +112,11 @@ TEST(Heightmap, has_heights_that_no_opacity_changes_and_none_where_it_is_transpa
                 for (std::size_t y = 0; y < 32; ++y)
                     for (std::size_t x = 0; x < 32; ++x) {
                         EXPECT_EQ(terrain->has_data[y * 32 + x], x < 4 ? 0 : 1) << x;
-                        if (x >= 4)
+                        if (x >= 4) {
                             EXPECT_NEAR(terrain->surface[y * 32 + x], 100.0 * static_cast<double>(x + y),
                                         step)
                                 << driver << " " << opaque;
+                        }
                     }
             }
 }
