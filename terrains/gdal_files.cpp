@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <mutex>
@@ -17,6 +16,8 @@
 #include <cpl_http.h>
 #include <cpl_string.h>
 #include <cpl_vsi.h>
+
+#include "terrains/lower_case.h"
 
 namespace terrains {
 namespace {
@@ -41,12 +42,6 @@ bool is_allowed(const fs::path& file) {
     if (!all.data.empty() && file.parent_path() == all.data) return true;
     return std::any_of(all.rasters.begin(), all.rasters.end(),
                        [&file](const RasterFiles* raster) { return raster->includes(file); });
-}
-
-std::string lower_case(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
 }
 
 // An open file, read from `at`.

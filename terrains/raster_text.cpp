@@ -12,6 +12,8 @@
 #include <cpl_vsi.h>
 #include <fmt/format.h>
 
+#include "terrains/lower_case.h"
+
 namespace terrains {
 namespace {
 
@@ -81,12 +83,6 @@ bool is_number(std::string_view word) {
     double value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     return error == std::errc() && end == word.data() + word.size();
-}
-
-std::string lower_case(std::string_view word) {
-    std::string lower(word);
-    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return lower;
 }
 
 // What programs write for no data. A word of more signs, "####" or "****", is a number that did not fit.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -13,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "terrains/limits.h"
+#include "terrains/lower_case.h"
 #include "terrains/raster_system.h"
 #include "terrains/raster_text.h"
 
@@ -26,15 +26,16 @@ struct Bounds {
     const char* noun;  // "heights"
     const char* is;    // "m high"
     double lowest, highest;
+    double overshoot;  // by which a resampling may exceed them
     std::uint64_t most_pixels;
 };
 
 const Bounds& bounds_of(Quantity quantity) {
     // Heights: below every trench and above every summit.
     static constexpr std::array<Bounds, 3> kBounds{
-        Bounds{"heights", "m high", -12'000, 9'000, kMostDemPixels},
-        Bounds{"depths", "m deep", -200, 200, kMostDepthPixels},
-        Bounds{"shares", "of a wood", -0.1, 1.1, kMostDemPixels},
+        Bounds{"heights", "m high", -12'000, 9'000, 0, kMostDemPixels},
+        Bounds{"depths", "m deep", -200, 200, 0, kMostDepthPixels},
+        Bounds{"shares", "of a wood", 0, 1, 0.1, kMostDemPixels},
     };
     return kBounds[static_cast<std::size_t>(quantity)];
 }
@@ -140,8 +141,7 @@ constexpr std::array kUnits{
 };
 
 tl::expected<double, std::string> metres_per_unit(std::string_view unit, const char* noun) {
-    std::string lower(unit);
-    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const std::string lower = lower_case(unit);
     for (const Unit& known : kUnits)
         if (lower == known.name) return known.metres;
     return tl::unexpected(fmt::format("its {} are in '{}', which is neither metres nor feet", noun, unit));
@@ -276,7 +276,7 @@ Done RasterValues::read(int row, std::vector<double>& values) {
             continue;
         }
         value = value * scale_ + offset_;
-        if (!(value >= bounds.lowest && value <= bounds.highest))
+        if (!(value >= bounds.lowest - bounds.overshoot && value <= bounds.highest + bounds.overshoot))
             return tl::unexpected(fmt::format("row {}, column {} is {} {}; {} must be {} to {}", row + 1,
                                               column + 1, value, bounds.is, bounds.noun, bounds.lowest,
                                               bounds.highest));

@@ -32,18 +32,21 @@ double vertical_per_normal(const Terrain& terrain, int x, int y) {
                       (height(x, north) - height(x, south)) / (dx * (north - south)));
 }
 
-void make_vertical(const Terrain& terrain, std::vector<float>& normal) {
+double volume(const Terrain& terrain, const std::vector<float>& thickness) {
+    const double dx = static_cast<double>(terrain.grid.dx);
+    return std::accumulate(thickness.begin(), thickness.end(), 0.0) * dx * dx;
+}
+
+// Returns how many times the volume is then, 1 if there is none.
+double make_vertical(const Terrain& terrain, std::vector<float>& normal) {
+    const double before = volume(terrain, normal);
     std::size_t i = 0;
     for (int y = 0; y < terrain.grid.ny; ++y)
         for (int x = 0; x < terrain.grid.nx; ++x, ++i)
             if (normal[i] != 0)
                 normal[i] =
                     static_cast<float>(static_cast<double>(normal[i]) * vertical_per_normal(terrain, x, y));
-}
-
-double volume(const Terrain& terrain, const std::vector<float>& thickness) {
-    const double dx = static_cast<double>(terrain.grid.dx);
-    return std::accumulate(thickness.begin(), thickness.end(), 0.0) * dx * dx;
+    return before > 0 ? volume(terrain, normal) / before : 1;
 }
 
 // What some areas release, all measured in one way.
@@ -53,12 +56,8 @@ tl::expected<Release, std::string> cover_ground(const Terrain& terrain, const st
     auto coverage = cover(terrain.grid, areas);
     if (!coverage) return tl::unexpected(coverage.error());
     release.thickness = std::move(coverage->mean);
-    double vertical_per_measured = 1;
-    if (measured == Thickness::kNormal) {
-        const double before = volume(terrain, release.thickness);
-        make_vertical(terrain, release.thickness);
-        if (before > 0) vertical_per_measured = volume(terrain, release.thickness) / before;
-    }
+    const double vertical_per_measured =
+        measured == Thickness::kNormal ? make_vertical(terrain, release.thickness) : 1;
     for (const Area& area : areas) {
         const double per_area = area.thickness * vertical_per_measured, whole = area_of(area);
         release.volumes.in_file += whole * per_area;
@@ -118,13 +117,9 @@ tl::expected<Release, std::string> of_raster(const std::filesystem::path& path, 
     release.normal = measured == Thickness::kNormal;
     release.vertical = !release.normal;
     if (release.vertical) return release;
-    const double before = volume(terrain, release.thickness);
-    make_vertical(terrain, release.thickness);
-    if (before > 0) {
-        const double vertical_per_normal = volume(terrain, release.thickness) / before;
-        release.volumes.in_file *= vertical_per_normal;
-        release.volumes.outside *= vertical_per_normal;
-    }
+    const double vertical_per_measured = make_vertical(terrain, release.thickness);
+    release.volumes.in_file *= vertical_per_measured;
+    release.volumes.outside *= vertical_per_measured;
     return release;
 }
 

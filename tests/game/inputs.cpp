@@ -152,6 +152,34 @@ TEST_F(SceneOfStranger, reads_materials_outside_its_folder_only_if_references_ar
         }
 }
 
+// Also if the scene is named without a folder, as one does who stands in it.
+TEST_F(SceneOfStranger, that_names_what_is_missing_is_not_said_to_lead_outside) {
+    const auto hill = [](const std::string& file, const std::string& rest) {
+        return "[terrain]\nfile = \"" + file + "\"\ngrid = 8\n[physics]\n" + rest;
+    };
+    const std::string cover = "[cover]\ndepth = 1\nmaterial = ", soil = cover + "\"soil\"\n";
+    const fs::path before = fs::current_path();
+    fs::current_path(scene_.parent_path());
+    for (const auto& [scene, fact] : std::vector<std::pair<std::string, std::string>>{
+             {hill("missing.asc", soil), "missing.asc: there is no such file"},
+             {hill("Link.asc", soil), "Link.asc: there is no such file"},
+             {hill("hills\\\\hill.asc", soil), "/ parts folders, not \\"},
+             {hill("hills/hill.asc", cover + "\"soill\"\n"), "'soill'"},
+             {hill("hills/hill.asc", soil + "[under]\ndepth = 1\nmaterial = \"soill\"\n"), "'soill'"},
+             {hill("hills/hill.asc", soil + "[trees]\ndensity = 100\nraster = \"missing.asc\"\n"),
+              "missing.asc: there is no such file"}}) {
+        write_bytes("hill.toml", scene);
+        for (const std::string name : {"hill.toml", "./hill.toml", "hills/../hill.toml"}) {
+            const auto refused = load_scene(name, {});
+            ASSERT_FALSE(refused) << scene;
+            EXPECT_NE(refused.error().sentence.find(fact), std::string::npos) << refused.error().sentence;
+            EXPECT_EQ(refused.error().sentence.find("outside"), std::string::npos)
+                << refused.error().sentence;
+        }
+    }
+    fs::current_path(before);
+}
+
 TEST_F(SceneOfStranger, with_an_unknown_material_is_refused_with_the_names_there_are) {
     const auto refused = load("hills/hill.asc", terrains::References::kRefused, "soill");
     ASSERT_FALSE(refused);

@@ -94,8 +94,9 @@ TEST_F(RasterText, is_refused_with_row_and_column_if_a_word_is_no_number) {
                                  "abc", "1.5.2", "--5", "1e"})
             for (const std::string& error : uses(format, format.text(40, word))) {
                 EXPECT_NE(error, "") << format.name << " " << word;
-                if (format.words_are_void)
+                if (format.words_are_void) {
                     EXPECT_NE(error.find("row 4, column 5 is '"), std::string::npos) << error;
+                }
             }
 }
 
