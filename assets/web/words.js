@@ -1,8 +1,10 @@
 // What the page says: names, numbers and sentences. Given texts are never read as HTML.
 
 const part = id => document.getElementById(id);
+// With a narrow blank between thousands that does not break.
 const number = (value, digits = 0) =>
-    value.toLocaleString('en', {minimumFractionDigits: digits, maximumFractionDigits: digits}).replace('-', '−');
+    value.toLocaleString('en', {minimumFractionDigits: digits, maximumFractionDigits: digits})
+        .replace('-', '−').replaceAll(',', '\u202f');
 const signed = (value, digits) => (Number(value.toFixed(digits)) > 0 ? '+' : '') + number(value, digits);
 const short = (value, digits) => String(Number(value.toPrecision(digits))).replace('-', '−');
 
@@ -100,8 +102,8 @@ function describe(info) {
         ['Fastest, along the slope', `${number(m.peak_speed_slope_m_s, 1)} m/s`],
         ['Fastest, in plan', `${number(m.peak_speed_plan_m_s, 1)} m/s`],
         m.peak_pressure_kpa !== undefined && ['Greatest impact pressure', `${number(m.peak_pressure_kpa, 1)} kPa`],
-        ['Eroded', `${number(m.eroded_m3)} m³`],
-        ['Deposited', `${number(m.deposited_m3)} m³`],
+        [`Swept along by ${length} s`, `${number(m.eroded_m3)} m³`],
+        [`Deposited by ${length} s`, `${number(m.deposited_m3)} m³`],
         ['Mass error', info.mass.error_quanta === 0 ? 'none' : `${number(info.mass.error_quanta)} quanta`],
         ['Material', material],
         ['Ground', info.terrain],

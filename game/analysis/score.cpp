@@ -1,6 +1,7 @@
 #include "game/analysis/score.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <vector>
@@ -124,18 +125,34 @@ class Findings {
     GoalUse use_;
 };
 
+// `value`: in thousandths of the measure's unit.
+bool meets(const Goal::Need& need, std::int64_t value) {
+    const auto parts = [](double of) { return std::llrint(of * static_cast<double>(Score::kParts)); };
+    return need.most ? value <= parts(*need.most) : value >= parts(*need.least);
+}
+
 std::string_view unit_text(const Quantity& quantity) {
     const MeasureInfo& info = info_of(quantity.measure);
     return info.has_tool ? unit_of(quantity.tool) : info.unit;
 }
 
-std::string value_text(const Quantity& quantity, std::int64_t value) {
-    const std::string_view unit = unit_text(quantity);
-    const double number = static_cast<double>(value) / static_cast<double>(Score::kParts);
-    const std::string text = std::abs(number) < 100 && value % Score::kParts != 0
-                                 ? fmt::format("{:.1f}", number)
-                                 : fmt::format("{}", std::llrint(number));
-    return unit.empty() ? text : fmt::format("{} {}", text, unit);
+// Thousandths, rounded to so many digits after the point.
+std::int64_t rounded(std::int64_t value, int digits) {
+    constexpr std::array<std::int64_t, 4> kSteps{1000, 100, 10, 1};
+    const auto step = static_cast<double>(kSteps.at(static_cast<std::size_t>(digits)));
+    return std::llrint(static_cast<double>(value) / step) * static_cast<std::int64_t>(step);
+}
+
+// With as many digits as it takes to see on which side of the bound it is.
+std::string value_text(const Goal::Need& need, const Score::Judged& judged) {
+    constexpr int kMostDigits = 3;
+    const std::string_view unit = unit_text(need.quantity);
+    const bool is_small = std::abs(judged.value) < 100 * Score::kParts;
+    int digits = is_small && judged.value % Score::kParts != 0 ? 1 : 0;
+    while (digits < kMostDigits && meets(need, rounded(judged.value, digits)) != judged.met) ++digits;
+    const double number =
+        static_cast<double>(rounded(judged.value, digits)) / static_cast<double>(Score::kParts);
+    return fmt::format("{:.{}f}{}{}", number, digits, unit.empty() ? "" : " ", unit);
 }
 
 std::string name_of(const Quantity& quantity) {
@@ -147,8 +164,8 @@ std::string name_of(const Quantity& quantity) {
 // "at most 5 kPa"
 std::string bound_text(const Goal::Need& need) {
     const std::string_view unit = unit_text(need.quantity);
-    return fmt::format("{} {:g}{}{}", need.most ? "at most" : "at least",
-                       need.most ? *need.most : *need.least, unit.empty() ? "" : " ", unit);
+    return fmt::format("{} {}{}{}", need.most ? "at most" : "at least", need.most ? *need.most : *need.least,
+                       unit.empty() ? "" : " ", unit);
 }
 
 // The terms of the score, without its base.
@@ -169,11 +186,6 @@ Json rules_of(const Scenario& scenario) {
     for (const char* seen : {"view", "title", "program"}) json.erase(seen);
     json["terrain"].erase("name"), json["terrain"].erase("licence");
     return json;
-}
-
-bool meets(const Goal::Need& need, std::int64_t value) {
-    const auto parts = [](double of) { return std::llrint(of * static_cast<double>(Score::kParts)); };
-    return need.most ? value <= parts(*need.most) : value >= parts(*need.least);
 }
 
 }  // namespace
@@ -210,7 +222,7 @@ const char* medal_name(int medal) {
 }
 
 NeedText text_of(const Goal::Need& need, const Score::Judged& judged) {
-    return {name_of(need.quantity), value_text(need.quantity, judged.value), bound_text(need)};
+    return {name_of(need.quantity), value_text(need, judged), bound_text(need)};
 }
 
 std::string verdict_of(const Score& score) {

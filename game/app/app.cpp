@@ -22,6 +22,7 @@
 #include "render/context.h"
 #include "render/overview.h"
 #include "render/pick.h"
+#include "sim/world/disc.h"
 #include "sim/world/on_ground.h"
 
 namespace game {
@@ -296,6 +297,23 @@ void App::begin_stroke() {
                 static_cast<double>(world.grid.dx));
     earth_before_ = earth_used();
     sandbox_->begin_action(std::string(sim::info_of(hand_.stroke()->deed().kind).name));
+    tell_of_bare_ground(glm::dvec2(*at));
+}
+
+// Says why a stroke that takes or releases material does nothing.
+void App::tell_of_bare_ground(glm::dvec2 at) {
+    const Deed& deed = hand_.stroke()->deed();
+    const bool releases = deed.kind == sim::CommandKind::kBlast, digs = deed.kind == sim::CommandKind::kDig;
+    if (!releases && !digs) return;
+    const sim::State& state = sandbox_->session().state();
+    sim::Command disc;
+    disc.x = at.x, disc.y = at.y, disc.radius = hand_.brush().radius;
+    bool bare = true;
+    sim::Disc(disc, state.grid.dx).each_vertex(state.grid, sim::Profile::kDisc, [&](int x, int y, double) {
+        bare &= state.depth(x, y) <= 0 && (releases || state.rolling(x, y) <= 0);
+    });
+    if (!bare) return;
+    tell(fmt::format("Nothing lies here that could be {}", releases ? "released" : "dug away"));
 }
 
 double App::earth_used() const {
@@ -446,7 +464,7 @@ void App::judge_slide() {
         return tell(
             fmt::format("Only {:.0f} m³ were swept along. Try it steeper: 40° or more", measures.eroded));
     const double tick_s = static_cast<double>(scenario.params.tick_s);
-    show_card(card_of_slide(scenario, measures),
+    show_card(card_of_slide(scenario, measures, session.seconds()),
               session.state().tick - static_cast<std::int64_t>(std::ceil((*lasted + kBeforeSlide) / tick_s)));
 }
 

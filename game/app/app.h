@@ -132,6 +132,7 @@ class App {
     void perform(const SaveWorld&);
     void perform(const MakeChallenge&);
     void perform(const TryChallenge&);
+    void perform(const CoverGround& wish);
     void pause(bool on);
     void undo();
     void redo();
@@ -155,6 +156,7 @@ class App {
     render::Camera home() const;
     void tell_camera_mode();
     void begin_stroke();
+    void tell_of_bare_ground(glm::dvec2 at);
     std::optional<ui::StrokeNote> stroke_note() const;
     bool on_slope_of_brush(glm::dvec2 at) const;
     std::optional<glm::dvec2> on_screen(

@@ -16,6 +16,7 @@
 #include "game/files/user_folders.h"
 #include "game/recording/format.h"
 #include "game/scene/goal_reach.h"
+#include "game/scene/scene_ground.h"
 #include "game/scene/surface.h"
 #include "game/session/world_now.h"
 #include "render/overview.h"
@@ -209,6 +210,21 @@ void App::tell_made() {
     list_own();
     tell(fmt::format("Your challenge, gold from {} m, is in the Scene panel: {}", (*made)->gold,
                      (*made)->file.string()));
+}
+
+void App::perform(const CoverGround& wish) {
+    if (!is_bare(sandbox_->scenario(), sandbox_->session().state()) || sandbox_->watches()) return;
+    LoadedWorld covered = first_;
+    cover_ground(covered.scene.scenario, wish.depth);
+    covered.told = fmt::format("The ground is covered with {:.1f} m, but for what is steeper than {:.0f}°",
+                               wish.depth, kBareSlope);
+    const Brush brush = hand_.brush();
+    const CameraControl camera = *camera_;
+    if (const auto begun = begin_world(std::move(covered), std::nullopt); !begun)
+        return warn(begun.error().sentence);
+    // It is the same hill to who plays.
+    hand_.set(brush);
+    camera_ = camera;
 }
 
 void App::perform(const TryChallenge&) {
@@ -448,8 +464,9 @@ Outcome<void> App::close_recording() {
 
 Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem::path> record,
                                std::optional<Around> around) {
-    // Reset keeps brush and camera; a different terrain does not.
+    // Reset keeps brush and camera; a different terrain does not. Another scene on the same ground has its own camera.
     const bool same = sandbox_ && ground_hash(sandbox_->scenario()) == ground_hash(loaded.scene.scenario);
+    const bool same_scene = same && sandbox_->scenario().scene == loaded.scene.scenario.scene;
     if (const auto& flow = loaded.scene.scenario.look.flow)
         if (auto loaded = renderer_.load(flow->pattern); !loaded) return machine_fails(loaded.error());
     // While a recording is watched, nothing is recorded until it is taken over.
@@ -503,12 +520,13 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     takes_over_there_ = false;
     clock_.run_back(false);
     if (!same) {
-        const sim::View world = sandbox_->session().view();
         around_ = around ? std::move(*around) : around_of(scenario);
         display_.surroundings = !scenario.model;
         hand_.suit(scenario.grid);
+    }
+    if (!same_scene) {
         display_.light = scenario.light;
-        camera_.emplace(home(), world, surroundings());
+        camera_.emplace(home(), sandbox_->session().view(), surroundings());
     }
     if (scenario.flow) display_.flow = scenario.flow->numbers;
     probe_.emplace(scenario.georeference, densities_of(scenario),

@@ -32,16 +32,18 @@ std::string beside_best(const Score& score, std::span<const BestRun> earlier) {
     return fmt::format("{}, {}", best.score, medal_name(best.medal));
 }
 
-void add_rows(const Measures& m, ui::ResultCard& card) {
+// `seconds`: of the world, when it was measured; what rolls on goes on to sweep along and to come to rest.
+void add_rows(const Measures& m, double seconds, ui::ResultCard& card) {
     if (m.run_out <= 0) return;
     card.top = {m.top.x, m.top.y}, card.toe = {m.toe.x, m.toe.y};
     constexpr double kKmPerHour = 3.6;
-    card.rows.push_back({"Run-out", fmt::format("{:.0f} m", m.run_out)});
-    card.rows.push_back({"Drop", fmt::format("{:.0f} m", m.fall)});
+    std::array<char, 40> text{};
+    card.rows.push_back({"Run-out", ui::write_number(text, "%.0f m", m.run_out)});
+    card.rows.push_back({"Drop", ui::write_number(text, "%.0f m", m.fall)});
     card.rows.push_back({"Top speed", fmt::format("{:.0f} m/s, {:.0f} km/h", m.peak_speed_slope,
                                                   kKmPerHour * m.peak_speed_slope)});
-    std::array<char, 40> volume{};
-    card.rows.push_back({"Swept along", ui::write_volume(volume, m.eroded)});
+    card.rows.push_back(
+        {"Swept along", fmt::format("{} by {:.0f} s", ui::write_volume(text, m.eroded), seconds)});
 }
 
 }  // namespace
@@ -64,13 +66,14 @@ ui::ResultCard card_of(const Scenario& scenario, const Score& score, std::span<c
         need.what.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(need.what.front())));
         card.rows.push_back({need.what, fmt::format("{} ({})", need.value, need.bound)});
     }
-    add_rows(score.measures, card);
+    add_rows(score.measures, static_cast<double>(score.tick) * static_cast<double>(scenario.params.tick_s),
+             card);
     return card;
 }
 
-ui::ResultCard card_of_slide(const Scenario& scenario, const Measures& measures) {
+ui::ResultCard card_of_slide(const Scenario& scenario, const Measures& measures, double seconds) {
     ui::ResultCard card{scenario.title, "Your slide", "", "", std::nullopt, {}};
-    add_rows(measures, card);
+    add_rows(measures, seconds, card);
     if (measures.peak_pressure)
         card.rows.push_back({"Top pressure", fmt::format("{:.0f} kPa", *measures.peak_pressure)});
     return card;

@@ -12,7 +12,7 @@ namespace game {
 // What a try at the goal of `scenario` came to, in words. `earlier`: the best runs without it, the best first.
 // The map of the card is left to the caller.
 ui::ResultCard card_of(const Scenario& scenario, const Score& score, std::span<const BestRun> earlier);
-// What slides in free play came to, since the world began.
-ui::ResultCard card_of_slide(const Scenario& scenario, const Measures& measures);
+// What slides in free play came to, since the world began, measured after so many seconds of the world.
+ui::ResultCard card_of_slide(const Scenario& scenario, const Measures& measures, double seconds);
 
 }  // namespace game

@@ -97,9 +97,14 @@ struct MakeChallenge {};
 // Begins the challenge of the recording that was opened, from its start and untouched.
 struct TryChallenge {};
 
+// Covers ground on which nothing lies with material, and begins its world anew.
+struct CoverGround {
+    double depth;  // m
+};
+
 // A Tool is chosen.
 using Action = std::variant<Verb, Tool, SetSpeed, SeekTick, SetBrush, SetNumber, SetDisplay, Open, LookAt,
-                            SeeFromFront, GuideWish, SaveWorld, MakeChallenge, TryChallenge>;
+                            SeeFromFront, GuideWish, SaveWorld, MakeChallenge, TryChallenge, CoverGround>;
 using Actions = std::vector<Action>;
 
 }  // namespace game

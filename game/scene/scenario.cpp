@@ -90,6 +90,11 @@ void leave_old_cover_on_bare_ground(Scenario& scenario) {
     if (!bare || scenario.flow) scenario.look.old_cover_m = 0;
 }
 
+bool is_bare(const Scenario& scenario, const sim::State& state) {
+    const sim::Ledger& ledger = state.ledger;
+    return !scenario.flow && ledger.initial == 0 && ledger.standing == 0 && ledger.rolling == 0;
+}
+
 sim::InitialState initial_state_of(const Scenario& scenario) {
     sim::InitialState world{scenario.grid,    scenario.datum,    scenario.bedrock, scenario.depth,
                             scenario.rolling, scenario.has_data, scenario.seed};

@@ -103,6 +103,10 @@ void set_ground(Scenario& scenario, const terrains::Terrain& terrain);
 // look like summer. Elsewhere what is bare is meant to be.
 void leave_old_cover_on_bare_ground(Scenario& scenario);
 
+// Whether a world began without any material and nothing lies or moves in it yet, so that nothing can be released or
+// dug. Old snow may be drawn there nevertheless.
+bool is_bare(const Scenario& scenario, const sim::State& state);
+
 // A view for sim; valid as long as the scenario is.
 sim::InitialState initial_state_of(const Scenario& scenario);
 

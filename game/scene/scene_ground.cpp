@@ -107,4 +107,13 @@ std::vector<float> depth_by(const CoverRule& rule, const Terrain& terrain) {
     return depths;
 }
 
+void cover_ground(Scenario& scenario, double depth) {
+    Terrain terrain;
+    terrain.grid = scenario.grid;
+    terrain.surface = scenario.bedrock;
+    scenario.depth = depth_by({.depth = depth, .bare = kBareSlope}, terrain);
+    for (std::size_t i = 0; i < scenario.bedrock.size(); ++i) scenario.bedrock[i] -= scenario.depth[i];
+    leave_old_cover_on_bare_ground(scenario);
+}
+
 }  // namespace game

@@ -8,6 +8,7 @@
 #include <tl/expected.hpp>
 
 #include "game/files/toml_table.h"
+#include "game/scene/scenario.h"
 #include "terrains/references.h"
 #include "terrains/resample.h"
 #include "terrains/terrain.h"
@@ -39,5 +40,9 @@ struct CoverRule {
 std::optional<CoverRule> read_cover_rule(TomlTable& table);
 // Depth of the cover, m, at each vertex.
 std::vector<float> depth_by(const CoverRule& rule, const terrains::Terrain& terrain);
+
+inline constexpr double kBareSlope = 50;  // deg; cover_ground() leaves steeper rock bare
+// Covers the ground of a scenario without any material with so much of its own, m. The surface stays where it is.
+void cover_ground(Scenario& scenario, double depth);
 
 }  // namespace game

@@ -36,12 +36,14 @@ void draw_mark(ImDrawList& list, ImVec2 at, SlideMap::Mark::Kind kind, float em)
 
 }  // namespace
 
-void CardMap::show(Widgets& widgets, const std::shared_ptr<const SlideMap>& map, Actions& actions) {
+void CardMap::show(Widgets& widgets, const std::shared_ptr<const SlideMap>& map, float most_height,
+                   Actions& actions) {
     shown_ = map;
     constexpr float kHighest = 12;  // em
     const float aspect = static_cast<float>(map->width) / static_cast<float>(map->height),
                 room = ImGui::GetContentRegionAvail().x,
-                height = std::min(room / aspect, kHighest * widgets.em), width = height * aspect;
+                height = std::min({room / aspect, kHighest * widgets.em, most_height}),
+                width = height * aspect;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + (room - width) / 2);
     const ImVec2 from = ImGui::GetCursorScreenPos(), to{from.x + width, from.y + height};
     ImDrawList& list = *ImGui::GetWindowDrawList();

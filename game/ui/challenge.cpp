@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -10,10 +11,11 @@
 namespace game::ui {
 namespace {
 
-constexpr float kLineWidth = 44, kLeastLine = 24, kCardWidth = 22;  // em
-constexpr const char* kTryIt = "Try it yourself";                   // of a recording that was opened
+constexpr float kLineWidth = 44, kLeastLine = 24, kCardWidth = 22, kLeastCard = 10;  // em
+constexpr const char* kTryIt = "Try it yourself";  // of a recording that was opened
 constexpr const char* kTryItMeans = "Begins this challenge from its start, untouched.";
-constexpr float kMapsHeight = 36;  // em; on a lower screen a card has no map
+constexpr float kLeastMap = 5;          // em; if there is less room, a card has no map
+constexpr std::size_t kLongText = 400;  // bytes; a task has at most 300
 
 const char* verb_of(sim::CommandKind kind) {
     for (const ToolInfo& info : tool_infos())
@@ -29,15 +31,24 @@ void what_is_left(Desk& desk, const Goal& goal, const GoalUse& use) {
         if (!left) continue;
         const double all = tool.total ? *tool.total : static_cast<double>(*tool.count);
         const std::string_view unit = tool.total ? unit_of(tool.kind) : "";
-        std::array<char, 64> text;
-        std::snprintf(text.data(), text.size(), "%s: %.4g of %.4g%s%.*s left", verb_of(tool.kind), *left, all,
-                      unit.empty() ? "" : " ", static_cast<int>(unit.size()), unit.data());
+        std::array<char, 96> text;
+        std::array<char, 40> volume_left, volume;
+        if (unit == "m3")
+            std::snprintf(text.data(), text.size(), "%s: %s of %s left", verb_of(tool.kind),
+                          write_number(volume_left, "%.0f m³", *left), write_number(volume, "%.0f m³", all));
+        else
+            std::snprintf(text.data(), text.size(), "%s: %.4g of %.4g%s%.*s left", verb_of(tool.kind), *left,
+                          all, unit.empty() ? "" : " ", static_cast<int>(unit.size()), unit.data());
         if (&tool != &goal.tools.front()) ImGui::SameLine(0, 1.5f * desk.em());
         ImGui::PushStyleColor(ImGuiCol_Text, *left > 0 ? kAccent : kDimText);
         ImGui::TextUnformatted(text.data());
         ImGui::PopStyleColor();
         desk.widgets.note(text.data());
     }
+    const Goal::Tool* const dig = tool_of(goal, sim::CommandKind::kDig);
+    if (!dig || !dig->total) return;
+    desk.widgets.dim("Digging uses up what it reaches for: where less lies, less is dug.");
+    desk.widgets.note("What digging uses up");
 }
 
 void verdict(Desk& desk, const ResultCard& card) {
@@ -193,7 +204,8 @@ void challenge(Desk& desk, const Facts& facts, Actions& actions) {
     if (desk.size.x - left - right < kLeastLine * desk.em()) left = right = 0;
     const float room = desk.size.x - left - right - 2 * desk.margin(),
                 most = std::min(kLineWidth * desk.em(), room) - padding;
-    const char* const say = facts.scenario.goal->say.c_str();
+    std::array<char, kLongText> text;
+    const char* const say = write_with_volumes(text, facts.scenario.goal->say);
     const float width = ImGui::CalcTextSize(say, nullptr, false, most).x + padding + 1;
     ImGui::SetNextWindowPos({(left + desk.size.x - right) / 2, desk.toolbar_bottom + desk.margin() / 2},
                             ImGuiCond_Always, {0.5f, 0});
@@ -225,24 +237,38 @@ void result_card(Desk& desk, const Facts& facts, Actions& actions) {
     if (!card) return;
     const float width = std::min(kCardWidth * desk.em(), desk.size.x - 2 * desk.margin());
     const float right = desk.size.x - desk.margin() - (desk.narrow() ? 0 : desk.right_column);
-    ImGui::SetNextWindowPos({right, desk.size.y / 2}, ImGuiCond_Always, {1, 0.5f});
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, desk.size.y});
+    // Between the bars, and scrolled if that is not enough.
+    const float top = desk.toolbar_bottom + desk.margin(),
+                room = std::max(desk.time_bar_top - desk.margin() - top, kLeastCard * desk.em());
+    ImGui::SetNextWindowPos({right, top + room / 2}, ImGuiCond_Always, {1, 0.5f});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, room});
     ImGui::SetNextWindowBgAlpha(0.95f);
-    ImGui::Begin("Result", nullptr, kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::Begin("Result", nullptr,
+                 (kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize) & ~ImGuiWindowFlags_NoScrollbar);
     verdict(desk, *card);
-    if (!card->reason.empty()) desk.widgets.plain("%s", card->reason.c_str());
-    if (card->map && desk.size.y >= kMapsHeight * desk.em())
-        desk.card_map.show(desk.widgets, card->map, actions);
+    std::array<char, kLongText> text;
+    if (!card->reason.empty()) desk.widgets.plain("%s", write_with_volumes(text, card->reason));
+    const float above = ImGui::GetCursorPosY(), map_height = room - desk.card_without_map;
+    const bool has_map = card->map && desk.card_without_map > 0 && map_height >= kLeastMap * desk.em();
+    if (has_map)
+        desk.card_map.show(desk.widgets, card->map, map_height, actions);
     else
         ImGui::Separator();
+    const float map_and_gap = has_map ? ImGui::GetCursorPosY() - above : 0;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, desk.em() * 0.1f});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, desk.em() * 0.05f});
     for (const ResultCard::Row& row : card->rows)
-        desk.widgets.fact(row.label.c_str(), "%s", row.value.c_str());
+        desk.widgets.fact(row.label.c_str(), "%s", write_with_volumes(text, row.value));
+    ImGui::PopStyleVar(2);
     if (!card->learn.empty()) {
         ImGui::Separator();
-        desk.widgets.plain("%s", card->learn.c_str());
+        desk.widgets.plain("%s", write_with_volumes(text, card->learn));
     }
     what_next(desk, *card, facts, actions);
     if (!card->medal) make_it_a_challenge(desk, facts, actions);
+    // Of this frame, for the next one: what the map leaves room for does not depend on the map.
+    desk.card_without_map = ImGui::GetCursorPosY() + ImGui::GetStyle().WindowPadding.y - map_and_gap +
+                            ImGui::GetStyle().ItemSpacing.y;
     desk.widgets.keep_window_clear("Result");
     ImGui::End();
 }

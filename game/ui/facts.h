@@ -119,6 +119,9 @@ struct Facts {
     const KeyboardLayout& keyboard;  // which names the keys
     Timeline timeline;
     bool looks_back() const { return state.tick < timeline.known_until; }  // read-only
+    bool is_bare() const {
+        return game::is_bare(scenario, state) && !scenario.goal && !looks_back() && !timeline.watches;
+    }
     std::string_view recording;            // file that is being written; empty if none
     std::string_view renderer;             // GL's name
     double now_s = 0;                      // screen's clock

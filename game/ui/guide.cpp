@@ -108,8 +108,34 @@ void opening(Desk& desk, const Facts& facts) {
     desk.widgets.note("Couloir", {0, 0}, desk.size);
 }
 
+// Of a hill without a cover, such as an elevation file has none, on which old snow is only drawn.
+void bare_ground(Desk& desk, const Facts& facts, Actions& actions) {
+    if (!facts.is_bare() || desk.panels.is_open(Panel::kHelp)) return;
+    constexpr double kCover = 1;  // m
+    const float width = std::min(44 * desk.em(), desk.size.x - 2 * desk.margin());
+    ImGui::SetNextWindowPos({desk.size.x / 2, desk.time_bar_top - desk.margin()}, ImGuiCond_Always,
+                            {0.5f, 1});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, desk.size.y});
+    ImGui::Begin("Bare ground", nullptr, kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize);
+    desk.widgets.plain(
+        "Nothing lies on this ground that could be released or dug: old snow on it is only drawn.");
+    desk.widgets.note("Bare ground");
+    if (desk.widgets.button("Cover it with 1 m",
+                            "Begins this world anew with 1 m of its material on all ground "
+                            "that is not too steep.",
+                            true))
+        actions.emplace_back(CoverGround{kCover});
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    ImGui::Text("or pour some: tool %s.", name_of(facts.keyboard, info_of(Tool::kPour).key).c_str());
+    desk.lower_edge = ImGui::GetWindowPos().y;
+    desk.widgets.keep_window_clear("Cover");
+    ImGui::End();
+}
+
 void guide(Desk& desk, const Facts& facts, Actions& actions) {
-    if (!facts.guide || !facts.guide->speaks() || desk.panels.is_open(Panel::kHelp)) return;
+    if (!facts.guide || !facts.guide->speaks() || facts.is_bare() || desk.panels.is_open(Panel::kHelp))
+        return;
     if (facts.card && desk.narrow()) return;  // it needs the room
     const Words words = words_of(facts.guide->step(), facts.keyboard);
     const bool asks = facts.guide->step() == Guide::Step::kChallenge;

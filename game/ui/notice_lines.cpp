@@ -70,9 +70,9 @@ void notices(Desk& desk, const Facts& facts, bool warnings_only) {
         const bool warning = notice.kind == Notice::Kind::kWarning;
         const auto strength = static_cast<float>(Notices::strength(notice, facts.now_s));
         if (strength <= 0 || (warnings_only && !warning)) continue;
-        std::array<char, 512> text;
+        std::array<char, 512> text, sentence;
         std::snprintf(text.data(), text.size(), notice.times > 1 ? "%s (%d times)" : "%s",
-                      notice.sentence.c_str(), notice.times);
+                      write_with_volumes(sentence, notice.sentence), notice.times);
         const Line line{text.data(), warning ? kWarning : kAccent, strength,
                         std::min(24 * em, room - 2 * margin - 2.5f * em)};
         const ImVec2 size = size_of(desk, line);
@@ -87,7 +87,7 @@ void hint(Desk& desk, const Facts& facts) {
     desk.lower_edge = desk.time_bar_top;
     if (facts.guide && facts.guide->step() != Guide::Step::kDone && !facts.scenario.goal)
         return;  // it says more
-    if (facts.touched || facts.looks_back() || desk.panels.is_open(Panel::kHelp)) return;
+    if (facts.touched || facts.looks_back() || facts.is_bare() || desk.panels.is_open(Panel::kHelp)) return;
     if (!sim::at_rest(facts.state) && !facts.scenario.flow)
         return;  // what moves by itself is looked at first
     std::array<char, 256> text;

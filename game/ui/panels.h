@@ -69,7 +69,9 @@ struct Desk {
     double usual_em = 16;             // px, at a text size of 100 %
     // px, as last drawn. lower_edge bounds items for which there is no room beside the time bar.
     float toolbar_bottom = 0, time_bar_top = 0, time_bar_left = 0, lower_edge = 0;
-    float readings_height = 0;  // kept while the cursor is off the terrain, so that panels do not move
+    float scenes_top = 0;        // of the list in the scene panel, px on the screen if it were not scrolled
+    float card_without_map = 0;  // height of the result card, as if it had no map
+    float readings_height = 0;   // kept while the cursor is off the terrain, so that panels do not move
     float left_column = 0, right_column = 0;  // width with margin; 0 if none of its panels is open
 
     float em() const { return widgets.em; }
@@ -84,6 +86,7 @@ void time_bar(Desk& desk, const Facts& facts, Actions& actions);
 void readings(Desk& desk, const Facts& facts);
 void notices(Desk& desk, const Facts& facts, bool warnings_only);
 void hint(Desk& desk, const Facts& facts);
+void bare_ground(Desk& desk, const Facts& facts, Actions& actions);  // instead of a hint
 void stroke_note(Desk& desk, const Facts& facts);
 void challenge(Desk& desk, const Facts& facts, Actions& actions);
 void title(Desk& desk, float strength);

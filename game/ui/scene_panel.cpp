@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <utility>
 
 #include "game/analysis/score.h"
 #include "game/ui/panels.h"
@@ -211,6 +212,15 @@ void own_worlds_of(Desk& desk, const char* heading, Catalogue::Kind kind, const 
             actions.emplace_back(Open{entry.file.string(), {}});
 }
 
+// What comes, goes or grows above the list of scenes, such as the title of another scene, scrolls the panel, so that
+// each row stays where it is on the screen.
+void keep_rows_in_place(Desk& desk) {
+    const float scrolled = ImGui::GetScrollY(), top = ImGui::GetCursorScreenPos().y + scrolled;
+    const float before = std::exchange(desk.scenes_top, top);
+    if (!ImGui::IsWindowAppearing() && before > 0 && top != before)
+        ImGui::SetScrollY(scrolled + top - before);
+}
+
 void hints(Desk& desk, const Facts& facts, Actions& actions) {
     if (facts.guide && desk.widgets.button("Show hints again", "Leads through the first steps once more."))
         actions.emplace_back(GuideWish{GuideWish::kAgain});
@@ -235,6 +245,7 @@ void scene_panel(Desk& desk, const Facts& facts, Actions& actions) {
                   "Shows how this challenge of yours is won; then try it yourself.", facts, actions);
     own_worlds_of(desk, "Your worlds, newest first", Catalogue::Kind::kMountain,
                   "Starts in this world; the current session stays in its recording.", facts, actions);
+    keep_rows_in_place(desk);
     scenes_of_kind(desk, "Challenges", Catalogue::Kind::kChallenge, facts, actions);
     scenes_of_kind(desk, "Mountains", Catalogue::Kind::kMountain, facts, actions);
     scenes_of_kind(desk, "Flow demos", Catalogue::Kind::kFlowDemo, facts, actions);

@@ -178,6 +178,7 @@ void Ui::build(const Facts& facts, Actions& actions) {
         toolbar(desk, facts, actions);
         time_bar(desk, facts, actions);
         hint(desk, facts);
+        bare_ground(desk, facts, actions);
         guide(desk, facts, actions);
         challenge(desk, facts, actions);
         stroke_note(desk, facts);

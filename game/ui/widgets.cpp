@@ -30,6 +30,32 @@ bool enabled() {
     return ImGui::GetStyle().Alpha >= 1;
 }
 
+// A text of limited length, which always ends with 0.
+class CutText {
+  public:
+    explicit CutText(std::span<char> room) : left_(room) { left_[0] = 0; }
+    void add(std::string_view part) {
+        part = part.substr(0, left_.size() - 1);
+        std::copy(part.begin(), part.end(), left_.begin());
+        left_ = left_.subspan(part.size());
+        left_[0] = 0;
+    }
+    // A number, with blanks between its thousands in place of commas.
+    void add_grouped(std::string_view number) {
+        const std::string_view whole = number.substr(0, number.find('.'));
+        std::size_t digits = whole.size() - static_cast<std::size_t>(std::ranges::count(whole, ','));
+        for (std::size_t i = 0; i < whole.size(); ++i) {
+            if (whole[i] == ',') continue;
+            add(whole.substr(i, 1));
+            if (--digits > 0 && digits % 3 == 0) add(" ");
+        }
+        add(number.substr(whole.size()));
+    }
+
+  private:
+    std::span<char> left_;
+};
+
 // Of words and icons; light on the accent too once that is greyed.
 ImU32 colour_on_plate(bool on) {
     return on && enabled() ? kAccentText : kText;
@@ -365,20 +391,40 @@ void Widgets::warn_over_foot(const char* label, const char* text) {
     places_.note(text, from, to);
 }
 
-const char* write_volume(std::span<char> text, double cubic_metres) {
-    const char* format = cubic_metres == 0     ? "%.0f m³"
-                         : cubic_metres < 10   ? "%.2f m³"
-                         : cubic_metres < 1000 ? "%.1f m³"
-                                               : "%.0f m³";
-    std::snprintf(text.data(), text.size(), format, cubic_metres);
+const char* write_number(std::span<char> text, const char* format, double value) {
+    std::snprintf(text.data(), text.size(), format, value);
     // Groups digits in threes, from the decimal point to the left.
     const std::string_view digits(text.data(), std::min(std::strcspn(text.data(), ". "), text.size()));
-    for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3) {
+    const std::ptrdiff_t first = digits.starts_with('-') || digits.starts_with('+') ? 1 : 0;
+    for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > first; at -= 3) {
         const std::size_t length = std::strlen(text.data());
         if (length + 2 > text.size()) break;
         std::memmove(text.data() + at + 1, text.data() + at, length + 1 - static_cast<std::size_t>(at));
         text[static_cast<std::size_t>(at)] = ' ';
     }
+    return text.data();
+}
+
+const char* write_volume(std::span<char> text, double cubic_metres) {
+    const char* format = cubic_metres == 0     ? "%.0f m³"
+                         : cubic_metres < 10   ? "%.2f m³"
+                         : cubic_metres < 1000 ? "%.1f m³"
+                                               : "%.0f m³";
+    return write_number(text, format, cubic_metres);
+}
+
+const char* write_with_volumes(std::span<char> text, std::string_view from) {
+    constexpr std::string_view kUnit = " m3";
+    CutText to(text);
+    for (std::size_t at = from.find(kUnit); at != std::string_view::npos; at = from.find(kUnit)) {
+        const std::string_view before = from.substr(0, at);
+        const std::size_t begin = before.find_last_not_of("0123456789,.") + 1;  // 0 if there is none
+        to.add(before.substr(0, begin));
+        to.add_grouped(before.substr(begin));
+        to.add(" m³");
+        from.remove_prefix(at + kUnit.size());
+    }
+    to.add(from);
     return text.data();
 }
 

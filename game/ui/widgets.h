@@ -154,7 +154,12 @@ class Widgets {
     double hovered_s_ = 0, elapsed_s_ = 0;
 };
 
-// Writes a volume such as "12 345 m³" into `text`.
+// Numbers as panels have them, with a blank between thousands. Each writes into `text`, cut to fit, and returns it.
+// "12 345 m", from a printf format with one number at its beginning.
+const char* write_number(std::span<char> text, const char* format, double value);
+// "12 345 m³"
 const char* write_volume(std::span<char> text, double cubic_metres);
+// A text whose volumes are written like that: "20,000 m3" becomes "20 000 m³".
+const char* write_with_volumes(std::span<char> text, std::string_view from);
 
 }  // namespace game::ui

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "game/analysis/headless.h"
@@ -780,6 +781,39 @@ TEST_F(Playing, opens_dropped_files_and_reports_errors) {
     EXPECT_NE(screen_.title().find("slope of soil"), std::string::npos);
 }
 
+// As an elevation file has none; old snow is drawn on it all the same.
+TEST_F(Playing, tells_that_nothing_lies_on_bare_ground_and_covers_it_if_asked) {
+    screen_.resize_to(1280, 720);
+    const auto file = folder_.path() / "hill.asc";
+    {
+        std::ofstream out(file);
+        out << "ncols 41\nnrows 41\nxllcorner 0\nyllcorner 0\ncellsize 5\n";
+        for (int y = 0; y < 41; ++y)
+            for (int x = 0; x < 41; ++x) out << 1000 - 4 * y << (x < 40 ? ' ' : '\n');
+    }
+    begin(file.string(), 40);
+    ASSERT_TRUE(mass().standing == 0 && shows("Cover it with 1 m"));
+    tap(key('3'));
+    blast_at(640, 330);
+    EXPECT_EQ(last_notice(), "Nothing lies here that could be released");
+    tap(key('2'));
+    blast_at(640, 330);
+    EXPECT_EQ(last_notice(), "Nothing lies here that could be dug away");
+    tap(key('3'));
+    screen_.happen({WheelEvent{5, {}}});
+    frames(60);
+    const render::Camera near = app_->camera();
+    click("Cover it with 1 m");
+    EXPECT_GT(mass().standing, 0);
+    EXPECT_FALSE(shows("Cover it with 1 m"));
+    EXPECT_LT(glm::distance(app_->camera().target, near.target), 0.1) << "and the blast is still in the hand";
+    blast_at(640, 330);
+    frames(20);
+    EXPECT_NE(last_notice(), "Nothing lies here that could be released");
+    EXPECT_FALSE(sim::at_rest(state()));
+    expect_recording_replays();
+}
+
 TEST_F(Playing, watches_a_recording_hands_off_and_then_takes_over) {
     begin("landslide.couloir", 0);
     point_at_slope();
@@ -1275,6 +1309,21 @@ TEST_F(PlayingAChallenge, waits_for_its_player_if_its_scene_is_going_to_act_and_
     frames(5);
     EXPECT_TRUE(app_->clock().paused());
     EXPECT_EQ(state().tick, 0);
+}
+
+TEST_F(PlayingAChallenge, begins_with_its_own_camera_and_restarts_with_that_of_the_player) {
+    const render::Camera own = app_->camera();
+    screen_.move(640, 330);
+    screen_.happen({WheelEvent{5, {}}});
+    frames(60);
+    const double zoomed = app_->camera().distance_m;
+    ASSERT_LT(zoomed, 0.9 * own.distance_m);
+    tap(key('R'), {.control = true});
+    frames(3);
+    EXPECT_NEAR(app_->camera().distance_m, zoomed, 0.01);
+    open_with_an_event();  // on the same ground
+    EXPECT_EQ(app_->camera().distance_m, own.distance_m);
+    EXPECT_EQ(app_->camera().target, own.target);
 }
 
 TEST_F(PlayingAChallenge, shows_a_map_of_the_try_and_plays_it_once_more_from_its_front) {

@@ -225,5 +225,34 @@ TEST_F(ResultCardText, compares_with_the_best_run_before_it) {
     EXPECT_EQ(row("Score", lost), "none, because it is lost");
 }
 
+TEST_F(ResultCardText, tells_when_it_was_measured_what_a_slide_has_swept_along) {
+    Score score = score_of(250, 3);
+    score.tick = 1200;
+    score.measures.run_out = 1367;
+    score.measures.eroded = 249569;
+    scenario_.params.tick_s = 0.25f;
+    EXPECT_EQ(row("Run-out", score), "1 367 m");
+    EXPECT_EQ(row("Swept along", score), "249 569 m³ by 300 s");
+}
+
+TEST(Verdict, has_as_many_digits_as_show_on_which_side_of_a_bound_a_value_is) {
+    Goal::Need need;
+    need.quantity.measure = Measure::kLoad;
+    need.most = 4.9;
+    const auto load = [&](std::int64_t value, bool met) { return text_of(need, {value, met}).value; };
+    EXPECT_EQ(load(4949, false), "4.95 kPa");
+    EXPECT_EQ(load(4901, false), "4.901 kPa");
+    EXPECT_EQ(load(4900, true), "4.9 kPa");
+    EXPECT_EQ(load(4851, true), "4.9 kPa");
+    EXPECT_EQ(load(8249, false), "8.2 kPa");
+    EXPECT_EQ(load(5000, false), "5 kPa");
+    need = {};
+    need.quantity.measure = Measure::kEroded;
+    need.least = 3500;
+    EXPECT_EQ(text_of(need, {3'499'600, false}).value, "3499.6 m3");
+    EXPECT_EQ(text_of(need, {3'500'400, true}).value, "3500 m3");
+    EXPECT_EQ(text_of(need, {3'500'400, true}).bound, "at least 3500 m3");
+}
+
 }  // namespace
 }  // namespace game::test

@@ -35,6 +35,7 @@ ui::Facts UiHand::facts() const {
             .brush = brush_,
             .deed = deed_of(brush_.tool, modifiers_),
             .touched = touched_,
+            .goal_use = goal_use_,
             .card = card_ ? &*card_ : nullptr,
             .best_runs = best_runs_,
             .actions_to_undo = actions_to_undo_,

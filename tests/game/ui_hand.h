@@ -53,6 +53,7 @@ class UiHand : public testing::Test {
     std::optional<double> sharing_;
     std::vector<BestRun> best_runs_;
     std::optional<ui::ResultCard> card_;
+    std::optional<GoalUse> goal_use_;
     std::optional<ui::Ui> ui_;
 };
 

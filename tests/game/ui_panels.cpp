@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "game/controls/key_map.h"
+#include "game/ui/widgets.h"
 #include "tests/game/ui_hand.h"
 
 namespace game::test {
@@ -359,6 +360,80 @@ TEST_F(UiPanels, list_every_key_and_every_gesture_in_the_help) {
         EXPECT_TRUE(ui_->find(binding.meaning)) << binding.meaning;
     for (const GestureBinding& binding : gesture_bindings())
         EXPECT_TRUE(ui_->find(binding.meaning)) << binding.meaning;
+}
+
+TEST_F(UiPanels, keep_the_rows_of_the_list_of_scenes_where_they_are) {
+    begin_anew({1280, 720, 1});
+    for (int i = 0; i < 20; ++i)
+        catalogue_.scenes.push_back({"hill", "A hill", "/scenes/hill.toml", Catalogue::Kind::kMountain});
+    catalogue_.scenes[3].title = "The third";
+    ui_->perform(Verb::kToggleScene);
+    settle();
+    const double before = place("The third").y;
+    scenario_.title = "A title that is so long that it takes several lines at the top of the panel of scenes";
+    best_runs_ = {{900, 2, "2026-11-26 12:58:00", 1, ""}};
+    settle();
+    EXPECT_NEAR(place("The third").y, before, 1);
+}
+
+TEST_F(UiPanels, keep_the_card_between_the_bars_with_all_of_its_buttons) {
+    auto map = std::make_shared<ui::SlideMap>();
+    map->width = 320, map->height = 240;
+    map->north_east = {320, 240};
+    card_ =
+        ui::ResultCard{"The hill", "Lost", "The load is 5 kPa, and must be at most 4.9 kPa.", "", 0, {}, map};
+    for (const ScreenSize size : {ScreenSize{1280, 720, 1}, {1600, 1000, 1}, {640, 360, 1}}) {
+        for (const std::size_t rows : {4U, 8U}) {
+            card_->rows.assign(rows, {"Greatest load on a house", "249 569 m³ (at most 300 000 m³)"});
+            begin_anew(size);
+            settle(10);
+            const auto card = place("Result"), toolbar = place("Toolbar"), time_bar = place("Time bar");
+            EXPECT_GE(card.y, toolbar.y + toolbar.height) << size.width << " " << rows;
+            EXPECT_LE(card.y + card.height, time_bar.y) << size.width << " " << rows;
+            EXPECT_TRUE(ui_->find("Look around") || size.width == 640) << size.width << " " << rows;
+            EXPECT_TRUE(ui_->find("Map") || size.height < 1000) << rows;
+        }
+    }
+}
+
+TEST_F(UiPanels, write_volumes_in_one_way) {
+    std::array<char, 64> text;
+    EXPECT_STREQ(ui::write_with_volumes(text, "Bring 30,000 m3 down, or 150 m3."),
+                 "Bring 30 000 m³ down, or 150 m³.");
+    EXPECT_STREQ(ui::write_with_volumes(text, "1234567.5 m3 (at least 20000 m3)"),
+                 "1 234 567.5 m³ (at least 20 000 m³)");
+    EXPECT_STREQ(ui::write_with_volumes(text, "in 2,000 m"), "in 2,000 m");
+    std::array<char, 8> little;
+    EXPECT_STREQ(ui::write_with_volumes(little, "20,000 m3 of earth"), "20 000 ");
+    EXPECT_STREQ(ui::write_number(text, "%.0f m", 1367), "1 367 m");
+    EXPECT_STREQ(ui::write_number(text, "%.1f m", -123456.5), "-123 456.5 m");
+    EXPECT_STREQ(ui::write_number(text, "%.0f m", -123), "-123 m");
+}
+
+TEST_F(UiPanels, tell_what_a_budget_of_digging_counts) {
+    Goal goal;
+    goal.say = "Plough at most 2,500 m3 away, so that the road is open at five again.";
+    Goal::Tool dig;
+    dig.kind = sim::CommandKind::kDig;
+    dig.total = 2500;
+    goal.tools = {dig};
+    scenario_.goal = goal;
+    goal_use_.emplace(*scenario_.goal);
+    settle();
+    EXPECT_TRUE(ui_->find("Dig: 2 500 m³ of 2 500 m³ left"));
+    EXPECT_TRUE(ui_->find("What digging uses up"));
+}
+
+TEST_F(UiPanels, offer_a_cover_for_ground_on_which_nothing_lies) {
+    EXPECT_FALSE(ui_->find("Cover it with 1 m"));
+    const support::Ground ground = support::plane(20, 5, 0.6, 0);
+    state_ = sim::make_state(ground.world(), scenario_.params);
+    settle();
+    EXPECT_FALSE(ui_->find("Hint"));
+    EXPECT_EQ(only<CoverGround>(click("Cover it with 1 m")).depth, 1);
+    state_.ledger.poured = state_.ledger.rolling = 1000;
+    settle();
+    EXPECT_FALSE(ui_->find("Cover it with 1 m"));
 }
 
 TEST_F(UiHand, goes_from_a_won_challenge_to_the_next_shipped_one) {
