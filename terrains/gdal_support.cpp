@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <fstream>
 #include <regex>
 #include <string>
+#include <string_view>
 
 #include <cpl_error.h>
 #include <cpl_string.h>
@@ -164,8 +166,34 @@ SpatialReference SpatialReference::from_wkt(const std::string& wkt) {
     std::string text = wkt;
     char* rest = text.data();
     if (OSRImportFromWkt(made.get(), &rest) != OGRERR_NONE) return SpatialReference(nullptr);
+    if (made.has_code_of_another_kind()) return SpatialReference(nullptr);
     OSRSetAxisMappingStrategy(made.get(), OAMS_TRADITIONAL_GIS_ORDER);
     return made;
+}
+
+// PROJ looks such a code up, takes what it finds for what is described, and reads at address 0.
+bool SpatialReference::has_code_of_another_kind() const {
+    const auto is_word = [](std::string_view text) {
+        return std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) != 0; });
+    };
+    // The system itself, and the geographic one that a projected one has inside.
+    for (const char* part : {static_cast<const char*>(nullptr), "GEOGCS"}) {
+        const char* const authority = OSRGetAuthorityName(get(), part);
+        const char* const code = OSRGetAuthorityCode(get(), part);
+        if (authority == nullptr || code == nullptr) continue;
+        const std::string name = fmt::format("{}:{}", authority, code);
+        const SpatialReference known(OSRNewSpatialReference(nullptr));
+        const bool named = is_word(authority) && is_word(code) &&
+                           OSRSetFromUserInput(known.get(), name.c_str()) == OGRERR_NONE;
+        if (!named) continue;  // nor does PROJ find it
+        const bool fits = part != nullptr ? OSRIsGeographic(known.get()) != 0
+                                          : OSRIsGeographic(known.get()) == OSRIsGeographic(get()) &&
+                                                OSRIsProjected(known.get()) == OSRIsProjected(get());
+        if (fits) continue;
+        CPLError(CE_Failure, CPLE_AppDefined, "%s is the code of another kind of system", name.c_str());
+        return true;
+    }
+    return false;
 }
 
 }  // namespace terrains

@@ -74,8 +74,8 @@ class Raster {
     Dataset dataset_;
 };
 
-// A coordinate system with x east-like and y north-like. Empty if the WKT cannot be read, or if it names a
-// file to be read (a correction grid with a path).
+// A coordinate system with x east-like and y north-like. Empty if the WKT cannot be read, if it names a file to be
+// read (a correction grid with a path), or if it has the code of another kind of system than it describes.
 class SpatialReference {
   public:
     static SpatialReference from_wkt(const std::string& wkt);
@@ -87,6 +87,8 @@ class SpatialReference {
         void operator()(void* handle) const;
     };
     explicit SpatialReference(void* handle) : handle_(handle) {}
+    bool has_code_of_another_kind() const;
+
     std::unique_ptr<void, Destroy> handle_;
 };
 

@@ -83,8 +83,11 @@ Done read_as(OIIO::ImageInput& input, std::vector<float>& brightness) {
     const bool multiplied = channels == 2 && spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
     const std::size_t count = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
     std::vector<Stored> pixels(count * channels);
-    if (!input.read_image(0, 0, 0, spec.nchannels, OIIO::BaseTypeFromC<Stored>::value, pixels.data()))
-        return tl::unexpected(fmt::format("damaged or cut short ({})", input.geterror()));
+    const bool read =
+        input.read_image(0, 0, 0, spec.nchannels, OIIO::BaseTypeFromC<Stored>::value, pixels.data());
+    // Lost strips of a TIFF are read as black, and each leaves a line here.
+    if (const std::string faults = input.geterror(); !read || !faults.empty())
+        return tl::unexpected(fmt::format("damaged or cut short ({})", faults.substr(0, faults.find('\n'))));
     constexpr bool kWhole = std::numeric_limits<Stored>::is_integer;
     constexpr double kWhite = kWhole ? static_cast<double>(std::numeric_limits<Stored>::max()) : 1;
     const auto at = [&](std::size_t i) {

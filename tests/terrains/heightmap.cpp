@@ -157,6 +157,55 @@ TEST(Heightmap, errors_name_file_and_fact) {
     EXPECT_FALSE(read_heightmap(folder.path() / "none.png", kScale, 10));
 }
 
+// Also if only some strips, tiles or rows of it are lost, which the library itself reads as black.
+TEST(Heightmap, that_is_cut_short_anywhere_is_refused_or_is_the_whole_one) {
+    constexpr int kSide = 32;
+    const HeightmapScale scale{.cell = 10, .lowest = 0, .highest = 6400};
+    const GdalErrors quiet;
+    struct Kind {
+        const char *driver, *name;
+        std::vector<const char*> options;
+    };
+    for (const Kind& kind : {Kind{"GTiff", "strips.tif", {"BLOCKYSIZE=4"}},
+                             Kind{"GTiff", "deflated.tif", {"BLOCKYSIZE=4", "COMPRESS=DEFLATE"}},
+                             Kind{"GTiff", "tiles.tif", {"TILED=YES", "BLOCKXSIZE=16", "BLOCKYSIZE=16"}},
+                             Kind{"PNG", "hill.png", {}}}) {
+        const support::TemporaryFolder folder;
+        std::vector<unsigned char> grey(static_cast<std::size_t>(kSide) * kSide);
+        for (std::size_t i = 0; i < grey.size(); ++i)
+            grey[i] = static_cast<unsigned char>(40 + 3 * (i % kSide) + 2 * (i / kSide));
+        {
+            const Dataset source(GDALCreate(GDALGetDriverByName("GTiff"), "/vsimem/source.tif", kSide, kSide,
+                                            1, GDT_Byte, nullptr));
+            ASSERT_EQ(GDALRasterIO(GDALGetRasterBand(source.get(), 1), GF_Write, 0, 0, kSide, kSide,
+                                   grey.data(), kSide, kSide, GDT_Byte, 0, 0),
+                      CE_None);
+            std::vector<char*> options;
+            for (const char* option : kind.options) options.push_back(const_cast<char*>(option));
+            options.push_back(nullptr);
+            const Dataset made(GDALCreateCopy(GDALGetDriverByName(kind.driver),
+                                              (std::string("/vsimem/cut/") + kind.name).c_str(), source.get(),
+                                              FALSE, options.data(), nullptr, nullptr));
+            ASSERT_TRUE(made) << kind.name;
+        }
+        test::unload("/vsimem/cut", folder.path());
+        const auto path = folder.path() / kind.name;
+        const auto whole = read_heightmap(path, scale, kSide - 1);
+        ASSERT_TRUE(whole) << whole.error();
+        const std::string bytes = test::read_text(path);
+        int refused = 0;
+        for (std::size_t length = bytes.size() - 1; length > 8; length -= std::min<std::size_t>(length, 7)) {
+            test::write_text(path, bytes.substr(0, length));
+            const auto cut = read_heightmap(path, scale, kSide - 1);
+            if (cut) {
+                EXPECT_EQ(cut->surface, whole->surface) << kind.name << " " << length;
+            }
+            refused += cut ? 0 : 1;
+        }
+        EXPECT_GT(refused, 5) << kind.name;
+    }
+}
+
 // Whatever the library does with them, even if it throws.
 TEST(Heightmap, refuses_files_that_only_begin_like_an_image) {
     const support::TemporaryFolder folder;

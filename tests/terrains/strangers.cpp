@@ -137,6 +137,36 @@ TEST(Strangers, may_not_put_an_address_or_path_in_a_coordinate_system) {
     EXPECT_TRUE(PlaneTransform::between(test::utm_32n(), wgs84_wkt()));
 }
 
+// PROJ reads at address 0 if it finds another kind of system by a code than is described beside it.
+TEST(Strangers, may_not_give_a_coordinate_system_the_code_of_another_kind) {
+    const auto geographic = [](const std::string& code) {
+        return R"(GEOGCS["D",DATUM["D",SPHEROID["GRS 1980",6378137,298.257222101]],PRIMEM["Greenwich",0],)"
+               R"(UNIT["degree",0.0174532925199433],AUTHORITY["EPSG",")" +
+               code + R"("]])";
+    };
+    const auto projected = [&](const std::string& base, const std::string& code) {
+        return R"(PROJCS["P",)" + geographic(base) +
+               R"(,PROJECTION["Transverse_Mercator"],PARAMETER["latitude_of_origin",0],)"
+               R"(PARAMETER["central_meridian",9],PARAMETER["scale_factor",0.9996],)"
+               R"(PARAMETER["false_easting",500000],PARAMETER["false_northing",0],UNIT["metre",1],)"
+               R"(AUTHORITY["EPSG",")" +
+               code + R"("]])";
+    };
+    // 4258 geographic, 4342 and 4978 geocentric, 25832 projected, 5773 vertical, 7423 compound, 999999 none
+    EXPECT_TRUE(PlaneTransform::between(geographic("4258"), wgs84_wkt()));
+    EXPECT_TRUE(PlaneTransform::between(geographic("999999"), wgs84_wkt()));
+    EXPECT_TRUE(PlaneTransform::between(projected("4258", "25832"), wgs84_wkt()));
+    for (const char* code : {"4342", "4978", "25832", "5773"}) {
+        EXPECT_FALSE(PlaneTransform::between(geographic(code), wgs84_wkt())) << code;
+        EXPECT_FALSE(PlaneTransform::between(projected(code, "25832"), wgs84_wkt())) << code;
+    }
+    for (const char* code : {"4258", "4342", "4978", "5773"}) {
+        const auto refused = PlaneTransform::between(projected("4258", code), wgs84_wkt());
+        ASSERT_FALSE(refused) << code;
+        EXPECT_NE(refused.error().find("another kind of system"), std::string::npos) << refused.error();
+    }
+}
+
 TEST(Strangers, refer_to_other_files_only_if_allowed) {
     const support::TemporaryFolder folder, elsewhere;
     const auto source =
