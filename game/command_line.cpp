@@ -1,8 +1,11 @@
 #include "game/command_line.h"
 
+#include <errno.h>  // program_invocation_name
+
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -246,6 +249,7 @@ void add_look(CLI::App& app, LookFrom& look) {
 }
 
 void add_play(CLI::App& app, PlayOptions& options) {
+    options.program = program_invocation_name;
     app.add_option(
            "what", options.what,
            "name of a scene, or a file: a scene (.toml), a recording to watch and continue (.couloir), or an "
@@ -671,6 +675,10 @@ void add_bench(CLI::App& app, BenchOptions& options) {
         "times are invalid.\n");
 }
 
+void add_list(CLI::App& app, ListOptions& options) {
+    app.add_flag("--json", options.json, "print as JSON");
+}
+
 // Checks the options of `track` against each other and sets the defaults that depend on others.
 Outcome<void> check(TrackOptions& options) {
     using sim::front::Rule, sim::front::PointSource;
@@ -726,6 +734,75 @@ Outcome<void> check(RunOptions& options) {
     return {};
 }
 
+Outcome<void> check(const BenchOptions& options) {
+    if (options.scaling && options.trace) return unusable("--trace cannot be used with --scaling");
+    return {};
+}
+
+// A subcommand: adds its options, and returns what runs it with them.
+struct Subcommand {
+    const char* name;
+    const char* help;
+    std::function<std::function<Outcome<int>()>(CLI::App&)> add;
+};
+
+// `add` says which options it has. If there is a check() of them, it comes first.
+template <class Options>
+auto with(void (*add)(CLI::App&, Options&), Outcome<int> (*command)(const Options&)) {
+    return [add, command](CLI::App& app) -> std::function<Outcome<int>()> {
+        const auto options = std::make_shared<Options>();
+        add(app, *options);
+        return [options, command]() -> Outcome<int> {
+            if constexpr (requires { check(*options); })
+                if (const auto sound = check(*options); !sound) return tl::unexpected(sound.error());
+            return command(*options);
+        };
+    };
+}
+
+// In the order of --help. The first one is run if none is named.
+const auto& subcommands() {
+    static const std::array kSubcommands{
+        Subcommand{"play", "open the sandbox in a window (default without a subcommand)",
+                   with(add_play, play)},
+        Subcommand{"run", "run a scene or real terrain without a window", with(add_run, run)},
+        Subcommand{"replay", "replay a recording bit for bit", with(add_replay, replay)},
+        Subcommand{"list", "list the shipped scenes, materials, recordings and terrains",
+                   with(add_list, list)},
+        Subcommand{
+            "track",
+            "track discontinuities in your own velocity field; print where they cross mesh edges, as CSV",
+            with(add_track, track)},
+        Subcommand{
+            "figures",
+            "draw the paper's figures, with and without its method, and measure errors; exit status 1 if a "
+            "tolerance is exceeded",
+            with(add_figures, figures)},
+        Subcommand{"gallery", "draw fixed views of the shipped scenes as a page, with the time of each pass",
+                   with(add_gallery, gallery)},
+        Subcommand{
+            "compare",
+            "compare two recordings on the same terrain: the difference at the end, and the first tick, "
+            "stage, field and cell that differ",
+            with(add_compare, compare)},
+        Subcommand{"edit", "change one command of a recording, run it again, and compare the results",
+                   with(add_edit, edit)},
+        Subcommand{
+            "normalise",
+            "rewrite a recording in the newest format, with states computed by this version of the physics",
+            with(add_normalise, normalise)},
+        Subcommand{"bench",
+                   "measure the time of recordings by stage, on several grids and with several physics",
+                   with(add_bench, bench)},
+        Subcommand{
+            "verify-physics",
+            "compare the solver with exact solutions: errors and orders; exit status 1 if a tolerance is "
+            "exceeded",
+            [](CLI::App&) { return verify_physics; }},
+    };
+    return kSubcommands;
+}
+
 }  // namespace
 
 Outcome<int> run_command_line(int argc, char** argv) {
@@ -740,57 +817,11 @@ Outcome<int> run_command_line(int argc, char** argv) {
     app.set_version_flag("--version", fmt::format("{}, commit {}", kProgram, kCommit));
     app.get_formatter()->column_width(34);
 
-    PlayOptions play_options;
-    play_options.program = argv[0];
-    RunOptions run_options;
-    ReplayOptions replay_options;
-    ListOptions list_options;
-    TrackOptions track_options;
-    CLI::App* play_app =
-        app.add_subcommand("play", "open the sandbox in a window (default without a subcommand)");
-    CLI::App* run_app = app.add_subcommand("run", "run a scene or real terrain without a window");
-    CLI::App* replay_app = app.add_subcommand("replay", "replay a recording bit for bit");
-    CLI::App* list_app =
-        app.add_subcommand("list", "list the shipped scenes, materials, recordings and terrains");
-    CLI::App* track_app = app.add_subcommand(
-        "track",
-        "track discontinuities in your own velocity field; print where they cross mesh edges, as CSV");
-    add_play(*play_app, play_options);
-    add_track(*track_app, track_options);
-    add_run(*run_app, run_options);
-    add_replay(*replay_app, replay_options);
-    FiguresOptions figures_options;
-    CLI::App* figures_app = app.add_subcommand("figures",
-                                               "draw the paper's figures, with and without its method, and "
-                                               "measure errors; exit status 1 if a tolerance is exceeded");
-    add_figures(*figures_app, figures_options);
-    GalleryOptions gallery_options;
-    CLI::App* gallery_app = app.add_subcommand(
-        "gallery", "draw fixed views of the shipped scenes as a page, with the time of each pass");
-    add_gallery(*gallery_app, gallery_options);
-    CompareOptions compare_options;
-    CLI::App* compare_app = app.add_subcommand(
-        "compare",
-        "compare two recordings on the same terrain: the difference at the end, and the first tick, stage, "
-        "field and cell that differ");
-    add_compare(*compare_app, compare_options);
-    EditOptions edit_options;
-    CLI::App* edit_app = app.add_subcommand(
-        "edit", "change one command of a recording, run it again, and compare the results");
-    add_edit(*edit_app, edit_options);
-    NormaliseOptions normalise_options;
-    CLI::App* normalise_app = app.add_subcommand(
-        "normalise",
-        "rewrite a recording in the newest format, with states computed by this version of the physics");
-    add_normalise(*normalise_app, normalise_options);
-    BenchOptions bench_options;
-    CLI::App* bench_app = app.add_subcommand(
-        "bench", "measure the time of recordings by stage, on several grids and with several physics");
-    add_bench(*bench_app, bench_options);
-    CLI::App* verify_app = app.add_subcommand("verify-physics",
-                                              "compare the solver with exact solutions: errors and orders; "
-                                              "exit status 1 if a tolerance is exceeded");
-    list_app->add_flag("--json", list_options.json, "print as JSON");
+    std::vector<std::pair<CLI::App*, std::function<Outcome<int>()>>> commands;
+    for (const Subcommand& each : subcommands()) {
+        CLI::App* const subcommand = app.add_subcommand(each.name, each.help);
+        commands.emplace_back(subcommand, each.add(*subcommand));
+    }
 
     try {
         app.parse(argc, argv);
@@ -801,27 +832,9 @@ Outcome<int> run_command_line(int argc, char** argv) {
             fmt::format("{} (see couloir {}--help)", wrong.what(),
                         app.get_subcommands().empty() ? "" : app.get_subcommands()[0]->get_name() + " "));
     }
-    if (app.get_subcommands().empty() || play_app->parsed()) return play(play_options);
-    if (run_app->parsed()) {
-        if (auto sound = check(run_options); !sound) return tl::unexpected(sound.error());
-        return run(run_options);
-    }
-    if (track_app->parsed()) {
-        if (auto sound = check(track_options); !sound) return tl::unexpected(sound.error());
-        return track(track_options);
-    }
-    if (figures_app->parsed()) return figures(figures_options);
-    if (gallery_app->parsed()) return gallery(gallery_options);
-    if (compare_app->parsed()) return compare(compare_options);
-    if (edit_app->parsed()) return edit(edit_options);
-    if (normalise_app->parsed()) return normalise(normalise_options);
-    if (bench_app->parsed()) {
-        if (bench_options.scaling && bench_options.trace)
-            return unusable("--trace cannot be used with --scaling");
-        return bench(bench_options);
-    }
-    if (verify_app->parsed()) return verify_physics();
-    return replay_app->parsed() ? replay(replay_options) : list(list_options);
+    for (const auto& [subcommand, command] : commands)
+        if (subcommand->parsed()) return command();
+    return commands.front().second();
 }
 
 }  // namespace game
