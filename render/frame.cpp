@@ -5,29 +5,29 @@
 #include <glm/common.hpp>
 
 #include "assets/shaders/slots.glsl"
-#include "render/drawn_extent.h"
-#include "render/fields_to_gpu.h"
-#include "render/flow_triangles.h"
-#include "render/frame_block.h"
-#include "render/ground_mesh.h"
-#include "render/on_screen.h"
+#include "render/flow/flow_triangles.h"
+#include "render/frame/make_frame_block.h"
+#include "render/frame/redrawn.h"
+#include "render/frame/slide_tiles.h"
+#include "render/gl/scoped_state.h"
+#include "render/gl/stage_clock.h"
+#include "render/mountain/ground_mesh.h"
+#include "render/mountain/sun_sweep.h"
+#include "render/mountain/without_buildings.h"
+#include "render/passes/drawn_extent.h"
+#include "render/passes/fields_to_gpu.h"
 #include "render/passes/flow_pass.h"
 #include "render/passes/fullscreen_pass.h"
 #include "render/passes/powder_pass.h"
-#include "render/passes/scoped_state.h"
 #include "render/passes/shadow_pass.h"
 #include "render/passes/spindrift_pass.h"
 #include "render/passes/structures_pass.h"
 #include "render/passes/surface_pass.h"
 #include "render/passes/surroundings_pass.h"
+#include "render/passes/target.h"
 #include "render/passes/terrain_pass.h"
 #include "render/passes/trees_pass.h"
-#include "render/redrawn.h"
-#include "render/slide_tiles.h"
-#include "render/stage_clock.h"
-#include "render/sun_sweep.h"
-#include "render/target.h"
-#include "render/without_buildings.h"
+#include "render/view/on_screen.h"
 #include "sim/core/check.h"
 
 namespace render {
@@ -317,7 +317,7 @@ void Renderer::draw_ground(const FrameInput& input) {
     const bool powdery =
         p.powder.find(puffs, frame, look, powder_strength, p.target.samples_across(), p.target.samples_up());
     const bool drifting = drifts(input) && p.spindrift.find(*around, wind, seconds, frame, screen);
-    redrawn.find(p.target, p.rules, powdery ? p.powder.seen() : kNowhere,
+    redrawn.find(width, height, samples, p.rules, powdery ? p.powder.seen() : kNowhere,
                  drifting ? p.spindrift.seen() : kNowhere);
     p.clock.mark(Pass::kChanges);
 

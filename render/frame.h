@@ -7,11 +7,11 @@
 
 #include <tl/expected.hpp>
 
-#include "render/context.h"
-#include "render/draw_times.h"
-#include "render/frame_input.h"
-#include "render/picture.h"
-#include "render/what_changed.h"
+#include "render/frame/frame_input.h"
+#include "render/frame/what_changed.h"
+#include "render/gl/context.h"
+#include "render/gl/draw_times.h"
+#include "render/pictures/picture.h"
 
 namespace render {
 

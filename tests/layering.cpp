@@ -73,7 +73,7 @@ TEST(Layering, finds_every_kind_of_planted_breach) {
              Planted{"sim/step.cpp", "#include <OpenImageIO/imageio.h>"},
              Planted{"sim/step.cpp", "#include HEADER"},
              Planted{"terrains/resample.cpp", "#include \"sim/world/state.h\""},
-             Planted{"terrains/resample.cpp", "#include \"render/picture.h\""},
+             Planted{"terrains/resample.cpp", "#include \"render/pictures/picture.h\""},
              Planted{"terrains/resample.cpp", "#include <epoxy/gl.h>"},
              Planted{"render/frame.cpp", "#include \"terrains/terrain.h\""},
              Planted{"render/frame.cpp", "#include \"game/scene/scene.h\""},

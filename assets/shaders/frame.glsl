@@ -1,4 +1,4 @@
-// Uniforms of the frame for every pass; they match render/frame_block.h. Space: metres, x east and y north
+// Uniforms of the frame for every pass; they match render/view/frame_block.h. Space: metres, x east and y north
 // from vertex (0, 0), z above datum.
 layout(std140, binding = SLOT_FRAME) uniform Frame {
     mat4 clip_from_world;   // reversed depth: 1 at the near plane, 0 at infinity

@@ -1,5 +1,5 @@
 // One light for every pass: sun or moon, light from the sky above and from the ground below, and the air between.
-// Its colours come from render/sky_light.h. Linear light.
+// Its colours come from render/view/sky_light.h. Linear light.
 
 // Light reflected by a matt surface. `sunlit` and `open` are 0 to 1: sun not hidden, visible share of the
 // sky.

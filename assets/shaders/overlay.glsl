@@ -1,4 +1,4 @@
-// Overlay: colours the ground by a legend (render/marks.h). In good light these are the legend's own colours;
+// Overlay: colours the ground by a legend (render/frame/marks.h). In good light these are the legend's own colours;
 // elsewhere they are darker, so that the ground keeps its shape.
 layout(binding = SLOT_MEASURE) uniform sampler2D measure;
 

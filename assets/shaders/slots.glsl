@@ -14,7 +14,7 @@
 #define SLOT_RELIEF 6     // RGBA32F: height m above datum, slope along x, slope along y, openness
 #define SLOT_LAYERS 7     // RGBA8: share of cover, share of rolling layer (half at the visible depth), speed, change of d since tick 0 (128: none, 127 steps to MOST_CHANGE); 0 to 1
 #define SLOT_OPENNESS 8   // R16F: share of the sky that a vertex sees
-#define SLOT_SUN_CEILING 9 // R32F: height below which the sun is hidden, in the sheared grid of render/sun_sweep.h
+#define SLOT_SUN_CEILING 9 // R32F: height below which the sun is hidden, in the sheared grid of render/mountain/sun_sweep.h
 #define SLOT_DETAIL 10    // RGBA8 array: small-scale relief, one layer per kind
 #define SLOT_SCENE_DEPTH 11 // D32F: reversed depth of the surface
 #define SLOT_COLOUR 12    // RGBA16F: the frame in linear light

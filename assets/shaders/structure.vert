@@ -1,4 +1,4 @@
-// Structures: what people have built. render/structure_mesh.h has what a vertex holds.
+// Structures: what people have built. render/buildings/structure_mesh.h has what a vertex holds.
 layout(location = 0) in vec4 place;
 layout(location = 1) in vec4 facing;
 layout(location = 2) in vec4 face;

@@ -21,7 +21,7 @@ const kDebrisOf = {
     },
 };
 
-// Hashes a cell of a lattice that repeats after `period` cells to 0 … 1: render/noise.h.
+// Hashes a cell of a lattice that repeats after `period` cells to 0 … 1: render/base/noise.h.
 function latticeHash(x, y, period, seed) {
     const wrap = at => (at % period + period) % period;
     let h = Math.imul(wrap(x), 0x9E3779B1) ^ Math.imul(wrap(y), 0x85EBCA77) ^ Math.imul(seed, 0xC2B2AE3D);

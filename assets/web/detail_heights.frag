@@ -1,5 +1,5 @@
 // Heights of small relief, one layer in each colour: DETAIL_SOFT, DETAIL_ROCK, DETAIL_CLUMPS, and broad noise. They are those
-// of render/detail.cpp and render/noise.h.
+// of render/mountain/detail.cpp and render/base/noise.h.
 uniform float texels;  // along an edge of the tile
 out vec4 heights;
 

@@ -164,7 +164,7 @@ class Picture {
         frame.floats('flow_tint').set([...frame.floats('rolling', 3)].map((part, k) => part / mean[k]));
     }
 
-    // Indices of the surface and of the walls of the block: render/ground_mesh.cpp.
+    // Indices of the surface and of the walls of the block: render/mountain/ground_mesh.cpp.
     makeMesh() {
         const {gpu, slots} = this, {nx, ny} = this.slide.info.grid, surface = [], walls = [];
         const ground = (x, y) => this.site[y * nx + x] !== slots.SITE_DRAIN;
@@ -419,7 +419,7 @@ class Picture {
     }
 
     // The part of the target that a box may cover: left, bottom, right, top in samples; null if none. As
-    // render/on_screen.cpp.
+    // render/view/on_screen.cpp.
     onScreen({clip, near}, low, high) {
         const {width, height} = this.target, beyond = [0, 0, 0, 0];
         const left = [Infinity, Infinity], right = [-Infinity, -Infinity];  // and below, above

@@ -1,4 +1,4 @@
-// Powder: what is drawn of the puffs at a moment, as render/powder_puffs.cpp finds it.
+// Powder: what is drawn of the puffs at a moment, as render/flow/powder_puffs.cpp finds it.
 const kGrowth = 3.2, kFadeIn = 0.3;  // first radii that a puff gains over its life; s: sim/powder/cloud.cpp
 const kThickness = 0.42;  // of an opaque puff, through its middle
 const kScattered = 0.15;  // of the light, passed on from grain to grain

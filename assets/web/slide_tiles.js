@@ -1,4 +1,4 @@
-// Which parts of the picture show what slides did: render/slide_tiles.cpp. Elsewhere ground costs half as much.
+// Which parts of the picture show what slides did: render/frame/slide_tiles.cpp. Elsewhere ground costs half as much.
 const kScreenTile = 32;                               // samples along an edge
 const kSlideBlock = 4, kSlideReach = 3, kWallReach = 2;  // vertices
 

@@ -1,4 +1,4 @@
-// Small relief of the ground, made in shaders as render/detail.cpp makes it.
+// Small relief of the ground, made in shaders as render/mountain/detail.cpp makes it.
 const kDetailSize = 512;  // texels along the tile
 
 function makeSmallRelief(gpu, shaders, slots) {

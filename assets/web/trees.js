@@ -1,4 +1,4 @@
-// Trees: which of the trees a camera sees, and how each is drawn, as render/trees_in_view.cpp finds them.
+// Trees: which of the trees a camera sees, and how each is drawn, as render/woods/trees_in_view.cpp finds them.
 const kHalfWidth = 0.19, kHalfWidthOfPine = 0.8, kWiderInStand = 0.2;  // of a tree, of its height
 const kNearPixels = 100;  // height from which a tree has more than one triangle
 const kWideOfHeight = 0.0145, kLeastWide = 5.5, kMostWide = 10.5;  // of the mean tree: of the frame's height, pixels

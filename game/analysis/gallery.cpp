@@ -7,10 +7,10 @@
 #include "game/files/assets.h"
 #include "game/files/text_file.h"
 #include "game/scene/mountains.h"
-#include "render/context.h"
 #include "render/frame.h"
-#include "render/frame_writer.h"
-#include "render/overview.h"
+#include "render/gl/context.h"
+#include "render/mountain/overview.h"
+#include "render/pictures/frame_writer.h"
 
 namespace game {
 

@@ -19,9 +19,9 @@
 #include "game/files/ui_font.h"
 #include "game/files/user_folders.h"
 #include "game/scene/surface.h"
-#include "render/context.h"
-#include "render/overview.h"
-#include "render/pick.h"
+#include "render/gl/context.h"
+#include "render/mountain/overview.h"
+#include "render/mountain/pick.h"
 #include "sim/world/disc.h"
 #include "sim/world/on_ground.h"
 

@@ -36,7 +36,7 @@
 #include "game/session/sandbox.h"
 #include "game/ui/ui.h"
 #include "render/frame.h"
-#include "render/pick.h"
+#include "render/mountain/pick.h"
 
 namespace game {
 

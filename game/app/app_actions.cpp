@@ -19,7 +19,7 @@
 #include "game/scene/scene_ground.h"
 #include "game/scene/surface.h"
 #include "game/session/world_now.h"
-#include "render/overview.h"
+#include "render/mountain/overview.h"
 
 namespace game {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "game/scene/goal.h"
 #include "game/ui/facts.h"
-#include "render/camera.h"
+#include "render/view/camera.h"
 #include "sim/core/grid.h"
 
 namespace game {

@@ -8,8 +8,8 @@
 
 #include "game/base/outcome.h"
 #include "game/scene/scenario.h"
-#include "render/camera.h"
-#include "render/picture.h"
+#include "render/pictures/picture.h"
+#include "render/view/camera.h"
 
 namespace game {
 

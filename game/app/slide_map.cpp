@@ -8,7 +8,7 @@
 
 #include "game/analysis/measures.h"
 #include "game/compare/relief.h"
-#include "render/sheet.h"
+#include "render/pictures/sheet.h"
 
 namespace game {
 namespace {

@@ -13,7 +13,7 @@
 #include <GLFW/glfw3.h>
 
 #include "game/base/one_line.h"
-#include "render/context.h"
+#include "render/gl/context.h"
 
 namespace game {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "game/files/assets.h"
 #include "game/scene/mountains.h"
-#include "render/context.h"
 #include "render/frame.h"
-#include "render/overview.h"
+#include "render/gl/context.h"
+#include "render/mountain/overview.h"
 
 namespace game {
 namespace {

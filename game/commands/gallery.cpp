@@ -17,7 +17,7 @@
 #include "game/recording/format.h"
 #include "game/scene/mountains.h"
 #include "render/frame.h"
-#include "render/overview.h"
+#include "render/mountain/overview.h"
 
 namespace game {
 namespace {

@@ -20,7 +20,7 @@
 #include "game/files/file_use.h"
 #include "game/files/mesh_file.h"
 #include "game/files/text_file.h"
-#include "render/front_picture.h"
+#include "render/pictures/front_picture.h"
 #include "sim/core/workers.h"
 
 namespace game {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "game/recording/divergence.h"
-#include "render/picture.h"
+#include "render/pictures/picture.h"
 
 namespace game {
 

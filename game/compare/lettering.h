@@ -6,7 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "render/sheet.h"
+#include "render/pictures/sheet.h"
 
 namespace game {
 

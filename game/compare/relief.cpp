@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "render/marks.h"
+#include "render/frame/marks.h"
 
 namespace game {
 namespace {

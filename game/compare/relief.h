@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "game/scene/scenario.h"
-#include "render/sheet.h"
+#include "render/pictures/sheet.h"
 
 namespace game {
 

@@ -8,7 +8,7 @@
 #include "game/controls/camera_path.h"
 #include "game/controls/camera_room.h"
 #include "game/controls/slide_front.h"
-#include "render/camera.h"
+#include "render/view/camera.h"
 #include "sim/world/state.h"
 
 namespace game {

@@ -3,7 +3,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "render/camera.h"
+#include "render/view/camera.h"
 
 // Paths of a camera between two poses that keep the grabbed point fixed in the image.
 namespace game {

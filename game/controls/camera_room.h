@@ -2,8 +2,8 @@
 
 #include <glm/vec3.hpp>
 
-#include "render/camera.h"
-#include "render/surroundings.h"
+#include "render/mountain/surroundings.h"
+#include "render/view/camera.h"
 #include "sim/world/state.h"
 
 namespace game {

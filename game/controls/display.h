@@ -1,8 +1,8 @@
 #pragma once
 
 #include "game/controls/tier.h"
-#include "render/look.h"
-#include "render/marks.h"
+#include "render/frame/marks.h"
+#include "render/view/look.h"
 #include "sim/fields/flow_stage.h"
 
 namespace game {

@@ -2,7 +2,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "render/camera.h"
+#include "render/view/camera.h"
 #include "sim/world/state.h"
 
 namespace game {

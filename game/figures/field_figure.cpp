@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "render/sheet.h"
+#include "render/pictures/sheet.h"
 
 namespace game {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/picture.h"
+#include "render/pictures/picture.h"
 #include "sim/fields/test_flows.h"
 
 namespace game {

@@ -9,9 +9,9 @@
 #include "game/figures/level_flow.h"
 #include "game/figures/mosaic.h"
 #include "game/files/assets.h"
-#include "render/context.h"
 #include "render/frame.h"
-#include "render/front_picture.h"
+#include "render/gl/context.h"
+#include "render/pictures/front_picture.h"
 
 namespace game {
 namespace {

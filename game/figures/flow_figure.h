@@ -7,7 +7,7 @@
 
 #include "game/base/outcome.h"
 #include "game/figures/page.h"
-#include "render/flow_pattern.h"
+#include "render/view/flow_pattern.h"
 #include "sim/core/workers.h"
 #include "sim/fields/test_flows.h"
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <string>
 
-#include "render/camera.h"
-#include "render/draw_times.h"
-#include "render/look.h"
+#include "render/gl/draw_times.h"
+#include "render/view/camera.h"
+#include "render/view/look.h"
 
 namespace game {
 

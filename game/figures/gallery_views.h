@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "render/camera.h"
-#include "render/look.h"
+#include "render/view/camera.h"
+#include "render/view/look.h"
 
 namespace game {
 

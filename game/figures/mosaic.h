@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "render/picture.h"
+#include "render/pictures/picture.h"
 
 namespace game {
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "game/pages/html.h"
-#include "render/marks.h"
+#include "render/frame/marks.h"
 
 namespace game {
 namespace {

@@ -8,7 +8,7 @@
 #include "game/analysis/gallery.h"
 #include "game/base/outcome.h"
 #include "game/figures/page.h"
-#include "render/camera.h"
+#include "render/view/camera.h"
 #include "sim/engine.h"
 
 namespace game {

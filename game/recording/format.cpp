@@ -19,7 +19,7 @@
 #include "game/scene/flow_kinds.h"
 #include "game/scene/standing.h"
 #include "game/scene/structures.h"
-#include "render/sky_light.h"
+#include "render/view/sky_light.h"
 
 namespace game {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "game/base/outcome.h"
 #include "game/files/toml_table.h"
-#include "render/look.h"
+#include "render/view/look.h"
 #include "sim/world/params.h"
 
 namespace game {

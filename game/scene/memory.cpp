@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "game/base/number.h"
-#include "render/frame_writer.h"
-#include "render/woods.h"
+#include "render/pictures/frame_writer.h"
+#include "render/woods/woods.h"
 
 namespace game {
 namespace {
@@ -18,7 +18,7 @@ constexpr std::uint64_t kMiB = std::uint64_t{1} << 20;
 
 }  // namespace
 
-// Buffers of a frame (render/target.h and render/passes/flow_pass.h), and images on their way to a file.
+// Buffers of a frame (render/passes/target.h and render/passes/flow_pass.h), and images on their way to a file.
 std::uint64_t frame_bytes(const FrameUse& frames) {
     constexpr std::uint64_t kDepth = 4, kLinear = 8, kScreen = 4;  // per sample or pixel: 32F, RGBA16F, RGBA8
     // Depth, that of the ground, the flow's albedo and relief, and what is drawn over by what floats in the air.
@@ -64,7 +64,7 @@ std::uint64_t expected_bytes(const sim::Grid& grid, bool two_materials, const Me
     if (use.draws) using_it += grid.size() <= kMostFollowed ? 1020 : 280;
     std::uint64_t bytes = 60 * kMiB + std::max(reading, using_it) * grid.size();
     if (use.draws) bytes += 220 * kMiB;  // OpenGL by software, shaders and patterns
-    // Trees (render/woods.h): while they are placed, as placed, with their light, and five times as drawn.
+    // Trees (render/woods/woods.h): while they are placed, as placed, with their light, and five times as drawn.
     constexpr std::uint64_t kPerTree = 2 * 72 + 60 + 16 + 5 * 80;
     if (use.draws) bytes += kPerTree * render::Woods::kMost;
     bytes += frame_bytes(use.frames);

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "game/scene/scenario.h"
-#include "render/surroundings.h"
-#include "render/woods.h"
+#include "render/mountain/surroundings.h"
+#include "render/woods/woods.h"
 
 namespace game {
 

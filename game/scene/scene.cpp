@@ -20,7 +20,7 @@
 #include "game/scene/scene_things.h"
 #include "game/scene/scene_trees.h"
 #include "game/scene/standing.h"
-#include "render/overview.h"
+#include "render/mountain/overview.h"
 #include "terrains/dem_gdal.h"
 #include "terrains/release.h"
 

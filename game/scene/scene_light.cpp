@@ -5,8 +5,8 @@
 
 #include <glm/trigonometric.hpp>
 
-#include "render/sky_light.h"
-#include "render/sun_position.h"
+#include "render/view/sky_light.h"
+#include "render/view/sun_position.h"
 
 namespace game {
 namespace {

@@ -8,7 +8,7 @@
 #include <tl/expected.hpp>
 
 #include "game/files/toml_table.h"
-#include "render/woods.h"
+#include "render/woods/woods.h"
 #include "terrains/references.h"
 #include "terrains/terrain.h"
 

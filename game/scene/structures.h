@@ -10,7 +10,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "render/structures.h"
+#include "render/buildings/structures.h"
 #include "sim/world/state.h"
 
 namespace game {

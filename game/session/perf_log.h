@@ -11,7 +11,7 @@
 #include "game/base/outcome.h"
 #include "game/recording/format.h"
 #include "game/session/session.h"
-#include "render/draw_times.h"
+#include "render/gl/draw_times.h"
 
 namespace game {
 

@@ -13,7 +13,7 @@
 #include "game/scene/structures.h"
 #include "game/session/try_watch.h"
 #include "game/session/world_fronts.h"
-#include "render/flow_so_far.h"
+#include "render/view/flow_so_far.h"
 #include "sim/engine.h"
 #include "sim/powder/cloud.h"
 #include "sim/world/snapshot.h"

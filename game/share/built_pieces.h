@@ -8,7 +8,7 @@
 #include <glm/vec2.hpp>
 
 #include "game/share/packed_stream.h"
-#include "render/structure_mesh.h"
+#include "render/buildings/structure_mesh.h"
 
 namespace game {
 

@@ -5,10 +5,10 @@
 
 #include "game/scene/mountains.h"
 #include "game/share/built_pieces.h"
-#include "render/spindrift.h"
-#include "render/sun_sweep.h"
-#include "render/surroundings_mesh.h"
-#include "render/trees_in_view.h"
+#include "render/mountain/spindrift.h"
+#include "render/mountain/sun_sweep.h"
+#include "render/mountain/surroundings_mesh.h"
+#include "render/woods/trees_in_view.h"
 
 namespace game {
 namespace {

@@ -6,11 +6,11 @@
 
 #include "game/scene/scenario.h"
 #include "game/share/packed_stream.h"
-#include "render/flow_so_far.h"
-#include "render/frame_block.h"
-#include "render/structures.h"
-#include "render/surroundings.h"
-#include "render/woods.h"
+#include "render/buildings/structures.h"
+#include "render/mountain/surroundings.h"
+#include "render/view/flow_so_far.h"
+#include "render/view/frame_block.h"
+#include "render/woods/woods.h"
 #include "sim/world/state.h"
 
 namespace game {

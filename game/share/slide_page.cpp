@@ -24,13 +24,13 @@
 #include "game/share/puff_paths.h"
 #include "game/share/scenery.h"
 #include "game/share/sha256.h"
-#include "render/drawn_mixture.h"
-#include "render/frame_block.h"
-#include "render/height_range.h"
-#include "render/marks.h"
-#include "render/overview.h"
-#include "render/wind.h"
-#include "render/without_buildings.h"
+#include "render/frame/make_frame_block.h"
+#include "render/frame/marks.h"
+#include "render/mountain/drawn_mixture.h"
+#include "render/mountain/height_range.h"
+#include "render/mountain/overview.h"
+#include "render/mountain/without_buildings.h"
+#include "render/view/wind.h"
 
 namespace game {
 namespace {

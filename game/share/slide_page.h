@@ -10,7 +10,7 @@
 #include "game/base/outcome.h"
 #include "game/scene/scenario.h"
 #include "game/session/session.h"
-#include "render/camera.h"
+#include "render/view/camera.h"
 
 namespace game {
 

@@ -5,7 +5,7 @@
 #include "game/controls/action.h"
 #include "game/ui/facts.h"
 #include "game/ui/widgets.h"
-#include "render/gl_handle.h"
+#include "render/gl/gl_handle.h"
 
 namespace game::ui {
 

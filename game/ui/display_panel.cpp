@@ -5,7 +5,7 @@
 #include "game/controls/resolution_control.h"
 #include "game/ui/legend.h"
 #include "game/ui/panels.h"
-#include "render/sky_light.h"
+#include "render/view/sky_light.h"
 
 namespace game::ui {
 namespace {

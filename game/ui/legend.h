@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "render/marks.h"
+#include "render/frame/marks.h"
 
 namespace game::ui {
 

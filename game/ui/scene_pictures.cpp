@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-#include "render/png.h"
+#include "render/pictures/png.h"
 
 namespace game::ui {
 namespace {

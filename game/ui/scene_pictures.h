@@ -11,7 +11,7 @@
 #include <imgui.h>
 
 #include "game/controls/catalogue.h"
-#include "render/gl_handle.h"
+#include "render/gl/gl_handle.h"
 
 namespace game::ui {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "assets/shaders/slots.glsl"
-#include "render/passes/scissor.h"
-#include "render/program.h"
+#include "render/gl/program.h"
+#include "render/gl/scissor.h"
 #include "sim/core/check.h"
 
 namespace render {

@@ -8,15 +8,15 @@
 
 #include <tl/expected.hpp>
 
-#include "render/flow_texture.h"
-#include "render/flow_to_gpu.h"
-#include "render/flow_triangles.h"
-#include "render/gl_handle.h"
-#include "render/marks.h"
-#include "render/remesher.h"
-#include "render/target.h"
-#include "render/triangle_run.h"
-#include "render/what_changed.h"
+#include "render/base/triangle_run.h"
+#include "render/flow/flow_triangles.h"
+#include "render/frame/marks.h"
+#include "render/frame/what_changed.h"
+#include "render/gl/gl_handle.h"
+#include "render/passes/flow_texture.h"
+#include "render/passes/flow_to_gpu.h"
+#include "render/passes/remesher.h"
+#include "render/passes/target.h"
 #include "sim/core/grid.h"
 #include "sim/front/flow_view.h"
 

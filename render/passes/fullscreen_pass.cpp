@@ -1,7 +1,7 @@
 #include "render/passes/fullscreen_pass.h"
 
-#include "render/passes/scissor.h"
-#include "render/program.h"
+#include "render/gl/program.h"
+#include "render/gl/scissor.h"
 
 namespace render {
 

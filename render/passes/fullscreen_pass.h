@@ -8,8 +8,8 @@
 
 #include <tl/expected.hpp>
 
-#include "render/gl_handle.h"
-#include "render/rectangle.h"
+#include "render/base/rectangle.h"
+#include "render/gl/gl_handle.h"
 
 namespace render {
 

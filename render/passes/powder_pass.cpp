@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "assets/shaders/slots.glsl"
-#include "render/passes/scissor.h"
-#include "render/program.h"
+#include "render/gl/program.h"
+#include "render/gl/scissor.h"
 
 namespace render {
 namespace {

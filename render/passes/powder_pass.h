@@ -7,10 +7,10 @@
 
 #include <tl/expected.hpp>
 
-#include "render/frame_block.h"
-#include "render/gl_handle.h"
-#include "render/look.h"
-#include "render/powder_puffs.h"
+#include "render/flow/powder_puffs.h"
+#include "render/gl/gl_handle.h"
+#include "render/view/frame_block.h"
+#include "render/view/look.h"
 #include "sim/powder/cloud.h"
 
 namespace render {

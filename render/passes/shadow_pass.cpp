@@ -1,7 +1,7 @@
 #include "render/passes/shadow_pass.h"
 
 #include "assets/shaders/slots.glsl"
-#include "render/frame_block.h"
+#include "render/view/frame_block.h"
 
 namespace render {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/gl_handle.h"
-#include "render/sun_sweep.h"
+#include "render/gl/gl_handle.h"
+#include "render/mountain/sun_sweep.h"
 #include "sim/core/grid.h"
 
 namespace render {

@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 
 #include "assets/shaders/slots.glsl"
-#include "render/passes/scoped_state.h"
-#include "render/program.h"
-#include "render/ramp.h"
+#include "render/base/ramp.h"
+#include "render/gl/program.h"
+#include "render/gl/scoped_state.h"
 
 namespace render {
 namespace {

@@ -9,11 +9,11 @@
 #include <glm/vec4.hpp>
 #include <tl/expected.hpp>
 
-#include "render/frame_block.h"
-#include "render/gl_handle.h"
-#include "render/on_screen.h"
-#include "render/spindrift.h"
-#include "render/wind.h"
+#include "render/gl/gl_handle.h"
+#include "render/mountain/spindrift.h"
+#include "render/view/frame_block.h"
+#include "render/view/on_screen.h"
+#include "render/view/wind.h"
 
 namespace render {
 

@@ -11,8 +11,8 @@
 #include <glm/vector_relational.hpp>
 
 #include "assets/shaders/slots.glsl"
-#include "render/passes/scissor.h"
-#include "render/program.h"
+#include "render/gl/program.h"
+#include "render/gl/scissor.h"
 
 namespace render {
 namespace {

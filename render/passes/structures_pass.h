@@ -7,10 +7,11 @@
 
 #include <tl/expected.hpp>
 
-#include "render/frame_block.h"
-#include "render/gl_handle.h"
-#include "render/structure_mesh.h"
-#include "render/what_changed.h"
+#include "render/buildings/structure_mesh.h"
+#include "render/frame/what_changed.h"
+#include "render/gl/gl_handle.h"
+#include "render/frame/frame_input.h"
+#include "render/view/frame_block.h"
 
 namespace render {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "assets/shaders/slots.glsl"
-#include "render/program.h"
+#include "render/gl/program.h"
 
 namespace render {
 namespace {

@@ -8,7 +8,7 @@
 #include <glm/vec2.hpp>
 #include <tl/expected.hpp>
 
-#include "render/gl_handle.h"
+#include "render/gl/gl_handle.h"
 #include "sim/core/grid.h"
 
 namespace render {

@@ -10,8 +10,8 @@
 #include <glm/common.hpp>
 
 #include "assets/shaders/slots.glsl"
-#include "render/passes/scissor.h"
-#include "render/program.h"
+#include "render/gl/program.h"
+#include "render/gl/scissor.h"
 
 namespace render {
 

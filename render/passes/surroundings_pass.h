@@ -9,11 +9,11 @@
 
 #include <tl/expected.hpp>
 
-#include "render/frame_block.h"
-#include "render/gl_handle.h"
-#include "render/surroundings.h"
-#include "render/surroundings_mesh.h"
-#include "render/what_changed.h"
+#include "render/frame/what_changed.h"
+#include "render/gl/gl_handle.h"
+#include "render/mountain/surroundings.h"
+#include "render/mountain/surroundings_mesh.h"
+#include "render/view/frame_block.h"
 
 namespace render {
 

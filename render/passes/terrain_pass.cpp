@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "assets/shaders/slots.glsl"
-#include "render/detail.h"
-#include "render/passes/scissor.h"
-#include "render/program.h"
+#include "render/gl/program.h"
+#include "render/gl/scissor.h"
+#include "render/mountain/detail.h"
 
 namespace render {
 namespace {

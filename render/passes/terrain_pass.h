@@ -8,14 +8,14 @@
 
 #include <tl/expected.hpp>
 
-#include "render/gl_handle.h"
-#include "render/ground_mesh.h"
-#include "render/marks.h"
-#include "render/on_screen.h"
+#include "render/frame/marks.h"
+#include "render/frame/slide_tiles.h"
+#include "render/frame/what_changed.h"
+#include "render/gl/gl_handle.h"
+#include "render/mountain/ground_mesh.h"
 #include "render/passes/rectangle_pass.h"
-#include "render/slide_tiles.h"
-#include "render/target.h"
-#include "render/what_changed.h"
+#include "render/passes/target.h"
+#include "render/view/on_screen.h"
 
 namespace render {
 

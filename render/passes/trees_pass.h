@@ -7,12 +7,12 @@
 
 #include <tl/expected.hpp>
 
-#include "render/followed_woods.h"
-#include "render/frame_block.h"
-#include "render/gl_handle.h"
-#include "render/screen_tiles.h"
-#include "render/trees_in_view.h"
-#include "render/woods.h"
+#include "render/gl/gl_handle.h"
+#include "render/view/frame_block.h"
+#include "render/view/screen_tiles.h"
+#include "render/woods/followed_woods.h"
+#include "render/woods/trees_in_view.h"
+#include "render/woods/woods.h"
 
 namespace render {
 

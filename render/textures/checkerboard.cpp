@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "render/noise.h"
+#include "render/base/noise.h"
 #include "render/textures/surface.h"
 
 namespace render {

@@ -1,7 +1,7 @@
 #include <array>
 #include <span>
 
-#include "render/noise.h"
+#include "render/base/noise.h"
 #include "render/textures/lumps.h"
 #include "render/textures/surface.h"
 

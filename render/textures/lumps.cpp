@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-#include "render/noise.h"
+#include "render/base/noise.h"
 #include "render/textures/smooth.h"
 
 namespace render {

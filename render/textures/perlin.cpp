@@ -1,6 +1,6 @@
 #include <array>
 
-#include "render/noise.h"
+#include "render/base/noise.h"
 #include "render/textures/surface.h"
 
 namespace render {

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-#include "render/noise.h"
+#include "render/base/noise.h"
 #include "render/textures/lumps.h"
 #include "render/textures/smooth.h"
 #include "render/textures/surface.h"

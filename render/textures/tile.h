@@ -6,7 +6,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "render/picture.h"
+#include "render/pictures/picture.h"
 
 // A square of heights that repeats beyond its edges, and the images made from it.
 namespace render {

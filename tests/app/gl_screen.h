@@ -1,8 +1,8 @@
 #pragma once
 
-#include "render/context.h"
-#include "render/gl_handle.h"
-#include "render/picture.h"
+#include "render/gl/context.h"
+#include "render/gl/gl_handle.h"
+#include "render/pictures/picture.h"
 #include "tests/support/scripted_screen.h"
 
 namespace app_test {

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "render/png.h"
+#include "render/pictures/png.h"
 #include "tests/support/places.h"
 
 namespace baselines {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/picture.h"
+#include "render/pictures/picture.h"
 
 namespace baselines {
 

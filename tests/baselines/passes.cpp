@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "render/frame.h"
-#include "render/overview.h"
+#include "render/mountain/overview.h"
 #include "sim/core/workers.h"
 #include "tests/baselines/image_baseline.h"
 #include "tests/render/world.h"

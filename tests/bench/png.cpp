@@ -1,4 +1,4 @@
-#include "render/png.h"
+#include "render/pictures/png.h"
 
 #include <algorithm>
 

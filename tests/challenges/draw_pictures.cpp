@@ -15,8 +15,8 @@
 #include "game/recording/reader.h"
 #include "game/scene/scene.h"
 #include "game/session/session.h"
-#include "render/picture.h"
-#include "render/png.h"
+#include "render/pictures/picture.h"
+#include "render/pictures/png.h"
 #include "tests/support/places.h"
 
 namespace game {

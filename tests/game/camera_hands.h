@@ -8,7 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "game/controls/camera_control.h"
-#include "render/camera.h"
+#include "render/view/camera.h"
 #include "sim/world/state.h"
 
 // Worlds, hands and measures for the tests of the camera.

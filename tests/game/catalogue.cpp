@@ -7,7 +7,7 @@
 
 #include "game/files/assets.h"
 #include "game/scene/scene.h"
-#include "render/png.h"
+#include "render/pictures/png.h"
 
 namespace game::test {
 namespace {

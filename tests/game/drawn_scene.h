@@ -13,8 +13,8 @@
 #include "game/files/assets.h"
 #include "game/scene/scene.h"
 #include "game/session/sandbox.h"
-#include "render/context.h"
 #include "render/frame.h"
+#include "render/gl/context.h"
 
 namespace game::test {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "game/scene/mountains.h"
-#include "render/overview.h"
+#include "render/mountain/overview.h"
 #include "tests/game/drawn_scene.h"
 
 namespace game::test {

@@ -20,7 +20,7 @@
 #include "game/share/sha256.h"
 #include "game/share/share_recording.h"
 #include "game/share/slide_page.h"
-#include "render/drawn_mixture.h"
+#include "render/mountain/drawn_mixture.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"
 #include "tests/game/unpacked_page.h"

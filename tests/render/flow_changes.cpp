@@ -1,4 +1,4 @@
-#include "render/flow_changes.h"
+#include "render/flow/flow_changes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "render/frame_writer.h"
+#include "render/pictures/frame_writer.h"
 
 #include <sys/stat.h>
 
@@ -49,7 +49,7 @@ std::size_t bytes_of(const Picture& picture, const PngCompression& compression) 
     return file_size(folder.path() / "a.png");
 }
 
-// Each compression has its reason (render/picture.h). They fail if OpenImageIO ignores what it is asked for.
+// Each compression has its reason (render/pictures/picture.h). They fail if OpenImageIO ignores what it is asked for.
 TEST(Picture, is_smallest_with_the_smallest_compression) {
     Picture noisy_slope = picture_of(64, 48, 0);
     for (std::size_t i = 0; i < noisy_slope.pixels.size(); ++i)

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "render/sky_light.h"
+#include "render/view/sky_light.h"
 #include "tests/render/gl_scene.h"
 
 namespace render::test {

@@ -1,7 +1,7 @@
 #include <array>
 #include <cmath>
 
-#include "render/context.h"
+#include "render/gl/context.h"
 #include "tests/render/gl_scene.h"
 
 // How much of the ground a thin cover hides.

@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "render/flow_texture.h"
+#include "render/passes/flow_texture.h"
 #include "sim/core/workers.h"
 #include "tests/render/gl_scene.h"
 #include "tests/render/watched.h"

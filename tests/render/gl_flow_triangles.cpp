@@ -4,11 +4,11 @@
 #include <random>
 
 #include "assets/shaders/slots.glsl"
-#include "render/fields_to_gpu.h"
-#include "render/flow_triangles.h"
-#include "render/frame_block.h"
+#include "render/flow/flow_triangles.h"
+#include "render/frame/make_frame_block.h"
+#include "render/gl/scoped_state.h"
+#include "render/passes/fields_to_gpu.h"
 #include "render/passes/flow_pass.h"
-#include "render/passes/scoped_state.h"
 #include "render/passes/surface_pass.h"
 #include "sim/core/workers.h"
 #include "tests/render/gl_scene.h"

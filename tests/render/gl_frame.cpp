@@ -4,7 +4,7 @@
 
 #include <epoxy/gl.h>
 
-#include "render/overview.h"
+#include "render/mountain/overview.h"
 #include "tests/render/gl_scene.h"
 #include "tests/support/places.h"
 

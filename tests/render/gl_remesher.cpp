@@ -11,8 +11,8 @@
 #include <utility>
 #include <variant>
 
-#include "render/program.h"
-#include "render/remesher.h"
+#include "render/gl/program.h"
+#include "render/passes/remesher.h"
 #include "sim/core/workers.h"
 #include "sim/fields/test_flows.h"
 #include "sim/front/remesh_reference.h"

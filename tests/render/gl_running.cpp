@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "render/overview.h"
+#include "render/mountain/overview.h"
 #include "tests/render/gl_scene.h"
 #include "tests/render/watched.h"
 #include "tests/support/allocations.h"

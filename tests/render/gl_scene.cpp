@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "render/context.h"
-#include "render/gl_handle.h"
+#include "render/gl/context.h"
+#include "render/gl/gl_handle.h"
 #include "tests/support/places.h"
 
 namespace render::test {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/overview.h"
+#include "render/mountain/overview.h"
 #include "tests/render/gl_scene.h"
 
 // Frames whose stages are timed. No test checks the times themselves.

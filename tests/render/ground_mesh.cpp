@@ -1,4 +1,4 @@
-#include "render/ground_mesh.h"
+#include "render/mountain/ground_mesh.h"
 
 #include <algorithm>
 #include <set>

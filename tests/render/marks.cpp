@@ -1,4 +1,4 @@
-#include "render/marks.h"
+#include "render/frame/marks.h"
 
 #include <cmath>
 

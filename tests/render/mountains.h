@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/surroundings.h"
+#include "render/mountain/surroundings.h"
 #include "tests/render/world.h"
 
 namespace render::test {

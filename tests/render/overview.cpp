@@ -1,4 +1,4 @@
-#include "render/overview.h"
+#include "render/mountain/overview.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "render/pick.h"
+#include "render/mountain/pick.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 #include <glm/vec4.hpp>
 
 #include "assets/shaders/slots.glsl"
-#include "render/ground_mesh.h"
-#include "render/overview.h"
+#include "render/mountain/ground_mesh.h"
+#include "render/mountain/overview.h"
 #include "tests/render/world.h"
 #include "tests/support/worlds.h"
 

@@ -1,4 +1,4 @@
-#include "render/screen_tiles.h"
+#include "render/view/screen_tiles.h"
 
 #include <random>
 

@@ -1,4 +1,4 @@
-#include "render/sky_light.h"
+#include "render/view/sky_light.h"
 
 #include <algorithm>
 #include <array>

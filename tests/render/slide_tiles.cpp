@@ -1,4 +1,4 @@
-#include "render/slide_tiles.h"
+#include "render/frame/slide_tiles.h"
 
 #include <gtest/gtest.h>
 

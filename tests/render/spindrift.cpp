@@ -1,4 +1,4 @@
-#include "render/spindrift.h"
+#include "render/mountain/spindrift.h"
 
 #include <algorithm>
 #include <cmath>

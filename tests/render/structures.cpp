@@ -7,7 +7,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "assets/shaders/slots.glsl"
-#include "render/structure_mesh.h"
+#include "render/buildings/structure_mesh.h"
 #include "tests/render/world.h"
 
 // Meshes of structures; without GL.

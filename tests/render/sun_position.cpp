@@ -1,4 +1,4 @@
-#include "render/sun_position.h"
+#include "render/view/sun_position.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,4 +1,5 @@
-#include "render/sun_sweep.h"
+#include "render/mountain/sun_sweep.h"
+#include "render/frame/make_frame_block.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/height_range.h"
+#include "render/mountain/height_range.h"
 #include "tests/render/mountains.h"
 #include "tests/support/allocations.h"
 

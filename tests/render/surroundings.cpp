@@ -1,4 +1,4 @@
-#include "render/surroundings.h"
+#include "render/mountain/surroundings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/surroundings_mesh.h"
+#include "render/mountain/surroundings_mesh.h"
 #include "tests/render/mountains.h"
 
 // Mountains made from the ground that they surround; without GL.

@@ -7,8 +7,8 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
-#include "render/texture_recipes.h"
 #include "render/textures/gaussian.h"
+#include "render/textures/texture_recipes.h"
 #include "tests/support/places.h"
 
 namespace render {

@@ -1,4 +1,4 @@
-#include "render/wind.h"
+#include "render/view/wind.h"
 
 #include <cmath>
 

@@ -1,4 +1,5 @@
-#include "render/woods.h"
+#include "render/woods/woods.h"
+#include "render/frame/make_frame_block.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
-#include "render/followed_woods.h"
-#include "render/trees_in_view.h"
+#include "render/woods/followed_woods.h"
+#include "render/woods/trees_in_view.h"
 #include "tests/render/mountains.h"
 
 // Where conifers stand, and which of them a frame shows; without GL.

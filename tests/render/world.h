@@ -3,7 +3,7 @@
 #include <functional>
 #include <optional>
 
-#include "render/camera.h"
+#include "render/view/camera.h"
 #include "sim/world/state.h"
 
 // Small worlds for the tests of render/, which need a view and no physics.

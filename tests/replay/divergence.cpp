@@ -10,7 +10,7 @@
 #include "game/compare/desync_picture.h"
 #include "game/recording/divergence.h"
 #include "game/recording/divergence_report.h"
-#include "render/picture.h"
+#include "render/pictures/picture.h"
 #include "sim/scratch.h"
 #include "tests/replay/play.h"
 

@@ -14,7 +14,7 @@
 #include "game/analysis/headless.h"
 #include "game/scene/scene.h"
 #include "game/session/session.h"
-#include "render/flow_vertices.h"
+#include "render/flow/flow_vertices.h"
 #include "sim/front/gradient.h"
 
 namespace game::test {

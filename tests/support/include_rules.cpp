@@ -33,6 +33,10 @@ const Names kGameFloors{"game/base/",    "game/files/",    "game/pages/", "game/
                         "game/session/", "game/analysis/", "game/share/", "game/compare/", "game/figures/",
                         "game/bench/",   "game/controls/", "game/ui/",    "game/app/",     "game/commands/"};
 
+// Folders of render/ without OpenGL, lowest floor first: each may include only those before it.
+const Names kRenderFloors{"render/base/", "render/pictures/",  "render/view/",  "render/mountain/",
+                          "render/flow/", "render/buildings/", "render/woods/", "render/frame/"};
+
 std::vector<Room> make_rooms() {
     std::vector<Room> rooms;
     const auto in_sim = [&](std::string name, Names may) {
@@ -71,9 +75,25 @@ std::vector<Room> make_rooms() {
                      .rooms = {"terrains/", "files/", "sim/core/grid.h", "sim/core/check.h"},
                      .libraries = {"gdal", "ogr_", "ogrsf_", "proj.h", "fcntl.h", "unistd.h", "sys/stat.h",
                                    "cpl_", "OpenImageIO/", "GeographicLib/", "nlohmann/", "fmt/", "tl/"}});
-    rooms.push_back({.name = "render",
-                     .rooms = {"render/", "files/", "sim/", "assets/"},
-                     .libraries = {"glm/", "epoxy/", "EGL/", "OpenImageIO/", "fmt/", "tl/"}});
+    const Names below_render{"files/", "sim/", "assets/"};
+    const Names gl{"glm/", "epoxy/", "EGL/", "fmt/", "tl/"};
+    may = below_render;
+    for (const std::string_view floor : kRenderFloors) {
+        may.push_back(floor);
+        rooms.push_back({.name = std::string(floor.substr(0, floor.size() - 1)),
+                         .rooms = may,
+                         .libraries = {"glm/", "OpenImageIO/", "fmt/", "tl/"}});
+    }
+    rooms.push_back({.name = "render/textures",
+                     .rooms = {"render/textures/", "render/base/", "render/pictures/"},
+                     .libraries = {"glm/", "tl/"}});
+    rooms.push_back({.name = "render/gl",
+                     .rooms = {"render/gl/", "render/base/", "files/", "sim/core/", "assets/"},
+                     .libraries = gl});
+    may.insert(may.end(), {"render/gl/", "render/passes/"});
+    rooms.push_back({.name = "render/passes", .rooms = may, .libraries = gl});
+    may.push_back("render/");
+    rooms.push_back({.name = "render", .rooms = may, .libraries = gl});
     rooms.push_back({.name = "tests",
                      .anything = true,
                      .rooms = {"tests/", "game/", "render/", "terrains/", "files/", "sim/", "assets/"}});

@@ -4,7 +4,7 @@
 
 #include "game/analysis/headless.h"
 #include "game/share/slide_page.h"
-#include "render/drawn_mixture.h"
+#include "render/mountain/drawn_mixture.h"
 #include "tests/game/program.h"
 #include "tests/support/places.h"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "game/recording/reader.h"
-#include "render/png.h"
+#include "render/pictures/png.h"
 #include "tests/window/play_session.h"
 #include "tests/window/screenshot.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "render/picture.h"
+#include "render/pictures/picture.h"
 #include "tests/game/program.h"
 #include "tests/support/places.h"
 #include "tests/window/child.h"

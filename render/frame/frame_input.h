@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "render/buildings/structures.h"
+#include "render/frame/marks.h"
+#include "render/mountain/surroundings.h"
+#include "render/view/camera.h"
+#include "render/view/flow_so_far.h"
+#include "render/view/look.h"
+#include "render/view/wind.h"
+#include "render/woods/woods.h"
+#include "sim/front/flow_view.h"
+#include "sim/powder/cloud.h"
+#include "sim/world/state.h"
+
+namespace render {
+
+// Everything that a frame shows. A plain value, of which draw() keeps nothing: `world`, `flow` and
+// `surroundings` must be valid during the call only.
+struct FrameInput {
+    sim::View world;
+    Camera camera;
+    Light light = {};
+    Look look = {};
+    Marks marks = {};
+    // Drawn as look.flow says; its mesh is the heightfield of the world's grid. Without either, no texture is
+    // advected.
+    const sim::front::FlowView* flow = nullptr;
+    int width = 0, height = 0;  // of the frame, pixels, > 0
+    // Depth of the standing layer at tick 0, m, one value per vertex, row 0 the south; valid during the call.
+    // It tells deposits and scars from untouched ground. If empty, they are unknown.
+    std::span<const float> first_depth = {};
+    // Of this world, with this first depth. If null, the block of terrain stands by itself, with walls.
+    const Surroundings* surroundings = nullptr;
+    // Powder or dust in the air, in look's colours; valid during the call.
+    std::span<const sim::powder::Puff> powder = {};
+    float powder_strength = 1;  // 0 to 1, factor on its opacity; 0: none is drawn
+    // Of these surroundings, without which no trees are drawn. If null, there are none.
+    const Woods* woods = nullptr;
+    // What the flow has done until now, for trees to lie where it was; valid during the call.
+    FlowSoFar flow_so_far = {};
+    // What people have built, as it is now. If null, there is nothing.
+    const Structures* structures = nullptr;
+    // It blows snow off the ridges of these surroundings, if look is that of dry snow: bright, with much powder.
+    Wind wind = {};
+    double seconds = 0;  // time of the world, by which that snow moves
+    // A part of the ground whose outline marks.extent draws: 255 inside and 0 outside, one value per vertex, row 0 the
+    // south; valid during the call. Not empty if marks.extent is not 0.
+    std::span<const std::uint8_t> extent = {};
+};
+
+}  // namespace render

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+
+#include <glm/vec3.hpp>
+
+#include "render/frame/frame_input.h"
+#include "render/mountain/height_range.h"
+#include "render/view/frame_block.h"
+
+namespace render {
+
+// `heights`: of the bedrock. `samples`: along the edge of a pixel. `flow_tint`: the factor for the colours of
+// the advected texture. None: no texture is shown.
+FrameBlock make_frame_block(const FrameInput& input, HeightRange heights, int samples,
+                            const std::optional<glm::vec3>& flow_tint);
+
+}  // namespace render

@@ -1,0 +1,24 @@
+#include <cstdio>
+#include <filesystem>
+
+#include "render/pictures/picture.h"
+#include "render/textures/texture_recipes.h"
+
+// make_textures FOLDER: writes every image of every recipe into an existing folder. Exit status 1 if an image
+// cannot be written, 2 without a folder.
+int main(int count, char** arguments) {
+    if (count != 2) {
+        std::fputs("make_textures FOLDER\n", stderr);
+        return 2;
+    }
+    for (const render::TextureRecipe& recipe : render::texture_recipes()) {
+        for (const auto& [file, picture] : render::make_pictures(recipe)) {
+            const auto written = render::write_png(picture, std::filesystem::path(arguments[1]) / file,
+                                                   render::kSmallestPngCompression);
+            if (written) continue;
+            std::fprintf(stderr, "make_textures: %s\n", written.error().c_str());
+            return 1;
+        }
+    }
+    return 0;
+}
