@@ -1,12 +1,9 @@
 #include "game/app/best_list.h"
 
-#include <chrono>
 #include <exception>
-#include <functional>
 #include <system_error>
 #include <utility>
 
-#include "game/base/process.h"
 #include "game/files/user_folders.h"
 #include "game/scene/scene.h"
 
@@ -24,13 +21,12 @@ bool has_runs(const fs::path& all, const std::string& scene) {
     return false;
 }
 
-// A scene that cannot be loaded has an empty path. Catches exceptions, because none may leave the thread.
+// A scene that cannot be loaded has an empty path.
 std::map<std::string, fs::path> find_folders(const std::vector<std::string>& scenes,
-                                             const std::atomic<bool>& stop) {
-    lower_priority_of_thread();
+                                             const std::atomic<bool>& stopped) {
     std::map<std::string, fs::path> folders;
     for (const std::string& name : scenes) {
-        if (stop) break;
+        if (stopped) break;
         fs::path& found = folders[name];
         try {
             const auto scene = load_scene(name, {});
@@ -43,11 +39,6 @@ std::map<std::string, fs::path> find_folders(const std::vector<std::string>& sce
 }
 
 }  // namespace
-
-BestList::~BestList() {
-    stop_ = true;
-    if (job_.valid()) job_.wait();
-}
 
 void BestList::open(const Scenario& scenario) {
     open_.clear();
@@ -66,11 +57,11 @@ Outcome<void> BestList::keep(const Score& score, std::uint64_t hash, std::string
 }
 
 void BestList::mark(std::vector<Catalogue::Entry>& scenes) {
-    if (job_.valid() && job_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-        folders_.merge(job_.get());
+    if (auto found = job_.result()) {
+        if (*found) folders_.merge(**found);
         outdated_ = true;
     }
-    if (job_.valid() || !std::exchange(outdated_, false)) return;
+    if (job_.is_busy() || !std::exchange(outdated_, false)) return;
     for (Catalogue::Entry& scene : scenes) {
         scene.best.reset();
         const auto folder = folders_.find(scene.name);
@@ -90,10 +81,10 @@ void BestList::look_for_folders(const std::vector<Catalogue::Entry>& scenes) {
             has_runs(*all, scene.name))
             wanted.push_back(scene.name);
     if (wanted.empty()) return;
-    try {
-        job_ = std::async(std::launch::async, find_folders, std::move(wanted), std::cref(stop_));
-    } catch (const std::system_error&) {  // too many threads; the list has no medals then
-    }
+    // Without a thread the list has no medals.
+    (void)job_.begin([wanted = std::move(wanted)](const std::atomic<bool>& stopped) -> Outcome<Folders> {
+        return find_folders(wanted, stopped);
+    });
 }
 
 }  // namespace game

@@ -1,14 +1,13 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <filesystem>
-#include <future>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "game/analysis/best_runs.h"
+#include "game/base/job.h"
 #include "game/base/outcome.h"
 #include "game/controls/catalogue.h"
 #include "game/scene/scenario.h"
@@ -20,11 +19,6 @@ namespace game {
 // only if runs of that name exist.
 class BestList {
   public:
-    BestList() = default;
-    ~BestList();
-    BestList(const BestList&) = delete;
-    BestList& operator=(const BestList&) = delete;
-
     // Another world begins, with or without a goal.
     void open(const Scenario& scenario);
     // Of the open challenge, the best first.
@@ -43,8 +37,7 @@ class BestList {
     std::vector<BestRun> runs_;
     Folders folders_;
     bool outdated_ = true;  // the marks
-    std::atomic<bool> stop_ = false;
-    std::future<Folders> job_;
+    Job<Folders> job_;
 };
 
 }  // namespace game

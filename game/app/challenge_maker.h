@@ -1,11 +1,11 @@
 #pragma once
 
-#include <atomic>
+#include <cstdint>
 #include <filesystem>
-#include <future>
 #include <optional>
 
 #include "game/analysis/made_challenge.h"
+#include "game/base/job.h"
 #include "game/base/outcome.h"
 
 namespace game {
@@ -14,28 +14,19 @@ namespace game {
 // at a time. Use it from one thread.
 class ChallengeMaker {
   public:
-    ChallengeMaker() = default;
-    // Stops. Nothing remains of an unfinished challenge.
-    ~ChallengeMaker();
-    ChallengeMaker(const ChallengeMaker&) = delete;
-    ChallengeMaker& operator=(const ChallengeMaker&) = delete;
-
     // Starts; nothing must be under way. Errors: the system cannot start a thread.
     Outcome<void> begin(Scenario scenario, Deeds deeds, const sim::StepOptions& options);
-    bool is_busy() const { return job_.valid(); }
+    bool is_busy() const { return job_.is_busy(); }
 
     struct Made {
         std::filesystem::path file;
         std::int64_t gold = 0;
     };
     // How it ended, once; nothing while it is under way.
-    std::optional<Outcome<Made>> result();
+    std::optional<Outcome<Made>> result() { return job_.result(); }
 
   private:
-    Outcome<Made> make(const Scenario& scenario, const Deeds& deeds, const sim::StepOptions& options) const;
-
-    std::atomic<bool> stop_ = false;
-    std::future<Outcome<Made>> job_;
+    Job<Made> job_;
 };
 
 }  // namespace game

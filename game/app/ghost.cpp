@@ -1,16 +1,11 @@
 #include "game/app/ghost.h"
 
 #include <algorithm>
-#include <chrono>
-#include <exception>
-#include <functional>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "game/analysis/score.h"
-#include "game/base/process.h"
 #include "game/recording/command_source.h"
 #include "game/recording/reader.h"
 
@@ -53,57 +48,44 @@ Outcome<PlayedRun> play_run(const std::filesystem::path& file, const std::string
     return PlayedRun{std::move(*score), std::move(extent)};
 }
 
-void Ghost::stop() {
-    stopped_ = true;
-    if (job_.valid()) job_.wait();
-    job_ = {};
-    stopped_ = false;
-}
-
 void Ghost::follow(const Scenario& scenario, const std::vector<BestRun>& runs, const Memory& memory) {
     inside_.clear();
     step_ = -1;
     const std::filesystem::path best = runs.empty() ? std::filesystem::path() : runs.front().file;
     if (best == followed_) return;
-    stop();
+    job_.stop();
     followed_ = best;
     found_ = {};
     if (runs.empty() || !memory.allows(scenario.grid, scenario.lower.has_value())) return;
-    try {
-        job_ =
-            std::async(std::launch::async, find, runs, challenge_id(scenario), memory, std::cref(stopped_));
-    } catch (const std::system_error&) {  // too many threads; there is no ghost then
-    }
+    // Without a thread there is no ghost.
+    (void)job_.begin([runs, challenge = challenge_id(scenario),
+                      memory](const std::atomic<bool>& stopped) -> Outcome<Found> {
+        return find(runs, challenge, memory, stopped);
+    });
 }
 
-// Catches exceptions, because none may leave the thread.
 Ghost::Found Ghost::find(const std::vector<BestRun>& runs, const std::string& challenge, const Memory& memory,
                          const std::atomic<bool>& stopped) {
-    lower_priority_of_thread();
     Found found;
-    try {
-        for (const BestRun& run : runs) {
-            auto played = play_run(run.file, challenge, memory, stopped);
-            if (stopped) return {};
-            if (!played) {
-                found.faults.push_back(played.error().sentence);
-            } else if (played->score.points != run.score || played->score.medal != run.medal) {
-                found.faults.push_back(fmt::format(
-                    "{}: its name claims a score of {} ({}); its commands give {} ({})", run.file.string(),
-                    run.score, medal_name(run.medal), played->score.points, medal_name(played->score.medal)));
-            } else {
-                found.extent = std::move(played->extent);
-                break;
-            }
+    for (const BestRun& run : runs) {
+        auto played = play_run(run.file, challenge, memory, stopped);
+        if (stopped) return {};
+        if (!played) {
+            found.faults.push_back(played.error().sentence);
+        } else if (played->score.points != run.score || played->score.medal != run.medal) {
+            found.faults.push_back(fmt::format(
+                "{}: its name claims a score of {} ({}); its commands give {} ({})", run.file.string(),
+                run.score, medal_name(run.medal), played->score.points, medal_name(played->score.medal)));
+        } else {
+            found.extent = std::move(played->extent);
+            break;
         }
-    } catch (const std::exception&) {  // such as out of memory
     }
     return found;
 }
 
 void Ghost::see(std::int64_t ticks) {
-    if (job_.valid() && job_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
-        found_ = job_.get();
+    if (auto found = job_.result()) found_ = std::move(*found).value_or(Found());
     if (!found_.extent || ticks < 0) return inside_.clear();
     const std::int64_t step = ticks / RunExtent::kStep;
     if (!inside_.empty() && step == step_) return;

@@ -3,13 +3,13 @@
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
-#include <future>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "game/analysis/best_runs.h"
+#include "game/base/job.h"
 #include "game/scene/memory.h"
 #include "game/scene/scenario.h"
 #include "game/session/run_extent.h"
@@ -21,11 +21,6 @@ namespace game {
 // tried. A view: it changes neither a world nor a recording.
 class Ghost {
   public:
-    Ghost() = default;
-    ~Ghost() { stop(); }
-    Ghost(const Ghost&) = delete;
-    Ghost& operator=(const Ghost&) = delete;
-
     // A try at the challenge of this scenario begins; `runs` are those so far, the best first. If the best one is the
     // same as before, nothing is played again. There is no ghost without a run, or if another world does not fit into
     // `memory`.
@@ -49,11 +44,9 @@ class Ghost {
     };
     static Found find(const std::vector<BestRun>& runs, const std::string& challenge, const Memory& memory,
                       const std::atomic<bool>& stopped);
-    void stop();
 
     std::filesystem::path followed_;  // file of the best run; empty: there is none
-    std::atomic<bool> stopped_ = false;
-    std::future<Found> job_;
+    Job<Found> job_;
     Found found_;
     std::int64_t step_ = -1;  // of what inside_ has
     std::vector<std::uint8_t> inside_, next_;

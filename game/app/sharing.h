@@ -3,10 +3,10 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
-#include <future>
 #include <optional>
 #include <string>
 
+#include "game/base/job.h"
 #include "game/base/outcome.h"
 #include "game/share/share_recording.h"
 
@@ -20,10 +20,6 @@ class Sharing {
 
     using WritePage = std::function<decltype(write_page_of)>;
     explicit Sharing(WritePage write_page = write_page_of) : write_page_(std::move(write_page)) {}
-    // Stops. Nothing remains of an unfinished slide.
-    ~Sharing();
-    Sharing(const Sharing&) = delete;
-    Sharing& operator=(const Sharing&) = delete;
 
     // Starts; nothing must be under way. `recording`: the text of the whole file. `name`: of the new folder in
     // couloir/shared of the XDG data folder. Errors: the system cannot start a thread.
@@ -37,17 +33,17 @@ class Sharing {
     };
     // How it ended, once; nothing while it is under way. Errors: a folder or file cannot be written, or those
     // of write_page_of(); then nothing remains.
-    std::optional<Outcome<Shared>> result();
+    std::optional<Outcome<Shared>> result() { return job_.result(); }
 
   private:
-    Outcome<Shared> share(const std::string& recording, const std::string& name, const PageOptions& options);
+    Outcome<Shared> share(const std::string& recording, const std::string& name, const PageOptions& options,
+                          const std::atomic<bool>& stopped);
     Outcome<PageReport> write_into(const std::filesystem::path& folder, const std::string& recording,
-                                   const PageOptions& options);
+                                   const PageOptions& options, const std::atomic<bool>& stopped);
 
     WritePage write_page_;
-    std::atomic<bool> stop_ = false;
     std::atomic<float> progress_ = 0;
-    std::future<Outcome<Shared>> job_;
+    Job<Shared> job_;
 };
 
 }  // namespace game

@@ -1,9 +1,6 @@
 #include "game/ui/scene_pictures.h"
 
 #include <algorithm>
-#include <chrono>
-#include <exception>
-#include <system_error>
 #include <utility>
 
 #include "render/pictures/png.h"
@@ -16,34 +13,28 @@ constexpr int kPictureWidth = Catalogue::kPictureWidth, kPictureHeight = Catalog
 }  // namespace
 
 void ScenePictures::read(const std::vector<Catalogue::Entry>& scenes) {
-    try {
-        job_ = std::async(std::launch::async, read_all, scenes);
-    } catch (const std::system_error&) {  // too many threads; rows have no pictures then
-    }
+    // Without a thread rows have no pictures.
+    (void)job_.begin([scenes](const std::atomic<bool>& stopped) { return read_all(scenes, stopped); });
 }
 
-// Catches exceptions, because none may leave the thread.
-ScenePictures::Atlas ScenePictures::read_all(const std::vector<Catalogue::Entry>& scenes) {
+Outcome<ScenePictures::Atlas> ScenePictures::read_all(const std::vector<Catalogue::Entry>& scenes,
+                                                      const std::atomic<bool>& stopped) {
     Atlas atlas;
-    try {
-        for (const Catalogue::Entry& scene : scenes) {
-            std::filesystem::path file = scene.file;
-            const auto picture = render::read_png(file.replace_extension(".png"), 3);
-            if (!picture || picture->width != kPictureWidth || picture->height != kPictureHeight) continue;
-            if (atlas.scenes.size() == kMost) break;
-            atlas.scenes.push_back(scene.name);
-            atlas.texels.insert(atlas.texels.end(), picture->values.begin(), picture->values.end());
-        }
-    } catch (const std::exception&) {  // such as out of memory
-        return {};
+    for (const Catalogue::Entry& scene : scenes) {
+        if (stopped || atlas.scenes.size() == kMost) break;
+        std::filesystem::path file = scene.file;
+        const auto picture = render::read_png(file.replace_extension(".png"), 3);
+        if (!picture || picture->width != kPictureWidth || picture->height != kPictureHeight) continue;
+        atlas.scenes.push_back(scene.name);
+        atlas.texels.insert(atlas.texels.end(), picture->values.begin(), picture->values.end());
     }
     return atlas;
 }
 
 void ScenePictures::upload_if_read() {
-    if (!job_.valid() || job_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-    Atlas atlas = job_.get();
-    if (atlas.scenes.empty()) return;
+    auto read = job_.result();
+    if (!read || !*read || (*read)->scenes.empty()) return;
+    Atlas& atlas = **read;
     const int height = kPictureHeight * static_cast<int>(atlas.scenes.size());
     GLuint name = 0;
     glCreateTextures(GL_TEXTURE_2D, 1, &name);

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <atomic>
 #include <bit>
 #include <cstdint>
-#include <future>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +10,7 @@
 
 #include <imgui.h>
 
+#include "game/base/job.h"
 #include "game/controls/catalogue.h"
 #include "render/gl/gl_handle.h"
 
@@ -37,12 +38,13 @@ class ScenePictures {
         std::vector<std::string> scenes;  // from the first row on
         std::vector<std::uint8_t> texels;
     };
-    static Atlas read_all(const std::vector<Catalogue::Entry>& scenes);
+    static Outcome<Atlas> read_all(const std::vector<Catalogue::Entry>& scenes,
+                                   const std::atomic<bool>& stopped);
     ImTextureID id() const { return std::bit_cast<ImTextureID>(std::uintptr_t{texture_.name()}); }
 
-    std::future<Atlas> job_;
     std::vector<std::string> scenes_;
     render::Texture texture_;
+    Job<Atlas> job_;
 };
 
 }  // namespace game::ui
