@@ -214,49 +214,52 @@ void Renderer::draw(const FrameInput& input) {
 
 void Renderer::draw_ground(const FrameInput& input) {
     Parts& p = *parts_;
-    const auto& [world, camera, light, look, marks, flow, width, height, first_depth, around, puffs,
-                 powder_strength, woods, so_far, structures, wind, seconds, extent] = input;
+    const sim::View& world = input.world;
+    const Marks& marks = input.marks;
+    const Surroundings* const around = input.surroundings;
     const int samples = samples_of(p.quality);
-    const ScopedState state;               // restores the state for other users of the context
-    const bool flows = look.flow && flow;  // the advected texture is visible
-    const bool goes_on = around && !around->empty();
+    const ScopedState state;                           // restores the state for other users of the context
+    const bool flows = input.look.flow && input.flow;  // the advected texture is visible
+    const bool has_surroundings = around && !around->empty();
     Redrawn& redrawn = p.redrawn;
     p.clock.begin();
 
     // Find out first whether more than the world changed: then all is drawn anew.
-    const FieldsToGpu::Ground ground = p.fields.upload_ground(world, first_depth);
-    const FrameBlock frame = make_frame_block(input, p.fields.heights(), samples,
-                                              flows ? std::optional(p.flow_tint(look, marks)) : std::nullopt);
+    const FieldsToGpu::Ground ground = p.fields.upload_ground(world, input.first_depth);
+    const FrameBlock frame =
+        make_frame_block(input, p.fields.heights(), samples,
+                         flows ? std::optional(p.flow_tint(input.look, marks)) : std::nullopt);
     const Steady steady = steady_of(input, frame);
-    const bool resized = p.target.resize(width, height, samples);
+    const bool resized = p.target.resize(input.width, input.height, samples);
     p.structures.build(input, frame, ground.terrain, ground.moved);
     const bool new_world = ground.terrain || ground.first_depth || !redrawn.steady ||
                            !same_surface(redrawn.steady->block, frame);
     const bool has_trees = marks.overlay == Overlay::kNone;  // they would hide its values
-    const auto trees = has_trees
-                           ? p.trees.follow(goes_on ? woods : nullptr, goes_on ? around : nullptr, world,
-                                            first_depth, frame.sun, ground.terrain || ground.first_depth)
-                           : FollowedWoods::Change::kNone;
+    const auto trees =
+        has_trees
+            ? p.trees.follow(has_surroundings ? input.woods : nullptr, has_surroundings ? around : nullptr,
+                             world, input.first_depth, frame.sun, ground.terrain || ground.first_depth)
+            : FollowedWoods::Change::kNone;
     const bool everything = trees == FollowedWoods::Change::kAll || new_world || resized || marks.flow_mesh ||
                             redrawn.steady != steady;
 
     // Upload what changed of the world: everything below reads these textures, and only they change with the state.
     WhatChanged& changed = redrawn.world;
     const int openness_reach = SurfacePass::openness_reach(world.grid);
-    changed.compare(world, p.fields.find_mixture(world), first_depth,
-                    goes_on ? std::nullopt : std::optional(frame.ground.y), p.rules, new_world,
+    changed.compare(world, p.fields.find_mixture(world), input.first_depth,
+                    has_surroundings ? std::nullopt : std::optional(frame.ground.y), p.rules, new_world,
                     {ground.moved, openness_reach});
     p.fields.upload_layers(world, changed.first_row(), changed.last_row());
     glNamedBufferSubData(p.frame_block.name(), 0, sizeof frame, &frame);
     glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_FRAME, p.frame_block.name());
     p.fields.bind();
-    if (flows) p.flow.send(*flow);
+    if (flows) p.flow.send(*input.flow);
     p.clock.mark(Pass::kUpload);
 
     // Apply what changed along the fronts since the last frame.
     if (flows) {
-        p.flow.cut(*flow, world.grid);
-        p.triangles.find(world, first_depth, p.flow.coordinates().vertices(), look);
+        p.flow.cut(*input.flow, world.grid);
+        p.triangles.find(world, input.first_depth, p.flow.coordinates().vertices(), input.look);
         p.flow.find_changes(p.triangles, changed);
     }
     p.clock.mark(Pass::kRemesh);
@@ -282,7 +285,7 @@ void Renderer::draw_ground(const FrameInput& input) {
     p.clock.mark(Pass::kSurface);
 
     // What lies around the block casts shadows on it.
-    if (goes_on) {
+    if (has_surroundings) {
         p.surroundings.survey(*around, frame);
         p.surroundings.bind();
     }
@@ -294,7 +297,7 @@ void Renderer::draw_ground(const FrameInput& input) {
     changed.add_shadows(p.sweep, frame);
     changed.add_ring(redrawn.ring, marks.ring, frame);
     changed.add_outline(redrawn.outline, marks.outline, frame);
-    if (marks.extent != 0) changed.add_extent(p.extent.send(extent, world.grid));
+    if (marks.extent != 0) changed.add_extent(p.extent.send(input.extent, world.grid));
     p.clock.mark(Pass::kShadow);
 
     // Find where the frame differs from the last one.
@@ -306,18 +309,20 @@ void Renderer::draw_ground(const FrameInput& input) {
         tiles.mark_all();
     else
         changed.mark(screen, tiles);
-    p.terrain.find(changed, screen, everything);
+    ScreenTiles& with_things = p.rules.things ? tiles : redrawn.forgotten_tiles;
+    const Redraw redraw{frame, changed, screen, everything, with_things};
+    p.terrain.find(redraw);
     p.tiles.find(input, screen);
     p.tiles.mark_changes(tiles);
-    ScreenTiles& with_things = p.rules.things ? tiles : redrawn.forgotten_tiles;
-    if (goes_on) p.surroundings.find(frame, changed, screen, everything, with_things);
-    p.structures.find(input, frame, changed, screen, everything, with_things);
+    if (has_surroundings) p.surroundings.find(redraw);
+    p.structures.find(input, redraw);
     const bool wooded = has_trees && p.trees.any();
-    if (wooded) p.trees.find(world, so_far, frame, screen, everything, with_things);
-    const bool powdery =
-        p.powder.find(puffs, frame, look, powder_strength, p.target.samples_across(), p.target.samples_up());
-    const bool drifting = drifts(input) && p.spindrift.find(*around, wind, seconds, frame, screen);
-    redrawn.find(width, height, samples, p.rules, powdery ? p.powder.seen() : kNowhere,
+    if (wooded) p.trees.find(input, redraw);
+    const bool powdery = p.powder.find(input.powder, frame, input.look, input.powder_strength,
+                                       p.target.samples_across(), p.target.samples_up());
+    const bool drifting =
+        drifts(input) && p.spindrift.find(*around, input.wind, input.seconds, frame, screen);
+    redrawn.find(input.width, input.height, samples, p.rules, powdery ? p.powder.seen() : kNowhere,
                  drifting ? p.spindrift.seen() : kNowhere);
     p.clock.mark(Pass::kChanges);
 
@@ -328,8 +333,8 @@ void Renderer::draw_ground(const FrameInput& input) {
 
     // Draw the visible colours of the flow unlit, so that terrain and flow are lit together.
     if (flows)
-        p.flow.draw(look.flow->pattern, marks.overlay, p.target, redrawn.scene, p.triangles.runs(), changed,
-                    screen);
+        p.flow.draw(input.look.flow->pattern, marks.overlay, p.target, redrawn.scene, p.triangles.runs(),
+                    changed, screen);
     p.clock.mark(Pass::kFlow);
 
     // Shade each pixel once, whatever the number of triangles under it.
@@ -344,7 +349,7 @@ void Renderer::draw_ground(const FrameInput& input) {
     }
 
     // Draw what stands around the surface: mountains or the walls of a block.
-    if (goes_on)
+    if (has_surroundings)
         p.surroundings.draw(frame, redrawn.scene);
     else
         p.terrain.draw_walls(redrawn.scene);

@@ -10,6 +10,7 @@
 #include "render/frame/frame_input.h"
 #include "render/frame/what_changed.h"
 #include "render/view/frame_block.h"
+#include "render/view/on_screen.h"
 #include "render/view/screen_tiles.h"
 
 namespace render {
@@ -34,6 +35,15 @@ Steady steady_of(const FrameInput& input, const FrameBlock& block);
 
 // Whether surface.comp and cover.glsl make the same of a vertex.
 bool same_surface(const FrameBlock& a, const FrameBlock& b);
+
+// What a pass finds its parts of a frame by.
+struct Redraw {
+    const FrameBlock& frame;
+    const WhatChanged& changed;
+    const OnScreen& screen;
+    bool everything = true;  // is drawn anew; else `tiles` are marked where the pass looks different
+    ScreenTiles& tiles;
+};
 
 // What one frame draws anew, and the last one drew.
 struct Redrawn {

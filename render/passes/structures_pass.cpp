@@ -152,28 +152,29 @@ void StructuresPass::send(const StructureMesh& mesh) {
     counts_.reserve(parts_.size());
 }
 
-void StructuresPass::find(const FrameInput& input, const FrameBlock& frame, const WhatChanged& changed,
-                          const OnScreen& screen, bool everything, ScreenTiles& tiles) {
-    const bool marks = rebuilt_ && !everything;
-    if (marks) mark_all(tiles);  // what the last mesh showed
+void StructuresPass::find(const FrameInput& input, const Redraw& redraw) {
+    const bool marks = rebuilt_ && !redraw.everything;
+    if (marks) mark_all(redraw.tiles);  // what the last mesh showed
     if (parts_.empty() && ropes_.count == 0) {
         in_view_.clear(), seen_.clear(), ranges_.clear();
         shadows_seen_ = ropes_seen_ = {};
         return;
     }
-    if (everything || rebuilt_ || !changed.moved().empty()) find_parts_in_view(input, frame, changed, screen);
-    if (marks) mark_all(tiles);
-    if (everything || rebuilt_) return;
+    if (redraw.everything || rebuilt_ || !redraw.changed.moved().empty()) find_parts_in_view(input, redraw);
+    if (marks) mark_all(redraw.tiles);
+    if (redraw.everything || rebuilt_) return;
     for (std::size_t i = 0; i < in_view_.size(); ++i) {
         const glm::vec2 middle(in_view_[i]->middle);
-        if (changed.is_near(middle - in_view_[i]->radius, middle + in_view_[i]->radius)) tiles.mark(seen_[i]);
+        if (redraw.changed.is_near(middle - in_view_[i]->radius, middle + in_view_[i]->radius))
+            redraw.tiles.mark(seen_[i]);
     }
     for (std::size_t i = 0; i + 2 < shadow_vertices_.size(); i += 3) {
         const glm::vec2 foot(shadow_vertices_[i].foot);
-        bool near = changed.is_near(foot, foot);
+        bool near = redraw.changed.is_near(foot, foot);
         for (std::size_t k = i; k < i + 3; ++k)
-            near |= changed.is_near(glm::vec2(shadow_vertices_[k].at), glm::vec2(shadow_vertices_[k].at));
-        if (near) tiles.mark(shadow_box(i, changed, screen));
+            near |=
+                redraw.changed.is_near(glm::vec2(shadow_vertices_[k].at), glm::vec2(shadow_vertices_[k].at));
+        if (near) redraw.tiles.mark(shadow_box(i, redraw));
     }
 }
 
@@ -184,33 +185,31 @@ void StructuresPass::mark_all(ScreenTiles& tiles) const {
 }
 
 // Where a triangle of a shadow appears: it lies on the ground at its corners.
-Rectangle StructuresPass::shadow_box(std::size_t first, const WhatChanged& changed,
-                                     const OnScreen& screen) const {
+Rectangle StructuresPass::shadow_box(std::size_t first, const Redraw& redraw) const {
     constexpr float kAbove = 1;  // m; structure_shadow.vert lifts it by half of that
     glm::vec3 lowest(std::numeric_limits<float>::max()), highest(std::numeric_limits<float>::lowest());
     for (std::size_t k = first; k < first + 3; ++k) {
-        const glm::vec2 at(shadow_vertices_[k].at), heights = changed.heights_in(at, at);
+        const glm::vec2 at(shadow_vertices_[k].at), heights = redraw.changed.heights_in(at, at);
         lowest = glm::min(lowest, glm::vec3(at, heights.x));
         highest = glm::max(highest, glm::vec3(at, heights.y + kAbove));
     }
-    return screen.box(lowest, highest);
+    return redraw.screen.box(lowest, highest);
 }
 
-void StructuresPass::find_parts_in_view(const FrameInput& input, const FrameBlock& frame,
-                                        const WhatChanged& changed, const OnScreen& screen) {
+void StructuresPass::find_parts_in_view(const FrameInput& input, const Redraw& redraw) {
     constexpr float kDetails = 0.9f;  // m; where a sample is larger, a part is drawn without them
-    const glm::vec3 eye(frame.eye);
+    const glm::vec3 eye(redraw.frame.eye);
     in_view_.clear();
     seen_.clear();
     ranges_.clear();
     for (const StructurePart& part : parts_) {
-        const bool far = glm::distance(part.middle, eye) * frame.material.y > kDetails;
+        const bool far = glm::distance(part.middle, eye) * redraw.frame.material.y > kDetails;
         const StructurePart::Range& range = far ? part.far : part.near;
         if (range.count == 0) continue;
         // What rests on the surface has risen or sunk with it.
         const glm::vec2 middle(part.middle);
-        const float moved = largest_rise(input, changed, middle - part.radius, middle + part.radius);
-        const Rectangle seen = screen.ball(part.middle, part.radius + moved);
+        const float moved = largest_rise(input, redraw.changed, middle - part.radius, middle + part.radius);
+        const Rectangle seen = redraw.screen.ball(part.middle, part.radius + moved);
         if (seen.empty()) continue;
         in_view_.push_back(&part);
         seen_.push_back(seen);
@@ -218,9 +217,9 @@ void StructuresPass::find_parts_in_view(const FrameInput& input, const FrameBloc
     }
     shadows_seen_ = ropes_seen_ = {};
     for (std::size_t i = 0; i + 2 < shadow_vertices_.size(); i += 3)
-        shadows_seen_ = around_both(shadows_seen_, shadow_box(i, changed, screen));
+        shadows_seen_ = around_both(shadows_seen_, shadow_box(i, redraw));
     if (ropes_.count > 0)
-        ropes_seen_ = grown(screen.box(ropes_lowest_, ropes_highest_), 1);  // a pixel wide at least
+        ropes_seen_ = grown(redraw.screen.box(ropes_lowest_, ropes_highest_), 1);  // a pixel wide at least
 }
 
 void StructuresPass::draw(std::span<const Rectangle> parts) {

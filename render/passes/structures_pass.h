@@ -8,9 +8,10 @@
 #include <tl/expected.hpp>
 
 #include "render/buildings/structure_mesh.h"
+#include "render/frame/frame_input.h"
+#include "render/frame/redrawn.h"
 #include "render/frame/what_changed.h"
 #include "render/gl/gl_handle.h"
-#include "render/frame/frame_input.h"
 #include "render/view/frame_block.h"
 
 namespace render {
@@ -26,18 +27,16 @@ class StructuresPass {
                std::span<const glm::ivec2> moved);
     // Finds what a camera sees and, if only the world changed, marks what stands on ground that moved, or in another
     // light; after the mesh was made anew, whatever it and the last one show.
-    void find(const FrameInput& input, const FrameBlock& frame, const WhatChanged& changed,
-              const OnScreen& screen, bool everything, ScreenTiles& tiles);
+    void find(const FrameInput& input, const Redraw& redraw);
     bool any() const { return !in_view_.empty() || (!known_.nets.empty() && !ropes_seen_.empty()); }
     // Draws colour and depth over what is drawn, in parts of the frame.
     void draw(std::span<const Rectangle> parts);
 
   private:
     void send(const StructureMesh& mesh);
-    void find_parts_in_view(const FrameInput& input, const FrameBlock& frame, const WhatChanged& changed,
-                            const OnScreen& screen);
+    void find_parts_in_view(const FrameInput& input, const Redraw& redraw);
     void mark_all(ScreenTiles& tiles) const;
-    Rectangle shadow_box(std::size_t first, const WhatChanged& changed, const OnScreen& screen) const;
+    Rectangle shadow_box(std::size_t first, const Redraw& redraw) const;
 
     // Vertices of one kind, as they lie on the GPU.
     struct Vertices {

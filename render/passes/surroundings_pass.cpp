@@ -131,23 +131,23 @@ void SurroundingsPass::find_seams(float cell) {
     }
 }
 
-void SurroundingsPass::find(const FrameBlock& frame, const WhatChanged& changed, const OnScreen& screen,
-                            bool everything, ScreenTiles& tiles) {
-    if (everything) visible_patches(mesh_.patches, screen, glm::vec3(frame.eye), visible_);
-    if (everything || !changed.moved().empty()) find_parts(changed, screen);
-    if (everything) return;
-    const float dx = changed.grid().dx;
+void SurroundingsPass::find(const Redraw& redraw) {
+    if (redraw.everything)
+        visible_patches(mesh_.patches, redraw.screen, glm::vec3(redraw.frame.eye), visible_);
+    if (redraw.everything || !redraw.changed.moved().empty()) find_parts(redraw.changed, redraw.screen);
+    if (redraw.everything) return;
+    const float dx = redraw.changed.grid().dx;
     for (const Seam& seam : seams_) {
         glm::vec3 lowest = seam.lowest, highest = seam.highest;
         bool near = false;
         for (int k = 0; k < seam.corners; ++k) {
             const glm::ivec2 v = seam.on_grid[static_cast<std::size_t>(k)];
-            const glm::vec2 at = dx * glm::vec2(v), heights = changed.heights_between(v, v);
-            near |= changed.is_near(at, at);
+            const glm::vec2 at = dx * glm::vec2(v), heights = redraw.changed.heights_between(v, v);
+            near |= redraw.changed.is_near(at, at);
             lowest = glm::min(lowest, glm::vec3(at, heights.x));
             highest = glm::max(highest, glm::vec3(at, heights.y));
         }
-        if (near) tiles.mark(screen.box(lowest, highest));
+        if (near) redraw.tiles.mark(redraw.screen.box(lowest, highest));
     }
 }
 

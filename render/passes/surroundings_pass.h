@@ -9,6 +9,7 @@
 
 #include <tl/expected.hpp>
 
+#include "render/frame/redrawn.h"
 #include "render/frame/what_changed.h"
 #include "render/gl/gl_handle.h"
 #include "render/mountain/surroundings.h"
@@ -28,8 +29,7 @@ class SurroundingsPass {
     void bind() const;  // SLOT_SURROUNDINGS: the rough heights; SLOT_FIRST_COVER
     // Finds what a camera sees and, if only the world changed, marks where the seam looks different: triangles with
     // corners on the grid.
-    void find(const FrameBlock& frame, const WhatChanged& changed, const OnScreen& screen, bool everything,
-              ScreenTiles& tiles);
+    void find(const Redraw& redraw);
     // Draws colour and depth in parts of the frame, where nothing nearer was drawn. Reads SLOT_RELIEF, SLOT_LAYERS,
     // SLOT_MIXTURE, SLOT_DETAIL, SLOT_FIRST_COVER.
     void draw(const FrameBlock& frame, std::span<const Rectangle> parts);

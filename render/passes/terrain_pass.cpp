@@ -119,10 +119,10 @@ void TerrainPass::send_mesh(const GroundMesh& mesh) {
     firsts_.reserve(blocks_.size());
 }
 
-void TerrainPass::find(const WhatChanged& changed, const OnScreen& screen, bool everything) {
-    std::fill(rises_.begin(), rises_.end(), static_cast<std::uint8_t>(everything));
-    if (!everything)
-        for (const glm::ivec2 v : changed.moved())
+void TerrainPass::find(const Redraw& redraw) {
+    std::fill(rises_.begin(), rises_.end(), static_cast<std::uint8_t>(redraw.everything));
+    if (!redraw.everything)
+        for (const glm::ivec2 v : redraw.changed.moved())
             // A vertex on a border belongs to the blocks on both sides.
             for (int y = std::max(v.y - 1, 0) / GroundMesh::kBlock;
                  y <= std::min(v.y / GroundMesh::kBlock, along_y_ - 1); ++y)
@@ -130,12 +130,12 @@ void TerrainPass::find(const WhatChanged& changed, const OnScreen& screen, bool 
                      x <= std::min(v.x / GroundMesh::kBlock, along_x_ - 1); ++x)
                     if (const int block = at_[place_number(x, y)]; block >= 0)
                         rises_[static_cast<std::size_t>(block)] = 1;
-    const float dx = changed.grid().dx;
+    const float dx = redraw.changed.grid().dx;
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
         if (rises_[i] == 0) continue;
         const glm::vec2 low(blocks_[i].lowest), high(blocks_[i].highest);
-        const glm::vec2 heights = changed.heights_between(blocks_[i].lowest, blocks_[i].highest);
-        seen_[i] = screen.box({dx * low, heights.x}, {dx * high, heights.y});
+        const glm::vec2 heights = redraw.changed.heights_between(blocks_[i].lowest, blocks_[i].highest);
+        seen_[i] = redraw.screen.box({dx * low, heights.x}, {dx * high, heights.y});
     }
 }
 

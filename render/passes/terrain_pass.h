@@ -9,6 +9,7 @@
 #include <tl/expected.hpp>
 
 #include "render/frame/marks.h"
+#include "render/frame/redrawn.h"
 #include "render/frame/slide_tiles.h"
 #include "render/frame/what_changed.h"
 #include "render/gl/gl_handle.h"
@@ -27,8 +28,8 @@ class TerrainPass {
     static tl::expected<TerrainPass, std::string> create(const std::filesystem::path& shaders);
 
     void send_mesh(const GroundMesh& mesh);
-    // Finds where blocks of the ground appear. `everything`: of another camera; else those that rose or sank.
-    void find(const WhatChanged& changed, const OnScreen& screen, bool everything);
+    // Finds where blocks of the ground appear; unless everything is drawn anew, those that rose or sank. Marks nothing.
+    void find(const Redraw& redraw);
     // The following draw parts of `target`.
     void draw_depth(Target::Parts parts);  // reads SLOT_RELIEF
     // Reads SLOT_SCENE_DEPTH, SLOT_RELIEF, SLOT_LAYERS, SLOT_MEASURE, SLOT_SUN_CEILING, SLOT_DETAIL, SLOT_EARTH.

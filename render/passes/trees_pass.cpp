@@ -44,28 +44,27 @@ FollowedWoods::Change TreesPass::follow(const Woods* woods, const Surroundings* 
     return change;
 }
 
-void TreesPass::find(const sim::View& world, const FlowSoFar& flow, const FrameBlock& frame,
-                     const OnScreen& screen, bool everything, ScreenTiles& tiles) {
-    if (everything) {
-        trees_.find(woods_.trees(), frame, screen);
-        screen_ = screen;
+void TreesPass::find(const FrameInput& input, const Redraw& redraw) {
+    if (redraw.everything) {
+        trees_.find(woods_.trees(), redraw.frame, redraw.screen);
+        screen_ = redraw.screen;
         seen_.clear();
     }
-    const bool again = !everything && !woods_.changed_tiles().empty();
+    const bool again = !redraw.everything && !woods_.changed_tiles().empty();
     if (again) {
-        trees_.find_again(woods_.trees(), woods_.changed_tiles(), frame, screen);
+        trees_.find_again(woods_.trees(), woods_.changed_tiles(), redraw.frame, redraw.screen);
         seen_.clear();
-        for (const DrawnTree& tree : trees_.gone()) tiles.mark(TreesInView::seen(tree, screen));
+        for (const DrawnTree& tree : trees_.gone()) redraw.tiles.mark(TreesInView::seen(tree, redraw.screen));
     }
-    trees_.settle(woods_.trees().trees, world, flow);
-    if (everything) return;
+    trees_.settle(woods_.trees().trees, input.world, input.flow_so_far);
+    if (redraw.everything) return;
     if (again)
         for (const std::size_t number : trees_.grown())
-            tiles.mark(TreesInView::seen(trees_.drawn()[number], screen));
+            redraw.tiles.mark(TreesInView::seen(trees_.drawn()[number], redraw.screen));
     for (const auto& [number, before] : trees_.moved()) {
-        const Rectangle now = TreesInView::seen(trees_.drawn()[number], screen);
-        tiles.mark(TreesInView::seen(before, screen));
-        tiles.mark(now);
+        const Rectangle now = TreesInView::seen(trees_.drawn()[number], redraw.screen);
+        redraw.tiles.mark(TreesInView::seen(before, redraw.screen));
+        redraw.tiles.mark(now);
         if (number < seen_.size()) seen_[number] = now;
     }
 }

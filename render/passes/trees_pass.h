@@ -7,6 +7,7 @@
 
 #include <tl/expected.hpp>
 
+#include "render/frame/redrawn.h"
 #include "render/gl/gl_handle.h"
 #include "render/view/frame_block.h"
 #include "render/view/screen_tiles.h"
@@ -28,8 +29,7 @@ class TreesPass {
     bool any() const { return !woods_.trees().tiles.empty(); }
     // Finds the trees of a frame and, if only the world changed, marks those that fell, sank or rose, and those of tiles
     // with other trees than before.
-    void find(const sim::View& world, const FlowSoFar& flow, const FrameBlock& frame, const OnScreen& screen,
-              bool everything, ScreenTiles& tiles);
+    void find(const FrameInput& input, const Redraw& redraw);
     // Draws colour and depth over what is drawn, in parts of the frame.
     void draw(std::span<const Rectangle> parts);
 
