@@ -186,7 +186,7 @@ void App::lead() {
     guide_->see({.now_s = now_s_,
                  .may_play = !opening_since_ && !sandbox_->watches() && !sandbox_->scenario().goal &&
                              !sandbox_->scenario().flow,
-                 .moves = !sim::at_rest(sandbox_->session().state()) && !pace_.creeps(),
+                 .moves = !sim::at_rest(sandbox_->session().state()) && !open_.pace.creeps(),
                  .runs_back = clock_.runs_back(),
                  .looks_back = sandbox_->looks_back()});
     if (std::exchange(kept_step_, guide_->step()) == guide_->step()) return;
@@ -248,10 +248,10 @@ void App::move_camera(double elapsed_s) {
                  input_.held(Held::kUp, Held::kDown)};
     wish.fast = input_.fast();
     if (camera_->mode() == CameraMode::kChase)
-        front_.see(world);
+        open_.front.see(world);
     else
-        front_.forget();
-    wish.followed = front_.front();
+        open_.front.forget();
+    wish.followed = open_.front.front();
     camera_->move(wish, world, surroundings(), aspect, elapsed_s);
 
     ground_ = cursor ? ground_under(*cursor) : std::nullopt;
@@ -295,7 +295,7 @@ void App::begin_stroke() {
     const double bedrock = between(square_under(world.grid, glm::dvec2(*at)), world.bedrock);
     hand_.press(input_.modifiers(), glm::dvec2(*at), bedrock + world.datum,
                 static_cast<double>(world.grid.dx));
-    earth_before_ = earth_used();
+    open_.earth_before = earth_used();
     sandbox_->begin_action(std::string(sim::info_of(hand_.stroke()->deed().kind).name));
     tell_of_bare_ground(glm::dvec2(*at));
 }
@@ -351,7 +351,7 @@ std::optional<ui::StrokeNote> App::stroke_note() const {
     note.left_alone = sim::info_of(stroke->deed().kind).has_slope && !on_slope_of_brush(glm::dvec2(*ground_));
     if (!takes(stroke->deed().kind, &sim::Command::rise)) return note;
     const double used = earth_used();
-    note.earth = used - earth_before_;
+    note.earth = used - open_.earth_before;
     if (world.things && world.things->budget >= 0)
         note.earth_left = sandbox_->session().cubic_metres(world.things->budget) - used;
     return note;
@@ -373,8 +373,8 @@ bool App::works_in_pause(double tick_s) {
 // Time passes as the slide asks for, but at the chosen speed for who rewinds or holds a brush.
 void App::set_pace() {
     double pace = 1;
-    if (display_.slow_release && pace_.releases(now_s_)) pace = Pace::kAtRelease;
-    if (display_.fast_creep && pace_.creeps()) pace = Pace::kInCreep;
+    if (display_.slow_release && open_.pace.releases(now_s_)) pace = Pace::kAtRelease;
+    if (display_.fast_creep && open_.pace.creeps()) pace = Pace::kInCreep;
     clock_.set_pace(clock_.runs_back() || hand_.stroke() || sandbox_->scenario().flow ? 1 : pace);
 }
 
@@ -383,8 +383,8 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
     set_pace();
     const int due = clock_.ticks_due(elapsed_s, tick_s, works_in_pause(tick_s));
     const double begun = screen_.seconds();
-    if (clock_.runs_back() && !seeking_) seeking_ = sandbox_->session().state().tick - due;
-    if (seeking_) return seek(*seeking_, begun);
+    if (clock_.runs_back() && !open_.seeking) open_.seeking = sandbox_->session().state().tick - due;
+    if (open_.seeking) return seek(*open_.seeking, begun);
     const auto may_go_on = [&](double spent) {
         return !sandbox_->watched_to_end() && (time.ticks == 0 || spent < kTickBudget);
     };
@@ -409,13 +409,13 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
     }
     clock_.ticks_undone(due - time.ticks);
     if (time.ticks > 0) hand_.arrive(static_cast<double>(time.ticks) / due);
-    if (time.ticks > 0) pace_.see(sandbox_->session().state(), now_s_);
+    if (time.ticks > 0) open_.pace.see(sandbox_->session().state(), now_s_);
     if (time.ticks > 0) watch_slide();
     if (time.ticks > 0) judge_slide();
-    if (seen_again_ &&
+    if (open_.seen_again &&
         (has_card() || !sandbox_->looks_back())) {  // back to the present, once it has come to rest
         stop_seeing_again();
-        seeking_ = sandbox_->known_until();
+        open_.seeking = sandbox_->known_until();
     }
     take_over_at_end();
 }
@@ -424,28 +424,30 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
 void App::judge_try() {
     const Session& session = sandbox_->session();
     const std::int64_t tick = session.state().tick;
-    if (card_tick_ && sandbox_->known_until() < *card_tick_) score_.reset(), card_tick_.reset();
-    if (session.try_ended_at() != tick || score_) return;
+    if (open_.card_tick && sandbox_->known_until() < *open_.card_tick)
+        open_.score.reset(), open_.card_tick.reset();
+    if (session.try_ended_at() != tick || open_.score) return;
     const std::vector<TimedCommand> commands = sandbox_->commands_so_far();
-    score_ = score_now(sandbox_->scenario(), session, commands);
-    show_card(card_of(sandbox_->scenario(), *score_, best_list_.runs()),
+    open_.score = score_now(sandbox_->scenario(), session, commands);
+    show_card(card_of(sandbox_->scenario(), *open_.score, best_list_.runs()),
               commands.empty() ? 0 : commands.front().tick);
-    if (const auto claimed = sandbox_->claim(score_->claim()); !claimed) stop_recording(claimed.error());
+    if (const auto claimed = sandbox_->claim(open_.score->claim()); !claimed) stop_recording(claimed.error());
     keep_run();
 }
 
 // Keeps the try that ended in this tick, if it may be among the best: one in which the user did something.
 void App::keep_run() {
-    if (!score_->meets_needs() || sandbox_->watches() || sandbox_->looks_back() || !sandbox_->was_touched())
+    if (!open_.score->meets_needs() || sandbox_->watches() || sandbox_->looks_back() ||
+        !sandbox_->was_touched())
         return;
     const auto kept = sandbox_->recorded_so_far().and_then([&](const std::string& recorded) {
-        return best_list_.keep(*score_, sandbox_->session().state_line().hash, recorded);
+        return best_list_.keep(*open_.score, sandbox_->session().state_line().hash, recorded);
     });
     if (!kept) warn(fmt::format("This run is not among the best runs: {}", kept.error().sentence));
 }
 
 bool App::has_card() const {
-    return shows_card_ && card_tick_ && sandbox_->session().state().tick >= *card_tick_;
+    return open_.shows_card && open_.card_tick && sandbox_->session().state().tick >= *open_.card_tick;
 }
 
 // Tells what a slide in free play came to, as soon as only creep is left of it.
@@ -453,10 +455,10 @@ void App::judge_slide() {
     const Session& session = sandbox_->session();
     const Scenario& scenario = sandbox_->scenario();
     if (scenario.goal || scenario.flow || sandbox_->watches() || sandbox_->looks_back())
-        return running_since_.reset();
-    const bool runs = !sim::at_rest(session.state()) && !pace_.creeps();
-    if (runs) shows_card_ = false;
-    const auto lasted = slide_just_ended(running_since_, runs);
+        return open_.running_since.reset();
+    const bool runs = !sim::at_rest(session.state()) && !open_.pace.creeps();
+    if (runs) open_.shows_card = false;
+    const auto lasted = slide_just_ended(open_.running_since, runs);
     if (!lasted || !sandbox_->was_touched()) return;
     const Measures measures =
         measure(scenario, session, release_area(scenario, sandbox_->commands_so_far()), {});
@@ -470,11 +472,11 @@ void App::judge_slide() {
 
 void App::show_card(ui::ResultCard card, std::int64_t began) {
     const Session& session = sandbox_->session();
-    card_ = std::move(card);
-    card_.map = map_of_slide(sandbox_->scenario(), session, sandbox_->deeds().by_hand);
-    card_tick_ = session.state().tick;
-    card_began_ = std::max<std::int64_t>(began, 0);
-    shows_card_ = true;
+    open_.card = std::move(card);
+    open_.card.map = map_of_slide(sandbox_->scenario(), session, sandbox_->deeds().by_hand);
+    open_.card_tick = session.state().tick;
+    open_.card_began = std::max<std::int64_t>(began, 0);
+    open_.shows_card = true;
 }
 
 // How long it went on, in seconds of the world, if it has just ended and was a slide: what moves for a moment is none.
@@ -491,12 +493,12 @@ std::optional<double> App::slide_just_ended(std::optional<double>& since, bool g
 void App::watch_slide() {
     const Session& session = sandbox_->session();
     if (sandbox_->looks_back() || sandbox_->watches() || sandbox_->scenario().flow)
-        return sliding_since_.reset();
+        return open_.sliding_since.reset();
     const bool moves = !sim::at_rest(session.state());
-    if (moves) slide_ended_ = false;
-    const auto lasted = slide_just_ended(sliding_since_, moves);
+    if (moves) open_.slide_ended = false;
+    const auto lasted = slide_just_ended(open_.sliding_since, moves);
     if (!lasted) return;
-    slide_ended_ = true;
+    open_.slide_ended = true;
     tell(fmt::format("The slide has come to rest after {:.0f} s. {} shares it as a web page", *lasted,
                      name_of(screen_.layout(), Verb::kShare)));
 }
@@ -509,15 +511,15 @@ void App::seek(std::int64_t tick, double begun_s) {
     if (!there) warn(there.error().sentence);
     if (sandbox_->session().state().tick != before) {
         ++epoch_;
-        pace_.forget();
+        open_.pace.forget();
     }
     if (there && !*there && sandbox_->can_go_back()) return;  // continues in the next frame
-    seeking_.reset();
+    open_.seeking.reset();
     if (clock_.runs_back() && sandbox_->session().state().tick == 0) {
         clock_.run_back(false);
         clock_.pause(true);
     }
-    if (std::exchange(takes_over_there_, false)) take_over();
+    if (std::exchange(open_.takes_over_there, false)) take_over();
 }
 
 // Hands a watched recording over to the user at its end.
@@ -527,7 +529,7 @@ void App::take_over_at_end() {
     const Verdict verdict = *sandbox_->verdict();
     const bool proven = verdict.proven_tick == sandbox_->known_until();
     take_over();
-    slide_ended_ = true;
+    open_.slide_ended = true;
     if (verdict.parted)
         warn(fmt::format("End of the recording. Its replay differs: {}. You can continue from here",
                          *verdict.parted));
@@ -580,10 +582,10 @@ void App::see_ghost() {
         const auto dx = static_cast<double>(session.state().grid.dx);
         return static_cast<double>(vertices) * dx * dx / kHectare;
     };
-    ghost_note_.reset();
+    open_.ghost_note.reset();
     if (ghost_.version() == 0) return;
     const auto& deepest = session.peaks().depth;
-    ghost_note_ = {
+    open_.ghost_note = {
         hectares(std::ranges::count_if(deepest, [](float depth) { return depth >= RunExtent::kReached; })),
         hectares(std::ranges::count_if(ghost_.inside(), [](std::uint8_t in) { return in != 0; }))};
 }
@@ -623,7 +625,7 @@ void App::draw_world(const FrameTime& time) {
         if (timed) renderer_.wait();
     };
     if (trial_) {
-        draw_image(image_for(size, trial_->image().scale, trial_->image().fine, bounds_));
+        draw_image(image_for(size, trial_->image().scale, trial_->image().fine, open_.bounds));
         finish();
         return end_trial(since());
     }
@@ -639,8 +641,8 @@ void App::draw_world(const FrameTime& time) {
         return resolution_.drew(since(), rest_ms(time));
     }
     // An image that stands still is the best one: full resolution, smooth edges, drawn once.
-    if (now_s_ - still_since_ >= kStillAfter && !(image_for(size, 1, true, bounds_) == drawn_)) {
-        draw_image(image_for(size, 1, true, bounds_));
+    if (now_s_ - still_since_ >= kStillAfter && !(image_for(size, 1, true, open_.bounds) == drawn_)) {
+        draw_image(image_for(size, 1, true, open_.bounds));
         resolution_.drew_another();
     } else if (screen_.device_fault() == DeviceFault::kLost) {
         fail_lost();
@@ -655,7 +657,7 @@ bool App::follows_ring(const Seen& seen, const ScreenSize& size) {
     if (!(as_before == seen_)) ring_in_time_ = true;  // it may be smaller in another view
     const auto shows_hand = [](const render::Marks& marks) { return marks.ring || marks.outline; };
     return as_before == seen_ && ring_in_time_ && shows_hand(seen.marks) && shows_hand(seen_.marks) &&
-           image_for(size, 1, true, bounds_) == drawn_;
+           image_for(size, 1, true, open_.bounds) == drawn_;
 }
 
 // What the frame takes beside drawing the world; of what follows that, as in the last frame.
@@ -676,7 +678,7 @@ double App::rest_ms(const FrameTime& time) const {
 // The size of an image while something moves.
 ImageSize App::moving_image(const ScreenSize& size, bool camera_moved) {
     const TierInfo& tier = info_of(display_.tier);
-    if (display_.tier == Tier::kFull) return image_for(size, 1, tier.fine, bounds_);
+    if (display_.tier == Tier::kFull) return image_for(size, 1, tier.fine, open_.bounds);
     const double scale =
         resolution_.scale_for({.now_s = now_s_,
                                .camera_moved = camera_moved,
@@ -684,7 +686,7 @@ ImageSize App::moving_image(const ScreenSize& size, bool camera_moved) {
                               {.target_ms = display_.frame_ms,
                                .least = std::min(tier.least_scale, display_.most_scale),
                                .most = display_.most_scale});
-    return image_for(size, scale, tier.fine, bounds_);
+    return image_for(size, scale, tier.fine, open_.bounds);
 }
 
 // The first frames show what this machine can draw in time.
@@ -706,11 +708,11 @@ void App::end_trial(double draw_ms) {
 
 // Tells once per size of the screen what does not fit.
 void App::tell_bounds(const ScreenSize& size) {
-    bounds_.longest_side = screen_.longest_side();
-    if (waits_for_gl_) bounds_.most_bytes = std::min(bounds_.most_bytes, frame_memory_);
-    const ImageSize best = image_for(size, 1, true, bounds_), whole{size.width, size.height, true};
+    open_.bounds.longest_side = screen_.longest_side();
+    if (waits_for_gl_) open_.bounds.most_bytes = std::min(open_.bounds.most_bytes, open_.frame_memory);
+    const ImageSize best = image_for(size, 1, true, open_.bounds), whole{size.width, size.height, true};
     if (best == std::exchange(best_, best) || best == whole) return;
-    const bool by_memory = image_for(size, 1, true, {.longest_side = bounds_.longest_side}) == whole;
+    const bool by_memory = image_for(size, 1, true, {.longest_side = open_.bounds.longest_side}) == whole;
     const char* help = waits_for_gl_ && by_memory ? "; raise --max-memory" : "";
     if (best.width < size.width)
         warn(
@@ -740,12 +742,12 @@ void App::draw_image(ImageSize image) {
                                     image.width, image.height));
         lower_bounds(fault);
         image = image_for(screen_.size(), static_cast<double>(image.width) / screen_.size().width, image.fine,
-                          bounds_);
+                          open_.bounds);
     }
 }
 
 void App::lower_bounds(DeviceFault fault) {
-    bounds_.most_bytes = bytes_of(drawn_) / 2;
+    open_.bounds.most_bytes = bytes_of(drawn_) / 2;
     const auto lower = below(display_.tier);
     if (lower) display_.tier = *lower;
     seen_.display = display_;  // nothing else has changed
@@ -753,7 +755,7 @@ void App::lower_bounds(DeviceFault fault) {
                      fault == DeviceFault::kOutOfMemory ? "has no memory for" : "refuses", drawn_.width,
                      drawn_.height, drawn_.fine ? " with two by two samples" : "",
                      lower ? fmt::format(". Quality: {}", info_of(*lower).name) : ""));
-    best_ = image_for(screen_.size(), 1, true, bounds_);  // told
+    best_ = image_for(screen_.size(), 1, true, open_.bounds);  // told
 }
 
 void App::fail(const std::string& sentence) {
@@ -795,7 +797,7 @@ void App::draw_once(const ImageSize& image) {
 // draws what was shown again, so that the next frame can go on from it.
 void App::take_screenshot() {
     const Seen shown = seen_;
-    const ImageSize size = drawn_, best = image_for(screen_.size(), 1, true, bounds_);
+    const ImageSize size = drawn_, best = image_for(screen_.size(), 1, true, open_.bounds);
     const bool is_shown =
         !shown.marks.ring && !shown.marks.outline && shown.marks.extent == 0 && size == best;
     seen_.marks.ring.reset(), seen_.marks.outline.reset();
@@ -803,7 +805,7 @@ void App::take_screenshot() {
     if (!is_shown) draw_image(best);
     if (device_failure_) return;
     const Session& session = sandbox_->session();
-    keeps_untouched_ = true;
+    open_.keeps_untouched = true;
     Shot shot{sandbox_->scenario(), recording_.value_or(""), session.state().tick, shown.camera};
     if (sandbox_->watches()) shot.recording = first_.name + ".couloir";
     const auto begun =
@@ -835,7 +837,7 @@ void App::trace_goal() {
         if (met && glm::distance(eye, *met) < away * (1 - kHidden)) return std::nullopt;
         return on;
     };
-    goal_lines_.trace(
+    open_.goal_lines.trace(
         *goal, world.grid,
         {camera_->camera(), size.width, size.height,
          static_cast<std::int64_t>(sandbox_->session().seconds())},
@@ -849,7 +851,7 @@ void App::draw_panels() {
     const Session& session = sandbox_->session();
     trace_goal();
     std::optional<Reading> reading;
-    if (ground_) reading = probe_->read(session.view(), glm::dvec2(*ground_));
+    if (ground_) reading = open_.probe->read(session.view(), glm::dvec2(*ground_));
     const ui::Timeline timeline{.known_until = sandbox_->known_until(),
                                 .watches = sandbox_->watches(),
                                 .can_go_back = sandbox_->can_go_back()};
@@ -867,11 +869,11 @@ void App::draw_panels() {
             .touched = touched_,
             .stroke = stroke_note(),
             .goal_use = sandbox_->scenario().goal ? std::optional(sandbox_->goal_use()) : std::nullopt,
-            .goal_lines = goal_lines_.lines(),
-            .goal_events = goal_lines_.events(),
-            .goal_counts = goal_lines_.counts(),
-            .card = has_card() ? &card_ : nullptr,
-            .ghost = ghost_note_,
+            .goal_lines = open_.goal_lines.lines(),
+            .goal_events = open_.goal_lines.events(),
+            .goal_counts = open_.goal_lines.counts(),
+            .card = has_card() ? &open_.card : nullptr,
+            .ghost = open_.ghost_note,
             .best_runs = best_list_.runs(),
             .actions_to_undo = sandbox_->actions(),
             .actions_to_redo = sandbox_->undone(),
@@ -890,7 +892,7 @@ void App::draw_panels() {
             .sharing = sharing_.progress(),
             .making_challenge = maker_.is_busy(),
             .may_try = first_.watched && first_.scene.scenario.goal,
-            .slide_ended = slide_ended_,
+            .slide_ended = open_.slide_ended,
             .guide = guide_ ? &*guide_ : nullptr,
             .opening_s = opening_since_ ? std::optional(now_s_ - *opening_since_) : std::nullopt,
             .place_to_click = place_to_click,

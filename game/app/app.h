@@ -199,6 +199,32 @@ class App {
     };
     bool follows_ring(const Seen& seen, const ScreenSize& size);
 
+    // What belongs to the open world alone, made anew with the next one.
+    struct OpenWorld {
+        std::optional<Probe> probe;
+        Pace pace;
+        SlideFront front;
+        double earth_before = 0;              // m³ in use when the stroke began
+        std::optional<std::int64_t> seeking;  // target tick of a seek
+        bool takes_over_there = false;
+        bool keeps_untouched =
+            false;           // the recording: it was asked for with --record, or a screenshot names it
+        ImageBounds bounds;  // what the device has shown that it can draw; another world leaves another room
+        std::uint64_t frame_memory = 0;  // bytes that --max-memory leaves for the buffers of an image
+
+        std::optional<double> sliding_since;    // s of the world, while something moves
+        std::optional<double> running_since;    // the same, while more than creep does
+        bool slide_ended = false;               // and was not shared since
+        std::optional<Score> score;             // of an attempt that has ended
+        std::optional<std::int64_t> card_tick;  // at which that, or a slide in free play, ended
+        ui::ResultCard card;                    // that tells it
+        std::int64_t card_began = 0;            // tick at which the attempt or the slide began
+        bool seen_again = false;                // it is being played once more
+        bool shows_card = false;                // it was not closed
+        GoalLines goal_lines;
+        std::optional<ui::GhostNote> ghost_note;  // of the ghost as it is shown
+    };
+
     Screen& screen_;
     render::Renderer renderer_;
     ui::Ui ui_;
@@ -209,35 +235,27 @@ class App {
 
     LoadedWorld first_;  // restored by reset
     std::optional<Sandbox> sandbox_;
+    OpenWorld open_;
     std::optional<std::filesystem::path> recording_;
     std::int64_t epoch_ = 0;                       // grows when the world restarts or goes back in time
     std::optional<std::filesystem::path> record_;  // from --record, until a session is written to it
-    bool keeps_untouched_ = false;  // the recording: it was asked for with --record, or a screenshot names it
     std::optional<Failure> recording_failure_;
-    std::optional<std::int64_t> seeking_;  // target tick of a seek
-    bool takes_over_there_ = false;
 
     TickClock clock_;
-    Pace pace_;
-    SlideFront front_;
     Input input_;
     Actions actions_;
     Hand hand_;
-    double earth_before_ = 0;  // m³ in use when the stroke began
-    bool touched_ = false;     // the user has changed the world
+    bool touched_ = false;  // the user has changed the world
 
     Around around_;  // mountains around the world, and woods on them
     std::optional<CameraControl> camera_;
-    std::optional<Probe> probe_;
     std::optional<glm::dvec3> drag_pivot_;
     std::optional<glm::dvec3> ground_;  // under the cursor
     Display display_;
     Seen seen_;
-    double still_since_ = 0;          // s, when seen_ last changed
-    bool ring_in_time_ = true;        // it can follow the cursor on a finished image
-    ImageSize drawn_, best_;          // the last image; what one that stands still has
-    ImageBounds bounds_;              // what the device has shown that it can draw
-    std::uint64_t frame_memory_ = 0;  // bytes that --max-memory leaves for the buffers of an image
+    double still_since_ = 0;    // s, when seen_ last changed
+    bool ring_in_time_ = true;  // it can follow the cursor on a finished image
+    ImageSize drawn_, best_;    // the last image; what one that stands still has
     ResolutionControl resolution_;
     std::optional<TierTrial> trial_;  // in the first frames
     std::optional<Failure> device_failure_;
@@ -247,25 +265,14 @@ class App {
     double now_s_ = 0;
     bool leaving_ = false;
 
-    std::optional<Score> score_;             // of a try that has ended
-    std::optional<std::int64_t> card_tick_;  // at which that, or a slide in free play, ended
-    ui::ResultCard card_;                    // that tells it
-    std::int64_t card_began_ = 0;            // tick at which the try or the slide began
-    bool seen_again_ = false;                // it is being played once more
-    bool shows_card_ = false;                // it was not closed
-    GoalLines goal_lines_;
     BestList best_list_;
     Ghost ghost_;
-    std::optional<ui::GhostNote> ghost_note_;  // of the ghost as it is shown
 
     std::optional<Guide> guide_;
     Guide::Step kept_step_ = Guide::Step::kWatch;  // as it was kept last
     std::optional<double> opening_since_;          // s, while the guide's slide is watched
     std::vector<Event> left_events_;               // of a frame in which that ended
 
-    std::optional<double> sliding_since_;  // s of the world, while something moves
-    std::optional<double> running_since_;  // the same, while more than creep does
-    bool slide_ended_ = false;             // and was not shared since
     bool screenshot_asked_ = false;
     Screenshots screenshots_;  // being written
     Sharing sharing_;

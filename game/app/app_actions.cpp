@@ -39,7 +39,7 @@ std::uint64_t memory_for_frames(const LoadedWorld& loaded) {
 
 void App::perform(Verb verb) {
     if (verb == Verb::kClosePanel && has_card()) {
-        shows_card_ = false;
+        open_.shows_card = false;
         return;
     }
     if (ui_.perform(verb)) return;
@@ -126,7 +126,7 @@ void App::perform(const SetDisplay& set) {
     if (!(set.display.flow == display_.flow)) sandbox_->set_flow(set.display.flow);
     if (set.display.tier != display_.tier) {  // the user knows better, and may have made room
         trial_.reset();
-        bounds_ = {};
+        open_.bounds = {};
         best_ = {};
     }
     display_ = set.display;
@@ -145,16 +145,16 @@ void App::perform(const LookAt& wish) {
 // It ends when the slide has come to rest again (run_ticks), or when the user goes elsewhere in time.
 void App::perform(const SeeFromFront&) {
     if (!has_card() || !may_go_back()) return;
-    camera_->go_to(view_from_front(sandbox_->session().view(), card_.top, card_.toe));
+    camera_->go_to(view_from_front(sandbox_->session().view(), open_.card.top, open_.card.toe));
     clock_.set_speed(kSeenAgainSpeed);
     clock_.pause(false);
     clock_.run_back(false);
-    seeking_ = card_began_;
-    seen_again_ = true;
+    open_.seeking = open_.card_began;
+    open_.seen_again = true;
 }
 
 void App::stop_seeing_again() {
-    if (std::exchange(seen_again_, false)) clock_.set_speed(1);
+    if (std::exchange(open_.seen_again, false)) clock_.set_speed(1);
 }
 
 void App::perform(const GuideWish& wish) {
@@ -311,15 +311,15 @@ void App::redo() {
     }
     if (!redone) return tell(redone.error().sentence);
     // What follows the action is known, so the world only has to get there.
-    seeking_ = sandbox_->known_until();
+    open_.seeking = sandbox_->known_until();
     const double tick_s = static_cast<double>(sandbox_->scenario().params.tick_s);
-    tell(fmt::format("Redone: {}. On to {:.1f} s", *redone, static_cast<double>(*seeking_) * tick_s));
+    tell(fmt::format("Redone: {}. On to {:.1f} s", *redone, static_cast<double>(*open_.seeking) * tick_s));
 }
 
 // Ends what the user is doing to the world or to time.
 void App::stop_hand() {
     hand_.drop();
-    seeking_.reset();
+    open_.seeking.reset();
     clock_.run_back(false);
 }
 
@@ -332,7 +332,7 @@ void App::perform(const SeekTick& seek) {
     if (!may_go_back()) return;
     stop_seeing_again();
     clock_.run_back(false);
-    seeking_ = seek.tick;
+    open_.seeking = seek.tick;
 }
 
 void App::step_back() {
@@ -345,12 +345,12 @@ void App::run_back() {
     stop_seeing_again();
     clock_.run_back(!clock_.runs_back());
     clock_.pause(false);
-    seeking_.reset();
+    open_.seeking.reset();
 }
 
 void App::take_over_at(std::int64_t tick) {
-    seeking_ = tick;
-    takes_over_there_ = true;
+    open_.seeking = tick;
+    open_.takes_over_there = true;
 }
 
 void App::take_over() {
@@ -359,7 +359,7 @@ void App::take_over() {
     const auto path = record_ && sandbox_->watches() ? Outcome<std::filesystem::path>(*record_)
                                                      : next_recording(sandbox_->scenario().scene);
     clock_.run_back(false);
-    seeking_.reset();
+    open_.seeking.reset();
     ++epoch_;
     const double seconds = sandbox_->session().seconds();
     auto taken = sandbox_->take_over(path ? std::optional(*path) : std::nullopt);
@@ -372,8 +372,8 @@ void App::take_over() {
     }
     recording_.reset();
     if (sandbox_->session().recorder()) recording_ = *path;
-    keeps_untouched_ = record_ && record_ == recording_;
-    if (keeps_untouched_) record_.reset();
+    open_.keeps_untouched = record_ && record_ == recording_;
+    if (open_.keeps_untouched) record_.reset();
     tell(fmt::format("Branched at {:.1f} s into a new recording. The original keeps what came after",
                      seconds));
 }
@@ -387,7 +387,7 @@ void App::tell_hands_off() {
 void App::reset() {
     LoadedWorld again = first_;
     again.told = fmt::format("Restarted: {}{}", first_.scene.scenario.title,
-                             recording_ && (keeps_untouched_ || sandbox_->was_touched())
+                             recording_ && (open_.keeps_untouched || sandbox_->was_touched())
                                  ? ". The previous session stays in its recording"
                                  : "");
     if (const auto begun = begin_world(std::move(again), record_); !begun) warn(begun.error().sentence);
@@ -409,7 +409,7 @@ void App::share() {
     const auto begun = sandbox_->recorded_so_far().and_then([&](std::string&& recorded) {
         return sharing_.begin(std::move(recorded), dated_name(scenario.scene), {.camera = camera_->camera()});
     });
-    slide_ended_ = false;
+    open_.slide_ended = false;
     if (!begun) warn(fmt::format("This slide cannot be shared: {}", begun.error().sentence));
 }
 
@@ -455,7 +455,7 @@ void App::open_or_tell(const std::string& name_or_path, const Overrides& overrid
 // Nothing remains of a session in which nothing was done, unless somebody counts on its recording.
 Outcome<void> App::close_recording() {
     auto closed = sandbox_->finish();
-    if (!closed || !recording_ || keeps_untouched_ || sandbox_->was_touched()) return closed;
+    if (!closed || !recording_ || open_.keeps_untouched || sandbox_->was_touched()) return closed;
     std::error_code ignored;  // then it remains, which does no harm
     std::filesystem::remove(*recording_, ignored);
     recording_.reset();
@@ -489,10 +489,10 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
         }
     sandbox_ = std::move(*begun);
     first_ = std::move(loaded);
-    frame_memory_ = memory_for_frames(first_);
-    bounds_ = {};  // another world leaves another room
+    open_ = {};
+    open_.frame_memory = memory_for_frames(first_);
     recording_ = std::move(recording);
-    keeps_untouched_ = recording_ && record;
+    open_.keeps_untouched = recording_ && record;
     if (recording_) record.reset();  // it is used now
     record_ = std::move(record);
     list_own();
@@ -503,21 +503,9 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     Memory with_ghost = first_.memory;
     with_ghost.use.sessions = 2;
     ghost_.follow(scenario, best_list_.runs(), with_ghost);
-    ghost_note_.reset();
     hand_.drop();
     hand_.drop_numbers();
     if (!same) touched_ = false;  // after a restart of the same scene the hint is not needed
-    seeking_.reset();
-    sliding_since_.reset();
-    pace_.forget();
-    front_.forget();
-    slide_ended_ = false;
-    score_.reset();
-    card_tick_.reset();
-    seen_again_ = false;
-    goal_lines_.forget();
-    running_since_.reset();
-    takes_over_there_ = false;
     clock_.run_back(false);
     if (!same) {
         around_ = around ? std::move(*around) : around_of(scenario);
@@ -529,8 +517,8 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
         camera_.emplace(home(), sandbox_->session().view(), surroundings());
     }
     if (scenario.flow) display_.flow = scenario.flow->numbers;
-    probe_.emplace(scenario.georeference, densities_of(scenario),
-                   zero_of_heights(sandbox_->session().view(), scenario.georeference));
+    open_.probe.emplace(scenario.georeference, densities_of(scenario),
+                        zero_of_heights(sandbox_->session().view(), scenario.georeference));
     screen_.show_title(fmt::format("Couloir: {}", scenario.title));
     tell(first_.told);
     if (scenario.look.flow && !sandbox_->session().fronts()) tell(Session::kTooFine);

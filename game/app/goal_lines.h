@@ -15,7 +15,7 @@
 namespace game {
 
 // The outlines of a challenge's zone, of the areas that it counts in, and of where its scene is going to act, as a camera
-// sees them on the ground; and how much each of those areas has come to.
+// sees them on the ground; and how much each of those areas has come to. All of one goal.
 class GoalLines {
   public:
     // What the lines depend on, beside the goal.
@@ -34,8 +34,6 @@ class GoalLines {
     void trace(const Goal& goal, const sim::Grid& grid, const View& view, const Time& time,
                const std::function<std::optional<glm::dvec2>(glm::dvec2)>& seen,
                const std::function<double(const Quantity&)>& amount);
-    // After the goal has become another.
-    void forget() { lines_.clear(), events_.clear(), counts_.clear(), amounts_.clear(), view_.reset(); }
 
     const std::vector<ui::GoalLine>& lines() const { return lines_; }
     const std::vector<ui::GoalEvent>& events() const { return events_; }

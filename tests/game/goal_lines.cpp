@@ -85,8 +85,6 @@ TEST(GoalLines, are_traced_once_per_view_and_name_no_place_twice) {
     EXPECT_EQ(looked, once);
     lines.trace(goal, kMap, {{}, 0, 0, 1}, {}, count, none);
     EXPECT_EQ(looked, 2 * once);
-    lines.forget();
-    EXPECT_TRUE(lines.lines().empty());
 }
 
 TEST(GoalLines, tell_what_each_area_came_to_and_ask_again_when_the_surface_has_changed) {
@@ -117,8 +115,6 @@ TEST(GoalLines, tell_what_each_area_came_to_and_ask_again_when_the_surface_has_c
     EXPECT_EQ(asked, 2) << "from elsewhere it is as much";
     trace(1, 1);
     EXPECT_EQ(asked, 4);
-    lines.forget();
-    EXPECT_TRUE(lines.counts().empty());
 }
 
 TEST(GoalLines, run_around_what_is_going_to_happen_and_count_the_seconds_until_then) {
@@ -129,7 +125,7 @@ TEST(GoalLines, run_around_what_is_going_to_happen_and_count_the_seconds_until_t
     goal.events = {{60, blast}, {600, blast}};
     GoalLines lines;
     const auto around = [&](std::int64_t tick) {
-        lines.forget();
+        lines = {};
         lines.trace(goal, kMap, {}, {tick, 0.5}, in_plan, none);
         for (const ui::GoalLine& line : lines.lines()) {
             EXPECT_EQ(line.around, ui::GoalLine::Around::kEvent);
