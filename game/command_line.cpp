@@ -1,9 +1,8 @@
 #include "game/command_line.h"
 
-#include <errno.h>  // program_invocation_name
-
 #include <algorithm>
 #include <array>
+#include <cerrno>  // program_invocation_name
 #include <functional>
 #include <memory>
 #include <optional>
