@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <memory>
 #include <string_view>
@@ -12,6 +11,8 @@
 #include <cpl_vsi.h>
 #include <fmt/format.h>
 #include <ogr_srs_api.h>
+
+#include "terrains/lower_case.h"
 
 namespace terrains {
 namespace {
@@ -59,10 +60,8 @@ std::string_view trimmed(std::string_view text) {
 std::string code_in(std::string_view text) {
     constexpr std::string_view kPrefix = "EPSG:";
     std::string code(kPrefix);
-    bool prefixed = text.size() > kPrefix.size();
-    for (std::size_t i = 0; prefixed && i < kPrefix.size(); ++i)
-        prefixed = std::toupper(static_cast<unsigned char>(text[i])) == kPrefix[i];
-    if (prefixed) text.remove_prefix(kPrefix.size());
+    if (text.size() > kPrefix.size() && lower_case(text.substr(0, kPrefix.size())) == "epsg:")
+        text.remove_prefix(kPrefix.size());
     constexpr std::size_t kMostDigits = 6;
     std::size_t digits = 0, parts = 1;
     for (const char c : text) {

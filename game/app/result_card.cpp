@@ -32,7 +32,7 @@ std::string beside_best(const Score& score, std::span<const BestRun> earlier) {
     return fmt::format("{}, {}", best.score, medal_name(best.medal));
 }
 
-// `seconds`: of the world, when it was measured; what rolls on goes on to sweep along and to come to rest.
+// `seconds`: of the world, when it was measured; the rolling layer may erode and deposit more afterwards.
 void add_rows(const Measures& m, double seconds, ui::ResultCard& card) {
     if (m.run_out <= 0) return;
     card.top = {m.top.x, m.top.y}, card.toe = {m.toe.x, m.toe.y};
