@@ -5,21 +5,17 @@
 #include <cmath>
 #include <functional>
 #include <future>
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "game/app/result_card.h"
-#include "game/app/slide_map.h"
 #include "game/controls/key_map.h"
 #include "game/files/assets.h"
 #include "game/files/recordings_folder.h"
 #include "game/files/ui_font.h"
 #include "game/files/user_folders.h"
 #include "game/scene/surface.h"
-#include "render/gl/context.h"
 #include "render/mountain/overview.h"
 #include "render/mountain/pick.h"
 #include "sim/world/disc.h"
@@ -28,14 +24,9 @@
 namespace game {
 namespace {
 
-constexpr double kTickBudget = 0.04;  // s per frame; more would make the display stutter
-constexpr double kLateRing = 1.5;  // of the frame time; a ring that takes longer is drawn on a moving image
-constexpr double kOpeningSpeed = 2, kOpeningLasts = 50, kLongestOpening = 30;  // ×; s of the slide; s
+constexpr double kTickBudget = 0.04;            // s per frame; more would make the display stutter
+constexpr double kOpeningSpeed = 2;             // ×
 constexpr glm::dvec2 kPlaceToClick(620, 1725);  // m, on the guide's mountain: where a small blast does most
-constexpr double kSlide = 5;                    // s; what moves for a shorter time is not called a slide
-constexpr double kLeastSlide = 100;             // m³; less is no reason for a card
-constexpr double kBeforeSlide = 2;              // s, of the world as it was, when a slide is seen again
-constexpr double kStillAfter = 0.4;             // s without a change, until an image is finished
 
 // Milliseconds since the last call.
 class Stopwatch {
@@ -68,20 +59,19 @@ Outcome<std::unique_ptr<App>> App::begin(Screen& screen, LoadedWorld loaded, con
     std::unique_ptr<App> app(new App(screen, std::move(*renderer), std::move(*catalogue), options));
     app->now_s_ = screen.seconds();
     app->renderer_name_ = screen.renderer_name();
-    app->waits_for_gl_ = render::is_software_renderer();
     if (tier)
         app->display_.tier = *tier;
     else
-        app->trial_.emplace(app->display_.frame_ms);
+        app->image_.begin_trial(app->display_.frame_ms);
     if (auto begun = app->begin_world(std::move(loaded), record, around.get()); !begun)
         return tl::unexpected(begun.error());
-    if (led) app->begin_leading(*led);
+    if (led) app->begin_tutorial(*led);
     return app;
 }
 
 App::App(Screen& screen, render::Renderer renderer, Catalogue catalogue, const sim::StepOptions& options)
     : screen_(screen),
-      renderer_(std::move(renderer)),
+      image_(screen, notices_, std::move(renderer)),
       ui_(ui_font()),
       catalogue_(std::move(catalogue)),
       options_(options) {
@@ -122,7 +112,7 @@ bool App::frame() {
     if (size.width > 0) {
         // The world after its ticks, then the panels, which describe the same tick.
         draw_world(time);
-        if (device_failure_) return false;
+        if (image_.failure()) return false;
         time.stage_ms[stage_index(Stage::kDraw)] = watch.lap();
         draw_panels();
         time.stage_ms[stage_index(Stage::kPanels)] = watch.lap();
@@ -132,7 +122,7 @@ bool App::frame() {
         if (std::exchange(screenshot_asked_, false)) take_screenshot();
     }
     last_ = time;
-    return !leaving_;
+    return !leaving_ && !image_.failure();
 }
 
 Outcome<void> App::finish() {
@@ -140,58 +130,43 @@ Outcome<void> App::finish() {
     return close_recording();
 }
 
-void App::begin_leading(const Remembered& led) {
-    guide_ = led.guide;
-    kept_step_ = led.guide.step();
+void App::begin_tutorial(const Remembered& led) {
     if (!led.told.empty()) warn(led.told);
-    if (guide_->step() != Guide::Step::kWatch) return;
-    if (!sandbox_->watches()) return guide_->next();
-    opening_since_ = now_s_ = screen_.seconds();
+    now_s_ = screen_.seconds();
+    tutorial_.begin(led, sandbox_->watches(), now_s_);
+    if (!tutorial_.shows_opening()) return;
     clock_.set_speed(kOpeningSpeed);
     camera_->chase(true);
 }
 
 // While the slide of the opening is watched, any key or button ends it, and does nothing else.
 std::span<const Event> App::watch_opening(std::span<const Event> events) {
-    if (!opening_since_) return events;
-    const auto is_press = [](const Event& event) {
-        const auto* const key = std::get_if<KeyEvent>(&event);
-        const auto* const button = std::get_if<ButtonEvent>(&event);
-        return (key && key->down) || (button && button->down);
-    };
-    const bool over =
-        sandbox_->session().seconds() >= kOpeningLasts || now_s_ - *opening_since_ >= kLongestOpening;
-    if (over || std::ranges::any_of(events, is_press)) end_opening();
-    left_events_.clear();
-    std::ranges::copy_if(events, std::back_inserter(left_events_), [](const Event& event) {
-        return !std::holds_alternative<KeyEvent>(event) && !std::holds_alternative<ButtonEvent>(event) &&
-               !std::holds_alternative<WheelEvent>(event) && !std::holds_alternative<TextEvent>(event);
-    });
-    return left_events_;
+    if (!tutorial_.shows_opening()) return events;
+    if (tutorial_.opening_ends(events, sandbox_->session().seconds(), now_s_)) end_opening();
+    return tutorial_.without_presses(events);
 }
 
 // The same mountain, untouched.
 void App::end_opening() {
-    opening_since_.reset();
     camera_->chase(false);
     open_or_tell(Guide::kMountain, {});
     camera_->set_home(home());
     camera_->overview();
-    guide_->next();
+    tutorial_.end_opening();
 }
 
-// Shows the hint that is due. Keeps how far the guide has led, and puts the tool of a new step into the hand.
+// Shows the hint that is due, and puts the tool of a new step into the hand.
 void App::lead() {
-    if (!guide_) return;
-    guide_->see({.now_s = now_s_,
-                 .may_play = !opening_since_ && !sandbox_->watches() && !sandbox_->scenario().goal &&
-                             !sandbox_->scenario().flow,
-                 .moves = !sim::at_rest(sandbox_->session().state()) && !open_.pace.creeps(),
-                 .runs_back = clock_.runs_back(),
-                 .looks_back = sandbox_->looks_back()});
-    if (std::exchange(kept_step_, guide_->step()) == guide_->step()) return;
-    if (guide_->step() == Guide::Step::kBlast) hand_.choose(Tool::kBlast);
-    if (const auto kept = remember(*guide_); !kept) warn(kept.error().sentence);
+    const auto begun =
+        tutorial_.see({.now_s = now_s_,
+                       .may_play = !tutorial_.shows_opening() && !sandbox_->watches() &&
+                                   !sandbox_->scenario().goal && !sandbox_->scenario().flow,
+                       .moves = !sim::at_rest(sandbox_->session().state()) && !open_.pace.creeps(),
+                       .runs_back = clock_.runs_back(),
+                       .looks_back = sandbox_->looks_back()});
+    if (!begun) return;
+    if (*begun == Guide::Step::kBlast) hand_.choose(Tool::kBlast);
+    if (const auto kept = tutorial_.keep(); !kept) warn(kept.error().sentence);
 }
 
 void App::perform_all() {
@@ -391,8 +366,7 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
     for (double spent = 0; time.ticks < due && may_go_on(spent); ++time.ticks) {
         const auto commands = hand_.commands_of(time.ticks, due, tick_s, !sandbox_->looks_back());
         touched_ |= !commands.empty();
-        for (const sim::Command& each : commands)
-            if (guide_) guide_->did(each.kind);
+        for (const sim::Command& each : commands) tutorial_.did(each.kind);
         if (const auto done = sandbox_->tick(commands); !done) {
             hand_.drop();  // else it would be refused in every tick
             warn(done.error().sentence);
@@ -402,7 +376,7 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
                 break;
             }
         }
-        judge_try();
+        judge_attempt();
         const double now = screen_.seconds() - begun;
         time.worst_tick_ms = std::max(time.worst_tick_ms, static_cast<float>(1000 * (now - spent)));
         spent = now;
@@ -410,8 +384,7 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
     clock_.ticks_undone(due - time.ticks);
     if (time.ticks > 0) hand_.arrive(static_cast<double>(time.ticks) / due);
     if (time.ticks > 0) open_.pace.see(sandbox_->session().state(), now_s_);
-    if (time.ticks > 0) watch_slide();
-    if (time.ticks > 0) judge_slide();
+    if (time.ticks > 0) judge_slides();
     if (open_.seen_again &&
         (has_card() || !sandbox_->looks_back())) {  // back to the present, once it has come to rest
         stop_seeing_again();
@@ -420,87 +393,35 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
     take_over_at_end();
 }
 
-// Scores a try at the moment at which it ends, and forgets the score if that moment is taken back.
-void App::judge_try() {
-    const Session& session = sandbox_->session();
-    const std::int64_t tick = session.state().tick;
-    if (open_.card_tick && sandbox_->known_until() < *open_.card_tick)
-        open_.score.reset(), open_.card_tick.reset();
-    if (session.try_ended_at() != tick || open_.score) return;
-    const std::vector<TimedCommand> commands = sandbox_->commands_so_far();
-    open_.score = score_now(sandbox_->scenario(), session, commands);
-    show_card(card_of(sandbox_->scenario(), *open_.score, best_list_.runs()),
-              commands.empty() ? 0 : commands.front().tick);
-    if (const auto claimed = sandbox_->claim(open_.score->claim()); !claimed) stop_recording(claimed.error());
-    keep_run();
+// Scores an attempt at the moment at which it ends.
+void App::judge_attempt() {
+    const Score* const score = open_.results.judge_attempt(*sandbox_, best_list_.runs());
+    if (!score) return;
+    if (const auto claimed = sandbox_->claim(score->claim()); !claimed) stop_recording(claimed.error());
+    keep_run(*score);
 }
 
-// Keeps the try that ended in this tick, if it may be among the best: one in which the user did something.
-void App::keep_run() {
-    if (!open_.score->meets_needs() || sandbox_->watches() || sandbox_->looks_back() ||
-        !sandbox_->was_touched())
+// Keeps the attempt that ended in this tick, if it may be among the best: one in which the user did something.
+void App::keep_run(const Score& score) {
+    if (!score.meets_needs() || sandbox_->watches() || sandbox_->looks_back() || !sandbox_->was_touched())
         return;
     const auto kept = sandbox_->recorded_so_far().and_then([&](const std::string& recorded) {
-        return best_list_.keep(*open_.score, sandbox_->session().state_line().hash, recorded);
+        return best_list_.keep(score, sandbox_->session().state_line().hash, recorded);
     });
     if (!kept) warn(fmt::format("This run is not among the best runs: {}", kept.error().sentence));
 }
 
 bool App::has_card() const {
-    return open_.shows_card && open_.card_tick && sandbox_->session().state().tick >= *open_.card_tick;
+    return open_.results.card(*sandbox_) != nullptr;
 }
 
-// Tells what a slide in free play came to, as soon as only creep is left of it.
-void App::judge_slide() {
-    const Session& session = sandbox_->session();
-    const Scenario& scenario = sandbox_->scenario();
-    if (scenario.goal || scenario.flow || sandbox_->watches() || sandbox_->looks_back())
-        return open_.running_since.reset();
-    const bool runs = !sim::at_rest(session.state()) && !open_.pace.creeps();
-    if (runs) open_.shows_card = false;
-    const auto lasted = slide_just_ended(open_.running_since, runs);
-    if (!lasted || !sandbox_->was_touched()) return;
-    const Measures measures =
-        measure(scenario, session, release_area(scenario, sandbox_->commands_so_far()), {});
-    if (measures.eroded < kLeastSlide)
-        return tell(
-            fmt::format("Only {:.0f} m³ were swept along. Try it steeper: 40° or more", measures.eroded));
-    const double tick_s = static_cast<double>(scenario.params.tick_s);
-    show_card(card_of_slide(scenario, measures, session.seconds()),
-              session.state().tick - static_cast<std::int64_t>(std::ceil((*lasted + kBeforeSlide) / tick_s)));
-}
-
-void App::show_card(ui::ResultCard card, std::int64_t began) {
-    const Session& session = sandbox_->session();
-    open_.card = std::move(card);
-    open_.card.map = map_of_slide(sandbox_->scenario(), session, sandbox_->deeds().by_hand);
-    open_.card_tick = session.state().tick;
-    open_.card_began = std::max<std::int64_t>(began, 0);
-    open_.shows_card = true;
-}
-
-// How long it went on, in seconds of the world, if it has just ended and was a slide: what moves for a moment is none.
-std::optional<double> App::slide_just_ended(std::optional<double>& since, bool goes_on) const {
-    const double now = sandbox_->session().seconds();
-    if (goes_on && !since) since = now;
-    if (goes_on) return std::nullopt;
-    const auto began = std::exchange(since, std::nullopt);
-    if (!began || now - *began < kSlide) return std::nullopt;
-    return now - *began;
-}
-
-// Says that a slide has come to rest, and how to share it.
-void App::watch_slide() {
-    const Session& session = sandbox_->session();
-    if (sandbox_->looks_back() || sandbox_->watches() || sandbox_->scenario().flow)
-        return open_.sliding_since.reset();
-    const bool moves = !sim::at_rest(session.state());
-    if (moves) open_.slide_ended = false;
-    const auto lasted = slide_just_ended(open_.sliding_since, moves);
-    if (!lasted) return;
-    open_.slide_ended = true;
-    tell(fmt::format("The slide has come to rest after {:.0f} s. {} shares it as a web page", *lasted,
-                     name_of(screen_.layout(), Verb::kShare)));
+// Says that a slide has come to rest, how to share it, and what it came to.
+void App::judge_slides() {
+    if (const auto lasted = open_.results.came_to_rest(*sandbox_))
+        tell(fmt::format("The slide has come to rest after {:.0f} s. {} shares it as a web page", *lasted,
+                         name_of(screen_.layout(), Verb::kShare)));
+    if (const auto swept = open_.results.judge_slide(*sandbox_, open_.pace.creeps()))
+        tell(fmt::format("Only {:.0f} m³ were swept along. Try it steeper: 40° or more", *swept));
 }
 
 // Moves toward a known tick, as far as the time budget of the frame allows.
@@ -529,7 +450,7 @@ void App::take_over_at_end() {
     const Verdict verdict = *sandbox_->verdict();
     const bool proven = verdict.proven_tick == sandbox_->known_until();
     take_over();
-    open_.slide_ended = true;
+    open_.results.set_may_share(true);
     if (verdict.parted)
         warn(fmt::format("End of the recording. Its replay differs: {}. You can continue from here",
                          *verdict.parted));
@@ -597,225 +518,36 @@ render::Marks App::marks() const {
                         .extent = ghost_.version()};
     if (const auto& densities = sandbox_->session().densities())
         marks.density = glm::dvec2(densities->upper, densities->lower);
-    if (opening_since_) return marks;
+    if (tutorial_.shows_opening()) return marks;
     const bool wanted = !ui_.hides_panels() || hand_.stroke();  // without panels the image is for looking
     if (ground_ && wanted && !sandbox_->looks_back() && !sandbox_->scenario().flow) show_hand(marks);
     return marks;
 }
 
+WorldImage::Subject App::subject() const {
+    return {*sandbox_, surroundings(), around_.woods, ghost_.inside()};
+}
+
 void App::draw_world(const FrameTime& time) {
     see_ghost();
-    const ScreenSize size = screen_.size();
-    const Seen seen{
-        epoch_,     sandbox_->session().changed_at(), camera_->camera(), display_, marks(), size.width,
-        size.height};
-    const bool camera_moved = !(seen.camera == seen_.camera), changed = !(seen == seen_);
-    const bool ring_alone = changed && follows_ring(seen, size);
-    if (changed) {
-        seen_ = seen;
-        still_since_ = now_s_;
-        tell_bounds(size);
-    }
-    // A GPU returns before it has drawn, so time is measured only where it decides something.
-    const bool timed = waits_for_gl_ || trial_ || display_.tier != Tier::kFull;
-    const double before = screen_.seconds();
-    const auto since = [&] { return 1000 * (screen_.seconds() - before); };
-    const auto finish = [&] {
-        renderer_.show_on(screen_.framebuffer(), size.width, size.height);
-        if (timed) renderer_.wait();
-    };
-    if (trial_) {
-        draw_image(image_for(size, trial_->image().scale, trial_->image().fine, open_.bounds));
-        finish();
-        return end_trial(since());
-    }
-    if (ring_alone) {
-        draw_image(drawn_);
-        finish();
-        ring_in_time_ = since() <= kLateRing * display_.frame_ms;
-        return;
-    }
-    if (changed) {
-        draw_image(moving_image(size, camera_moved));
-        finish();
-        return resolution_.drew(since(), rest_ms(time));
-    }
-    // An image that stands still is the best one: full resolution, smooth edges, drawn once.
-    if (now_s_ - still_since_ >= kStillAfter && !(image_for(size, 1, true, open_.bounds) == drawn_)) {
-        draw_image(image_for(size, 1, true, open_.bounds));
-        resolution_.drew_another();
-    } else if (screen_.device_fault() == DeviceFault::kLost) {
-        fail_lost();
-    }
-    finish();
+    image_.draw(
+        {epoch_, sandbox_->session().changed_at(), camera_->camera(), display_, marks(), screen_.size()},
+        subject(), {now_s_, time, times_});
+    display_.tier = image_.tier();
 }
 
-// Whether a finished image stays, because only the ring has moved on it, of which little is drawn anew.
-bool App::follows_ring(const Seen& seen, const ScreenSize& size) {
-    Seen as_before = seen;
-    as_before.marks.ring = seen_.marks.ring, as_before.marks.outline = seen_.marks.outline;
-    if (!(as_before == seen_)) ring_in_time_ = true;  // it may be smaller in another view
-    const auto shows_hand = [](const render::Marks& marks) { return marks.ring || marks.outline; };
-    return as_before == seen_ && ring_in_time_ && shows_hand(seen.marks) && shows_hand(seen_.marks) &&
-           image_for(size, 1, true, open_.bounds) == drawn_;
-}
-
-// What the frame takes beside drawing the world; of what follows that, as in the last frame.
-double App::rest_ms(const FrameTime& time) const {
-    const auto ms = [](const FrameTime& of, Stage stage) {
-        return static_cast<double>(of.stage_ms[stage_index(stage)]);
-    };
-    double rest = ms(time, Stage::kInput) + ms(time, Stage::kSolve);
-    if (times_.size() == 0) return rest;
-    const FrameTime& last = times_[times_.size() - 1];
-    rest += ms(last, Stage::kPanels);
-    // A short frame waits for the monitor there, and one on a GPU always may.
-    constexpr float kNoWait = 20;
-    if (waits_for_gl_ && last.frame_ms > kNoWait) rest += ms(last, Stage::kPresent);
-    return rest;
-}
-
-// The size of an image while something moves.
-ImageSize App::moving_image(const ScreenSize& size, bool camera_moved) {
-    const TierInfo& tier = info_of(display_.tier);
-    if (display_.tier == Tier::kFull) return image_for(size, 1, tier.fine, open_.bounds);
-    const double scale =
-        resolution_.scale_for({.now_s = now_s_,
-                               .camera_moved = camera_moved,
-                               .screen_pixels = static_cast<double>(size.width) * size.height},
-                              {.target_ms = display_.frame_ms,
-                               .least = std::min(tier.least_scale, display_.most_scale),
-                               .most = display_.most_scale});
-    return image_for(size, scale, tier.fine, open_.bounds);
-}
-
-// The first frames show what this machine can draw in time.
-void App::end_trial(double draw_ms) {
-    trial_->drew(draw_ms);
-    const auto tier = trial_->result();
-    if (!tier) return;
-    trial_.reset();
-    display_.tier = *tier;
-    resolution_.drew_another();
-    constexpr std::array<const char*, kTiers.size()> kMeanings{
-        "this machine draws moving images in time at a lower resolution",
-        "this machine draws moving images in time at full resolution or a little less",
-        "this machine draws every image in time at full resolution with smooth edges"};
-    tell(fmt::format("Quality: {}, because {}. Change it in the Display panel ({})", info_of(*tier).name,
-                     kMeanings[static_cast<std::size_t>(*tier)],
-                     name_of(screen_.layout(), Verb::kToggleDisplay)));
-}
-
-// Tells once per size of the screen what does not fit.
-void App::tell_bounds(const ScreenSize& size) {
-    open_.bounds.longest_side = screen_.longest_side();
-    if (waits_for_gl_) open_.bounds.most_bytes = std::min(open_.bounds.most_bytes, open_.frame_memory);
-    const ImageSize best = image_for(size, 1, true, open_.bounds), whole{size.width, size.height, true};
-    if (best == std::exchange(best_, best) || best == whole) return;
-    const bool by_memory = image_for(size, 1, true, {.longest_side = open_.bounds.longest_side}) == whole;
-    const char* help = waits_for_gl_ && by_memory ? "; raise --max-memory" : "";
-    if (best.width < size.width)
-        warn(
-            fmt::format("A window of {}×{} pixels is too large to draw here: its image has {}×{} pixels and "
-                        "is stretched{}",
-                        size.width, size.height, best.width, best.height, help));
-    else
-        warn(
-            fmt::format("A window of {}×{} pixels is too large for two by two samples per pixel here: its "
-                        "image has one{}",
-                        size.width, size.height, help));
-}
-
-// Draws the image, or a smaller one if the driver cannot: a failure must leave neither a black nor an old
-// image on the screen.
-void App::draw_image(ImageSize image) {
-    constexpr int kAttempts = 8;  // each takes half of the memory of the one before
-    for (int attempt = 1;; ++attempt) {
-        drawn_ = image;
-        draw_once(image);
-        const DeviceFault fault = screen_.device_fault();
-        if (fault == DeviceFault::kNone) return;
-        if (fault == DeviceFault::kLost) return fail_lost();
-        if (attempt == kAttempts)
-            return fail(fmt::format("the graphics driver {} even for an image of {}×{} pixels",
-                                    fault == DeviceFault::kOutOfMemory ? "has no memory" : "has no buffers",
-                                    image.width, image.height));
-        lower_bounds(fault);
-        image = image_for(screen_.size(), static_cast<double>(image.width) / screen_.size().width, image.fine,
-                          open_.bounds);
-    }
-}
-
-void App::lower_bounds(DeviceFault fault) {
-    open_.bounds.most_bytes = bytes_of(drawn_) / 2;
-    const auto lower = below(display_.tier);
-    if (lower) display_.tier = *lower;
-    seen_.display = display_;  // nothing else has changed
-    warn(fmt::format("The graphics driver {} an image of {}×{} pixels{}: it is drawn with less{}",
-                     fault == DeviceFault::kOutOfMemory ? "has no memory for" : "refuses", drawn_.width,
-                     drawn_.height, drawn_.fine ? " with two by two samples" : "",
-                     lower ? fmt::format(". Quality: {}", info_of(*lower).name) : ""));
-    best_ = image_for(screen_.size(), 1, true, open_.bounds);  // told
-}
-
-void App::fail(const std::string& sentence) {
-    device_failure_ = Failure{Failure::kMachine, sentence};
-    leaving_ = true;
-}
-
-void App::fail_lost() {
-    fail("the graphics driver was reset, and the window can draw no more");
-}
-
-void App::draw_once(const ImageSize& image) {
-    const Session& session = sandbox_->session();
-    render::Look look = sandbox_->scenario().look;
-    look.detail = display_.detail;
-    if (trial_) renderer_.forget();  // measured are images whose every pixel is new
-    renderer_.set_quality(image.fine ? render::Quality::kFine : render::Quality::kFast);
-    renderer_.draw({.world = session.view(),
-                    .camera = seen_.camera,
-                    .light = display_.light,
-                    .look = look,
-                    .marks = seen_.marks,
-                    .flow = session.fronts(),
-                    .width = image.width,
-                    .height = image.height,
-                    .first_depth = sandbox_->scenario().depth,
-                    .surroundings = &surroundings(),
-                    .powder = session.powder(),
-                    .powder_strength = display_.powder,
-                    .woods = display_.trees ? &around_.woods : nullptr,
-                    .flow_so_far = session.flow_so_far(),
-                    .structures = &session.structures(),
-                    .wind = sandbox_->scenario().wind,
-                    .seconds = session.seconds(),
-                    .extent = ghost_.inside()});
-}
-
-// Draws the world as last shown once more, without the ring and the ghost, and as finely as an image that stands still. Then
-// draws what was shown again, so that the next frame can go on from it.
+// Of the world as last shown.
 void App::take_screenshot() {
-    const Seen shown = seen_;
-    const ImageSize size = drawn_, best = image_for(screen_.size(), 1, true, open_.bounds);
-    const bool is_shown =
-        !shown.marks.ring && !shown.marks.outline && shown.marks.extent == 0 && size == best;
-    seen_.marks.ring.reset(), seen_.marks.outline.reset();
-    seen_.marks.extent = 0;
-    if (!is_shown) draw_image(best);
-    if (device_failure_) return;
-    const Session& session = sandbox_->session();
+    auto picture = image_.picture(subject());
+    display_.tier = image_.tier();
+    if (!picture) return;
     open_.keeps_untouched = true;
-    Shot shot{sandbox_->scenario(), recording_.value_or(""), session.state().tick, shown.camera};
+    Shot shot{sandbox_->scenario(), recording_.value_or(""), sandbox_->session().state().tick,
+              camera_->camera()};
     if (sandbox_->watches()) shot.recording = first_.name + ".couloir";
     const auto begun =
-        screenshots_.write(renderer_.read_back(), dated_name(shot.scenario.scene), texts_of(shot));
+        screenshots_.write(std::move(*picture), dated_name(shot.scenario.scene), texts_of(shot));
     if (!begun) warn(fmt::format("No screenshot: {}", begun.error().sentence));
-    if (!is_shown) {
-        seen_ = shown;
-        draw_image(size);
-        resolution_.drew_another();
-    }
     now_s_ = screen_.seconds();  // this time must not be simulated
 }
 
@@ -856,7 +588,8 @@ void App::draw_panels() {
                                 .watches = sandbox_->watches(),
                                 .can_go_back = sandbox_->can_go_back()};
     std::optional<glm::dvec2> place_to_click;
-    if (guide_ && guide_->shows_place())
+    const auto& guide = tutorial_.guide();
+    if (guide && guide->shows_place())
         place_to_click = on_screen({kPlaceToClick, surface_height(session.view(), kPlaceToClick)});
     ui_.build(
         {
@@ -872,7 +605,7 @@ void App::draw_panels() {
             .goal_lines = open_.goal_lines.lines(),
             .goal_events = open_.goal_lines.events(),
             .goal_counts = open_.goal_lines.counts(),
-            .card = has_card() ? &open_.card : nullptr,
+            .card = open_.results.card(*sandbox_),
             .ghost = open_.ghost_note,
             .best_runs = best_list_.runs(),
             .actions_to_undo = sandbox_->actions(),
@@ -888,13 +621,13 @@ void App::draw_panels() {
             .recording = recording_ ? std::string_view(recording_->native()) : std::string_view(),
             .renderer = renderer_name_,
             .now_s = now_s_,
-            .image = drawn_,
+            .image = image_.size(),
             .sharing = sharing_.progress(),
             .making_challenge = maker_.is_busy(),
             .may_try = first_.watched && first_.scene.scenario.goal,
-            .slide_ended = open_.slide_ended,
-            .guide = guide_ ? &*guide_ : nullptr,
-            .opening_s = opening_since_ ? std::optional(now_s_ - *opening_since_) : std::nullopt,
+            .slide_ended = open_.results.may_share(),
+            .guide = guide ? &*guide : nullptr,
+            .opening_s = tutorial_.opening_s(now_s_),
             .place_to_click = place_to_click,
         },
         actions_);

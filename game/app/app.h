@@ -6,36 +6,33 @@
 #include <string>
 #include <vector>
 
-#include "game/analysis/score.h"
 #include "game/app/best_list.h"
 #include "game/app/challenge_maker.h"
 #include "game/app/ghost.h"
 #include "game/app/goal_lines.h"
-#include "game/app/guide_memory.h"
+#include "game/app/results.h"
 #include "game/app/screenshots.h"
 #include "game/app/sharing.h"
+#include "game/app/tutorial.h"
+#include "game/app/world_image.h"
 #include "game/base/outcome.h"
 #include "game/controls/action.h"
 #include "game/controls/camera_control.h"
 #include "game/controls/catalogue.h"
 #include "game/controls/display.h"
 #include "game/controls/frame_times.h"
-#include "game/controls/guide.h"
 #include "game/controls/hand.h"
-#include "game/controls/image_size.h"
 #include "game/controls/input.h"
 #include "game/controls/notices.h"
 #include "game/controls/pace.h"
 #include "game/controls/probe.h"
-#include "game/controls/resolution_control.h"
 #include "game/controls/screen.h"
 #include "game/controls/slide_front.h"
 #include "game/controls/tick_clock.h"
-#include "game/controls/tier_trial.h"
 #include "game/scene/mountains.h"
 #include "game/session/sandbox.h"
 #include "game/ui/ui.h"
-#include "render/frame.h"
+#include "render/frame/marks.h"
 #include "render/mountain/pick.h"
 
 namespace game {
@@ -55,8 +52,8 @@ class App {
                                                const std::optional<Remembered>& led = std::nullopt);
     ~App();
 
-    // Runs one frame, from events to the image on the screen. False once the user has asked to quit, or if
-    // device_failure().
+    // Runs one frame, from events to the image on the screen. False once the user has asked to quit, or if the image
+    // failed.
     bool frame();
     // Plays a recording up to this tick and takes it over there.
     void take_over_at(std::int64_t tick);
@@ -65,13 +62,11 @@ class App {
 
     const Sandbox& sandbox() const { return *sandbox_; }
     const FrameTimes& times() const { return times_; }
-    const ImageSize& image() const { return drawn_; }  // of the world, as last drawn
-    // Why the window can draw no more.
-    const std::optional<Failure>& device_failure() const { return device_failure_; }
+    const WorldImage& image() const { return image_; }
     const Notices& notices() const { return notices_; }
     const TickClock& clock() const { return clock_; }
     const Brush& brush() const { return hand_.brush(); }
-    const std::optional<Guide>& guide() const { return guide_; }
+    const std::optional<Guide>& guide() const { return tutorial_.guide(); }
     const Display& display() const { return display_; }
     const Catalogue& catalogue() const { return catalogue_; }
     // Of the challenge that is open, the best first.
@@ -103,19 +98,11 @@ class App {
     std::span<const Event> watch_opening(std::span<const Event> events);
     void end_opening();
     void lead();
-    void begin_leading(const Remembered& led);
+    void begin_tutorial(const Remembered& led);
 
     render::Marks marks() const;
     void show_hand(render::Marks& marks) const;
-    double rest_ms(const FrameTime& time) const;
-    ImageSize moving_image(const ScreenSize& size, bool camera_moved);
-    void draw_image(ImageSize image);
-    void draw_once(const ImageSize& image);
-    void end_trial(double draw_ms);
-    void tell_bounds(const ScreenSize& size);
-    void lower_bounds(DeviceFault fault);
-    void fail(const std::string& sentence);
-    void fail_lost();
+    WorldImage::Subject subject() const;
 
     void perform(Verb verb);
     void perform(Tool tool);
@@ -143,12 +130,9 @@ class App {
     void tell_results();
     void tell_made();
     void set_pace();
-    void watch_slide();
-    void judge_try();
-    void judge_slide();
-    void show_card(ui::ResultCard card, std::int64_t began);
-    std::optional<double> slide_just_ended(std::optional<double>& since, bool goes_on) const;
-    void keep_run();
+    void judge_attempt();
+    void keep_run(const Score& score);
+    void judge_slides();
     void see_ghost();
     bool has_card() const;
     void fit_hand();
@@ -188,17 +172,6 @@ class App {
     void tell(std::string sentence) { notices_.tell(Notice::Kind::kInfo, std::move(sentence), now_s_); }
     void warn(std::string sentence) { notices_.tell(Notice::Kind::kWarning, std::move(sentence), now_s_); }
 
-    // What an image shows. If it is unchanged, the image is not drawn again until it is finished.
-    struct Seen {
-        std::int64_t epoch = -1, changed_at = -1;
-        render::Camera camera;
-        Display display;
-        render::Marks marks;
-        int width = 0, height = 0;  // of the screen
-        bool operator==(const Seen&) const = default;
-    };
-    bool follows_ring(const Seen& seen, const ScreenSize& size);
-
     // What belongs to the open world alone, made anew with the next one.
     struct OpenWorld {
         std::optional<Probe> probe;
@@ -208,29 +181,19 @@ class App {
         std::optional<std::int64_t> seeking;  // target tick of a seek
         bool takes_over_there = false;
         bool keeps_untouched =
-            false;           // the recording: it was asked for with --record, or a screenshot names it
-        ImageBounds bounds;  // what the device has shown that it can draw; another world leaves another room
-        std::uint64_t frame_memory = 0;  // bytes that --max-memory leaves for the buffers of an image
-
-        std::optional<double> sliding_since;    // s of the world, while something moves
-        std::optional<double> running_since;    // the same, while more than creep does
-        bool slide_ended = false;               // and was not shared since
-        std::optional<Score> score;             // of an attempt that has ended
-        std::optional<std::int64_t> card_tick;  // at which that, or a slide in free play, ended
-        ui::ResultCard card;                    // that tells it
-        std::int64_t card_began = 0;            // tick at which the attempt or the slide began
-        bool seen_again = false;                // it is being played once more
-        bool shows_card = false;                // it was not closed
+            false;                // the recording: it was asked for with --record, or a screenshot names it
+        bool seen_again = false;  // what the card tells is being played once more
+        Results results;
         GoalLines goal_lines;
         std::optional<ui::GhostNote> ghost_note;  // of the ghost as it is shown
     };
 
     Screen& screen_;
-    render::Renderer renderer_;
+    Notices notices_;
+    WorldImage image_;
     ui::Ui ui_;
     Catalogue catalogue_;
     std::string renderer_name_;
-    bool waits_for_gl_ = false;  // software rendering; waiting charges its time to the draw stage
     sim::StepOptions options_;
 
     LoadedWorld first_;  // restored by reset
@@ -252,14 +215,6 @@ class App {
     std::optional<glm::dvec3> drag_pivot_;
     std::optional<glm::dvec3> ground_;  // under the cursor
     Display display_;
-    Seen seen_;
-    double still_since_ = 0;    // s, when seen_ last changed
-    bool ring_in_time_ = true;  // it can follow the cursor on a finished image
-    ImageSize drawn_, best_;    // the last image; what one that stands still has
-    ResolutionControl resolution_;
-    std::optional<TierTrial> trial_;  // in the first frames
-    std::optional<Failure> device_failure_;
-    Notices notices_;
     FrameTimes times_;
     std::optional<FrameTime> last_;  // the last frame, which is not in times_ yet
     double now_s_ = 0;
@@ -268,10 +223,7 @@ class App {
     BestList best_list_;
     Ghost ghost_;
 
-    std::optional<Guide> guide_;
-    Guide::Step kept_step_ = Guide::Step::kWatch;  // as it was kept last
-    std::optional<double> opening_since_;          // s, while the guide's slide is watched
-    std::vector<Event> left_events_;               // of a frame in which that ended
+    Tutorial tutorial_;
 
     bool screenshot_asked_ = false;
     Screenshots screenshots_;  // being written

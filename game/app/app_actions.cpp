@@ -39,7 +39,7 @@ std::uint64_t memory_for_frames(const LoadedWorld& loaded) {
 
 void App::perform(Verb verb) {
     if (verb == Verb::kClosePanel && has_card()) {
-        open_.shows_card = false;
+        open_.results.close_card();
         return;
     }
     if (ui_.perform(verb)) return;
@@ -124,11 +124,7 @@ void App::perform(const SetBrush& set) {
 }
 void App::perform(const SetDisplay& set) {
     if (!(set.display.flow == display_.flow)) sandbox_->set_flow(set.display.flow);
-    if (set.display.tier != display_.tier) {  // the user knows better, and may have made room
-        trial_.reset();
-        open_.bounds = {};
-        best_ = {};
-    }
+    if (set.display.tier != display_.tier) image_.end_trial();
     display_ = set.display;
 }
 void App::perform(const Open& open) {
@@ -144,12 +140,13 @@ void App::perform(const LookAt& wish) {
 
 // It ends when the slide has come to rest again (run_ticks), or when the user goes elsewhere in time.
 void App::perform(const SeeFromFront&) {
-    if (!has_card() || !may_go_back()) return;
-    camera_->go_to(view_from_front(sandbox_->session().view(), open_.card.top, open_.card.toe));
+    const ui::ResultCard* const card = open_.results.card(*sandbox_);
+    if (!card || !may_go_back()) return;
+    camera_->go_to(view_from_front(sandbox_->session().view(), card->top, card->toe));
     clock_.set_speed(kSeenAgainSpeed);
     clock_.pause(false);
     clock_.run_back(false);
-    open_.seeking = open_.card_began;
+    open_.seeking = open_.results.began();
     open_.seen_again = true;
 }
 
@@ -158,11 +155,7 @@ void App::stop_seeing_again() {
 }
 
 void App::perform(const GuideWish& wish) {
-    if (!guide_) return;
-    if (wish.kind == GuideWish::kNext)
-        guide_->next();
-    else
-        guide_.emplace(Guide::Step::kBlast);
+    tutorial_.perform(wish);
 }
 
 // What the user has recorded and saved by now.
@@ -409,7 +402,7 @@ void App::share() {
     const auto begun = sandbox_->recorded_so_far().and_then([&](std::string&& recorded) {
         return sharing_.begin(std::move(recorded), dated_name(scenario.scene), {.camera = camera_->camera()});
     });
-    open_.slide_ended = false;
+    open_.results.set_may_share(false);
     if (!begun) warn(fmt::format("This slide cannot be shared: {}", begun.error().sentence));
 }
 
@@ -468,7 +461,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     const bool same = sandbox_ && ground_hash(sandbox_->scenario()) == ground_hash(loaded.scene.scenario);
     const bool same_scene = same && sandbox_->scenario().scene == loaded.scene.scenario.scene;
     if (const auto& flow = loaded.scene.scenario.look.flow)
-        if (auto loaded = renderer_.load(flow->pattern); !loaded) return machine_fails(loaded.error());
+        if (auto loaded = image_.load(flow->pattern); !loaded) return loaded;
     // While a recording is watched, nothing is recorded until it is taken over.
     Outcome<std::optional<Recorder>> recorder;
     if (!loaded.watched) recorder = begin_recording(loaded.scene.scenario, record);
@@ -490,7 +483,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     sandbox_ = std::move(*begun);
     first_ = std::move(loaded);
     open_ = {};
-    open_.frame_memory = memory_for_frames(first_);
+    image_.begin_world(memory_for_frames(first_));
     recording_ = std::move(recording);
     open_.keeps_untouched = recording_ && record;
     if (recording_) record.reset();  // it is used now

@@ -79,8 +79,8 @@ Outcome<int> play(const PlayOptions& options) {
     while ((*app)->frame()) {
     }
     if (auto finished = (*app)->finish(); !finished) return tl::unexpected(finished.error());
-    tell_times((*app)->times(), (*app)->image());
-    if (const auto& failure = (*app)->device_failure())
+    tell_times((*app)->times(), (*app)->image().size());
+    if (const auto& failure = (*app)->image().failure())
         return tl::unexpected(Failure{failure->status, with_recording(failure->sentence, **app, options)});
     if (const auto& failure = (*app)->recording_failure()) return tl::unexpected(*failure);
     if (const auto& recording = (*app)->recording())

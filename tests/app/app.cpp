@@ -273,21 +273,21 @@ TEST_F(Playing, finishes_an_image_that_stands_still_until_something_moves_in_eve
         const auto moving = part_of(screen_.picture());
         frames(40);
         const auto whole = part_of(screen_.picture());
-        EXPECT_EQ(app_->image(), (ImageSize{640, 360, true}));
+        EXPECT_EQ(app_->image().size(), (ImageSize{640, 360, true}));
         EXPECT_EQ(whole == moving, tier == Tier::kFull);
         frames(5);
         EXPECT_EQ(part_of(screen_.picture()), whole);
         const auto with_ring = screen_.picture().pixels;
         screen_.move(310, 250);  // the ring follows, on the finished image
         frames(1);
-        EXPECT_EQ(app_->image(), (ImageSize{640, 360, true}));
+        EXPECT_EQ(app_->image().size(), (ImageSize{640, 360, true}));
         EXPECT_NE(screen_.picture().pixels, with_ring);
         EXPECT_EQ(part_of(screen_.picture()), whole);
         screen_.press(Button::kRight);  // the camera turns
         frames(1);
         screen_.move(330, 250);
         frames(1);
-        EXPECT_EQ(app_->image().fine, tier == Tier::kFull);
+        EXPECT_EQ(app_->image().size().fine, tier == Tier::kFull);
         app_.reset();
     }
 }
@@ -298,7 +298,7 @@ TEST_F(Playing, does_not_finish_an_image_while_a_slide_goes_on) {
     screen_.move(5, 5);
     for (int i = 0; i < 60; ++i) {
         frames(1);
-        ASSERT_FALSE(app_->image().fine) << i;
+        ASSERT_FALSE(app_->image().size().fine) << i;
     }
 }
 
@@ -306,7 +306,7 @@ TEST_F(Playing, does_not_finish_an_image_while_a_slide_goes_on) {
 TEST_F(Playing, measures_in_its_first_frames_which_tier_suits_the_machine) {
     tier_.reset();
     begin();
-    EXPECT_EQ(app_->image(), (ImageSize{320, 180, false})) << "the first frames are small";
+    EXPECT_EQ(app_->image().size(), (ImageSize{320, 180, false})) << "the first frames are small";
     frames(8);
     EXPECT_EQ(app_->display().tier, Tier::kFull);
     EXPECT_NE(last_notice().find("Quality: full"), std::string::npos) << last_notice();
@@ -332,35 +332,35 @@ TEST_F(Playing, stretches_a_smaller_image_over_a_window_that_is_larger_than_the_
     begin();
     tap(Key::kSpace);
     frames(40);
-    EXPECT_EQ(app_->image(), (ImageSize{500, 281, false}));
+    EXPECT_EQ(app_->image().size(), (ImageSize{500, 281, false}));
     EXPECT_NE(last_notice().find("500×281"), std::string::npos) << last_notice();
     const std::size_t told = app_->notices().size();
     frames(40);
     EXPECT_EQ(app_->notices().size(), told) << "once";
     screen_.resize_to(800, 200);
     frames(40);
-    EXPECT_EQ(app_->image(), (ImageSize{500, 125, false}));
+    EXPECT_EQ(app_->image().size(), (ImageSize{500, 125, false}));
 }
 
 TEST_F(Playing, draws_a_smaller_image_in_the_same_frame_if_the_driver_has_no_memory) {
     tier_ = Tier::kFull;
     begin();
     frames(40);
-    ASSERT_EQ(app_->image(), (ImageSize{640, 360, true}));
+    ASSERT_EQ(app_->image().size(), (ImageSize{640, 360, true}));
     screen_.move(300, 250);
     screen_.fail({DeviceFault::kOutOfMemory});
     frames(1);
-    EXPECT_EQ(app_->image(), (ImageSize{640, 360, false}));
+    EXPECT_EQ(app_->image().size(), (ImageSize{640, 360, false}));
     EXPECT_EQ(app_->display().tier, Tier::kBalanced);
     EXPECT_NE(last_notice().find("no memory"), std::string::npos) << last_notice();
     screen_.move(310, 250);
     screen_.fail({DeviceFault::kRefused, DeviceFault::kOutOfMemory});
     frames(1);
     EXPECT_EQ(app_->display().tier, Tier::kFast);
-    EXPECT_LT(app_->image().width, 640);
+    EXPECT_LT(app_->image().size().width, 640);
     frames(40);
-    EXPECT_FALSE(app_->device_failure());
-    EXPECT_LT(app_->image().width, 640) << "it stays so, also when it stands still";
+    EXPECT_FALSE(app_->image().failure());
+    EXPECT_LT(app_->image().size().width, 640) << "it stays so, also when it stands still";
 }
 
 TEST_F(Playing, ends_with_a_sentence_and_a_whole_recording_if_the_driver_draws_nothing) {
@@ -372,8 +372,8 @@ TEST_F(Playing, ends_with_a_sentence_and_a_whole_recording_if_the_driver_draws_n
         screen_.fail(std::vector(20, fault));
         EXPECT_FALSE(app_->frame());
         EXPECT_EQ(screen_.frames(), shown) << "nothing wrong is shown";
-        ASSERT_TRUE(app_->device_failure());
-        EXPECT_EQ(app_->device_failure()->status, Failure::kMachine);
+        ASSERT_TRUE(app_->image().failure());
+        EXPECT_EQ(app_->image().failure()->status, Failure::kMachine);
         expect_recording_replays();
         screen_.fail({});
         app_.reset();
@@ -386,7 +386,7 @@ TEST_F(Playing, notices_a_lost_device_while_nothing_moves) {
     frames(60);
     screen_.fail({DeviceFault::kLost});
     EXPECT_FALSE(app_->frame());
-    EXPECT_TRUE(app_->device_failure());
+    EXPECT_TRUE(app_->image().failure());
 }
 
 TEST_F(Playing, digs_and_blasts_and_inverts_both_with_control) {
@@ -1679,7 +1679,7 @@ TEST_F(Sending, takes_screenshots_of_the_world_alone_at_best_quality_while_panel
     tap(Key::kTab);
     screen_.move(1, 1);  // the ring is not on the ground
     frames(400);         // until no notice is shown
-    ASSERT_EQ(app_->image(), (ImageSize{640, 360, true}));
+    ASSERT_EQ(app_->image().size(), (ImageSize{640, 360, true}));
     const render::Picture world = screen_.picture();
     const StateLine before = line();
     tap(Key::kTab);
@@ -1687,7 +1687,7 @@ TEST_F(Sending, takes_screenshots_of_the_world_alone_at_best_quality_while_panel
     point_at_slope();
     tap(function_key(12));
     EXPECT_EQ(line(), before);
-    EXPECT_FALSE(app_->image().fine) << "the window goes on as before";
+    EXPECT_FALSE(app_->image().size().fine) << "the window goes on as before";
     wait_until_told("Screenshot: ");
     const std::string first = last_notice();
     tap(function_key(12));

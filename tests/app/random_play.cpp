@@ -47,7 +47,7 @@ class Restless {
             if (const sim::Ledger& mass = app_->sandbox().session().state().ledger; mass.mass_error() != 0)
                 return scene + ": " + done_ + "lost mass";
         }
-        if (const auto& failure = app_->device_failure()) return scene + ": " + done_ + failure->sentence;
+        if (const auto& failure = app_->image().failure()) return scene + ": " + done_ + failure->sentence;
         if (const auto& failure = app_->recording_failure()) return scene + ": " + done_ + failure->sentence;
         if (const auto finished = app_->finish(); !finished)
             return scene + ": " + done_ + finished.error().sentence;
