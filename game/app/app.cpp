@@ -126,7 +126,7 @@ bool App::frame() {
 }
 
 Outcome<void> App::finish() {
-    if (record_ && sandbox_->watches()) take_over();
+    if (file_.wanted() && sandbox_->watches()) take_over();
     return close_recording();
 }
 
@@ -370,7 +370,7 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
         if (const auto done = sandbox_->tick(commands); !done) {
             hand_.drop();  // else it would be refused in every tick
             warn(done.error().sentence);
-            if (done.error().status == Failure::kMachine) stop_recording(done.error());
+            if (done.error().status == Failure::kMachine) file_.stop(done.error());
             if (done.error().status == Failure::kBadAnswer) {
                 clock_.pause(true);
                 break;
@@ -397,7 +397,7 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
 void App::judge_attempt() {
     const Score* const score = open_.results.judge_attempt(*sandbox_, best_list_.runs());
     if (!score) return;
-    if (const auto claimed = sandbox_->claim(score->claim()); !claimed) stop_recording(claimed.error());
+    if (const auto claimed = sandbox_->claim(score->claim()); !claimed) file_.stop(claimed.error());
     keep_run(*score);
 }
 
@@ -541,8 +541,8 @@ void App::take_screenshot() {
     auto picture = image_.picture(subject());
     display_.tier = image_.tier();
     if (!picture) return;
-    open_.keeps_untouched = true;
-    Shot shot{sandbox_->scenario(), recording_.value_or(""), sandbox_->session().state().tick,
+    file_.keep();
+    Shot shot{sandbox_->scenario(), file_.path().value_or(""), sandbox_->session().state().tick,
               camera_->camera()};
     if (sandbox_->watches()) shot.recording = first_.name + ".couloir";
     const auto begun =
@@ -618,7 +618,7 @@ void App::draw_panels() {
             .catalogue = catalogue_,
             .keyboard = screen_.layout(),
             .timeline = timeline,
-            .recording = recording_ ? std::string_view(recording_->native()) : std::string_view(),
+            .recording = file_.path() ? std::string_view(file_.path()->native()) : std::string_view(),
             .renderer = renderer_name_,
             .now_s = now_s_,
             .image = image_.size(),

@@ -12,6 +12,7 @@
 #include "game/app/goal_lines.h"
 #include "game/app/results.h"
 #include "game/app/screenshots.h"
+#include "game/app/session_file.h"
 #include "game/app/sharing.h"
 #include "game/app/tutorial.h"
 #include "game/app/world_image.h"
@@ -78,9 +79,9 @@ class App {
     bool is_sharing() const { return sharing_.progress().has_value(); }
     // The file that this session is written to; nothing while a recording is watched, if none could be created,
     // or if writing failed.
-    const std::optional<std::filesystem::path>& recording() const { return recording_; }
+    const std::optional<std::filesystem::path>& recording() const { return file_.path(); }
     // Why a file of this or of an earlier session could not be written completely; the first failure.
-    const std::optional<Failure>& recording_failure() const { return recording_failure_; }
+    const std::optional<Failure>& recording_failure() const { return file_.failure(); }
 
   private:
     App(Screen& screen, render::Renderer renderer, Catalogue catalogue, const sim::StepOptions& options);
@@ -166,7 +167,6 @@ class App {
     Outcome<std::optional<Recorder>> begin_recording(const Scenario& scenario,
                                                      const std::optional<std::filesystem::path>& wanted);
     void open_or_tell(const std::string& name_or_path, const Overrides& overrides);
-    void stop_recording(const Failure& failure);
     Outcome<void> close_recording();
 
     void tell(std::string sentence) { notices_.tell(Notice::Kind::kInfo, std::move(sentence), now_s_); }
@@ -180,8 +180,6 @@ class App {
         double earth_before = 0;              // m³ in use when the stroke began
         std::optional<std::int64_t> seeking;  // target tick of a seek
         bool takes_over_there = false;
-        bool keeps_untouched =
-            false;                // the recording: it was asked for with --record, or a screenshot names it
         bool seen_again = false;  // what the card tells is being played once more
         Results results;
         GoalLines goal_lines;
@@ -199,10 +197,8 @@ class App {
     LoadedWorld first_;  // restored by reset
     std::optional<Sandbox> sandbox_;
     OpenWorld open_;
-    std::optional<std::filesystem::path> recording_;
-    std::int64_t epoch_ = 0;                       // grows when the world restarts or goes back in time
-    std::optional<std::filesystem::path> record_;  // from --record, until a session is written to it
-    std::optional<Failure> recording_failure_;
+    SessionFile file_;
+    std::int64_t epoch_ = 0;  // grows when the world restarts or goes back in time
 
     TickClock clock_;
     Input input_;

@@ -287,7 +287,7 @@ void App::undo() {
     const auto undone = sandbox_->undo();
     ++epoch_;
     if (!undone && undone.error().status == Failure::kMachine) {
-        stop_recording(undone.error());
+        file_.stop(undone.error());
         return warn(fmt::format("Undone, but recording has stopped: {}", undone.error().sentence));
     }
     if (!undone) return tell(undone.error().sentence);
@@ -299,7 +299,7 @@ void App::redo() {
     const auto redone = sandbox_->redo();
     ++epoch_;
     if (!redone && redone.error().status == Failure::kMachine) {
-        stop_recording(redone.error());
+        file_.stop(redone.error());
         return warn(fmt::format("Redone, but recording has stopped: {}", redone.error().sentence));
     }
     if (!redone) return tell(redone.error().sentence);
@@ -349,8 +349,9 @@ void App::take_over_at(std::int64_t tick) {
 void App::take_over() {
     if (!sandbox_->watches() && !sandbox_->looks_back())
         return tell("Already at the present: brushes and parameters work here");
-    const auto path = record_ && sandbox_->watches() ? Outcome<std::filesystem::path>(*record_)
-                                                     : next_recording(sandbox_->scenario().scene);
+    const auto& wanted = file_.wanted();
+    const auto path = wanted && sandbox_->watches() ? Outcome<std::filesystem::path>(*wanted)
+                                                    : next_recording(sandbox_->scenario().scene);
     clock_.run_back(false);
     open_.seeking.reset();
     ++epoch_;
@@ -359,14 +360,11 @@ void App::take_over() {
     if (!path) taken = tl::unexpected(path.error());
     list_own();
     if (!taken) {
-        stop_recording(taken.error());
+        file_.stop(taken.error());
         return warn(
             fmt::format("You can continue from here, but it is not recorded: {}", taken.error().sentence));
     }
-    recording_.reset();
-    if (sandbox_->session().recorder()) recording_ = *path;
-    open_.keeps_untouched = record_ && record_ == recording_;
-    if (open_.keeps_untouched) record_.reset();
+    file_.begin(sandbox_->session().recorder() ? std::optional(*path) : std::nullopt);
     tell(fmt::format("Branched at {:.1f} s into a new recording. The original keeps what came after",
                      seconds));
 }
@@ -379,11 +377,11 @@ void App::tell_hands_off() {
 
 void App::reset() {
     LoadedWorld again = first_;
-    again.told = fmt::format("Restarted: {}{}", first_.scene.scenario.title,
-                             recording_ && (open_.keeps_untouched || sandbox_->was_touched())
-                                 ? ". The previous session stays in its recording"
-                                 : "");
-    if (const auto begun = begin_world(std::move(again), record_); !begun) warn(begun.error().sentence);
+    again.told = fmt::format(
+        "Restarted: {}{}", first_.scene.scenario.title,
+        file_.remains(sandbox_->was_touched()) ? ". The previous session stays in its recording" : "");
+    if (const auto begun = begin_world(std::move(again), file_.wanted()); !begun)
+        warn(begun.error().sentence);
 }
 
 void App::share() {
@@ -425,12 +423,6 @@ void App::tell_results() {
     if (display_.shows_shared) show_folder((*shared)->folder);
 }
 
-void App::stop_recording(const Failure& failure) {
-    // A file in the recordings folder is optional: that none could be created is only a notice.
-    if ((recording_ || record_) && !recording_failure_) recording_failure_ = failure;
-    recording_.reset();
-}
-
 void App::open_or_tell(const std::string& name_or_path, const Overrides& overrides) {
     Overrides within = overrides;
     within.memory = first_.memory;
@@ -445,13 +437,9 @@ void App::open_or_tell(const std::string& name_or_path, const Overrides& overrid
     }
 }
 
-// Nothing remains of a session in which nothing was done, unless somebody counts on its recording.
 Outcome<void> App::close_recording() {
     auto closed = sandbox_->finish();
-    if (!closed || !recording_ || open_.keeps_untouched || sandbox_->was_touched()) return closed;
-    std::error_code ignored;  // then it remains, which does no harm
-    std::filesystem::remove(*recording_, ignored);
-    recording_.reset();
+    if (closed) file_.end(sandbox_->was_touched());
     return closed;
 }
 
@@ -477,17 +465,15 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     if (!begun) return tl::unexpected(begun.error());
     if (sandbox_)
         if (const auto closed = close_recording(); !closed) {
-            stop_recording(closed.error());
+            file_.stop(closed.error());
             warn(closed.error().sentence);
         }
     sandbox_ = std::move(*begun);
     first_ = std::move(loaded);
     open_ = {};
     image_.begin_world(memory_for_frames(first_));
-    recording_ = std::move(recording);
-    open_.keeps_untouched = recording_ && record;
-    if (recording_) record.reset();  // it is used now
-    record_ = std::move(record);
+    file_.want(std::move(record));
+    file_.begin(std::move(recording));
     list_own();
     ++epoch_;
 

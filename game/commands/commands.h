@@ -43,7 +43,14 @@ inline PageOptions page_options(const WebOptions& web, const PictureOptions& pic
     return {pictures.every.value_or(PageOptions::kEvery), web.most_bytes, std::nullopt};
 }
 
-struct RunOptions {
+// What `run` and `replay` write of the session that they play.
+struct OutputOptions {
+    PictureOptions pictures;
+    WebOptions web;
+    ResultOptions results;
+};
+
+struct RunOptions : OutputOptions {
     std::string scene;  // empty if there is a terrain
     std::optional<std::filesystem::path> terrain, release, reference;
     std::optional<terrains::Thickness> thickness;  // how the release is measured
@@ -54,23 +61,17 @@ struct RunOptions {
     std::optional<std::filesystem::path> record, save_world, export_folder;
     bool iseesnow = false;                   // export in ISeeSnow's format
     std::optional<std::string> export_name;  // of its files
-    PictureOptions pictures;
-    WebOptions web;
-    std::optional<Viewpoint> view;  // none: the scene's camera
-    ResultOptions results;
+    std::optional<Viewpoint> view;           // none: the scene's camera
     sim::StepOptions step_options;
 };
 Outcome<int> run(const RunOptions& options);
 
-struct ReplayOptions {
+struct ReplayOptions : OutputOptions {
     std::string recording;  // name or file
     std::optional<std::int64_t> until;
     bool verify = false, paranoid = false, score = false;
     LookFrom look = LookFrom::kShipped;
-    PictureOptions pictures;
-    WebOptions web;
     std::optional<Viewpoint> view;  // none: the recording's camera
-    ResultOptions results;
     sim::StepOptions step_options;
     Memory memory;
 };

@@ -6,7 +6,7 @@
 #include "game/analysis/measures.h"
 #include "game/analysis/summary.h"
 #include "game/base/print.h"
-#include "game/commands/commands.h"
+#include "game/commands/outputs.h"
 #include "game/compare/desync_picture.h"
 #include "game/files/assets.h"
 #include "game/files/file_use.h"
@@ -69,10 +69,7 @@ Outcome<int> replay(const ReplayOptions& options) {
     if (!path) return tl::unexpected(path.error());
     Memory memory = options.memory;
     memory.use.runs = options.paranoid ? 2 : 0;
-    memory.use.draws = options.pictures.folder || options.results.perf || options.results.trace;
-    memory.use.page = options.web.file.has_value();
-    if (options.pictures.folder)
-        memory.use.frames = {options.pictures.size.width, options.pictures.size.height};
+    Outputs::add_to(memory.use, options);
     auto recording = read_recording(*path, memory);
     if (!recording) return tl::unexpected(recording.error());
     renew(*recording);
@@ -95,48 +92,20 @@ Outcome<int> replay(const ReplayOptions& options) {
 
     FileUse use;
     use.reads(*path);
-    if (options.pictures.folder) use.reads(drawing_assets());
-    if (options.web.file) use.reads(page_assets());
-    add_outputs(options.results, use);
-    use.writes("--web", options.web.file);
+    Outputs::add_to(use, options);
     use.writes_into("--frames", options.pictures.folder, kFrameNames);
     if (auto sound = use.check(); !sound) return tl::unexpected(sound.error());
-    if (auto placed = make_places_for(options.results); !placed) return tl::unexpected(placed.error());
-    if (options.web.file)
-        if (auto placed = make_place_for(*options.web.file); !placed) return tl::unexpected(placed.error());
     auto session = Session::begin(scenario, options.step_options, std::nullopt);
     if (!session) return tl::unexpected(session.error());
-    if (options.pictures.folder || options.web.file) session->follow_powder(scenario);
-    if (options.pictures.folder || options.results.perf || options.results.trace) {
-        session->follow_fronts(scenario);
-        if (scenario.look.flow && !session->fronts()) print_line(stderr, "couloir: {}", Session::kTooFine);
-    }
-    std::optional<Gallery> gallery;
-    if (options.pictures.folder) {
-        auto opened =
-            Gallery::open(*options.pictures.folder, options.pictures.size, options.pictures.gl, scenario);
-        if (!opened) return tl::unexpected(opened.error());
-        gallery = std::move(*opened);
-        if (!gallery->notice().empty()) print_line(stderr, "couloir: {}", gallery->notice());
-    }
-    std::optional<SlidePage> page;
-    if (options.web.file) {
-        auto begun = SlidePage::begin(scenario, *session, proof_of(options.recording),
-                                      page_options(options.web, options.pictures));
-        if (!begun) return tl::unexpected(begun.error());
-        page = std::move(*begun);
-    }
-    PerfLog perf({scenario.scene, file_hash(*path), options.step_options.threads,
-                  gallery ? std::optional(gallery->drawn_by()) : std::nullopt},
-                 options.results.log_keeps());
+    auto outputs = Outputs::begin(options, scenario, *session, proof_of(options.recording));
+    if (!outputs) return tl::unexpected(outputs.error());
+    if (auto opened = outputs->open(scenario); !opened) return tl::unexpected(opened.error());
     Verifier verifier(*recording);
     Referee referee(scenario, recording->commands);
 
     const auto until = Until::after(options.until.value_or(recording->last_tick()));
-    Watchers watchers;
-    watchers.gallery = gallery ? &*gallery : nullptr;
-    watchers.ticks_per_picture = options.pictures.every.value_or(kTicksPerPicture);
-    watchers.perf = &perf;
+    Watchers watchers = outputs->watch(scenario, *session,
+                                       {scenario.scene, file_hash(*path), options.step_options.threads, {}});
     if (options.verify) verifier.look_at(*session);
     const Side way{scenario, recording->commands, options.step_options},
         other{scenario, recording->commands, other_way(options.step_options)};
@@ -147,7 +116,6 @@ Outcome<int> replay(const ReplayOptions& options) {
         self_check.names = {name_of(way.options, swept), name_of(other.options, swept)};
         self_check.parted = lockstep.emplace(way, other).follow(session->state());
     }
-    if (page) watchers.keep = [&](const Session& now) { return page->see(now); };
     watchers.after_tick = [&](const Session& now) {
         if (options.verify) verifier.look_at(now);
         if (options.score) referee.see(now);
@@ -157,14 +125,11 @@ Outcome<int> replay(const ReplayOptions& options) {
     };
     if (auto played = play_headless(*session, recording->commands, until, watchers, "replaying"); !played)
         return tl::unexpected(played.error());
-    if (gallery)
-        if (auto closed = gallery->close(); !closed) return tl::unexpected(closed.error());
-    if (page)
-        if (auto written = page->write(*options.web.file, *session, recording->commands); !written)
-            return tl::unexpected(written.error());
+    if (auto closed = outputs->close(*session, recording->commands, false); !closed)
+        return tl::unexpected(closed.error());
 
     const Measures measures = measure(scenario, *session, release_area(scenario, recording->commands), {});
-    Summary summary{scenario, *session, measures, &perf, std::nullopt, std::nullopt};
+    Summary summary{scenario, *session, measures, &outputs->perf(), std::nullopt, std::nullopt};
     if (options.verify) summary.verdict = verdict_of(verifier, recording->header);
     if (options.score) {
         const auto score = referee.decide();

@@ -8,8 +8,7 @@
 #include "game/analysis/measures.h"
 #include "game/analysis/summary.h"
 #include "game/base/print.h"
-#include "game/commands/commands.h"
-#include "game/files/assets.h"
+#include "game/commands/outputs.h"
 #include "game/files/file_use.h"
 #include "game/files/text_file.h"
 #include "game/recording/command_source.h"
@@ -22,10 +21,7 @@ namespace {
 
 Outcome<Scene> scene_of(const RunOptions& options) {
     Overrides overrides = options.overrides;
-    overrides.memory.use.draws = options.pictures.folder || options.results.perf || options.results.trace;
-    overrides.memory.use.page = options.web.file.has_value();
-    if (options.pictures.folder)
-        overrides.memory.use.frames = {options.pictures.size.width, options.pictures.size.height};
+    Outputs::add_to(overrides.memory.use, options);
     if (!options.terrain) return load_scene(options.scene, overrides);
     return scene_of_terrain(*options.terrain, ReleaseFile{*options.release, options.thickness}, overrides);
 }
@@ -41,52 +37,25 @@ Outcome<terrains::Reference> reference_of(const RunOptions& options, const Scena
 FileUse files_of(const RunOptions& options, const Scene& scene, const terrains::Reference& reference) {
     FileUse use;
     use.reads(scene.files).reads(reference.files);
-    if (options.pictures.folder) use.reads(drawing_assets());
-    if (options.web.file) use.reads(page_assets());
+    Outputs::add_to(use, options);
     use.writes("--record", options.record);
     use.writes("--save-world", options.save_world);
-    use.writes("--web", options.web.file);
-    add_outputs(options.results, use);
     use.writes_into("--export", options.export_folder, options.iseesnow ? kIseesnowNames : kExportedNames);
     use.writes_into(options.export_folder ? "--export" : "--frames", options.pictures.folder, kFrameNames);
     return use;
 }
 
-// Makes the folders of all outputs before the run, so that one that cannot be written fails before the computation.
-Outcome<void> make_places(const RunOptions& options) {
-    if (options.export_folder)
-        if (auto made = make_folder(*options.export_folder); !made) return made;
-    if (auto placed = make_places_for(options.results); !placed) return placed;
-    for (const auto& file : {options.web.file, options.save_world})
-        if (file)
-            if (auto placed = make_place_for(*file); !placed) return placed;
-    return {};
-}
-
-// What watches a run, beside its session.
-struct Outputs {
-    std::optional<SlidePage> page;
-    std::optional<Gallery> gallery;
-};
-
 // Opens the outputs once all that can be refused has been: the recording last, because the others may fail, and a
 // recording of that name is worth more than the beginning of one.
 Outcome<Outputs> open_outputs(const RunOptions& options, const Scenario& scenario, Session& session) {
-    Outputs outputs;
-    if (options.pictures.folder || options.web.file) session.follow_powder(scenario);
-    if (options.web.file) {
-        auto begun = SlidePage::begin(scenario, session, options.record ? proof_of(*options.record) : "",
-                                      page_options(options.web, options.pictures));
-        if (!begun) return tl::unexpected(begun.error());
-        outputs.page = std::move(*begun);
-    }
-    if (auto made = make_places(options); !made) return tl::unexpected(made.error());
-    if (options.pictures.folder) {
-        auto gallery =
-            Gallery::open(*options.pictures.folder, options.pictures.size, options.pictures.gl, scenario);
-        if (!gallery) return tl::unexpected(gallery.error());
-        outputs.gallery = std::move(*gallery);
-    }
+    auto outputs =
+        Outputs::begin(options, scenario, session, options.record ? proof_of(*options.record) : "");
+    if (!outputs) return outputs;
+    if (options.export_folder)
+        if (auto made = make_folder(*options.export_folder); !made) return tl::unexpected(made.error());
+    if (options.save_world)
+        if (auto placed = make_place_for(*options.save_world); !placed) return tl::unexpected(placed.error());
+    if (auto opened = outputs->open(scenario); !opened) return tl::unexpected(opened.error());
     if (!options.record) return outputs;
     auto recorder = Recorder::create(*options.record, scenario);
     if (!recorder) return tl::unexpected(recorder.error());
@@ -127,16 +96,8 @@ void tell_warnings(const RunOptions& options, const Scene& scene) {
 Outcome<int> play_and_write(const RunOptions& options, const Scene& scene,
                             const terrains::Reference& reference, Session& session, Outputs& outputs) {
     const Scenario& scenario = scene.scenario;
-    std::optional<SlidePage>& page = outputs.page;
-    std::optional<Gallery>& gallery = outputs.gallery;
-    PerfLog perf({scenario.scene, "", options.step_options.threads,
-                  gallery ? std::optional(gallery->drawn_by()) : std::nullopt},
-                 options.results.log_keeps());
-    Watchers watchers;
-    if (page) watchers.keep = [&](const Session& now) { return page->see(now); };
-    watchers.gallery = gallery ? &*gallery : nullptr;
-    watchers.ticks_per_picture = options.pictures.every.value_or(kTicksPerPicture);
-    watchers.perf = &perf;
+    Watchers watchers =
+        outputs.watch(scenario, session, {scenario.scene, "", options.step_options.threads, {}});
     Referee referee(scenario, scene.commands);
     if (scenario.goal) watchers.after_tick = [&](const Session& now) { referee.see(now); };
     const auto finished =
@@ -151,19 +112,14 @@ Outcome<int> play_and_write(const RunOptions& options, const Scene& scene,
         if (!saved) return tl::unexpected(saved.error());
     }
     const Measures measures = measure(scenario, session, release_area(scenario, scene.commands), reference);
-    Summary summary{scenario, session, measures, &perf, std::nullopt, std::nullopt};
+    Summary summary{scenario, session, measures, &outputs.perf(), std::nullopt, std::nullopt};
     if (options.until_rest) summary.at_rest = *finished;
     if (scene.release) summary.release = &*scene.release;
     if (options.reference) summary.reference = &reference;
     if (scenario.goal)
         if (const auto score = referee.decide()) summary.score = *score;
-    if (gallery) {
-        draw_results(*gallery, session);
-        if (auto closed = gallery->close(); !closed) return tl::unexpected(closed.error());
-    }
-    if (page)
-        if (auto written = page->write(*options.web.file, session, scene.commands); !written)
-            return tl::unexpected(written.error());
+    if (auto closed = outputs.close(session, scene.commands, true); !closed)
+        return tl::unexpected(closed.error());
     if (options.export_folder) {
         const auto exported =
             options.iseesnow
@@ -204,13 +160,6 @@ Outcome<int> run(const RunOptions& options) {
     auto outputs = open_outputs(options, scenario, *session);
     if (!outputs) return tl::unexpected(outputs.error());
     tell_warnings(options, *scene);
-
-    if (outputs->gallery || options.results.perf || options.results.trace) {
-        session->follow_fronts(scenario);
-        if (scenario.look.flow && !session->fronts()) print_line(stderr, "couloir: {}", Session::kTooFine);
-    }
-    if (outputs->gallery && !outputs->gallery->notice().empty())
-        print_line(stderr, "couloir: {}", outputs->gallery->notice());
     auto status = play_and_write(options, *scene, *reference, *session, *outputs);
     if (!status) return tl::unexpected(with_replaced(status.error(), *session));
     session->delete_replaced();

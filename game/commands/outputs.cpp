@@ -1,0 +1,83 @@
+#include "game/commands/outputs.h"
+
+#include <utility>
+
+#include "game/analysis/export_results.h"
+#include "game/base/print.h"
+#include "game/files/assets.h"
+#include "game/files/text_file.h"
+
+namespace game {
+namespace {
+
+bool shows_fronts(const OutputOptions& options) {
+    return options.pictures.folder || options.results.perf || options.results.trace;
+}
+
+}  // namespace
+
+void Outputs::add_to(WorldUse& use, const OutputOptions& options) {
+    use.draws = shows_fronts(options);
+    use.page = options.web.file.has_value();
+    if (options.pictures.folder) use.frames = {options.pictures.size.width, options.pictures.size.height};
+}
+
+void Outputs::add_to(FileUse& use, const OutputOptions& options) {
+    if (options.pictures.folder) use.reads(drawing_assets());
+    if (options.web.file) use.reads(page_assets());
+    use.writes("--web", options.web.file);
+    add_outputs(options.results, use);
+}
+
+Outcome<Outputs> Outputs::begin(const OutputOptions& options, const Scenario& scenario, Session& session,
+                                std::string proof) {
+    Outputs outputs(options);
+    if (options.pictures.folder || options.web.file) session.follow_powder(scenario);
+    if (!options.web.file) return outputs;
+    auto page =
+        SlidePage::begin(scenario, session, std::move(proof), page_options(options.web, options.pictures));
+    if (!page) return tl::unexpected(page.error());
+    outputs.page_ = std::move(*page);
+    return outputs;
+}
+
+Outcome<void> Outputs::open(const Scenario& scenario) {
+    if (auto placed = make_places_for(options_->results); !placed) return placed;
+    if (options_->web.file)
+        if (auto placed = make_place_for(*options_->web.file); !placed) return placed;
+    const PictureOptions& pictures = options_->pictures;
+    if (!pictures.folder) return {};
+    auto gallery = Gallery::open(*pictures.folder, pictures.size, pictures.gl, scenario);
+    if (!gallery) return tl::unexpected(gallery.error());
+    gallery_ = std::move(*gallery);
+    return {};
+}
+
+Watchers Outputs::watch(const Scenario& scenario, Session& session, PerfSurroundings surroundings) {
+    if (shows_fronts(*options_)) {
+        session.follow_fronts(scenario);
+        if (scenario.look.flow && !session.fronts()) print_line(stderr, "couloir: {}", Session::kTooFine);
+    }
+    if (gallery_ && !gallery_->notice().empty()) print_line(stderr, "couloir: {}", gallery_->notice());
+    if (gallery_) surroundings.drawn = gallery_->drawn_by();
+    perf_.emplace(surroundings, options_->results.log_keeps());
+    Watchers watchers;
+    watchers.gallery = gallery_ ? &*gallery_ : nullptr;
+    watchers.ticks_per_picture = options_->pictures.every.value_or(kTicksPerPicture);
+    watchers.perf = &*perf_;
+    if (page_) watchers.keep = [this](const Session& now) { return page_->see(now); };
+    return watchers;
+}
+
+Outcome<void> Outputs::close(const Session& session, std::span<const TimedCommand> commands, bool results) {
+    if (gallery_) {
+        if (results) draw_results(*gallery_, session);
+        if (auto closed = gallery_->close(); !closed) return closed;
+    }
+    if (page_)
+        if (auto written = page_->write(*options_->web.file, session, commands); !written)
+            return tl::unexpected(written.error());
+    return {};
+}
+
+}  // namespace game
