@@ -1,8 +1,6 @@
 #include "game/app/app.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <functional>
 #include <future>
 #include <utility>

@@ -449,7 +449,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     const bool same = sandbox_ && ground_hash(sandbox_->scenario()) == ground_hash(loaded.scene.scenario);
     const bool same_scene = same && sandbox_->scenario().scene == loaded.scene.scenario.scene;
     if (const auto& flow = loaded.scene.scenario.look.flow)
-        if (auto loaded = image_.load(flow->pattern); !loaded) return loaded;
+        if (auto ready = image_.load(flow->pattern); !ready) return ready;
     // While a recording is watched, nothing is recorded until it is taken over.
     Outcome<std::optional<Recorder>> recorder;
     if (!loaded.watched) recorder = begin_recording(loaded.scene.scenario, record);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "game/base/outcome.h"
 #include "game/controls/display.h"

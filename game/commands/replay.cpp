@@ -10,7 +10,6 @@
 #include "game/compare/desync_picture.h"
 #include "game/files/assets.h"
 #include "game/files/file_use.h"
-#include "game/files/text_file.h"
 #include "game/recording/file_hash.h"
 #include "game/scene/scene.h"
 #include "game/session/renew.h"
