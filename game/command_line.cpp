@@ -419,8 +419,6 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
     app.add_option("recording", options.recording, "name from `couloir list`, or a file")
         ->type_name("RECORDING")
         ->required();
-    app.add_flag_callback(
-        "--headless", [] {}, "run without a window (replay never opens one)");
     add_number(app, "--until", "TICK", options.until, kTicks, "stop at this tick", "its last tick");
     app.add_flag(
         "--verify", options.verify,

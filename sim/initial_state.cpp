@@ -61,7 +61,6 @@ State make_state(const InitialState& world, const Params& params) {
     s.params = params;
     s.params.density = world.density;
     s.datum = world.datum;
-    s.seed = world.seed;
     for (int y = 0; y < grid.ny; ++y)
         for (int x = 0; x < grid.nx; ++x) {
             const std::size_t i =

@@ -18,7 +18,6 @@ struct InitialState {
     std::span<const float> depth;            // m, 0 ≤ depth ≤ kDeepest / 2; rounded to whole quanta
     std::span<const float> rolling;          // m, the same; begins at rest
     std::span<const std::uint8_t> has_data;  // 0 where material leaves the world
-    std::uint64_t seed = 0;
 
     // A second material under the other: how much of `depth`, from bedrock up, is it alone.
     struct Lower {

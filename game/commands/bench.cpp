@@ -11,7 +11,6 @@
 #include "game/files/text_file.h"
 #include "game/recording/file_hash.h"
 #include "game/scene/shipped_look.h"
-#include "game/session/renew.h"
 
 namespace game {
 namespace {
@@ -23,7 +22,6 @@ Outcome<std::vector<BenchRecording>> read_all(const std::vector<std::string>& na
         if (!path) return tl::unexpected(path.error());
         auto recording = read_recording(*path, memory);
         if (!recording) return tl::unexpected(recording.error());
-        renew(*recording);
         if (recording->warning) print_line(stderr, "couloir: warning: {}", *recording->warning);
         if (recording->header.scenario.flow)
             return unusable(

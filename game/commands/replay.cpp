@@ -12,7 +12,6 @@
 #include "game/files/file_use.h"
 #include "game/recording/file_hash.h"
 #include "game/scene/scene.h"
-#include "game/session/renew.h"
 #include "game/session/verifier.h"
 #include "game/share/share_recording.h"
 
@@ -71,7 +70,6 @@ Outcome<int> replay(const ReplayOptions& options) {
     Outputs::add_to(memory.use, options);
     auto recording = read_recording(*path, memory);
     if (!recording) return tl::unexpected(recording.error());
-    renew(*recording);
     if (recording->warning) print_line(stderr, "couloir: warning: {}", *recording->warning);
     if (options.until)
         if (auto has = check_tick(*recording, *options.until, options.recording); !has)

@@ -15,7 +15,6 @@
 #include "game/files/text_file.h"
 #include "game/recording/divergence_report.h"
 #include "game/recording/scenario_difference.h"
-#include "game/session/renew.h"
 #include "terrains/export.h"
 
 namespace game {
@@ -87,7 +86,6 @@ Outcome<Named> open_recording(const std::string& name_or_path, const Memory& mem
     if (!path) return tl::unexpected(path.error());
     auto recording = read_recording(*path, memory);
     if (!recording) return tl::unexpected(recording.error());
-    renew(*recording);
     if (recording->warning) print_line(stderr, "couloir: warning: {}", *recording->warning);
     if (!is_comparable(recording->header))
         print_line(

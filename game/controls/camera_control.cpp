@@ -18,7 +18,7 @@ constexpr double kTurn = 90;                  // degrees per half image width
 constexpr double kZoom = 0.85;                // factor of the distance, per step
 constexpr double kPaces = 0.5;                // of the distance, per second
 constexpr double kFast = 4;
-constexpr double kDelay = 0.08;    // s, in which the remaining path falls to 1/e
+constexpr double kLag = 0.08;      // s, in which the remaining path falls to 1/e
 constexpr double kLongest = 0.25;  // s, limit for held keys in one frame
 constexpr double kSteps = 240;     // per second; fixed steps make the path independent of the frame rate
 constexpr double kCatchUp = 0.5;   // s, in which the way to what is followed falls to 1/e
@@ -283,7 +283,7 @@ void CameraControl::walk(const CameraWish& wish, double seconds, const CameraRoo
 }
 
 void CameraControl::approach(double seconds, const CameraRoom& room) {
-    now_ = room.inside(along(now_, goal_, hold_, -std::expm1(-seconds / kDelay)));
+    now_ = room.inside(along(now_, goal_, hold_, -std::expm1(-seconds / kLag)));
 }
 
 }  // namespace game

@@ -118,23 +118,27 @@ constexpr ToolNumber kEarthRate[] = {
     {"Strength", "Rate %.2f m/s", "Greatest change of height per second.", &Command::rise, 0.05, 20, 2}};
 constexpr ToolNumber kForestNumbers[] = {
     {"Strength", "%.0f stems/ha", "Stems per hectare; from 400 on a forest holds all of the snow.",
-     &Command::stems, 25, 2000, 400},
-    {"Diameter", "Stem %.2f m", "Diameter of a stem.", &Command::diameter, 0.1, 0.6, 0.3},
-    {"Height", "Height %.0f m", "Height of a tree.", &Command::height, 5, 35, 22}};
+     &Command::stems, 25, 2000, sim::usual_of(CommandKind::kPlant, &Command::stems)},
+    {"Diameter", "Stem %.2f m", "Diameter of a stem.", &Command::diameter, 0.1, 0.6,
+     sim::usual_of(CommandKind::kPlant, &Command::diameter)},
+    {"Height", "Height %.0f m", "Height of a tree.", &Command::height, 5, 35,
+     sim::usual_of(CommandKind::kPlant, &Command::height)}};
 constexpr ToolNumber kHouseNumbers[] = {
     {"Strength", "Strength %.0f kPa", "Load that destroys it: glass 1, wood 5, brick 10, concrete 30.",
-     &Command::strength, 1, 100, 10},
-    {"Length", "Length %.0f m", "Length along its front's direction.", &Command::length, 3, 100, 14},
+     &Command::strength, 1, 100, sim::usual_of(CommandKind::kHouse, &Command::strength)},
+    {"Length", "Length %.0f m", "Length along its front's direction.", &Command::length, 3, 100,
+     sim::usual_of(CommandKind::kHouse, &Command::length)},
     {"Width", "Width %.0f m", "Width across it. From two cells on, a flow must go round it.", &Command::width,
-     3, 100, 10},
-    {"Height", "Height %.0f m", "Height of its roof.", &Command::height, 2, 30, 8}};
+     3, 100, sim::usual_of(CommandKind::kHouse, &Command::width)},
+    {"Height", "Height %.0f m", "Height of its roof.", &Command::height, 2, 30,
+     sim::usual_of(CommandKind::kHouse, &Command::height)}};
 constexpr ToolNumber kNetNumbers[] = {
     {"Strength", "Strength %.0f kPa", "Load that destroys a piece of one cell.", &Command::strength, 1, 100,
-     20},
+     sim::usual_of(CommandKind::kNet, &Command::strength)},
     {"Height", "Height %.1f m", "Height of the nets, and the depth of snow that they hold.", &Command::height,
-     2, 6, 4}};
-constexpr ToolNumber kRoadNumbers[] = {
-    {"Width", "Width %.0f m", "Width of the road.", &Command::width, 2, 30, 8}};
+     2, 6, sim::usual_of(CommandKind::kNet, &Command::height)}};
+constexpr ToolNumber kRoadNumbers[] = {{"Width", "Width %.0f m", "Width of the road.", &Command::width, 2, 30,
+                                        sim::usual_of(CommandKind::kRoad, &Command::width)}};
 
 constexpr std::array<ToolInfo, kTools> kInfos{{
     {Tool::kPour, ToolGroup::kSnow, key('1'),

@@ -8,7 +8,6 @@
 #include "game/files/assets.h"
 #include "game/recording/reader.h"
 #include "game/scene/shipped_look.h"
-#include "game/session/renew.h"
 
 namespace game {
 
@@ -25,7 +24,6 @@ Outcome<PageFigure> draw_world(const WorldFigure& figure, const std::filesystem:
     if (!path) return tl::unexpected(path.error());
     auto recording = read_recording(*path);
     if (!recording) return tl::unexpected(recording.error());
-    renew(*recording);
     Scenario& scenario = recording->header.scenario;
     scenario.camera = figure.camera;
     if (auto taken = take_look(LookFrom::kShipped, scenario); !taken) return tl::unexpected(taken.error());

@@ -18,13 +18,14 @@
 #include "game/recording/things_json.h"
 #include "game/scene/flow_kinds.h"
 #include "game/scene/standing.h"
-#include "game/scene/structures.h"
 #include "render/view/sky_light.h"
 
 namespace game {
 namespace {
 
-constexpr std::string_view kFormatName = "couloir recording";
+constexpr std::string_view kFormatName = "couloir";
+// The name of formats 1.0 to 1.9, which no release had, and the last program that reads them.
+constexpr std::string_view kFormatBeforeRelease = "couloir recording", kReaderBeforeRelease = "141cf62";
 constexpr std::int64_t kMostTicks = std::int64_t{1} << 40;
 constexpr int kMostMedal = 3;  // gold
 
@@ -64,39 +65,21 @@ Json physics_json(const sim::Params& params) {
     return json;
 }
 
-// Keys that older recordings lack, by the minor version that added them. Their defaults keep the physics as
-// it was before, except for anchor_step, which came with a change to bcre-inertial.
-constexpr std::pair<std::string_view, int> kSince[] = {
-    {"law", 1},          {"exchange_depth", 1}, {"shear_rate", 1},    {"anchor_step", 2},
-    {"friction", 5},     {"drag", 5},           {"friction_thin", 6}, {"friction_fold_depth", 6},
-    {"erosion_rate", 6}, {"deposit_rate", 6},   {"loose_slope", 6}};
-constexpr int kNewNumbers = 6;  // the minor version since which forces drive bcre-inertial
-constexpr std::string_view kGone[] = {"relaxation_time", "half_speed_depth", "stop_slope_thick",
-                                      "stop_fold_depth"};
-
-bool is_named_in(int minor, std::string_view name) {
-    for (const auto& [key, since] : kSince)
-        if (key == name) return minor >= since;
-    return true;
-}
-
-void numbers_from(const Json& json, int minor, sim::Params& params) {
+void numbers_from(const Json& json, sim::Params& params) {
     for (const sim::ParamInfo& info : sim::kParams)
-        if (is_named_in(minor, info.name))
-            params.*info.value =
-                static_cast<float>(number(json, info.name.data(), info.least - 1e-6, info.most + 1e-6));
-    if (minor < kNewNumbers && params.model == sim::Model::kBcreInertial) take_numbers(sim::Params{}, params);
+        params.*info.value =
+            static_cast<float>(number(json, info.name.data(), info.least - 1e-6, info.most + 1e-6));
     if (const auto wrong = sim::fault_of(params)) refuse(*wrong);
 }
 
-sim::Params physics_from(const Json& json, int minor) {
+sim::Params physics_from(const Json& json) {
     sim::Params params;
     params.model = named(json, "model", sim::model_from);
     params.scheme = named(json, "scheme", sim::scheme_from);
-    if (is_named_in(minor, "law")) params.law = named(json, "law", sim::law_from);
+    params.law = named(json, "law", sim::law_from);
     for (std::size_t side = 0; side < sim::kSides.size(); ++side)
         params.borders[side] = named(member(json, "borders"), sim::kSides[side].data(), sim::border_from);
-    numbers_from(json, minor, params);
+    numbers_from(json, params);
     return params;
 }
 
@@ -105,9 +88,9 @@ std::optional<double> density_from(const Json& json) {
     return number(json, "density", kLeastDensity, kGreatestDensity);
 }
 
-Scenario::Lower lower_from(const Json& json, int minor, const sim::Params& world) {
+Scenario::Lower lower_from(const Json& json, const sim::Params& world) {
     Scenario::Lower lower{text(json, "material"), world, {}, density_from(json), {}, {}};
-    numbers_from(member(json, "physics"), minor, lower.params);
+    numbers_from(member(json, "physics"), lower.params);
     sim::take_choices(world, lower.params);
     return lower;
 }
@@ -211,45 +194,6 @@ void flow_from(const Json& json, Scenario& scenario) {
     scenario.look.flow->repeats = number(json, "repeats", 0.1, 100);
 }
 
-Json structures_json(const render::Structures& structures) {
-    Json json = Json::object();
-    for (const render::Structure& each : structures.all)
-        if (each.kind == render::StructureKind::kHut)
-            json["huts"].push_back({{"at", place_json(each.at)}, {"heading_deg", each.heading_deg}});
-    for (const render::Road& road : structures.roads) {
-        Json points = Json::array();
-        for (const glm::dvec2& at : road.points) points.push_back(place_json(at));
-        json["roads"].push_back({{"points", points}, {"width_m", road.width_m}});
-    }
-    for (const render::Lift& lift : structures.lifts) {
-        const auto [valley, mountain] = stations(structures, lift);
-        json["lifts"].push_back({{"from", place_json(valley)}, {"to", place_json(mountain)}});
-    }
-    return json;
-}
-
-render::Structures structures_from(const Json& json) {
-    render::Structures structures;
-    for (const Json& hut : list(json, "huts", kMostHuts))
-        structures.all.push_back({render::StructureKind::kHut, place_from(member(hut, "at")),
-                                  number(hut, "heading_deg", -360, 360)});
-    for (const Json& from : list(json, "roads", kMostRoads)) {
-        render::Road road;
-        for (const Json& at : list(from, "points", kMostRoadPoints)) road.points.push_back(place_from(at));
-        if (road.points.size() < 2) refuse("structures: a road has fewer than two points");
-        if (const auto wrong = fault_of_road(road.points)) refuse("structures: a road " + *wrong);
-        road.width_m = number(from, "width_m", kNarrowestRoad, kWidestRoad);
-        structures.roads.push_back(std::move(road));
-    }
-    for (const Json& lift : list(json, "lifts", kMostLifts)) {
-        const glm::dvec2 valley = place_from(member(lift, "from")), mountain = place_from(member(lift, "to"));
-        if (const auto wrong = fault_of_lift(valley, mountain))
-            refuse("structures: the upper station of a lift " + *wrong);
-        add_lift(valley, mountain, structures);
-    }
-    return structures;
-}
-
 Json trees_json(const render::TreeRules& trees) {
     Json json = {{"density", trees.density}, {"line_m", trees.line_m}, {"seed", trees.seed}};
     for (const glm::dvec2& corner : trees.polygon) json["polygon"].push_back(place_json(corner));
@@ -303,11 +247,7 @@ Json view_json(const Scenario& scenario) {
     powder("powder", look.powder);
     if (scenario.lower) powder("lower_powder", look.lower_powder);
     if (scenario.model) json["look"]["style"] = "model";
-    if (scenario.trees.density > 0) {
-        json["trees"] = trees_json(scenario.trees);
-        if (scenario.woods_act) json["trees"]["act"] = true;
-    }
-    if (!scenario.structures.empty()) json["structures"] = structures_json(scenario.structures);
+    if (scenario.trees.density > 0) json["trees"] = trees_json(scenario.trees);
     if (const render::Wind& wind = scenario.wind; wind.speed > 0)
         json["wind"] = {{"from_deg", wind.from_deg}, {"speed", wind.speed}};
     if (look.flow) json["look"]["texture"] = to_string(look.flow->pattern);
@@ -356,7 +296,6 @@ void view_from(const Json& json, Scenario& scenario) {
         if (!pattern) refuse(fmt::format("look: unknown texture '{}'", text(look, "texture")));
         scenario.look.flow = render::FlowLook{*pattern};
     }
-    if (json.contains("structures")) scenario.structures = structures_from(member(json, "structures"));
     if (json.contains("wind")) {
         const Json& wind = member(json, "wind");
         scenario.wind = {number(wind, "from_deg", -360, 360),
@@ -389,8 +328,12 @@ int version_from(const Json& json) {
 }
 
 int read_version(const Json& json) {
-    if (!json.is_object() || !json.contains("format") || json.at("format") != kFormatName)
-        refuse("not a couloir recording");
+    const bool named = json.is_object() && json.contains("format");
+    if (named && json.at("format") == kFormatBeforeRelease)
+        refuse(
+            fmt::format("recorded before Couloir 0.1.0, in another format: the program of commit {} reads it",
+                        kReaderBeforeRelease));
+    if (!named || json.at("format") != kFormatName) refuse("not a couloir recording");
     return version_from(json);
 }
 
@@ -417,33 +360,17 @@ Header read_header(const Json& json, int minor, const Memory& memory) {
     scenario.title = text(json, "title");
     scenario.material = text(json, "material");
     scenario.density = density_from(json);
-    scenario.seed = hash_of(json, "seed");
-    scenario.params = physics_from(member(json, "physics"), minor);
-    header.renewed = minor < kNewNumbers && scenario.params.model == sim::Model::kBcreInertial;
-    if (json.contains("lower")) scenario.lower = lower_from(json.at("lower"), minor, scenario.params);
+    scenario.params = physics_from(member(json, "physics"));
+    if (json.contains("lower")) scenario.lower = lower_from(json.at("lower"), scenario.params);
     view_from(member(json, "view"), scenario);
     ground_from(member(json, "terrain"), memory, json.contains("things"), scenario);
     if (scenario.lower && json.at("lower").contains("mixed"))
         mixed_from(json.at("lower").at("mixed"), scenario);
-    if (const auto wrong = fault_of(scenario.structures, scenario.grid, scenario.has_data))
-        refuse("structures: " + *wrong);
     if (const Json& view = member(json, "view"); view.contains("trees"))
         scenario.trees = trees_from(member(view, "trees"), scenario.grid);
-    if (const Json& view = member(json, "view"); view.contains("trees") && view.at("trees").contains("act")) {
-        const Json& act = view.at("trees").at("act");
-        if (!act.is_boolean()) refuse("trees: act is neither true nor false");
-        scenario.woods_act = act.get<bool>();
-    }
     if (json.contains("things")) values::things_from(json.at("things"), scenario);
     if (json.contains("goal")) scenario.goal = values::goal_from(json.at("goal"));
     return header;
-}
-
-// A `set` of a number that is gone.
-bool sets_what_is_gone(const Json& numbers, const sim::CommandInfo& info) {
-    return info.has_param && numbers.is_object() && numbers.contains("param") &&
-           numbers.at("param").is_string() &&
-           std::ranges::find(kGone, numbers.at("param").get_ref<const std::string&>()) != std::end(kGone);
 }
 
 std::vector<std::uint64_t> hashes_before(const Json& state) {
@@ -460,7 +387,7 @@ std::vector<std::uint64_t> hashes_before(const Json& state) {
     return hashes;
 }
 
-Line read_line(const Json& json, int minor) {
+Line read_line(const Json& json) {
     if (!json.is_object()) refuse("not an object");
     if (json.contains("end")) return EndLine{whole(json, "end", 0, kMostTicks)};
     if (json.contains("hash")) {
@@ -479,7 +406,6 @@ Line read_line(const Json& json, int minor) {
     const sim::CommandInfo* const info = values::kind_in(json);
     if (!info) refuse("a line of unknown kind");
     const std::int64_t tick = whole(json, "tick", 0, kMostTicks);
-    if (minor < kNewNumbers && sets_what_is_gone(json.at(info->name), *info)) return LeftOut{tick};
     return TimedCommand{tick, values::command_from(json, *info)};
 }
 
@@ -498,7 +424,6 @@ Json to_json(const Header& header) {
               {"scene", scenario.scene},
               {"title", scenario.title},
               {"material", scenario.material},
-              {"seed", hex(scenario.seed)},
               {"ticks_per_state", header.ticks_per_state},
               {"physics", physics_json(scenario.params)},
               {"view", view_json(scenario)}};
@@ -547,9 +472,7 @@ void take_numbers(const sim::Params& from, sim::Params& to) {
 }
 
 bool is_comparable(const Header& header) {
-    return header.physics_version == kPhysicsVersion ||
-           (header.scenario.params.model == sim::Model::kBcre && header.physics_version >= kSameBcreSince &&
-            header.physics_version < kPhysicsVersion);
+    return header.physics_version == kPhysicsVersion;
 }
 
 std::string noting_newer(std::string fact, int minor) {
@@ -588,8 +511,8 @@ void write(const EndLine& end, std::string& line) {
     fmt::format_to(std::back_inserter(line), R"({{"end":{}}})", end.tick);
 }
 
-tl::expected<Line, std::string> line_from(const Json& json, int minor) try {
-    return read_line(json, minor);
+tl::expected<Line, std::string> line_from(const Json& json) try {
+    return read_line(json);
 } catch (const std::exception& wrong) {
     return tl::unexpected(std::string(wrong.what()));
 }

@@ -19,10 +19,9 @@ namespace game {
 // hash of the previous line and of itself, so that damage can be located. docs/recording.md has an example.
 
 inline constexpr int kFormatMajor = 1;  // a reader refuses a greater one
-inline constexpr int kFormatMinor = 9;  // a greater one may have fields that this reader ignores
+inline constexpr int kFormatMinor = 0;  // a greater one may have fields that this reader ignores
 inline constexpr int kPhysicsVersion =
     6;  // of the physics and its hash: recordings of another one play, but are not comparable
-inline constexpr int kSameBcreSince = 5;  // the model bcre has not changed since
 inline constexpr int kTicksPerState = 6;  // between two state lines
 
 // The state after `tick` ticks.
@@ -70,10 +69,6 @@ struct Header {
     std::string program;  // program and version that wrote it
     std::optional<Parent> parent;
     std::optional<Origin> rewritten_from;
-
-    // Read from a format that had other numbers for bcre-inertial: it has the defaults, until renew() (session/renew.h)
-    // takes its material's, and `set` commands are left out.
-    bool renewed = false;
 };
 
 // Takes all numbers that may change while a world exists.
@@ -97,12 +92,8 @@ void write(const TimedCommand& command, std::string& line);
 void write(const StateLine& state, std::string& line);
 void write(const ClaimLine& claim, std::string& line);
 void write(const EndLine& end, std::string& line);
-// A `set` of a number that the physics no longer has.
-struct LeftOut {
-    std::int64_t tick = 0;
-};
-using Line = std::variant<TimedCommand, StateLine, ClaimLine, EndLine, LeftOut>;
-tl::expected<Line, std::string> line_from(const Json& json, int minor = kFormatMinor);
+using Line = std::variant<TimedCommand, StateLine, ClaimLine, EndLine>;
+tl::expected<Line, std::string> line_from(const Json& json);
 
 // The double whose shortest text equals the float's.
 double shortest(float value);

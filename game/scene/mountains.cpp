@@ -1,13 +1,10 @@
 #include "game/scene/mountains.h"
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
-
-#include "game/scene/structures.h"
 
 namespace game {
 
@@ -22,9 +19,10 @@ namespace {
 
 constexpr double kAround = 5, kBesideRoad = 5, kBesideRope = 9;  // m
 
-// The same for what stands in the world at tick 0.
-void clear_for(std::span<const sim::Command> placed, std::vector<render::Clearing>& clearings) {
-    for (const sim::Command& each : placed) {
+// No trees stand in a house, on a road or under a rope of tick 0.
+std::vector<render::Clearing> clearings_of(const Scenario& scenario) {
+    std::vector<render::Clearing> clearings;
+    for (const sim::Command& each : scenario.standing.placed) {
         const glm::dvec2 from(each.x, each.y), to(each.to_x, each.to_y);
         if (each.kind == sim::CommandKind::kHouse)
             clearings.push_back({from, from, glm::length(glm::dvec2(each.length, each.width)) / 2 + kAround});
@@ -35,22 +33,6 @@ void clear_for(std::span<const sim::Command> placed, std::vector<render::Clearin
         const double station = glm::length(glm::dvec2(sim::kStationLength, sim::kStationWidth)) / 2 + kAround;
         clearings.insert(clearings.end(), {{from, from, station}, {to, to, station}});
     }
-}
-
-// No trees stand in a house, on a road or under a rope.
-std::vector<render::Clearing> clearings_of(const Scenario& scenario) {
-    const render::Structures& structures = scenario.structures;
-    std::vector<render::Clearing> clearings;
-    clear_for(scenario.standing.placed, clearings);
-    for (const render::Structure& each : structures.all)
-        clearings.push_back({each.at, each.at, glm::length(render::half_footprint(each)) + kAround});
-    for (const render::Road& road : structures.roads)
-        for (std::size_t i = 1; i < road.points.size(); ++i)
-            clearings.push_back({road.points[i - 1], road.points[i], road.width_m / 2 + kBesideRoad});
-    for (const render::Lift& lift : structures.lifts) {
-        const auto [valley, mountain] = stations(structures, lift);
-        clearings.push_back({valley, mountain, kBesideRope});
-    }
     return clearings;
 }
 
@@ -58,7 +40,7 @@ std::vector<render::Clearing> clearings_of(const Scenario& scenario) {
 
 render::Woods woods_on(const Scenario& scenario, const render::Surroundings& mountains) {
     render::Woods woods(mountains, scenario.trees, scenario.datum, clearings_of(scenario));
-    if (scenario.woods_act) woods.let_act();
+    if (scenario.woods_act()) woods.let_act();
     return woods;
 }
 

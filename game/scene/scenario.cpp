@@ -96,8 +96,8 @@ bool is_bare(const Scenario& scenario, const sim::State& state) {
 }
 
 sim::InitialState initial_state_of(const Scenario& scenario) {
-    sim::InitialState world{scenario.grid,    scenario.datum,    scenario.bedrock, scenario.depth,
-                            scenario.rolling, scenario.has_data, scenario.seed};
+    sim::InitialState world{scenario.grid,  scenario.datum,   scenario.bedrock,
+                            scenario.depth, scenario.rolling, scenario.has_data};
     if (const auto& lower = scenario.lower)
         world.lower = sim::InitialState::Lower{lower->params, lower->depth, lower->settled, lower->rolling};
     if (const auto densities = densities_of(scenario)) {

@@ -40,7 +40,6 @@ struct Scenario {
     std::vector<float> rolling;           // m, a release that starts at rest
     std::vector<std::uint8_t> has_data;   // 0 where material leaves the world
     terrains::Georeference georeference;  // where the grid is on Earth, if known
-    std::uint64_t seed = 0;
 
     // The lower material of a world with two materials (sim/world/mixture.h).
     struct Lower {
@@ -78,10 +77,11 @@ struct Scenario {
     render::Light light;
     std::optional<render::Camera> camera;  // none: the overview
     bool model = false;                    // drawn as a block cut from its mountains
-    render::TreeRules trees;               // for the eye alone, unless woods_act
-    bool woods_act = false;                // the trees on the grid are those of the forest at tick 0
-    render::Structures structures;         // the same; intact
+    render::TreeRules trees;               // for the eye alone, unless woods_act()
     render::Wind wind;                     // for the eye alone
+
+    // Whether its trees on the grid are those of the forest at tick 0.
+    bool woods_act() const { return trees.density > 0 && !standing.forest.empty() && !model; }
 };
 
 inline constexpr double kLeastDensity = 1, kGreatestDensity = 3000;  // kg/m³

@@ -16,7 +16,6 @@
 #include "game/scene/scene_goal.h"
 #include "game/scene/scene_ground.h"
 #include "game/scene/scene_light.h"
-#include "game/scene/scene_structures.h"
 #include "game/scene/scene_things.h"
 #include "game/scene/scene_trees.h"
 #include "game/scene/standing.h"
@@ -315,7 +314,6 @@ Outcome<Scene> read_scene(TomlTable& root, const SceneFile& file, const Override
     TreesTable trees;
     if (auto table = root.table("trees")) trees = read_trees(*table, folder, overrides.references);
     ThingsTables things = read_things(root);
-    read_structures(root, things);
     if (auto wind = root.table("wind")) read_wind(*wind, scenario.wind);
     const bool woods_act = trees.rules.density > 0;
     scene.commands = read_commands(root, params.tick_s, scenario.lower.has_value());
@@ -332,7 +330,7 @@ Outcome<Scene> read_scene(TomlTable& root, const SceneFile& file, const Override
     if (const auto wrong = fault_of_commands(params, scene.commands))
         return unusable(fmt::format("{}: {}", path.string(), *wrong));
 
-    if (const auto file = ground->text("file")) scene.files.push_back(folder / *file);
+    if (const auto given = ground->text("file")) scene.files.push_back(folder / *given);
     auto terrain =
         read_terrain(*ground, folder, overrides.squares, overrides.references, [&](const sim::Grid& grid) {
             return overrides.memory.allows(grid, scenario.lower.has_value(),

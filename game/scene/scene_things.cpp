@@ -22,31 +22,29 @@
 namespace game {
 namespace {
 
-constexpr double kWood = 5;  // kPa
 constexpr std::pair<std::string_view, double> kStrengths[] = {
-    {"glass", 1}, {"wood", kWood}, {"brick", 10}, {"concrete", 30}};
-constexpr double kNetHeight = 3, kNetStrength = 30;                               // m, kPa
-constexpr double kUsualStems = 400, kUsualDiameter = 0.3, kUsualTreeHeight = 22;  // 1/ha, m, m
+    {"glass", 1}, {"wood", 5}, {"brick", 10}, {"concrete", 30}};  // kPa
 
 // Discs of a dam overlap: their centres are at most this share of their radius apart.
 constexpr double kApart = 0.5;
 // The sum of such cones is at most this steep, per height and radius, and flanks of earth are at most 1 : 1.25.
 constexpr double kSteepest = 1.33, kSteepestFlank = 1 / 1.25;
 
-// A number of a command, in the range that the manifest gives it.
-std::optional<double> read_member(TomlTable& table, std::string_view key, sim::CommandKind kind) {
-    for (const sim::CommandNumber& number : sim::info_of(kind).numbers)
-        if (number.name == key) return table.number(key, number.least, number.most);
-    return std::nullopt;
+// Takes a number of the command, in the range that the manifest gives it, if the table has it.
+void read_number(TomlTable& table, std::string_view key, sim::Command& into) {
+    for (const sim::CommandNumber& number : sim::info_of(into.kind).numbers)
+        if (number.name == key)
+            into.*number.value = table.number(key, number.least, number.most).value_or(into.*number.value);
 }
 
-std::optional<double> read_strength(TomlTable& table, sim::CommandKind kind) {
-    if (!table.is_text("strength")) return read_member(table, "strength", kind);
+void read_strength(TomlTable& table, sim::Command& into) {
+    if (!table.is_text("strength")) return read_number(table, "strength", into);
     const auto name = table.text("strength");
     const auto found = std::ranges::find(kStrengths, *name, &std::pair<std::string_view, double>::first);
-    if (found != std::end(kStrengths)) return found->second;
-    table.blame("strength", "is not a number of kPa, nor one of glass, wood, brick, concrete");
-    return std::nullopt;
+    if (found == std::end(kStrengths))
+        table.blame("strength", "is not a number of kPa, nor one of glass, wood, brick, concrete");
+    else
+        into.strength = found->second;
 }
 
 std::optional<std::vector<glm::dvec2>> read_points(TomlTable& table) {
@@ -57,53 +55,62 @@ std::optional<std::vector<glm::dvec2>> read_points(TomlTable& table) {
     return points;
 }
 
-sim::Command line_command(sim::CommandKind kind, glm::dvec2 from, glm::dvec2 to) {
-    sim::Command command;
-    command.kind = kind;
-    command.x = from.x, command.y = from.y;
-    command.to_x = to.x, command.to_y = to.y;
-    return command;
-}
-
-sim::Command house_command(glm::dvec2 at, double heading) {
-    sim::Command command;
-    command.kind = sim::CommandKind::kHouse;
-    command.x = at.x, command.y = at.y;
-    command.turn = heading;
-    command.length = render::kHutLength, command.width = render::kHutWidth;
-    command.height = render::kHutHeight;
-    command.strength = kWood;
-    return command;
+// Places it between each two points.
+void place_along(const TomlTable& table, const std::optional<std::vector<glm::dvec2>>& points,
+                 sim::Command piece, ThingsTables& things) {
+    std::vector<sim::Command> commands;
+    for (std::size_t i = 1; points && i < points->size(); ++i) {
+        piece.x = (*points)[i - 1].x, piece.y = (*points)[i - 1].y;
+        piece.to_x = (*points)[i].x, piece.to_y = (*points)[i].y;
+        commands.push_back(piece);
+    }
+    things.placed.push_back({table, std::move(commands)});
 }
 
 void read_house(TomlTable& table, ThingsTables& things) {
     const auto at = table.place("at");
     if (!at && !table.has("at")) table.blame("", "needs `at`: metres east and north");
-    sim::Command command =
-        house_command(at.value_or(glm::dvec2(0)), table.number("heading", -360, 360).value_or(0));
-    const auto take = [&](std::string_view key, double sim::Command::*into) {
-        command.*into = read_member(table, key, command.kind).value_or(command.*into);
-    };
-    take("length", &sim::Command::length);
-    take("width", &sim::Command::width);
-    take("height", &sim::Command::height);
-    command.strength = read_strength(table, command.kind).value_or(command.strength);
+    sim::Command command = sim::usual_command(sim::CommandKind::kHouse);
+    command.x = at.value_or(glm::dvec2(0)).x, command.y = at.value_or(glm::dvec2(0)).y;
+    command.turn = table.number("heading", -360, 360).value_or(0);
+    for (const char* key : {"length", "width", "height"}) read_number(table, key, command);
+    read_strength(table, command);
     table.finish();
     things.placed.push_back({table, {command}});
 }
 
 void read_net(TomlTable& table, ThingsTables& things) {
     const auto points = read_points(table);
-    const double height = read_member(table, "height", sim::CommandKind::kNet).value_or(kNetHeight);
-    const double strength = read_strength(table, sim::CommandKind::kNet).value_or(kNetStrength);
+    sim::Command net = sim::usual_command(sim::CommandKind::kNet);
+    read_number(table, "height", net);
+    read_strength(table, net);
     table.finish();
-    std::vector<sim::Command> commands;
-    for (std::size_t i = 1; points && i < points->size(); ++i) {
-        commands.push_back(line_command(sim::CommandKind::kNet, (*points)[i - 1], (*points)[i]));
-        commands.back().height = height;
-        commands.back().strength = strength;
-    }
-    things.placed.push_back({table, std::move(commands)});
+    place_along(table, points, net, things);
+}
+
+// At most so many tables of a kind.
+std::vector<TomlTable> at_most(std::size_t most, const char* name, TomlTable& root) {
+    std::vector<TomlTable> found = root.tables(name);
+    if (found.size() > most)
+        root.blame(name, fmt::format("stands here {} times; at most {} are allowed", found.size(), most));
+    return found;
+}
+
+void read_road(TomlTable& table, ThingsTables& things) {
+    const auto points = read_points(table);
+    sim::Command road = sim::usual_command(sim::CommandKind::kRoad);
+    read_number(table, "width", road);
+    table.finish();
+    place_along(table, points, road, things);
+}
+
+void read_lift(TomlTable& table, ThingsTables& things) {
+    const auto from = table.place("from"), to = table.place("to");
+    if (!from || !to) table.blame("", "needs `from` and `to`: places of its stations");
+    table.finish();
+    if (!from || !to) return;
+    if (const auto wrong = fault_of_lift(*from, *to)) table.blame("to", *wrong);
+    place_along(table, std::vector{*from, *to}, sim::usual_command(sim::CommandKind::kLift), things);
 }
 
 // Cones of earth along a line, whose sum is `rise` high along its middle; toward its ends it grows lower.
@@ -140,7 +147,7 @@ void read_dam(TomlTable& table, ThingsTables& things) {
     constexpr double kNarrowest = 1, kWidest = 500;  // m
     const auto points = read_points(table);
     const auto radius = table.number("radius", kNarrowest, kWidest);
-    const auto rise = read_member(table, "rise", sim::CommandKind::kSculpt);
+    const auto rise = table.number("rise", -sim::kHighestEarth, sim::kHighestEarth);
     if (!radius && !table.has("radius"))
         table.blame("", "needs a radius: metres from its middle to its foot");
     if (!rise && !table.has("rise")) table.blame("", "needs a rise, in metres; below 0: a ditch");
@@ -165,17 +172,14 @@ void read_forest(TomlTable& table, ThingsTables& things) {
         if (const auto sides = crossing_sides(*polygon))
             table.blame("polygon", fmt::format("crosses itself: side {}, from corner {}, meets side {}",
                                                sides->first, sides->first, sides->second));
-    const auto take = [&](std::string_view key, double usual) {
-        return read_member(table, key, sim::CommandKind::kPlant).value_or(usual);
-    };
-    const double stems = take("stems", kUsualStems), diameter = take("diameter", kUsualDiameter),
-                 height = take("height", kUsualTreeHeight);
+    sim::Command planted = sim::usual_command(sim::CommandKind::kPlant);
+    for (const char* key : {"stems", "diameter", "height"}) read_number(table, key, planted);
     table.finish();
     things.forests.push_back({table,
                               std::move(polygon).value_or(std::vector<glm::dvec2>()),
-                              {static_cast<std::uint16_t>(std::lround(stems)), 0,
-                               static_cast<std::uint8_t>(std::lround(100 * diameter)),
-                               static_cast<std::uint8_t>(std::lround(height))}});
+                              {static_cast<std::uint16_t>(std::lround(planted.stems)), 0,
+                               static_cast<std::uint8_t>(std::lround(100 * planted.diameter)),
+                               static_cast<std::uint8_t>(std::lround(planted.height))}});
 }
 
 // Gives a cone of earth the volume that it has on a fine grid, so that a dam costs as much on any.
@@ -265,7 +269,6 @@ void let_woods_act(Scenario& scenario) {
     const render::Surroundings mountains = mountains_around(scenario);
     const render::Woods woods = woods_on(scenario, mountains);
     scenario.standing.forest = render::forest_of(woods, scenario.grid);
-    scenario.woods_act = true;
 }
 
 // Squares of a road's width that cover it, half a cell apart.
@@ -324,6 +327,8 @@ ThingsTables read_things(TomlTable& root) {
     for (TomlTable& table : root.tables("dam")) read_dam(table, things);
     for (TomlTable& table : root.tables("house")) read_house(table, things);
     for (TomlTable& table : root.tables("net")) read_net(table, things);
+    for (TomlTable& table : at_most(kMostRoads, "road", root)) read_road(table, things);
+    for (TomlTable& table : at_most(kMostLifts, "lift", root)) read_lift(table, things);
     for (TomlTable& table : root.tables("forest")) read_forest(table, things);
     if (auto earth = root.table("earth")) {
         const auto budget = earth->number("budget", 0, kGreatestEarthBudget);
@@ -333,24 +338,6 @@ ThingsTables read_things(TomlTable& root) {
         things.earth = *earth;
     }
     return things;
-}
-
-void add_road(const TomlTable& table, const std::vector<glm::dvec2>& points, double width,
-              ThingsTables& things) {
-    std::vector<sim::Command> commands;
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        commands.push_back(line_command(sim::CommandKind::kRoad, points[i - 1], points[i]));
-        commands.back().width = width;
-    }
-    things.placed.push_back({table, std::move(commands)});
-}
-
-void add_house(const TomlTable& table, glm::dvec2 at, double heading, ThingsTables& things) {
-    things.placed.push_back({table, {house_command(at, heading)}});
-}
-
-void add_lift(const TomlTable& table, glm::dvec2 from, glm::dvec2 to, ThingsTables& things) {
-    things.placed.push_back({table, {line_command(sim::CommandKind::kLift, from, to)}});
 }
 
 void stand(ThingsTables things, bool woods_act, Scenario& scenario) {

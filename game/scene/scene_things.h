@@ -10,7 +10,7 @@
 
 namespace game {
 
-// What a scene file places on its mountain: [[house]], [[net]], [[dam]], [[forest]] and [earth].
+// What a scene file places on its mountain: [[dam]], [[house]], [[net]], [[road]], [[lift]], [[forest]] and [earth].
 
 // What the tables say before the ground is known. The tables stay, so that a fault on the ground names its line.
 struct ThingsTables {
@@ -34,12 +34,6 @@ struct ThingsTables {
 
 // Reads the tables. Faults go to the tables' fault.
 ThingsTables read_things(TomlTable& root);
-
-// Adds a straight piece of road between each two points.
-void add_road(const TomlTable& table, const std::vector<glm::dvec2>& points, double width,
-              ThingsTables& things);
-void add_house(const TomlTable& table, glm::dvec2 at, double heading, ThingsTables& things);
-void add_lift(const TomlTable& table, glm::dvec2 from, glm::dvec2 to, ThingsTables& things);
 
 // Sets what stands on a scenario's ground; `woods_act`: its trees too. Faults go to the tables' fault: something beside
 // the grid, on no-data or on something else, or a forest that covers no vertex.

@@ -6,7 +6,6 @@
 
 #include "game/files/assets.h"
 #include "game/scene/goal_reach.h"
-#include "game/session/renew.h"
 #include "terrains/geojson.h"
 
 namespace game {
@@ -36,7 +35,6 @@ Outcome<LoadedWorld> open_recording(const fs::path& path, const Overrides& overr
     if (!found) return tl::unexpected(found.error());
     auto recording = read_recording(*found, overrides.memory);
     if (!recording) return tl::unexpected(recording.error());
-    renew(*recording);
     LoadedWorld loaded;
     loaded.memory = overrides.memory;
     loaded.name = found->stem().string();

@@ -32,7 +32,7 @@ Session::Session(const Scenario& scenario, const sim::StepOptions& options)
     : state_(sim::make_state(initial_state_of(scenario), scenario.params)),
       engine_(std::make_unique<sim::Engine>(state_, options)),
       densities_(densities_of(scenario)),
-      structures_(scenario.structures, view()) {
+      structures_(view()) {
     peaks_.depth.assign(state_.grid.size(), 0.f);
     peaks_.speed_plan.assign(state_.grid.size(), 0.f);
     peaks_.speed_slope.assign(state_.grid.size(), 0.f);

@@ -141,7 +141,7 @@ class Session {
     bool lacks_state() const;
     Outcome<void> write_state();
     void watch();
-    void watch_structures() { structures_.watch(view(), peaks_.pressure, peaks_.depth); }
+    void watch_structures() { structures_.watch(view()); }
     void advance_fronts();
     void advance_powder(std::span<const sim::Command> commands, bool rests);
 

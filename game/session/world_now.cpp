@@ -163,7 +163,7 @@ Outcome<Scenario> scenario_of_now(const Scenario& initial, const sim::State& sta
             return unusable(fmt::format("a layer is {:.1f} m deep, and a world starts with at most {:g} m",
                                         deepest, sim::kDeepest / 2));
     if (state.mixture) take_mixture(*state.mixture, *now.lower);
-    if (state.things) take_things(*state.things, now.woods_act, now.standing);
+    if (state.things) take_things(*state.things, now.woods_act(), now.standing);
     if (now.standing.placed.size() > kMostPlaced)
         return unusable(fmt::format("{} objects stand, and a world starts with at most {}",
                                     now.standing.placed.size(), kMostPlaced));

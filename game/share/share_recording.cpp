@@ -9,7 +9,6 @@
 #include "game/recording/command_source.h"
 #include "game/recording/reader.h"
 #include "game/scene/shipped_look.h"
-#include "game/session/renew.h"
 
 namespace game {
 
@@ -32,7 +31,6 @@ Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const 
                                   std::atomic<float>* progress) {
     auto read = read_recording(recording);
     if (!read) return tl::unexpected(read.error());
-    renew(*read);
     if (auto taken = take_look(LookFrom::kShipped, read->header.scenario); !taken)
         return tl::unexpected(taken.error());
     const Scenario& scenario = read->header.scenario;

@@ -268,7 +268,7 @@ std::optional<std::string> beyond_pages(const Scenario& scenario, const sim::Sta
             if (now.things->earth(x, y) != 0) return "sculpted ground";
             const sim::Stems stems = now.things->forest(x, y);
             const sim::Stems begun =
-                scenario.woods_act && first.things ? first.things->forest(x, y) : sim::Stems();
+                scenario.woods_act() && first.things ? first.things->forest(x, y) : sim::Stems();
             if (stems.standing + stems.lying > begun.standing + begun.lying) return "planted forest";
         }
     return std::nullopt;
@@ -348,7 +348,7 @@ struct SlidePage::Parts {
     Outcome<void> give(const Session& session, const Pack& pack) {
         if (auto shown = check_things(session.state()); !shown) return shown;
         given = session.state().tick;
-        return packing.give([pack, moment = std::make_shared<const Moment>(session, scenario.woods_act)] {
+        return packing.give([pack, moment = std::make_shared<const Moment>(session, scenario.woods_act())] {
             return pack(*moment);
         });
     }

@@ -103,67 +103,6 @@ void add_station_windows(const BuildingSite& site, StructureBuilder& into, vec3 
     add_windows(site, into, {middle, right, 2, 3}, BUILT_WINDOW);
 }
 
-void add_hut(const BuildingSite& site, std::vector<StructureVertex>& faces, OpenPart& part) {
-    StructureBuilder hut(faces, site.pose(), site.own(0));
-    const float long_ = static_cast<float>(kHutLength) / 2 - 0.6f * site.own(1);
-    const float wide = static_cast<float>(kHutWidth) / 2 - 0.7f * site.own(2);
-    const float eave = 4.9f - 0.8f * site.own(3), ridge = eave + 0.47f * wide, base = 0.9f, deep = 6;
-    if (site.state() == StructureState::kDestroyed) {
-        hut.box({0, 0, (base - deep) / 2}, {wide + 0.1f, long_ + 0.1f, (base + deep) / 2}, BUILT_STONE);
-        add_debris(site, hut, 34, 10, 7);
-        return;
-    }
-    const bool whole = site.state() == StructureState::kIntact;
-
-    hut.box({0, 0, (base - deep) / 2}, {wide + 0.12f, long_ + 0.12f, (base + deep) / 2}, BUILT_STONE);
-    const auto wall = [&](vec3 a, vec3 b) {
-        hut.quad({a, b, b + vec3(0, 0, eave - base), a + vec3(0, 0, eave - base)}, BUILT_WOOD, 1, 0.62f);
-    };
-    const vec3 back_left(-wide, -long_, base), back_right(wide, -long_, base), front_right(wide, long_, base),
-        front_left(-wide, long_, base);
-    wall(back_left, back_right), wall(back_right, front_right), wall(front_right, front_left),
-        wall(front_left, back_left);
-    const vec3 up(0, 0, eave - base);
-    hut.triangle(back_left + up, back_right + up, {0, -long_, ridge}, BUILT_WOOD);
-    hut.triangle(front_right + up, front_left + up, {0, long_, ridge}, BUILT_WOOD);
-
-    // Behind a broken window there is no light.
-    const int glass = whole ? BUILT_WINDOW : BUILT_DARK;
-    const vec3 right(1, 0, 0), front(0, 1, 0);
-    const Windows rows[] = {{{0, long_, base + 3.1f}, -right, 3, 2.3f},
-                            {{-1.4f, long_, base + 1.1f}, -right, 2, 2.3f},
-                            {{wide, 0, base + 1.5f}, front, 3, 2.8f},
-                            {{-wide, 0, base + 1.5f}, -front, 3, 2.8f},
-                            {{0, -long_, base + 1.5f}, right, 2, 2.8f}};
-    for (const Windows& row : rows) add_windows(site, hut, row, glass);
-
-    const Gable roof{wide, long_, eave, ridge};
-    add_roof(site, hut, roof, -1, 0, 1);
-    if (whole) {
-        add_roof(site, hut, roof, 1, 0, 1);
-    } else {
-        // Half of the other side is gone: rafters stand bare, and boards lie around.
-        add_roof(site, hut, roof, 1, 0, 0.45f);
-        for (int i = 0; i < 4; ++i) {
-            const float y = long_ * (0.05f + 0.3f * static_cast<float>(i));
-            StructureBuilder rafter = hut;
-            const vec3 low(wide + 0.5f, y, eave - 0.25f), high(0, y, ridge - 0.05f), thick(0, 0.16f, 0);
-            rafter.prism({low, low + thick, high + thick, high}, {0, 0, 0.2f}, BUILT_WOOD, BUILT_WOOD);
-        }
-        add_debris(site, hut, 12, 8, 5);
-    }
-    hut.box({-0.4f * wide, -0.35f * long_, ridge - 0.3f}, {0.45f, 0.45f, 1.1f}, BUILT_STONE);
-
-    part.begin_details();
-    for (const Windows& row : rows) add_shutters(hut, row);
-    hut.quad({vec3(3, long_ + 0.04f, base), vec3(2, long_ + 0.04f, base), vec3(2, long_ + 0.04f, base + 2.1f),
-              vec3(3, long_ + 0.04f, base + 2.1f)},
-             BUILT_DARK);
-    // A balcony under the gable.
-    hut.box({0, long_ + 0.6f, base + 2.2f}, {wide, 0.6f, 0.08f}, BUILT_WOOD);
-    hut.box({0, long_ + 1.15f, base + 2.7f}, {wide, 0.05f, 0.35f}, BUILT_WOOD);
-}
-
 namespace {
 
 // How a house of a material looks.

@@ -6,9 +6,6 @@
 
 namespace render {
 
-// A hut of wood on a base of stone, the same size for all but for a little.
-void add_hut(const BuildingSite& site, std::vector<StructureVertex>& faces, OpenPart& part);
-
 // A house of the size, material and state of its structure. `simple`: with few windows and little debris.
 void add_house(const BuildingSite& site, std::vector<StructureVertex>& faces, OpenPart& part, bool simple);
 

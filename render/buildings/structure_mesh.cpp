@@ -21,8 +21,9 @@ constexpr float kLongestBuiltShadow = 60;  // m
 
 void add_station(const BuildingSite& site, std::vector<StructureVertex>& faces) {
     StructureBuilder station(faces, site.pose(), site.own(0));
-    const float long_ = static_cast<float>(kStationLength) / 2, wide = static_cast<float>(kStationWidth) / 2;
-    const float high = static_cast<float>(kStationHeight), deep = 6;
+    const float long_ = static_cast<float>(sim::kStationLength) / 2,
+                wide = static_cast<float>(sim::kStationWidth) / 2;
+    const float high = static_cast<float>(sim::kStationHeight), deep = 6;
     station.box({0, 0, (0.3f - deep) / 2}, {wide, long_, (0.3f + deep) / 2}, BUILT_STONE);
     if (site.state() == StructureState::kDestroyed) {
         add_debris(site, station, 22, 9, 6);
@@ -59,7 +60,7 @@ Pose leaning(const BuildingSite& site) {
 }
 
 void add_pylon(const BuildingSite& site, std::vector<StructureVertex>& faces) {
-    const float high = static_cast<float>(kPylonHeight);
+    const float high = static_cast<float>(sim::kPylonHeight);
     StructureBuilder foot(faces, site.pose(), site.own(0));
     foot.box({0, 0, -2.2f}, {0.9f, 0.9f, 2.6f}, BUILT_STONE);
     StructureBuilder mast = foot.in(leaning(site));
@@ -81,7 +82,7 @@ void add_pylon(const BuildingSite& site, std::vector<StructureVertex>& faces) {
 
 RopeHead rope_head(const BuildingSite& site, StructureKind kind) {
     const bool pylon = kind == StructureKind::kPylon;
-    const float z = static_cast<float>(pylon ? kPylonHeight - 0.4 : kStationHeight - 3.1);
+    const float z = static_cast<float>(pylon ? sim::kPylonHeight - 0.4 : sim::kStationHeight - 3.1);
     const Pose pose = pylon ? leaning(site) : site.pose();
     const bool holds = site.state() != StructureState::kDestroyed;
     return {pose.at({-kRopesApart / 2, 0, z}), pose.at({kRopesApart / 2, 0, z}), holds};
@@ -96,15 +97,14 @@ void add_rope(vec3 from, vec3 to, float half, std::vector<RopeVertex>& ropes) {
 }
 
 // A rope between two heads, with the chairs that hang from it.
-void add_span(vec3 from, vec3 to, bool holds, float first_chair, StructureMesh& mesh) {
+void add_span(vec3 from, vec3 to, float first_chair, StructureMesh& mesh) {
     constexpr int kPieces = 8;
     constexpr float kRopeHalf = 0.035f, kChairsApart = 24;
-    const float length = glm::distance(from, to), sag = (holds ? 0.02f : 0.07f) * length;
+    const float length = glm::distance(from, to), sag = 0.02f * length;
     const auto at = [&](float t) { return glm::mix(from, to, t) - vec3(0, 0, 4 * sag * t * (1 - t)); };
     for (int i = 0; i < kPieces; ++i)
         add_rope(at(static_cast<float>(i) / kPieces), at(static_cast<float>(i + 1) / kPieces), kRopeHalf,
                  mesh.ropes);
-    if (!holds) return;
     const vec3 flat = glm::normalize(vec3(glm::vec2(to - from), 0));
     OpenPart chairs(mesh);
     chairs.begin_details();
@@ -138,14 +138,13 @@ void add_lift(const Structures& structures, const Lift& lift, const FirstSurface
         const Structure &lower = structures.all[i], &upper = structures.all[i + 1];
         const RopeHead a = rope_head(BuildingSite(lower, surface, i), lower.kind),
                        b = rope_head(BuildingSite(upper, surface, i + 1), upper.kind);
-        const bool holds = a.holds && b.holds;
-        if (lift.tears && !holds) {
+        if (!a.holds || !b.holds) {
             if (a.holds) add_torn_ropes(a, b, surface, mesh.ropes);
             if (b.holds) add_torn_ropes(b, a, surface, mesh.ropes);
             continue;
         }
-        add_span(a.left, b.left, holds, 8, mesh);
-        add_span(b.right, a.right, holds, 16, mesh);
+        add_span(a.left, b.left, 8, mesh);
+        add_span(b.right, a.right, 16, mesh);
     }
 }
 
@@ -398,17 +397,17 @@ void add_shadows(const BuildingSite& site, const vec3& sun, bool detailed,
         add_shadow(site, block({-2.8f, -0.5f, high - 0.6f}, {2.8f, 0.5f, high}), sun, kAsItIs, shadows);
         return;
     }
-    const bool house = kind == StructureKind::kHouse, hut = kind == StructureKind::kHut;
-    const bool gable = hut || (house && site.structure().material != HouseMaterial::kConcrete);
+    const bool house = kind == StructureKind::kHouse;
+    const bool gable = house && site.structure().material != HouseMaterial::kConcrete;
     const float shorter = std::min(half.x, half.y);
-    const float over = hut ? 0.7f : gable ? std::min(0.7f, 0.2f * shorter) : 0.f;
-    const float eave = hut ? high - 2.6f : gable ? high - std::min(0.5f * shorter, 0.42f * high) : high;
+    const float over = gable ? std::min(0.7f, 0.2f * shorter) : 0.f;
+    const float eave = gable ? high - std::min(0.5f * shorter, 0.42f * high) : high;
     std::vector<vec3> corners =
         block({-half.y - over, -half.x - over, 0}, {half.y + over, half.x + over, eave});
     if (gable)
         for (const float end : {-1.f, 1.f})
-            corners.push_back(pose.at(house && half.y > half.x ? vec3(end * (half.y + over), 0, high)
-                                                               : vec3(0, end * (half.x + over), high)));
+            corners.push_back(pose.at(half.y > half.x ? vec3(end * (half.y + over), 0, high)
+                                                      : vec3(0, end * (half.x + over), high)));
     add_shadow(site, corners, sun, !house ? kAsItIs : detailed ? kPiece : kSimplePiece, shadows);
 }
 
@@ -429,9 +428,6 @@ StructureMesh structure_mesh(const Structures& structures, const BuildingGround&
         const BuildingSite site(structure, surface, i);
         OpenPart part(mesh);
         switch (structure.kind) {
-            case StructureKind::kHut:
-                add_hut(site, mesh.faces, part);
-                break;
             case StructureKind::kHouse:
                 add_house(site, mesh.faces, part, !are_detailed(structures));
                 break;

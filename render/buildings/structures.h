@@ -5,10 +5,11 @@
 
 #include <glm/vec2.hpp>
 
+#include "sim/world/things.h"
+
 namespace render {
 
 enum class StructureKind {
-    kHut,      // of wood, on a base of stone
     kStation,  // of a chairlift, at either end
     kPylon,    // of a chairlift
     kHouse,    // of any size and material
@@ -37,7 +38,7 @@ constexpr HouseMaterial material_of(double strength) {
 
 // Something that people have built. Places are metres from vertex (0, 0).
 struct Structure {
-    StructureKind kind = StructureKind::kHut;
+    StructureKind kind = StructureKind::kHouse;
     glm::dvec2 at{0};        // its middle
     double heading_deg = 0;  // of its front, or along the rope: 0 north, 90 east
     StructureState state = StructureState::kIntact;
@@ -54,11 +55,10 @@ struct Road {
     bool operator==(const Road&) const = default;
 };
 
-// A chairlift: `count` of Structures::all, in a row, between which its rope hangs. A station at either end.
+// A chairlift: `count` of Structures::all, in a row, between which its rope hangs. A station at either end. Where one
+// is destroyed, the rope tears: of the span beside it only the end at the other one is left.
 struct Lift {
     std::size_t first = 0, count = 0;
-    // Where a station or pylon is destroyed, the rope tears: of the span beside it only the end at the other one is left.
-    bool tears = false;
     bool operator==(const Lift&) const = default;
 };
 
@@ -81,37 +81,28 @@ struct Structures {
     bool operator==(const Structures&) const = default;
 };
 
-// Sizes, m.
-inline constexpr double kHutLength = 11, kHutWidth = 9, kHutHeight = 7.5;
-inline constexpr double kStationLength = 9, kStationWidth = 7, kStationHeight = 7;
-inline constexpr double kPylonHeight = 14;
-
 // Half of the length (along the heading) and of the width of what stands on the ground, m.
 constexpr glm::dvec2 half_footprint(const Structure& structure) {
     switch (structure.kind) {
         case StructureKind::kHouse:
             return {structure.length_m / 2, structure.width_m / 2};
-        case StructureKind::kHut:
-            return {kHutLength / 2, kHutWidth / 2};
         case StructureKind::kStation:
-            return {kStationLength / 2, kStationWidth / 2};
+            return {sim::kStationLength / 2, sim::kStationWidth / 2};
         case StructureKind::kPylon:
             break;
     }
-    return {0.6, 0.6};
+    return glm::dvec2(sim::kPylonWidth / 2);
 }
 constexpr double height_of(const Structure& structure) {
     switch (structure.kind) {
         case StructureKind::kHouse:
             return structure.height_m;
-        case StructureKind::kHut:
-            return kHutHeight;
         case StructureKind::kStation:
-            return kStationHeight;
+            return sim::kStationHeight;
         case StructureKind::kPylon:
             break;
     }
-    return kPylonHeight;
+    return sim::kPylonHeight;
 }
 
 }  // namespace render

@@ -146,6 +146,14 @@ const CommandInfo& info_of(CommandKind kind) {
     return kCommands[static_cast<std::size_t>(kind)];
 }
 
+Command usual_command(CommandKind kind) {
+    Command command;
+    command.kind = kind;
+    for (const CommandNumber& number : info_of(kind).numbers)
+        if (number.usual != 0) command.*number.value = number.usual;
+    return command;
+}
+
 std::optional<CommandInfo> command_from(std::string_view name) {
     for (const CommandInfo& info : kCommands)
         if (info.name == name) return info;

@@ -65,6 +65,7 @@ struct CommandNumber {
     double Command::*value;
     double least, most;
     std::string_view meaning;
+    double usual = 0;  // where a table of things leaves it out and where a tool begins; 0: none
 };
 
 inline constexpr double kFarthest = 1e7;  // m, any coordinate
@@ -141,9 +142,9 @@ inline constexpr CommandNumber kPlantNumbers[] = {
     {"y", "m", &Command::y, -kFarthest, kFarthest, "centre, north of the south-west vertex"},
     {"radius", "m", &Command::radius, 0, 1e5,
      "radius of the disc; if below one cell, only the nearest vertex is planted"},
-    {"stems", "1/ha", &Command::stems, 1, 2000, "stems per hectare"},
-    {"diameter", "m", &Command::diameter, 0.1, 0.6, "of a stem"},
-    {"height", "m", &Command::height, 5, 35, "of a tree"},
+    {"stems", "1/ha", &Command::stems, 1, 2000, "stems per hectare", 400},
+    {"diameter", "m", &Command::diameter, 0.1, 0.6, "of a stem", 0.3},
+    {"height", "m", &Command::height, 5, 35, "of a tree", 22},
 };
 inline constexpr CommandNumber kFellNumbers[] = {
     {"x", "m", &Command::x, -kFarthest, kFarthest, "centre, east of the south-west vertex"},
@@ -155,11 +156,11 @@ inline constexpr CommandNumber kHouseNumbers[] = {
     {"x", "m", &Command::x, -kFarthest, kFarthest, "middle, east of the south-west vertex"},
     {"y", "m", &Command::y, -kFarthest, kFarthest, "middle, north of the south-west vertex"},
     {"turn", "deg", &Command::turn, -360, 360, "direction of its front: 0 north, 90 east"},
-    {"length", "m", &Command::length, 3, 200, "along its front's direction"},
-    {"width", "m", &Command::width, 3, 200, "across it"},
-    {"height", "m", &Command::height, 2, 30, "of its roof"},
+    {"length", "m", &Command::length, 3, 200, "along its front's direction", 11},
+    {"width", "m", &Command::width, 3, 200, "across it", 9},
+    {"height", "m", &Command::height, 2, 30, "of its roof", 7.5},
     {"strength", "kPa", &Command::strength, 0.5, 1000,
-     "load that destroys it: glass 1, wood 5, brick 10, concrete 30"},
+     "load that destroys it: glass 1, wood 5, brick 10, concrete 30", 5},
 };
 inline constexpr CommandNumber kLiftNumbers[] = {
     {"x", "m", &Command::x, -kFarthest, kFarthest, "valley station, east of the south-west vertex"},
@@ -172,15 +173,15 @@ inline constexpr CommandNumber kNetNumbers[] = {
     {"y", "m", &Command::y, -kFarthest, kFarthest, "one end, north of the south-west vertex"},
     {"to_x", "m", &Command::to_x, -kFarthest, kFarthest, "other end, east of the south-west vertex"},
     {"to_y", "m", &Command::to_y, -kFarthest, kFarthest, "other end, north of the south-west vertex"},
-    {"height", "m", &Command::height, 2, 6, "of the nets"},
-    {"strength", "kPa", &Command::strength, 0.5, 1000, "load that destroys a piece of one cell"},
+    {"height", "m", &Command::height, 2, 6, "of the nets", 3},
+    {"strength", "kPa", &Command::strength, 0.5, 1000, "load that destroys a piece of one cell", 30},
 };
 inline constexpr CommandNumber kRoadNumbers[] = {
     {"x", "m", &Command::x, -kFarthest, kFarthest, "one end, east of the south-west vertex"},
     {"y", "m", &Command::y, -kFarthest, kFarthest, "one end, north of the south-west vertex"},
     {"to_x", "m", &Command::to_x, -kFarthest, kFarthest, "other end, east of the south-west vertex"},
     {"to_y", "m", &Command::to_y, -kFarthest, kFarthest, "other end, north of the south-west vertex"},
-    {"width", "m", &Command::width, 2, 30, "of the road"},
+    {"width", "m", &Command::width, 2, 30, "of the road", 6},
 };
 inline constexpr CommandNumber kTurnNumbers[] = {
     {"x", "m", &Command::x, -kFarthest, kFarthest, "a place on the house, east of the south-west vertex"},
@@ -240,6 +241,14 @@ inline constexpr CommandInfo kCommands[] = {
 };
 
 const CommandInfo& info_of(CommandKind kind);
+// What a number of a command usually is; 0 if there is nothing usual.
+constexpr double usual_of(CommandKind kind, double Command::*value) {
+    for (const CommandNumber& number : kCommands[static_cast<std::size_t>(kind)].numbers)
+        if (number.value == value) return number.usual;
+    return 0;
+}
+// A command whose numbers are the usual ones, at no place yet.
+Command usual_command(CommandKind kind);
 std::optional<CommandInfo> command_from(std::string_view name);
 std::string_view to_string(Layer layer);
 std::string_view to_string(Profile profile);

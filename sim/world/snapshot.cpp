@@ -37,9 +37,9 @@ void restore_things(const Snapshot& snapshot, State& s) {
 }  // namespace
 
 Snapshot take_snapshot(const State& s) {
-    return {s.params,      s.depth,        s.rolling, s.velocity_x,       s.velocity_y,
-            s.first_depth, s.smooth_depth, s.tick,    s.running_commands, s.seed,
-            s.ledger,      s.mixture,      s.limited, standing_in(s)};
+    return {s.params,      s.depth,        s.rolling,     s.velocity_x,       s.velocity_y,
+            s.first_depth, s.smooth_depth, s.tick,        s.running_commands, s.ledger,
+            s.mixture,     s.limited,      standing_in(s)};
 }
 
 void restore(const Snapshot& snapshot, State& s) {
@@ -53,7 +53,6 @@ void restore(const Snapshot& snapshot, State& s) {
     s.smooth_depth = snapshot.smooth_depth;
     s.tick = snapshot.tick;
     s.running_commands = snapshot.running_commands;
-    s.seed = snapshot.seed;
     s.ledger = snapshot.ledger;
     s.mixture = snapshot.mixture;
     s.limited = snapshot.limited;

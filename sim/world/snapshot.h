@@ -15,7 +15,6 @@ struct Snapshot {
     Field<float> depth, rolling, velocity_x, velocity_y, first_depth, smooth_depth;  // as in State
     std::int64_t tick = 0;
     std::vector<RunningCommand> running_commands;
-    std::uint64_t seed = 0;
     Ledger ledger;
     std::optional<Mixture> mixture;
     std::int64_t limited = 0;

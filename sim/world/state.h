@@ -33,8 +33,7 @@ struct State : Layers<float> {
 
     std::int64_t tick = 0;                         // ticks done
     std::vector<RunningCommand> running_commands;  // running, in the order in which they were given
-    std::uint64_t seed = 0;  // of randomness, kept and hashed; nothing draws from it yet
-    Ledger ledger;           // where the mass is
+    Ledger ledger;                                 // where the mass is
 
     std::optional<Mixture> mixture;  // of a world of two materials
     std::optional<Things> things;    // of a world where anything stands or was sculpted

@@ -47,6 +47,15 @@ class Playing : public testing::Test {
         for (int i = 0; i < count; ++i) ASSERT_TRUE(app_->frame());
     }
 
+    // Lets time pass in a small window, because what takes long here is drawing.
+    void pass(int count) {
+        const ScreenSize before = screen_.size();
+        screen_.resize_to(160, 90);
+        frames(count);
+        screen_.resize_to(before.width, before.height);
+        frames(2);
+    }
+
     void tap(Key key, Modifiers with = {}) {
         screen_.tap(key, with);
         frames(1);
@@ -142,6 +151,7 @@ TEST_F(Playing, passes_time_slower_where_a_slide_breaks_loose_and_lets_the_camer
     frames(30);
     EXPECT_NEAR(static_cast<double>(state().tick - before), 15, 1);
     EXPECT_TRUE(app_->panels().find("slow: 0.5 ×"));
+    screen_.resize_to(160, 90);
     frames(60);
     EXPECT_EQ(app_->clock().pace(), 1);
     tap(key('V'));
@@ -801,7 +811,7 @@ TEST_F(Playing, tells_that_nothing_lies_on_bare_ground_and_covers_it_if_asked) {
     EXPECT_EQ(last_notice(), "Nothing lies here that could be dug away");
     tap(key('3'));
     screen_.happen({WheelEvent{5, {}}});
-    frames(60);
+    pass(60);
     const render::Camera near = app_->camera();
     click("Cover it with 1 m");
     EXPECT_GT(mass().standing, 0);
@@ -1001,7 +1011,7 @@ TEST_F(Playing, tells_what_a_slide_in_free_play_came_to_and_goes_back_to_before_
     tap(key('3'));
     stroke(1);
     EXPECT_FALSE(shows("Verdict"));
-    for (int i = 0; i < 100 && !shows("Verdict"); ++i) frames(5);
+    for (int i = 0; i < 25 && !shows("Verdict"); ++i) pass(20);
     EXPECT_TRUE(shows("Verdict"));
     EXPECT_TRUE(shows("Swept along"));
     EXPECT_FALSE(sim::at_rest(state())) << "creep is not waited for";
@@ -1011,7 +1021,7 @@ TEST_F(Playing, tells_what_a_slide_in_free_play_came_to_and_goes_back_to_before_
     EXPECT_FALSE(shows("Verdict"));
 
     stroke(1);  // another one
-    for (int i = 0; i < 100 && !shows("Verdict"); ++i) frames(5);
+    for (int i = 0; i < 25 && !shows("Verdict"); ++i) pass(20);
     const std::int64_t ended = state().tick;
     click("Again");
     EXPECT_FALSE(shows("Verdict"));
@@ -1024,7 +1034,7 @@ TEST_F(Playing, saves_the_world_as_it_stands_and_begins_it_again) {
     begin("winter-valley", 40);
     tap(key('3'));
     blast_at(640, 330);
-    frames(60);
+    pass(60);
     ASSERT_GT(mass().rolling, 0);
     tap(function_key(2));
     frames(3);
@@ -1077,7 +1087,7 @@ TEST_F(Playing, makes_a_challenge_of_a_slide_that_can_be_watched_and_then_tried)
     for (int i = 0; i < 4; ++i) tap(Key::kEqual);
     tap(key('3'));
     blast_at(640, 330);
-    for (int i = 0; i < 100 && !shows("Verdict"); ++i) frames(5);
+    for (int i = 0; i < 25 && !shows("Verdict"); ++i) pass(20);
     ASSERT_TRUE(shows("Make it a challenge"));
     click("Make it a challenge");
     for (int i = 0; i < 3000 && app_->is_making_challenge(); ++i) {
@@ -1109,7 +1119,7 @@ TEST_F(Playing, makes_a_challenge_of_a_slide_that_can_be_watched_and_then_tried)
     const std::int64_t begun = state().tick;
     blast_at(640, 330);
     for (int i = 0; i < 4; ++i) tap(Key::kEqual);
-    for (int i = 0; i < 200 && !shows("Verdict"); ++i) frames(5);
+    for (int i = 0; i < 50 && !shows("Verdict"); ++i) pass(20);
     ASSERT_TRUE(shows("Verdict"));
     EXPECT_TRUE(shows("Try again"));
     ASSERT_EQ(app_->best_runs().size(), 1u) << last_notice() << begun;
@@ -1162,7 +1172,7 @@ TEST_F(FirstMinute, leads_to_a_first_challenge_by_real_keys_and_clicks) {
     stroke(1);
     EXPECT_EQ(app_->guide()->step(), Guide::Step::kRewind);
     const auto close_card = [&] {  // in whose place this small window shows the hint
-        for (int i = 0; i < 60 && !shows("Verdict"); ++i) frames(10);
+        for (int i = 0; i < 30 && !shows("Verdict"); ++i) pass(20);
         click("Look around");
         frames(2);
     };
@@ -1233,7 +1243,7 @@ class PlayingAChallenge : public Playing {
         return referee.decide();
     }
     void go_on_to_the_card() {
-        for (int i = 0; i < 2000 && !shows("Verdict"); ++i) frames(1);
+        for (int i = 0; i < 100 && !shows("Verdict"); ++i) pass(20);
         ASSERT_TRUE(shows("Verdict"));
     }
 
@@ -1399,7 +1409,7 @@ TEST_F(PlayingAChallenge, keeps_a_try_once_even_if_it_is_undone_and_done_again) 
     EXPECT_EQ(app_->best_runs().size(), 1u);
     tap(key('Z'), {.control = true});
     tap(key('Y'), {.control = true});
-    for (int i = 0; i < 2000 && state().tick < 190; ++i) frames(1);
+    for (int i = 0; i < 100 && state().tick < 190; ++i) pass(20);
     EXPECT_EQ(app_->best_runs().size(), 1u);
 }
 
@@ -1413,7 +1423,7 @@ TEST_F(PlayingAChallenge, keeps_no_run_that_is_only_watched) {
     ASSERT_TRUE(app_->sandbox().watches());
     EXPECT_EQ(app_->best_runs().size(), 1u) << "it is a run of the same challenge";
     go_on_to_the_card();
-    for (int i = 0; i < 300; ++i) frames(1);
+    pass(300);
     ASSERT_EQ(app_->best_runs().size(), 1u);
     EXPECT_EQ(app_->best_runs().front().file, before);
 }
@@ -1786,6 +1796,7 @@ TEST_F(Sending, says_that_a_slide_has_come_to_rest_and_how_to_share_it) {
     begin("alpine-valley", 40);
     stroke(20);
     for (int i = 0; i < 4; ++i) tap(Key::kEqual);
+    screen_.resize_to(160, 90);
     wait_until_told("come to rest");
     EXPECT_NE(last_notice().find("F10"), std::string::npos) << last_notice();
 }

@@ -104,7 +104,7 @@ TEST_F(ThingsSheet, chairlifts) {
     for (int column = 0; column < 4; ++column) {
         const auto [valley, pylon] = kValleyAndPylon[column];
         const glm::dvec2 at(81 + 30 * column, 90), up(0, 38);
-        structures_.lifts.push_back({structures_.all.size(), 3, pylon == StructureState::kDestroyed});
+        structures_.lifts.push_back({structures_.all.size(), 3});
         structures_.all.push_back({StructureKind::kStation, at, 0, valley});
         structures_.all.push_back({StructureKind::kPylon, at + up, 0, pylon});
         structures_.all.push_back({StructureKind::kStation, at + 2.0 * up, 180, StructureState::kIntact});

@@ -1,5 +1,5 @@
-// Frames with trees and a hut after seeking, and both under an avalanche: as recordings of before 1.7 have them, for
-// the eye alone.
+// Frames with a house and with trees for the eye alone, as snow-avalanche has them: after seeking, and both under an
+// avalanche.
 
 #include "game/scene/mountains.h"
 #include "tests/game/drawn_scene.h"
@@ -11,9 +11,13 @@ class TreesUnderAvalanche : public DrawnScene {
   protected:
     void SetUp() override {
         DrawnScene::SetUp();
-        scene_.scenario.standing = {}, scene_.scenario.woods_act = false;
+        sim::Command house;
+        house.kind = sim::CommandKind::kHouse;
+        house.x = 1040, house.y = 1130;
+        house.length = 11, house.width = 9, house.height = 7.5, house.strength = 5;
+        scene_.scenario.standing = {};
+        scene_.scenario.standing.placed = {house};
         scene_.scenario.trees = {.density = 3000, .line_m = 2100, .seed = 1};
-        scene_.scenario.structures.all.push_back({render::StructureKind::kHut, {1040, 1130}});
         mountains_ = mountains_around(scene_.scenario);
         woods_ = woods_on(scene_.scenario, mountains_);
     }

@@ -41,7 +41,7 @@ void expect_whole_files_only(const fs::path& folder, const std::string& whole) {
     if (!fs::exists(folder)) return;
     for (const auto& entry : fs::directory_iterator(folder)) {
         const std::string bytes = read_bytes(entry.path());
-        const bool is_recording = bytes.rfind("{\"format\":\"couloir recording\"", 0) == 0;
+        const bool is_recording = bytes.rfind("{\"format\":\"couloir\"", 0) == 0;
         if (is_recording) {
             EXPECT_EQ(bytes.back(), '\n') << entry.path();
             EXPECT_TRUE(read_recording(entry.path())) << entry.path();

@@ -254,7 +254,7 @@ TEST_F(DamagedRecording, with_a_key_twice_in_any_object_is_refused_with_the_key)
         const std::string sentence = refused_at(line + 1, read(chained(changed)));
         EXPECT_NE(sentence.find("the key '" + key + "' twice"), std::string::npos) << sentence;
     };
-    expect_refused(0, R"("format":"couloir recording",)", R"("format":"couloir recording",)", "format");
+    expect_refused(0, R"("format":"couloir",)", R"("format":"couloir",)", "format");
     expect_refused(0, R"("physics":{)", R"("tick_s":1,)", "tick_s");
     expect_refused(1, "{", R"("hash":"0",)", "hash");
     const auto command = std::ranges::find_if(
@@ -265,7 +265,7 @@ TEST_F(DamagedRecording, with_a_key_twice_in_any_object_is_refused_with_the_key)
 }
 
 TEST_F(DamagedRecording, nested_deeper_than_any_recording_is_refused) {
-    std::string nested = R"({"format":"couloir recording","a":)";
+    std::string nested = R"({"format":"couloir","a":)";
     for (int depth = 0; depth < 10000; ++depth) nested += "{\"a\":";
     nested += "1" + std::string(10000, '}');
     auto bodies = bodies_of(whole_);
@@ -300,7 +300,7 @@ TEST_F(DamagedRecording, with_an_endless_line_is_refused_before_it_is_read) {
 }
 
 TEST_F(DamagedRecording, that_begins_with_a_line_of_a_gigabyte_takes_no_memory) {
-    for (const std::string beginning : {"", "[[[[[[[[", R"({"format":"couloir recording","a":")"}) {
+    for (const std::string beginning : {"", "[[[[[[[[", R"({"format":"couloir","a":")"}) {
         write_bytes(path_, beginning);
         std::filesystem::resize_file(path_, 1u << 30);  // zeros without a line break
         const std::size_t before = most_memory();

@@ -37,7 +37,6 @@ Scenario small_scenario() {
             scenario.has_data.push_back(x + y > 2 ? 1 : 0);
         }
     scenario.georeference = terrains::Georeference::local({47.3, 11.43}, -12.5, 1.0 / 3);
-    scenario.seed = 0xfedcba9876543210u;
     scenario.look.standing = {0.1f, 1.f / 3.f, 0.7f};
     scenario.look.flow = render::FlowLook{render::FlowPattern::kSoil};
     scenario.light = {255.1, 1.0 / 0.3};

@@ -12,7 +12,6 @@
 #include "game/recording/reader.h"
 #include "game/scene/material.h"
 #include "game/scene/standing.h"
-#include "game/session/renew.h"
 #include "game/session/session.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"
@@ -75,15 +74,14 @@ TEST_F(ForgedHeader, of_a_newer_major_version_is_refused_with_the_version) {
     }
 }
 
-TEST_F(ForgedHeader, of_an_older_minor_version_may_lack_newer_keys) {
-    const char* const later[] = {"law", "exchange_depth", "shear_rate", "anchor_step", "friction", "drag"};
-    for (const char* name : later) header_["physics"].erase(name);
-    EXPECT_NE(refused(header_).find("has no "), std::string::npos);
-    header_["version"] = {1, 0};
-    const auto recording = read(header_);
-    ASSERT_TRUE(recording) << recording.error().sentence;
-    EXPECT_EQ(recording->header.scenario.params.law, sim::Law::kConstant);
-    EXPECT_EQ(recording->header.scenario.params.exchange_depth, sim::Params{}.exchange_depth);
+// Its chain is whole, and so is the file: it is not damaged, and a program of then reads it.
+TEST_F(ForgedHeader, of_before_the_first_release_is_refused_and_told_which_program_reads_it) {
+    header_["format"] = "couloir recording";
+    header_["version"] = {1, 9};
+    const std::string sentence = refused(header_);
+    EXPECT_NE(sentence.find("recorded before Couloir 0.1.0"), std::string::npos) << sentence;
+    EXPECT_NE(sentence.find("the program of commit"), std::string::npos) << sentence;
+    EXPECT_EQ(sentence.find("damaged"), std::string::npos) << sentence;
 }
 
 // What an older program cannot read of it is not damage.
@@ -151,11 +149,11 @@ TEST_F(ForgedHeader, keeps_its_valid_origin_and_refuses_an_invalid_one) {
     EXPECT_FALSE(read(header_)->header.parent || read(header_)->header.rewritten_from);
     Json told = header_;
     told["parent"] = {{"name", "valley"}, {"tick", 60}, {"change", "the pour is left out"}};
-    told["rewritten_from"] = {{"version", {1, 2}}, {"physics_version", 2}, {"program", "couloir 0.0.9"}};
+    told["rewritten_from"] = {{"version", {1, 0}}, {"physics_version", 2}, {"program", "couloir 0.0.9"}};
     const auto recording = read(told);
     ASSERT_TRUE(recording) << recording.error().sentence;
     EXPECT_EQ(recording->header.parent, (Parent{"valley", 60, "the pour is left out"}));
-    EXPECT_EQ(recording->header.rewritten_from, (Origin{2, 2, "couloir 0.0.9"}));
+    EXPECT_EQ(recording->header.rewritten_from, (Origin{0, 2, "couloir 0.0.9"}));
     EXPECT_EQ(to_json(recording->header)["parent"], told["parent"]);
     EXPECT_EQ(to_json(recording->header)["rewritten_from"], told["rewritten_from"]);
 
@@ -216,39 +214,6 @@ TEST_F(ForgedHeader, of_another_physics_version_plays_but_is_not_comparable) {
     EXPECT_EQ(summary["verified"]["comparable"], false);
     EXPECT_EQ(summary["verified"]["exact"], false);
     EXPECT_NE(couloir({"replay", path_.string(), "--verify"}).out.find("not comparable"), std::string::npos);
-}
-
-// Format 1.5 had numbers for bcre-inertial that forces replaced.
-TEST_F(ForgedHeader, of_the_former_bcre_inertial_plays_with_the_numbers_of_todays_material) {
-    header_["version"] = {1, 5};
-    header_["physics_version"] = 5;
-    for (const char* key :
-         {"friction_thin", "friction_fold_depth", "erosion_rate", "deposit_rate", "loose_slope"})
-        header_["physics"].erase(key);
-    header_["physics"]["relaxation_time"] = 1.5;
-    bodies_[0] = body_of(header_);
-    bodies_.insert(bodies_.begin() + 1,
-                   body_of(Json::parse(R"({"tick":0,"set":{"param":"relaxation_time","value":2.0}})")));
-    bodies_.insert(bodies_.begin() + 2,
-                   body_of(Json::parse(R"({"tick":0,"set":{"param":"start_slope","value":0.9}})")));
-    write_bytes(path_, chained(bodies_));
-    auto recording = read_recording(path_);
-    ASSERT_TRUE(recording) << recording.error().sentence;
-    EXPECT_TRUE(recording->header.renewed);
-    EXPECT_FALSE(is_comparable(recording->header));
-    ASSERT_TRUE(recording->warning);
-    EXPECT_NE(recording->warning->find("numbers of today's soil"), std::string::npos) << *recording->warning;
-    for (const TimedCommand& command : recording->commands)
-        EXPECT_NE(command.command.kind, sim::CommandKind::kSet);
-    renew(*recording);
-    const sim::Params soil = load_material("soil", sim::Model::kBcreInertial)->params;
-    EXPECT_EQ(recording->header.scenario.params.friction_thin, soil.friction_thin);
-    EXPECT_EQ(recording->header.scenario.params.drag, soil.drag);
-
-    header_["version"] = {1, 6};  // today nothing has that number
-    bodies_[0] = body_of(header_);
-    write_bytes(path_, chained(bodies_));
-    EXPECT_FALSE(read_recording(path_));
 }
 
 TEST_F(ForgedHeader, with_things_that_cannot_be_is_refused) {

@@ -241,12 +241,12 @@ const Mistake kMistakes[] = {
              play.set_tower({x, 31}, {x, 33},
                             10 + 0.3f * static_cast<float>(x) + (x % 12 == 2 * (frame % 6) ? 2.f : 0.f));
      }},
-    // The shadow of a tower that rises comes over a hut, which is seen before ground far behind it.
+    // The shadow of a tower that rises comes over a house, which is seen before ground far behind it.
     {"things", [](RedrawRules& rules) { rules.things = false; },
      [](Play& play) {
          play.light = {90, 12};
          play.camera = {{128, 128, 5}, 180, 6, 60, 50};
-         play.structures.all.push_back({StructureKind::kHut, {128, 128}});
+         play.structures.all.push_back({StructureKind::kHouse, {128, 128}, 0, {}, 11, 9, 7.5});
      },
      [](Play& play, int frame) {
          play.set_tower({44, 29}, {46, 35}, 2 * static_cast<float>(frame));

@@ -10,7 +10,7 @@ class DrawnStructures : public Gl {
     static constexpr int kPixels = 96;
 
     DrawnStructures() {
-        structures_.all.push_back({StructureKind::kHut, {150, 150}, 200});
+        structures_.all.push_back({StructureKind::kHouse, {150, 150}, 200, {}, 11, 9, 7.5});
         structures_.roads.push_back({{{20, 120}, {280, 120}}, 8});
     }
     Picture drawn(const Structures* structures, const Light& light = {240, 30}) {

@@ -16,16 +16,24 @@ namespace {
 
 const glm::vec3 kSun = glm::normalize(glm::vec3(1, 0, 1));
 
-class MeshOfHut : public testing::Test {
+class MeshOfStructures : public testing::Test {
   protected:
     StructureMesh mesh(const Structures& structures, float snow = 0, glm::vec2 snowy = {1, 1}) const {
         const std::vector<float> depth(world_.grid.size(), snow);
         const std::vector<glm::vec2> cover(world_.grid.size(), {snow, 0});
         return structure_mesh(structures, {world_.view(), depth, cover, snowy}, kSun);
     }
-    static Structures hut(StructureState state, double heading = 0) {
+    static constexpr double kLength = 11, kWidth = 9, kHeight = 7.5;
+    static Structures cabin(StructureState state, double heading = 0) {
         Structures structures;
-        structures.all.push_back({StructureKind::kHut, {100, 100}, heading, state});
+        structures.all.push_back({StructureKind::kHouse,
+                                  {100, 100},
+                                  heading,
+                                  state,
+                                  kLength,
+                                  kWidth,
+                                  kHeight,
+                                  HouseMaterial::kWood});
         return structures;
     }
     static std::size_t made_of(const StructureMesh& mesh, int material) {
@@ -37,9 +45,9 @@ class MeshOfHut : public testing::Test {
     World world_ = make_world(40, 5, [](double x, double) { return 0.2 * x; });
 };
 
-TEST_F(MeshOfHut, is_equal_for_equal_arguments) {
+TEST_F(MeshOfStructures, is_equal_for_equal_arguments) {
     for (const auto state : {StructureState::kIntact, StructureState::kDamaged, StructureState::kDestroyed}) {
-        const StructureMesh first = mesh(hut(state), 1), second = mesh(hut(state), 1);
+        const StructureMesh first = mesh(cabin(state), 1), second = mesh(cabin(state), 1);
         ASSERT_EQ(first.faces.size(), second.faces.size());
         EXPECT_EQ(
             std::memcmp(first.faces.data(), second.faces.data(), first.faces.size() * sizeof first.faces[0]),
@@ -47,22 +55,22 @@ TEST_F(MeshOfHut, is_equal_for_equal_arguments) {
     }
 }
 
-TEST_F(MeshOfHut, stays_within_its_size_and_stands_on_the_ground) {
+TEST_F(MeshOfStructures, stays_within_its_size_and_stands_on_the_ground) {
     for (const double heading : {0.0, 33.0, 90.0, 211.0})
-        for (const StructureVertex& vertex : mesh(hut(StructureState::kIntact, heading), 1.5f).faces) {
+        for (const StructureVertex& vertex : mesh(cabin(StructureState::kIntact, heading), 1.5f).faces) {
             const glm::vec3 from = glm::vec3(vertex.at) - glm::vec3(100, 100, 20);
             EXPECT_LT(glm::length(glm::vec2(from)), 10);
-            EXPECT_LT(from.z, kHutHeight + 2) << "with snow on its roof";
+            EXPECT_LT(from.z, kHeight + 2) << "with snow on its roof";
         }
-    const StructureMesh stands = mesh(hut(StructureState::kIntact));
+    const StructureMesh stands = mesh(cabin(StructureState::kIntact));
     const auto lowest =
         std::ranges::min(stands.faces, {}, [](const auto& vertex) { return vertex.at.z; }).at.z;
-    EXPECT_LT(lowest, 20 - 0.2 * kHutLength) << "no corner hangs over the slope";
+    EXPECT_LT(lowest, 20 - 0.2 * kLength) << "no corner hangs over the slope";
 }
 
-TEST_F(MeshOfHut, has_faces_that_look_outward) {
+TEST_F(MeshOfStructures, has_faces_that_look_outward) {
     // Of a closed body with its faces outward the volume is positive: that of walls and roof is about 11 × 9 × 6 m.
-    const StructureMesh whole = mesh(hut(StructureState::kIntact));
+    const StructureMesh whole = mesh(cabin(StructureState::kIntact));
     double volume = 0;
     for (std::size_t i = 0; i < whole.faces.size(); i += 3) {
         const auto at = [&](std::size_t k) {
@@ -74,17 +82,17 @@ TEST_F(MeshOfHut, has_faces_that_look_outward) {
     EXPECT_GT(volume, 400);
 }
 
-TEST_F(MeshOfHut, has_snow_on_its_roof_only_where_snow_lies) {
-    EXPECT_GT(made_of(mesh(hut(StructureState::kIntact), 1), BUILT_SNOW), 0u);
-    EXPECT_EQ(made_of(mesh(hut(StructureState::kIntact), 0), BUILT_SNOW), 0u);
-    EXPECT_EQ(made_of(mesh(hut(StructureState::kIntact), 1, {0, 1}), BUILT_SNOW), 0u)
+TEST_F(MeshOfStructures, has_snow_on_its_roof_only_where_snow_lies) {
+    EXPECT_GT(made_of(mesh(cabin(StructureState::kIntact), 1), BUILT_SNOW), 0u);
+    EXPECT_EQ(made_of(mesh(cabin(StructureState::kIntact), 0), BUILT_SNOW), 0u);
+    EXPECT_EQ(made_of(mesh(cabin(StructureState::kIntact), 1, {0, 1}), BUILT_SNOW), 0u)
         << "the upper material is soil";
 }
 
-TEST_F(MeshOfHut, loses_its_windows_its_roof_and_its_shadow) {
-    const StructureMesh whole = mesh(hut(StructureState::kIntact)),
-                        damaged = mesh(hut(StructureState::kDamaged)),
-                        destroyed = mesh(hut(StructureState::kDestroyed));
+TEST_F(MeshOfStructures, loses_its_windows_its_roof_and_its_shadow) {
+    const StructureMesh whole = mesh(cabin(StructureState::kIntact)),
+                        damaged = mesh(cabin(StructureState::kDamaged)),
+                        destroyed = mesh(cabin(StructureState::kDestroyed));
     EXPECT_GT(made_of(whole, BUILT_WINDOW), 0u);
     EXPECT_EQ(made_of(damaged, BUILT_WINDOW), 0u);
     EXPECT_FALSE(damaged.shadows.empty());
@@ -92,20 +100,20 @@ TEST_F(MeshOfHut, loses_its_windows_its_roof_and_its_shadow) {
     const auto rests = [](const StructureVertex& vertex) { return vertex.rests.w == 1; };
     EXPECT_TRUE(std::ranges::none_of(whole.faces, rests));
     EXPECT_TRUE(std::ranges::any_of(destroyed.faces, rests)) << "debris lies on the deposit";
-    EXPECT_TRUE(mesh(hut(StructureState::kBuried)).faces.empty());
+    EXPECT_TRUE(mesh(cabin(StructureState::kBuried)).faces.empty());
 }
 
-TEST_F(MeshOfHut, casts_its_shadow_away_from_the_sun) {
+TEST_F(MeshOfStructures, casts_its_shadow_away_from_the_sun) {
     float farthest = 0;
-    for (const StructureShadowVertex& vertex : mesh(hut(StructureState::kIntact)).shadows) {
-        EXPECT_GT(vertex.at.x, 100 - kHutLength - 2 * kHutHeight);
+    for (const StructureShadowVertex& vertex : mesh(cabin(StructureState::kIntact)).shadows) {
+        EXPECT_GT(vertex.at.x, 100 - kLength - 2 * kHeight);
         EXPECT_NEAR(vertex.at.z, 0.2 * vertex.at.x, 0.01) << "on the ground";
         farthest = std::max(farthest, 100 - vertex.at.x);
     }
-    EXPECT_GT(farthest, kHutWidth / 2 + 3) << "the sun is in the east";
+    EXPECT_GT(farthest, kWidth / 2 + 3) << "the sun is in the east";
 }
 
-TEST_F(MeshOfHut, is_joined_by_roads_that_follow_the_ground_and_by_ropes_between_heads) {
+TEST_F(MeshOfStructures, is_joined_by_roads_that_follow_the_ground_and_by_ropes_between_heads) {
     Structures structures;
     structures.roads.push_back({{{10, 50}, {100, 60}, {190, 20}}, 6});
     structures.all = {{StructureKind::kStation, {20, 150}, 90},
@@ -129,8 +137,8 @@ TEST_F(MeshOfHut, is_joined_by_roads_that_follow_the_ground_and_by_ropes_between
     EXPECT_LT(broken.ropes.size(), all.ropes.size()) << "the chairs have fallen";
 }
 
-TEST_F(MeshOfHut, has_parts_that_lie_in_their_balls_and_hold_each_face_once) {
-    Structures structures = hut(StructureState::kDamaged);
+TEST_F(MeshOfStructures, has_parts_that_lie_in_their_balls_and_hold_each_face_once) {
+    Structures structures = cabin(StructureState::kDamaged);
     structures.roads.push_back({{{10, 50}, {100, 60}, {190, 20}}, 6});
     const StructureMesh mesh = this->mesh(structures, 1);
     std::vector<int> times(mesh.faces.size());
@@ -145,7 +153,7 @@ TEST_F(MeshOfHut, has_parts_that_lie_in_their_balls_and_hold_each_face_once) {
     EXPECT_EQ(std::ranges::count(times, 1), std::ssize(times));
 }
 
-TEST_F(MeshOfHut, has_a_bounded_number_of_faces_for_a_road_of_any_length) {
+TEST_F(MeshOfStructures, has_a_bounded_number_of_faces_for_a_road_of_any_length) {
     Structures structures;
     structures.roads.push_back({{{0, 0}, {1e7, 0}}});
     EXPECT_LT(mesh(structures).faces.size(), 100'000u);
@@ -154,7 +162,7 @@ TEST_F(MeshOfHut, has_a_bounded_number_of_faces_for_a_road_of_any_length) {
 constexpr HouseMaterial kMaterials[] = {HouseMaterial::kGlass, HouseMaterial::kWood, HouseMaterial::kBrick,
                                         HouseMaterial::kConcrete};
 
-class MeshOfHouse : public MeshOfHut {
+class MeshOfHouse : public MeshOfStructures {
   protected:
     static Structures house(HouseMaterial material, StructureState state, glm::dvec3 size = {14, 10, 9}) {
         Structures structures;
@@ -247,12 +255,12 @@ TEST_F(MeshOfHouse, of_nets_stands_leans_lies_and_vanishes) {
     EXPECT_TRUE(mesh(buried).ropes.empty());
 }
 
-TEST_F(MeshOfHut, tears_its_ropes_where_a_pylon_fell) {
+TEST_F(MeshOfStructures, tears_its_ropes_where_a_pylon_fell) {
     Structures structures;
     structures.all = {{StructureKind::kStation, {20, 150}, 90},
                       {StructureKind::kPylon, {100, 150}, 90, StructureState::kDestroyed},
                       {StructureKind::kStation, {180, 150}, 90}};
-    structures.lifts.push_back({0, 3, true});
+    structures.lifts.push_back({0, 3});
     for (const RopeVertex& vertex : mesh(structures).ropes)
         EXPECT_GT(std::abs(vertex.at.x - 100), 60) << "nothing hangs between the stations";
 }

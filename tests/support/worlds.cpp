@@ -21,7 +21,7 @@ std::size_t Ground::at(int x, int y) const {
 }
 
 sim::InitialState Ground::world() const {
-    sim::InitialState world{grid, 0, bedrock, depth, rolling, has_data, 0};
+    sim::InitialState world{grid, 0, bedrock, depth, rolling, has_data};
     if (lower) world.lower = sim::InitialState::Lower{*lower, lower_depth};
     world.density = density, world.lower_density = lower_density;
     world.standing = {forest, placed, earth_budget};
