@@ -9,7 +9,6 @@
 namespace game::values {
 namespace {
 
-constexpr double kFar = 1e12;  // beyond any number of a goal
 constexpr std::size_t kMostEvents = 1'000'000;
 
 Json area_json(const Area& area) {
@@ -47,8 +46,8 @@ Json tool_json(const Goal::Tool& tool) {
 Goal::Tool tool_from(const Json& json) {
     Goal::Tool tool;
     tool.kind = kind_from(json, "command");
-    if (json.contains("count")) tool.count = whole(json, "count", 1, 1'000'000);
-    if (json.contains("total")) tool.total = number(json, "total", 0, kFar);
+    if (json.contains("count")) tool.count = whole(json, "count", 1, Goal::kMostCount);
+    if (json.contains("total")) tool.total = number(json, "total", 0, Goal::kGreatest);
     if (json.contains("as")) tool.layer = named(json, "as", sim::layer_from);
     if (!json.contains("limits")) return tool;
     const Json& limits = member(json, "limits");
@@ -129,13 +128,13 @@ Goal goal_from(const Json& json) {
     for (const Json& each : list(json, "tools", Goal::kMostTools)) goal.tools.push_back(tool_from(each));
     for (const Json& each : list(json, "needs", Goal::kMostNeeds)) {
         Goal::Need need{quantity_from(each), std::nullopt, std::nullopt};
-        if (each.contains("least")) need.least = number(each, "least", -kFar, kFar);
-        if (each.contains("most")) need.most = number(each, "most", -kFar, kFar);
+        if (each.contains("least")) need.least = number(each, "least", -Goal::kGreatest, Goal::kGreatest);
+        if (each.contains("most")) need.most = number(each, "most", -Goal::kGreatest, Goal::kGreatest);
         goal.needs.push_back(need);
     }
-    goal.base = number(json, "base", -kFar, kFar);
+    goal.base = number(json, "base", -Goal::kGreatest, Goal::kGreatest);
     for (const Json& each : list(json, "score", Goal::kMostTerms))
-        goal.score.push_back({quantity_from(each), number(each, "times", -kFar, kFar)});
+        goal.score.push_back({quantity_from(each), number(each, "times", -Goal::kGreatest, Goal::kGreatest)});
     if (json.contains("combine")) goal.combine = named(json, "combine", combine_from);
     const Json& medals = list(json, "medals", goal.medals.size());
     if (medals.size() != goal.medals.size()) refuse("medals is not three whole numbers");
@@ -143,8 +142,8 @@ Goal goal_from(const Json& json) {
         if (!medals.at(i).is_number_integer()) refuse("medals is not three whole numbers");
         goal.medals.at(i) = medals.at(i).get<std::int64_t>();
     }
-    goal.earliest_s = number(json, "earliest_s", 0, 1e6);
-    if (json.contains("latest_s")) goal.latest_s = number(json, "latest_s", 0, 1e6);
+    goal.earliest_s = number(json, "earliest_s", 0, Goal::kLongest);
+    if (json.contains("latest_s")) goal.latest_s = number(json, "latest_s", 0, Goal::kLongest);
     for (const Json& each : list(json, "events", kMostEvents)) goal.events.push_back(event_from(each));
     if (!std::ranges::is_sorted(goal.events, {}, &TimedCommand::tick))
         refuse("the events of the goal are not in the order of their ticks");

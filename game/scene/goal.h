@@ -53,6 +53,9 @@ struct Quantity {
 // What a challenge asks of a person: which tools there are, what must be so in the end, and what is counted.
 struct Goal {
     static constexpr std::size_t kMostTools = 16, kMostNeeds = 8, kMostTerms = 8, kMostText = 300;
+    static constexpr std::int64_t kMostCount = 1'000'000;  // of a tool
+    static constexpr double kGreatest = 1e9;               // magnitude of any other number
+    static constexpr double kLongest = 1e6;                // s, of a try
 
     // A command that the person may give. Each number is as it is given, or in a range.
     struct Limit {

@@ -10,9 +10,6 @@
 namespace game {
 namespace {
 
-constexpr double kMostOfAnything = 1e9;
-constexpr double kLongestTry = 3600;  // s
-
 std::string read_text(TomlTable& table, std::string_view key) {
     std::string text = table.text(key).value_or("");
     if (text.size() > Goal::kMostText)
@@ -50,8 +47,8 @@ Goal::Tool read_tool(TomlTable& table) {
     const auto info = read_command_name(table, "command");
     if (!info) return tool;
     tool.kind = info->kind;
-    tool.count = table.whole("count", 1, 1'000'000);
-    tool.total = table.number("total", 0, kMostOfAnything);
+    tool.count = table.whole("count", 1, Goal::kMostCount);
+    tool.total = table.number("total", 0, Goal::kGreatest);
     for (const sim::CommandNumber& number : info->numbers) {
         if (!table.has(number.name)) continue;
         if (!table.is_list(number.name)) {
@@ -93,15 +90,15 @@ Quantity read_quantity(TomlTable& table) {
 }
 
 Goal::Need read_need(TomlTable& table) {
-    Goal::Need need{read_quantity(table), table.number("least", -kMostOfAnything, kMostOfAnything),
-                    table.number("most", -kMostOfAnything, kMostOfAnything)};
+    Goal::Need need{read_quantity(table), table.number("least", -Goal::kGreatest, Goal::kGreatest),
+                    table.number("most", -Goal::kGreatest, Goal::kGreatest)};
     table.finish();
     return need;
 }
 
 Goal::Term read_term(TomlTable& table) {
     Goal::Term term{read_quantity(table),
-                    table.number("times", -kMostOfAnything, kMostOfAnything).value_or(1)};
+                    table.number("times", -Goal::kGreatest, Goal::kGreatest).value_or(1)};
     table.finish();
     return term;
 }
@@ -127,14 +124,14 @@ Goal read_goal(TomlTable& table) {
     goal.tools = read_all(table, "tool", Goal::kMostTools, read_tool);
     goal.needs = read_all(table, "need", Goal::kMostNeeds, read_need);
     goal.score = read_all(table, "score", Goal::kMostTerms, read_term);
-    goal.base = table.number("base", -kMostOfAnything, kMostOfAnything).value_or(0);
+    goal.base = table.number("base", -Goal::kGreatest, Goal::kGreatest).value_or(0);
     if (const auto name = table.text("combine")) {
         const auto combine = combine_from(*name);
         if (!combine) table.blame("combine", "is neither sum nor smallest");
         goal.combine = combine.value_or(goal.combine);
     }
-    goal.earliest_s = table.number("earliest", 0, kLongestTry).value_or(0);
-    goal.latest_s = table.number("latest", 0, kLongestTry);
+    goal.earliest_s = table.number("earliest", 0, Goal::kLongest).value_or(0);
+    goal.latest_s = table.number("latest", 0, Goal::kLongest);
     if (const auto medals = table.numbers("medals", 3))
         std::ranges::transform(*medals, goal.medals.begin(), [](double score) { return std::llrint(score); });
     else if (!table.has("medals"))

@@ -13,10 +13,10 @@
 namespace game::test {
 namespace {
 
-class DamagedShipped : public testing::TestWithParam<const char*> {
+class DamagedShipped : public testing::Test {
   protected:
     DamagedShipped() {
-        std::ifstream file(find_asset(AssetKind::kRecording, GetParam()).value(), std::ios::binary);
+        std::ifstream file(find_asset(AssetKind::kRecording, "landslide").value(), std::ios::binary);
         whole_.assign(std::istreambuf_iterator<char>(file), {});
         header_end_ = whole_.find('\n');
     }
@@ -51,14 +51,14 @@ class DamagedShipped : public testing::TestWithParam<const char*> {
     std::size_t header_end_ = 0;
 };
 
-TEST_P(DamagedShipped, cut_at_every_byte_of_its_last_kilobyte_keeps_its_whole_lines) {
+TEST_F(DamagedShipped, cut_at_every_byte_of_its_last_kilobyte_keeps_its_whole_lines) {
     for (std::size_t length = whole_.size() - 1024; length <= whole_.size(); ++length) {
         SCOPED_TRACE(length);
         expect_cut(length);
     }
 }
 
-TEST_P(DamagedShipped, cut_at_a_thousand_places_keeps_its_whole_lines) {
+TEST_F(DamagedShipped, cut_at_a_thousand_places_keeps_its_whole_lines) {
     std::mt19937 random(1);
     for (int i = 0; i < 1000; ++i) {
         const std::size_t length = random() % whole_.size();
@@ -67,7 +67,7 @@ TEST_P(DamagedShipped, cut_at_a_thousand_places_keeps_its_whole_lines) {
     }
 }
 
-TEST_P(DamagedShipped, with_any_of_a_thousand_bytes_altered_names_line_and_fact) {
+TEST_F(DamagedShipped, with_any_of_a_thousand_bytes_altered_names_line_and_fact) {
     std::mt19937 random(2);
     for (int i = 0; i < 1000; ++i) {
         const std::size_t at = random() % (whole_.size() - 1);
@@ -82,14 +82,6 @@ TEST_P(DamagedShipped, with_any_of_a_thousand_bytes_altered_names_line_and_fact)
         EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
     }
 }
-
-INSTANTIATE_TEST_SUITE_P(Recordings, DamagedShipped,
-                         testing::Values("landslide", "landslide-bcre", "snow-avalanche"),
-                         [](const auto& of) {
-                             std::string name = of.param;
-                             std::replace(name.begin(), name.end(), '-', '_');
-                             return name;
-                         });
 
 }  // namespace
 }  // namespace game::test
