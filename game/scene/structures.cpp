@@ -1,14 +1,13 @@
 #include "game/scene/structures.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
+
+#include "sim/world/command.h"
 
 namespace game {
 namespace {
@@ -64,9 +63,9 @@ std::optional<std::string> fault_of_road(std::span<const glm::dvec2> points) {
 
 std::optional<std::string> fault_of_lift(glm::dvec2 valley, glm::dvec2 mountain) {
     const double length = glm::distance(valley, mountain);
-    if (length >= kShortestLift && length <= kLongestLift) return std::nullopt;
-    return fmt::format("is {:.0f} m away; {:.0f} to {:.0f} m are allowed", length, kShortestLift,
-                       kLongestLift);
+    if (length >= sim::kShortestLift && length <= sim::kLongestLine) return std::nullopt;
+    return fmt::format("is {:.0f} m away; {:.0f} to {:.0f} m are allowed", length, sim::kShortestLift,
+                       sim::kLongestLine);
 }
 
 render::Structures structures_in(const sim::View& world, std::span<const float> first_depth) {
@@ -111,15 +110,16 @@ StructureWatch::StructureWatch(const sim::View& world) {
 }
 
 void StructureWatch::watch(const sim::View& world) {
-    if (!world.things) return;
     // Made anew only if things came or went, because the points of roads need memory.
-    if (world.things->changed == changed_) return take_states(world);
-    changed_ = world.things->changed;
+    const std::int64_t changed = world.things ? world.things->changed : -1;
+    if (changed == changed_) return take_states(world);
+    changed_ = changed;
     structures_ = structures_in(world, first_depth_);
 }
 
 // Sets the states alone. Things have the order of their list.
 void StructureWatch::take_states(const sim::View& world) {
+    if (!world.things) return;
     auto next = structures_.all.begin();
     auto next_net = structures_.nets.begin();
     for (const sim::Thing& thing : world.things->list) {

@@ -5,7 +5,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -17,7 +16,6 @@ namespace game {
 
 // Limits of what a scene may have, so that its meshes stay below about 60 MB.
 inline constexpr std::size_t kMostLifts = 8, kMostRoads = 8, kMostRoadPoints = 200;
-inline constexpr double kShortestLift = 60, kLongestLift = 5000;  // m
 
 // What is wrong with the points of a road, such as "has the same place twice in a row"; or nothing.
 std::optional<std::string> fault_of_road(std::span<const glm::dvec2> points);
@@ -27,8 +25,8 @@ std::optional<std::string> fault_of_lift(glm::dvec2 valley, glm::dvec2 mountain)
 // stations and pylons is a lift. `first_depth`: of the standing layer at tick 0, m, one value per vertex.
 render::Structures structures_in(const sim::View& world, std::span<const float> first_depth);
 
-// What stands in a world and what became of it, as it is drawn. Something is buried if what lies or rolls above it is as
-// high as it is.
+// What stands in a world and what became of it, as it is drawn. Something is buried if the layers above it are as high as
+// it is.
 class StructureWatch {
   public:
     explicit StructureWatch(const sim::View& world);
@@ -40,7 +38,7 @@ class StructureWatch {
     void take_states(const sim::View& world);
 
     render::Structures structures_;
-    std::int64_t changed_ = -1;       // sim::Things::changed when structures_ were made
+    std::int64_t changed_ = -1;       // sim::Things::changed when structures_ were made; −1: without things
     std::vector<float> first_depth_;  // m
 };
 

@@ -86,6 +86,16 @@ TEST_F(DrawnThings, come_and_go) {
     EXPECT_TRUE(watch.structures().empty());
 }
 
+// As in a world where nothing was ever placed.
+TEST_F(DrawnThings, are_gone_where_a_world_has_none) {
+    add({.x = 60, .y = 70, .length = 20, .width = 12, .height = 8, .strength = 10});
+    StructureWatch watch(sim::view(state_));
+    ASSERT_FALSE(watch.structures().empty());
+    state_.things.reset();
+    watch.watch(sim::view(state_));
+    EXPECT_TRUE(watch.structures().empty());
+}
+
 TEST_F(DrawnThings, change_their_states_while_none_comes_or_goes) {
     add({.kind = sim::ThingKind::kRoad, .x = 0, .y = 0, .to_x = 50, .to_y = 0, .width = 8});
     add({.kind = sim::ThingKind::kNet, .x = 5, .y = 5, .to_x = 9, .to_y = 5, .height = 3, .strength = 30});
